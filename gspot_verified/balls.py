@@ -1,0 +1,279 @@
+"""Precision scopes, exact inputs in, enclosures out, certain comparisons.
+
+This module is the one owner of flint's global context. The rules it keeps:
+
+- the working precision is set only by :class:`working_bits`, which restores it on every way out;
+- an input is an exact rational (``fmpq``) or a finite ball (``arb``); a float is refused;
+- a comparison answers True or False only when it is certain, and ``None`` otherwise;
+- every error bound enters a ball through :func:`add_remainder`.
+
+flint's precision is one number for the whole process. Use processes, not threads, for parallel work:
+:class:`working_bits` holds a lock, so threads that come through here wait for each other and stay correct.
+"""
+
+from __future__ import annotations
+
+import decimal
+import math
+import re
+import threading
+from collections.abc import Callable
+from fractions import Fraction
+from numbers import Integral
+from types import TracebackType
+
+from flint import acb, arb, ctx, fmpq, fmpz
+
+ExactInput = int | Fraction | fmpq | fmpz | str | arb
+"""What a user may pass for a real number."""
+
+Exact = fmpq | arb
+"""What :func:`exact` makes of it: a rational, or a finite ball."""
+
+MAX_DIGITS = 1_000_000
+MAX_WORKING_BITS = 64_000_000
+_MAX_DECIMAL_EXPONENT = 100_000
+_MAX_STRING = 2_000_000
+_LOG2_10 = math.log2(10)
+
+_FRACTION = re.compile(r"([+-]?[0-9]+)(?:/([0-9]+))?")
+_DECIMAL = re.compile(r"([+-]?)([0-9]*)\.?([0-9]*)(?:[eE]([+-]?[0-9]{1,9}))?")
+
+_lock = threading.RLock()
+
+
+class working_bits:
+    """Context manager: flint works with ``bits`` bits inside, and with the former precision afterwards.
+
+    It nests, it restores after an exception, and the same object can be entered again.
+
+    >>> with working_bits(200):
+    ...     third = arb(fmpq(1, 3))
+    >>> third.rel_accuracy_bits() >= 190
+    True
+    """
+
+    __slots__ = ("_bits", "_saved")
+
+    def __init__(self, bits: int) -> None:
+        if not 2 <= bits <= MAX_WORKING_BITS:
+            raise ValueError(f"bits must lie in 2..{MAX_WORKING_BITS}, got {bits}")
+        self._bits = bits
+        self._saved: list[int] = []
+
+    def __enter__(self) -> None:
+        _lock.acquire()
+        self._saved.append(ctx.prec)
+        ctx.prec = self._bits
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        ctx.prec = self._saved.pop()
+        _lock.release()
+
+
+def current_bits() -> int:
+    """The working precision in force, in bits."""
+    return int(ctx.prec)
+
+
+def bits_for_digits(digits: int) -> int:
+    """Bits of relative accuracy that stand for ``digits`` decimal digits.
+
+    :raises TypeError: ``digits`` is not an int.
+    :raises ValueError: it is not in 1..10^6.
+
+    >>> bits_for_digits(15)
+    51
+    """
+    if not isinstance(digits, Integral) or isinstance(digits, bool):
+        raise TypeError(f"digits must be an int, got {type(digits).__name__}")
+    if not 1 <= digits <= MAX_DIGITS:
+        raise ValueError(f"digits must lie in 1..{MAX_DIGITS}, got {digits}")
+    return math.ceil(int(digits) * _LOG2_10) + 1
+
+
+def exact(value: ExactInput, name: str) -> Exact:
+    """The exact value of an input: ``fmpq`` for a rational, the ball itself for an ``arb``.
+
+    Accepted: int, Fraction, fmpq, fmpz, a decimal or fraction string (``"0.1"`` means 1/10), a finite arb.
+
+    :raises TypeError: a float (or any other type); the message says how to pass it on purpose.
+    :raises ValueError: a NaN or infinite ball, or a string that is not a number; it names the argument.
+
+    >>> exact("0.1", "tau")
+    1/10
+    >>> exact(0.1, "tau")
+    Traceback (most recent call last):
+    ...
+    TypeError: tau: a float is not taken as exact; write Fraction(0.1) for its binary value or "0.1" for the decimal
+    """
+    if isinstance(value, fmpq):
+        return value
+    if isinstance(value, arb):
+        if not value.is_finite():
+            raise ValueError(f"{name}: the ball must be finite, got {value}")
+        return value
+    if isinstance(value, str):
+        return _parse(value, name)
+    if isinstance(value, float):
+        raise TypeError(
+            f"{name}: a float is not taken as exact; write Fraction({float(value)!r}) for its binary value "
+            f'or "{float(value)!r}" for the decimal'
+        )
+    if isinstance(value, Integral | fmpz) and not isinstance(value, bool):
+        return fmpq(int(value))
+    if isinstance(value, Fraction):
+        return fmpq(value.numerator, value.denominator)
+    raise TypeError(f"{name}: expected int, Fraction, fmpq, str or arb, got {type(value).__name__}")
+
+
+def _parse(text: str, name: str) -> fmpq:
+    word = text.strip()
+    shown = word if len(word) <= 40 else word[:37] + "..."
+    if len(word) > _MAX_STRING:
+        raise ValueError(f"{name}: a number may have at most {_MAX_STRING} characters")
+    if match := _FRACTION.fullmatch(word):
+        denominator = fmpz(match[2]) if match[2] else fmpz(1)
+        if denominator == 0:
+            raise ValueError(f"{name}: the denominator of {shown!r} is zero")
+        return fmpq(fmpz(match[1].lstrip("+")), denominator)
+    match = _DECIMAL.fullmatch(word)
+    if match is None or not (match[2] or match[3]):
+        raise ValueError(f'{name}: expected a number such as "-50", "7/3" or "0.1", got {shown!r}')
+    exponent = int(match[4] or 0)
+    if abs(exponent) > _MAX_DECIMAL_EXPONENT:
+        raise ValueError(f"{name}: the exponent of {shown!r} must lie within +-{_MAX_DECIMAL_EXPONENT}")
+    number = fmpq(fmpz(match[2] + match[3])) * fmpq(10) ** (exponent - len(match[3]))
+    return -number if match[1] == "-" else number
+
+
+def ball(value: Exact) -> arb:
+    """A ball that contains ``value``, rounded to the current precision."""
+    return arb(value) if isinstance(value, fmpq) else +value
+
+
+def is_exact(value: Exact) -> bool:
+    """True when the input is one number and not a ball of them."""
+    return isinstance(value, fmpq) or value.is_exact()
+
+
+def add_remainder(value: arb, bound: arb) -> arb:
+    """``value`` widened by ``|bound|``: contains v + r for every v in ``value`` and \\|r\\| <= \\|bound\\|.
+
+    Every truncation error of the library enters a ball here. A bound that is not finite gives a ball that is not
+    finite, so no finite answer can come from an unbounded remainder.
+    """
+    return value + arb(0, bound.abs_upper())
+
+
+def sign_of(value: arb) -> int | None:
+    """1, -1, or 0 when the sign of *every* number in the ball is that; ``None`` when it is not certain.
+
+    A NaN ball has no certain sign.
+
+    >>> sign_of(arb(3)), sign_of(arb(0)), sign_of(arb(0, 1))
+    (1, 0, None)
+    """
+    if value > 0:
+        return 1
+    if value < 0:
+        return -1
+    if value.is_zero():
+        return 0
+    return None
+
+
+def certainly_less(left: arb, right: arb) -> bool | None:
+    """True or False when that holds for every pair of numbers in the balls, ``None`` otherwise."""
+    if left < right:
+        return True
+    if left >= right:
+        return False
+    return None
+
+
+def relative_bits(value: arb) -> int:
+    """How many bits of ``value`` are certain; 0 or less when the ball contains zero or is not finite.
+
+    Very large for an exact ball. The radius is at most 2^-n of the largest number in the ball when this is n.
+    """
+    if not value.is_finite():
+        return -MAX_WORKING_BITS
+    if value.is_exact():
+        return MAX_WORKING_BITS
+    return int(value.rel_accuracy_bits())
+
+
+def shrink_to_bits(value: arb, bits: int) -> arb:
+    """The same enclosure, rounded outward to a midpoint of ``bits`` bits."""
+    with working_bits(max(bits, 30)):
+        return +value
+
+
+def nonfinite() -> arb:
+    """The ball of no information, which routes return when a hypothesis of their bound is not met."""
+    return arb.nan()
+
+
+def float_bounds(value: arb) -> tuple[float, float]:
+    """Two floats (lower, upper) that enclose the ball, rounded outward; infinite where floats overflow."""
+    if not value.is_finite():
+        return -math.inf, math.inf
+    with working_bits(53):
+        lower, upper = float(value.lower()), float(value.upper())
+    return math.nextafter(lower, -math.inf), math.nextafter(upper, math.inf)
+
+
+def approximate(value: Exact) -> float:
+    """A float near the (midpoint of the) value. For heuristics only: it carries no bound."""
+    if isinstance(value, fmpq):
+        return _ratio(int(value.p), int(value.q))
+    return float(value.mid())
+
+
+def _ratio(numerator: int, denominator: int) -> float:
+    try:
+        return numerator / denominator
+    except OverflowError:
+        return math.copysign(math.inf, numerator)
+
+
+def holomorphic_integral(
+    integrand: Callable[[acb, bool], acb], lower: arb, upper: arb, max_evaluations: int
+) -> acb:
+    """The integral of ``integrand`` over [lower, upper], by FLINT's Petras quadrature, at the current precision.
+
+    ``integrand(z, analytic)`` must return an enclosure over the box z, and, when ``analytic`` is true, a non-finite
+    ball unless the function is holomorphic on the whole box. A wrapper, so that this contract is stated at each use:
+    ignoring ``analytic`` gives a wrong ball without any warning. Near ``max_evaluations`` the ball gets wide.
+    """
+    return acb.integral(integrand, acb(lower), acb(upper), eval_limit=max_evaluations)
+
+
+def ball_text(value: arb, digits: int = 15) -> str:
+    """The ball as text: ``[midpoint +/- radius]`` when it is narrow, ``[lower, upper]`` when it is wide.
+
+    >>> with working_bits(60):
+    ...     ball_text(arb(1) / 3, 5), ball_text(arb(0, "0.3"), 3)
+    ('[0.33333 +/- 3.34e-6]', '[-0.301, 0.301]')
+    """
+    if not value.is_finite():
+        return "[no information]"
+    if value.is_exact() or relative_bits(value) >= 5:
+        with working_bits(max(64, math.ceil(digits * _LOG2_10) + 20)):
+            return value.str(digits)
+    lower, upper = float_bounds(value)
+    if math.isinf(lower) or math.isinf(upper):
+        return value.str(digits)
+    return f"[{_outward(lower, -1)}, {_outward(upper, 1)}]"
+
+
+def _outward(value: float, direction: int) -> str:
+    """Three significant digits, rounded down (direction -1) or up (1)."""
+    rounding = decimal.ROUND_FLOOR if direction < 0 else decimal.ROUND_CEILING
+    return f"{decimal.Context(prec=3, rounding=rounding).create_decimal_from_float(value).normalize():g}"

@@ -1,0 +1,283 @@
+"""Which route, how many terms, how many bits: heuristics only.
+
+Everything here is a guess in floats. Any choice is correct, because each route bounds what it leaves out; a bad
+choice costs time or accuracy, never truth. No bound stands in this file.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+from flint import fmpq
+
+from gspot_verified.balls import Exact, approximate
+from gspot_verified.theta.laplace import LaplacePlan
+from gspot_verified.theta.positive import SaddlePlan
+
+_LN2 = math.log(2)
+_GUARD = 12
+_SPLITTING_FROM_BITS = 1_500
+_SPLITTING_HEIGHT = 256
+
+
+@dataclass(frozen=True, slots=True)
+class TaylorPlan:
+    """Terms and working bits of the series at 0."""
+
+    length: int
+    bits: int
+
+
+@dataclass(frozen=True, slots=True)
+class NegativePlan:
+    """Terms and working bits of the enveloping series."""
+
+    terms: int
+    bits: int
+
+
+def taylor_plan(tau: float, beta: float, goal: int) -> TaylorPlan:
+    """Terms and bits with which the series at 0 reaches about ``goal`` bits, for \\|tau\\| = the float given."""
+    size = abs(tau)
+    peak, value = _taylor_scales(size if tau > 0 else -size, beta)
+    bits = goal + _GUARD + max(0, math.ceil((peak - value) / _LN2))
+    bits = _rounded(bits)
+    return TaylorPlan(taylor_length(size, beta, bits * _LN2 - peak), bits)
+
+
+def _rounded(bits: int) -> int:
+    """Up to a multiple of 32, so that cached initial values and polynomials serve many tau."""
+    return -(-bits // 32) * 32
+
+
+def _taylor_scales(tau: float, beta: float) -> tuple[float, float]:
+    """Natural logarithms of the largest Taylor term, and of Theta."""
+    size = abs(tau)
+    if abs(beta) <= 8:
+        exponent = 2 / 3 * size**1.5
+        value = beta * math.log1p(size) if tau < 0 else exponent
+        return exponent + 2 * math.log1p(size), min(value, 0.0) if tau < 0 else value
+    return _largest_term(size, beta), _log_theta(tau, beta)
+
+
+def _log_term(k: float, size: float, beta: float) -> float:
+    """About ln of \\|a_k\\| size^k."""
+    return (
+        _log_moment(k - beta) - _log_moment(-beta, reciprocal=True) - math.lgamma(k + 1)
+        + (k - beta) / 3 * math.log(3)
+        + k * math.log(size)
+    )
+
+
+def _log_moment(z: float, reciprocal: bool = False) -> float:
+    """About ln of \\|Gamma(z/3)\\|, or of \\|Gamma(z)\\|, kept finite next to the poles."""
+    argument = z if reciprocal else z / 3
+    nearest = round(argument)
+    if argument < 0.5 and abs(argument - nearest) < 0.01:
+        argument = nearest + 0.01
+    return math.lgamma(argument)
+
+
+def _largest_term(size: float, beta: float) -> float:
+    if size == 0:
+        return max(_log_term(k, 1.0, beta) for k in (0, 1, 2))
+    peak = max(3.0, size**1.5 + abs(beta))
+    points = [peak * j / 64 for j in range(1, 129)] + [0.0, 1.0, 2.0]
+    return max(_log_term(k, size, beta) for k in points)
+
+
+def _log_theta(tau: float, beta: float) -> float:
+    """A rough ln \\|Theta\\|: the leading saddle for beta < 0, the larger of the two parts for beta > 0."""
+    saddle = _log_saddle(tau, beta)
+    if beta <= 0:
+        return saddle
+    algebraic = _log_algebraic(abs(tau), beta)
+    return max(algebraic, saddle) if tau > 0 else algebraic
+
+
+def _log_saddle(tau: float, beta: float) -> float:
+    """ln of the peak of r^(-beta) e^(r tau - r^3/3) over r, over \\|Gamma(-beta)\\|; -inf without a peak."""
+    point = _stationary(tau, beta)
+    if point is None:
+        return -math.inf
+    return point * tau - point**3 / 3 - beta * math.log(point) - _log_moment(-beta, reciprocal=True)
+
+
+def _stationary(tau: float, beta: float) -> float | None:
+    """The largest r > 0 with r tau - r^3 = beta."""
+    r = math.sqrt(max(tau, 0.0)) + max(-beta, 0.0) ** (1 / 3) + 1.0
+    for _ in range(100):
+        slope = tau - 3 * r * r
+        if slope >= 0:
+            return None
+        step = (r * tau - r**3 - beta) / slope
+        r -= step
+        if r <= 0:
+            return None
+        if abs(step) < 1e-9 * r:
+            return r
+    return None
+
+
+def _log_algebraic(size: float, beta: float) -> float:
+    """ln of sum_k beta!/(beta - 3k)! size^(beta - 3k) / (3^k k!), all terms of one sign."""
+    if size == 0:
+        return math.lgamma(beta + 1) - math.lgamma(beta / 3 + 1) - beta / 3 * math.log(3)
+    count = max(1, int(beta // 3))
+    points = range(0, count + 1, max(1, count // 64))
+    return max(
+        math.lgamma(beta + 1) - math.lgamma(beta - 3 * k + 1) - math.lgamma(k + 1)
+        + (beta - 3 * k) * math.log(size) - k * math.log(3)
+        for k in points
+    )
+
+
+def taylor_length(size: float, beta: float, drop: float) -> int:
+    """Terms until they fall below e^-drop, and long enough for the ratio test."""
+    if size == 0:
+        return 3
+    scale = size**1.5
+    target = max(drop + scale * 2 / 3, 1.0) + (abs(beta) + 1) * 1.0
+    # |a_k| size^k is near exp(-(2/3) k (ln(k/scale) - 1)) for k well above |beta|.
+    k = max(scale * math.e, 4.0)
+    for _ in range(60):
+        following = max(1.5 * target / max(math.log(k / scale) - 1, 0.05), 1.0)
+        if abs(following - k) < 1:
+            break
+        k = 0.5 * (k + following)
+    if abs(beta) > 8:
+        while _log_term(k, size, beta) > -drop and k < 1e9:
+            k *= 1.1
+    least = math.sqrt(2 * scale * scale * (1 + abs(beta) / (k + 1))) + 3
+    return 3 * math.ceil(max(k, least) / 3) + 6
+
+
+@lru_cache(maxsize=4096)
+def negative_plan(x: float, beta: float, goal: int) -> NegativePlan | None:
+    """Terms and bits with which the enveloping series reaches ``goal`` bits; ``None`` when it cannot."""
+    if x <= 1 or x**1.5 * 2 / 3 < goal * _LN2 * 0.9:
+        return None
+    inverse = x**-3
+    term, largest, k = 0.0, 0.0, 0
+    while True:
+        # For beta < 0 the terms alternate: the sum is near 1/largest, so twice its logarithm is lost.
+        lost = 2 * largest if beta < 0 else -largest
+        if 3 * k > beta and k >= 1 and term < -(goal + 3) * _LN2 - lost + largest:
+            return NegativePlan(k, _rounded(goal + _GUARD + math.ceil(max(0.0, lost) / _LN2)))
+        factor = abs((3 * k - beta) * (3 * k + 1 - beta) * (3 * k + 2 - beta)) * inverse / (3 * (k + 1))
+        if 3 * k > beta and factor >= 1 and k > abs(beta) / 6:
+            return None
+        term += math.log(factor) if factor > 0 else -1e300
+        largest = max(largest, term)
+        k += 1
+
+
+@lru_cache(maxsize=4096)
+def saddle_plan(tau: float, beta: float, goal: int) -> SaddlePlan | None:
+    """Terms and disc with which the saddle point bound reaches ``goal`` bits; ``None`` when it cannot."""
+    large = tau**1.5
+    target = (goal + 4) * _LN2 + _log_growth(large, beta)
+    best: tuple[int, SaddlePlan] | None = None
+    for percent in (72, 66, 60, 52, 44, 36, 28, 20, 14, 10, 6):
+        disc = percent / 100
+        cut = min(1 - disc, 0.45)
+        radius = disc * math.sqrt(1 - disc / 3)
+        sigma = 0.9 * radius
+        log_circle = max(-(beta + 1) * math.log(1 - disc), -(beta + 1) * math.log(1 + disc))
+        near_zero = large * (2 / 3 - cut - cut**3 / 3) + beta * math.log(cut)
+        tails = large * sigma**2 - max(0.0, -(beta + 1)) * sigma - max(0.0, log_circle, -(beta + 1) * math.log(cut))
+        if min(near_zero, tails - 0.5 * math.log(large)) < target:
+            continue
+        terms = _saddle_terms(radius * radius * large, log_circle + 3 + target)
+        if terms is None or 2 * terms > large * sigma**2:
+            continue
+        plan = SaddlePlan(terms, fmpq(percent, 100), fmpq(min(100 - percent, 45), 100))
+        if best is None or terms < best[0]:
+            best = (terms, plan)
+    return best[1] if best else None
+
+
+def _log_growth(large: float, beta: float) -> float:
+    """Room for a saddle series that is itself small: its sum is near e^(beta^2/(4 lambda)) or larger than 1."""
+    return max(0.0, -(beta * beta) / (4 * large)) + 1.0
+
+
+def _saddle_terms(ratio: float, drop: float) -> int | None:
+    """The least N with lgamma(N + 1/2) - N ln ratio < -drop."""
+    if ratio < 2:
+        return None
+    low, high = 1, max(2, int(ratio))
+    def size(n: int) -> float:
+        return math.lgamma(n + 0.5) - n * math.log(ratio)
+    if size(high) > -drop:
+        return None
+    while low < high:
+        middle = (low + high) // 2
+        if size(middle) <= -drop:
+            high = middle
+        else:
+            low = middle + 1
+    return low
+
+
+def laplace_plan(tau: float, beta: float, goal: int) -> LaplacePlan:
+    """Cut near where the integrand leaves its singularity, end where it is below 2^-goal of its largest value."""
+    cut = min((1 + max(beta, 0.0)) / (1 + abs(tau)), 2.0 + math.sqrt(abs(tau)) / 2)
+    peak = _stationary(tau, beta) or math.sqrt(max(tau, 0.0))
+    peak = max(peak, cut)
+    def log_integrand(r: float) -> float:
+        return r * tau - r**3 / 3 - beta * math.log(r)
+    top = log_integrand(peak)
+    end, step = peak, max(peak * 0.05, 0.05)
+    while log_integrand(end) > top - (goal + 20) * _LN2 or end * end < tau + abs(beta) / end + 0.1:
+        end += step
+        step *= 1.1
+    crowd = 4 * cut * abs(tau) + 22 * cut**3
+    terms = math.ceil(max((goal + 20) * _LN2 / math.log(4) + crowd / math.log(4), beta + 2)) + 4
+    return LaplacePlan(_short(cut), _short(end), terms, _short(peak), 5_000 + 40 * goal)
+
+
+def _short(value: float) -> fmpq:
+    """A nearby rational of small height."""
+    scale = 1 << max(0, 12 - math.frexp(value)[1])
+    return fmpq(max(1, round(value * scale)), scale)
+
+
+def prefers_splitting(tau: Exact, beta: Exact, bits: int) -> bool:
+    """True where exact binary splitting beats the floating series: many bits, rationals of small height."""
+    if bits < _SPLITTING_FROM_BITS or not isinstance(tau, fmpq) or not isinstance(beta, fmpq):
+        return False
+    height = tau.height_bits() * 3 + beta.height_bits()
+    return height <= max(_SPLITTING_HEIGHT, bits // 200)
+
+
+def saddle_bits(tau: float, beta: float, goal: int) -> int:
+    """Working bits of the saddle route: the exponent 2 lambda/3 and large powers lose their leading bits."""
+    lost = 1.5 * math.log2(tau) + abs(beta) ** 2 / (2 * tau**1.5 * _LN2) + 2 * math.log2(abs(beta) + 2)
+    return _rounded(goal + _GUARD + math.ceil(lost))
+
+
+def laplace_bits(tau: float, beta: float, plan: LaplacePlan, goal: int) -> int:
+    """Working bits of the Laplace route: the series and the integral may cancel for beta > 0."""
+    cut = float(int(plan.cut.p) / int(plan.cut.q))
+    parts = beta * -math.log(cut) + max(cut * tau, 0.0) if beta > 0 else 0.0
+    lost = max(0.0, parts + _log_moment(beta + 1, reciprocal=True) if beta > 0 else 0.0)
+    return _rounded(goal + 2 * _GUARD + math.ceil(lost / _LN2) + math.ceil(math.log2(abs(tau) + abs(beta) + 2) * 2))
+
+
+def preferred_routes(tau: Exact, beta: Exact, goal: int, taylor_work: int) -> list[str]:
+    """Route names, best first. Asymptotic routes answer "not finite" at once where they cannot reach the goal."""
+    point, parameter = approximate(tau), approximate(beta)
+    names = []
+    if point < -8:
+        names.append("negative")
+    elif point > 8:
+        names.append("positive")
+    plan = taylor_plan(point, parameter, goal)
+    if prefers_splitting(tau, beta, goal) or plan.length * plan.bits > 8 * taylor_work:
+        names.append("splitting")
+    if plan.length * (plan.bits + 500) > taylor_work and goal < 5_000:
+        names.append("laplace")
+    return [*names, "taylor", "laplace"]

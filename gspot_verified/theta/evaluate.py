@@ -1,0 +1,214 @@
+"""Theta and its derivatives to a given relative accuracy: chooses a route and raises precision until it is met."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+from flint import arb, fmpq, fmpq_poly
+
+from gspot_verified.balls import (
+    MAX_WORKING_BITS,
+    Exact,
+    ExactInput,
+    ball_text,
+    bits_for_digits,
+    is_exact,
+    relative_bits,
+    shrink_to_bits,
+    sign_of,
+    working_bits,
+)
+from gspot_verified.dyadic import Dyadic
+from gspot_verified.theta import choice, routes
+from gspot_verified.theta.integer import polynomial
+from gspot_verified.theta.routes import BudgetError, checked_arguments, derivative_factor
+from gspot_verified.verdict import Reason, Verdict
+
+_EXACT_POLYNOMIAL_BITS = 100_000
+_TAYLOR_WORK = 400_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluation:
+    """The result of :func:`evaluate`.
+
+    ``value`` contains the exact result for every exact input in the input balls, always. ``reached`` says whether its
+    relative radius is at most 10^-digits. When it is not, ``reason`` says why: near a zero of Theta the absolute
+    accuracy is what the ball shows, and the sign is undecided.
+    """
+
+    value: arb
+    digits: int
+    reached: bool
+    route: str
+    working_bits: int
+    reason: Reason | None = None
+
+    @property
+    def sign(self) -> Verdict:
+        """The certified sign: proved, or undecided with the reason."""
+        sign = sign_of(self.value)
+        if sign is None:
+            return Verdict.undecided("the sign", self.reason or Reason.WIDE_INPUT, f"value in {self}")
+        return Verdict.proved(f"the value is {('zero', 'positive', 'negative')[sign]}")
+
+    def __str__(self) -> str:
+        return ball_text(self.value, self.digits)
+
+    def _repr_html_(self) -> str:
+        return f"<code>{self}</code>"
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``; ``enclosure`` is the exact interval."""
+        return {
+            "value": str(self),
+            "enclosure": str(Dyadic.from_ball(self.value)),
+            "digits": self.digits,
+            "reached": self.reached,
+            "route": self.route,
+            "working_bits": self.working_bits,
+            "reason": self.reason.name.lower() if self.reason else None,
+        }
+
+
+def evaluate(
+    tau: ExactInput,
+    beta: ExactInput,
+    derivative: int = 0,
+    digits: int = 15,
+    max_bits: int | None = None,
+) -> Evaluation:
+    """d^k Theta/dtau^k (tau, beta) with relative accuracy 10^-digits, and how it was found.
+
+    :param tau: \\|tau\\| <= 10^12; int, Fraction, fmpq, "decimal" or "fraction" string, or arb.
+    :param beta: \\|beta\\| <= 10^4, same types; integers and balls that hold integers included.
+    :param derivative: k, 0..1000.
+    :param digits: 1..10^6.
+    :param max_bits: the budget: working precision is raised up to this many bits (default 8 times the asked bits
+        plus 16,384, plus what the first attempt needed).
+    :raises TypeError: a float argument.
+    :raises ValueError: an argument outside its domain.
+    :raises BudgetError: the request would not fit in memory; raised beforehand.
+
+    Source: paper, Appendix A; the routes and their bounds: ``proofs/``.
+
+    >>> evaluate(-50, "7/3", digits=30).route
+    'negative'
+    >>> evaluate(0, 1).value
+    0
+    """
+    point, parameter = checked_arguments(tau, beta, derivative)
+    goal = bits_for_digits(digits)
+    if max_bits is not None and not 64 <= max_bits <= MAX_WORKING_BITS:
+        raise ValueError(f"max_bits must lie in 64..{MAX_WORKING_BITS}, got {max_bits}")
+    factor = derivative_factor(parameter, derivative)
+    if isinstance(factor, fmpq) and factor == 0:
+        return Evaluation(arb(0), digits, True, "polynomial", 0)
+    shifted = parameter - derivative if derivative else parameter
+    found = _exact_polynomial(point, shifted, goal) or _approach(point, shifted, goal + 2, max_bits)
+    if not is_exact(point):
+        found = _centred(found, point, shifted, goal + 2, max_bits)
+    value = found.value
+    if derivative:
+        with working_bits(max(goal + 32, 64)):
+            value = value * factor
+    value = shrink_to_bits(value, goal + 16)
+    reached = relative_bits(value) >= goal
+    return Evaluation(value, digits, reached, found.route, found.bits, None if reached else found.reason)
+
+
+def theta(tau: ExactInput, beta: ExactInput, derivative: int = 0, digits: int = 15) -> Any:
+    """An enclosure of d^k Theta/dtau^k (tau, beta) with relative accuracy 10^-digits, as an ``arb``.
+
+    A numpy array for ``tau`` gives an object array of the same shape (see :mod:`gspot_verified.theta.arrays`).
+    Arguments and errors: see :func:`evaluate`, which also says whether the accuracy was reached: next to a zero of
+    Theta, or for wide input balls, the ball returned here is valid but wider than asked.
+
+    >>> theta(-50, "7/3", digits=20)
+    [9210.1042163477515727 +/- 4.20e-17]
+    >>> theta(2, 3, derivative=1)
+    -12.0000000000000
+    """
+    if type(tau).__module__ == "numpy" and hasattr(tau, "ravel"):
+        from gspot_verified.theta.arrays import theta_array
+
+        return theta_array(tau, beta, derivative, digits)
+    return evaluate(tau, beta, derivative, digits).value
+
+
+@dataclass(frozen=True, slots=True)
+class _Found:
+    value: arb
+    route: str
+    bits: int
+    reason: Reason | None
+
+
+@lru_cache(maxsize=64)
+def _cached_polynomial(n: int) -> fmpq_poly:
+    return polynomial(n)
+
+
+def _exact_polynomial(tau: Exact, beta: Exact, goal: int) -> _Found | None:
+    """Theta at an integer beta and a rational tau, exactly, while its integers stay small."""
+    if not (isinstance(tau, fmpq) and isinstance(beta, fmpq) and beta.q == 1 and beta.p >= 0):
+        return None
+    n = int(beta.p)
+    if n * (tau.height_bits() + n.bit_length()) > _EXACT_POLYNOMIAL_BITS:
+        return None
+    with working_bits(goal + 32):
+        return _Found(arb(_cached_polynomial(n)(tau)), "polynomial", goal, None)
+
+
+def _approach(tau: Exact, beta: Exact, goal: int, max_bits: int | None) -> _Found:
+    """Raise the precision until ``goal`` relative bits are certain, or the budget ends, or balls forbid more."""
+    exact_input = is_exact(tau) and is_exact(beta)
+    wanted = goal
+    route, value = _attempt(tau, beta, wanted)
+    budget = max_bits or 8 * goal + 16_384
+    while relative_bits(value) < goal:
+        certain = relative_bits(value)
+        following = wanted + max(goal - certain, 16) + 8 if certain > 0 else 2 * wanted + 64
+        if following > budget:
+            return _Found(value, route, wanted, Reason.BUDGET)
+        wanted = following
+        route, finer = _attempt(tau, beta, wanted)
+        if not exact_input and finer.is_finite() and not 4 * finer.rad() < value.rad():
+            return _Found(_tighter(finer, value), route, wanted, Reason.WIDE_INPUT)
+        value = _tighter(finer, value)
+    return _Found(value, route, wanted, None)
+
+
+def _tighter(first: arb, second: arb) -> arb:
+    """The common part of two enclosures of the same number (or of the finite one)."""
+    if not second.is_finite():
+        return first
+    if not first.is_finite():
+        return second
+    with working_bits(max(64, first.bits() + 32, second.bits() + 32)):
+        return first.intersection(second)
+
+
+def _centred(found: _Found, tau: arb, beta: Exact, goal: int, max_bits: int | None) -> _Found:
+    """Mean value form over the ball tau: Theta(m) + Theta'(tau)(tau - m), m the midpoint; the common part is kept."""
+    middle = tau.mid()
+    center = _approach(middle, beta, goal, max_bits)
+    slope_value = _attempt(tau, beta - 1, goal)[1]
+    with working_bits(goal + 32):
+        form = center.value - beta * slope_value * (tau - middle)
+    if not form.is_finite():
+        return found
+    return _Found(_tighter(found.value, form), found.route, found.bits, found.reason)
+
+
+def _attempt(tau: Exact, beta: Exact, goal: int) -> tuple[str, arb]:
+    """One enclosure by the route that the heuristics prefer for ``goal`` bits; the next one when it is not finite."""
+    for name in choice.preferred_routes(tau, beta, goal, _TAYLOR_WORK):
+        value = routes.ROUTES[name](tau, beta, goal)
+        if value.is_finite():
+            return name, value
+    raise BudgetError(
+        f"no route reaches {goal} bits at this tau and beta within memory: ask for fewer digits, or smaller |tau|"
+    )

@@ -1,0 +1,37 @@
+"""Theta at beta = 0, 1, 2, ...: a polynomial in tau with integer coefficients.
+
+Proof page: ``proofs/initial_values.md``.
+"""
+
+from __future__ import annotations
+
+from flint import fmpq, fmpq_poly, fmpz
+
+
+def polynomial(n: int) -> fmpq_poly:
+    """Theta(., n) = (-1)^n n! [r^n] e^(r tau - r^3/3), exactly.
+
+    :raises ValueError: n is negative.
+
+    >>> polynomial(3)
+    (-1)*x^3 + 2
+    """
+    if n < 0:
+        raise ValueError(f"n must be at least 0, got {n}")
+    coefficients = [fmpz(0)] * (n + 1)
+    value = fmpz(-1) ** n
+    for j in range(n // 3 + 1):
+        degree = n - 3 * j
+        coefficients[degree] = value
+        # n!/((n-3j)! 3^j j!) stays an integer: it counts choices of j disjoint triples, times 2^j orders.
+        value = -value * degree * (degree - 1) * (degree - 2) / (3 * (j + 1))
+    return fmpq_poly(coefficients)
+
+
+def polynomial_value(tau: fmpq, n: int) -> fmpq:
+    """Theta(tau, n) as an exact rational.
+
+    >>> polynomial_value(fmpq(1, 2), 3)
+    15/8
+    """
+    return polynomial(n)(tau)

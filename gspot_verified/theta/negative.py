@@ -1,0 +1,43 @@
+"""tau -> -infinity: the enveloping series.
+
+Proof page: ``proofs/negative.md``.
+"""
+
+from __future__ import annotations
+
+from flint import arb, fmpq
+
+from gspot_verified.balls import Exact, add_remainder, ball, nonfinite, working_bits
+
+
+def negative_sum(tau: Exact, beta: Exact, terms: int, bits: int) -> arb:
+    """An enclosure of Theta(tau, beta) for tau < 0, from ``terms`` = N terms in x = -tau:
+
+        sum_(k<N) (-beta)_(3k) (-1)^k / (3^k k!) x^(beta - 3k)  +-  the size of the term k = N.
+
+    Hypotheses, checked: tau < 0 and 3N > beta, both certain; else the result is not finite. The series diverges: for
+    each x there is a best accuracy, near exp(-2/3 x^(3/2)) relative.
+    """
+    with working_bits(bits):
+        x = -ball(tau)
+        center = ball(beta)
+        if not (x > 0 and center < 3 * terms):
+            return nonfinite()
+        inverse_cube = 1 / (x * x * x)
+        term = arb(1)
+        total = arb(1)
+        for k in range(terms):
+            term = term * _ratio(k, beta) * inverse_cube
+            if k < terms - 1:
+                total += term
+        return add_remainder(total, term) * x**center
+
+
+def _ratio(k: int, beta: Exact) -> Exact:
+    """The quotient of the terms k + 1 and k, times x^3: -(3k - beta)(3k+1 - beta)(3k+2 - beta)/(3 (k + 1))."""
+    if isinstance(beta, fmpq):
+        p, q = int(beta.p), int(beta.q)
+        first = 3 * k * q - p
+        return fmpq(-first * (first + q) * (first + 2 * q), 3 * (k + 1) * q**3)
+    first_ball = 3 * k - beta
+    return -first_ball * (first_ball + 1) * (first_ball + 2) / (3 * (k + 1))

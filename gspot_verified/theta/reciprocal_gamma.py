@@ -1,0 +1,32 @@
+"""1/Gamma, entire, with full relative accuracy next to its zeros.
+
+Source: DLMF 5.5.3 (reflection). Proof page: ``proofs/initial_values.md``.
+"""
+
+from __future__ import annotations
+
+from flint import arb, fmpq
+
+from gspot_verified.balls import Exact
+
+# From here on Gamma of a rational by its own series (gamma_fmpq) is faster than Gamma of a ball.
+_RATIONAL_BITS = 2_000
+
+
+def reciprocal_gamma(z: Exact, bits: int) -> arb:
+    """An enclosure of 1/Gamma(z) at the current precision ``bits``; exactly 0 at z = 0, -1, -2, ...
+
+    Next to such a zero n, z = n + f, 1/Gamma(z) = (-1)^n sin(pi f) Gamma(1 - z)/pi with the exact f of a rational z,
+    so the relative accuracy does not suffer however near the zero is.
+    """
+    if isinstance(z, arb):
+        return z.rgamma()
+    if z.q == 1 and z.p <= 0:
+        return arb(0)
+    if z.p < 0:
+        nearest = (2 * z.p + z.q) // (2 * z.q)
+        offset = z - nearest
+        if abs(offset) < fmpq(1, 1000):
+            product = arb(offset).sin_pi() * arb(1 - z).gamma() / arb.pi()
+            return -product if nearest % 2 else product
+    return 1 / arb.gamma_fmpq(z) if bits > _RATIONAL_BITS else arb(z).rgamma()

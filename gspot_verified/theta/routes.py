@@ -1,0 +1,138 @@
+"""The routes to Theta and its derivatives as functions of (tau, beta): each chooses its plan and calls its bound.
+
+Every route returns a valid enclosure or a ball that is not finite (its hypotheses are not met there). None of them
+raises precision: :mod:`gspot_verified.theta.evaluate` does. A derivative is a shift of beta:
+d^k Theta/dtau^k (tau, beta) = (-beta)(1 - beta)...(k - 1 - beta) Theta(tau, beta - k), from Theta' = -beta Theta(beta - 1).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from flint import arb, fmpq
+
+from gspot_verified.balls import Exact, ExactInput, approximate, bits_for_digits, exact, nonfinite, working_bits
+from gspot_verified.theta import choice
+from gspot_verified.theta.laplace import laplace_sum
+from gspot_verified.theta.negative import negative_sum
+from gspot_verified.theta.positive import positive_sum
+from gspot_verified.theta.splitting import splitting_sum
+from gspot_verified.theta.taylor import taylor_sum
+
+MAX_TAU = 10**12
+MAX_BETA = 10**4
+MAX_DERIVATIVE = 1_000
+
+_MAX_TAYLOR_BYTES = 2**31
+_MAX_TAYLOR_LENGTH = 20_000_000
+
+
+class BudgetError(ValueError):
+    """The request would need more memory or time than the library allows itself; raised before the work starts."""
+
+
+Route = Callable[[Exact, Exact, int], arb]
+
+
+def checked_arguments(tau: ExactInput, beta: ExactInput, derivative: int) -> tuple[Exact, Exact]:
+    """Both arguments as exact values, inside the domain.
+
+    :raises TypeError: a float, or a derivative that is not an int.
+    :raises ValueError: not a number, not finite, \\|tau\\| > 10^12, \\|beta\\| > 10^4, derivative not in 0..1000.
+    """
+    if isinstance(derivative, bool) or not isinstance(derivative, int):
+        raise TypeError(f"derivative must be an int, got {type(derivative).__name__}")
+    if not 0 <= derivative <= MAX_DERIVATIVE:
+        raise ValueError(f"derivative must lie in 0..{MAX_DERIVATIVE}, got {derivative}")
+    point, parameter = exact(tau, "tau"), exact(beta, "beta")
+    for value, limit, name in ((point, MAX_TAU, "tau"), (parameter, MAX_BETA, "beta")):
+        if not -limit <= value <= limit:
+            raise ValueError(f"{name}: the library covers |{name}| <= {limit}")
+    return point, parameter
+
+
+def derivative_factor(beta: Exact, derivative: int) -> Exact:
+    """(-beta)(1 - beta)...(derivative - 1 - beta), exact for a rational beta."""
+    factor: Exact = fmpq(1)
+    for j in range(derivative):
+        factor = factor * (j - beta)
+    return factor
+
+
+def taylor(tau: Exact, beta: Exact, goal: int) -> arb:
+    """The Taylor series at 0 in balls, planned for ``goal`` bits."""
+    plan = choice.taylor_plan(_farthest(tau), approximate(beta), goal)
+    if plan.length > _MAX_TAYLOR_LENGTH or plan.length * plan.bits // 8 > _MAX_TAYLOR_BYTES:
+        return nonfinite()
+    return taylor_sum(tau, beta, plan.length, plan.bits)
+
+
+def splitting(tau: Exact, beta: Exact, goal: int) -> arb:
+    """The Taylor series at 0 by exact binary splitting, for rational arguments, planned for ``goal`` bits."""
+    if not (isinstance(tau, fmpq) and isinstance(beta, fmpq)):
+        return nonfinite()
+    plan = choice.taylor_plan(approximate(tau), approximate(beta), goal)
+    if plan.length > _MAX_TAYLOR_LENGTH:
+        return nonfinite()
+    return splitting_sum(tau, beta, plan.length, plan.bits)
+
+
+def negative(tau: Exact, beta: Exact, goal: int) -> arb:
+    """The enveloping series at tau -> -infinity, planned for ``goal`` bits."""
+    plan = choice.negative_plan(-approximate(tau), approximate(beta), goal)
+    return nonfinite() if plan is None else negative_sum(tau, beta, plan.terms, plan.bits)
+
+
+def positive(tau: Exact, beta: Exact, goal: int) -> arb:
+    """The saddle point and the algebraic part at tau -> +infinity, planned for ``goal`` bits."""
+    point, parameter = approximate(tau), approximate(beta)
+    plan = choice.saddle_plan(point, parameter, goal) if point > 1 else None
+    return nonfinite() if plan is None else positive_sum(tau, beta, plan, choice.saddle_bits(point, parameter, goal))
+
+
+def laplace(tau: Exact, beta: Exact, goal: int) -> arb:
+    """The Laplace integral by quadrature, planned for ``goal`` bits."""
+    point, parameter = approximate(tau), approximate(beta)
+    plan = choice.laplace_plan(point, parameter, goal)
+    bits = choice.laplace_bits(point, parameter, plan, goal)
+    return laplace_sum(tau, beta, plan, bits)
+
+
+def _farthest(tau: Exact) -> float:
+    """The number of the ball that is farthest from 0, as a float."""
+    if isinstance(tau, fmpq) or tau.is_exact():
+        return approximate(tau)
+    with working_bits(64):
+        far = approximate(tau.abs_upper())
+    return -far if tau < 0 else far
+
+
+ROUTES: dict[str, Route] = {
+    "taylor": taylor,
+    "splitting": splitting,
+    "negative": negative,
+    "positive": positive,
+    "laplace": laplace,
+}
+
+
+def theta_by(
+    route: str, tau: ExactInput, beta: ExactInput, derivative: int = 0, digits: int = 15
+) -> arb:
+    """An enclosure of d^k Theta/dtau^k by one named route, planned for ``digits``, with no second attempt.
+
+    Returns a valid ball, possibly wide, or one that is not finite where the route's hypotheses do not hold.
+
+    :param route: ``"taylor"``, ``"splitting"``, ``"negative"``, ``"positive"`` or ``"laplace"``.
+    :raises ValueError: an unknown route, or an argument outside the domain (see :func:`checked_arguments`).
+
+    >>> theta_by("laplace", -2, "1/2").overlaps(theta_by("taylor", -2, "1/2"))
+    True
+    """
+    if route not in ROUTES:
+        raise ValueError(f"route must be one of {', '.join(ROUTES)}, got {route!r}")
+    point, parameter = checked_arguments(tau, beta, derivative)
+    goal = bits_for_digits(digits)
+    value = ROUTES[route](point, parameter - derivative, goal)
+    with working_bits(goal + 64):
+        return value * derivative_factor(parameter, derivative)

@@ -1,0 +1,118 @@
+"""The three outcomes of a check, kept apart: proved, refuted with a witness, undecided with a reason."""
+
+from __future__ import annotations
+
+import enum
+import html
+from dataclasses import dataclass
+from typing import Any, NoReturn
+
+from gspot_verified.dyadic import Dyadic
+
+
+class Outcome(enum.Enum):
+    """What a check found. Undecided is neither of the other two and never counts as passed."""
+
+    PROVED = "proved"
+    REFUTED = "refuted"
+    UNDECIDED = "undecided"
+
+
+class Reason(enum.Enum):
+    """Why a check stayed undecided."""
+
+    BUDGET = "the stated budget ended before the question was settled"
+    WIDE_INPUT = "the input balls are too wide: different numbers in them may have different answers"
+    HYPOTHESIS = "a hypothesis of the bound could not be verified"
+    NO_ROUTE = "no second route is at hand, so the first one stands alone"
+
+
+_EXIT_CODES = {Outcome.PROVED: 0, Outcome.REFUTED: 1, Outcome.UNDECIDED: 2}
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """The outcome for one statement.
+
+    ``witness`` says where a refuted statement fails, ``reason`` why an undecided one is open, ``remaining`` which
+    boxes (tuples of intervals) are left.
+
+    :raises ValueError: refuted without a witness, or undecided without a reason.
+
+    >>> str(Verdict.proved("1 < 2"))
+    'proved: 1 < 2'
+    >>> bool(Verdict.proved("1 < 2"))
+    Traceback (most recent call last):
+    ...
+    TypeError: a verdict has three outcomes; compare .outcome with Outcome.PROVED, REFUTED or UNDECIDED
+    """
+
+    outcome: Outcome
+    statement: str
+    witness: str | None = None
+    reason: Reason | None = None
+    detail: str = ""
+    remaining: tuple[tuple[Dyadic, ...], ...] = ()
+
+    def __post_init__(self) -> None:
+        if self.outcome is Outcome.REFUTED and not self.witness:
+            raise ValueError("a refuted statement needs a witness")
+        if self.outcome is Outcome.UNDECIDED and self.reason is None:
+            raise ValueError("an undecided statement needs a reason")
+
+    @classmethod
+    def proved(cls, statement: str, detail: str = "") -> Verdict:
+        """The statement holds."""
+        return cls(Outcome.PROVED, statement, detail=detail)
+
+    @classmethod
+    def refuted(cls, statement: str, witness: str, detail: str = "") -> Verdict:
+        """The statement fails at ``witness``."""
+        return cls(Outcome.REFUTED, statement, witness=witness, detail=detail)
+
+    @classmethod
+    def undecided(
+        cls,
+        statement: str,
+        reason: Reason,
+        detail: str = "",
+        remaining: tuple[tuple[Dyadic, ...], ...] = (),
+    ) -> Verdict:
+        """Neither was shown."""
+        return cls(Outcome.UNDECIDED, statement, reason=reason, detail=detail, remaining=remaining)
+
+    def __bool__(self) -> NoReturn:
+        raise TypeError(
+            "a verdict has three outcomes; compare .outcome with Outcome.PROVED, REFUTED or UNDECIDED"
+        )
+
+    @property
+    def exit_code(self) -> int:
+        """0 proved, 1 refuted, 2 undecided: what the command line returns."""
+        return _EXIT_CODES[self.outcome]
+
+    def __str__(self) -> str:
+        text = f"{self.outcome.value}: {self.statement}"
+        if self.witness:
+            text += f"\n  witness: {self.witness}"
+        if self.reason:
+            text += f"\n  reason: {self.reason.value}"
+        if self.detail:
+            text += f"\n  {self.detail}"
+        if self.remaining:
+            text += f"\n  {len(self.remaining)} box(es) left"
+        return text
+
+    def _repr_html_(self) -> str:
+        return f'<pre class="verdict-{self.outcome.value}">{html.escape(str(self))}</pre>'
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``; boxes as exact texts."""
+        return {
+            "outcome": self.outcome.value,
+            "statement": self.statement,
+            "witness": self.witness,
+            "reason": self.reason.name.lower() if self.reason else None,
+            "detail": self.detail,
+            "remaining": [[str(side) for side in box] for box in self.remaining],
+        }
