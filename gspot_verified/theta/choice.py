@@ -17,9 +17,12 @@ from gspot_verified.theta.laplace import LaplacePlan
 from gspot_verified.theta.positive import SaddlePlan
 
 _LN2 = math.log(2)
-_GUARD = 12
+_GUARD = 8
 _SPLITTING_FROM_BITS = 1_500
 _SPLITTING_HEIGHT = 256
+# Work of the floating series, in terms times bits, from which another route is faster.
+_QUADRATURE_FROM_WORK = 20_000_000
+_SPLITTING_FROM_WORK = 100_000_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,27 +42,21 @@ class NegativePlan:
 
 
 def taylor_plan(tau: float, beta: float, goal: int) -> TaylorPlan:
-    """Terms and bits with which the series at 0 reaches about ``goal`` bits, for \\|tau\\| = the float given."""
+    """Terms and bits with which the series at 0 reaches about ``goal`` bits, for \|tau\| = the float given."""
     size = abs(tau)
-    peak, value = _taylor_scales(size if tau > 0 else -size, beta)
-    bits = goal + _GUARD + max(0, math.ceil((peak - value) / _LN2))
-    bits = _rounded(bits)
+    if abs(beta) <= 8:
+        peak = 2 / 3 * size**1.5 + math.log1p(size)
+        value = min(peak, beta * math.log1p(size)) if tau < 0 else peak
+    else:
+        peak, value = _largest_term(size, beta), _log_theta(tau, beta)
+    bits = _rounded(goal + _GUARD + max(0, math.ceil((peak - value) / _LN2)))
     return TaylorPlan(taylor_length(size, beta, bits * _LN2 - peak), bits)
 
 
 def _rounded(bits: int) -> int:
-    """Up to a multiple of 32, so that cached initial values and polynomials serve many tau."""
-    return -(-bits // 32) * 32
-
-
-def _taylor_scales(tau: float, beta: float) -> tuple[float, float]:
-    """Natural logarithms of the largest Taylor term, and of Theta."""
-    size = abs(tau)
-    if abs(beta) <= 8:
-        exponent = 2 / 3 * size**1.5
-        value = beta * math.log1p(size) if tau < 0 else exponent
-        return exponent + 2 * math.log1p(size), min(value, 0.0) if tau < 0 else value
-    return _largest_term(size, beta), _log_theta(tau, beta)
+    """Up to a multiple of 16 (of 32 from 128 on), so that cached initial values and polynomials serve many tau."""
+    step = 16 if bits <= 128 else 32
+    return -(-bits // step) * step
 
 
 def _log_term(k: float, size: float, beta: float) -> float:
@@ -135,23 +132,22 @@ def _log_algebraic(size: float, beta: float) -> float:
 
 
 def taylor_length(size: float, beta: float, drop: float) -> int:
-    """Terms until they fall below e^-drop, and long enough for the ratio test."""
+    """Terms until they fall below e^-drop, and long enough for the ratio test; a multiple of 3."""
     if size == 0:
         return 3
     scale = size**1.5
-    target = max(drop + scale * 2 / 3, 1.0) + (abs(beta) + 1) * 1.0
     # |a_k| size^k is near exp(-(2/3) k (ln(k/scale) - 1)) for k well above |beta|.
-    k = max(scale * math.e, 4.0)
-    for _ in range(60):
-        following = max(1.5 * target / max(math.log(k / scale) - 1, 0.05), 1.0)
-        if abs(following - k) < 1:
-            break
-        k = 0.5 * (k + following)
+    target = 1.5 * (max(drop, 1.0) + abs(beta))
+    k = math.e * scale + target / 4
+    for _ in range(5):
+        # Newton's step for k (ln(k/scale) - 1) = target.
+        slope = math.log(k / scale) if k > scale else 0.1
+        k = max((target + k) / max(slope, 0.1), 1.0)
     if abs(beta) > 8:
         while _log_term(k, size, beta) > -drop and k < 1e9:
             k *= 1.1
     least = math.sqrt(2 * scale * scale * (1 + abs(beta) / (k + 1))) + 3
-    return 3 * math.ceil(max(k, least) / 3) + 6
+    return 3 * math.ceil(max(k, least) / 3)
 
 
 @lru_cache(maxsize=4096)
@@ -166,10 +162,13 @@ def negative_plan(x: float, beta: float, goal: int) -> NegativePlan | None:
         lost = 2 * largest if beta < 0 else -largest
         if 3 * k > beta and k >= 1 and term < -(goal + 3) * _LN2 - lost + largest:
             return NegativePlan(k, _rounded(goal + _GUARD + math.ceil(max(0.0, lost) / _LN2)))
-        factor = abs((3 * k - beta) * (3 * k + 1 - beta) * (3 * k + 2 - beta)) * inverse / (3 * (k + 1))
+        # Next to an integer a factor is tiny, but a float cannot tell how tiny: count it as 1/2.
+        factor = inverse / (3 * (k + 1))
+        for j in range(3 * k, 3 * k + 3):
+            factor *= max(abs(j - beta), 0.5)
         if 3 * k > beta and factor >= 1 and k > abs(beta) / 6:
             return None
-        term += math.log(factor) if factor > 0 else -1e300
+        term += math.log(factor)
         largest = max(largest, term)
         k += 1
 
@@ -267,17 +266,20 @@ def laplace_bits(tau: float, beta: float, plan: LaplacePlan, goal: int) -> int:
     return _rounded(goal + 2 * _GUARD + math.ceil(lost / _LN2) + math.ceil(math.log2(abs(tau) + abs(beta) + 2) * 2))
 
 
-def preferred_routes(tau: Exact, beta: Exact, goal: int, taylor_work: int) -> list[str]:
-    """Route names, best first. Asymptotic routes answer "not finite" at once where they cannot reach the goal."""
+def preferred_routes(tau: Exact, beta: Exact, goal: int) -> list[str]:
+    """Route names, best first. A route answers "not finite" at once where it cannot reach the goal."""
     point, parameter = approximate(tau), approximate(beta)
+    if -8 <= point <= 8 and goal < _SPLITTING_FROM_BITS and -300 < parameter < 300:
+        return ["taylor"]
     names = []
     if point < -8:
         names.append("negative")
     elif point > 8:
         names.append("positive")
     plan = taylor_plan(point, parameter, goal)
-    if prefers_splitting(tau, beta, goal) or plan.length * plan.bits > 8 * taylor_work:
-        names.append("splitting")
-    if plan.length * (plan.bits + 500) > taylor_work and goal < 5_000:
+    work = plan.length * (plan.bits + 500)
+    if work > _QUADRATURE_FROM_WORK and goal < 5_000 and parameter < 0:
         names.append("laplace")
+    if prefers_splitting(tau, beta, goal) or work > _SPLITTING_FROM_WORK:
+        names.append("splitting")
     return [*names, "taylor", "laplace"]

@@ -14,6 +14,7 @@ from gspot_verified.balls import (
     ExactInput,
     ball_text,
     bits_for_digits,
+    certainly_less,
     is_exact,
     relative_bits,
     shrink_to_bits,
@@ -27,7 +28,6 @@ from gspot_verified.theta.routes import BudgetError, checked_arguments, derivati
 from gspot_verified.verdict import Reason, Verdict
 
 _EXACT_POLYNOMIAL_BITS = 100_000
-_TAYLOR_WORK = 400_000_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,24 +99,13 @@ def evaluate(
     >>> evaluate(0, 1).value
     0
     """
-    point, parameter = checked_arguments(tau, beta, derivative)
     goal = bits_for_digits(digits)
     if max_bits is not None and not 64 <= max_bits <= MAX_WORKING_BITS:
         raise ValueError(f"max_bits must lie in 64..{MAX_WORKING_BITS}, got {max_bits}")
-    factor = derivative_factor(parameter, derivative)
-    if isinstance(factor, fmpq) and factor == 0:
-        return Evaluation(arb(0), digits, True, "polynomial", 0)
-    shifted = parameter - derivative if derivative else parameter
-    found = _exact_polynomial(point, shifted, goal) or _approach(point, shifted, goal + 2, max_bits)
-    if not is_exact(point):
-        found = _centred(found, point, shifted, goal + 2, max_bits)
-    value = found.value
-    if derivative:
-        with working_bits(max(goal + 32, 64)):
-            value = value * factor
-    value = shrink_to_bits(value, goal + 16)
+    point, parameter = checked_arguments(tau, beta, derivative)
+    value, route, bits, reason = _enclose(point, parameter, derivative, goal, max_bits)
     reached = relative_bits(value) >= goal
-    return Evaluation(value, digits, reached, found.route, found.bits, None if reached else found.reason)
+    return Evaluation(value, digits, reached, route, bits, None if reached else reason)
 
 
 def theta(tau: ExactInput, beta: ExactInput, derivative: int = 0, digits: int = 15) -> Any:
@@ -135,15 +124,28 @@ def theta(tau: ExactInput, beta: ExactInput, derivative: int = 0, digits: int = 
         from gspot_verified.theta.arrays import theta_array
 
         return theta_array(tau, beta, derivative, digits)
-    return evaluate(tau, beta, derivative, digits).value
+    goal = bits_for_digits(digits)
+    point, parameter = checked_arguments(tau, beta, derivative)
+    return _enclose(point, parameter, derivative, goal, None)[0]
 
 
-@dataclass(frozen=True, slots=True)
-class _Found:
-    value: arb
-    route: str
-    bits: int
-    reason: Reason | None
+_Found = tuple[arb, str, int, Reason | None]
+"""An enclosure, its route, the bits that were asked of the route, and why it is wider than asked (if it is)."""
+
+
+def _enclose(tau: Exact, beta: Exact, derivative: int, goal: int, max_bits: int | None) -> _Found:
+    factor = derivative_factor(beta, derivative)
+    if isinstance(factor, fmpq) and factor == 0:
+        return arb(0), "polynomial", 0, None
+    shifted = beta - derivative if derivative else beta
+    found = _exact_polynomial(tau, shifted, goal) or _approach(tau, shifted, goal + 2, max_bits)
+    if isinstance(tau, arb) and not tau.is_exact():
+        found = _centred(found, tau, shifted, goal + 2, max_bits)
+    value, route, bits, reason = found
+    if derivative:
+        with working_bits(goal + 32):
+            value = value * factor
+    return shrink_to_bits(value, goal + 16), route, bits, reason
 
 
 @lru_cache(maxsize=64)
@@ -159,34 +161,33 @@ def _exact_polynomial(tau: Exact, beta: Exact, goal: int) -> _Found | None:
     if n * (tau.height_bits() + n.bit_length()) > _EXACT_POLYNOMIAL_BITS:
         return None
     with working_bits(goal + 32):
-        return _Found(arb(_cached_polynomial(n)(tau)), "polynomial", goal, None)
+        return arb(_cached_polynomial(n)(tau)), "polynomial", goal, None
 
 
 def _approach(tau: Exact, beta: Exact, goal: int, max_bits: int | None) -> _Found:
     """Raise the precision until ``goal`` relative bits are certain, or the budget ends, or balls forbid more."""
-    exact_input = is_exact(tau) and is_exact(beta)
     wanted = goal
     route, value = _attempt(tau, beta, wanted)
+    certain = relative_bits(value)
+    if certain >= goal:
+        return value, route, wanted, None
+    exact_input = is_exact(tau) and is_exact(beta)
     budget = max_bits or 8 * goal + 16_384
-    while relative_bits(value) < goal:
-        certain = relative_bits(value)
+    while certain < goal:
         following = wanted + max(goal - certain, 16) + 8 if certain > 0 else 2 * wanted + 64
         if following > budget:
-            return _Found(value, route, wanted, Reason.BUDGET)
+            return value, route, wanted, Reason.BUDGET
         wanted = following
         route, finer = _attempt(tau, beta, wanted)
-        if not exact_input and finer.is_finite() and not 4 * finer.rad() < value.rad():
-            return _Found(_tighter(finer, value), route, wanted, Reason.WIDE_INPUT)
+        if not exact_input and not certainly_less(4 * finer.rad(), value.rad()):
+            return _tighter(finer, value), route, wanted, Reason.WIDE_INPUT
         value = _tighter(finer, value)
-    return _Found(value, route, wanted, None)
+        certain = relative_bits(value)
+    return value, route, wanted, None
 
 
 def _tighter(first: arb, second: arb) -> arb:
-    """The common part of two enclosures of the same number (or of the finite one)."""
-    if not second.is_finite():
-        return first
-    if not first.is_finite():
-        return second
+    """The common part of two finite enclosures of the same number."""
     with working_bits(max(64, first.bits() + 32, second.bits() + 32)):
         return first.intersection(second)
 
@@ -194,18 +195,16 @@ def _tighter(first: arb, second: arb) -> arb:
 def _centred(found: _Found, tau: arb, beta: Exact, goal: int, max_bits: int | None) -> _Found:
     """Mean value form over the ball tau: Theta(m) + Theta'(tau)(tau - m), m the midpoint; the common part is kept."""
     middle = tau.mid()
-    center = _approach(middle, beta, goal, max_bits)
-    slope_value = _attempt(tau, beta - 1, goal)[1]
+    center = _approach(middle, beta, goal, max_bits)[0]
+    slope = _attempt(tau, beta - 1, goal)[1]
     with working_bits(goal + 32):
-        form = center.value - beta * slope_value * (tau - middle)
-    if not form.is_finite():
-        return found
-    return _Found(_tighter(found.value, form), found.route, found.bits, found.reason)
+        form = center - beta * slope * (tau - middle)
+    return _tighter(found[0], form), *found[1:]
 
 
 def _attempt(tau: Exact, beta: Exact, goal: int) -> tuple[str, arb]:
     """One enclosure by the route that the heuristics prefer for ``goal`` bits; the next one when it is not finite."""
-    for name in choice.preferred_routes(tau, beta, goal, _TAYLOR_WORK):
+    for name in choice.preferred_routes(tau, beta, goal):
         value = routes.ROUTES[name](tau, beta, goal)
         if value.is_finite():
             return name, value

@@ -14,6 +14,9 @@ from gspot_verified.theta.reciprocal_gamma import reciprocal_gamma
 
 InitialValues = tuple[arb, arb, arb]
 
+_HALF = fmpq(1, 2)
+_TWO_THIRDS = fmpq(2, 3)
+
 
 def initial_values(beta: Exact, bits: int) -> InitialValues:
     """Enclosures of Theta(0), Theta'(0), Theta''(0) with working precision ``bits``, finite for every real beta.
@@ -40,18 +43,16 @@ def _cached(beta: fmpq, bits: int) -> InitialValues:
 
 def _entire_form(beta: Exact, bits: int) -> InitialValues:
     with working_bits(bits):
-        gammas = [reciprocal_gamma((j - beta) / 3, bits) for j in range(3)]
+        first, second, third = (reciprocal_gamma((j - beta) / 3, bits) for j in range(3))
         cube_root = arb(3).root(3)
-        constant = 2 * arb.pi() * _power_of_three(2 * beta / 3 - fmpq(1, 2))
-        return (
-            constant * gammas[1] * gammas[2],
-            constant * cube_root * gammas[0] * gammas[2],
-            constant * cube_root**2 * gammas[0] * gammas[1],
-        )
+        constant = 2 * arb.pi() * _power_of_three(beta * _TWO_THIRDS - _HALF, bits)
+        outer = constant * third
+        inner = cube_root * first
+        return outer * second, outer * inner, constant * cube_root * inner * second
 
 
-def _power_of_three(exponent: Exact) -> arb:
-    if isinstance(exponent, fmpq) and exponent.q <= 64 and abs(exponent.p) <= 10_000:
+def _power_of_three(exponent: Exact, bits: int) -> arb:
+    if bits > 2_000 and isinstance(exponent, fmpq) and exponent.q <= 64 and abs(exponent.p) <= 10_000:
         # An integer power and an integer root are cheaper than exp(x log 3) at high precision.
         return (arb(3) ** int(exponent.p)).root(int(exponent.q))
     return arb(3) ** ball(exponent)

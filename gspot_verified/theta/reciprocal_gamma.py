@@ -21,12 +21,14 @@ def reciprocal_gamma(z: Exact, bits: int) -> arb:
     """
     if isinstance(z, arb):
         return z.rgamma()
-    if z.q == 1 and z.p <= 0:
-        return arb(0)
-    if z.p < 0:
-        nearest = (2 * z.p + z.q) // (2 * z.q)
-        offset = z - nearest
-        if abs(offset) < fmpq(1, 1000):
-            product = arb(offset).sin_pi() * arb(1 - z).gamma() / arb.pi()
+    numerator = int(z.p)
+    if numerator <= 0:
+        denominator = int(z.q)
+        above = numerator % denominator  # z = integer + above/denominator
+        if above == 0:
+            return arb(0)
+        if 1000 * min(above, denominator - above) < denominator:
+            nearest = (2 * numerator + denominator) // (2 * denominator)
+            product = arb(z - nearest).sin_pi() * arb(1 - z).gamma() / arb.pi()
             return -product if nearest % 2 else product
     return 1 / arb.gamma_fmpq(z) if bits > _RATIONAL_BITS else arb(z).rgamma()

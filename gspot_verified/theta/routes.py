@@ -25,6 +25,7 @@ MAX_DERIVATIVE = 1_000
 
 _MAX_TAYLOR_BYTES = 2**31
 _MAX_TAYLOR_LENGTH = 20_000_000
+_MAX_LAPLACE_LOSS = 4_000
 
 
 class BudgetError(ValueError):
@@ -45,10 +46,17 @@ def checked_arguments(tau: ExactInput, beta: ExactInput, derivative: int) -> tup
     if not 0 <= derivative <= MAX_DERIVATIVE:
         raise ValueError(f"derivative must lie in 0..{MAX_DERIVATIVE}, got {derivative}")
     point, parameter = exact(tau, "tau"), exact(beta, "beta")
-    for value, limit, name in ((point, MAX_TAU, "tau"), (parameter, MAX_BETA, "beta")):
-        if not -limit <= value <= limit:
-            raise ValueError(f"{name}: the library covers |{name}| <= {limit}")
+    if not _within(point, MAX_TAU):
+        raise ValueError(f"tau: the library covers |tau| <= {MAX_TAU}")
+    if not _within(parameter, MAX_BETA):
+        raise ValueError(f"beta: the library covers |beta| <= {MAX_BETA}")
     return point, parameter
+
+
+def _within(value: Exact, limit: int) -> bool:
+    if isinstance(value, fmpq):
+        return abs(int(value.p)) <= limit * int(value.q)
+    return bool(-limit <= value <= limit)
 
 
 def derivative_factor(beta: Exact, derivative: int) -> Exact:
@@ -95,6 +103,8 @@ def laplace(tau: Exact, beta: Exact, goal: int) -> arb:
     point, parameter = approximate(tau), approximate(beta)
     plan = choice.laplace_plan(point, parameter, goal)
     bits = choice.laplace_bits(point, parameter, plan, goal)
+    if bits > 4 * goal + _MAX_LAPLACE_LOSS:
+        return nonfinite()
     return laplace_sum(tau, beta, plan, bits)
 
 

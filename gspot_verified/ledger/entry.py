@@ -1,0 +1,105 @@
+"""One entry of the ledger: a statement of the paper, the checks that were run on it, and the verdict."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from gspot_verified.verdict import Outcome, Reason, Verdict
+
+
+class Kind(enum.Enum):
+    """What a check can settle."""
+
+    PROOF = "a proof page in proofs/"
+    EXACT = "exact arithmetic that covers the whole claim"
+    BALLS = "balls that cover the whole stated set"
+    POINTS = "balls at stated points: supports the claim, cannot prove it for all arguments"
+
+    @property
+    def settles(self) -> bool:
+        """True when this kind of check alone decides the claim."""
+        return self is not Kind.POINTS
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """One route to the claim: what was done and what came out.
+
+    ``agrees`` is True when the claim holds on everything this check covers, False when it certainly fails somewhere,
+    None when the check could not tell.
+    """
+
+    kind: Kind
+    what: str
+    agrees: bool | None
+    finding: str = ""
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``."""
+        return {
+            "kind": self.kind.name.lower(),
+            "what": self.what,
+            "agrees": self.agrees,
+            "finding": self.finding,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A statement of the paper with its verdict.
+
+    ``label`` is the paper's label or "line N" of its source; ``source`` the printed form as LaTeX; ``statement`` the
+    claim in words; ``corrected`` the form that holds when the printed one is refuted, or the condition it needs.
+    """
+
+    identifier: str
+    label: str
+    section: str
+    source: str
+    statement: str
+    checks: tuple[Check, ...]
+    verdict: Verdict
+    corrected: str = ""
+    note: str = ""
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``."""
+        return {
+            "identifier": self.identifier,
+            "label": self.label,
+            "section": self.section,
+            "source": self.source,
+            "statement": self.statement,
+            "checks": [check.to_json() for check in self.checks],
+            "verdict": self.verdict.to_json(),
+            "corrected": self.corrected,
+            "note": self.note,
+        }
+
+
+def conclude(statement: str, checks: Sequence[Check], witness: str = "") -> Verdict:
+    """The verdict that two or more checks support.
+
+    - refuted: one check fails with certainty, and a second one fails too (two derivations of the counterexample);
+    - proved: every check agrees, there are at least two of them, and one of a settling kind;
+    - undecided: anything else.
+    """
+    failures = [check for check in checks if check.agrees is False]
+    if len(failures) >= 2:
+        return Verdict.refuted(statement, witness or failures[0].finding, failures[1].finding)
+    if failures:
+        return Verdict.undecided(statement, Reason.NO_ROUTE, f"one check fails: {failures[0].finding}")
+    if any(check.agrees is None for check in checks):
+        open_checks = "; ".join(check.what for check in checks if check.agrees is None)
+        return Verdict.undecided(statement, Reason.BUDGET, f"could not tell: {open_checks}")
+    if len(checks) >= 2 and any(check.kind.settles for check in checks):
+        return Verdict.proved(statement, "; ".join(check.what for check in checks))
+    return Verdict.undecided(statement, Reason.NO_ROUTE, "the checks at points alone prove nothing")
+
+
+def counts(entries: Sequence[Entry]) -> dict[str, int]:
+    """How many entries have each outcome."""
+    return {outcome.value: sum(e.verdict.outcome is outcome for e in entries) for outcome in Outcome}
