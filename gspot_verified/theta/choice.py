@@ -266,6 +266,11 @@ def laplace_bits(tau: float, beta: float, plan: LaplacePlan, goal: int) -> int:
     return _rounded(goal + 2 * _GUARD + math.ceil(lost / _LN2) + math.ceil(math.log2(abs(tau) + abs(beta) + 2) * 2))
 
 
+def block_length(bits: int) -> int:
+    """Terms in one block of the exact binary splitting: longer blocks pay once the polynomials' set-up is small."""
+    return 8 if bits < 8_000 else 16
+
+
 def preferred_routes(tau: Exact, beta: Exact, goal: int) -> list[str]:
     """Route names, best first. A route answers "not finite" at once where it cannot reach the goal."""
     point, parameter = approximate(tau), approximate(beta)

@@ -11,11 +11,13 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import Exact, ball, working_bits
 from gspot_verified.theta.reciprocal_gamma import reciprocal_gamma
+from gspot_verified.theta.reduced_gamma import pays, power_of_three, reduced_initial_values
 
 InitialValues = tuple[arb, arb, arb]
 
 _HALF = fmpq(1, 2)
 _TWO_THIRDS = fmpq(2, 3)
+_REDUCED_FROM_BITS = 2_000
 
 
 def initial_values(beta: Exact, bits: int) -> InitialValues:
@@ -38,6 +40,9 @@ def initial_values(beta: Exact, bits: int) -> InitialValues:
 
 @lru_cache(maxsize=64)
 def _cached(beta: fmpq, bits: int) -> InitialValues:
+    if bits > _REDUCED_FROM_BITS and pays(beta):
+        with working_bits(bits):
+            return reduced_initial_values(beta, bits)
     return _entire_form(beta, bits)
 
 
@@ -52,9 +57,8 @@ def _entire_form(beta: Exact, bits: int) -> InitialValues:
 
 
 def _power_of_three(exponent: Exact, bits: int) -> arb:
-    if bits > 2_000 and isinstance(exponent, fmpq) and exponent.q <= 64 and abs(exponent.p) <= 10_000:
-        # An integer power and an integer root are cheaper than exp(x log 3) at high precision.
-        return (arb(3) ** int(exponent.p)).root(int(exponent.q))
+    if bits > _REDUCED_FROM_BITS and isinstance(exponent, fmpq) and abs(exponent) <= 10_000:
+        return power_of_three(exponent)
     return arb(3) ** ball(exponent)
 
 

@@ -82,7 +82,7 @@ def splitting(tau: Exact, beta: Exact, goal: int) -> arb:
     plan = choice.taylor_plan(approximate(tau), approximate(beta), goal)
     if plan.length > _MAX_TAYLOR_LENGTH:
         return nonfinite()
-    return splitting_sum(tau, beta, plan.length, plan.bits)
+    return splitting_sum(tau, beta, plan.length, plan.bits, choice.block_length(plan.bits))
 
 
 def negative(tau: Exact, beta: Exact, goal: int) -> arb:

@@ -73,7 +73,7 @@ def _chain(block: _Block, first: int, blocks: int) -> _Node:
     return nodes[0]
 
 
-def splitting_sum(tau: fmpq, beta: fmpq, length: int, bits: int, block_length: int = 8) -> arb:
+def splitting_sum(tau: fmpq, beta: fmpq, length: int, bits: int, block_length: int) -> arb:
     """An enclosure of Theta(tau, beta) from at least ``length`` Taylor terms, summed exactly, rounded once.
 
     ``block_length`` (a power of two) only moves work between polynomials and integers; any choice is correct.

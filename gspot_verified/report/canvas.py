@@ -1,0 +1,122 @@
+"""The look of the figures, and a figure as SVG text and PNG bytes. Matplotlib is imported only when one is drawn."""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import wraps
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+# Okabe and Ito's palette, which colour-blind readers can tell apart; each colour lighter on dark paper.
+BLUE, VERMILION, GREEN, PURPLE, ORANGE = "#0072b2", "#d55e00", "#009e73", "#b5548c", "#c98a00"
+COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE)
+STYLES: tuple[Any, ...] = ("-", (0, (5, 1.5)), (0, (1.2, 1.2)), (0, (6, 1.5, 1.2, 1.5)), (0, (9, 2)))
+INK, PAPER, _GRID = "#1c2024", "#fdfdfc", "#d9dcdf"
+
+_ON_DARK = {
+    BLUE: "#4aa8e0", VERMILION: "#f08a3c", GREEN: "#2bc79a", PURPLE: "#e08abc", ORANGE: "#e8b23a",
+    INK: "#dfe3e7", PAPER: "#16191d", _GRID: "#343a41",
+}  # fmt: skip
+
+_STYLE = {
+    "font.family": "DejaVu Sans",
+    "font.size": 9.5,
+    "text.color": INK,
+    "axes.edgecolor": INK,
+    "axes.labelcolor": INK,
+    "axes.facecolor": PAPER,
+    "axes.linewidth": 0.8,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.titlesize": 9.5,
+    "axes.unicode_minus": True,
+    "figure.facecolor": PAPER,
+    "grid.color": _GRID,
+    "grid.linewidth": 0.6,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "legend.frameon": True,
+    "legend.framealpha": 0.9,
+    "legend.facecolor": PAPER,
+    "legend.edgecolor": PAPER,
+    "lines.linewidth": 1.7,
+    "savefig.facecolor": PAPER,
+    "svg.fonttype": "path",
+}
+
+_WIDTH = 7.2
+_RESOLUTION = 160
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A figure of the report: its texts, its SVG (light and dark in one), and a PNG on light paper."""
+
+    name: str
+    title: str
+    caption: str
+    alternative: str
+    svg: str
+    png: bytes
+
+    def to_json(self) -> dict[str, str]:
+        """Plain data for ``json.dumps``, without the PNG."""
+        return {
+            "name": self.name,
+            "title": self.title,
+            "caption": self.caption,
+            "alternative": self.alternative,
+            "svg": self.svg,
+        }
+
+
+def styled(draw: Callable[[], Picture]) -> Callable[[], Picture]:
+    """``draw`` in the report's style; matplotlib's settings are as before when it returns."""
+
+    @wraps(draw)
+    def wrapped() -> Picture:
+        from matplotlib import rc_context
+
+        with rc_context(_STYLE):
+            return draw()
+
+    return wrapped
+
+
+def canvas(height: float) -> Figure:
+    """An empty figure, ``height`` inches high. No pyplot."""
+    from matplotlib.figure import Figure
+
+    return Figure(figsize=(_WIDTH, height), layout="constrained")
+
+
+def picture(figure: Figure, name: str, title: str, caption: str, alternative: str) -> Picture:
+    """The finished figure, to be called inside :func:`styled`. The same figure gives the same bytes: no date, no random identifiers."""
+    from matplotlib import rc_context
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.backends.backend_svg import FigureCanvasSVG
+
+    drawn, painted = io.StringIO(), io.BytesIO()
+    with rc_context({"svg.hashsalt": name}):
+        FigureCanvasSVG(figure).print_svg(drawn, metadata={"Date": None, "Creator": None})
+        figure.set_dpi(_RESOLUTION)
+        FigureCanvasAgg(figure).print_png(painted, metadata={"Software": None})
+    return Picture(name, title, caption, alternative, _two_themes(drawn.getvalue()), painted.getvalue())
+
+
+def _two_themes(svg: str) -> str:
+    """The SVG with its colours as variables, which follow the reader's choice of light or dark."""
+    names = {colour: f"--c{number}" for number, colour in enumerate(_ON_DARK)}
+    for colour, name in names.items():
+        svg = svg.replace(colour, f"var({name})")
+    light = "".join(f"{name}:{colour};" for colour, name in names.items())
+    dark = "".join(f"{names[colour]}:{shade};" for colour, shade in _ON_DARK.items())
+    style = f"<style>svg{{{light}}}@media (prefers-color-scheme:dark){{svg{{{dark}}}}}</style>"
+    return re.sub(r"(<svg\b[^>]*>)", lambda match: match[1] + style, svg[svg.index("<svg") :], count=1)
