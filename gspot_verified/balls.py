@@ -163,7 +163,7 @@ def is_exact(value: Exact) -> bool:
 
 
 def add_remainder(value: arb, bound: arb) -> arb:
-    """``value`` widened by ``|bound|``: contains v + r for every v in ``value`` and \\|r\\| <= \\|bound\\|.
+    """``value`` widened by ``|bound|``: contains v + r for every v in ``value`` and |r| <= |bound|.
 
     Every truncation error of the library enters a ball here. A bound that is not finite gives a ball that is not
     finite, so no finite answer can come from an unbounded remainder.
@@ -189,12 +189,17 @@ def sign_of(value: arb) -> int | None:
 
 
 def certainly_less(left: arb, right: arb) -> bool | None:
-    """True or False when that holds for every pair of numbers in the balls, ``None`` otherwise."""
+    """Whether left < right: True or False when that is so for every pair of numbers in the balls, else ``None``."""
     if left < right:
         return True
-    if left >= right:
-        return False
-    return None
+    return False if left >= right else None
+
+
+def certainly_at_most(left: arb, right: arb) -> bool | None:
+    """Whether left <= right: True or False when that is so for every pair of numbers in the balls, else ``None``."""
+    if left <= right:
+        return True
+    return False if left > right else None
 
 
 def relative_bits(value: arb) -> int:
@@ -243,9 +248,7 @@ def _ratio(numerator: int, denominator: int) -> float:
         return math.copysign(math.inf, numerator)
 
 
-def holomorphic_integral(
-    integrand: Callable[[acb, bool], acb], lower: arb, upper: arb, max_evaluations: int
-) -> acb:
+def holomorphic_integral(integrand: Callable[[acb, bool], acb], lower: arb, upper: arb, max_evaluations: int) -> acb:
     """The integral of ``integrand`` over [lower, upper], by FLINT's Petras quadrature, at the current precision.
 
     ``integrand(z, analytic)`` must return an enclosure over the box z, and, when ``analytic`` is true, a non-finite

@@ -82,9 +82,7 @@ class Verdict:
         return cls(Outcome.UNDECIDED, statement, reason=reason, detail=detail, remaining=remaining)
 
     def __bool__(self) -> NoReturn:
-        raise TypeError(
-            "a verdict has three outcomes; compare .outcome with Outcome.PROVED, REFUTED or UNDECIDED"
-        )
+        raise TypeError("a verdict has three outcomes; compare .outcome with Outcome.PROVED, REFUTED or UNDECIDED")
 
     @property
     def exit_code(self) -> int:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -80,6 +80,19 @@ class Entry:
         }
 
 
+def all_of(answers: Iterable[bool | None]) -> bool | None:
+    """Conjunction of three-valued answers: False when one is False, True when all are True, else ``None``."""
+    found = list(answers)
+    if any(answer is False for answer in found):
+        return False
+    return True if all(answer is True for answer in found) else None
+
+
+def same_sign(first: int | None, second: int | None) -> bool | None:
+    """Whether two certified signs agree; ``None`` when one of them is not certain."""
+    return None if first is None or second is None else first == second
+
+
 def conclude(statement: str, checks: Sequence[Check], witness: str = "") -> Verdict:
     """The verdict that two or more checks support.
 
@@ -98,6 +111,20 @@ def conclude(statement: str, checks: Sequence[Check], witness: str = "") -> Verd
     if len(checks) >= 2 and any(check.kind.settles for check in checks):
         return Verdict.proved(statement, "; ".join(check.what for check in checks))
     return Verdict.undecided(statement, Reason.NO_ROUTE, "the checks at points alone prove nothing")
+
+
+def settled(
+    section: str,
+    identifier: str,
+    label: str,
+    source: str,
+    statement: str,
+    *checks: Check,
+    corrected: str = "",
+    note: str = "",
+) -> Entry:
+    """An entry with the verdict that its checks support."""
+    return Entry(identifier, label, section, source, statement, checks, conclude(statement, checks), corrected, note)
 
 
 def counts(entries: Sequence[Entry]) -> dict[str, int]:

@@ -23,7 +23,7 @@ _ON_DARK = {
     INK: "#dfe3e7", PAPER: "#16191d", _GRID: "#343a41",
 }  # fmt: skip
 
-_STYLE = {
+_STYLE: dict[Any, Any] = {
     "font.family": "DejaVu Sans",
     "font.size": 9.5,
     "text.color": INK,
@@ -98,17 +98,21 @@ def canvas(height: float) -> Figure:
 
 
 def picture(figure: Figure, name: str, title: str, caption: str, alternative: str) -> Picture:
-    """The finished figure, to be called inside :func:`styled`. The same figure gives the same bytes: no date, no random identifiers."""
+    """The finished figure, called inside :func:`styled`. It holds no date and no random identifier."""
     from matplotlib import rc_context
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.backends.backend_svg import FigureCanvasSVG
 
     drawn, painted = io.StringIO(), io.BytesIO()
     with rc_context({"svg.hashsalt": name}):
-        FigureCanvasSVG(figure).print_svg(drawn, metadata={"Date": None, "Creator": None})
-        figure.set_dpi(_RESOLUTION)
-        FigureCanvasAgg(figure).print_png(painted, metadata={"Software": None})
-    return Picture(name, title, caption, alternative, _two_themes(drawn.getvalue()), painted.getvalue())
+        FigureCanvasSVG(figure).print_figure(drawn, format="svg", metadata={"Date": None, "Creator": None})
+        FigureCanvasAgg(figure).print_figure(painted, format="png", dpi=_RESOLUTION, metadata={"Software": None})
+    return Picture(name, title, _unbroken(caption), alternative, _two_themes(drawn.getvalue()), painted.getvalue())
+
+
+def _unbroken(text: str) -> str:
+    """The text with no line break next to a relation or inside 1/Γ."""
+    return re.sub(r" ([=<>]) ", "\N{NO-BREAK SPACE}\\1\N{NO-BREAK SPACE}", text).replace("1/Γ", "1/\N{WORD JOINER}Γ")
 
 
 def _two_themes(svg: str) -> str:

@@ -1,26 +1,35 @@
 """What the figures draw: numbers taken from certified enclosures, and what was certified about them.
 
-Every function returns floats that bound a ball from outside (:func:`gspot_verified.balls.float_bounds`). No drawing here.
+The floats bound each ball from outside (:func:`gspot_verified.balls.float_bounds`). No drawing here.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import ball, certainly_less, exact, float_bounds, relative_bits, sign_of, working_bits
+from gspot_verified.balls import (
+    ball,
+    bits_for_digits,
+    certainly_less,
+    exact,
+    float_bounds,
+    relative_bits,
+    sign_of,
+    working_bits,
+)
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.theta.evaluate import theta
 from gspot_verified.theta.reciprocal_gamma import reciprocal_gamma
 from gspot_verified.theta.routes import theta_by
 
 _DIGITS_PER_BIT = math.log10(2)
-_BOX_BITS = 4
-_LARGEST_EXPONENT = 6
+_BOX_BITS = 6
+_NARROWEST = Fraction(1, 1024)
 _SERIES_DIGITS = 60
 
 
@@ -32,6 +41,8 @@ class Curve:
     at: tuple[float, ...]
     lower: tuple[float, ...]
     upper: tuple[float, ...]
+    accurate: int
+    """At how many points the enclosure has the accuracy that was asked for."""
 
     @property
     def middle(self) -> tuple[float, ...]:
@@ -41,7 +52,7 @@ class Curve:
 
 @dataclass(frozen=True, slots=True)
 class Boxes:
-    """Enclosures on touching intervals: for *every* tau in ``[edges[i], edges[i+1]]`` the value lies in the i-th bounds."""
+    """Enclosures on touching intervals: for *every* tau in ``[edges[i], edges[i+1]]`` the value is in the bounds i."""
 
     label: str
     edges: tuple[float, ...]
@@ -53,18 +64,20 @@ class Boxes:
 
 @dataclass(frozen=True, slots=True)
 class SeriesError:
-    """The relative error of the series cut after ``terms`` terms, its proved bound, and how often error < bound is certain."""
+    """The relative error of the series cut after ``terms`` terms, and its proved bound."""
 
     terms: int
     error: Curve
     bound: Curve
     certain: int
+    """At how many points error < bound is certain."""
 
 
-def _curve(label: str, points: Iterable[Fraction], value: Callable[[Fraction], arb]) -> Curve:
-    points = tuple(points)
-    bounds = [float_bounds(value(point)) for point in points]
-    return Curve(label, tuple(map(float, points)), tuple(b[0] for b in bounds), tuple(b[1] for b in bounds))
+def _curve(label: str, points: Sequence[Fraction], balls: Sequence[arb], digits: int) -> Curve:
+    bounds = [float_bounds(value) for value in balls]
+    accurate = sum(relative_bits(value) >= bits_for_digits(digits) for value in balls)
+    at = tuple(float(point) for point in points)
+    return Curve(label, at, tuple(low for low, _ in bounds), tuple(high for _, high in bounds), accurate)
 
 
 def grid(first: int, last: int, per_unit: int) -> tuple[Fraction, ...]:
@@ -82,25 +95,31 @@ def theta_curve(beta: str, points: Sequence[Fraction]) -> Curve:
     >>> theta_curve("1", [Fraction(-2)]).middle
     (2.0,)
     """
-    return _curve(beta, points, lambda tau: theta(tau, beta, digits=12))
+    return _curve(beta, points, [theta(tau, beta, digits=12) for tau in points], 12)
 
 
 def slope_boxes(beta: str, first: int, last: int) -> Boxes:
-    """dTheta/dtau on a cover of [first, last] by boxes, each halved until its enclosure is narrow."""
-    edges, bounds, negative = [float(first)], [], 0
-    waiting = [Dyadic(k, k + 1, -3) for k in reversed(range(8 * first, 8 * last))]
-    while waiting:
-        box = waiting.pop()
-        value = theta(box.to_ball(), beta, derivative=1, digits=12)
-        start, end = box.endpoints()
-        if relative_bits(value) < _BOX_BITS and (end - start) * 2**_LARGEST_EXPONENT > Fraction(1, 8):
-            middle = (start + end) / 2
-            waiting += [_interval(middle, end), _interval(start, middle)]
-            continue
-        bounds.append(float_bounds(value))
-        edges.append(float(end))
-        negative += sign_of(value) == -1
-    return Boxes(beta, tuple(edges), tuple(b[0] for b in bounds), tuple(b[1] for b in bounds), negative)
+    """dTheta/dtau on a cover of [first, last] by boxes of width 1/8, each the hull of enclosures on narrower boxes."""
+    steps = range(8 * first, 8 * last)
+    parts = [_slope_parts(Dyadic(k, k + 1, -3), beta) for k in steps]
+    bounds = [[float_bounds(value) for value in part] for part in parts]
+    return Boxes(
+        beta,
+        tuple(k / 8 for k in [*steps, 8 * last]),
+        tuple(min(low for low, _ in part) for part in bounds),
+        tuple(max(high for _, high in part) for part in bounds),
+        sum(all(sign_of(value) == -1 for value in part) for part in parts),
+    )
+
+
+def _slope_parts(box: Dyadic, beta: str) -> list[arb]:
+    """Enclosures of dTheta/dtau on pieces that cover the box, halved until they are narrow or 1/1024 wide."""
+    value = theta(box.to_ball(), beta, derivative=1, digits=12)
+    start, end = box.endpoints()
+    if relative_bits(value) >= _BOX_BITS or end - start <= _NARROWEST:
+        return [value]
+    middle = (start + end) / 2
+    return _slope_parts(_interval(start, middle), beta) + _slope_parts(_interval(middle, end), beta)
 
 
 def _interval(start: Fraction, end: Fraction) -> Dyadic:
@@ -121,16 +140,13 @@ def route_digits(route: str, beta: str, points: Sequence[Fraction], digits: int)
 
 def reciprocal_gamma_curve(points: Sequence[Fraction]) -> Curve:
     """1/Gamma(-beta) at the points; exactly 0 at beta = 0, 1, 2, ..."""
-
-    def value(beta: Fraction) -> arb:
-        with working_bits(64):
-            return reciprocal_gamma(fmpq(-beta.numerator, beta.denominator), 64)
-
-    return _curve("1/Gamma(-beta)", points, value)
+    with working_bits(64):
+        balls = [reciprocal_gamma(fmpq(-beta.numerator, beta.denominator), 64) for beta in points]
+    return _curve("1/Gamma(-beta)", points, balls, 15)
 
 
 def series_error(beta: str, terms: int, points: Sequence[Fraction]) -> SeriesError:
-    """\\|Theta - S_N\\|/Theta at tau = -x, S_N the first N = ``terms`` terms at tau -> -infinity, and the bound: the next term.
+    """\\|Theta - S_N\\|/Theta at tau = -x, S_N the N = ``terms`` terms of the series; its bound: the next term.
 
     Written out here once more, in balls, so that the figure does not lean on the route that it is about.
     """
@@ -140,18 +156,14 @@ def series_error(beta: str, terms: int, points: Sequence[Fraction]) -> SeriesErr
         with working_bits(256):
             error = abs(value - sum((_term(k, x, beta) for k in range(terms)), arb(0))) / value
             bound = abs(_term(terms, x, beta)) / value
-        errors.append(float_bounds(error))
-        bounds.append(float_bounds(bound))
+        errors.append(error)
+        bounds.append(bound)
         certain += certainly_less(error, bound) is True
-    at = tuple(map(float, points))
-    curves = [
-        Curve(label, at, tuple(low for low, _ in found), tuple(high for _, high in found))
-        for label, found in (("error", errors), ("bound", bounds))
-    ]
-    return SeriesError(terms, curves[0], curves[1], certain)
+    return SeriesError(terms, _curve("error", points, errors, 12), _curve("bound", points, bounds, 12), certain)
 
 
 def _term(k: int, x: Fraction, beta: str) -> arb:
     """(-beta)_(3k) (-1)^k / (3^k k!) x^(beta - 3k)."""
     parameter = ball(exact(beta, "beta"))
-    return (-parameter).rising(3 * k) * ball(exact(x, "x")) ** (parameter - 3 * k) / ((-3) ** k * arb.fac_ui(k))
+    coefficient: arb = (-parameter).rising(3 * k) / ((-3) ** k * arb.fac_ui(k))
+    return coefficient * ball(exact(x, "x")) ** (parameter - 3 * k)

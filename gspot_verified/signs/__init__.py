@@ -1,0 +1,1 @@
+"""Signs: Gamma side-switching."""

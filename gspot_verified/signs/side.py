@@ -75,9 +75,7 @@ class SideSwitching:
         if self.integers:
             lines.append("the side switches at beta = " + ", ".join(map(str, self.integers)))
         if self.undecided:
-            lines.append(
-                "undecided (an endpoint's ball holds it): beta = " + ", ".join(map(str, self.undecided))
-            )
+            lines.append("undecided (an endpoint's ball holds it): beta = " + ", ".join(map(str, self.undecided)))
         return "\n".join(lines)
 
     def to_json(self) -> dict[str, Any]:
@@ -120,7 +118,7 @@ def side_switching(lower: ExactInput, upper: ExactInput) -> SideSwitching:
     allowed ranges hold is listed as undecided.
 
     :raises TypeError: a float.
-    :raises ValueError: not a number, a reversed range, \\|beta\\| > 10^6, or more than 10^5 intervals.
+    :raises ValueError: not a number, a reversed range, |beta| > 10^6, or more than 10^5 intervals.
 
     >>> print(side_switching("1/2", 2))
     [1/2, 1): Gamma(-beta) < 0; C1 > 0 lifts off, C1 < 0 takes an IWC

@@ -42,7 +42,7 @@ class NegativePlan:
 
 
 def taylor_plan(tau: float, beta: float, goal: int) -> TaylorPlan:
-    """Terms and bits with which the series at 0 reaches about ``goal`` bits, for \|tau\| = the float given."""
+    """Terms and bits with which the series at 0 reaches about ``goal`` bits, for |tau| = the float given."""
     size = abs(tau)
     if abs(beta) <= 8:
         peak = 2 / 3 * size**1.5 + math.log1p(size)
@@ -60,16 +60,18 @@ def _rounded(bits: int) -> int:
 
 
 def _log_term(k: float, size: float, beta: float) -> float:
-    """About ln of \\|a_k\\| size^k."""
+    """About ln of |a_k| size^k."""
     return (
-        _log_moment(k - beta) - _log_moment(-beta, reciprocal=True) - math.lgamma(k + 1)
+        _log_moment(k - beta)
+        - _log_moment(-beta, reciprocal=True)
+        - math.lgamma(k + 1)
         + (k - beta) / 3 * math.log(3)
         + k * math.log(size)
     )
 
 
 def _log_moment(z: float, reciprocal: bool = False) -> float:
-    """About ln of \\|Gamma(z/3)\\|, or of \\|Gamma(z)\\|, kept finite next to the poles."""
+    """About ln of |Gamma(z/3)|, or of |Gamma(z)|, kept finite next to the poles."""
     argument = z if reciprocal else z / 3
     nearest = round(argument)
     if argument < 0.5 and abs(argument - nearest) < 0.01:
@@ -86,7 +88,7 @@ def _largest_term(size: float, beta: float) -> float:
 
 
 def _log_theta(tau: float, beta: float) -> float:
-    """A rough ln \\|Theta\\|: the leading saddle for beta < 0, the larger of the two parts for beta > 0."""
+    """A rough ln |Theta|: the leading saddle for beta < 0, the larger of the two parts for beta > 0."""
     saddle = _log_saddle(tau, beta)
     if beta <= 0:
         return saddle
@@ -95,7 +97,7 @@ def _log_theta(tau: float, beta: float) -> float:
 
 
 def _log_saddle(tau: float, beta: float) -> float:
-    """ln of the peak of r^(-beta) e^(r tau - r^3/3) over r, over \\|Gamma(-beta)\\|; -inf without a peak."""
+    """ln of the peak of r^(-beta) e^(r tau - r^3/3) over r, over |Gamma(-beta)|; -inf without a peak."""
     point = _stationary(tau, beta)
     if point is None:
         return -math.inf
@@ -104,7 +106,7 @@ def _log_saddle(tau: float, beta: float) -> float:
 
 def _stationary(tau: float, beta: float) -> float | None:
     """The largest r > 0 with r tau - r^3 = beta."""
-    r = math.sqrt(max(tau, 0.0)) + max(-beta, 0.0) ** (1 / 3) + 1.0
+    r: float = math.sqrt(max(tau, 0.0)) + max(-beta, 0.0) ** (1 / 3) + 1.0
     for _ in range(100):
         slope = tau - 3 * r * r
         if slope >= 0:
@@ -125,8 +127,11 @@ def _log_algebraic(size: float, beta: float) -> float:
     count = max(1, int(beta // 3))
     points = range(0, count + 1, max(1, count // 64))
     return max(
-        math.lgamma(beta + 1) - math.lgamma(beta - 3 * k + 1) - math.lgamma(k + 1)
-        + (beta - 3 * k) * math.log(size) - k * math.log(3)
+        math.lgamma(beta + 1)
+        - math.lgamma(beta - 3 * k + 1)
+        - math.lgamma(k + 1)
+        + (beta - 3 * k) * math.log(size)
+        - k * math.log(3)
         for k in points
     )
 
@@ -135,7 +140,7 @@ def taylor_length(size: float, beta: float, drop: float) -> int:
     """Terms until they fall below e^-drop, and long enough for the ratio test; a multiple of 3."""
     if size == 0:
         return 3
-    scale = size**1.5
+    scale: float = size**1.5
     # |a_k| size^k is near exp(-(2/3) k (ln(k/scale) - 1)) for k well above |beta|.
     target = 1.5 * (max(drop, 1.0) + abs(beta))
     k = math.e * scale + target / 4
@@ -146,7 +151,7 @@ def taylor_length(size: float, beta: float, drop: float) -> int:
     if abs(beta) > 8:
         while _log_term(k, size, beta) > -drop and k < 1e9:
             k *= 1.1
-    least = math.sqrt(2 * scale * scale * (1 + abs(beta) / (k + 1))) + 3
+    least: float = math.sqrt(2 * scale * scale * (1 + abs(beta) / (k + 1))) + 3
     return 3 * math.ceil(max(k, least) / 3)
 
 
@@ -208,8 +213,10 @@ def _saddle_terms(ratio: float, drop: float) -> int | None:
     if ratio < 2:
         return None
     low, high = 1, max(2, int(ratio))
+
     def size(n: int) -> float:
         return math.lgamma(n + 0.5) - n * math.log(ratio)
+
     if size(high) > -drop:
         return None
     while low < high:
@@ -226,8 +233,10 @@ def laplace_plan(tau: float, beta: float, goal: int) -> LaplacePlan:
     cut = min((1 + max(beta, 0.0)) / (1 + abs(tau)), 2.0 + math.sqrt(abs(tau)) / 2)
     peak = _stationary(tau, beta) or math.sqrt(max(tau, 0.0))
     peak = max(peak, cut)
+
     def log_integrand(r: float) -> float:
         return r * tau - r**3 / 3 - beta * math.log(r)
+
     top = log_integrand(peak)
     end, step = peak, max(peak * 0.05, 0.05)
     while log_integrand(end) > top - (goal + 20) * _LN2 or end * end < tau + abs(beta) / end + 0.1:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast, overload
 
 from flint import arb, fmpq, fmpq_poly
 
@@ -26,6 +26,9 @@ from gspot_verified.theta import choice, routes
 from gspot_verified.theta.integer import polynomial
 from gspot_verified.theta.routes import BudgetError, checked_arguments, derivative_factor
 from gspot_verified.verdict import Reason, Verdict
+
+if TYPE_CHECKING:
+    from numpy import ndarray
 
 _EXACT_POLYNOMIAL_BITS = 100_000
 
@@ -82,8 +85,8 @@ def evaluate(
 ) -> Evaluation:
     """d^k Theta/dtau^k (tau, beta) with relative accuracy 10^-digits, and how it was found.
 
-    :param tau: \\|tau\\| <= 10^12; int, Fraction, fmpq, "decimal" or "fraction" string, or arb.
-    :param beta: \\|beta\\| <= 10^4, same types; integers and balls that hold integers included.
+    :param tau: |tau| <= 10^12; int, Fraction, fmpq, "decimal" or "fraction" string, or arb.
+    :param beta: |beta| <= 10^4, same types; integers and balls that hold integers included.
     :param derivative: k, 0..1000.
     :param digits: 1..10^6.
     :param max_bits: the budget: working precision is raised up to this many bits (default 8 times the asked bits
@@ -108,24 +111,34 @@ def evaluate(
     return Evaluation(value, digits, reached, route, bits, None if reached else reason)
 
 
-def theta(tau: ExactInput, beta: ExactInput, derivative: int = 0, digits: int = 15) -> Any:
+@overload
+def theta(tau: ExactInput, beta: ExactInput, derivative: int = 0, digits: int = 15) -> arb: ...
+
+
+@overload
+def theta(tau: ndarray[Any, Any], beta: ExactInput, derivative: int = 0, digits: int = 15) -> ndarray[Any, Any]: ...
+
+
+def theta(tau: ExactInput | ndarray[Any, Any], beta: ExactInput, derivative: int = 0, digits: int = 15) -> Any:
     """An enclosure of d^k Theta/dtau^k (tau, beta) with relative accuracy 10^-digits, as an ``arb``.
 
     A numpy array for ``tau`` gives an object array of the same shape (see :mod:`gspot_verified.theta.arrays`).
     Arguments and errors: see :func:`evaluate`, which also says whether the accuracy was reached: next to a zero of
     Theta, or for wide input balls, the ball returned here is valid but wider than asked.
 
-    >>> theta(-50, "7/3", digits=20)
-    [9210.1042163477515727 +/- 4.20e-17]
+    Printing an ``arb`` shows as many digits as flint's own precision; ``ball_text`` shows as many as asked.
+
+    >>> ball_text(theta(-50, "7/3", digits=20), 20)
+    '[9210.1042163477515727 +/- 4.20e-17]'
     >>> theta(2, 3, derivative=1)
     -12.0000000000000
     """
-    if type(tau).__module__ == "numpy" and hasattr(tau, "ravel"):
+    if type(tau).__name__ == "ndarray":  # by name: numpy is not imported before someone uses it
         from gspot_verified.theta.arrays import theta_array
 
-        return theta_array(tau, beta, derivative, digits)
+        return theta_array(cast("ndarray[Any, Any]", tau), beta, derivative, digits)
     goal = bits_for_digits(digits)
-    point, parameter = checked_arguments(tau, beta, derivative)
+    point, parameter = checked_arguments(cast("ExactInput", tau), beta, derivative)
     return _enclose(point, parameter, derivative, goal, None)[0]
 
 

@@ -25,16 +25,23 @@ def near_integers(beta: Exact) -> range:
     """The integers n >= 0 whose distance to a number of ``beta`` may be below 1/2."""
     with working_bits(64):
         center = ball(beta)
-        lower = int((center - fmpq(1, 2)).lower().floor().unique_fmpz())
-        upper = int((center + fmpq(1, 2)).upper().ceil().unique_fmpz())
+        lower = _whole((center - fmpq(1, 2)).lower().floor())
+        upper = _whole((center + fmpq(1, 2)).upper().ceil())
     return range(max(0, lower), upper + 1) if upper >= 0 else range(0)
+
+
+def _whole(value: arb) -> int:
+    number = value.unique_fmpz()
+    if number is None:
+        raise ValueError(f"beta: {value} is not within the domain")
+    return int(number)
 
 
 def series_part(tau: Exact, beta: Exact, cut: Exact, terms: int, bits: int) -> arb:
     """An enclosure of sum_n w_n p_n(tau) c^(n - beta), the first ``terms`` = K of it summed, the rest bounded.
 
-    Hypotheses, checked: cut > 0 and beta <= K - 1, certain. By Cauchy's estimate on \\|r\\| = 4c,
-    \\|p_n\\| c^n <= 4^(-n) e^(4 c \\|tau\\| + 64 c^3/3), and \\|w_n\\| <= \\|1/Gamma(-beta)\\| for n >= K.
+    Hypotheses, checked: cut > 0 and beta <= K - 1, certain. By Cauchy's estimate on |r| = 4c,
+    |p_n| c^n <= 4^(-n) e^(4 c |tau| + 64 c^3/3), and |w_n| <= |1/Gamma(-beta)| for n >= K.
     """
     with working_bits(bits):
         point, center, c = ball(tau), ball(beta), ball(cut)
@@ -52,4 +59,4 @@ def series_part(tau: Exact, beta: Exact, cut: Exact, terms: int, bits: int) -> a
             polynomials = [polynomials[1], polynomials[2], following]
         exponent = 4 * c * point.abs_upper() + 64 * cube / 3
         rest = reciprocal.abs_upper() * exponent.exp() * arb(4) ** (1 - terms) / 3
-        return add_remainder(total, rest) * c**(-center)
+        return add_remainder(total, rest) * c ** (-center)

@@ -34,7 +34,7 @@ _Polynomials = tuple[fmpz_poly, fmpz_poly, fmpz_poly]
 def gamma_ratio(y: fmpq, bits: int) -> arb:
     """An enclosure of Gamma(y + 1/3)/Gamma(y) with about ``bits`` relative bits, for a rational y, 0 < y <= 1.
 
-    The tail after M terms is at most 4 (6M + 1) \\|E(M)\\|; it enters as the ball that the blocks are applied to.
+    The tail after M terms is at most 4 (6M + 1) |E(M)|; it enters as the ball that the blocks are applied to.
 
     :raises ValueError: y outside (0, 1].
 
@@ -107,7 +107,7 @@ def _common_factors(q: int, longest: int) -> dict[int, fmpz]:
     found: dict[int, fmpz] = {}
     removed, length = fmpz(1), _REDUCED_FROM
     while length <= longest:
-        coprime = fmpz.fac_ui(length)
+        coprime = fmpz.fac_ui(fmpz(length))
         for prime in primes:
             coprime //= fmpz(prime) ** _valuation_of_factorial(length, prime)
         found[length] = coprime**6 // removed

@@ -32,8 +32,9 @@ def initial_values(beta: Exact, bits: int) -> InitialValues:
     It is the paper's t01-t03 with Gauss's multiplication formula (DLMF 5.5.6) put in, so that nothing is 0/0.
     A ball for beta may hold integers.
 
-    >>> [str(value) for value in initial_values(fmpq(3), 64)]
-    ['2.00000000000000', '0', '0']
+    >>> value, slope, curvature = initial_values(fmpq(3), 64)
+    >>> value.overlaps(arb(2)), slope.is_zero(), curvature.is_zero()
+    (True, True, True)
     """
     return _cached(beta, bits) if isinstance(beta, fmpq) else _entire_form(beta, bits)
 

@@ -16,7 +16,7 @@ from gspot_verified.theta.reciprocal_gamma import reciprocal_gamma
 
 @dataclass(frozen=True, slots=True)
 class SaddlePlan:
-    """What the bound may choose freely: N terms, the disc \\|u\\| <= disc, the cut r = cut * sqrt(tau), and how much
+    """What the bound may choose freely: N terms, the disc |u| <= disc, the cut r = cut * sqrt(tau), and how much
     of the disc of convergence in s is used. Hypotheses: 0 < disc < 1, 0 < cut <= 1 - disc, 0 < share < 1, N >= 1."""
 
     terms: int

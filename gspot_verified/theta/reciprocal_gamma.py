@@ -5,7 +5,7 @@ Source: DLMF 5.5.3 (reflection). Proof page: ``proofs/initial_values.md``.
 
 from __future__ import annotations
 
-from flint import arb, fmpq
+from flint import arb
 
 from gspot_verified.balls import Exact
 

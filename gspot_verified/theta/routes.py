@@ -39,7 +39,7 @@ def checked_arguments(tau: ExactInput, beta: ExactInput, derivative: int) -> tup
     """Both arguments as exact values, inside the domain.
 
     :raises TypeError: a float, or a derivative that is not an int.
-    :raises ValueError: not a number, not finite, \\|tau\\| > 10^12, \\|beta\\| > 10^4, derivative not in 0..1000.
+    :raises ValueError: not a number, not finite, |tau| > 10^12, |beta| > 10^4, derivative not in 0..1000.
     """
     if isinstance(derivative, bool) or not isinstance(derivative, int):
         raise TypeError(f"derivative must be an int, got {type(derivative).__name__}")
@@ -126,9 +126,7 @@ ROUTES: dict[str, Route] = {
 }
 
 
-def theta_by(
-    route: str, tau: ExactInput, beta: ExactInput, derivative: int = 0, digits: int = 15
-) -> arb:
+def theta_by(route: str, tau: ExactInput, beta: ExactInput, derivative: int = 0, digits: int = 15) -> arb:
     """An enclosure of d^k Theta/dtau^k by one named route, planned for ``digits``, with no second attempt.
 
     Returns a valid ball, possibly wide, or one that is not finite where the route's hypotheses do not hold.

@@ -43,8 +43,8 @@ def _triples(count: int) -> tuple[int, ...]:
 
 @dataclass(frozen=True, slots=True)
 class TaylorPolynomial:
-    """The first K terms at one beta, and what the bound on the rest needs: bounds on \|a_K\|, \|a_(K+1)\|,
-    \|a_(K+2)\|, and on (1 + \|beta\|/K)/((K+1)(K+2))."""
+    """The first K terms at one beta, and what the bound on the rest needs: bounds on |a_K|, |a_(K+1)|,
+    |a_(K+2)|, and on (1 + |beta|/K)/((K+1)(K+2))."""
 
     length: int
     polynomial: arb_poly
@@ -74,8 +74,8 @@ def taylor_sum(tau: Exact, beta: Exact, length: int, bits: int) -> arb:
     """An enclosure of Theta(tau, beta): the Taylor polynomial of ``length`` terms plus the bound on the rest.
 
     Valid for every real tau and beta, balls included. Not finite when ``length`` is too small for the ratio test:
-    with X = \|tau\| and K = length, q = (1 + \|beta\|/K) X^3 / ((K+1)(K+2)) must be certainly below 1; then the
-    rest is at most sum_(j<3) \|a_(K+j)\| X^(K+j) / (1 - q).
+    with X = |tau| and K = length, q = (1 + |beta|/K) X^3 / ((K+1)(K+2)) must be certainly below 1; then the
+    rest is at most sum_(j<3) |a_(K+j)| X^(K+j) / (1 - q).
     """
     series = taylor_polynomial(beta, length, bits)
     with working_bits(bits):
@@ -84,7 +84,7 @@ def taylor_sum(tau: Exact, beta: Exact, length: int, bits: int) -> arb:
 
 
 def _tail(size: arb, series: TaylorPolynomial) -> arb:
-    """The bound on the rest for \|tau\| <= size. A point, not a ball: powers of a ball with midpoint 0 are NaN."""
+    """The bound on the rest for |tau| <= size. A point, not a ball: powers of a ball with midpoint 0 are NaN."""
     ratio = series.ratio_factor * (size * size * size)
     if not ratio < 1:  # the hypothesis of the ratio test, certain or not used
         return nonfinite()

@@ -1,0 +1,254 @@
+"""Ledger of Appendix A: Theorems 3, 4, 5 and the initial values."""
+
+from __future__ import annotations
+
+from flint import arb, fmpq, fmpq_poly
+
+from gspot_verified.balls import ball_text, relative_bits, working_bits
+from gspot_verified.ledger import asymptotic_errors as errors
+from gspot_verified.ledger import hypergeometric as printed
+from gspot_verified.ledger.entry import Check, Entry, Kind, all_of, settled
+from gspot_verified.theta.asymptotic_coefficients import coefficient, coefficient_by_inversion
+from gspot_verified.theta.initial_values import initial_values, paper_initial_values
+from gspot_verified.theta.routes import theta_by
+
+SECTION = "Appendix A"
+BETAS = tuple(fmpq(n, 20) for n in (-104, -34, -6, 1, 6, 10, 19, 30, 38, 50, 66, 94, 122))
+_SMALL = ("bsmall1", "bsmall2", "bsmall3")
+_LARGE = ("blarge1", "blarge2", "blarge3")
+_SMALL_SOURCE = (
+    r"{}_1F_2(-\beta/3;1/3,2/3;\tau^3/9) \sim 3\Gamma((3+\beta)/3)h + (3/\Gamma(-\beta/3)) 2e_r",
+    r"\tau{}_1F_2(\ldots) \sim -3^{2/3}\Gamma((2+\beta)/3)h - (3^{2/3}/\Gamma((1-\beta)/3))(e_r-\sqrt{3}e_i)",
+    r"(\tau^2/2){}_1F_2(\ldots) \sim 3^{1/3}\Gamma((1+\beta)/3)h + (3^{1/3}/\Gamma((2-\beta)/3))(-e_r-\sqrt{3}e_i)",
+)
+
+
+def entries() -> list[Entry]:
+    """Every labelled formula of Appendix A, in the order of the paper."""
+    found = [_theorem_3(), _coefficients(), *(_small(j) for j in range(3)), _cancellation()]
+    found += [*(_initial_value(j) for j in range(3)), _leading_behaviour()]
+    return [*found, *(_large(j) for j in range(3)), _large_condition(), _theta_large()]
+
+
+def _theorem_3() -> Entry:
+    statement = "The three 1F2 of Theorem 3 span the solutions of the differential equation, for every beta"
+    lower = ((fmpq(1, 3), fmpq(2, 3)), (fmpq(2, 3), fmpq(4, 3)), (fmpq(4, 3), fmpq(5, 3)))
+    # Both sides are polynomials of degree 1 in beta and 3 in i once cleared: 3 x 5 points prove the identity.
+    exact_holds = all(
+        ((j - beta) / 3 + i) * (k + 1) * (k + 2) * (k + 3)
+        == (k - beta) * 9 * (lower[j][0] + i) * (lower[j][1] + i) * (1 + i)
+        for j in range(3)
+        for beta in (fmpq(0), fmpq(1, 2), fmpq(7, 3))
+        for i in range(5)
+        for k in (j + 3 * i,)
+    )
+    points = [(tau, beta) for tau in (fmpq(-9), fmpq(-7, 3), fmpq(1, 2), fmpq(8)) for beta in BETAS]
+    agrees = all_of(
+        _equal(
+            printed.theta_by_theorem_3(tau, beta, initial_values(beta, 256), 256),
+            theta_by("laplace", tau, beta, digits=30),
+        )
+        for tau, beta in points
+    )
+    return settled(
+        SECTION,
+        "A-theorem-3",
+        "th:3, eq:btau",
+        r"\theta=\theta(0)\,{}_1F_2(-\tfrac\beta3;\tfrac13,\tfrac23;\tfrac{\tau^3}9)+\ldots",
+        statement,
+        Check(
+            Kind.EXACT, "quotient of consecutive terms against the equation's recurrence, as polynomials", exact_holds
+        ),
+        Check(Kind.POINTS, f"three FLINT 1F2 against the Laplace integral at {len(points)} points", agrees),
+    )
+
+
+def _coefficients() -> Entry:
+    count = 8
+    dlmf = [printed.dlmf_coefficients(j, count) for j in range(3)]
+    by_equation = [coefficient(k) for k in range(count)]
+    by_inversion = [coefficient_by_inversion(k) for k in range(count)]
+    return settled(
+        SECTION,
+        "A-coefficients",
+        "eq:eier, eq:cisdef",
+        r"c_0=1,\quad c_k \text{ from DLMF 16.11.4}",
+        "c_0 = 1, and DLMF 16.11.4 gives the same c_k(beta) for the three functions (exactly, k < 8)",
+        Check(
+            Kind.EXACT,
+            "DLMF 16.11.4 for each 1F2 against the differential equation, as polynomials in beta",
+            all(row == by_equation for row in dlmf),
+            f"c_1 = {by_equation[1]} (x is beta)",
+        ),
+        Check(
+            Kind.EXACT, "Lagrange inversion at the saddle point, as polynomials in beta", by_inversion == by_equation
+        ),
+        note="proofs/asymptotic_coefficients.md; any k: theta.asymptotic_coefficients",
+    )
+
+
+def _small(j: int) -> Entry:
+    checked = [(x, beta) for x in (fmpq(30), fmpq(60)) for beta in BETAS]
+    agrees = all_of(errors.small_error_within(j, x, beta) for x, beta in checked)
+    return settled(
+        SECTION,
+        f"A-{_SMALL[j]}",
+        f"th:4, eq:{_SMALL[j]}",
+        _SMALL_SOURCE[j],
+        "The formula holds as tau -> -oo for every beta that is not an integer",
+        Check(Kind.PROOF, "proofs/connection.md, Theorem 4: DLMF 16.11.8 with the parameters put in", True),
+        Check(
+            Kind.POINTS,
+            f"4 terms of e_r + i e_i and 9 of h at {len(checked)} points: the error is at most twice the "
+            "first omitted terms",
+            agrees,
+        ),
+        note="Not being an integer is sufficient, not necessary: the formula also holds at beta = 0, 1, 2, ...",
+    )
+
+
+def _cancellation() -> Entry:
+    agrees = True
+    for beta in BETAS:
+        first, second, third = paper_initial_values(beta, 256)
+        with working_bits(256):
+            outer = [arb((j - beta) / 3).rgamma() * arb(3) ** arb(fmpq(3 - j, 3)) for j in range(3)]
+            real = 2 * first * outer[0] - second * outer[1] - third * outer[2]
+            imaginary = second * outer[1] - third * outer[2]
+            agrees &= all(part.is_finite() and part.contains(0) and part.rad() < 1e-60 for part in (real, imaginary))
+    return settled(
+        SECTION,
+        "A-cancellation",
+        "line 2446",
+        r"\text{the coefficients of } e_r, e_i \text{ vanish}",
+        "With the initial values t01-t03 the highly oscillatory terms cancel",
+        Check(
+            Kind.PROOF,
+            "proofs/negative.md: Theta minus N terms of its power series is below the next term, for every N",
+            True,
+        ),
+        Check(
+            Kind.POINTS,
+            f"both coefficients in balls of radius below 1e-60 around 0 at {len(BETAS)} values of beta",
+            agrees,
+        ),
+    )
+
+
+def _initial_value(j: int) -> Entry:
+    label = f"t0{j + 1}"
+    agrees = all_of(_equal(paper_initial_values(beta, 256)[j], initial_values(beta, 256)[j]) for beta in BETAS)
+    power = ("", "3^(1/3) ", "3^(2/3) ")[j]
+    factors = ("(1-b)/3) rGamma((2-b)/3", "-b/3) rGamma((2-b)/3", "-b/3) rGamma((1-b)/3")[j]
+    derivative = (r"\Theta(0)", r"\Theta'(0)", r"\Theta''(0)")[j]
+    return settled(
+        SECTION,
+        f"A-{label}",
+        f"eq:{label}",
+        rf"{derivative}=\Gamma(({j}-\beta)/3)/(3^{{({3 - j}+\beta)/3}}\Gamma(-\beta))",
+        f"{label} gives the solution without oscillatory terms, for every beta that is not 0, 1, 2, ...",
+        Check(Kind.PROOF, "proofs/laplace.md section 1 (substitution r^3/3) and proofs/initial_values.md", True),
+        Check(Kind.POINTS, f"printed form against the entire form at {len(BETAS)} values of beta, 70 digits", agrees),
+        corrected=f"for every real beta: 2 pi 3^(2b/3 - 1/2) {power}rGamma({factors}), b = beta, rGamma = 1/Gamma",
+        note=f"As printed it is 0/0 at beta = {j}, {j + 3}, {j + 6}, ...; the entire form is not.",
+    )
+
+
+def _leading_behaviour() -> Entry:
+    # Gamma(1+beta)/Gamma(1+beta-3k) = beta (beta-1)..(beta-3k+1) = (-1)^(3k) (-beta)_(3k), as polynomials.
+    identity = True
+    falling, rising = fmpq_poly([1]), fmpq_poly([1])
+    for i in range(30):
+        falling *= fmpq_poly([-i, 1])
+        rising *= fmpq_poly([i, -1])
+        identity &= falling == rising * (-1) ** (i + 1)
+    points = [(x, beta) for x in (fmpq(20), fmpq(80)) for beta in BETAS]
+    agrees = all_of(errors.power_series_within(x, beta) for x, beta in points)
+    return settled(
+        SECTION,
+        "A-leading",
+        "eq:hdef, line 2459",
+        r"\Theta(\tau,\beta)\sim 3^{1-\beta/3}\Gamma(1+\beta)h(\tau,\beta)\sim(-\tau)^\beta",
+        "Theta ~ 3^(1-beta/3) Gamma(1+beta) h ~ (-tau)^beta as tau -> -oo, beta not -1, -2, ...",
+        Check(Kind.PROOF, "proofs/negative.md: the rest after N terms is at most the next term, once 3N > beta", True),
+        Check(
+            Kind.EXACT,
+            "the terms of 3^(1-beta/3) Gamma(1+beta) h are those of that page, as polynomials (k <= 10)",
+            identity,
+        ),
+        Check(Kind.POINTS, f"three terms against the Laplace integral at {len(points)} points", agrees),
+        note="At beta = -1, -2, ... every term of h is 0 and Gamma(1+beta) infinite; the product keeps its limit.",
+    )
+
+
+def _large(j: int) -> Entry:
+    points = [(tau, beta) for tau in (fmpq(30), fmpq(60)) for beta in BETAS]
+    agrees = all_of(errors.large_error_within(j, tau, beta) for tau, beta in points)
+    left = (r"{}_1F_2", r"\tau\,{}_1F_2", r"\tfrac{\tau^2}2{}_1F_2")[j]
+    return settled(
+        SECTION,
+        f"A-{_LARGE[j]}",
+        f"th:5, eq:{_LARGE[j]}",
+        rf"{left}(\ldots)\sim 3^{{({3 - j})/3}}e_1/\Gamma(({j}-\beta)/3)",
+        f"The formula holds as tau -> +oo for every beta except {j}, {j + 3}, {j + 6}, ...",
+        Check(Kind.PROOF, "proofs/connection.md, Theorem 5, from proofs/positive.md", True),
+        Check(
+            Kind.POINTS,
+            f"4 terms of e_1 at {len(points)} points: the error is at most twice the first omitted term",
+            agrees,
+        ),
+        corrected=f"needs the condition beta not in {{{j}, {j + 3}, {j + 6}, ...}}",
+    )
+
+
+def _large_condition() -> Entry:
+    value = printed.theorem_3_function(0, fmpq(30), fmpq(0), 128)
+    reciprocal = arb(0).rgamma()
+    return settled(
+        SECTION,
+        "A-theorem-5-condition",
+        "th:5",
+        r"\text{(no condition on } \beta \text{)}",
+        "Theorem 5 holds for every beta, as printed without a condition",
+        Check(
+            Kind.EXACT,
+            "beta = 0: every term of 1F2(-beta/3; ...) after the first has the factor beta",
+            False,
+            "beta = 0: the left side of blarge1 is 1, the right side is 0",
+        ),
+        Check(
+            Kind.BALLS,
+            "FLINT's 1F2 and 1/Gamma at beta = 0, tau = 30",
+            None if not value.is_finite() else not (value == 1 and reciprocal == 0),
+            f"left {ball_text(value)}, right has the factor 1/Gamma(0) = {reciprocal}",
+        ),
+        corrected="blarge1, blarge2, blarge3 need beta not in {0, 3, 6, ...}, {1, 4, 7, ...}, {2, 5, 8, ...}; "
+        "tlarge needs beta not in {0, 1, 2, ...}. The condition that Theorem 4 states belongs to Theorem 5.",
+    )
+
+
+def _theta_large() -> Entry:
+    points = [(tau, beta) for tau in (fmpq(40), fmpq(90)) for beta in BETAS]
+    agrees = all_of(errors.theta_error_within(tau, beta) for tau, beta in points)
+    return settled(
+        SECTION,
+        "A-tlarge",
+        "eq:tlarge",
+        r"\Theta\sim\frac{3^{1-\beta/3}}{\Gamma(-\beta)}e_1\sim\frac{\sqrt\pi}{\Gamma(-\beta)}e^{(2/3)\tau^{3/2}}\tau^{-\beta/2-3/4}",
+        "Both asymptotic forms hold as tau -> +oo for every beta that is not 0, 1, 2, ...",
+        Check(Kind.PROOF, "proofs/positive.md: explicit remainder", True),
+        Check(
+            Kind.POINTS,
+            f"4 terms against the Taylor series at {len(points)} points: the error is at most twice the first "
+            "omitted term",
+            agrees,
+        ),
+        corrected="needs the condition beta not in {0, 1, 2, ...}; at beta = n, Theta is a polynomial ~ (-tau)^n",
+    )
+
+
+def _equal(first: arb, second: arb) -> bool | None:
+    """Whether two accurate enclosures overlap; ``None`` when one is not accurate enough to tell."""
+    if min(relative_bits(first), relative_bits(second)) <= 60:
+        return None
+    return bool(first.overlaps(second))

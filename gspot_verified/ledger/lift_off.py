@@ -1,0 +1,74 @@
+"""Certified brackets of the lift-off time at leading order, for the growth law of Section 4.5."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from flint import arb, fmpq
+
+from gspot_verified.balls import ball_text, working_bits
+from gspot_verified.theta.evaluate import evaluate
+
+_EXPONENTS = (10, 100, 1_000, 10_000)
+
+
+@dataclass(frozen=True, slots=True)
+class GrowthBracket:
+    """At epsilon = 10^-exponent: a zero of lambda_N lies in [lower, upper], and its ratio to the law in ``ratio``.
+
+    ``closer_than_before``: the ratio is certainly nearer to 1 than at the previous epsilon.
+    """
+
+    beta: fmpq
+    exponent: int
+    lower: fmpq
+    upper: fmpq
+    ratio: arb
+    closer_than_before: bool
+
+    def __str__(self) -> str:
+        return f"beta = {self.beta}, eps = 1e-{self.exponent}: ratio {ball_text(self.ratio, 4)}"
+
+
+def growth_brackets(betas: tuple[fmpq, ...] = (fmpq(3, 2), fmpq(5, 2))) -> list[GrowthBracket]:
+    """Brackets for eps = 10^-10 .. 10^-10000 with C_1/Gamma(-beta) < 0 and the constant in front of Theta' equal to 1.
+
+    There ln |dTheta/dtau| = ((2 beta - 2)/3) ln(1/eps). Beyond tau = 2, where the search begins, dTheta/dtau has
+    the sign of 1/Gamma(-beta) for these beta (S-plus-infinity).
+    """
+    found = []
+    for beta in betas:
+        before: arb | None = None
+        for exponent in _EXPONENTS:
+            bracket = _bracket(beta, exponent, before)
+            before = bracket.ratio
+            found.append(bracket)
+    return found
+
+
+def _bracket(beta: fmpq, exponent: int, before: arb | None) -> GrowthBracket:
+    with working_bits(128):
+        large = exponent * arb(10).log()
+        goal = (2 * beta - 2) / 3 * large
+        law = (arb(beta - 1) * large) ** arb(fmpq(2, 3))
+    lower, upper = fmpq(2), fmpq(4 * exponent + 40)
+    while upper - lower > fmpq(1, 1000):
+        middle = (lower + upper) / 2
+        above = _above(middle, beta, goal)
+        if above is None:
+            break
+        lower, upper = (lower, middle) if above else (middle, upper)
+    with working_bits(128):
+        ratio = arb(lower).union(arb(upper)) / law
+        closer = before is None or bool(abs(ratio - 1) < abs(before - 1))
+    return GrowthBracket(beta, exponent, lower, upper, ratio, closer)
+
+
+def _above(tau: fmpq, beta: fmpq, goal: arb) -> bool | None:
+    """Whether ln |dTheta/dtau| > goal at tau, certainly."""
+    slope = abs(evaluate(tau, beta, derivative=1, digits=20).value)
+    if not slope > 0:
+        return None
+    with working_bits(128):
+        difference = slope.log() - goal
+    return True if difference > 0 else False if difference < 0 else None

@@ -1,0 +1,242 @@
+"""Ledger of Section 4.5, first half: the force at leading order, the sign of dTheta/dtau and of Gamma(-beta)."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from flint import arb, fmpq
+
+from gspot_verified.balls import ball_text, certainly_less, sign_of, working_bits
+from gspot_verified.ledger.entry import Check, Entry, Kind, all_of, same_sign, settled
+from gspot_verified.signs.side import gamma_sign, gamma_sign_by_ball
+from gspot_verified.theta.evaluate import evaluate
+
+SECTION = "Section 4.5"
+_SYSTEMS = tuple(
+    (fmpq(-1), alpha_2, alpha_1_times * fmpq(-1))
+    for alpha_2 in (fmpq(-1), fmpq(-3, 2), fmpq(-2))
+    for alpha_1_times in (fmpq(3, 2), fmpq(5, 2), fmpq(7, 3))
+)
+_GRID = tuple(fmpq(n, 10) for n in range(1, 130))
+_NOT_INTEGER = tuple(beta for beta in _GRID if beta.q != 1)
+
+
+def entries() -> list[Entry]:
+    """The formulas and stated signs before the case distinction, in the order of the paper."""
+    return [
+        _mean_force(),
+        _deviation_force(),
+        _force_sign(),
+        _dominance(),
+        _sign_at_minus_infinity(),
+        _sign_at_zero(),
+        _sign_at_infinity(),
+        _gamma_intervals(),
+    ]
+
+
+def _mean_force() -> Entry:
+    # b-bar = alpha_2 alpha_1 t/(alpha_1 - alpha_3), p-bar = alpha_1 t (eqs. modelSysDistB, modelSysDistP).
+    by_equation, by_balance, printed = [], [], []
+    for alpha_1, alpha_2, alpha_3 in _SYSTEMS:
+        slope = alpha_2 * alpha_1 / (alpha_1 - alpha_3)
+        by_equation.append((alpha_2 - slope) / alpha_3)  # db/dt = alpha_2 - alpha_3 lambda_N
+        by_balance.append(-slope / alpha_1)  # lambda_N = -b/p (eq. pain_par+)
+        printed.append(alpha_2 / (alpha_1 - alpha_3))
+    statement = "The mean force of the distinguished trajectory is alpha_2/(alpha_1 - alpha_3)"
+    return settled(
+        SECTION,
+        "S-mean-force",
+        "line 1250",
+        r"\bar\lambda_N=\frac{\alpha_2^*}{\alpha_1^*-\alpha_3^*}",
+        statement,
+        Check(
+            Kind.EXACT,
+            "alpha_3 lambda = alpha_2 - db/dt along eq. modelSysDistB",
+            by_equation == printed,
+            "alpha = (-1, -1, -3/2): the equation gives 2, the printed form -2",
+        ),
+        Check(
+            Kind.EXACT,
+            "lambda = -b/p (eq. pain_par+) along modelSysDistP, modelSysDistB",
+            by_balance == printed,
+            "alpha = (-1, -1, -3/2): -b/p = 2",
+        ),
+        corrected="alpha_2/(alpha_3 - alpha_1), positive in Case III, as in Section 1 (Case III)",
+        note="The same sign error is in eq. modelSysDistZY.",
+    )
+
+
+def _deviation_force() -> Entry:
+    # Powers of (C_1, 1/alpha_3, kappa, epsilon) in front of -dTheta/dtau.
+    beta_samples = (fmpq(1, 2), fmpq(3, 2), fmpq(7, 3))
+    inner = all((1 - b, 2 * b / 3 - fmpq(2, 3)) == (-b + 1, (2 * b - 2) / 3) for b in beta_samples)
+    agrees = all_of(_chain_rule(b) for b in beta_samples)
+    return settled(
+        SECTION,
+        "S-deviation-force",
+        "line 1251",
+        r"\hat\lambda_N=-\frac{C_1}{\alpha_3^*}\kappa^{1-\beta}\varepsilon^{(2\beta-2)/3}\frac{d\Theta}{d\tau}",
+        "The deviation of the force is -(C_1/alpha_3) kappa^(1-beta) epsilon^((2 beta-2)/3) dTheta/dtau",
+        Check(
+            Kind.EXACT,
+            "powers of kappa and epsilon from bhat_inner and inner_scaling (linear in beta, three points)",
+            inner,
+        ),
+        Check(
+            Kind.POINTS,
+            "difference quotient of C_1 kappa^(-beta) eps^(2 beta/3) Theta(kappa t eps^(-2/3)) in t, in balls",
+            agrees,
+        ),
+    )
+
+
+def _chain_rule(beta: fmpq) -> bool | None:
+    """-(db/dt)/alpha_3 as a difference quotient against the printed form: they differ by O(step^2): 1e-12 is ample."""
+    charge, alpha_3, time, step = 3, -2, fmpq(1, 20), fmpq(1, 10**9)
+    with working_bits(192):
+        epsilon, kappa = arb(fmpq(1, 64)), arb(fmpq(4, 5))
+        scale = kappa * epsilon ** arb(fmpq(-2, 3))
+        front = charge * kappa ** arb(-beta) * epsilon ** arb(2 * beta / 3)
+        values = [front * evaluate(scale * t, beta, digits=40).value for t in (time - step, time + step)]
+        quotient = -(values[1] - values[0]) / (2 * step) / alpha_3
+        slope = evaluate(scale * time, beta, derivative=1, digits=40).value
+        stated = -arb(charge) / alpha_3 * kappa ** arb(1 - beta) * epsilon ** arb((2 * beta - 2) / 3) * slope
+        return certainly_less(abs(quotient - stated), abs(stated) * fmpq(1, 10**12))
+
+
+def _force_sign() -> Entry:
+    agrees = all(
+        (-fmpq(c) / alpha_3 * slope > 0) == (c * slope > 0)
+        for _, _, alpha_3 in _SYSTEMS
+        for c in (-1, 1)
+        for slope in (-1, 1)
+    )
+    return settled(
+        SECTION,
+        "S-force-sign",
+        "line 1255",
+        r"\operatorname{sign}\hat\lambda_N=\operatorname{sign}(C_1\,d\Theta/d\tau)",
+        "The deviation of the force has the sign of C_1 dTheta/dtau (alpha_3 < 0, kappa > 0)",
+        Check(Kind.EXACT, "all sign combinations", agrees),
+        Check(Kind.PROOF, "S-deviation-force: the factors in front are positive", True),
+    )
+
+
+def _dominance() -> Entry:
+    powers = {beta: (2 * beta - 2) / 3 for beta in _GRID}
+    epsilon = fmpq(1, 10**6)
+    with working_bits(64):
+        sizes = {beta: arb(epsilon) ** arb(power) for beta, power in powers.items() if beta != 1}
+    return settled(
+        SECTION,
+        "S-dominance",
+        "lines 1253 and 1284",
+        r"\varepsilon^{(2\beta-2)/3}",
+        "For small epsilon at fixed tau the deviation of the force dominates the mean force when beta < 1, and the mean "
+        "force dominates when beta > 1",
+        Check(
+            Kind.EXACT,
+            "the exponent (2 beta - 2)/3 is increasing in beta and 0 at beta = 1",
+            powers[fmpq(1)] == 0 and list(powers.values()) == sorted(powers.values()),
+        ),
+        Check(
+            Kind.POINTS,
+            "size of the power at epsilon = 1e-6, beta = 0.1, ..., 12.9",
+            all_of(certainly_less(arb(1), size) is (beta < 1) for beta, size in sizes.items()),
+        ),
+    )
+
+
+def _sign_at_minus_infinity() -> Entry:
+    # At tau = -T(beta) itself, T from proofs/signs.md rounded up.
+    agrees = all_of(same_sign(sign_of(evaluate(-_threshold(beta), beta, derivative=1).value), -1) for beta in _GRID)
+    return settled(
+        SECTION,
+        "S-minus-infinity",
+        "eq:dTheta_sign, first row",
+        r"\frac{d\Theta}{d\tau}<0\ (\tau\to-\infty)",
+        "dTheta/dtau is negative for tau large and negative, for every beta > 0",
+        Check(Kind.PROOF, "proofs/signs.md: an explicit T(beta), from the enveloping series", True),
+        Check(Kind.POINTS, "certified sign at -T(beta) for beta = 0.1, 0.2, ..., 12.9", agrees),
+    )
+
+
+def _threshold(beta: fmpq) -> int:
+    """An integer T with dTheta/dtau < 0 on (-oo, -T], by the statement of the proof page."""
+    b = Fraction(int(beta.p), int(beta.q)) - 1
+    terms = int(b // 3) + 1 if b >= 0 else 1
+    size = Fraction(1)
+    for i in range(3 * terms):
+        size *= abs(i - b)
+    for k in range(1, terms + 1):
+        size /= 3 * k
+    large = 1
+    while large ** (3 * terms) <= size:
+        large += 1
+    return large
+
+
+def _sign_at_zero() -> Entry:
+    answers = []
+    for beta in _NOT_INTEGER:
+        with working_bits(128):
+            printed = sign_of(arb((1 - beta) / 3).gamma() * arb(-beta).rgamma())
+        answers.append(same_sign(printed, sign_of(evaluate(0, beta, derivative=1).value)))
+    agrees = all_of(answers)
+    return settled(
+        SECTION,
+        "S-zero",
+        "eq:dTheta_sign, second row",
+        r"\operatorname{sign}\frac{d\Theta}{d\tau}(0)=\operatorname{sign}\frac{\Gamma((1-\beta)/3)}{\Gamma(-\beta)}",
+        "At tau = 0 the sign is that of Gamma((1-beta)/3)/Gamma(-beta), for beta not an integer",
+        Check(Kind.PROOF, "proofs/signs.md, from the entire form of the initial values", True),
+        Check(Kind.POINTS, "both signs certified at beta = 0.1, ..., 12.9 without the integers", agrees),
+        corrected="at beta = 1, 4, 7, ... the quotient is infinite over infinite: there dTheta/dtau(0) < 0; "
+        "at beta = 2, 3, 5, 6, ... dTheta/dtau(0) = 0",
+    )
+
+
+def _sign_at_infinity() -> Entry:
+    agrees = all_of(
+        same_sign(sign_of(evaluate(60, beta, derivative=1).value), gamma_sign(beta)) for beta in _NOT_INTEGER
+    )
+    return settled(
+        SECTION,
+        "S-plus-infinity",
+        "eq:dTheta_sign, third row",
+        r"\frac{d\Theta}{d\tau}\to\infty\cdot\frac1{\Gamma(-\beta)}",
+        "dTheta/dtau is very large with the sign of 1/Gamma(-beta) for tau large and positive, beta > 0 not an integer",
+        Check(Kind.PROOF, "proofs/signs.md: Gamma(-beta) dTheta/dtau exceeds every power of tau", True),
+        Check(Kind.POINTS, "certified sign at tau = 60 for beta = 0.1, ..., 12.9 without the integers", agrees),
+        corrected="at an integer beta = n, dTheta/dtau is a polynomial with leading term (-1)^n n tau^(n-1)",
+    )
+
+
+def _gamma_intervals() -> Entry:
+    half, three_halves = gamma_sign("1/2"), gamma_sign("3/2")
+    with working_bits(64):
+        values = [arb(fmpq(n, 2)).gamma() for n in (-1, -3)]
+    by_ball = [gamma_sign_by_ball(fmpq(1, 2)), gamma_sign_by_ball(fmpq(3, 2))]
+    return settled(
+        SECTION,
+        "S-gamma-intervals",
+        "line 1269",
+        r"\Gamma(-\beta)<0 \text{ on } (2n-1,2n),\quad \Gamma(-\beta)>0 \text{ on } (2n-2,2n)",
+        "Gamma(-beta) is negative for beta in (2n-1, 2n) and positive for beta in (2n-2, 2n), n = 1, 2, ...",
+        Check(
+            Kind.EXACT,
+            "functional equation of Gamma (proofs/side_switching.md)",
+            half == 1 and three_halves == -1,
+            f"sign Gamma(-1/2) = {half}, sign Gamma(-3/2) = {three_halves}",
+        ),
+        Check(
+            Kind.BALLS,
+            "enclosures of Gamma(-1/2) and Gamma(-3/2)",
+            by_ball == [1, -1],
+            f"Gamma(-1/2) in {ball_text(values[0], 8)}, Gamma(-3/2) in {ball_text(values[1], 8)}",
+        ),
+        corrected="Gamma(-beta) is negative on (2n-2, 2n-1) and positive on (2n-1, 2n), n = 1, 2, ...",
+        note="Both signs are exchanged, and the two printed intervals overlap. With the printed signs the paper's own "
+        "argument for 0 < beta < 1 would fail.",
+    )

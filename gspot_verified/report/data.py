@@ -1,0 +1,133 @@
+"""The report as plain data: what ``report.json`` holds, and the check that a file really is one."""
+
+from __future__ import annotations
+
+import platform
+from collections import Counter
+from collections.abc import Sequence
+from importlib import metadata
+from typing import Any
+
+from gspot_verified.ledger.entry import Entry, Kind, counts
+from gspot_verified.report.canvas import Picture
+from gspot_verified.verdict import Outcome, Reason
+
+SCHEMA = 1
+
+_OUTCOMES = [outcome.value for outcome in Outcome]
+_KINDS = [kind.name.lower() for kind in Kind]
+_REASONS = [reason.name.lower() for reason in Reason]
+_ENTRY_TEXTS = ("identifier", "label", "section", "source", "statement", "corrected", "note")
+_PICTURE_TEXTS = ("name", "title", "caption", "alternative", "svg")
+_VERSIONS = ("gspot-verified", "python", "FLINT", "python-flint", "mpmath", "numpy", "matplotlib")
+
+
+def versions() -> dict[str, str]:
+    """What computed the report, by name. No date and no host, so that two runs agree."""
+    import flint
+
+    found = {name: _installed(name) for name in _VERSIONS}
+    found["python"] = f"{platform.python_implementation()} {platform.python_version()}"
+    found["FLINT"] = flint.__FLINT_VERSION__
+    return found
+
+
+def _installed(name: str) -> str:
+    try:
+        return metadata.version(name)
+    except metadata.PackageNotFoundError:
+        return "not installed as a package"
+
+
+def report_data(entries: Sequence[Entry], pictures: Sequence[Picture]) -> dict[str, Any]:
+    """Everything that the HTML page shows, as plain data for ``json.dumps``.
+
+    :raises ValueError: two entries have one identifier.
+    """
+    return checked(
+        {
+            "schema": SCHEMA,
+            "counts": counts(entries),
+            "entries": [entry.to_json() for entry in entries],
+            "figures": [picture.to_json() for picture in pictures],
+            "versions": versions(),
+        }
+    )
+
+
+def checked(report: object) -> dict[str, Any]:
+    """The report itself, when it has the form that this version writes.
+
+    :raises ValueError: another schema, a missing or mistyped part, or counts that do not agree with the entries.
+
+    >>> checked({"schema": 2})
+    Traceback (most recent call last):
+    ...
+    ValueError: report: this version reads schema 1, the file has schema 2
+    """
+    found = _mapping(report, "report")
+    if type(found.get("schema")) is not int or found["schema"] != SCHEMA:
+        raise ValueError(f"report: this version reads schema {SCHEMA}, the file has schema {found.get('schema')!r}")
+    entries = _sequence(found, "entries", "report")
+    for number, entry in enumerate(entries):
+        _check_entry(entry, f"entries[{number}]")
+    for identifier, times in Counter(entry["identifier"] for entry in entries).items():
+        if times > 1:
+            raise ValueError(f"entries: the identifier {identifier!r} occurs {times} times")
+    stated = _mapping(found.get("counts"), "counts")
+    actual = {outcome: sum(entry["verdict"]["outcome"] == outcome for entry in entries) for outcome in _OUTCOMES}
+    if stated != actual or any(type(number) is not int for number in stated.values()):
+        raise ValueError(f"counts: the file says {stated}, its entries give {actual}")
+    for number, picture in enumerate(_sequence(found, "figures", "report")):
+        _texts(_mapping(picture, f"figures[{number}]"), _PICTURE_TEXTS, f"figures[{number}]")
+    known = _mapping(found.get("versions"), "versions")
+    _texts(known, _VERSIONS, "versions")
+    return found
+
+
+def _check_entry(value: object, where: str) -> None:
+    entry = _mapping(value, where)
+    _texts(entry, _ENTRY_TEXTS, where)
+    verdict = _mapping(entry.get("verdict"), f"{where}.verdict")
+    _texts(verdict, ("statement", "detail"), f"{where}.verdict")
+    _one_of(verdict.get("outcome"), _OUTCOMES, f"{where}.verdict.outcome")
+    for key in ("witness", "reason"):
+        if key not in verdict:
+            raise ValueError(f"{where}.verdict: {key!r} is missing")
+    if verdict["outcome"] == Outcome.REFUTED.value or verdict["witness"] is not None:
+        _texts(verdict, ("witness",), f"{where}.verdict")
+    if verdict["outcome"] == Outcome.UNDECIDED.value or verdict["reason"] is not None:
+        _one_of(verdict["reason"], _REASONS, f"{where}.verdict.reason")
+    for box in _sequence(verdict, "remaining", f"{where}.verdict"):
+        if not isinstance(box, list) or not all(isinstance(side, str) for side in box):
+            raise ValueError(f"{where}.verdict.remaining: expected lists of texts")
+    for number, check in enumerate(_sequence(entry, "checks", where)):
+        place = f"{where}.checks[{number}]"
+        _texts(_mapping(check, place), ("what", "finding"), place)
+        _one_of(check.get("kind"), _KINDS, f"{place}.kind")
+        if "agrees" not in check or not (check["agrees"] is None or isinstance(check["agrees"], bool)):
+            raise ValueError(f"{place}.agrees: expected true, false or null")
+
+
+def _mapping(value: object, where: str) -> dict[str, Any]:
+    if not isinstance(value, dict):
+        raise ValueError(f"{where}: expected an object, got {type(value).__name__}")
+    return value
+
+
+def _sequence(holder: dict[str, Any], key: str, where: str) -> list[Any]:
+    value = holder.get(key)
+    if not isinstance(value, list):
+        raise ValueError(f"{where}: expected a list under {key!r}")
+    return value
+
+
+def _texts(holder: dict[str, Any], keys: Sequence[str], where: str) -> None:
+    for key in keys:
+        if not isinstance(holder.get(key), str):
+            raise ValueError(f"{where}: expected text under {key!r}")
+
+
+def _one_of(value: object, allowed: Sequence[str], where: str) -> None:
+    if value not in allowed:
+        raise ValueError(f"{where}: expected one of {', '.join(allowed)}, got {value!r}")
