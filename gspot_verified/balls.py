@@ -56,6 +56,8 @@ class working_bits:
     __slots__ = ("_bits", "_saved")
 
     def __init__(self, bits: int) -> None:
+        if type(bits) is not int:  # flint would cut a fraction off in silence
+            raise TypeError(f"bits must be an int, got {type(bits).__name__}")
         if not 2 <= bits <= MAX_WORKING_BITS:
             raise ValueError(f"bits must lie in 2..{MAX_WORKING_BITS}, got {bits}")
         self._bits = bits
@@ -245,7 +247,7 @@ def _ratio(numerator: int, denominator: int) -> float:
     try:
         return numerator / denominator
     except OverflowError:
-        return math.copysign(math.inf, numerator)
+        return math.inf if numerator > 0 else -math.inf
 
 
 def holomorphic_integral(integrand: Callable[[acb, bool], acb], lower: arb, upper: arb, max_evaluations: int) -> acb:

@@ -190,8 +190,11 @@ def _approach(tau: Exact, beta: Exact, goal: int, max_bits: int | None) -> _Foun
         following = wanted + max(goal - certain, 16) + 8 if certain > 0 else 2 * wanted + 64
         if following > budget:
             return value, route, wanted, Reason.BUDGET
+        try:
+            route, finer = _attempt(tau, beta, following)
+        except BudgetError:
+            return value, route, wanted, Reason.BUDGET
         wanted = following
-        route, finer = _attempt(tau, beta, wanted)
         if not exact_input and not certainly_less(4 * finer.rad(), value.rad()):
             return _tighter(finer, value), route, wanted, Reason.WIDE_INPUT
         value = _tighter(finer, value)

@@ -16,9 +16,15 @@ from gspot_verified.theta.reciprocal_gamma import reciprocal_gamma
 
 
 def weight(n: int, beta: Exact, bits: int) -> arb:
-    """w_n = (-beta)(1 - beta)...(n - 1 - beta) / Gamma(n + 1 - beta), finite for every beta, at precision ``bits``."""
-    rising = arb.rising_fmpq_ui(-beta, n) if isinstance(beta, fmpq) else (-beta).rising(n)
-    return rising * reciprocal_gamma(n + 1 - beta, bits)
+    """w_n = 1/(Gamma(-beta) (n - beta)) at precision ``bits``, finite at beta = n too.
+
+    By reflection it is (-1)^n Gamma(1 + beta) sin(pi (beta - n))/(pi (beta - n)) for n >= 1, used for beta > 0, where
+    the factors are finite and the exact beta - n of a rational keeps the accuracy; w_0 = 1/Gamma(1 - beta).
+    """
+    if n == 0:
+        return reciprocal_gamma(1 - beta, bits)
+    value = ball(1 + beta).gamma() * ball(beta - n).sinc_pi()
+    return -value if n % 2 else value
 
 
 def near_integers(beta: Exact) -> range:

@@ -23,8 +23,14 @@ MAX_TAU = 10**12
 MAX_BETA = 10**4
 MAX_DERIVATIVE = 1_000
 
-_MAX_TAYLOR_BYTES = 2**31
-_MAX_TAYLOR_LENGTH = 20_000_000
+# What a route may use, so that an answer comes within minutes and a few GiB, or not at all.
+_MAX_TAYLOR_BITS = 2**34
+_BITS_OF_A_BALL = 1_000
+_MAX_SPLITTING_BITS = 2**33
+_MAX_TERM_BITS = 2**36
+_MAX_GENERIC_GAMMA_BITS = 400_000
+_SMALL_HEIGHT_BITS = 32
+_MAX_LAPLACE_BITS = 20_000
 _MAX_LAPLACE_LOSS = 4_000
 
 
@@ -70,7 +76,7 @@ def derivative_factor(beta: Exact, derivative: int) -> Exact:
 def taylor(tau: Exact, beta: Exact, goal: int) -> arb:
     """The Taylor series at 0 in balls, planned for ``goal`` bits."""
     plan = choice.taylor_plan(_farthest(tau), approximate(beta), goal)
-    if plan.length > _MAX_TAYLOR_LENGTH or plan.length * plan.bits // 8 > _MAX_TAYLOR_BYTES:
+    if plan.length * (plan.bits + _BITS_OF_A_BALL) > _MAX_TAYLOR_BITS or not _gamma_is_affordable(beta, plan.bits):
         return nonfinite()
     return taylor_sum(tau, beta, plan.length, plan.bits)
 
@@ -80,7 +86,8 @@ def splitting(tau: Exact, beta: Exact, goal: int) -> arb:
     if not (isinstance(tau, fmpq) and isinstance(beta, fmpq)):
         return nonfinite()
     plan = choice.taylor_plan(approximate(tau), approximate(beta), goal)
-    if plan.length > _MAX_TAYLOR_LENGTH:
+    bits_of_a_term = 3 * (tau.height_bits() + plan.length.bit_length()) + beta.height_bits()
+    if plan.length * bits_of_a_term > _MAX_SPLITTING_BITS or not _gamma_is_affordable(beta, plan.bits):
         return nonfinite()
     return splitting_sum(tau, beta, plan.length, plan.bits, choice.block_length(plan.bits))
 
@@ -88,24 +95,38 @@ def splitting(tau: Exact, beta: Exact, goal: int) -> arb:
 def negative(tau: Exact, beta: Exact, goal: int) -> arb:
     """The enveloping series at tau -> -infinity, planned for ``goal`` bits."""
     plan = choice.negative_plan(-approximate(tau), approximate(beta), goal)
-    return nonfinite() if plan is None else negative_sum(tau, beta, plan.terms, plan.bits)
+    if plan is None or plan.terms * plan.bits > _MAX_TERM_BITS:
+        return nonfinite()
+    return negative_sum(tau, beta, plan.terms, plan.bits)
 
 
 def positive(tau: Exact, beta: Exact, goal: int) -> arb:
     """The saddle point and the algebraic part at tau -> +infinity, planned for ``goal`` bits."""
     point, parameter = approximate(tau), approximate(beta)
     plan = choice.saddle_plan(point, parameter, goal) if point > 1 else None
-    return nonfinite() if plan is None else positive_sum(tau, beta, plan, choice.saddle_bits(point, parameter, goal))
+    if plan is None:
+        return nonfinite()
+    bits = choice.saddle_bits(point, parameter, goal)
+    if plan.terms * bits > _MAX_TERM_BITS or not _gamma_is_affordable(beta, bits):
+        return nonfinite()
+    return positive_sum(tau, beta, plan, bits)
 
 
 def laplace(tau: Exact, beta: Exact, goal: int) -> arb:
     """The Laplace integral by quadrature, planned for ``goal`` bits."""
+    if goal > _MAX_LAPLACE_BITS:
+        return nonfinite()
     point, parameter = approximate(tau), approximate(beta)
     plan = choice.laplace_plan(point, parameter, goal)
     bits = choice.laplace_bits(point, parameter, plan, goal)
     if bits > 4 * goal + _MAX_LAPLACE_LOSS:
         return nonfinite()
     return laplace_sum(tau, beta, plan, bits)
+
+
+def _gamma_is_affordable(beta: Exact, bits: int) -> bool:
+    """Gamma of a rational of small height is quasi-linear; of anything else it is not, and its memory grows."""
+    return bits <= _MAX_GENERIC_GAMMA_BITS or (isinstance(beta, fmpq) and beta.height_bits() <= _SMALL_HEIGHT_BITS)
 
 
 def _farthest(tau: Exact) -> float:

@@ -1,0 +1,37 @@
+"""The picture of time against digits."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from gspot_verified.cost.curves import Curve
+
+# Dark enough on white, and told apart by line and mark as well as by colour.
+_LOOKS = (("#0072B2", "-", "o"), ("#009E73", "--", "s"), ("#D55E00", "-.", "^"), ("#555555", ":", "D"))
+
+
+def save_picture(curves: Sequence[Curve], path: Path) -> Path:
+    """Write the log-log picture as PNG and return its path; a file that is there is replaced when the new one is ready.
+
+    :raises ValueError: no curve has a point.
+    """
+    if not any(curve.points for curve in curves):
+        raise ValueError("curves: there is no point to draw")
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(7, 4.5), layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.add_subplot()
+    for index, curve in enumerate(curves):
+        colour, line, mark = _LOOKS[index % len(_LOOKS)]
+        digits, seconds = zip(*curve.points, strict=True) if curve.points else ((), ())
+        axes.loglog(digits, seconds, color=colour, linestyle=line, marker=mark, markersize=4, label=curve.name)
+    axes.set(xlabel="digits asked for", ylabel="seconds, first call", title="The cost of accuracy: Θ(7/3, β)")
+    axes.grid(True, which="major", linewidth=0.4)
+    axes.legend()
+    unfinished = path.with_name(path.name + ".part")
+    figure.savefig(unfinished, format="png", dpi=150)
+    unfinished.replace(path)
+    return path

@@ -1,0 +1,98 @@
+"""Hypothesis profiles, the guard against precision leaks, and the sabotage switch.
+
+``HYPOTHESIS_PROFILE=thorough`` runs more examples, drawn at random; the default runs the same examples every time.
+
+``--sabotage ROUTE:EXPONENT`` makes the error bound of one route wrong on purpose, to see that the tests notice:
+``negative:20`` shrinks every bound of ``theta/negative.py`` by the factor 1 - 2^-20, ``positive:-20`` multiplies every
+bound of ``theta/positive.py`` by 2^-20.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+import re
+from collections.abc import Callable, Iterator
+
+import pytest
+from flint import arb, ctx
+from hypothesis import settings
+
+settings.register_profile("default", max_examples=60, deadline=None, derandomize=True, database=None)
+settings.register_profile("thorough", max_examples=1000, deadline=None, database=None, print_blob=True)
+
+SABOTAGED_MODULES = ("taylor", "splitting", "negative", "positive", "laplace", "finite_part")
+_MAX_EXPONENT = 10_000
+
+AddRemainder = Callable[[arb, arb], arb]
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--sabotage",
+        metavar="ROUTE:EXPONENT",
+        default=None,
+        help="make a route's error bound wrong: times 1 - 2^-EXPONENT, or times 2^EXPONENT when EXPONENT < 0 "
+        f"({', '.join(SABOTAGED_MODULES)})",
+    )
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    profile = os.environ.get("HYPOTHESIS_PROFILE", "default")
+    if profile not in ("default", "thorough"):
+        raise pytest.UsageError(f"HYPOTHESIS_PROFILE must be default or thorough, got {profile!r}")
+    settings.load_profile(profile)
+    request = config.getoption("--sabotage")
+    if request is not None:
+        sabotage(*parse_sabotage(request))
+
+
+def pytest_report_header(config: pytest.Config) -> list[str]:
+    request = config.getoption("--sabotage")
+    return [] if request is None else [f"SABOTAGE: {request} (the error bound of this route is wrong on purpose)"]
+
+
+def parse_sabotage(request: str) -> tuple[str, int]:
+    """The module name and the exponent of ``ROUTE:EXPONENT``."""
+    match = re.fullmatch(r"([a-z_]+):(-?[0-9]{1,5})", request)
+    if match is None:
+        raise pytest.UsageError(f"--sabotage: expected ROUTE:EXPONENT, such as negative:20, got {request!r}")
+    route, exponent = match[1], int(match[2])
+    if route not in SABOTAGED_MODULES:
+        raise pytest.UsageError(f"--sabotage: ROUTE must be one of {', '.join(SABOTAGED_MODULES)}, got {route!r}")
+    if exponent == 0 or abs(exponent) > _MAX_EXPONENT:
+        raise pytest.UsageError(f"--sabotage: EXPONENT must be in 1..{_MAX_EXPONENT} or its negative, got {exponent}")
+    return route, exponent
+
+
+def sabotage(route: str, exponent: int) -> None:
+    """Replace ``add_remainder`` as the module ``gspot_verified.theta.<route>`` sees it."""
+    module = importlib.import_module(f"gspot_verified.theta.{route}")
+    honest = getattr(module, "add_remainder", None)
+    if honest is None:
+        raise pytest.UsageError(f"--sabotage: {module.__name__} has no add_remainder to replace")
+    module.add_remainder = shrinking(honest, exponent)  # type: ignore[attr-defined]
+
+
+def shrinking(honest: AddRemainder, exponent: int) -> AddRemainder:
+    """``honest`` with its bound multiplied by 1 - 2^-exponent, or by 2^exponent when that is negative."""
+    from gspot_verified.balls import working_bits
+
+    def shrunk(value: arb, bound: arb) -> arb:
+        size = bound.abs_upper()
+        # At a precision that keeps the product exact. A radius has 30 bits: beyond about 2^-28 nothing gets smaller.
+        with working_bits(max(ctx.prec, 128) + abs(exponent)):
+            smaller = size - size * arb((1, -exponent)) if exponent > 0 else size * arb((1, exponent))
+        return honest(value, smaller)
+
+    return shrunk
+
+
+@pytest.fixture(autouse=True)
+def precision_is_restored() -> Iterator[None]:
+    """flint's precision is one number for the process: no test may leave it changed."""
+    before = ctx.prec
+    yield
+    after = ctx.prec
+    ctx.prec = before
+    assert after == before, f"the test leaves flint's precision at {after} bits, it was {before}"

@@ -1,0 +1,35 @@
+"""Hand-made entries with each outcome, and the figures, drawn once."""
+
+import pytest
+
+from gspot_verified.dyadic import Dyadic
+from gspot_verified.ledger.entry import Check, Entry, Kind, conclude
+from gspot_verified.report.figures import pictures as draw
+from gspot_verified.verdict import Reason, Verdict
+
+
+@pytest.fixture(scope="session")
+def pictures():
+    return draw()
+
+
+@pytest.fixture(scope="session")
+def entries():
+    good = (Check(Kind.PROOF, "a page", True, "found <b>it</b>"), Check(Kind.POINTS, "40 points", True))
+    bad = (Check(Kind.EXACT, "at beta = 3/2", False, "4 > 0"), Check(Kind.BALLS, "on (1, 2)", False, "all > 0"))
+    return (
+        Entry("t01", "eq:t01", "Appendix A", r"\Theta(0)", "value <at> 0 & 'more'", good, conclude("t", good)),
+        Entry(
+            "gamma sign", "line 1271", "Section 4.5", r"\Gamma(-\beta)<0", "the sign", bad,
+            conclude("g", bad), r"\Gamma(-\beta)>0", "an exchange",
+        ),
+        Entry(
+            "rate", "line 1302", "Section 4.5", r"\log(\eps)", "the rate",
+            (Check(Kind.POINTS, "ten points", None),),
+            Verdict.undecided("r", Reason.BUDGET, "still falling", tuple((Dyadic(k, k + 1),) for k in range(7))),
+        ),
+        Entry(
+            "<script>alert(1)</script>", "<x>", "Section 4.5", "</code><script>", "<img src=x>", (),
+            Verdict.undecided("u", Reason.NO_ROUTE, "<i>"), "<c>", "<n>",
+        ),
+    )  # fmt: skip

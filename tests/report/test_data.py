@@ -1,0 +1,79 @@
+import copy
+import json
+
+import pytest
+
+from gspot_verified.report.data import checked, report_data, versions
+
+
+@pytest.fixture
+def report(entries, pictures):
+    return json.loads(json.dumps(report_data(entries, pictures)))
+
+
+def test_counts_and_keys(report, entries):
+    assert report["counts"] == {"proved": 1, "refuted": 1, "undecided": 2}
+    assert sorted(report) == ["counts", "entries", "figures", "schema", "versions"]
+    assert report["entries"] == [json.loads(json.dumps(entry.to_json())) for entry in entries]
+
+
+def test_versions_name_the_arithmetic():
+    import flint
+
+    assert versions()["FLINT"] == flint.__FLINT_VERSION__
+    assert versions()["python-flint"] == flint.__version__
+
+
+def test_two_entries_with_one_identifier_are_rejected(entries):
+    with pytest.raises(ValueError, match="'t01' occurs 2 times"):
+        report_data([entries[0], entries[0]], [])
+
+
+def set_in(report, path, value):
+    for key in path[:-1]:
+        report = report[key]
+    report[path[-1]] = value
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "message"),
+    [
+        (["schema"], 2, "reads schema 1"),
+        (["schema"], True, "reads schema 1"),
+        (["schema"], "1", "reads schema 1"),
+        (["counts"], {"proved": 3, "refuted": 1, "undecided": 0}, "its entries give"),
+        (["counts"], {"proved": True, "refuted": 1, "undecided": 2}, "its entries give"),
+        (["counts"], None, "counts: expected an object"),
+        (["entries"], {}, "expected a list under 'entries'"),
+        (["entries", 0], "x", r"entries\[0\]: expected an object"),
+        (["entries", 0, "statement"], None, r"entries\[0\]: expected text under 'statement'"),
+        (["entries", 2, "verdict", "outcome"], "passed", "expected one of proved, refuted, undecided"),
+        (["entries", 2, "verdict", "reason"], None, "expected one of budget"),
+        (["entries", 2, "verdict", "remaining"], [[1]], "expected lists of texts"),
+        (["entries", 1, "verdict", "witness"], None, "expected text under 'witness'"),
+        (["entries", 0, "verdict"], {"outcome": "proved", "statement": "", "detail": ""}, "'witness' is missing"),
+        (["entries", 0, "checks", 0, "kind"], "guess", r"checks\[0\].kind: expected one of"),
+        (["entries", 0, "checks", 0, "agrees"], "yes", "expected true, false or null"),
+        (["entries", 1, "identifier"], "t01", "occurs 2 times"),
+        (["figures", 0, "svg"], 1, r"figures\[0\]: expected text under 'svg'"),
+        (["versions"], {"python": "3"}, "versions: expected text under"),
+    ],
+)
+def test_malformed_data_is_rejected(report, path, value, message):
+    broken = copy.deepcopy(report)
+    set_in(broken, path, value)
+    with pytest.raises(ValueError, match=message):
+        checked(broken)
+    assert checked(report) is report
+
+
+@pytest.mark.parametrize("value", [None, [], "report", 1, {}])
+def test_other_json_is_rejected(value):
+    with pytest.raises(ValueError, match="report:"):
+        checked(value)
+
+
+def test_a_check_without_an_answer_is_rejected(report):
+    del report["entries"][0]["checks"][0]["agrees"]
+    with pytest.raises(ValueError, match="expected true, false or null"):
+        checked(report)

@@ -1,0 +1,264 @@
+"""The house: which way imports point, who may touch flint's context, how long a file is, what a docstring names."""
+
+from __future__ import annotations
+
+import ast
+import re
+import subprocess
+import sys
+import warnings
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+PACKAGE = ROOT / "gspot_verified"
+MAX_LINES = 300
+
+# From the top down: a unit imports only from lower rows (and from itself).
+ROWS = (
+    ("cli",),
+    ("report",),
+    ("ledger", "cost"),
+    ("scenes",),
+    ("mechanisms",),
+    ("expansion",),
+    ("signs",),
+    ("theta",),
+    ("balls", "dyadic", "verdict"),
+)
+ROW_OF = {unit: row for row, units in enumerate(ROWS) for unit in units}
+GROUND = len(ROWS) - 1
+
+BOUND_MODULES = (
+    "initial_values",
+    "taylor",
+    "splitting",
+    "negative",
+    "positive",
+    "laplace",
+    "finite_part",
+    "reciprocal_gamma",
+    "asymptotic_coefficients",
+)
+HEAVY = ("numpy", "scipy", "sympy", "matplotlib", "mpmath", "jinja2", "typer", "rich")
+
+FILES = sorted(PACKAGE.rglob("*.py"))
+with warnings.catch_warnings():
+    warnings.simplefilter("ignore")  # judged by test_sources_compile_without_a_warning
+    TREES = {path: ast.parse(path.read_text(encoding="utf-8"), str(path)) for path in FILES}
+
+
+def name_of(path: Path) -> str:
+    return path.relative_to(PACKAGE).as_posix()
+
+
+def unit_of(path: Path) -> str:
+    """``theta`` for gspot_verified/theta/x.py, ``balls`` for gspot_verified/balls.py, "" for the package itself."""
+    first = path.relative_to(PACKAGE).parts[0]
+    return {"__init__.py": "", "__main__.py": "cli"}.get(first, first.removesuffix(".py"))
+
+
+def imported_modules(path: Path, tree: ast.AST) -> list[tuple[int, str]]:
+    """(line, dotted name) of every import in the file, at any depth; ``from a import b`` gives ``a.b``."""
+    found = []
+    package = ["gspot_verified", *path.relative_to(PACKAGE).parts[:-1]]
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            found += [(node.lineno, alias.name) for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            base = package[: len(package) - node.level + 1] if node.level else []
+            module = ".".join([*base, *([node.module] if node.module else [])])
+            found += [(node.lineno, f"{module}.{alias.name}") for alias in node.names]
+    return found
+
+
+def inner_imports(path: Path) -> list[tuple[int, str]]:
+    """(line, unit) of every import from the package itself."""
+    units = []
+    for line, dotted in imported_modules(path, TREES[path]):
+        parts = dotted.split(".")
+        if parts[0] == "gspot_verified" and not (len(parts) > 1 and parts[1].startswith("__")):
+            units.append((line, parts[1] if len(parts) > 1 else ""))
+    return units
+
+
+def may_import(importer: str, imported: str) -> bool:
+    if importer == "" or importer == imported:
+        return True
+    if imported not in ROW_OF:
+        return False
+    above, below = ROW_OF[importer], ROW_OF[imported]
+    return above < below or above == below == GROUND
+
+
+def test_there_is_something_to_check() -> None:
+    assert {"balls.py", "dyadic.py", "verdict.py", "theta/taylor.py"} <= {name_of(path) for path in FILES}
+
+
+def test_every_unit_has_a_row() -> None:
+    assert {unit_of(path) for path in FILES} - {""} <= set(ROW_OF)
+
+
+@pytest.mark.parametrize("path", FILES, ids=name_of)
+def test_imports_point_downwards(path: Path) -> None:
+    unit = unit_of(path)
+    wrong = [f"{name_of(path)}:{line} imports {name or 'the root'}" for line, name in inner_imports(path)
+             if not may_import(unit, name)]  # fmt: skip
+    assert not wrong
+
+
+def test_the_ground_has_no_cycle() -> None:
+    edges = {
+        unit_of(path): {name for _, name in inner_imports(path)} for path in FILES if unit_of(path) in ROWS[GROUND]
+    }
+    while edges:
+        leaves = [unit for unit, names in edges.items() if not names & set(edges)]
+        assert leaves, f"these import each other: {sorted(edges)}"
+        for unit in leaves:
+            del edges[unit]
+
+
+@pytest.mark.parametrize(
+    ("importer", "imported", "allowed"),
+    [
+        ("cli", "report", True),
+        ("report", "cli", False),
+        ("ledger", "cost", False),
+        ("cost", "ledger", False),
+        ("theta", "signs", False),
+        ("signs", "theta", True),
+        ("verdict", "dyadic", True),
+        ("balls", "theta", False),
+        ("theta", "theta", True),
+        ("theta", "", False),
+        ("theta", "unheard_of", False),
+        ("", "cli", True),
+    ],
+)
+def test_the_rule_itself(importer: str, imported: str, allowed: bool) -> None:
+    assert may_import(importer, imported) is allowed
+
+
+def test_the_scan_sees_every_form_of_import() -> None:
+    source = (
+        "import gspot_verified.cli\nfrom gspot_verified import cli as c\nfrom gspot_verified.cli import main\n"
+        "from ..cli import main\nfrom .. import cli\ndef f():\n    from gspot_verified import cli\n"
+    )
+    dotted = [name for _, name in imported_modules(PACKAGE / "theta" / "x.py", ast.parse(source))]
+    assert len(dotted) == 6
+    assert all(name.startswith("gspot_verified.cli") for name in dotted)
+
+
+@pytest.mark.parametrize("path", FILES, ids=name_of)
+def test_only_balls_touches_the_context_of_flint(path: Path) -> None:
+    if path == PACKAGE / "balls.py":
+        return
+    modules = [name for _, name in imported_modules(path, TREES[path]) if name.split(".")[0] == "flint"]
+    wrong = [name for name in modules if name.endswith((".ctx", ".*")) or name.count(".") > 1]
+    assert not wrong
+    # `import flint` gives ctx by another road: only what describes the module may be read through it.
+    through = [n.attr for n in ast.walk(TREES[path])
+               if isinstance(n, ast.Attribute) and isinstance(n.value, ast.Name) and n.value.id == "flint"]  # fmt: skip
+    assert all(name.startswith("__") for name in through)
+    bare = [n for n in ast.walk(TREES[path]) if isinstance(n, ast.Name) and n.id == "flint"]
+    assert len(bare) == len(through)
+    renamed = [a.asname for n in ast.walk(TREES[path]) if isinstance(n, ast.Import) for a in n.names
+               if a.name.split(".")[0] == "flint" and a.asname]  # fmt: skip
+    assert not renamed
+    dynamic = [node.value for node in ast.walk(TREES[path]) if isinstance(node, ast.Constant) and node.value == "flint"]
+    assert not dynamic
+
+
+@pytest.mark.parametrize("path", FILES, ids=name_of)
+def test_nobody_takes_the_context_from_balls(path: Path) -> None:
+    hidden = ("gspot_verified.balls.ctx", "gspot_verified.balls._lock", "gspot_verified.balls.*")
+    assert not [name for _, name in imported_modules(path, TREES[path]) if name in hidden]
+    attributes = [n.lineno for n in ast.walk(TREES[path]) if isinstance(n, ast.Attribute) and n.attr == "ctx"]
+    assert not attributes
+
+
+@pytest.mark.parametrize("path", FILES, ids=name_of)
+def test_sources_compile_without_a_warning(path: Path) -> None:
+    """An invalid escape such as ``\\|`` is an error when warnings are, and only until a .pyc hides it."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        compile(path.read_text(encoding="utf-8"), str(path), "exec")
+
+
+def test_files_are_short() -> None:
+    lengths = {name_of(path): len(path.read_text(encoding="utf-8").splitlines()) for path in FILES}
+    assert {name: length for name, length in lengths.items() if length >= MAX_LINES} == {}
+
+
+def test_init_files_are_the_public_list_and_nothing_else() -> None:
+    allowed = (ast.Import, ast.ImportFrom)
+    wrong = []
+    for path, tree in TREES.items():
+        for node in tree.body if path.name == "__init__.py" else []:
+            docstring = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+            listing = isinstance(node, ast.Assign | ast.AnnAssign) and all(
+                isinstance(target, ast.Name) and target.id.startswith("__")
+                for target in (node.targets if isinstance(node, ast.Assign) else [node.target])
+            )
+            # A public list that loads on demand needs the module functions of PEP 562.
+            lazy = isinstance(node, ast.FunctionDef) and node.name in ("__getattr__", "__dir__")
+            if not (docstring or listing or lazy or isinstance(node, allowed)):
+                wrong.append(f"{name_of(path)}:{node.lineno}")
+    assert not wrong
+
+
+def undocumented(path: Path) -> list[str]:
+    """Public functions, classes and methods without a docstring."""
+    missing = []
+
+    def visit(body: list[ast.stmt], prefix: str) -> None:
+        for node in body:
+            if not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+                continue
+            if node.name.startswith("_") or any(ast.unparse(d).endswith("overload") for d in node.decorator_list):
+                continue
+            if not (ast.get_docstring(node) or "").strip():
+                missing.append(f"{name_of(path)}:{node.lineno} {prefix}{node.name}")
+            if isinstance(node, ast.ClassDef):
+                visit(node.body, f"{node.name}.")
+
+    visit(TREES[path].body, "")
+    return missing
+
+
+@pytest.mark.parametrize("path", FILES, ids=name_of)
+def test_public_names_have_docstrings(path: Path) -> None:
+    assert not undocumented(path)
+
+
+@pytest.mark.parametrize("path", [path for path in FILES if path.read_text(encoding="utf-8").strip()], ids=name_of)
+def test_modules_have_docstrings(path: Path) -> None:
+    assert ast.get_docstring(TREES[path])
+
+
+@pytest.mark.parametrize("module", BOUND_MODULES)
+def test_bound_modules_name_their_proof_page(module: str) -> None:
+    path = PACKAGE / "theta" / f"{module}.py"
+    pages = re.findall(r"proofs/[A-Za-z0-9_/-]+\.md", ast.get_docstring(TREES[path]) or "")
+    assert pages, f"{name_of(path)} names no page"
+    assert [page for page in pages if not (ROOT / page).is_file()] == []
+
+
+@pytest.mark.parametrize("path", [path for path in FILES if path != PACKAGE / "balls.py"], ids=name_of)
+def test_whoever_adds_a_remainder_names_a_proof_page(path: Path) -> None:
+    calls = [n for n in ast.walk(TREES[path]) if isinstance(n, ast.Name) and n.id == "add_remainder"]
+    assert not calls or "proofs/" in (ast.get_docstring(TREES[path]) or "")
+
+
+@pytest.mark.parametrize("path", FILES, ids=name_of)
+def test_every_page_that_is_named_exists(path: Path) -> None:
+    pages = re.findall(r"proofs/[A-Za-z0-9_/-]+\.md", path.read_text(encoding="utf-8"))
+    assert [page for page in pages if not (ROOT / page).is_file()] == []
+
+
+def test_the_import_is_light() -> None:
+    script = f"import sys, gspot_verified; print(*(name for name in {HEAVY!r} if name in sys.modules))"
+    run = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
+    assert run.stdout.split() == []

@@ -1,0 +1,32 @@
+"""The tests notice a wrong bound: with one radius shrunk on purpose the sharpness tests must fail."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+_ROOT = Path(__file__).resolve().parent.parent
+
+
+def _run(*options: str) -> int:
+    command = [
+        sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", *options,
+        "tests/theta/test_sharpness.py",
+    ]  # fmt: skip
+    return subprocess.run(command, cwd=_ROOT, capture_output=True, timeout=300, check=False).returncode
+
+
+def test_green_without_sabotage() -> None:
+    assert _run() == 0
+
+
+# The first three bounds are attained to 2^-20 relative; the others are wider than the error, by less than 2^20.
+@pytest.mark.parametrize(
+    "sabotage",
+    ["negative:20", "taylor:20", "splitting:20", "positive:-20", "laplace:-20", "finite_part:-20"],
+)
+def test_red_with_a_shrunk_radius(sabotage: str) -> None:
+    assert _run("--sabotage", sabotage) == 1
