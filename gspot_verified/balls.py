@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import decimal
 import math
+import operator
 import re
 import threading
 from collections.abc import Callable
@@ -33,6 +34,7 @@ Exact = fmpq | arb
 MAX_DIGITS = 1_000_000
 MAX_WORKING_BITS = 64_000_000
 _MAX_DECIMAL_EXPONENT = 100_000
+_MAX_BINARY_EXPONENT = 100_000
 _MAX_STRING = 2_000_000
 _LOG2_10 = math.log2(10)
 
@@ -100,7 +102,7 @@ def bits_for_digits(digits: int) -> int:
 
 
 def exact(value: ExactInput, name: str) -> Exact:
-    """The exact value of an input: ``fmpq`` for a rational, the ball itself for an ``arb``.
+    """The exact value of an input: ``fmpq`` for a rational or an exact ball, the ball itself for another ``arb``.
 
     Accepted: int, Fraction, fmpq, fmpz, a decimal or fraction string (``"0.1"`` means 1/10), a finite arb.
 
@@ -119,7 +121,7 @@ def exact(value: ExactInput, name: str) -> Exact:
     if isinstance(value, arb):
         if not value.is_finite():
             raise ValueError(f"{name}: the ball must be finite, got {value}")
-        return value
+        return _point(value) if value.is_exact() else value
     if isinstance(value, str):
         return _parse(value, name)
     if isinstance(value, float):
@@ -128,10 +130,18 @@ def exact(value: ExactInput, name: str) -> Exact:
             f'or "{float(value)!r}" for the decimal'
         )
     if isinstance(value, Integral | fmpz) and not isinstance(value, bool):
-        return fmpq(int(value))
+        return fmpq(operator.index(value) if isinstance(value, Integral) else value)
     if isinstance(value, Fraction):
         return fmpq(value.numerator, value.denominator)
     raise TypeError(f"{name}: expected int, Fraction, fmpq, str or arb, got {type(value).__name__}")
+
+
+def _point(value: arb) -> Exact:
+    """The rational that an exact ball is, unless its exponent is so large that the rational would fill the memory."""
+    mantissa, exponent = value.man_exp()
+    if abs(exponent) > _MAX_BINARY_EXPONENT:
+        return value
+    return fmpq(mantissa << int(exponent)) if exponent >= 0 else fmpq(mantissa, fmpz(1) << -int(exponent))
 
 
 def _parse(text: str, name: str) -> fmpq:

@@ -12,8 +12,10 @@ from fractions import Fraction
 
 from flint import arb, fmpz
 
+# An exponent is only a number; endpoints as fractions need that many bits.
+_MAX_EXPONENT = 10**24
 _MAX_SHIFT = 10_000_000
-_TEXT = re.compile(r"\[(-?0x[0-9a-f]+), (-?0x[0-9a-f]+)\]p(-?(?:0|[1-9][0-9]{0,8}))")
+_TEXT = re.compile(r"\[(-?0x[0-9a-f]+), (-?0x[0-9a-f]+)\]p(-?(?:0|[1-9][0-9]{0,23}))")
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,8 +47,8 @@ class Dyadic:
         both = self.lower | self.upper
         shift = (both & -both).bit_length() - 1 if both else 0
         exponent = self.exponent + shift if both else 0
-        if abs(exponent) > _MAX_SHIFT * 10:
-            raise ValueError(f"exponent must lie within +-{_MAX_SHIFT * 10}")
+        if abs(exponent) > _MAX_EXPONENT:
+            raise ValueError(f"the exponent must lie within +-{_MAX_EXPONENT}")
         object.__setattr__(self, "lower", self.lower >> shift)
         object.__setattr__(self, "upper", self.upper >> shift)
         object.__setattr__(self, "exponent", exponent)

@@ -164,6 +164,17 @@ def test_exact_refuses_nonfinite_balls(value: arb) -> None:
 @given(balls(), precisions())
 def test_exact_passes_a_ball_through_unrounded(value: arb, bits: int) -> None:
     with working_bits(bits):
+        found = exact(value, "tau")
+    if value.is_exact():
+        assert isinstance(found, fmpq)
+        assert to_fraction(found) == ends(value)[0]
+    else:
+        assert found is value
+
+
+def test_exact_keeps_an_exact_ball_whose_rational_would_fill_the_memory() -> None:
+    for exponent in (10**6, -(10**6), 2**70, -(2**70)):
+        value = arb((1, exponent))
         assert exact(value, "tau") is value
 
 

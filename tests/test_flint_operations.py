@@ -43,7 +43,7 @@ _METHODS = """
     abs_lower abs_upper airy_ai atan bit_length bits ceil coeffs contains cos cos_pi cosh degree denominator
     derivative evaluate exp expm1 fac_ui floor gamma gamma_fmpq gcd height_bits hypgeom imag integral intersection
     is_exact is_finite is_prime is_zero lcm length lgamma log log1p lower man_exp max mid min nan numerator overlaps
-    p pi q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinh sqrt str truncate union
+    p pi q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi sinh sqrt str truncate union
     unique_fmpz upper
 """
 METHODS = frozenset(_METHODS.split())
@@ -673,6 +673,7 @@ _FUNCTIONS: dict[str, tuple[Callable[[arb], arb], Callable[[Any], Any], tuple[Fr
     "cosh": (arb.cosh, mpmath.cosh, _ANY),
     "atan": (arb.atan, mpmath.atan, _ANY),
     "sin_pi": (arb.sin_pi, mpmath.sinpi, _ANY),
+    "sinc_pi": (arb.sinc_pi, mpmath.sincpi, _ANY),
     "cos_pi": (arb.cos_pi, mpmath.cospi, _ANY),
     "gamma": (arb.gamma, mpmath.gamma, _NO_POLE),
     "rgamma": (arb.rgamma, mpmath.rgamma, (*_NO_POLE, F(0), F(-1), F(-4))),

@@ -9,7 +9,6 @@ from fractions import Fraction
 
 import mpmath
 from flint import arb
-
 from strategies import ends
 
 

@@ -27,8 +27,7 @@ def _iwc() -> Entry:
         "S-iwc",
         "line 1278 (Cases I and II)",
         r"\frac{d\Theta}{d\tau}(\tau,\beta)<0\quad(\tau\in\mathbb R,\ 0<\beta<1)",
-        "For 0 < beta < 1 and C_1 < 0 the leading-order deviation of the force is positive for every tau, so an impact "
-        "without collision follows: dTheta/dtau < 0 for every real tau",
+        "For 0 < beta < 1, dTheta/dtau < 0 for every real tau",
         Check(Kind.PROOF, "proofs/signs.md, first proof: positive integrand", True),
         Check(
             Kind.BALLS,
@@ -37,7 +36,9 @@ def _iwc() -> Entry:
             True if cover.complete and pieces else None,
             f"{len(cover.positive)} boxes, {len(cover.remaining)} left",
         ),
-        note='The paper calls this "strong evidence, although not quite a proof".',
+        note='The paper calls this "strong evidence, although not quite a proof". With C_1 < 0 and '
+        "S-deviation-force the deviation of the force is then positive for every tau at leading order: "
+        "an impact without collision.",
     )
 
 
@@ -51,8 +52,9 @@ def _theta_wording() -> Entry:
         "For 0 < beta < 1, Theta is negative for large |tau| and for tau = 0",
         Check(
             Kind.EXACT,
-            "Theta(0) is a product of positive factors for beta < 1 (entire form)",
-            False,
+            "Theta(0) = c/(Gamma((1-beta)/3) Gamma((2-beta)/3)): both arguments positive at beta = 0 "
+            "and at beta = 1 - 1/1000, linear between",
+            False if all((j - beta) / 3 > 0 for j in (1, 2) for beta in (fmpq(0), fmpq(999, 1000))) else None,
             "Theta(0) > 0 for 0 < beta < 1",
         ),
         Check(

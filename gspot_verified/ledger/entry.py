@@ -81,8 +81,13 @@ class Entry:
 
 
 def all_of(answers: Iterable[bool | None]) -> bool | None:
-    """Conjunction of three-valued answers: False when one is False, True when all are True, else ``None``."""
+    """Conjunction of three-valued answers: False when one is False, True when all are True, else ``None``.
+
+    ``None`` for no answers at all: a check that looked at nothing shows nothing.
+    """
     found = list(answers)
+    if not found:
+        return None
     if any(answer is False for answer in found):
         return False
     return True if all(answer is True for answer in found) else None

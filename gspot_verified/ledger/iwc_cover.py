@@ -6,6 +6,7 @@ F = Theta(., b), b = beta - 1 in [-1, 0], is shown to be positive on three piece
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 
 from flint import fmpq
 
@@ -31,8 +32,8 @@ class Cover:
 
     @property
     def complete(self) -> bool:
-        """True when nothing remains."""
-        return not self.remaining
+        """True when nothing remains and the boxes, which bisection keeps disjoint, have the area of the whole."""
+        return not self.remaining and sum(_area(*box) for box in self.positive) == _area(LEFT, PARAMETER)
 
 
 def left_piece_reaches() -> bool:
@@ -67,6 +68,11 @@ def right_piece_is_positive() -> bool:
     """
     ends = (fmpq(-1), fmpq(0))
     return all((j - b) / 3 > 0 for b in ends for j in (1, 2)) and all(-b >= 0 for b in ends)
+
+
+def _area(tau: Dyadic, b: Dyadic) -> Fraction:
+    (left, right), (lower, upper) = tau.endpoints(), b.endpoints()
+    return (right - left) * (upper - lower)
 
 
 def _halves(interval: Dyadic) -> tuple[Dyadic, Dyadic]:

@@ -52,7 +52,9 @@ def _bracket(beta: fmpq, exponent: int, before: arb | None) -> GrowthBracket:
         goal = (2 * beta - 2) / 3 * large
         law = (arb(beta - 1) * large) ** arb(fmpq(2, 3))
     lower, upper = fmpq(2), fmpq(4 * exponent + 40)
-    while upper - lower > fmpq(1, 1000):
+    # Without a certain change of sign between the ends nothing is bracketed.
+    bracketed = _above(lower, beta, goal) is False and _above(upper, beta, goal) is True
+    while bracketed and upper - lower > fmpq(1, 1000):
         middle = (lower + upper) / 2
         above = _above(middle, beta, goal)
         if above is None:
@@ -60,7 +62,7 @@ def _bracket(beta: fmpq, exponent: int, before: arb | None) -> GrowthBracket:
         lower, upper = (lower, middle) if above else (middle, upper)
     with working_bits(128):
         ratio = arb(lower).union(arb(upper)) / law
-        closer = before is None or bool(abs(ratio - 1) < abs(before - 1))
+        closer = bracketed and (before is None or bool(abs(ratio - 1) < abs(before - 1)))
     return GrowthBracket(beta, exponent, lower, upper, ratio, closer)
 
 

@@ -143,7 +143,8 @@ def side_switching(lower: ExactInput, upper: ExactInput) -> SideSwitching:
     if left < last or (left == last and left_closed):
         intervals.append(SignInterval(left, last, left_closed, True, _sign_at((left + last) / 2)))
     certain = tuple(pole for pole in poles if first_inner <= pole <= last_inner)
-    return SideSwitching(tuple(intervals), certain, tuple(pole for pole in poles if pole not in certain))
+    undecided = tuple(pole for pole in poles if not first_inner <= pole <= last_inner)
+    return SideSwitching(tuple(intervals), certain, undecided)
 
 
 def _checked(value: ExactInput, name: str) -> Exact:

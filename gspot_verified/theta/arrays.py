@@ -44,11 +44,9 @@ def bounds(values: ObjectArray) -> tuple[FloatArray, FloatArray]:
 
 def _exact_entry(value: Any) -> Any:
     if isinstance(value, np.floating):
-        number = float(value)
-        if not np.isfinite(number):
-            raise ValueError(f"tau: every entry must be finite, got {number}")
-        numerator, denominator = number.as_integer_ratio()
-        return fmpq(numerator, denominator)
+        if not np.isfinite(value):
+            raise ValueError(f"tau: every entry must be finite, got {value}")
+        return fmpq(*value.as_integer_ratio())  # exact for every width, longdouble included
     if isinstance(value, np.integer):
         return int(value)
     return value

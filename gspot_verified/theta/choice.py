@@ -14,10 +14,12 @@ from flint import fmpq
 
 from gspot_verified.balls import Exact, approximate
 from gspot_verified.theta.laplace import LaplacePlan
+from gspot_verified.theta.magnitudes import largest_term, log_moment, log_term, log_theta, stationary
 from gspot_verified.theta.positive import SaddlePlan
 
 _LN2 = math.log(2)
 _GUARD = 8
+_TINY = 1e-60
 _SPLITTING_FROM_BITS = 1_500
 _SPLITTING_HEIGHT = 256
 # Work of the floating series, in terms times bits, from which another route is faster.
@@ -43,12 +45,14 @@ class NegativePlan:
 
 def taylor_plan(tau: float, beta: float, goal: int) -> TaylorPlan:
     """Terms and bits with which the series at 0 reaches about ``goal`` bits, for |tau| = the float given."""
-    size = abs(tau)
+    if tau == 0:
+        return TaylorPlan(3, _rounded(goal + _GUARD))
+    size = max(abs(tau), _TINY)
     if abs(beta) <= 8:
         peak = 2 / 3 * size**1.5 + math.log1p(size)
         value = min(peak, beta * math.log1p(size)) if tau < 0 else peak
     else:
-        peak, value = _largest_term(size, beta), _log_theta(tau, beta)
+        peak, value = largest_term(size, beta), log_theta(tau, beta)
     bits = _rounded(goal + _GUARD + max(0, math.ceil((peak - value) / _LN2)))
     return TaylorPlan(taylor_length(size, beta, bits * _LN2 - peak), bits)
 
@@ -59,87 +63,8 @@ def _rounded(bits: int) -> int:
     return -(-bits // step) * step
 
 
-def _log_term(k: float, size: float, beta: float) -> float:
-    """About ln of |a_k| size^k."""
-    return (
-        _log_moment(k - beta)
-        - _log_moment(-beta, reciprocal=True)
-        - math.lgamma(k + 1)
-        + (k - beta) / 3 * math.log(3)
-        + k * math.log(size)
-    )
-
-
-def _log_moment(z: float, reciprocal: bool = False) -> float:
-    """About ln of |Gamma(z/3)|, or of |Gamma(z)|, kept finite next to the poles."""
-    argument = z if reciprocal else z / 3
-    nearest = round(argument)
-    if argument < 0.5 and abs(argument - nearest) < 0.01:
-        argument = nearest + 0.01
-    return math.lgamma(argument)
-
-
-def _largest_term(size: float, beta: float) -> float:
-    if size == 0:
-        return max(_log_term(k, 1.0, beta) for k in (0, 1, 2))
-    peak = max(3.0, size**1.5 + abs(beta))
-    points = [peak * j / 64 for j in range(1, 129)] + [0.0, 1.0, 2.0]
-    return max(_log_term(k, size, beta) for k in points)
-
-
-def _log_theta(tau: float, beta: float) -> float:
-    """A rough ln |Theta|: the leading saddle for beta < 0, the larger of the two parts for beta > 0."""
-    saddle = _log_saddle(tau, beta)
-    if beta <= 0:
-        return saddle
-    algebraic = _log_algebraic(abs(tau), beta)
-    return max(algebraic, saddle) if tau > 0 else algebraic
-
-
-def _log_saddle(tau: float, beta: float) -> float:
-    """ln of the peak of r^(-beta) e^(r tau - r^3/3) over r, over |Gamma(-beta)|; -inf without a peak."""
-    point = _stationary(tau, beta)
-    if point is None:
-        return -math.inf
-    return point * tau - point**3 / 3 - beta * math.log(point) - _log_moment(-beta, reciprocal=True)
-
-
-def _stationary(tau: float, beta: float) -> float | None:
-    """The largest r > 0 with r tau - r^3 = beta."""
-    r: float = math.sqrt(max(tau, 0.0)) + max(-beta, 0.0) ** (1 / 3) + 1.0
-    for _ in range(100):
-        slope = tau - 3 * r * r
-        if slope >= 0:
-            return None
-        step = (r * tau - r**3 - beta) / slope
-        r -= step
-        if r <= 0:
-            return None
-        if abs(step) < 1e-9 * r:
-            return r
-    return None
-
-
-def _log_algebraic(size: float, beta: float) -> float:
-    """ln of sum_k beta!/(beta - 3k)! size^(beta - 3k) / (3^k k!), all terms of one sign."""
-    if size == 0:
-        return math.lgamma(beta + 1) - math.lgamma(beta / 3 + 1) - beta / 3 * math.log(3)
-    count = max(1, int(beta // 3))
-    points = range(0, count + 1, max(1, count // 64))
-    return max(
-        math.lgamma(beta + 1)
-        - math.lgamma(beta - 3 * k + 1)
-        - math.lgamma(k + 1)
-        + (beta - 3 * k) * math.log(size)
-        - k * math.log(3)
-        for k in points
-    )
-
-
 def taylor_length(size: float, beta: float, drop: float) -> int:
     """Terms until they fall below e^-drop, and long enough for the ratio test; a multiple of 3."""
-    if size == 0:
-        return 3
     scale: float = size**1.5
     # |a_k| size^k is near exp(-(2/3) k (ln(k/scale) - 1)) for k well above |beta|.
     target = 1.5 * (max(drop, 1.0) + abs(beta))
@@ -149,7 +74,7 @@ def taylor_length(size: float, beta: float, drop: float) -> int:
         slope = math.log(k / scale) if k > scale else 0.1
         k = max((target + k) / max(slope, 0.1), 1.0)
     if abs(beta) > 8:
-        while _log_term(k, size, beta) > -drop and k < 1e9:
+        while log_term(k, size, beta) > -drop and k < 1e9:
             k *= 1.1
     least: float = math.sqrt(2 * scale * scale * (1 + abs(beta) / (k + 1))) + 3
     return 3 * math.ceil(max(k, least) / 3)
@@ -166,7 +91,8 @@ def negative_plan(x: float, beta: float, goal: int) -> NegativePlan | None:
         # For beta < 0 the terms alternate: the sum is near 1/largest, so twice its logarithm is lost.
         lost = 2 * largest if beta < 0 else -largest
         if 3 * k > beta and k >= 1 and term < -(goal + 3) * _LN2 - lost + largest:
-            return NegativePlan(k, _rounded(goal + _GUARD + math.ceil(max(0.0, lost) / _LN2)))
+            power = math.ceil(math.log2(1 + abs(beta) * math.log(x)))
+            return NegativePlan(k, _rounded(goal + _GUARD + power + math.ceil(max(0.0, lost) / _LN2)))
         # Next to an integer a factor is tiny, but a float cannot tell how tiny: count it as 1/2.
         factor = inverse / (3 * (k + 1))
         for j in range(3 * k, 3 * k + 3):
@@ -231,7 +157,7 @@ def _saddle_terms(ratio: float, drop: float) -> int | None:
 def laplace_plan(tau: float, beta: float, goal: int) -> LaplacePlan:
     """Cut near where the integrand leaves its singularity, end where it is below 2^-goal of its largest value."""
     cut = min((1 + max(beta, 0.0)) / (1 + abs(tau)), 2.0 + math.sqrt(abs(tau)) / 2)
-    peak = _stationary(tau, beta) or math.sqrt(max(tau, 0.0))
+    peak = stationary(tau, beta) or math.sqrt(max(tau, 0.0))
     peak = max(peak, cut)
 
     def log_integrand(r: float) -> float:
@@ -255,10 +181,15 @@ def _short(value: float) -> fmpq:
 
 def prefers_splitting(tau: Exact, beta: Exact, bits: int) -> bool:
     """True where exact binary splitting beats the floating series: many bits, rationals of small height."""
-    if bits < _SPLITTING_FROM_BITS or not isinstance(tau, fmpq) or not isinstance(beta, fmpq):
-        return False
-    height = tau.height_bits() * 3 + beta.height_bits()
-    return height <= max(_SPLITTING_HEIGHT, bits // 200)
+    height = _height(tau, beta)
+    return height is not None and bits >= _SPLITTING_FROM_BITS and height <= max(_SPLITTING_HEIGHT, bits // 200)
+
+
+def _height(tau: Exact, beta: Exact) -> int | None:
+    """Bits of the integers that one Taylor term brings in; ``None`` for balls."""
+    if not (isinstance(tau, fmpq) and isinstance(beta, fmpq)):
+        return None
+    return tau.height_bits() * 3 + beta.height_bits()
 
 
 def saddle_bits(tau: float, beta: float, goal: int) -> int:
@@ -271,7 +202,7 @@ def laplace_bits(tau: float, beta: float, plan: LaplacePlan, goal: int) -> int:
     """Working bits of the Laplace route: the series and the integral may cancel for beta > 0."""
     cut = float(int(plan.cut.p) / int(plan.cut.q))
     parts = beta * -math.log(cut) + max(cut * tau, 0.0) if beta > 0 else 0.0
-    lost = max(0.0, parts + _log_moment(beta + 1, reciprocal=True) if beta > 0 else 0.0)
+    lost = max(0.0, parts + log_moment(beta + 1, reciprocal=True) if beta > 0 else 0.0)
     return _rounded(goal + 2 * _GUARD + math.ceil(lost / _LN2) + math.ceil(math.log2(abs(tau) + abs(beta) + 2) * 2))
 
 
@@ -294,6 +225,9 @@ def preferred_routes(tau: Exact, beta: Exact, goal: int) -> list[str]:
     work = plan.length * (plan.bits + 500)
     if work > _QUADRATURE_FROM_WORK and goal < 5_000 and parameter < 0:
         names.append("laplace")
-    if prefers_splitting(tau, beta, goal) or work > _SPLITTING_FROM_WORK:
+    height = _height(tau, beta)
+    if prefers_splitting(tau, beta, goal) or (
+        height is not None and work > _SPLITTING_FROM_WORK and height <= max(_SPLITTING_HEIGHT, plan.bits)
+    ):
         names.append("splitting")
     return [*names, "taylor", "laplace"]

@@ -16,6 +16,7 @@ from gspot_verified.balls import (
     bits_for_digits,
     certainly_less,
     is_exact,
+    nonfinite,
     relative_bits,
     shrink_to_bits,
     sign_of,
@@ -24,13 +25,15 @@ from gspot_verified.balls import (
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.theta import choice, routes
 from gspot_verified.theta.integer import polynomial
-from gspot_verified.theta.routes import BudgetError, checked_arguments, derivative_factor
+from gspot_verified.theta.routes import BudgetError, checked_arguments, shifted_parameter
 from gspot_verified.verdict import Reason, Verdict
 
 if TYPE_CHECKING:
     from numpy import ndarray
 
 _EXACT_POLYNOMIAL_BITS = 100_000
+# Where every route failed at a lower goal, rounding may have hidden a hypothesis: once more with this many bits.
+_LEAST_SECOND_GOAL = 128
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,10 +67,10 @@ class Evaluation:
         return f"<code>{self}</code>"
 
     def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; ``enclosure`` is the exact interval."""
+        """Plain data for ``json.dumps``; ``enclosure`` is the exact interval, null when nothing is known."""
         return {
             "value": str(self),
-            "enclosure": str(Dyadic.from_ball(self.value)),
+            "enclosure": str(Dyadic.from_ball(self.value)) if self.value.is_finite() else None,
             "digits": self.digits,
             "reached": self.reached,
             "route": self.route,
@@ -90,7 +93,7 @@ def evaluate(
     :param derivative: k, 0..1000.
     :param digits: 1..10^6.
     :param max_bits: the budget: working precision is raised up to this many bits (default 8 times the asked bits
-        plus 16,384, plus what the first attempt needed).
+        plus 16,384).
     :raises TypeError: a float argument.
     :raises ValueError: an argument outside its domain.
     :raises BudgetError: the request would not fit in memory; raised beforehand.
@@ -108,7 +111,11 @@ def evaluate(
     point, parameter = checked_arguments(tau, beta, derivative)
     value, route, bits, reason = _enclose(point, parameter, derivative, goal, max_bits)
     reached = relative_bits(value) >= goal
-    return Evaluation(value, digits, reached, route, bits, None if reached else reason)
+    if reached:
+        reason = None
+    elif reason is None:
+        reason = Reason.BUDGET if is_exact(point) and is_exact(parameter) else Reason.WIDE_INPUT
+    return Evaluation(value, digits, reached, route, bits, reason)
 
 
 @overload
@@ -147,10 +154,9 @@ _Found = tuple[arb, str, int, Reason | None]
 
 
 def _enclose(tau: Exact, beta: Exact, derivative: int, goal: int, max_bits: int | None) -> _Found:
-    factor = derivative_factor(beta, derivative)
-    if isinstance(factor, fmpq) and factor == 0:
+    if isinstance(beta, fmpq) and beta.q == 1 and 0 <= beta.p < derivative:
         return arb(0), "polynomial", 0, None
-    shifted = beta - derivative if derivative else beta
+    shifted, factor = shifted_parameter(beta, derivative, goal)
     found = _exact_polynomial(tau, shifted, goal) or _approach(tau, shifted, goal + 2, max_bits)
     if isinstance(tau, arb) and not tau.is_exact():
         found = _centred(found, tau, shifted, goal + 2, max_bits)
@@ -203,7 +209,11 @@ def _approach(tau: Exact, beta: Exact, goal: int, max_bits: int | None) -> _Foun
 
 
 def _tighter(first: arb, second: arb) -> arb:
-    """The common part of two finite enclosures of the same number."""
+    """The common part of two enclosures of the same number; one that is not finite says nothing."""
+    if not first.is_finite():
+        return second
+    if not second.is_finite():
+        return first
     with working_bits(max(64, first.bits() + 32, second.bits() + 32)):
         return first.intersection(second)
 
@@ -212,8 +222,10 @@ def _centred(found: _Found, tau: arb, beta: Exact, goal: int, max_bits: int | No
     """Mean value form over the ball tau: Theta(m) + Theta'(tau)(tau - m), m the midpoint; the common part is kept."""
     middle = tau.mid()
     center = _approach(middle, beta, goal, max_bits)[0]
-    slope = _attempt(tau, beta - 1, goal)[1]
-    with working_bits(goal + 32):
+    with working_bits(goal + 64):
+        below = beta - 1
+    slope = _attempt(tau, below, goal)[1]
+    with working_bits(goal + 64):
         form = center - beta * slope * (tau - middle)
     return _tighter(found[0], form), *found[1:]
 
@@ -224,6 +236,10 @@ def _attempt(tau: Exact, beta: Exact, goal: int) -> tuple[str, arb]:
         value = routes.ROUTES[name](tau, beta, goal)
         if value.is_finite():
             return name, value
+    if not (is_exact(tau) and is_exact(beta)):
+        return "none", nonfinite()
+    if goal < _LEAST_SECOND_GOAL:
+        return _attempt(tau, beta, _LEAST_SECOND_GOAL)
     raise BudgetError(
         f"no route reaches {goal} bits at this tau and beta within memory: ask for fewer digits, or smaller |tau|"
     )

@@ -6,6 +6,7 @@ Many times cheaper than two Gamma values once thousands of digits are asked. Pro
 from __future__ import annotations
 
 from functools import reduce
+from itertools import pairwise
 
 from flint import arb, fmpq, fmpz, fmpz_poly
 
@@ -48,7 +49,7 @@ def gamma_ratio(y: fmpq, bits: int) -> arb:
     leaves = (bits + 24) // (_BITS_PER_TERM * _LEAF) + 1
     leaf = _leaf_polynomials(steps)
     edges = _edges(leaves)
-    widest = max(last - first for first, last in zip(edges, edges[1:], strict=False))
+    widest = max(last - first for first, last in pairwise(edges))
     factors = _common_factors(int(y.q), widest * _LEAF // 2)
     with working_bits(64):
         rest = add_remainder(arb(0), 4 * (6 * arb(_LEAF * leaves) + 1) / arb(scale))

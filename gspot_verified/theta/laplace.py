@@ -30,7 +30,8 @@ class LaplacePlan:
 def laplace_sum(tau: Exact, beta: Exact, plan: LaplacePlan, bits: int) -> arb:
     """An enclosure of Theta(tau, beta): a series on [0, cut], quadrature on [cut, R], a bound beyond.
 
-    Hypotheses, checked: the plan's, beta <= terms - 1, and s = R^2 - tau - max(0, -beta - 1)/R > 0; then the integral beyond R is at most R^(-beta-1) e^(R tau - R^3/3) / s.
+    Hypotheses, checked: the plan's, beta <= terms - 1, and s = R^2 - tau - max(0, -beta - 1)/R > 0; then the
+    integral beyond R is at most R^(-beta-1) e^(R tau - R^3/3) / s.
     No formula is shared with the series at tau = 0 or with the asymptotic routes.
     """
     with working_bits(bits):

@@ -21,7 +21,7 @@ def negative_sum(tau: Exact, beta: Exact, terms: int, bits: int) -> arb:
     with working_bits(bits):
         x = -ball(tau)
         center = ball(beta)
-        if not (x > 0 and center < 3 * terms):
+        if not (x > 0 and (beta if isinstance(beta, fmpq) else center) < 3 * terms):
             return nonfinite()
         inverse_cube = 1 / (x * x * x)
         term = arb(1)

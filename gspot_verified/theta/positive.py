@@ -14,6 +14,9 @@ from gspot_verified.theta.finite_part import near_integers, weight
 from gspot_verified.theta.reciprocal_gamma import reciprocal_gamma
 
 
+_SHARE = fmpq(9, 10)
+
+
 @dataclass(frozen=True, slots=True)
 class SaddlePlan:
     """What the bound may choose freely: N terms, the disc |u| <= disc, the cut r = cut * sqrt(tau), and how much
@@ -22,7 +25,7 @@ class SaddlePlan:
     terms: int
     disc: fmpq
     cut: fmpq
-    share: fmpq = fmpq(9, 10)
+    share: fmpq = _SHARE
 
 
 def positive_sum(tau: Exact, beta: Exact, plan: SaddlePlan, bits: int) -> arb:

@@ -9,6 +9,7 @@ from flint import arb
 
 from gspot_verified.balls import Exact
 
+_MAX_HALVINGS = 12
 # From here on Gamma of a rational by its own series (gamma_fmpq) is faster than Gamma of a ball.
 _RATIONAL_BITS = 2_000
 
@@ -20,7 +21,7 @@ def reciprocal_gamma(z: Exact, bits: int) -> arb:
     so the relative accuracy does not suffer however near the zero is.
     """
     if isinstance(z, arb):
-        return z.rgamma()
+        return _of_ball(z, _MAX_HALVINGS)
     numerator = int(z.p)
     if numerator <= 0:
         denominator = int(z.q)
@@ -32,3 +33,14 @@ def reciprocal_gamma(z: Exact, bits: int) -> arb:
             product = arb(z - nearest).sin_pi() * arb(1 - z).gamma() / arb.pi()
             return -product if nearest % 2 else product
     return 1 / arb.gamma_fmpq(z) if bits > _RATIONAL_BITS else arb(z).rgamma()
+
+
+def _of_ball(z: arb, halvings: int) -> arb:
+    """FLINT's enclosure, or, where it knows nothing about a wide ball, the hull of those of two halves."""
+    value = z.rgamma()
+    if value.is_finite() or halvings == 0:
+        return value
+    middle, quarter = z.mid(), z.rad() / 2
+    return _of_ball(arb(middle - quarter, quarter), halvings - 1).union(
+        _of_ball(arb(middle + quarter, quarter), halvings - 1)
+    )

@@ -13,14 +13,14 @@ from gspot_verified.theta.gamma_ratio import gamma_ratio
 # From here on two accelerated series are cheaper than two values of FLINT's gamma_fmpq.
 _RATIOS_FROM_BITS = 5_000
 _MAX_BETA = 100
-_MAX_HEIGHT_BITS = 24
+_MAX_DENOMINATOR = 1_000
 # Denominators at which FLINT knows Gamma through elliptic integrals.
 _CHEAP = (1, 2, 3, 4, 6)
 
 
 def pays(beta: fmpq) -> bool:
     """True where this form is cheaper than three Gamma values: not at integers, nor where x is a cheap rational."""
-    if beta.q == 1 or abs(beta) > _MAX_BETA or beta.height_bits() > _MAX_HEIGHT_BITS:
+    if beta.q == 1 or abs(beta) > _MAX_BETA or beta.q > _MAX_DENOMINATOR:
         return False
     return int((_fraction(-beta) / 3).q) not in _CHEAP
 

@@ -1,8 +1,8 @@
 """The routes to Theta and its derivatives as functions of (tau, beta): each chooses its plan and calls its bound.
 
 Every route returns a valid enclosure or a ball that is not finite (its hypotheses are not met there). None of them
-raises precision: :mod:`gspot_verified.theta.evaluate` does. A derivative is a shift of beta:
-d^k Theta/dtau^k (tau, beta) = (-beta)(1 - beta)...(k - 1 - beta) Theta(tau, beta - k), from Theta' = -beta Theta(beta - 1).
+raises precision: :mod:`gspot_verified.theta.evaluate` does. A derivative is a shift of beta, by Theta' = -beta
+Theta(beta - 1): d^k Theta/dtau^k (tau, beta) = (-beta)(1 - beta)...(k - 1 - beta) Theta(tau, beta - k).
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from gspot_verified.theta.taylor import taylor_sum
 MAX_TAU = 10**12
 MAX_BETA = 10**4
 MAX_DERIVATIVE = 1_000
+MAX_HEIGHT_BITS = 50_000
 
 # What a route may use, so that an answer comes within minutes and a few GiB, or not at all.
 _MAX_TAYLOR_BITS = 2**34
@@ -32,6 +33,7 @@ _MAX_GENERIC_GAMMA_BITS = 400_000
 _SMALL_HEIGHT_BITS = 32
 _MAX_LAPLACE_BITS = 20_000
 _MAX_LAPLACE_LOSS = 4_000
+_MAX_EXACT_FACTOR_BITS = 100_000
 
 
 class BudgetError(ValueError):
@@ -45,7 +47,8 @@ def checked_arguments(tau: ExactInput, beta: ExactInput, derivative: int) -> tup
     """Both arguments as exact values, inside the domain.
 
     :raises TypeError: a float, or a derivative that is not an int.
-    :raises ValueError: not a number, not finite, |tau| > 10^12, |beta| > 10^4, derivative not in 0..1000.
+    :raises ValueError: not a number, not finite, |tau| > 10^12, |beta| > 10^4, more than 50,000 bits in a
+        numerator or denominator, derivative not in 0..1000.
     """
     if isinstance(derivative, bool) or not isinstance(derivative, int):
         raise TypeError(f"derivative must be an int, got {type(derivative).__name__}")
@@ -56,7 +59,14 @@ def checked_arguments(tau: ExactInput, beta: ExactInput, derivative: int) -> tup
         raise ValueError(f"tau: the library covers |tau| <= {MAX_TAU}")
     if not _within(parameter, MAX_BETA):
         raise ValueError(f"beta: the library covers |beta| <= {MAX_BETA}")
+    for name, value in (("tau", point), ("beta", parameter)):
+        if not _height_is_allowed(value):
+            raise ValueError(f"{name}: numerator and denominator may have at most {MAX_HEIGHT_BITS} bits")
     return point, parameter
+
+
+def _height_is_allowed(value: Exact) -> bool:
+    return not isinstance(value, fmpq) or value.height_bits() <= MAX_HEIGHT_BITS
 
 
 def _within(value: Exact, limit: int) -> bool:
@@ -65,12 +75,19 @@ def _within(value: Exact, limit: int) -> bool:
     return bool(-limit <= value <= limit)
 
 
-def derivative_factor(beta: Exact, derivative: int) -> Exact:
-    """(-beta)(1 - beta)...(derivative - 1 - beta), exact for a rational beta."""
-    factor: Exact = fmpq(1)
-    for j in range(derivative):
-        factor = factor * (j - beta)
-    return factor
+def shifted_parameter(beta: Exact, derivative: int, goal: int) -> tuple[Exact, Exact]:
+    """beta - k and the factor (-beta)(1 - beta)...(k - 1 - beta), k = derivative.
+
+    The shift of a rational is exact; its factor is exact where that is cheap, and a ball of goal + 64 bits or more else.
+    """
+    if derivative == 0:
+        return beta, fmpq(1)
+    with working_bits(goal + 64 + 2 * derivative.bit_length() + (0 if isinstance(beta, fmpq) else beta.bits())):
+        cheap = isinstance(beta, fmpq) and (beta.height_bits() + 10) * derivative <= _MAX_EXACT_FACTOR_BITS
+        factor: Exact = fmpq(1) if cheap else arb(1)
+        for j in range(derivative):
+            factor = factor * (j - beta)
+        return beta - derivative, factor
 
 
 def taylor(tau: Exact, beta: Exact, goal: int) -> arb:
@@ -162,6 +179,7 @@ def theta_by(route: str, tau: ExactInput, beta: ExactInput, derivative: int = 0,
         raise ValueError(f"route must be one of {', '.join(ROUTES)}, got {route!r}")
     point, parameter = checked_arguments(tau, beta, derivative)
     goal = bits_for_digits(digits)
-    value = ROUTES[route](point, parameter - derivative, goal)
+    shifted, factor = shifted_parameter(parameter, derivative, goal)
+    value = ROUTES[route](point, shifted, goal)
     with working_bits(goal + 64):
-        return value * derivative_factor(parameter, derivative)
+        return value * factor

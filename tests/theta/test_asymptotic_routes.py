@@ -8,6 +8,8 @@ import pytest
 from flint import arb, fmpq
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from strategies import near_integers, small_heights, to_fmpq
+from witness import contains_witness, laplace_witness, theta_witness
 
 from gspot_verified.balls import relative_bits
 from gspot_verified.theta.finite_part import near_integers as integers_next_to
@@ -16,8 +18,6 @@ from gspot_verified.theta.integer import polynomial_value
 from gspot_verified.theta.laplace import LaplacePlan, laplace_sum
 from gspot_verified.theta.negative import negative_sum
 from gspot_verified.theta.positive import SaddlePlan, positive_sum
-from strategies import near_integers, small_heights, to_fmpq
-from witness import contains_witness, laplace_witness, theta_witness
 
 _BETAS = st.one_of(small_heights(), near_integers(12)).filter(lambda b: abs(b) <= 20)
 

@@ -9,11 +9,11 @@ import pytest
 from flint import fmpq, fmpq_poly
 from hypothesis import given
 from hypothesis import strategies as st
+from strategies import small_heights, to_fmpq, to_fraction
 
 from gspot_verified.ledger.hypergeometric import dlmf_coefficients
 from gspot_verified.theta.asymptotic_coefficients import coefficient, coefficient_by_inversion
 from gspot_verified.theta.integer import polynomial, polynomial_value
-from strategies import small_heights, to_fmpq, to_fraction
 
 
 @pytest.mark.parametrize("k", [*range(16), 25, 40])

@@ -40,7 +40,9 @@ def _ratio(k: Fraction, a: Fraction, b: Fraction, c: Fraction) -> Fraction:
 def test_certificates_of_the_proof_page(move: str) -> None:
     """F'(k) - F(k) = G(k+1) - G(k), divided by F(k): rational functions, compared at more points than degrees."""
     for k in range(6):
-        for a, b, c in ((Fraction(-i, 3), Fraction(2, 7) - j, Fraction(5, 3) + m) for i in (1, 4) for j in (0, 2) for m in (1, 3)):
+        for a, b, c in (
+            (Fraction(-i, 3), Fraction(2, 7) - j, Fraction(5, 3) + m) for i in (1, 4) for j in (0, 2) for m in (1, 3)
+        ):
             g = c - a - b
             step = _ratio(Fraction(k), a, b, c)
             if move == "c":
@@ -79,7 +81,13 @@ def test_block_sum_of_the_proof_page() -> None:
             d = (12 * n + 3 * y + 1) * (12 * n + 3 * y + 4) * (12 * n + 3 * y + 7) * (12 * n + 3 * y + 10)
             assert total == 9 * _numerator(Fraction(n), y) / (4 * (6 * n + 1) * (12 * n + 5) * d)
             rho = (
-                -9 * (2 * n + y) * (2 * n + y + 1) * (3 * n - 1) * (6 * n + 5 - 3 * y) * (6 * n + 2 - 3 * y)
-                * (3 * n + 3 * y + 1) / (4 * (12 * n + 5) * (12 * n + 11) * d)
+                -9
+                * (2 * n + y)
+                * (2 * n + y + 1)
+                * (3 * n - 1)
+                * (6 * n + 5 - 3 * y)
+                * (6 * n + 2 - 3 * y)
+                * (3 * n + 3 * y + 1)
+                / (4 * (12 * n + 5) * (12 * n + 11) * d)
             )
             assert size == rho * Fraction(6 * n + 7, 6 * n + 1)

@@ -7,14 +7,14 @@ import pytest
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
+from strategies import holds, near_integers, small_heights, to_fmpq
+from witness import contains_witness, theta_witness, to_fraction
 
 from gspot_verified.balls import relative_bits, working_bits
 from gspot_verified.theta.initial_values import initial_values, paper_initial_values
 from gspot_verified.theta.integer import polynomial
 from gspot_verified.theta.reciprocal_gamma import reciprocal_gamma
 from gspot_verified.theta.reduced_gamma import pays, reduced_initial_values
-from strategies import holds, near_integers, small_heights, to_fmpq
-from witness import contains_witness, theta_witness, to_fraction
 
 
 @given(small_heights())

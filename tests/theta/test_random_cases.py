@@ -68,9 +68,7 @@ def test_random_cases(chunk: int) -> None:
 
 
 def _check_inclusion(tau: fmpq, beta: fmpq, source: random.Random, case: str) -> None:
-    tau_radius, beta_radius = (
-        source.choice((fmpq(0), fmpq(1, 2), fmpq(1, 1000), fmpq(1, 10**15))) for _ in range(2)
-    )
+    tau_radius, beta_radius = (source.choice((fmpq(0), fmpq(1, 2), fmpq(1, 1000), fmpq(1, 10**15))) for _ in range(2))
     if tau_radius == 0 and beta_radius == 0:
         return
     wide = evaluate(arb(tau, tau_radius), arb(beta, beta_radius)).value

@@ -8,12 +8,12 @@ import pytest
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
+from strategies import small_heights, to_fmpq
+from witness import contains_witness, theta_witness
 
 from gspot_verified.balls import relative_bits, working_bits
 from gspot_verified.theta.splitting import splitting_sum
 from gspot_verified.theta.taylor import taylor_coefficients, taylor_sum
-from strategies import small_heights, to_fmpq
-from witness import contains_witness, theta_witness
 
 _TAUS = st.builds(Fraction, st.integers(-80, 80), st.integers(8, 40))
 

@@ -9,6 +9,8 @@ from fractions import Fraction
 
 import pytest
 from flint import arb, fmpq
+from strategies import ends
+from witness import theta_witness
 
 from gspot_verified.theta.finite_part import series_part
 from gspot_verified.theta.laplace import LaplacePlan, laplace_sum
@@ -16,8 +18,6 @@ from gspot_verified.theta.negative import negative_sum
 from gspot_verified.theta.positive import SaddlePlan, positive_sum
 from gspot_verified.theta.splitting import splitting_sum
 from gspot_verified.theta.taylor import taylor_sum
-from strategies import ends
-from witness import theta_witness
 
 _TINY = fmpq(1, 10**9)
 

@@ -1,0 +1,79 @@
+"""How large Theta and its Taylor terms are, in floats: heuristics only. No bound stands in this file."""
+
+from __future__ import annotations
+
+import math
+
+
+def log_term(k: float, size: float, beta: float) -> float:
+    """About ln of |a_k| size^k."""
+    return (
+        log_moment(k - beta)
+        - log_moment(-beta, reciprocal=True)
+        - math.lgamma(k + 1)
+        + (k - beta) / 3 * math.log(3)
+        + k * math.log(size)
+    )
+
+
+def log_moment(z: float, reciprocal: bool = False) -> float:
+    """About ln of |Gamma(z/3)|, or of |Gamma(z)|, kept finite next to the poles."""
+    argument = z if reciprocal else z / 3
+    nearest = round(argument)
+    if argument < 0.5 and abs(argument - nearest) < 0.01:
+        argument = nearest + 0.01
+    return math.lgamma(argument)
+
+
+def largest_term(size: float, beta: float) -> float:
+    """About ln of the largest |a_k| size^k."""
+    peak = max(3.0, size**1.5 + abs(beta))
+    points = [peak * j / 64 for j in range(1, 129)] + [0.0, 1.0, 2.0]
+    return max(log_term(k, size, beta) for k in points)
+
+
+def log_theta(tau: float, beta: float) -> float:
+    """A rough ln |Theta|: the leading saddle for beta < 0, the larger of the two parts for beta > 0."""
+    saddle = log_saddle(tau, beta)
+    if beta <= 0:
+        return saddle
+    algebraic = log_algebraic(abs(tau), beta)
+    return max(algebraic, saddle) if tau > 0 else algebraic
+
+
+def log_saddle(tau: float, beta: float) -> float:
+    """ln of the peak of r^(-beta) e^(r tau - r^3/3) over r, over |Gamma(-beta)|; -inf without a peak."""
+    point = stationary(tau, beta)
+    if point is None:
+        return -math.inf
+    return point * tau - point**3 / 3 - beta * math.log(point) - log_moment(-beta, reciprocal=True)
+
+
+def stationary(tau: float, beta: float) -> float | None:
+    """The largest r > 0 with r tau - r^3 = beta."""
+    r: float = math.sqrt(max(tau, 0.0)) + max(-beta, 0.0) ** (1 / 3) + 1.0
+    for _ in range(100):
+        slope = tau - 3 * r * r
+        if slope >= 0:
+            return None
+        step = (r * tau - r**3 - beta) / slope
+        r -= step
+        if r <= 0:
+            return None
+        if abs(step) < 1e-9 * r:
+            return r
+    return None
+
+
+def log_algebraic(size: float, beta: float) -> float:
+    """ln of sum_k beta!/(beta - 3k)! size^(beta - 3k) / (3^k k!), all terms of one sign."""
+    count = max(1, int(beta // 3))
+    points = range(0, count + 1, max(1, count // 64))
+    return max(
+        math.lgamma(beta + 1)
+        - math.lgamma(beta - 3 * k + 1)
+        - math.lgamma(k + 1)
+        + (beta - 3 * k) * math.log(size)
+        - k * math.log(3)
+        for k in points
+    )

@@ -1,0 +1,192 @@
+"""The ledger decides every entry, detects changed formulas, and never proves from nothing."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from flint import acb, arb, fmpq
+
+from gspot_verified import Outcome, Verdict
+from gspot_verified.ledger import appendix_a, asymptotic_errors, cases, hypergeometric, iwc_cover, lift_off, section_4_5
+from gspot_verified.ledger.entry import Check, Entry, Kind, all_of, conclude, counts, same_sign
+from gspot_verified.ledger.verify import exit_code, verify_paper
+from gspot_verified.theta.routes import theta_by
+
+_PROOFS = Path(__file__).resolve().parents[2] / "proofs"
+REFUTED = {"A-theorem-5-condition", "S-mean-force", "S-gamma-intervals", "S-wording"}
+
+
+@pytest.fixture(scope="module")
+def entries() -> list[Entry]:
+    return verify_paper()
+
+
+def test_every_entry_is_decided_and_only_the_known_misprints_are_refuted(entries: list[Entry]) -> None:
+    assert {e.identifier for e in entries if e.verdict.outcome is Outcome.REFUTED} == REFUTED
+    assert all(e.verdict.outcome is not Outcome.UNDECIDED for e in entries)
+    assert len({e.identifier for e in entries}) == len(entries)
+
+
+def test_every_entry_has_two_routes_and_every_refuted_one_a_corrected_form(entries: list[Entry]) -> None:
+    for entry in entries:
+        assert len(entry.checks) >= 2
+        if entry.verdict.outcome is Outcome.REFUTED:
+            assert entry.corrected
+            assert sum(check.agrees is False for check in entry.checks) >= 2
+        else:
+            assert all(check.agrees is True for check in entry.checks)
+            assert any(check.kind.settles for check in entry.checks)
+
+
+def test_every_labelled_formula_of_the_appendix_has_an_entry(entries: list[Entry]) -> None:
+    labels = " ".join(entry.label for entry in entries)
+    wanted = ["th:3", "th:4", "th:5", "eq:btau", "eq:hdef", "eq:eier", "eq:cisdef", "eq:tlarge", "eq:dTheta_sign"]
+    wanted += [f"eq:bsmall{i}" for i in (1, 2, 3)] + [f"eq:blarge{i}" for i in (1, 2, 3)]
+    for label in [*wanted, "eq:t01", "eq:t02", "eq:t03"]:
+        assert label in labels, label
+
+
+def test_every_proof_page_that_is_named_exists(entries: list[Entry]) -> None:
+    for entry in entries:
+        for check in entry.checks:
+            for page in re.findall(r"proofs/(\w+\.md)", check.what):
+                assert (_PROOFS / page).is_file(), page
+            if check.kind is Kind.PROOF:
+                assert "proofs/" in check.what or "S-" in check.what
+
+
+def test_exit_code_and_counts(entries: list[Entry]) -> None:
+    assert exit_code(entries) == 1
+    assert counts(entries) == {"proved": len(entries) - len(REFUTED), "refuted": len(REFUTED), "undecided": 0}
+    proved = [e for e in entries if e.verdict.outcome is Outcome.PROVED]
+    assert exit_code(proved) == 0
+
+
+def _outcome(found: list[Entry], identifier: str) -> Outcome:
+    return next(e.verdict.outcome for e in found if e.identifier == identifier)
+
+
+def _times(factor: Callable[[int], Any], honest: Callable[..., list[Any]]) -> Callable[..., list[Any]]:
+    return lambda *arguments: [term * factor(k) for k, term in enumerate(honest(*arguments))]
+
+
+@pytest.mark.parametrize(
+    ("name", "factor", "entry"),
+    [
+        ("h_terms", lambda k: -1, "A-leading"),
+        ("h_terms", lambda k: (-1) ** k, "A-leading"),
+        ("h_terms", lambda k: (-1) ** k, "A-bsmall1"),
+        ("e_terms", lambda k: -1, "A-bsmall1"),
+        ("e_terms", lambda k: acb(0, 1), "A-bsmall2"),
+        ("e_terms", lambda k: (-1) ** k, "A-bsmall3"),
+        ("e_terms", lambda k: 2**k, "A-bsmall2"),
+        ("e_1_terms", lambda k: -1, "A-tlarge"),
+        ("e_1_terms", lambda k: (-1) ** k, "A-blarge1"),
+        ("e_1_terms", lambda k: arb(3).sqrt(), "A-blarge3"),
+    ],
+)
+def test_a_changed_formula_is_not_proved(
+    monkeypatch: pytest.MonkeyPatch, name: str, factor: Callable[[int], Any], entry: str
+) -> None:
+    monkeypatch.setattr(hypergeometric, name, _times(factor, getattr(hypergeometric, name)))
+    assert _outcome(appendix_a.entries(), entry) is not Outcome.PROVED
+
+
+@pytest.mark.parametrize("j", range(3))
+def test_a_changed_initial_value_is_not_proved(monkeypatch: pytest.MonkeyPatch, j: int) -> None:
+    honest = appendix_a.paper_initial_values
+
+    def changed(beta: fmpq, bits: int) -> tuple[arb, ...]:
+        values = list(honest(beta, bits))
+        values[j] = -values[j]
+        return tuple(values)
+
+    monkeypatch.setattr(appendix_a, "paper_initial_values", changed)
+    found = appendix_a.entries()
+    assert _outcome(found, f"A-t0{j + 1}") is not Outcome.PROVED
+    assert _outcome(found, "A-cancellation") is not Outcome.PROVED
+
+
+def test_nan_proves_and_refutes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(hypergeometric, "theorem_3_function", lambda *_: arb.nan())
+    for identifier in ("A-theorem-3", "A-bsmall1", "A-blarge2", "A-theorem-5-condition"):
+        assert _outcome(appendix_a.entries(), identifier) is Outcome.UNDECIDED
+
+
+def test_a_ball_that_cannot_tell_refutes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(hypergeometric, "theorem_3_function", lambda *_: arb(1, 0.5))
+    assert _outcome(appendix_a.entries(), "A-theorem-5-condition") is Outcome.UNDECIDED
+    monkeypatch.setattr(section_4_5, "gamma_sign", lambda *_: None)
+    monkeypatch.setattr(section_4_5, "gamma_sign_by_ball", lambda *_: None)
+    assert _outcome(section_4_5.entries(), "S-gamma-intervals") is Outcome.UNDECIDED
+
+
+def test_checks_on_nothing_prove_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert all_of([]) is None
+    monkeypatch.setattr(appendix_a, "BETAS", ())
+    proved = {e.identifier for e in appendix_a.entries() if e.verdict.outcome is Outcome.PROVED}
+    assert proved == {"A-coefficients"}
+    monkeypatch.setattr(iwc_cover, "taylor", lambda *_: arb(1))
+    monkeypatch.setattr(cases, "cover_compact_piece", lambda: iwc_cover.Cover((), ()))
+    assert _outcome(cases.entries(), "S-iwc") is Outcome.UNDECIDED
+
+
+def test_the_cover_needs_positive_values_and_stops_at_its_budget(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert iwc_cover.cover_compact_piece().complete
+    assert not iwc_cover.cover_compact_piece(budget=3).complete
+    monkeypatch.setattr(iwc_cover, "taylor", lambda *_: arb(0, 1))
+    assert not iwc_cover.cover_compact_piece(budget=50).complete
+    monkeypatch.setattr(iwc_cover, "taylor", lambda *_: arb.nan())
+    assert not iwc_cover.cover_compact_piece(budget=50).complete
+
+
+def test_pieces_of_the_second_proof_meet() -> None:
+    assert iwc_cover.left_piece_reaches()
+    assert iwc_cover.right_piece_is_positive()
+
+
+def test_threshold_of_the_sign_at_minus_infinity() -> None:
+    # beta = 3/2: b = 1/2, N = 1, |(-b)_3|/3 = (1/2)(1/2)(3/2)/3 = 1/8, so T = 1 serves.
+    assert section_4_5._threshold(fmpq(3, 2)) == 1
+    assert section_4_5._threshold(fmpq(1, 2)) == 1
+
+
+def test_brackets_need_a_certain_change_of_sign() -> None:
+    bracket = lift_off._bracket(fmpq(99, 2), 10, None)
+    assert not bracket.closer_than_before
+
+
+def test_asymptotic_errors_answer_false_when_certain(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(asymptotic_errors, "theta_by", lambda *a, **k: 2 * theta_by(*a, **k))
+    assert asymptotic_errors.theta_error_within(fmpq(40), fmpq(1, 2)) is False
+
+
+@pytest.mark.parametrize(
+    ("answers", "outcome"),
+    [
+        ([(Kind.PROOF, True), (Kind.POINTS, True)], Outcome.PROVED),
+        ([(Kind.EXACT, True), (Kind.BALLS, True)], Outcome.PROVED),
+        ([(Kind.PROOF, True)], Outcome.UNDECIDED),
+        ([(Kind.POINTS, True), (Kind.POINTS, True)], Outcome.UNDECIDED),
+        ([(Kind.PROOF, True), (Kind.POINTS, None)], Outcome.UNDECIDED),
+        ([(Kind.PROOF, True), (Kind.POINTS, False)], Outcome.UNDECIDED),
+        ([(Kind.EXACT, False), (Kind.BALLS, False)], Outcome.REFUTED),
+        ([(Kind.EXACT, False), (Kind.BALLS, None)], Outcome.UNDECIDED),
+        ([], Outcome.UNDECIDED),
+    ],
+)
+def test_conclusions(answers: list[tuple[Kind, bool | None]], outcome: Outcome) -> None:
+    checks = [Check(kind, "a check", agrees, "a finding") for kind, agrees in answers]
+    assert conclude("a statement", checks).outcome is outcome
+
+
+def test_three_valued_helpers() -> None:
+    assert all_of([True, None]) is None
+    assert all_of([None, False]) is False
+    assert same_sign(1, None) is None
+    assert same_sign(1, -1) is False
+    assert isinstance(conclude("s", []), Verdict)
