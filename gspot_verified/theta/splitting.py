@@ -40,6 +40,7 @@ class _Block:
 
 
 _Node = tuple[fmpz, fmpz, fmpz]
+_Balls = tuple[arb, arb, arb]
 
 
 def _block(tau: fmpq, beta: fmpq, length: int) -> _Block:
@@ -61,20 +62,31 @@ def _merge(left: _Node, right: _Node) -> _Node:
     return left[0] * right[0], left[1] * right[1], left[2] * right[1] + left[0] * right[2]
 
 
-def _chain(block: _Block, first: int, blocks: int) -> _Node:
-    """Numerator, denominator and partial sum of ``blocks`` blocks that start at the index ``first``."""
+def _merge_balls(left: _Balls, right: _Balls) -> _Balls:
+    return left[0] * right[0], left[1] * right[1], left[2] * right[1] + left[0] * right[2]
+
+
+def _chain(block: _Block, first: int, blocks: int, bits: int) -> _Balls:
+    """Numerator, denominator and partial sum of ``blocks`` blocks that start at the index ``first``.
+
+    Exact integers while they are no longer than ``bits``, balls at the current precision from there on.
+    """
     step = 3 * block.length
     nodes: list[_Node] = []
     for k in range(first, first + blocks * step, step):
         nodes.append((block.numerator(k), block.denominator(k), block.partial(k)))
-    while len(nodes) > 1:
+    while len(nodes) > 1 and nodes[-2][1].bit_length() <= bits:
         odd = [nodes[-1]] if len(nodes) % 2 else []
         nodes = [_merge(nodes[i], nodes[i + 1]) for i in range(0, len(nodes) - 1, 2)] + odd
-    return nodes[0]
+    rounded: list[_Balls] = [(arb(p), arb(q), arb(t)) for p, q, t in nodes]
+    while len(rounded) > 1:
+        last = [rounded[-1]] if len(rounded) % 2 else []
+        rounded = [_merge_balls(rounded[i], rounded[i + 1]) for i in range(0, len(rounded) - 1, 2)] + last
+    return rounded[0]
 
 
 def splitting_sum(tau: fmpq, beta: fmpq, length: int, bits: int, block_length: int) -> arb:
-    """An enclosure of Theta(tau, beta) from at least ``length`` Taylor terms, summed exactly, rounded once.
+    """An enclosure of Theta(tau, beta) from at least ``length`` Taylor terms, summed exactly up to ``bits`` bits.
 
     ``block_length`` (a power of two) only moves work between polynomials and integers; any choice is correct.
     Not finite when ``length`` is too small for the ratio test of ``proofs/taylor.md``. Its cost follows the sizes of
@@ -88,13 +100,12 @@ def splitting_sum(tau: fmpq, beta: fmpq, length: int, bits: int, block_length: i
     for j in range(3):
         if values[j].is_zero():
             continue
-        numerator, denominator, partial = _chain(block, j, blocks)
         with working_bits(bits):
-            scale = values[j] * (tau**j / (1 + (j > 1)))
-            below = arb(denominator)
-            total += scale * arb(partial) / below
+            numerator, denominator, partial = _chain(block, j, blocks, bits)
+            scale = values[j] * (tau**j / (1 + (j > 1))) / denominator
+            total += scale * partial
         with working_bits(64):
-            rest += (scale * arb(numerator) / below).abs_upper()
+            rest += (scale * numerator).abs_upper()
     with working_bits(64):
         bound = _ratio_test(rest, tau, beta, beyond)
     with working_bits(bits):
