@@ -13,7 +13,6 @@ from gspot_verified.balls import Exact, add_remainder, ball, nonfinite, working_
 from gspot_verified.theta.finite_part import near_integers, weight
 from gspot_verified.theta.reciprocal_gamma import reciprocal_gamma
 
-
 _SHARE = fmpq(9, 10)
 
 

@@ -6,10 +6,10 @@ import pytest
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
+from strategies import near_integers, small_heights
 
 from gspot_verified import gamma_sign, side_switching
 from gspot_verified.signs.side import gamma_sign_by_ball
-from strategies import near_integers, small_heights, to_fmpq
 
 
 @given(st.one_of(small_heights(), near_integers(400)))
