@@ -43,8 +43,8 @@ _METHODS = """
     abs_lower abs_upper airy_ai atan bit_length bits ceil coeffs contains cos cos_pi cosh degree denominator
     derivative evaluate exp expm1 fac_ui floor gamma gamma_fmpq gcd height_bits hypgeom imag integral intersection
     is_exact is_finite is_prime is_zero lcm length lgamma log log1p lower man_exp max mid min nan numerator overlaps
-    p pi q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi sinh sqrt str truncate union
-    unique_fmpz upper
+    p pi q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi sinh sqrt str truncate
+    union unique_fmpz upper
 """
 METHODS = frozenset(_METHODS.split())
 

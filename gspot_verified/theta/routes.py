@@ -78,7 +78,7 @@ def _within(value: Exact, limit: int) -> bool:
 def shifted_parameter(beta: Exact, derivative: int, goal: int) -> tuple[Exact, Exact]:
     """beta - k and the factor (-beta)(1 - beta)...(k - 1 - beta), k = derivative.
 
-    The shift of a rational is exact; its factor is exact where that is cheap, and a ball of goal + 64 bits or more else.
+    The shift of a rational is exact; its factor too where that is cheap, else a ball of goal + 64 bits or more.
     """
     if derivative == 0:
         return beta, fmpq(1)

@@ -77,16 +77,16 @@ def _times(factor: Callable[[int], Any], honest: Callable[..., list[Any]]) -> Ca
 @pytest.mark.parametrize(
     ("name", "factor", "entry"),
     [
-        ("h_terms", lambda k: -1, "A-leading"),
+        ("h_terms", lambda _: -1, "A-leading"),
         ("h_terms", lambda k: (-1) ** k, "A-leading"),
         ("h_terms", lambda k: (-1) ** k, "A-bsmall1"),
-        ("e_terms", lambda k: -1, "A-bsmall1"),
-        ("e_terms", lambda k: acb(0, 1), "A-bsmall2"),
+        ("e_terms", lambda _: -1, "A-bsmall1"),
+        ("e_terms", lambda _: acb(0, 1), "A-bsmall2"),
         ("e_terms", lambda k: (-1) ** k, "A-bsmall3"),
         ("e_terms", lambda k: 2**k, "A-bsmall2"),
-        ("e_1_terms", lambda k: -1, "A-tlarge"),
+        ("e_1_terms", lambda _: -1, "A-tlarge"),
         ("e_1_terms", lambda k: (-1) ** k, "A-blarge1"),
-        ("e_1_terms", lambda k: arb(3).sqrt(), "A-blarge3"),
+        ("e_1_terms", lambda _: arb(3).sqrt(), "A-blarge3"),
     ],
 )
 def test_a_changed_formula_is_not_proved(

@@ -37,8 +37,8 @@ def test_known_values() -> None:
 def test_airy_functions_are_the_case_minus_one() -> None:
     """beta = -1: Theta solves theta''' = (tau theta)', so theta'' - tau theta is constant and e_1 is Bi's series.
 
-    The Bi coefficients are u_k = Gamma(3k + 1/2)/(54^k k! Gamma(k + 1/2)) in powers of (2/3) tau^(3/2) (DLMF 9.7.2), and
-    c_k of this library multiplies ((2/3) tau^(3/2))^(-k): they must be equal at beta = -1.
+    The Bi coefficients are u_k = Gamma(3k + 1/2)/(54^k k! Gamma(k + 1/2)) in powers of (2/3) tau^(3/2) (DLMF 9.7.2),
+    and c_k of this library multiplies ((2/3) tau^(3/2))^(-k): they must be equal at beta = -1.
     """
     value = fmpq(1)
     for k in range(12):
