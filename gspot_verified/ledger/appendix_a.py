@@ -33,7 +33,7 @@ def entries() -> list[Entry]:
 
 
 def _theorem_3() -> Entry:
-    statement = "The three 1F2 of Theorem 3 span the solutions of the differential equation, for every beta"
+    statement = "The three 1F2 of Theorem 3 span the solutions of the differential equation, for every β"
     lower = ((fmpq(1, 3), fmpq(2, 3)), (fmpq(2, 3), fmpq(4, 3)), (fmpq(4, 3), fmpq(5, 3)))
     # Both sides are polynomials of degree 1 in beta and 4 in i: 3 x 5 points prove the identity.
     exact_holds = all(
@@ -75,16 +75,14 @@ def _coefficients() -> Entry:
         "A-coefficients",
         "eq:eier, eq:cisdef",
         r"c_0=1,\quad c_k \text{ from DLMF 16.11.4}",
-        "c_0 = 1, and DLMF 16.11.4 gives the same c_k(beta) for the three functions (exactly, k < 8)",
+        "c_0 = 1, and DLMF 16.11.4 gives the same c_k(β) for the three functions (exactly, k < 8)",
         Check(
             Kind.EXACT,
-            "DLMF 16.11.4 for each 1F2 against the differential equation, as polynomials in beta",
+            "DLMF 16.11.4 for each 1F2 against the differential equation, as polynomials in β",
             all(row == by_equation for row in dlmf),
-            f"c_1 = {by_equation[1]} (x is beta)",
+            f"c_1 = {by_equation[1]} (x is β)",
         ),
-        Check(
-            Kind.EXACT, "Lagrange inversion at the saddle point, as polynomials in beta", by_inversion == by_equation
-        ),
+        Check(Kind.EXACT, "Lagrange inversion at the saddle point, as polynomials in β", by_inversion == by_equation),
         note="proofs/asymptotic_coefficients.md; any k: theta.asymptotic_coefficients",
     )
 
@@ -97,7 +95,7 @@ def _small(j: int) -> Entry:
         f"A-{_SMALL[j]}",
         f"th:4, eq:{_SMALL[j]}",
         _SMALL_SOURCE[j],
-        "The formula holds as tau -> -oo for every beta that is not an integer",
+        "The formula holds as τ → −∞ for every β that is not an integer",
         Check(Kind.PROOF, "proofs/connection.md, Theorem 4: DLMF 16.11.8 with the parameters put in", True),
         Check(
             Kind.POINTS,
@@ -105,7 +103,7 @@ def _small(j: int) -> Entry:
             "first omitted terms",
             agrees,
         ),
-        note="Not being an integer is sufficient, not necessary: the formula also holds at beta = 0, 1, 2, ...",
+        note="Not being an integer is sufficient, not necessary: the formula also holds at β = 0, 1, 2, ...",
     )
 
 
@@ -127,12 +125,12 @@ def _cancellation() -> Entry:
         "With the initial values t01-t03 the highly oscillatory terms cancel",
         Check(
             Kind.PROOF,
-            "proofs/negative.md: Theta minus N terms of its power series is below the next term, for every N",
+            "proofs/negative.md: Θ minus N terms of its power series is below the next term, for every N",
             True,
         ),
         Check(
             Kind.POINTS,
-            f"both coefficients in balls of radius below 1e-60 around 0 at {len(BETAS)} values of beta",
+            f"both coefficients in balls of radius below 1e-60 around 0 at {len(BETAS)} values of β",
             agrees,
         ),
     )
@@ -142,18 +140,18 @@ def _initial_value(j: int) -> Entry:
     label = f"t0{j + 1}"
     agrees = all_of(_equal(paper_initial_values(beta, 256)[j], initial_values(beta, 256)[j]) for beta in BETAS)
     power = ("", "3^(1/3) ", "3^(2/3) ")[j]
-    factors = ("(1-b)/3) rGamma((2-b)/3", "-b/3) rGamma((2-b)/3", "-b/3) rGamma((1-b)/3")[j]
+    factors = ("Γ((1-β)/3) Γ((2-β)/3)", "Γ(-β/3) Γ((2-β)/3)", "Γ(-β/3) Γ((1-β)/3)")[j]
     derivative = (r"\Theta(0)", r"\Theta'(0)", r"\Theta''(0)")[j]
     return settled(
         SECTION,
         f"A-{label}",
         f"eq:{label}",
         rf"{derivative}=\Gamma(({j}-\beta)/3)/(3^{{({3 - j}+\beta)/3}}\Gamma(-\beta))",
-        f"{label} gives the solution without oscillatory terms, for every beta that is not 0, 1, 2, ...",
+        f"{label} gives the solution without oscillatory terms, for every β that is not 0, 1, 2, ...",
         Check(Kind.PROOF, "proofs/laplace.md section 1 (substitution r^3/3) and proofs/initial_values.md", True),
-        Check(Kind.POINTS, f"printed form against the entire form at {len(BETAS)} values of beta, 70 digits", agrees),
-        corrected=f"for every real beta: 2 pi 3^(2b/3 - 1/2) {power}rGamma({factors}), b = beta, rGamma = 1/Gamma",
-        note=f"As printed it is 0/0 at beta = {j}, {j + 3}, {j + 6}, ...; the entire form is not.",
+        Check(Kind.POINTS, f"printed form against the entire form at {len(BETAS)} values of β, 70 digits", agrees),
+        corrected=f"for every real β: 2π 3^(2β/3 - 1/2) {power}/ ({factors})",
+        note=f"As printed it is ∞/∞ at β = {j}, {j + 3}, {j + 6}, ...; the entire form is not.",
     )
 
 
@@ -172,15 +170,15 @@ def _leading_behaviour() -> Entry:
         "A-leading",
         "eq:hdef, line 2459",
         r"\Theta(\tau,\beta)\sim 3^{1-\beta/3}\Gamma(1+\beta)h(\tau,\beta)\sim(-\tau)^\beta",
-        "Theta ~ 3^(1-beta/3) Gamma(1+beta) h ~ (-tau)^beta as tau -> -oo, beta not -1, -2, ...",
-        Check(Kind.PROOF, "proofs/negative.md: the rest after N terms is at most the next term, once 3N > beta", True),
+        "Θ ~ 3^(1-β/3) Γ(1+β) h ~ (-τ)^β as τ → −∞, β not -1, -2, ...",
+        Check(Kind.PROOF, "proofs/negative.md: the rest after N terms is at most the next term, once 3N > β", True),
         Check(
             Kind.EXACT,
-            "the terms of 3^(1-beta/3) Gamma(1+beta) h are those of that page, as polynomials (k <= 10)",
+            "the terms of 3^(1-β/3) Γ(1+β) h are those of that page, as polynomials (k <= 10)",
             identity,
         ),
         Check(Kind.POINTS, f"three terms against the Laplace integral at {len(points)} points", agrees),
-        note="At beta = -1, -2, ... every term of h is 0 and Gamma(1+beta) infinite; the product keeps its limit.",
+        note="At β = -1, -2, ... every term of h is 0 and Γ(1+β) infinite; the product keeps its limit.",
     )
 
 
@@ -193,14 +191,14 @@ def _large(j: int) -> Entry:
         f"A-{_LARGE[j]}",
         f"th:5, eq:{_LARGE[j]}",
         rf"{left}(\ldots)\sim 3^{{({3 - j})/3}}e_1/\Gamma(({j}-\beta)/3)",
-        "The formula holds as tau -> +oo for every beta that is not an integer",
+        "The formula holds as τ → +∞ for every β that is not an integer",
         Check(Kind.PROOF, "proofs/connection.md, Theorem 5, from proofs/positive.md", True),
         Check(
             Kind.POINTS,
             f"4 terms of e_1 at {len(points)} points: the error is at most twice the first omitted term",
             agrees,
         ),
-        corrected=f"needs a condition, which Theorem 5 does not state: it fails at beta = {j}, {j + 3}, {j + 6}, ...",
+        corrected=f"needs a condition, which Theorem 5 does not state: it fails at β = {j}, {j + 3}, {j + 6}, ...",
     )
 
 
@@ -215,21 +213,21 @@ def _large_condition() -> Entry:
         "A-theorem-5-condition",
         "th:5",
         r"\text{(no condition on } \beta \text{)}",
-        "Theorem 5 holds for every beta, as printed without a condition",
+        "Theorem 5 holds for every β, as printed without a condition",
         Check(
             Kind.EXACT,
-            "beta = 0: the factor (k - beta) of the recurrence is 0 at k = 0, so y_0 = 1; 1/Gamma(0) = 0",
+            "β = 0: the factor (k - β) of the recurrence is 0 at k = 0, so y_0 = 1; 1/Γ(0) = 0",
             False if constant else None,
-            "beta = 0: the left side of blarge1 is 1, the right side is 0",
+            "β = 0: the left side of blarge1 is 1, the right side is 0",
         ),
         Check(
             Kind.BALLS,
-            "FLINT's 1F2 and 1/Gamma at beta = 0, tau = 30",
+            "FLINT's 1F2 and 1/Γ at β = 0, τ = 30",
             False if value == 1 and reciprocal.is_zero() else None,
-            f"left {ball_text(value)}, right has the factor 1/Gamma(0) = {reciprocal}",
+            f"left {ball_text(value)}, right has the factor 1/Γ(0) = {reciprocal}",
         ),
-        corrected="Theorem 5 holds for every beta that is not an integer. blarge1, blarge2, blarge3 fail at "
-        "beta = 0, 3, 6, ..., at 1, 4, 7, ..., and at 2, 5, 8, ...; tlarge fails at 0, 1, 2, ...",
+        corrected="Theorem 5 holds for every β that is not an integer. blarge1, blarge2, blarge3 fail at "
+        "β = 0, 3, 6, ..., at 1, 4, 7, ..., and at 2, 5, 8, ...; tlarge fails at 0, 1, 2, ...",
     )
 
 
@@ -241,7 +239,7 @@ def _theta_large() -> Entry:
         "A-tlarge",
         "eq:tlarge",
         r"\Theta\sim\frac{3^{1-\beta/3}}{\Gamma(-\beta)}e_1\sim\frac{\sqrt\pi}{\Gamma(-\beta)}e^{(2/3)\tau^{3/2}}\tau^{-\beta/2-3/4}",
-        "Both asymptotic forms hold as tau -> +oo for every beta that is not 0, 1, 2, ...",
+        "Both asymptotic forms hold as τ → +∞ for every β that is not 0, 1, 2, ...",
         Check(Kind.PROOF, "proofs/positive.md: explicit remainder", True),
         Check(
             Kind.POINTS,
@@ -249,7 +247,7 @@ def _theta_large() -> Entry:
             "omitted term",
             agrees,
         ),
-        corrected="needs the condition beta not in {0, 1, 2, ...}; at beta = n, Theta is a polynomial ~ (-tau)^n",
+        corrected="needs the condition β not in {0, 1, 2, ...}; at β = n, Θ is a polynomial ~ (-τ)^n",
     )
 
 

@@ -27,17 +27,17 @@ def _iwc() -> Entry:
         "S-iwc",
         "line 1278 (Cases I and II)",
         r"\frac{d\Theta}{d\tau}(\tau,\beta)<0\quad(\tau\in\mathbb R,\ 0<\beta<1)",
-        "For 0 < beta < 1, dTheta/dtau < 0 for every real tau",
+        "For 0 < β < 1, dΘ/dτ < 0 for every real τ",
         Check(Kind.PROOF, "proofs/signs.md, first proof: positive integrand", True),
         Check(
             Kind.BALLS,
-            "second proof: positive Taylor coefficients for tau >= 0, enveloping series for tau <= -2^(1/3), "
+            "second proof: positive Taylor coefficients for τ >= 0, enveloping series for τ <= -2^(1/3), "
             "a cover by boxes between",
             True if cover.complete and pieces else None,
             f"{len(cover.positive)} boxes, {len(cover.remaining)} left",
         ),
         note='The paper calls this "strong evidence, although not quite a proof". With C_1 < 0 and '
-        "S-deviation-force the deviation of the force is then positive for every tau at leading order: "
+        "S-deviation-force the deviation of the force is then positive for every τ at leading order: "
         "an impact without collision.",
     )
 
@@ -49,22 +49,20 @@ def _theta_wording() -> Entry:
         "S-wording",
         "line 1287",
         r"\Theta \text{ is very negative for large } |\tau| \text{ and for } \tau=0",
-        "For 0 < beta < 1, Theta is negative for large |tau| and for tau = 0",
+        "For 0 < β < 1, Θ is negative for large |τ| and for τ = 0",
         Check(
             Kind.EXACT,
-            "Theta(0) = c/(Gamma((1-beta)/3) Gamma((2-beta)/3)): both arguments positive at beta = 0 "
-            "and at beta = 1 - 1/1000, linear between",
+            "Θ(0) = c/(Γ((1-β)/3) Γ((2-β)/3)): both arguments positive at β = 0 and at β = 1 - 1/1000, linear between",
             False if all((j - beta) / 3 > 0 for j in (1, 2) for beta in (fmpq(0), fmpq(999, 1000))) else None,
-            "Theta(0) > 0 for 0 < beta < 1",
+            "Θ(0) > 0 for 0 < β < 1",
         ),
         Check(
             Kind.BALLS,
-            "Theta(-20, 3/10) and Theta(0, 3/10)",
+            "Θ(-20, 3/10) and Θ(0, 3/10)",
             False if sign_of(far.value) == 1 and sign_of(near.value) == 1 else None,
             f"{far} and {near}",
         ),
-        corrected="it is dTheta/dtau that is negative there, and very negative only for tau -> +oo: "
-        "dTheta/dtau -> 0 as tau -> -oo",
+        corrected="it is dΘ/dτ that is negative there, and very negative only for τ → +∞: dΘ/dτ → 0 as τ → −∞",
     )
 
 
@@ -82,15 +80,15 @@ def _lift_off_side() -> Entry:
         "S-side",
         "line 1299 (Case III)",
         r"C_1/\Gamma(-\beta)<0",
-        "For beta > 1 not an integer, at leading order, the contact lifts off when C_1/Gamma(-beta) < 0: "
-        "lambda_N becomes negative for tau large, and stays positive there for the other sign",
-        Check(Kind.PROOF, "proofs/signs.md (tau -> +oo) with S-deviation-force and the corrected S-mean-force", True),
+        "For β > 1 not an integer, at leading order, the contact lifts off when C_1/Γ(-β) < 0: "
+        "λ_N becomes negative for τ large, and stays positive there for the other sign",
+        Check(Kind.PROOF, "proofs/signs.md (τ → +∞) with S-deviation-force and the corrected S-mean-force", True),
         Check(
             Kind.POINTS,
-            "certified sign of lambda_N at tau = 60, epsilon = 1e-6, both signs of C_1, five values of beta",
+            "certified sign of λ_N at τ = 60, ε = 1e-6, both signs of C_1, five values of β",
             agrees,
         ),
-        note="At leading order and for tau large; the claim for all tau and beta > 1 is not decided here.",
+        note="At leading order and for τ large; the claim for all τ and β > 1 is not decided here.",
     )
 
 
@@ -102,16 +100,15 @@ def _growth() -> Entry:
         "S-growth",
         "line 1302",
         r"\tau_{\text{lift-off}}\sim\log(\varepsilon)^{2/3}",
-        "The lift-off time grows like |log epsilon|^(2/3) as epsilon -> 0",
+        "The lift-off time grows like |log ε|^(2/3) as ε → 0",
         Check(Kind.PROOF, "proofs/signs.md, last section", True),
         Check(
             Kind.POINTS,
-            "certified brackets of a zero of lambda_N beyond tau = 2: "
-            "its ratio to ((beta-1) ln(1/eps))^(2/3) tends to 1",
+            "certified brackets of a zero of λ_N beyond τ = 2: its ratio to ((β-1) ln(1/ε))^(2/3) tends to 1",
             True if all(bracket.closer_than_before for bracket in brackets) else None,
             ratios,
         ),
-        corrected="tau_lift-off ~ ((beta - 1) ln(1/epsilon))^(2/3); log(epsilon) is negative, read |log(epsilon)|",
+        corrected="τ_lift-off ~ ((β - 1) ln(1/ε))^(2/3); log(ε) is negative, read |log(ε)|",
     )
 
 
@@ -124,11 +121,10 @@ def _switching() -> Entry:
         "S-switching",
         "line 1309",
         r"\Gamma(-\beta)\text{ changes sign at every positive integer}",
-        "Gamma(-beta) changes sign whenever beta passes through a positive integer, so the side of lift-off "
-        "switches there",
+        "Γ(-β) changes sign whenever β passes through a positive integer, so the side of lift-off switches there",
         Check(Kind.PROOF, "proofs/side_switching.md", True),
         Check(
             Kind.EXACT, "the intervals of [1/2, 61/2] alternate", alternate and found.integers == tuple(range(1, 31))
         ),
-        Check(Kind.POINTS, "an enclosure of 1/Gamma(-beta) at each midpoint", by_ball),
+        Check(Kind.POINTS, "an enclosure of 1/Γ(-β) at each midpoint", by_ball),
     )

@@ -27,7 +27,7 @@ class GrowthBracket:
     closer_than_before: bool
 
     def __str__(self) -> str:
-        return f"beta = {self.beta}, eps = 1e-{self.exponent}: ratio {ball_text(self.ratio, 4)}"
+        return f"β = {self.beta}, ε = 1e-{self.exponent}: ratio {ball_text(self.ratio, 4)}"
 
 
 def growth_brackets(betas: tuple[fmpq, ...] = (fmpq(3, 2), fmpq(5, 2))) -> list[GrowthBracket]:

@@ -45,7 +45,7 @@ def _mean_force() -> Entry:
         printed.append(alpha_2 / (alpha_1 - alpha_3))
         corrected.append(alpha_2 / (alpha_3 - alpha_1))
     holds = "agrees" if by_equation == corrected and by_balance == corrected else "DISAGREES"
-    statement = "The mean force of the distinguished trajectory is alpha_2/(alpha_1 - alpha_3)"
+    statement = "The mean force of the distinguished trajectory is α_2/(α_1 - α_3)"
     return settled(
         SECTION,
         "S-mean-force",
@@ -54,18 +54,18 @@ def _mean_force() -> Entry:
         statement,
         Check(
             Kind.EXACT,
-            "alpha_3 lambda = alpha_2 - db/dt along eq. modelSysDistB",
+            "α_3 λ = α_2 - db/dt along eq. modelSysDistB",
             by_equation == printed,
-            f"alpha = (-1, -1, -3/2): the equation gives {by_equation[0]}, the printed form {printed[0]}; "
+            f"α = (-1, -1, -3/2): the equation gives {by_equation[0]}, the printed form {printed[0]}; "
             f"the corrected form {holds} at {len(_SYSTEMS)} systems",
         ),
         Check(
             Kind.EXACT,
-            "lambda = -b/p (eq. pain_par+) along modelSysDistP, modelSysDistB",
+            "λ = -b/p (eq. pain_par+) along modelSysDistP, modelSysDistB",
             by_balance == printed,
-            f"alpha = (-1, -1, -3/2): -b/p = {by_balance[0]}",
+            f"α = (-1, -1, -3/2): -b/p = {by_balance[0]}",
         ),
-        corrected="alpha_2/(alpha_3 - alpha_1), positive in Case III, as in Section 1 (Case III)",
+        corrected="α_2/(α_3 - α_1), positive in Case III, as in Section 1 (Case III)",
         note="The same sign error is in eq. modelSysDistZY.",
     )
 
@@ -78,16 +78,16 @@ def _deviation_force() -> Entry:
         "S-deviation-force",
         "line 1251",
         r"\hat\lambda_N=-\frac{C_1}{\alpha_3^*}\kappa^{1-\beta}\varepsilon^{(2\beta-2)/3}\frac{d\Theta}{d\tau}",
-        "The deviation of the force is -(C_1/alpha_3) kappa^(1-beta) epsilon^((2 beta-2)/3) dTheta/dtau",
+        "The deviation of the force is -(C_1/α_3) κ^(1-β) ε^((2 β-2)/3) dΘ/dτ",
         Check(
             Kind.EXACT,
-            "d/dt of C_1 kappa^(-beta) eps^(2 beta/3) Theta(kappa t eps^(-2/3)) with tau^m in place of Theta, in exact "
-            "rationals: the identity is linear in Theta and a power of kappa and eps for each beta",
+            "d/dt of C_1 κ^(-β) ε^(2 β/3) Θ(κ t ε^(-2/3)) with τ^m in place of Θ, in exact "
+            "rationals: the identity is linear in Θ and a power of κ and ε for each β",
             all(_monomial_identity(beta, m) for beta in (2, 4, 5) for m in (1, 2, 3)),
         ),
         Check(
             Kind.POINTS,
-            "difference quotient of C_1 kappa^(-beta) eps^(2 beta/3) Theta(kappa t eps^(-2/3)) in t, in balls",
+            "difference quotient of C_1 κ^(-β) ε^(2 β/3) Θ(κ t ε^(-2/3)) in t, in balls",
             agrees,
         ),
     )
@@ -129,7 +129,7 @@ def _force_sign() -> Entry:
         "S-force-sign",
         "line 1255",
         r"\operatorname{sign}\hat\lambda_N=\operatorname{sign}(C_1\,d\Theta/d\tau)",
-        "The deviation of the force has the sign of C_1 dTheta/dtau (alpha_3 < 0, kappa > 0)",
+        "The deviation of the force has the sign of C_1 dΘ/dτ (α_3 < 0, κ > 0)",
         Check(Kind.EXACT, "all sign combinations", agrees),
         Check(Kind.PROOF, "S-deviation-force: the factors in front are positive", True),
     )
@@ -145,16 +145,16 @@ def _dominance() -> Entry:
         "S-dominance",
         "lines 1253 and 1284",
         r"\varepsilon^{(2\beta-2)/3}",
-        "For small epsilon at fixed tau the deviation of the force dominates the mean force when beta < 1, and the "
-        "mean force dominates when beta > 1",
+        "For small ε at fixed τ the deviation of the force dominates the mean force when β < 1, and the "
+        "mean force dominates when β > 1",
         Check(
             Kind.EXACT,
-            "the exponent (2 beta - 2)/3 is increasing in beta and 0 at beta = 1",
+            "the exponent (2 β - 2)/3 is increasing in β and 0 at β = 1",
             powers[fmpq(1)] == 0 and list(powers.values()) == sorted(powers.values()),
         ),
         Check(
             Kind.POINTS,
-            "size of the power at epsilon = 1e-6, beta = 0.1, ..., 12.9",
+            "size of the power at ε = 1e-6, β = 0.1, ..., 12.9",
             all_of(_is_large(size, beta < 1) for beta, size in sizes.items()),
         ),
     )
@@ -174,9 +174,9 @@ def _sign_at_minus_infinity() -> Entry:
         "S-minus-infinity",
         "eq:dTheta_sign, first row",
         r"\frac{d\Theta}{d\tau}<0\ (\tau\to-\infty)",
-        "dTheta/dtau is negative for tau large and negative, for every beta > 0",
-        Check(Kind.PROOF, "proofs/signs.md: an explicit T(beta), from the enveloping series", True),
-        Check(Kind.POINTS, "certified sign at -T(beta) for beta = 0.1, 0.2, ..., 12.9", agrees),
+        "dΘ/dτ is negative for τ large and negative, for every β > 0",
+        Check(Kind.PROOF, "proofs/signs.md: an explicit T(β), from the enveloping series", True),
+        Check(Kind.POINTS, "certified sign at -T(β) for β = 0.1, 0.2, ..., 12.9", agrees),
     )
 
 
@@ -207,11 +207,11 @@ def _sign_at_zero() -> Entry:
         "S-zero",
         "eq:dTheta_sign, second row",
         r"\operatorname{sign}\frac{d\Theta}{d\tau}(0)=\operatorname{sign}\frac{\Gamma((1-\beta)/3)}{\Gamma(-\beta)}",
-        "At tau = 0 the sign is that of Gamma((1-beta)/3)/Gamma(-beta), for beta not an integer",
+        "At τ = 0 the sign is that of Γ((1-β)/3)/Γ(-β), for β not an integer",
         Check(Kind.PROOF, "proofs/signs.md, from the entire form of the initial values", True),
-        Check(Kind.POINTS, "both signs certified at beta = 0.1, ..., 12.9 without the integers", agrees),
-        corrected="at beta = 1, 4, 7, ... the quotient is infinite over infinite: there dTheta/dtau(0) < 0; "
-        "at beta = 2, 3, 5, 6, ... dTheta/dtau(0) = 0",
+        Check(Kind.POINTS, "both signs certified at β = 0.1, ..., 12.9 without the integers", agrees),
+        corrected="at β = 1, 4, 7, ... the quotient is infinite over infinite: there dΘ/dτ(0) < 0; "
+        "at β = 2, 3, 5, 6, ... dΘ/dτ(0) = 0",
     )
 
 
@@ -224,10 +224,10 @@ def _sign_at_infinity() -> Entry:
         "S-plus-infinity",
         "eq:dTheta_sign, third row",
         r"\frac{d\Theta}{d\tau}\to\infty\cdot\frac1{\Gamma(-\beta)}",
-        "dTheta/dtau is very large with the sign of 1/Gamma(-beta) for tau large and positive, beta > 0 not an integer",
-        Check(Kind.PROOF, "proofs/signs.md: Gamma(-beta) dTheta/dtau exceeds every power of tau", True),
-        Check(Kind.POINTS, "certified sign at tau = 60 for beta = 0.1, ..., 12.9 without the integers", agrees),
-        corrected="at an integer beta = n, dTheta/dtau is a polynomial with leading term (-1)^n n tau^(n-1)",
+        "dΘ/dτ is very large with the sign of 1/Γ(-β) for τ large and positive, β > 0 not an integer",
+        Check(Kind.PROOF, "proofs/signs.md: Γ(-β) dΘ/dτ exceeds every power of τ", True),
+        Check(Kind.POINTS, "certified sign at τ = 60 for β = 0.1, ..., 12.9 without the integers", agrees),
+        corrected="at an integer β = n, dΘ/dτ is a polynomial with leading term (-1)^n n τ^(n-1)",
     )
 
 
@@ -246,20 +246,20 @@ def _gamma_intervals() -> Entry:
         "S-gamma-intervals",
         "line 1269",
         r"\Gamma(-\beta)<0 \text{ on } (2n-1,2n),\quad \Gamma(-\beta)>0 \text{ on } (2n-2,2n)",
-        "Gamma(-beta) is negative for beta in (2n-1, 2n) and positive for beta in (2n-2, 2n), n = 1, 2, ...",
+        "Γ(-β) is negative for β in (2n-1, 2n) and positive for β in (2n-2, 2n), n = 1, 2, ...",
         Check(
             Kind.EXACT,
-            "functional equation of Gamma (proofs/side_switching.md)",
+            "functional equation of Γ (proofs/side_switching.md)",
             by_parity,
-            f"sign Gamma(-1/2) = {exact_signs[0]}, sign Gamma(-3/2) = {exact_signs[1]}",
+            f"sign Γ(-1/2) = {exact_signs[0]}, sign Γ(-3/2) = {exact_signs[1]}",
         ),
         Check(
             Kind.BALLS,
-            "enclosures of Gamma(-1/2) and Gamma(-3/2)",
+            "enclosures of Γ(-1/2) and Γ(-3/2)",
             by_ball,
-            f"Gamma(-1/2) in {ball_text(values[0], 8)}, Gamma(-3/2) in {ball_text(values[1], 8)}",
+            f"Γ(-1/2) in {ball_text(values[0], 8)}, Γ(-3/2) in {ball_text(values[1], 8)}",
         ),
-        corrected="Gamma(-beta) is negative on (2n-2, 2n-1) and positive on (2n-1, 2n), n = 1, 2, ...",
+        corrected="Γ(-β) is negative on (2n-2, 2n-1) and positive on (2n-1, 2n), n = 1, 2, ...",
         note="Both signs are exchanged, and the two printed intervals overlap. With the printed signs the paper's own "
-        "argument for 0 < beta < 1 would fail.",
+        "argument for 0 < β < 1 would fail.",
     )

@@ -1,6 +1,6 @@
 """The sign of Gamma(-beta) over a range of beta, and which side of the canard lifts off there.
 
-Paper, Sec. 4.5: lift-off where C_1/Gamma(-beta) < 0, an impact without collision (IWC) where it is positive.
+Paper, Sec. 4.5: lift-off where C_1/Γ(-β) < 0, an impact without collision (IWC) where it is positive.
 Proof page: ``proofs/side_switching.md``.
 """
 
@@ -43,7 +43,7 @@ class SignInterval:
         sign = "> 0" if self.sign > 0 else "< 0"
         lift_off = "C1 > 0" if self.lift_off_sign > 0 else "C1 < 0"
         impact = "C1 < 0" if self.lift_off_sign > 0 else "C1 > 0"
-        text = f"{left}{self.lower}, {self.upper}{right}: Gamma(-beta) {sign}"
+        text = f"{left}{self.lower}, {self.upper}{right}: Γ(-β) {sign}"
         return text + (f"; {lift_off} lifts off, {impact} takes an IWC" if self.upper > 0 else "")
 
     def to_json(self) -> dict[str, Any]:
@@ -73,9 +73,9 @@ class SideSwitching:
     def __str__(self) -> str:
         lines = [str(interval) for interval in self.intervals]
         if self.integers:
-            lines.append("the side switches at beta = " + ", ".join(map(str, self.integers)))
+            lines.append("the side switches at β = " + ", ".join(map(str, self.integers)))
         if self.undecided:
-            lines.append("undecided (an endpoint's ball holds it): beta = " + ", ".join(map(str, self.undecided)))
+            lines.append("undecided (an endpoint's ball holds it): β = " + ", ".join(map(str, self.undecided)))
         return "\n".join(lines)
 
     def to_json(self) -> dict[str, Any]:
@@ -121,9 +121,9 @@ def side_switching(lower: ExactInput, upper: ExactInput) -> SideSwitching:
     :raises ValueError: not a number, a reversed range, |beta| > 10^6, or more than 10^5 intervals.
 
     >>> print(side_switching("1/2", 2))
-    [1/2, 1): Gamma(-beta) < 0; C1 > 0 lifts off, C1 < 0 takes an IWC
-    (1, 2): Gamma(-beta) > 0; C1 < 0 lifts off, C1 > 0 takes an IWC
-    the side switches at beta = 1, 2
+    [1/2, 1): Γ(-β) < 0; C1 > 0 lifts off, C1 < 0 takes an IWC
+    (1, 2): Γ(-β) > 0; C1 < 0 lifts off, C1 > 0 takes an IWC
+    the side switches at β = 1, 2
     """
     first, first_inner = _ends(_checked(lower, "lower"))
     last_inner, last = _ends(_checked(upper, "upper"))
