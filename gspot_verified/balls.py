@@ -94,7 +94,7 @@ def bits_for_digits(digits: int) -> int:
     >>> bits_for_digits(15)
     51
     """
-    if not isinstance(digits, Integral) or isinstance(digits, bool):
+    if type(digits) is not int and (not isinstance(digits, Integral) or isinstance(digits, bool)):
         raise TypeError(f"digits must be an int, got {type(digits).__name__}")
     if not 1 <= digits <= MAX_DIGITS:
         raise ValueError(f"digits must lie in 1..{MAX_DIGITS}, got {digits}")

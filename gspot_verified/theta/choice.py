@@ -7,8 +7,8 @@ choice costs time or accuracy, never truth. No bound stands in this file.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from functools import lru_cache
+from typing import NamedTuple
 
 from flint import fmpq
 
@@ -27,16 +27,14 @@ _QUADRATURE_FROM_WORK = 20_000_000
 _SPLITTING_FROM_WORK = 100_000_000
 
 
-@dataclass(frozen=True, slots=True)
-class TaylorPlan:
+class TaylorPlan(NamedTuple):
     """Terms and working bits of the series at 0."""
 
     length: int
     bits: int
 
 
-@dataclass(frozen=True, slots=True)
-class NegativePlan:
+class NegativePlan(NamedTuple):
     """Terms and working bits of the enveloping series."""
 
     terms: int
@@ -54,7 +52,7 @@ def taylor_plan(tau: float, beta: float, goal: int) -> TaylorPlan:
     else:
         peak, value = largest_term(size, beta), log_theta(tau, beta)
     bits = _rounded(goal + _GUARD + max(0, math.ceil((peak - value) / _LN2)))
-    return TaylorPlan(taylor_length(size, beta, bits * _LN2 - peak), bits)
+    return TaylorPlan(taylor_length(size, beta, (goal + 4) * _LN2 - min(value, peak)), bits)
 
 
 def _rounded(bits: int) -> int:
@@ -69,7 +67,7 @@ def taylor_length(size: float, beta: float, drop: float) -> int:
     # |a_k| size^k is near exp(-(2/3) k (ln(k/scale) - 1)) for k well above |beta|.
     target = 1.5 * (max(drop, 1.0) + abs(beta))
     k = math.e * scale + target / 4
-    for _ in range(5):
+    for _ in range(3):
         # Newton's step for k (ln(k/scale) - 1) = target.
         slope = math.log(k / scale) if k > scale else 0.1
         k = max((target + k) / max(slope, 0.1), 1.0)

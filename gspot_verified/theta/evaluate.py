@@ -209,11 +209,16 @@ def _approach(tau: Exact, beta: Exact, goal: int, max_bits: int | None) -> _Foun
 
 
 def _tighter(first: arb, second: arb) -> arb:
-    """The common part of two enclosures of the same number; one that is not finite says nothing."""
+    """The common part of two enclosures of the same number; one that is not finite says nothing.
+
+    :raises ArithmeticError: they are disjoint, so one of them is wrong.
+    """
     if not first.is_finite():
         return second
     if not second.is_finite():
         return first
+    if not first.overlaps(second):
+        raise ArithmeticError(f"two enclosures of one number are disjoint, please report it: {first} and {second}")
     with working_bits(max(64, first.bits() + 32, second.bits() + 32)):
         return first.intersection(second)
 

@@ -60,7 +60,7 @@ def _entire_form(beta: Exact, bits: int) -> InitialValues:
 def _power_of_three(exponent: Exact, bits: int) -> arb:
     if bits > _REDUCED_FROM_BITS and isinstance(exponent, fmpq) and abs(exponent) <= 10_000:
         return power_of_three(exponent)
-    return arb(3) ** ball(exponent)
+    return (ball(exponent) * arb(3).log()).exp()
 
 
 def paper_initial_values(beta: Exact, bits: int) -> InitialValues:

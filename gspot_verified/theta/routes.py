@@ -59,14 +59,10 @@ def checked_arguments(tau: ExactInput, beta: ExactInput, derivative: int) -> tup
         raise ValueError(f"tau: the library covers |tau| <= {MAX_TAU}")
     if not _within(parameter, MAX_BETA):
         raise ValueError(f"beta: the library covers |beta| <= {MAX_BETA}")
-    for name, value in (("tau", point), ("beta", parameter)):
-        if not _height_is_allowed(value):
+    for value, name in ((point, "tau"), (parameter, "beta")):
+        if isinstance(value, fmpq) and value.height_bits() > MAX_HEIGHT_BITS:
             raise ValueError(f"{name}: numerator and denominator may have at most {MAX_HEIGHT_BITS} bits")
     return point, parameter
-
-
-def _height_is_allowed(value: Exact) -> bool:
-    return not isinstance(value, fmpq) or value.height_bits() <= MAX_HEIGHT_BITS
 
 
 def _within(value: Exact, limit: int) -> bool:

@@ -5,8 +5,8 @@ Proof page: ``proofs/taylor.md``.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
+from typing import NamedTuple
 
 from flint import arb, arb_poly, fmpq
 
@@ -41,8 +41,7 @@ def _triples(count: int) -> tuple[int, ...]:
     return tuple((k + 1) * (k + 2) * (k + 3) for k in range(count))
 
 
-@dataclass(frozen=True, slots=True)
-class TaylorPolynomial:
+class TaylorPolynomial(NamedTuple):
     """The first K terms at one beta, and what the bound on the rest needs: bounds on |a_K|, |a_(K+1)|,
     |a_(K+2)|, and on (1 + |beta|/K)/((K+1)(K+2))."""
 

@@ -113,3 +113,12 @@ def test_a_failed_second_attempt_keeps_the_first_answer() -> None:
     assert evaluate(1, beta, digits=1000).reached
     with pytest.raises(BudgetError):
         evaluate(1, beta, digits=900_000)
+
+
+def test_disjoint_enclosures_are_an_error_and_never_an_answer() -> None:
+    from gspot_verified.theta.evaluate import _tighter
+
+    with pytest.raises(ArithmeticError, match="disjoint"):
+        _tighter(arb(1, 0.25), arb(2, 0.25))
+    assert _tighter(arb.nan(), arb(2)).overlaps(arb(2))
+    assert _tighter(arb(2), arb.nan()).overlaps(arb(2))
