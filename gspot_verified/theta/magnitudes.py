@@ -67,7 +67,7 @@ def stationary(tau: float, beta: float) -> float | None:
 
 def log_algebraic(size: float, beta: float) -> float:
     """ln of sum_k beta!/(beta - 3k)! size^(beta - 3k) / (3^k k!), all terms of one sign."""
-    count = max(1, int(beta // 3))
+    count = int(beta // 3)
     points = range(0, count + 1, max(1, count // 64))
     return max(
         math.lgamma(beta + 1)

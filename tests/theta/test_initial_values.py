@@ -2,19 +2,16 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-import mpmath
 import pytest
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 from strategies import holds, near_integers, small_heights, to_fmpq
-from witness import contains_witness, theta_witness, to_fraction
+from witness import contains_witness, theta_witness
 
-from gspot_verified.balls import relative_bits, working_bits
+from gspot_verified.balls import relative_bits
 from gspot_verified.theta.initial_values import initial_values, paper_initial_values
 from gspot_verified.theta.integer import polynomial
-from gspot_verified.theta.reciprocal_gamma import reciprocal_gamma
-from gspot_verified.theta.reduced_gamma import pays, reduced_initial_values
 
 
 @given(small_heights())
@@ -65,32 +62,3 @@ def test_mpmath_witness_at_zero() -> None:
     for beta in (Fraction(-7, 3), Fraction(1, 2), Fraction(22, 7), Fraction(100, 3)):
         value = initial_values(to_fmpq(beta), 256)[0]
         assert contains_witness(value, theta_witness(Fraction(0), beta), 60)
-
-
-@given(st.one_of(small_heights(), near_integers(30)))
-def test_reciprocal_gamma_against_mpmath(z: Fraction) -> None:
-    with working_bits(160):
-        value = reciprocal_gamma(to_fmpq(z), 160)
-    with mpmath.workdps(400):
-        witness = to_fraction(mpmath.rgamma(mpmath.mpf(z.numerator) / z.denominator))
-    assert contains_witness(value, witness, 80)
-    assert relative_bits(value) > 120
-
-
-def test_reciprocal_gamma_is_exactly_zero_at_its_zeros() -> None:
-    with working_bits(100):
-        assert all(reciprocal_gamma(fmpq(-n), 100).is_zero() for n in range(5))
-
-
-@given(st.integers(-400, 400), st.sampled_from([5, 7, 9, 11, 13]), st.sampled_from([2_100, 5_100]))
-def test_many_digits_form_equals_the_entire_form(numerator: int, denominator: int, bits: int) -> None:
-    beta = fmpq(numerator, denominator)
-    if not pays(beta):
-        return
-    with working_bits(bits):
-        reduced = reduced_initial_values(beta, bits)
-    direct = initial_values(arb(beta) if beta.q == 1 else beta, 300)
-    for fast, plain in zip(reduced, direct, strict=True):
-        assert relative_bits(fast) > bits - 60
-        assert fast.overlaps(plain)
-        assert relative_bits(plain) > 250

@@ -1,4 +1,4 @@
-"""Taylor series at 0: floating balls (taylor) and exact binary splitting (splitting)."""
+"""The Taylor series at 0 in floating balls; where it shares its bound with binary splitting, both."""
 
 from __future__ import annotations
 
@@ -27,15 +27,6 @@ def test_both_contain_the_witness(tau: Fraction, beta: Fraction, length: int) ->
     ):
         assert value.is_finite()
         assert contains_witness(value, witness, 58)
-
-
-@given(_TAUS, small_heights(), st.sampled_from([1, 2, 4, 8, 16]))
-def test_block_length_does_not_change_the_enclosed_number(tau: Fraction, beta: Fraction, block: int) -> None:
-    t, b = to_fmpq(tau), to_fmpq(beta)
-    first, second = splitting_sum(t, b, 150, 200, block), splitting_sum(t, b, 150, 200, 2)
-    assert first.is_finite()
-    assert second.is_finite()
-    assert first.overlaps(second)
 
 
 def test_too_few_terms_are_not_finite() -> None:
