@@ -20,7 +20,7 @@ from gspot_verified.theta.positive import SaddlePlan
 _LN2 = math.log(2)
 _GUARD = 8
 _TINY = 1e-60
-_SPLITTING_FROM_BITS = 1_500
+_SPLITTING_FROM_BITS = 900
 _SPLITTING_HEIGHT = 256
 # Work of the floating series, in terms times bits, from which another route is faster.
 _QUADRATURE_FROM_WORK = 20_000_000
