@@ -1,0 +1,103 @@
+"""Ends of ranges, limits and words of the side table that no other test looks at."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified import gamma_sign, side_switching
+from gspot_verified.signs.side import MAX_BETA, SignInterval, gamma_sign_by_ball
+
+
+def test_limits_of_beta_belong_to_the_domain() -> None:
+    tiny = fmpq(1, 10**9)
+    for end in (MAX_BETA, -MAX_BETA):
+        assert gamma_sign(end) == (0 if end > 0 else 1)
+        assert gamma_sign(arb(end)) == gamma_sign(end)
+        beyond = end + tiny if end > 0 else end - tiny
+        for value in (beyond, arb(end, tiny)):
+            with pytest.raises(ValueError, match="must be at most"):
+                gamma_sign(value)
+            with pytest.raises(ValueError, match="at most"):
+                gamma_sign_by_ball(value)
+    assert gamma_sign(MAX_BETA - tiny) == 1
+    assert gamma_sign(arb(MAX_BETA - 1, fmpq(1, 2))) is None
+
+
+def test_number_of_integers_at_its_limit() -> None:
+    assert len(side_switching(0, 100_000).integers) == 100_001
+    with pytest.raises(ValueError, match="more than 100000"):
+        side_switching(0, 100_001)
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper", "expected"),
+    [
+        ("-2", "-1", [("-2", "-1", True, True, 1)]),
+        ("-1", "0", [("-1", "0", True, False, 1)]),
+        ("0", "1/2", [("0", "1/2", False, True, -1)]),
+        ("0", "1", [("0", "1", False, False, -1)]),
+        ("-1/2", "1/2", [("-1/2", "0", True, False, 1), ("0", "1/2", False, True, -1)]),
+        ("1", "2", [("1", "2", False, False, 1)]),
+        ("3/2", "3/2", [("3/2", "3/2", True, True, 1)]),
+        ("3", "3", []),
+        ("-3", "-3", [("-3", "-3", True, True, 1)]),
+    ],
+)
+def test_ends_and_signs(lower: str, upper: str, expected: list[tuple[str, str, bool, bool, int]]) -> None:
+    found = side_switching(lower, upper)
+    assert list(found.intervals) == [SignInterval(Fraction(a), Fraction(b), c, d, s) for a, b, c, d, s in expected]
+    whole = range(int(Fraction(upper)) + 1)
+    assert found.integers == tuple(n for n in whole if Fraction(lower) <= n <= Fraction(upper))
+    assert found.undecided == ()
+
+
+def test_words() -> None:
+    assert str(side_switching("-2", "-1")) == "[-2, -1]: Γ(-β) > 0"
+    assert str(side_switching("-1", "0")) == "[-1, 0): Γ(-β) > 0\nthe side switches at β = 0"
+    assert str(side_switching("0", "1/2")) == (
+        "(0, 1/2]: Γ(-β) < 0; C1 > 0 lifts off, C1 < 0 takes an IWC\nthe side switches at β = 0"
+    )
+    assert str(side_switching("3/2", "7/4")) == "[3/2, 7/4]: Γ(-β) > 0; C1 < 0 lifts off, C1 > 0 takes an IWC"
+    found = side_switching(arb(1, fmpq(1, 8)), "5/4")
+    assert str(found).splitlines()[-1] == "undecided (an endpoint's ball holds it): β = 1"
+    assert "switches" not in str(found)
+
+
+def test_lift_off_is_stated_for_positive_beta_only() -> None:
+    signs = [i["lift_off_sign_of_C1"] for i in side_switching("-1/2", "3/2").to_json()["intervals"]]
+    assert signs == [None, 1, -1]
+    assert side_switching("-2", "-1").to_json()["intervals"][0]["lift_off_sign_of_C1"] is None
+
+
+def test_poles_at_the_ends_of_balls() -> None:
+    found = side_switching(arb(1, fmpq(1, 8)), arb(fmpq(7, 2), fmpq(3, 4)))
+    assert found.undecided == (1, 3, 4)
+    assert found.integers == (2,)
+    assert 0 <= Fraction(7, 8) - found.intervals[0].lower < Fraction(1, 10**6)
+    assert 0 <= found.intervals[-1].upper - Fraction(17, 4) < Fraction(1, 10**6)
+    assert side_switching(arb(fmpq(1, 2), fmpq(3, 4)), 2).undecided == (0, 1)
+    assert side_switching(arb(fmpq(1, 2), fmpq(3, 4)), 2).integers == (2,)
+
+
+def test_balls_that_touch_a_pole() -> None:
+    assert gamma_sign(arb(fmpq(1, 2), fmpq(1, 2))) is None
+    assert gamma_sign(arb(fmpq(3, 2), fmpq(1, 4))) == 1
+    assert gamma_sign(arb(fmpq(-1, 2), fmpq(1, 2))) is None
+    assert gamma_sign(arb(fmpq(-1, 2), fmpq(1, 4))) == 1
+    assert gamma_sign(arb(fmpq(5, 2), fmpq(1, 2))) is None
+
+
+def test_a_ball_end_with_a_tiny_exponent() -> None:
+    assert gamma_sign(arb((1, -99_000), (1, -99_010))) == -1
+    with pytest.raises(ValueError, match="exponent below"):
+        gamma_sign(arb((1, -200_000), (1, -200_010)))
+
+
+def test_a_ball_that_ends_exactly_at_a_pole() -> None:
+    for ball in (arb((1, -1), (1, -1)), arb((3, -2), (1, -2)), arb((-1, -1), (1, -1))):
+        assert gamma_sign(ball) is None
+    found = side_switching(arb((1, -1), (1, -1)), arb((5, -1), (1, -1)))
+    assert (found.undecided, found.integers) == ((0, 3), (1, 2))
