@@ -12,9 +12,11 @@ from gspot_verified.balls import (
     MAX_WORKING_BITS,
     Exact,
     ExactInput,
+    ball,
     ball_text,
     bits_for_digits,
     certainly_less,
+    exact,
     is_exact,
     nonfinite,
     relative_bits,
@@ -25,6 +27,7 @@ from gspot_verified.balls import (
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.theta import choice, routes
 from gspot_verified.theta.integer import polynomial
+from gspot_verified.theta.majorant import majorant_bound
 from gspot_verified.theta.routes import BudgetError, checked_arguments, shifted_parameter
 from gspot_verified.verdict import Reason, Verdict
 
@@ -235,6 +238,17 @@ def _centred(found: _Found, tau: arb, beta: Exact, goal: int, max_bits: int | No
     return _tighter(found[0], form), *found[1:]
 
 
+def _majorant(tau: Exact, beta: Exact) -> arb:
+    """A finite ball for inputs so wide that every route gave up."""
+    goal = _LEAST_SECOND_GOAL
+    with working_bits(goal):
+        farthest, size = (exact(ball(value).abs_upper(), "") for value in (tau, beta))
+    if not (isinstance(farthest, fmpq) and isinstance(size, fmpq)):
+        return nonfinite()
+    size = max(size, fmpq(1))
+    return majorant_bound(beta, size, _attempt(farthest, -size, goal)[1], goal)
+
+
 def _attempt(tau: Exact, beta: Exact, goal: int) -> tuple[str, arb]:
     """One enclosure by the route that the heuristics prefer for ``goal`` bits; the next one when it is not finite."""
     for name in choice.preferred_routes(tau, beta, goal):
@@ -242,7 +256,7 @@ def _attempt(tau: Exact, beta: Exact, goal: int) -> tuple[str, arb]:
         if value.is_finite():
             return name, value
     if not (is_exact(tau) and is_exact(beta)):
-        return "none", nonfinite()
+        return "majorant", _majorant(tau, beta)
     if goal < _LEAST_SECOND_GOAL:
         return _attempt(tau, beta, _LEAST_SECOND_GOAL)
     raise BudgetError(
