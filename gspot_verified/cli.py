@@ -1,10 +1,12 @@
 """The command line ``gspot-verified``.
 
-Results go to stdout, progress to stderr. Exit codes: 0 proved (or done), 1 refuted, 2 undecided, 64 wrong usage.
+Results go to stdout, progress to stderr. Exit codes: 0 proved (or done), 1 refuted, 2 undecided, 64 wrong usage, 70 an
+internal error.
 """
 
 from __future__ import annotations
 
+import io
 import json
 import re
 import sys
@@ -16,6 +18,7 @@ import typer
 from typer.core import TyperCommand
 
 USAGE = 64
+INTERNAL = 70
 _NUMBER = re.compile(r"-\.?[0-9].*")
 
 app = typer.Typer(
@@ -186,13 +189,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 130
     except Exception as error:
         # A usage error. Its class has moved between releases of typer; what they share is show().
-        if not hasattr(error, "show"):
-            raise
-        error.show()
-        return USAGE
+        if hasattr(error, "show"):
+            error.show()
+            return USAGE
+        # Never 1, which would read as "refuted".
+        typer.echo(f"internal error, please report it: {type(error).__name__}: {error}", err=True)
+        return INTERNAL
     return int(code) if isinstance(code, int) else 0
 
 
 def run() -> None:
     """The console script."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")  # Greek letters on a stream that has none
     sys.exit(main())

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -108,3 +109,26 @@ def test_the_examples_in_the_help_run() -> None:
         done = subprocess.run(command, capture_output=True, timeout=60, check=False)
         assert done.returncode == 0
         assert done.stdout
+
+
+def test_an_internal_error_is_never_an_outcome(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    from gspot_verified.ledger import verify
+
+    def broken(_: object) -> list[object]:
+        raise ArithmeticError("two enclosures are disjoint")
+
+    monkeypatch.setattr(verify, "verify_paper", broken)
+    code, output, errors = run(capsys, "verify", "--output", str(tmp_path))
+    assert code == 70
+    assert output == ""
+    assert "internal error" in errors
+
+
+def test_a_stream_without_greek_letters() -> None:
+    command = [sys.executable, "-c", "from gspot_verified.cli import run; run()", "side", "1/2", "2"]
+    environment = {**os.environ, "PYTHONIOENCODING": "cp1252"}
+    done = subprocess.run(command, capture_output=True, timeout=60, check=False, env=environment)
+    assert done.returncode == 0
+    assert b"lifts off" in done.stdout

@@ -24,6 +24,7 @@ _SPLITTING_FROM_BITS = 900
 _SPLITTING_HEIGHT = 256
 # Work of the floating series, in terms times bits, from which another route is faster.
 _QUADRATURE_FROM_WORK = 20_000_000
+_QUADRATURE_BELOW_GOAL = 400
 _SPLITTING_FROM_WORK = 100_000_000
 
 
@@ -221,7 +222,7 @@ def preferred_routes(tau: Exact, beta: Exact, goal: int) -> list[str]:
         names.append("positive")
     plan = taylor_plan(point, parameter, goal)
     work = plan.length * (plan.bits + 500)
-    if work > _QUADRATURE_FROM_WORK and goal < 5_000 and parameter < 0:
+    if work > _QUADRATURE_FROM_WORK and goal < _QUADRATURE_BELOW_GOAL and parameter < 0:
         names.append("laplace")
     height = _height(tau, beta)
     if prefers_splitting(tau, beta, goal) or (

@@ -5,9 +5,9 @@ Proof page: ``proofs/negative.md``.
 
 from __future__ import annotations
 
-from flint import arb, fmpq
+from flint import arb, fmpq, fmpz
 
-from gspot_verified.balls import Exact, add_remainder, ball, nonfinite, working_bits
+from gspot_verified.balls import Exact, add_remainder, ball, current_bits, nonfinite, working_bits
 
 
 def negative_sum(tau: Exact, beta: Exact, terms: int, bits: int) -> arb:
@@ -38,6 +38,10 @@ def _ratio(k: int, beta: Exact) -> Exact:
     if isinstance(beta, fmpq):
         p, q = int(beta.p), int(beta.q)
         first = 3 * k * q - p
+        if q.bit_length() > current_bits():
+            # A long denominator: round each exact factor once; next to an integer it keeps its relative accuracy.
+            product = arb(fmpz(first)) * arb(fmpz(first + q)) * arb(fmpz(first + 2 * q))
+            return -product / (arb(fmpz(q)) ** 3 * (3 * (k + 1)))
         return fmpq(-first * (first + q) * (first + 2 * q), 3 * (k + 1) * q**3)
     first_ball = 3 * k - beta
     return -first_ball * (first_ball + 1) * (first_ball + 2) / (3 * (k + 1))

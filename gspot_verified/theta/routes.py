@@ -11,8 +11,18 @@ from collections.abc import Callable
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import Exact, ExactInput, approximate, bits_for_digits, exact, nonfinite, working_bits
+from gspot_verified.balls import (
+    Exact,
+    ExactInput,
+    approximate,
+    bits_for_digits,
+    exact,
+    is_exact,
+    nonfinite,
+    working_bits,
+)
 from gspot_verified.theta import choice
+from gspot_verified.theta.finite_part import near_integers
 from gspot_verified.theta.laplace import laplace_sum
 from gspot_verified.theta.negative import negative_sum
 from gspot_verified.theta.positive import positive_sum
@@ -26,7 +36,9 @@ MAX_HEIGHT_BITS = 50_000
 
 # What a route may use, so that an answer comes within minutes and a few GiB, or not at all.
 _MAX_TAYLOR_BITS = 2**34
+_MAX_WIDE_TAYLOR_BITS = 2**29
 _BITS_OF_A_BALL = 1_000
+_MAX_NEAR_INTEGERS = 16
 _MAX_SPLITTING_BITS = 2**33
 _MAX_TERM_BITS = 2**36
 _MAX_GENERIC_GAMMA_BITS = 400_000
@@ -89,7 +101,8 @@ def shifted_parameter(beta: Exact, derivative: int, goal: int) -> tuple[Exact, E
 def taylor(tau: Exact, beta: Exact, goal: int) -> arb:
     """The Taylor series at 0 in balls, planned for ``goal`` bits."""
     plan = choice.taylor_plan(_farthest(tau), approximate(beta), goal)
-    if plan.length * (plan.bits + _BITS_OF_A_BALL) > _MAX_TAYLOR_BITS or not _gamma_is_affordable(beta, plan.bits):
+    limit = _MAX_TAYLOR_BITS if is_exact(tau) and is_exact(beta) else _MAX_WIDE_TAYLOR_BITS
+    if plan.length * (plan.bits + _BITS_OF_A_BALL) > limit or not _gamma_is_affordable(beta, plan.bits):
         return nonfinite()
     return taylor_sum(tau, beta, plan.length, plan.bits)
 
@@ -117,7 +130,7 @@ def positive(tau: Exact, beta: Exact, goal: int) -> arb:
     """The saddle point and the algebraic part at tau -> +infinity, planned for ``goal`` bits."""
     point, parameter = approximate(tau), approximate(beta)
     plan = choice.saddle_plan(point, parameter, goal) if point > 1 else None
-    if plan is None:
+    if plan is None or len(near_integers(beta)) > _MAX_NEAR_INTEGERS:
         return nonfinite()
     bits = choice.saddle_bits(point, parameter, goal)
     if plan.terms * bits > _MAX_TERM_BITS or not _gamma_is_affordable(beta, bits):

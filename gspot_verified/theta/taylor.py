@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import NamedTuple
 
-from flint import arb, arb_poly, fmpq
+from flint import arb, arb_poly, fmpq, fmpz
 
 from gspot_verified.balls import Exact, add_remainder, ball, nonfinite, working_bits
 from gspot_verified.theta.initial_values import initial_values
@@ -26,6 +26,13 @@ def taylor_coefficients(beta: Exact, length: int, bits: int) -> list[arb]:
             # (k - beta) = (k q - p)/q with integers: exact, also when beta is next to the integer k.
             q = int(beta.q)
             numerator = -int(beta.p)
+            if q.bit_length() > bits:
+                # A long denominator: round each exact factor once.
+                inverse = 1 / arb(fmpz(q))
+                for k, product in zip(range(length - 3), _triples(length - 3), strict=True):
+                    coefficients.append(coefficients[k] * arb(fmpz(numerator)) * inverse / product)
+                    numerator += q
+                return coefficients
             for k, product in zip(range(length - 3), _triples(length - 3), strict=True):
                 coefficients.append(coefficients[k] * numerator / (product * q))
                 numerator += q

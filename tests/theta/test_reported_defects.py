@@ -122,3 +122,19 @@ def test_disjoint_enclosures_are_an_error_and_never_an_answer() -> None:
         _tighter(arb(1, 0.25), arb(2, 0.25))
     assert _tighter(arb.nan(), arb(2)).overlaps(arb(2))
     assert _tighter(arb(2), arb.nan()).overlaps(arb(2))
+
+
+@pytest.mark.parametrize("digits", [15, 100])
+def test_very_wide_beta_beyond_the_saddle(digits: int) -> None:
+    """5,000 integers in the ball: once a quadratic loop over all of them."""
+    for tau in (1000, 10**6):
+        assert evaluate(tau, arb(0, 5000), digits=digits).value.is_finite()
+
+
+@pytest.mark.parametrize("tau", [-1000, 1000, -(10**9)])
+@pytest.mark.parametrize("sign", [-1, 1])
+def test_next_to_a_large_integer_with_a_long_denominator(tau: int, sign: int) -> None:
+    beta = 9999 + sign * Fraction(1, 10**4000)
+    long, short = evaluate(tau, beta, digits=20), evaluate(tau, 9999, digits=40)
+    assert long.reached
+    assert tau > 0 or abs(long.value - short.value) <= abs(short.value) * 1e-19
