@@ -34,7 +34,8 @@ Exact = fmpq | arb
 MAX_DIGITS = 1_000_000
 MAX_WORKING_BITS = 64_000_000
 _MAX_DECIMAL_EXPONENT = 100_000
-_MAX_BINARY_EXPONENT = 100_000
+_MAX_BINARY_EXPONENT = 40_000
+_SMALLEST_SHOWN = 1e-300
 _MAX_STRING = 2_000_000
 _LOG2_10 = math.log2(10)
 
@@ -283,7 +284,7 @@ def ball_text(value: arb, digits: int = 15) -> str:
         with working_bits(max(64, math.ceil(digits * _LOG2_10) + 20)):
             return value.str(digits)
     lower, upper = float_bounds(value)
-    if math.isinf(lower) or math.isinf(upper):
+    if math.isinf(lower) or math.isinf(upper) or max(-lower, upper) < _SMALLEST_SHOWN:
         return value.str(digits)
     return f"[{_outward(lower, -1)}, {_outward(upper, 1)}]"
 
