@@ -18,12 +18,11 @@ import math
 import operator
 import re
 import threading
-from collections.abc import Callable
 from fractions import Fraction
 from numbers import Integral
 from types import TracebackType
 
-from flint import acb, arb, ctx, fmpq, fmpz
+from flint import arb, arb_series, ctx, fmpq, fmpz
 
 ExactInput = int | Fraction | fmpq | fmpz | str | arb
 """What a user may pass for a real number."""
@@ -261,14 +260,18 @@ def _ratio(numerator: int, denominator: int) -> float:
         return math.inf if numerator > 0 else -math.inf
 
 
-def holomorphic_integral(integrand: Callable[[acb, bool], acb], lower: arb, upper: arb, max_evaluations: int) -> acb:
-    """The integral of ``integrand`` over [lower, upper], by FLINT's Petras quadrature, at the current precision.
+def reciprocal_gamma_series(argument: arb, slope: arb, length: int) -> list[arb]:
+    """Enclosures of the first ``length`` Taylor coefficients of 1/Gamma(argument + slope t) at t = 0.
 
-    ``integrand(z, analytic)`` must return an enclosure over the box z, and, when ``analytic`` is true, a non-finite
-    ball unless the function is holomorphic on the whole box. A wrapper, so that this contract is stated at each use:
-    ignoring ``analytic`` gives a wrong ball without any warning. Near ``max_evaluations`` the ball gets wide.
+    Here, because flint cuts every power series at a length that is part of its global context.
     """
-    return acb.integral(integrand, acb(lower), acb(upper), eval_limit=max_evaluations)
+    with _lock:
+        saved = ctx.cap
+        ctx.cap = length
+        try:
+            return list(arb_series([argument, slope], length).rgamma().coeffs())
+        finally:
+            ctx.cap = saved
 
 
 def ball_text(value: arb, digits: int = 15) -> str:

@@ -45,7 +45,6 @@ from gspot_verified.balls import (
     current_bits,
     exact,
     float_bounds,
-    holomorphic_integral,
     is_exact,
     nonfinite,
     relative_bits,

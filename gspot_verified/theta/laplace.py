@@ -9,8 +9,9 @@ from dataclasses import dataclass
 
 from flint import acb, arb, fmpq
 
-from gspot_verified.balls import Exact, add_remainder, ball, holomorphic_integral, nonfinite, working_bits
+from gspot_verified.balls import Exact, add_remainder, ball, nonfinite, working_bits
 from gspot_verified.theta.finite_part import series_part
+from gspot_verified.theta.quadrature import holomorphic_integral
 from gspot_verified.theta.reciprocal_gamma import reciprocal_gamma
 
 

@@ -1,0 +1,62 @@
+"""The text of a certificate: canonical, versioned, integers and rationals only. Format: ``proofs/certificate.md``."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from gspot_verified.signs.pieces import Column
+from gspot_verified.signs.statements import Statement
+
+FORMAT = "gspot_verified certificate"
+VERSION = 1
+HYPOTHESES = ("certificate", "fold", "identities", "initial_values", "laplace", "negative", "tails")
+
+
+def certificate_text(statement: Statement, columns: Sequence[Column]) -> str:
+    """The certificate of a statement that the columns prove. The same columns give the same text, byte for byte.
+
+    >>> from gspot_verified.signs.sign import sign_on_ranges
+    >>> result = sign_on_ranges("-inf..inf", "0..1", by_theorem=True)
+    >>> print(certificate_text(result.statement, result.columns).splitlines()[1])
+    {"beta":["0","1"],"pieces":[["laplace"]]}
+    """
+    header = {
+        "format": FORMAT,
+        "hypotheses": list(HYPOTHESES),
+        "statement": statement.to_json(),
+        "version": VERSION,
+    }
+    lines = [_canonical(header), *(_canonical(_column(column)) for column in columns)]
+    body = "".join(f"{line}\n" for line in lines)
+    return f"{body}sha256 {hashlib.sha256(body.encode()).hexdigest()}\n"
+
+
+def write_certificate(path: Path, statement: Statement, columns: Sequence[Column]) -> None:
+    """Write the certificate; a file that is there is replaced only when the new one is complete on the disk."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    descriptor, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+    try:
+        with os.fdopen(descriptor, "w", encoding="utf-8", newline="\n") as file:
+            file.write(certificate_text(statement, columns))
+            file.flush()
+            os.fsync(file.fileno())
+        Path(name).chmod(0o644)
+        Path(name).replace(path)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+
+
+def _column(column: Column) -> dict[str, Any]:
+    lower = "-inf" if column.lower is None else str(column.lower)
+    return {"beta": [lower, str(column.upper)], "pieces": [piece.to_list() for piece in column.pieces]}
+
+
+def _canonical(value: Any) -> str:
+    return json.dumps(value, sort_keys=True, separators=(",", ":"))

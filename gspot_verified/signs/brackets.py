@@ -1,0 +1,212 @@
+"""All real zeros of dTheta/dtau at one beta, in brackets of any width.
+
+That there are no others is shown by a column of pieces (``proofs/certificate.md``); a bracket is a change of sign.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from flint import arb, fmpq, fmpz
+
+from gspot_verified.balls import ExactInput, approximate, bits_for_digits, exact, sign_of, working_bits
+from gspot_verified.signs.pieces import Column, Kind, cell_of, number_of_zeros
+from gspot_verified.signs.statements import BracketsStatement
+from gspot_verified.signs.witness import sign_at
+from gspot_verified.signs.zero_column import zero_column
+from gspot_verified.theta.evaluate import evaluate
+
+MAX_BETA = 200
+MAX_DIGITS = 10_000
+_NEAR_FOLD = fmpq(1, 64)
+_FIRST_DIGITS = 12
+_MAX_TAIL = fmpq(10**9)
+
+
+@dataclass(frozen=True, slots=True)
+class Brackets:
+    """One open interval with rational ends for each real zero of dTheta/dtau(., beta), in order; all are simple.
+
+    ``column`` shows that there are no others.
+    """
+
+    beta: fmpq
+    brackets: tuple[tuple[fmpq, fmpq], ...]
+    column: Column
+
+    @property
+    def statement(self) -> BracketsStatement:
+        """What a certificate states."""
+        return BracketsStatement(self.beta, self.brackets)
+
+    def __str__(self) -> str:
+        lines = [f"β = {self.beta}: {len(self.brackets)} real zeros of dΘ/dτ, all simple"]
+        return "\n".join([*lines, *(f"  {decimal_text(lower, upper)}" for lower, upper in self.brackets)])
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``; exact rationals as text."""
+        return {
+            "beta": str(self.beta),
+            "number": len(self.brackets),
+            "brackets": [[str(lower), str(upper)] for lower, upper in self.brackets],
+        }
+
+
+def zeros_at(beta: ExactInput, digits: int = 15) -> Brackets:
+    """Brackets of width at most 10^-digits for all real zeros of dTheta/dtau at one beta.
+
+    :raises ValueError: beta is an integer (dTheta/dtau is a polynomial there), not one number, or not in (0, 200];
+        digits not in 1..10^4.
+    :raises ArithmeticError: no certain column was found (not seen for beta <= 100).
+
+    >>> print(zeros_at("5/2", 8))
+    β = 5/2: 2 real zeros of dΘ/dτ, all simple
+      -0.30893389..-0.30893388
+      1.38614937..1.38614938
+    """
+    point = exact(beta, "beta")
+    if not isinstance(point, fmpq):
+        raise ValueError("beta: expected one exact number, got a ball")
+    if not 0 < point <= MAX_BETA or point.q == 1:
+        raise ValueError(f"beta: expected a number in (0, {MAX_BETA}] that is not an integer, got {point}")
+    if not 1 <= digits <= MAX_DIGITS:
+        raise ValueError(f"digits must lie in 1..{MAX_DIGITS}")
+    column = _column(point)
+    tubes = column.tubes()
+    for piece in column.pieces:
+        if piece.kind is Kind.FOLD and number_of_zeros(column) != len(tubes) + _in_tail(column):
+            assert piece.lower is not None
+            assert piece.upper is not None
+            tubes += [(piece.lower, fmpq(0)), (fmpq(0), piece.upper)]
+    if _in_tail(column):
+        tubes.append(_tail_tube(point, column))
+    brackets = tuple(_refine(point, lower, upper, digits) for lower, upper in sorted(tubes))
+    if len(brackets) != number_of_zeros(column):
+        raise ArithmeticError("the number of brackets is not the number of zeros; please report this")
+    return Brackets(point, brackets, column)
+
+
+def _column(beta: fmpq) -> Column:
+    """A column around beta: the single point, or, next to a fold, the range up to the fold's integer."""
+    for lower, upper in _ranges(beta):
+        column = zero_column(lower, upper)
+        if column is not None:
+            return column
+    raise ArithmeticError(f"no certain column of pieces was found at beta = {beta}")
+
+
+def _ranges(beta: fmpq) -> list[tuple[fmpq, fmpq]]:
+    integer = int((beta + fmpq(1, 2)).floor())
+    nearest = fmpq(integer)
+    near_fold = integer >= 3 and integer % 3 == 0 and abs(beta - nearest) < _NEAR_FOLD
+    return [(min(beta, nearest), max(beta, nearest))] * near_fold + [(beta, beta)]
+
+
+def _in_tail(column: Column) -> int:
+    last = column.pieces[-1]
+    return last.mark if last.kind is Kind.RIGHT else 0
+
+
+def _tail_tube(beta: fmpq, column: Column) -> tuple[fmpq, fmpq]:
+    """An interval that holds the one zero beyond the last piece: doubling until the sign is that at infinity."""
+    lower = column.pieces[-1].lower
+    assert lower is not None
+    assert column.lower is not None
+    # dTheta/dtau = -beta F, and F has the sign (-1)^(n+1) at infinity.
+    final = 1 if cell_of(column.lower, column.upper) % 2 == 0 else -1
+    upper = 2 * lower
+    while sign_at(upper, beta) != final:
+        if upper > _MAX_TAIL:
+            raise ArithmeticError("the last zero is too far out to be bracketed")
+        lower, upper = upper, 2 * upper
+    return lower, upper
+
+
+def _refine(beta: fmpq, lower: fmpq, upper: fmpq, digits: int) -> tuple[fmpq, fmpq]:
+    """A bracket of width 10^-digits inside (lower, upper), with certain opposite signs at its ends."""
+    before, after = _certain_sign(beta, lower), _certain_sign(beta, upper)
+    if before == after:
+        raise ArithmeticError("the ends of a tube have one sign; please report this")
+    start = min(digits, _FIRST_DIGITS)
+    while upper - lower > fmpq(1, 10**start):
+        middle = _round((lower + upper) / 2, lower, upper)
+        if _certain_sign(beta, middle) == before:
+            lower = middle
+        else:
+            upper = middle
+    if digits > start:
+        lower, upper = _newton(beta, lower, upper, before, digits)
+    return _on_decimal_grid(beta, lower, upper, before, digits)
+
+
+def _round(value: fmpq, lower: fmpq, upper: fmpq) -> fmpq:
+    """A short dyadic number near value, inside (lower, upper)."""
+    exponent = fmpz(1) << (4 + int((1 / (upper - lower)).ceil()).bit_length())
+    rounded = fmpq(math.floor(value * exponent), exponent)
+    return rounded if lower < rounded < upper else value
+
+
+def _certain_sign(beta: fmpq, tau: fmpq) -> int:
+    sign = sign_of(evaluate(tau, beta, derivative=1, digits=2).value)
+    if not sign:
+        raise ArithmeticError(f"the sign of dΘ/dτ at τ = {approximate(tau)} is open")
+    return sign
+
+
+def _newton(beta: fmpq, lower: fmpq, upper: fmpq, before: int, digits: int) -> tuple[fmpq, fmpq]:
+    """Newton's method on rationals with doubled digits; each new bracket is kept only if its signs are certain."""
+    goal, have = digits + 2, _FIRST_DIGITS
+    while have < goal:
+        have = min(2 * have - 4, goal)
+        middle = (lower + upper) / 2
+        with working_bits(bits_for_digits(2 * have) + 32):
+            step = (
+                evaluate(middle, beta, derivative=1, digits=have).value
+                / evaluate(middle, beta, derivative=2, digits=have).value
+            )
+            guess = (arb(middle) - step).mid()
+            scaled = fmpz((guess * 10**have).floor().unique_fmpz())
+        for width in (1, 10**3, 10**6):
+            left, right = fmpq(scaled - width, 10**have), fmpq(scaled + width + 1, 10**have)
+            if lower <= left and right <= upper and _brackets(beta, left, right, before):
+                lower, upper = left, right
+                break
+        else:
+            raise ArithmeticError("Newton's method left the bracket; ask for fewer digits")
+    return lower, upper
+
+
+def _brackets(beta: fmpq, lower: fmpq, upper: fmpq, before: int) -> bool:
+    return _certain_sign(beta, lower) == before and _certain_sign(beta, upper) == -before
+
+
+def _on_decimal_grid(beta: fmpq, lower: fmpq, upper: fmpq, before: int, digits: int) -> tuple[fmpq, fmpq]:
+    """The cell of the grid of ``digits`` decimals that holds the zero, or the bracket itself at a grid point."""
+    scale = 10**digits
+    left = math.floor(lower * scale)
+    for k in range(int(left), int((upper * scale).ceil()) + 1):
+        cell = fmpq(k, scale), fmpq(k + 1, scale)
+        if sign_at(cell[0], beta) == before and sign_at(cell[1], beta) == -before:
+            return cell
+    return lower, upper
+
+
+def decimal_text(lower: fmpq, upper: fmpq) -> str:
+    """``lower..upper`` in decimals when both are decimal fractions, else as rationals.
+
+    >>> decimal_text(fmpq(-1, 4), fmpq(1, 2)), decimal_text(fmpq(1, 3), fmpq(1, 2))
+    ('-0.25..0.50', '1/3..1/2')
+    """
+    places = next((k for k in range(MAX_DIGITS + 1) if 10**k % math.lcm(int(lower.q), int(upper.q)) == 0), None)
+    if places is None:
+        return f"{lower}..{upper}"
+    return "..".join(_decimal(Fraction(int(end.p), int(end.q)), places) for end in (lower, upper))
+
+
+def _decimal(value: Fraction, places: int) -> str:
+    digits = f"{abs(int(value * 10**places)):0{places + 1}d}"
+    text = f"{digits[:-places]}.{digits[-places:]}" if places else digits
+    return f"-{text}" if value < 0 else text

@@ -1,0 +1,157 @@
+"""The sign of dTheta/dtau on ranges of tau and beta: proved, refuted with a point, or undecided with what is left.
+
+Proof pages: ``proofs/certificate.md`` (what the pieces prove), ``proofs/signs.md``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from flint import fmpq
+
+from gspot_verified.balls import ball, working_bits
+from gspot_verified.dyadic import Dyadic
+from gspot_verified.signs.executors import InProcessExecutor
+from gspot_verified.signs.journal import Journal
+from gspot_verified.signs.pieces import Column
+from gspot_verified.signs.ranges import Range
+from gspot_verified.signs.sign_column import SignQuestion, sign_column
+from gspot_verified.signs.statements import SignStatement, cells_of
+from gspot_verified.signs.subdivision import Progress, Subdivision
+from gspot_verified.signs.witness import find_witness, sign_at
+from gspot_verified.verdict import Reason, Verdict
+
+MAX_BETA = 200
+DEFAULT_BUDGET = 2_000
+
+
+@dataclass(frozen=True, slots=True)
+class SignResult:
+    """The verdict; ``columns`` prove the statement when it is proved, ``point`` and ``sign`` refute it when not."""
+
+    statement: SignStatement
+    verdict: Verdict
+    columns: tuple[Column, ...] = ()
+    point: tuple[fmpq, fmpq] | None = None
+    sign_there: int | None = None
+    examined: int = 0
+
+    def __str__(self) -> str:
+        return str(self.verdict)
+
+    def _repr_html_(self) -> str:
+        return self.verdict._repr_html_()
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``."""
+        return {
+            "statement": self.statement.to_json(),
+            "verdict": self.verdict.to_json(),
+            "columns": len(self.columns),
+            "pieces": sum(len(column.pieces) for column in self.columns),
+            "examined": self.examined,
+            "point": None if self.point is None else [str(value) for value in self.point],
+            "sign_there": self.sign_there,
+        }
+
+    @property
+    def proved_statement(self) -> SignStatement | None:
+        """What a certificate states: the statement itself, or the sign at the point that refutes it."""
+        if self.point is not None and self.sign_there is not None:
+            tau, beta = self.point
+            return SignStatement(Range(tau, tau, True, True), Range(beta, beta, True, True), self.sign_there)
+        return self.statement if self.columns else None
+
+
+def sign_on_ranges(
+    tau: Range | str,
+    beta: Range | str,
+    sign: int = -1,
+    *,
+    budget: int = DEFAULT_BUDGET,
+    by_theorem: bool = False,
+    executor: Executor | None = None,
+    journal: Path | None = None,
+    progress: Callable[[Progress], None] | None = None,
+) -> SignResult:
+    """Whether dTheta/dtau has the sign ``sign`` (1 or -1) at every tau and beta of the two ranges.
+
+    Ranges as in :meth:`Range.parse`. ``budget`` counts examined ranges of beta. ``by_theorem``: take the Laplace
+    integral for beta <= 1 instead of numbers. A ``journal`` file lets a killed run go on.
+
+    :raises ValueError: an argument is out of range.
+
+    >>> result = sign_on_ranges("-inf..inf", "0..1")
+    >>> str(result)
+    'proved: dΘ/dτ < 0 for every τ in (-inf, inf) and every β in (0, 1)'
+    >>> sign_on_ranges("-1..1", "[2..3]").verdict.witness
+    'dΘ/dτ > 0 at τ = 3/4, β = 2'
+    """
+    tau = Range.parse(tau, "tau") if isinstance(tau, str) else tau
+    beta = Range.parse(beta, "beta") if isinstance(beta, str) else beta
+    if sign not in (1, -1):
+        raise ValueError("sign must be 1 or -1")
+    statement = SignStatement(tau, beta, sign)
+    if budget == 0:
+        return SignResult(statement, _undecided(statement, Reason.BUDGET, "nothing was examined", [(None, None)]))
+    found = find_witness(tau, beta, sign)
+    if found is not None:
+        return _refuted(statement, found, 0)
+    if beta.upper is None or beta.upper > MAX_BETA:
+        detail = f"no point against it was found; a proof is sought for beta <= {MAX_BETA} only"
+        return SignResult(statement, _undecided(statement, Reason.NO_ROUTE, detail, [(beta.lower, beta.upper)]))
+    # dTheta/dtau = -beta F; a range with beta = 0 inside was refuted above, so beta has one sign.
+    wanted = sign if beta.upper <= 0 else -sign
+    question = SignQuestion(tau, beta, wanted, by_theorem)
+    kept = Journal(journal, {**statement.to_json(), "by_theorem": by_theorem}) if journal is not None else None
+    tree = Subdivision(_cells(beta), budget, journal=kept)
+    for step in tree.steps(partial(sign_column, question), executor or InProcessExecutor()):
+        if progress is not None:
+            progress(step)
+    if tree.witness is not None:
+        return _refuted(statement, tree.witness, tree.examined)
+    if tree.unfinished:
+        detail = f"{tree.examined} ranges of beta examined, {len(tree.finished)} settled"
+        reason = Reason.BUDGET
+        return SignResult(statement, _undecided(statement, reason, detail, tree.unfinished), examined=tree.examined)
+    return SignResult(statement, Verdict.proved(str(statement)), tuple(tree.finished), examined=tree.examined)
+
+
+def _cells(beta: Range) -> list[tuple[fmpq | None, fmpq]]:
+    assert beta.upper is not None
+    if beta.lower is not None and beta.lower >= 0:
+        return [*cells_of(beta)]
+    # beta < 0: one column by the Laplace integral.
+    return [(beta.lower, beta.upper)]
+
+
+def _refuted(statement: SignStatement, point: tuple[fmpq, fmpq], examined: int) -> SignResult:
+    tau, beta = point
+    there = sign_at(tau, beta)
+    if there is None or there == statement.sign or not (statement.tau.contains(tau) and statement.beta.contains(beta)):
+        detail = f"the sign at τ = {tau}, β = {beta} could not be confirmed"
+        return SignResult(statement, _undecided(statement, Reason.HYPOTHESIS, detail, []), examined=examined)
+    text = f"dΘ/dτ {({1: '>', 0: '=', -1: '<'})[there]} 0 at τ = {tau}, β = {beta}"
+    return SignResult(statement, Verdict.refuted(str(statement), text), (), point, there, examined)
+
+
+def _undecided(
+    statement: SignStatement, reason: Reason, detail: str, left: Sequence[tuple[fmpq | None, fmpq | None]]
+) -> Verdict:
+    text = "; left: β in " + ", ".join(f"[{_end(a, '-inf')}, {_end(b, 'inf')}]" for a, b in left[:8]) if left else ""
+    boxes = tuple((_dyadic(a, b),) for a, b in left if a is not None and b is not None)
+    return Verdict.undecided(str(statement), reason, detail + text, boxes)
+
+
+def _end(value: fmpq | None, infinite: str) -> str:
+    return infinite if value is None else str(value)
+
+
+def _dyadic(lower: fmpq, upper: fmpq) -> Dyadic:
+    with working_bits(128):
+        return Dyadic.from_ball(ball(lower).union(ball(upper)))

@@ -1,0 +1,85 @@
+"""The statements that columns prove; texts and data as in ``proofs/certificate.md``."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from flint import fmpq
+
+from gspot_verified.signs.ranges import Range
+
+_RELATION = {1: ">", 0: "=", -1: "<"}
+
+
+@dataclass(frozen=True, slots=True)
+class SignStatement:
+    """dTheta/dtau has the sign ``sign`` at every point of the two ranges."""
+
+    tau: Range
+    beta: Range
+    sign: int
+
+    def __str__(self) -> str:
+        tau = f"at τ = {self.tau.lower}" if self.tau.is_point else f"for every τ in {self.tau}"
+        beta = f"at β = {self.beta.lower}" if self.beta.is_point else f"every β in {self.beta}"
+        joint = "and " if not (self.beta.is_point or self.tau.is_point) else "" if self.beta.is_point else "and "
+        return f"dΘ/dτ {_RELATION[self.sign]} 0 {tau} {joint}{beta}"
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data of the certificate."""
+        return {"kind": "sign", "tau": str(self.tau), "beta": str(self.beta), "sign": self.sign}
+
+
+@dataclass(frozen=True, slots=True)
+class ZerosStatement:
+    """For every beta of the range that is not an integer dTheta/dtau has exactly counts[floor(beta)] real zeros."""
+
+    beta: Range
+    counts: tuple[tuple[int, int], ...]
+
+    def __str__(self) -> str:
+        table = ", ".join(f"{count} on ({m}, {m + 1})" for m, count in self.counts)
+        return (
+            f"for every β in {self.beta} that is not an integer, dΘ/dτ has exactly N real zeros, all simple: "
+            f"N = {table}"
+        )
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data of the certificate."""
+        return {"kind": "zeros", "beta": str(self.beta), "counts": [list(pair) for pair in self.counts]}
+
+
+@dataclass(frozen=True, slots=True)
+class BracketsStatement:
+    """dTheta/dtau at one beta has exactly one real zero in each open interval, and no other."""
+
+    beta: fmpq
+    brackets: tuple[tuple[fmpq, fmpq], ...]
+
+    def __str__(self) -> str:
+        where = ", ".join(f"({lower}, {upper})" for lower, upper in self.brackets)
+        return (
+            f"at β = {self.beta} dΘ/dτ has exactly {len(self.brackets)} real zeros, all simple, one in each of: {where}"
+        )
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data of the certificate."""
+        brackets = [[str(lower), str(upper)] for lower, upper in self.brackets]
+        return {"kind": "brackets", "beta": str(self.beta), "brackets": brackets}
+
+
+Statement = SignStatement | ZerosStatement | BracketsStatement
+
+
+def cells_of(beta: Range) -> list[tuple[fmpq, fmpq]]:
+    """The closure of a finite range of beta, cut at the integers.
+
+    :raises ValueError: the range is infinite.
+    """
+    if beta.lower is None or beta.upper is None:
+        raise ValueError("the range of beta must be finite")
+    if beta.is_point:
+        return [(beta.lower, beta.lower)]
+    first, last = int((beta.lower).floor()), int((beta.upper).ceil())
+    return [(max(beta.lower, fmpq(m)), min(beta.upper, fmpq(m + 1))) for m in range(first, last)]

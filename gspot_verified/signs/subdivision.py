@@ -1,0 +1,132 @@
+"""Subdivision of a range of beta as an iterator: the whole tree is kept, work goes through an executor.
+
+The tree is the same for every executor: ranges are examined level by level in the order of beta, a range that is not
+settled is bisected, and the examination of a range depends on that range alone.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor
+from dataclasses import dataclass, field, replace
+
+from flint import fmpq
+
+from gspot_verified.signs.journal import Journal
+from gspot_verified.signs.pieces import Column
+
+Examine = Callable[[fmpq | None, fmpq], "Column | tuple[fmpq, fmpq] | None"]
+"""Takes the ends of a range; gives a column, or a witness (tau, beta), or nothing. It must pickle."""
+
+
+class State(enum.Enum):
+    """What is known of one range."""
+
+    OPEN = "open"
+    SETTLED = "settled"
+    SPLIT = "split"
+    REFUTED = "refuted"
+    STUCK = "stuck"
+
+
+@dataclass(frozen=True, slots=True)
+class Node:
+    """One range of beta in the tree. ``parent`` is its index, None at the top; ``lower`` is None for minus infinity."""
+
+    lower: fmpq | None
+    upper: fmpq
+    parent: int | None
+    depth: int
+    state: State = State.OPEN
+    column: Column | None = None
+    witness: tuple[fmpq, fmpq] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """What the iterator gives after each examination."""
+
+    node: Node
+    examined: int
+    finished: int
+    waiting: int
+
+
+@dataclass
+class Subdivision:
+    """Bisect ranges of beta until ``examine`` settles each one, within ``budget`` examinations.
+
+    ``nodes`` is the whole tree; ``finished`` and ``unfinished`` are read off it at any time. A ``journal`` keeps each
+    examination in a file: a new subdivision with the same journal goes on where a killed one stopped.
+    """
+
+    cells: list[tuple[fmpq | None, fmpq]]
+    budget: int
+    max_depth: int = 40
+    journal: Journal | None = None
+    nodes: list[Node] = field(default_factory=list)
+    examined: int = 0
+
+    def __post_init__(self) -> None:
+        if type(self.budget) is not int or self.budget < 0:
+            raise ValueError("the budget must be a nonnegative int")
+        self.nodes = [Node(lower, upper, None, 0) for lower, upper in self.cells]
+
+    @property
+    def finished(self) -> list[Column]:
+        """The columns that are settled, in the order of beta."""
+        columns = [node.column for node in self.nodes if node.column is not None]
+        return sorted(columns, key=lambda column: (column.lower is not None, column.lower or 0))
+
+    @property
+    def unfinished(self) -> list[tuple[fmpq | None, fmpq]]:
+        """The ranges of beta that are open or stuck."""
+        left = [(node.lower, node.upper) for node in self.nodes if node.state in (State.OPEN, State.STUCK)]
+        return sorted(left, key=lambda ends: (ends[0] is not None, ends[0] or 0))
+
+    @property
+    def witness(self) -> tuple[fmpq, fmpq] | None:
+        """The first point (in the order of the tree) at which the statement fails."""
+        return next((node.witness for node in self.nodes if node.witness is not None), None)
+
+    def steps(self, examine: Examine, executor: Executor) -> Iterator[Progress]:
+        """Examine open ranges until none is left, a witness is met, or the budget ends."""
+        while self.witness is None and self.examined < self.budget:
+            batch = [i for i, node in enumerate(self.nodes) if node.state is State.OPEN]
+            batch = batch[: self.budget - self.examined]
+            if not batch:
+                return
+            answers = [self._answer(examine, executor, self.nodes[i]) for i in batch]
+            for i, answer in zip(batch, answers, strict=True):
+                self._record(i, answer())
+                yield self._progress(i)
+
+    def _answer(
+        self, examine: Examine, executor: Executor, node: Node
+    ) -> Callable[[], Column | tuple[fmpq, fmpq] | None]:
+        if self.journal is not None and self.journal.knows(node.lower, node.upper):
+            known = self.journal.recall(node.lower, node.upper)
+            return lambda: known
+        return executor.submit(examine, node.lower, node.upper).result
+
+    def _record(self, index: int, answer: Column | tuple[fmpq, fmpq] | None) -> None:
+        node = self.nodes[index]
+        self.examined += 1
+        if self.journal is not None:
+            self.journal.add(node.lower, node.upper, answer)
+        if isinstance(answer, Column):
+            self.nodes[index] = replace(node, state=State.SETTLED, column=answer)
+        elif answer is not None:
+            self.nodes[index] = replace(node, state=State.REFUTED, witness=answer)
+        elif node.depth >= self.max_depth or node.lower is None or node.lower == node.upper:
+            self.nodes[index] = replace(node, state=State.STUCK)
+        else:
+            self.nodes[index] = replace(node, state=State.SPLIT)
+            middle = (node.lower + node.upper) / 2
+            for lower, upper in ((node.lower, middle), (middle, node.upper)):
+                self.nodes.append(Node(lower, upper, index, node.depth + 1))
+
+    def _progress(self, index: int) -> Progress:
+        states = [node.state for node in self.nodes]
+        return Progress(self.nodes[index], self.examined, states.count(State.SETTLED), states.count(State.OPEN))

@@ -1,0 +1,109 @@
+"""Pieces over the whole tau-axis that tell how many zeros F has, for one range of beta inside a cell."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+from flint import fmpq
+
+from gspot_verified.signs.column_models import ColumnModels
+from gspot_verified.signs.pieces import Column, Kind, Piece, cell_of, fold_integer, number_of_zeros
+from gspot_verified.signs.tails import left_threshold
+
+_STEP = fmpq(1, 2)
+FOLD_HALF_WIDTHS = tuple(fmpq(1, 2**j) for j in range(1, 7))
+_NARROW = fmpq(1, 16)
+_LEAST_WIDTH = fmpq(1, 2**7)
+_POINT_WIDTH = fmpq(1, 2**120)
+
+
+def zero_column(lower: fmpq, upper: fmpq) -> Column | None:
+    """A column of certain pieces over beta in [lower, upper], or None when the range is too wide for one.
+
+    :raises ValueError: the range crosses an integer, or beta < 1.
+    """
+    n = cell_of(lower, upper)
+    if n < 0:
+        return Column(lower, upper, (Piece(Kind.LAPLACE, None, None),))
+    reach = reach_of_cell(n)
+    models = ColumnModels(lower - 1, upper - 1, reach)
+    left = -left_threshold(lower - 1, upper - 1, n)
+    has_fold = fold_integer(lower, upper) is not None
+    least = _LEAST_WIDTH if lower < upper else _POINT_WIDTH
+    # One zero may stay in the tail only if the range is narrow: a wide one is cut, to bracket that zero too.
+    for changes in (0, 1) if upper - lower <= _NARROW else (0,):
+        right = right_tail(models, n, reach, changes)
+        middle = _middle(models, left, right, has_fold, least) if right is not None else None
+        if right is not None and middle is not None:
+            pieces = (Piece(Kind.LEFT, None, left), *middle, Piece(Kind.RIGHT, right, None, changes))
+            column = Column(lower, upper, pieces)
+            if number_of_zeros(column) is not None:
+                return column
+    return None
+
+
+def reach_of_cell(n: int) -> fmpq:
+    """How far to the right the pieces are sought: beyond the zeros of the polynomial Theta(., n + 1). A heuristic."""
+    return fmpq(math.ceil(2 * (n + 1) ** (2 / 3)) + 4)
+
+
+def right_tail(models: ColumnModels, n: int, reach: fmpq, changes: int) -> fmpq | None:
+    """The least T of the grid beyond which F has ``changes`` = 0 or 1 zeros, certainly."""
+    last = int((reach / _STEP).floor())
+    if changes:
+        found = (k * _STEP for k in range(1, last + 1) if models.changes(k * _STEP, n) == 1)
+        return next(found, None)
+    if models.changes(last * _STEP, n) != 0:
+        return None
+    # The number of changes does not grow with T (Budan and Fourier), so bisection finds the least T.
+    low, high = 0, last
+    while high - low > 1:
+        middle = (low + high) // 2
+        if models.changes(middle * _STEP, n) == 0:
+            high = middle
+        else:
+            low = middle
+    return high * _STEP
+
+
+def _middle(models: ColumnModels, left: fmpq, right: fmpq, has_fold: bool, least: fmpq) -> tuple[Piece, ...] | None:
+    if not has_fold:
+        return _cover(models, left, right, least)
+    for half_width in FOLD_HALF_WIDTHS:
+        if -half_width > left and half_width < right and models.fold(-half_width, half_width):
+            before = _cover(models, left, -half_width, least)
+            after = _cover(models, half_width, right, least) if before is not None else None
+            if before is None or after is None:
+                return None
+            return (*before, Piece(Kind.FOLD, -half_width, half_width), *after)
+    return None
+
+
+def _cover(models: ColumnModels, left: fmpq, right: fmpq, least: fmpq) -> tuple[Piece, ...] | None:
+    """Pieces SIGN and MONOTONE from left to right, by bisection; None as soon as one box is narrower than ``least``."""
+    waiting = grid(left, right)
+    found: list[Piece] = []
+    while waiting:
+        lower, upper = waiting.pop()
+        if sign := models.sign(lower, upper):
+            found.append(Piece(Kind.SIGN, lower, upper, sign))
+        elif direction := models.sign(lower, upper, 1):
+            found.append(Piece(Kind.MONOTONE, lower, upper, direction))
+        elif upper - lower <= least:
+            return None
+        else:
+            middle = (lower + upper) / 2
+            waiting += [(middle, upper), (lower, middle)]
+    return tuple(found)
+
+
+def grid(left: fmpq, right: fmpq) -> list[tuple[fmpq, fmpq]]:
+    """[left, right] cut at the multiples of the step, the last interval first."""
+    points = [left]
+    k = int((left / _STEP).floor()) + 1
+    while k * _STEP < right:
+        points.append(k * _STEP)
+        k += 1
+    points.append(right)
+    return [(a, b) for a, b in pairwise(points) if a < b][::-1]
