@@ -23,6 +23,7 @@ ROWS = (
     ("scenes",),
     ("mechanisms",),
     ("expansion",),
+    ("certificates",),
     ("signs",),
     ("theta",),
     ("balls", "dyadic", "verdict"),

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cached_property
-
 from flint import fmpq
 
 from gspot_verified.balls import approximate, sign_of
 from gspot_verified.signs.tails import right_changes
 from gspot_verified.theta.box import TaylorModel, taylor_model
 from gspot_verified.theta.box_choice import bits_for_box, degree_for_box, length_for_box, order_for_box
-from gspot_verified.theta.parameter_series import ParameterSeries, parameter_series
+from gspot_verified.theta.parameter_series import ParameterSeries, parameter_series, shortened
 
 
 class ColumnModels:
@@ -20,34 +18,38 @@ class ColumnModels:
         self.centre, self.radius = (lower + upper) / 2, (upper - lower) / 2
         self._size = approximate(max(abs(lower), abs(upper)))
         self._reach = approximate(reach)
-        self.boxes = 0
+        self._made: dict[tuple[bool, float], ParameterSeries] = {}
 
-    def _series(self, radius: fmpq) -> ParameterSeries:
-        bits = bits_for_box(self._reach, self._size)
-        degree = degree_for_box(self._reach, self._size, approximate(radius))
-        length = length_for_box(self._reach + 1, self._size, bits)
-        return parameter_series(self.centre, radius, degree, length, bits)
+    def _series(self, reach: float, doubled: bool = False) -> ParameterSeries:
+        """The series for |tau| <= reach; ``doubled`` for twice the range of b. Few lengths: boxes share them."""
+        level = self._reach
+        while level / 2 >= max(reach, 1.0):
+            level /= 2
+        if (doubled, level) not in self._made:
+            bits = bits_for_box(level, self._size)
+            length = length_for_box(level + 1, self._size, bits)
+            if level < self._reach:
+                whole = self._series(self._reach, doubled)
+                series = shortened(whole, length, bits) if length <= whole.length - 3 else whole
+            else:
+                radius = 2 * self.radius if doubled else self.radius
+                degree = degree_for_box(level, self._size, approximate(radius))
+                series = parameter_series(self.centre, radius, degree, length, bits)
+            self._made[doubled, level] = series
+        return self._made[doubled, level]
 
-    @cached_property
-    def _narrow(self) -> ParameterSeries:
-        return self._series(self.radius)
-
-    @cached_property
-    def _wide(self) -> ParameterSeries:
-        return self._series(2 * self.radius)
-
-    def _model(self, series: ParameterSeries, lower: fmpq, upper: fmpq, derivative: int) -> TaylorModel:
-        self.boxes += 1
-        order = order_for_box(approximate((lower + upper) / 2), approximate((upper - lower) / 2), self._size)
-        return taylor_model(series, lower, upper, order, derivative)
+    def _model(self, lower: fmpq, upper: fmpq, derivative: int, doubled: bool = False) -> TaylorModel:
+        middle, half_width = approximate((lower + upper) / 2), approximate((upper - lower) / 2)
+        series = self._series(abs(middle) + half_width, doubled)
+        return taylor_model(series, lower, upper, order_for_box(middle, half_width, self._size), derivative)
 
     def sign(self, lower: fmpq, upper: fmpq, derivative: int = 0) -> int | None:
         """The sign of F (or of F', F'') on [lower, upper] and the whole range of b, or None."""
-        return sign_of(self._model(self._narrow, lower, upper, derivative).enclosure())
+        return sign_of(self._model(lower, upper, derivative).enclosure())
 
     def sign_at_centre(self, tau: fmpq) -> int | None:
         """The sign of F at tau and the middle of the range of b, or None."""
-        return sign_of(self._model(self._narrow, tau, tau, 0).value(tau, self.centre))
+        return sign_of(self._model(tau, tau, 0).value(tau, self.centre))
 
     def fold(self, lower: fmpq, upper: fmpq) -> bool:
         """Whether the hypotheses of ``proofs/fold.md`` hold hold: F'' > 0, dF/db > 0, F > 0 at both ends."""
@@ -57,9 +59,9 @@ class ColumnModels:
             self.sign(lower, lower) == 1
             and self.sign(upper, upper) == 1
             and self.sign(lower, upper, 2) == 1
-            and sign_of(self._model(self._wide, lower, upper, 0).beta_derivative().enclosure()) == 1
+            and sign_of(self._model(lower, upper, 0, doubled=True).beta_derivative().enclosure()) == 1
         )
 
     def changes(self, tau: fmpq, n: int) -> int | None:
         """The number v of ``proofs/tails.md`` at tau, or None."""
-        return right_changes(self._narrow, tau, n)
+        return right_changes(self._series(approximate(tau)), tau, n)

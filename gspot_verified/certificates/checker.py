@@ -1,0 +1,57 @@
+"""Running the independent checker ``proofs/check.py`` in a process of its own.
+
+The checker shares nothing with this package: it is started as a script, in isolated mode, without site packages.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+_ROOT = Path(__file__).resolve().parents[2]
+_REJECTED = 1
+
+
+@dataclass(frozen=True, slots=True)
+class CheckResult:
+    """What the checker said. ``verified`` is True only if it printed its line and left with code 0."""
+
+    verified: bool
+    text: str
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``."""
+        return {"verified": self.verified, "text": self.text}
+
+
+def checker_path() -> Path:
+    """Where ``check.py`` lies: in the source tree, or where an installation put it.
+
+    :raises ValueError: it is in neither place.
+    """
+    places = (_ROOT / "proofs" / "check.py", Path(sys.prefix) / "share" / "gspot_verified" / "check.py")
+    for place in places:
+        if place.is_file():
+            return place
+    raise ValueError(
+        "the checker proofs/check.py was not found; run it from the source tree: python proofs/check.py FILE"
+    )
+
+
+def run_checker(file: Path) -> CheckResult:
+    """Check one certificate.
+
+    :raises ValueError: there is no such file, or the checker could not run.
+    """
+    if not file.is_file():
+        raise ValueError(f"there is no file {file}")
+    command = [sys.executable, "-I", "-S", "-X", "utf8", str(checker_path()), str(file)]
+    run = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", check=False)
+    if run.returncode == 0 and run.stdout.startswith("VERIFIED "):
+        return CheckResult(True, run.stdout.strip())
+    if run.returncode == _REJECTED:
+        return CheckResult(False, run.stderr.strip())
+    raise ValueError(f"the checker stopped with code {run.returncode}: {run.stderr.strip()[-500:]}")

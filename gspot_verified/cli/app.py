@@ -1,0 +1,50 @@
+"""The typer application and what all commands share: results go to stdout, progress to stderr."""
+
+from __future__ import annotations
+
+import json
+import re
+from typing import Annotated, Any
+
+import typer
+from typer.core import TyperCommand
+
+_NUMBER = re.compile(r"-\.?[0-9].*")
+
+app = typer.Typer(
+    add_completion=False,
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    help="Certified values and signs of Θ(τ, β), and the paper claim by claim. "
+    "Exit codes: 0 proved, 1 refuted, 2 undecided, 64 usage.",
+)
+
+JsonFlag = Annotated[bool, typer.Option("--json", help="Print JSON.")]
+
+
+class NumberArguments(TyperCommand):
+    """A command whose arguments may be negative numbers, with options before or after them, with or without ``--``."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Move the numbers behind one ``--``; an option's value stays with its option."""
+        takes_value = {name for p in self.params if getattr(p, "is_flag", None) is False for name in p.opts}
+        options, numbers = [], []
+        waiting = iter(args)
+        for word in waiting:
+            if word in takes_value:
+                options += [word, *[value for value in [next(waiting, None)] if value is not None]]
+            elif word.startswith("-") and word != "--" and not _NUMBER.fullmatch(word):
+                options.append(word)
+            elif word != "--":
+                numbers.append(word)
+        return super().parse_args(ctx, [*options, "--", *numbers])
+
+
+def print_json(data: Any) -> None:
+    """Data on stdout."""
+    typer.echo(json.dumps(data, ensure_ascii=False, indent=2, sort_keys=True))
+
+
+def progress(step: str) -> None:
+    """A step of long work, on stderr."""
+    typer.echo(f"... {step}", err=True)

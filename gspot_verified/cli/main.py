@@ -1,0 +1,52 @@
+"""Entry points of ``gspot-verified``.
+
+Exit codes: 0 proved (or done), 1 refuted, 2 undecided, 64 wrong usage, 70 an internal error.
+"""
+
+from __future__ import annotations
+
+import io
+import sys
+from collections.abc import Sequence
+
+import typer
+
+from gspot_verified.cli import cost_command, paper_commands, sign_commands, theta_commands
+from gspot_verified.cli.app import app
+
+USAGE = 64
+INTERNAL = 70
+
+COMMANDS = (theta_commands, sign_commands, paper_commands, cost_command)
+"""The modules whose import adds their commands to the application."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line and return its exit code; bad input is a message on stderr and 64."""
+    try:
+        code = app(
+            prog_name="gspot-verified", args=None if arguments is None else list(arguments), standalone_mode=False
+        )
+    except (ValueError, TypeError, OSError) as error:
+        typer.echo(f"error: {error}", err=True)
+        return USAGE
+    except (typer.Abort, KeyboardInterrupt):
+        typer.echo("interrupted", err=True)
+        return 130
+    except Exception as error:
+        # A usage error. Its class has moved between releases of typer; what they share is show().
+        if hasattr(error, "show"):
+            error.show()
+            return USAGE
+        # Never 1, which would read as "refuted".
+        typer.echo(f"internal error, please report it: {type(error).__name__}: {error}", err=True)
+        return INTERNAL
+    return int(code) if isinstance(code, int) else 0
+
+
+def run() -> None:
+    """The console script."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")  # Greek letters on a stream that has none
+    sys.exit(main())

@@ -1,0 +1,56 @@
+"""Commands ``verify`` and ``report``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+
+
+@app.command(
+    short_help="Check the paper's statements about Θ and write the report.",
+    epilog="Example: gspot-verified verify --output report",
+)
+def verify(
+    output: Annotated[Path, typer.Option(help="Directory of the report.")] = Path("report"),
+    as_json: JsonFlag = False,
+) -> None:
+    """Check the paper's Appendix A and Sec. 4.5 statements about Θ and write the report (HTML, JSON, figures).
+
+    Exit code 1 when a printed statement is refuted (the paper has misprints), 2 when one is undecided.
+    """
+    from gspot_verified.ledger.entry import counts
+    from gspot_verified.ledger.verify import exit_code, verify_paper
+    from gspot_verified.report.write import write_report
+
+    entries = verify_paper(progress)
+    page = write_report(entries, output, progress)
+    if as_json:
+        print_json({"counts": counts(entries), "entries": [entry.to_json() for entry in entries]})
+    else:
+        for entry in entries:
+            typer.echo(f"{entry.verdict.outcome.value:9}  {entry.label:28}  {entry.statement}")
+            if entry.verdict.outcome.value == "refuted":
+                typer.echo(f"{'':9}  {'corrected:':28}  {entry.corrected}")
+        total = counts(entries)
+        typer.echo(", ".join(f"{number} {outcome}" for outcome, number in total.items()) + f"; report: {page}")
+    raise typer.Exit(exit_code(entries))
+
+
+@app.command(epilog="Example: gspot-verified report report/report.json --output report")
+def report(
+    source: Annotated[Path, typer.Argument(help="A report.json that `verify` wrote.")] = Path("report/report.json"),
+    output: Annotated[Path, typer.Option(help="Directory of the page.")] = Path("report"),
+    as_json: JsonFlag = False,
+) -> None:
+    """Write the HTML page again from report.json, without running the checks."""
+    from gspot_verified.report.write import render_from_json
+
+    page = render_from_json(source, output)
+    if as_json:
+        print_json({"page": str(page)})
+    else:
+        typer.echo(str(page))

@@ -1,0 +1,129 @@
+"""Commands ``sign``, ``zeros`` and ``check``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+
+if TYPE_CHECKING:
+    from gspot_verified.signs.subdivision import Progress
+
+Workers = Annotated[
+    int, typer.Option(help="Processes that share the work; the certificate is the same for any number.")
+]
+Scheduler = Annotated[str | None, typer.Option(help="Address of a Dask scheduler, in place of processes here.")]
+JournalFile = Annotated[Path | None, typer.Option("--journal", help="Keep finished work here; go on from it.")]
+CertificateFile = Annotated[Path | None, typer.Option("--certificate", help="Write a certificate that `check` reads.")]
+TauRange = Annotated[str, typer.Option(help='Range of τ: "-inf..inf", "[-2..3)", "1/2". Open unless [ or ].')]
+BetaRange = Annotated[str, typer.Option(help='Range of β, same form: "0..1" is the open interval.')]
+
+
+@app.command(epilog="Example: gspot-verified sign --tau=-inf..inf --beta 0..1 --certificate iwc.cert")
+def sign(
+    tau: TauRange,
+    beta: BetaRange,
+    positive: Annotated[bool, typer.Option("--positive", help="Ask for dΘ/dτ > 0 instead of dΘ/dτ < 0.")] = False,
+    budget: Annotated[int, typer.Option(help="How many ranges of β may be examined.")] = 2_000,
+    by_theorem: Annotated[
+        bool, typer.Option("--by-theorem", help="β <= 1: by the Laplace integral, no boxes.")
+    ] = False,
+    certificate: CertificateFile = None,
+    workers: Workers = 1,
+    scheduler: Scheduler = None,
+    journal: JournalFile = None,
+    as_json: JsonFlag = False,
+) -> None:
+    """The sign of dΘ/dτ on ranges of τ and β: proved, refuted with a point, or undecided with what is left."""
+    from gspot_verified.certificates.text import write_certificate
+    from gspot_verified.signs.executors import executor
+    from gspot_verified.signs.sign import sign_on_ranges
+
+    wanted = 1 if positive else -1
+    with executor(workers, scheduler) as pool:
+        result = sign_on_ranges(
+            tau, beta, wanted, budget=budget, by_theorem=by_theorem, executor=pool, journal=journal, progress=_show
+        )
+    if certificate is not None and result.proved_statement is not None:
+        write_certificate(certificate, result.proved_statement, result.columns)
+    if as_json:
+        print_json(result.to_json())
+    else:
+        typer.echo(str(result))
+        if result.proved_statement is not None and certificate is not None:
+            typer.echo(f"certificate of: {result.proved_statement}: {certificate}")
+    raise typer.Exit(result.verdict.exit_code)
+
+
+@app.command(epilog="Example: gspot-verified zeros --beta 7/3 --digits 30")
+def zeros(
+    beta: Annotated[str, typer.Option(help='A range such as "1..13", or one value such as "7/3".')],
+    digits: Annotated[int, typer.Option(help="At one value: decimals of the brackets.")] = 15,
+    budget: Annotated[int, typer.Option(help="How many ranges of β may be examined.")] = 5_000,
+    picture: Annotated[Path | None, typer.Option(help="Write the sign atlas of the range as a PNG file.")] = None,
+    certificate: CertificateFile = None,
+    workers: Workers = 1,
+    scheduler: Scheduler = None,
+    journal: JournalFile = None,
+    as_json: JsonFlag = False,
+) -> None:
+    """Every real zero of dΘ/dτ: how many there are over a range of β, or brackets of all of them at one β."""
+    from gspot_verified.certificates.text import write_certificate
+    from gspot_verified.signs.executors import executor
+    from gspot_verified.signs.zeros import zeros_on_range
+
+    if ".." not in beta:
+        _zeros_at(beta, digits, picture, certificate, as_json)
+        return
+    with executor(workers, scheduler) as pool:
+        result = zeros_on_range(beta, budget=budget, executor=pool, journal=journal, progress=_show)
+    if certificate is not None and result.statement is not None:
+        write_certificate(certificate, result.statement, result.columns)
+    if picture is not None:
+        from gspot_verified.report.atlas import save_atlas
+
+        save_atlas(result, picture)
+    if as_json:
+        print_json(result.to_json())
+    else:
+        typer.echo(str(result))
+    raise typer.Exit(0 if result.statement is not None else 2)
+
+
+def _zeros_at(beta: str, digits: int, picture: Path | None, certificate: Path | None, as_json: bool) -> None:
+    from gspot_verified.certificates.text import write_certificate
+    from gspot_verified.signs.brackets import zeros_at
+
+    if picture is not None:
+        raise ValueError("--picture needs a range of β, such as 1..13")
+    found = zeros_at(beta, digits)
+    if certificate is not None:
+        write_certificate(certificate, found.statement, [found.column])
+    if as_json:
+        print_json(found.to_json())
+    else:
+        typer.echo(str(found))
+
+
+@app.command(epilog="Example: gspot-verified check iwc.cert")
+def check(file: Annotated[Path, typer.Argument(help="A certificate.")], as_json: JsonFlag = False) -> None:
+    """Re-check a certificate with proofs/check.py, in a process of its own that imports nothing of this package.
+
+    Exit code 0 when it is verified, 1 when it is rejected.
+    """
+    from gspot_verified.certificates.checker import run_checker
+
+    result = run_checker(file)
+    if as_json:
+        print_json(result.to_json())
+    else:
+        typer.echo(result.text, err=not result.verified)
+    raise typer.Exit(0 if result.verified else 1)
+
+
+def _show(step: Progress) -> None:
+    if step.examined % 10 == 0 or step.waiting == 0:
+        progress(f"{step.examined} ranges of β examined, {step.finished} settled, {step.waiting} waiting")

@@ -1,0 +1,55 @@
+"""Commands ``theta`` and ``side``."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from gspot_verified.cli.app import JsonFlag, NumberArguments, app, print_json
+
+
+@app.command(
+    cls=NumberArguments,
+    epilog="Example: gspot-verified theta -- -50 7/3 --digits 100",
+)
+def theta(
+    tau: Annotated[str, typer.Argument(help='τ: "-50", "7/3", "0.1"; |τ| <= 10^12.')],
+    beta: Annotated[str, typer.Argument(help="β, same form; |β| <= 10^4.")],
+    digits: Annotated[int, typer.Option(help="Relative accuracy in decimal digits, 1..10^6.")] = 15,
+    derivative: Annotated[int, typer.Option(help="k for the k-th τ-derivative, 0..1000.")] = 0,
+    as_json: JsonFlag = False,
+) -> None:
+    """Enclose Θ(τ, β) or a τ-derivative to the asked relative accuracy.
+
+    Exit code 0 when the accuracy was reached, 2 when it was not (next to a zero of Θ): the ball is then still valid.
+    """
+    from gspot_verified.theta.evaluate import evaluate
+
+    result = evaluate(tau, beta, derivative=derivative, digits=digits)
+    if as_json:
+        print_json(result.to_json())
+    else:
+        typer.echo(str(result))
+    if not result.reached:
+        reason = result.reason.value if result.reason else "unknown reason"
+        typer.echo(f"relative accuracy not reached: {reason}; the sign may be undecided", err=True)
+        raise typer.Exit(2)
+
+
+@app.command(cls=NumberArguments, epilog="Example: gspot-verified side 1/2 4")
+def side(
+    lower: Annotated[str, typer.Argument(help="Lower end of the range of β.")],
+    upper: Annotated[str | None, typer.Argument(help="Upper end; left out: the single value.")] = None,
+    as_json: JsonFlag = False,
+) -> None:
+    """Certified sign of Γ(−β) over a range of β, and which sign of C1 lifts off there."""
+    from gspot_verified.signs.side import side_switching
+
+    result = side_switching(lower, lower if upper is None else upper)
+    if as_json:
+        print_json(result.to_json())
+    else:
+        typer.echo(str(result))
+    if result.undecided:
+        raise typer.Exit(2)
