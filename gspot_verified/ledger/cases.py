@@ -6,10 +6,11 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import sign_of, working_bits
 from gspot_verified.ledger.entry import Check, Entry, Kind, all_of, same_sign, settled
-from gspot_verified.ledger.iwc_cover import cover_compact_piece, left_piece_reaches, right_piece_is_positive
 from gspot_verified.ledger.lift_off import growth_brackets
 from gspot_verified.signs.side import gamma_sign, gamma_sign_by_ball, side_switching
+from gspot_verified.signs.sign import sign_on_ranges
 from gspot_verified.theta.evaluate import evaluate
+from gspot_verified.verdict import Outcome
 
 SECTION = "Section 4.5"
 
@@ -20,8 +21,8 @@ def entries() -> list[Entry]:
 
 
 def _iwc() -> Entry:
-    cover = cover_compact_piece()
-    pieces = left_piece_reaches() and right_piece_is_positive()
+    cover = sign_on_ranges("-inf..inf", "0..1")
+    pieces = [piece.kind.value for column in cover.columns for piece in column.pieces]
     return settled(
         SECTION,
         "S-iwc",
@@ -32,9 +33,9 @@ def _iwc() -> Entry:
         Check(
             Kind.BALLS,
             "second proof: positive Taylor coefficients for τ >= 0, enveloping series for τ <= -2^(1/3), "
-            "a cover by boxes between",
-            True if cover.complete and pieces else None,
-            f"{len(cover.positive)} boxes, {len(cover.remaining)} left",
+            "a cover by Taylor models on boxes between",
+            True if cover.verdict.outcome is Outcome.PROVED else None,
+            "pieces from τ = −∞ to +∞: " + ", ".join(pieces),
         ),
         note='The paper calls this "strong evidence, although not quite a proof". With C_1 < 0 and '
         "S-deviation-force the deviation of the force is then positive for every τ at leading order: "

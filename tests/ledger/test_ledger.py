@@ -11,9 +11,10 @@ import pytest
 from flint import acb, arb, fmpq
 
 from gspot_verified import Outcome, Verdict
-from gspot_verified.ledger import appendix_a, asymptotic_errors, cases, hypergeometric, iwc_cover, lift_off, section_4_5
+from gspot_verified.ledger import appendix_a, asymptotic_errors, cases, hypergeometric, lift_off, section_4_5
 from gspot_verified.ledger.entry import Check, Entry, Kind, all_of, conclude, counts, same_sign
 from gspot_verified.ledger.verify import exit_code, verify_paper
+from gspot_verified.signs.sign import sign_on_ranges
 from gspot_verified.theta.routes import theta_by
 
 _PROOFS = Path(__file__).resolve().parents[2] / "proofs"
@@ -130,23 +131,9 @@ def test_checks_on_nothing_prove_nothing(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr(appendix_a, "BETAS", ())
     proved = {e.identifier for e in appendix_a.entries() if e.verdict.outcome is Outcome.PROVED}
     assert proved == {"A-coefficients"}
-    monkeypatch.setattr(iwc_cover, "taylor", lambda *_: arb(1))
-    monkeypatch.setattr(cases, "cover_compact_piece", lambda: iwc_cover.Cover((), ()))
+    without_budget = sign_on_ranges("-inf..inf", "0..1", budget=0)
+    monkeypatch.setattr(cases, "sign_on_ranges", lambda *_: without_budget)
     assert _outcome(cases.entries(), "S-iwc") is Outcome.UNDECIDED
-
-
-def test_the_cover_needs_positive_values_and_stops_at_its_budget(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert iwc_cover.cover_compact_piece().complete
-    assert not iwc_cover.cover_compact_piece(budget=3).complete
-    monkeypatch.setattr(iwc_cover, "taylor", lambda *_: arb(0, 1))
-    assert not iwc_cover.cover_compact_piece(budget=50).complete
-    monkeypatch.setattr(iwc_cover, "taylor", lambda *_: arb.nan())
-    assert not iwc_cover.cover_compact_piece(budget=50).complete
-
-
-def test_pieces_of_the_second_proof_meet() -> None:
-    assert iwc_cover.left_piece_reaches()
-    assert iwc_cover.right_piece_is_positive()
 
 
 def test_threshold_of_the_sign_at_minus_infinity() -> None:
