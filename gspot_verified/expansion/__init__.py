@@ -1,0 +1,1 @@
+"""Theorem 1: the distinguished trajectory as an expansion in exact coefficients."""

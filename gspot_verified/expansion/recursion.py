@@ -1,0 +1,187 @@
+"""The recursion of Theorem 1's proof, steps 1 to 4, one function for each step.
+
+Paper, Sec. 5, eqs. p_nprime to xi_iteraction. All terms are exact, in the spaces P_n; membership is checked.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from gspot_verified.expansion.linear import solve
+from gspot_verified.expansion.power_series import SeriesOfFunctions
+from gspot_verified.expansion.spaces import SpacePolynomial
+from gspot_verified.expansion.system import GSpotError, System
+from gspot_verified.expansion.terms import NumberTerms, PolynomialTerms
+
+_SHIFTS = {"p": (1, -3), "b": (1, -3), "xi": (1, -3), "y": (0, -1), "z": (0, -1), "v": (-1, -2), "lambda": (0, -4)}
+"""For n = 2 nu the space is P_(nu + first), for n = 2 nu + 1 it is P_(nu + second); Theorem 1."""
+
+
+def space_of(variable: str, n: int) -> int:
+    """The index of the space of the term of order n of a scaled variable, by Theorem 1."""
+    even, odd = _SHIFTS[variable]
+    return n // 2 + (odd if n % 2 else even)
+
+
+class ObstructedOrderError(GSpotError):
+    """beta is an integer: the equation for one coefficient of b has no solution, or no unique one."""
+
+
+@dataclass
+class Recursion:
+    """The terms found so far; :meth:`advance` adds one order."""
+
+    system: System
+    alpha: tuple[Any, Any, Any] = field(init=False)
+    p: list[SpacePolynomial] = field(default_factory=list)
+    b: list[SpacePolynomial] = field(default_factory=list)
+    y: list[SpacePolynomial] = field(default_factory=list)
+    v: list[SpacePolynomial] = field(default_factory=list)
+    z: list[SpacePolynomial] = field(default_factory=list)
+    lambda_n: list[SpacePolynomial] = field(default_factory=list)
+    xi: list[list[SpacePolynomial]] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        system = self.system
+        self.alpha = system.check()
+        self._jacobian = system.jacobian()
+        functions = (*system.F, *system.G, system.alpha_1, system.alpha_2, system.alpha_3)
+        self._functions = SeriesOfFunctions(functions, PolynomialTerms(system.ring), system.ring)
+        self._conditions = SeriesOfFunctions(system.conditions, NumberTerms(system.ring), system.ring)
+        zero = system.ring.number(0)
+        self._conditions.extend(list(system.point))
+        self._conditions.extend([zero] * len(system.point))
+
+    def advance(self) -> None:
+        """Find the terms of the next order.
+
+        :raises ObstructedOrderError: beta is an integer that this order meets.
+        :raises GSpotError: the Jacobian of the G-spot's conditions is singular.
+        """
+        n = len(self.p)
+        self._extend_functions(n)
+        self._step_1(n)
+        r_b, r = self._step_2_right_sides(n)
+        self.b.append(self._step_2_solve(r).in_space(space_of("b", n)))
+        self._step_3(n, r_b)
+        self._step_4(n)
+
+    def _zero(self, variable: str, n: int) -> SpacePolynomial:
+        return SpacePolynomial.zero(space_of(variable, n), self.system.ring)
+
+    def _extend_functions(self, n: int) -> None:
+        """F_n, G_n, alpha_n depend on xi_k for k <= n - 2 (Lemma thm:expansion): xi = xi* + delta^2 xi~."""
+        terms = PolynomialTerms(self.system.ring)
+        if n == 0:
+            state = [terms.constant(value) for value in self.system.point]
+        elif n == 1:
+            state = [terms.zero(1)] * len(self.system.point)
+        else:
+            state = self.xi[n - 2]
+        self._functions.extend(state)
+
+    def _step_1(self, n: int) -> None:
+        """p_n' = alpha_1n, p_n(0) = 0."""
+        self.p.append(self._functions[self.system.alpha_1][n].integral().in_space(space_of("p", n)))
+
+    def _step_2_right_sides(self, n: int) -> tuple[SpacePolynomial, SpacePolynomial]:
+        """r_(b,n) of specialBn and r_n of third-order_b."""
+        alpha_1, _, alpha_3 = self.alpha
+        r_b = self._functions[self.system.alpha_2][n] - self._convolved(
+            self._functions[self.system.alpha_3], self.lambda_n, n
+        )
+        r_v = self._convolved(self.p, self.lambda_n, n)
+        s = SpacePolynomial.from_list(1, [0, 1], self.system.ring)
+        two = self.system.ring.number(2)
+        before = self.z[n - 1] if n else self._zero("z", 0)
+        right = r_b.derivative().derivative().scale(two) + before.derivative().derivative().derivative().scale(alpha_3)
+        return r_b, right + (s * r_b).scale(alpha_1) + r_v.scale(alpha_3)
+
+    def _convolved(self, function: list[SpacePolynomial], force: list[SpacePolynomial], n: int) -> SpacePolynomial:
+        """The sum over k < n of function_(n-k) lambda_k."""
+        total = SpacePolynomial.zero(-1, self.system.ring)
+        for k in range(n):
+            if not function[n - k].is_zero() and not force[k].is_zero():
+                total = total + function[n - k] * force[k]
+        return total
+
+    def _step_2_solve(self, right: SpacePolynomial) -> SpacePolynomial:
+        """2 b''' + alpha_1 s b' - alpha_3 b = r, from the highest power down.
+
+        The coefficient of s^k gives (k alpha_1 - alpha_3) c_k + 2 (k+1)(k+2)(k+3) c_(k+3) = r_k.
+        """
+        ring = self.system.ring
+        alpha_1, _, alpha_3 = self.alpha
+        first = right.n % 3
+        found: list[Any] = []
+        above = ring.number(0)
+        for i, value in reversed(list(enumerate(right.cubic.coeffs()))):
+            k = first + 3 * i
+            factor = ring.number(k) * alpha_1 - alpha_3
+            if not ring.is_nonzero(factor):
+                order = len(self.p) - 1
+                raise ObstructedOrderError(
+                    f"{self.system.name}: beta = alpha_3/alpha_1 is, or may be, the integer {k}: the coefficient of "
+                    f"s^{k} at order {order} of delta is obstructed, there is no unique expansion"
+                )
+            above = (value - ring.number(2 * (k + 1) * (k + 2) * (k + 3)) * above) / factor
+            found.append(above)
+        return SpacePolynomial(right.n, ring.polynomial(found[::-1]), ring)
+
+    def _step_3(self, n: int, r_b: SpacePolynomial) -> None:
+        """y_n, v_n, z_n, lambda_n from b_n."""
+        alpha_3 = self.alpha[2]
+        ring = self.system.ring
+        before = self.z[n - 1].derivative() if n else SpacePolynomial.zero(0, ring)
+        force = (r_b - self.b[n].derivative()).scale(ring.number(1) / alpha_3)
+        minus_two = ring.number(-2)
+        y = force.scale(minus_two) - before
+        self.lambda_n.append(force.in_space(space_of("lambda", n)))
+        self.y.append(y.in_space(space_of("y", n)))
+        self.v.append(y.derivative().in_space(space_of("v", n)))
+        self.z.append((-force - before).in_space(space_of("z", n)))
+
+    def _step_4(self, n: int) -> None:
+        """xi_n: integrate F_n + sum of G_(n-k) lambda_k; the constants from the conditions at s = 0."""
+        slopes = []
+        for drift, control in zip(self.system.F, self.system.G, strict=True):
+            total = self._functions[drift][n]
+            for k in range(n + 1):
+                factor = self._functions[control][n - k]
+                if not factor.is_zero() and not self.lambda_n[k].is_zero():
+                    total = total + factor * self.lambda_n[k]
+            slopes.append(total)
+        constants = self._constants(n)
+        space = space_of("xi", n)
+        ring = self.system.ring
+        terms = []
+        for slope, constant in zip(slopes, constants, strict=True):
+            values = [] if ring.is_zero(constant) else [constant]
+            # A constant that is not zero outside its space P_n would contradict Theorem 1: in_space raises.
+            start = SpacePolynomial(0, ring.polynomial(values), ring)
+            terms.append((slope.integral().in_space(space) + start).in_space(space))
+        self.xi.append(terms)
+
+    def _constants(self, n: int) -> list[Any]:
+        """xi_n(0) from p, b, y, v, J at s = 0, order n + 2 of delta (eqs. specialInitialFirst to Jbc)."""
+        zero = self.system.ring.number(0)
+        self._conditions.extend([zero] * len(self.system.point))
+        rest = [self._conditions[condition][n + 2] for condition in self.system.conditions]
+        wanted = [
+            self.p[n].at_zero(),
+            self.b[n].at_zero(),
+            self.y[n - 4].at_zero() if n >= 4 else zero,
+            self.v[n - 2].at_zero() if n >= 2 else zero,
+            *[zero] * len(self.system.J),
+        ]
+        try:
+            found = solve(self._jacobian, [w - r for w, r in zip(wanted, rest, strict=True)], self.system.ring)
+        except ZeroDivisionError:
+            raise GSpotError(
+                f"{self.system.name}: the Jacobian of (p, b, y, v, J) at the G-spot is singular (eq. genSysGSpotNonSing): "
+                "the G-spot is not isolated, or the extra conditions J do not fix it"
+            ) from None
+        self._conditions.drop_last()
+        self._conditions.extend(found)
+        return found
