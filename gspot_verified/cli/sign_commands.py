@@ -1,4 +1,4 @@
-"""Commands ``sign``, ``zeros`` and ``check``."""
+"""Commands ``sign``, ``zeros``, ``check`` and ``iwc``."""
 
 from __future__ import annotations
 
@@ -127,3 +127,37 @@ def check(file: Annotated[Path, typer.Argument(help="A certificate.")], as_json:
 def _show(step: Progress) -> None:
     if step.examined % 10 == 0 or step.waiting == 0:
         progress(f"{step.examined} ranges of β examined, {step.finished} settled, {step.waiting} waiting")
+
+
+@app.command(epilog="Example: gspot-verified iwc --beta 7/3")
+def iwc(
+    beta: Annotated[str | None, typer.Option(help="β = α3/α1, not an integer; or give --alpha3.")] = None,
+    alpha1: Annotated[str | None, typer.Option(help="α1* < 0; -1 if left out.")] = None,
+    alpha2: Annotated[str, typer.Option(help="α2*.")] = "-1",
+    alpha3: Annotated[str | None, typer.Option(help="α3* < 0; β α1 if left out.")] = None,
+    c1: Annotated[str | None, typer.Option(help="C1; left out: 1 or -1, on the side without lift-off.")] = None,
+    tau_start: Annotated[str, typer.Option(help="The statement holds for τ from here to +∞.")] = "-10",
+    epsilon: Annotated[str | None, typer.Option(help="ε at which the lift-off time is bracketed, or λ_N > 0.")] = None,
+    digits: Annotated[int, typer.Option(help="Decimal digits of the answer, 1..100.")] = 15,
+    growth: Annotated[bool, typer.Option("--growth", help="Lift-off side: τ_lo for ε = 1e-10 to 1e-10000.")] = False,
+    as_json: JsonFlag = False,
+) -> None:
+    """The contact force at leading order: an ε0 below which the contact holds, or a bracket of the lift-off time."""
+    from gspot_verified.signs.iwc import iwc as contact_force
+
+    result = contact_force(
+        beta,
+        alpha_1=alpha1,
+        alpha_2=alpha2,
+        alpha_3=alpha3,
+        c1=c1,
+        tau_start=tau_start,
+        epsilon=epsilon,
+        digits=digits,
+        growth=growth,
+    )
+    if as_json:
+        print_json(result.to_json())
+    else:
+        typer.echo(str(result))
+    raise typer.Exit(result.verdict.exit_code)

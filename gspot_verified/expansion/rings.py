@@ -30,6 +30,10 @@ class Ring(Protocol):
         """Whether a number is certainly not zero."""
         ...
 
+    def is_negative(self, value: Any) -> bool:
+        """Whether a number is certainly negative (a symbol: assumed to be)."""
+        ...
+
     def sine_cosine(self, value: Any) -> tuple[Any, Any]:
         """Sine and cosine of a number."""
         ...
@@ -64,6 +68,10 @@ class Rationals:
     def is_nonzero(self, value: Any) -> bool:
         """Exact."""
         return bool(value != 0)
+
+    def is_negative(self, value: Any) -> bool:
+        """Exact."""
+        return bool(value < 0)
 
     def sine_cosine(self, value: Any) -> tuple[fmpq, fmpq]:
         """Only at 0.
@@ -115,6 +123,10 @@ class Balls:
     def is_nonzero(self, value: Any) -> bool:
         """True only when the ball does not contain 0."""
         return bool(value > 0 or value < 0)
+
+    def is_negative(self, value: Any) -> bool:
+        """True only when every number of the ball is negative."""
+        return bool(value < 0)
 
     def sine_cosine(self, value: arb) -> tuple[arb, arb]:
         """Enclosures of both."""

@@ -78,6 +78,6 @@ class System:
                 raise GSpotError(f"{self.name}: not a G-spot: {name} = {value} does not vanish there")
         first, second, third = self.values_at_point((self.alpha_1, self.alpha_2, self.alpha_3))
         for name, value in (("alpha_1", first), ("alpha_3", third)):
-            if not value < 0:
+            if not self.ring.is_negative(value):
                 raise GSpotError(f"{self.name}: {name} = {value} must be negative at the G-spot")
         return first, second, third

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import sign_of, working_bits
+from gspot_verified.balls import approximate, sign_of, working_bits
 from gspot_verified.ledger.entry import Check, Entry, Kind, all_of, same_sign, settled
 from gspot_verified.ledger.lift_off import growth_brackets
+from gspot_verified.signs.iwc import iwc
 from gspot_verified.signs.side import gamma_sign, gamma_sign_by_ball, side_switching
 from gspot_verified.signs.sign import sign_on_ranges
 from gspot_verified.theta.evaluate import evaluate
@@ -17,7 +18,7 @@ SECTION = "Section 4.5"
 
 def entries() -> list[Entry]:
     """The statements on Cases I, II and III, in the order of the paper."""
-    return [_iwc(), _theta_wording(), _lift_off_side(), _growth(), _switching()]
+    return [_iwc(), _theta_wording(), _lift_off_side(), _other_side(), _growth(), _switching()]
 
 
 def _iwc() -> Entry:
@@ -89,7 +90,34 @@ def _lift_off_side() -> Entry:
             "certified sign of λ_N at τ = 60, ε = 1e-6, both signs of C_1, five values of β",
             agrees,
         ),
-        note="At leading order and for τ large; the claim for all τ and β > 1 is not decided here.",
+        note="At leading order and for τ large; for all τ of a half-line see S-iwc-case-III.",
+    )
+
+
+def _other_side() -> Entry:
+    betas = ("3/2", "7/3", "7/2", "9/2", "13/2")
+    results = {beta: iwc(beta) for beta in betas}
+    bounds = {beta: result.epsilon_0 for beta, result in results.items() if result.epsilon_0 is not None}
+    holds = all_of(
+        True if iwc(beta, epsilon=bound * fmpq(99, 100)).verdict.outcome is Outcome.PROVED else None
+        for beta, bound in bounds.items()
+    )
+    return settled(
+        SECTION,
+        "S-iwc-case-III",
+        "line 1303 (Case III)",
+        r"\hat\lambda_N>0\quad(C_1/\Gamma(-\beta)>0)",
+        "For β > 1 not an integer and C_1/Γ(-β) > 0, at leading order: on every half-line [τ_0, ∞) the contact force "
+        "λ_N is positive for all ε below an explicit ε_0",
+        Check(Kind.PROOF, "proofs/iwc.md: C_1 dΘ/dτ is bounded below on [τ_0, ∞)", True),
+        Check(
+            Kind.BALLS,
+            "certified minimum of C_1 dΘ/dτ on [-10, ∞) from all its critical points; α_1 = α_2 = -1, |C_1| = 1",
+            holds if len(bounds) == len(betas) else None,
+            "; ".join(f"β = {beta}: ε_0 >= {approximate(bound):.4g}" for beta, bound in bounds.items()),
+        ),
+        note='The paper: "we are in the same situation as in above where there is strong evidence that an IWC occurs". '
+        "ε_0 depends on τ_0 when ⌊β⌋ is odd: there C_1 dΘ/dτ → −∞ as τ → −∞.",
     )
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from flint import arb, fmpq
 
 from gspot_verified.balls import ball_text, working_bits
+from gspot_verified.signs.stretches import narrowed
 from gspot_verified.theta.evaluate import evaluate
 
 _EXPONENTS = (10, 100, 1_000, 10_000)
@@ -54,12 +55,8 @@ def _bracket(beta: fmpq, exponent: int, before: arb | None) -> GrowthBracket:
     lower, upper = fmpq(2), fmpq(4 * exponent + 40)
     # Without a certain change of sign between the ends nothing is bracketed.
     bracketed = _above(lower, beta, goal) is False and _above(upper, beta, goal) is True
-    while bracketed and upper - lower > fmpq(1, 1000):
-        middle = (lower + upper) / 2
-        above = _above(middle, beta, goal)
-        if above is None:
-            break
-        lower, upper = (lower, middle) if above else (middle, upper)
+    if bracketed:
+        lower, upper = narrowed(lambda tau: _above(tau, beta, goal), lower, upper, 3)
     with working_bits(128):
         ratio = arb(lower).union(arb(upper)) / law
         closer = bracketed and (before is None or bool(abs(ratio - 1) < abs(before - 1)))

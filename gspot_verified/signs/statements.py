@@ -39,10 +39,10 @@ class ZerosStatement:
     counts: tuple[tuple[int, int], ...]
 
     def __str__(self) -> str:
-        table = ", ".join(f"{count} on ({m}, {m + 1})" for m, count in self.counts)
+        table = ", ".join(f"N = {count} on ({m}, {m + 1})" for m, count in self.counts)
         return (
             f"for every β in {self.beta} that is not an integer, dΘ/dτ has exactly N real zeros, all simple: "
-            f"N = {table}"
+            f"{table}"
         )
 
     def to_json(self) -> dict[str, Any]:

@@ -1,0 +1,177 @@
+"""sign * dTheta/dtau on a half-line: its critical points in brackets, its least value, and where it first falls through
+a level. Between the brackets it is strictly monotone.
+
+Proof page: ``proofs/iwc.md``, sections 2 to 4.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+
+from flint import arb, fmpq
+
+from gspot_verified.balls import bits_for_digits, sign_of, working_bits
+from gspot_verified.signs.brackets import zeros_at
+from gspot_verified.theta.evaluate import evaluate
+
+Level = Callable[[int], arb]
+"""A number, enclosed to as many decimal digits as asked."""
+
+_MAX_TAU = fmpq(10**12)
+_SPARE_DIGITS = 12
+_TRIES = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Bracket:
+    """A closed interval and an enclosure of all values of sign * dTheta/dtau on it."""
+
+    lower: fmpq
+    upper: fmpq
+    value: arb
+
+
+@dataclass(frozen=True, slots=True)
+class Stretches:
+    """sign * dTheta/dtau at ``start`` (a bracket of width 0) and on a bracket around each critical point beyond it.
+
+    The first bracket of ``critical`` may reach to the left of the start. ``whole_line``: on (-infinity, start] the
+    function is strictly decreasing from +infinity.
+    """
+
+    beta: fmpq
+    sign: int
+    start: Bracket
+    critical: tuple[Bracket, ...]
+    whole_line: bool
+
+
+@lru_cache(maxsize=16)
+def stretches(beta: fmpq, sign: int, start: fmpq, digits: int = 15) -> Stretches:
+    """The brackets have the width 10^-digits; the critical points are the zeros of dTheta/dtau(., beta - 1).
+
+    >>> found = stretches(fmpq(5, 2), -1, fmpq(-10))
+    >>> len(found.critical), found.whole_line
+    (1, True)
+    """
+    # For 0 < beta < 1 dTheta/dtau is strictly decreasing on the whole line.
+    brackets = zeros_at(beta - 1, digits).brackets if beta > 1 else ()
+    critical = tuple(_bracket(beta, sign, lower, upper, digits) for lower, upper in brackets if upper > start)
+    decreasing = beta > 1 and sign < 0 and all(start <= lower for lower, _ in brackets)
+    return Stretches(beta, sign, _bracket(beta, sign, start, start, digits), critical, decreasing)
+
+
+def _bracket(beta: fmpq, sign: int, lower: fmpq, upper: fmpq, digits: int) -> Bracket:
+    with working_bits(2 * bits_for_digits(digits) + 128):
+        place = arb(lower).union(arb(upper))
+    # On a bracket of width w around a critical point the values differ by O(w^2).
+    slope = evaluate(lower if lower == upper else place, beta, derivative=1, digits=2 * digits + _SPARE_DIGITS).value
+    with working_bits(2 * bits_for_digits(digits) + 128):
+        return Bracket(lower, upper, sign * slope)
+
+
+def minimum(found: Stretches) -> Bracket:
+    """The least value on [start, infinity), enclosed, and where it is attained, when the function tends to +infinity.
+
+    The place is the start or the bracket with the least enclosure; the value holds whichever it is.
+    """
+    inside = [found.start, *(bracket for bracket in found.critical if bracket.lower >= found.start.lower)]
+    place = min([found.start, *found.critical], key=lambda bracket: bracket.value.mid())
+    with working_bits(max(64, *(int(b.value.bits()) + 64 for b in [found.start, *found.critical]))):
+        lower, upper = found.start.value.lower(), found.start.value.upper()
+        for bracket in found.critical:
+            lower = lower.min(bracket.value.lower())
+        for bracket in inside:
+            upper = upper.min(bracket.value.upper())
+        return Bracket(place.lower, place.upper, lower.union(upper))
+
+
+@dataclass(frozen=True, slots=True)
+class Crossing:
+    """The function is above -level on [start, lower] and has exactly one crossing of it in (lower, upper).
+
+    It is strictly decreasing there. ``number``: all crossings on [start, infinity), None when some critical value is
+    too close to -level.
+    """
+
+    lower: fmpq
+    upper: fmpq
+    number: int | None
+
+
+class NotAbove(ValueError):
+    """The function is certainly below -level at the start already."""
+
+
+def first_crossing(found: Stretches, level: Level, digits: int = 15) -> Crossing | None:
+    """Where the function first falls through -level, when it tends to -infinity; None when balls cannot tell.
+
+    :raises NotAbove: it is below -level at the start.
+    """
+    value = level(2 * digits + _SPARE_DIGITS)
+    pieces = [found.start, *found.critical]
+    with working_bits(int(value.bits()) + 64):
+        signs = [sign_of(bracket.value + value) for bracket in pieces]
+    if signs[0] == -1:
+        raise NotAbove
+    following = next((i for i, sign in enumerate(signs) if sign != 1), None)
+    if following is not None and signs[following] != -1:
+        return None
+    lower = pieces[-1 if following is None else following - 1].upper
+    below = _below(found, level, digits)
+    upper = _far(lower, below) if following is None else pieces[following].lower
+    if upper is None:
+        return None
+    ends = narrowed(below, lower, upper, digits)
+    known = [sign for sign in signs if sign is not None] if None not in signs else None
+    number = None if known is None else sum(a != b for a, b in zip(known, [*known[1:], -1], strict=True))
+    return Crossing(*ends, number)
+
+
+def _below(found: Stretches, level: Level, digits: int) -> Callable[[fmpq], bool | None]:
+    """Whether sign * dTheta/dtau + level < 0 at a point, certainly, with a few rising accuracies."""
+
+    def below(tau: fmpq) -> bool | None:
+        for attempt in range(_TRIES):
+            accuracy = (digits + _SPARE_DIGITS) * 2**attempt
+            slope, bound = evaluate(tau, found.beta, derivative=1, digits=accuracy).value, level(accuracy)
+            with working_bits(bits_for_digits(accuracy) + 64):
+                sign = sign_of(found.sign * slope + bound)
+            if sign:
+                return sign < 0
+        return None
+
+    return below
+
+
+def _far(lower: fmpq, below: Callable[[fmpq], bool | None]) -> fmpq | None:
+    """A point to the right where the function is below the level."""
+    step = fmpq(1)
+    while lower + step < _MAX_TAU:
+        if below(lower + step):
+            return lower + step
+        step *= 2
+    return None
+
+
+def narrowed(beyond: Callable[[fmpq], bool | None], lower: fmpq, upper: fmpq, digits: int) -> tuple[fmpq, fmpq]:
+    """Bisection on the grid of ``digits`` decimals: ``beyond`` is False at ``lower`` and True at ``upper``.
+
+    The result is wider than 10^-digits only where ``beyond`` answers None.
+
+    >>> narrowed(lambda tau: tau * tau > 2, fmpq(0), fmpq(2), 3)
+    (707/500, 283/200)
+    """
+    scale = 10**digits
+    while upper - lower > fmpq(1, scale):
+        middle = fmpq(math.floor((lower + upper) / 2 * scale), scale)
+        if middle <= lower:
+            middle += fmpq(1, scale)
+        answer = beyond(middle)
+        if answer is None:
+            break
+        lower, upper = (lower, middle) if answer else (middle, upper)
+    return lower, upper
