@@ -50,91 +50,130 @@ class Terms(Protocol):
         ...
 
 
-class SeriesOfFunctions:
-    """The series of several functions of the state; :meth:`extend` adds one order.
+class Series:
+    """The terms of one function, by order, and the orders whose terms do not vanish."""
 
-    ``state(n)`` must give the terms of order n of all components of the state.
-    """
+    __slots__ = ("orders", "terms")
+
+    def __init__(self) -> None:
+        self.terms: list[Any] = []
+        self.orders: list[int] = []
+
+
+Rule = Callable[[int], Any]
+"""The term of order n of one function, from the terms of its parts."""
+
+
+class SeriesOfFunctions:
+    """The series of several functions of the state; :meth:`extend` adds one order."""
 
     def __init__(self, roots: Sequence[Expression], terms: Terms, numbers: Ring) -> None:
-        companions = [Cosine(e.argument) for e in in_order(roots) if isinstance(e, Sine)]
-        companions += [Sine(e.argument) for e in in_order(roots) if isinstance(e, Cosine)]
-        self._nodes = in_order([*roots, *companions])
         self._terms, self._numbers = terms, numbers
-        self._series: dict[Expression, list[Any]] = {node: [] for node in self._nodes}
-        self._rules: dict[type, Callable[[Any, int], Any]] = {
-            Sum: self._sum,
-            Product: self._product,
-            Power: self._power,
-            Sine: lambda node, n: self._rotated(node, Cosine(node.argument), 1, n),
-            Cosine: lambda node, n: self._rotated(node, Sine(node.argument), -1, n),
-            Exponential: lambda node, n: self._rotated(node, node, 1, n),
-        }
+        self._state: Sequence[Any] = ()
+        self._order = 0
+        made: dict[Expression, Series] = {}
+        companions: list[Expression] = [
+            Cosine(e.argument) if isinstance(e, Sine) else Sine(e.argument)
+            for e in in_order(roots)
+            if isinstance(e, Sine | Cosine)
+        ]
+        for node in in_order([*roots, *companions]):
+            made[node] = Series()
+        self._steps = [(series, self._rule(node, series, made)) for node, series in made.items()]
+        self._roots = {root: made[root] for root in roots}
 
     def __getitem__(self, root: Expression) -> list[Any]:
-        return self._series[root]
+        """The terms found so far; the list grows with each order."""
+        return self._roots[root].terms
 
     def extend(self, state: Sequence[Any]) -> None:
         """Add the next order, ``state`` being the terms of that order of the components of the state."""
-        n = len(self._series[self._nodes[0]])
-        for node in self._nodes:
-            if isinstance(node, Variable):
-                term = state[node.index]
-            elif isinstance(node, Constant):
-                term = self._terms.constant(node.value) if n == 0 else self._terms.zero(n)
-            else:
-                term = self._rules[type(node)](node, n)
-            self._series[node].append(term)
+        self._state = state
+        n = self._order
+        for series, rule in self._steps:
+            term = rule(n)
+            series.terms.append(term)
+            if not self._terms.is_zero(term):
+                series.orders.append(n)
+        self._order += 1
 
     def drop_last(self) -> None:
         """Forget the last order."""
-        for series in self._series.values():
-            series.pop()
+        self._order -= 1
+        for series, _ in self._steps:
+            series.terms.pop()
+            if series.orders and series.orders[-1] == self._order:
+                series.orders.pop()
 
-    def _sum(self, node: Sum, n: int) -> Any:
+    def _rule(self, node: Expression, own: Series, made: dict[Expression, Series]) -> Rule:
+        match node:
+            case Variable(index):
+                return lambda _: self._state[index]
+            case Constant(value):
+                return lambda n: self._terms.zero(n) if n else self._terms.constant(value)
+            case Sum(parts):
+                series = [made[part] for part in parts]
+                return lambda n: self._sum(series, n)
+            case Product(left, right):
+                return self._product(made[left], made[right])
+            case Power(base, exponent):
+                return self._power(made[base], own, exponent)
+            case Sine(argument):
+                return self._rotated(made[argument], made[Cosine(argument)], 1, lambda x: self._sine_cosine(x)[0])
+            case Cosine(argument):
+                return self._rotated(made[argument], made[Sine(argument)], -1, lambda x: self._sine_cosine(x)[1])
+            case Exponential(argument):
+                return self._rotated(made[argument], own, 1, self._numbers.exponential)
+            case _:
+                raise TypeError(f"no rule for {type(node).__name__}")
+
+    def _sine_cosine(self, value: Any) -> tuple[Any, Any]:
+        return self._numbers.sine_cosine(value)
+
+    def _sum(self, parts: list[Series], n: int) -> Any:
         total = self._terms.zero(n)
-        for part in node.terms:
-            total = total + self._series[part][n]
+        for part in parts:
+            total = total + part.terms[n]
         return total
 
-    def _product(self, node: Product, n: int) -> Any:
-        left, right = self._series[node.left], self._series[node.right]
-        return self._convolved(left, right, n, range(n + 1))
+    def _product(self, left: Series, right: Series) -> Rule:
+        def term(n: int) -> Any:
+            total = self._terms.zero(n)
+            for k in left.orders:
+                other = right.terms[n - k]
+                if not self._terms.is_zero(other):
+                    total = total + left.terms[k] * other
+            return total
 
-    def _convolved(self, left: list[Any], right: list[Any], n: int, orders: range) -> Any:
-        is_zero = self._terms.is_zero
-        total = self._terms.zero(n)
-        for k in orders:
-            if not is_zero(left[k]) and not is_zero(right[n - k]):
-                total = total + left[k] * right[n - k]
-        return total
+        return term
 
-    def _power(self, node: Power, n: int) -> Any:
+    def _power(self, base: Series, own: Series, exponent: fmpq) -> Rule:
         """f = u^r: u f' = r u' f gives n u_0 f_n = sum over k >= 1 of (r k - (n - k)) u_k f_(n-k)."""
-        base, own = self._series[node.base], self._series[node]
-        start = self._terms.at_start(base[0])
-        if n == 0:
-            return self._terms.constant(self._numbers.power(start, node.exponent))
-        total = self._terms.zero(n)
-        for k in range(1, n + 1):
-            if not self._terms.is_zero(base[k]) and not self._terms.is_zero(own[n - k]):
-                factor = self._numbers.number(node.exponent * k - (n - k))
-                total = total + self._terms.scale(base[k] * own[n - k], factor)
-        return self._terms.scale(total, self._numbers.number(fmpq(1, n)) / start)
 
-    def _rotated(self, node: Any, partner: Expression, sign: int, n: int) -> Any:
-        """f' = sign u' g, so n f_n = sign sum over k >= 1 of k u_k g_(n-k)."""
-        argument = self._series[node.argument]
-        if n == 0:
-            start = self._terms.at_start(argument[0])
-            if isinstance(node, Exponential):
-                return self._terms.constant(self._numbers.exponential(start))
-            sine, cosine = self._numbers.sine_cosine(start)
-            return self._terms.constant(sine if isinstance(node, Sine) else cosine)
-        other = self._series[partner]
-        total = self._terms.zero(n)
-        for k in range(1, n + 1):
-            if not self._terms.is_zero(argument[k]) and not self._terms.is_zero(other[n - k]):
-                factor = self._numbers.number(fmpq(sign * k, n))
-                total = total + self._terms.scale(argument[k] * other[n - k], factor)
-        return total
+        def term(n: int) -> Any:
+            start = self._terms.at_start(base.terms[0])
+            if n == 0:
+                return self._terms.constant(self._numbers.power(start, exponent))
+            total = self._terms.zero(n)
+            for k in base.orders:
+                if k and not self._terms.is_zero(own.terms[n - k]):
+                    factor = self._numbers.number(exponent * k - (n - k))
+                    total = total + self._terms.scale(base.terms[k] * own.terms[n - k], factor)
+            return self._terms.scale(total, self._numbers.number(fmpq(1, n)) / start)
+
+        return term
+
+    def _rotated(self, argument: Series, other: Series, sign: int, value: Callable[[Any], Any]) -> Rule:
+        """f' = sign u' g, so n f_n = sign sum over k >= 1 of k u_k g_(n-k); f_0 is ``value`` of u_0."""
+
+        def term(n: int) -> Any:
+            if n == 0:
+                return self._terms.constant(value(self._terms.at_start(argument.terms[0])))
+            total = self._terms.zero(n)
+            for k in argument.orders:
+                if k and not self._terms.is_zero(other.terms[n - k]):
+                    factor = self._numbers.number(fmpq(sign * k, n))
+                    total = total + self._terms.scale(argument.terms[k] * other.terms[n - k], factor)
+            return total
+
+        return term

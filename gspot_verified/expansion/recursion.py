@@ -45,10 +45,17 @@ class Recursion:
     def __post_init__(self) -> None:
         system = self.system
         self.alpha = system.check()
-        self._jacobian = system.jacobian()
+        self._inverse = self._inverse_jacobian()
         functions = (*system.F, *system.G, system.alpha_1, system.alpha_2, system.alpha_3)
         self._functions = SeriesOfFunctions(functions, PolynomialTerms(system.ring), system.ring)
         self._conditions = SeriesOfFunctions(system.conditions, NumberTerms(system.ring), system.ring)
+        # The lists of terms, which grow with each order.
+        self._drift = [self._functions[function] for function in system.F]
+        self._control = [self._functions[function] for function in system.G]
+        self._alpha_1, self._alpha_2, self._alpha_3 = (
+            self._functions[function] for function in (system.alpha_1, system.alpha_2, system.alpha_3)
+        )
+        self._at_start = [self._conditions[condition] for condition in system.conditions]
         zero = system.ring.number(0)
         self._conditions.extend(list(system.point))
         self._conditions.extend([zero] * len(system.point))
@@ -83,14 +90,12 @@ class Recursion:
 
     def _step_1(self, n: int) -> None:
         """p_n' = alpha_1n, p_n(0) = 0."""
-        self.p.append(self._functions[self.system.alpha_1][n].integral().in_space(space_of("p", n)))
+        self.p.append(self._alpha_1[n].integral().in_space(space_of("p", n)))
 
     def _step_2_right_sides(self, n: int) -> tuple[SpacePolynomial, SpacePolynomial]:
         """r_(b,n) of specialBn and r_n of third-order_b."""
         alpha_1, _, alpha_3 = self.alpha
-        r_b = self._functions[self.system.alpha_2][n] - self._convolved(
-            self._functions[self.system.alpha_3], self.lambda_n, n
-        )
+        r_b = self._alpha_2[n] - self._convolved(self._alpha_3, self.lambda_n, n)
         r_v = self._convolved(self.p, self.lambda_n, n)
         s = SpacePolynomial.from_list(1, [0, 1], self.system.ring)
         two = self.system.ring.number(2)
@@ -145,10 +150,10 @@ class Recursion:
     def _step_4(self, n: int) -> None:
         """xi_n: integrate F_n + sum of G_(n-k) lambda_k; the constants from the conditions at s = 0."""
         slopes = []
-        for drift, control in zip(self.system.F, self.system.G, strict=True):
-            total = self._functions[drift][n]
+        for drift, control in zip(self._drift, self._control, strict=True):
+            total = drift[n]
             for k in range(n + 1):
-                factor = self._functions[control][n - k]
+                factor = control[n - k]
                 if not factor.is_zero() and not self.lambda_n[k].is_zero():
                     total = total + factor * self.lambda_n[k]
             slopes.append(total)
@@ -163,11 +168,32 @@ class Recursion:
             terms.append((slope.integral().in_space(space) + start).in_space(space))
         self.xi.append(terms)
 
+    def _inverse_jacobian(self) -> list[list[Any]]:
+        ring, size = self.system.ring, len(self.system.point)
+        identity = [[ring.number(int(i == j)) for i in range(size)] for j in range(size)]
+        try:
+            columns = [solve(self.system.jacobian(), unit, ring) for unit in identity]
+        except ZeroDivisionError:
+            raise GSpotError(
+                f"{self.system.name}: the Jacobian of (p, b, y, v, J) at the G-spot is singular "
+                "(eq. genSysGSpotNonSing): the G-spot is not isolated, or the extra conditions J do not fix it"
+            ) from None
+        return [[column[i] for column in columns] for i in range(size)]
+
+    def _applied(self, row: list[Any], right: list[Any]) -> Any:
+        """A row of the inverse times the right side."""
+        ring = self.system.ring
+        total = ring.number(0)
+        for factor, value in zip(row, right, strict=True):
+            if not ring.is_zero(factor) and not ring.is_zero(value):
+                total = total + factor * value
+        return total
+
     def _constants(self, n: int) -> list[Any]:
         """xi_n(0) from p, b, y, v, J at s = 0, order n + 2 of delta (eqs. specialInitialFirst to Jbc)."""
         zero = self.system.ring.number(0)
         self._conditions.extend([zero] * len(self.system.point))
-        rest = [self._conditions[condition][n + 2] for condition in self.system.conditions]
+        rest = [terms[n + 2] for terms in self._at_start]
         wanted = [
             self.p[n].at_zero(),
             self.b[n].at_zero(),
@@ -175,13 +201,8 @@ class Recursion:
             self.v[n - 2].at_zero() if n >= 2 else zero,
             *[zero] * len(self.system.J),
         ]
-        try:
-            found = solve(self._jacobian, [w - r for w, r in zip(wanted, rest, strict=True)], self.system.ring)
-        except ZeroDivisionError:
-            raise GSpotError(
-                f"{self.system.name}: the Jacobian of (p, b, y, v, J) at the G-spot is singular (eq. genSysGSpotNonSing): "
-                "the G-spot is not isolated, or the extra conditions J do not fix it"
-            ) from None
+        right = [w - r for w, r in zip(wanted, rest, strict=True)]
+        found = [self._applied(row, right) for row in self._inverse]
         self._conditions.drop_last()
         self._conditions.extend(found)
         return found

@@ -60,11 +60,12 @@ class System:
         """The rows of the derivatives of p, b, y, v, J at ξ*; paper, eq. genSysGSpotNonSing."""
         zero, one = self.ring.number(0), self.ring.number(1)
         columns = []
+        series = SeriesOfFunctions(self.conditions, NumberTerms(self.ring), self.ring)
+        series.extend(list(self.point))
         for j in range(len(self.point)):
-            series = SeriesOfFunctions(self.conditions, NumberTerms(self.ring), self.ring)
-            series.extend(list(self.point))
             series.extend([one if i == j else zero for i in range(len(self.point))])
-            columns.append([series[function][1] for function in self.conditions])
+            columns.append([series[condition][1] for condition in self.conditions])
+            series.drop_last()
         return [[column[i] for column in columns] for i in range(len(self.conditions))]
 
     def check(self) -> tuple[Any, Any, Any]:
