@@ -9,7 +9,7 @@ from typing import Any
 from flint import fmpq
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Expression:
     """A function of the state. Equal expressions are equal objects for a dictionary, so shared parts are found."""
 
@@ -33,21 +33,21 @@ class Expression:
         return ()
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Constant(Expression):
     """A number of the ring: a rational, or a symbol such as chi."""
 
     value: Any
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Variable(Expression):
     """The component ``index`` of the state."""
 
     index: int
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Sum(Expression):
     """The sum of its terms."""
 
@@ -58,7 +58,7 @@ class Sum(Expression):
         return self.terms
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Product(Expression):
     """The product of two expressions."""
 
@@ -70,19 +70,24 @@ class Product(Expression):
         return (self.left, self.right)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Power(Expression):
     """A rational power; the base must not vanish at the point of expansion unless the exponent is 0, 1, 2, ..."""
 
     base: Expression
     exponent: fmpq
 
+    @property
+    def is_natural(self) -> bool:
+        """Whether the exponent is 0, 1, 2, ..., so that the power is a product."""
+        return bool(self.exponent.q == 1 and self.exponent >= 0)
+
     def parts(self) -> tuple[Expression, ...]:
         """The base."""
         return (self.base,)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Sine(Expression):
     """The sine."""
 
@@ -93,7 +98,7 @@ class Sine(Expression):
         return (self.argument,)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Cosine(Expression):
     """The cosine."""
 
@@ -104,7 +109,7 @@ class Cosine(Expression):
         return (self.argument,)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Exponential(Expression):
     """The exponential."""
 
@@ -113,6 +118,24 @@ class Exponential(Expression):
     def parts(self) -> tuple[Expression, ...]:
         """The argument."""
         return (self.argument,)
+
+
+def _remember_hash(cls: Any) -> None:
+    """Compute the hash of an object once: that of a whole asks for those of its parts, which may be shared."""
+    computed = cls.__hash__
+
+    def remembered(self: Any) -> int:
+        value = self.__dict__.get("_hash")
+        if value is None:
+            value = computed(self)
+            object.__setattr__(self, "_hash", value)
+        return int(value)
+
+    cls.__hash__ = remembered
+
+
+for _class in (Constant, Variable, Sum, Product, Power, Sine, Cosine, Exponential):
+    _remember_hash(_class)
 
 
 def in_order(roots: Iterable[Expression]) -> list[Expression]:

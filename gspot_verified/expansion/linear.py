@@ -1,4 +1,4 @@
-"""A linear system over any ring whose numbers can be divided: Gaussian elimination with certain pivots."""
+"""The inverse of a matrix over any ring whose numbers can be divided: elimination with certain pivots."""
 
 from __future__ import annotations
 
@@ -7,13 +7,18 @@ from typing import Any
 from gspot_verified.expansion.rings import Ring
 
 
-def solve(matrix: list[list[Any]], right: list[Any], ring: Ring) -> list[Any]:
-    """The solution of matrix x = right.
+def inverse(matrix: list[list[Any]], ring: Ring) -> list[list[Any]]:
+    """The inverse matrix.
 
     :raises ZeroDivisionError: no pivot is certainly nonzero: the matrix is singular, or not certainly regular.
+
+    >>> from flint import fmpq
+    >>> from gspot_verified.expansion.rings import RATIONALS
+    >>> inverse([[fmpq(0), fmpq(2)], [fmpq(1), fmpq(0)]], RATIONALS)
+    [[0, 1], [1/2, 0]]
     """
-    rows = [[*row, value] for row, value in zip(matrix, right, strict=True)]
-    size = len(rows)
+    size = len(matrix)
+    rows = [[*row, *(ring.number(int(i == j)) for j in range(size))] for i, row in enumerate(matrix)]
     for j in range(size):
         pivot = next((i for i in range(j, size) if ring.is_nonzero(rows[i][j])), None)
         if pivot is None:
@@ -24,4 +29,4 @@ def solve(matrix: list[list[Any]], right: list[Any], ring: Ring) -> list[Any]:
             if i != j and not ring.is_zero(rows[i][j]):
                 factor = rows[i][j]
                 rows[i] = [value - factor * own for value, own in zip(rows[i], rows[j], strict=True)]
-    return [row[size] for row in rows]
+    return [row[size:] for row in rows]

@@ -79,7 +79,10 @@ class SeriesOfFunctions:
         ]
         for node in in_order([*roots, *companions]):
             made[node] = Series()
-        self._steps = [(series, self._rule(node, series, made)) for node, series in made.items()]
+        self._steps: list[tuple[Series, Rule]] = []
+        for node, series in made.items():
+            rule = self._rule(node, series, made)
+            self._steps.append((series, rule))
         self._roots = {root: made[root] for root in roots}
 
     def __getitem__(self, root: Expression) -> list[Any]:
@@ -116,6 +119,8 @@ class SeriesOfFunctions:
                 return lambda n: self._sum(series, n)
             case Product(left, right):
                 return self._product(made[left], made[right])
+            case Power(base, exponent) if node.is_natural:
+                return self._natural_power(made[base], int(exponent.p))
             case Power(base, exponent):
                 return self._power(made[base], own, exponent)
             case Sine(argument):
@@ -146,6 +151,17 @@ class SeriesOfFunctions:
             return total
 
         return term
+
+    def _natural_power(self, base: Series, exponent: int) -> Rule:
+        """A product of equal factors, which may vanish at the point; the partial products are series of their own."""
+        if exponent == 0:
+            return lambda n: self._terms.zero(n) if n else self._terms.constant(1)
+        power = base
+        for _ in range(exponent - 1):
+            longer = Series()
+            self._steps.append((longer, self._product(power, base)))
+            power = longer
+        return lambda n: power.terms[n]
 
     def _power(self, base: Series, own: Series, exponent: fmpq) -> Rule:
         """f = u^r: u f' = r u' f gives n u_0 f_n = sum over k >= 1 of (r k - (n - k)) u_k f_(n-k)."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from gspot_verified.expansion.linear import solve
+from gspot_verified.expansion.linear import inverse
 from gspot_verified.expansion.power_series import SeriesOfFunctions
 from gspot_verified.expansion.spaces import SpacePolynomial
 from gspot_verified.expansion.system import GSpotError, System
@@ -30,7 +30,10 @@ class ObstructedOrderError(GSpotError):
 
 @dataclass
 class Recursion:
-    """The terms found so far; :meth:`advance` adds one order."""
+    """The terms found so far; :meth:`advance` adds one order.
+
+    :raises GSpotError: the system has no G-spot at its point at which Theorem 1 holds, or the Jacobian is singular.
+    """
 
     system: System
     alpha: tuple[Any, Any, Any] = field(init=False)
@@ -64,7 +67,6 @@ class Recursion:
         """Find the terms of the next order.
 
         :raises ObstructedOrderError: beta is an integer that this order meets.
-        :raises GSpotError: the Jacobian of the G-spot's conditions is singular.
         """
         n = len(self.p)
         self._extend_functions(n)
@@ -169,16 +171,13 @@ class Recursion:
         self.xi.append(terms)
 
     def _inverse_jacobian(self) -> list[list[Any]]:
-        ring, size = self.system.ring, len(self.system.point)
-        identity = [[ring.number(int(i == j)) for i in range(size)] for j in range(size)]
         try:
-            columns = [solve(self.system.jacobian(), unit, ring) for unit in identity]
+            return inverse(self.system.jacobian(), self.system.ring)
         except ZeroDivisionError:
             raise GSpotError(
                 f"{self.system.name}: the Jacobian of (p, b, y, v, J) at the G-spot is singular "
                 "(eq. genSysGSpotNonSing): the G-spot is not isolated, or the extra conditions J do not fix it"
             ) from None
-        return [[column[i] for column in columns] for i in range(size)]
 
     def _applied(self, row: list[Any], right: list[Any]) -> Any:
         """A row of the inverse times the right side."""

@@ -14,7 +14,7 @@ class RationalFunction:
     __slots__ = ("denominator", "numerator")
 
     def __init__(self, numerator: fmpq_mpoly, denominator: fmpq_mpoly) -> None:
-        if denominator == 0:
+        if denominator.is_zero():
             raise ZeroDivisionError("a rational function with the denominator 0")
         if not denominator.is_constant():
             common = numerator.gcd(denominator)
@@ -59,10 +59,10 @@ class RationalFunction:
         """The rational number that it is, or None."""
         if not (self.numerator.is_constant() and self.denominator.is_constant()):
             return None
-        return self.numerator.leading_coefficient() if self.numerator != 0 else fmpq(0)
+        return self.numerator.leading_coefficient() if not self.numerator.is_zero() else fmpq(0)
 
     def __str__(self) -> str:
-        if self.denominator == 1:
+        if self.denominator.is_one():
             return str(self.numerator)
         return f"({self.numerator})/({self.denominator})"
 
@@ -76,7 +76,7 @@ class SymbolPolynomial:
 
     def __init__(self, coefficients: Sequence[RationalFunction]) -> None:
         kept = list(coefficients)
-        while kept and kept[-1].numerator == 0:
+        while kept and kept[-1].numerator.is_zero():
             kept.pop()
         self._coefficients = kept
 
@@ -143,11 +143,11 @@ class Symbols:
 
     def is_zero(self, value: RationalFunction) -> bool:
         """Whether it is identically zero."""
-        return bool(value.numerator == 0)
+        return bool(value.numerator.is_zero())
 
     def is_nonzero(self, value: RationalFunction) -> bool:
         """Whether it is not identically zero."""
-        return bool(value.numerator != 0)
+        return not value.numerator.is_zero()
 
     def is_negative(self, value: RationalFunction) -> bool:
         """The sign of a constant; for a symbol the hypothesis is taken as given."""
