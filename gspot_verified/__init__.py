@@ -2,7 +2,13 @@
 
 from gspot_verified.balls import ball_text
 from gspot_verified.dyadic import Dyadic
+from gspot_verified.signs.brackets import Brackets, zeros_at
+from gspot_verified.signs.count_law import number_of_zeros
+from gspot_verified.signs.iwc import IwcResult, iwc
+from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.side import SideSwitching, SignInterval, gamma_sign, side_switching
+from gspot_verified.signs.sign import SignResult, sign_on_ranges
+from gspot_verified.signs.zeros import ZerosResult, zeros_on_range
 from gspot_verified.theta.asymptotic_coefficients import coefficient, coefficient_by_inversion
 from gspot_verified.theta.evaluate import Evaluation, evaluate, theta
 from gspot_verified.theta.initial_values import initial_values, paper_initial_values
@@ -13,23 +19,33 @@ from gspot_verified.verdict import Outcome, Reason, Verdict
 __version__ = "0.1.0"
 
 __all__ = [
+    "Brackets",
     "BudgetError",
     "Dyadic",
     "Evaluation",
+    "IwcResult",
     "Outcome",
+    "Range",
     "Reason",
     "SideSwitching",
     "SignInterval",
+    "SignResult",
     "Verdict",
+    "ZerosResult",
     "ball_text",
     "coefficient",
     "coefficient_by_inversion",
     "evaluate",
     "gamma_sign",
     "initial_values",
+    "iwc",
+    "number_of_zeros",
     "paper_initial_values",
     "polynomial",
     "side_switching",
+    "sign_on_ranges",
     "theta",
     "theta_by",
+    "zeros_at",
+    "zeros_on_range",
 ]

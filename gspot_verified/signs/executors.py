@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import multiprocessing
 from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, Future, ProcessPoolExecutor
+from concurrent.futures import Executor, Future
 from contextlib import contextmanager
 from typing import Any, TypeVar
 
@@ -43,6 +42,9 @@ def executor(workers: int = 1, scheduler: str | None = None) -> Iterator[Executo
     elif workers == 1:
         yield InProcessExecutor()
     else:
+        import multiprocessing
+        from concurrent.futures import ProcessPoolExecutor
+
         # Fresh processes: flint's global context of this one is not inherited half-changed.
         with ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn")) as pool:
             yield pool
