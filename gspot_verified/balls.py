@@ -269,9 +269,10 @@ def reciprocal_gamma_series(argument: arb, slope: arb, length: int) -> list[arb]
         saved = ctx.cap
         ctx.cap = length
         try:
-            return list(arb_series([argument, slope], length).rgamma().coeffs())
+            found = list(arb_series([argument, slope], length).rgamma().coeffs())
         finally:
             ctx.cap = saved
+    return found + [arb(0)] * (length - len(found))  # flint leaves out exact zeros at the end
 
 
 def ball_text(value: arb, digits: int = 15) -> str:

@@ -9,6 +9,7 @@ decided on the integers of ``man_exp``, after finiteness.
 from __future__ import annotations
 
 import ast
+import functools
 import itertools
 import math
 import operator
@@ -20,7 +21,20 @@ from typing import Any, TypeVar
 
 import mpmath
 import pytest
-from flint import acb, arb, arb_poly, fmpq, fmpq_poly, fmpz, fmpz_poly
+from flint import (
+    acb,
+    arb,
+    arb_mat,
+    arb_poly,
+    arb_series,
+    ctx,
+    fmpq,
+    fmpq_mpoly,
+    fmpq_mpoly_ctx,
+    fmpq_poly,
+    fmpz,
+    fmpz_poly,
+)  # fmt: skip
 from flint.utils.flint_exceptions import DomainError
 from strategies import dyadic_fraction, ends, holds, make_ball, to_fmpq, to_fraction
 
@@ -31,8 +45,12 @@ PACKAGE = Path(__file__).resolve().parents[1] / "gspot_verified"
 CLASSES = {
     "acb": acb,
     "arb": arb,
+    "arb_mat": arb_mat,
     "arb_poly": arb_poly,
+    "arb_series": arb_series,
     "fmpq": fmpq,
+    "fmpq_mpoly": fmpq_mpoly,
+    "fmpq_mpoly_ctx": fmpq_mpoly_ctx,
     "fmpq_poly": fmpq_poly,
     "fmpz": fmpz,
     "fmpz_poly": fmpz_poly,
@@ -40,11 +58,12 @@ CLASSES = {
 
 # Attribute names of flint objects. A field of the package's own that has the same name is tested here all the same.
 _METHODS = """
-    abs_lower abs_upper airy_ai atan bit_length bits ceil coeffs contains cos cos_pi cosh degree denominator
-    derivative evaluate exp expm1 fac_ui floor gamma gamma_fmpq gcd height_bits hypgeom imag integral intersection
-    is_exact is_finite is_prime is_zero lcm length lgamma log log1p lower man_exp max mid min nan numerator overlaps
-    p pi q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi sinh sqrt str truncate
-    union unique_fmpz upper
+    abs_lower abs_upper airy_ai atan atan2 bit_length bits ceil coeffs constant contains contains_interior cos
+    cos_pi cosh degree denominator derivative det entries evaluate exp expm1 fac_ui floor gamma gamma_fmpq gcd
+    gens get height_bits hypgeom imag integral intersection inv is_constant is_exact is_finite is_one is_prime
+    is_zero lcm leading_coefficient length lgamma log log1p lower man_exp max mid min name names nan numerator
+    overlaps p pi prec q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi
+    sinh sqrt str subs table terms truncate union unique_fmpz upper
 """
 METHODS = frozenset(_METHODS.split())
 
@@ -417,7 +436,197 @@ def test_ball_polynomials() -> None:
                     assert holds(short, horner(coefficients[:2], number))
 
 
+# Polynomials in several variables
+
+_Terms = dict[tuple[int, ...], Fraction]
+_SEVERAL: list[_Terms] = [
+    {},
+    {(0, 0): Fraction(1)},
+    {(0, 0): Fraction(-7, 3)},
+    {(1, 0): Fraction(1), (0, 1): Fraction(-1)},
+    {(2, 0): Fraction(1, 2), (0, 1): Fraction(10**20), (0, 0): Fraction(3)},
+    {(3, 1): Fraction(-1, 3), (1, 3): Fraction(5), (0, 0): Fraction(-1, 10**15)},
+]
+
+
+def several(context: fmpq_mpoly_ctx, terms: _Terms) -> fmpq_mpoly:
+    """Built from generators and constants by sums, products and powers."""
+    total = context.constant(0)
+    for powers, number in terms.items():
+        product = context.constant(to_fmpq(number))
+        for generator, power in zip(context.gens(), powers, strict=True):
+            product = product * generator**power
+        total = total + product
+    return total
+
+
+def terms_of(value: fmpq_mpoly) -> _Terms:
+    return {tuple(int(e) for e in powers): to_fraction(number) for powers, number in value.terms()}
+
+
+def terms_combined(left: _Terms, right: _Terms, sign: int) -> _Terms:
+    total = {powers: left.get(powers, Fraction(0)) + sign * right.get(powers, Fraction(0)) for powers in left | right}
+    return {powers: number for powers, number in total.items() if number}
+
+
+def terms_multiplied(left: _Terms, right: _Terms) -> _Terms:
+    total: _Terms = {}
+    for (first, a), (second, b) in itertools.product(left.items(), right.items()):
+        powers = tuple(i + j for i, j in zip(first, second, strict=True))
+        total[powers] = total.get(powers, Fraction(0)) + a * b
+    return {powers: number for powers, number in total.items() if number}
+
+
+@covers("get", "name", "names", "gens", "constant", "is_constant", "is_one", "leading_coefficient", "terms", "subs")
+def test_polynomials_in_several_variables() -> None:
+    context = fmpq_mpoly_ctx.get(("x", "y"), "degrevlex")
+    assert [context.name(i) for i in range(2)] == list(context.names()) == ["x", "y"]
+    assert [terms_of(g) for g in context.gens()] == [{(1, 0): 1}, {(0, 1): 1}]
+    for left, right in itertools.product(_SEVERAL, repeat=2):
+        first, second = several(context, left), several(context, right)
+        assert terms_of(first) == left
+        assert terms_of(first + second) == terms_combined(left, right, 1)
+        assert terms_of(first - second) == terms_combined(left, right, -1)
+        assert terms_of(first * second) == terms_multiplied(left, right)
+        assert (first == second) == (left == right)
+        assert (first != second) == (left != right)
+        if right:
+            assert terms_of((first * second) // second) == left
+            if left:
+                common = first.gcd(second)
+                for part in (first, second):
+                    assert (part // common) * common == part
+                assert (first // common).gcd(second // common).is_one()
+    for terms in _SEVERAL:
+        value = several(context, terms)
+        assert terms_of(-value) == {powers: -number for powers, number in terms.items()}
+        assert terms_of(value**2) == terms_multiplied(terms, terms)
+        assert value**0 == 1
+        assert terms_of(value / fmpq(-3, 7)) == {powers: number * Fraction(-7, 3) for powers, number in terms.items()}
+        assert terms_of(fmpq(2, 3) * value) == {powers: number * Fraction(2, 3) for powers, number in terms.items()}
+        assert bool(value.is_zero()) == (not terms)
+        assert bool(value.is_one()) == (terms == {(0, 0): 1})
+        assert bool(value.is_constant()) == (set(terms) <= {(0, 0)})
+        if terms:
+            # degrevlex with x > y: by total degree, then the higher power of x.
+            assert to_fraction(value.leading_coefficient()) == terms[max(terms, key=lambda p: (sum(p), p[0]))]
+        at = {"x": Fraction(-2, 5), "y": Fraction(7)}
+        found = value.subs({name: to_fmpq(number) for name, number in at.items()})
+        expected = sum((c * at["x"] ** i * at["y"] ** j for (i, j), c in terms.items()), Fraction(0))
+        assert terms_of(found) == ({(0, 0): expected} if expected else {})
+
+
 # Balls: rational operations
+
+
+@covers("entries", "table")
+def test_ball_matrices() -> None:
+    shapes = [(1, 1, 1), (2, 3, 4), (4, 5, 1), (3, 2, 6)]
+    for (rows, inner, columns), bits in zip(shapes * 2, cycle_bits(), strict=False):
+        left = [_BALLS[(3 * i) % len(_BALLS)] for i in range(rows * inner)]
+        right = [_BALLS[(7 * i + 2) % len(_BALLS)] for i in range(inner * columns)]
+        with working_bits(bits):
+            first, second = arb_mat(rows, inner, left), arb_mat(inner, columns, right)
+            product = first * second
+        # What was put in comes out, exactly, at any precision.
+        assert [ends(value) for value in first.entries()] == [ends(value) for value in left]
+        assert [ends(value) for row in first.table() for value in row] == [ends(value) for value in left]
+        for i, k in itertools.product(range(rows), range(inner)):
+            assert ends(first[i, k]) == ends(left[i * inner + k])
+        assert [ends(value) for row in product.table() for value in row] == [ends(v) for v in product.entries()]
+        for i, j, place in itertools.product(range(rows), range(columns), range(3)):
+            exact = sum(three(left[i * inner + k])[place] * three(right[k * columns + j])[place] for k in range(inner))
+            assert holds(product[i, j], exact)
+
+
+def test_large_matrices_of_very_unequal_entries() -> None:
+    """From some size on flint multiplies in blocks of fixed-point integers: the small entries must stay right."""
+    rows, inner, columns = 12, 60, 15
+    left = [Fraction((-1) ** i * (i % 7 + 1), 3 ** (i % inner)) for i in range(rows * inner)]
+    right = [Fraction(i % 11 - 5, 2 ** (4 * (i // columns))) for i in range(inner * columns)]
+    for bits in (20, 64, 300):
+        with working_bits(bits):
+            first = arb_mat(rows, inner, [arb(to_fmpq(number)) for number in left])
+            second = arb_mat(inner, columns, [arb(to_fmpq(number)) for number in right])
+            product = first * second
+        for i, j in itertools.product(range(rows), range(columns)):
+            exact = sum(left[i * inner + k] * right[k * columns + j] for k in range(inner))
+            assert holds(product[i, j], exact)
+            size = sum(abs(left[i * inner + k] * right[k * columns + j]) for k in range(inner))
+            lower, upper = ends(product[i, j])
+            assert upper - lower <= size / 2 ** (bits - 10)
+
+
+@covers("inv", "det")
+def test_inverse_matrices_and_determinants() -> None:
+    for size, bits in itertools.product((1, 2, 3, 5), (30, 53, 200)):
+        entries = [[Fraction(1, i + j + 1) + (i == j) for j in range(size)] for i in range(size)]
+        with working_bits(bits):
+            matrix = arb_mat([[arb(to_fmpq(number)) for number in row] for row in entries])
+            inverse, determinant = matrix.inv(), matrix.det()
+            identity = matrix * inverse
+        # Gauss with fractions, the determinant on the way.
+        work = [[*row, *(Fraction(i == j) for j in range(size))] for i, row in enumerate(entries)]
+        expected = Fraction(1)
+        for k in range(size):
+            expected *= work[k][k]
+            work[k] = [number / work[k][k] for number in work[k]]
+            for i in range(size):
+                if i != k:
+                    work[i] = [a - work[i][k] * b for a, b in zip(work[i], work[k], strict=True)]
+        assert holds(determinant, expected)
+        for i, j in itertools.product(range(size), repeat=2):
+            assert holds(inverse[i, j], work[i][size + j])
+            assert holds(identity[i, j], int(i == j))
+    for singular in ([[1, 2], [2, 4]], [[0]]):
+        with pytest.raises(ZeroDivisionError):
+            arb_mat([[arb(number) for number in row] for row in singular]).inv()
+    with pytest.raises(ZeroDivisionError):
+        arb_mat([[make_ball((1, 0), (1, 0))]]).inv()  # may be singular
+
+
+def test_matrices_refuse_what_does_not_fit() -> None:
+    with pytest.raises(ValueError, match="length"):
+        arb_mat(2, 2, [arb(1), arb(2), arb(3)])
+    with pytest.raises(ValueError, match="shape"):
+        arb_mat(2, 3, [arb(0)] * 6) * arb_mat(2, 3, [arb(0)] * 6)
+    for outside in ((2, 0), (0, 2), (5, 5)):
+        with pytest.raises((IndexError, ValueError)):
+            arb_mat(2, 2, [arb(1)] * 4)[outside]
+
+
+@functools.lru_cache
+def reciprocal_gamma_coefficients(at: Fraction) -> list[Fraction]:
+    """The first 40 Taylor coefficients of 1/Gamma at a point, by the trapezoidal rule on a circle: to 10^-50."""
+    points = 192
+    with mpmath.mp.workprec(400):
+        circle = [mpmath.expjpi(mpmath.mpf(2 * j) / points) for j in range(points)]
+        values = [mpmath.rgamma(mp(at) + z) for z in circle]
+        sums = [mpmath.fsum(v * circle[-k * j % points] for j, v in enumerate(values)) for k in range(40)]
+        return [mp_fraction(mpmath.re(total) / points) for total in sums]
+
+
+@covers("prec")
+@pytest.mark.parametrize("at", [Fraction(1, 3), Fraction(0), Fraction(-4), Fraction(-7, 2), Fraction(40, 3)])
+def test_reciprocal_gamma_of_a_power_series(at: Fraction) -> None:
+    slope = Fraction(-2, 3)
+    saved = ctx.cap
+    try:
+        for length, bits in itertools.product((1, 2, 5, 12, 40), (64, 120)):
+            ctx.cap = length
+            with working_bits(bits):
+                series = arb_series([arb(to_fmpq(at)), arb(to_fmpq(slope))], length).rgamma()
+            assert series.prec == length
+            coefficients = list(series.coeffs())
+            assert len(coefficients) <= length  # zeros at the end are left out
+            coefficients += [arb(0)] * (length - len(coefficients))
+            for i, value in enumerate(coefficients):
+                number = reciprocal_gamma_coefficients(at)[i] * slope**i
+                lower, upper = ends(value)
+                assert lower - Fraction(1, 10**50) <= number <= upper + Fraction(1, 10**50)
+                assert upper - lower <= Fraction(1, 2 ** (bits - 40))
+    finally:
+        ctx.cap = saved
 
 
 @covers("man_exp", "mid", "rad", "is_exact", "is_finite")
@@ -533,11 +742,12 @@ def test_ball_signs_and_bounds() -> None:
         assert smallest - slack <= three(least)[0] <= smallest
 
 
-@covers("union", "intersection", "max", "min", "contains", "overlaps")
+@covers("union", "intersection", "max", "min", "contains", "contains_interior", "overlaps")
 def test_ball_sets() -> None:
     for (left, right), bits in zip(itertools.product(_BALLS, repeat=2), cycle_bits(), strict=False):
         (a, b), (c, d) = ends(left), ends(right)
         assert left.contains(right) == (a <= c and d <= b)
+        assert left.contains_interior(right) == (a < c and d < b)
         assert left.overlaps(right) == (a <= d and c <= b)
         with working_bits(bits):
             both, largest, smallest = left.union(right), left.max(right), left.min(right)
@@ -747,6 +957,15 @@ def test_hypergeometric_series() -> None:
         with working_bits(bits):
             value = arb(to_fmpq(at)).hypgeom([arb(to_fmpq(x)) for x in above], [arb(to_fmpq(x)) for x in below])
         assert_encloses(value, expected, bits - 40)
+
+
+@covers("atan2")
+def test_angles_of_points() -> None:
+    numbers = (F(0), F(1), F(-1), F(1, 3), F(-22, 7), F(10**9), F(-1, 10**9))
+    for (sine, cosine), bits in itertools.product(itertools.product(numbers, repeat=2), (30, 64, 200)):
+        expected = reference(lambda y, x: mpmath.atan2(y, x), sine, cosine)
+        with working_bits(bits):
+            assert_encloses(arb.atan2(arb(to_fmpq(sine)), arb(to_fmpq(cosine))), expected, bits - 10)
 
 
 def test_real_powers() -> None:

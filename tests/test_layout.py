@@ -41,6 +41,8 @@ BOUND_MODULES = (
     "finite_part",
     "reciprocal_gamma",
     "asymptotic_coefficients",
+    "parameter_series",
+    "box",
 )
 HEAVY = ("numpy", "scipy", "sympy", "matplotlib", "mpmath", "jinja2", "typer", "rich")
 

@@ -16,6 +16,7 @@ from gspot_verified.theta.parameter_series import ParameterSeries
 
 _HIGHEST_DERIVATIVE = 2
 _HALF = fmpq(1, 2)
+_KEPT_ENTRIES = 12_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +91,7 @@ def taylor_model(series: ParameterSeries, lower: fmpq, upper: fmpq, order: int, 
     >>> taylor_model(series, fmpq(-1, 4), fmpq(0), 10).enclosure() > 0
     True
     """
+    lower, upper = fmpq(lower), fmpq(upper)  # TypeError for floats, whose middle would be rounded
     if lower > upper:
         raise ValueError("the box is reversed: lower > upper")
     if not 0 <= derivative <= _HIGHEST_DERIVATIVE or order <= derivative:
@@ -152,8 +154,13 @@ def omitted_terms(series: ParameterSeries, reach: arb, derivative: int) -> arb:
     return (terms[0] + terms[1] + terms[2]) / (1 - ratio)
 
 
-@lru_cache(maxsize=256)
 def _recentring(tau0: fmpq, half_width: fmpq, length: int, order: int, bits: int) -> arb_mat:
+    """The matrix of :func:`_recentring_matrix`, kept when it is small enough for many to fit in memory."""
+    make = _kept_recentring if length * order <= _KEPT_ENTRIES else _recentring_matrix
+    return make(tau0, half_width, length, order, bits)
+
+
+def _recentring_matrix(tau0: fmpq, half_width: fmpq, length: int, order: int, bits: int) -> arb_mat:
     """The matrix that takes the coefficients at 0 to those at tau0; ``proofs/box.md``, section 4.
 
     Row i < order: C(k, i) tau0^(k-i) s^i. Then for d = 0, 1, 2 a row of w_(k,d)/s^d and one of k!/(k-d)! X^(k-d).
@@ -177,6 +184,9 @@ def _recentring(tau0: fmpq, half_width: fmpq, length: int, order: int, bits: int
         rest = [arb(0) if k < order else abs(whole[k] - parts[d, k]) for k in range(length)]
         bounds += rest + whole
     return arb_mat(order + 2 * len(derivatives), length, [value for row in rows for value in row] + bounds)
+
+
+_kept_recentring = lru_cache(maxsize=256)(_recentring_matrix)
 
 
 def _binomial_rows(tau0: arb, half_width: arb, length: int, order: int) -> list[list[arb]]:

@@ -19,17 +19,17 @@ def bits_for_box(reach: float, size: float) -> int:
 
 
 def degree_for_box(reach: float, size: float, radius: float) -> int:
-    """Powers of eta: (radius/6)^degree against what the growth in tau makes of it."""
+    """Powers of eta: (radius/6)^degree against what the growth in tau makes of it; a series has a radius up to 3."""
     if radius == 0:
         return 1
-    return max(4, math.ceil((_GOAL_BITS + growth_bits(reach, size)) / math.log2(6 / radius)))
+    return max(4, math.ceil((_GOAL_BITS + growth_bits(reach, size)) / math.log2(6 / min(radius, 3.0))))
 
 
 def length_for_box(reach: float, size: float, bits: int) -> int:
     """Powers of tau: until the ratio of neighbouring terms has brought them below the working precision."""
     height, k = 0.0, 0
     while k < _MAX_LENGTH:
-        ratio = (k + size) * max(reach, 0.5) ** 3 / ((k + 1) * (k + 2) * (k + 3))
+        ratio = (k + max(size, 1.0)) * max(reach, 0.5) ** 3 / ((k + 1) * (k + 2) * (k + 3))
         height += math.log2(max(ratio, 1e-300))
         k += 3
         if ratio < 0.25 and height < -bits:
