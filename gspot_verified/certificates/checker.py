@@ -52,6 +52,7 @@ def run_checker(file: Path) -> CheckResult:
     run = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", check=False)
     if run.returncode == 0 and run.stdout.startswith("VERIFIED "):
         return CheckResult(True, run.stdout.strip())
-    if run.returncode == _REJECTED:
+    # Python leaves with 1 after a traceback, too.
+    if run.returncode == _REJECTED and run.stderr.startswith("REJECTED "):
         return CheckResult(False, run.stderr.strip())
     raise ValueError(f"the checker stopped with code {run.returncode}: {run.stderr.strip()[-500:]}")

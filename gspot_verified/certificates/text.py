@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import re
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
@@ -15,11 +16,14 @@ from gspot_verified.signs.statements import Statement
 
 FORMAT = "gspot_verified certificate"
 VERSION = 1
+_TOO_LONG = re.compile(r"[0-9]{4001}")
 HYPOTHESES = ("certificate", "fold", "identities", "initial_values", "laplace", "negative", "tails")
 
 
 def certificate_text(statement: Statement, columns: Sequence[Column]) -> str:
     """The certificate of a statement that the columns prove. The same columns give the same text, byte for byte.
+
+    :raises ValueError: a number has more than 4,000 digits, the format's limit.
 
     >>> from gspot_verified.signs.sign import sign_on_ranges
     >>> result = sign_on_ranges("-inf..inf", "0..1", by_theorem=True)
@@ -34,6 +38,8 @@ def certificate_text(statement: Statement, columns: Sequence[Column]) -> str:
     }
     lines = [_canonical(header), *(_canonical(_column(column)) for column in columns)]
     body = "".join(f"{line}\n" for line in lines)
+    if _TOO_LONG.search(body):
+        raise ValueError("a certificate holds numbers of at most 4000 digits; ask for fewer digits or a rounder range")
     return f"{body}sha256 {hashlib.sha256(body.encode()).hexdigest()}\n"
 
 

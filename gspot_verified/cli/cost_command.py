@@ -3,33 +3,64 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any, Protocol
 
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress
 
+if TYPE_CHECKING:
+    from gspot_verified.cost.curves import Curve
+
+
+class Measured(Protocol):
+    """What every benchmark gives."""
+
+    @property
+    def curves(self) -> tuple[Curve, ...]:
+        """Curves for the picture."""
+        ...
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data."""
+        ...
+
 
 @app.command(epilog="Example: gspot-verified cost theta --picture cost.png")
 def cost(
-    subject: Annotated[str, typer.Argument(help='What to measure: "theta".')],
-    full: Annotated[bool, typer.Option("--full", help="Also 10^5 and 10^6 digits: about 20 minutes.")] = False,
-    picture: Annotated[Path | None, typer.Option(help="Write time against digits as a PNG file.")] = None,
+    subject: Annotated[str, typer.Argument(help='What to measure: "theta", "sign" or "expand".')],
+    full: Annotated[bool, typer.Option("--full", help="Larger cases too: about 20, 10 or 2 minutes.")] = False,
+    picture: Annotated[
+        Path | None, typer.Option(help="Write time against digits, size or order as a PNG file.")
+    ] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Measure what accuracy costs in time, against FLINT's 1F2, mpmath, and PARI and ore_algebra where installed.
+    """Measure what accuracy (theta), certified signs (sign) and expansions (expand) cost in time, beside alternatives.
 
-    About half a minute. The exit code is 0 whatever the times are: a benchmark decides nothing.
+    About half a minute each. The exit code is 0 whatever the times are: a benchmark decides nothing.
     """
-    if subject != "theta":
-        raise ValueError(f'cost: expected "theta", got {subject!r}')
-    from gspot_verified.cost.picture import save_picture
-    from gspot_verified.cost.theta import run as measure_theta
+    from gspot_verified.cost.picture import DIGITS, ORDERS, RANGES, save_picture
 
-    result = measure_theta(full, progress)
+    result = _measure(subject, full)
     if picture is not None:
-        save_picture(result.curves, picture)
+        save_picture(result.curves, picture, {"theta": DIGITS, "sign": RANGES, "expand": ORDERS}[subject])
     if as_json:
         print_json(result.to_json())
     else:
         typer.echo(str(result))
+
+
+def _measure(subject: str, full: bool) -> Measured:
+    if subject == "theta":
+        from gspot_verified.cost import theta
+
+        return theta.run(full, progress)
+    if subject == "sign":
+        from gspot_verified.cost import sign
+
+        return sign.run(full, progress)
+    if subject == "expand":
+        from gspot_verified.cost import expand
+
+        return expand.run(full, progress)
+    raise ValueError(f'cost: expected "theta", "sign" or "expand", got {subject!r}')

@@ -11,13 +11,13 @@ from collections.abc import Sequence
 
 import typer
 
-from gspot_verified.cli import cost_command, paper_commands, sign_commands, theta_commands
+from gspot_verified.cli import cost_command, mechanism_commands, paper_commands, sign_commands, theta_commands
 from gspot_verified.cli.app import app
 
 USAGE = 64
 INTERNAL = 70
 
-COMMANDS = (theta_commands, sign_commands, paper_commands, cost_command)
+COMMANDS = (theta_commands, sign_commands, mechanism_commands, paper_commands, cost_command)
 """The modules whose import adds their commands to the application."""
 
 

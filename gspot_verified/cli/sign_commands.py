@@ -95,11 +95,15 @@ def zeros(
 
 def _zeros_at(beta: str, digits: int, picture: Path | None, certificate: Path | None, as_json: bool) -> None:
     from gspot_verified.certificates.text import write_certificate
-    from gspot_verified.signs.brackets import zeros_at
+    from gspot_verified.signs.brackets import UndecidedError, zeros_at
 
     if picture is not None:
         raise ValueError("--picture needs a range of β, such as 1..13")
-    found = zeros_at(beta, digits)
+    try:
+        found = zeros_at(beta, digits)
+    except UndecidedError as error:
+        typer.echo(f"undecided: {error}", err=True)
+        raise typer.Exit(2) from None
     if certificate is not None:
         write_certificate(certificate, found.statement, [found.column])
     if as_json:

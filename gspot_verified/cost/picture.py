@@ -1,8 +1,9 @@
-"""The picture of time against digits."""
+"""The picture of time against digits, or against another number."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from gspot_verified.cost.curves import Curve
@@ -11,7 +12,25 @@ from gspot_verified.cost.curves import Curve
 _LOOKS = (("#0072B2", "-", "o"), ("#009E73", "--", "s"), ("#D55E00", "-.", "^"), ("#555555", ":", "D"))
 
 
-def save_picture(curves: Sequence[Curve], path: Path) -> Path:
+@dataclass(frozen=True, slots=True)
+class Labels:
+    """The texts of a picture of curves."""
+
+    horizontal: str
+    vertical: str
+    title: str
+
+
+DIGITS = Labels("digits asked for", "seconds, first call", "The cost of accuracy: Θ(7/3, β)")
+RANGES = Labels(
+    "size of the range of β, or m",
+    "seconds of processor time",
+    "The cost of certified zeros of dΘ/dτ over a range of β",
+)
+ORDERS = Labels("order of δ", "seconds, one core", "The cost of exact expansions: Theorem 1")
+
+
+def save_picture(curves: Sequence[Curve], path: Path, labels: Labels = DIGITS) -> Path:
     """Write the log-log picture as PNG and return its path; a file that is there is replaced when the new one is ready.
 
     :raises ValueError: no curve has a point.
@@ -28,7 +47,7 @@ def save_picture(curves: Sequence[Curve], path: Path) -> Path:
         colour, line, mark = _LOOKS[index % len(_LOOKS)]
         digits, seconds = zip(*curve.points, strict=True) if curve.points else ((), ())
         axes.loglog(digits, seconds, color=colour, linestyle=line, marker=mark, markersize=4, label=curve.name)
-    axes.set(xlabel="digits asked for", ylabel="seconds, first call", title="The cost of accuracy: Θ(7/3, β)")
+    axes.set(xlabel=labels.horizontal, ylabel=labels.vertical, title=labels.title)
     axes.grid(True, which="major", linewidth=0.4)
     axes.legend()
     unfinished = path.with_name(path.name + ".part")

@@ -15,15 +15,18 @@ from flint import arb, fmpq, fmpz
 from gspot_verified.balls import ExactInput, approximate, bits_for_digits, exact, sign_of, working_bits
 from gspot_verified.signs.pieces import Column, Kind, cell_of, number_of_zeros
 from gspot_verified.signs.statements import BracketsStatement
-from gspot_verified.signs.witness import sign_at
 from gspot_verified.signs.zero_column import zero_column
 from gspot_verified.theta.evaluate import evaluate
 
 MAX_BETA = 200
-MAX_DIGITS = 10_000
+MAX_DIGITS = 2_000
 _NEAR_FOLD = fmpq(1, 64)
 _FIRST_DIGITS = 12
 _MAX_TAIL = fmpq(10**9)
+
+
+class UndecidedError(ArithmeticError):
+    """The zeros were not bracketed; nothing is said about them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,21 +62,21 @@ def zeros_at(beta: ExactInput, digits: int = 15) -> Brackets:
     """Brackets of width at most 10^-digits for all real zeros of dTheta/dtau at one beta.
 
     :raises ValueError: beta is an integer (dTheta/dtau is a polynomial there), not one number, or not in (0, 200];
-        digits not in 1..10^4.
-    :raises ArithmeticError: no certain column was found (not seen for beta <= 100).
+        digits not an int in 1..2000.
+    :raises UndecidedError: no certain column was found, or a sign stayed open (not seen for beta <= 100).
 
     >>> print(zeros_at("5/2", 8))
     β = 5/2: 2 real zeros of dΘ/dτ, all simple
-      -0.30893389..-0.30893388
-      1.38614937..1.38614938
+      -0.30886801..-0.30886800
+      1.53171613..1.53171614
     """
     point = exact(beta, "beta")
     if not isinstance(point, fmpq):
         raise ValueError("beta: expected one exact number, got a ball")
     if not 0 < point <= MAX_BETA or point.q == 1:
         raise ValueError(f"beta: expected a number in (0, {MAX_BETA}] that is not an integer, got {point}")
-    if not 1 <= digits <= MAX_DIGITS:
-        raise ValueError(f"digits must lie in 1..{MAX_DIGITS}")
+    if type(digits) is not int or not 1 <= digits <= MAX_DIGITS:
+        raise ValueError(f"digits must be an int and lie in 1..{MAX_DIGITS}")
     column = _column(point)
     tubes = column.tubes()
     for piece in column.pieces:
@@ -95,7 +98,7 @@ def _column(beta: fmpq) -> Column:
         column = zero_column(lower, upper)
         if column is not None:
             return column
-    raise ArithmeticError(f"no certain column of pieces was found at beta = {beta}")
+    raise UndecidedError(f"no certain column of pieces was found at beta = {beta}")
 
 
 def _ranges(beta: fmpq) -> list[tuple[fmpq, fmpq]]:
@@ -118,9 +121,9 @@ def _tail_tube(beta: fmpq, column: Column) -> tuple[fmpq, fmpq]:
     # dTheta/dtau = -beta F, and F has the sign (-1)^(n+1) at infinity.
     final = 1 if cell_of(column.lower, column.upper) % 2 == 0 else -1
     upper = 2 * lower
-    while sign_at(upper, beta) != final:
+    while _certain_sign(beta, upper) != final:
         if upper > _MAX_TAIL:
-            raise ArithmeticError("the last zero is too far out to be bracketed")
+            raise UndecidedError("the last zero is too far out to be bracketed")
         lower, upper = upper, 2 * upper
     return lower, upper
 
@@ -131,15 +134,20 @@ def _refine(beta: fmpq, lower: fmpq, upper: fmpq, digits: int) -> tuple[fmpq, fm
     if before == after:
         raise ArithmeticError("the ends of a tube have one sign; please report this")
     start = min(digits, _FIRST_DIGITS)
-    while upper - lower > fmpq(1, 10**start):
+    lower, upper = _bisect(beta, lower, upper, before, start)
+    if digits > start:
+        lower, upper = _newton(beta, lower, upper, before, digits)
+    return _on_decimal_grid(beta, lower, upper, before, digits)
+
+
+def _bisect(beta: fmpq, lower: fmpq, upper: fmpq, before: int, digits: int) -> tuple[fmpq, fmpq]:
+    while upper - lower > fmpq(1, 10**digits):
         middle = _round((lower + upper) / 2, lower, upper)
         if _certain_sign(beta, middle) == before:
             lower = middle
         else:
             upper = middle
-    if digits > start:
-        lower, upper = _newton(beta, lower, upper, before, digits)
-    return _on_decimal_grid(beta, lower, upper, before, digits)
+    return lower, upper
 
 
 def _round(value: fmpq, lower: fmpq, upper: fmpq) -> fmpq:
@@ -152,7 +160,7 @@ def _round(value: fmpq, lower: fmpq, upper: fmpq) -> fmpq:
 def _certain_sign(beta: fmpq, tau: fmpq) -> int:
     sign = sign_of(evaluate(tau, beta, derivative=1, digits=2).value)
     if not sign:
-        raise ArithmeticError(f"the sign of dΘ/dτ at τ = {approximate(tau)} is open")
+        raise UndecidedError(f"the sign of dΘ/dτ at τ = {approximate(tau)} is open")
     return sign
 
 
@@ -175,7 +183,8 @@ def _newton(beta: fmpq, lower: fmpq, upper: fmpq, before: int, digits: int) -> t
                 lower, upper = left, right
                 break
         else:
-            raise ArithmeticError("Newton's method left the bracket; ask for fewer digits")
+            # Two zeros too near each other for Newton's method, next to a fold.
+            lower, upper = _bisect(beta, lower, upper, before, have)
     return lower, upper
 
 
@@ -189,7 +198,7 @@ def _on_decimal_grid(beta: fmpq, lower: fmpq, upper: fmpq, before: int, digits: 
     left = math.floor(lower * scale)
     for k in range(int(left), int((upper * scale).ceil()) + 1):
         cell = fmpq(k, scale), fmpq(k + 1, scale)
-        if sign_at(cell[0], beta) == before and sign_at(cell[1], beta) == -before:
+        if _brackets(beta, *cell, before):
             return cell
     return lower, upper
 

@@ -10,6 +10,9 @@ from gspot_verified.theta.box import TaylorModel, taylor_model
 from gspot_verified.theta.box_choice import bits_for_box, degree_for_box, length_for_box, order_for_box
 from gspot_verified.theta.parameter_series import ParameterSeries, parameter_series, shortened
 
+_LEAST_RADIUS = 1e-300
+_LEAST_DOUBLED_RADIUS = fmpq(1, 64)
+
 
 class ColumnModels:
     """Taylor models over b in [lower, upper] for |tau| <= reach, made once and shared by all boxes of a column."""
@@ -21,7 +24,7 @@ class ColumnModels:
         self._made: dict[tuple[bool, float], ParameterSeries] = {}
 
     def _series(self, reach: float, doubled: bool = False) -> ParameterSeries:
-        """The series for |tau| <= reach; ``doubled`` for twice the range of b. Few lengths: boxes share them."""
+        """The series for |tau| <= reach; ``doubled``: over twice the range of b or more. Few lengths: boxes share."""
         level = self._reach
         while level / 2 >= max(reach, 1.0):
             level /= 2
@@ -32,8 +35,11 @@ class ColumnModels:
                 whole = self._series(self._reach, doubled)
                 series = shortened(whole, length, bits) if length <= whole.length - 3 else whole
             else:
-                radius = 2 * self.radius if doubled else self.radius
-                degree = degree_for_box(level, self._size, approximate(radius))
+                # The derivative in b divides the remainder by the radius: a tiny one would lose it.
+                radius = max(2 * self.radius, _LEAST_DOUBLED_RADIUS) if doubled else self.radius
+                # A radius too small for a float still needs the powers of eta.
+                small = max(approximate(radius), _LEAST_RADIUS) if radius else 0.0
+                degree = degree_for_box(level, self._size, small)
                 series = parameter_series(self.centre, radius, degree, length, bits)
             self._made[doubled, level] = series
         return self._made[doubled, level]
@@ -52,7 +58,7 @@ class ColumnModels:
         return sign_of(self._model(tau, tau, 0).value(tau, self.centre))
 
     def fold(self, lower: fmpq, upper: fmpq) -> bool:
-        """Whether the hypotheses of ``proofs/fold.md`` hold hold: F'' > 0, dF/db > 0, F > 0 at both ends."""
+        """Whether the hypotheses of ``proofs/fold.md`` hold: F'' > 0, dF/db > 0, F > 0 at both ends."""
         if not self.radius:
             return False
         return (

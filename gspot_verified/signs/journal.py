@@ -27,15 +27,19 @@ class Journal:
         self._path = path
         self._known: dict[tuple[str, str], Answer] = {}
         header = json.dumps({"journal": question}, sort_keys=True)
+        data = path.read_bytes() if path.exists() else b""
         # A kill may leave a line without its line feed: what follows the last line feed is dropped.
-        text = path.read_text(encoding="utf-8") if path.exists() else ""
-        lines = text[: text.rfind("\n") + 1].splitlines()
-        if lines and lines[0] != header:
+        whole = data[: data.rfind(b"\n") + 1]
+        lines = whole.decode(errors="replace").split("\n")[:-1]
+        if lines[0] != header if lines else not header.encode().startswith(data):
             raise ValueError(f"{path} is not a journal of this question; choose another file or remove it")
         for line in lines[1:]:
             lower, upper, answer = _read(line, path)
             self._known[lower, upper] = answer
-        path.write_text("".join(f"{line}\n" for line in lines or [header]), encoding="utf-8")
+        with path.open("r+b" if data else "wb") as file:
+            file.truncate(len(whole))
+            if not lines:
+                file.write(f"{header}\n".encode())
 
     def knows(self, lower: fmpq | None, upper: fmpq) -> bool:
         """Whether the range was examined before."""
@@ -80,6 +84,10 @@ def _read(line: str, path: Path) -> tuple[str, str, Answer]:
             )
             left, right = data["column"]
             answer = Column(None if left is None else _rational(left), _rational(right), pieces)
+            if (str(answer.lower), str(answer.upper)) != (lower, upper):
+                raise ValueError("the column is not over the range that was examined")
+        if not (isinstance(lower, str) and isinstance(upper, str)):
+            raise ValueError("the ends of a range must be texts")
     except (ValueError, TypeError, KeyError) as error:
         raise ValueError(f"{path}: a line of the journal cannot be read: {error}") from None
     return lower, upper, answer

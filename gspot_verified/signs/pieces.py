@@ -146,5 +146,5 @@ def number_of_zeros(column: Column) -> int | None:
 
 def fold_integer(lower: fmpq, upper: fmpq) -> int | None:
     """The integer n = 2, 5, 8, ... among the numbers beta - 1 of the range, if there is one."""
-    n = int((lower - 1).ceil())
-    return n if n >= 2 and n % 3 == 2 and n <= upper - 1 else None
+    candidates = (int((lower - 1).ceil()), int((upper - 1).floor()))
+    return next((n for n in candidates if n >= 2 and n % 3 == 2 and lower - 1 <= n <= upper - 1), None)

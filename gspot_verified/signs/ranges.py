@@ -19,6 +19,7 @@ _INFINITE = {"inf": 1, "+inf": 1, "-inf": -1}
 class Range:
     """An interval of real numbers; ``None`` as an end is infinity.
 
+    :raises TypeError: an end is neither ``fmpq`` nor ``None``.
     :raises ValueError: it holds no number (empty or reversed), or an infinite end is closed.
 
     >>> str(Range.parse("0..1", "beta")), str(Range.parse("[-2..inf)", "tau")), str(Range.parse("7/3", "beta"))
@@ -31,6 +32,9 @@ class Range:
     upper_closed: bool
 
     def __post_init__(self) -> None:
+        for end in (self.lower, self.upper):
+            if end is not None and not isinstance(end, fmpq):
+                raise TypeError(f"the end of a range must be fmpq or None, got {type(end).__name__}")
         if (self.lower is None and self.lower_closed) or (self.upper is None and self.upper_closed):
             raise ValueError("a range must be open at an infinite end")
         if self.lower is None or self.upper is None:
@@ -44,8 +48,11 @@ class Range:
     def parse(cls, text: str, name: str) -> Range:
         """Read ``a..b`` (open), ``[a..b]``, ``[a..b)``, ``(a..b]``, or one number; ends as exact numbers, inf, -inf.
 
+        :raises TypeError: not a text.
         :raises ValueError: any other text; an empty or reversed range; NaN. The message names the argument.
         """
+        if not isinstance(text, str):
+            raise TypeError(f'{name}: expected a Range or a text such as "0..1", got {type(text).__name__}')
         word = text.strip()
         if ".." not in word:
             if word.lower() in _INFINITE:
@@ -54,7 +61,8 @@ class Range:
             assert isinstance(point, fmpq)
             return cls(point, point, True, True)
         match = _TEXT.fullmatch(word)
-        if match is None:
+        # "0...5" may mean 0 to 0.5 or 0. to 5; a bracket at one end only is a slip.
+        if match is None or "..." in word or bool(match["left"]) != bool(match["right"]):
             raise ValueError(f'{name}: expected a range such as "0..1", "[0..1)" or "-inf..inf", got {word[:60]!r}')
         lower, upper = _end(match["lower"], -1, name), _end(match["upper"], 1, name)
         try:

@@ -24,7 +24,7 @@ from gspot_verified.signs.sign_column import SignQuestion, sign_column
 from gspot_verified.signs.statements import SignStatement, cells_of
 from gspot_verified.signs.subdivision import Progress, Subdivision
 from gspot_verified.signs.witness import find_witness, sign_at
-from gspot_verified.verdict import Reason, Verdict
+from gspot_verified.verdict import Outcome, Reason, Verdict
 
 MAX_BETA = 200
 DEFAULT_BUDGET = 2_000
@@ -32,7 +32,8 @@ DEFAULT_BUDGET = 2_000
 
 @dataclass(frozen=True, slots=True)
 class SignResult:
-    """The verdict; ``columns`` prove the statement when it is proved, ``point`` and ``sign`` refute it when not."""
+    """The verdict; ``columns`` prove the statement, or ``point`` and ``sign_there`` refute it and ``columns`` prove the
+    sign at that point. At one point with an integer beta there are no columns: an integer polynomial is evaluated."""
 
     statement: SignStatement
     verdict: Verdict
@@ -62,10 +63,13 @@ class SignResult:
     @property
     def proved_statement(self) -> SignStatement | None:
         """What a certificate states: the statement itself, or the sign at the point that refutes it."""
-        if self.point is not None and self.sign_there is not None:
-            tau, beta = self.point
-            return SignStatement(Range(tau, tau, True, True), Range(beta, beta, True, True), self.sign_there)
-        return self.statement if self.columns else None
+        if self.verdict.outcome is Outcome.PROVED:
+            return self.statement
+        if self.point is None or self.sign_there is None:
+            return None
+        tau, beta = (Range(value, value, True, True) for value in self.point)
+        found = SignStatement(tau, beta, self.sign_there)
+        return found if self.columns or _at_integer(tau, beta) else None
 
 
 def sign_on_ranges(
@@ -90,18 +94,22 @@ def sign_on_ranges(
     >>> str(result)
     'proved: dΘ/dτ < 0 for every τ in (-inf, inf) and every β in (0, 1)'
     >>> sign_on_ranges("-1..1", "[2..3]").verdict.witness
-    'dΘ/dτ > 0 at τ = 3/4, β = 2'
+    'dΘ/dτ = 0 at τ = 0, β = 2'
     """
-    tau = Range.parse(tau, "tau") if isinstance(tau, str) else tau
-    beta = Range.parse(beta, "beta") if isinstance(beta, str) else beta
-    if sign not in (1, -1):
+    tau = tau if isinstance(tau, Range) else Range.parse(tau, "tau")
+    beta = beta if isinstance(beta, Range) else Range.parse(beta, "beta")
+    if type(sign) is not int or sign not in (1, -1):
         raise ValueError("sign must be 1 or -1")
+    if type(budget) is not int or budget < 0:
+        raise ValueError("the budget must be a nonnegative int")
     statement = SignStatement(tau, beta, sign)
     if budget == 0:
         return SignResult(statement, _undecided(statement, Reason.BUDGET, "nothing was examined", [(None, None)]))
     found = find_witness(tau, beta, sign)
     if found is not None:
         return _refuted(statement, found, 0)
+    if _at_integer(tau, beta) and sign_at(*_point(tau, beta)) == sign:
+        return SignResult(statement, Verdict.proved(str(statement)))
     if beta.upper is None or beta.upper > MAX_BETA:
         detail = f"no point against it was found; a proof is sought for beta <= {MAX_BETA} only"
         return SignResult(statement, _undecided(statement, Reason.NO_ROUTE, detail, [(beta.lower, beta.upper)]))
@@ -117,7 +125,7 @@ def sign_on_ranges(
         return _refuted(statement, tree.witness, tree.examined)
     if tree.unfinished:
         detail = f"{tree.examined} ranges of beta examined, {len(tree.finished)} settled"
-        reason = Reason.BUDGET
+        reason = Reason.BUDGET if tree.examined >= budget else Reason.HYPOTHESIS
         return SignResult(statement, _undecided(statement, reason, detail, tree.unfinished), examined=tree.examined)
     return SignResult(statement, Verdict.proved(str(statement)), tuple(tree.finished), examined=tree.examined)
 
@@ -137,7 +145,28 @@ def _refuted(statement: SignStatement, point: tuple[fmpq, fmpq], examined: int) 
         detail = f"the sign at τ = {tau}, β = {beta} could not be confirmed"
         return SignResult(statement, _undecided(statement, Reason.HYPOTHESIS, detail, []), examined=examined)
     text = f"dΘ/dτ {({1: '>', 0: '=', -1: '<'})[there]} 0 at τ = {tau}, β = {beta}"
-    return SignResult(statement, Verdict.refuted(str(statement), text), (), point, there, examined)
+    verdict = Verdict.refuted(str(statement), text)
+    return SignResult(statement, verdict, _columns_at(tau, beta, there), point, there, examined)
+
+
+def _columns_at(tau: fmpq, beta: fmpq, sign: int) -> tuple[Column, ...]:
+    """A column that proves the sign at one point for a certificate; none at an integer, or if it was not found."""
+    ranges = Range(tau, tau, True, True), Range(beta, beta, True, True)
+    if _at_integer(*ranges) or abs(beta) > MAX_BETA or not sign:
+        return ()
+    found = sign_column(SignQuestion(*ranges, sign if beta < 0 else -sign), beta, beta)
+    return (found,) if isinstance(found, Column) else ()
+
+
+def _at_integer(tau: Range, beta: Range) -> bool:
+    """Whether the ranges are one point with an integer beta >= 0."""
+    return tau.is_point and beta.is_point and beta.lower is not None and beta.lower >= 0 and beta.lower.q == 1
+
+
+def _point(tau: Range, beta: Range) -> tuple[fmpq, fmpq]:
+    assert tau.lower is not None
+    assert beta.lower is not None
+    return tau.lower, beta.lower
 
 
 def _undecided(

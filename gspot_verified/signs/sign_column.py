@@ -10,11 +10,12 @@ from gspot_verified.signs.column_models import ColumnModels
 from gspot_verified.signs.pieces import Column, Kind, Piece, cell_of, fold_integer
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.tails import left_threshold
-from gspot_verified.signs.zero_column import FOLD_HALF_WIDTHS, grid, reach_of_cell, right_tail
+from gspot_verified.signs.zero_column import FOLD_HALF_WIDTHS, LEAST_LEFT_OF_FOLD, grid, reach_of_cell, right_tail
 
 MAX_REACH = 60
 """Pieces between the tails are sought for |tau| up to here."""
 
+_NEAR_INTEGER = fmpq(1, 16)
 _LEAST_WIDTH = fmpq(1, 2**9)
 _POINT_HALF_WIDTHS = tuple(fmpq(1, 2**j) for j in (3, 6, 12, 24, 48))
 
@@ -35,7 +36,7 @@ class SignQuestion:
 
 def sign_column(question: SignQuestion, lower: fmpq | None, upper: fmpq) -> Found:
     """The answer over beta in [lower, upper], a part of the closure of the question's range."""
-    if lower is None or (upper <= 1 and (question.by_theorem or lower < 0)):
+    if lower is None or (upper <= 1 and (question.by_theorem or lower < 0 or upper == 0)):
         point = fmpq(-1) if lower is None else (lower + upper) / 2
         if question.sign < 0:
             return (_inner(question.tau), point if lower is not None else upper - 1)
@@ -64,11 +65,12 @@ class _SignSearch:
         self.witness: tuple[fmpq, fmpq] | None = None
 
     def _reach(self) -> fmpq:
-        reach = reach_of_cell(max(self.n, 0))
-        for end in (self.tau.lower, self.tau.upper):
-            if end is not None and abs(end) <= MAX_REACH:
-                reach = max(reach, abs(end) + 1)
-        return reach
+        """How far pieces between the tails are sought: not beyond the tails, where a tail piece takes over."""
+        usual = reach_of_cell(max(self.n, 0))
+        ends = [abs(end) for end in (self.tau.lower, self.tau.upper) if end is not None]
+        # Next to an integer the right tail may be further out than usual: a finite range is then covered by boxes.
+        touches = self.n >= 0 and self.lower - 1 - self.n < _NEAR_INTEGER
+        return max([usual, *(end + 1 for end in ends if touches and end <= MAX_REACH)])
 
     def run(self) -> Found:
         """Tails first, then what lies between them."""
@@ -78,6 +80,8 @@ class _SignSearch:
             return self._whole(Piece(Kind.LEFT, None, left), 1)
         if tail is not None and self.tau.lower is not None and self.tau.lower >= right:
             return self._whole(tail, self._tail_sign())
+        if self._fold_allowed():
+            left = min(left, LEAST_LEFT_OF_FOLD)
         before: list[Piece] = []
         after: list[Piece] = []
         begin, end = self.tau.lower, self.tau.upper
@@ -91,7 +95,7 @@ class _SignSearch:
             after, end = [tail], right
         if end is None or max(-begin, end) > MAX_REACH:
             return None
-        middle = self._point(begin) if begin == end else self._middle(begin, end)
+        middle = self._middle(begin, end)
         if self.witness is not None:
             return self.witness
         return None if middle is None else Column(self.lower, self.upper, (*before, *middle, *after))
@@ -115,35 +119,46 @@ class _SignSearch:
         return self.witness
 
     def _point(self, tau: fmpq) -> tuple[Piece, ...] | None:
-        """A single tau: a short interval around it."""
+        """A single tau: a short interval around it; at 0 a hinge serves where F has a zero at an integer."""
         for half_width in _POINT_HALF_WIDTHS:
             if self.models.sign(tau - half_width, tau + half_width) == self.sign:
                 return (Piece(Kind.SIGN, tau - half_width, tau + half_width, self.sign),)
+            for begin, end in ((-half_width, tau), (tau, half_width)):
+                if tau == 0 and self._hinge(begin, end):
+                    return (Piece(Kind.HINGE, begin, end),)
         if self.models.sign_at_centre(tau) == -self.sign:
             self._refuted(tau)
         return None
 
     def _middle(self, begin: fmpq, end: fmpq) -> tuple[Piece, ...] | None:
+        if begin <= 0 <= end and self.sign > 0 and self._fold_allowed():
+            for half_width in FOLD_HALF_WIDTHS:
+                # A fold may reach beyond the range of tau, but not into the pieces of the tails.
+                apart = (begin < -half_width or begin == self.tau.lower) and (half_width < end or end == self.tau.upper)
+                if apart and self.models.fold(-half_width, half_width):
+                    fold = (Piece(Kind.FOLD, -half_width, half_width),)
+                    return self._joined((begin, -half_width), fold, (half_width, end))
+        if begin == end:
+            return self._point(begin)
         if begin < 0 < end:
-            if self.sign > 0 and self._fold_allowed():
-                for half_width in FOLD_HALF_WIDTHS:
-                    if begin < -half_width and half_width < end and self.models.fold(-half_width, half_width):
-                        fold = (Piece(Kind.FOLD, -half_width, half_width),)
-                        return self._joined((begin, -half_width), fold, (half_width, end))
             return self._joined((begin, fmpq(0)), (), (fmpq(0), end))
         return self._cover(begin, end)
 
     def _joined(
         self, first: tuple[fmpq, fmpq], between: tuple[Piece, ...], second: tuple[fmpq, fmpq]
     ) -> tuple[Piece, ...] | None:
-        before = self._cover(*first)
-        after = self._cover(*second) if before is not None else None
-        return None if before is None or after is None else (*before, *between, *after)
+        """Covers of two intervals, each possibly empty, with a piece between them."""
+        before = self._cover(*first) if first[0] < first[1] else ()
+        if before is None:
+            return None
+        after = self._cover(*second) if second[0] < second[1] else ()
+        return None if after is None else (*before, *between, *after)
 
     def _fold_allowed(self) -> bool:
         """The fold's integer is the lower end of the range of b, and the double zero at (0, n) is not asked for."""
         n = fold_integer(self.lower, self.upper)
-        return n is not None and n == self.lower - 1 < self.upper - 1 and not self.question.beta.contains(self.lower)
+        asked = self.tau.contains(fmpq(0)) and self.question.beta.contains(self.lower)
+        return n is not None and n == self.lower - 1 < self.upper - 1 and not asked
 
     def _hinge(self, lower: fmpq, upper: fmpq) -> bool:
         """The hypotheses of the hinge of ``proofs/fold.md``."""

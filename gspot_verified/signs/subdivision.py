@@ -10,9 +10,11 @@ import enum
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 from flint import fmpq
 
+from gspot_verified.signs.executors import InProcessExecutor
 from gspot_verified.signs.journal import Journal
 from gspot_verified.signs.pieces import Column
 
@@ -108,6 +110,9 @@ class Subdivision:
         if self.journal is not None and self.journal.knows(node.lower, node.upper):
             known = self.journal.recall(node.lower, node.upper)
             return lambda: known
+        if isinstance(executor, InProcessExecutor):
+            # Not before its turn: what is recorded is then all that was done, also after a kill.
+            return partial(examine, node.lower, node.upper)
         return executor.submit(examine, node.lower, node.upper).result
 
     def _record(self, index: int, answer: Column | tuple[fmpq, fmpq] | None) -> None:

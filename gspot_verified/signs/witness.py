@@ -43,10 +43,10 @@ def find_witness(tau: Range, beta: Range, sign: int) -> tuple[fmpq, fmpq] | None
 
 
 def _beta_points(beta: Range) -> list[fmpq]:
-    """Integers of the range, where the zero curves meet tau = 0, come first; then points next to its ends."""
+    """0, where dTheta/dtau vanishes identically, then integers of the range, where zero curves meet tau = 0."""
     lower = -1 if beta.lower is None else int((beta.lower).ceil())
     upper = lower + _MAX_INTEGERS if beta.upper is None else int((beta.upper).floor())
-    return [fmpq(n) for n in range(lower, min(upper, lower + _MAX_INTEGERS) + 1)]
+    return [fmpq(0)] + [fmpq(n) for n in range(lower, min(upper, lower + _MAX_INTEGERS) + 1)]
 
 
 def _samples(values: Range, special: list[fmpq]) -> list[fmpq]:
@@ -56,9 +56,9 @@ def _samples(values: Range, special: list[fmpq]) -> list[fmpq]:
         points += [lower, upper, (lower + upper) / 2]
         points += [end + side * (upper - lower) * d for d in _NEAR for end, side in ((lower, 1), (upper, -1))]
     elif lower is not None:
-        points += [lower, lower + fmpq(1, 1024), lower + 1, lower + 10]
+        points += [lower, *(lower + d for d in _NEAR), lower + 1, lower + 10]
     elif upper is not None:
-        points += [upper, upper - fmpq(1, 1024), upper - 1, upper - 10]
+        points += [upper, *(upper - d for d in _NEAR), upper - 1, upper - 10]
     else:
         points += [fmpq(30), fmpq(-30)]
     return [point for point in points if values.contains(point)]

@@ -13,6 +13,9 @@ from gspot_verified.signs.tails import left_threshold
 
 _STEP = fmpq(1, 2)
 FOLD_HALF_WIDTHS = tuple(fmpq(1, 2**j) for j in range(1, 7))
+LEAST_LEFT_OF_FOLD = fmpq(-1)
+"""The tail on the left holds nearly up to 0 next to an integer: it makes room for a fold."""
+
 _NARROW = fmpq(1, 16)
 _LEAST_WIDTH = fmpq(1, 2**7)
 _POINT_WIDTH = fmpq(1, 2**120)
@@ -21,7 +24,7 @@ _POINT_WIDTH = fmpq(1, 2**120)
 def zero_column(lower: fmpq, upper: fmpq) -> Column | None:
     """A column of certain pieces over beta in [lower, upper], or None when the range is too wide for one.
 
-    :raises ValueError: the range crosses an integer, or beta < 1.
+    :raises ValueError: the range crosses an integer.
     """
     n = cell_of(lower, upper)
     if n < 0:
@@ -30,6 +33,8 @@ def zero_column(lower: fmpq, upper: fmpq) -> Column | None:
     models = ColumnModels(lower - 1, upper - 1, reach)
     left = -left_threshold(lower - 1, upper - 1, n)
     has_fold = fold_integer(lower, upper) is not None
+    if has_fold:
+        left = min(left, LEAST_LEFT_OF_FOLD)
     least = _LEAST_WIDTH if lower < upper else _POINT_WIDTH
     # One zero may stay in the tail only if the range is narrow: a wide one is cut, to bracket that zero too.
     for changes in (0, 1) if upper - lower <= _NARROW else (0,):

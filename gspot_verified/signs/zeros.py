@@ -83,7 +83,7 @@ def zeros_on_range(
     >>> print(zeros_on_range("2..5/2"))
     proved: for every β in (2, 5/2) that is not an integer, dΘ/dτ has exactly N real zeros, all simple: N = 2 on (2, 3)
     """
-    beta = Range.parse(beta, "beta") if isinstance(beta, str) else beta
+    beta = beta if isinstance(beta, Range) else Range.parse(beta, "beta")
     if beta.lower is None or beta.upper is None or beta.lower < 0 or beta.upper > MAX_BETA:
         raise ValueError(f"beta: the range must lie inside [0, {MAX_BETA}]")
     if beta.is_point and beta.lower.q == 1:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-_GOAL_BITS = 40
+_GOAL_BITS = 12
 _MAX_LENGTH = 20_000
 
 

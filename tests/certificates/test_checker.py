@@ -1,0 +1,98 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from gspot_verified.certificates import checker
+from gspot_verified.certificates.checker import CheckResult, checker_path, run_checker
+from gspot_verified.certificates.text import certificate_text, write_certificate
+from gspot_verified.signs.sign import sign_on_ranges
+
+
+@pytest.fixture
+def good(tmp_path: Path) -> Path:
+    result = sign_on_ranges("-inf..inf", "0..1")
+    path = tmp_path / "-good.cert"
+    write_certificate(path, result.statement, result.columns)
+    return path
+
+
+def test_a_good_certificate(good: Path) -> None:
+    found = run_checker(good)
+    assert found.verified
+    assert found.text.startswith("VERIFIED ")
+    assert found.to_json() == {"verified": True, "text": found.text}
+
+
+def test_one_changed_byte(good: Path) -> None:
+    data = good.read_bytes()
+    for place in (5, len(data) // 2, len(data) - 3):
+        good.write_bytes(data[:place] + bytes([data[place] ^ 1]) + data[place + 1 :])
+        found = run_checker(good)
+        assert not found.verified
+        assert found.text.startswith("REJECTED ")
+
+
+@pytest.mark.parametrize("drop", [0, 1, -1])
+def test_pieces_that_are_missing(good: Path, drop: int) -> None:
+    from dataclasses import replace
+
+    result = sign_on_ranges("-inf..inf", "0..1")
+    (column,) = result.columns
+    pieces = [piece for piece in column.pieces if piece is not column.pieces[drop]]
+    good.write_text(certificate_text(result.statement, [replace(column, pieces=tuple(pieces))]))
+    assert not run_checker(good).verified
+
+
+def test_another_statement(good: Path) -> None:
+    from dataclasses import replace
+
+    result = sign_on_ranges("-inf..inf", "0..1")
+    good.write_text(certificate_text(replace(result.statement, sign=1), result.columns))
+    assert not run_checker(good).verified
+
+
+def test_no_file(tmp_path: Path) -> None:
+    for path in (tmp_path / "nothing", tmp_path):
+        with pytest.raises(ValueError, match="there is no file"):
+            run_checker(path)
+
+
+@pytest.mark.parametrize(
+    ("script", "verified"),
+    [
+        ("print('VERIFIED it')", True),
+        ("import sys; print('REJECTED it', file=sys.stderr); sys.exit(1)", False),
+        ("raise RuntimeError", None),  # also code 1
+        ("print('verified')", None),
+        ("import sys; print('VERIFIED it'); sys.exit(3)", None),
+        ("import sys; print('VERIFIED it'); sys.exit(1)", None),
+        ("import os, signal; os.kill(os.getpid(), signal.SIGKILL)", None),
+        ("import gspot_verified", None),
+        ("", None),
+    ],
+)
+def test_only_its_line_and_code_count(
+    good: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, script: str, verified: bool | None
+) -> None:
+    path = tmp_path / "check.py"
+    path.write_text(script)
+    monkeypatch.setattr(checker, "checker_path", lambda: path)
+    if verified is None:
+        with pytest.raises(ValueError, match="the checker stopped with code"):
+            run_checker(good)
+    else:
+        assert run_checker(good) == CheckResult(verified, f"{'VERIFIED' if verified else 'REJECTED'} it")
+
+
+def test_where_the_checker_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    assert checker_path().name == "check.py"
+    monkeypatch.setattr(checker, "_ROOT", tmp_path)
+    monkeypatch.setattr(checker.sys, "prefix", str(tmp_path))
+    with pytest.raises(ValueError, match="was not found"):
+        checker_path()
+    installed = tmp_path / "share" / "gspot_verified" / "check.py"
+    installed.parent.mkdir(parents=True)
+    installed.write_text("")
+    assert checker_path() == installed

@@ -1,0 +1,105 @@
+from __future__ import annotations
+
+import os
+import signal
+import warnings
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from gspot_verified.certificates.text import certificate_text
+from gspot_verified.signs.executors import InProcessExecutor, executor
+from gspot_verified.signs.sign import sign_on_ranges
+from gspot_verified.signs.zeros import ZerosResult, zeros_on_range
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def text_of(result: ZerosResult) -> str:
+    assert result.statement is not None
+    return certificate_text(result.statement, result.columns)
+
+
+@pytest.fixture(scope="module")
+def expected() -> str:
+    return text_of(zeros_on_range("2..4"))
+
+
+@pytest.fixture
+def importable(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Worker processes find the package where this process does."""
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(ROOT), os.environ.get("PYTHONPATH", "")]))
+
+
+@pytest.mark.usefixtures("importable")
+def test_a_pool_gives_the_same_certificates(expected: str) -> None:
+    with executor(2) as pool:
+        assert text_of(zeros_on_range("2..4", executor=pool)) == expected
+        alone = sign_on_ranges("-inf..0", "[3..5]")
+        assert sign_on_ranges("-inf..0", "[3..5]", executor=pool) == alone
+        short = zeros_on_range("2..4", budget=9)
+        assert zeros_on_range("2..4", budget=9, executor=pool) == short
+
+
+def test_in_process(expected: str) -> None:
+    with executor() as pool:
+        assert isinstance(pool, InProcessExecutor)
+        assert pool.submit(max, 2, 3).result() == 3
+        assert isinstance(pool.submit(int, "x").exception(), ValueError)
+        assert text_of(zeros_on_range("2..4", executor=pool)) == expected
+
+
+def test_an_interrupt_is_not_kept_in_a_future() -> None:
+    def interrupt() -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        InProcessExecutor().submit(interrupt)
+
+
+@pytest.mark.parametrize("workers", [0, -1, 1025, 1.5, True, "2", None])
+def test_bad_numbers_of_workers(workers: Any) -> None:
+    with pytest.raises(ValueError, match="workers"), executor(workers):
+        pass
+
+
+@pytest.fixture
+def cluster(request: pytest.FixtureRequest) -> Iterator[Any]:
+    request.getfixturevalue("importable")
+    distributed = pytest.importorskip("distributed", reason="Dask (distributed) is not installed")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of distributed and what it imports, not of this package
+        with distributed.LocalCluster(
+            processes=True, n_workers=2, threads_per_worker=1, dashboard_address=None, host="127.0.0.1",
+            silence_logs=50,
+        ) as found:  # fmt: skip
+            yield found
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::ResourceWarning", "ignore::UserWarning")
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning", "ignore::RuntimeWarning")
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")
+def test_a_dask_cluster_that_loses_a_worker(cluster: Any, expected: str) -> None:
+    killed: list[int] = []
+
+    def kill_one(step: Any) -> None:
+        if step.examined == 6:
+            process = next(iter(cluster.workers.values())).process
+            killed.append(process.pid)
+            os.kill(process.pid, signal.SIGKILL)
+
+    with executor(scheduler=cluster.scheduler_address) as pool:
+        result = zeros_on_range("2..4", executor=pool, progress=kill_one)
+    assert len(killed) == 1
+    assert text_of(result) == expected
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::ResourceWarning", "ignore::UserWarning")
+def test_without_dask_a_scheduler_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    import sys
+
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(ValueError, match="install the extra"), executor(scheduler="tcp://127.0.0.1:1"):
+        pass

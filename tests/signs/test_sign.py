@@ -1,0 +1,218 @@
+from __future__ import annotations
+
+import json
+import random
+import subprocess
+import sys
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+from flint import fmpq
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from gspot_verified.balls import sign_of
+from gspot_verified.certificates.text import write_certificate
+from gspot_verified.signs.ranges import Range
+from gspot_verified.signs.sign import SignResult, sign_on_ranges
+from gspot_verified.signs.witness import find_witness, sign_at
+from gspot_verified.theta.evaluate import evaluate
+from gspot_verified.verdict import Outcome, Reason
+
+CHECKER = Path(__file__).resolve().parents[2] / "proofs" / "check.py"
+TINY = "0" * 39 + "1"
+P, R, U = Outcome.PROVED, Outcome.REFUTED, Outcome.UNDECIDED
+
+
+def slope_sign(tau: fmpq, beta: fmpq) -> int | None:
+    """The sign of dTheta/dtau at a point, by ``evaluate``."""
+    value = evaluate(tau, beta, derivative=1, digits=5).value
+    assert value.is_finite()
+    return sign_of(value)
+
+
+def assert_refuted(result: SignResult) -> None:
+    """The witness lies in the ranges and has another sign."""
+    assert result.verdict.outcome is R
+    assert result.point is not None
+    tau, beta = result.point
+    assert result.statement.tau.contains(tau)
+    assert result.statement.beta.contains(beta)
+    assert result.sign_there != result.statement.sign
+    if beta.q == 1 and beta >= 0:
+        assert sign_at(tau, beta) == result.sign_there
+    else:
+        assert slope_sign(tau, beta) == result.sign_there
+
+
+TABLE = [
+    # the whole line
+    ("-inf..inf", "0..1", -1, P), ("-inf..inf", "(0..1]", -1, P), ("-inf..inf", "[0..1)", -1, R),
+    ("-inf..inf", "0..1", 1, R), ("-inf..inf", "1", -1, P), ("-inf..inf", "0..2", -1, R), ("-inf..inf", "0", -1, R),
+    ("-inf..inf", "0", 1, R), ("-inf..inf", "-inf..0", 1, P), ("-inf..inf", "(-inf..0]", 1, R),
+    ("-inf..inf", "-inf..0", -1, R), ("-inf..inf", "-1..1", 1, R), ("-inf..inf", "-1..1", -1, R),
+    ("-inf..inf", "-7/2", 1, P), ("-inf..inf", f"0..0.{TINY}", -1, P), ("-inf..inf", f"1..1.{TINY}", -1, R),
+    # tau < 0: the hinge at beta = 2, the fold at beta = 3
+    ("-inf..0", "1..2", -1, P), ("-inf..0", "[1..2]", -1, P), ("(-inf..0]", "[1..2)", -1, P),
+    ("(-inf..0]", "[1..2]", -1, R), ("-inf..0", "2..3", -1, R), ("-inf..0", "3..4", -1, P),
+    ("-inf..0", "[3..4]", -1, P),
+    ("(-inf..0]", "3..4", -1, P), ("(-inf..0]", "[3..4]", -1, R), ("-inf..0", "3..5", -1, P),
+    ("-inf..0", "[3..5]", -1, P), ("-inf..0", "3..6", -1, R), ("-inf..0", f"[1.5..2.{TINY}]", -1, R),
+    # open and closed ends around beta = 2, 3 and tau = 0
+    ("-1..1", f"2.{'9' * 40}..3.{TINY}", -1, R), ("-1/100..1/100", f"(3..3.{TINY}]", -1, P),
+    ("-1/100..1/100", f"[3..3.{TINY}]", -1, R), ("-1/100..1/100", f"[2.{'9' * 40}..3)", -1, R),
+    ("0..1", f"[2..2.{TINY}]", 1, P), ("[0..1]", f"(2..2.{TINY}]", 1, P), ("[0..1]", f"[2..2.{TINY}]", 1, R),
+    ("-1..0", f"[1.{'9' * 40}..2]", -1, P), ("[-1..0]", f"[1.{'9' * 40}..2)", -1, P),
+    ("[-1..0]", f"[1.{'9' * 40}..2]", -1, R), ("0", "1..2", -1, P), ("0", "(1..2]", -1, R), ("0", "3..5", -1, P),
+    ("0", "[3..5)", -1, R), ("0", "3", -1, R), ("0", "2", 1, R),
+    # points; one zero curve through the box
+    ("1", "3", -1, P), ("1", "3", 1, R), ("1/2", "7/3", 1, P), ("1/2", "7/3", -1, R), ("-1", "5/2", -1, P),
+    ("-1/2..-1/4", "5/2", -1, R), ("-1/2..-1/4", "5/2", 1, R), ("-5..5", "-5..5", 1, R),
+    # far out
+    ("1e9..inf", "[21/10..3)", -1, P), ("1e9..inf", "[21/10..3)", 1, R), ("1e9..inf", "[21/10..3]", -1, P),
+    ("-inf..-1e9", "2..12", -1, P), ("-inf..-1e9", "2..12", 1, R), ("1e300", "2..3", -1, U), ("1e300", "5", 1, R),
+    ("3..4", "-100..3/2", 1, R), ("1..inf", "0..inf", -1, R), ("-inf..0", "250..300", -1, R),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("tau", "beta", "sign", "outcome"), TABLE)
+def test_verdicts(tau: str, beta: str, sign: int, outcome: Outcome) -> None:
+    budget = 30 if outcome is U else 2_000
+    result = sign_on_ranges(tau, beta, sign, budget=budget)
+    assert result.verdict.outcome is outcome, str(result)
+    json.dumps(result.to_json())
+    assert outcome.value in str(result)
+    if outcome is R:
+        assert_refuted(result)
+    if outcome is P:
+        assert result.proved_statement == result.statement
+
+
+@pytest.mark.parametrize(
+    ("tau", "beta", "sign"),
+    [
+        ("-inf..inf", "0..1", -1), ("-inf..0", "[3..4]", -1), ("0", "3..4", -1), ("1", "3", -1), ("0", "3", 1),
+        ("3..4", "1.1..1.2", -1), ("-1", "-3..-2", -1), ("[0..1]", f"(2..2.{TINY}]", 1), ("-inf..inf", "-inf..0", 1),
+        ("3..inf", "[5/2..11/4]", -1), ("-1/2..-1/4", "5/2", -1), ("[-1..0]", "[15/8..2)", -1), ("2", "[5/2..8/3]", -1),
+    ],
+)  # fmt: skip
+def test_the_checker_agrees(tmp_path: Path, tau: str, beta: str, sign: int) -> None:
+    result = sign_on_ranges(tau, beta, sign)
+    assert result.proved_statement is not None
+    path = tmp_path / "sign.cert"
+    write_certificate(path, result.proved_statement, result.columns)
+    run = subprocess.run([sys.executable, "-I", "-S", str(CHECKER), str(path)], capture_output=True, check=False)
+    assert run.returncode == 0, run.stderr
+    assert run.stdout.startswith(b"VERIFIED ")
+
+
+def test_by_theorem_and_by_numbers_agree() -> None:
+    for tau in ("-inf..inf", "-3..3", "[0..1]"):
+        numbers, theorem = (sign_on_ranges(tau, "0..1", by_theorem=flag) for flag in (False, True))
+        assert numbers.verdict == theorem.verdict
+        assert numbers.columns != theorem.columns
+
+
+def test_budget_zero_decides_nothing() -> None:
+    for tau, beta in (("-inf..inf", "0..1"), ("-inf..inf", "0..2"), ("1", "3")):
+        result = sign_on_ranges(tau, beta, budget=0)
+        assert result.verdict.outcome is U
+        assert result.verdict.reason is Reason.BUDGET
+        assert result.proved_statement is None
+
+
+def test_the_budget_is_kept_and_what_is_left_is_named() -> None:
+    # Just inside the fold, below the integer 3: true nowhere near tau = 0, and the search is cut short.
+    result = sign_on_ranges("1e9..inf", "2..3", -1, budget=7)
+    assert result.verdict.outcome is U
+    assert result.verdict.reason is Reason.BUDGET
+    assert result.examined == 7
+    assert result.verdict.remaining
+    assert "left: β in [" in result.verdict.detail
+
+
+def test_stuck_is_not_called_out_of_budget() -> None:
+    result = sign_on_ranges("0", "2..3", 1)
+    assert result.verdict.outcome is U
+    assert result.verdict.reason is Reason.HYPOTHESIS
+
+
+def test_beyond_the_largest_beta_there_is_no_proof() -> None:
+    result = sign_on_ranges("-inf..-1e9", "199..201", -1)
+    assert result.verdict.outcome is U
+    assert result.verdict.reason is Reason.NO_ROUTE
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "message"),
+    [
+        (("1..0", "0..1"), ValueError, "tau: the range is reversed"),
+        (("0..1", "1..1"), ValueError, "beta: the range"),
+        (("0..1", "nan"), ValueError, "beta: expected a number"),
+        (("[0..inf]", "0..1"), ValueError, "tau: a range must be open"),
+        (("inf", "0..1"), ValueError, "tau: a single value must be finite"),
+        ((0.5, "0..1"), TypeError, "tau: expected a Range"),
+        (("0..1", 3), TypeError, "beta: expected a Range"),
+        (("0..1", "0..1", 0), ValueError, "sign must be"),
+        (("0..1", "0..1", 1.0), ValueError, "sign must be"),
+        (("0..1", "0..1", True), ValueError, "sign must be"),
+    ],
+)
+def test_bad_input(arguments: tuple[Any, ...], error: type[Exception], message: str) -> None:
+    with pytest.raises(error, match=message):
+        sign_on_ranges(*arguments)
+
+
+@pytest.mark.parametrize("budget", [-1, 1.5, True])
+def test_bad_budget(budget: Any) -> None:
+    for beta in ("0..1", "0..2"):
+        with pytest.raises(ValueError, match="budget"):
+            sign_on_ranges("-inf..inf", beta, budget=budget)
+
+
+def test_sign_at_points() -> None:
+    assert sign_at(fmpq(0), fmpq(0)) == 0
+    assert sign_at(fmpq(10**400), fmpq(4)) == 1  # -4 (2 - tau^3)
+    assert sign_at(fmpq(10**13), fmpq(1, 2)) is None
+    assert sign_at(fmpq(0), fmpq(1, 2)) == -1
+    for n in range(1, 12):
+        for k in range(-12, 13):
+            assert sign_at(fmpq(k, 2), fmpq(n)) == slope_sign(fmpq(k, 2), fmpq(n))
+
+
+def test_a_witness_is_a_certain_one() -> None:
+    tau, beta = Range.parse("-1..1", "tau"), Range.parse("(2..3]", "beta")
+    found = find_witness(tau, beta, -1)
+    assert found is not None
+    assert sign_at(*found) != -1
+    assert find_witness(tau, Range.parse("0..1", "beta"), -1) is None
+
+
+def near_end(lower: Fraction, upper: Fraction, source: random.Random) -> fmpq:
+    gap = (upper - lower) * source.choice(
+        (Fraction(1, 2**60), Fraction(1, 10**5), Fraction(source.randrange(1, 64), 64))
+    )
+    value = lower + gap if source.random() < 0.5 else upper - gap
+    return fmpq(value.numerator, value.denominator)
+
+
+@settings(max_examples=20)
+@given(
+    st.fractions(-4, 7, max_denominator=8),
+    st.fractions(Fraction(1, 16), 2, max_denominator=16),
+    st.fractions(-1, 7, max_denominator=8),
+    st.fractions(Fraction(1, 16), Fraction(3, 2), max_denominator=16),
+    st.sampled_from((-1, 1)),
+    st.integers(0, 2**32),
+)
+def test_random_ranges(t: Fraction, height: Fraction, b: Fraction, width: Fraction, sign: int, seed: int) -> None:
+    result = sign_on_ranges(f"{t}..{t + height}", f"{b}..{b + width}", sign, budget=60)
+    if result.verdict.outcome is R:
+        assert_refuted(result)
+    if result.verdict.outcome is P:
+        source = random.Random(seed)
+        for _ in range(50):
+            tau, beta = near_end(t, t + height, source), near_end(b, b + width, source)
+            assert slope_sign(tau, beta) == sign

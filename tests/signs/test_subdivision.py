@@ -1,0 +1,153 @@
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from concurrent.futures import Executor, Future
+from itertools import pairwise
+from typing import Any
+
+import pytest
+from flint import fmpq
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gspot_verified.signs.executors import InProcessExecutor
+from gspot_verified.signs.pieces import Column, Kind, Piece
+from gspot_verified.signs.subdivision import Examine, State, Subdivision
+
+CELLS = [(fmpq(0), fmpq(1)), (fmpq(1), fmpq(2)), (fmpq(2), fmpq(5, 2))]
+LAPLACE = (Piece(Kind.LAPLACE, None, None),)
+
+
+def narrower_than(width: fmpq) -> Examine:
+    """Settles the ranges that are at most so wide, and the first cell's left half."""
+
+    def examine(lower: fmpq | None, upper: fmpq) -> Column | None:
+        assert lower is not None
+        settled = upper - lower <= width or (lower == 0 and upper == fmpq(1, 2))
+        return Column(lower, upper, LAPLACE) if settled else None
+
+    return examine
+
+
+class Late(Executor):
+    """Runs the calls of a batch in a random order, when the first result is asked for."""
+
+    def __init__(self) -> None:
+        self.waiting: list[Callable[[], None]] = []
+
+    def submit(self, function: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        executor = self
+
+        class Asked(Future[Any]):
+            def result(self, timeout: float | None = None) -> Any:
+                random.Random(7).shuffle(executor.waiting)
+                for run in executor.waiting:
+                    run()
+                executor.waiting.clear()
+                return super().result(timeout)
+
+        future = Asked()
+        self.waiting.append(lambda: future.set_result(function(*args, **kwargs)))
+        return future
+
+
+def assert_tiles(tree: Subdivision) -> None:
+    """Children cover their parent, and finished and unfinished ranges together cover the cells, once."""
+    for index, node in enumerate(tree.nodes):
+        children = [child for child in tree.nodes if child.parent == index]
+        assert bool(children) == (node.state is State.SPLIT)
+        if children:
+            first, second = children
+            assert (first.lower, first.upper) == (node.lower, second.lower)
+            assert second.upper == node.upper
+            assert first.depth == second.depth == node.depth + 1
+    parts = sorted([*((c.lower, c.upper) for c in tree.finished), *tree.unfinished])
+    assert parts[0][0] == tree.cells[0][0]
+    assert parts[-1][1] == tree.cells[-1][1]
+    for (_, upper), (lower, _) in pairwise(parts):
+        assert upper == lower
+
+
+@given(st.integers(0, 60), st.integers(1, 40))
+def test_tree_and_budget(budget: int, width: int) -> None:
+    tree = Subdivision(list(CELLS), budget)
+    seen = [step.examined for step in tree.steps(narrower_than(fmpq(1, width)), InProcessExecutor())]
+    assert seen == list(range(1, len(seen) + 1))
+    assert len(seen) == tree.examined <= budget
+    assert_tiles(tree)
+    if tree.unfinished:
+        assert tree.examined == budget
+    other = Subdivision(list(CELLS), budget)
+    for _ in other.steps(narrower_than(fmpq(1, width)), Late()):
+        pass
+    assert other.nodes == tree.nodes
+
+
+def test_progress_adds_up() -> None:
+    tree = Subdivision(list(CELLS), 1000)
+    for step in tree.steps(narrower_than(fmpq(1, 8)), InProcessExecutor()):
+        assert_tiles(tree)
+        assert step.finished == len(tree.finished)
+        assert step.waiting == len(tree.unfinished)
+    assert step.waiting == 0
+    assert tree.unfinished == []
+
+
+def test_a_stopped_iterator_goes_on() -> None:
+    tree, whole = Subdivision(list(CELLS), 1000), Subdivision(list(CELLS), 1000)
+    for _ in whole.steps(narrower_than(fmpq(1, 8)), InProcessExecutor()):
+        pass
+    while tree.unfinished:
+        next(tree.steps(narrower_than(fmpq(1, 8)), InProcessExecutor()))
+    assert tree.finished == whole.finished
+    assert tree.examined == whole.examined
+
+
+def test_in_this_process_nothing_is_examined_before_its_turn() -> None:
+    calls = []
+
+    def examine(lower: fmpq | None, upper: fmpq) -> None:
+        calls.append((lower, upper))
+
+    steps = Subdivision(list(CELLS), 100).steps(examine, InProcessExecutor())
+    for k in range(1, 6):
+        next(steps)
+        assert len(calls) == k
+
+
+def test_a_witness_ends_the_search() -> None:
+    def examine(lower: fmpq | None, upper: fmpq) -> tuple[fmpq, fmpq] | None:
+        return (fmpq(0), upper) if upper - fmpq(lower or 0) <= fmpq(1, 4) else None
+
+    trees = [Subdivision(list(CELLS), 1000) for _ in range(2)]
+    for tree, pool in zip(trees, (InProcessExecutor(), Late()), strict=True):
+        for _ in tree.steps(examine, pool):
+            pass
+        assert tree.witness is not None
+    assert trees[0].nodes == trees[1].nodes
+
+
+def test_depth_points_and_infinity_get_stuck() -> None:
+    tree = Subdivision([(None, fmpq(0)), (fmpq(1), fmpq(1)), (fmpq(1), fmpq(2))], 1000, max_depth=3)
+    for _ in tree.steps(lambda *_: None, InProcessExecutor()):
+        pass
+    assert tree.examined == 1 + 1 + 15
+    assert len(tree.unfinished) == 1 + 1 + 8
+    assert tree.unfinished[0][0] is None
+
+
+@pytest.mark.parametrize("budget", [-1, 1.0, True, None])
+def test_bad_budget(budget: Any) -> None:
+    with pytest.raises(ValueError, match="budget"):
+        Subdivision(list(CELLS), budget)
+
+
+def test_an_error_of_the_work_comes_out() -> None:
+    def examine(lower: fmpq | None, upper: fmpq) -> None:
+        raise ArithmeticError(f"{lower} {upper}")
+
+    tree = Subdivision(list(CELLS), 10)
+    with pytest.raises(ArithmeticError, match="0 1"):
+        next(tree.steps(examine, InProcessExecutor()))
+    assert tree.examined == 0
