@@ -11,14 +11,14 @@ from gspot_verified.cli.app import JsonFlag, app, print_json, progress
 
 
 @app.command(
-    short_help="Check the paper's statements about Θ and write the report.",
+    short_help="Check the paper, claim by claim, and write the report.",
     epilog="Example: gspot-verified verify --output report",
 )
 def verify(
     output: Annotated[Path, typer.Option(help="Directory of the report.")] = Path("report"),
     as_json: JsonFlag = False,
 ) -> None:
-    """Check the paper's Appendix A and Sec. 4.5 statements about Θ and write the report (HTML, JSON, figures).
+    """Check the paper, claim by claim: Secs. 2, 4, 5 and Appendix A, and write the report (HTML, JSON, figures).
 
     Exit code 1 when a printed statement is refuted (the paper has misprints), 2 when one is undecided.
     """

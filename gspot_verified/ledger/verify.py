@@ -4,14 +4,42 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from gspot_verified.ledger import appendix_a, cases, section_4_5
+from gspot_verified.ledger import (
+    appendix_a,
+    cases,
+    example,
+    lagrangian,
+    section_4_5,
+    section_4_fast,
+    section_4_inner,
+    section_4_matching,
+    section_4_outer,
+    section_4_trivial,
+    section_5_matching,
+    section_5_outer,
+    section_5_recursion,
+    section_5_spaces,
+)
 from gspot_verified.ledger.entry import Entry
 from gspot_verified.verdict import Outcome
 
 PARTS: dict[str, Callable[[], list[Entry]]] = {
-    "Appendix A": appendix_a.entries,
+    "Section 1, the ratio β": section_4_fast.ratio_entries,
+    "Section 2, the motivating example": section_4_trivial.entries,
+    "Section 2, the extended example": lagrangian.entries,
+    "Section 4, elimination and deviations": section_4_outer.entries,
+    "Section 4.1, the distinguished trajectory": section_4_trivial.uniqueness_entries,
+    "Section 4, fast and slow system": section_4_fast.entries,
+    "Section 4, inner scale": section_4_inner.entries,
+    "Section 4.4, matching": section_4_matching.entries,
     "Section 4.5, formulas and signs": section_4_5.entries,
     "Section 4.5, Cases I, II and III": cases.entries,
+    "Section 5, the recursion": section_5_recursion.entries,
+    "Section 5, Theorem 1": section_5_spaces.entries,
+    "Section 5, the example": example.entries,
+    "Section 5, outer system": section_5_outer.entries,
+    "Section 5, matching": section_5_matching.entries,
+    "Appendix A": appendix_a.entries,
 }
 
 

@@ -1,0 +1,116 @@
+"""Commands ``classify`` and ``expand``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+
+if TYPE_CHECKING:
+    from gspot_verified.expansion.system import System
+    from gspot_verified.mechanisms.mechanism import Mechanism
+
+MechanismName = Annotated[str, typer.Argument(help="A TOML file, or: model, extended, oscillator, rod.")]
+Settings = Annotated[
+    list[str] | None,
+    typer.Option("--set", help='A parameter, "chi=1/2"; "chi=symbolic" keeps the symbol (expand only).'),
+]
+
+
+@app.command(epilog="Example: gspot-verified classify oscillator --set beta=5/2")
+def classify(name: MechanismName, settings: Settings = None, as_json: JsonFlag = False) -> None:
+    """A mechanism's G-spot: alpha_i, β, Case I, II or III, and which side lifts off.
+
+    Exit code 2 when the balls of a point that is not rational leave the case open.
+    """
+    from gspot_verified.mechanisms.classify import classify as classify_mechanism
+
+    result = classify_mechanism(_mechanism(name, settings))
+    if as_json:
+        print_json(result.to_json())
+    else:
+        typer.echo(str(result))
+    raise typer.Exit(2 if result.case is None else 0)
+
+
+@app.command(epilog="Example: gspot-verified expand extended --order 7 --chi symbolic")
+def expand(
+    name: MechanismName,
+    order: Annotated[int, typer.Option(help="Terms of the orders below this one of δ = ε^(1/3).")] = 8,
+    chi: Annotated[str | None, typer.Option(help='Short for --set chi=...: a number or "symbolic".')] = None,
+    settings: Settings = None,
+    in_time: Annotated[bool, typer.Option("--in-time", help="As polynomials in t and ε (the Corollary).")] = False,
+    at: Annotated[str | None, typer.Option(help='Value at "s,delta" (with --in-time: "t,epsilon"), in balls.')] = None,
+    residual: Annotated[str | None, typer.Option(help='Bound on what is left for |s| <= S, δ <= D: "S,D".')] = None,
+    latex: Annotated[bool, typer.Option("--latex", help="Print LaTeX.")] = False,
+    picture: Annotated[Path | None, typer.Option(help="Truncation error against δ as a PNG file.")] = None,
+    as_json: JsonFlag = False,
+) -> None:
+    """The distinguished trajectory of Theorem 1 as an expansion with exact coefficients."""
+    from gspot_verified.expansion.trajectory import expand as expand_system
+
+    chosen = [*(settings or []), *([] if chi is None else [f"chi={chi}"])]
+    trajectory = expand_system(_system(name, chosen), order, lambda done, of: _orders(done, of))
+    data = trajectory.to_json()
+    text = trajectory.to_latex() if latex else str(trajectory)
+    if in_time:
+        series = trajectory.in_time()
+        data, text = series.to_json(), str(series)
+    if at is not None:
+        first, second = _pair(at, "--at")
+        values = trajectory.evaluate_in_time(first, second) if in_time else trajectory.evaluate(first, second)
+        data = {key: str(value) for key, value in values.items()}
+        text = "\n".join(f"{key} = {value}" for key, value in values.items())
+    if residual is not None:
+        from gspot_verified.expansion.residual import residual_bounds
+
+        bounds = residual_bounds(trajectory, *_pair(residual, "--residual"))
+        data, text = {**data, "residual": bounds.to_json()}, f"{text}\n{bounds}"
+    if picture is not None:
+        from gspot_verified.report.truncation import save_truncation
+
+        save_truncation(trajectory, picture)
+    if as_json:
+        print_json(data)
+    else:
+        typer.echo(text)
+
+
+def _orders(done: int, of: int) -> None:
+    if done % 20 == 0:
+        progress(f"{done} of {of} orders")
+
+
+def _pair(text: str, option: str) -> tuple[str, str]:
+    parts = [part.strip() for part in text.split(",")]
+    if len(parts) != 2:
+        raise ValueError(f'{option}: expected two numbers such as "1,1/10", got {text[:60]!r}')
+    return parts[0], parts[1]
+
+
+def _mechanism(name: str, settings: list[str] | None) -> Mechanism:
+    from gspot_verified.mechanisms.file import read_mechanism
+    from gspot_verified.mechanisms.shipped import shipped_mechanism
+
+    path = Path(name)
+    mechanism = read_mechanism(path) if path.suffix == ".toml" or path.is_file() else shipped_mechanism(name)
+    values: dict[str, str | None] = {}
+    for setting in settings or []:
+        key, equals, value = setting.partition("=")
+        if not equals or not key.strip():
+            raise ValueError(f'--set: expected "name=value", got {setting[:60]!r}')
+        values[key.strip()] = None if value.strip() == "symbolic" else value.strip()
+    return mechanism.with_parameters(**values)
+
+
+def _system(name: str, settings: list[str]) -> System:
+    from gspot_verified.mechanisms.g_spot import find_g_spot
+    from gspot_verified.mechanisms.symbolic import symbolic_system
+
+    mechanism = _mechanism(name, settings)
+    if any(value is None for _, value in mechanism.parameters):
+        return symbolic_system(mechanism)
+    return find_g_spot(mechanism).system

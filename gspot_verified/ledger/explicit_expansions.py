@@ -1,0 +1,181 @@
+"""Theorem 1 and its lemma on explicit nonlinear systems, for the ledger: spaces, equations, conditions.
+
+A shift (e, o) says: the term of order n = 2 nu is in P_(nu + e), that of order n = 2 nu + 1 in P_(nu + o).
+"""
+
+from __future__ import annotations
+
+from flint import fmpq, fmpq_poly
+
+from gspot_verified.expansion.expressions import Constant, Exponential, Expression, Power, Product, Sine, Sum, Variable
+from gspot_verified.expansion.power_series import SeriesOfFunctions
+from gspot_verified.expansion.recursion import Recursion
+from gspot_verified.expansion.rings import RATIONALS
+from gspot_verified.expansion.spaces import SpacePolynomial
+from gspot_verified.expansion.system import System
+from gspot_verified.expansion.terms import PolynomialTerms
+
+Shift = tuple[int, int]
+SPACES: dict[str, Shift] = {
+    "p": (1, -3), "b": (1, -3), "xi": (1, -3), "y": (0, -1), "z": (0, -1), "v": (-1, -2), "lambda_n": (0, -4),
+}  # fmt: skip
+"""Theorem 1, lines 1511 to 1521."""
+FUNCTION: Shift = (0, -4)
+"""Lemma thm:expansion: the terms f_n of a function of xi."""
+
+
+def _number(value: int | fmpq) -> Expression:
+    return Constant(fmpq(value))
+
+
+def random_systems() -> list[System]:
+    """Systems in the coordinates (p, b, y, v, w): there any alpha_1, alpha_2, alpha_3 have the form of Sec. 5."""
+    p, b, y, v, w = (Variable(i) for i in range(5))
+    choices = (
+        (_number(-1) + b + p * w, _number(-1) + y + w, _number(fmpq(-3, 2)) + b + w * w, b + w, p + _number(2)),
+        (_number(-2) + Sine(w), _number(3) - Exponential(p), _number(-5) + b * b + v, _number(1) + p, w - b),
+        (_number(-3) + Power(_number(1) + w + y, fmpq(-1)), _number(fmpq(1, 2)) - w, _number(-1) - b, w, _number(1)),
+    )
+    return [
+        System(
+            f"random {i}", (first, second, v, b, drift), (_number(0), -third, _number(0), p, control), y, v, p, b,
+            first, second, third, (w,), (fmpq(0),) * 5,
+        )
+        for i, (first, second, third, drift, control) in enumerate(choices)
+    ]  # fmt: skip
+
+
+def recursions(orders: int = 8) -> list[Recursion]:
+    """The terms n < orders of the random systems."""
+    found = []
+    for system in random_systems():
+        recursion = Recursion(system)
+        for _ in range(orders):
+            recursion.advance()
+        found.append(recursion)
+    return found
+
+
+def in_stated_spaces(recursion: Recursion) -> bool:
+    """Whether all terms are in the spaces of ``SPACES``."""
+    for name, shift in SPACES.items():
+        for n, term in enumerate(getattr(recursion, name)):
+            for part in term if name == "xi" else [term]:
+                index = n // 2 + shift[n % 2]
+                powers = [k for k, value in enumerate(part.coefficients()) if value != 0]
+                if any(k > index or (index - k) % 3 for k in powers):
+                    return False
+    return True
+
+
+def equations_hold(recursion: Recursion) -> bool:
+    """Eqs. specialX to specialL for the truncated series, by ordinary polynomials and no step of the recursion."""
+    orders = len(recursion.p)
+    series = {name: [_plain(term) for term in getattr(recursion, name)] for name in SPACES if name != "xi"}
+    state = [[_plain(term[i]) for term in recursion.xi] for i in range(len(recursion.system.point))]
+    system, zero = recursion.system, fmpq_poly([])
+    values = SeriesOfFunctions(
+        (*system.F, *system.G, system.alpha_1, system.alpha_2, system.alpha_3), _Plain(), RATIONALS
+    )
+    for n in range(orders):
+        values.extend([zero if n < 2 else row[n - 2] for row in state])
+    force = series["lambda_n"]
+
+    def product_term(left: list[fmpq_poly], n: int) -> fmpq_poly:
+        return sum((left[n - k] * force[k] for k in range(n + 1)), start=zero)
+
+    for n in range(orders):
+        z_before = series["z"][n - 1].derivative() if n else zero
+        residuals = [
+            series["p"][n].derivative() - values[system.alpha_1][n],
+            series["b"][n].derivative() - values[system.alpha_2][n] + product_term(values[system.alpha_3], n),
+            series["y"][n].derivative() - series["v"][n],
+            series["v"][n].derivative() - series["b"][n] - product_term(series["p"], n),
+            z_before + series["z"][n] + force[n],
+            force[n] - series["z"][n] + series["y"][n],
+        ]
+        residuals += [
+            row[n].derivative() - values[f][n] - product_term(values[g], n)
+            for row, f, g in zip(state, system.F, system.G, strict=True)
+        ]
+        if any(value != 0 for value in residuals) or series["p"][n][0] != 0:
+            return False
+    return True
+
+
+def synchronised(recursion: Recursion) -> bool:
+    """The components p, b, y, v of xi~ are p~, b~, delta^4 y~, delta^2 v~ for every s, and w(0) = 0."""
+    rows = [[_plain(term[i]) for term in recursion.xi] for i in range(5)]
+    places = (("p", 0), ("b", 0), ("y", 4), ("v", 2))
+    for row, (name, later) in zip(rows, places, strict=False):
+        own = [_plain(term) for term in getattr(recursion, name)]
+        if any(row[n] != (own[n - later] if n >= later else 0) for n in range(len(row))):
+            return False
+    return all(value[0] == 0 for value in rows[4])
+
+
+class _Plain:
+    """Ordinary polynomials in s as terms of a series."""
+
+    def constant(self, value: fmpq) -> fmpq_poly:
+        return fmpq_poly([value])
+
+    def zero(self, _: int) -> fmpq_poly:
+        return fmpq_poly([])
+
+    def scale(self, term: fmpq_poly, factor: fmpq) -> fmpq_poly:
+        return term * factor
+
+    def is_zero(self, term: fmpq_poly) -> bool:
+        return bool(term.is_zero())
+
+    def at_start(self, term: fmpq_poly) -> fmpq:
+        return term[0]
+
+
+def _plain(term: SpacePolynomial) -> fmpq_poly:
+    return fmpq_poly(term.coefficients())
+
+
+def lemma_on_functions(orders: int = 10) -> bool:
+    """Nonlinear functions of two components with terms in the spaces of xi: f_n is in its space, linear in xi_(n-2)."""
+    x, w = Variable(0), Variable(1)
+    functions: tuple[Expression, ...] = (
+        Product(x, w), Sine(x), Exponential(x - w), Power(_number(1) + x, fmpq(-2)), Sum((x * x * w, w)),
+    )  # fmt: skip
+    slopes = ((0, 0), (1, 0), (1, -1), (-2, 0), (0, 1))
+    probe = [_terms(orders, seed) for seed in (1, 2)]
+    found = _series(functions, probe, orders)
+    for f, slope in zip(functions, slopes, strict=True):
+        for n in range(orders):
+            index = n // 2 + FUNCTION[n % 2]
+            if any(value != 0 and (k > index or (index - k) % 3) for k, value in enumerate(found[f][n].coefficients())):
+                return False
+        changed = [[*row[:-1], row[-1] + row[-1]] for row in probe]
+        other = _series(functions, changed, orders)
+        wanted = _plain(probe[0][-1]) * slope[0] + _plain(probe[1][-1]) * slope[1]
+        if any(found[f][n] != other[f][n] for n in range(orders - 1)):
+            return False
+        if _plain(other[f][orders - 1]) - _plain(found[f][orders - 1]) != wanted:
+            return False
+    return True
+
+
+def _terms(orders: int, seed: int) -> list[SpacePolynomial]:
+    """The terms of orders 0 to orders - 1 of delta^2 xi~ in the spaces of Theorem 1."""
+    found = [SpacePolynomial.zero(0), SpacePolynomial.zero(-4)]
+    for n in range(orders - 2):
+        index = n // 2 + SPACES["xi"][n % 2]
+        powers = range(index % 3, index + 1, 3) if index >= 0 else ()
+        row = [fmpq(0)] * (index + 1 if index >= 0 else 0)
+        for k in powers:
+            row[k] = fmpq(3 * seed + k - n, k + seed)
+        found.append(SpacePolynomial.from_list(index, list(row)))
+    return found
+
+
+def _series(functions: tuple[Expression, ...], rows: list[list[SpacePolynomial]], orders: int) -> SeriesOfFunctions:
+    series = SeriesOfFunctions(functions, PolynomialTerms(RATIONALS), RATIONALS)
+    for n in range(orders):
+        series.extend([row[n] for row in rows])
+    return series

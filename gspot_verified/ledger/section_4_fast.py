@@ -1,0 +1,269 @@
+"""Ledger of Section 4 on its outer scale: the fast system with its eigenvalues, the slow system, the ratio beta.
+
+f0, f1, ... are b and its derivatives in the fast time; p = alpha1 t is a constant there.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from flint import fmpq_mpoly
+
+from gspot_verified.ledger.entry import Check, Entry, Kind, settled
+from gspot_verified.ledger.identities import Claim, Parts, rising_signs
+from gspot_verified.ledger.section_4_outer import ALGEBRA, along
+from gspot_verified.ledger.section_4_outer import PRINTED as OUTER
+
+SECTION = "Section 4"
+_SYMBOLS = ALGEBRA.symbols
+PRINTED: dict[str, dict[str, str]] = {
+    "1-beta": {"numerator": "alpha1", "denominator": "alpha3"},
+    "4-fast": {"equation": "-(p*(f1+f2) + 2*f3 + f4) + eps*(alpha3*f0 + (alpha3-alpha1)*f1)"},
+    "4-fast-polynomial": {"polynomial": "-lam*(lam^3 + 2*lam^2 + p*lam + p)"},
+    "4-discriminant": {"discriminant": "-p*(4*p^2 - 13*p + 32)"},
+    "4-slow": {"equation": "alpha3*b0 - alpha1*t*b1", "y": "2*b0", "v": "0*b0", "z": "b0", "lambda": "-b0"},
+}
+CORRECTED: dict[str, dict[str, str]] = {"1-beta": {"numerator": "alpha3", "denominator": "alpha1"}}
+CUBIC = "lam^3 + 2*lam^2 + p*lam + p"
+
+
+def ratio_entries() -> list[Entry]:
+    """The ratio beta as Sec. 1 prints it."""
+    return [_beta()]
+
+
+def entries() -> list[Entry]:
+    """The fast and the slow system, in the order of the paper."""
+    return [_fast(), _polynomial(), _stable(), _discriminant(), _saddle(), _slow()]
+
+
+def _claim(identifier: str) -> Claim:
+    return Claim(ALGEBRA, PRINTED[identifier], CORRECTED.get(identifier, {}))
+
+
+def _beta() -> Entry:
+    this = _claim("1-beta")
+
+    def slow(parts: Parts) -> list[fmpq_mpoly]:
+        # (-t)^beta in alpha3 b - alpha1 t b' = 0: alpha3 - alpha1 beta, times the denominator of beta.
+        equation = ALGEBRA.read(OUTER["4-deviation"]["equation"])
+        leading = ALGEBRA.coefficient(equation, "eps", 0)
+        rate = ALGEBRA.coefficient(leading.derivative("b1"), "t", 1)
+        return [leading.derivative("b0") * parts["denominator"] + rate * parts["numerator"]]
+
+    def obstruction(parts: Parts) -> list[fmpq_mpoly]:
+        # The coefficient of s^k in 2 b''' + alpha1 s b' - alpha3 b vanishes at k = beta (Sec. 5, step 2).
+        return [_SYMBOLS["alpha1"] * parts["numerator"] - _SYMBOLS["alpha3"] * parts["denominator"]]
+
+    return settled(
+        "Section 1",
+        "1-beta",
+        "line 380",
+        r"\beta=\alpha_1/\alpha_3",
+        "The ratio whose positive integers are the places of side-switching is β = α_1/α_3",
+        this.check("the exponent of the outer solution (-t)^β of modelSysDev at ε = 0", slow),
+        this.check("the k at which k α_1 - α_3 = 0: where the term s^k of Theorem 1 is obstructed", obstruction),
+        corrected="β = α_3/α_1, as in eq. beta (line 758), Sec. 4 and Theorem 1",
+    )
+
+
+def _fast() -> Entry:
+    this = _claim("4-fast")
+    p_is = {"p": ALGEBRA.read("alpha1*t")}
+
+    def chain_rule(parts: Parts) -> list[fmpq_mpoly]:
+        eps = _SYMBOLS["eps"]
+        images = [eps ** (4 - k) * _SYMBOLS[f"f{k}"] for k in range(5)]
+        slow = ALGEBRA.replaced(ALGEBRA.read(OUTER["4-deviation"]["equation"]), "b", images, eps**4)
+        return [eps * slow - eps**4 * ALGEBRA.substitute(parts["equation"], p_is)]
+
+    return settled(
+        SECTION,
+        "4-fast",
+        "line 1087",
+        r"-[p(\hat b_f'+\hat b_f'')+2\hat b_f'''+\hat b_f'''']+\epsilon[\ldots]=0",
+        "In the fast time t_f = t/ε eq. modelSysDev becomes the stated equation",
+        this.check("chain rule in modelSysDev, times ε", chain_rule),
+        this.check(
+            "along the vector field of the deviations in fast time",
+            lambda parts: [along(ALGEBRA.substitute(parts["equation"], p_is), "f", False)],
+        ),
+    )
+
+
+def fast_matrix(size: int) -> list[list[fmpq_mpoly]]:
+    """lam I minus the matrix of the fast system in (b, y, v, z) at eps = 0, or of its part (y, v, z)."""
+    rows = ["lam 0*p 0*p 0*p", "0*p lam -1+0*p 0*p", "-1+0*p p lam -p", "0*p -1+0*p 0*p lam+2"]
+    return [[ALGEBRA.read(text) for text in row.split()][4 - size :] for row in rows[4 - size :]]
+
+
+def _polynomial() -> Entry:
+    this = _claim("4-fast-polynomial")
+
+    def exponential(parts: Parts) -> list[fmpq_mpoly]:
+        equation = ALGEBRA.coefficient(ALGEBRA.read(PRINTED["4-fast"]["equation"]), "eps", 0)
+        powers = [_SYMBOLS["lam"] ** k for k in range(5)]
+        return [ALGEBRA.replaced(equation, "f", powers, ALGEBRA.constant(0)) - parts["polynomial"]]
+
+    return settled(
+        SECTION,
+        "4-fast-polynomial",
+        "line 1096",
+        r"-\lambda[\lambda^3+2\lambda^2+p\lambda+p]=0",
+        "The characteristic polynomial of the fast system is -λ(λ³ + 2 λ² + p λ + p)",
+        this.check("exponentials in the fast equation at ε = 0", exponential),
+        this.check(
+            "determinant of λ I minus the 4 x 4 matrix of the fast system in (b, y, v, z)",
+            lambda parts: [parts["polynomial"] + ALGEBRA.determinant(fast_matrix(4))],
+        ),
+    )
+
+
+def _cubic_coefficients() -> list[fmpq_mpoly]:
+    cubic = ALGEBRA.read(CUBIC)
+    return [ALGEBRA.coefficient(cubic, "lam", k) for k in range(4)]
+
+
+def _stable() -> Entry:
+    zero, one, two, three = _cubic_coefficients()
+    hurwitz = [three, two, two * one - three * zero, zero]
+    # The pairwise sums of the roots of a monic cubic: g(x) = -f(-two - x), its roots are -two minus a root.
+    argument = -two - _SYMBOLS["lam"]
+    sums = -(argument**3 + two * argument**2 + one * argument + zero)
+    all_sums = [ALGEBRA.coefficient(sums, "lam", k) for k in range(4)]
+    return settled(
+        SECTION,
+        "4-stable",
+        "lines 1101 to 1105",
+        r"p>0:\ \operatorname{Re}\lambda_i<0",
+        "For p > 0 all three roots of λ³ + 2 λ² + p λ + p have negative real parts",
+        Check(
+            Kind.EXACT,
+            "Routh-Hurwitz: 1, 2, 2 p - p and p are polynomials in p with positive coefficients only",
+            all(rising_signs(value) for value in hurwitz) or None,
+        ),
+        Check(
+            Kind.EXACT,
+            "no real root is >= 0 (all coefficients positive), and twice the real part of a pair is a real root of the "
+            "polynomial of the sums of two roots, λ³ + 4 λ² + (4 + p) λ + p, which has none >= 0 either",
+            all(rising_signs(value) for value in [zero, one, two, three, *all_sums]) or None,
+        ),
+    )
+
+
+def _discriminant() -> Entry:
+    this = _claim("4-discriminant")
+
+    def formula(parts: Parts) -> list[fmpq_mpoly]:
+        d, c, b, a = _cubic_coefficients()
+        value = b**2 * c**2 - 4 * a * c**3 - 4 * b**3 * d - 27 * a**2 * d**2 + 18 * a * b * c * d
+        return [value - parts["discriminant"]]
+
+    return settled(
+        SECTION,
+        "4-discriminant",
+        "line 1108",
+        r"\Delta=-p(4p^2-13p+32)",
+        "The discriminant of λ³ + 2 λ² + p λ + p is -p(4 p² - 13 p + 32)",
+        this.check("the formula for the discriminant of a cubic", formula),
+        this.check(
+            "FLINT's discriminant of a polynomial in several variables",
+            lambda parts: [ALGEBRA.read(CUBIC).discriminant("lam") - parts["discriminant"]],
+        ),
+    )
+
+
+def _negative_p(value: fmpq_mpoly) -> int | None:
+    """The sign for every p < 0, when all coefficients in -p have one sign."""
+    mirrored = ALGEBRA.substitute(value, {"p": -_SYMBOLS["p"]})
+    return 1 if rising_signs(mirrored) else -1 if rising_signs(-mirrored) else None
+
+
+def sturm_chain() -> list[list[fmpq_mpoly]]:
+    """The Sturm chain of the cubic in lam, each as coefficients from lam^0 up, for p < 0.
+
+    Remainders are multiplied by squares of leading coefficients, so that no sign changes.
+    """
+    first = _cubic_coefficients()
+    chain = [first, [k * a for k, a in enumerate(first)][1:]]
+    while len(chain[-1]) > 1:
+        rest, divisor = list(chain[-2]), chain[-1]
+        while len(rest) >= len(divisor):
+            leading = rest[-1]
+            shift = len(rest) - len(divisor)
+            scaled = [divisor[-1] ** 2 * value for value in rest]
+            for k, value in enumerate(divisor):
+                scaled[k + shift] -= leading * divisor[-1] * value
+            rest = scaled[:-1]
+        chain.append([-value for value in rest])
+    return chain
+
+
+def roots_for_negative_p() -> tuple[int, int] | None:
+    """The numbers of real roots below and above 0 for every p < 0, by Sturm's theorem; None: a sign is open."""
+    counts = []
+    for place in (-1, 0, 1):
+        signs = []
+        for values in sturm_chain():
+            sign = _negative_p(values[-1] if place else values[0])
+            if sign is None:
+                return None
+            signs.append(sign * (-1) ** (len(values) - 1) if place < 0 else sign)
+        counts.append(sum(a != b for a, b in pairwise(signs)))
+    return counts[0] - counts[1], counts[1] - counts[2]
+
+
+def _saddle() -> Entry:
+    zero, _, two, _ = _cubic_coefficients()
+    real = _negative_p(ALGEBRA.read(CUBIC).discriminant("lam")) == 1
+    # Product of the roots -zero > 0: one or three positive roots; their sum -two < 0 leaves one.
+    one_positive = _negative_p(zero) == -1 and rising_signs(two)
+    return settled(
+        SECTION,
+        "4-saddle",
+        "lines 1107 to 1113",
+        r"p<0:\ \lambda_1<\lambda_2<0<\lambda_3",
+        "For p < 0 the three roots are real and exactly one is positive",
+        Check(
+            Kind.EXACT, "discriminant, sum and product of the roots, for every p < 0", (real and one_positive) or None
+        ),
+        Check(
+            Kind.EXACT,
+            "Sturm's theorem with p as a symbol: two roots below 0, one above",
+            roots_for_negative_p() == (2, 1) or None,
+        ),
+    )
+
+
+def _slow() -> Entry:
+    this = _claim("4-slow")
+    product = ALGEBRA.read("alpha1*t")
+
+    def limits(parts: Parts) -> list[fmpq_mpoly]:
+        found = [parts["equation"] - ALGEBRA.coefficient(ALGEBRA.read(OUTER["4-deviation"]["equation"]), "eps", 0)]
+        for name, power in (("y", 2), ("v", 1), ("z", 2), ("lambda", 0)):
+            leading = ALGEBRA.coefficient(ALGEBRA.read(OUTER["4-deviation-recover"][name]), "eps", power)
+            # b' = alpha3 b/(alpha1 t), all times alpha1 t.
+            value = ALGEBRA.replaced(leading, "b", [product * _SYMBOLS["b0"], ALGEBRA.read("alpha3*b0")], product)
+            found.append(value - _SYMBOLS["alpha3"] * parts[name])
+        return found
+
+    def balance(parts: Parts) -> list[fmpq_mpoly]:
+        y, v, z, force = parts["y"], parts["v"], parts["z"], parts["lambda"]
+        b = _SYMBOLS["b0"]
+        # The system at eps = 0, times alpha1 t: v = 0, b + p lambda = 0, z = -lambda = y/2, b' = -alpha3 lambda.
+        slope = ALGEBRA.substitute(parts["equation"], {"b1": ALGEBRA.constant(0)}) * product
+        slope += parts["equation"].derivative("b1") * (-_SYMBOLS["alpha3"] * force)
+        return [v, b + force, z + force, force - z + y, slope]
+
+    return settled(
+        SECTION,
+        "4-slow",
+        "eq:example_outer, lines 1117 to 1136",
+        r"\frac{\hat y}{\epsilon^2}=\frac{2\hat b}{\alpha_1^*t},\ \hat v=0,\ \frac{\hat z}{\epsilon^2}="
+        r"\frac{\hat b}{\alpha_1^*t},\ \hat\lambda_N=-\frac{\hat b}{\alpha_1^*t}",
+        "The slow system, and y, v, z, λ_N on it",
+        this.check("modelSysDev and modelSysDevRecoverY, V, Z, LN at leading order in ε", limits),
+        this.check("the system of the deviations itself at ε = 0", balance),
+        note="The solution (-t)^β of the slow equation: entry 4-unique.",
+    )

@@ -1,0 +1,285 @@
+"""Sections 1, 2, 4 and 5 of the ledger: outcomes, labels, and that a changed formula is not proved."""
+
+from __future__ import annotations
+
+import inspect
+import re
+import time
+from collections.abc import Callable, Iterator
+from functools import partial
+from types import ModuleType
+
+import pytest
+from flint import fmpq_poly
+
+from gspot_verified import Outcome
+from gspot_verified.ledger import (
+    double_series,
+    example,
+    explicit_expansions,
+    identities,
+    lagrangian,
+    section_4_fast,
+    section_4_inner,
+    section_4_matching,
+    section_4_outer,
+    section_4_trivial,
+    section_5_matching,
+    section_5_outer,
+    section_5_recursion,
+    section_5_spaces,
+)
+from gspot_verified.ledger.entry import Entry, Kind
+from gspot_verified.ledger.identities import Algebra, Claim, readable, rising_signs
+from gspot_verified.ledger.verify import PARTS
+
+MODULES = (
+    section_4_fast, lagrangian, section_4_trivial, section_4_outer, section_4_inner, section_4_matching,
+    section_5_recursion, section_5_spaces, example, section_5_outer, section_5_matching,
+)  # fmt: skip
+WITH_FORMULAS = tuple(module for module in MODULES if hasattr(module, "PRINTED"))
+OWN = [part for part, entries in PARTS.items() if inspect.getmodule(entries) in MODULES]
+REFUTED = {
+    "1-beta": "α_3/α_1",
+    "2-trivial-zy": "z = y/2 = ε² α_2/(α_1 - α_3)",
+    "4-order": "fourth order",
+    "4-inner-fast": "-δ² α_1 s",
+    "4-inner-scaling-v": "δ α_3 v/ε",
+    "4-matching-middle": "(-ε^(2/3) s)^β",
+    "5-monomial": "2 k (k-1) (k-2)",
+    "5-xinprime": "λ_k",
+    "5-example-b-error": "O(δ^7)",
+    "5-fast-system": "(0, b, 0)",
+    "5-ansatz-p0": "(β + 1)",
+    "5-bpert-v": "no ε^(4/3)",
+}
+UNDETECTED = {
+    # A change that keeps a relation true: the relations of Lagrange do not determine F and u's part of G.
+    "2-lagrangian": {"F1", "F2", "F3", "F4", "F5", "F6", "H2", "H6", "N4", "N6", "mu", "x", "y"},
+    "2-quantities": {"F2", "H1", "H2", "H3", "H5", "N1", "N2", "N3", "N5"},
+    "2-extended": {"x", "y"},
+}
+
+
+def builders() -> dict[str, Callable[[], Entry]]:
+    """The function that makes each entry."""
+    found: dict[str, Callable[[], Entry]] = {}
+    for module in MODULES:
+        for function in vars(module).values():
+            if inspect.isfunction(function) and function.__module__ == module.__name__:
+                signature = inspect.signature(function)
+                if signature.return_annotation == "Entry" and not signature.parameters:
+                    found[function().identifier] = function
+    return found | {f"5-example-{name}": partial(example._series, name) for name in "pbyvz"}
+
+
+BUILDERS = builders()
+
+
+@pytest.fixture(scope="module")
+def entries() -> dict[str, Entry]:
+    return {entry.identifier: entry for part in OWN for entry in PARTS[part]()}
+
+
+def module_of(identifier: str) -> ModuleType:
+    return next(module for module in WITH_FORMULAS if identifier in module.PRINTED)
+
+
+def changed_terms(algebra: Algebra, text: str) -> Iterator[str]:
+    """The formula with one coefficient doubled, with one sign changed, and with one term more."""
+    value = algebra.read(text)
+    if text.startswith("delta^") and len(algebra.symbols) == 5:  # the order of an error term
+        yield f"delta^{value.total_degree() + 1}"
+        return
+    for factor in (1, -2):
+        for exponents, number in value.terms():
+            yield str(value + algebra._context.from_dict({exponents: factor * number}))
+    yield str(value + next(iter(algebra.symbols.values())))
+
+
+def with_formula(
+    monkeypatch: pytest.MonkeyPatch, table: dict[str, dict[str, str]], key: str, part: str, text: str
+) -> None:
+    monkeypatch.setitem(table, key, {**table[key], part: text})
+
+
+def test_outcomes(entries: dict[str, Entry]) -> None:
+    assert set(entries) == set(BUILDERS)
+    assert {e.identifier for e in entries.values() if e.verdict.outcome is Outcome.REFUTED} == set(REFUTED)
+    assert all(e.verdict.outcome is not Outcome.UNDECIDED for e in entries.values())
+    for identifier, words in REFUTED.items():
+        assert words in entries[identifier].corrected, identifier
+
+
+def test_two_exact_failures_for_every_refutation(entries: dict[str, Entry]) -> None:
+    for identifier in REFUTED:
+        failures = [c for c in entries[identifier].checks if c.agrees is False]
+        assert len(failures) >= 2
+        assert all(c.kind is Kind.EXACT and c.finding for c in failures)
+
+
+def test_labels_are_covered(entries: dict[str, Entry]) -> None:
+    labels = " ".join(entry.label for entry in entries.values())
+    for label in (
+        "lagrangian1", "lagrangian2", "modelSysDistP", "modelSysDistZY", "modelSysTEliminated", "modelSysRecoverY",
+        "modelSysDev", "modelSysDevRecoverY", "modelSysDevInner", "de_inner", "hypergeomeqn", "inner_scaling",
+        "bhat_inner", "specialX", "specialBn", "specialYnbis", "third-order_b", "xinprime", "thm:expansion", "th:1",
+        "outerb_gen", "example_outer", "tab:exponents",
+    ):  # fmt: skip
+        assert label in labels, label
+
+
+def test_all_parts_together_are_fast() -> None:
+    start = time.process_time()
+    for part in OWN:
+        PARTS[part]()
+    assert time.process_time() - start < 10
+
+
+def test_the_order_of_the_paper() -> None:
+    numbers = [re.match(r"Section (\d)", part) for part in PARTS]
+    sections = [int(match.group(1)) for match in numbers if match]
+    assert sections == sorted(sections)
+    assert list(PARTS)[-1] == "Appendix A"
+
+
+@pytest.mark.parametrize("identifier", sorted({i for m in WITH_FORMULAS for i in m.PRINTED} - set(REFUTED)))
+def test_every_changed_coefficient_is_noticed(monkeypatch: pytest.MonkeyPatch, identifier: str) -> None:
+    module = module_of(identifier)
+    for part, text in module.PRINTED[identifier].items():
+        if part in UNDETECTED.get(identifier, ()):
+            continue
+        for changed in changed_terms(module.ALGEBRA, text):
+            with monkeypatch.context() as patch:
+                with_formula(patch, module.PRINTED, identifier, part, changed)
+                entry = BUILDERS[identifier]()
+                assert entry.verdict.outcome is not Outcome.PROVED, (part, changed)
+                assert any(check.agrees is False for check in entry.checks)
+
+
+@pytest.mark.parametrize("identifier", sorted(i for m in WITH_FORMULAS for i in getattr(m, "CORRECTED", ())))
+def test_the_corrected_form_would_be_proved_and_a_wrong_one_is_not_offered(
+    monkeypatch: pytest.MonkeyPatch, identifier: str
+) -> None:
+    module = module_of(identifier)
+    for part, text in module.CORRECTED[identifier].items():
+        for changed in changed_terms(module.ALGEBRA, text):
+            with monkeypatch.context() as patch:
+                with_formula(patch, module.CORRECTED, identifier, part, changed)
+                assert BUILDERS[identifier]().verdict.outcome is Outcome.UNDECIDED, (part, changed)
+    with monkeypatch.context() as patch:
+        patch.setitem(module.PRINTED, identifier, {**module.PRINTED[identifier], **module.CORRECTED[identifier]})
+        assert BUILDERS[identifier]().verdict.outcome is Outcome.PROVED
+
+
+@pytest.mark.parametrize("variable", list(explicit_expansions.SPACES))
+@pytest.mark.parametrize("parity", [0, 1])
+@pytest.mark.parametrize("change", [-1, 1])
+def test_another_space_is_not_proved(monkeypatch: pytest.MonkeyPatch, variable: str, parity: int, change: int) -> None:
+    shift = list(explicit_expansions.SPACES[variable])
+    shift[parity] += change
+    monkeypatch.setitem(explicit_expansions.SPACES, variable, tuple(shift))
+    assert BUILDERS["5-theorem-1"]().verdict.outcome is Outcome.UNDECIDED
+    assert BUILDERS["5-corollary"]().verdict.outcome is Outcome.UNDECIDED
+
+
+@pytest.mark.parametrize("lemma", [(1, -4), (-1, -4), (0, -3), (0, -5), (-3, -4)])
+def test_another_lemma_is_not_proved(monkeypatch: pytest.MonkeyPatch, lemma: tuple[int, int]) -> None:
+    monkeypatch.setattr(section_5_spaces, "FUNCTION", lemma)
+    monkeypatch.setattr(explicit_expansions, "FUNCTION", lemma)
+    assert BUILDERS["5-lemma"]().verdict.outcome is Outcome.UNDECIDED
+
+
+@pytest.mark.parametrize("parity", ["even", "odd"])
+@pytest.mark.parametrize("place", range(4))
+def test_other_exponents_are_not_proved(monkeypatch: pytest.MonkeyPatch, parity: str, place: int) -> None:
+    numbers = list(section_5_spaces.COROLLARY[parity])
+    numbers[place] += 1
+    monkeypatch.setitem(section_5_spaces.COROLLARY, parity, tuple(numbers))
+    assert BUILDERS["5-corollary"]().verdict.outcome is Outcome.UNDECIDED
+
+
+@pytest.mark.parametrize("row", range(len(section_4_matching.TABLE)))
+def test_another_decimal_in_the_table_is_not_proved(monkeypatch: pytest.MonkeyPatch, row: int) -> None:
+    table = list(section_4_matching.TABLE)
+    text, name, beta = table[row]
+    table[row] = (text[:-1] + str((int(text[-1]) + 1) % 10), name, beta)
+    monkeypatch.setattr(section_4_matching, "TABLE", tuple(table))
+    assert BUILDERS["4-exponents"]().verdict.outcome is Outcome.UNDECIDED
+
+
+@pytest.mark.parametrize(
+    ("cubic", "stable", "saddle"),
+    [
+        ("lam^3 + 2*lam^2 + p*lam + 3*p", Outcome.UNDECIDED, None),  # 2 p - 3 p < 0
+        ("lam^3 + 2*lam^2 - p*lam + p", Outcome.UNDECIDED, Outcome.UNDECIDED),
+        ("lam^3 + 2*lam^2 + p*lam - p", Outcome.UNDECIDED, Outcome.UNDECIDED),
+        ("lam^3 - 2*lam^2 + p*lam + p", Outcome.UNDECIDED, Outcome.UNDECIDED),
+    ],
+)
+def test_other_cubics_have_other_roots(
+    monkeypatch: pytest.MonkeyPatch, cubic: str, stable: Outcome, saddle: Outcome | None
+) -> None:
+    monkeypatch.setattr(section_4_fast, "CUBIC", cubic)
+    assert BUILDERS["4-stable"]().verdict.outcome is stable
+    if saddle is not None:
+        assert BUILDERS["4-saddle"]().verdict.outcome is saddle
+
+
+def test_roots_of_the_cubic_by_enclosures() -> None:
+    for p in (-100, -3, -1, 1, 5, 300):
+        roots = [root.real for root, _ in fmpq_poly([p, p, 2, 1]).complex_roots()]
+        positive = sum(bool(root > 0) for root in roots)
+        assert positive == (1 if p < 0 else 0)
+        assert all(bool(root > 0) or bool(root < 0) for root in roots)
+
+
+def test_a_third_order_equation_would_not_be_refuted(monkeypatch: pytest.MonkeyPatch) -> None:
+    text = section_4_outer.PRINTED["4-eliminated"]["equation"].replace(" - eps^3*b4", "")
+    with_formula(monkeypatch, section_4_outer.PRINTED, "4-eliminated", "equation", text)
+    assert BUILDERS["4-order"]().verdict.outcome is Outcome.UNDECIDED
+
+
+def test_recursion_and_double_series_agree_beyond_the_printed_terms() -> None:
+    for name in ("p", "b", "y", "v", "z"):
+        assert example.by_recursion(name, 8) == example.by_double_series(name, 8)
+    assert example.by_recursion("b", 8) != example.by_recursion("b", 7)
+
+
+def test_the_double_series_depends_on_its_system(monkeypatch: pytest.MonkeyPatch) -> None:
+    one, two, three = double_series.ALPHA
+    monkeypatch.setattr(double_series, "ALPHA", (one, two * 2, three))
+    monkeypatch.setattr(example, "example_series", double_series.example_series.__wrapped__)
+    for name in "pbyvz":
+        assert BUILDERS[f"5-example-{name}"]().verdict.outcome is Outcome.UNDECIDED
+
+
+def test_a_claim_that_checks_nothing_is_open() -> None:
+    claim = Claim(Algebra("x"), {"f": "x"})
+    assert claim.check("nothing", lambda _: []).agrees is None
+    assert claim.check("zero", lambda parts: [parts["f"] - parts["f"]]).agrees is True
+    assert claim.check("not zero", lambda parts: [parts["f"]]).agrees is False
+    wrong = Claim(Algebra("x"), {"f": "x"}, {"f": "2*x"})
+    assert wrong.check("the corrected form fails too", lambda parts: [parts["f"]]).agrees is None
+
+
+def test_the_algebra() -> None:
+    algebra = Algebra("s k b0 b1 b2")
+    total = algebra.jets("s", "b")
+    assert algebra.derivative(algebra.read("s*b0"), total, 2) == algebra.read("s*b2 + 2*b1")
+    assert algebra.coefficient(algebra.read("s^2*k + 3*s^2 + k"), "s", 2) == algebra.read("k+3")
+    rows = [[algebra.constant(i * i + j) for j in range(3)] for i in range(3)]
+    assert algebra.determinant(rows) == 0
+    assert algebra.determinant(
+        [[algebra.read("s"), algebra.read("k")], [algebra.read("1+0*s"), algebra.read("s")]]
+    ) == (algebra.read("s^2-k"))
+    moved = algebra.replaced(
+        algebra.read("s*b0 + k*b1 + 7"), "b", [algebra.read("k"), algebra.read("s")], algebra.read("s")
+    )
+    assert moved == algebra.read("2*s*k + 7*s")
+    assert rising_signs(algebra.read("s + 2*k"))
+    assert not rising_signs(algebra.read("s - 2*k"))
+    assert not rising_signs(algebra.constant(0))
+    long = sum((algebra.read("s+k") ** n for n in range(12)), start=algebra.constant(0))
+    assert readable(long).endswith("terms)")
+    assert readable(identities.Algebra("alpha1 lam lambda0").read("alpha1*lam + lambda0")) == "α_1*λ + lambda0"
