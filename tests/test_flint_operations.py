@@ -64,6 +64,7 @@ _METHODS = """
     is_zero lcm leading_coefficient length lgamma log log1p lower man_exp max mid min name names nan numerator
     overlaps p pi prec q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi
     sinh sqrt str subs table terms truncate union unique_fmpz upper
+    from_dict to_dict compose project_to_context total_degree discriminant
 """
 METHODS = frozenset(_METHODS.split())
 
@@ -514,6 +515,34 @@ def test_polynomials_in_several_variables() -> None:
         found = value.subs({name: to_fmpq(number) for name, number in at.items()})
         expected = sum((c * at["x"] ** i * at["y"] ** j for (i, j), c in terms.items()), Fraction(0))
         assert terms_of(found) == ({(0, 0): expected} if expected else {})
+
+
+@covers("from_dict", "to_dict", "compose", "project_to_context", "total_degree", "discriminant")
+def test_more_on_polynomials_in_several_variables() -> None:
+    context = fmpq_mpoly_ctx.get(("x", "y"), "degrevlex")
+    larger = fmpq_mpoly_ctx.get(("x", "z", "y"), "degrevlex")
+    for terms in _SEVERAL:
+        value = context.from_dict({powers: to_fmpq(number) for powers, number in terms.items()})
+        assert value == several(context, terms)
+        assert {tuple(map(int, p)): to_fraction(c) for p, c in value.to_dict().items()} == terms
+        assert int(value.total_degree()) == max((sum(powers) for powers in terms), default=-1)
+        assert terms_of(value.project_to_context(larger)) == {(i, 0, j): number for (i, j), number in terms.items()}
+        for other in _SEVERAL:
+            # x becomes the other polynomial, y becomes x + 1.
+            image = several(context, other)
+            expected: _Terms = {}
+            for (i, j), number in terms.items():
+                product: _Terms = {(0, 0): number}
+                for factor in [other] * i + [{(1, 0): Fraction(1), (0, 0): Fraction(1)}] * j:
+                    product = terms_multiplied(product, factor)
+                expected = terms_combined(expected, product, 1)
+            assert terms_of(value.compose(image, context.gens()[0] + 1)) == expected
+    x, y = context.gens()
+    for a, b, c in itertools.product((fmpq(1), fmpq(-2, 3)), (y, y * y - 1), (3 * y, context.constant(5))):
+        assert (a * x * x + b * x + c).discriminant("x") == b * b - 4 * a * c
+    # (x - y)(x - 2 y)(x + 1): the product of the squared differences of its roots
+    cubic = (x - y) * (x - 2 * y) * (x + 1)
+    assert cubic.discriminant("x") == (y * (y + 1) * (2 * y + 1)) ** 2
 
 
 # Balls: rational operations

@@ -20,6 +20,7 @@ ROWS = (
     ("cli",),
     ("report",),
     ("ledger", "cost"),
+    ("testing",),
     ("scenes",),
     ("mechanisms",),
     ("expansion",),

@@ -35,9 +35,15 @@ class Expression:
 
 @dataclass(frozen=True)
 class Constant(Expression):
-    """A number of the ring: a rational, or a symbol such as chi."""
+    """A number of the ring: a rational, a ball, or a symbol such as chi."""
 
     value: Any
+
+    def __hash__(self) -> int:
+        try:
+            return hash(self.value)
+        except ValueError:  # flint's answer for a ball that is not exact, which equals nothing but itself
+            return id(self.value)
 
 
 @dataclass(frozen=True)

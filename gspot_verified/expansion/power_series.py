@@ -89,6 +89,10 @@ class SeriesOfFunctions:
         """The terms found so far; the list grows with each order."""
         return self._roots[root].terms
 
+    def orders(self, root: Expression) -> list[int]:
+        """The orders whose terms do not vanish; the list grows with each order."""
+        return self._roots[root].orders
+
     def extend(self, state: Sequence[Any]) -> None:
         """Add the next order, ``state`` being the terms of that order of the components of the state."""
         self._state = state
@@ -138,7 +142,9 @@ class SeriesOfFunctions:
     def _sum(self, parts: list[Series], n: int) -> Any:
         total = self._terms.zero(n)
         for part in parts:
-            total = total + part.terms[n]
+            # Its last order is n when the term of order n does not vanish.
+            if part.orders and part.orders[-1] == n:
+                total = total + part.terms[n]
         return total
 
     def _product(self, left: Series, right: Series) -> Rule:

@@ -55,6 +55,7 @@ class Recursion:
         # The lists of terms, which grow with each order.
         self._drift = [self._functions[function] for function in system.F]
         self._control = [self._functions[function] for function in system.G]
+        self._control_orders = [self._functions.orders(function) for function in system.G]
         self._alpha_1, self._alpha_2, self._alpha_3 = (
             self._functions[function] for function in (system.alpha_1, system.alpha_2, system.alpha_3)
         )
@@ -72,7 +73,7 @@ class Recursion:
         self._extend_functions(n)
         self._step_1(n)
         r_b, r = self._step_2_right_sides(n)
-        self.b.append(self._step_2_solve(r).in_space(space_of("b", n)))
+        self.b.append(self._step_2_solve(r))
         self._step_3(n, r_b)
         self._step_4(n)
 
@@ -120,21 +121,24 @@ class Recursion:
         """
         ring = self.system.ring
         alpha_1, _, alpha_3 = self.alpha
-        first = right.n % 3
+        order = len(self.p) - 1
+        space = space_of("b", order)
+        values = right.in_space(space).cubic.coeffs()
         found: list[Any] = []
         above = ring.number(0)
-        for i, value in reversed(list(enumerate(right.cubic.coeffs()))):
-            k = first + 3 * i
+        # Every exponent of the space: where the factor is 0 the coefficient is free even when the right side is 0.
+        for k in range(space, -1, -3):
+            i = k // 3
             factor = ring.number(k) * alpha_1 - alpha_3
             if not ring.is_nonzero(factor):
-                order = len(self.p) - 1
                 raise ObstructedOrderError(
                     f"{self.system.name}: beta = alpha_3/alpha_1 is, or may be, the integer {k}: the coefficient of "
                     f"s^{k} at order {order} of delta is obstructed, there is no unique expansion"
                 )
+            value = values[i] if i < len(values) else ring.number(0)
             above = (value - ring.number(2 * (k + 1) * (k + 2) * (k + 3)) * above) / factor
             found.append(above)
-        return SpacePolynomial(right.n, ring.polynomial(found[::-1]), ring)
+        return SpacePolynomial(space, ring.polynomial(found[::-1]), ring)
 
     def _step_3(self, n: int, r_b: SpacePolynomial) -> None:
         """y_n, v_n, z_n, lambda_n from b_n."""
@@ -152,12 +156,11 @@ class Recursion:
     def _step_4(self, n: int) -> None:
         """xi_n: integrate F_n + sum of G_(n-k) lambda_k; the constants from the conditions at s = 0."""
         slopes = []
-        for drift, control in zip(self._drift, self._control, strict=True):
+        for drift, control, orders in zip(self._drift, self._control, self._control_orders, strict=True):
             total = drift[n]
-            for k in range(n + 1):
-                factor = control[n - k]
-                if not factor.is_zero() and not self.lambda_n[k].is_zero():
-                    total = total + factor * self.lambda_n[k]
+            for k in orders:
+                if not self.lambda_n[n - k].is_zero():
+                    total = total + control[k] * self.lambda_n[n - k]
             slopes.append(total)
         constants = self._constants(n)
         space = space_of("xi", n)

@@ -59,7 +59,7 @@ class SpacePolynomial:
 
     def is_zero(self) -> bool:
         """Whether every coefficient is zero."""
-        return self.cubic.length() == 0
+        return bool(self.cubic.length() == 0)
 
     def in_space(self, n: int) -> SpacePolynomial:
         """The same polynomial as an element of P_n.

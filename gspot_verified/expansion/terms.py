@@ -21,6 +21,7 @@ class PolynomialTerms:
 
     def __init__(self, ring: Ring) -> None:
         self._ring = ring
+        self._zeros: list[SpacePolynomial] = []
 
     def constant(self, value: Any) -> SpacePolynomial:
         """An element of P_0."""
@@ -30,7 +31,9 @@ class PolynomialTerms:
 
     def zero(self, order: int) -> SpacePolynomial:
         """The zero of the space of this order."""
-        return SpacePolynomial.zero(function_space(order), self._ring)
+        for n in range(len(self._zeros), order + 1):
+            self._zeros.append(SpacePolynomial.zero(function_space(n), self._ring))
+        return self._zeros[order]
 
     def scale(self, term: SpacePolynomial, factor: Any) -> SpacePolynomial:
         """A multiple."""

@@ -77,7 +77,7 @@ class Algebra:
             found[power] = found.get(power, self.constant(0)) + self._context.from_dict({rest: number})
         return found
 
-    def coefficient(self, value: fmpq_mpoly, name: str, power: int) -> fmpq_mpoly:
+    def coefficient_of(self, value: fmpq_mpoly, name: str, power: int) -> fmpq_mpoly:
         """The coefficient of one power of one symbol."""
         return self.coefficients(value, name).get(power, self.constant(0))
 

@@ -47,8 +47,8 @@ def _beta() -> Entry:
     def slow(parts: Parts) -> list[fmpq_mpoly]:
         # (-t)^beta in alpha3 b - alpha1 t b' = 0: alpha3 - alpha1 beta, times the denominator of beta.
         equation = ALGEBRA.read(OUTER["4-deviation"]["equation"])
-        leading = ALGEBRA.coefficient(equation, "eps", 0)
-        rate = ALGEBRA.coefficient(leading.derivative("b1"), "t", 1)
+        leading = ALGEBRA.coefficient_of(equation, "eps", 0)
+        rate = ALGEBRA.coefficient_of(leading.derivative("b1"), "t", 1)
         return [leading.derivative("b0") * parts["denominator"] + rate * parts["numerator"]]
 
     def obstruction(parts: Parts) -> list[fmpq_mpoly]:
@@ -101,7 +101,7 @@ def _polynomial() -> Entry:
     this = _claim("4-fast-polynomial")
 
     def exponential(parts: Parts) -> list[fmpq_mpoly]:
-        equation = ALGEBRA.coefficient(ALGEBRA.read(PRINTED["4-fast"]["equation"]), "eps", 0)
+        equation = ALGEBRA.coefficient_of(ALGEBRA.read(PRINTED["4-fast"]["equation"]), "eps", 0)
         powers = [_SYMBOLS["lam"] ** k for k in range(5)]
         return [ALGEBRA.replaced(equation, "f", powers, ALGEBRA.constant(0)) - parts["polynomial"]]
 
@@ -121,7 +121,7 @@ def _polynomial() -> Entry:
 
 def _cubic_coefficients() -> list[fmpq_mpoly]:
     cubic = ALGEBRA.read(CUBIC)
-    return [ALGEBRA.coefficient(cubic, "lam", k) for k in range(4)]
+    return [ALGEBRA.coefficient_of(cubic, "lam", k) for k in range(4)]
 
 
 def _stable() -> Entry:
@@ -130,7 +130,7 @@ def _stable() -> Entry:
     # The pairwise sums of the roots of a monic cubic: g(x) = -f(-two - x), its roots are -two minus a root.
     argument = -two - _SYMBOLS["lam"]
     sums = -(argument**3 + two * argument**2 + one * argument + zero)
-    all_sums = [ALGEBRA.coefficient(sums, "lam", k) for k in range(4)]
+    all_sums = [ALGEBRA.coefficient_of(sums, "lam", k) for k in range(4)]
     return settled(
         SECTION,
         "4-stable",
@@ -240,9 +240,9 @@ def _slow() -> Entry:
     product = ALGEBRA.read("alpha1*t")
 
     def limits(parts: Parts) -> list[fmpq_mpoly]:
-        found = [parts["equation"] - ALGEBRA.coefficient(ALGEBRA.read(OUTER["4-deviation"]["equation"]), "eps", 0)]
+        found = [parts["equation"] - ALGEBRA.coefficient_of(ALGEBRA.read(OUTER["4-deviation"]["equation"]), "eps", 0)]
         for name, power in (("y", 2), ("v", 1), ("z", 2), ("lambda", 0)):
-            leading = ALGEBRA.coefficient(ALGEBRA.read(OUTER["4-deviation-recover"][name]), "eps", power)
+            leading = ALGEBRA.coefficient_of(ALGEBRA.read(OUTER["4-deviation-recover"][name]), "eps", power)
             # b' = alpha3 b/(alpha1 t), all times alpha1 t.
             value = ALGEBRA.replaced(leading, "b", [product * _SYMBOLS["b0"], ALGEBRA.read("alpha3*b0")], product)
             found.append(value - _SYMBOLS["alpha3"] * parts[name])

@@ -101,7 +101,7 @@ def _inner_fast_polynomial() -> Entry:
     p_is_0 = {"p": ALGEBRA.constant(0)}
 
     def exponential(parts: Parts) -> list[fmpq_mpoly]:
-        equation = ALGEBRA.coefficient(ALGEBRA.read(CORRECTED["4-inner-fast"]["equation"]), "delta", 0)
+        equation = ALGEBRA.coefficient_of(ALGEBRA.read(CORRECTED["4-inner-fast"]["equation"]), "delta", 0)
         powers = [_SYMBOLS["lam"] ** k for k in range(5)]
         return [ALGEBRA.replaced(equation, "f", powers, ALGEBRA.constant(0)) - parts["polynomial"]]
 
@@ -140,7 +140,7 @@ def _inner_slow() -> Entry:
         "The slow equation of the inner scale",
         this.check(
             "eq. modelSysDevInner at δ = 0",
-            lambda parts: [ALGEBRA.coefficient(inner, "delta", 0) - parts["equation"]],
+            lambda parts: [ALGEBRA.coefficient_of(inner, "delta", 0) - parts["equation"]],
         ),
         this.check("along the reduced vector field with z = y/2, λ_N = -y/2", reduced),
     )

@@ -134,7 +134,7 @@ def _unique() -> Entry:
         own = parts["order n"].derivative("f0") + _SYMBOLS["beta"] * parts["order n"].derivative("f1")
         exponent = ALGEBRA.substitute(own, {"t": ALGEBRA.constant(1), "alpha3": ALGEBRA.read("beta*alpha1")})
         return [
-            parts["order 0"] - ALGEBRA.coefficient(whole, "eps", 0),
+            parts["order 0"] - ALGEBRA.coefficient_of(whole, "eps", 0),
             found.get(0, zero),
             found.get(1, zero) - parts["order n"],
             exponent,

@@ -55,7 +55,7 @@ def _bpert_v() -> Entry:
             return sum(pieces, start=_ZERO)
 
         difference = series("y").derivative("s") - parts["factor"] * series("v")
-        return [ALGEBRA.coefficient(difference, "delta", n) for n in range(6)]
+        return [ALGEBRA.coefficient_of(difference, "delta", n) for n in range(6)]
 
     return settled(
         SECTION,

@@ -122,8 +122,8 @@ def _orders() -> Entry:
     third, force, slope = series("A"), series("L"), series("P", 1, PRINTED["5-orders"]["p_0"])
 
     def products(parts: Parts) -> list[fmpq_mpoly]:
-        in_b = _SYMBOLS["B3"] - ALGEBRA.coefficient(third * force, "delta", 3)
-        in_v = ALGEBRA.coefficient(slope * force, "delta", 3)
+        in_b = _SYMBOLS["B3"] - ALGEBRA.coefficient_of(third * force, "delta", 3)
+        in_v = ALGEBRA.coefficient_of(slope * force, "delta", 3)
         known = ALGEBRA.read("A0*L3"), ALGEBRA.read("alpha1*s*L3")
         return [in_b + known[0] - parts["r_b"], in_v - known[1] - parts["r_v"]]
 
@@ -271,7 +271,7 @@ def _xinprime() -> Entry:
         f, g, force = (
             sum((_SYMBOLS[f"{x}{k}"] * delta**k for k in range(5)), start=ALGEBRA.constant(0)) for x in "FGL"
         )
-        return [ALGEBRA.coefficient(f + g * force, "delta", 4) - parts["sum"]]
+        return [ALGEBRA.coefficient_of(f + g * force, "delta", 4) - parts["sum"]]
 
     def example(parts: Parts) -> list[fmpq_mpoly]:
         # xi_4 = V is v itself: F is b and G is p there, scaled by delta^2, and the term of order 4 of xi_4~ is v_2.

@@ -19,6 +19,7 @@ from gspot_verified.ledger import (
     section_5_outer,
     section_5_recursion,
     section_5_spaces,
+    section_6,
 )
 from gspot_verified.ledger.entry import Entry
 from gspot_verified.verdict import Outcome
@@ -39,6 +40,7 @@ PARTS: dict[str, Callable[[], list[Entry]]] = {
     "Section 5, the example": example.entries,
     "Section 5, outer system": section_5_outer.entries,
     "Section 5, matching": section_5_matching.entries,
+    "Section 6 and Appendix B, the oscillator": section_6.entries,
     "Appendix A": appendix_a.entries,
 }
 

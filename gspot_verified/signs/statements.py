@@ -23,8 +23,7 @@ class SignStatement:
     def __str__(self) -> str:
         tau = f"at τ = {self.tau.lower}" if self.tau.is_point else f"for every τ in {self.tau}"
         beta = f"at β = {self.beta.lower}" if self.beta.is_point else f"every β in {self.beta}"
-        joint = "and " if not (self.beta.is_point or self.tau.is_point) else "" if self.beta.is_point else "and "
-        return f"dΘ/dτ {_RELATION[self.sign]} 0 {tau} {joint}{beta}"
+        return f"dΘ/dτ {_RELATION[self.sign]} 0 {tau} and {beta}"
 
     def to_json(self) -> dict[str, Any]:
         """Plain data of the certificate."""
@@ -40,10 +39,7 @@ class ZerosStatement:
 
     def __str__(self) -> str:
         table = ", ".join(f"N = {count} on ({m}, {m + 1})" for m, count in self.counts)
-        return (
-            f"for every β in {self.beta} that is not an integer, dΘ/dτ has exactly N real zeros, all simple: "
-            f"{table}"
-        )
+        return f"for every β in {self.beta} that is not an integer, dΘ/dτ has exactly N real zeros, all simple: {table}"
 
     def to_json(self) -> dict[str, Any]:
         """Plain data of the certificate."""

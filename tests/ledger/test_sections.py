@@ -267,7 +267,7 @@ def test_the_algebra() -> None:
     algebra = Algebra("s k b0 b1 b2")
     total = algebra.jets("s", "b")
     assert algebra.derivative(algebra.read("s*b0"), total, 2) == algebra.read("s*b2 + 2*b1")
-    assert algebra.coefficient(algebra.read("s^2*k + 3*s^2 + k"), "s", 2) == algebra.read("k+3")
+    assert algebra.coefficient_of(algebra.read("s^2*k + 3*s^2 + k"), "s", 2) == algebra.read("k+3")
     rows = [[algebra.constant(i * i + j) for j in range(3)] for i in range(3)]
     assert algebra.determinant(rows) == 0
     assert algebra.determinant(

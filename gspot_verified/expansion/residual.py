@@ -1,0 +1,273 @@
+"""How well the truncated expansion satisfies the equations, with an explicit constant: proofs/residual.md.
+
+The polynomials of Theorem 1 are put into specialX to specialL and into the conditions at s = 0. Every order of delta
+below M must vanish exactly; the rest is bounded by K delta^M for all |s| <= S and 0 <= delta <= D.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from flint import arb, fmpq
+
+from gspot_verified.balls import ExactInput, ball_text, exact, working_bits
+from gspot_verified.dyadic import Dyadic
+from gspot_verified.expansion.derivative import powers_as_products
+from gspot_verified.expansion.expressions import Expression, in_order
+from gspot_verified.expansion.majorants import Graded, graded_functions, rest_of_product, size_of
+from gspot_verified.expansion.power_series import SeriesOfFunctions, Terms
+from gspot_verified.expansion.rings import Ring
+from gspot_verified.expansion.spaces import SpacePolynomial
+from gspot_verified.expansion.terms import NumberTerms, PolynomialTerms
+from gspot_verified.expansion.trajectory import Trajectory
+
+_BITS = 128
+_EXTRA = 8
+_LEAST_EXTRA = 4
+
+
+class ResidualError(ValueError):
+    """The terms are not those of Theorem 1: an order of delta below M does not vanish in one of the equations."""
+
+
+@dataclass(frozen=True)
+class ResidualBounds:
+    """|residual| <= constants[name] delta^order for all |s| <= s and 0 <= delta <= delta.
+
+    xi_1, ..., p, b, y, v, z, lambda_n name eqs. specialX to specialL; start_p, start_b, start_y, start_v, start_J_1,
+    ... the conditions specialInitialFirst to Jbc, divided by delta^2. A constant that is not finite is no bound.
+    """
+
+    name: str
+    order: int
+    s: fmpq | arb
+    delta: fmpq | arb
+    constants: dict[str, arb]
+
+    def __str__(self) -> str:
+        box = f"|s| <= {self.s}, 0 <= delta <= {self.delta}"
+        lines = [f"{self.name}: |residual| <= K delta^{self.order} for {box}, K ="]
+        return "\n".join(lines + [f"  {name}: {ball_text(value, 6)}" for name, value in self.constants.items()])
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``; a bound that is not finite is None."""
+        return {
+            "system": self.name,
+            "order": self.order,
+            "s": _text(self.s),
+            "delta": _text(self.delta),
+            "constants": {
+                name: str(Dyadic.from_ball(value)) if value.is_finite() else None
+                for name, value in self.constants.items()
+            },
+        }
+
+
+def residual_bounds(trajectory: Trajectory, s: ExactInput, delta: ExactInput, extra: int = _EXTRA) -> ResidualBounds:
+    """Constants K for the box |s| <= s, 0 <= delta <= delta.
+
+    ``extra`` is the number of orders beyond M that are computed exactly; more give smaller constants.
+
+    :raises ResidualError: an order below M does not vanish.
+    :raises TypeError: the numbers of the system are symbols.
+    :raises ValueError: s is negative, delta is not positive, or ``extra`` is less than 4.
+
+    >>> from gspot_verified.expansion.trajectory import expand
+    >>> from gspot_verified.testing import extended_example
+    >>> found = residual_bounds(expand(extended_example(chi=1), 6), s=1, delta="1/10")
+    >>> print(found.constants["z"], found.constants["y"])
+    48.0000000000000 0
+    """
+    box = exact(s, "s"), exact(delta, "delta")
+    if type(extra) is not int or extra < _LEAST_EXTRA:
+        raise ValueError(f"extra must be an int of at least {_LEAST_EXTRA}, got {extra!r}")
+    if not isinstance(trajectory.system.ring.number(0), fmpq | arb):
+        raise TypeError("bounds need numbers: put values in the place of the symbols")
+    with working_bits(_BITS):
+        if not arb(box[0]) >= 0:
+            raise ValueError(f"s must not be negative, got {s}")
+        if not arb(box[1]) > 0:
+            raise ValueError(f"delta must be positive, got {delta}")
+        checks = _Residual(trajectory, size_of(box[0]), size_of(box[1]), trajectory.order + extra)
+        constants = {**checks.equations(), **checks.conditions()}
+    return ResidualBounds(trajectory.system.name, trajectory.order, *box, constants)
+
+
+class _Residual:
+    def __init__(self, trajectory: Trajectory, s: arb, delta: arb, end: int) -> None:
+        self._of, self._system, self._ring = trajectory, trajectory.system, trajectory.system.ring
+        self._s, self._delta, self._end, self._order = s, delta, end, trajectory.order
+        self._zero = SpacePolynomial.zero(-1, self._ring)
+
+    def equations(self) -> dict[str, arb]:
+        """The constants of specialX to specialL."""
+        system, of = self._system, self._of
+        functions = _Functions(
+            [*system.F, *system.G, system.alpha_1, system.alpha_2, system.alpha_3],
+            PolynomialTerms(self._ring),
+            self._ring,
+            lambda n: [terms[n] for terms in of.xi] if n < self._order else None,
+            lambda term: _norm(term, self._s),
+            system.point,
+            self._delta,
+            self._end,
+        )
+        known = {
+            name: _padded(terms, self._end, self._zero)
+            for name, terms in (("p", of.p), ("b", of.b), ("y", of.y), ("v", of.v), ("z", of.z), ("l", of.lambda_n))
+        }
+        p, b, y, v, z, force = known.values()
+        force_norms, p_norms = (
+            Graded(tuple(_norm(term, self._s) * self._delta**n for n, term in enumerate(terms)), arb(0))
+            for terms in (force, p)
+        )
+        found: dict[str, arb] = {}
+
+        def settle(name: str, terms: Sequence[SpacePolynomial], rest: arb) -> None:
+            found[name] = self._constant(name, terms, rest, lambda term: _norm(term, self._s))
+
+        for i, (drift, control) in enumerate(zip(system.F, system.G, strict=True)):
+            slope = [term.derivative() for term in _padded(of.xi[i], self._end, self._zero)]
+            moved = self._minus(slope, functions[drift], self._convolved(functions[control], force))
+            rest = functions.graded(drift).rest + rest_of_product(functions.graded(control), force_norms)
+            settle(f"xi_{i + 1}", moved, rest)
+        slope_p = [term.derivative() for term in p]
+        settle("p", self._minus(slope_p, functions[system.alpha_1]), functions.graded(system.alpha_1).rest)
+        pushed = self._convolved(functions[system.alpha_3], force)
+        slope_b = [term.derivative() + other for term, other in zip(b, pushed, strict=True)]
+        rest = functions.graded(system.alpha_2).rest + rest_of_product(functions.graded(system.alpha_3), force_norms)
+        settle("b", self._minus(slope_b, functions[system.alpha_2]), rest)
+        settle("y", self._minus([term.derivative() for term in y], v), arb(0))
+        slope_v = [term.derivative() for term in v]
+        settle("v", self._minus(slope_v, b, self._convolved(p, force)), rest_of_product(p_norms, force_norms))
+        slope_z = [self._zero, *(term.derivative() for term in z[:-1])]
+        settle("z", [a + c + d for a, c, d in zip(slope_z, z, force, strict=True)], arb(0))
+        settle("lambda_n", [a - c + d for a, c, d in zip(force, z, y, strict=True)], arb(0))
+        return found
+
+    def conditions(self) -> dict[str, arb]:
+        """The constants of the conditions at s = 0, divided by delta^2."""
+        system, of, ring = self._system, self._of, self._ring
+        zero = ring.number(0)
+        functions = _Functions(
+            list(system.conditions),
+            NumberTerms(ring),
+            ring,
+            lambda n: [terms[n].at_zero() for terms in of.xi] if n < self._order else None,
+            size_of,
+            system.point,
+            self._delta,
+            self._end + 2,
+        )
+        starts = [(of.p, 0), (of.b, 0), (of.y, 4), (of.v, 2), *[((), 0)] * len(system.J)]
+        names = ["p", "b", "y", "v", *(f"J_{i + 1}" for i in range(len(system.J)))]
+        found = {}
+        for name, condition, (terms, shift) in zip(names, system.conditions, starts, strict=True):
+            wanted = _padded([zero] * shift + [term.at_zero() for term in terms], self._end, zero)
+            left = [value - other for value, other in zip(functions[condition][2:], wanted, strict=True)]
+            rest = functions.graded(condition).rest / self._delta**2
+            found[f"start_{name}"] = self._constant(f"start_{name}", left, rest, size_of)
+        if any(ring.is_nonzero(term.at_zero()) for term in of.p):
+            raise ResidualError(f"{system.name}: p does not vanish at s = 0")
+        return found
+
+    def _constant(self, name: str, terms: Sequence[Any], rest: arb, norm: Callable[[Any], arb]) -> arb:
+        """The sum of the norms of the orders from M on over delta^M; the orders below M must vanish."""
+        for n, term in enumerate(terms[: self._order]):
+            values = term.coefficients() if isinstance(term, SpacePolynomial) else [term]
+            for k, value in enumerate(values):
+                if self._ring.is_nonzero(value):
+                    raise ResidualError(
+                        f"{self._system.name}: equation {name}: the coefficient of s^{k} delta^{n} is {value}, not 0"
+                    )
+        total = rest / self._delta**self._order
+        for n, term in enumerate(terms[self._order :]):
+            total = total + norm(term) * self._delta**n
+        return total.upper() if total.is_finite() else total
+
+    def _minus(self, first: Sequence[Any], *others: Sequence[Any]) -> list[Any]:
+        left = list(first)
+        for other in others:
+            left = [a - c for a, c in zip(left, other, strict=True)]
+        return left
+
+    def _convolved(self, left: Sequence[SpacePolynomial], right: Sequence[SpacePolynomial]) -> list[SpacePolynomial]:
+        terms = []
+        for n in range(self._end):
+            total = self._zero
+            for k in range(n + 1):
+                if not left[n - k].is_zero() and not right[k].is_zero():
+                    total = total + left[n - k] * right[k]
+            terms.append(total)
+        return terms
+
+
+class _Functions:
+    """The terms of several functions of the truncated state below an order, and their bounds."""
+
+    def __init__(
+        self,
+        roots: list[Expression],
+        terms: Terms,
+        ring: Ring,
+        state: Callable[[int], list[Any] | None],
+        norm: Callable[[Any], arb],
+        point: Sequence[Any],
+        delta: arb,
+        end: int,
+    ) -> None:
+        self._graph = powers_as_products(roots)
+        nodes = in_order([self._graph[root] for root in roots])
+        self._series = SeriesOfFunctions(nodes, terms, ring)
+        changes = [[arb(0)] * end for _ in point]
+        for n in range(end):
+            now = state(n - 2) if n >= 2 else None
+            if n == 0:
+                now = [terms.constant(value) for value in point]
+            elif now is None:
+                now = [terms.zero(n)] * len(point)
+            else:
+                for i, term in enumerate(now):
+                    changes[i][n] = norm(term) * delta**n
+            self._series.extend(now)
+        norms = {node: tuple(norm(term) * delta**n for n, term in enumerate(self._series[node])) for node in nodes}
+        starts = {node: terms.at_start(self._series[node][0]) for node in nodes}
+        components = [_polynomial(values) for values in changes]
+        self._bounds = graded_functions(nodes, norms, starts, components)
+
+    def __getitem__(self, root: Expression) -> list[Any]:
+        return self._series[self._graph[root]]
+
+    def graded(self, root: Expression) -> Graded:
+        """The norms of a function."""
+        return self._bounds[self._graph[root]]
+
+
+def _polynomial(values: Sequence[arb]) -> Callable[[arb], arb]:
+    """The function r -> sum of values_n r^n."""
+
+    def value(ratio: arb) -> arb:
+        total = arb(0)
+        for term in reversed(values):
+            total = total * ratio + term
+        return total
+
+    return value
+
+
+def _padded(terms: Sequence[Any], end: int, zero: Any) -> list[Any]:
+    """``end`` terms, zero beyond the last."""
+    return [*terms, *[zero] * (end - len(terms))]
+
+
+def _norm(term: SpacePolynomial, s: arb) -> arb:
+    total = arb(0)
+    for value in reversed(term.coefficients()):
+        total = total * s + size_of(value)
+    return total
+
+
+def _text(value: fmpq | arb) -> str:
+    return str(value) if isinstance(value, fmpq) else str(Dyadic.from_ball(value))

@@ -1,0 +1,203 @@
+"""What a G-spot is: α_1*, α_2*, α_3*, β, the mean force, Case I, II or III, and which side lifts off.
+
+Paper, Sec. 1.2 (the three cases) and Sec. 4.5 (the side). Exact at rational points, certain comparisons of balls
+elsewhere: what the balls leave open is said to be undecided.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from flint import fmpq
+
+from gspot_verified.balls import Exact, ball_text, sign_of, working_bits
+from gspot_verified.expansion.recursion import ObstructedOrderError, Recursion
+from gspot_verified.mechanisms.g_spot import DEFAULT_BITS, GSpot, find_g_spot
+from gspot_verified.mechanisms.mechanism import Mechanism
+from gspot_verified.signs.side import MAX_BETA, gamma_sign
+
+_CASES = {"I": "alpha_2 < 0, alpha_1 < alpha_3 < 0", "II": "alpha_2 > 0, alpha_1 < alpha_3 < 0"}
+_CASES["III"] = "alpha_2 < 0, alpha_3 < alpha_1 < 0"
+MAX_ORDER = 200
+
+
+@dataclass(frozen=True, slots=True)
+class Classification:
+    """The result of :func:`classify`.
+
+    ``case`` is "I", "II", "III", "none", or None when the balls leave it open; ``reason`` says why. ``beta``,
+    ``mean_force`` are None where they do not exist (or may not). ``lift_off_sign`` is the sign of C_1 that lifts off,
+    None where the side rule says nothing. ``integer_beta`` is the integer that beta is or may be, at whose order
+    2 (beta - 1) of delta there is no unique expansion. ``slip_velocity`` is u at the G-spot.
+    """
+
+    name: str
+    point: tuple[tuple[str, str], ...]
+    exact: bool
+    alpha_1: Exact
+    alpha_2: Exact
+    alpha_3: Exact
+    beta: Exact | None
+    mean_force: Exact | None
+    case: str | None
+    reason: str
+    lift_off_sign: int | None
+    integer_beta: int | None
+    slip_velocity: Exact
+    fixed: tuple[str, ...] = ()
+
+    @property
+    def obstructed_order(self) -> int | None:
+        """The order of delta at which an integer beta stops the expansion (beta = 1, 2, ...)."""
+        return 2 * (self.integer_beta - 1) if self.integer_beta else None
+
+    def __str__(self) -> str:
+        case = "undecided" if self.case is None else f"Case {self.case}" if self.case != "none" else "no Case"
+        lines = [
+            f"{self.name}: {case} ({self.reason})",
+            f"  {'exact point' if self.exact else 'proved box'}: " + ", ".join(f"{k} = {v}" for k, v in self.point),
+            f"  alpha_1 = {_text(self.alpha_1)}, alpha_2 = {_text(self.alpha_2)}, alpha_3 = {_text(self.alpha_3)}",
+        ]
+        if self.beta is not None:
+            lines.append(f"  beta = alpha_3/alpha_1 = {_text(self.beta)}")
+        if self.mean_force is not None:
+            lines.append(f"  mean force alpha_2/(alpha_3 - alpha_1) = {_text(self.mean_force)}")
+        if self.lift_off_sign is not None:
+            lift, impact = ("> 0", "< 0") if self.lift_off_sign > 0 else ("< 0", "> 0")
+            lines.append(f"  C_1 {lift} lifts off, C_1 {impact} takes an impact without collision")
+        if self.integer_beta:
+            lines.append(
+                f"  beta is, or may be, the integer {self.integer_beta}: no unique expansion, obstructed at order "
+                f"{self.obstructed_order} of delta"
+            )
+        if self.fixed:
+            lines.append(f"  fixed components (conditions J): {', '.join(self.fixed)}")
+        if sign_of_exact(self.slip_velocity) != 1:
+            lines.append(
+                f"  u = {_text(self.slip_velocity)} at the G-spot: positive slip needs a surface that moves slower"
+            )
+        return "\n".join(lines)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``; rationals and balls as text."""
+        numbers = ("alpha_1", "alpha_2", "alpha_3", "beta", "mean_force", "slip_velocity")
+        found: dict[str, Any] = {"name": self.name, "point": dict(self.point), "exact": self.exact}
+        for name in numbers:
+            value = getattr(self, name)
+            found[name] = None if value is None else _text(value)
+        return found | {
+            "case": self.case,
+            "reason": self.reason,
+            "lift_off_sign_of_C1": self.lift_off_sign,
+            "integer_beta": self.integer_beta,
+            "obstructed_order": self.obstructed_order,
+            "fixed": list(self.fixed),
+        }
+
+
+def classify(mechanism: Mechanism, bits: int = DEFAULT_BITS) -> Classification:
+    """Find the mechanism's G-spot and say which of the three cases it is.
+
+    :raises MechanismError: the mechanism is not complete, or its mass matrix is not positive definite.
+    :raises GSpotError: not a G-spot, or a degenerate one.
+
+    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
+    >>> print(classify(shipped_mechanism("falling rod")))
+    falling rod: Case II (alpha_2 > 0, alpha_1 < alpha_3 < 0)
+      exact point: X = 0, Y = 3/5, theta = theta_ref, X_dot = 2, Y_dot = 4/5, theta_dot = 1
+      alpha_1 = -55/12, alpha_2 = 4/5, alpha_3 = -3/2
+      beta = alpha_3/alpha_1 = 18/55
+      mean force alpha_2/(alpha_3 - alpha_1) = 48/185
+      C_1 > 0 lifts off, C_1 < 0 takes an impact without collision
+      fixed components (conditions J): X, X_dot
+    """
+    return classify_g_spot(find_g_spot(mechanism, bits))
+
+
+def classify_g_spot(spot: GSpot) -> Classification:
+    """The same for a G-spot that was found."""
+    with working_bits(spot.bits + 40):
+        system = spot.system
+        (u,) = spot.shifted.expressions([spot.shifted.functions.u], system.ring)
+        first, second, third, slip = system.values_at_point((system.alpha_1, system.alpha_2, system.alpha_3, u))
+        case, reason = _case(first, second, third)
+        beta = third / first if sign_of_exact(first) in (1, -1) else None
+        force = second / (third - first) if sign_of_exact(third - first) in (1, -1) else None
+        integer = _integer_in(beta)
+        side = None
+        if beta is not None and sign_of_exact(beta) == 1 and abs(beta) <= MAX_BETA:
+            side = gamma_sign(beta)
+        return Classification(
+            system.name, tuple(spot.values().items()), spot.exact, first, second, third, beta, force, case, reason,
+            -side if side else None, integer, slip, spot.fixed,
+        )  # fmt: skip
+
+
+def expand(mechanism: Mechanism, order: int, bits: int = DEFAULT_BITS) -> Recursion:
+    """The distinguished trajectory of Theorem 1 at the mechanism's G-spot, up to this order of delta.
+
+    :raises ValueError: the order is not in 0..200.
+    :raises GSpotError: a hypothesis of Theorem 1 fails; an integer beta is an ObstructedOrderError.
+
+    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
+    >>> expand(shipped_mechanism("extended system"), 2).b[0].coefficients()
+    [0, 2]
+    """
+    if type(order) is not int or not 0 <= order <= MAX_ORDER:
+        raise ValueError(f"order must be an int in 0..{MAX_ORDER}, got {order!r}")
+    spot = find_g_spot(mechanism, bits)
+    found = classify_g_spot(spot)
+    if found.integer_beta and found.obstructed_order is not None and found.obstructed_order <= order:
+        raise ObstructedOrderError(
+            f"{mechanism.name}: beta is, or may be, the integer {found.integer_beta}: there is no unique expansion "
+            f"from order {found.obstructed_order} of delta on"
+        )
+    with working_bits(spot.bits + 40):
+        recursion = Recursion(spot.system)
+        for _ in range(order + 1):
+            recursion.advance()
+    return recursion
+
+
+def sign_of_exact(value: Exact) -> int | None:
+    """1, 0, -1, or None when a ball leaves it open."""
+    if isinstance(value, fmpq):
+        return (value > 0) - (value < 0)
+    return sign_of(value)
+
+
+def _case(first: Exact, second: Exact, third: Exact) -> tuple[str | None, str]:
+    signs = [sign_of_exact(value) for value in (first, second, third, third - first)]
+    for name, sign in zip(("alpha_1", "alpha_3"), (signs[0], signs[2]), strict=True):
+        if sign in (0, 1):
+            return "none", f"trajectories do not approach in the three ways: {name} is not negative"
+    if signs[3] == 0:
+        return "none", "trajectories do not approach in the three ways: alpha_1 = alpha_3, beta = 1"
+    if signs[1] == 0:
+        return "none", "alpha_2 = 0: between the three ways"
+    names = ("alpha_1", "alpha_2", "alpha_3", "alpha_3 - alpha_1")
+    unsure = [name for name, sign in zip(names, signs, strict=True) if sign is None]
+    if unsure:
+        return None, f"the balls leave the sign of {', '.join(unsure)} open: give more bits or exact numbers"
+    case = {(-1, 1): "I", (1, 1): "II", (-1, -1): "III"}.get((signs[1] or 0, signs[3] or 0))
+    if case is None:
+        return "none", "trajectories do not approach in the three ways: alpha_2 > 0 and alpha_3 < alpha_1"
+    return case, _CASES[case]
+
+
+def _integer_in(beta: Exact | None) -> int | None:
+    """The integer >= 1 that beta is or may be."""
+    if beta is None:
+        return None
+    if isinstance(beta, fmpq):
+        return int(beta.p) if beta.q == 1 and beta >= 1 else None
+    if not abs(beta) <= MAX_BETA:
+        return None
+    near = beta.mid().floor().unique_fmpz()
+    candidates = [int(near) + k for k in (0, 1)] if near is not None else []
+    return next((k for k in candidates if k >= 1 and beta.overlaps(type(beta)(k))), None)
+
+
+def _text(value: Exact) -> str:
+    return str(value) if isinstance(value, fmpq) else ball_text(value)

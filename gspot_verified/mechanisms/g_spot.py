@@ -1,0 +1,265 @@
+"""Find a G-spot p = b = y = v = 0 of a mechanism: exactly at a rational point, otherwise by Newton and a proof.
+
+The proof of existence and uniqueness in a small box is :func:`krawczyk.krawczyk`, page ``proofs/krawczyk.md``.
+The m - 4 further unknowns are fixed by conditions J: given, or components of the state that keep their values.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from flint import arb, fmpq
+
+from gspot_verified.balls import ball_text, current_bits, working_bits
+from gspot_verified.expansion.linear import inverse
+from gspot_verified.expansion.power_series import SeriesOfFunctions
+from gspot_verified.expansion.rings import BALLS, RATIONALS, Ring
+from gspot_verified.expansion.system import GSpotError, System
+from gspot_verified.expansion.terms import NumberTerms
+from gspot_verified.mechanisms.krawczyk import krawczyk
+from gspot_verified.mechanisms.mass_matrix import check_mass_matrix
+from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.to_system import Moves, NotRationalError, Shifted, shift, stays, to_system
+
+DEFAULT_BITS = 128
+_NEWTON_STEPS = 60
+_INFLATIONS = 12
+
+
+@dataclass(frozen=True)
+class GSpot:
+    """A G-spot with what Theorem 1 needs there. In balls, work with ``system`` inside ``working_bits(bits)``.
+
+    ``fixed`` names the components that the conditions J keep (empty when J was given as formulas).
+    """
+
+    shifted: Shifted
+    system: System
+    exact: bool
+    bits: int
+    fixed: tuple[str, ...]
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism it belongs to."""
+        return self.shifted.mechanism
+
+    def values(self) -> dict[str, str]:
+        """The components of the state as text; an angle as ``reference + deviation``."""
+        references = {angle.coordinate: angle.name for angle in self.mechanism.angles}
+        found = {}
+        for word, value in zip(self.mechanism.state, self.system.point, strict=True):
+            text = str(value) if self.exact else ball_text(value)
+            if word in references:
+                text = references[word] if text == "0" else f"{references[word]} + {text}"
+            found[word] = text
+        return found
+
+
+def find_g_spot(mechanism: Mechanism, bits: int = DEFAULT_BITS) -> GSpot:
+    """The G-spot at or near the place that the mechanism names.
+
+    Exact when the place is rational and everything there is; otherwise a box that holds exactly one G-spot (with the
+    conditions J), with a proof.
+
+    :raises GSpotError: the place is no G-spot, the conditions are degenerate, or nothing could be proved.
+    :raises MechanismError: the mechanism is not complete.
+
+    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
+    >>> spot = find_g_spot(shipped_mechanism("frictional impact oscillator"))
+    >>> spot.exact, spot.values()["psi"], spot.values()["phi"]
+    (True, '-2/5', 'phi_ref')
+    """
+    shifted = shift(mechanism)
+    missing = [word for word in mechanism.state if word not in dict(mechanism.place.values)]
+    if missing:
+        raise GSpotError(f"{mechanism.name}: the G-spot's place lacks a value for {', '.join(missing)}")
+    if len(mechanism.state) < 4:
+        raise GSpotError(f"{mechanism.name}: p, b, y and v need a state of 4 components at least")
+    if not mechanism.place.search:
+        try:
+            return _exact(shifted, bits)
+        except NotRationalError:
+            pass
+        except (GSpotError, MechanismError):
+            raise
+        except ValueError:  # a sine, exponential or root that is not rational; what balls cannot do either they refuse
+            pass
+    with working_bits(bits + 40):
+        return _proved(shifted, bits + 40)
+
+
+def _exact(shifted: Shifted, bits: int) -> GSpot:
+    values = {}
+    for word, value in symbolic_place(shifted).items():
+        if not value.is_Rational:
+            raise NotRationalError(f"{shifted.mechanism.name}: {word} = {value} is not rational")
+        values[word] = fmpq(int(value.p), int(value.q))
+    check_mass_matrix(shifted, values, RATIONALS)
+    system, fixed = with_conditions(shifted, values, RATIONALS)
+    _check_conditions(system)
+    _check_regular(system)
+    return GSpot(shifted, system, True, bits, fixed)
+
+
+def symbolic_place(shifted: Shifted) -> dict[str, Any]:
+    """The place with the parameters put in; angles counted from their references."""
+    import sympy
+
+    mechanism = shifted.mechanism
+    parameters = mechanism.parameter_values()
+    angles = {angle.coordinate: sympy.Symbol(angle.name) for angle in mechanism.angles}
+    given, moved = dict(mechanism.place.values), Moves(mechanism)
+    deviations = {word: given[word].xreplace(parameters) - angles.get(word, 0) for word in mechanism.state}
+    return {word: sympy.expand(moved(deviation)) for word, deviation in deviations.items()}
+
+
+def _check_g_spot(system: System) -> None:
+    for name, value in zip("pbyv", system.values_at_point((system.p, system.b, system.y, system.v)), strict=True):
+        if value != 0:
+            raise GSpotError(f"{system.name}: not a G-spot: {name} = {value} must be 0 there")
+
+
+def _check_conditions(system: System) -> None:
+    _check_g_spot(system)
+    for i, value in enumerate(system.values_at_point(system.J)):
+        if value != 0:
+            raise GSpotError(f"{system.name}: the condition J_{i + 1} = {value} must be 0 at the G-spot")
+
+
+def _check_regular(system: System) -> None:
+    try:
+        inverse(system.jacobian(), system.ring)
+    except ZeroDivisionError:
+        raise GSpotError(degenerate(system.name, "with the given conditions J")) from None
+
+
+def degenerate(name: str, detail: str) -> str:
+    """The message for a singular Jacobian."""
+    return (
+        f"{name}: degenerate: the Jacobian [p_xi, b_xi, y_xi, v_xi, J_xi] at the G-spot must be regular "
+        f"(eq. genSysGSpotNonSing), it is singular or not certainly regular {detail}"
+    )
+
+
+def with_conditions(shifted: Shifted, values: Mapping[str, Any], ring: Ring) -> tuple[System, tuple[str, ...]]:
+    """The system with the conditions J that the mechanism gives, or with components chosen to be kept."""
+    mechanism = shifted.mechanism
+    place, state = mechanism.place, mechanism.state
+    wanted = len(state) - 4
+    if place.conditions is not None:
+        if len(place.conditions) != wanted:
+            raise GSpotError(f"{mechanism.name}: {wanted} conditions J are needed, got {len(place.conditions)}")
+        return to_system(shifted, values, ring, _shifted_conditions(shifted)), ()
+    draft = to_system(shifted, values, ring, [stays(i, ring.number(0), ring) for i in range(wanted)])
+    if ring is RATIONALS:
+        _check_g_spot(draft)
+    if place.fixed is not None:
+        fixed = place.fixed
+        if len(set(fixed)) != wanted or len(fixed) != wanted:
+            raise GSpotError(f"{mechanism.name}: {wanted} components must be fixed, got {list(fixed)}")
+    else:
+        fixed = _choose_fixed(draft, state)
+    J = tuple(stays(state.index(word), values[word], ring) for word in fixed)
+    return System(**{**vars(draft), "J": J}), fixed
+
+
+def _shifted_conditions(shifted: Shifted) -> list[Any]:
+    parameters = shifted.mechanism.parameter_values()
+    moved = Moves(shifted.mechanism)
+    return [moved(J.xreplace(parameters)) for J in shifted.mechanism.place.conditions or ()]
+
+
+def _choose_fixed(draft: System, state: Sequence[str]) -> tuple[str, ...]:
+    """The components without a pivot when p, b, y, v are eliminated: with them fixed the Jacobian is regular."""
+    ring = draft.ring
+    rows = [list(row) for row in draft.jacobian()[:4]]
+    free = []
+    done = 0
+    for j in range(len(state)):
+        pivot = next((i for i in range(done, 4) if ring.is_nonzero(rows[i][j])), None) if done < 4 else None
+        if pivot is None:
+            free.append(state[j])
+            continue
+        rows[done], rows[pivot] = rows[pivot], rows[done]
+        for i in range(done + 1, 4):
+            factor = rows[i][j] / rows[done][j]
+            rows[i] = [value - factor * own for value, own in zip(rows[i], rows[done], strict=True)]
+        done += 1
+    if done < 4:
+        raise GSpotError(degenerate(draft.name, f"for every choice of J: p, b, y, v have rank {done} there, not 4"))
+    return tuple(free)
+
+
+def place_in(shifted: Shifted, ring: Ring) -> dict[str, Any]:
+    """The place as numbers of the ring."""
+    expressions = shifted.expressions(list(symbolic_place(shifted).values()), ring)
+    series = SeriesOfFunctions(expressions, NumberTerms(ring), ring)
+    series.extend([ring.number(0)] * len(shifted.mechanism.state))
+    return dict(zip(shifted.mechanism.state, (series[expression][0] for expression in expressions), strict=True))
+
+
+def _proved(shifted: Shifted, bits: int) -> GSpot:
+    """Newton's method from the place, then a box around its limit that holds exactly one zero."""
+    name = shifted.mechanism.name
+    try:
+        start = place_in(shifted, BALLS)
+        if not all(value.is_finite() for value in start.values()):
+            raise GSpotError(f"{name}: the G-spot's place is not finite")
+        system, fixed = with_conditions(shifted, start, BALLS)
+        point = _newton(system)
+    except ZeroDivisionError:
+        raise GSpotError(degenerate(name, "during the search")) from None
+    except (GSpotError, MechanismError):
+        raise
+    except ValueError as error:
+        raise GSpotError(f"{name}: no G-spot found: {error}") from None
+    box = _enclosed(system, point)
+    if box is None:
+        raise GSpotError(f"{name}: no G-spot could be proved near {[ball_text(value, 6) for value in point]}")
+    check_mass_matrix(shifted, dict(zip(shifted.mechanism.state, box, strict=True)), BALLS)
+    if not shifted.mechanism.place.search:
+        for word, found, given in zip(shifted.mechanism.state, box, start.values(), strict=True):
+            if not found.overlaps(given):
+                raise GSpotError(
+                    f"{name}: not a G-spot: {word} = {ball_text(given)}, the nearest has {ball_text(found)}"
+                )
+    return GSpot(shifted, System(**{**vars(system), "point": tuple(box)}), False, bits, fixed)
+
+
+def _values(system: System, point: Sequence[Any]) -> list[Any]:
+    return System(**{**vars(system), "point": tuple(point)}).values_at_point(system.conditions)
+
+
+def _jacobian(system: System, point: Sequence[Any]) -> list[list[Any]]:
+    return System(**{**vars(system), "point": tuple(point)}).jacobian()
+
+
+def _newton(system: System) -> list[arb]:
+    """A point near a zero; a heuristic, midpoints only."""
+    point = [value.mid() for value in system.point]
+    small = arb(2) ** (20 - current_bits())
+    for _ in range(_NEWTON_STEPS):
+        residual = [value.mid() for value in _values(system, point)]
+        matrix = [[value.mid() for value in row] for row in _jacobian(system, point)]
+        rows = inverse(matrix, BALLS)
+        step = [sum((a * r for a, r in zip(row, residual, strict=True)), arb(0)).mid() for row in rows]
+        if not all(value.is_finite() for value in step):
+            break
+        point = [(x - d).mid() for x, d in zip(point, step, strict=True)]
+        if all(abs(d) <= small * (1 + abs(x)) for x, d in zip(point, step, strict=True)):
+            return point
+    raise GSpotError(f"{system.name}: Newton's method finds no G-spot from the given start")
+
+
+def _enclosed(system: System, point: Sequence[arb]) -> list[arb] | None:
+    radius = arb(2) ** (26 - current_bits())
+    for _ in range(_INFLATIONS):
+        box = [x + arb(0, (radius * (1 + abs(x))).upper()) for x in point]
+        found = krawczyk(lambda at: _values(system, at), lambda at: _jacobian(system, at), box)
+        if found is not None:
+            return found
+        radius = radius * 64
+    return None

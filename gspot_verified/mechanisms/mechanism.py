@@ -1,0 +1,144 @@
+"""A mechanical system with one frictional contact, given symbolically: by a mass matrix and forces, or by its fields.
+
+Paper, Sec. 2. All numbers are exact. Velocities of the coordinate ``phi`` are called ``phi_dot``. For an angle with a
+rational sine and cosine at the G-spot, the reference angle ``phi_ref`` may stand in formulas (``phi - phi_ref - 1/4``).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from flint import fmpq
+
+from gspot_verified.balls import ExactInput, exact
+
+
+class MechanismError(ValueError):
+    """The description of the mechanism is wrong; the message names the part."""
+
+
+@dataclass(frozen=True)
+class ReferenceAngle:
+    """The angle ``<coordinate>_ref``, known by its exact sine and cosine."""
+
+    coordinate: str
+    sine: fmpq
+    cosine: fmpq
+
+    def __post_init__(self) -> None:
+        if self.sine * self.sine + self.cosine * self.cosine != 1:
+            raise MechanismError(
+                f"angle {self.coordinate}: sine {self.sine} and cosine {self.cosine} must satisfy sine^2 + cosine^2 = 1"
+            )
+
+    @property
+    def name(self) -> str:
+        """How the reference angle is called in formulas."""
+        return f"{self.coordinate}_ref"
+
+
+@dataclass(frozen=True)
+class Lagrangian:
+    """M(q) q'' = f(q, q', t) + (dy/dq) λ_N + (dx/dq) λ_T."""
+
+    coordinates: tuple[str, ...]
+    mass_matrix: tuple[tuple[Any, ...], ...]
+    forces: tuple[Any, ...]
+    time: str | None
+
+
+@dataclass(frozen=True)
+class Fields:
+    """dξ/dt = F + G_T λ_T + G_N λ_N; paper, eq. genTN."""
+
+    F: tuple[Any, ...]
+    G_T: tuple[Any, ...]
+    G_N: tuple[Any, ...]
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where the G-spot is: a value for each component of the state.
+
+    With ``search`` they are the start of Newton's method. ``fixed`` names the m - 4 components that keep their value,
+    or ``conditions`` gives m - 4 functions J of the state that vanish; otherwise components are chosen.
+    """
+
+    values: tuple[tuple[str, Any], ...] = ()
+    search: bool = False
+    fixed: tuple[str, ...] | None = None
+    conditions: tuple[Any, ...] | None = None
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """A mechanism; make one with :func:`given.lagrangian`, :func:`given.from_fields` or
+    :func:`file.read_mechanism`."""
+
+    name: str
+    state: tuple[str, ...]
+    motion: Lagrangian | Fields
+    x: Any
+    y: Any
+    mu: Any
+    parameters: tuple[tuple[str, Any], ...] = ()
+    angles: tuple[ReferenceAngle, ...] = ()
+    place: Place = field(default_factory=Place)
+
+    def with_parameters(self, **values: ExactInput | None) -> Mechanism:
+        """The same mechanism with other values of some parameters; None makes a parameter a symbol.
+
+        :raises MechanismError: there is no such parameter, or the value is not an exact rational.
+        """
+        known = dict(self.parameters)
+        for name, value in values.items():
+            if name not in known:
+                raise MechanismError(f"{self.name} has no parameter {name!r}; it has: {', '.join(known) or 'none'}")
+            known[name] = None if value is None else sympy_number(value, name)
+        return replace(self, parameters=tuple(known.items()))
+
+    def parameter_values(self) -> dict[Any, Any]:
+        """The symbol of each parameter that has a value, with that value; a value may use other parameters.
+
+        :raises MechanismError: values that use each other in a circle.
+        """
+        import sympy
+
+        known = {sympy.Symbol(name): value for name, value in self.parameters if value is not None}
+        for _ in range(len(known) + 1):
+            if not any(value.free_symbols & set(known) for value in known.values()):
+                return known
+            known = {symbol: value.xreplace(known) for symbol, value in known.items()}
+            if any(symbol in value.free_symbols for symbol, value in known.items()):
+                break
+        raise MechanismError(f"{self.name}: parameters whose values use each other in a circle")
+
+    @property
+    def symbols(self) -> tuple[Any, ...]:
+        """The symbols of the state."""
+        import sympy
+
+        return tuple(sympy.Symbol(name) for name in self.state)
+
+
+def exact_rational(value: ExactInput, name: str) -> fmpq:
+    """The exact rational that an input is.
+
+    :raises MechanismError: it is none; the message names it.
+    """
+    try:
+        found = exact(value, name)
+    except (TypeError, ValueError) as error:
+        raise MechanismError(str(error)) from None
+    if not isinstance(found, fmpq):
+        raise MechanismError(f"{name}: must be a rational number")
+    return found
+
+
+def sympy_number(value: ExactInput, name: str) -> Any:
+    """The same as a sympy number."""
+    import sympy
+
+    found = exact_rational(value, name)
+    return sympy.Rational(int(found.p), int(found.q))

@@ -1,0 +1,67 @@
+"""The mechanisms that come with the package: the paper's model systems, the oscillator, and falling rods."""
+
+from __future__ import annotations
+
+from importlib import resources
+
+from gspot_verified.balls import ExactInput
+from gspot_verified.expansion.system import System
+from gspot_verified.mechanisms.file import parse_mechanism
+from gspot_verified.mechanisms.g_spot import find_g_spot
+from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
+
+_FILES = {
+    "model system": "model_system",
+    "extended system": "extended_system",
+    "frictional impact oscillator": "frictional_impact_oscillator",
+    "frictional impact oscillator, all parameters": "frictional_impact_oscillator_all_parameters",
+    "falling rod": "falling_rod",
+    "falling rod, lower friction": "falling_rod_lower_friction",
+    "falling rod of Génot and Brogliato": "genot_brogliato_rod",
+}
+_SHORT = {
+    "model": "model system",
+    "extended": "extended system",
+    "oscillator": "frictional impact oscillator",
+    "rod": "falling rod",
+}
+
+
+def shipped_names() -> tuple[str, ...]:
+    """The names that :func:`shipped_mechanism` knows.
+
+    >>> shipped_names()[:2]
+    ('model system', 'extended system')
+    """
+    return tuple(_FILES)
+
+
+def shipped_mechanism(name: str, **parameters: ExactInput | None) -> Mechanism:
+    """A mechanism of the package, with other values of its parameters where given.
+
+    Short names: model, extended, oscillator, rod. A file's own name serves too.
+
+    :raises MechanismError: an unknown name or parameter.
+
+    >>> shipped_mechanism("extended system", chi="1/2").state
+    ('x', 'u', 'y', 'v', 'p', 'b')
+    """
+    name = _SHORT.get(name, name)
+    stem = name.replace("-", "_")
+    stem = stem if stem in _FILES.values() else _FILES.get(name, "")
+    if not stem:
+        raise MechanismError(f"no shipped mechanism {name[:60]!r}; there are: {', '.join(_FILES)}")
+    text = resources.files("gspot_verified.mechanisms").joinpath("data", f"{stem}.toml").read_text(encoding="utf-8")
+    return parse_mechanism(text).with_parameters(**parameters)
+
+
+def shipped_system(name: str, **parameters: ExactInput | None) -> System:
+    """The system of a mechanism of the package at its G-spot, exact where that is rational.
+
+    :raises MechanismError: an unknown name or parameter.
+    :raises GSpotError: these parameters have no G-spot at the mechanism's place.
+
+    >>> shipped_system("oscillator", beta=3).check()[0]
+    -175/408
+    """
+    return find_g_spot(shipped_mechanism(name, **parameters)).system

@@ -1,0 +1,173 @@
+"""The laws of Theorem 1, checked on a system: what users run on their own mechanism."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Sequence
+
+from flint import arb, fmpq
+
+from gspot_verified.balls import ball, working_bits
+from gspot_verified.expansion.derivative import lie_derivative
+from gspot_verified.expansion.expressions import Constant, Expression
+from gspot_verified.expansion.power_series import SeriesOfFunctions
+from gspot_verified.expansion.recursion import space_of
+from gspot_verified.expansion.residual import ResidualError, residual_bounds
+from gspot_verified.expansion.rings import BALLS
+from gspot_verified.expansion.spaces import SpacePolynomial
+from gspot_verified.expansion.system import System
+from gspot_verified.expansion.terms import NumberTerms, PolynomialTerms
+from gspot_verified.expansion.time_series import compare_routes, time_series
+from gspot_verified.expansion.trajectory import Trajectory, expand
+from gspot_verified.verdict import Outcome
+
+_SAMPLES = 3
+_BITS = 128
+_DISTANCES = (4, 12, 40)
+
+
+def check_expansion(system: System, order: int) -> Trajectory:
+    """Check every law of Theorem 1 that can be checked on the first ``order`` orders, and return them.
+
+    - the functions are the Lie derivatives that the theorem assumes (at random points);
+    - each term lies in its space;
+    - the residual of the equations and conditions has no order below ``order``;
+    - p = P(xi), b = B(xi), y = Y(xi), v = V(xi) for all s;
+    - the power series in (t, epsilon), found without the inner scale, has the same coefficients;
+    - one more order changes none of the terms.
+
+    In balls "the same" means that no two balls exclude each other.
+
+    :raises AssertionError: a law fails; the message says which and where.
+    :raises GSpotError: the system has no G-spot at its point at which Theorem 1 holds.
+
+    >>> from gspot_verified.testing import extended_example
+    >>> check_expansion(extended_example(chi=1), 7).z[6]
+    SpacePolynomial.from_list(3, [6672/5, 0, 0, -368/5])
+    """
+    trajectory = expand(system, order)
+    check_lie_derivatives(system)
+    check_trajectory(trajectory)
+    longer = expand(system, order + 1).terms()
+    for name, terms in trajectory.terms().items():
+        for n, term in enumerate(terms):
+            _require(_same(term, longer[name][n]), system, f"{name}_{n} changes when one more order is asked for")
+    return trajectory
+
+
+def check_trajectory(trajectory: Trajectory) -> None:
+    """The laws of :func:`check_expansion` that concern given terms.
+
+    :raises AssertionError: a law fails.
+    """
+    system = trajectory.system
+    check_spaces(trajectory)
+    if isinstance(system.ring.number(0), fmpq | arb):
+        try:
+            residual_bounds(trajectory, 1, 1)
+        except ResidualError as error:
+            raise AssertionError(str(error)) from None
+    check_synchronisation(trajectory)
+    routes = compare_routes(trajectory.in_time(), time_series(system, trajectory.order))
+    exact_numbers = not isinstance(system.ring.number(0), arb)
+    bad = routes.outcome is Outcome.REFUTED or (exact_numbers and routes.outcome is Outcome.UNDECIDED)
+    _require(not bad, system, str(routes))
+
+
+def check_spaces(trajectory: Trajectory) -> None:
+    """Each term has only powers of s that its space P_n of Theorem 1 has.
+
+    :raises AssertionError: one has another.
+    """
+    for name, terms in trajectory.terms().items():
+        variable = "xi" if name.startswith("xi") else name.removesuffix("_n")
+        for n, term in enumerate(terms):
+            space = space_of(variable, n)
+            for k, value in enumerate(term.coefficients()):
+                inside = k <= space and (space - k) % 3 == 0
+                _require(
+                    inside or trajectory.system.ring.is_zero(value),
+                    trajectory.system,
+                    f"{name}_{n} has a term in s^{k}, which P_{space} does not have",
+                )
+
+
+def check_synchronisation(trajectory: Trajectory) -> None:
+    """p = P(xi), b = B(xi), y = Y(xi), v = V(xi) along the expansion, for all s.
+
+    :raises AssertionError: an order differs: the functions are not Lie derivatives of each other as Sec. 5 assumes.
+    """
+    system, ring = trajectory.system, trajectory.system.ring
+    pairs = (
+        ("p", system.p, trajectory.p, 0),
+        ("b", system.b, trajectory.b, 0),
+        ("y", system.y, trajectory.y, 4),
+        ("v", system.v, trajectory.v, 2),
+    )
+    terms = PolynomialTerms(ring)
+    series = SeriesOfFunctions([function for _, function, _, _ in pairs], terms, ring)
+    series.extend([terms.constant(value) for value in system.point])
+    series.extend([terms.zero(1)] * len(system.point))
+    for n in range(trajectory.order):
+        series.extend([component[n] for component in trajectory.xi])
+        for name, function, known, shift in pairs:
+            expected = known[n - shift] if n >= shift else terms.zero(n)
+            same = _same(series[function][n + 2], expected)
+            _require(same, system, f"{name} and its function of xi differ at delta^{n + 2}: {series[function][n + 2]}")
+
+
+def check_lie_derivatives(system: System, seed: int = 0) -> None:
+    """The functions are Lie derivatives of each other, as Sec. 5 assumes: L_G y = 0, L_F y = v, and so on.
+
+    Compared in balls at random points near the G-spot; nothing is checked for a system with symbols.
+
+    :raises AssertionError: two functions differ at a point.
+    """
+    if not isinstance(system.ring.number(0), fmpq | arb):
+        return
+    F, G, zero = system.F, system.G, Constant(fmpq(0))
+    laws = (
+        ("L_F y = v", lie_derivative(system.y, F), system.v),
+        ("L_G y = 0", lie_derivative(system.y, G), zero),
+        ("L_F v = b", lie_derivative(system.v, F), system.b),
+        ("L_G v = p", lie_derivative(system.v, G), system.p),
+        ("L_G p = 0", lie_derivative(system.p, G), zero),
+        ("L_F p = alpha_1", lie_derivative(system.p, F), system.alpha_1),
+        ("L_F b = alpha_2", lie_derivative(system.b, F), system.alpha_2),
+        ("L_G b = -alpha_3", lie_derivative(system.b, G), -system.alpha_3),
+    )
+    with working_bits(_BITS):
+        for values in _near(system, [side for _, left, right in laws for side in (left, right)], random.Random(seed)):
+            for name, left, right in laws:
+                found, wanted = values[left][0], values[right][0]
+                _require(
+                    not BALLS.is_nonzero(found - wanted),
+                    system,
+                    f"{name} fails near the G-spot: {found} is not {wanted}",
+                )
+
+
+def _near(system: System, functions: Sequence[Expression], source: random.Random) -> Iterator[SeriesOfFunctions]:
+    """The values of the functions at random points, closer to the G-spot where they are not defined."""
+    for _ in range(_SAMPLES):
+        steps = [fmpq(source.randint(-64, 64), 64) for _ in system.point]
+        for exponent in _DISTANCES:
+            values = SeriesOfFunctions(functions, NumberTerms(BALLS), BALLS)
+            try:
+                values.extend(
+                    [ball(start) + arb(step / 2**exponent) for start, step in zip(system.point, steps, strict=True)]
+                )
+            except ValueError:
+                continue
+            yield values
+            break
+
+
+def _same(left: SpacePolynomial, right: SpacePolynomial) -> bool:
+    """No coefficient differs for certain."""
+    return not any(left.ring.is_nonzero(value) for value in (left - right).coefficients())
+
+
+def _require(holds: bool, system: System, message: str) -> None:
+    if not holds:
+        raise AssertionError(f"{system.name}: {message}")

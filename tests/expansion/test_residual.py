@@ -1,0 +1,246 @@
+"""The constants of the residual: against the residual itself, by mpmath; wrong terms are noticed."""
+
+from __future__ import annotations
+
+import json
+import random
+from dataclasses import replace
+from typing import Any
+
+import mpmath
+import pytest
+from flint import arb, fmpq
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from gspot_verified.expansion.expressions import (
+    Constant,
+    Cosine,
+    Exponential,
+    Expression,
+    Power,
+    Product,
+    Sine,
+    Sum,
+    Variable,
+)
+from gspot_verified.expansion.majorants import Graded, rest_of_product
+from gspot_verified.expansion.residual import ResidualError, residual_bounds
+from gspot_verified.expansion.rings import BALLS
+from gspot_verified.expansion.spaces import SpacePolynomial
+from gspot_verified.expansion.symbols import Symbols
+from gspot_verified.expansion.system import System
+from gspot_verified.expansion.trajectory import Trajectory, expand
+from gspot_verified.testing import extended_example, sheared, systems
+
+x = [Variable(i) for i in range(6)]
+one = Constant(fmpq(1))
+
+
+def mp(value: Any) -> Any:
+    value = fmpq(value)
+    return mpmath.mpf(int(value.p)) / int(value.q)
+
+
+def value_of(node: Expression, state: list[Any]) -> Any:
+    match node:
+        case Constant(value):
+            return mp(value)
+        case Variable(index):
+            return state[index]
+        case Sum(terms):
+            return sum((value_of(term, state) for term in terms), mpmath.mpf(0))
+        case Product(left, right):
+            return value_of(left, state) * value_of(right, state)
+        case Power(base, exponent):
+            return value_of(base, state) ** mp(exponent) if exponent else mpmath.mpf(1)
+        case Sine(argument):
+            return mpmath.sin(value_of(argument, state))
+        case Cosine(argument):
+            return mpmath.cos(value_of(argument, state))
+        case Exponential(argument):
+            return mpmath.exp(value_of(argument, state))
+    raise TypeError(node)
+
+
+def summed(terms: tuple[SpacePolynomial, ...], s: Any, delta: Any, slope: bool = False) -> Any:
+    total = mpmath.mpf(0)
+    for n, term in enumerate(terms):
+        for k, c in enumerate(term.coefficients()):
+            total += mp(c) * delta**n * (k * s ** max(k - 1, 0) if slope else s**k)
+    return total
+
+
+def residual(of: Trajectory, s: Any, delta: Any) -> dict[str, Any]:
+    """specialX to specialL and the conditions over delta^2, straight from the paper."""
+    system = of.system
+    scalars = ("p", "b", "y", "v", "z", "lambda_n")
+    at = {name: summed(getattr(of, name), s, delta) for name in scalars}
+    slope = {name: summed(getattr(of, name), s, delta, slope=True) for name in scalars}
+    state, start = (
+        [mp(c) + delta**2 * summed(t, where, delta) for c, t in zip(system.point, of.xi, strict=True)]
+        for where in (s, mpmath.mpf(0))
+    )
+    force = at["lambda_n"]
+    found = {
+        f"xi_{i + 1}": summed(of.xi[i], s, delta, slope=True) - value_of(f, state) - value_of(g, state) * force
+        for i, (f, g) in enumerate(zip(system.F, system.G, strict=True))
+    }
+    found["p"] = slope["p"] - value_of(system.alpha_1, state)
+    found["b"] = slope["b"] - value_of(system.alpha_2, state) + value_of(system.alpha_3, state) * force
+    found["y"] = slope["y"] - at["v"]
+    found["v"] = slope["v"] - at["b"] - at["p"] * force
+    found["z"] = delta * slope["z"] + at["z"] + force
+    found["lambda_n"] = force - at["z"] + at["y"]
+    for name, power in (("p", 2), ("b", 2), ("y", 6), ("v", 4)):
+        own = delta**power * summed(getattr(of, name), mpmath.mpf(0), delta)
+        found[f"start_{name}"] = (value_of(getattr(system, name), start) - own) / delta**2
+    for i, condition in enumerate(system.J):
+        found[f"start_J_{i + 1}"] = value_of(condition, start) / delta**2
+    return found
+
+
+def compare(of: Trajectory, s: fmpq, delta: fmpq, points: int = 6, seed: int = 1) -> dict[str, float]:
+    """Check the bounds at random points and corners; the largest |residual|/(K delta^M) that was met, by equation."""
+    bounds = residual_bounds(of, s, delta).constants
+    source = random.Random(seed)
+    places = [(s * fmpq(source.randint(-100, 100), 100), delta * fmpq(source.randint(1, 100), 100))
+              for _ in range(points)] + [(s, delta), (-s, delta), (fmpq(0), delta)]  # fmt: skip
+    reached = dict.fromkeys(bounds, 0.0)
+    with mpmath.workdps(120):
+        for place, small in places:
+            found = residual(of, mp(place), mp(small))
+            assert set(found) == set(bounds)
+            for name, value in found.items():
+                size = abs(value) / mp(small) ** of.order
+                top = bounds[name]
+                assert top.is_finite(), name
+                mantissa, exponent = (int(part) for part in top.man_exp())
+                limit = mpmath.ldexp(mpmath.mpf(mantissa), exponent)
+                assert size <= limit + mpmath.mpf(10) ** -60, (name, place, small)
+                if limit:
+                    reached[name] = max(reached[name], float(size / limit))
+    return reached
+
+
+ANALYTIC = sheared(
+    sheared(extended_example("1/2"), 5, Sine(x[2]) * x[1] + Exponential(x[0]) - one),
+    3,
+    Power(one + x[4], fmpq(-1, 2)) - one + Cosine(x[0] + x[4]) * x[1] + Power(x[4], fmpq(2)),
+)
+
+
+@pytest.mark.parametrize("order", [1, 2, 3, 4, 7, 12, 20])
+@pytest.mark.parametrize("system", [extended_example(1), extended_example(0), ANALYTIC], ids=["chi", "zero", "sin"])
+def test_the_residual_is_within_the_bound_and_not_far_below(system: System, order: int) -> None:
+    reached = compare(expand(system, order), fmpq(1), fmpq(1, 20))
+    assert all(ratio == 0 or ratio > 0.02 for ratio in reached.values()), reached
+
+
+def test_a_residual_that_is_zero_has_the_constant_zero() -> None:
+    constants = residual_bounds(expand(extended_example(0), 5), 3, 2).constants
+    assert all(value == 0 for value in constants.values())
+
+
+def test_a_polynomial_system_gets_its_exact_sum() -> None:
+    """For chi = 1, M = 3: z' delta + z + lambda = z_2' delta^3 = -8 delta^3."""
+    assert residual_bounds(expand(extended_example(1), 3), 5, 1).constants["z"] == 8
+
+
+@settings(max_examples=25)
+@given(systems(analytic=True), st.integers(1, 8))
+def test_drawn_systems(system: System, order: int) -> None:
+    compare(expand(system, order), fmpq(1, 2), fmpq(1, 8), points=2)
+
+
+def test_more_exact_orders_never_hurt_much() -> None:
+    trajectory = expand(ANALYTIC, 6)
+    few, many = (residual_bounds(trajectory, 1, "1/10", extra=n).constants for n in (4, 20))
+    for name, value in many.items():
+        assert value <= few[name] * fmpq(1001, 1000), name
+
+
+def test_a_power_whose_base_may_vanish_in_the_box_has_no_bound() -> None:
+    trajectory = expand(sheared(extended_example(1), 3, Power(one + x[4], fmpq(-1)) - one), 4)
+    assert residual_bounds(trajectory, 1, "1/10").constants["v"].is_finite()
+    found = residual_bounds(trajectory, 100, 1)
+    assert not found.constants["xi_4"].is_finite()
+    assert found.to_json()["constants"]["xi_4"] is None
+    assert "[no information]" in str(found)
+
+
+def changed(of: Trajectory, name: str, n: int, element: SpacePolynomial) -> Trajectory:
+    terms = list(getattr(of, name))
+    terms[n] = terms[n] + element
+    return replace(of, **{name: tuple(terms)})
+
+
+@pytest.mark.parametrize("name", ["p", "b", "y", "v", "z", "lambda_n"])
+@pytest.mark.parametrize("n", [0, 2, 6])
+def test_a_wrong_coefficient_is_noticed(name: str, n: int) -> None:
+    good = expand(extended_example(1), 8)
+    space = getattr(good, name)[n].n
+    element = SpacePolynomial.from_list(space, [0] * space + [fmpq(1, 10**30)]) if space >= 0 else None
+    if element is None:
+        return
+    with pytest.raises(ResidualError, match="equation"):
+        residual_bounds(changed(good, name, n, element), 1, "1/10")
+
+
+def test_a_wrong_start_is_noticed() -> None:
+    good = expand(extended_example(1), 8)
+    component = list(good.xi[3])
+    component[4] = component[4] + SpacePolynomial.from_list(3, [1])
+    wrong = replace(good, xi=(*good.xi[:3], tuple(component), *good.xi[4:]))
+    with pytest.raises(ResidualError):
+        residual_bounds(wrong, 1, "1/10")
+
+
+def test_balls() -> None:
+    base = extended_example("1/3")
+    system = replace(base, point=(arb(0),) * 6, ring=BALLS)
+    exact, balls = (residual_bounds(expand(s, 7), 1, "1/10").constants for s in (base, system))
+    for name, value in exact.items():
+        assert balls[name] >= value
+        assert balls[name] <= value * fmpq(101, 100) + fmpq(1, 10**6)
+
+
+def test_text_and_json() -> None:
+    found = residual_bounds(expand(extended_example(1), 6), "1/3", "0.1")
+    assert str(found).startswith("extended example: |residual| <= K delta^6 for |s| <= 1/3, 0 <= delta <= 1/10, K =")
+    data = json.loads(json.dumps(found.to_json()))
+    assert (data["order"], data["s"], data["delta"]) == (6, "1/3", "1/10")
+
+
+@pytest.mark.parametrize(
+    ("s", "delta", "extra", "error", "message"),
+    [
+        (-1, 1, 8, ValueError, "s must not be negative"),
+        (1, 0, 8, ValueError, "delta must be positive"),
+        (1, "-1/2", 8, ValueError, "delta must be positive"),
+        (1, 1, 3, ValueError, "extra"),
+        (1, 1, True, ValueError, "extra"),
+        (0.5, 1, 8, TypeError, "s: a float"),
+        (1, 0.5, 8, TypeError, "delta: a float"),
+    ],
+)
+def test_bad_arguments(s: Any, delta: Any, extra: Any, error: type[Exception], message: str) -> None:
+    with pytest.raises(error, match=message):
+        residual_bounds(expand(extended_example(1), 2), s, delta, extra)
+
+
+def test_symbols_have_no_bounds() -> None:
+    ring = Symbols("chi")
+    system = replace(extended_example(1), point=tuple(ring.number(0) for _ in range(6)), ring=ring)
+    with pytest.raises(TypeError, match="symbols"):
+        residual_bounds(expand(system, 2), 1, 1)
+
+
+@given(st.lists(st.integers(0, 5), min_size=1, max_size=6), st.data())
+def test_the_rest_of_a_product(left: list[int], data: st.DataObject) -> None:
+    size = len(left)
+    right = data.draw(st.lists(st.integers(0, 5), min_size=size, max_size=size))
+    a, b = data.draw(st.integers(0, 3)), data.draw(st.integers(0, 3))
+    found = rest_of_product(Graded(tuple(map(arb, left)), arb(a)), Graded(tuple(map(arb, right)), arb(b)))
+    expected = sum(u * w for i, u in enumerate(left) for j, w in enumerate(right) if i + j >= size)
+    assert found == expected + a * (sum(right) + b) + sum(left) * b

@@ -1,0 +1,202 @@
+"""The three cases, the numbers that go with them, and clear errors where there are none."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import pytest
+import sympy
+from flint import arb, fmpq
+
+from gspot_verified.balls import working_bits
+from gspot_verified.expansion.recursion import ObstructedOrderError, Recursion
+from gspot_verified.expansion.system import GSpotError
+from gspot_verified.mechanisms.classify import classify, expand
+from gspot_verified.mechanisms.given import lagrangian
+from gspot_verified.mechanisms.mechanism import MechanismError
+from gspot_verified.mechanisms.shipped import shipped_mechanism, shipped_names, shipped_system
+
+
+def holds(ball: arb, number: fmpq) -> bool:
+    """Whether the ball contains p/q: exact integers, because contains() rounds a rational first."""
+    return bool(ball.is_finite() and (ball * number.q - number.p).contains(0))
+
+
+@pytest.mark.parametrize(
+    ("alphas", "case", "reason"),
+    [
+        (("-3/2", -1, -1), "I", "alpha_1 < alpha_3 < 0"),
+        (("-3/2", 1, -1), "II", "alpha_2 > 0"),
+        ((-1, -1, "-3/2"), "III", "alpha_3 < alpha_1 < 0"),
+        ((-1, 1, "-3/2"), "none", "alpha_2 > 0 and alpha_3 < alpha_1"),
+        ((1, -1, "-3/2"), "none", "alpha_1 is not negative"),
+        ((0, -1, "-3/2"), "none", "alpha_1 is not negative"),
+        ((-1, -1, "3/2"), "none", "alpha_3 is not negative"),
+        ((-1, -1, 0), "none", "alpha_3 is not negative"),
+        ((-1, 0, "-3/2"), "none", "alpha_2 = 0"),
+        ((-1, -1, -1), "none", "beta = 1"),
+    ],
+)
+def test_cases_of_the_extended_system(alphas: tuple[Any, Any, Any], case: str, reason: str) -> None:
+    first, second, third = alphas
+    found = classify(shipped_mechanism("extended", alpha_1=first, alpha_2=second, alpha_3=third))
+    assert found.case == case
+    assert reason in found.reason
+    numbers = [Fraction(value) for value in alphas]
+    assert [Fraction(int(v.p), int(v.q)) for v in (found.alpha_1, found.alpha_2, found.alpha_3)] == numbers
+    if numbers[0] != 0:
+        beta = numbers[2] / numbers[0]
+        assert found.beta == fmpq(beta.numerator, beta.denominator)
+    else:
+        assert found.beta is None
+    json.dumps(found.to_json())
+    assert str(found)
+
+
+@pytest.mark.parametrize(
+    ("beta", "kappa", "case"),
+    [("7/3", 0, "III"), ("1/2", 0, "I"), ("1/2", 40, "II"), ("5/2", 40, "none"), ("12/5", -1, "III")],
+)
+def test_the_oscillator_may_be_in_any_class(beta: str, kappa: int, case: str) -> None:
+    """Paper, Sec. 6, line 2183."""
+    found = classify(shipped_mechanism("oscillator", beta=beta, kappa=kappa))
+    assert found.case == case
+    assert str(found.beta) == beta
+    assert found.exact
+
+
+def test_the_printed_point_of_the_oscillator() -> None:
+    found = classify(shipped_mechanism("oscillator"))
+    assert [str(v) for v in (found.alpha_1, found.alpha_2, found.alpha_3)] == [
+        "-175/408",
+        "-186037/99144",
+        "-1225/1224",
+    ]
+    assert found.lift_off_sign == 1
+    assert found.mean_force is not None
+    assert found.mean_force > 0
+    assert found.slip_velocity == fmpq(-3, 5)
+
+
+def test_mean_force_is_the_force_of_the_expansion() -> None:
+    """λ_0 for constant alphas is alpha_2/(alpha_3 - alpha_1), not its opposite as in eq. modelSysDistZY (line 604)."""
+    found = classify(shipped_mechanism("model"))
+    recursion = expand(shipped_mechanism("model"), 0)
+    assert found.mean_force == recursion.lambda_n[0].at_zero() == 2
+
+
+def test_balls_and_rationals_agree() -> None:
+    exact = classify(shipped_mechanism("oscillator"))
+    balls = classify(shipped_mechanism("frictional impact oscillator, all parameters"))
+    assert exact.exact
+    assert not balls.exact
+    assert balls.case == exact.case == "III"
+    with working_bits(200):
+        for name in ("alpha_1", "alpha_2", "alpha_3", "beta", "mean_force", "slip_velocity"):
+            ball, number = getattr(balls, name), getattr(exact, name)
+            assert holds(ball, number)
+            assert ball.rad() < 1e-30
+
+
+def test_expansions_in_balls_contain_the_rational_ones() -> None:
+    exact = expand(shipped_mechanism("oscillator"), 9)
+    balls = expand(shipped_mechanism("frictional impact oscillator, all parameters"), 9)
+    with working_bits(200):
+        for mine, theirs in zip(exact.b, balls.b, strict=True):
+            for k in range(len(theirs.coefficients())):
+                ball = theirs.coefficients()[k]
+                number = mine.coefficients()[k] if k < len(mine.coefficients()) else fmpq(0)
+                assert holds(ball, number)
+
+
+@pytest.mark.parametrize("beta", [1, 2, 3, 4, 5])
+def test_integer_beta_names_the_obstructed_order(beta: int) -> None:
+    mechanism = shipped_mechanism("extended", alpha_3=-beta)
+    found = classify(mechanism)
+    assert found.integer_beta == beta
+    assert found.obstructed_order == 2 * (beta - 1)
+    assert found.lift_off_sign is None
+    with pytest.raises(ObstructedOrderError, match=f"integer {beta}.*order {found.obstructed_order} "):
+        expand(mechanism, 15)
+    recursion = Recursion(shipped_system("extended", alpha_3=-beta))
+    for _ in range(2 * (beta - 1)):
+        recursion.advance()
+    with pytest.raises(ObstructedOrderError):
+        recursion.advance()
+
+
+def test_an_integer_beta_in_balls_is_not_overlooked() -> None:
+    """alpha_3 of the oscillator at beta = 2: offset and damping of the family, in balls."""
+    mechanism = shipped_mechanism("frictional impact oscillator, all parameters", offset="77/60", c_psi="25/27")
+    found = classify(mechanism)
+    assert not found.exact
+    assert found.integer_beta == 2
+    with pytest.raises(ObstructedOrderError):
+        expand(mechanism, 4)
+
+
+def test_balls_that_leave_the_case_open_say_so() -> None:
+    """The rod at mu = 8/(3 sqrt 3), where alpha_1 = alpha_3: no precision settles the sign of their difference."""
+    source = shipped_mechanism("genot_brogliato_rod")
+    mu = lagrangian("mu", ["X"], [[1]], [0], "X", "X", "8/(3*sqrt(3))").mu
+    place = replace(source.place, values=(*source.place.values[:2], ("theta", sympy.Rational(85, 100)),
+                                          *source.place.values[3:]))  # fmt: skip
+    found = classify(replace(source, mu=mu, place=place))
+    assert found.case is None
+    assert "alpha_3 - alpha_1 open" in found.reason
+    assert "undecided" in str(found)
+    assert found.mean_force is None
+    assert found.integer_beta == 1
+    assert found.lift_off_sign is None
+    assert found.to_json()["case"] is None
+
+
+@pytest.mark.parametrize("order", [-1, 201, 1.5, "3", True])
+def test_bad_orders(order: Any) -> None:
+    with pytest.raises(ValueError, match="order must be an int"):
+        expand(shipped_mechanism("model"), order)
+
+
+def test_expansion_needs_negative_alphas() -> None:
+    with pytest.raises(GSpotError, match="alpha_1 = 1 must be negative"):
+        expand(shipped_mechanism("extended", alpha_1=1), 3)
+
+
+@pytest.mark.parametrize("matrix", [[[-1, 0], [0, 1]], [[1, 0], [0, -1]], [[1, 2], [2, 1]]])
+def test_indefinite_mass_matrix(matrix: list[list[int]]) -> None:
+    block = lagrangian("block", ["X", "Y"], matrix, [0, 0], "X", "Y", 1, place={"X": 0, "Y": 0, "X_dot": 0, "Y_dot": 0})
+    with pytest.raises(MechanismError, match="not positive definite"):
+        classify(block)
+
+
+@pytest.mark.parametrize("name", shipped_names())
+def test_every_shipped_mechanism_is_classified(name: str) -> None:
+    found = classify(shipped_mechanism(name))
+    assert found.case in ("II", "III", "none")
+    json.dumps(found.to_json())
+    assert name in str(found)
+
+
+def test_the_falling_rod_is_in_case_ii_only_for_enough_friction() -> None:
+    """At p = 0 beta = 2 s^2/(5 c^2 - 1), mu = (1 + 3 c^2)/(3 s c): beta < 1 exactly for mu > 8/(3 sqrt 3)."""
+    for m, n in [(1, 2), (1, 3), (2, 3), (2, 5), (3, 5), (5, 12), (4, 7), (5, 8)]:
+        s, c = Fraction(2 * m * n, m * m + n * n), Fraction(n * n - m * m, m * m + n * n)
+        if 5 * c * c <= 1:
+            continue
+        mu = (1 + 3 * c * c) / (3 * s * c)
+        rod = lagrangian(
+            "rod", ["X", "Y", "theta"], [[1, 0, 0], [0, 1, 0], [0, 0, "1/3"]], [0, "-g", 0],
+            "X + cos(theta)", "Y - sin(theta)", "mu", {"mu": mu, "g": s}, {"theta": (s, c)},
+            {"X": 0, "Y": "sin(theta_ref)", "theta": "theta_ref", "X_dot": 2, "Y_dot": "cos(theta_ref)",
+             "theta_dot": 1},
+        )  # fmt: skip
+        found = classify(rod)
+        beta = 2 * s * s / (5 * c * c - 1)
+        assert found.exact
+        assert found.beta == fmpq(beta.numerator, beta.denominator)
+        assert found.alpha_2 == fmpq(c.numerator, c.denominator)
+        assert (found.case == "II") == (27 * mu * mu > 64 and 7 * c * c > 3)
+        assert found.case == ("II" if beta < 1 else "none")

@@ -1,0 +1,160 @@
+"""Mechanism files: the shipped ones are read, bad ones get an error that names the key, and none runs code."""
+
+from __future__ import annotations
+
+import time
+from importlib import resources
+from pathlib import Path
+
+import pytest
+
+from gspot_verified.mechanisms.classify import classify
+from gspot_verified.mechanisms.file import MAX_BYTES, parse_mechanism, read_mechanism
+from gspot_verified.mechanisms.mechanism import MechanismError
+from gspot_verified.mechanisms.shipped import shipped_mechanism, shipped_names, shipped_system
+
+DATA = Path(str(resources.files("gspot_verified.mechanisms").joinpath("data")))
+
+GOOD = """
+format = 1
+name = "block"
+[parameters]
+m = 2
+[lagrangian]
+coordinates = ["X", "Y"]
+mass_matrix = [["m", 0], [0, "m"]]
+forces = [0, "-m"]
+[contact]
+x = "X"
+y = "Y"
+mu = "1/2"
+[g_spot]
+[g_spot.point]
+X = 0
+Y = 0
+X_dot = 1
+Y_dot = 0
+"""
+
+
+def test_every_shipped_file_is_listed_and_read() -> None:
+    stems = {path.stem for path in DATA.glob("*.toml")}
+    assert {read_mechanism(DATA / f"{stem}.toml").name for stem in stems} == set(shipped_names())
+    for stem in stems:
+        assert shipped_mechanism(stem) == read_mechanism(DATA / f"{stem}.toml")
+
+
+def test_short_names() -> None:
+    assert [shipped_system(name).name for name in ("model", "extended", "oscillator", "rod")] == [
+        "model system", "extended system", "frictional impact oscillator", "falling rod"]  # fmt: skip
+    with pytest.raises(MechanismError, match="no shipped mechanism 'other'; there are"):
+        shipped_mechanism("other")
+    with pytest.raises(MechanismError, match="no parameter 'gamma'; it has: chi"):
+        shipped_mechanism("extended", gamma=1)
+
+
+def test_the_good_text_is_read() -> None:
+    assert parse_mechanism(GOOD).state == ("X", "Y", "X_dot", "Y_dot")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "part"),
+    [
+        ('name = "block"', "", 'key "name" is missing'),
+        ('name = "block"', "name = 3", 'key "name" must be a text, got int 3'),
+        ("format = 1", "", 'key "format" is missing'),
+        ("format = 1", "format = 2", 'key "format" must be 1'),
+        ("format = 1", "format = true", 'key "format"'),
+        ("format = 1", "format = 1\nextra = 2", 'unknown key "extra"'),
+        ("m = 2", "m = 2.5", 'key "parameters.m" must be a formula.*got float'),
+        ("m = 2", "m = nan", 'key "parameters.m" must be a formula.*got float nan'),
+        ("m = 2", "m = inf", 'key "parameters.m"'),
+        ("m = 2", "m = true", 'key "parameters.m"'),
+        ("m = 2", "m = 1979-05-27", 'key "parameters.m"'),
+        ("m = 2", 'm = "1/0"', "parameter m: division by zero"),
+        ("m = 2", 'm = "X"', "parameter m: unknown name 'X'"),
+        ("m = 2", 'm = "m"', "circle"),
+        ("m = 2", 'm = "k"\nk = "m"', "circle"),
+        ("m = 2", 'X = 1\nm = 1', "'X' is used twice"),
+        ("m = 2", 'sin = 1\nm = 1', "'sin' is a function"),
+        ("m = 2", '"a b" = 1\nm = 1', "is no name"),
+        ("m = 2", 'm = "__import__(\'os\').system(\'touch /tmp/no\')"', "unknown name '__import__'"),
+        ("m = 2", 'm = "9**9**9**9"', "parameter m"),
+        ("m = 2", f'm = {"9" * 5000}', "no TOML|digits"),
+        ('forces = [0, "-m"]', 'forces = [0]', "2 forces"),
+        ('forces = [0, "-m"]', 'forces = "0"', 'key "lagrangian.forces" must be a list'),
+        ('forces = [0, "-m"]', 'forces = [0, -0.5]', 'key "lagrangian.forces" must be a formula.*0.1 as'),
+        ('forces = [0, "-m"]', 'forces = [0, "-m*t"]', "force 2: unknown name 't'"),
+        ('forces = [0, "-m"]', "", 'key "lagrangian.forces" is missing'),
+        ('[["m", 0], [0, "m"]]', '[["m", 0, 0], [0, "m"]]', "2 rows of 2"),
+        ('[["m", 0], [0, "m"]]', '[["m", 0]]', "2 rows of 2"),
+        ('[["m", 0], [0, "m"]]', '["m", "m"]', 'key "lagrangian.mass_matrix" must be a list of rows'),
+        ('[["m", 0], [0, "m"]]', '[["m", 1], [0, "m"]]', "not symmetric: entry .2, 1."),
+        ('["X", "Y"]', '["X", 3]', 'key "lagrangian.coordinates"'),
+        ('["X", "Y"]', '["X", "X"]', "used twice"),
+        ('["X", "Y"]', '["X", "__class__"]', "is no name"),
+        ('["X", "Y"]', "[]", "coordinates"),
+        ('mu = "1/2"', "", 'key "contact.mu" is missing'),
+        ('mu = "1/2"', "mu = 0.5", 'key "contact.mu"'),
+        ('mu = "1/2"', 'mu = "1/2"\nnu = 1', 'unknown key "contact.nu"'),
+        ("X_dot = 1", "X_dot = 1\nZ = 3", "G-spot: 'Z' is no component"),
+        ("X_dot = 1", 'X_dot = "Y"', "G-spot, X_dot: unknown name"),
+        ("[g_spot]", "[g_spot]\nsearch = 1", 'key "g_spot.search" must be true or false'),
+        ("[g_spot]", '[g_spot]\nfixed = ["Z"]', "'Z' is no component"),
+        ("[g_spot]", '[g_spot]\nfixed = "X"', 'key "g_spot.fixed" must be a list'),
+        ("[g_spot]", "[angles.X]\nsine = 1\n[g_spot]", 'key "angles.X.cosine" is missing'),
+        ("[g_spot]", "[angles.X]\nsine = 1\ncosine = 1\n[g_spot]", "sine.2 . cosine.2 = 1"),
+        ("[g_spot]", "[angles.Z]\nsine = 1\ncosine = 0\n[g_spot]", "angle 'Z' is no component"),
+        ("[g_spot]", "[angles]\nX = 1\n[g_spot]", 'key "angles.X" must be a table'),
+        ("[lagrangian]", "[fields]", 'unknown key "fields.coordinates"'),
+        ("[lagrangian]", "[fields]\n[lagrangian]", "exactly one of"),
+        ("[lagrangian]", "[lagrangian", "no TOML"),
+        ("[contact]", "[contact]\n[contact]", "no TOML"),
+    ],
+)  # fmt: skip
+def test_bad_files_are_refused_with_the_key(old: str, new: str, part: str) -> None:
+    assert old in GOOD
+    start = time.perf_counter()
+    with pytest.raises(MechanismError, match=part):
+        classify(parse_mechanism(GOOD.replace(old, new)))
+    assert time.perf_counter() - start < 3
+
+
+@pytest.mark.parametrize("text", ["[" * 100_000, "a = " + "[" * 5000, "\x00", "a" * (MAX_BYTES + 1), "x = {" * 2000])
+def test_hostile_texts(text: str) -> None:
+    with pytest.raises(MechanismError):
+        parse_mechanism(text)
+
+
+def test_hostile_sizes() -> None:
+    names = ", ".join(f'"q{i}"' for i in range(50))
+    with pytest.raises(MechanismError, match="between 1 and 6 coordinates"):
+        parse_mechanism(GOOD.replace('["X", "Y"]', f"[{names}]"))
+    with pytest.raises(MechanismError, match="more than 2000 operations"):
+        parse_mechanism(GOOD.replace('"-m"', '"' + "+".join(f"sin({i}*X)" for i in range(900)) + '"'))
+
+
+def test_files_that_cannot_be_read(tmp_path: Path) -> None:
+    with pytest.raises(MechanismError, match="cannot be read"):
+        read_mechanism(tmp_path / "none.toml")
+    with pytest.raises(MechanismError, match="cannot be read"):
+        read_mechanism(tmp_path)
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_bytes(b"\xff\xfe")
+    with pytest.raises(MechanismError, match="not UTF-8"):
+        read_mechanism(wrong)
+    wrong.write_bytes(b"#" * (MAX_BYTES + 1))
+    with pytest.raises(MechanismError, match="larger than"):
+        read_mechanism(wrong)
+    wrong.write_text("format = 1")
+    with pytest.raises(MechanismError, match=r'wrong\.toml: key "name" is missing'):
+        read_mechanism(wrong)
+
+
+def test_the_example_in_the_documentation_is_the_shipped_rod() -> None:
+    from gspot_verified.mechanisms import file
+
+    assert file.__doc__ is not None
+    for line in ('mass_matrix = [["m", 0, 0], [0, "m", 0], [0, 0, "m*l^2/3"]]', 'y = "Y - l*sin(theta)"'):
+        assert line in file.__doc__
+        assert line in (DATA / "falling_rod.toml").read_text(encoding="utf-8")

@@ -1,0 +1,151 @@
+"""The parser: it reads what Python reads, exactly, and a hostile text gets a clear error, soon."""
+
+from __future__ import annotations
+
+import time
+from fractions import Fraction
+
+import pytest
+import sympy
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gspot_verified.mechanisms.formula import FormulaError, check_name, parse_formula
+
+NAMES = {name: sympy.Symbol(name) for name in ("x", "y", "phi")}
+
+numbers = st.integers(0, 99).map(str) | st.decimals(0, 9, places=2).map(str)
+formulas = st.recursive(
+    numbers | st.sampled_from(["x", "y"]),
+    lambda inner: (
+        st.tuples(inner, st.sampled_from(["+", "-", "*"]), inner).map(lambda t: f"({t[0]} {t[1]} {t[2]})")
+        | inner.map(lambda text: f"-{text}")
+        | st.tuples(inner, st.integers(0, 2)).map(lambda t: f"({t[0]})**{t[1]}")
+    ),
+    max_leaves=5,
+)
+
+
+def value(text: str, x: Fraction, y: Fraction) -> Fraction:
+    """By Python's own grammar, every number made a Fraction."""
+    import re
+
+    exact = re.sub(r"(?<![\*\w.])([0-9]+(?:\.[0-9]+)?)", lambda m: f"Fraction('{m[1]}')", text)
+    found = eval(exact, {"Fraction": Fraction, "x": x, "y": y})
+    assert isinstance(found, Fraction)
+    return found
+
+
+@given(formulas, st.fractions(-5, 5, max_denominator=9), st.fractions(-5, 5, max_denominator=9))
+def test_the_value_is_that_of_pythons_grammar(text: str, x: Fraction, y: Fraction) -> None:
+    found = parse_formula(text, NAMES)
+    at = {
+        NAMES["x"]: sympy.Rational(x.numerator, x.denominator),
+        NAMES["y"]: sympy.Rational(y.numerator, y.denominator),
+    }
+    exact = found.subs(at)
+    assert Fraction(int(exact.p), int(exact.q)) == value(text, x, y)
+
+
+@pytest.mark.parametrize(
+    ("text", "same"),
+    [
+        ("-x^2", "-(x**2)"),
+        ("2^-1*x", "x/2"),
+        ("x/y/2", "x/(2*y)"),
+        ("x - y - 1", "(x - y) - 1"),
+        ("2**3**2", "2**9"),
+        ("x**(1/2)", "sqrt(x)"),
+        ("x^-(3/2)", "1/(x*sqrt(x))"),
+        ("tan(phi)*cos(phi)", "cos(phi)*tan(phi)"),
+        (".5", "1/2"),
+        ("1.", "1"),
+    ],
+)
+def test_precedence(text: str, same: str) -> None:
+    assert parse_formula(text, NAMES) == parse_formula(same, NAMES)
+
+
+@pytest.mark.parametrize(
+    ("text", "part"),
+    [
+        ("__import__('os').system('id')", "unknown name '__import__'"),
+        ("().__class__.__bases__", "unexpected"),
+        ("x.__class__", "unexpected"),
+        ("lambda: 1", "unknown name 'lambda'"),
+        ("exec", "unknown name"),
+        ("open('/etc/passwd')", "unknown name"),
+        ("x if y else 1", "unknown name"),
+        ("[1]", "unexpected"),
+        ("x = 1", "unexpected"),
+        ("x;y", "unexpected"),
+        ("2x", "unexpected"),
+        ("x y", "unexpected"),
+        ("", "ends"),
+        ("   ", "ends"),
+        ("x +", "ends"),
+        ("(x", "is missing"),
+        ("x)", "unexpected"),
+        ("sin x", "sin needs"),
+        ("sin", "sin needs"),
+        ("sin()", "unexpected"),
+        ("1e5", "unknown name|unexpected"),
+        ("nan", "unknown name"),
+        ("inf", "unknown name"),
+        ("oo", "unknown name"),
+        ("pi", "unknown name"),
+        ("1/0", "division by zero"),
+        ("1/(x - x)", "division by zero"),
+        ("0**-1", "division by zero"),
+        ("9**9**9**9", "exponent|nest"),
+        ("9**65", "within"),
+        ("x**y", "exponent"),
+        ("x**0.3", "half-integer"),
+        ("((x^8)^8)^2", "nest"),
+        ("(9**64)**64", "nest"),
+        ("(2*9**32)**4", "nest"),
+        ("9" * 101, "digits"),
+        ("(" * 60 + "x" + ")" * 60, "nested deeper"),
+        ("sin(" * 7 + "x" + ")" * 7, "functions nested deeper"),
+        ("sin(" * 60 + "x" + ")" * 60, "nested deeper"),
+        ("x^" * 60 + "1", "nested deeper"),
+        ("x" * 1_000_000, "at most 10000 characters"),
+        ("+".join(["x"] * 6000), "at most 10000 characters"),
+        ("x\x00", "unexpected"),
+        ("х + 1", "unexpected"),  # a Cyrillic letter
+        ("٣", "unexpected"),  # an Arabic digit
+        ("x # comment", "unexpected"),
+    ],
+)
+def test_refused(text: str, part: str) -> None:
+    start = time.perf_counter()
+    with pytest.raises(FormulaError, match=part):
+        parse_formula(text, NAMES)
+    assert time.perf_counter() - start < 2
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["+".join(["x"] * 4900), "*".join(["x"] * 4900), "-" * 9000 + "x", "1/3+" * 2400 + "x", "*".join(["99**64"] * 40)],
+)
+def test_long_formulas_are_read_soon(text: str) -> None:
+    start = time.perf_counter()
+    parse_formula(text, NAMES)
+    assert time.perf_counter() - start < 3
+
+
+def test_numbers_do_not_grow_without_limit() -> None:
+    with pytest.raises(FormulaError, match="grows beyond"):
+        parse_formula("*".join(["9" * 90 + "**64"] * 80), NAMES)
+
+
+@pytest.mark.parametrize("text", [b"x", 1, None, ["x"]])
+def test_only_text(text: object) -> None:
+    with pytest.raises(TypeError, match="must be a text"):
+        parse_formula(text, NAMES)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("name", ["", "1x", "a b", "__class__", "sin", "x" * 41, "φ", "a.b", None])
+def test_bad_names(name: str) -> None:
+    with pytest.raises(FormulaError):
+        check_name(name)

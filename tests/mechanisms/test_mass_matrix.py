@@ -1,0 +1,60 @@
+"""The mass matrix at the G-spot: positive definite, singular there, not certain; and fields without one."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.balls import working_bits
+from gspot_verified.expansion.rings import BALLS, RATIONALS
+from gspot_verified.mechanisms.given import lagrangian
+from gspot_verified.mechanisms.mass_matrix import check_mass_matrix
+from gspot_verified.mechanisms.mechanism import MechanismError
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.to_system import shift
+
+HERE = {"X": fmpq(0), "Y": fmpq(1, 2), "X_dot": fmpq(0), "Y_dot": fmpq(0)}
+
+
+def block(matrix: list[list[Any]]) -> Any:
+    return shift(lagrangian("block", ["X", "Y"], matrix, [0, 0], "X", "Y", 1))
+
+
+@pytest.mark.parametrize("matrix", [[[1, 0], [0, 1]], [[2, "X"], ["X", "Y"]], [[1, "Y"], ["Y", 1]]])
+def test_positive_definite(matrix: list[list[Any]]) -> None:
+    check_mass_matrix(block(matrix), HERE, RATIONALS)
+
+
+@pytest.mark.parametrize(
+    ("matrix", "part"),
+    [
+        ([["X", 0], [0, 1]], "size 1 is 0"),
+        ([[1, 0], [0, "X"]], "size 2 is 0"),
+        ([[1, "2*Y"], ["2*Y", 1]], "size 2 is 0"),
+        ([[1, "3*Y"], ["3*Y", 1]], "size 2 is -5/4"),
+        ([["X - 1", 0], [0, -1]], "size 1 is -1"),
+    ],
+)
+def test_not_positive_definite(matrix: list[list[Any]], part: str) -> None:
+    with pytest.raises(MechanismError, match=f"not positive definite at the G-spot: its leading minor of {part}"):
+        check_mass_matrix(block(matrix), HERE, RATIONALS)
+
+
+def test_a_ball_that_leaves_it_open_is_refused() -> None:
+    with working_bits(80):
+        around = {name: arb(value) for name, value in HERE.items()} | {"X": arb("0.001", "0.01")}
+        with pytest.raises(MechanismError, match="size 1"):
+            check_mass_matrix(block([["X", 0], [0, 1]]), around, BALLS)
+        check_mass_matrix(block([["X", 0], [0, 1]]), around | {"X": arb("0.1", "0.01")}, BALLS)
+
+
+def test_fields_need_positive_a_and_c() -> None:
+    shifted = shift(shipped_mechanism("extended"))
+    at = dict.fromkeys(shifted.mechanism.state, fmpq(0))
+    check_mass_matrix(shifted, at, RATIONALS)
+    with pytest.raises(MechanismError, match="A = L_GT u must be positive, it is -3/2"):
+        check_mass_matrix(shifted, at | {"p": fmpq(2)}, RATIONALS)
+    with pytest.raises(MechanismError, match="C = L_GN v must be positive, it is -1"):
+        check_mass_matrix(shifted, at | {"p": fmpq(-3)}, RATIONALS)

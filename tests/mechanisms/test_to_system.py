@@ -1,0 +1,88 @@
+"""Sympy to expressions: the same values and first derivatives, exact at angles with a rational sine and cosine."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import sympy
+from flint import arb, fmpq
+
+from gspot_verified.balls import working_bits
+from gspot_verified.expansion.power_series import SeriesOfFunctions
+from gspot_verified.expansion.rings import BALLS, RATIONALS
+from gspot_verified.expansion.terms import NumberTerms
+from gspot_verified.mechanisms.given import from_fields
+from gspot_verified.mechanisms.lie_derivatives import derive
+from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.to_system import Moves, NotRationalError, Shifted, shift
+
+q, w = sympy.symbols("q w")
+q_ref, w_ref = sympy.symbols("q_ref w_ref")
+
+
+def mechanism() -> Mechanism:
+    return from_fields("test", ["q", "w"], ["w", 0], [0, 0], [0, 1], 0, "q", 0,
+                       angles={"q": ("3/5", "4/5"), "w": ("-5/13", "12/13")})  # fmt: skip
+
+
+FUNCTIONS = [
+    sympy.sin(q), sympy.cos(q - w), sympy.tan(2 * q + w), sympy.sin(q * 3) ** 3 * sympy.cos(w),
+    1 / (2 + sympy.sin(q + w)),
+    sympy.sin(sympy.sin(q) * (q - q_ref)), sympy.exp(w - w_ref) * sympy.cos(q), (q - q_ref) ** 5 + (w - w_ref) ** 2,
+    sympy.sqrt(sympy.Rational(9, 4) + q - q_ref), (q - q_ref) / (1 + w - w_ref) ** 3, sympy.Integer(0),
+]  # fmt: skip
+
+
+def holds(ball: arb, number: fmpq) -> bool:
+    """Whether the ball contains p/q: exact integers, because contains() rounds a rational first."""
+    return bool(ball.is_finite() and (ball * number.q - number.p).contains(0))
+
+
+def first_order(function: Any, ring: Any, point: list[Any], direction: list[Any]) -> tuple[Any, Any]:
+    shifted = Shifted(mechanism(), derive(mechanism()))
+    (expression,) = shifted.expressions([Moves(mechanism())(function)], ring)
+    series = SeriesOfFunctions([expression], NumberTerms(ring), ring)
+    series.extend(point)
+    series.extend(direction)
+    return series[expression][0], series[expression][1]
+
+
+@pytest.mark.parametrize("function", FUNCTIONS, ids=str)
+def test_values_and_derivatives(function: Any) -> None:
+    sines = {sympy.sin(q_ref): sympy.Rational(3, 5), sympy.cos(q_ref): sympy.Rational(4, 5),
+             sympy.sin(w_ref): sympy.Rational(-5, 13), sympy.cos(w_ref): sympy.Rational(12, 13),
+             sympy.tan(q_ref): sympy.Rational(3, 4), sympy.tan(w_ref): sympy.Rational(-5, 12)}  # fmt: skip
+    slope = sympy.diff(function, q) + 2 * sympy.diff(function, w)
+    wanted = [sympy.expand_trig(part.subs({q: q_ref, w: w_ref})).subs(sines) for part in (function, slope)]
+    found = first_order(function, RATIONALS, [fmpq(0), fmpq(0)], [fmpq(1), fmpq(2)])
+    for mine, theirs in zip(found, wanted, strict=True):
+        assert sympy.Rational(int(mine.p), int(mine.q)) == sympy.nsimplify(theirs)
+    with working_bits(120):
+        in_balls = first_order(function, BALLS, [arb(0), arb(0)], [arb(1), arb(2)])
+        for ball, number in zip(in_balls, found, strict=True):
+            assert holds(ball, number)
+
+
+def test_a_bare_reference_is_a_ball_only() -> None:
+    with pytest.raises(NotRationalError, match="q_ref stands outside"):
+        first_order(q * sympy.sin(w), RATIONALS, [fmpq(0)] * 2, [fmpq(0)] * 2)
+    with working_bits(100):
+        value, _ = first_order(q, BALLS, [arb(0)] * 2, [arb(0)] * 2)
+        assert value.is_finite()
+        assert value.contains((arb(3) / 4).atan())
+        value, _ = first_order(w, BALLS, [arb(0)] * 2, [arb(0)] * 2)
+        assert value.overlaps((arb(-5) / 12).atan())
+
+
+@pytest.mark.parametrize("function", [sympy.log(q), q**w, sympy.Abs(q), sympy.Symbol("other"), sympy.I * q])
+def test_functions_without_a_power_series_are_refused(function: Any) -> None:
+    with pytest.raises(MechanismError):
+        first_order(function, BALLS, [arb(0)] * 2, [arb(0)] * 2)
+
+
+def test_parameters_need_values() -> None:
+    free = from_fields("test", ["q", "w"], ["w", "k"], [0, 0], [0, 1], 0, "q", 0, {"k": None})
+    with pytest.raises(MechanismError, match="without a value: k"):
+        shift(free)
+    assert shift(free, free=True).functions.b == sympy.Symbol("k")

@@ -1,0 +1,416 @@
+"""The independent checker: its arithmetic against witnesses, what it accepts, its command line."""
+
+from __future__ import annotations
+
+import ast
+import io
+import math
+import random
+import subprocess
+import sys
+from fractions import Fraction
+from itertools import islice
+from pathlib import Path
+
+import mpmath
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from must_reject import mutate
+from must_reject.mutate import GOOD, lines_of, text_of
+from strategies import ends, to_fmpq
+from witness import theta_witness
+
+from gspot_verified.certificates.text import certificate_text
+from gspot_verified.signs.brackets import zeros_at
+from gspot_verified.signs.sign import sign_on_ranges
+from gspot_verified.signs.zeros import zeros_on_range
+from gspot_verified.theta.evaluate import evaluate
+
+check = mutate.checker()
+DIGITS = 120
+ROUNDING = mpmath.mpf(10) ** -60  # of mpmath, in units of the last place of a model
+
+
+def spent(_: int) -> None:
+    """A budget without an end."""
+
+
+def bounded() -> check.Checker:
+    """A checker that gives up soon: at an exact zero no accuracy is enough."""
+    checker = check.Checker({}, [])
+    checker.left = 150_000
+    return checker
+
+
+def local(low: str, high: str, bits: int) -> check.Local:
+    return check.Local(Fraction(low), Fraction(high), bits, spent)
+
+
+def number(value: Fraction) -> mpmath.mpf:
+    return mpmath.mpf(value.numerator) / value.denominator
+
+
+def theta(tau: mpmath.mpf, b: mpmath.mpc) -> mpmath.mpc:
+    """Theta for a complex parameter by three 1F2 of mpmath."""
+    third, z = mpmath.mpf(1) / 3, tau**3 / 9
+    front, g = (
+        2 * mpmath.pi * mpmath.power(3, 2 * b / 3 - mpmath.mpf(1) / 2),
+        [mpmath.rgamma((j - b) / 3) for j in range(3)],
+    )
+    return front * (
+        g[1] * g[2] * mpmath.hyp1f2(-b / 3, third, 2 * third, z)
+        + mpmath.cbrt(3) * g[0] * g[2] * tau * mpmath.hyp1f2((1 - b) / 3, 2 * third, 4 * third, z)
+        + mpmath.cbrt(9) * g[0] * g[1] * tau**2 / 2 * mpmath.hyp1f2((2 - b) / 3, 4 * third, 5 * third, z)
+    )
+
+
+def coefficient(tau: mpmath.mpf, b: mpmath.mpc, k: int) -> mpmath.mpc:
+    """F^(k)(tau)/k!."""
+    return mpmath.rf(-b, k) * theta(tau, b - k) / mpmath.factorial(k)
+
+
+def polynomial(model: check.Model, eta: mpmath.mpc) -> mpmath.mpc:
+    return sum((m * eta**j for j, m in enumerate(model.m)), mpmath.mpf(0))
+
+
+def points_of_the_disc(seed: int, number_of_points: int) -> list[mpmath.mpc]:
+    source = random.Random(seed)
+    inside = [source.uniform(0, 1) * mpmath.expjpi(source.uniform(0, 2)) for _ in range(number_of_points)]
+    return [mpmath.mpc(1), mpmath.mpc(-1), mpmath.mpc(0, 1), mpmath.mpc(0), *inside]
+
+
+COLUMNS = [
+    ("-1", "-1/2", 60),
+    ("3/4", "3/4", 90),
+    ("2", "9/4", 70),
+    ("35/3", "35/3", 100),
+    ("11", "12", 90),
+    ("49/2", "197/8", 120),
+    ("-7/2", "-1", 60),
+    ("0", "1/1000000000000000000000000000000", 80),
+]
+
+
+@pytest.mark.parametrize(("low", "high", "bits"), COLUMNS)
+def test_models_hold_on_the_complex_disc(low: str, high: str, bits: int) -> None:
+    """Values along τ, and local coefficients at a point, against mpmath at complex b."""
+    model = local(low, high, bits)
+    with mpmath.workdps(DIGITS):
+        for i, eta in enumerate(points_of_the_disc(7, 3)):
+            b = (model.centre + model.radius * eta) / model.unit
+            unit = mpmath.mpf(2) ** model.p / mpmath.power(model.x, b)
+            for tau, s in [
+                (Fraction(-model.x), Fraction(1)),
+                (Fraction(-3, 2), Fraction(1, 3)),
+                (Fraction(3 * i), Fraction(2)),
+            ]:
+                for k, value in enumerate(
+                    list(zip(range(7), model.recurrence(tau, s, model.values(tau, s)), strict=False))
+                ):
+                    exact = coefficient(number(tau), b, k) * number(s) ** k * unit
+                    assert abs(polynomial(value[1], eta) - exact) <= value[1].error
+
+
+@pytest.mark.parametrize(("low", "high", "bits"), COLUMNS)
+def test_models_are_sharp_enough(low: str, high: str, bits: int) -> None:
+    values = local(low, high, bits).values(Fraction(0), Fraction(1))
+    assert max(value.norm() for value in values) > 2 ** (bits // 2) * max(value.error for value in values)
+
+
+@given(
+    st.fractions(-3, 12, max_denominator=1000),
+    st.fractions(-5, 12, max_denominator=50).filter(lambda b: b.denominator > 1),
+)
+def test_ratio_agrees_with_evaluate(tau: Fraction, b: Fraction) -> None:
+    """Theta(tau, b)/Theta(0, b), free of the checker's normalisation, in the library's balls."""
+    model = check.Local(b, b, 128, spent)
+    (top, *_), (bottom, *_) = (model.values(point, Fraction(1)) for point in (tau, Fraction(0)))
+    ratio = evaluate(to_fmpq(tau), to_fmpq(b), digits=40).value / evaluate(0, to_fmpq(b), digits=40).value
+    low, high = ends(ratio)
+    assert bottom.error < abs(bottom.m[0])
+    margin = Fraction(top.error * abs(bottom.m[0]) + bottom.error * abs(top.m[0]), bottom.m[0] ** 2) * 2
+    assert low - margin <= Fraction(top.m[0], bottom.m[0]) <= high + margin
+
+
+@given(st.fractions(-3, 8, max_denominator=100), st.fractions(-1, 6, max_denominator=30), st.integers(0, 40))
+def test_signs_on_boxes_are_true(tau: Fraction, b: Fraction, width: int) -> None:
+    checker = bounded()
+    checker.bits = 90
+    box = (b, b + Fraction(width, 200), tau, tau + Fraction(width, 100))
+    for order in (0, 1, 2):
+        try:
+            sign = checker.sign(box, order, 2)
+        except check.Rejected:
+            return
+        for where in (Fraction(0), Fraction(1, 2), Fraction(1)):
+            t, c = tau + where * (box[3] - tau), b + where * (box[1] - b)
+            factor = math.prod(-c + i for i in range(order))
+            assert sign * factor * theta_witness(t, c - order) >= 0
+
+
+def test_derivative_in_b_with_its_weight() -> None:
+    """in_b bounds radius·2^16·unit times the derivative of F/x^b in b, plus v F/x^b."""
+    model = local("2", "17/8", 90)
+    a, h = model.values(Fraction(1, 8), Fraction(1))[0], mpmath.mpf(10) ** -30
+    result, v = model.in_b(a), mpmath.mpf(round(math.log(model.x) * 2**16)) / 2**16
+    with mpmath.workdps(DIGITS):
+        for eta in (mpmath.mpf(-1) / 2, mpmath.mpf(0), mpmath.mpf(1) / 2):
+            b, radius = (model.centre + model.radius * eta) / model.unit, mpmath.mpf(model.radius) / model.unit
+
+            def scaled(c: mpmath.mpf) -> mpmath.mpf:
+                return theta(mpmath.mpf(1) / 8, c) / mpmath.power(model.x, c) * mpmath.mpf(2) ** model.p
+
+            exact = ((scaled(b + h) - scaled(b - h)) / (2 * h) + v * scaled(b)) * radius * 2**16 * model.unit
+            assert abs(polynomial(result, eta) - exact) <= result.error
+
+
+@given(st.lists(st.integers(-(10**6), 10**6), min_size=6, max_size=12), st.fractions(-1, 1, max_denominator=99))
+def test_taylor_shift(coefficients: list[int], u: Fraction) -> None:
+    p = 40
+    for i, value in enumerate(check.moved([check.Model([c << p], 3) for c in coefficients], u, p)):
+        exact = sum(math.comb(k, i) * c * u ** (k - i) for k, c in enumerate(coefficients) if k >= i)
+        assert abs(value.m[0] - exact * 2**p) <= value.error <= 2**34
+
+
+@given(st.integers(-20, 20), st.integers(1, 4), st.integers(-30, 30))
+def test_tail_lemma(point: int, s: int, b: int) -> None:
+    """The error of the last coefficient bounds what is left out, for exact rational coefficients."""
+    model = check.Local(Fraction(b), Fraction(b), 60, spent)
+    start = [check.Model([value << model.p], 0) for value in (3, -2, 5)]
+    series = model.expand(Fraction(point), Fraction(s), start)
+    c = [Fraction(3), Fraction(-2), Fraction(5)]
+    for k in range(len(series) + 60):
+        c.append((point * s**2 * (k + 1) * c[k + 1] + s**3 * (k - b) * c[k]) / ((k + 1) * (k + 2) * (k + 3)))
+    n = len(series)
+    for k, value in enumerate(series):
+        assert abs(value.m[0] - c[k] * 2**model.p) <= value.error
+    for i in range(3):
+        rest = sum(math.comb(k, i) * abs(c[k]) for k in range(n, len(c))) * 2**model.p
+        known = abs(series[-1].m[0] - c[n - 1] * 2**model.p)
+        assert math.comb(n - 1, i) * known + rest <= math.comb(n - 1, i) * series[-1].error
+
+
+def test_the_last_coefficient_bounds_the_rest() -> None:
+    model = local("2", "17/8", 60)
+    start = model.values(Fraction(0), Fraction(2))
+    series = model.expand(Fraction(0), Fraction(2), start)
+    plain = list(islice(model.recurrence(Fraction(0), Fraction(2), start), len(series)))
+    assert series[:-1] == plain[:-1]
+    assert series[-1].error == plain[-1].error + 3 * max(a.norm() for a in plain[-3:])
+
+
+@given(
+    st.lists(st.integers(-(10**9), 10**9), min_size=6, max_size=6),
+    st.integers(0, 10**6),
+    st.integers(-5, 5),
+    st.sampled_from([1, -1, 1j, -1j, 0.6 + 0.8j]),
+)
+def test_the_degree_that_is_cut_off_is_in_the_error(m: list[int], error: int, i: int, eta: complex) -> None:
+    """Models of degree 1 lose much: linear and recurrence, with the largest ε there is, on the edge of the disc."""
+    model = local("7/3", "3", 60)
+    start = [check.Model(m[j : j + 2], error) for j in (0, 2, 4)]
+    with mpmath.workdps(DIGITS):
+        eta = mpmath.mpc(eta) / abs(mpmath.mpc(eta))
+        b = (model.centre + model.radius * eta) / model.unit
+        for phase in (1, -1, eta, -(eta**3)):
+            c = [polynomial(a, eta) + error * phase for a in start]
+            product = model.linear(start[0], i, 3)
+            assert abs(polynomial(product, eta) - (i - b) * c[0] / 3) <= product.error + ROUNDING
+            for k, a in enumerate(islice(model.recurrence(Fraction(-2), Fraction(3, 2), start), 12)):
+                assert abs(polynomial(a, eta) - c[k]) <= a.error + ROUNDING
+                top = -2 * mpmath.mpf(9) / 4 * (k + 1) * c[k + 1] + mpmath.mpf(27) / 8 * (k - b) * c[k]
+                c.append(top / ((k + 1) * (k + 2) * (k + 3)))
+
+
+def test_cauchy_estimate_in_b() -> None:
+    """ε = e η^k has the derivative e k 2^(1-k) at η = 1/2: it is e for k = 1 and k = 2."""
+    model = local("2", "17/8", 60)
+    assert model.in_b(check.Model([0, 0, 0], 10**6)).error >= 2 * (model.unit << 16) * 10**6
+
+
+@pytest.mark.parametrize(
+    ("signs", "found"),
+    [
+        ([1, 1, -1], [1, 1, -1, -1]),
+        ([1, 0, -1], [1, -1, -1]),
+        ([1, 1, 0], [1, 1, -1]),
+        ([-1, 0, -1], []),
+        ([0, 1, -1], []),
+        ([1, 0, 0], []),
+        ([-1, -1, 0], []),
+    ],
+)
+def test_open_signs_of_coefficients(signs: list[int], found: list[int], monkeypatch: pytest.MonkeyPatch) -> None:
+    checker, zero = check.Checker({}, []), Fraction(0)
+    monkeypatch.setattr(checker, "sign", lambda _box, order, _splits: signs[order])
+    assert checker.right_signs((zero, zero, zero, zero), 2) == found
+
+
+@pytest.mark.parametrize(
+    ("pieces", "found"),
+    [
+        ([("left", 1), ("sign", 1), ("sign", 1)], 0),
+        ([("left", 1), ("monotone", -1), ("monotone", -1), ("sign", -1), ("sign", -1)], 1),
+        ([("left", 1), ("monotone", 1), ("sign", 1)], 0),
+        ([("left", 1), ("sign", -1)], "give F different signs where they meet"),
+        ([("left", 1), ("monotone", 1), ("sign", -1)], "against the direction"),
+        ([("left", 1), ("monotone", 1), ("monotone", -1), ("sign", 1)], "have two directions"),
+        ([("monotone", 1), ("sign", 1)], "a piece monotone comes first"),
+        ([("left", 1), ("monotone", 1)], "a piece monotone comes last"),
+        ([("left", 1), ("hinge", 1)], "a piece hinge does not count zeros"),
+    ],
+)
+def test_walk_through_the_pieces(
+    pieces: list[tuple[str, int]], found: int | str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The rules that join the pieces, with pieces that are believed."""
+    checker = check.Checker({}, [])
+    monkeypatch.setattr(checker, "begin", lambda *_: None)
+    monkeypatch.setattr(checker, "piece_sign", lambda piece, _: 0 if piece.kind == "monotone" else piece.value)
+    walk = [check.Piece(0, 1, kind, [], value) for kind, value in pieces]
+    column = check.Column(Fraction(1), Fraction(2), 0, walk)
+    if isinstance(found, int):
+        assert checker.count_zeros(column) == found
+    else:
+        with pytest.raises(check.Rejected, match=found):
+            checker.count_zeros(column)
+
+
+STATEMENTS = {
+    "iwc": "dΘ/dτ < 0 for every τ in (-inf, inf) and every β in (0, 1)",
+    "iwc by theorem": "dΘ/dτ < 0 for every τ in (-inf, inf) and every β in (0, 1)",
+    "negative beta": "dΘ/dτ > 0 for every τ in (-inf, inf) and every β in (-inf, 0)",
+    "hinge": "dΘ/dτ < 0 for every τ in (-inf, 0) and every β in (1, 2)",
+    "right": "dΘ/dτ > 0 for every τ in [4, inf) and every β in [5/4, 3/2]",
+    "fold sign": "dΘ/dτ < 0 for every τ in (-inf, 1/2] and every β in (3, 49/16]",
+    "integer": "dΘ/dτ < 0 at τ = 0 and at β = 4",
+    "zero": "dΘ/dτ = 0 at τ = 0 and at β = 3",
+    "zeros": "for every β in (1, 9/8] that is not an integer, dΘ/dτ has exactly N real zeros, all simple: "
+    "N = 1 on (1, 2)",
+    "fold": "for every β in (95/32, 49/16) that is not an integer, dΘ/dτ has exactly N real zeros, all simple: "
+    "N = 2 on (2, 3), N = 1 on (3, 4)",
+    "brackets": "dΘ/dτ at β = 7/3 has exactly 2 real zeros, all simple, one in each of the intervals: "
+    "(-1203/5000, -481/2000), (2077/1000, 1039/500)",
+}
+
+
+@pytest.mark.parametrize("name", GOOD)
+def test_statements(name: str) -> None:
+    assert check.check_text(text_of(GOOD[name])) == STATEMENTS[name]
+
+
+@pytest.mark.parametrize("beta", range(1, 14))
+@pytest.mark.parametrize("tau", [Fraction(0), Fraction(-7, 3), Fraction(5, 2)])
+def test_integer_beta(beta: int, tau: Fraction) -> None:
+    exact = -beta * theta_witness(tau, Fraction(beta - 1))
+    sign = 0 if tau == 0 and beta % 3 != 1 else (exact > 0) - (exact < 0)
+    for claimed in (-1, 0, 1):
+        statement = {"beta": f"[{beta}, {beta}]", "kind": "sign", "sign": claimed, "tau": f"[{tau}, {tau}]"}
+        if claimed == sign:
+            assert check.check_text(text_of(lines_of(statement)))
+        else:
+            with pytest.raises(check.Rejected):
+                check.check_text(text_of(lines_of(statement)))
+
+
+@pytest.mark.parametrize("width", [Fraction(1, 10**40), Fraction(1, 10**5)])
+@pytest.mark.parametrize("side", [-1, 1])
+def test_narrow_columns_next_to_a_fold(width: Fraction, side: int) -> None:
+    low, high = sorted([Fraction(3), 3 + side * width])
+    last = ["right", "1/2", 0] if side < 0 else ["right", "1/2", 1]
+    between = ["monotone", "1/4", "1/2", 1] if side < 0 else ["sign", "1/4", "1/2", 1]
+    pieces = [["left", "-3/8"], ["sign", "-3/8", "-1/4", 1], ["fold", "-1/4", "1/4"], between, last]
+    counts = [[2, 2]] if side < 0 else [[3, 1]]
+    statement = {"beta": f"({low}, {high})", "counts": counts, "kind": "zeros"}
+    assert check.check_text(text_of(lines_of(statement, ([str(low), str(high)], pieces))))
+
+
+def test_a_zero_very_close_to_tau_0() -> None:
+    """At β = 2 + 10^-40 there is a zero next to τ = 0: F has signs on both sides of it."""
+    beta = 2 + Fraction(1, 10**40)
+    for tau, sign in [(Fraction(-1, 10**30), -1), (Fraction(1, 10**30), 1), (Fraction(0), 1)]:
+        statement = {"beta": f"[{beta}, {beta}]", "kind": "sign", "sign": sign, "tau": f"[{tau}, {tau}]"}
+        piece = ["sign", str(tau - Fraction(1, 10**45)), str(tau + Fraction(1, 10**45)), -sign]
+        assert check.check_text(text_of(lines_of(statement, ([str(beta)] * 2, [piece]))))
+
+
+@pytest.mark.parametrize(("tau", "beta"), [("-inf..inf", "0..1"), ("-2..-1", "0..3"), ("-inf..0", "1..2")])
+def test_certificates_of_the_library_for_signs(tau: str, beta: str) -> None:
+    result = sign_on_ranges(tau, beta)
+    assert result.proved_statement is not None
+    text = certificate_text(result.proved_statement, result.columns)
+    assert check.check_text(text.encode()).startswith("dΘ/dτ < 0 for every τ")
+
+
+@pytest.mark.parametrize(("beta", "digits"), [("7/3", 15), ("5/2", 100), ("29999999/10000000", 20), ("4001/1000", 30)])
+def test_certificates_of_the_library_for_brackets(beta: str, digits: int) -> None:
+    result = zeros_at(beta, digits)
+    text = certificate_text(result.statement, [result.column])
+    m = math.floor(Fraction(beta))
+    assert f"has exactly {m % 3 + m // 3} real zeros" in check.check_text(text.encode())
+
+
+def test_certificate_of_the_library_for_zeros() -> None:
+    result = zeros_on_range("2..7/2")
+    assert result.statement is not None
+    text = certificate_text(result.statement, result.columns)
+    assert check.check_text(text.encode()).endswith("N = 2 on (2, 3), N = 1 on (3, 4)")
+
+
+def test_a_zero_that_is_exact_is_not_given_a_sign(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(check, "MAX_BITS", 400)
+    assert check.Checker({}, []).sign((Fraction(1), Fraction(1), Fraction(0), Fraction(0)), 0) == 0
+    assert check.Checker({}, []).sign((Fraction(0), Fraction(1), Fraction(0), Fraction(0)), 0, 3) == 0
+
+
+def test_a_large_beta() -> None:
+    result = zeros_at("61/2", 15)
+    text = certificate_text(result.statement, [result.column])
+    assert "has exactly 10 real zeros" in check.check_text(text.encode())
+
+
+def run(*arguments: str, encoding: str = "utf-8") -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-I", "-S", str(mutate.CHECKER), *arguments]
+    environment = {"PYTHONIOENCODING": encoding} if encoding else {}
+    options = [] if encoding else ["-X", "utf8"]
+    command[1:1] = options
+    return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", check=False, env=environment)
+
+
+def test_command_line(tmp_path: Path) -> None:
+    good, bad = tmp_path / "good", tmp_path / "bad"
+    good.write_bytes(text_of(GOOD["iwc by theorem"]))
+    bad.write_bytes(text_of(GOOD["iwc by theorem"])[:-1])
+    result = run(str(good))
+    assert (result.returncode, result.stderr) == (0, "")
+    assert result.stdout.splitlines()[0].startswith("VERIFIED d")
+    result = run(str(bad))
+    assert (result.returncode, result.stdout) == (1, "")
+    assert result.stderr == "REJECTED the last line is not sha256 and a hash\n"
+    for arguments in [(), (str(tmp_path / "none"),), (str(tmp_path),), (str(good), str(good))]:
+        result = run(*arguments)
+        assert (result.returncode, result.stdout) == (64, "")
+        assert result.stderr.startswith("usage")
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "latin-1", "utf-8"])
+def test_output_in_any_encoding(encoding: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file, raw = tmp_path / "good", io.BytesIO()
+    file.write_bytes(text_of(GOOD["zero"]))
+    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(raw, encoding=encoding))
+    assert check.main([str(file)]) == 0
+    sys.stdout.flush()
+    assert raw.getvalue().startswith(b"VERIFIED d")
+    assert raw.getvalue().count(b"\n") == 1
+
+
+def test_size_and_imports() -> None:
+    """Under 500 lines, standard library only, one float that stands for infinity."""
+    text = mutate.CHECKER.read_text(encoding="utf-8")
+    assert len(text.splitlines()) < 500
+    tree = ast.parse(text)
+    names = {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names}
+    names |= {node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
+    assert {name.split(".")[0] for name in names} <= sys.stdlib_module_names
+    assert not any(isinstance(node, ast.Assert) for node in ast.walk(tree))
