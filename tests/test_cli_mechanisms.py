@@ -1,0 +1,106 @@
+"""The commands expand, classify and iwc, as a user types them."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from gspot_verified.cli import main
+
+
+def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    code = main(list(arguments))
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+def test_expand_prints_the_paper_s_example(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "expand", "extended", "--order", "7", "--chi", "symbolic")
+    assert code == 0
+    assert "b = 2 s + 6*chi s^2 delta^2 + (12*chi^2 s^3 - 96*chi^2) delta^4 + (138/5*chi^3 s^4 - 10368/5*chi^3 s)" in out
+    code, out, _ = run(capsys, "expand", "extended", "--order", "7", "--in-time", "--json")
+    assert code == 0
+    assert [0, 4, "6672/5"] in json.loads(out)["terms"]["z"]
+
+
+def test_expand_in_latex_at_a_point_and_with_a_bound(capsys: pytest.CaptureFixture[str]) -> None:
+    assert r"\begin{align*}" in run(capsys, "expand", "extended", "--order", "5", "--latex")[1]
+    code, out, _ = run(capsys, "expand", "extended", "--order", "8", "--at", "1,1/10")
+    assert code == 0
+    assert "p = [-0.989893" in out
+    code, out, _ = run(capsys, "expand", "oscillator", "--order", "6", "--residual", "1,1/20", "--json")
+    assert code == 0
+    assert json.loads(out)["residual"]["constants"]["y"] == "[0x0, 0x0]p0"
+
+
+def test_the_picture_of_the_truncation_error(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    picture = tmp_path / "truncation.png"
+    assert run(capsys, "expand", "extended", "--order", "12", "--picture", str(picture))[0] == 0
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    assert not list(tmp_path.glob("*.part"))
+
+
+def test_classify(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    code, out, _ = run(capsys, "classify", "oscillator")
+    assert code == 0
+    assert "Case III" in out
+    assert "beta = alpha_3/alpha_1 = 7/3" in out
+    code, out, _ = run(capsys, "classify", "rod", "--json")
+    assert code == 0
+    assert json.loads(out)["case"] == "II"
+    own = tmp_path / "own.toml"
+    source = Path(__file__).parents[1] / "gspot_verified" / "mechanisms" / "data" / "extended_system.toml"
+    own.write_text(source.read_text(encoding="utf-8").replace('"-3/2"', '"-5/2"'), encoding="utf-8")
+    code, out, _ = run(capsys, "classify", str(own))
+    assert code == 0
+    assert "5/2" in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("expand", "nothing"), "no shipped mechanism"),
+        (("expand", "missing.toml"), "cannot be read"),
+        (("expand", "extended", "--order", "0"), "order"),
+        (("expand", "extended", "--set", "chi"), "name=value"),
+        (("expand", "extended", "--set", "nu=1"), "no parameter"),
+        (("expand", "extended", "--set", "alpha_3=-2"), "integer 2"),
+        (("expand", "extended", "--set", "alpha_1=1"), "must be negative"),
+        (("expand", "extended", "--at", "1"), "two numbers"),
+        (("expand", "extended", "--chi", "symbolic", "--residual", "1,1/10"), "symbols"),
+        (("classify", "extended", "--set", "chi=0.1.2"), "chi"),
+        (("iwc", "--beta", "2"), "integer"),
+        (("iwc",), "beta"),
+        (("cost", "nothing"), "expected"),
+    ],
+)
+def test_bad_input_is_a_message_and_64(
+    capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], message: str
+) -> None:
+    code, out, err = run(capsys, *arguments)
+    assert (code, out) == (64, "")
+    assert message in err
+
+
+def test_a_file_from_a_stranger_runs_no_code(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    trap = tmp_path / "trap"
+    for formula in (f"__import__('pathlib').Path({str(trap)!r}).touch()", "9**9**9**9", "(" * 10_000):
+        hostile = tmp_path / "hostile.toml"
+        source = Path(__file__).parents[1] / "gspot_verified" / "mechanisms" / "data" / "extended_system.toml"
+        text = source.read_text(encoding="utf-8").replace('mu = "1 - p"', f"mu = {json.dumps(formula)}")
+        hostile.write_text(text, encoding="utf-8")
+        code, _, err = run(capsys, "classify", str(hostile))
+        assert code == 64
+        assert "mu" in err
+    assert not trap.exists()
+
+
+def test_iwc(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "iwc", "--beta", "7/3")
+    assert code == 0
+    assert "every ε in (0, 0.630409760912546)" in out
+    code, out, _ = run(capsys, "iwc", "--beta", "7/3", "--c1", "1", "--epsilon", "1/1000", "--json")
+    assert code == 0
+    assert json.loads(out)["lift_off"]["zeros"] == 1
