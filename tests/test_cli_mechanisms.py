@@ -19,7 +19,9 @@ def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, 
 def test_expand_prints_the_paper_s_example(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys, "expand", "extended", "--order", "7", "--chi", "symbolic")
     assert code == 0
-    assert "b = 2 s + 6*chi s^2 delta^2 + (12*chi^2 s^3 - 96*chi^2) delta^4 + (138/5*chi^3 s^4 - 10368/5*chi^3 s)" in out
+    assert (
+        "b = 2 s + 6*chi s^2 delta^2 + (12*chi^2 s^3 - 96*chi^2) delta^4 + (138/5*chi^3 s^4 - 10368/5*chi^3 s)" in out
+    )
     code, out, _ = run(capsys, "expand", "extended", "--order", "7", "--in-time", "--json")
     assert code == 0
     assert [0, 4, "6672/5"] in json.loads(out)["terms"]["z"]
