@@ -28,7 +28,7 @@ def certificate_text(statement: Statement, columns: Sequence[Column]) -> str:
     >>> from gspot_verified.signs.sign import sign_on_ranges
     >>> result = sign_on_ranges("-inf..inf", "0..1", by_theorem=True)
     >>> print(certificate_text(result.statement, result.columns).splitlines()[1])
-    {"beta":["0","1"],"pieces":[["laplace"]]}
+    {"beta":["0","1/4"],"pieces":[["laplace"]]}
     """
     header = {
         "format": FORMAT,

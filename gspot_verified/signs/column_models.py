@@ -11,6 +11,8 @@ from gspot_verified.theta.box_choice import bits_for_box, degree_for_box, length
 from gspot_verified.theta.parameter_series import ParameterSeries, parameter_series, shortened
 
 _LEAST_RADIUS = 1e-300
+# Signs on boxes ask for little: fewer terms are faster, and a box that stays open is cut.
+_GOAL_BITS = 12
 _LEAST_DOUBLED_RADIUS = fmpq(1, 64)
 
 
@@ -29,7 +31,7 @@ class ColumnModels:
         while level / 2 >= max(reach, 1.0):
             level /= 2
         if (doubled, level) not in self._made:
-            bits = bits_for_box(level, self._size)
+            bits = bits_for_box(level, self._size, _GOAL_BITS)
             length = length_for_box(level + 1, self._size, bits)
             if level < self._reach:
                 whole = self._series(self._reach, doubled)
@@ -39,7 +41,7 @@ class ColumnModels:
                 radius = max(2 * self.radius, _LEAST_DOUBLED_RADIUS) if doubled else self.radius
                 # A radius too small for a float still needs the powers of eta.
                 small = max(approximate(radius), _LEAST_RADIUS) if radius else 0.0
-                degree = degree_for_box(level, self._size, small)
+                degree = degree_for_box(level, self._size, small, _GOAL_BITS)
                 series = parameter_series(self.centre, radius, degree, length, bits)
             self._made[doubled, level] = series
         return self._made[doubled, level]
@@ -47,7 +49,7 @@ class ColumnModels:
     def _model(self, lower: fmpq, upper: fmpq, derivative: int, doubled: bool = False) -> TaylorModel:
         middle, half_width = approximate((lower + upper) / 2), approximate((upper - lower) / 2)
         series = self._series(abs(middle) + half_width, doubled)
-        return taylor_model(series, lower, upper, order_for_box(middle, half_width, self._size), derivative)
+        return taylor_model(series, lower, upper, order_for_box(middle, half_width, self._size, _GOAL_BITS), derivative)
 
     def sign(self, lower: fmpq, upper: fmpq, derivative: int = 0) -> int | None:
         """The sign of F (or of F', F'') on [lower, upper] and the whole range of b, or None."""
