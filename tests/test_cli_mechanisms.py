@@ -106,3 +106,48 @@ def test_iwc(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys, "iwc", "--beta", "7/3", "--c1", "1", "--epsilon", "1/1000", "--json")
     assert code == 0
     assert json.loads(out)["lift_off"]["zeros"] == 1
+
+
+def test_a_value_at_a_point_needs_numbers(capsys: pytest.CaptureFixture[str]) -> None:
+    for more in ((), ("--in-time",), ("--json",)):
+        code, out, err = run(capsys, "expand", "extended", "--chi", "symbolic", "--order", "6", "--at", "1,1/10", *more)
+        assert (code, out) == (64, "")
+        assert "numbers in the place of the symbols" in err
+
+
+def test_a_proved_box_keeps_its_bits_at_high_orders(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    source = Path(__file__).parents[1] / "gspot_verified" / "mechanisms" / "data" / "falling_rod.toml"
+    own = tmp_path / "own.toml"
+    own.write_text(source.read_text(encoding="utf-8").replace("[g_spot]", "[g_spot]\nsearch = true"), encoding="utf-8")
+    at = ("--order", "80", "--at", "1,1/20")
+    balls = run(capsys, "expand", str(own), *at)[1].splitlines()
+    exact = run(capsys, "expand", "rod", *at)[1].splitlines()
+    assert len(balls) == 12
+    for ball, number in zip(balls, exact, strict=True):
+        assert ball[: ball.index("[") + 12] == number[: number.index("[") + 12]
+
+
+def test_options_that_contradict_each_other_are_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    for arguments, message in (
+        (("--chi", "1", "--set", "chi=2"), "chi is given twice"),
+        (("--latex", "--in-time"), "--latex"),
+        (("--latex", "--at", "1,1/10"), "--latex"),
+    ):
+        code, out, err = run(capsys, "expand", "extended", "--order", "4", *arguments)
+        assert (code, out) == (64, "")
+        assert message in err
+
+
+def test_long_exponents_stand_in_braces_in_latex(capsys: pytest.CaptureFixture[str]) -> None:
+    out = run(capsys, "expand", "extended", "--chi", "symbolic", "--order", "22", "--latex")[1]
+    assert r"\chi^{10}" in out
+    assert r"\chi^1" not in out
+
+
+def test_a_picture_that_cannot_be_put_in_place_leaves_nothing(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    place = tmp_path / "folder"
+    place.mkdir()
+    assert run(capsys, "expand", "extended", "--order", "4", "--picture", str(place))[0] == 64
+    assert [path.name for path in tmp_path.iterdir()] == ["folder"]

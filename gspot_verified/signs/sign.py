@@ -104,7 +104,9 @@ def sign_on_ranges(
         raise ValueError("the budget must be a nonnegative int")
     statement = SignStatement(tau, beta, sign)
     if budget == 0:
-        return SignResult(statement, _undecided(statement, Reason.BUDGET, "nothing was examined", [(None, None)]))
+        return SignResult(
+            statement, _undecided(statement, Reason.BUDGET, "nothing was examined", [(beta.lower, beta.upper)])
+        )
     found = find_witness(tau, beta, sign)
     if found is not None:
         return _refuted(statement, found, 0)

@@ -16,7 +16,7 @@ from flint import fmpq
 
 from gspot_verified.signs.executors import InProcessExecutor
 from gspot_verified.signs.journal import Journal
-from gspot_verified.signs.pieces import Column, number_of_zeros
+from gspot_verified.signs.pieces import Column, Kind, fold_integer, number_of_zeros
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.statements import ZerosStatement, cells_of
 from gspot_verified.signs.subdivision import Progress, Subdivision
@@ -39,9 +39,35 @@ class ZerosResult:
     statement: ZerosStatement | None
     examined: int
 
+    @property
+    def meetings(self) -> tuple[int, ...]:
+        """The beta at which two zeros meet at tau = 0 and vanish as beta increases: those with a fold."""
+        found = {
+            fold_integer(column.lower, column.upper)
+            for column in self.columns
+            for piece in column.pieces
+            if piece.kind is Kind.FOLD and column.lower is not None
+        }
+        return tuple(sorted(n + 1 for n in found if n is not None))
+
+    @property
+    def arrivals(self) -> tuple[int, ...]:
+        """The integers m such that one zero comes in from +infinity as beta increases from m; ``proofs/tails.md``."""
+        return tuple(
+            int(column.lower.p)
+            for column in self.columns
+            if column.lower is not None and column.lower.q == 1 and column.pieces[-1].kind is Kind.RIGHT
+            if column.pieces[-1].mark == 1
+        )
+
     def __str__(self) -> str:
         if self.statement is not None:
-            return f"proved: {self.statement}"
+            lines = [f"proved: {self.statement}"]
+            if self.meetings:
+                lines.append("  two zeros meet at τ = 0 and vanish at β = " + ", ".join(map(str, self.meetings)))
+            if self.arrivals:
+                lines.append("  one comes in from τ = +∞ as β increases from " + ", ".join(map(str, self.arrivals)))
+            return "\n".join(lines)
         left = ", ".join(f"[{a}, {b}]" for a, b in self.unfinished[:8])
         return (
             f"undecided: the number of zeros of dΘ/dτ for β in {self.beta}; {len(self.columns)} ranges settled, "
@@ -54,6 +80,8 @@ class ZerosResult:
             "beta": str(self.beta),
             "statement": None if self.statement is None else self.statement.to_json(),
             "examined": self.examined,
+            "meetings": list(self.meetings),
+            "arrivals": list(self.arrivals),
             "columns": [
                 {
                     "beta": [str(column.lower), str(column.upper)],
@@ -82,6 +110,7 @@ def zeros_on_range(
 
     >>> print(zeros_on_range("2..5/2"))
     proved: for every β in (2, 5/2) that is not an integer, dΘ/dτ has exactly N real zeros, all simple: N = 2 on (2, 3)
+      one comes in from τ = +∞ as β increases from 2
     """
     beta = beta if isinstance(beta, Range) else Range.parse(beta, "beta")
     if beta.lower is None or beta.upper is None or beta.lower < 0 or beta.upper > MAX_BETA:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from fractions import Fraction
+from importlib import resources
 from typing import Any
 
 import pytest
@@ -15,6 +16,7 @@ from gspot_verified.balls import working_bits
 from gspot_verified.expansion.recursion import ObstructedOrderError, Recursion
 from gspot_verified.expansion.system import GSpotError
 from gspot_verified.mechanisms.classify import classify, expand
+from gspot_verified.mechanisms.file import parse_mechanism
 from gspot_verified.mechanisms.given import lagrangian
 from gspot_verified.mechanisms.mechanism import MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism, shipped_names, shipped_system
@@ -200,3 +202,27 @@ def test_the_falling_rod_is_in_case_ii_only_for_enough_friction() -> None:
         assert found.alpha_2 == fmpq(c.numerator, c.denominator)
         assert (found.case == "II") == (27 * mu * mu > 64 and 7 * c * c > 3)
         assert found.case == ("II" if beta < 1 else "none")
+
+
+def test_an_irrational_alpha_at_a_rational_point_is_a_ball() -> None:
+    toml = resources.files("gspot_verified.mechanisms").joinpath("data", "extended_system.toml").read_text("utf-8")
+    found = classify(parse_mechanism(toml.replace('"-3/2"', '"-sqrt(2)"')))
+    assert (found.case, found.exact, found.lift_off_sign) == ("III", False, -1)
+    assert found.beta is not None
+    assert isinstance(found.beta, arb)
+    assert (found.beta**2).contains(2)
+    with pytest.raises(ObstructedOrderError, match="integer 3"):
+        expand(parse_mechanism(toml.replace('"-3/2"', '"sqrt(2) + sqrt(3) - sqrt(5 + 2*sqrt(6)) - 3"')), 4)
+
+
+@pytest.mark.parametrize(("alpha_1", "alpha_3"), [(1, "1/2"), (1, 3), (2, "7/2")])
+def test_no_side_and_no_obstruction_where_theorem_1_does_not_hold(alpha_1: int, alpha_3: int | str) -> None:
+    found = classify(shipped_mechanism("extended system", alpha_1=alpha_1, alpha_3=alpha_3))
+    assert (found.case, found.lift_off_sign, found.integer_beta, found.obstructed_order) == ("none", None, None, None)
+
+
+def test_a_negative_friction_coefficient_is_refused() -> None:
+    toml = resources.files("gspot_verified.mechanisms").joinpath("data", "falling_rod.toml").read_text("utf-8")
+    mirrored = toml.replace('"X + l*cos(theta)"', '"-X - l*cos(theta)"').replace('mu = "73/36"', 'mu = "-73/36"')
+    with pytest.raises(MechanismError, match=r"friction coefficient mu must be positive at the G-spot, it is -73/36"):
+        classify(parse_mechanism(mirrored))

@@ -158,3 +158,16 @@ def test_the_example_in_the_documentation_is_the_shipped_rod() -> None:
     for line in ('mass_matrix = [["m", 0, 0], [0, "m", 0], [0, 0, "m*l^2/3"]]', 'y = "Y - l*sin(theta)"'):
         assert line in file.__doc__
         assert line in (DATA / "falling_rod.toml").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("name", ["", "  ", "a\\nb", "a\\u202eb", "a\\u001b[31m"])
+def test_a_name_is_one_line_of_visible_text(name: str) -> None:
+    with pytest.raises(MechanismError, match="visible text"):
+        parse_mechanism(GOOD.replace('name = "block"', f'name = "{name}"'))
+
+
+def test_fixed_and_conditions_exclude_each_other() -> None:
+    text = (DATA / "extended_system.toml").read_text(encoding="utf-8")
+    both = text.replace('fixed = ["x", "u"]', 'fixed = ["x", "u"]\nconditions = ["x", "u - 1"]')
+    with pytest.raises(MechanismError, match="fixed or conditions, not both"):
+        parse_mechanism(both)
