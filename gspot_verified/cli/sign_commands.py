@@ -94,11 +94,25 @@ def zeros(
 
 
 def _zeros_at(beta: str, digits: int, picture: Path | None, certificate: Path | None, as_json: bool) -> None:
+    from flint import fmpq
+
+    from gspot_verified.balls import exact
     from gspot_verified.certificates.text import write_certificate
     from gspot_verified.signs.brackets import UndecidedError, zeros_at
+    from gspot_verified.signs.integer_zeros import zeros_at_integer
 
     if picture is not None:
         raise ValueError("--picture needs a range of β, such as 1..13")
+    value = exact(beta, "beta")
+    if isinstance(value, fmpq) and value.q == 1:
+        if certificate is not None:
+            raise ValueError("--certificate: at an integer β dΘ/dτ is a polynomial; no certificate is made")
+        at_integer = zeros_at_integer(int(value.p), digits)
+        if as_json:
+            print_json(at_integer.to_json())
+        else:
+            typer.echo(str(at_integer))
+        return
     try:
         found = zeros_at(beta, digits)
     except UndecidedError as error:

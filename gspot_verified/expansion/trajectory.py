@@ -22,6 +22,7 @@ _GUARD_BITS = 30
 _SCALARS = ("p", "b", "y", "v", "z", "lambda_n")
 
 _GREEK = re.compile(r"\b(alpha|beta|chi|delta|epsilon|kappa|lambda|mu|phi|psi|theta)(?=\b|_)")
+_LONG_EXPONENT = re.compile(r"\^(\d\d+)")
 
 Terms = tuple[SpacePolynomial, ...]
 
@@ -75,12 +76,15 @@ class Trajectory:
         This is the value of the polynomials, not of the true trajectory: the terms from delta^order on are left out.
         For rational arguments and terms it is accurate to ``digits`` digits.
 
+        :raises TypeError: the numbers of the system are symbols.
+
         >>> from gspot_verified.testing import extended_example
         >>> value = expand(extended_example(chi=1), 8).evaluate(s=1, delta="1/10")
         >>> value["p"]
         [-0.989893000000000 +/- 3e-20]
         """
         place, scale = exact(s, "s"), exact(delta, "delta")
+        self._needs_numbers()
         with working_bits(bits_for_digits(digits) + _GUARD_BITS):
             at, step = (_number(value, self._is_rational) for value in (place, scale))
             return {name: _ball(_horner([t(at) for t in terms], step)) for name, terms in self.terms().items()}
@@ -91,9 +95,14 @@ class Trajectory:
         This is the value of the polynomials of :meth:`in_time`, not of the true trajectory.
         """
         time, small = exact(t, "t"), exact(epsilon, "epsilon")
+        self._needs_numbers()
         with working_bits(bits_for_digits(digits) + _GUARD_BITS):
             at, step = (_number(value, self._is_rational) for value in (time, small))
             return {name: _ball(_bivariate(table, at, step)) for name, table in self.in_time().tables().items()}
+
+    def _needs_numbers(self) -> None:
+        if not isinstance(self.system.ring.number(0), fmpq | arb):
+            raise TypeError("a value needs numbers: put numbers in the place of the symbols")
 
     @property
     def _is_rational(self) -> bool:
@@ -212,7 +221,7 @@ class _Style:
         if not isinstance(value, fmpq):
             text = str(value)
             if self is _LATEX:
-                text = _GREEK.sub(r"\\\1", text.replace("*", " "))
+                text = _LONG_EXPONENT.sub(r"^{\1}", _GREEK.sub(r"\\\1", text.replace("*", " ")))
             return f"({text})" if " " in str(value) or "/(" in text else text
         return str(value.p) if value.q == 1 else self.fraction.format(value.p, value.q)
 

@@ -124,9 +124,10 @@ def classify_g_spot(spot: GSpot) -> Classification:
         case, reason = _case(first, second, third)
         beta = third / first if sign_of_exact(first) in (1, -1) else None
         force = second / (third - first) if sign_of_exact(third - first) in (1, -1) else None
-        integer = _integer_in(beta)
+        approached = not {sign_of_exact(first), sign_of_exact(third)} & {0, 1}
+        integer = _integer_in(beta) if approached else None
         side = None
-        if beta is not None and sign_of_exact(beta) == 1 and abs(beta) <= MAX_BETA:
+        if sign_of_exact(first) == -1 and beta is not None and sign_of_exact(beta) == 1 and abs(beta) <= MAX_BETA:
             side = gamma_sign(beta)
         return Classification(
             system.name, tuple(spot.values().items()), spot.exact, first, second, third, beta, force, case, reason,

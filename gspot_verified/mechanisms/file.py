@@ -159,6 +159,8 @@ def _shown(value: Any) -> str:
 def _mechanism(top: _Table) -> Mechanism:
     top.only("format", "name", "parameters", "angles", "lagrangian", "fields", "contact", "g_spot", "note")
     name = top.text("name")
+    if not name.strip() or not name.isprintable():
+        raise MechanismError('key "name" must be one line of visible text')
     if top.get("format", int, "1") != 1:
         raise MechanismError('key "format" must be 1')
     if top.has("note"):
@@ -177,6 +179,8 @@ def _mechanism(top: _Table) -> Mechanism:
         "place": spot.table("point").all_formulas(),
         "search": spot.get("search", bool, "true or false") if spot.has("search") else False,
     }
+    if spot.has("fixed") and spot.has("conditions"):
+        raise MechanismError('table "g_spot": fixed or conditions, not both')
     if spot.has("fixed"):
         common["fixed"] = spot.words("fixed")
     if spot.has("conditions"):

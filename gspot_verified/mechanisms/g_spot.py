@@ -101,6 +101,9 @@ def _exact(shifted: Shifted, bits: int) -> GSpot:
     system, fixed = with_conditions(shifted, values, RATIONALS)
     _check_conditions(system)
     _check_regular(system)
+    # Raises where one of the numbers is not rational: the expansion and the classification need them all.
+    slip = shifted.expressions([shifted.functions.u], RATIONALS)
+    system.values_at_point([*system.F, *system.G, system.alpha_1, system.alpha_2, system.alpha_3, *slip])
     return GSpot(shifted, system, True, bits, fixed)
 
 

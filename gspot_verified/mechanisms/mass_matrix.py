@@ -1,5 +1,7 @@
 """The mass matrix is positive definite at the G-spot: its leading minors; or A, C, A C - B^2 where none is given.
 
+The friction coefficient must not be negative there.
+
 Paper, Sec. 1.1: A > 0, C > 0, A C - B^2 > 0 follow from a positive definite mass matrix.
 """
 
@@ -18,7 +20,7 @@ from gspot_verified.mechanisms.to_system import Shifted
 
 
 def check_mass_matrix(shifted: Shifted, values: Mapping[str, Any], ring: Ring) -> None:
-    """Checks that the leading minors are certainly positive at the point.
+    """Checks that the leading minors are certainly positive at the point, and the friction coefficient not negative.
 
     :raises MechanismError: one is not, or not certainly.
 
@@ -45,10 +47,14 @@ G-spot: its leading minor of size 1 is -1
             f"{name}: no mass matrix gives these fields: at the G-spot {what} must be positive, it is"
             for what in ("A = L_GT u", "C = L_GN v", "A C - B^2")
         ]
-    expressions = shifted.expressions(functions, ring)
+    expressions = shifted.expressions([*functions, f.mu], ring)
     series = SeriesOfFunctions(expressions, NumberTerms(ring), ring)
     series.extend([values[word] for word in shifted.mechanism.state])
-    for expression, message in zip(expressions, messages, strict=True):
+    for expression, message in zip(expressions[:-1], messages, strict=True):
         value = series[expression][0]
         if not value > 0:
             raise MechanismError(f"{message} {ball_text(value) if ring is BALLS else value}")
+    friction = series[expressions[-1]][0]
+    if friction < 0:
+        shown = ball_text(friction) if ring is BALLS else friction
+        raise MechanismError(f"{name}: the friction coefficient mu must not be negative at the G-spot, it is {shown}")

@@ -28,8 +28,8 @@ def truncation_curves(trajectory: Trajectory) -> dict[int, list[tuple[float, flo
     """
     if not isinstance(trajectory.system.ring.number(0), fmpq | arb):
         raise TypeError("a picture needs numbers: put values in the place of the symbols")
-    longer = expand(trajectory.system, trajectory.order + _EXTRA)
     with working_bits(_BITS):
+        longer = expand(trajectory.system, trajectory.order + _EXTRA)
         values = [arb(term(_AT)) for term in longer.b]
     step = max(1, trajectory.order // _MOST_CURVES)
     orders = sorted({trajectory.order, *range(step, trajectory.order, step)})[-_MOST_CURVES:]
@@ -73,6 +73,9 @@ def save_truncation(trajectory: Trajectory, path: Path) -> Path:
     axes.grid(True, which="major", linewidth=0.4)
     axes.legend()
     unfinished = path.with_name(path.name + ".part")
-    figure.savefig(unfinished, format="png", dpi=150)
-    unfinished.replace(path)
+    try:
+        figure.savefig(unfinished, format="png", dpi=150)
+        unfinished.replace(path)
+    finally:
+        unfinished.unlink(missing_ok=True)
     return path

@@ -224,5 +224,7 @@ def test_no_side_and_no_obstruction_where_theorem_1_does_not_hold(alpha_1: int, 
 def test_a_negative_friction_coefficient_is_refused() -> None:
     toml = resources.files("gspot_verified.mechanisms").joinpath("data", "falling_rod.toml").read_text("utf-8")
     mirrored = toml.replace('"X + l*cos(theta)"', '"-X - l*cos(theta)"').replace('mu = "73/36"', 'mu = "-73/36"')
-    with pytest.raises(MechanismError, match=r"friction coefficient mu must be positive at the G-spot, it is -73/36"):
+    with pytest.raises(
+        MechanismError, match=r"friction coefficient mu must not be negative at the G-spot, it is -73/36"
+    ):
         classify(parse_mechanism(mirrored))

@@ -1,0 +1,44 @@
+"""Zeros at integer beta against exact polynomials, the count law and the zeros at neighbouring beta."""
+
+from __future__ import annotations
+
+import pytest
+from flint import fmpq
+
+from gspot_verified.signs.brackets import zeros_at
+from gspot_verified.signs.count_law import number_of_zeros
+from gspot_verified.signs.integer_zeros import zeros_at_integer
+from gspot_verified.theta.integer import polynomial
+
+
+@pytest.mark.parametrize("beta", [*range(1, 16), 30, 61])
+def test_brackets_change_sign_and_zero_has_its_multiplicity(beta: int) -> None:
+    found = zeros_at_integer(beta, 12)
+    values = polynomial(beta - 1)
+    assert len(found.brackets) + bool(found.multiplicity_at_zero) == number_of_zeros(beta)
+    coefficients = values.coeffs()
+    assert all(c == 0 for c in coefficients[: found.multiplicity_at_zero])
+    assert coefficients[found.multiplicity_at_zero] != 0
+    for lower, upper in found.brackets:
+        assert 0 < lower <= upper <= lower + fmpq(1, 10**12)
+        assert values(lower) * values(upper) < 0 or values(lower) == 0 == upper - lower
+    assert list(found.brackets) == sorted(found.brackets)
+
+
+def test_cubes_are_known() -> None:
+    # dTheta/dtau(., 4) = -4 (2 - tau^3), dTheta/dtau(., 5) = -5 tau (tau^3 - 8)
+    ((lower, upper),) = zeros_at_integer(4, 20).brackets
+    assert lower**3 < 2 < upper**3
+    assert zeros_at_integer(5, 3).brackets == ((fmpq(2), fmpq(2)),)
+
+
+def test_neighbouring_beta_have_neighbouring_zeros() -> None:
+    ((lower, upper),) = zeros_at_integer(6, 6).brackets
+    near = zeros_at(fmpq(6) + fmpq(1, 10**9), 6).brackets
+    assert any(abs(a - lower) < fmpq(1, 10**5) and abs(b - upper) < fmpq(1, 10**5) for a, b in near)
+
+
+@pytest.mark.parametrize(("beta", "digits"), [(0, 5), (-1, 5), (201, 5), (True, 5), ("3", 5), (3, 0), (3, 1.0)])
+def test_bad_input(beta: object, digits: object) -> None:
+    with pytest.raises(ValueError, match=r"beta|digits"):
+        zeros_at_integer(beta, digits)  # type: ignore[arg-type]
