@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import inspect
 import re
-import time
 from collections.abc import Callable, Iterator
 from functools import partial
 from types import ModuleType
@@ -127,13 +126,6 @@ def test_labels_are_covered(entries: dict[str, Entry]) -> None:
         "outerb_gen", "example_outer", "tab:exponents",
     ):  # fmt: skip
         assert label in labels, label
-
-
-def test_all_parts_together_are_fast() -> None:
-    start = time.process_time()
-    for part in OWN:
-        PARTS[part]()
-    assert time.process_time() - start < 10
 
 
 def test_the_order_of_the_paper() -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from importlib import resources
 from pathlib import Path
 
@@ -114,10 +113,8 @@ def test_the_good_text_is_read() -> None:
 )  # fmt: skip
 def test_bad_files_are_refused_with_the_key(old: str, new: str, part: str) -> None:
     assert old in GOOD
-    start = time.perf_counter()
     with pytest.raises(MechanismError, match=part):
         classify(parse_mechanism(GOOD.replace(old, new)))
-    assert time.perf_counter() - start < 3
 
 
 @pytest.mark.parametrize("text", ["[" * 100_000, "a = " + "[" * 5000, "\x00", "a" * (MAX_BYTES + 1), "x = {" * 2000])

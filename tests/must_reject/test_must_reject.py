@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
-import time
 from fractions import Fraction
 
 import pytest
@@ -275,9 +273,7 @@ TEXTS: list[tuple[str, bytes, str]] = [
 
 @pytest.mark.parametrize(("name", "data", "message"), TEXTS, ids=[row[0] for row in TEXTS])
 def test_text(name: str, data: bytes, message: str) -> None:
-    start = time.process_time()
     assert message in rejection(data), name
-    assert time.process_time() - start < 2
 
 
 def test_every_prefix_is_rejected() -> None:
@@ -297,19 +293,27 @@ def test_no_other_count_passes(wrong: int) -> None:
     rejection(mutate.mutated(GOOD["zeros"], state(counts=[[1, wrong]])))
 
 
-def test_hostile_numbers_end_soon() -> None:
-    """Long numbers in a right place: the answer may be either, but it comes."""
+def test_hostile_numbers_end_within_the_budget(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Long numbers in a right place: the answer may be either, but it comes within a tenth of the usual work."""
+    monkeypatch.setattr(check, "MAX_WORK", check.MAX_WORK // 10)
     near = f"{10**3999 + 1}/{3 * 10**3999}"
-    start = time.process_time()
+    answers = []
     for good, mutation in [
         ("iwc", put_pieces(1, ["left", f"-{near}"], ["sign", f"-{near}", "0", 1], ["taylor"])),
         ("integer", state(tau=f"[{near}, {near}]", beta="[30, 30]")),
         ("right", put_pieces(1, ["right", near, 0])),
         ("iwc", move_column_end(1, 1, Fraction(1, 10**3998))),
     ]:
-        with contextlib.suppress(check.Rejected):
-            check.check_text(mutate.mutated(GOOD[good], mutation))
-    assert time.process_time() - start < 20
+        answers.append(answer(mutate.mutated(GOOD[good], mutation)))
+    assert not [text for text in answers if "budget of work" in text]
+
+
+def answer(data: bytes) -> str:
+    """The statement, or the reason against it."""
+    try:
+        return str(check.check_text(data))
+    except check.Rejected as reason:
+        return str(reason)
 
 
 def test_the_budget_of_work_ends_a_check(monkeypatch: pytest.MonkeyPatch) -> None:
