@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from flint import arb, fmpq
 
 from gspot_verified.balls import ball_text, certainly_less, sign_of, working_bits
 from gspot_verified.ledger.entry import Check, Entry, Kind, all_of, same_sign, settled
 from gspot_verified.signs.side import gamma_sign, gamma_sign_by_ball
+from gspot_verified.signs.tails import left_threshold
 from gspot_verified.theta.evaluate import evaluate
 
 SECTION = "Section 4.5"
@@ -180,19 +179,10 @@ def _sign_at_minus_infinity() -> Entry:
     )
 
 
-def _threshold(beta: fmpq) -> int:
+def _threshold(beta: fmpq) -> fmpq:
     """An integer T with dTheta/dtau < 0 on (-oo, -T], by the statement of the proof page."""
-    b = Fraction(int(beta.p), int(beta.q)) - 1
-    terms = int(b // 3) + 1 if b >= 0 else 1
-    size = Fraction(1)
-    for i in range(3 * terms):
-        size *= abs(i - b)
-    for k in range(1, terms + 1):
-        size /= 3 * k
-    large = 1
-    while large ** (3 * terms) <= size:
-        large += 1
-    return large
+    b = beta - 1
+    return left_threshold(b, b, int(b.floor()), denominator=1)
 
 
 def _sign_at_zero() -> Entry:

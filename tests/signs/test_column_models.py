@@ -1,0 +1,71 @@
+"""The fold's four hypotheses, each of which alone must stop it, and signs of models against point values."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.signs.column_models import ColumnModels
+from gspot_verified.theta.evaluate import evaluate
+
+LOWER, UPPER = fmpq(-1, 4), fmpq(1, 4)
+
+
+def answering(monkeypatch: pytest.MonkeyPatch, changed: str | None, answer: int | None) -> ColumnModels:
+    """Models whose four answers at the fold are all 1, but for one."""
+    models = ColumnModels(fmpq(2), fmpq(33, 16), fmpq(9))
+    answers = {"lower end": 1, "upper end": 1, "second derivative": 1, "in b": 1} | (
+        {changed: answer} if changed else {}
+    )
+    places = {(LOWER, LOWER, 0): "lower end", (UPPER, UPPER, 0): "upper end", (LOWER, UPPER, 2): "second derivative"}
+
+    def sign(lower: fmpq, upper: fmpq, derivative: int = 0) -> int | None:
+        return answers[places[lower, upper, derivative]]
+
+    def model(lower: fmpq, upper: fmpq, derivative: int, doubled: bool = False) -> SimpleNamespace:
+        assert (lower, upper, derivative, doubled) == (LOWER, UPPER, 0, True)
+        ball = {1: arb(2, 1), -1: arb(-2, 1), 0: arb(0), None: arb(0, 1)}[answers["in b"]]
+        return SimpleNamespace(beta_derivative=lambda: SimpleNamespace(enclosure=lambda: ball))
+
+    monkeypatch.setattr(models, "sign", sign)
+    monkeypatch.setattr(models, "_model", model)
+    return models
+
+
+@pytest.mark.parametrize("changed", ["lower end", "upper end", "second derivative", "in b"])
+@pytest.mark.parametrize("answer", [-1, 0, None])
+def test_each_hypothesis_of_the_fold_is_needed(
+    changed: str, answer: int | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert answering(monkeypatch, None, None).fold(LOWER, UPPER)
+    assert not answering(monkeypatch, changed, answer).fold(LOWER, UPPER)
+
+
+def test_a_real_fold_and_boxes_that_are_none() -> None:
+    models = ColumnModels(fmpq(2), fmpq(33, 16), fmpq(9))
+    assert models.fold(LOWER, UPPER)
+    # F > 0 and F'' > 0, but dF/db has both signs on a box that reaches far to the right.
+    assert not models.fold(LOWER, fmpq(7, 2))
+    # Next to b = 1 F is decreasing and changes its sign.
+    assert not ColumnModels(fmpq(1), fmpq(17, 16), fmpq(4)).fold(LOWER, UPPER)
+    # Without width in b nothing is known of dF/db.
+    assert not ColumnModels(fmpq(2), fmpq(2), fmpq(4)).fold(LOWER, UPPER)
+
+
+@pytest.mark.parametrize("derivative", [0, 1, 2])
+def test_signs_are_those_of_points(derivative: int) -> None:
+    models = ColumnModels(fmpq(9, 4), fmpq(37, 16), fmpq(6))
+    found = 0
+    for k in range(-16, 24):
+        lower, upper = fmpq(k, 4), fmpq(k + 1, 4)
+        sign = models.sign(lower, upper, derivative)
+        if sign is None:
+            continue
+        found += 1
+        for tau in (lower, upper):
+            for b in (fmpq(9, 4), fmpq(37, 16)):
+                value = evaluate(tau, b, derivative=derivative, digits=5).value
+                assert value > 0 if sign > 0 else value < 0
+    assert found > 25
