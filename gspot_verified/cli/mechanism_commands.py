@@ -10,10 +10,8 @@ import typer
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress
 
 if TYPE_CHECKING:
-    from gspot_verified.expansion.system import System
     from gspot_verified.mechanisms.mechanism import Mechanism
 
-_BITS, _BITS_PER_ORDER, _MOST_ORDERS = 128, 3, 2000
 
 MechanismName = Annotated[str, typer.Argument(help="A TOML file, or: model, extended, oscillator, rod.")]
 Settings = Annotated[
@@ -52,16 +50,12 @@ def expand(
     as_json: JsonFlag = False,
 ) -> None:
     """The distinguished trajectory of Theorem 1 as an expansion with exact coefficients."""
-    from gspot_verified.balls import working_bits
-    from gspot_verified.expansion.trajectory import expand as expand_system
+    from gspot_verified.mechanisms.distinguished import distinguished_trajectory
 
     if latex and (in_time or at is not None):
         raise ValueError("--latex prints the scaled variables: not with --in-time or --at")
     chosen = [*(settings or []), *([] if chi is None else [f"chi={chi}"])]
-    bits = _BITS + _BITS_PER_ORDER * min(max(order, 0), _MOST_ORDERS)  # in balls each order costs about one bit
-    system = _system(name, chosen, bits)
-    with working_bits(bits):
-        trajectory = expand_system(system, order, lambda done, of: _orders(done, of))
+    trajectory = distinguished_trajectory(_mechanism(name, chosen), order, _orders)
     data = trajectory.to_json()
     text = trajectory.to_latex() if latex else str(trajectory)
     if in_time:
@@ -114,13 +108,3 @@ def _mechanism(name: str, settings: list[str] | None) -> Mechanism:
             raise ValueError(f"--set: {key.strip()[:60]} is given twice")
         values[key.strip()] = None if value.strip() == "symbolic" else value.strip()
     return mechanism.with_parameters(**values)
-
-
-def _system(name: str, settings: list[str], bits: int) -> System:
-    from gspot_verified.mechanisms.g_spot import find_g_spot
-    from gspot_verified.mechanisms.symbolic import symbolic_system
-
-    mechanism = _mechanism(name, settings)
-    if any(value is None for _, value in mechanism.parameters):
-        return symbolic_system(mechanism)
-    return find_g_spot(mechanism, bits).system

@@ -12,14 +12,12 @@ from typing import Any
 from flint import fmpq
 
 from gspot_verified.balls import Exact, ball_text, sign_of, working_bits
-from gspot_verified.expansion.recursion import ObstructedOrderError, Recursion
 from gspot_verified.mechanisms.g_spot import DEFAULT_BITS, GSpot, find_g_spot
 from gspot_verified.mechanisms.mechanism import Mechanism
 from gspot_verified.signs.side import MAX_BETA, gamma_sign
 
 _CASES = {"I": "alpha_2 < 0, alpha_1 < alpha_3 < 0", "II": "alpha_2 > 0, alpha_1 < alpha_3 < 0"}
 _CASES["III"] = "alpha_2 < 0, alpha_3 < alpha_1 < 0"
-MAX_ORDER = 200
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,32 +131,6 @@ def classify_g_spot(spot: GSpot) -> Classification:
             system.name, tuple(spot.values().items()), spot.exact, first, second, third, beta, force, case, reason,
             -side if side else None, integer, slip, spot.fixed,
         )  # fmt: skip
-
-
-def expand(mechanism: Mechanism, order: int, bits: int = DEFAULT_BITS) -> Recursion:
-    """The distinguished trajectory of Theorem 1 at the mechanism's G-spot, up to this order of delta.
-
-    :raises ValueError: the order is not in 0..200.
-    :raises GSpotError: a hypothesis of Theorem 1 fails; an integer beta is an ObstructedOrderError.
-
-    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
-    >>> expand(shipped_mechanism("extended system"), 2).b[0].coefficients()
-    [0, 2]
-    """
-    if type(order) is not int or not 0 <= order <= MAX_ORDER:
-        raise ValueError(f"order must be an int in 0..{MAX_ORDER}, got {order!r}")
-    spot = find_g_spot(mechanism, bits)
-    found = classify_g_spot(spot)
-    if found.integer_beta and found.obstructed_order is not None and found.obstructed_order <= order:
-        raise ObstructedOrderError(
-            f"{mechanism.name}: beta is, or may be, the integer {found.integer_beta}: there is no unique expansion "
-            f"from order {found.obstructed_order} of delta on"
-        )
-    with working_bits(spot.bits + 40):
-        recursion = Recursion(spot.system)
-        for _ in range(order + 1):
-            recursion.advance()
-    return recursion
 
 
 def sign_of_exact(value: Exact) -> int | None:
