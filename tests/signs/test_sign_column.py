@@ -128,3 +128,23 @@ def test_random_questions(t: Fraction, height: Fraction, m: int, share: Fraction
         assert tau.contains(found[0])
         assert beta.contains(found[1])
         assert sign_of_f(found[0], found[1] - 1) == -sign
+
+
+@pytest.mark.parametrize(
+    ("tau", "beta", "sign"),
+    [
+        # F falls on [-1/2, 0], is positive in the middle, and F(0, b) < 0 for b in (1, 2): its zero is next to 0.
+        ("-1/2..0", "2.01..2.02", 1),
+        # F falls on [0, 1/2] from F(0, b) > 0 through a zero next to 0, b below 1.
+        ("0..1/2", "1.98..1.99", -1),
+    ],
+)
+def test_a_hinge_needs_the_sign_at_zero(tau: str, beta: str, sign: int) -> None:
+    """The slope has the direction that a hinge wants, and the centre the wanted sign; only F(0, b) is against it."""
+    question = SignQuestion(Range.parse(tau, "tau"), Range.parse(beta, "beta"), sign)
+    lower, upper = question.beta.lower, question.beta.upper
+    assert lower is not None
+    assert upper is not None
+    found = sign_column(question, lower, upper)
+    assert isinstance(found, tuple)
+    assert sign_of_f(found[0], found[1] - 1) == -sign
