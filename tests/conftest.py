@@ -3,8 +3,8 @@
 ``HYPOTHESIS_PROFILE=thorough`` runs more examples, drawn at random; the default runs the same examples every time.
 
 ``--sabotage ROUTE:EXPONENT`` makes the error bound of one route wrong on purpose, to see that the tests notice:
-``negative:20`` shrinks every bound of ``theta/negative.py`` by the factor 1 - 2^-20, ``positive:-20`` multiplies every
-bound of ``theta/positive.py`` by 2^-20.
+``negative:20`` shrinks every bound of ``theta_function/negative.py`` by the factor 1 - 2^-20, ``positive:-20``
+multiplies every bound of ``theta_function/positive.py`` by 2^-20.
 """
 
 from __future__ import annotations
@@ -66,8 +66,8 @@ def parse_sabotage(request: str) -> tuple[str, int]:
 
 
 def sabotage(route: str, exponent: int) -> None:
-    """Replace ``add_remainder`` as the module ``gspot_verified.theta.<route>`` sees it."""
-    module = importlib.import_module(f"gspot_verified.theta.{route}")
+    """Replace ``add_remainder`` as the module ``gspot_verified.theta_function.<route>`` sees it."""
+    module = importlib.import_module(f"gspot_verified.theta_function.{route}")
     honest = getattr(module, "add_remainder", None)
     if honest is None:
         raise pytest.UsageError(f"--sabotage: {module.__name__} has no add_remainder to replace")

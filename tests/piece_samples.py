@@ -8,7 +8,7 @@ from flint import fmpq
 
 from gspot_verified.balls import sign_of
 from gspot_verified.signs.pieces import Column, Kind, Piece, cell_of, fold_integer
-from gspot_verified.theta.evaluate import evaluate
+from gspot_verified.theta_function.evaluate import evaluate
 
 
 def sign_of_f(tau: fmpq, b: fmpq, derivative: int = 0) -> int | None:

@@ -25,7 +25,7 @@ from gspot_verified.certificates.text import certificate_text
 from gspot_verified.signs.brackets import zeros_at
 from gspot_verified.signs.sign import sign_on_ranges
 from gspot_verified.signs.zeros import zeros_on_range
-from gspot_verified.theta.evaluate import evaluate
+from gspot_verified.theta_function.evaluate import evaluate
 
 check = mutate.checker()
 DIGITS = 120

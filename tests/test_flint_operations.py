@@ -93,7 +93,7 @@ def _foreign_names(tree: ast.AST) -> set[str]:
         if isinstance(node, ast.Import):
             names |= {(alias.asname or alias.name.split(".")[0]) for alias in node.names}
         elif isinstance(node, ast.ImportFrom) and node.module and node.module.split(".")[0] != "flint":
-            # `from gspot_verified.theta import choice` gives a module; classes begin with a capital.
+            # `from gspot_verified.theta_function import choice` gives a module; classes begin with a capital.
             names |= {alias.asname or alias.name for alias in node.names if (alias.asname or alias.name).islower()}
     return names - {"flint"}
 
@@ -148,7 +148,7 @@ def test_every_listed_operation_has_a_test() -> None:
 
 def test_the_scan_sees_operations() -> None:
     source = (
-        "import math\nfrom flint import arb\nfrom gspot_verified.theta import choice\n"
+        "import math\nfrom flint import arb\nfrom gspot_verified.theta_function import choice\n"
         "math.erf(1); choice.bits; arb(1).zeta(); f().erfc; x ^ y; a @ b; arb.bell_number(3); -z"
     )
     assert _scan(source) == ({"zeta", "erfc", "bell_number"}, {"BitXor", "MatMult", "USub"}, {"arb"})

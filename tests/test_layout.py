@@ -26,7 +26,7 @@ ROWS = (
     ("expansion",),
     ("certificates",),
     ("signs",),
-    ("theta",),
+    ("theta_function",),
     ("balls", "dyadic", "verdict"),
 )
 ROW_OF = {unit: row for row, units in enumerate(ROWS) for unit in units}
@@ -58,7 +58,7 @@ def name_of(path: Path) -> str:
 
 
 def unit_of(path: Path) -> str:
-    """``theta`` for gspot_verified/theta/x.py, ``balls`` for gspot_verified/balls.py, "" for the package itself."""
+    """``signs`` for gspot_verified/signs/x.py, ``balls`` for gspot_verified/balls.py, "" for the package itself."""
     first = path.relative_to(PACKAGE).parts[0]
     return {"__init__.py": "", "__main__.py": "cli"}.get(first, first.removesuffix(".py"))
 
@@ -97,7 +97,7 @@ def may_import(importer: str, imported: str) -> bool:
 
 
 def test_there_is_something_to_check() -> None:
-    assert {"balls.py", "dyadic.py", "verdict.py", "theta/taylor.py"} <= {name_of(path) for path in FILES}
+    assert {"balls.py", "dyadic.py", "verdict.py", "theta_function/taylor.py"} <= {name_of(path) for path in FILES}
 
 
 def test_every_unit_has_a_row() -> None:
@@ -130,13 +130,13 @@ def test_the_ground_has_no_cycle() -> None:
         ("report", "cli", False),
         ("ledger", "cost", False),
         ("cost", "ledger", False),
-        ("theta", "signs", False),
-        ("signs", "theta", True),
+        ("theta_function", "signs", False),
+        ("signs", "theta_function", True),
         ("verdict", "dyadic", True),
-        ("balls", "theta", False),
-        ("theta", "theta", True),
-        ("theta", "", False),
-        ("theta", "unheard_of", False),
+        ("balls", "theta_function", False),
+        ("theta_function", "theta_function", True),
+        ("theta_function", "", False),
+        ("theta_function", "unheard_of", False),
         ("", "cli", True),
     ],
 )
@@ -149,7 +149,7 @@ def test_the_scan_sees_every_form_of_import() -> None:
         "import gspot_verified.cli\nfrom gspot_verified import cli as c\nfrom gspot_verified.cli import main\n"
         "from ..cli import main\nfrom .. import cli\ndef f():\n    from gspot_verified import cli\n"
     )
-    dotted = [name for _, name in imported_modules(PACKAGE / "theta" / "x.py", ast.parse(source))]
+    dotted = [name for _, name in imported_modules(PACKAGE / "theta_function" / "x.py", ast.parse(source))]
     assert len(dotted) == 6
     assert all(name.startswith("gspot_verified.cli") for name in dotted)
 
@@ -243,7 +243,7 @@ def test_modules_have_docstrings(path: Path) -> None:
 
 @pytest.mark.parametrize("module", BOUND_MODULES)
 def test_bound_modules_name_their_proof_page(module: str) -> None:
-    path = PACKAGE / "theta" / f"{module}.py"
+    path = PACKAGE / "theta_function" / f"{module}.py"
     pages = re.findall(r"proofs/[A-Za-z0-9_/-]+\.md", ast.get_docstring(TREES[path]) or "")
     assert pages, f"{name_of(path)} names no page"
     assert [page for page in pages if not (ROOT / page).is_file()] == []

@@ -14,9 +14,9 @@ _ROOT = Path(__file__).resolve().parent.parent
 def _run(*options: str) -> int:
     command = [
         sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", *options,
-        "tests/theta/test_sharpness.py",
-        "tests/theta/test_majorant.py",
-        "tests/theta/test_box.py::test_bounds_that_are_attained",
+        "tests/theta_function/test_sharpness.py",
+        "tests/theta_function/test_majorant.py",
+        "tests/theta_function/test_box.py::test_bounds_that_are_attained",
     ]  # fmt: skip
     return subprocess.run(command, cwd=_ROOT, capture_output=True, timeout=300, check=False).returncode
 

@@ -24,7 +24,7 @@ def theta(
 
     Exit code 0 when the accuracy was reached, 2 when it was not (next to a zero of Θ): the ball is then still valid.
     """
-    from gspot_verified.theta.evaluate import evaluate
+    from gspot_verified.theta_function.evaluate import evaluate
 
     result = evaluate(tau, beta, derivative=derivative, digits=digits)
     if as_json:

@@ -14,7 +14,7 @@ from typing import Any
 from flint import arb, fmpq
 
 from gspot_verified.balls import bits_for_digits, relative_bits, working_bits
-from gspot_verified.theta.initial_values import paper_initial_values
+from gspot_verified.theta_function.initial_values import paper_initial_values
 
 LOWER = (
     (fmpq(1, 3), fmpq(2, 3)),

@@ -15,7 +15,7 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import approximate, sign_of, working_bits
 from gspot_verified.cost.baseline import LOWER
-from gspot_verified.theta.initial_values import paper_initial_values
+from gspot_verified.theta_function.initial_values import paper_initial_values
 
 _BITS = 64
 

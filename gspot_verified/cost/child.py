@@ -20,7 +20,7 @@ from flint import fmpq
 
 from gspot_verified.balls import exact
 from gspot_verified.cost.baseline import Answer, flint_theta, mpmath_theta
-from gspot_verified.theta.evaluate import evaluate
+from gspot_verified.theta_function.evaluate import evaluate
 
 _STATUS = Path("/proc/self/status")
 

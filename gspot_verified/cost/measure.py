@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-_THETA = "gspot_verified.theta"
+_THETA = "gspot_verified.theta_function"
 _ROOT = Path(__file__).resolve().parents[2]
 
 Call = Callable[[], object]
@@ -72,7 +72,7 @@ def _seconds(contestant: Contestant) -> float:
 
 
 def clear_caches() -> int:
-    """Empty every ``lru_cache`` in the loaded modules of ``gspot_verified.theta``; returns how many there are.
+    """Empty every ``lru_cache`` in the loaded modules of ``gspot_verified.theta_function``; returns how many there are.
 
     FLINT's own caches (pi, log 2, Bernoulli numbers) stay: no user can empty them, and the alternatives use them too.
     """

@@ -7,12 +7,12 @@ from flint import arb, fmpq, fmpq_poly
 from gspot_verified.balls import ball_text, certainly_less, relative_bits, working_bits
 from gspot_verified.ledger import asymptotic_errors as errors
 from gspot_verified.ledger import hypergeometric as printed
-from gspot_verified.ledger.entry import Check, Entry, Kind, all_of, settled
-from gspot_verified.theta.asymptotic_coefficients import coefficient, coefficient_by_inversion
-from gspot_verified.theta.initial_values import initial_values, paper_initial_values
-from gspot_verified.theta.reciprocal_gamma import reciprocal_gamma
-from gspot_verified.theta.routes import theta_by
-from gspot_verified.theta.taylor import taylor_coefficients
+from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, settled
+from gspot_verified.theta_function.asymptotic_coefficients import coefficient, coefficient_by_inversion
+from gspot_verified.theta_function.initial_values import initial_values, paper_initial_values
+from gspot_verified.theta_function.reciprocal_gamma import reciprocal_gamma
+from gspot_verified.theta_function.routes import theta_by
+from gspot_verified.theta_function.taylor import taylor_coefficients
 
 SECTION = "Appendix A"
 BETAS = tuple(fmpq(n, 20) for n in (-104, -34, -6, 1, 6, 10, 19, 30, 38, 50, 66, 94, 122))
@@ -59,9 +59,9 @@ def _theorem_3() -> Entry:
         r"\theta=\theta(0)\,{}_1F_2(-\tfrac\beta3;\tfrac13,\tfrac23;\tfrac{\tau^3}9)+\ldots",
         statement,
         Check(
-            Kind.EXACT, "quotient of consecutive terms against the equation's recurrence, as polynomials", exact_holds
+            Rung.EXACT, "quotient of consecutive terms against the equation's recurrence, as polynomials", exact_holds
         ),
-        Check(Kind.POINTS, f"three FLINT 1F2 against the Laplace integral at {len(points)} points", agrees),
+        Check(Rung.POINTS, f"three FLINT 1F2 against the Laplace integral at {len(points)} points", agrees),
     )
 
 
@@ -77,12 +77,12 @@ def _coefficients() -> Entry:
         r"c_0=1,\quad c_k \text{ from DLMF 16.11.4}",
         "c_0 = 1, and DLMF 16.11.4 gives the same c_k(β) for the three functions (exactly, k < 8)",
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "DLMF 16.11.4 for each 1F2 against the differential equation, as polynomials in β",
             all(row == by_equation for row in dlmf),
             f"c_1 = {by_equation[1]} (x is β)",
         ),
-        Check(Kind.EXACT, "Lagrange inversion at the saddle point, as polynomials in β", by_inversion == by_equation),
+        Check(Rung.EXACT, "Lagrange inversion at the saddle point, as polynomials in β", by_inversion == by_equation),
         note="proofs/asymptotic_coefficients.md; any k: theta.asymptotic_coefficients",
     )
 
@@ -96,9 +96,9 @@ def _small(j: int) -> Entry:
         f"th:4, eq:{_SMALL[j]}",
         _SMALL_SOURCE[j],
         "The formula holds as τ → −∞ for every β that is not an integer",
-        Check(Kind.PROOF, "proofs/connection.md, Theorem 4: DLMF 16.11.8 with the parameters put in", True),
+        Check(Rung.PAGE, "proofs/connection.md, Theorem 4: DLMF 16.11.8 with the parameters put in", True),
         Check(
-            Kind.POINTS,
+            Rung.POINTS,
             f"4 terms of e_r + i e_i and 9 of h at {len(checked)} points: the error is at most twice the "
             "first omitted terms",
             agrees,
@@ -124,12 +124,12 @@ def _cancellation() -> Entry:
         r"\text{the coefficients of } e_r, e_i \text{ vanish}",
         "With the initial values t01-t03 the highly oscillatory terms cancel",
         Check(
-            Kind.PROOF,
+            Rung.PAGE,
             "proofs/negative.md: Θ minus N terms of its power series is below the next term, for every N",
             True,
         ),
         Check(
-            Kind.POINTS,
+            Rung.POINTS,
             f"both coefficients in balls of radius below 1e-60 around 0 at {len(BETAS)} values of β",
             agrees,
         ),
@@ -148,8 +148,8 @@ def _initial_value(j: int) -> Entry:
         f"eq:{label}",
         rf"{derivative}=\Gamma(({j}-\beta)/3)/(3^{{({3 - j}+\beta)/3}}\Gamma(-\beta))",
         f"{label} gives the solution without oscillatory terms, for every β that is not 0, 1, 2, ...",
-        Check(Kind.PROOF, "proofs/laplace.md section 1 (substitution r^3/3) and proofs/initial_values.md", True),
-        Check(Kind.POINTS, f"printed form against the entire form at {len(BETAS)} values of β, 70 digits", agrees),
+        Check(Rung.PAGE, "proofs/laplace.md section 1 (substitution r^3/3) and proofs/initial_values.md", True),
+        Check(Rung.POINTS, f"printed form against the entire form at {len(BETAS)} values of β, 70 digits", agrees),
         corrected=f"for every real β: 2π 3^(2β/3 - 1/2) {power}/ ({factors})",
         note=f"As printed it is ∞/∞ at β = {j}, {j + 3}, {j + 6}, ...; the entire form is not.",
     )
@@ -171,13 +171,13 @@ def _leading_behaviour() -> Entry:
         "eq:hdef, line 2459",
         r"\Theta(\tau,\beta)\sim 3^{1-\beta/3}\Gamma(1+\beta)h(\tau,\beta)\sim(-\tau)^\beta",
         "Θ ~ 3^(1-β/3) Γ(1+β) h ~ (-τ)^β as τ → −∞, β not -1, -2, ...",
-        Check(Kind.PROOF, "proofs/negative.md: the rest after N terms is at most the next term, once 3N > β", True),
+        Check(Rung.PAGE, "proofs/negative.md: the rest after N terms is at most the next term, once 3N > β", True),
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "the terms of 3^(1-β/3) Γ(1+β) h are those of that page, as polynomials (k <= 10)",
             identity,
         ),
-        Check(Kind.POINTS, f"three terms against the Laplace integral at {len(points)} points", agrees),
+        Check(Rung.POINTS, f"three terms against the Laplace integral at {len(points)} points", agrees),
         note="At β = -1, -2, ... every term of h is 0 and Γ(1+β) infinite; the product keeps its limit.",
     )
 
@@ -192,9 +192,9 @@ def _large(j: int) -> Entry:
         f"th:5, eq:{_LARGE[j]}",
         rf"{left}(\ldots)\sim 3^{{({3 - j})/3}}e_1/\Gamma(({j}-\beta)/3)",
         "The formula holds as τ → +∞ for every β that is not an integer",
-        Check(Kind.PROOF, "proofs/connection.md, Theorem 5, from proofs/positive.md", True),
+        Check(Rung.PAGE, "proofs/connection.md, Theorem 5, from proofs/positive.md", True),
         Check(
-            Kind.POINTS,
+            Rung.POINTS,
             f"4 terms of e_1 at {len(points)} points: the error is at most twice the first omitted term",
             agrees,
         ),
@@ -215,13 +215,13 @@ def _large_condition() -> Entry:
         r"\text{(no condition on } \beta \text{)}",
         "Theorem 5 holds for every β, as printed without a condition",
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "β = 0: the factor (k - β) of the recurrence is 0 at k = 0, so y_0 = 1; 1/Γ(0) = 0",
             False if constant else None,
             "β = 0: the left side of blarge1 is 1, the right side is 0",
         ),
         Check(
-            Kind.BALLS,
+            Rung.BALLS,
             "FLINT's 1F2 and 1/Γ at β = 0, τ = 30",
             False if value == 1 and reciprocal.is_zero() else None,
             f"left {ball_text(value)}, right has the factor 1/Γ(0) = {reciprocal}",
@@ -240,9 +240,9 @@ def _theta_large() -> Entry:
         "eq:tlarge",
         r"\Theta\sim\frac{3^{1-\beta/3}}{\Gamma(-\beta)}e_1\sim\frac{\sqrt\pi}{\Gamma(-\beta)}e^{(2/3)\tau^{3/2}}\tau^{-\beta/2-3/4}",
         "Both asymptotic forms hold as τ → +∞ for every β that is not 0, 1, 2, ...",
-        Check(Kind.PROOF, "proofs/positive.md: explicit remainder", True),
+        Check(Rung.PAGE, "proofs/positive.md: explicit remainder", True),
         Check(
-            Kind.POINTS,
+            Rung.POINTS,
             f"4 terms against the Taylor series at {len(points)} points: the error is at most twice the first "
             "omitted term",
             agrees,

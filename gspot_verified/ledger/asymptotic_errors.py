@@ -9,7 +9,7 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import certainly_at_most, working_bits
 from gspot_verified.ledger import hypergeometric as printed
-from gspot_verified.theta.routes import theta_by
+from gspot_verified.theta_function.routes import theta_by
 
 
 def small_error_within(j: int, x: fmpq, beta: fmpq) -> bool | None:

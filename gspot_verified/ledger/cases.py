@@ -5,12 +5,12 @@ from __future__ import annotations
 from flint import arb, fmpq
 
 from gspot_verified.balls import approximate, sign_of, working_bits
-from gspot_verified.ledger.entry import Check, Entry, Kind, all_of, same_sign, settled
+from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, same_sign, settled
 from gspot_verified.ledger.lift_off import growth_brackets
 from gspot_verified.signs.iwc import iwc
 from gspot_verified.signs.side import gamma_sign, gamma_sign_by_ball, side_switching
 from gspot_verified.signs.sign import sign_on_ranges
-from gspot_verified.theta.evaluate import evaluate
+from gspot_verified.theta_function.evaluate import evaluate
 from gspot_verified.verdict import Outcome
 
 SECTION = "Section 4.5"
@@ -30,9 +30,9 @@ def _iwc() -> Entry:
         "line 1278 (Cases I and II)",
         r"\frac{d\Theta}{d\tau}(\tau,\beta)<0\quad(\tau\in\mathbb R,\ 0<\beta<1)",
         "For 0 < β < 1, dΘ/dτ < 0 for every real τ",
-        Check(Kind.PROOF, "proofs/signs.md, first proof: positive integrand", True),
+        Check(Rung.PAGE, "proofs/signs.md, first proof: positive integrand", True),
         Check(
-            Kind.BALLS,
+            Rung.BALLS,
             "second proof: positive Taylor coefficients for τ >= 0, enveloping series for τ <= -2^(1/3), "
             "a cover by Taylor models on boxes between",
             True if cover.verdict.outcome is Outcome.PROVED else None,
@@ -53,13 +53,13 @@ def _theta_wording() -> Entry:
         r"\Theta \text{ is very negative for large } |\tau| \text{ and for } \tau=0",
         "For 0 < β < 1, Θ is negative for large |τ| and for τ = 0",
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "Θ(0) = c/(Γ((1-β)/3) Γ((2-β)/3)): both arguments positive at β = 0 and at β = 1 - 1/1000, linear between",
             False if all((j - beta) / 3 > 0 for j in (1, 2) for beta in (fmpq(0), fmpq(999, 1000))) else None,
             "Θ(0) > 0 for 0 < β < 1",
         ),
         Check(
-            Kind.BALLS,
+            Rung.BALLS,
             "Θ(-20, 3/10) and Θ(0, 3/10)",
             False if sign_of(far.value) == 1 and sign_of(near.value) == 1 else None,
             f"{far} and {near}",
@@ -84,9 +84,9 @@ def _lift_off_side() -> Entry:
         r"C_1/\Gamma(-\beta)<0",
         "For β > 1 not an integer, at leading order, the contact lifts off when C_1/Γ(-β) < 0: "
         "λ_N becomes negative for τ large, and stays positive there for the other sign",
-        Check(Kind.PROOF, "proofs/signs.md (τ → +∞) with S-deviation-force and the corrected S-mean-force", True),
+        Check(Rung.PAGE, "proofs/signs.md (τ → +∞) with S-deviation-force and the corrected S-mean-force", True),
         Check(
-            Kind.POINTS,
+            Rung.POINTS,
             "certified sign of λ_N at τ = 60, ε = 1e-6, both signs of C_1, five values of β",
             agrees,
         ),
@@ -109,9 +109,9 @@ def _other_side() -> Entry:
         r"\hat\lambda_N>0\quad(C_1/\Gamma(-\beta)>0)",
         "For β > 1 not an integer and C_1/Γ(-β) > 0, at leading order: on every half-line [τ_0, ∞) the contact force "
         "λ_N is positive for all ε below an explicit ε_0",
-        Check(Kind.PROOF, "proofs/iwc.md: C_1 dΘ/dτ is bounded below on [τ_0, ∞)", True),
+        Check(Rung.PAGE, "proofs/iwc.md: C_1 dΘ/dτ is bounded below on [τ_0, ∞)", True),
         Check(
-            Kind.BALLS,
+            Rung.BALLS,
             "certified minimum of C_1 dΘ/dτ on [-10, ∞) from all its critical points; α_1 = α_2 = -1, |C_1| = 1",
             holds if len(bounds) == len(betas) else None,
             "; ".join(f"β = {beta}: ε_0 >= {approximate(bound):.4g}" for beta, bound in bounds.items()),
@@ -130,9 +130,9 @@ def _growth() -> Entry:
         "line 1302",
         r"\tau_{\text{lift-off}}\sim\log(\varepsilon)^{2/3}",
         "The lift-off time grows like |log ε|^(2/3) as ε → 0",
-        Check(Kind.PROOF, "proofs/signs.md, last section", True),
+        Check(Rung.PAGE, "proofs/signs.md, last section", True),
         Check(
-            Kind.POINTS,
+            Rung.POINTS,
             "certified brackets of a zero of λ_N beyond τ = 2: its ratio to ((β-1) ln(1/ε))^(2/3) tends to 1",
             True if all(bracket.closer_than_before for bracket in brackets) else None,
             ratios,
@@ -151,9 +151,9 @@ def _switching() -> Entry:
         "line 1309",
         r"\Gamma(-\beta)\text{ changes sign at every positive integer}",
         "Γ(-β) changes sign whenever β passes through a positive integer, so the side of lift-off switches there",
-        Check(Kind.PROOF, "proofs/side_switching.md", True),
+        Check(Rung.PAGE, "proofs/side_switching.md", True),
         Check(
-            Kind.EXACT, "the intervals of [1/2, 61/2] alternate", alternate and found.integers == tuple(range(1, 31))
+            Rung.EXACT, "the intervals of [1/2, 61/2] alternate", alternate and found.integers == tuple(range(1, 31))
         ),
-        Check(Kind.POINTS, "an enclosure of 1/Γ(-β) at each midpoint", by_ball),
+        Check(Rung.POINTS, "an enclosure of 1/Γ(-β) at each midpoint", by_ball),
     )

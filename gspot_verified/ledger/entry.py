@@ -10,18 +10,19 @@ from typing import Any
 from gspot_verified.verdict import Outcome, Reason, Verdict
 
 
-class Kind(enum.Enum):
-    """What a check can settle."""
+class Rung(enum.Enum):
+    """What a check rests on, the strongest first: what it can settle and whom a reader must trust."""
 
-    PROOF = "a proof page in proofs/"
-    EXACT = "exact arithmetic that covers the whole claim"
+    FORMAL = "a formal proof, checked by a proof assistant"
+    EXACT = "an exact symbolic identity or a certificate that covers the whole claim"
+    PAGE = "a proof page in proofs/: prose, its steps tested"
     BALLS = "balls that cover the whole stated set"
-    POINTS = "balls at stated points: supports the claim, cannot prove it for all arguments"
+    POINTS = "points only: supports the claim, cannot prove it for all arguments"
 
     @property
     def settles(self) -> bool:
-        """True when this kind of check alone decides the claim."""
-        return self is not Kind.POINTS
+        """True when a check on this rung alone decides the claim."""
+        return self is not Rung.POINTS
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +33,7 @@ class Check:
     None when the check could not tell.
     """
 
-    kind: Kind
+    rung: Rung
     what: str
     agrees: bool | None
     finding: str = ""
@@ -40,7 +41,7 @@ class Check:
     def to_json(self) -> dict[str, Any]:
         """Plain data for ``json.dumps``."""
         return {
-            "kind": self.kind.name.lower(),
+            "rung": self.rung.name.lower(),
             "what": self.what,
             "agrees": self.agrees,
             "finding": self.finding,
@@ -65,6 +66,13 @@ class Entry:
     corrected: str = ""
     note: str = ""
 
+    @property
+    def rung(self) -> Rung | None:
+        """The strongest rung that the verdict rests on; ``None`` for an undecided entry."""
+        carries = {Outcome.PROVED: True, Outcome.REFUTED: False}.get(self.verdict.outcome)
+        found = {check.rung for check in self.checks if carries is not None and check.agrees is carries}
+        return next((rung for rung in Rung if rung in found), None)
+
     def to_json(self) -> dict[str, Any]:
         """Plain data for ``json.dumps``."""
         return {
@@ -75,6 +83,7 @@ class Entry:
             "statement": self.statement,
             "checks": [check.to_json() for check in self.checks],
             "verdict": self.verdict.to_json(),
+            "rung": self.rung.name.lower() if self.rung else None,
             "corrected": self.corrected,
             "note": self.note,
         }
@@ -102,7 +111,7 @@ def conclude(statement: str, checks: Sequence[Check], witness: str = "") -> Verd
     """The verdict that two or more checks support.
 
     - refuted: one check fails with certainty, and a second one fails too (two derivations of the counterexample);
-    - proved: every check agrees, there are at least two of them, and one of a settling kind;
+    - proved: every check agrees, there are at least two of them, and one on a settling rung;
     - undecided: anything else.
     """
     failures = [check for check in checks if check.agrees is False]
@@ -113,7 +122,7 @@ def conclude(statement: str, checks: Sequence[Check], witness: str = "") -> Verd
     if any(check.agrees is None for check in checks):
         open_checks = "; ".join(check.what for check in checks if check.agrees is None)
         return Verdict.undecided(statement, Reason.BUDGET, f"could not tell: {open_checks}")
-    if len(checks) >= 2 and any(check.kind.settles for check in checks):
+    if len(checks) >= 2 and any(check.rung.settles for check in checks):
         return Verdict.proved(statement, "; ".join(check.what for check in checks))
     return Verdict.undecided(statement, Reason.NO_ROUTE, "the checks at points alone prove nothing")
 

@@ -1,7 +1,8 @@
 """The paper's own building blocks, transcribed as printed: 1F2 of Theorem 3, h, e_r + i e_i, e_1.
 
 They are evaluated by FLINT's hypergeometric functions and by truncated sums, so that they share no code with the routes
-of :mod:`gspot_verified.theta`. Nothing here carries a remainder: these are printed formulas, not enclosures of Theta.
+of :mod:`gspot_verified.theta_function`. Nothing here carries a remainder: these are printed formulas, not enclosures of
+Theta.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 from flint import acb, arb, fmpq, fmpq_poly
 
 from gspot_verified.balls import working_bits
-from gspot_verified.theta.asymptotic_coefficients import coefficient
+from gspot_verified.theta_function.asymptotic_coefficients import coefficient
 
 
 def theorem_3_function(j: int, tau: fmpq, beta: fmpq, bits: int) -> arb:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from gspot_verified.ledger.entry import Check, Kind
+from gspot_verified.ledger.entry import Check, Rung
 
 Parts = Mapping[str, fmpq_mpoly]
 Route = Callable[[Parts], Sequence[fmpq_mpoly]]
@@ -109,18 +109,18 @@ class Claim:
     printed: Mapping[str, str]
     corrected: Mapping[str, str] = field(default_factory=dict)
 
-    def check(self, what: str, route: Route, kind: Kind = Kind.EXACT) -> Check:
+    def check(self, what: str, route: Route, rung: Rung = Rung.EXACT) -> Check:
         """Whether the route gives zero. A failure needs the corrected form, if there is one, to give zero."""
         answer = self._first_failure(route, self.printed)
         if answer is None:
-            return Check(kind, what, None, "nothing was checked")
+            return Check(rung, what, None, "nothing was checked")
         if answer == "":
-            return Check(kind, what, True)
+            return Check(rung, what, True)
         fixed = self._first_failure(route, {**self.printed, **self.corrected})
         if self.corrected and fixed != "":
-            return Check(kind, what, None, f"printed: {answer}; corrected: {fixed}")
+            return Check(rung, what, None, f"printed: {answer}; corrected: {fixed}")
         holds = "; the corrected form gives 0" if self.corrected else ""
-        return Check(kind, what, False, f"the printed form leaves {answer} instead of 0{holds}")
+        return Check(rung, what, False, f"the printed form leaves {answer} instead of 0{holds}")
 
     def _first_failure(self, route: Route, texts: Mapping[str, str]) -> str | None:
         found = route({name: self.algebra.read(text) for name, text in texts.items()})

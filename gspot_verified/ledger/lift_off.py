@@ -8,7 +8,7 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import ball_text, working_bits
 from gspot_verified.signs.stretches import narrowed
-from gspot_verified.theta.evaluate import evaluate
+from gspot_verified.theta_function.evaluate import evaluate
 
 _EXPONENTS = (10, 100, 1_000, 10_000)
 

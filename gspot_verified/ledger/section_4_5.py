@@ -5,10 +5,10 @@ from __future__ import annotations
 from flint import arb, fmpq
 
 from gspot_verified.balls import ball_text, certainly_less, sign_of, working_bits
-from gspot_verified.ledger.entry import Check, Entry, Kind, all_of, same_sign, settled
+from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, same_sign, settled
 from gspot_verified.signs.side import gamma_sign, gamma_sign_by_ball
 from gspot_verified.signs.tails import left_threshold
-from gspot_verified.theta.evaluate import evaluate
+from gspot_verified.theta_function.evaluate import evaluate
 
 SECTION = "Section 4.5"
 _SYSTEMS = tuple(
@@ -52,14 +52,14 @@ def _mean_force() -> Entry:
         r"\bar\lambda_N=\frac{\alpha_2^*}{\alpha_1^*-\alpha_3^*}",
         statement,
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "α_3 λ = α_2 - db/dt along eq. modelSysDistB",
             by_equation == printed,
             f"α = (-1, -1, -3/2): the equation gives {by_equation[0]}, the printed form {printed[0]}; "
             f"the corrected form {holds} at {len(_SYSTEMS)} systems",
         ),
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "λ = -b/p (eq. pain_par+) along modelSysDistP, modelSysDistB",
             by_balance == printed,
             f"α = (-1, -1, -3/2): -b/p = {by_balance[0]}",
@@ -79,13 +79,13 @@ def _deviation_force() -> Entry:
         r"\hat\lambda_N=-\frac{C_1}{\alpha_3^*}\kappa^{1-\beta}\varepsilon^{(2\beta-2)/3}\frac{d\Theta}{d\tau}",
         "The deviation of the force is -(C_1/α_3) κ^(1-β) ε^((2 β-2)/3) dΘ/dτ",
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "d/dt of C_1 κ^(-β) ε^(2 β/3) Θ(κ t ε^(-2/3)) with τ^m in place of Θ, in exact "
             "rationals: the identity is linear in Θ and a power of κ and ε for each β",
             all(_monomial_identity(beta, m) for beta in (2, 4, 5) for m in (1, 2, 3)),
         ),
         Check(
-            Kind.POINTS,
+            Rung.POINTS,
             "difference quotient of C_1 κ^(-β) ε^(2 β/3) Θ(κ t ε^(-2/3)) in t, in balls",
             agrees,
         ),
@@ -129,8 +129,8 @@ def _force_sign() -> Entry:
         "line 1255",
         r"\operatorname{sign}\hat\lambda_N=\operatorname{sign}(C_1\,d\Theta/d\tau)",
         "The deviation of the force has the sign of C_1 dΘ/dτ (α_3 < 0, κ > 0)",
-        Check(Kind.EXACT, "all sign combinations", agrees),
-        Check(Kind.PROOF, "S-deviation-force: the factors in front are positive", True),
+        Check(Rung.EXACT, "all sign combinations", agrees),
+        Check(Rung.PAGE, "S-deviation-force: the factors in front are positive", True),
     )
 
 
@@ -147,12 +147,12 @@ def _dominance() -> Entry:
         "For small ε at fixed τ the deviation of the force dominates the mean force when β < 1, and the "
         "mean force dominates when β > 1",
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "the exponent (2 β - 2)/3 is increasing in β and 0 at β = 1",
             powers[fmpq(1)] == 0 and list(powers.values()) == sorted(powers.values()),
         ),
         Check(
-            Kind.POINTS,
+            Rung.POINTS,
             "size of the power at ε = 1e-6, β = 0.1, ..., 12.9",
             all_of(_is_large(size, beta < 1) for beta, size in sizes.items()),
         ),
@@ -174,8 +174,8 @@ def _sign_at_minus_infinity() -> Entry:
         "eq:dTheta_sign, first row",
         r"\frac{d\Theta}{d\tau}<0\ (\tau\to-\infty)",
         "dΘ/dτ is negative for τ large and negative, for every β > 0",
-        Check(Kind.PROOF, "proofs/signs.md: an explicit T(β), from the enveloping series", True),
-        Check(Kind.POINTS, "certified sign at -T(β) for β = 0.1, 0.2, ..., 12.9", agrees),
+        Check(Rung.PAGE, "proofs/signs.md: an explicit T(β), from the enveloping series", True),
+        Check(Rung.POINTS, "certified sign at -T(β) for β = 0.1, 0.2, ..., 12.9", agrees),
     )
 
 
@@ -198,8 +198,8 @@ def _sign_at_zero() -> Entry:
         "eq:dTheta_sign, second row",
         r"\operatorname{sign}\frac{d\Theta}{d\tau}(0)=\operatorname{sign}\frac{\Gamma((1-\beta)/3)}{\Gamma(-\beta)}",
         "At τ = 0 the sign is that of Γ((1-β)/3)/Γ(-β), for β not an integer",
-        Check(Kind.PROOF, "proofs/signs.md, from the entire form of the initial values", True),
-        Check(Kind.POINTS, "both signs certified at β = 0.1, ..., 12.9 without the integers", agrees),
+        Check(Rung.PAGE, "proofs/signs.md, from the entire form of the initial values", True),
+        Check(Rung.POINTS, "both signs certified at β = 0.1, ..., 12.9 without the integers", agrees),
         corrected="at β = 1, 4, 7, ... the quotient is infinite over infinite: there dΘ/dτ(0) < 0; "
         "at β = 2, 3, 5, 6, ... dΘ/dτ(0) = 0",
     )
@@ -215,8 +215,8 @@ def _sign_at_infinity() -> Entry:
         "eq:dTheta_sign, third row",
         r"\frac{d\Theta}{d\tau}\to\infty\cdot\frac1{\Gamma(-\beta)}",
         "dΘ/dτ is very large with the sign of 1/Γ(-β) for τ large and positive, β > 0 not an integer",
-        Check(Kind.PROOF, "proofs/signs.md: Γ(-β) dΘ/dτ exceeds every power of τ", True),
-        Check(Kind.POINTS, "certified sign at τ = 60 for β = 0.1, ..., 12.9 without the integers", agrees),
+        Check(Rung.PAGE, "proofs/signs.md: Γ(-β) dΘ/dτ exceeds every power of τ", True),
+        Check(Rung.POINTS, "certified sign at τ = 60 for β = 0.1, ..., 12.9 without the integers", agrees),
         corrected="at an integer β = n, dΘ/dτ is a polynomial with leading term (-1)^n n τ^(n-1)",
     )
 
@@ -238,13 +238,13 @@ def _gamma_intervals() -> Entry:
         r"\Gamma(-\beta)<0 \text{ on } (2n-1,2n),\quad \Gamma(-\beta)>0 \text{ on } (2n-2,2n)",
         "Γ(-β) is negative for β in (2n-1, 2n) and positive for β in (2n-2, 2n), n = 1, 2, ...",
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "functional equation of Γ (proofs/side_switching.md)",
             by_parity,
             f"sign Γ(-1/2) = {exact_signs[0]}, sign Γ(-3/2) = {exact_signs[1]}",
         ),
         Check(
-            Kind.BALLS,
+            Rung.BALLS,
             "enclosures of Γ(-1/2) and Γ(-3/2)",
             by_ball,
             f"Γ(-1/2) in {ball_text(values[0], 8)}, Γ(-3/2) in {ball_text(values[1], 8)}",

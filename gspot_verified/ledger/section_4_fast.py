@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from flint import fmpq_mpoly
 
-from gspot_verified.ledger.entry import Check, Entry, Kind, settled
+from gspot_verified.ledger.entry import Check, Entry, Rung, settled
 from gspot_verified.ledger.identities import Claim, Parts, rising_signs
 from gspot_verified.ledger.section_4_outer import ALGEBRA, along
 from gspot_verified.ledger.section_4_outer import PRINTED as OUTER
@@ -138,12 +138,12 @@ def _stable() -> Entry:
         r"p>0:\ \operatorname{Re}\lambda_i<0",
         "For p > 0 all three roots of λ³ + 2 λ² + p λ + p have negative real parts",
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "Routh-Hurwitz: 1, 2, 2 p - p and p are polynomials in p with positive coefficients only",
             all(rising_signs(value) for value in hurwitz) or None,
         ),
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "no real root is >= 0 (all coefficients positive), and twice the real part of a pair is a real root of the "
             "polynomial of the sums of two roots, λ³ + 4 λ² + (4 + p) λ + p, which has none >= 0 either",
             all(rising_signs(value) for value in [zero, one, two, three, *all_sums]) or None,
@@ -225,10 +225,10 @@ def _saddle() -> Entry:
         r"p<0:\ \lambda_1<\lambda_2<0<\lambda_3",
         "For p < 0 the three roots are real and exactly one is positive",
         Check(
-            Kind.EXACT, "discriminant, sum and product of the roots, for every p < 0", (real and one_positive) or None
+            Rung.EXACT, "discriminant, sum and product of the roots, for every p < 0", (real and one_positive) or None
         ),
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "Sturm's theorem with p as a symbol: two roots below 0, one above",
             roots_for_negative_p() == (2, 1) or None,
         ),

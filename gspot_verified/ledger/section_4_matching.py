@@ -9,7 +9,7 @@ from decimal import Decimal
 
 from flint import fmpq, fmpq_mpoly
 
-from gspot_verified.ledger.entry import Check, Entry, Kind, settled
+from gspot_verified.ledger.entry import Check, Entry, Rung, settled
 from gspot_verified.ledger.identities import Claim, Parts
 from gspot_verified.ledger.section_4_inner import INNER_SCALE, scaled
 from gspot_verified.ledger.section_4_outer import ALGEBRA
@@ -62,16 +62,16 @@ def _matching() -> Entry:
         this.check(
             "C_1 ε^(2β/3) (-κ s)^β in powers of δ, κ, s, at β = 2 and β = 3",
             lambda parts: [_powers_of_time(power)[0] - parts[name] for name, power in betas.items()],
-            Kind.POINTS,
+            Rung.POINTS,
         ),
         this.check(
             "κ^β times C_1 (-t)^β with t = δ² s, at β = 2 and β = 3",
             lambda parts: [
                 _SYMBOLS["kappa"] ** power * _powers_of_time(power)[1] - parts[name] for name, power in betas.items()
             ],
-            Kind.POINTS,
+            Rung.POINTS,
         ),
-        Check(Kind.PROOF, "proofs/negative.md: Θ(τ, β) ~ (-τ)^β as τ → −∞ (entry A-leading)", True),
+        Check(Rung.PAGE, "proofs/negative.md: Θ(τ, β) ~ (-τ)^β as τ → −∞ (entry A-leading)", True),
     )
 
 
@@ -130,5 +130,5 @@ def _exponents() -> Entry:
         "The powers of ε of the five deviations for s = O(1), and the theoretical values of the table",
         this.check("lowest power of δ in modelSysDevRecoverY, V, Z, LN on the inner scale", lowest),
         this.check("λ = -b'/α_3, z = -ε² λ, y = 2 z, v = y' with a factor δ^(-2) for each derivative", chain),
-        Check(Kind.EXACT, "the nine printed decimals of the table are these exponents, rounded", all(rounded) or None),
+        Check(Rung.EXACT, "the nine printed decimals of the table are these exponents, rounded", all(rounded) or None),
     )

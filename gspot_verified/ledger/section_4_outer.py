@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.ledger.entry import Check, Entry, Kind, settled
+from gspot_verified.ledger.entry import Check, Entry, Rung, settled
 from gspot_verified.ledger.identities import Algebra, Claim, Parts, readable
 
 SECTION = "Section 4"
@@ -122,13 +122,13 @@ def _order() -> Entry:
         r"\text{a more convenient 3rd-order single equation for } b(t)",
         "The single equation for b is of third order",
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "the coefficient of the fourth derivative in modelSysTEliminated",
             bool(highest.is_zero()),
             f"it is {readable(highest)}: not 0 for ε > 0",
         ),
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "Jacobian determinant of (b, b', b'', b''') with respect to (b, y, v, z)",
             None if determinant.is_zero() else False,
             "not 0: the four are independent, so no equation of order 3 or less holds for all solutions",

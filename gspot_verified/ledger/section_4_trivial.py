@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.ledger.entry import Entry, Kind, settled
+from gspot_verified.ledger.entry import Entry, Rung, settled
 from gspot_verified.ledger.extended_system import extended_terms
 from gspot_verified.ledger.identities import Claim, Parts
 from gspot_verified.ledger.section_4_outer import ALGEBRA
@@ -158,6 +158,6 @@ def _unique() -> Entry:
         this.check(
             f"Theorem 1's recursion with symbols α_1, α_3, c: every b_n with 0 < n < {orders} vanishes",
             by_recursion,
-            Kind.POINTS,
+            Rung.POINTS,
         ),
     )

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.ledger.entry import Check, Entry, Kind, settled
+from gspot_verified.ledger.entry import Check, Entry, Rung, settled
 from gspot_verified.ledger.extended_system import extended_terms
 from gspot_verified.ledger.identities import Claim, Parts
 from gspot_verified.ledger.section_4_inner import PRINTED as SECTION_4
@@ -136,6 +136,6 @@ def _perturbation_theta() -> Entry:
         "The perturbation satisfies eq. hypergeomeqn, and matches b_0 (-t)^β of the outer solution",
         this.check("chain rule", chain_rule),
         this.check("both operators on 1, s, ..., s⁴", monomials),
-        Check(Kind.PROOF, "proofs/negative.md: Θ(τ, β) ~ (-τ)^β; the powers as in entry 4-matching", True),
+        Check(Rung.PAGE, "proofs/negative.md: Θ(τ, β) ~ (-τ)^β; the powers as in entry 4-matching", True),
         note="The matched b is the unscaled deviation: ε^(2β/3) times the hatted b of lines 2053 to 2071.",
     )

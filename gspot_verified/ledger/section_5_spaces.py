@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import product
 
-from gspot_verified.ledger.entry import Check, Entry, Kind, all_of, settled
+from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, settled
 from gspot_verified.ledger.explicit_expansions import (
     FUNCTION,
     SPACES,
@@ -106,14 +106,14 @@ def _lemma() -> Entry:
         "thm:expansion",
         r"f_{2\nu}\in P_\nu,\quad f_{2\nu+1}\in P_{\nu-4}",
         "f_n depends on ξ_k with k <= n - 2 only, linearly on ξ_(n-2), and lies in P_ν or P_(ν-4)",
-        Check(Kind.EXACT, "one more factor at a time, for every ν and both parities", lemma_by_induction() or None),
+        Check(Rung.EXACT, "one more factor at a time, for every ν and both parities", lemma_by_induction() or None),
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "the paper's count with 0 to 29 factors of odd order (9 for every two)",
             lemma_by_counting() or None,
         ),
         Check(
-            Kind.POINTS, "five nonlinear functions of two components, all orders below 10", lemma_on_functions() or None
+            Rung.POINTS, "five nonlinear functions of two components, all orders below 10", lemma_on_functions() or None
         ),
         note="The first part: a product of terms of order k_i of ξ has the order Σ (k_i + 2) in f.",
     )
@@ -129,13 +129,13 @@ def _theorem() -> Entry:
         r"p_{2\nu},b_{2\nu},\xi_{2\nu}\in P_{\nu+1},\ \ldots,\ \lambda_{2\nu+1}\in P_{\nu-4}",
         "For β not an integer there is exactly one expansion, with its terms in the stated spaces",
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "the steps of the proof, each for every ν at once (with entries 5-third-order, 5-monomial, 5-step-3): "
             + ", ".join(proved),
             all(proved.values()) or None,
         ),
         Check(
-            Kind.POINTS,
+            Rung.POINTS,
             f"{len(found)} nonlinear systems, all orders below {len(found[0].p)}: spaces, eqs. specialX to "
             "specialL and conditions pbc to Jbc, by ordinary polynomials",
             all_of((in_stated_spaces(r) and equations_hold(r) and synchronised(r)) or None for r in found),
@@ -172,9 +172,9 @@ def _corollary() -> Entry:
         r"\sum K\epsilon^{2\sigma}t^{\nu+1-3\sigma},\quad\sum K\epsilon^{3+2\sigma}t^{\nu-3-3\sigma}",
         "Truncated at any order, each unscaled variable is a polynomial in t and ε",
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "exponent of δ of every term of ξ, p, b, y, v, z, λ_N: a multiple of 3, not negative, for every ν",
             all(corollary_exponents(name) for name in SPACES) or None,
         ),
-        Check(Kind.EXACT, "the two printed sums for p, as identities in ν and σ", printed_exponents() or None),
+        Check(Rung.EXACT, "the two printed sums for p, as identities in ν and σ", printed_exponents() or None),
     )

@@ -6,7 +6,7 @@ from typing import Any
 
 from flint import fmpq
 
-from gspot_verified.ledger.entry import Check, Entry, Kind, settled
+from gspot_verified.ledger.entry import Check, Entry, Rung, settled
 from gspot_verified.mechanisms.oscillator_formulas import (
     APPENDIX_B,
     SECTION_6,
@@ -48,9 +48,9 @@ def _motion() -> Entry:
         r"M(q)\ddot q=f(q,\dot q)+Q_N\lambda_N+Q_T\lambda_T",
         "M and f of the oscillator",
         Check(
-            Kind.EXACT, "Lagrange's equations of the energies of masses, springs and dampers, as identities", row.holds
+            Rung.EXACT, "Lagrange's equations of the energies of masses, springs and dampers, as identities", row.holds
         ),
-        Check(Kind.EXACT, "p and b of Appendix B follow from them, as identities", _holds("p", "b")),
+        Check(Rung.EXACT, "p and b of Appendix B follow from them, as identities", _holds("p", "b")),
     )
 
 
@@ -66,9 +66,9 @@ def _sign_of_g() -> Entry:
         f"lines {row.lines}",
         r"G=(0,0,M^{-1}(-Q_N+\mu Q_T))^T",
         "G of the oscillator in positive slip",
-        Check(Kind.EXACT, "with it L_G v is the printed p, as an identity", row.holds, row.note),
+        Check(Rung.EXACT, "with it L_G v is the printed p, as an identity", row.holds, row.note),
         Check(
-            Kind.EXACT,
+            Rung.EXACT,
             "the equation of motion with λ_T = -μ λ_N: second row of M G at the G-spot",
             force == -1,
             f"it is {force}, as in Q_N - μ Q_T; the printed G gives -1",
@@ -87,8 +87,8 @@ def _place() -> Entry:
         f"lines {row.lines}",
         r"\cos\phi^*=3/5,\ \sin\phi^*=4/5,\ \dot\phi^*=-\sqrt{g/l},\ \psi^*=-2l/5,\ \dot\psi^*=\tfrac45\sqrt{gl}",
         "With the printed μ, φ_0, k, c the printed point is a G-spot for all β and κ",
-        Check(Kind.EXACT, "p, b, y, v vanish there with β and κ as symbols", row.holds),
-        Check(Kind.POINTS, "p, b, y, v vanish there in exact rationals for three pairs (β, κ)", vanish),
+        Check(Rung.EXACT, "p, b, y, v vanish there with β and κ as symbols", row.holds),
+        Check(Rung.POINTS, "p, b, y, v vanish there in exact rationals for three pairs (β, κ)", vanish),
         note="u* = -3/5 sqrt(g l): positive slip needs a belt that moves below that velocity. c_ψ < 0 for β > 18/7.",
     )
 
@@ -102,8 +102,8 @@ def _value(row: Comparison) -> Entry:
         f"line {row.lines}",
         f"{_LATEX[name]}^*={row.printed}",
         f"{name} at the G-spot, in the units m_1 = l = g = 1, for all β and κ",
-        Check(Kind.EXACT, "Lie derivatives at the G-spot with β and κ as symbols", row.holds),
-        Check(Kind.POINTS, "exact rational values for three pairs (β, κ)", agrees),
+        Check(Rung.EXACT, "Lie derivatives at the G-spot with β and κ as symbols", row.holds),
+        Check(Rung.POINTS, "exact rational values for three pairs (β, κ)", agrees),
     )
 
 
@@ -127,8 +127,8 @@ def _decimals() -> Entry:
         f"lines {rows[0].lines}",
         r"\alpha_1^*=-0.4289,\ \alpha_2^*=-1.8764,\ \alpha_3^*=-1.0008",
         "The alphas for β = 7/3, κ = 0: Case III",
-        Check(Kind.EXACT, "the printed functions of β and κ, rounded", all(row.holds for row in rows)),
-        Check(Kind.EXACT, "the values at the G-spot from the equations of motion, rounded", near),
+        Check(Rung.EXACT, "the printed functions of β and κ, rounded", all(row.holds for row in rows)),
+        Check(Rung.EXACT, "the values at the G-spot from the equations of motion, rounded", near),
         note="; ".join(f"{name} = {value}" for name, value in zip(SECTION_6, exact, strict=True)),
     )
 
@@ -143,10 +143,10 @@ def _formula(row: Comparison) -> Entry:
         rf"{_LATEX[name]}(\phi,\psi,\dot\phi,\dot\psi)=\ldots",
         f"{name} of Appendix B",
         Check(
-            Kind.EXACT, "Lie derivatives from M, f, Q_N, Q_T: an identity in the state and all parameters", row.holds
+            Rung.EXACT, "Lie derivatives from M, f, Q_N, Q_T: an identity in the state and all parameters", row.holds
         ),
         Check(
-            Kind.POINTS, "at the G-spot it takes the values of Sec. 6 (0 for v, p, b), three pairs (β, κ)", all(checks)
+            Rung.POINTS, "at the G-spot it takes the values of Sec. 6 (0 for v, p, b), three pairs (β, κ)", all(checks)
         ),
         note=row.note,
     )

@@ -18,9 +18,9 @@ from flint import arb, arb_poly, fmpq
 from gspot_verified.balls import add_remainder, approximate, sign_of, working_bits
 from gspot_verified.signs.pieces import Column, Kind, Piece, cell_of, end_signs, fold_integer
 from gspot_verified.signs.witness import sign_at
-from gspot_verified.theta.box import omitted_terms
-from gspot_verified.theta.box_choice import bits_for_box, length_for_box
-from gspot_verified.theta.parameter_series import parameter_series
+from gspot_verified.theta_function.box import omitted_terms
+from gspot_verified.theta_function.box_choice import bits_for_box, length_for_box
+from gspot_verified.theta_function.parameter_series import parameter_series
 
 _WIDTH = fmpq(1, 2**10)
 _SAMPLES_PER_UNIT = 24

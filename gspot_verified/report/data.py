@@ -8,14 +8,14 @@ from collections.abc import Sequence
 from importlib import metadata
 from typing import Any
 
-from gspot_verified.ledger.entry import Entry, Kind, counts
+from gspot_verified.ledger.entry import Entry, Rung, counts
 from gspot_verified.report.canvas import Picture
 from gspot_verified.verdict import Outcome, Reason
 
-SCHEMA = 1
+SCHEMA = 2
 
 _OUTCOMES = [outcome.value for outcome in Outcome]
-_KINDS = [kind.name.lower() for kind in Kind]
+_RUNGS = [rung.name.lower() for rung in Rung]
 _REASONS = [reason.name.lower() for reason in Reason]
 _ENTRY_TEXTS = ("identifier", "label", "section", "source", "statement", "corrected", "note")
 _PICTURE_TEXTS = ("name", "title", "caption", "alternative", "svg")
@@ -60,10 +60,10 @@ def checked(report: object) -> dict[str, Any]:
 
     :raises ValueError: another schema, a missing or mistyped part, or counts that do not agree with the entries.
 
-    >>> checked({"schema": 2})
+    >>> checked({"schema": 1})
     Traceback (most recent call last):
     ...
-    ValueError: report: this version reads schema 1, the file has schema 2
+    ValueError: report: this version reads schema 2, the file has schema 1
     """
     found = _mapping(report, "report")
     if type(found.get("schema")) is not int or found["schema"] != SCHEMA:
@@ -104,7 +104,7 @@ def _check_entry(value: object, where: str) -> None:
     for number, check in enumerate(_sequence(entry, "checks", where)):
         place = f"{where}.checks[{number}]"
         _texts(_mapping(check, place), ("what", "finding"), place)
-        _one_of(check.get("kind"), _KINDS, f"{place}.kind")
+        _one_of(check.get("rung"), _RUNGS, f"{place}.rung")
         if "agrees" not in check or not (check["agrees"] is None or isinstance(check["agrees"], bool)):
             raise ValueError(f"{place}.agrees: expected true, false or null")
 

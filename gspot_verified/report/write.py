@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
-from gspot_verified.ledger.entry import Entry, Kind
+from gspot_verified.ledger.entry import Entry, Rung
 from gspot_verified.report.data import checked, report_data
 from gspot_verified.report.figures import pictures
 from gspot_verified.verdict import Outcome, Reason
@@ -88,7 +88,7 @@ def _shown(entry: dict[str, Any]) -> dict[str, Any]:
     verdict = entry["verdict"]
     reason = verdict["reason"]
     checks = [
-        {**check, "kind": Kind[check["kind"].upper()].value, "answer": _ANSWERS[check["agrees"]]}
+        {**check, "rung": Rung[check["rung"].upper()].value, "answer": _ANSWERS[check["agrees"]]}
         for check in entry["checks"]
     ]
     return {

@@ -16,7 +16,7 @@ from gspot_verified.balls import ExactInput, approximate, bits_for_digits, exact
 from gspot_verified.signs.pieces import Column, Kind, cell_of, number_of_zeros
 from gspot_verified.signs.statements import BracketsStatement
 from gspot_verified.signs.zero_column import zero_column
-from gspot_verified.theta.evaluate import evaluate
+from gspot_verified.theta_function.evaluate import evaluate
 
 MAX_BETA = 200
 MAX_DIGITS = 2_000

@@ -6,9 +6,9 @@ from flint import fmpq
 
 from gspot_verified.balls import approximate, sign_of
 from gspot_verified.signs.tails import right_changes
-from gspot_verified.theta.box import TaylorModel, taylor_model
-from gspot_verified.theta.box_choice import bits_for_box, degree_for_box, length_for_box, order_for_box
-from gspot_verified.theta.parameter_series import ParameterSeries, parameter_series, shortened
+from gspot_verified.theta_function.box import TaylorModel, taylor_model
+from gspot_verified.theta_function.box_choice import bits_for_box, degree_for_box, length_for_box, order_for_box
+from gspot_verified.theta_function.parameter_series import ParameterSeries, parameter_series, shortened
 
 _LEAST_RADIUS = 1e-300
 # Signs on boxes ask for little: fewer terms are faster, and a box that stays open is cut.

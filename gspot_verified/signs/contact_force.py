@@ -13,7 +13,7 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import ExactInput, approximate, bits_for_digits, exact, working_bits
 from gspot_verified.signs.side import gamma_sign
-from gspot_verified.theta.evaluate import evaluate
+from gspot_verified.theta_function.evaluate import evaluate
 
 MAX_BETA = 100
 LEAST_TENS = -100_000

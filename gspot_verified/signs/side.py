@@ -13,7 +13,7 @@ from typing import Any
 from flint import arb, fmpq
 
 from gspot_verified.balls import Exact, ExactInput, exact, sign_of, working_bits
-from gspot_verified.theta.reciprocal_gamma import reciprocal_gamma
+from gspot_verified.theta_function.reciprocal_gamma import reciprocal_gamma
 
 MAX_BETA = 10**6
 _MAX_INTERVALS = 100_000

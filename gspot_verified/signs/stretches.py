@@ -15,7 +15,7 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import bits_for_digits, sign_of, working_bits
 from gspot_verified.signs.brackets import zeros_at
-from gspot_verified.theta.evaluate import evaluate
+from gspot_verified.theta_function.evaluate import evaluate
 
 Level = Callable[[int], arb]
 """A number, enclosed to as many decimal digits as asked."""

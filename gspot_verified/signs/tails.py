@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from flint import fmpq
 
 from gspot_verified.balls import sign_of
-from gspot_verified.theta.box import local_coefficients
-from gspot_verified.theta.parameter_series import ParameterSeries
+from gspot_verified.theta_function.box import local_coefficients
+from gspot_verified.theta_function.parameter_series import ParameterSeries
 
 
 def left_holds(x: fmpq, lower: fmpq, upper: fmpq, n: int) -> bool:

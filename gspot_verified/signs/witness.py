@@ -7,8 +7,8 @@ from flint import fmpq
 
 from gspot_verified.balls import sign_of
 from gspot_verified.signs.ranges import Range
-from gspot_verified.theta.evaluate import evaluate
-from gspot_verified.theta.integer import polynomial
+from gspot_verified.theta_function.evaluate import evaluate
+from gspot_verified.theta_function.integer import polynomial
 
 _MAX_TAU = 10**12
 _MAX_BETA = 10**4

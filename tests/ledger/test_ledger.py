@@ -12,10 +12,10 @@ from flint import acb, arb, fmpq
 
 from gspot_verified import Outcome, Verdict
 from gspot_verified.ledger import appendix_a, asymptotic_errors, cases, hypergeometric, lift_off, section_4_5
-from gspot_verified.ledger.entry import Check, Entry, Kind, all_of, conclude, counts, same_sign
+from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, conclude, counts, same_sign
 from gspot_verified.ledger.verify import exit_code, verify_paper
 from gspot_verified.signs.sign import sign_on_ranges
-from gspot_verified.theta.routes import theta_by
+from gspot_verified.theta_function.routes import theta_by
 
 _PROOFS = Path(__file__).resolve().parents[2] / "proofs"
 REFUTED = {
@@ -44,7 +44,7 @@ def test_every_entry_has_two_routes_and_every_refuted_one_a_corrected_form(entri
             assert sum(check.agrees is False for check in entry.checks) >= 2
         else:
             assert all(check.agrees is True for check in entry.checks)
-            assert any(check.kind.settles for check in entry.checks)
+            assert any(check.rung.settles for check in entry.checks)
 
 
 def test_every_labelled_formula_of_the_appendix_has_an_entry(entries: list[Entry]) -> None:
@@ -60,7 +60,7 @@ def test_every_proof_page_that_is_named_exists(entries: list[Entry]) -> None:
         for check in entry.checks:
             for page in re.findall(r"proofs/(\w+\.md)", check.what):
                 assert (_PROOFS / page).is_file(), page
-            if check.kind is Kind.PROOF:
+            if check.rung is Rung.PAGE:
                 assert "proofs/" in check.what or "S-" in check.what
 
 
@@ -159,19 +159,19 @@ def test_asymptotic_errors_answer_false_when_certain(monkeypatch: pytest.MonkeyP
 @pytest.mark.parametrize(
     ("answers", "outcome"),
     [
-        ([(Kind.PROOF, True), (Kind.POINTS, True)], Outcome.PROVED),
-        ([(Kind.EXACT, True), (Kind.BALLS, True)], Outcome.PROVED),
-        ([(Kind.PROOF, True)], Outcome.UNDECIDED),
-        ([(Kind.POINTS, True), (Kind.POINTS, True)], Outcome.UNDECIDED),
-        ([(Kind.PROOF, True), (Kind.POINTS, None)], Outcome.UNDECIDED),
-        ([(Kind.PROOF, True), (Kind.POINTS, False)], Outcome.UNDECIDED),
-        ([(Kind.EXACT, False), (Kind.BALLS, False)], Outcome.REFUTED),
-        ([(Kind.EXACT, False), (Kind.BALLS, None)], Outcome.UNDECIDED),
+        ([(Rung.PAGE, True), (Rung.POINTS, True)], Outcome.PROVED),
+        ([(Rung.EXACT, True), (Rung.BALLS, True)], Outcome.PROVED),
+        ([(Rung.PAGE, True)], Outcome.UNDECIDED),
+        ([(Rung.POINTS, True), (Rung.POINTS, True)], Outcome.UNDECIDED),
+        ([(Rung.PAGE, True), (Rung.POINTS, None)], Outcome.UNDECIDED),
+        ([(Rung.PAGE, True), (Rung.POINTS, False)], Outcome.UNDECIDED),
+        ([(Rung.EXACT, False), (Rung.BALLS, False)], Outcome.REFUTED),
+        ([(Rung.EXACT, False), (Rung.BALLS, None)], Outcome.UNDECIDED),
         ([], Outcome.UNDECIDED),
     ],
 )
-def test_conclusions(answers: list[tuple[Kind, bool | None]], outcome: Outcome) -> None:
-    checks = [Check(kind, "a check", agrees, "a finding") for kind, agrees in answers]
+def test_conclusions(answers: list[tuple[Rung, bool | None]], outcome: Outcome) -> None:
+    checks = [Check(rung, "a check", agrees, "a finding") for rung, agrees in answers]
     assert conclude("a statement", checks).outcome is outcome
 
 

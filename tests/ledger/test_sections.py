@@ -28,7 +28,7 @@ from gspot_verified.ledger import (
     section_5_recursion,
     section_5_spaces,
 )
-from gspot_verified.ledger.entry import Entry, Kind
+from gspot_verified.ledger.entry import Entry, Rung
 from gspot_verified.ledger.identities import Algebra, Claim, readable, rising_signs
 from gspot_verified.ledger.verify import PARTS
 
@@ -114,7 +114,7 @@ def test_two_exact_failures_for_every_refutation(entries: dict[str, Entry]) -> N
     for identifier in REFUTED:
         failures = [c for c in entries[identifier].checks if c.agrees is False]
         assert len(failures) >= 2
-        assert all(c.kind is Kind.EXACT and c.finding for c in failures)
+        assert all(c.rung is Rung.EXACT and c.finding for c in failures)
 
 
 def test_labels_are_covered(entries: dict[str, Entry]) -> None:

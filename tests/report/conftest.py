@@ -3,7 +3,7 @@
 import pytest
 
 from gspot_verified.dyadic import Dyadic
-from gspot_verified.ledger.entry import Check, Entry, Kind, conclude
+from gspot_verified.ledger.entry import Check, Entry, Rung, conclude
 from gspot_verified.report.figures import pictures as draw
 from gspot_verified.verdict import Reason, Verdict
 
@@ -15,8 +15,8 @@ def pictures():
 
 @pytest.fixture(scope="session")
 def entries():
-    good = (Check(Kind.PROOF, "a page", True, "found <b>it</b>"), Check(Kind.POINTS, "40 points", True))
-    bad = (Check(Kind.EXACT, "at beta = 3/2", False, "4 > 0"), Check(Kind.BALLS, "on (1, 2)", False, "all > 0"))
+    good = (Check(Rung.PAGE, "a page", True, "found <b>it</b>"), Check(Rung.POINTS, "40 points", True))
+    bad = (Check(Rung.EXACT, "at beta = 3/2", False, "4 > 0"), Check(Rung.BALLS, "on (1, 2)", False, "all > 0"))
     return (
         Entry("t01", "eq:t01", "Appendix A", r"\Theta(0)", "value <at> 0 & 'more'", good, conclude("t", good)),
         Entry(
@@ -25,7 +25,7 @@ def entries():
         ),
         Entry(
             "rate", "line 1302", "Section 4.5", r"\log(\eps)", "the rate",
-            (Check(Kind.POINTS, "ten points", None),),
+            (Check(Rung.POINTS, "ten points", None),),
             Verdict.undecided("r", Reason.BUDGET, "still falling", tuple((Dyadic(k, k + 1),) for k in range(7))),
         ),
         Entry(

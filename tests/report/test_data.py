@@ -38,9 +38,9 @@ def set_in(report, path, value):
 @pytest.mark.parametrize(
     ("path", "value", "message"),
     [
-        (["schema"], 2, "reads schema 1"),
-        (["schema"], True, "reads schema 1"),
-        (["schema"], "1", "reads schema 1"),
+        (["schema"], 1, "reads schema 2"),
+        (["schema"], True, "reads schema 2"),
+        (["schema"], "1", "reads schema 2"),
         (["counts"], {"proved": 3, "refuted": 1, "undecided": 0}, "its entries give"),
         (["counts"], {"proved": True, "refuted": 1, "undecided": 2}, "its entries give"),
         (["counts"], None, "counts: expected an object"),
@@ -52,7 +52,7 @@ def set_in(report, path, value):
         (["entries", 2, "verdict", "remaining"], [[1]], "expected lists of texts"),
         (["entries", 1, "verdict", "witness"], None, "expected text under 'witness'"),
         (["entries", 0, "verdict"], {"outcome": "proved", "statement": "", "detail": ""}, "'witness' is missing"),
-        (["entries", 0, "checks", 0, "kind"], "guess", r"checks\[0\].kind: expected one of"),
+        (["entries", 0, "checks", 0, "rung"], "guess", r"checks\[0\].rung: expected one of"),
         (["entries", 0, "checks", 0, "agrees"], "yes", "expected true, false or null"),
         (["entries", 1, "identifier"], "t01", "occurs 2 times"),
         (["figures", 0, "svg"], 1, r"figures\[0\]: expected text under 'svg'"),

@@ -160,9 +160,9 @@ def test_json_round_trip_renders_the_same_page(written, tmp_path, page):
         (b"", "report.json: Expecting value"),
         (b"{", "report.json: "),
         (b"[]", "report.json: report: expected an object, got list"),
-        (b'{"schema": 7}', "reads schema 1, the file has schema 7"),
+        (b'{"schema": 7}', "reads schema 2, the file has schema 7"),
         (b"\xff\xfe", "report.json: 'utf-8'"),
-        (b'{"schema": 1}', "expected a list under 'entries'"),
+        (b'{"schema": 2}', "expected a list under 'entries'"),
         (b"[" * 200_000, "report.json: nested too deeply"),
     ],
 )

@@ -8,7 +8,7 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified.signs.column_models import ColumnModels
-from gspot_verified.theta.evaluate import evaluate
+from gspot_verified.theta_function.evaluate import evaluate
 
 LOWER, UPPER = fmpq(-1, 4), fmpq(1, 4)
 

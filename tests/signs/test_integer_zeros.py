@@ -8,7 +8,7 @@ from flint import fmpq
 from gspot_verified.signs.brackets import zeros_at
 from gspot_verified.signs.count_law import number_of_zeros
 from gspot_verified.signs.integer_zeros import zeros_at_integer
-from gspot_verified.theta.integer import polynomial
+from gspot_verified.theta_function.integer import polynomial
 
 
 @pytest.mark.parametrize("beta", [*range(1, 16), 30, 61])

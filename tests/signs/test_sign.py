@@ -18,7 +18,7 @@ from gspot_verified.certificates.text import write_certificate
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.sign import SignResult, sign_on_ranges
 from gspot_verified.signs.witness import find_witness, sign_at
-from gspot_verified.theta.evaluate import evaluate
+from gspot_verified.theta_function.evaluate import evaluate
 from gspot_verified.verdict import Outcome, Reason
 
 CHECKER = Path(__file__).resolve().parents[2] / "proofs" / "check.py"

@@ -12,7 +12,7 @@ from piece_samples import sign_of_f
 from strategies import to_fmpq
 
 from gspot_verified.signs.tails import changes_of_sign, left_holds, left_threshold, right_changes
-from gspot_verified.theta.parameter_series import parameter_series
+from gspot_verified.theta_function.parameter_series import parameter_series
 
 
 @st.composite

@@ -21,7 +21,7 @@ from gspot_verified.certificates.text import certificate_text, write_certificate
 from gspot_verified.signs import count_law
 from gspot_verified.signs.brackets import Brackets, UndecidedError, decimal_text, zeros_at
 from gspot_verified.signs.zeros import ZerosResult, zeros_on_range
-from gspot_verified.theta.evaluate import evaluate
+from gspot_verified.theta_function.evaluate import evaluate
 
 PROOFS = Path(__file__).resolve().parents[2] / "proofs"
 

@@ -1,0 +1,76 @@
+"""Theta, dTheta/dtau and d^2Theta/dtau^2 at tau = 0, for every real beta.
+
+Proof page: ``proofs/initial_values.md``.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from flint import arb, fmpq
+
+from gspot_verified.balls import Exact, ball, working_bits
+from gspot_verified.theta_function.reciprocal_gamma import reciprocal_gamma
+from gspot_verified.theta_function.reduced_gamma import pays, power_of_three, reduced_initial_values
+
+InitialValues = tuple[arb, arb, arb]
+
+_HALF = fmpq(1, 2)
+_TWO_THIRDS = fmpq(2, 3)
+_REDUCED_FROM_BITS = 2_000
+
+
+def initial_values(beta: Exact, bits: int) -> InitialValues:
+    """Enclosures of Theta(0), Theta'(0), Theta''(0) with working precision ``bits``, finite for every real beta.
+
+    The entire form: with c = 2 pi 3^(2 beta/3 - 1/2),
+
+        Theta(0)   = c         / (Gamma((1-beta)/3) Gamma((2-beta)/3))
+        Theta'(0)  = c 3^(1/3) / (Gamma( -beta /3) Gamma((2-beta)/3))
+        Theta''(0) = c 3^(2/3) / (Gamma( -beta /3) Gamma((1-beta)/3))
+
+    It is the paper's t01-t03 with Gauss's multiplication formula (DLMF 5.5.6) put in, so that nothing is 0/0.
+    A ball for beta may hold integers.
+
+    >>> value, slope, curvature = initial_values(fmpq(3), 64)
+    >>> value.overlaps(arb(2)), slope.is_zero(), curvature.is_zero()
+    (True, True, True)
+    """
+    return _cached(beta, bits) if isinstance(beta, fmpq) else _entire_form(beta, bits)
+
+
+@lru_cache(maxsize=64)
+def _cached(beta: fmpq, bits: int) -> InitialValues:
+    if bits > _REDUCED_FROM_BITS and pays(beta):
+        with working_bits(bits):
+            return reduced_initial_values(beta, bits)
+    return _entire_form(beta, bits)
+
+
+def _entire_form(beta: Exact, bits: int) -> InitialValues:
+    with working_bits(bits):
+        first, second, third = (reciprocal_gamma((j - beta) / 3, bits) for j in range(3))
+        cube_root = arb(3).root(3)
+        constant = 2 * arb.pi() * _power_of_three(beta * _TWO_THIRDS - _HALF, bits)
+        outer = constant * third
+        inner = cube_root * first
+        return outer * second, outer * inner, constant * cube_root * inner * second
+
+
+def _power_of_three(exponent: Exact, bits: int) -> arb:
+    if bits > _REDUCED_FROM_BITS and isinstance(exponent, fmpq) and abs(exponent) <= 10_000:
+        return power_of_three(exponent)
+    return (ball(exponent) * arb(3).log()).exp()
+
+
+def paper_initial_values(beta: Exact, bits: int) -> InitialValues:
+    """The paper's own formulas t01, t02, t03: Gamma((j-beta)/3) / (3^((3-j+beta)/3) Gamma(-beta)).
+
+    Defined away from beta = 0, 1, 2, ... and, for t01-t03 one each, away from beta = j, j + 3, j + 6, ...; where one
+    is not defined (or the ball holds such a point) the result is not finite.
+    """
+    with working_bits(bits):
+        center = ball(beta)
+        outer = (-center).rgamma()
+        values = [((j - center) / 3).gamma() * outer / arb(3) ** ((3 - j + center) / 3) for j in range(3)]
+        return values[0], values[1], values[2]

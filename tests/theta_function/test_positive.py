@@ -1,0 +1,60 @@
+"""The saddle point at plus infinity with its explicit remainder."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+from flint import arb, fmpq
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from strategies import near_integers, small_heights, to_fmpq
+from witness import contains_witness, theta_witness
+
+from gspot_verified.balls import relative_bits
+from gspot_verified.theta_function.integer import polynomial_value
+from gspot_verified.theta_function.positive import SaddlePlan, positive_sum
+
+_BETAS = st.one_of(small_heights(), near_integers(12)).filter(lambda b: abs(b) <= 20)
+
+
+_DISCS = st.integers(5, 80).map(lambda n: fmpq(n, 100))
+
+
+@given(st.integers(9, 40), _BETAS, st.integers(1, 25), _DISCS, st.integers(1, 100))
+def test_saddle_point_contains_the_witness(tau: int, beta: Fraction, terms: int, disc: fmpq, share: int) -> None:
+    plan = SaddlePlan(terms, disc, min(1 - disc, fmpq(9, 20)), fmpq(share, 101))
+    value = positive_sum(fmpq(tau), to_fmpq(beta), plan, 400)
+    assume(value.is_finite())
+    assert contains_witness(value, theta_witness(Fraction(tau), beta), 58)
+
+
+@pytest.mark.parametrize(
+    "plan",
+    [
+        SaddlePlan(0, fmpq(1, 2), fmpq(1, 4)),
+        SaddlePlan(5, fmpq(1), fmpq(1, 4)),
+        SaddlePlan(5, fmpq(1, 2), fmpq(3, 5)),
+        SaddlePlan(5, fmpq(1, 2), fmpq(0)),
+        SaddlePlan(5, fmpq(1, 2), fmpq(1, 4), fmpq(1)),
+        SaddlePlan(500, fmpq(1, 2), fmpq(1, 4)),  # lambda sigma^2 < 2N
+        SaddlePlan(5, fmpq(-1, 2), fmpq(1, 4)),
+    ],
+)
+def test_saddle_point_refuses_a_plan_outside_its_hypotheses(plan: SaddlePlan) -> None:
+    assert not positive_sum(fmpq(20), fmpq(1, 2), plan, 100).is_finite()
+
+
+def test_saddle_point_wants_tau_certainly_positive() -> None:
+    plan = SaddlePlan(3, fmpq(1, 2), fmpq(1, 4))
+    assert not positive_sum(arb(1, 2), fmpq(1, 2), plan, 100).is_finite()
+    assert not positive_sum(fmpq(-20), fmpq(1, 2), plan, 100).is_finite()
+    # beta so negative that 2 lambda sigma > -beta - 1 fails
+    assert not positive_sum(fmpq(9), fmpq(-1000), plan, 100).is_finite()
+
+
+@given(st.integers(10, 30), st.integers(0, 10))
+def test_saddle_point_at_integers_is_the_polynomial(tau: int, n: int) -> None:
+    value = positive_sum(fmpq(tau), fmpq(n), SaddlePlan(3, fmpq(1, 2), fmpq(1, 4)), 200)
+    assert relative_bits(value) > 150
+    assert value.overlaps(arb(polynomial_value(fmpq(tau), n)))
