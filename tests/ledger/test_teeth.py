@@ -1,0 +1,158 @@
+"""Every entry of the ledger notices a wrong formula: its verdict changes when the checked formula does."""
+
+from __future__ import annotations
+
+import importlib
+import inspect
+import sys
+from collections.abc import Callable, Iterator
+from functools import cache, lru_cache
+from pathlib import Path
+from types import ModuleType, SimpleNamespace
+
+import pytest
+from ledger.bite import KINDS, Bite, NotApplicable, Teeth, missing_kinds, raised, replaced, scaled, unseen_at
+
+from gspot_verified.ledger.entry import Check, Entry, Rung, settled
+from gspot_verified.ledger.verify import PARTS
+from gspot_verified.verdict import Outcome
+
+_FOLDER = Path(__file__).with_name("teeth")
+TABLES = sorted(path.stem for path in _FOLDER.glob("*.py"))
+PENDING = {
+    "appendix_a",
+    "cases",
+    "example",
+    "lagrangian",
+    "section_4_5",
+    "section_4_fast",
+    "section_4_inner",
+    "section_4_matching",
+    "section_4_outer",
+    "section_5_matching",
+    "section_5_outer",
+    "section_5_recursion",
+    "section_5_spaces",
+    "section_6",
+}
+"""Modules of the ledger whose table is not complete yet."""
+
+
+def table(name: str) -> ModuleType:
+    return importlib.import_module(f"ledger.teeth.{name}")
+
+
+def outcomes(entries: Callable[[], list[Entry]]) -> dict[str, Outcome]:
+    return {entry.identifier: entry.verdict.outcome for entry in entries()}
+
+
+@cache
+def honest_outcomes(name: str) -> dict[str, Outcome]:
+    return outcomes(table(name).ENTRIES)
+
+
+def bites() -> Iterator[tuple[str, str, Bite]]:
+    for name in TABLES:
+        for identifier, teeth in table(name).TEETH.items():
+            yield from ((name, identifier, tooth) for tooth in teeth if isinstance(tooth, Bite))
+
+
+def forget() -> None:
+    """Empty the caches of the library: a value from before the bite must not answer for the one after it."""
+    for name, module in list(sys.modules.items()):
+        if name.startswith("gspot_verified.") and module is not None:
+            for value in list(vars(module).values()):
+                if isinstance(value, type(lru_cache(len))):
+                    value.cache_clear()
+
+
+def outcome_after(bite: Bite, entries: Callable[[], list[Entry]], identifier: str) -> Outcome:
+    """The outcome of one entry with the wrong formula in place; an exception is passed on."""
+    forget()
+    try:
+        with pytest.MonkeyPatch.context() as patch:
+            bite.apply(patch)
+            return outcomes(entries)[identifier]
+    finally:
+        forget()
+
+
+@pytest.mark.parametrize(
+    ("name", "identifier", "bite"),
+    [pytest.param(*row, id=f"{row[1]}: {row[2].kind}, {row[2].name}") for row in bites()],
+)
+def test_a_wrong_formula_changes_the_verdict(name: str, identifier: str, bite: Bite) -> None:
+    honest = honest_outcomes(name)[identifier]
+    assert outcome_after(bite, table(name).ENTRIES, identifier) is not honest
+
+
+@pytest.mark.parametrize("name", [name for name in TABLES if name not in PENDING])
+def test_the_table_of_a_module_is_complete(name: str) -> None:
+    teeth: Teeth = table(name).TEETH
+    assert set(teeth) == set(honest_outcomes(name))
+    assert {identifier: missing_kinds(row) for identifier, row in teeth.items() if missing_kinds(row)} == {}
+
+
+def test_every_module_of_the_ledger_has_a_table_or_is_pending() -> None:
+    modules = {module.__name__.rpartition(".")[2] for part in PARTS.values() if (module := inspect.getmodule(part))}
+    assert set(TABLES) <= modules
+    assert modules - PENDING <= set(TABLES)
+    assert modules >= PENDING
+
+
+def test_every_entry_of_a_module_is_in_its_table() -> None:
+    for name in (name for name in TABLES if name not in PENDING):
+        parts = [part for part in PARTS.values() if part.__module__.rpartition(".")[2] == name]
+        assert {identifier for part in parts for identifier in outcomes(part)} == set(table(name).TEETH)
+
+
+def _toy(what: SimpleNamespace) -> list[Entry]:
+    agrees = what.formula == "2*x"
+    checks = [Check(Rung.EXACT, "a", agrees, "f"), Check(Rung.EXACT, "b", agrees if what.looks else True, "f")]
+    return [settled("Section", "toy", "eq", "2x", "toy", *checks)]
+
+
+def test_a_bite_that_goes_unnoticed_is_found() -> None:
+    what = SimpleNamespace(formula="2*x", looks=True)
+    entries = lambda: _toy(what)  # noqa: E731
+    assert outcomes(entries)["toy"] is Outcome.PROVED
+    assert outcome_after(Bite("factor", what, "formula", scaled), entries, "toy") is Outcome.REFUTED
+    assert outcome_after(Bite("factor", what, "formula", lambda honest: honest), entries, "toy") is Outcome.PROVED
+    what.looks = False
+    assert outcome_after(Bite("factor", what, "formula", scaled), entries, "toy") is Outcome.UNDECIDED
+    assert what.formula == "2*x"
+    with pytest.raises(AttributeError):
+        outcome_after(Bite("factor", what, "no such name", scaled), entries, "toy")
+
+
+def test_a_cached_value_does_not_answer_for_a_wrong_formula(monkeypatch: pytest.MonkeyPatch) -> None:
+    from gspot_verified.ledger import extended_system
+
+    calls = []
+    counted = lru_cache(lambda: calls.append(1))
+    monkeypatch.setattr(extended_system, "extended_terms", counted)
+    for _ in range(2):
+        extended_system.extended_terms()  # type: ignore[call-arg]
+        forget()
+    assert len(calls) == 2
+
+
+def test_an_empty_argument_is_no_argument() -> None:
+    assert missing_kinds(()) == list(KINDS)
+    assert "order" in missing_kinds((NotApplicable("order", " "),))
+    assert "order" not in missing_kinds((NotApplicable("order", "no orders occur"),))
+
+
+def test_changes_of_texts_and_numbers() -> None:
+    from flint import fmpq
+
+    assert scaled("a+b") == "1000003/1000000*(a+b)"
+    assert scaled({"x": (fmpq(2), [fmpq(1)])}) == {"x": (fmpq(1000003, 500000), [fmpq(1000003, 1000000)])}
+    assert scaled(lambda x: x + 1)(fmpq(1)) == fmpq(1000003, 500000)
+    assert unseen_at("t", (1,))("a") == "(1 + (t-(1)))*(a)"
+    assert raised("t")("a+b") == "t*(a+b)"
+    with pytest.raises(ValueError, match="does not occur"):
+        replaced("x", "y")("a")
+    for wrong in (True, None):
+        with pytest.raises(TypeError, match="means nothing"):
+            scaled(wrong)
