@@ -22,7 +22,7 @@ Settings = Annotated[
 
 @app.command(epilog="Example: gspot-verified classify oscillator --set beta=5/2")
 def classify(name: MechanismName, settings: Settings = None, as_json: JsonFlag = False) -> None:
-    """A mechanism's G-spot: alpha_i, β, Case I, II or III, and which side lifts off.
+    """A mechanism's G-spot: alpha_i, β, Case I, II or III, and in Case III which side lifts off.
 
     Exit code 2 when the balls of a point that is not rational leave the case open.
     """

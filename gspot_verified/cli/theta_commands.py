@@ -43,7 +43,7 @@ def side(
     upper: Annotated[str | None, typer.Argument(help="Upper end; left out: the single value.")] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Certified sign of Γ(−β) over a range of β, and which sign of C1 lifts off there."""
+    """Certified sign of Γ(−β) over a range of β, and which sign of C1 lifts off (Case III) or takes an IWC."""
     from gspot_verified.signs.side import side_switching
 
     result = side_switching(lower, lower if upper is None else upper)

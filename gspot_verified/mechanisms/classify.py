@@ -14,7 +14,7 @@ from flint import fmpq
 from gspot_verified.balls import Exact, ball_text, sign_of, working_bits
 from gspot_verified.mechanisms.g_spot import DEFAULT_BITS, GSpot, find_g_spot
 from gspot_verified.mechanisms.mechanism import Mechanism
-from gspot_verified.signs.side import MAX_BETA, gamma_sign
+from gspot_verified.signs.side import MAX_BETA, gamma_sign, side_text
 
 _CASES = {"I": "alpha_2 < 0, alpha_1 < alpha_3 < 0", "II": "alpha_2 > 0, alpha_1 < alpha_3 < 0"}
 _CASES["III"] = "alpha_2 < 0, alpha_3 < alpha_1 < 0"
@@ -26,8 +26,9 @@ class Classification:
 
     ``case`` is "I", "II", "III", "none", or None when the balls leave it open; ``reason`` says why. ``beta``,
     ``mean_force`` are None where they do not exist (or may not). ``lift_off_sign`` is the sign of C_1 that lifts off,
-    None where the side rule says nothing. ``integer_beta`` is the integer that beta is or may be, at whose order
-    2 (beta - 1) of delta there is no unique expansion. ``slip_velocity`` is u at the G-spot.
+    None except in Case III; ``impact_sign`` the one that takes an impact without collision, None in no Case.
+    ``integer_beta`` is the integer that beta is or may be, at whose order 2 (beta - 1) of delta there is no unique
+    expansion. ``slip_velocity`` is u at the G-spot.
     """
 
     name: str
@@ -41,6 +42,7 @@ class Classification:
     case: str | None
     reason: str
     lift_off_sign: int | None
+    impact_sign: int | None
     integer_beta: int | None
     slip_velocity: Exact
     fixed: tuple[str, ...] = ()
@@ -49,6 +51,25 @@ class Classification:
     def obstructed_order(self) -> int | None:
         """The order of delta at which an integer beta stops the expansion (beta = 1, 2, ...)."""
         return 2 * (self.integer_beta - 1) if self.integer_beta else None
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What makes a motion through this G-spot impossible, or not certainly possible, as the paper means it."""
+        found = []
+        if self.mean_force is not None and sign_of_exact(self.mean_force) in (-1, None):
+            may = "is" if sign_of_exact(self.mean_force) == -1 else "may be"
+            found.append(
+                f"the mean force {may} tensile (negative): the distinguished trajectory would have to pull on the "
+                "surface, no contact does that"
+            )
+        slip = sign_of_exact(self.slip_velocity)
+        if slip != 1:
+            velocity = {-1: "u < 0", 0: "u = 0", None: "u is not certainly positive"}[slip]
+            found.append(
+                f"{velocity} at the G-spot: no positive slip on a surface at rest; "
+                "the paper's theory applies only on a surface that moves with a velocity below u"
+            )
+        return tuple(found)
 
     def __str__(self) -> str:
         case = "undecided" if self.case is None else f"Case {self.case}" if self.case != "none" else "no Case"
@@ -61,9 +82,9 @@ class Classification:
             lines.append(f"  beta = alpha_3/alpha_1 = {_text(self.beta)}")
         if self.mean_force is not None:
             lines.append(f"  mean force alpha_2/(alpha_3 - alpha_1) = {_text(self.mean_force)}")
-        if self.lift_off_sign is not None:
-            lift, impact = ("> 0", "< 0") if self.lift_off_sign > 0 else ("< 0", "> 0")
-            lines.append(f"  C_1 {lift} lifts off, C_1 {impact} takes an impact without collision")
+        lines.append(f"  slip velocity u = {_text(self.slip_velocity)}")
+        if self.impact_sign is not None:
+            lines.append(f"  {side_text(self.lift_off_sign, self.impact_sign)}")
         if self.integer_beta:
             lines.append(
                 f"  beta is, or may be, the integer {self.integer_beta}: no unique expansion, obstructed at order "
@@ -71,10 +92,7 @@ class Classification:
             )
         if self.fixed:
             lines.append(f"  fixed components (conditions J): {', '.join(self.fixed)}")
-        if sign_of_exact(self.slip_velocity) != 1:
-            lines.append(
-                f"  u = {_text(self.slip_velocity)} at the G-spot: positive slip needs a surface that moves slower"
-            )
+        lines += [f"  warning: {warning}" for warning in self.warnings]
         return "\n".join(lines)
 
     def to_json(self) -> dict[str, Any]:
@@ -88,6 +106,8 @@ class Classification:
             "case": self.case,
             "reason": self.reason,
             "lift_off_sign_of_C1": self.lift_off_sign,
+            "impact_sign_of_C1": self.impact_sign,
+            "warnings": list(self.warnings),
             "integer_beta": self.integer_beta,
             "obstructed_order": self.obstructed_order,
             "fixed": list(self.fixed),
@@ -107,7 +127,8 @@ def classify(mechanism: Mechanism, bits: int = DEFAULT_BITS) -> Classification:
       alpha_1 = -55/12, alpha_2 = 4/5, alpha_3 = -3/2
       beta = alpha_3/alpha_1 = 18/55
       mean force alpha_2/(alpha_3 - alpha_1) = 48/185
-      C_1 > 0 lifts off, C_1 < 0 takes an impact without collision
+      slip velocity u = 7/5
+      Cases I and II: only C1 < 0 occurs, it takes an IWC
       fixed components (conditions J): X, X_dot
     """
     return classify_g_spot(find_g_spot(mechanism, bits))
@@ -124,12 +145,10 @@ def classify_g_spot(spot: GSpot) -> Classification:
         force = second / (third - first) if sign_of_exact(third - first) in (1, -1) else None
         approached = not {sign_of_exact(first), sign_of_exact(third)} & {0, 1}
         integer = _integer_in(beta) if approached else None
-        side = None
-        if sign_of_exact(first) == -1 and beta is not None and sign_of_exact(beta) == 1 and abs(beta) <= MAX_BETA:
-            side = gamma_sign(beta)
+        lift_off, impact = _sides(case, beta)
         return Classification(
             system.name, tuple(spot.values().items()), spot.exact, first, second, third, beta, force, case, reason,
-            -side if side else None, integer, slip, spot.fixed,
+            lift_off, impact, integer, slip, spot.fixed,
         )  # fmt: skip
 
 
@@ -157,6 +176,16 @@ def _case(first: Exact, second: Exact, third: Exact) -> tuple[str | None, str]:
     if case is None:
         return "none", "trajectories do not approach in the three ways: alpha_2 > 0 and alpha_3 < alpha_1"
     return case, _CASES[case]
+
+
+def _sides(case: str | None, beta: Exact | None) -> tuple[int | None, int | None]:
+    """The signs of C_1 that lift off and that take an impact; None where the theory gives none (integer beta too)."""
+    if case in ("I", "II"):
+        return None, -1
+    if case != "III" or beta is None or not beta <= MAX_BETA:
+        return None, None
+    sign = gamma_sign(beta)
+    return (-sign, sign) if sign else (None, None)
 
 
 def _integer_in(beta: Exact | None) -> int | None:

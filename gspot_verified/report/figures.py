@@ -151,8 +151,8 @@ def sides_picture() -> Picture:
     for interval in switching.intervals:
         middle = float(interval.lower + interval.upper) / 2
         colour = GREEN if interval.sign > 0 else VERMILION
-        text = "C₁ < 0" if interval.lift_off_sign < 0 else "C₁ > 0"
-        if interval.lower >= 1:
+        if interval.lift_off_sign is not None:
+            text = "C₁ < 0" if interval.lift_off_sign < 0 else "C₁ > 0"
             lower.axvspan(float(interval.lower), float(interval.upper), color=colour, alpha=0.25, linewidth=0)
             lower.text(middle, 0.5, text, ha="center", va="center", color=INK)
         else:

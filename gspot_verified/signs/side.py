@@ -1,6 +1,8 @@
-"""The sign of Gamma(-beta) over a range of beta, and which side of the canard lifts off there.
+"""The sign of Gamma(-beta) over a range of beta, and which side of the canard lifts off.
 
-Paper, Sec. 4.5: lift-off where C_1/Γ(-β) < 0, an impact without collision (IWC) where it is positive.
+Paper, Sec. 4.5. β > 1 (Case III): lift-off where C_1/Γ(-β) < 0, an impact without collision (IWC) where it is
+positive. 0 < β < 1 (Cases I and II): every trajectory that reaches the G-spot in contact has C_1 < 0 and takes an
+IWC (or C_1 = 0, the trivial solution, in Case II). β < 0 is in no Case: no side.
 Proof page: ``proofs/side_switching.md``.
 """
 
@@ -34,17 +36,21 @@ class SignInterval:
     sign: int
 
     @property
-    def lift_off_sign(self) -> int:
-        """The sign of C_1 for which the contact lifts off; the other sign takes an IWC."""
-        return -self.sign
+    def lift_off_sign(self) -> int | None:
+        """The sign of C_1 that lifts off in Case III; None unless beta > 1 on the interval."""
+        return -self.sign if self.lower >= 1 else None
+
+    @property
+    def impact_sign(self) -> int | None:
+        """The sign of C_1 that takes an IWC; -1, the only one that occurs, for 0 < beta < 1; None for beta < 0."""
+        return self.sign if self.lower >= 0 else None
 
     def __str__(self) -> str:
         left, right = "[" if self.lower_closed else "(", "]" if self.upper_closed else ")"
         sign = "> 0" if self.sign > 0 else "< 0"
-        lift_off = "C1 > 0" if self.lift_off_sign > 0 else "C1 < 0"
-        impact = "C1 < 0" if self.lift_off_sign > 0 else "C1 > 0"
-        text = f"{left}{self.lower}, {self.upper}{right}: Γ(-β) {sign}"
-        return text + (f"; {lift_off} lifts off, {impact} takes an IWC" if self.upper > 0 else "")
+        return (
+            f"{left}{self.lower}, {self.upper}{right}: Γ(-β) {sign}; {side_text(self.lift_off_sign, self.impact_sign)}"
+        )
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for ``json.dumps``; exact fractions as text."""
@@ -54,7 +60,8 @@ class SignInterval:
             "lower_closed": self.lower_closed,
             "upper_closed": self.upper_closed,
             "sign": self.sign,
-            "lift_off_sign_of_C1": self.lift_off_sign if self.upper > 0 else None,
+            "lift_off_sign_of_C1": self.lift_off_sign,
+            "impact_sign_of_C1": self.impact_sign,
         }
 
 
@@ -62,7 +69,7 @@ class SignInterval:
 class SideSwitching:
     """The answer of :func:`side_switching`: intervals and integers together cover the range.
 
-    ``integers`` are the poles of Gamma(-beta) in the range, where the side switches (1/Gamma(-beta) = 0).
+    ``integers`` are the poles of Gamma(-beta) in the range (1/Gamma(-beta) = 0 there).
     ``undecided`` holds the poles that lie in the range for some choice of ball endpoints and outside for others.
     """
 
@@ -70,10 +77,19 @@ class SideSwitching:
     integers: tuple[int, ...]
     undecided: tuple[int, ...] = ()
 
+    @property
+    def switches(self) -> tuple[int, ...]:
+        """The integers where the side switches: 2, 3, ... Below 1 only C_1 < 0 occurs, below 0 nothing is said."""
+        return tuple(n for n in self.integers if n >= 2)
+
     def __str__(self) -> str:
         lines = [str(interval) for interval in self.intervals]
-        if self.integers:
-            lines.append("the side switches at β = " + ", ".join(map(str, self.integers)))
+        for text, integers in (
+            ("Γ(-β) has a pole at β = ", self.integers),
+            ("in Case III the side switches at β = ", self.switches),
+        ):
+            if integers:
+                lines.append(text + ", ".join(map(str, integers)))
         if self.undecided:
             lines.append("undecided (an endpoint's ball holds it): β = " + ", ".join(map(str, self.undecided)))
         return "\n".join(lines)
@@ -83,8 +99,19 @@ class SideSwitching:
         return {
             "intervals": [interval.to_json() for interval in self.intervals],
             "integers": list(self.integers),
+            "side_switches_at": list(self.switches),
             "undecided": list(self.undecided),
         }
+
+
+def side_text(lift_off_sign: int | None, impact_sign: int | None) -> str:
+    """What the theory says of the sides, in words; the two signs as in :class:`SignInterval`."""
+    if impact_sign is None:
+        return "no side: the Cases I, II and III have β > 0"
+    if lift_off_sign is None:
+        return "Cases I and II: only C1 < 0 occurs, it takes an IWC"
+    lift_off, impact = (f"C1 {'>' if sign > 0 else '<'} 0" for sign in (lift_off_sign, impact_sign))
+    return f"Case III: {lift_off} lifts off, {impact} takes an IWC"
 
 
 def gamma_sign(beta: ExactInput) -> int | None:
@@ -121,9 +148,10 @@ def side_switching(lower: ExactInput, upper: ExactInput) -> SideSwitching:
     :raises ValueError: not a number, a reversed range, |beta| > 10^6, or more than 10^5 intervals.
 
     >>> print(side_switching("1/2", 2))
-    [1/2, 1): Γ(-β) < 0; C1 > 0 lifts off, C1 < 0 takes an IWC
-    (1, 2): Γ(-β) > 0; C1 < 0 lifts off, C1 > 0 takes an IWC
-    the side switches at β = 1, 2
+    [1/2, 1): Γ(-β) < 0; Cases I and II: only C1 < 0 occurs, it takes an IWC
+    (1, 2): Γ(-β) > 0; Case III: C1 < 0 lifts off, C1 > 0 takes an IWC
+    Γ(-β) has a pole at β = 1, 2
+    in Case III the side switches at β = 2
     """
     first, first_inner = _ends(_checked(lower, "lower"))
     last_inner, last = _ends(_checked(upper, "upper"))

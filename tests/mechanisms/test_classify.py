@@ -55,8 +55,12 @@ def test_cases_of_the_extended_system(alphas: tuple[Any, Any, Any], case: str, r
         assert found.beta == fmpq(beta.numerator, beta.denominator)
     else:
         assert found.beta is None
-    json.dumps(found.to_json())
-    assert str(found)
+    # A side is given in Case III only; in Cases I and II only C_1 < 0 occurs; in no Case nothing is said.
+    assert (found.lift_off_sign, found.impact_sign) == {"III": (-1, 1), "none": (None, None)}.get(case, (None, -1))
+    data = json.loads(json.dumps(found.to_json()))
+    assert (data["lift_off_sign_of_C1"], data["impact_sign_of_C1"]) == (found.lift_off_sign, found.impact_sign)
+    assert ("lifts off" in str(found)) == (case == "III")
+    assert ("IWC" in str(found)) == (case != "none")
 
 
 @pytest.mark.parametrize(
@@ -82,6 +86,34 @@ def test_the_printed_point_of_the_oscillator() -> None:
     assert found.mean_force is not None
     assert found.mean_force > 0
     assert found.slip_velocity == fmpq(-3, 5)
+
+
+def test_a_tensile_mean_force_is_warned_of() -> None:
+    """Paper, Sec. 3.1: in Case I the trivial solution is unphysical; also for beta > 1 with alpha_2 > 0."""
+    for alphas, tensile in (((-1, "-1/2"), True), ((1, "-1/2"), False), ((-1, "-3/2"), False), ((1, "-3/2"), True)):
+        found = classify(shipped_mechanism("extended", alpha_2=alphas[0], alpha_3=alphas[1]))
+        assert found.mean_force is not None
+        assert (found.mean_force < 0) == tensile
+        warned = [warning for warning in found.warnings if "tensile" in warning]
+        assert len(warned) == tensile
+        assert ("tensile" in str(found)) == tensile
+        assert found.to_json()["warnings"] == list(found.warnings)
+
+
+@pytest.mark.parametrize(("u", "words"), [("-1", "u < 0 at"), ("0", "u = 0 at"), ("1/3", None)])
+def test_no_positive_slip_on_a_surface_at_rest_is_warned_of(u: str, words: str | None) -> None:
+    toml = resources.files("gspot_verified.mechanisms").joinpath("data", "extended_system.toml").read_text("utf-8")
+    found = classify(parse_mechanism(toml.replace("\nu = 1\n", f'\nu = "{u}"\n')))
+    assert found.slip_velocity == fmpq(Fraction(u).numerator, Fraction(u).denominator)
+    assert [words] * (words is not None) == [w[: len(words or "")] for w in found.warnings]
+    assert found.to_json()["warnings"] == list(found.warnings)
+    assert ("no positive slip on a surface at rest" in str(found)) == (words is not None)
+
+
+def test_a_slip_velocity_and_a_mean_force_of_unknown_sign_are_warned_of() -> None:
+    found = replace(classify(shipped_mechanism("model")), slip_velocity=arb(0, 1), mean_force=arb(0, 1))
+    assert "may be tensile" in found.warnings[0]
+    assert "not certainly positive" in found.warnings[1]
 
 
 def test_mean_force_is_the_force_of_the_expansion() -> None:

@@ -54,7 +54,10 @@ def test_pieces_cover_the_range_and_alternate(lower: Fraction, width: Fraction) 
             assert gamma_sign_by_ball(middle) == interval.sign
         assert interval.lower_closed == (interval.lower == lower and gamma_sign(lower) != 0)
         assert interval.upper_closed == (interval.upper == upper and gamma_sign(upper) != 0)
-        assert interval.lift_off_sign == -interval.sign
+        # Paper, Sec. 4.5: both signs of C_1 occur for beta > 1 only; for 0 < beta < 1 only C_1 < 0 does.
+        case_iii, some_case = interval.lower >= 1, interval.lower >= 0
+        assert interval.lift_off_sign == (-interval.sign if case_iii else None)
+        assert interval.impact_sign == (interval.sign if case_iii else -1 if some_case else None)
     for first, second in zip(found.intervals, found.intervals[1:], strict=False):
         assert first.upper == second.lower
         if second.upper > 0:
@@ -104,5 +107,9 @@ def test_json() -> None:
     data = side_switching("1/2", 2).to_json()
     assert data["integers"] == [1, 2]
     assert data["intervals"][0] == {
-        "lower": "1/2", "upper": "1", "lower_closed": True, "upper_closed": False, "sign": -1, "lift_off_sign_of_C1": 1,
+        "lower": "1/2", "upper": "1", "lower_closed": True, "upper_closed": False, "sign": -1,
+        "lift_off_sign_of_C1": None, "impact_sign_of_C1": -1,
     }  # fmt: skip
+    assert data["intervals"][1]["lift_off_sign_of_C1"] == -1
+    assert data["intervals"][1]["impact_sign_of_C1"] == 1
+    assert data["side_switches_at"] == [2]

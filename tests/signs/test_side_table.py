@@ -55,20 +55,28 @@ def test_ends_and_signs(lower: str, upper: str, expected: list[tuple[str, str, b
 
 
 def test_words() -> None:
-    assert str(side_switching("-2", "-1")) == "[-2, -1]: Γ(-β) > 0"
-    assert str(side_switching("-1", "0")) == "[-1, 0): Γ(-β) > 0\nthe side switches at β = 0"
+    no_case = "no side: the Cases I, II and III have β > 0"
+    assert str(side_switching("-2", "-1")) == f"[-2, -1]: Γ(-β) > 0; {no_case}"
+    assert str(side_switching("-1", "0")) == f"[-1, 0): Γ(-β) > 0; {no_case}\nΓ(-β) has a pole at β = 0"
     assert str(side_switching("0", "1/2")) == (
-        "(0, 1/2]: Γ(-β) < 0; C1 > 0 lifts off, C1 < 0 takes an IWC\nthe side switches at β = 0"
+        "(0, 1/2]: Γ(-β) < 0; Cases I and II: only C1 < 0 occurs, it takes an IWC\nΓ(-β) has a pole at β = 0"
     )
-    assert str(side_switching("3/2", "7/4")) == "[3/2, 7/4]: Γ(-β) > 0; C1 < 0 lifts off, C1 > 0 takes an IWC"
+    assert str(side_switching("3/2", 3)) == (
+        "[3/2, 2): Γ(-β) > 0; Case III: C1 < 0 lifts off, C1 > 0 takes an IWC\n"
+        "(2, 3): Γ(-β) < 0; Case III: C1 > 0 lifts off, C1 < 0 takes an IWC\n"
+        "Γ(-β) has a pole at β = 2, 3\nin Case III the side switches at β = 2, 3"
+    )
     found = side_switching(arb(1, fmpq(1, 8)), "5/4")
     assert str(found).splitlines()[-1] == "undecided (an endpoint's ball holds it): β = 1"
     assert "switches" not in str(found)
 
 
-def test_lift_off_is_stated_for_positive_beta_only() -> None:
+def test_a_side_is_stated_only_where_the_theory_gives_one() -> None:
     signs = [i["lift_off_sign_of_C1"] for i in side_switching("-1/2", "3/2").to_json()["intervals"]]
-    assert signs == [None, 1, -1]
+    assert signs == [None, None, -1]
+    impacts = [i["impact_sign_of_C1"] for i in side_switching("-1/2", "3/2").to_json()["intervals"]]
+    assert impacts == [None, -1, 1]
+    assert side_switching("-1/2", "3/2").to_json()["side_switches_at"] == []
     assert side_switching("-2", "-1").to_json()["intervals"][0]["lift_off_sign_of_C1"] is None
 
 
