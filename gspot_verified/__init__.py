@@ -2,6 +2,7 @@
 
 from gspot_verified.balls import ball_text
 from gspot_verified.dyadic import Dyadic
+from gspot_verified.mechanisms.expand import expand
 from gspot_verified.signs.brackets import Brackets, zeros_at
 from gspot_verified.signs.count_law import number_of_zeros
 from gspot_verified.signs.iwc import IwcResult, iwc
@@ -36,6 +37,7 @@ __all__ = [
     "coefficient",
     "coefficient_by_inversion",
     "evaluate",
+    "expand",
     "gamma_sign",
     "initial_values",
     "iwc",

@@ -151,3 +151,34 @@ def test_a_picture_that_cannot_be_put_in_place_leaves_nothing(
     place.mkdir()
     assert run(capsys, "expand", "extended", "--order", "4", "--picture", str(place))[0] == 64
     assert [path.name for path in tmp_path.iterdir()] == ["folder"]
+
+
+def test_digits_of_an_expansion_in_balls(capsys: pytest.CaptureFixture[str]) -> None:
+    name = "frictional impact oscillator, all parameters"
+    code, out, _ = run(capsys, "expand", name, "--order", "12", "--digits", "40", "--at", "1,1/10", "--json")
+    assert code == 0
+    exact = json.loads(
+        run(capsys, "expand", "oscillator", "--order", "12", "--digits", "40", "--at", "1,1/10", "--json")[1]
+    )
+    for key, value in json.loads(out).items():
+        assert value[:38] == exact[key][:38]
+
+
+def test_accuracy_that_is_not_reached_is_said_on_stderr_and_by_the_exit_code(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from gspot_verified.expansion import accuracy
+
+    monkeypatch.setattr(accuracy, "certain_bits", lambda _: 7)
+    monkeypatch.setattr("gspot_verified.expansion.trajectory.certain_bits", lambda _: 7)
+    code, out, err = run(capsys, "expand", "frictional impact oscillator, all parameters", "--order", "3")
+    assert code == 2
+    assert "NOT REACHED" in out
+    assert "warning: ACCURACY NOT REACHED" in err
+
+
+def test_expand_warns_of_a_force_that_would_pull(capsys: pytest.CaptureFixture[str]) -> None:
+    code, _, err = run(capsys, "expand", "extended", "--order", "3", "--set", "alpha_3=-1/2")
+    assert code == 0
+    assert "warning: the mean force is negative" in err
+    assert "warning" not in run(capsys, "expand", "extended", "--order", "3")[2]

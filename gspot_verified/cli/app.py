@@ -45,6 +45,11 @@ def print_json(data: Any) -> None:
     typer.echo(json.dumps(data, ensure_ascii=False, indent=2, sort_keys=True))
 
 
+def warn(text: str) -> None:
+    """What the reader of a result must know, on stderr."""
+    typer.echo(f"warning: {text}", err=True)
+
+
 def progress(step: str) -> None:
     """A step of long work, on stderr."""
     typer.echo(f"... {step}", err=True)

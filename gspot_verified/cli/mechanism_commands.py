@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
 
 if TYPE_CHECKING:
     from gspot_verified.mechanisms.mechanism import Mechanism
@@ -44,18 +45,28 @@ def expand(
     settings: Settings = None,
     in_time: Annotated[bool, typer.Option("--in-time", help="As polynomials in t and ε (the Corollary).")] = False,
     at: Annotated[str | None, typer.Option(help='Value at "s,delta" (with --in-time: "t,epsilon"), in balls.')] = None,
+    digits: Annotated[int, typer.Option(help="Accuracy where the G-spot is not rational, and of --at.")] = 15,
     residual: Annotated[str | None, typer.Option(help='Bound on what is left for |s| <= S, δ <= D: "S,D".')] = None,
     latex: Annotated[bool, typer.Option("--latex", help="Print LaTeX.")] = False,
     picture: Annotated[Path | None, typer.Option(help="Truncation error against δ as a PNG file.")] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """The distinguished trajectory of Theorem 1 as an expansion with exact coefficients."""
-    from gspot_verified.mechanisms.distinguished import distinguished_trajectory
+    """The distinguished trajectory of Theorem 1 as an expansion with exact coefficients.
+
+    Coefficients are balls of the asked digits where the G-spot is not rational. Exit code 2 when they are not reached.
+    """
+    from gspot_verified.balls import ball_text
+    from gspot_verified.expansion.accuracy import AccuracyWarning
+    from gspot_verified.mechanisms.expand import expand as expand_mechanism
 
     if latex and (in_time or at is not None):
         raise ValueError("--latex prints the scaled variables: not with --in-time or --at")
     chosen = [*(settings or []), *([] if chi is None else [f"chi={chi}"])]
-    trajectory = distinguished_trajectory(_mechanism(name, chosen), order, _orders)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", AccuracyWarning)  # said below, on stderr and by the exit code
+        trajectory = expand_mechanism(_mechanism(name, chosen), order, digits, _orders)
+    if trajectory.pulls:
+        warn("the mean force is negative: this trajectory would have to pull on the surface, no contact does that")
     data = trajectory.to_json()
     text = trajectory.to_latex() if latex else str(trajectory)
     if in_time:
@@ -63,9 +74,9 @@ def expand(
         data, text = series.to_json(), str(series)
     if at is not None:
         first, second = _pair(at, "--at")
-        values = trajectory.evaluate_in_time(first, second) if in_time else trajectory.evaluate(first, second)
-        data = {key: str(value) for key, value in values.items()}
-        text = "\n".join(f"{key} = {value}" for key, value in values.items())
+        value = trajectory.evaluate_in_time if in_time else trajectory.evaluate
+        data = {key: ball_text(found, digits) for key, found in value(first, second, digits).items()}
+        text = "\n".join(f"{key} = {found}" for key, found in data.items())
     if residual is not None:
         from gspot_verified.expansion.residual import residual_bounds
 
@@ -79,6 +90,9 @@ def expand(
         print_json(data)
     else:
         typer.echo(text)
+    if trajectory.accuracy is not None and not trajectory.accuracy.reached:
+        warn(str(trajectory.accuracy))
+        raise typer.Exit(2)
 
 
 def _orders(done: int, of: int) -> None:

@@ -2,27 +2,33 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from flint import arb, fmpq
 
 from gspot_verified.balls import ExactInput, ball, bits_for_digits, exact, working_bits
-from gspot_verified.dyadic import Dyadic
+from gspot_verified.expansion.accuracy import Accuracy, certain_bits, until_accurate
 from gspot_verified.expansion.recursion import Recursion
 from gspot_verified.expansion.spaces import SpacePolynomial
-from gspot_verified.expansion.symbols import RationalFunction
 from gspot_verified.expansion.system import System
+from gspot_verified.expansion.text import (
+    LATEX,
+    PLAIN,
+    Style,
+    exact_text,
+    joined,
+    latex_name,
+    polynomial_text,
+    times_power,
+)
 from gspot_verified.expansion.time_series import DELTA_FACTORS, Table, TimeSeries
 
 MAX_ORDER = 2000
 _GUARD_BITS = 30
+_BITS_PER_ORDER = 3
 _SCALARS = ("p", "b", "y", "v", "z", "lambda_n")
-
-_GREEK = re.compile(r"\b(alpha|beta|chi|delta|epsilon|kappa|lambda|mu|phi|psi|theta)(?=\b|_)")
-_LONG_EXPONENT = re.compile(r"\^(\d\d+)")
 
 Terms = tuple[SpacePolynomial, ...]
 
@@ -32,6 +38,7 @@ class Trajectory:
     """The terms of orders 0..order-1 of delta of the scaled variables; paper, th:1.
 
     ``p[n]`` is p_n(s), a polynomial in the space that the theorem states; ``xi[i][n]`` is the term of component i.
+    ``accuracy`` says how accurate coefficients in balls are; None where they are exact.
     """
 
     system: System
@@ -43,6 +50,13 @@ class Trajectory:
     v: Terms
     z: Terms
     lambda_n: Terms
+    accuracy: Accuracy | None = None
+
+    @property
+    def pulls(self) -> bool:
+        """Whether the mean force, λ_N at s = 0 and delta = 0, is certainly negative, as no contact force can be."""
+        value = self.lambda_n[0].at_zero()
+        return isinstance(value, fmpq | arb) and bool(value < 0)
 
     def terms(self) -> dict[str, Terms]:
         """All terms by name: xi_1, xi_2, ..., p, b, y, v, z, lambda_n."""
@@ -79,13 +93,13 @@ class Trajectory:
         :raises TypeError: the numbers of the system are symbols.
 
         >>> from gspot_verified.testing import extended_example
-        >>> value = expand(extended_example(chi=1), 8).evaluate(s=1, delta="1/10")
+        >>> value = expand_system(extended_example(chi=1), 8).evaluate(s=1, delta="1/10")
         >>> value["p"]
         [-0.989893000000000 +/- 3e-20]
         """
         place, scale = exact(s, "s"), exact(delta, "delta")
         self._needs_numbers()
-        with working_bits(bits_for_digits(digits) + _GUARD_BITS):
+        with working_bits(self._bits(digits)):
             at, step = (_number(value, self._is_rational) for value in (place, scale))
             return {name: _ball(_horner([t(at) for t in terms], step)) for name, terms in self.terms().items()}
 
@@ -96,9 +110,13 @@ class Trajectory:
         """
         time, small = exact(t, "t"), exact(epsilon, "epsilon")
         self._needs_numbers()
-        with working_bits(bits_for_digits(digits) + _GUARD_BITS):
+        with working_bits(self._bits(digits)):
             at, step = (_number(value, self._is_rational) for value in (time, small))
             return {name: _ball(_bivariate(table, at, step)) for name, table in self.in_time().tables().items()}
+
+    def _bits(self, digits: int) -> int:
+        """Working bits of a value: no fewer than the coefficients have."""
+        return max(bits_for_digits(digits) + _GUARD_BITS, self.accuracy.working_bits if self.accuracy else 0)
 
     def _needs_numbers(self) -> None:
         if not isinstance(self.system.ring.number(0), fmpq | arb):
@@ -110,63 +128,105 @@ class Trajectory:
 
     def __str__(self) -> str:
         lines = [f"{self.system.name}: the scaled variables to the order {self.order} of delta"]
-        lines += [f"  {name} = {self._text(terms, _PLAIN)}" for name, terms in self.terms().items()]
+        lines += [f"  {name} = {self._text(terms, PLAIN)}" for name, terms in self.terms().items()]
+        if self.accuracy is not None:
+            lines.append(f"  {self.accuracy}")
         return "\n".join(lines)
 
     def to_latex(self) -> str:
         r"""An ``align*`` environment with one line for each scaled variable."""
         lines = [
-            rf"  {_latex_name(name)}(s,\delta) &= {self._text(terms, _LATEX)}" for name, terms in self.terms().items()
+            rf"  {latex_name(name)}(s,\delta) &= {self._text(terms, LATEX)}" for name, terms in self.terms().items()
         ]
         return "\\begin{align*}\n" + " \\\\\n".join(lines) + "\n\\end{align*}"
 
-    def _text(self, terms: Terms, style: _Style) -> str:
+    def _text(self, terms: Terms, style: Style) -> str:
         parts = []
         for n, term in enumerate(terms):
             if not term.is_zero():
-                parts.append(_times_power(_polynomial(term.coefficients(), style), style, n))
+                parts.append(times_power(polynomial_text(term.coefficients(), style), style, n))
         parts.append(style.rest.format(style.power(style.delta, self.order)))
-        return _joined(parts)
+        return joined(parts)
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for ``json.dumps``: per variable and order the coefficients of s^0, s^1, ... as exact text."""
         return {
             "system": self.system.name,
             "order": self.order,
+            "accuracy": None if self.accuracy is None else self.accuracy.to_json(),
             "terms": {
-                name: [[_exact_text(value) for value in term.coefficients()] for term in terms]
+                name: [[exact_text(value) for value in term.coefficients()] for term in terms]
                 for name, terms in self.terms().items()
             },
         }
 
 
-def expand(system: System, order: int, progress: Callable[[int, int], None] | None = None) -> Trajectory:
-    """The terms of orders 0..order-1 of the distinguished trajectory; ``progress`` is told (orders done, orders).
+def expand_system(
+    system: System, order: int, digits: int = 15, progress: Callable[[int, int], None] | None = None
+) -> Trajectory:
+    """:func:`gspot_verified.mechanisms.expand.expand` for a system: exact, or balls of the asked digits.
 
-    :raises TypeError: ``order`` is not an int.
-    :raises ValueError: it is not in 1..2000.
+    The numbers of a system in balls are what they are: where they are too wide for ``digits`` the result says so.
+
+    :raises TypeError: ``order`` or ``digits`` is not an int.
+    :raises ValueError: ``order`` is not in 1..2000.
     :raises GSpotError: a hypothesis of Theorem 1 fails at the point.
 
     >>> from gspot_verified.testing import extended_example
-    >>> trajectory = expand(extended_example(chi=1), 7)
+    >>> trajectory = expand_system(extended_example(chi=1), 7)
     >>> print(str(trajectory).splitlines()[7])
       p = -s + s^2 delta^2 + 2 s^3 delta^4 + (3 s^4 - 96 s) delta^6 + O(delta^7)
     >>> trajectory.in_time().z[0, 4]
     6672/5
     """
+    order = checked_order(order)
+    if not isinstance(system, System):
+        raise TypeError(f"system must be a System, got {type(system).__name__}")
+
+    def attempt(bits: int) -> tuple[Trajectory, int | None]:
+        trajectory = terms_of(system, order, bits, progress)
+        return trajectory, certain_bits_of(trajectory)
+
+    found, accuracy = until_accurate(attempt, digits, first_bits(order, digits))
+    return replace(found, accuracy=accuracy)
+
+
+def checked_order(order: int) -> int:
+    """The order, if it is one.
+
+    :raises TypeError: it is not an int.
+    :raises ValueError: it is not in 1..2000.
+    """
     if type(order) is not int:
         raise TypeError(f"order must be an int, got {type(order).__name__}")
     if not 1 <= order <= MAX_ORDER:
         raise ValueError(f"order must lie in 1..{MAX_ORDER}, got {order}")
-    if not isinstance(system, System):
-        raise TypeError(f"system must be a System, got {type(system).__name__}")
-    recursion = Recursion(system)
-    for n in range(order):
-        recursion.advance()
-        if progress is not None:
-            progress(n + 1, order)
-    scalars = {name: tuple(getattr(recursion, name)) for name in _SCALARS}
-    return Trajectory(system, order, tuple(zip(*recursion.xi, strict=True)), **scalars)
+    return order
+
+
+def first_bits(order: int, digits: int) -> int:
+    """Working bits with which ``digits`` are likely to be reached: each order costs about one bit or more."""
+    return bits_for_digits(digits) + _BITS_PER_ORDER * order + 2 * _GUARD_BITS
+
+
+def terms_of(system: System, order: int, bits: int, progress: Callable[[int, int], None] | None = None) -> Trajectory:
+    """The recursion of Theorem 1 run once; in balls with ``bits`` working bits."""
+    with working_bits(bits):
+        recursion = Recursion(system)
+        for n in range(order):
+            recursion.advance()
+            if progress is not None:
+                progress(n + 1, order)
+    p, b, y, v, z, force = (tuple(getattr(recursion, name)) for name in _SCALARS)
+    return Trajectory(system, order, tuple(zip(*recursion.xi, strict=True)), p, b, y, v, z, force)
+
+
+def certain_bits_of(trajectory: Trajectory) -> int | None:
+    """The certain bits of its least accurate coefficient; None where the coefficients are exact."""
+    if not isinstance(trajectory.system.ring.number(0), arb):
+        return None
+    rows = list(trajectory.terms().values())
+    return certain_bits([value for row in rows for value in row[n].coefficients()] for n in range(trajectory.order))
 
 
 def _number(value: Any, keep: bool) -> Any:
@@ -194,86 +254,3 @@ def _bivariate(table: Table, t: Any, epsilon: Any) -> Any:
     for m in range(max(layers, default=-1), -1, -1):
         total = total * epsilon + (_horner(layers[m], t) if m in layers else 0)
     return total
-
-
-def _exact_text(value: Any) -> str:
-    """A rational as p/q; a ball as an exact dyadic interval."""
-    return str(Dyadic.from_ball(value)) if isinstance(value, arb) else str(value)
-
-
-@dataclass(frozen=True)
-class _Style:
-    """How powers and fractions are written."""
-
-    delta: str
-    exponent: str
-    fraction: str
-    rest: str
-
-    def power(self, base: str, exponent: int) -> str:
-        """base^exponent, without an exponent 1."""
-        return base if exponent == 1 else base + self.exponent.format(exponent)
-
-    def number(self, value: Any) -> str:
-        """A rational that is not negative, a ball or a function of symbols."""
-        if isinstance(value, arb):
-            return str(value)
-        if not isinstance(value, fmpq):
-            text = str(value)
-            if self is _LATEX:
-                text = _LONG_EXPONENT.sub(r"^{\1}", _GREEK.sub(r"\\\1", text.replace("*", " ")))
-            return f"({text})" if " " in str(value) or "/(" in text else text
-        return str(value.p) if value.q == 1 else self.fraction.format(value.p, value.q)
-
-
-_PLAIN = _Style("delta", "^{}", "{}/{}", "O({})")
-_LATEX = _Style(r"\delta", "^{{{}}}", r"\frac{{{}}}{{{}}}", r"\mathcal{{O}}({})")
-
-
-def _latex_name(name: str) -> str:
-    if name.startswith("xi_"):
-        return rf"\tilde{{\xi}}_{{{name[3:]}}}"
-    return r"\tilde{\lambda}" if name == "lambda_n" else rf"\tilde{{{name}}}"
-
-
-def _polynomial(coefficients: Sequence[Any], style: _Style) -> str:
-    """Highest power first, as the paper prints them; several terms stand in parentheses."""
-    parts = []
-    for k in range(len(coefficients) - 1, -1, -1):
-        value = coefficients[k]
-        if value == 0:
-            continue
-        if isinstance(value, RationalFunction):
-            constant = value.constant()
-            value = value if constant is None else constant
-        negative = isinstance(value, fmpq) and bool(value < 0)
-        size = style.number(-value if negative else value)
-        if k:
-            power = style.power("s", k)
-            size = power if size == "1" else f"{size} {power}"
-        parts.append(f"-{size}" if negative else size)
-    return parts[0] if len(parts) == 1 else f"({_joined(parts)})"
-
-
-def _times_power(factor: str, style: _Style, n: int) -> str:
-    if n == 0:
-        return factor[1:-1] if _is_enclosed(factor) else factor
-    power = style.power(style.delta, n)
-    return {"1": power, "-1": f"-{power}"}.get(factor, f"{factor} {power}")
-
-
-def _is_enclosed(text: str) -> bool:
-    """Whether the first parenthesis closes at the very end."""
-    depth = 0
-    for i, letter in enumerate(text):
-        depth += (letter == "(") - (letter == ")")
-        if depth == 0:
-            return letter == ")" and i == len(text) - 1
-    return False
-
-
-def _joined(parts: Sequence[str]) -> str:
-    text = parts[0]
-    for part in parts[1:]:
-        text += f" - {part[1:]}" if part.startswith("-") else f" + {part}"
-    return text

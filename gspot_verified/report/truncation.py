@@ -8,7 +8,7 @@ from typing import Any
 from flint import arb, fmpq
 
 from gspot_verified.balls import float_bounds, working_bits
-from gspot_verified.expansion.trajectory import Trajectory, expand
+from gspot_verified.expansion.trajectory import Trajectory, expand_system
 
 _EXTRA = 8
 _BITS = 256
@@ -28,8 +28,8 @@ def truncation_curves(trajectory: Trajectory) -> dict[int, list[tuple[float, flo
     """
     if not isinstance(trajectory.system.ring.number(0), fmpq | arb):
         raise TypeError("a picture needs numbers: put values in the place of the symbols")
+    longer = expand_system(trajectory.system, trajectory.order + _EXTRA)
     with working_bits(_BITS):
-        longer = expand(trajectory.system, trajectory.order + _EXTRA)
         values = [arb(term(_AT)) for term in longer.b]
     step = max(1, trajectory.order // _MOST_CURVES)
     orders = sorted({trajectory.order, *range(step, trajectory.order, step)})[-_MOST_CURVES:]

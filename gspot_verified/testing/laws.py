@@ -18,7 +18,7 @@ from gspot_verified.expansion.spaces import SpacePolynomial
 from gspot_verified.expansion.system import System
 from gspot_verified.expansion.terms import NumberTerms, PolynomialTerms
 from gspot_verified.expansion.time_series import compare_routes, time_series
-from gspot_verified.expansion.trajectory import Trajectory, expand
+from gspot_verified.expansion.trajectory import Trajectory, expand_system
 from gspot_verified.verdict import Outcome
 
 _SAMPLES = 3
@@ -45,10 +45,10 @@ def check_expansion(system: System, order: int) -> Trajectory:
     >>> check_expansion(extended_example(chi=1), 7).z[6]
     SpacePolynomial.from_list(3, [6672/5, 0, 0, -368/5])
     """
-    trajectory = expand(system, order)
+    trajectory = expand_system(system, order)
     check_lie_derivatives(system)
     check_trajectory(trajectory)
-    longer = expand(system, order + 1).terms()
+    longer = expand_system(system, order + 1).terms()
     for name, terms in trajectory.terms().items():
         for n, term in enumerate(terms):
             _require(_same(term, longer[name][n]), system, f"{name}_{n} changes when one more order is asked for")

@@ -30,7 +30,7 @@ from gspot_verified.expansion.rings import BALLS
 from gspot_verified.expansion.spaces import SpacePolynomial
 from gspot_verified.expansion.symbols import Symbols
 from gspot_verified.expansion.system import System
-from gspot_verified.expansion.trajectory import Trajectory, expand
+from gspot_verified.expansion.trajectory import Trajectory, expand_system
 from gspot_verified.testing import extended_example, sheared, systems
 
 x = [Variable(i) for i in range(6)]
@@ -133,35 +133,35 @@ ANALYTIC = sheared(
 @pytest.mark.parametrize("order", [1, 2, 3, 4, 7, 12, 20])
 @pytest.mark.parametrize("system", [extended_example(1), extended_example(0), ANALYTIC], ids=["chi", "zero", "sin"])
 def test_the_residual_is_within_the_bound_and_not_far_below(system: System, order: int) -> None:
-    reached = compare(expand(system, order), fmpq(1), fmpq(1, 20))
+    reached = compare(expand_system(system, order), fmpq(1), fmpq(1, 20))
     assert all(ratio == 0 or ratio > 0.02 for ratio in reached.values()), reached
 
 
 def test_a_residual_that_is_zero_has_the_constant_zero() -> None:
-    constants = residual_bounds(expand(extended_example(0), 5), 3, 2).constants
+    constants = residual_bounds(expand_system(extended_example(0), 5), 3, 2).constants
     assert all(value == 0 for value in constants.values())
 
 
 def test_a_polynomial_system_gets_its_exact_sum() -> None:
     """For chi = 1, M = 3: z' delta + z + lambda = z_2' delta^3 = -8 delta^3."""
-    assert residual_bounds(expand(extended_example(1), 3), 5, 1).constants["z"] == 8
+    assert residual_bounds(expand_system(extended_example(1), 3), 5, 1).constants["z"] == 8
 
 
 @settings(max_examples=25)
 @given(systems(analytic=True), st.integers(1, 8))
 def test_drawn_systems(system: System, order: int) -> None:
-    compare(expand(system, order), fmpq(1, 2), fmpq(1, 8), points=2)
+    compare(expand_system(system, order), fmpq(1, 2), fmpq(1, 8), points=2)
 
 
 def test_more_exact_orders_never_hurt_much() -> None:
-    trajectory = expand(ANALYTIC, 6)
+    trajectory = expand_system(ANALYTIC, 6)
     few, many = (residual_bounds(trajectory, 1, "1/10", extra=n).constants for n in (4, 20))
     for name, value in many.items():
         assert value <= few[name] * fmpq(1001, 1000), name
 
 
 def test_a_power_whose_base_may_vanish_in_the_box_has_no_bound() -> None:
-    trajectory = expand(sheared(extended_example(1), 3, Power(one + x[4], fmpq(-1)) - one), 4)
+    trajectory = expand_system(sheared(extended_example(1), 3, Power(one + x[4], fmpq(-1)) - one), 4)
     assert residual_bounds(trajectory, 1, "1/10").constants["v"].is_finite()
     found = residual_bounds(trajectory, 100, 1)
     assert not found.constants["xi_4"].is_finite()
@@ -178,7 +178,7 @@ def changed(of: Trajectory, name: str, n: int, element: SpacePolynomial) -> Traj
 @pytest.mark.parametrize("name", ["p", "b", "y", "v", "z", "lambda_n"])
 @pytest.mark.parametrize("n", [0, 2, 6])
 def test_a_wrong_coefficient_is_noticed(name: str, n: int) -> None:
-    good = expand(extended_example(1), 8)
+    good = expand_system(extended_example(1), 8)
     space = getattr(good, name)[n].n
     element = SpacePolynomial.from_list(space, [0] * space + [fmpq(1, 10**30)]) if space >= 0 else None
     if element is None:
@@ -188,7 +188,7 @@ def test_a_wrong_coefficient_is_noticed(name: str, n: int) -> None:
 
 
 def test_a_wrong_start_is_noticed() -> None:
-    good = expand(extended_example(1), 8)
+    good = expand_system(extended_example(1), 8)
     component = list(good.xi[3])
     component[4] = component[4] + SpacePolynomial.from_list(3, [1])
     wrong = replace(good, xi=(*good.xi[:3], tuple(component), *good.xi[4:]))
@@ -199,14 +199,14 @@ def test_a_wrong_start_is_noticed() -> None:
 def test_balls() -> None:
     base = extended_example("1/3")
     system = replace(base, point=(arb(0),) * 6, ring=BALLS)
-    exact, balls = (residual_bounds(expand(s, 7), 1, "1/10").constants for s in (base, system))
+    exact, balls = (residual_bounds(expand_system(s, 7), 1, "1/10").constants for s in (base, system))
     for name, value in exact.items():
         assert balls[name] >= value
         assert balls[name] <= value * fmpq(101, 100) + fmpq(1, 10**6)
 
 
 def test_text_and_json() -> None:
-    found = residual_bounds(expand(extended_example(1), 6), "1/3", "0.1")
+    found = residual_bounds(expand_system(extended_example(1), 6), "1/3", "0.1")
     assert str(found).startswith("extended example: |residual| <= K delta^6 for |s| <= 1/3, 0 <= delta <= 1/10, K =")
     data = json.loads(json.dumps(found.to_json()))
     assert (data["order"], data["s"], data["delta"]) == (6, "1/3", "1/10")
@@ -226,14 +226,14 @@ def test_text_and_json() -> None:
 )
 def test_bad_arguments(s: Any, delta: Any, extra: Any, error: type[Exception], message: str) -> None:
     with pytest.raises(error, match=message):
-        residual_bounds(expand(extended_example(1), 2), s, delta, extra)
+        residual_bounds(expand_system(extended_example(1), 2), s, delta, extra)
 
 
 def test_symbols_have_no_bounds() -> None:
     ring = Symbols("chi")
     system = replace(extended_example(1), point=tuple(ring.number(0) for _ in range(6)), ring=ring)
     with pytest.raises(TypeError, match="symbols"):
-        residual_bounds(expand(system, 2), 1, 1)
+        residual_bounds(expand_system(system, 2), 1, 1)
 
 
 @given(st.lists(st.integers(0, 5), min_size=1, max_size=6), st.data())

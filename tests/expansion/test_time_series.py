@@ -10,7 +10,7 @@ from flint import arb, fmpq
 from gspot_verified.expansion.rings import BALLS
 from gspot_verified.expansion.system import GSpotError
 from gspot_verified.expansion.time_series import TimeSeries, compare_routes, time_series
-from gspot_verified.expansion.trajectory import expand
+from gspot_verified.expansion.trajectory import expand_system
 from gspot_verified.testing import extended_example
 from gspot_verified.verdict import Outcome
 
@@ -26,7 +26,7 @@ def test_the_printed_z_in_time() -> None:
 @pytest.mark.parametrize("chi", [0, 1, "-2/3"])
 def test_both_routes_agree(order: int, chi: int | str) -> None:
     system = extended_example(chi)
-    first, second = expand(system, order).in_time(), time_series(system, order)
+    first, second = expand_system(system, order).in_time(), time_series(system, order)
     assert first == second
     assert compare_routes(first, second).outcome is Outcome.PROVED
 
@@ -88,7 +88,7 @@ def test_a_difference_is_named() -> None:
 def test_balls_that_overlap_prove_nothing() -> None:
     base = extended_example("1/3")
     system = replace(base, point=(arb(0),) * 6, ring=BALLS)
-    first, second = expand(system, 10).in_time(), time_series(system, 10)
+    first, second = expand_system(system, 10).in_time(), time_series(system, 10)
     assert compare_routes(first, second).outcome is Outcome.UNDECIDED
     exact = time_series(base, 10)
     for name, table in second.tables().items():

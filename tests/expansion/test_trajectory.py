@@ -15,10 +15,10 @@ from hypothesis import strategies as st
 from gspot_verified.balls import current_bits, working_bits
 from gspot_verified.expansion.rings import BALLS
 from gspot_verified.expansion.spaces import SpacePolynomial
-from gspot_verified.expansion.trajectory import expand
+from gspot_verified.expansion.trajectory import expand_system
 from gspot_verified.testing import extended_example
 
-EXAMPLE = expand(extended_example(1), 7)
+EXAMPLE = expand_system(extended_example(1), 7)
 
 
 def test_text() -> None:
@@ -26,7 +26,7 @@ def test_text() -> None:
     assert lines[0] == "extended example: the scaled variables to the order 7 of delta"
     assert "  v = -16 delta^2 - 96 s delta^4 + 48 delta^5 - 2208/5 s^2 delta^6 + O(delta^7)" in lines
     assert lines[-2].startswith("  z = -2 - 8 s delta^2 + 8 delta^3 - 24 s^2 delta^4 + 48 s delta^5")
-    assert str(expand(extended_example(1), 1)).splitlines()[-3] == "  v = O(delta)"
+    assert str(expand_system(extended_example(1), 1)).splitlines()[-3] == "  v = O(delta)"
 
 
 def test_latex() -> None:
@@ -53,7 +53,7 @@ def test_json_is_exact() -> None:
 
 def test_json_of_balls() -> None:
     base = extended_example("1/3")
-    trajectory = expand(replace(base, point=(arb(0),) * 6, ring=BALLS), 4)
+    trajectory = expand_system(replace(base, point=(arb(0),) * 6, ring=BALLS), 4)
     text = trajectory.to_json()["terms"]["b"][2][2]
     assert isinstance(text, str)
     assert "O(delta^4)" in str(trajectory)
@@ -102,25 +102,25 @@ def test_accuracy_is_asked_for_in_digits() -> None:
 
 def test_progress() -> None:
     seen: list[tuple[int, int]] = []
-    expand(extended_example(1), 3, progress=lambda done, total: seen.append((done, total)))
+    expand_system(extended_example(1), 3, progress=lambda done, total: seen.append((done, total)))
     assert seen == [(1, 3), (2, 3), (3, 3)]
 
 
 @pytest.mark.parametrize("order", [True, 2.0, "3", None, fmpq(3)])
 def test_an_order_of_another_type(order: Any) -> None:
     with pytest.raises(TypeError, match="order must be an int"):
-        expand(extended_example(1), order)
+        expand_system(extended_example(1), order)
 
 
 @pytest.mark.parametrize("order", [0, -1, 2001])
 def test_an_order_out_of_range(order: int) -> None:
     with pytest.raises(ValueError, match=r"order must lie in 1\.\.2000"):
-        expand(extended_example(1), order)
+        expand_system(extended_example(1), order)
 
 
 def test_bad_arguments() -> None:
     with pytest.raises(TypeError, match="must be a System"):
-        expand(None, 3)  # type: ignore[arg-type]
+        expand_system(None, 3)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="s: a float"):
         EXAMPLE.evaluate(0.5, 1)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="epsilon: a float"):

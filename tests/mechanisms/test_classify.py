@@ -16,7 +16,7 @@ from gspot_verified.balls import working_bits
 from gspot_verified.expansion.recursion import ObstructedOrderError, Recursion
 from gspot_verified.expansion.system import GSpotError
 from gspot_verified.mechanisms.classify import classify
-from gspot_verified.mechanisms.distinguished import distinguished_trajectory
+from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.file import parse_mechanism
 from gspot_verified.mechanisms.given import lagrangian
 from gspot_verified.mechanisms.mechanism import MechanismError
@@ -119,7 +119,7 @@ def test_a_slip_velocity_and_a_mean_force_of_unknown_sign_are_warned_of() -> Non
 def test_mean_force_is_the_force_of_the_expansion() -> None:
     """λ_0 for constant alphas is alpha_2/(alpha_3 - alpha_1), not its opposite as in eq. modelSysDistZY (line 604)."""
     found = classify(shipped_mechanism("model"))
-    recursion = distinguished_trajectory(shipped_mechanism("model"), 1)
+    recursion = expand(shipped_mechanism("model"), 1)
     assert found.mean_force == recursion.lambda_n[0].at_zero() == 2
 
 
@@ -137,8 +137,8 @@ def test_balls_and_rationals_agree() -> None:
 
 
 def test_expansions_in_balls_contain_the_rational_ones() -> None:
-    exact = distinguished_trajectory(shipped_mechanism("oscillator"), 10)
-    balls = distinguished_trajectory(shipped_mechanism("frictional impact oscillator, all parameters"), 10)
+    exact = expand(shipped_mechanism("oscillator"), 10)
+    balls = expand(shipped_mechanism("frictional impact oscillator, all parameters"), 10)
     with working_bits(200):
         for mine, theirs in zip(exact.b, balls.b, strict=True):
             for k in range(len(theirs.coefficients())):
@@ -155,7 +155,7 @@ def test_integer_beta_names_the_obstructed_order(beta: int) -> None:
     assert found.obstructed_order == 2 * (beta - 1)
     assert found.lift_off_sign is None
     with pytest.raises(ObstructedOrderError, match=f"integer {beta}.*order {found.obstructed_order} "):
-        distinguished_trajectory(mechanism, 16)
+        expand(mechanism, 16)
     recursion = Recursion(shipped_system("extended", alpha_3=-beta))
     for _ in range(2 * (beta - 1)):
         recursion.advance()
@@ -170,7 +170,7 @@ def test_an_integer_beta_in_balls_is_not_overlooked() -> None:
     assert not found.exact
     assert found.integer_beta == 2
     with pytest.raises(ObstructedOrderError):
-        distinguished_trajectory(mechanism, 5)
+        expand(mechanism, 5)
 
 
 def test_balls_that_leave_the_case_open_say_so() -> None:
@@ -192,12 +192,12 @@ def test_balls_that_leave_the_case_open_say_so() -> None:
 @pytest.mark.parametrize("order", [-1, 0, 2001, 1.5, "3", True])
 def test_bad_orders(order: Any) -> None:
     with pytest.raises((ValueError, TypeError), match=r"order must (be an int|lie in)"):
-        distinguished_trajectory(shipped_mechanism("model"), order)
+        expand(shipped_mechanism("model"), order)
 
 
 def test_expansion_needs_negative_alphas() -> None:
     with pytest.raises(GSpotError, match="alpha_1 = 1 must be negative"):
-        distinguished_trajectory(shipped_mechanism("extended", alpha_1=1), 3)
+        expand(shipped_mechanism("extended", alpha_1=1), 3)
 
 
 @pytest.mark.parametrize("matrix", [[[-1, 0], [0, 1]], [[1, 0], [0, -1]], [[1, 2], [2, 1]]])
@@ -245,9 +245,7 @@ def test_an_irrational_alpha_at_a_rational_point_is_a_ball() -> None:
     assert isinstance(found.beta, arb)
     assert (found.beta**2).contains(2)
     with pytest.raises(ObstructedOrderError, match="integer 3"):
-        distinguished_trajectory(
-            parse_mechanism(toml.replace('"-3/2"', '"sqrt(2) + sqrt(3) - sqrt(5 + 2*sqrt(6)) - 3"')), 5
-        )
+        expand(parse_mechanism(toml.replace('"-3/2"', '"sqrt(2) + sqrt(3) - sqrt(5 + 2*sqrt(6)) - 3"')), 5)
 
 
 @pytest.mark.parametrize(("alpha_1", "alpha_3"), [(1, "1/2"), (1, 3), (2, "7/2")])

@@ -17,7 +17,7 @@ from gspot_verified.expansion.rings import RATIONALS
 from gspot_verified.expansion.system import System
 from gspot_verified.expansion.terms import PolynomialTerms
 from gspot_verified.expansion.time_series import time_series
-from gspot_verified.expansion.trajectory import expand
+from gspot_verified.expansion.trajectory import expand_system
 from gspot_verified.testing import (
     check_expansion,
     extended_example,
@@ -40,7 +40,7 @@ def test_units(system: System, tau: fmpq, length: fmpq) -> None:
     """t = tau t', epsilon = tau epsilon', y = length y': the coefficient of t^k epsilon^m is divided by tau^(k+m)."""
     changed = in_units(system, tau, length)
     check_expansion(changed, 5)
-    first, second = expand(system, ORDER).in_time(), expand(changed, ORDER).in_time()
+    first, second = expand_system(system, ORDER).in_time(), expand_system(changed, ORDER).in_time()
     speed, force = length / tau, length / tau**2
     unit = {"p": fmpq(1), "b": force, "y": length, "v": speed, "z": length, "lambda_n": force}
     for name, table in first.tables().items():
@@ -64,7 +64,7 @@ def test_coordinates(system: System, data: st.DataObject) -> None:
 
 
 def compare_coordinates(system: System, changed: System, index: int, shift: Any) -> None:
-    first, second = expand(system, ORDER), expand(changed, ORDER)
+    first, second = expand_system(system, ORDER), expand_system(changed, ORDER)
     for name in SCALARS:
         assert getattr(first, name) == getattr(second, name), name
     terms = PolynomialTerms(RATIONALS)
@@ -110,7 +110,7 @@ def test_the_trivial_solution(a: fmpq, alpha_2: fmpq, beta: fmpq) -> None:
 
 def test_chi_scales_with_the_weight() -> None:
     """The term of order n of p and b at chi is that at 1 times chi^(n/2) for even n: b grows with chi."""
-    one, three = expand(extended_example(1), 7), expand(extended_example(3), 7)
+    one, three = expand_system(extended_example(1), 7), expand_system(extended_example(3), 7)
     for n in (0, 2, 4, 6):
         assert three.p[n] == one.p[n].scale(fmpq(3) ** (n // 2))
         assert three.b[n] == one.b[n].scale(fmpq(3) ** (n // 2))

@@ -15,7 +15,7 @@ from gspot_verified.expansion.rings import BALLS
 from gspot_verified.expansion.spaces import SpacePolynomial
 from gspot_verified.expansion.symbols import Symbols
 from gspot_verified.expansion.system import GSpotError, System
-from gspot_verified.expansion.trajectory import Trajectory, expand
+from gspot_verified.expansion.trajectory import Trajectory, expand_system
 from gspot_verified.testing import (
     check_expansion,
     check_lie_derivatives,
@@ -57,7 +57,7 @@ def test_balls_and_symbols() -> None:
 @st.composite
 def wrong_terms(draw: st.DrawFn) -> Trajectory:
     """A right expansion with one coefficient changed inside its space."""
-    good = expand(draw(systems()), 8)
+    good = expand_system(draw(systems()), 8)
     name = draw(st.sampled_from([*good.terms()]))
     variable = "xi" if name.startswith("xi") else name.removesuffix("_n")
     n = draw(st.sampled_from([n for n in range(8) if space_of(variable, n) >= 0]))
@@ -82,7 +82,7 @@ def test_the_terms_are_the_only_ones(wrong: Trajectory) -> None:
 
 
 def test_a_term_outside_its_space() -> None:
-    good = expand(extended_example(1), 5)
+    good = expand_system(extended_example(1), 5)
     wrong = replace(good, b=(*good.b[:4], SpacePolynomial.from_list(1, [0, 1])))
     with pytest.raises(AssertionError, match=r"b_4 has a term in s\^1, which P_3 does not have"):
         check_spaces(wrong)
@@ -121,7 +121,7 @@ def test_without_synchronisation() -> None:
     """alpha_2 with a wrong value at the G-spot gives another b than the function of xi."""
     wrong = replace(extended_example(1), alpha_2=Constant(fmpq(-2)))
     with pytest.raises(AssertionError, match=r"b and its function of xi differ at delta\^2"):
-        check_synchronisation(expand(wrong, 4))
+        check_synchronisation(expand_system(wrong, 4))
 
 
 def test_hypotheses_are_reported_as_such() -> None:

@@ -1,0 +1,59 @@
+"""The distinguished trajectory of a mechanism: its G-spot, then Theorem 1's expansion there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from gspot_verified.expansion.system import System
+    from gspot_verified.expansion.trajectory import Trajectory
+    from gspot_verified.mechanisms.mechanism import Mechanism
+
+
+def expand(
+    source: Mechanism | System,
+    order: int,
+    digits: int = 15,
+    progress: Callable[[int, int], None] | None = None,
+) -> Trajectory:
+    """The terms of orders 0..order-1 of delta of the distinguished trajectory at the G-spot; paper, Theorem 1.
+
+    Exact coefficients where the G-spot is rational, rational functions where a parameter has no value, else balls.
+    Balls have the asked ``digits`` (see :class:`expansion.accuracy.Accuracy`): the precision is raised, and with it the
+    box of the G-spot. Where that does not help (a system whose numbers are balls already) the result is valid, its
+    ``accuracy.reached`` is False, and an ``AccuracyWarning`` is given. ``progress`` is told (orders done, orders).
+
+    :raises TypeError: ``source`` is neither a mechanism nor a system, or ``order`` or ``digits`` is not an int.
+    :raises ValueError: ``order`` is not in 1..2000, or ``digits`` not in 1..10^6.
+    :raises GSpotError: a hypothesis of Theorem 1 fails; an integer beta is an ObstructedOrderError.
+
+    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
+    >>> expand(shipped_mechanism("extended system"), 3).b[2].coefficients()
+    [0, 0, 6]
+    >>> expand(shipped_mechanism("genot_brogliato_rod"), 8).accuracy.reached
+    True
+    """
+    # Imported here: this module is part of `import gspot_verified`, which stays quick.
+    from gspot_verified.expansion.accuracy import until_accurate
+    from gspot_verified.expansion.system import System
+    from gspot_verified.expansion.trajectory import certain_bits_of, checked_order, expand_system, first_bits, terms_of
+    from gspot_verified.mechanisms.g_spot import find_g_spot
+    from gspot_verified.mechanisms.mechanism import Mechanism
+    from gspot_verified.mechanisms.symbolic import symbolic_system
+
+    if isinstance(source, System):
+        return expand_system(source, order, digits, progress)
+    if not isinstance(source, Mechanism):
+        raise TypeError(f"expected a Mechanism or a System, got {type(source).__name__}")
+    order = checked_order(order)
+    if any(value is None for _, value in source.parameters):
+        return expand_system(symbolic_system(source), order, digits, progress)
+
+    def attempt(bits: int) -> tuple[Trajectory, int | None]:
+        trajectory = terms_of(find_g_spot(source, bits).system, order, bits, progress)
+        return trajectory, certain_bits_of(trajectory)
+
+    found, accuracy = until_accurate(attempt, digits, first_bits(order, digits))
+    return replace(found, accuracy=accuracy)
