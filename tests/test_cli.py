@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -86,6 +87,9 @@ def test_verify_and_report(capsys: pytest.CaptureFixture[str], tmp_path: Path) -
     assert "refuted" in output
     assert "corrected:" in output
     assert "Appendix A" in errors
+    assert re.search(r"^proved: .*\d+ on exact identity or certificate, \d+ on proof page", output, re.M)
+    assert re.search(r"^refuted: \d+ on exact identity or certificate", output, re.M)
+    assert re.search(r"^\d+ of \d+ rest on a proof page alone", output, re.M)
     page = (tmp_path / "index.html").read_text(encoding="utf-8")
     data = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))
     assert data["counts"]["undecided"] == 0

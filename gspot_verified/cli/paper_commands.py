@@ -22,19 +22,29 @@ def verify(
 
     Exit code 1 when a printed statement is refuted (the paper has misprints), 2 when one is undecided.
     """
-    from gspot_verified.ledger.entry import counts
+    from gspot_verified.ledger.entry import Rung, counts, rung_counts
     from gspot_verified.ledger.verify import exit_code, verify_paper
     from gspot_verified.report.write import write_report
 
     entries = verify_paper(progress)
     page = write_report(entries, output, progress)
     if as_json:
-        print_json({"counts": counts(entries), "entries": [entry.to_json() for entry in entries]})
+        numbers = {
+            "counts": counts(entries),
+            "rungs": rung_counts(entries),
+            "page_alone": sum(entry.page_alone for entry in entries),
+        }
+        print_json({**numbers, "entries": [entry.to_json() for entry in entries]})
     else:
         for entry in entries:
             typer.echo(f"{entry.verdict.outcome.value:9}  {entry.label:28}  {entry.statement}")
             if entry.verdict.outcome.value == "refuted":
                 typer.echo(f"{'':9}  {'corrected:':28}  {entry.corrected}")
+        for outcome, row in rung_counts(entries).items():
+            words = (f"{number} on {Rung[name.upper()].short}" for name, number in row.items() if number)
+            typer.echo(f"{outcome}: " + (", ".join(words) or "none"))
+        alone = sum(entry.page_alone for entry in entries)
+        typer.echo(f"{alone} of {len(entries)} rest on a proof page alone")
         total = counts(entries)
         typer.echo(", ".join(f"{number} {outcome}" for outcome, number in total.items()) + f"; report: {page}")
     raise typer.Exit(exit_code(entries))

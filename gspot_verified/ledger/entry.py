@@ -11,7 +11,11 @@ from gspot_verified.verdict import Outcome, Reason, Verdict
 
 
 class Rung(enum.Enum):
-    """What a check rests on, the strongest first: what it can settle and whom a reader must trust."""
+    """What a check rests on, the strongest first: what it can settle and whom a reader must trust.
+
+    >>> Rung.PAGE.settles, Rung.POINTS.settles, Rung.PAGE.short
+    (True, False, 'proof page')
+    """
 
     FORMAL = "a formal proof, checked by a proof assistant"
     EXACT = "an exact symbolic identity or a certificate that covers the whole claim"
@@ -21,8 +25,22 @@ class Rung(enum.Enum):
 
     @property
     def settles(self) -> bool:
-        """True when a check on this rung alone decides the claim."""
+        """True when agreement on this rung alone decides the claim."""
         return self is not Rung.POINTS
+
+    @property
+    def short(self) -> str:
+        """Two to six words for a table."""
+        return _SHORT[self]
+
+
+_SHORT = {
+    Rung.FORMAL: "formal proof",
+    Rung.EXACT: "exact identity or certificate",
+    Rung.PAGE: "proof page",
+    Rung.BALLS: "balls over the whole set",
+    Rung.POINTS: "points only",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,11 +85,29 @@ class Entry:
     note: str = ""
 
     @property
+    def rests_on(self) -> tuple[Rung, ...]:
+        """The rungs that carry the verdict, the strongest first; none for an undecided entry.
+
+        A proved entry rests on the settling rungs whose checks agree; points carry nothing. A refuted one rests on the
+        checks that fail, points too: one certain counterexample is enough, and its two derivations are two checks.
+        """
+        if self.verdict.outcome is Outcome.PROVED:
+            found = {check.rung for check in self.checks if check.agrees is True and check.rung.settles}
+        elif self.verdict.outcome is Outcome.REFUTED:
+            found = {check.rung for check in self.checks if check.agrees is False}
+        else:
+            found = set()
+        return tuple(rung for rung in Rung if rung in found)
+
+    @property
     def rung(self) -> Rung | None:
         """The strongest rung that the verdict rests on; ``None`` for an undecided entry."""
-        carries = {Outcome.PROVED: True, Outcome.REFUTED: False}.get(self.verdict.outcome)
-        found = {check.rung for check in self.checks if carries is not None and check.agrees is carries}
-        return next((rung for rung in Rung if rung in found), None)
+        return next(iter(self.rests_on), None)
+
+    @property
+    def page_alone(self) -> bool:
+        """True when the verdict rests on a proof page and on nothing else: who doubts the page has no other check."""
+        return self.rests_on == (Rung.PAGE,)
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for ``json.dumps``."""
@@ -84,6 +120,7 @@ class Entry:
             "checks": [check.to_json() for check in self.checks],
             "verdict": self.verdict.to_json(),
             "rung": self.rung.name.lower() if self.rung else None,
+            "rests_on": [rung.name.lower() for rung in self.rests_on],
             "corrected": self.corrected,
             "note": self.note,
         }
@@ -110,21 +147,28 @@ def same_sign(first: int | None, second: int | None) -> bool | None:
 def conclude(statement: str, checks: Sequence[Check], witness: str = "") -> Verdict:
     """The verdict that two or more checks support.
 
-    - refuted: one check fails with certainty, and a second one fails too (two derivations of the counterexample);
-    - proved: every check agrees, there are at least two of them, and one on a settling rung;
+    - refuted: two different checks fail with certainty (two derivations of a counterexample), and none on a settling
+      rung says that the claim holds;
+    - proved: every check agrees, there are at least two different ones, and one is on a settling rung;
     - undecided: anything else.
     """
     failures = [check for check in checks if check.agrees is False]
-    if len(failures) >= 2:
-        return Verdict.refuted(statement, witness or failures[0].finding, failures[1].finding)
+    settling = [check for check in checks if check.agrees is True and check.rung.settles]
+    if failures and settling:
+        detail = f"the checks contradict each other: {settling[0].what} agrees, {failures[0].what} fails"
+        return Verdict.undecided(statement, Reason.NO_ROUTE, detail)
+    if len({check.what for check in failures}) >= 2:
+        first, second = failures[0], next(check for check in failures if check.what != failures[0].what)
+        return Verdict.refuted(statement, witness or first.finding or first.what, second.finding or second.what)
     if failures:
         return Verdict.undecided(statement, Reason.NO_ROUTE, f"one check fails: {failures[0].finding}")
     if any(check.agrees is None for check in checks):
         open_checks = "; ".join(check.what for check in checks if check.agrees is None)
         return Verdict.undecided(statement, Reason.BUDGET, f"could not tell: {open_checks}")
-    if len(checks) >= 2 and any(check.rung.settles for check in checks):
+    if len({check.what for check in checks}) >= 2 and settling:
         return Verdict.proved(statement, "; ".join(check.what for check in checks))
-    return Verdict.undecided(statement, Reason.NO_ROUTE, "the checks at points alone prove nothing")
+    detail = "there is one check alone" if settling else "the checks at points alone prove nothing"
+    return Verdict.undecided(statement, Reason.NO_ROUTE, detail)
 
 
 def settled(
@@ -144,3 +188,13 @@ def settled(
 def counts(entries: Sequence[Entry]) -> dict[str, int]:
     """How many entries have each outcome."""
     return {outcome.value: sum(e.verdict.outcome is outcome for e in entries) for outcome in Outcome}
+
+
+def rung_counts(entries: Sequence[Entry]) -> dict[str, dict[str, int]]:
+    """For proved and for refuted entries: how many rest on each rung, each entry counted at its strongest one."""
+    return {
+        outcome.value: {
+            rung.name.lower(): sum(e.verdict.outcome is outcome and e.rung is rung for e in entries) for rung in Rung
+        }
+        for outcome in (Outcome.PROVED, Outcome.REFUTED)
+    }

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import platform
 from collections import Counter
 from collections.abc import Sequence
 from importlib import metadata
 from typing import Any
 
-from gspot_verified.ledger.entry import Entry, Rung, counts
+from gspot_verified.ledger.entry import Entry, Rung, counts, rung_counts
 from gspot_verified.report.canvas import Picture
 from gspot_verified.verdict import Outcome, Reason
 
-SCHEMA = 2
+SCHEMA = 3
 
 _OUTCOMES = [outcome.value for outcome in Outcome]
 _RUNGS = [rung.name.lower() for rung in Rung]
@@ -48,6 +49,8 @@ def report_data(entries: Sequence[Entry], pictures: Sequence[Picture]) -> dict[s
         {
             "schema": SCHEMA,
             "counts": counts(entries),
+            "rungs": rung_counts(entries),
+            "page_alone": sum(entry.page_alone for entry in entries),
             "entries": [entry.to_json() for entry in entries],
             "figures": [picture.to_json() for picture in pictures],
             "versions": versions(),
@@ -63,7 +66,7 @@ def checked(report: object) -> dict[str, Any]:
     >>> checked({"schema": 1})
     Traceback (most recent call last):
     ...
-    ValueError: report: this version reads schema 2, the file has schema 1
+    ValueError: report: this version reads schema 3, the file has schema 1
     """
     found = _mapping(report, "report")
     if type(found.get("schema")) is not int or found["schema"] != SCHEMA:
@@ -74,15 +77,45 @@ def checked(report: object) -> dict[str, Any]:
     for identifier, times in Counter(entry["identifier"] for entry in entries).items():
         if times > 1:
             raise ValueError(f"entries: the identifier {identifier!r} occurs {times} times")
-    stated = _mapping(found.get("counts"), "counts")
-    actual = {outcome: sum(entry["verdict"]["outcome"] == outcome for entry in entries) for outcome in _OUTCOMES}
-    if stated != actual or any(type(number) is not int for number in stated.values()):
-        raise ValueError(f"counts: the file says {stated}, its entries give {actual}")
+    _check_counts(found, entries)
     for number, picture in enumerate(_sequence(found, "figures", "report")):
         _texts(_mapping(picture, f"figures[{number}]"), _PICTURE_TEXTS, f"figures[{number}]")
     known = _mapping(found.get("versions"), "versions")
     _texts(known, _VERSIONS, "versions")
     return found
+
+
+def _check_counts(report: dict[str, Any], entries: Sequence[dict[str, Any]]) -> None:
+    """The stated numbers are those of the entries."""
+    actual: dict[str, Any] = {
+        "counts": {name: sum(e["verdict"]["outcome"] == name for e in entries) for name in _OUTCOMES},
+        "rungs": {
+            name: {rung: sum(e["verdict"]["outcome"] == name and e["rung"] == rung for e in entries) for rung in _RUNGS}
+            for name in (Outcome.PROVED.value, Outcome.REFUTED.value)
+        },
+        "page_alone": sum(e["rests_on"] == [Rung.PAGE.name.lower()] for e in entries),
+    }
+    for name, numbers in actual.items():
+        stated = report.get(name) if isinstance(numbers, int) else _mapping(report.get(name), name)
+        # As texts, so that true is not 1.
+        if json.dumps(stated, sort_keys=True) != json.dumps(numbers, sort_keys=True):
+            raise ValueError(f"{name}: the file says {stated}, its entries give {numbers}")
+
+
+def _check_rungs(entry: dict[str, Any], where: str) -> None:
+    """What an entry rests on: known rungs, the strongest first, and points never under "proved"."""
+    rests_on = _sequence(entry, "rests_on", where)
+    for rung in rests_on:
+        _one_of(rung, _RUNGS, f"{where}.rests_on")
+    if rests_on != sorted(set(rests_on), key=_RUNGS.index):
+        raise ValueError(f"{where}.rests_on: expected each rung once, the strongest first, got {rests_on}")
+    if "rung" not in entry or entry["rung"] != (rests_on[0] if rests_on else None):
+        raise ValueError(f"{where}.rung: expected the first of rests_on, got {entry.get('rung')!r}")
+    outcome = entry["verdict"]["outcome"]
+    if bool(rests_on) is (outcome == Outcome.UNDECIDED.value):
+        raise ValueError(f"{where}.rests_on: {rests_on} does not go with the outcome {outcome}")
+    if outcome == Outcome.PROVED.value and Rung.POINTS.name.lower() in rests_on:
+        raise ValueError(f"{where}.rests_on: a proof never rests on points")
 
 
 def _check_entry(value: object, where: str) -> None:
@@ -98,6 +131,7 @@ def _check_entry(value: object, where: str) -> None:
         _texts(verdict, ("witness",), f"{where}.verdict")
     if verdict["outcome"] == Outcome.UNDECIDED.value or verdict["reason"] is not None:
         _one_of(verdict["reason"], _REASONS, f"{where}.verdict.reason")
+    _check_rungs(entry, where)
     for box in _sequence(verdict, "remaining", f"{where}.verdict"):
         if not isinstance(box, list) or not all(isinstance(side, str) for side in box):
             raise ValueError(f"{where}.verdict.remaining: expected lists of texts")

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 _MAX_FILE_BYTES = 200_000_000
 _ANSWERS = {True: "agrees", False: "fails", None: "could not tell"}
+_COUNTEREXAMPLE = "single points: one certain counterexample is enough"
+_COUNTEREXAMPLE_SHORT = "a counterexample at points"  # points carry no other verdict
 
 
 def write_report(entries: Sequence[Entry], directory: Path, progress: Callable[[str], None] | None = None) -> Path:
@@ -74,6 +76,10 @@ def render_html(report: dict[str, Any]) -> str:
     entries = [_shown(entry) for entry in report["entries"]]
     return _template().render(
         counts=report["counts"],
+        rungs=[
+            (rung, *(report["rungs"][outcome][rung.name.lower()] for outcome in ("proved", "refuted"))) for rung in Rung
+        ],
+        page_alone=report["page_alone"],
         versions=report["versions"],
         entries=entries,
         sections=_by_section(entries),
@@ -87,10 +93,8 @@ def _shown(entry: dict[str, Any]) -> dict[str, Any]:
     """An entry with the words that the page shows for its codes."""
     verdict = entry["verdict"]
     reason = verdict["reason"]
-    checks = [
-        {**check, "rung": Rung[check["rung"].upper()].value, "answer": _ANSWERS[check["agrees"]]}
-        for check in entry["checks"]
-    ]
+    rests_on = [Rung[rung.upper()] for rung in entry["rests_on"]]
+    checks = [{**check, "rung": _rung_words(check), "answer": _ANSWERS[check["agrees"]]} for check in entry["checks"]]
     return {
         **entry,
         "anchor": "entry-" + quote(entry["identifier"], safe=""),
@@ -100,7 +104,14 @@ def _shown(entry: dict[str, Any]) -> dict[str, Any]:
         "reason": Reason[reason.upper()].value.capitalize() + "." if reason else None,
         "remaining": [" × ".join(box) for box in verdict["remaining"]],
         "checks": checks,
+        "rests_on": [_COUNTEREXAMPLE_SHORT if rung is Rung.POINTS else rung.short for rung in rests_on],
+        "page_alone": rests_on == [Rung.PAGE],
     }
+
+
+def _rung_words(check: dict[str, Any]) -> str:
+    rung = Rung[check["rung"].upper()]
+    return _COUNTEREXAMPLE if rung is Rung.POINTS and check["agrees"] is False else rung.value
 
 
 def _by_section(entries: Sequence[dict[str, Any]]) -> dict[str, list[dict[str, Any]]]:

@@ -13,7 +13,7 @@ def report(entries, pictures):
 
 def test_counts_and_keys(report, entries):
     assert report["counts"] == {"proved": 1, "refuted": 1, "undecided": 2}
-    assert sorted(report) == ["counts", "entries", "figures", "schema", "versions"]
+    assert sorted(report) == ["counts", "entries", "figures", "page_alone", "rungs", "schema", "versions"]
     assert report["entries"] == [json.loads(json.dumps(entry.to_json())) for entry in entries]
 
 
@@ -38,12 +38,24 @@ def set_in(report, path, value):
 @pytest.mark.parametrize(
     ("path", "value", "message"),
     [
-        (["schema"], 1, "reads schema 2"),
-        (["schema"], True, "reads schema 2"),
-        (["schema"], "1", "reads schema 2"),
+        (["schema"], 1, "reads schema 3"),
+        (["schema"], True, "reads schema 3"),
+        (["schema"], "1", "reads schema 3"),
         (["counts"], {"proved": 3, "refuted": 1, "undecided": 0}, "its entries give"),
         (["counts"], {"proved": True, "refuted": 1, "undecided": 2}, "its entries give"),
         (["counts"], None, "counts: expected an object"),
+        (["page_alone"], 0, "page_alone: the file says 0, its entries give 1"),
+        (["page_alone"], True, "page_alone: the file says True, its entries give 1"),
+        (["rungs", "proved", "page"], 0, "rungs: the file says"),
+        (["rungs", "proved", "points"], 1, "rungs: the file says"),
+        (["rungs", "refuted"], {}, "rungs: the file says"),
+        (["rungs"], None, "rungs: expected an object"),
+        (["entries", 0, "rests_on"], None, "expected a list under 'rests_on'"),
+        (["entries", 0, "rests_on"], ["guess"], r"rests_on: expected one of"),
+        (["entries", 0, "rests_on"], [], r"entries\[0\].rung: expected the first of rests_on"),
+        (["entries", 1, "rests_on"], ["balls", "exact"], "the strongest first"),
+        (["entries", 1, "rests_on"], ["exact", "exact"], "each rung once"),
+        (["entries", 1, "rung"], "balls", r"entries\[1\].rung: expected the first of rests_on, got 'balls'"),
         (["entries"], {}, "expected a list under 'entries'"),
         (["entries", 0], "x", r"entries\[0\]: expected an object"),
         (["entries", 0, "statement"], None, r"entries\[0\]: expected text under 'statement'"),
@@ -77,3 +89,24 @@ def test_a_check_without_an_answer_is_rejected(report):
     del report["entries"][0]["checks"][0]["agrees"]
     with pytest.raises(ValueError, match="expected true, false or null"):
         checked(report)
+
+
+def test_a_proof_on_points_and_a_verdict_on_nothing_are_rejected(report):
+    on_points = copy.deepcopy(report)
+    on_points["entries"][0] |= {"rests_on": ["points"], "rung": "points"}
+    with pytest.raises(ValueError, match="a proof never rests on points"):
+        checked(on_points)
+    on_nothing = copy.deepcopy(report)
+    on_nothing["entries"][0] |= {"rests_on": [], "rung": None}
+    with pytest.raises(ValueError, match=r"rests_on: \[\] does not go with the outcome proved"):
+        checked(on_nothing)
+    undecided = copy.deepcopy(report)
+    undecided["entries"][2] |= {"rests_on": ["page"], "rung": "page"}
+    with pytest.raises(ValueError, match="does not go with the outcome undecided"):
+        checked(undecided)
+
+
+def test_the_rungs_are_counted_by_outcome(report):
+    assert report["page_alone"] == 1
+    assert {rung for rung, number in report["rungs"]["proved"].items() if number} == {"page"}
+    assert {rung for rung, number in report["rungs"]["refuted"].items() if number} == {"exact"}

@@ -6,6 +6,7 @@ from html.parser import HTMLParser
 
 import pytest
 
+from gspot_verified.ledger.entry import Check, Rung, settled
 from gspot_verified.report import write
 from gspot_verified.report.data import report_data
 
@@ -101,6 +102,25 @@ def test_each_entry_has_its_own_badge_and_no_other(page, entries):
         assert badges == [(entry.verdict.outcome.value,) * 2]
 
 
+def test_each_entry_says_what_it_rests_on(page, entries):
+    shown = [re.findall(r'<span class="rests">(.*?)</span>', row(page, entry)) for entry in entries]
+    assert shown == [["on a proof page alone"], ["on exact identity or certificate; balls over the whole set"], [], []]
+
+
+def test_the_summary_counts_the_rungs(page):
+    [table] = re.findall(r'<table class="rungs">.*?</table>', page, re.S)
+    rows = re.findall(r'<th scope="row">(.*?)</th><td>(\d+)</td><td>(\d+)</td>', table)
+    assert [row[1:] for row in rows] == [("0", "0"), ("0", "1"), ("1", "0"), ("0", "0"), ("0", "0")]
+    assert "<strong>1</strong> of them rests on a proof page alone" in page
+
+
+def test_a_refutation_at_points_is_a_counterexample():
+    checks = [Check(Rung.POINTS, what, False, "f") for what in ("one point", "another point")]
+    page = write.render_html(report_data([settled("Section", "a", "line 1", "x", "s", *checks)], []))
+    assert '<span class="rests">on a counterexample at points</span>' in page
+    assert page.count("By single points: one certain counterexample is enough.") == 2
+
+
 def test_undecided_is_not_shown_as_passed(page, entries):
     rate = row(page, entries[2])
     assert "could not tell" in rate
@@ -160,9 +180,9 @@ def test_json_round_trip_renders_the_same_page(written, tmp_path, page):
         (b"", "report.json: Expecting value"),
         (b"{", "report.json: "),
         (b"[]", "report.json: report: expected an object, got list"),
-        (b'{"schema": 7}', "reads schema 2, the file has schema 7"),
+        (b'{"schema": 7}', "reads schema 3, the file has schema 7"),
         (b"\xff\xfe", "report.json: 'utf-8'"),
-        (b'{"schema": 2}', "expected a list under 'entries'"),
+        (b'{"schema": 3}', "expected a list under 'entries'"),
         (b"[" * 200_000, "report.json: nested too deeply"),
     ],
 )
