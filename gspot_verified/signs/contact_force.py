@@ -173,15 +173,18 @@ def rational(value: ExactInput, name: str) -> fmpq:
 
 
 def rounded_down(logarithm: arb, digits: int) -> fmpq | None:
-    """A decimal fraction of ``digits`` digits, at most e^logarithm, cut off at 10^100; None below 10^-100000.
+    """A decimal fraction of ``digits`` digits, at most e^logarithm, cut off at 10^100; None unless e^logarithm is
+    certainly at least 10^-100000.
 
     >>> with working_bits(64):
     ...     rounded_down(arb(fmpq(1, 3)).log(), 4), rounded_down(arb(-10**6), 4), rounded_down(arb(10**6), 4) > 1
     (3333/10000, None, True)
     """
+    if not logarithm.is_finite():
+        return None
     with working_bits(int(logarithm.bits()) + 4 * digits + 64):
         tens = (logarithm / arb(10).log()).lower()
-        if tens < LEAST_TENS:
+        if not tens >= LEAST_TENS:
             return None
         if tens > _MOST_TENS:
             return fmpq(10) ** _MOST_TENS

@@ -6,8 +6,6 @@ Proof page: ``proofs/iwc.md``. "At leading order" is the paper's approximation; 
 
 from __future__ import annotations
 
-import decimal
-import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,53 +15,16 @@ from gspot_verified.balls import ExactInput, ball_text, working_bits
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.signs.brackets import decimal_text
 from gspot_verified.signs.contact_force import LEAST_TENS, ContactForce, contact_force, rational, rounded_down
-from gspot_verified.signs.stretches import Bracket, NotAbove, first_crossing, minimum, stretches
+from gspot_verified.signs.force_refutation import force_refutation
+from gspot_verified.signs.lift_off import LEADING, LiftOff, growth_table, lift_off
+from gspot_verified.signs.ranges import Range
+from gspot_verified.signs.short_text import short_text
+from gspot_verified.signs.stretches import Bracket, Stretches, minimum, stretches
 from gspot_verified.verdict import Outcome, Reason, Verdict
 
 MAX_DIGITS = 100
 MAX_START = 10**6
 PAPER_EPSILON = fmpq(1, 1000)
-GROWTH_EXPONENTS = (10, 100, 1_000, 10_000)
-_GROWTH_DIGITS = 3
-_CRITICAL_DIGITS = 15
-_SHOWN_BITS = 512
-_LEADING = "at leading order"
-_CONTEXT = decimal.Context(prec=200, Emax=10**6, Emin=-(10**6))
-
-
-@dataclass(frozen=True, slots=True)
-class LiftOff:
-    """lambda_N > 0 on [start, lower], and it has one zero, with a change of sign, in the open interval (lower, upper).
-
-    ``number`` counts the zeros on [start, infinity); ``ratio`` is the time over ((beta-1) ln(1/eps))^(2/3), for
-    beta > 1 and eps < 1; ``whole_line``: lambda_N > 0 to the left of the start as well. Without a proof both ends are
-    None and the verdict says why.
-    """
-
-    epsilon: fmpq
-    lower: fmpq | None
-    upper: fmpq | None
-    number: int | None
-    ratio: arb | None
-    whole_line: bool
-    verdict: Verdict
-
-    def __str__(self) -> str:
-        if self.lower is None or self.upper is None:
-            return f"ε = {_short(self.epsilon)}: {self.verdict.outcome.value}"
-        ratio = "" if self.ratio is None else f", over ((β-1) ln(1/ε))^(2/3): {ball_text(self.ratio, 4)}"
-        return f"ε = {_short(self.epsilon)}: lift-off in {decimal_text(self.lower, self.upper)}{ratio}"
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        known = self.lower is not None and self.upper is not None
-        return {
-            "epsilon": str(self.epsilon),
-            "bracket": [str(self.lower), str(self.upper)] if known else None,
-            "zeros": self.number,
-            "ratio": None if self.ratio is None else str(Dyadic.from_ball(self.ratio)),
-            "verdict": self.verdict.to_json(),
-        }
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,10 +53,10 @@ class IwcResult:
         side = "> 0, λ_N → +∞" if force.takes_impact else "< 0, λ_N → -∞"
         lines = [
             str(self.verdict),
-            f"  {force.case}: β = {force.beta}, α1 = {_short(force.alpha_1)}, α2 = {_short(force.alpha_2)}, "
-            f"α3 = {_short(force.alpha_3)}, C1 = {_short(force.c1)}: the side C1/Γ(-β) {side}",
-            f"  λ_N = {_short(force.mean)} - (C1/α3) κ^(1-β) ε^({force.exponent}) dΘ/dτ, "
-            f"κ^3 = {_short(-force.alpha_1 / 2)}",
+            f"  {force.case}: β = {force.beta}, α1 = {short_text(force.alpha_1)}, α2 = {short_text(force.alpha_2)}, "
+            f"α3 = {short_text(force.alpha_3)}, C1 = {short_text(force.c1)}: the side C1/Γ(-β) {side}",
+            f"  λ_N = {short_text(force.mean)} - (C1/α3) κ^(1-β) ε^({force.exponent}) dΘ/dτ, "
+            f"κ^3 = {short_text(-force.alpha_1 / 2)}",
         ]
         if self.minimum is not None:
             place = _place(self.minimum)
@@ -184,9 +145,9 @@ def _impact(force: ContactForce, start: fmpq, epsilon: fmpq | None, digits: int)
     size = None if log_upper is None else _exponential(log_lower, log_upper)
     epsilon_0 = rounded_down(log_lower, digits)
     if epsilon is not None:
-        verdict = _at_epsilon(force, start, epsilon, least, log_lower, log_upper)
+        verdict = at_epsilon(force, found, epsilon, log_lower)
     elif epsilon_0 is None:
-        text = f"{_LEADING}, some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
+        text = f"{LEADING}, some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
         verdict = Verdict.undecided(text, Reason.BUDGET, f"no ε0 above 10^{LEAST_TENS} was found")
     else:
         verdict = Verdict.proved(_statement(start, None, epsilon_0), _by_theorem(force))
@@ -202,9 +163,9 @@ def _by_theorem(force: ContactForce) -> str:
 def _statement(start: fmpq | None, epsilon: fmpq | None, bound: fmpq | None) -> str:
     tau = "every real τ" if start is None else f"every τ in [{start}, inf)"
     if epsilon is not None:
-        return f"{_LEADING}, λ_N > 0 for {tau} at ε = {_short(epsilon)}"
-    return f"{_LEADING}, λ_N > 0 for {tau} and " + (
-        "every ε > 0" if bound is None else f"every ε in (0, {_short(bound)})"
+        return f"{LEADING}, λ_N > 0 for {tau} at ε = {short_text(epsilon)}"
+    return f"{LEADING}, λ_N > 0 for {tau} and " + (
+        "every ε > 0" if bound is None else f"every ε in (0, {short_text(bound)})"
     )
 
 
@@ -223,74 +184,22 @@ def _exponential(lower: arb, upper: arb) -> arb | None:
         return lower.exp().union(upper.exp())
 
 
-def _at_epsilon(
-    force: ContactForce, start: fmpq, epsilon: fmpq, least: Bracket, lower: arb, upper: arb | None
-) -> Verdict:
+def at_epsilon(force: ContactForce, found: Stretches, epsilon: fmpq, lower: arb) -> Verdict:
+    """Whether lambda_N > 0 on [start, infinity) at eps; ``lower`` is at most the logarithm of the largest eps_0."""
+    start = found.start.lower
     text = _statement(start, epsilon, None)
     with working_bits(int(lower.bits()) + 64):
         size = arb(epsilon).log()
     if size < lower:
         return Verdict.proved(text, _by_theorem(force))
-    place = (least.lower + least.upper) / 2
-    if upper is not None and size > upper and force.value(place, epsilon, 40) < 0:
-        return Verdict.refuted(text, f"λ_N < 0 at τ = {place}")
+    # The place of the least value first, as a heuristic: whichever serves is a witness.
+    pieces = sorted([found.start, *found.critical], key=lambda piece: piece.value.mid())
+    places = [(piece.lower + piece.upper) / 2 for piece in pieces]
+    against = force_refutation(force, text, Range(start, None, True, False), places, epsilon)
+    if against is not None:
+        return against.verdict
     return Verdict.undecided(text, Reason.BUDGET, "ε is too close to the largest ε0; ask for more digits")
-
-
-def lift_off(force: ContactForce, epsilon: fmpq, start: fmpq, digits: int = 15) -> LiftOff:
-    """The first zero of lambda_N on [start, infinity), where C_1/Gamma(-beta) < 0.
-
-    >>> print(lift_off(contact_force("3/2", c1=-1), fmpq(1, 1000), fmpq(-10), 6))
-    ε = 0.001: lift-off in 3.590583..3.590584, over ((β-1) ln(1/ε))^(2/3): [1.571 +/- 4.26e-4]
-    """
-    where = f"{_LEADING} at ε = {_short(epsilon)}"
-    least = max(digits, _CRITICAL_DIGITS)
-    for accuracy in (least, 4 * least):
-        found = stretches(force.beta, force.direction, start, accuracy)
-        try:
-            crossing = first_crossing(found, lambda places: force.level(epsilon, places), digits)
-        except NotAbove:
-            verdict = Verdict.refuted(f"{where}, λ_N > 0 at τ = {start}", f"λ_N < 0 at τ = {start}")
-            return LiftOff(epsilon, None, None, None, None, False, verdict)
-        if crossing is not None:
-            break
-    if crossing is None:
-        text = f"{where}, the first zero of λ_N on [{start}, inf)"
-        verdict = Verdict.undecided(text, Reason.BUDGET, "a least or greatest value of λ_N is too close to 0")
-        return LiftOff(epsilon, None, None, None, None, False, verdict)
-    lower, upper, number = crossing.lower, crossing.upper, crossing.number
-    text = f"{where}, λ_N > 0 on [{start}, τ_lo) and λ_N changes sign at τ_lo, τ_lo in ({decimal_text(lower, upper)})"
-    count = "" if number is None else f"zeros of λ_N on [{start}, inf): {number}"
-    ratio = None
-    if force.beta > 1 and epsilon < 1:
-        with working_bits(128):
-            law = (arb(force.beta - 1) * -arb(epsilon).log()) ** arb(fmpq(2, 3))
-            ratio = arb(lower).union(arb(upper)) / law
-    return LiftOff(epsilon, lower, upper, number, ratio, found.whole_line, Verdict.proved(text, count))
-
-
-def growth_table(force: ContactForce, start: fmpq) -> tuple[LiftOff, ...]:
-    """The lift-off times for eps = 10^-10 ... 10^-10000, to three decimals."""
-    return tuple(lift_off(force, fmpq(10) ** -exponent, start, _GROWTH_DIGITS) for exponent in GROWTH_EXPONENTS)
 
 
 def _place(least: Bracket) -> str:
     return str(least.lower) if least.lower == least.upper else decimal_text(least.lower, least.upper)
-
-
-def _short(value: fmpq) -> str:
-    """A decimal fraction exactly, as a decimal or with an exponent; another rational as it is.
-
-    >>> _short(fmpq(-1, 8)), _short(fmpq(10) ** -300), _short(fmpq(1, 3)), _short(fmpq(1200))
-    ('-0.125', '1e-300', '1/3', '1200')
-    """
-    denominator = int(value.q)
-    twos = (denominator & -denominator).bit_length() - 1
-    fives = round((denominator >> twos).bit_length() * math.log(2, 5))
-    fives = next((n for n in (fives - 1, fives, fives + 1) if n >= 0 and 5**n == denominator >> twos), -1)
-    places = max(twos, fives)
-    mantissa = int(value.p) * 10**places // denominator
-    if fives < 0 or mantissa.bit_length() > _SHOWN_BITS:
-        return str(value)
-    number = _CONTEXT.normalize(_CONTEXT.scaleb(decimal.Decimal(mantissa), -places))
-    return f"{number:f}" if -7 <= number.adjusted() <= 20 else f"{number:g}"

@@ -20,6 +20,7 @@ from gspot_verified.signs.executors import InProcessExecutor
 from gspot_verified.signs.journal import Journal
 from gspot_verified.signs.pieces import Column
 from gspot_verified.signs.ranges import Range
+from gspot_verified.signs.refutation import refutation
 from gspot_verified.signs.sign_column import SignQuestion, sign_column
 from gspot_verified.signs.statements import SignStatement, cells_of
 from gspot_verified.signs.subdivision import Progress, Subdivision
@@ -141,14 +142,17 @@ def _cells(beta: Range) -> list[tuple[fmpq | None, fmpq]]:
 
 
 def _refuted(statement: SignStatement, point: tuple[fmpq, fmpq], examined: int) -> SignResult:
+    def failure(tau: fmpq, beta: fmpq) -> str | None:
+        there = sign_at(tau, beta)
+        return None if there is None or there == statement.sign else f"dΘ/dτ {({1: '>', 0: '=', -1: '<'})[there]} 0"
+
+    against = refutation(str(statement), {"τ": statement.tau, "β": statement.beta}, [point], failure)
     tau, beta = point
     there = sign_at(tau, beta)
-    if there is None or there == statement.sign or not (statement.tau.contains(tau) and statement.beta.contains(beta)):
+    if against is None or there is None:
         detail = f"the sign at τ = {tau}, β = {beta} could not be confirmed"
         return SignResult(statement, _undecided(statement, Reason.HYPOTHESIS, detail, []), examined=examined)
-    text = f"dΘ/dτ {({1: '>', 0: '=', -1: '<'})[there]} 0 at τ = {tau}, β = {beta}"
-    verdict = Verdict.refuted(str(statement), text)
-    return SignResult(statement, verdict, _columns_at(tau, beta, there), point, there, examined)
+    return SignResult(statement, against.verdict, _columns_at(tau, beta, there), point, there, examined)
 
 
 def _columns_at(tau: fmpq, beta: fmpq, sign: int) -> tuple[Column, ...]:

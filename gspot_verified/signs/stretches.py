@@ -1,5 +1,5 @@
 """sign * dTheta/dtau on a half-line: its critical points in brackets, its least value, and where it first falls through
-a level. Between the brackets it is strictly monotone.
+a level. Between the brackets it is strictly monotone, and no bracket leaves the half-line.
 
 Proof page: ``proofs/iwc.md``, sections 2 to 4.
 """
@@ -10,11 +10,13 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 
 from flint import arb, fmpq
 
 from gspot_verified.balls import bits_for_digits, sign_of, working_bits
 from gspot_verified.signs.brackets import zeros_at
+from gspot_verified.signs.side import gamma_sign
 from gspot_verified.theta_function.evaluate import evaluate
 
 Level = Callable[[int], arb]
@@ -36,10 +38,11 @@ class Bracket:
 
 @dataclass(frozen=True, slots=True)
 class Stretches:
-    """sign * dTheta/dtau at ``start`` (a bracket of width 0) and on a bracket around each critical point beyond it.
+    """sign * dTheta/dtau at ``start`` (a bracket of width 0) and on brackets that hold all critical points beyond it.
 
-    The first bracket of ``critical`` may reach to the left of the start. ``whole_line``: on (-infinity, start] the
-    function is strictly decreasing from +infinity.
+    No bracket of ``critical`` reaches to the left of the start: the first is cut there, and may hold no critical point
+    then; each other one holds one. ``whole_line``: on (-infinity, start] the function is strictly decreasing from
+    +infinity.
     """
 
     beta: fmpq
@@ -48,18 +51,30 @@ class Stretches:
     critical: tuple[Bracket, ...]
     whole_line: bool
 
+    @property
+    def rises(self) -> bool:
+        """Whether the function tends to +infinity as tau does; otherwise it tends to -infinity."""
+        return self.sign == gamma_sign(self.beta)
+
 
 @lru_cache(maxsize=16)
 def stretches(beta: fmpq, sign: int, start: fmpq, digits: int = 15) -> Stretches:
-    """The brackets have the width 10^-digits; the critical points are the zeros of dTheta/dtau(., beta - 1).
+    """The brackets have the width 10^-digits or less; the critical points are the zeros of dTheta/dtau(., beta - 1).
+
+    :raises ValueError: beta <= 0 or an integer, or sign is not 1 or -1.
 
     >>> found = stretches(fmpq(5, 2), -1, fmpq(-10))
     >>> len(found.critical), found.whole_line
     (1, True)
     """
+    if beta <= 0 or beta.q == 1:
+        raise ValueError(f"beta: expected a number > 0 that is not an integer, got {beta}")
+    if sign not in (1, -1):
+        raise ValueError(f"sign: expected 1 or -1, got {sign}")
     # For 0 < beta < 1 dTheta/dtau is strictly decreasing on the whole line.
     brackets = zeros_at(beta - 1, digits).brackets if beta > 1 else ()
-    critical = tuple(_bracket(beta, sign, lower, upper, digits) for lower, upper in brackets if upper > start)
+    beyond = [(max(lower, start), upper) for lower, upper in brackets if upper > start]
+    critical = tuple(_bracket(beta, sign, lower, upper, digits) for lower, upper in beyond)
     decreasing = beta > 1 and sign < 0 and all(start <= lower for lower, _ in brackets)
     return Stretches(beta, sign, _bracket(beta, sign, start, start, digits), critical, decreasing)
 
@@ -74,19 +89,21 @@ def _bracket(beta: fmpq, sign: int, lower: fmpq, upper: fmpq, digits: int) -> Br
 
 
 def minimum(found: Stretches) -> Bracket:
-    """The least value on [start, infinity), enclosed, and where it is attained, when the function tends to +infinity.
+    """The least value on [start, infinity), enclosed, and an interval of that half-line in which it is attained.
 
-    The place is the start or the bracket with the least enclosure; the value holds whichever it is.
+    The interval is the start alone or one bracket, unless the balls leave open which of them has the least value.
+
+    :raises ValueError: the function tends to -infinity.
     """
-    inside = [found.start, *(bracket for bracket in found.critical if bracket.lower >= found.start.lower)]
-    place = min([found.start, *found.critical], key=lambda bracket: bracket.value.mid())
-    with working_bits(max(64, *(int(b.value.bits()) + 64 for b in [found.start, *found.critical]))):
+    if not found.rises:
+        raise ValueError("sign: the function tends to -infinity, it has no least value")
+    pieces = [found.start, *found.critical]
+    with working_bits(max(64, *(int(piece.value.bits()) + 64 for piece in pieces))):
         lower, upper = found.start.value.lower(), found.start.value.upper()
-        for bracket in found.critical:
-            lower = lower.min(bracket.value.lower())
-        for bracket in inside:
-            upper = upper.min(bracket.value.upper())
-        return Bracket(place.lower, place.upper, lower.union(upper))
+        for piece in found.critical:
+            lower, upper = lower.min(piece.value.lower()), upper.min(piece.value.upper())
+        possible = [piece for piece in pieces if not piece.value.lower() > upper]
+        return Bracket(possible[0].lower, possible[-1].upper, lower.union(upper))
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +127,10 @@ def first_crossing(found: Stretches, level: Level, digits: int = 15) -> Crossing
     """Where the function first falls through -level, when it tends to -infinity; None when balls cannot tell.
 
     :raises NotAbove: it is below -level at the start.
+    :raises ValueError: it tends to +infinity.
     """
+    if found.rises:
+        raise ValueError("sign: the function tends to +infinity, it need not fall through a level")
     value = level(2 * digits + _SPARE_DIGITS)
     pieces = [found.start, *found.critical]
     with working_bits(int(value.bits()) + 64):
@@ -126,8 +146,8 @@ def first_crossing(found: Stretches, level: Level, digits: int = 15) -> Crossing
     if upper is None:
         return None
     ends = narrowed(below, lower, upper, digits)
-    known = [sign for sign in signs if sign is not None] if None not in signs else None
-    number = None if known is None else sum(a != b for a, b in zip(known, [*known[1:], -1], strict=True))
+    known = [sign for sign in signs if sign]  # 0 fixes no sign either
+    number = sum(a != b for a, b in pairwise([*known, -1])) if len(known) == len(signs) else None
     return Crossing(*ends, number)
 
 

@@ -8,85 +8,17 @@ from fractions import Fraction
 import mpmath
 import pytest
 from flint import arb, fmpq
+from force_witness import force_by_mpmath, slope
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import to_fmpq
-from witness import theta_witness
 
-from gspot_verified import Outcome, evaluate
+from gspot_verified import Outcome, zeros_at
 from gspot_verified.balls import working_bits
-from gspot_verified.signs import stretches as stretches_module
-from gspot_verified.signs.contact_force import ContactForce, contact_force, rounded_down
-from gspot_verified.signs.count_law import number_of_zeros
-from gspot_verified.signs.iwc import PAPER_EPSILON, IwcResult, _short, iwc, lift_off
-from gspot_verified.signs.side import gamma_sign
-from gspot_verified.signs.stretches import NotAbove, first_crossing, minimum, narrowed, stretches
+from gspot_verified.signs.iwc import PAPER_EPSILON, IwcResult, at_epsilon, iwc
+from gspot_verified.signs.stretches import stretches
 
-BETAS = ("3/2", "7/3", "29/10", "7/2", "9/2", "27/5", "13/2", "23/3", "101/100", "399/100")
 NOT_INTEGER = st.fractions(Fraction(11, 10), 8, max_denominator=12).filter(lambda beta: beta.denominator > 1)
-
-
-def slope(tau: fmpq, beta: fmpq) -> Fraction:
-    """dTheta/dtau by mpmath, through -beta Theta(beta - 1)."""
-    b = Fraction(int(beta.p), int(beta.q))
-    return -b * theta_witness(Fraction(int(tau.p), int(tau.q)), b - 1, 25)
-
-
-def lift_off_sign(beta: str) -> int:
-    return -(gamma_sign(beta) or 0)
-
-
-def force_by_mpmath(force: ContactForce, tau: fmpq, epsilon: fmpq) -> mpmath.mpf:
-    """The printed formulas with the corrected mean force, without the package's own rearrangement."""
-
-    def number(value: fmpq | Fraction) -> mpmath.mpf:
-        fraction = value if isinstance(value, Fraction) else Fraction(int(value.p), int(value.q))
-        return mpmath.mpf(fraction.numerator) / fraction.denominator
-
-    with mpmath.workdps(40):
-        a1, a2, a3, beta = (number(x) for x in (force.alpha_1, force.alpha_2, force.alpha_3, force.beta))
-        kappa = mpmath.power(-a1 / 2, mpmath.mpf(1) / 3)
-        front = -number(force.c1) / a3 * kappa ** (1 - beta) * number(epsilon) ** ((2 * beta - 2) / 3)
-        return a2 / (a3 - a1) + front * number(slope(tau, force.beta))
-
-
-@pytest.mark.parametrize("beta", BETAS)
-def test_the_minimum_is_below_a_scan_and_close_to_it(beta: str) -> None:
-    force = contact_force(beta)
-    least = minimum(stretches(force.beta, force.direction, fmpq(-4)))
-    scan = [force.direction * evaluate(fmpq(k, 50), beta, derivative=1, digits=20).value for k in range(-200, 300)]
-    assert all(least.value.upper() <= value.upper() + fmpq(1, 10**9) for value in scan)
-    lowest = min(scan, key=lambda value: value.mid())
-    assert abs(lowest - least.value) < (1 + abs(least.value)) * fmpq(1, 100)
-    assert least.value.rad() < (1 + abs(least.value)) * fmpq(1, 10**12)
-
-
-@pytest.mark.parametrize("beta", [*BETAS, "25/2"])
-def test_critical_points_are_as_many_as_the_theorem_says(beta: str) -> None:
-    force = contact_force(beta)
-    found = stretches(force.beta, 1, fmpq(-10))
-    assert len(found.critical) == number_of_zeros(force.beta - 1)
-    for first, second in zip(found.critical, found.critical[1:], strict=False):
-        assert first.upper < second.lower
-    for bracket in found.critical:
-        ends = [evaluate(tau, beta, derivative=2, digits=5).value for tau in (bracket.lower, bracket.upper)]
-        assert ends[0] * ends[1] < 0
-        assert bracket.value.contains(
-            evaluate((bracket.lower + bracket.upper) / 2, beta, derivative=1, digits=40).value
-        )
-
-
-@settings(max_examples=25)
-@given(NOT_INTEGER, st.fractions(-6, 6, max_denominator=9), st.fractions(Fraction(1, 100), 3, max_denominator=100))
-def test_the_force_is_the_printed_formula(beta: Fraction, tau: Fraction, epsilon: Fraction) -> None:
-    force = contact_force(beta, alpha_1="-3/2", alpha_2="-2/7", c1="-5/3")
-    value = force.value(tau, epsilon, 20)
-    expected = force_by_mpmath(force, to_fmpq(tau), to_fmpq(epsilon))
-    assert abs(float(value.mid()) - float(expected)) <= 1e-12 * (1 + abs(float(expected)))
-    with working_bits(128):
-        parts = force.direction * evaluate(tau, beta, derivative=1).value + force.level(to_fmpq(epsilon))
-    assert not (parts > 0 and value < 0)
-    assert not (parts < 0 and value > 0)
 
 
 @settings(max_examples=12, deadline=None)
@@ -142,55 +74,6 @@ def test_known_numbers() -> None:
     assert "every τ < -10" in str(iwc("5/2"))
 
 
-@pytest.mark.parametrize("beta", BETAS)
-def test_lift_off_bracket(beta: str) -> None:
-    force = contact_force(beta, c1=lift_off_sign(beta))
-    epsilon = fmpq(1, 10**6)
-    found = lift_off(force, epsilon, fmpq(-5), 10)
-    assert found.verdict.outcome is Outcome.PROVED
-    lower, upper = found.lower, found.upper
-    assert lower is not None
-    assert upper is not None
-    assert 0 < upper - lower <= fmpq(1, 10**10)
-    assert force.value(lower, epsilon, 25) > 0
-    assert force.value(upper, epsilon, 25) < 0
-    assert force_by_mpmath(force, lower - fmpq(1, 100), epsilon) > 0
-    assert force_by_mpmath(force, upper + fmpq(1, 100), epsilon) < 0
-    points = [fmpq(-5) + (lower + 5) * fmpq(k, 40) for k in range(41)]
-    assert all(force.value(tau, epsilon) > 0 for tau in points)
-    assert found.number == 1
-
-
-def test_several_zeros_before_the_last_lift_off() -> None:
-    # beta = 7/2, C_1 = -1: -dTheta/dtau falls through the level, rises and falls again when eps is large.
-    force = contact_force("7/2", c1=-1)
-    signs: list[int] = []
-    epsilon = fmpq(1, 2)
-    for k in range(-300, 500):
-        value = force.value(fmpq(k, 100), epsilon)
-        sign = 1 if value > 0 else -1
-        if not signs or signs[-1] != sign:
-            signs.append(sign)
-    found = lift_off(force, epsilon, fmpq(-3), 8)
-    assert found.number == len(signs) - 1
-    beta = fmpq(11, 2)
-    force = contact_force(beta, c1=-1)
-    counts = {lift_off(force, fmpq(1, k), fmpq(-2), 4).number for k in range(1, 9)}
-    assert 1 in counts
-    assert counts <= {1, 3, 5}
-
-
-def test_growth() -> None:
-    result = iwc("3/2", c1=-1, growth=True)
-    assert [row.epsilon for row in result.growth] == [fmpq(10) ** -n for n in (10, 100, 1_000, 10_000)]
-    ratios = [row.ratio for row in result.growth]
-    assert all(ratio is not None for ratio in ratios)
-    distances = [abs(ratio - 1).mid() for ratio in ratios if ratio is not None]
-    assert distances == sorted(distances, reverse=True)
-    assert distances[-1] < fmpq(1, 500)
-    assert "ε = 1e-10000: lift-off in" in str(result)
-
-
 def test_between_0_and_1() -> None:
     second = iwc("1/2", alpha_2=1)
     assert second.every_epsilon
@@ -222,48 +105,6 @@ def test_every_epsilon_where_the_slope_has_one_sign() -> None:
     assert iwc("7/2", tau_start=5, epsilon=10**6).verdict.outcome is Outcome.PROVED
 
 
-def test_a_start_inside_the_bracket_of_a_critical_point() -> None:
-    beta = fmpq(5, 2)
-    lower, upper = ((b.lower, b.upper) for b in stretches(beta, -1, fmpq(-10)).critical).__next__()
-    inside = stretches(beta, -1, (lower + upper) / 2)
-    assert len(inside.critical) == 1
-    assert not inside.whole_line
-    assert minimum(inside).value.overlaps(minimum(stretches(beta, -1, fmpq(-10))).value)
-    beyond = stretches(beta, -1, upper)
-    assert beyond.critical == ()
-
-
-def test_uncertain_levels_stay_open(monkeypatch: pytest.MonkeyPatch) -> None:
-    found = stretches(fmpq(7, 2), -1, fmpq(-3))
-    assert first_crossing(found, lambda _: arb(0, 1000)) is None
-    assert first_crossing(found, lambda _: arb.nan()) is None
-    with pytest.raises(NotAbove):
-        first_crossing(found, lambda _: arb(-(10**9)))
-    monkeypatch.setattr("gspot_verified.signs.iwc.first_crossing", lambda *_: None)
-    result = iwc("7/2", c1=-1)
-    assert result.verdict.outcome is Outcome.UNDECIDED
-    assert "undecided" in str(result)
-    assert stretches_module.narrowed(lambda _: None, fmpq(0), fmpq(1), 3) == (0, 1)
-
-
-@given(st.fractions(-5, 5, max_denominator=30), st.integers(0, 6))
-def test_narrowed_keeps_the_crossing(root: Fraction, digits: int) -> None:
-    target = to_fmpq(root)
-    lower, upper = narrowed(lambda tau: tau > target, fmpq(-17, 3), fmpq(19, 3), digits)
-    assert lower <= target < upper
-    assert upper - lower <= fmpq(1, 10**digits)
-
-
-@given(st.fractions(-200, 200, max_denominator=7), st.integers(1, 40))
-def test_rounded_down(logarithm: Fraction, digits: int) -> None:
-    with working_bits(400):
-        ball = arb(to_fmpq(logarithm))
-        found = rounded_down(ball, digits)
-        assert found is not None
-        assert arb(found).log() <= ball
-        assert arb(found).log() > ball - 20 * arb(10) ** -digits or found == fmpq(10) ** 100
-
-
 def test_epsilon_next_to_the_bound_is_undecided() -> None:
     result = iwc("5/2", digits=5)
     size = result.largest_epsilon
@@ -273,17 +114,60 @@ def test_epsilon_next_to_the_bound_is_undecided() -> None:
     assert iwc("5/2", digits=5, epsilon=middle).verdict.outcome is Outcome.UNDECIDED
 
 
+QUARTERS = [fmpq(k, 4) for k in range(6, 24) if k % 4]
+
+
+def witness_of(result: IwcResult) -> fmpq:
+    """The number in "λ_N < 0 at τ = p/q"."""
+    number = Fraction((result.verdict.witness or "").removeprefix("λ_N < 0 at τ = "))
+    return to_fmpq(number)
+
+
+@pytest.mark.parametrize("digits", [1, 2, 3])
+@pytest.mark.parametrize("beta", QUARTERS, ids=str)
+def test_a_start_in_the_bracket_of_a_critical_point(beta: fmpq, digits: int) -> None:
+    """A witness lies in the range that was asked about, and what is proved holds at the critical points."""
+    critical = [(lower + upper) / 2 for lower, upper in zeros_at(beta - 1, 30).brackets]
+    for lower, upper in zeros_at(beta - 1, digits).brackets:
+        for share in (fmpq(0), fmpq(1, 10), fmpq(1, 2), fmpq(7, 10), fmpq(9, 10), fmpq(1)):
+            start = lower + share * (upper - lower)
+            for epsilon in (fmpq(10) ** 6, fmpq(1, 5), fmpq(1, 10**4)):
+                result = iwc(beta, tau_start=start, digits=digits, epsilon=epsilon)
+                places = [start, *(tau for tau in critical if tau > start)]
+                forces = [result.force.value(tau, epsilon, 30) for tau in places]
+                if result.verdict.outcome is Outcome.REFUTED:
+                    assert witness_of(result) >= start
+                    assert result.force.value(witness_of(result), epsilon, 30) < 0
+                if result.verdict.outcome is Outcome.PROVED:
+                    assert all(force > 0 for force in forces)
+                if result.minimum is not None:
+                    assert start <= result.minimum.lower <= result.minimum.upper
+
+
+def test_the_witness_is_not_the_middle_of_a_bracket_that_begins_before_the_start() -> None:
+    result = iwc("5/2", tau_start="77/100", digits=1, epsilon=10**6)
+    assert result.verdict.statement.endswith("λ_N > 0 for every τ in [77/100, inf) at ε = 1000000")
+    assert result.verdict.outcome is Outcome.REFUTED
+    assert witness_of(result) >= fmpq(77, 100)
+
+
+def test_epsilon_0_itself_is_not_below_epsilon_0() -> None:
+    """The statement is for eps < eps_0: at the bound itself, where log 1 = 0 is exact, nothing is proved."""
+    result = iwc("5/2")
+    found = stretches(fmpq(5, 2), -1, fmpq(-10))
+    assert result.largest_epsilon is not None
+    assert result.largest_epsilon < fmpq(3)
+    one = at_epsilon(result.force, found, fmpq(1), arb(0))
+    assert one.outcome is not Outcome.PROVED
+    assert at_epsilon(result.force, found, fmpq(1), arb(fmpq(1, 1024))).outcome is Outcome.PROVED
+
+
 def test_very_small_and_very_large_bounds() -> None:
     assert iwc("1.0001").epsilon_0 == fmpq(10) ** 100
     tiny = iwc("1.0001", alpha_2="-1e-40")
     assert tiny.epsilon_0 is None
     assert tiny.verdict.outcome is Outcome.UNDECIDED
     assert iwc("1.0001", alpha_2="-1e-40", epsilon="1e-600").verdict.outcome is Outcome.REFUTED
-
-
-def test_short_text_is_exact() -> None:
-    for value in (fmpq(1, 10**9), fmpq(7, 80), fmpq(-12345, 1000), fmpq(10) ** 25, fmpq(2, 3), fmpq(0), fmpq(1, 5**9)):
-        assert Fraction(_short(value)) == Fraction(int(value.p), int(value.q))
 
 
 @pytest.mark.parametrize("result", [iwc("7/3"), iwc("7/3", c1=1, growth=True), iwc("1/2", alpha_2=1)])
@@ -322,8 +206,3 @@ def test_json(result: IwcResult) -> None:
 def test_bad_input(beta: object, options: dict[str, object], error: type[Exception], message: str) -> None:
     with pytest.raises(error, match=message):
         iwc(beta, **options)  # type: ignore[arg-type]
-
-
-def test_bad_epsilon_of_the_force() -> None:
-    with pytest.raises(ValueError, match="epsilon"):
-        contact_force("7/3").value(0, 0)

@@ -1,0 +1,29 @@
+"""Exact rationals as short texts."""
+
+from __future__ import annotations
+
+import decimal
+import math
+
+from flint import fmpq
+
+_SHOWN_BITS = 512
+_CONTEXT = decimal.Context(prec=200, Emax=10**6, Emin=-(10**6))
+
+
+def short_text(value: fmpq) -> str:
+    """A decimal fraction exactly, as a decimal or with an exponent; another rational as it is.
+
+    >>> short_text(fmpq(-1, 8)), short_text(fmpq(10) ** -300), short_text(fmpq(1, 3)), short_text(fmpq(1200))
+    ('-0.125', '1e-300', '1/3', '1200')
+    """
+    denominator = int(value.q)
+    twos = (denominator & -denominator).bit_length() - 1
+    fives = round((denominator >> twos).bit_length() * math.log(2, 5))
+    fives = next((n for n in (fives - 1, fives, fives + 1) if n >= 0 and 5**n == denominator >> twos), -1)
+    places = max(twos, fives)
+    mantissa = int(value.p) * 10**places // denominator
+    if fives < 0 or mantissa.bit_length() > _SHOWN_BITS:
+        return str(value)
+    number = _CONTEXT.normalize(_CONTEXT.scaleb(decimal.Decimal(mantissa), -places))
+    return f"{number:f}" if -7 <= number.adjusted() <= 20 else f"{number:g}"
