@@ -10,12 +10,36 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import lru_cache
 
-from flint import fmpq, fmpq_poly
+from flint import fmpq, fmpq_mpoly, fmpq_poly
+
+from gspot_verified.ledger.identities import Algebra
 
 ALPHA = (fmpq(-1), fmpq(-1), fmpq(-3, 2))
 Table = dict[tuple[int, int], fmpq_poly]
 """The coefficient of t^i eps^j under (i, j)."""
+POWER_OF_DELTA = {"p": 2, "b": 2, "y": 6, "v": 4, "z": 6, "lam": 6}
+"""In front of the scaled variables, lines 1385 to 1390; lam stands for eps^2 lambda_N."""
 _ZERO = fmpq_poly([])
+
+
+def scaled_series(algebra: Algebra, name: str, orders: int) -> fmpq_mpoly:
+    """The terms n < orders of a scaled variable in the symbols s, delta, chi: t^i eps^j is s^i delta^(2 i + 3 j)."""
+    s, delta, chi = (algebra.symbols[symbol] for symbol in ("s", "delta", "chi"))
+    tables = example_series(orders + 2)
+    table = tables[name] if name != "lam" else _difference(tables["z"], tables["y"])
+    total = algebra.constant(0)
+    for (i, j), value in table.items():
+        n = 2 * i + 3 * j - POWER_OF_DELTA[name]
+        if n < orders:
+            # A negative n would be a contradiction to the scaling: the power then raises an error.
+            in_chi = sum((a * chi**k for k, a in enumerate(value.coeffs())), start=algebra.constant(0))
+            total += in_chi * s**i * delta**n
+    return total
+
+
+def _difference(left: Table, right: Table) -> Table:
+    """z - y, which is eps^2 lambda."""
+    return {key: left.get(key, _ZERO) - right.get(key, _ZERO) for key in {**left, **right}}
 
 
 @lru_cache

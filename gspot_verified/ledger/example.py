@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from flint import fmpq_mpoly, fmpq_poly
+from collections.abc import Callable
 
-from gspot_verified.ledger.double_series import example_series
+from flint import fmpq_mpoly
+
+from gspot_verified.ledger.double_series import example_series, scaled_series
 from gspot_verified.ledger.entry import Entry, settled
 from gspot_verified.ledger.extended_system import extended_terms
 from gspot_verified.ledger.identities import Algebra, Claim, Parts
@@ -22,7 +24,7 @@ PRINTED: dict[str, dict[str, str]] = {
         " + (138*chi^3*s^4/5 - 10368*s*chi^3/5)*delta^6",
         "error": "delta^7",
     },
-    "5-example-b-error": {"error": "delta^8"},
+    "5-example-b-error": {"error": "delta^8", "term 7": "0*chi"},
     "5-example-y": {
         "series": "-4 - 16*chi*s*delta^2 + 8*chi*delta^3 - 48*chi^2*s^2*delta^4 + 48*s*chi^2*delta^5"
         " + (-736*chi^3*s^3/5 + 13824*chi^3/5 - 48*chi^2)*delta^6",
@@ -41,9 +43,12 @@ PRINTED: dict[str, dict[str, str]] = {
         "scaled": "-2 - 8*s*delta^2 + 8*delta^3 - 24*s^2*delta^4 + 48*s*delta^5 + (-368*s^3/5 + 6672/5)*delta^6",
         "first": "-2 - 8*t + 8*eps - 24*t^2 + 48*t*eps - 368*t^3/5 + 6672/5*eps^2",
         "second": "-2 - 8*t - 24*t^2 - 368/5*t^3 + (8 + 48*t)*eps + 6672/5*eps^2",
+        "error": "delta^7",
     },
 }
-CORRECTED: dict[str, dict[str, str]] = {"5-example-b-error": {"error": "delta^7"}}
+CORRECTED: dict[str, dict[str, str]] = {"5-example-b-error": {"error": "delta^7", "term 7": "2208*chi^3/5"}}
+STATED_ERROR = {"5-example-zbar": ((4, 0), (2, 1), (1, 2), (0, 3))}
+"""O(t^4, eps t^2, eps^2 t, eps^3): the exponents of t and eps."""
 _LATEX = {
     "p": r"\tilde{\bar p}=-s+\chi s^2\delta^2+2\chi^2s^3\delta^4+(3\chi^3s^4-96\chi^3s)\delta^6+O(\delta^8)",
     "b": r"\tilde{\bar b}=2s+6\chi s^2\delta^2+\ldots+(\tfrac{138}5\chi^3s^4-\tfrac{10368}5\chi^3s)\delta^6",
@@ -51,7 +56,6 @@ _LATEX = {
     "v": r"\tilde{\bar v}=-16\chi\delta^2-96\chi^2s\delta^4+48\chi^2\delta^5-\ldots+O(\delta^7)",
     "z": r"\tilde{\bar z}=-2-8\chi s\delta^2+8\chi\delta^3-\ldots+O(\delta^7)",
 }
-_FRONT = {"p": 2, "b": 2, "y": 6, "v": 4, "z": 6}
 _ORDERS = 9
 
 
@@ -70,18 +74,8 @@ def by_recursion(name: str, orders: int) -> fmpq_mpoly:
 
 
 def by_double_series(name: str, orders: int) -> fmpq_mpoly:
-    """The same terms from the series in (t, eps): t^i eps^j is s^i delta^(2 i + 3 j)."""
-    total = ALGEBRA.constant(0)
-    for (i, j), value in example_series(_ORDERS + 1)[name].items():
-        n = 2 * i + 3 * j - _FRONT[name]
-        if n < orders:
-            # A negative n would be a contradiction to the scaling: the power then raises an error.
-            total += _in_chi(value) * _SYMBOLS["s"] ** i * _SYMBOLS["delta"] ** n
-    return total
-
-
-def _in_chi(value: fmpq_poly) -> fmpq_mpoly:
-    return sum((a * _SYMBOLS["chi"] ** k for k, a in enumerate(value.coeffs())), start=ALGEBRA.constant(0))
+    """The same terms from the series in (t, eps)."""
+    return scaled_series(ALGEBRA, name, orders)
 
 
 def _order(parts: Parts) -> int:
@@ -112,14 +106,20 @@ def _series(name: str) -> Entry:
 def _b_error() -> Entry:
     this = Claim(ALGEBRA, PRINTED["5-example-b-error"], CORRECTED["5-example-b-error"])
     series = ALGEBRA.read(PRINTED["5-example-b"]["series"])
+
+    def differences(parts: Parts, found: Callable[[str, int], fmpq_mpoly]) -> list[fmpq_mpoly]:
+        exact = found("b", 8)
+        through = series - found("b", _order(parts))
+        return [ALGEBRA.coefficient_of(exact, "delta", 7) - parts["term 7"], through]
+
     return settled(
         SECTION,
         "5-example-b-error",
         "line 1857",
         r"\tilde{\bar b}=\ldots+\mathcal O(\delta^8)",
         "The error of the printed expansion of b is O(δ^8)",
-        this.check("Theorem 1's recursion", lambda parts: [by_recursion("b", _order(parts)) - series]),
-        this.check("power series in (t, ε)", lambda parts: [by_double_series("b", _order(parts)) - series]),
+        this.check("Theorem 1's recursion", lambda parts: differences(parts, by_recursion)),
+        this.check("power series in (t, ε)", lambda parts: differences(parts, by_double_series)),
         corrected="O(δ^7): the next term is b_7 = (2208/5) χ³, in P_0 as Theorem 1 allows (ν = 3)",
         note="For p, O(δ^8) is right: p_7 = 0.",
     )
@@ -131,17 +131,21 @@ def _zbar() -> Entry:
     inner = {"t": ALGEBRA.read("delta^2*s"), "eps": ALGEBRA.read("delta^3")}
 
     def recursion(parts: Parts) -> list[fmpq_mpoly]:
-        exact = ALGEBRA.substitute(by_recursion("z", 7), chi_is_1)
+        exact = ALGEBRA.substitute(by_recursion("z", _order(parts)), chi_is_1)
         outer = [ALGEBRA.substitute(parts[name], inner) for name in ("first", "second")]
         return [exact - parts["scaled"], *(exact - value for value in outer)]
 
     def direct(parts: Parts) -> list[fmpq_mpoly]:
         total = ALGEBRA.constant(0)
-        for (i, j), value in example_series(_ORDERS + 1)["z"].items():
-            # eps^2 in front; t^4, eps t^2, eps^2 t, eps^3 and their multiples are the stated error.
-            if i < {2: 4, 3: 2, 4: 1}.get(j, 0):
+        for (i, j), value in example_series(_ORDERS + 3)["z"].items():
+            if j < 2:  # eps^2 in front
+                return [ALGEBRA.constant(1)]
+            if not any(i >= k and j - 2 >= m for k, m in STATED_ERROR["5-example-zbar"]):
                 total += value(1) * _SYMBOLS["t"] ** i * _SYMBOLS["eps"] ** (j - 2)
-        scaled = ALGEBRA.substitute(total, inner)
+        # Below the stated order in delta, where t^i eps^j counts as 2 i + 3 j.
+        below = ALGEBRA.coefficients(ALGEBRA.substitute(total, inner), "delta")
+        terms = (value * _SYMBOLS["delta"] ** n for n, value in below.items() if n < _order(parts))
+        scaled = sum(terms, start=ALGEBRA.constant(0))
         return [total - parts["first"], total - parts["second"], scaled - parts["scaled"]]
 
     return settled(

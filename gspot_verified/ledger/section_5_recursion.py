@@ -1,23 +1,22 @@
 """Ledger of Section 5: the inner scale of a general system and the steps of Theorem 1's recursion.
 
 b, y, v, z, l, r, w, q with a number are b_n, y_n, v_n, z_n, lambda_n, r_{b,n}, r_{v,n}, z_{n-1} and derivatives in s.
+S is a sum over products of the terms of two series, which has its own formulas (see ``convolution``).
 """
 
 from __future__ import annotations
 
-from math import comb, factorial
-
 from flint import fmpq, fmpq_mpoly
 
-from gspot_verified.ledger.entry import Entry, settled
-from gspot_verified.ledger.extended_system import extended_terms
+from gspot_verified.ledger.convolution import NAMES, all_pairs, product_of_geometric_series
+from gspot_verified.ledger.double_series import scaled_series
+from gspot_verified.ledger.entry import Entry, Rung, settled
 from gspot_verified.ledger.identities import Algebra, Claim, Parts
 
 SECTION = "Section 5, Theorem 1"
 ALGEBRA = Algebra(
-    "alpha1 alpha3 delta eps s k chi u0 u2 u3 b0 b1 b2 b3 r0 r1 r2 w0 q0 q1 q2 q3 l0 l1 l2 y0 y1 y2 y3 v0 v1 z0 z1 "
-    "F0 F1 F2 F3 F4 G0 G1 G2 G3 G4 A0 A1 A2 A3 B3 P1 P2 P3 L0 L1 L2 L3 L4 "
-    "xi1 f g lam a1 a2 a3 p p1 b y v z pd bd yd vd zd xd"
+    "alpha1 alpha3 delta eps s n k chi u0 u3 b0 b1 b2 b3 r0 r1 r2 w0 q0 q1 q2 q3 l0 l1 l2 y0 y1 y2 y3 v0 v1 z0 z1 "
+    "xi1 f g lam a1 a2 a3 p p1 b y v z pd bd yd vd zd xd a2n fn S m0"
 )
 _SYMBOLS = ALGEBRA.symbols
 PRINTED: dict[str, dict[str, str]] = {
@@ -26,7 +25,12 @@ PRINTED: dict[str, dict[str, str]] = {
         "specialY": "y1 - v0", "specialV": "v1 - (b0 + p*lam)",
         "specialZ": "delta*z1 + z0 + lam", "specialL": "lam - (z0 - y0)",
     },
-    "5-orders": {"r_b": "B3 - (A3*L0 + A2*L1 + A1*L2)", "r_v": "P3*L0 + P2*L1 + P1*L2", "p_0": "alpha1*s"},
+    "5-orders": {
+        "B": "b1 + alpha3*l0", "r_b": "a2n - S", "Y": "y1 - v0", "V": "v1 - b0 - alpha1*s*l0", "r_v": "S",
+        "Z": "-z0 - l0", "r_z": "q1", "L": "l0 - z0 + y0", "p_0": "alpha1*s",
+        "b left": "n - k", "b right": "k", "b first": "0*k", "b last": "n - 1",
+        "v left": "n - k", "v right": "k", "v first": "0*k", "v last": "n - 1",
+    },
     "5-third-order": {
         "specialYnbis": "alpha3*y2 - alpha3*b0 + alpha1*s*b1 - (alpha1*s*r0 + alpha3*w0)",
         "line 1667": "alpha3*y0 - 2*b1 - (-alpha3*q1 - 2*r0)",
@@ -36,11 +40,11 @@ PRINTED: dict[str, dict[str, str]] = {
     "5-step-3": {
         "y": "2*(b1-r0) - alpha3*q1", "v": "2*(b2-r1) - alpha3*q2", "lambda": "r0 - b1", "z": "b1 - r0 - alpha3*q1",
     },
-    "5-xinprime": {"sum": "F4 + (G4+G3+G2+G1+G0)*L4"},
+    "5-xinprime": {"right side": "fn + S", "left": "n - k", "right": "n", "first": "0*k", "last": "n"},
 }  # fmt: skip
 CORRECTED: dict[str, dict[str, str]] = {
     "5-monomial": {"image": "(k*alpha1 - alpha3)*u3 + 2*k*(k-1)*(k-2)*u0"},
-    "5-xinprime": {"sum": "F4 + G4*L0 + G3*L1 + G2*L2 + G1*L3 + G0*L4"},
+    "5-xinprime": {"right": "k"},
 }
 
 
@@ -82,23 +86,18 @@ def _inner_system() -> Entry:
             for name, (text, power) in general.items()
         ]
 
-    def back(parts: Parts) -> list[fmpq_mpoly]:
-        # Solve the printed forms for the derivatives in s; d/dt is delta^(-2) d/ds of the unscaled variables.
-        delta = _SYMBOLS["delta"]
-        labels = {"xi": "X", "p": "PP", "b": "B", "y": "Y", "v": "V", "z": "Z"}
-        solved = {
-            name: -ALGEBRA.substitute(parts[f"special{label}"], {f"{name}1": ALGEBRA.constant(0)})
-            for name, label in labels.items()
-        }
-        return [
-            solved["xi"] - ALGEBRA.read("f + g*lam"),
-            solved["p"] - ALGEBRA.read("a1"),
-            solved["b"] - ALGEBRA.read("a2 - a3*lam"),
-            delta**4 * solved["y"] - delta**4 * _SYMBOLS["v0"],
-            delta**2 * solved["v"] - ALGEBRA.read("delta^2*b0 + delta^2*p*lam"),
-            delta**6 * solved["z"] + ALGEBRA.read("delta^6*z0 + delta^6*lam"),
-            delta**6 * parts["specialL"] - ALGEBRA.read("delta^6*lam - (delta^6*z0 - delta^6*y0)"),
-        ]
+    def example(parts: Parts) -> list[fmpq_mpoly]:
+        # alpha = (-1 + chi b, -1, -3/2), b = delta^2 b~; the component of xi~ that is v has F = b, G = p.
+        orders = 7
+        series = {name: scaled_series(ALGEBRA, name, orders) for name in ("p", "b", "y", "v", "z", "lam")}
+        values = {f"{name}{k}": value.derivative("s") if k else value for name, value in series.items() for k in (0, 1)}
+        values |= {"p": series["p"], "lam": series["lam"]}
+        values |= {"xi1": values["v1"], "f": values["b0"], "g": values["p"]}
+        values |= {"a1": ALGEBRA.read("chi*delta^2") * values["b0"] - 1}
+        values |= {"a2": ALGEBRA.constant(-1), "a3": ALGEBRA.constant(fmpq(-3, 2))}
+        values = {name: value for name, value in values.items() if name in _SYMBOLS}
+        rests = [ALGEBRA.coefficients(ALGEBRA.substitute(part, values), "delta") for part in parts.values()]
+        return [value for rest in rests for power, value in rest.items() if power < orders - 1] or [ALGEBRA.constant(0)]
 
     return settled(
         SECTION,
@@ -107,47 +106,56 @@ def _inner_system() -> Entry:
         r"\tilde\xi'=F+G\lambda_N,\ldots,\ \delta\tilde z'=-\tilde z-\lambda_N,\ \lambda_N=\tilde z-\tilde y",
         "The scaled variables turn genSysXi to genSysLN into specialX to specialL",
         this.check("the scaled variables put into genSysXi to genSysLN", chain_rule),
-        this.check("specialX to specialL solved for the derivatives, put back into the unscaled variables", back),
+        this.check(
+            "the extended example through δ⁵, from its series in (t, ε) without the scaling", example, Rung.POINTS
+        ),
     )
+
+
+def _sum(parts: Parts, prefix: str = "") -> dict[str, fmpq_mpoly]:
+    return {name: parts[prefix + name] for name in NAMES}
 
 
 def _orders() -> Entry:
     this = _claim("5-orders")
-    delta = _SYMBOLS["delta"]
+    scaled = {name: ALGEBRA.read(text) for name, text in PRINTED["5-inner-system"].items()}
 
-    def series(letter: str, first: int = 0, start: str = "") -> fmpq_mpoly:
-        total = ALGEBRA.read(start) if start else ALGEBRA.constant(0)
-        return sum((_SYMBOLS[f"{letter}{k}"] * delta**k for k in range(first, 4)), start=total)
+    def at_order_n(name: str, **texts: str) -> fmpq_mpoly:
+        """The order n of an equation: each factor that is a sum of products is replaced by what it gives."""
+        return ALGEBRA.substitute(scaled[name], {key: ALGEBRA.read(text) for key, text in texts.items()})
 
-    third, force, slope = series("A"), series("L"), series("P", 1, PRINTED["5-orders"]["p_0"])
+    def linear(parts: Parts) -> list[fmpq_mpoly]:
+        # Orders n - 1 (q, m) and n (z, l) as coefficients of delta^0 and delta^1. alpha3_0 = alpha3, p_0 = alpha1 s.
+        of_z = at_order_n("specialZ", z0="q0 + delta*z0", z1="q1 + delta*z1", lam="m0 + delta*l0")
+        of_z = ALGEBRA.coefficient_of(of_z, "delta", 1)
+        of_b = at_order_n("specialB", a2="a2n", a3="1+0*s", lam="alpha3*l0 + S")
+        of_v = at_order_n("specialV", p="1+0*s", lam="alpha1*s*l0 + S")
+        return [
+            parts["B"] - parts["r_b"] - of_b,
+            parts["V"] - parts["r_v"] - of_v,
+            parts["Z"] - parts["r_z"] + of_z,
+            parts["Y"] - scaled["specialY"],
+            parts["L"] - at_order_n("specialL", lam="l0"),
+            ALGEBRA.substitute(scaled["specialPP"], {"p1": parts["p_0"].derivative("s"), "a1": _SYMBOLS["alpha1"]}),
+            ALGEBRA.coefficient_of(parts["p_0"], "s", 0),
+        ]
 
-    def products(parts: Parts) -> list[fmpq_mpoly]:
-        in_b = _SYMBOLS["B3"] - ALGEBRA.coefficient_of(third * force, "delta", 3)
-        in_v = ALGEBRA.coefficient_of(slope * force, "delta", 3)
-        known = ALGEBRA.read("A0*L3"), ALGEBRA.read("alpha1*s*L3")
-        return [in_b + known[0] - parts["r_b"], in_v - known[1] - parts["r_v"]]
+    def pairs(parts: Parts) -> list[fmpq_mpoly]:
+        return [*linear(parts), *(v for x in ("b ", "v ") for v in all_pairs(ALGEBRA, _sum(parts, x), 1))]
 
-    def leibniz(parts: Parts) -> list[fmpq_mpoly]:
-        def at_zero(value: fmpq_mpoly, times: int) -> fmpq_mpoly:
-            slopes = ALGEBRA.derivative(value, {"delta": ALGEBRA.constant(1)}, times)
-            return ALGEBRA.substitute(slopes, {"delta": ALGEBRA.constant(0)})
-
-        def third_order(left: fmpq_mpoly) -> fmpq_mpoly:
-            terms = (comb(3, k) * at_zero(left, 3 - k) * at_zero(force, k) for k in range(3))
-            return sum(terms, start=ALGEBRA.constant(0)) * fmpq(1, factorial(3))
-
-        slope_0 = at_zero(slope, 0) - ALGEBRA.read("alpha1*s")
-        return [_SYMBOLS["B3"] - third_order(third) - parts["r_b"], third_order(slope) - parts["r_v"], slope_0]
+    def geometric(parts: Parts) -> list[fmpq_mpoly]:
+        sums = (product_of_geometric_series(ALGEBRA, _sum(parts, x), 1) for x in ("b ", "v "))
+        return [*linear(parts), *(value for found in sums for value in found)]
 
     return settled(
         SECTION,
         "5-orders",
-        "eqs. specialBn, specialVn (and Yn, Zn, Ln)",
+        "eqs. specialBn, specialYn, specialVn, specialZn, specialLn; line 1608",
         r"r_{b,n}={\alpha_2}_n-\sum_{k=0}^{n-1}{\alpha_3}_{n-k}\lambda_k,\ r_{v,n}=\sum_{k=0}^{n-1}p_{n-k}\lambda_k",
-        "The right-hand sides of the terms of order δ^n",
-        this.check("coefficient of δ³ in the products of generic series (n = 3; the pattern of a product)", products),
-        this.check("Leibniz' rule for the third derivative in δ at 0", leibniz),
-        note="specialYn, specialZn and specialLn are linear: the orders do not mix, but for z_(n-1)' from δ z'.",
+        "The terms of order δ^n of specialB to specialL, and p_0, for every n",
+        this.check("term by term; the sums have each pair of orders with the sum n once, for every n", pairs),
+        this.check("term by term; the sums for geometric series x^i, y^j, with x^n and y^n as symbols", geometric),
+        note="The term k = n of each product stands on the left: α_3* λ_n and p_0 λ_n = α_1* s λ_n.",
     )
 
 
@@ -203,7 +211,9 @@ def _monomial() -> Entry:
     s = _SYMBOLS["s"]
 
     def explicit(parts: Parts) -> list[fmpq_mpoly]:
-        found = []
+        # Both sides have degree at most 6 in k, so seven values of k determine them.
+        powers_of_k = ALGEBRA.coefficients(parts["image"], "k")
+        found = [value for power, value in powers_of_k.items() if power > 6]
         for k in range(7):
             powers = [ALGEBRA.derivative(s**k, {"s": ALGEBRA.constant(1)}, j) for j in range(4)]
             images = {"k": ALGEBRA.constant(k), "u3": s**k, "u0": s ** max(k - 3, 0)}
@@ -225,7 +235,7 @@ def _monomial() -> Entry:
         "line 1691",
         r"(k\alpha_1^*-\alpha_3^*)s^k+k(k-1)(k-2)s^{k-3}",
         "The left-hand side of third-order_b at b_n = s^k",
-        this.check("s^k for k = 0, ..., 6", explicit),
+        this.check("s^k for k = 0, ..., 6; both sides have degree at most 6 in k", explicit),
         this.check("s^k with k as a symbol", symbolic),
         corrected="(k α_1 - α_3) s^k + 2 k (k-1) (k-2) s^(k-3): the factor 2 of 2 b_n''' is missing",
         note="The coefficient of s^k is right, and with it the conclusion: it is not 0 for β not an integer. In the "
@@ -265,33 +275,26 @@ def _step_3() -> Entry:
 
 def _xinprime() -> Entry:
     this = _claim("5-xinprime")
-    delta = _SYMBOLS["delta"]
 
-    def product(parts: Parts) -> list[fmpq_mpoly]:
-        f, g, force = (
-            sum((_SYMBOLS[f"{x}{k}"] * delta**k for k in range(5)), start=ALGEBRA.constant(0)) for x in "FGL"
-        )
-        return [ALGEBRA.coefficient_of(f + g * force, "delta", 4) - parts["sum"]]
-
-    def example(parts: Parts) -> list[fmpq_mpoly]:
-        # xi_4 = V is v itself: F is b and G is p there, scaled by delta^2, and the term of order 4 of xi_4~ is v_2.
-        terms = {
-            name: [sum((ALGEBRA.bring(a) * _SYMBOLS["s"] ** k for k, a in enumerate(row)), start=ALGEBRA.constant(0))
-                   for row in rows] for name, rows in extended_terms(5, chi=True).items()
-        }  # fmt: skip
-        zero = ALGEBRA.constant(0)
-        images = {"F4": terms["b"][2], "G0": zero, "G1": zero}
-        images |= {f"G{k + 2}": terms["p"][k] for k in range(3)}
-        images |= {f"L{k}": terms["lambda_n"][k] for k in range(5)}
-        return [terms["v"][2].derivative("s") - ALGEBRA.substitute(parts["sum"], images)]
+    def right_side(parts: Parts) -> list[fmpq_mpoly]:
+        scaled = ALGEBRA.read(PRINTED["5-inner-system"]["specialX"])
+        images = {"f": ALGEBRA.read("fn"), "g": ALGEBRA.constant(1), "lam": _SYMBOLS["S"]}
+        return [ALGEBRA.substitute(scaled, images) - (_SYMBOLS["xi1"] - parts["right side"])]
 
     return settled(
         SECTION,
         "5-xinprime",
         "eq:xinprime",
         r"\xi_n'=F_n+\sum_{k=0}^nG_{n-k}\lambda_n",
-        "The term of order δ^n of specialX",
-        this.check("coefficient of δ⁴ in F + G λ_N for generic series (n = 4)", product),
-        this.check("the extended example, component v of ξ, n = 4: against v_2' from step 3", example),
+        "The term of order δ^n of specialX, for every n",
+        this.check(
+            "the sum has each pair of orders with the sum n once, for every n",
+            lambda parts: [*right_side(parts), *all_pairs(ALGEBRA, _sum(parts), 0)],
+        ),
+        this.check(
+            "the sum for geometric series x^i, y^j is the coefficient of δ^n in their product, for every n",
+            lambda parts: [*right_side(parts), *product_of_geometric_series(ALGEBRA, _sum(parts), 0)],
+        ),
         corrected="ξ_n' = F_n + Σ G_(n-k) λ_k: the index of λ is k",
+        note="In the findings n and k are the indices: the orders of G and λ_N must have the sum n.",
     )

@@ -241,7 +241,7 @@ def test_recursion_and_double_series_agree_beyond_the_printed_terms() -> None:
 def test_the_double_series_depends_on_its_system(monkeypatch: pytest.MonkeyPatch) -> None:
     one, two, three = double_series.ALPHA
     monkeypatch.setattr(double_series, "ALPHA", (one, two * 2, three))
-    monkeypatch.setattr(example, "example_series", double_series.example_series.__wrapped__)
+    monkeypatch.setattr(double_series, "example_series", double_series.example_series.__wrapped__)
     for name in "pbyvz":
         assert BUILDERS[f"5-example-{name}"]().verdict.outcome is Outcome.UNDECIDED
 
