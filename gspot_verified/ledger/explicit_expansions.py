@@ -14,13 +14,14 @@ from gspot_verified.expansion.rings import RATIONALS
 from gspot_verified.expansion.spaces import SpacePolynomial
 from gspot_verified.expansion.system import System
 from gspot_verified.expansion.terms import PolynomialTerms
+from gspot_verified.ledger.identities import Algebra
 
 Shift = tuple[int, int]
 SPACES: dict[str, Shift] = {
     "p": (1, -3), "b": (1, -3), "xi": (1, -3), "y": (0, -1), "z": (0, -1), "v": (-1, -2), "lambda_n": (0, -4),
 }  # fmt: skip
 """Theorem 1, lines 1511 to 1521."""
-FUNCTION: Shift = (0, -4)
+LEMMA: dict[str, Shift] = {"f": (0, -4)}
 """Lemma thm:expansion: the terms f_n of a function of xi."""
 
 
@@ -69,38 +70,48 @@ def in_stated_spaces(recursion: Recursion) -> bool:
 
 
 def equations_hold(recursion: Recursion) -> bool:
-    """Eqs. specialX to specialL for the truncated series, by ordinary polynomials and no step of the recursion."""
-    orders = len(recursion.p)
-    series = {name: [_plain(term) for term in getattr(recursion, name)] for name in SPACES if name != "xi"}
-    state = [[_plain(term[i]) for term in recursion.xi] for i in range(len(recursion.system.point))]
-    system, zero = recursion.system, fmpq_poly([])
+    """Eqs. specialX to specialL and pbc for all terms found, by ordinary polynomials and no step of the recursion."""
+    terms = len(recursion.p)
+    rests = residuals(recursion, terms, terms)
+    return all(value.is_zero() for row in rests for value in row) and all(_plain(term)[0] == 0 for term in recursion.p)
+
+
+def residuals(recursion: Recursion, terms: int, orders: int) -> list[list[fmpq_poly]]:
+    """The coefficients of delta^n, n < orders, of specialX to specialL for the sums of the first ``terms`` terms."""
+    zero = fmpq_poly([])
+
+    def row(found: list[SpacePolynomial]) -> list[fmpq_poly]:
+        return [_plain(term) for term in found[:terms]] + [zero] * (orders - terms)
+
+    series = {name: row(getattr(recursion, name)) for name in SPACES if name != "xi"}
+    system = recursion.system
+    state = [row([term[i] for term in recursion.xi]) for i in range(len(system.point))]
     values = SeriesOfFunctions(
         (*system.F, *system.G, system.alpha_1, system.alpha_2, system.alpha_3), _Plain(), RATIONALS
     )
     for n in range(orders):
-        values.extend([zero if n < 2 else row[n - 2] for row in state])
+        values.extend([zero if n < 2 else component[n - 2] for component in state])
     force = series["lambda_n"]
 
     def product_term(left: list[fmpq_poly], n: int) -> fmpq_poly:
         return sum((left[n - k] * force[k] for k in range(n + 1)), start=zero)
 
+    found = []
     for n in range(orders):
         z_before = series["z"][n - 1].derivative() if n else zero
-        residuals = [
+        found.append([
             series["p"][n].derivative() - values[system.alpha_1][n],
             series["b"][n].derivative() - values[system.alpha_2][n] + product_term(values[system.alpha_3], n),
             series["y"][n].derivative() - series["v"][n],
             series["v"][n].derivative() - series["b"][n] - product_term(series["p"], n),
             z_before + series["z"][n] + force[n],
             force[n] - series["z"][n] + series["y"][n],
-        ]
-        residuals += [
-            row[n].derivative() - values[f][n] - product_term(values[g], n)
-            for row, f, g in zip(state, system.F, system.G, strict=True)
-        ]
-        if any(value != 0 for value in residuals) or series["p"][n][0] != 0:
-            return False
-    return True
+            *(
+                component[n].derivative() - values[f][n] - product_term(values[g], n)
+                for component, f, g in zip(state, system.F, system.G, strict=True)
+            ),
+        ])  # fmt: skip
+    return found
 
 
 def synchronised(recursion: Recursion) -> bool:
@@ -137,6 +148,20 @@ def _plain(term: SpacePolynomial) -> fmpq_poly:
     return fmpq_poly(term.coefficients())
 
 
+def lemma_on_a_quartic(orders: int = 8) -> bool:
+    """f = c0 + c1 u + ... + c4 u^4 at u = sum of xi_k delta^(k + 2): f_n has no xi_k, k > n - 2, and c1 xi_(n-2)."""
+    algebra = Algebra("delta c0 c1 c2 c3 c4 " + " ".join(f"x{k}" for k in range(orders)))
+    delta = algebra.symbols["delta"]
+    u = sum((algebra.symbols[f"x{k}"] * delta ** (k + 2) for k in range(orders)), start=algebra.constant(0))
+    f = sum((algebra.symbols[f"c{j}"] * u**j for j in range(5)), start=algebra.constant(0))
+    terms = algebra.coefficients(f, "delta")
+    for n in range(orders):
+        slopes = [terms.get(n, algebra.constant(0)).derivative(f"x{k}") for k in range(orders)]
+        if any(slope != (algebra.symbols["c1"] if k == n - 2 else 0) for k, slope in enumerate(slopes) if k >= n - 2):
+            return False
+    return True
+
+
 def lemma_on_functions(orders: int = 10) -> bool:
     """Nonlinear functions of two components with terms in the spaces of xi: f_n is in its space, linear in xi_(n-2)."""
     x, w = Variable(0), Variable(1)
@@ -148,7 +173,7 @@ def lemma_on_functions(orders: int = 10) -> bool:
     found = _series(functions, probe, orders)
     for f, slope in zip(functions, slopes, strict=True):
         for n in range(orders):
-            index = n // 2 + FUNCTION[n % 2]
+            index = n // 2 + LEMMA["f"][n % 2]
             if any(value != 0 and (k > index or (index - k) % 3) for k, value in enumerate(found[f][n].coefficients())):
                 return False
         changed = [[*row[:-1], row[-1] + row[-1]] for row in probe]

@@ -19,6 +19,14 @@ ALGEBRA = Algebra(
     "xi1 f g lam a1 a2 a3 p p1 b y v z pd bd yd vd zd xd a2n fn S m0"
 )
 _SYMBOLS = ALGEBRA.symbols
+SCALING = {"xi": 2, "p": 2, "b": 2, "y": 6, "v": 4, "z": 6}
+"""Lines 1385 to 1390: the powers of delta in front of the scaled variables."""
+GENERAL = {
+    "specialX": ("xd - (f + g*lam)", 0), "specialPP": ("pd - a1", 0), "specialB": ("bd - (a2 - a3*lam)", 0),
+    "specialY": ("yd - v", 4), "specialV": ("vd - (b + p*lam)", 2), "specialZ": ("eps*zd + z + eps^2*lam", 6),
+    "specialL": ("eps^2*lam - (z - y)", 6),
+}  # fmt: skip
+"""Eqs. genSysXi to genSysLN, and the power of delta that each has more than its scaled form."""
 PRINTED: dict[str, dict[str, str]] = {
     "5-inner-system": {
         "specialX": "xi1 - (f + g*lam)", "specialPP": "p1 - a1", "specialB": "b1 - (a2 - a3*lam)",
@@ -63,27 +71,15 @@ def _d(value: fmpq_mpoly, times: int = 1) -> fmpq_mpoly:
 
 def _inner_system() -> Entry:
     this = _claim("5-inner-system")
-    # genSysXi to genSysLN, and the power of delta that each has more than its scaled form.
-    general = {
-        "specialX": ("xd - (f + g*lam)", 0),
-        "specialPP": ("pd - a1", 0),
-        "specialB": ("bd - (a2 - a3*lam)", 0),
-        "specialY": ("yd - v", 4),
-        "specialV": ("vd - (b + p*lam)", 2),
-        "specialZ": ("eps*zd + z + eps^2*lam", 6),
-        "specialL": ("eps^2*lam - (z - y)", 6),
-    }
-    texts = {
-        "eps": "delta^3", "xd": "xi1", "pd": "p1", "bd": "b1", "yd": "delta^4*y1", "vd": "delta^2*v1",
-        "zd": "delta^4*z1", "p": "delta^2*p", "b": "delta^2*b0", "y": "delta^6*y0",
-        "v": "delta^4*v0", "z": "delta^6*z0",
-    }  # fmt: skip
+    # d/dt is delta^(-2) d/ds.
+    texts = {name: f"delta^{power}*{name}{'' if name == 'p' else 0}" for name, power in SCALING.items() if name != "xi"}
+    texts |= {f"{name[0]}d": f"delta^{power - 2}*{name}1" for name, power in SCALING.items()} | {"eps": "delta^3"}
     images = {name: ALGEBRA.read(text) for name, text in texts.items()}
 
     def chain_rule(parts: Parts) -> list[fmpq_mpoly]:
         return [
             ALGEBRA.substitute(ALGEBRA.read(text), images) - _SYMBOLS["delta"] ** power * parts[name]
-            for name, (text, power) in general.items()
+            for name, (text, power) in GENERAL.items()
         ]
 
     def example(parts: Parts) -> list[fmpq_mpoly]:

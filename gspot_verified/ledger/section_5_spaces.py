@@ -1,36 +1,38 @@
-"""Ledger of Section 5: the lemma, Theorem 1 and the corollary, by index arithmetic and on explicit systems.
+"""Ledger of Section 5: the spaces of the lemma, of Theorem 1 and of the corollary, for every order at once.
 
 A shift (e, o) says: the term of order n = 2 nu is in P_(nu + e), that of order n = 2 nu + 1 in P_(nu + o). Shifts do
-not depend on nu, so a statement on shifts holds for every n. P_a with a < 0 is {0}, which lies in every space.
+not depend on nu, so a statement on shifts holds for every n. P_a with a < 0 is {0}, which lies in every space. The
+second route is in t and eps (``powers_of_eps``). Page: proofs/expansion.md.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from itertools import product
 
+from gspot_verified.ledger import explicit_expansions as explicit
+from gspot_verified.ledger.double_series import POWER_OF_DELTA, example_series
 from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, settled
-from gspot_verified.ledger.explicit_expansions import (
-    FUNCTION,
-    SPACES,
-    Shift,
-    equations_hold,
-    in_stated_spaces,
-    lemma_on_functions,
-    recursions,
-    synchronised,
-)
+from gspot_verified.ledger.explicit_expansions import LEMMA, SPACES, Shift
+from gspot_verified.ledger.extended_system import extended_terms
+from gspot_verified.ledger.identities import Algebra
+from gspot_verified.ledger.powers_of_eps import exponents, later, progressions, sums
 
 SECTION = "Section 5, Theorem 1"
 UNSCALED = {"xi": 2, "p": 2, "b": 2, "y": 6, "v": 4, "z": 6, "lambda_n": 0}
 """The powers of delta in front of the scaled variables, lines 1385 to 1390."""
-COROLLARY = {"even": (0, 2, 1, -3), "odd": (3, 2, -3, -3)}
-"""Lines 1818 to 1840, for p: eps^(a + b sigma) t^(nu + c + d sigma)."""
+INDICES = Algebra("n k nu sigma rho")
+LOWEST = {"highest k": "n - 2", "order of xi_k": "k + 2"}
+"""Lemma 2, first part: f_n depends on xi_k up to this k, where xi_k delta^(k + 2) stands in xi - xi*."""
+COROLLARY = {
+    "even": {"delta": "2*nu + 2", "rho": "nu + 1 - 3*sigma", "eps": "2*sigma", "t": "nu + 1 - 3*sigma"},
+    "odd": {"delta": "2*nu + 3", "rho": "nu - 3 - 3*sigma", "eps": "3 + 2*sigma", "t": "nu - 3 - 3*sigma"},
+}
+"""Lines 1803 to 1840, for p: the power of delta in front of s^rho, the exponents rho, and those of eps and t."""
 
 
 def entries() -> list[Entry]:
-    """The lemma, the theorem and the corollary."""
-    return [_lemma(), _theorem(), _corollary()]
+    """The spaces, in the order of the paper."""
+    return [_lemma_orders(), _lemma(), _theorem(), _corollary()]
 
 
 def times(left: Shift, right: Shift) -> list[tuple[int, int]]:
@@ -44,101 +46,145 @@ def lies_in(cases: Iterable[tuple[int, int]], target: Shift) -> bool:
     return all(index <= target[parity] and (target[parity] - index) % 3 == 0 for parity, index in cases)
 
 
-def moved(shift: Shift, by: int, later: int = 0) -> list[tuple[int, int]]:
-    """The cases after ``by`` more powers of s, taken from ``later`` orders before (order n - later)."""
+def moved(shift: Shift, by: int, later_orders: int = 0) -> list[tuple[int, int]]:
+    """The cases after ``by`` more powers of s, taken from ``later_orders`` orders before (order n - later)."""
     cases = []
     for parity in (0, 1):
-        other = (parity - later) % 2
-        nu_before = (parity - later - other) // 2  # relative to nu
+        other = (parity - later_orders) % 2
+        nu_before = (parity - later_orders - other) // 2  # relative to nu
         cases.append((parity, shift[other] + nu_before + by))
     return cases
 
 
+def dependence() -> bool:
+    """The order n - (k + 2) of df/dxi_k in f_n: 0 at the highest k and negative beyond, for every n."""
+    n, k, highest = INDICES.symbols["n"], INDICES.symbols["k"], INDICES.read(LOWEST["highest k"])
+    left = n - INDICES.read(LOWEST["order of xi_k"])
+    beyond = INDICES.substitute(left, {"k": highest + k})
+    return INDICES.substitute(left, {"k": highest}).is_zero() and bool(beyond == -k)
+
+
 def lemma_by_induction() -> bool:
-    """One more factor xi_k, of weight k + 2, leads from FUNCTION to FUNCTION; a single factor and a constant too."""
+    """One more factor xi_k, of weight k + 2, leads from the lemma's space to itself; a factor and a constant too."""
+    function = LEMMA["f"]
     factor = moved(SPACES["xi"], 0, 2)  # xi_k counted at the order k + 2
     as_shift = (factor[0][1], factor[1][1])
-    return lies_in(factor, FUNCTION) and lies_in(times(as_shift, FUNCTION), FUNCTION) and lies_in([(0, 0)], FUNCTION)
+    return lies_in(factor, function) and lies_in(times(as_shift, function), function) and lies_in([(0, 0)], function)
 
 
-def lemma_by_counting(most: int = 30) -> bool:
-    """The paper's own count: k factors of odd order lower the index by 9 for every two, by 4 more if k is odd."""
-    for odd in range(most):
-        # n is the sum of the k_i + 2: an even factor has 2 (kappa + 1) and index kappa + 1, an odd one 2 kappa + 3 and
-        # index kappa - 3. So 2 (sum of indices) + 9 odd = n, and the index is (n - 9 odd)/2.
-        parity = odd % 2
-        index = (parity - 9 * odd) // 2  # n = 2 nu + parity
-        if not lies_in([(parity, index)], FUNCTION):
-            return False
-    return True
+def lemma_by_powers_of_eps() -> bool:
+    """xi - xi* has no powers of eps that f may not have, and those of f are closed under addition and hold 0."""
+    state, function = exponents(SPACES["xi"], UNSCALED["xi"]), exponents(LEMMA["f"], 0)
+    if state is None or function is None:
+        return False
+    # The lemma states exactly the powers that occur: sums of those of xi, and 0.
+    return 0 in function and state <= function and sums(function, function) <= function and function <= state | {0}
 
 
 def steps() -> dict[str, bool]:
-    """Each step of the proof of Theorem 1, for every nu at once."""
-    force, target = SPACES["lambda_n"], SPACES["b"]
-    r_b = lies_in(times(FUNCTION, force), FUNCTION) and lies_in([(0, 0), (1, -4)], FUNCTION)
-    r_v = lies_in(times(SPACES["p"], force), target)
+    """Each step of the induction, for every nu at once (proofs/expansion.md, section 4)."""
+    function, force, target = LEMMA["f"], SPACES["lambda_n"], SPACES["b"]
     deformation = [lies_in(moved(SPACES["z"], -1, 1), SPACES[name]) for name in ("y", "z")]
     return {
-        "p_n": lies_in(moved(FUNCTION, 1), SPACES["p"]),
-        "r_b and r_xi": r_b,
-        "r_v": r_v,
-        "r_n": lies_in(moved(FUNCTION, -2), target)
+        "p_n": lies_in(moved(function, 1), SPACES["p"]),
+        "r_b and r_xi": lies_in(times(function, force), function),
+        "r_v": lies_in(times(SPACES["p"], force), target),
+        "r_n": lies_in(moved(function, -2), target)
         and lies_in(moved(SPACES["z"], -3, 1), target)
-        and lies_in(moved(FUNCTION, 1), target),
+        and lies_in(moved(function, 1), target),
         "b_n": lies_in(moved(target, 0), SPACES["b"]) and lies_in(moved(target, -3), target),
-        "lambda_n": lies_in(moved(SPACES["b"], -1), force) and lies_in(moved(FUNCTION, 0), force),
+        "lambda_n": lies_in(moved(SPACES["b"], -1), force) and lies_in(moved(function, 0), force),
         "y_n, z_n": all(deformation) and all(lies_in(moved(force, 0), SPACES[name]) for name in ("y", "z")),
         "v_n": lies_in(moved(SPACES["y"], -1), SPACES["v"]),
-        "xi_n": lies_in(moved(FUNCTION, 1), SPACES["xi"]),
+        "xi_n": lies_in(moved(function, 1), SPACES["xi"]),
         # At s = 0: the terms of order n + 2 of functions, p_n, b_n, y_(n-4), v_(n-2) are in the space of xi_n.
-        "xi_n(0)": lies_in(moved(FUNCTION, 0, -2), SPACES["xi"])
+        "xi_n(0)": lies_in(moved(function, 0, -2), SPACES["xi"])
         and lies_in(moved(SPACES["y"], 0, 4), SPACES["xi"])
         and lies_in(moved(SPACES["v"], 0, 2), SPACES["xi"])
-        and SPACES["p"] == SPACES["b"] == SPACES["xi"],
+        and all(lies_in(moved(SPACES[name], 0), SPACES["xi"]) for name in ("p", "b")),
     }
+
+
+def steps_in_powers_of_eps() -> bool:
+    """The same steps for the unscaled variables in t and eps; derivatives in t do not change powers of eps."""
+    found = {name: exponents(SPACES[name], UNSCALED[name]) for name in SPACES}
+    function = exponents(LEMMA["f"], 0)
+    e = {name: value for name, value in found.items() if value is not None}
+    if function is None or len(e) != len(found):
+        return False
+    deformation = later(e["lambda_n"], 2) | later(e["z"], 1)  # z = -eps^2 lambda - eps z'
+    return (
+        function == e["p"] == e["b"] == e["xi"] == e["lambda_n"]
+        and sums(function, e["lambda_n"]) | sums(e["p"], e["lambda_n"]) | later(e["b"], 2) <= e["b"]
+        and later(e["z"], 1) <= e["b"]
+        and deformation == e["z"] == e["y"] == e["v"]
+        and e["y"] | e["v"] <= e["xi"]
+    )
+
+
+def _lemma_orders() -> Entry:
+    return settled(
+        SECTION,
+        "5-lemma-orders",
+        "thm:expansion, first part",
+        r"f_n=f_n(\xi_0,\ldots,\xi_{n-2}),\quad \partial f_n/\partial\xi_{n-2}=f_\xi(\xi^*)",
+        "f_n depends on ξ_k with k <= n - 2 only, linearly on ξ_(n-2) with the coefficient f_ξ(ξ*)",
+        Check(Rung.PAGE, "proofs/expansion.md, section 1: ∂f_n/∂ξ_k = (f_ξ)_(n-2-k)", True),
+        Check(Rung.EXACT, "the order n - 2 - k is 0 at k = n - 2, negative beyond, for every n", dependence() or None),
+        Check(
+            Rung.POINTS,
+            "a quartic with symbols as coefficients, all orders below 8, ξ_k as symbols",
+            explicit.lemma_on_a_quartic() or None,
+        ),
+        note="With f in C^n and n = 0 the error O(δ^(n+1)) of eq. f_kdef needs C^1.",
+    )
 
 
 def _lemma() -> Entry:
     return settled(
         SECTION,
         "5-lemma",
-        "thm:expansion",
+        "thm:expansion, second part",
         r"f_{2\nu}\in P_\nu,\quad f_{2\nu+1}\in P_{\nu-4}",
-        "f_n depends on ξ_k with k <= n - 2 only, linearly on ξ_(n-2), and lies in P_ν or P_(ν-4)",
+        "If ξ_2k is in P_(k+1) and ξ_(2k+1) in P_(k-3), then f_2ν is in P_ν and f_(2ν+1) in P_(ν-4)",
         Check(Rung.EXACT, "one more factor at a time, for every ν and both parities", lemma_by_induction() or None),
         Check(
             Rung.EXACT,
-            "the paper's count with 0 to 29 factors of odd order (9 for every two)",
-            lemma_by_counting() or None,
+            "in t and ε: the spaces are the series without ε¹, and 0, 2, 3, 4, ... are closed under addition",
+            lemma_by_powers_of_eps() or None,
         ),
         Check(
-            Rung.POINTS, "five nonlinear functions of two components, all orders below 10", lemma_on_functions() or None
+            Rung.POINTS,
+            "five nonlinear functions of two components, all orders below 10",
+            explicit.lemma_on_functions() or None,
         ),
-        note="The first part: a product of terms of order k_i of ξ has the order Σ (k_i + 2) in f.",
     )
 
 
 def _theorem() -> Entry:
     proved = steps()
-    found = recursions()
+    found = explicit.recursions()
     return settled(
         SECTION,
-        "5-theorem-1",
-        "th:1",
+        "5-theorem-1-spaces",
+        "th:1, the spaces",
         r"p_{2\nu},b_{2\nu},\xi_{2\nu}\in P_{\nu+1},\ \ldots,\ \lambda_{2\nu+1}\in P_{\nu-4}",
-        "For β not an integer there is exactly one expansion, with its terms in the stated spaces",
+        "The terms of Theorem 1 are in the stated spaces, for every order",
+        Check(Rung.PAGE, "proofs/expansion.md, section 4", True),
         Check(
             Rung.EXACT,
-            "the steps of the proof, each for every ν at once (with entries 5-third-order, 5-monomial, 5-step-3): "
-            + ", ".join(proved),
+            "the steps of the induction, each for every ν at once: " + ", ".join(proved),
             all(proved.values()) or None,
         ),
         Check(
+            Rung.EXACT,
+            "in t and ε: ξ, p, b, λ_N without ε¹; y, z, v without ε⁰ and ε¹; each step stays there",
+            steps_in_powers_of_eps() or None,
+        ),
+        Check(
             Rung.POINTS,
-            f"{len(found)} nonlinear systems, all orders below {len(found[0].p)}: spaces, eqs. specialX to "
-            "specialL and conditions pbc to Jbc, by ordinary polynomials",
-            all_of((in_stated_spaces(r) and equations_hold(r) and synchronised(r)) or None for r in found),
+            f"{len(found)} nonlinear systems, all orders below {len(found[0].p)}",
+            all_of(explicit.in_stated_spaces(r) or None for r in found),
         ),
         note="Line 1744 prints P_ν-3 for P_(ν-3).",
     )
@@ -146,22 +192,32 @@ def _theorem() -> Entry:
 
 def corollary_exponents(name: str) -> bool:
     """Whether each s^rho delta^n of the unscaled variable is t^rho times an integer power >= 0 of eps = delta^3."""
-    for parity in (0, 1):
-        # rho = nu + shift - 3 sigma; delta^(2 nu + parity + front - 2 rho) has no nu in it.
-        constant = parity + UNSCALED[name] - 2 * SPACES[name][parity]
-        if constant % 3 or constant < 0:
-            return False
-    return True
+    rows = progressions(SPACES[name], UNSCALED[name])
+    return rows is not None and all(first >= 0 and step >= 0 for first, step in rows)
 
 
-def printed_exponents() -> bool:
-    """The exponents that the proof prints for p, at enough values of nu and sigma for identities of degree 1."""
-    for parity, (a, b, c, d) in enumerate(COROLLARY.values()):
-        for nu, sigma in product(range(2), range(2)):
-            rho = nu + SPACES["p"][parity] - 3 * sigma
-            if rho != nu + c + d * sigma or 2 * nu + parity + 2 - 2 * rho != 3 * (a + b * sigma):
-                return False
-    return True
+def printed_exponents(parity: int) -> bool:
+    """The exponents that the proof prints for p, as identities in nu and sigma."""
+    printed = {name: INDICES.read(text) for name, text in tuple(COROLLARY.values())[parity].items()}
+    n_and_front = INDICES.read(f"2*nu + {parity + UNSCALED['p']}")
+    rho = INDICES.read(f"nu + {SPACES['p'][parity]} - 3*sigma")
+    return bool(
+        printed["delta"] == n_and_front
+        and printed["rho"] == printed["t"] == rho
+        and 3 * printed["eps"] == n_and_front - 2 * rho
+    )
+
+
+def example_in_t_and_eps() -> bool:
+    """Every term of the extended example, by the recursion, is the term t^i eps^j of its series in (t, eps)."""
+    terms, tables = extended_terms(7, chi=True), example_series(9)
+    for name in "pbyvz":
+        for n, row in enumerate(terms[name]):
+            for k, value in enumerate(row):
+                power, rest = divmod(n + UNSCALED[name] - 2 * k, 3)
+                if value != 0 and (rest or power < 0 or (k, power) not in tables[name]):
+                    return False
+    return {name: POWER_OF_DELTA[name] for name in "pbyvz"} == {name: UNSCALED[name] for name in "pbyvz"}
 
 
 def _corollary() -> Entry:
@@ -173,8 +229,17 @@ def _corollary() -> Entry:
         "Truncated at any order, each unscaled variable is a polynomial in t and ε",
         Check(
             Rung.EXACT,
-            "exponent of δ of every term of ξ, p, b, y, v, z, λ_N: a multiple of 3, not negative, for every ν",
+            "power of ε of every term of ξ, p, b, y, v, z, λ_N: an integer, not negative, for every ν and σ",
             all(corollary_exponents(name) for name in SPACES) or None,
         ),
-        Check(Rung.EXACT, "the two printed sums for p, as identities in ν and σ", printed_exponents() or None),
+        Check(
+            Rung.EXACT,
+            "the two printed sums for p, as identities in ν and σ",
+            all(printed_exponents(parity) for parity in (0, 1)) or None,
+        ),
+        Check(
+            Rung.POINTS,
+            "the extended example, orders below 7: its terms are those of its series in (t, ε)",
+            example_in_t_and_eps() or None,
+        ),
     )

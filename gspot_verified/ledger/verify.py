@@ -19,6 +19,7 @@ from gspot_verified.ledger import (
     section_5_outer,
     section_5_recursion,
     section_5_spaces,
+    section_5_theorem,
     section_6,
 )
 from gspot_verified.ledger.entry import Entry
@@ -36,7 +37,8 @@ PARTS: dict[str, Callable[[], list[Entry]]] = {
     "Section 4.5, formulas and signs": section_4_5.entries,
     "Section 4.5, Cases I, II and III": cases.entries,
     "Section 5, the recursion": section_5_recursion.entries,
-    "Section 5, Theorem 1": section_5_spaces.entries,
+    "Section 5, Theorem 1": section_5_theorem.entries,
+    "Section 5, the spaces of Theorem 1": section_5_spaces.entries,
     "Section 5, the example": example.entries,
     "Section 5, outer system": section_5_outer.entries,
     "Section 5, matching": section_5_matching.entries,

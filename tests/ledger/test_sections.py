@@ -9,7 +9,7 @@ from functools import partial
 from types import ModuleType
 
 import pytest
-from flint import fmpq_poly
+from flint import fmpq, fmpq_poly
 
 from gspot_verified import Outcome
 from gspot_verified.ledger import (
@@ -27,6 +27,7 @@ from gspot_verified.ledger import (
     section_5_outer,
     section_5_recursion,
     section_5_spaces,
+    section_5_theorem,
 )
 from gspot_verified.ledger.entry import Entry, Rung
 from gspot_verified.ledger.identities import Algebra, Claim, readable, rising_signs
@@ -34,7 +35,7 @@ from gspot_verified.ledger.verify import PARTS
 
 MODULES = (
     section_4_fast, lagrangian, section_4_trivial, section_4_outer, section_4_inner, section_4_matching,
-    section_5_recursion, section_5_spaces, example, section_5_outer, section_5_matching,
+    section_5_recursion, section_5_theorem, section_5_spaces, example, section_5_outer, section_5_matching,
 )  # fmt: skip
 WITH_FORMULAS = tuple(module for module in MODULES if hasattr(module, "PRINTED"))
 OWN = [part for part, entries in PARTS.items() if inspect.getmodule(entries) in MODULES]
@@ -171,24 +172,40 @@ def test_another_space_is_not_proved(monkeypatch: pytest.MonkeyPatch, variable: 
     shift = list(explicit_expansions.SPACES[variable])
     shift[parity] += change
     monkeypatch.setitem(explicit_expansions.SPACES, variable, tuple(shift))
-    assert BUILDERS["5-theorem-1"]().verdict.outcome is Outcome.UNDECIDED
+    assert BUILDERS["5-theorem-1-spaces"]().verdict.outcome is Outcome.UNDECIDED
     assert BUILDERS["5-corollary"]().verdict.outcome is Outcome.UNDECIDED
 
 
 @pytest.mark.parametrize("lemma", [(1, -4), (-1, -4), (0, -3), (0, -5), (-3, -4)])
 def test_another_lemma_is_not_proved(monkeypatch: pytest.MonkeyPatch, lemma: tuple[int, int]) -> None:
-    monkeypatch.setattr(section_5_spaces, "FUNCTION", lemma)
-    monkeypatch.setattr(explicit_expansions, "FUNCTION", lemma)
+    monkeypatch.setitem(explicit_expansions.LEMMA, "f", lemma)
     assert BUILDERS["5-lemma"]().verdict.outcome is Outcome.UNDECIDED
 
 
 @pytest.mark.parametrize("parity", ["even", "odd"])
-@pytest.mark.parametrize("place", range(4))
-def test_other_exponents_are_not_proved(monkeypatch: pytest.MonkeyPatch, parity: str, place: int) -> None:
-    numbers = list(section_5_spaces.COROLLARY[parity])
-    numbers[place] += 1
-    monkeypatch.setitem(section_5_spaces.COROLLARY, parity, tuple(numbers))
-    assert BUILDERS["5-corollary"]().verdict.outcome is Outcome.UNDECIDED
+def test_other_exponents_are_not_proved(monkeypatch: pytest.MonkeyPatch, parity: str) -> None:
+    for name, text in section_5_spaces.COROLLARY[parity].items():
+        for changed in changed_terms(section_5_spaces.INDICES, text):
+            with monkeypatch.context() as patch:
+                with_formula(patch, section_5_spaces.COROLLARY, parity, name, changed)
+                assert BUILDERS["5-corollary"]().verdict.outcome is Outcome.UNDECIDED, (name, changed)
+
+
+@pytest.mark.parametrize("hypothesis", list(section_5_theorem.HYPOTHESES))
+def test_each_hypothesis_of_theorem_1_is_used(monkeypatch: pytest.MonkeyPatch, hypothesis: str) -> None:
+    monkeypatch.delitem(section_5_theorem.HYPOTHESES, hypothesis)
+    assert BUILDERS["5-theorem-1"]().verdict.outcome is Outcome.UNDECIDED
+
+
+def test_an_integer_beta_has_no_unique_expansion() -> None:
+    assert section_5_theorem.rank_defect(4, fmpq(-2), fmpq(-6)) == 1
+    assert section_5_theorem.rank_defect(4, fmpq(-2), fmpq(-5)) == 0
+
+
+def test_a_truncated_sum_satisfies_no_more_than_stated() -> None:
+    for recursion in explicit_expansions.recursions():
+        assert explicit_expansions.equations_hold(recursion)
+        assert section_5_theorem.residual_begins(recursion, 4) == 4
 
 
 @pytest.mark.parametrize("row", range(len(section_4_matching.TABLE)))
