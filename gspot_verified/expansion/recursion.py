@@ -1,6 +1,7 @@
 """The recursion of Theorem 1's proof, steps 1 to 4, one function for each step.
 
-Paper, Sec. 5, eqs. p_nprime to xi_iteraction; proofs/expansion.md. All terms are exact, in the spaces P_n; membership is checked.
+Paper, Sec. 5, eqs. p_nprime to xi_iteraction; page: proofs/expansion.md. All terms are exact, in
+the spaces P_n; membership is checked.
 """
 
 from __future__ import annotations

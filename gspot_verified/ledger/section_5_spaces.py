@@ -130,7 +130,11 @@ def _lemma_orders() -> Entry:
         r"f_n=f_n(\xi_0,\ldots,\xi_{n-2}),\quad \partial f_n/\partial\xi_{n-2}=f_\xi(\xi^*)",
         "f_n depends on ξ_k with k <= n - 2 only, linearly on ξ_(n-2) with the coefficient f_ξ(ξ*)",
         Check(Rung.PAGE, "proofs/expansion.md, section 1: ∂f_n/∂ξ_k = (f_ξ)_(n-2-k)", True),
-        Check(Rung.EXACT, "the order n - 2 - k is 0 at k = n - 2, negative beyond, for every n", dependence() or None),
+        Check(
+            Rung.PAGE,
+            "the step of proofs/expansion.md: n - 2 - k is 0 at k = n - 2, negative beyond, for every n",
+            dependence() or None,
+        ),
         Check(
             Rung.POINTS,
             "a quartic with symbols as coefficients, all orders below 8, ξ_k as symbols",
