@@ -137,3 +137,17 @@ def test_a_stream_without_greek_letters() -> None:
     done = subprocess.run(command, capture_output=True, timeout=60, check=False, env=environment)
     assert done.returncode == 0
     assert b"lifts off" in done.stdout
+
+
+@pytest.mark.parametrize("arguments", [["--version"], ["side", "1/2"], ["theta", "1"]])
+def test_python_dash_m_is_the_same_program(capsys: pytest.CaptureFixture[str], arguments: list[str]) -> None:
+    done = subprocess.run([sys.executable, "-m", "gspot_verified", *arguments], capture_output=True, check=False)
+    assert done.returncode == main(arguments)
+    assert done.stdout.decode() == capsys.readouterr().out
+
+
+def test_version(capsys: pytest.CaptureFixture[str]) -> None:
+    import tomllib
+
+    project = tomllib.loads((Path(__file__).parents[1] / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert run(capsys, "--version") == (0, f"gspot-verified {project['version']}\n", "")

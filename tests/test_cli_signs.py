@@ -88,7 +88,7 @@ def test_bad_usage(capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...
 def test_certificates_are_verified(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, arguments: tuple[str, ...]
 ) -> None:
-    path = tmp_path / "new" / "a.cert"
+    path = tmp_path / "a.cert"
     code, _, _ = run(capsys, *arguments, "--certificate", str(path))
     assert code in (0, 1)
     code, output, _ = run(capsys, "check", str(path))

@@ -44,8 +44,13 @@ def certificate_text(statement: Statement, columns: Sequence[Column]) -> str:
 
 
 def write_certificate(path: Path, statement: Statement, columns: Sequence[Column]) -> None:
-    """Write the certificate; a file that is there is replaced only when the new one is complete on the disk."""
-    path.parent.mkdir(parents=True, exist_ok=True)
+    """Write the certificate; a file that is there is replaced only when the new one is complete on the disk.
+
+    :raises OSError: it cannot be written; its folder is not made.
+    :raises ValueError: see :func:`certificate_text`.
+    """
+    if not path.parent.is_dir():
+        raise FileNotFoundError(f"there is no folder {path.parent}")
     descriptor, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
     try:
         with os.fdopen(descriptor, "w", encoding="utf-8", newline="\n") as file:

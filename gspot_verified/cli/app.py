@@ -11,13 +11,32 @@ from typer.core import TyperCommand
 
 _NUMBER = re.compile(r"-\.?[0-9].*")
 
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        from gspot_verified import __version__
+
+        typer.echo(f"gspot-verified {__version__}")
+        raise typer.Exit
+
+
 app = typer.Typer(
     add_completion=False,
     no_args_is_help=True,
     rich_markup_mode=None,
     help="Certified values and signs of Θ(τ, β), and the paper claim by claim. "
-    "Exit codes: 0 proved, 1 refuted, 2 undecided, 64 usage.",
+    "Exit codes: 0 proved, 1 refuted, 2 undecided, 64 usage, 70 internal error, 74 a file could not be written.",
 )
+
+
+@app.callback()
+def _options(
+    version: Annotated[
+        bool, typer.Option("--version", help="Print the version and leave.", is_eager=True, callback=_print_version)
+    ] = False,
+) -> None:
+    pass
+
 
 JsonFlag = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Protocol
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
     from gspot_verified.cost.curves import Curve
@@ -41,13 +42,17 @@ def cost(
     """
     from gspot_verified.cost.picture import DIGITS, ORDERS, RANGES, save_picture
 
+    outputs = Outputs()
+    outputs.file("--picture", picture, PICTURES)
     result = _measure(subject, full)
     if picture is not None:
-        save_picture(result.curves, picture, {"theta": DIGITS, "sign": RANGES, "expand": ORDERS}[subject])
+        labels = {"theta": DIGITS, "sign": RANGES, "expand": ORDERS}[subject]
+        outputs.write("--picture", picture, lambda: save_picture(result.curves, picture, labels))
     if as_json:
         print_json(result.to_json())
     else:
         typer.echo(str(result))
+    outputs.leave(0)
 
 
 def _measure(subject: str, full: bool) -> Measured:

@@ -1,11 +1,15 @@
 """Entry points of ``gspot-verified``.
 
-Exit codes: 0 proved (or done), 1 refuted, 2 undecided, 64 wrong usage, 70 an internal error.
+Exit codes: 0 proved (or done), 1 refuted, 2 undecided, 64 wrong usage, 70 an internal error, 74 the result stands but
+a file (or stdout) could not be written, 130 interrupted. A reader that closes the pipe ends the program by SIGPIPE.
 """
 
 from __future__ import annotations
 
+import errno
 import io
+import os
+import signal
 import sys
 from collections.abc import Sequence
 
@@ -13,9 +17,14 @@ import typer
 
 from gspot_verified.cli import cost_command, mechanism_commands, paper_commands, sign_commands, theta_commands
 from gspot_verified.cli.app import app
+from gspot_verified.cli.output import NOT_WRITTEN
 
 USAGE = 64
 INTERNAL = 70
+CLOSED_PIPE = 141
+"""128 + SIGPIPE: what a shell shows for a program that a closed pipe ended."""
+
+_CANNOT_WRITE = {errno.ENOSPC, errno.EIO, errno.EDQUOT, errno.EFBIG, errno.EROFS}
 
 COMMANDS = (theta_commands, sign_commands, mechanism_commands, paper_commands, cost_command)
 """The modules whose import adds their commands to the application."""
@@ -29,7 +38,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         )
     except (ValueError, TypeError, OSError) as error:
         typer.echo(f"error: {error}", err=True)
-        return USAGE
+        full = isinstance(error, OSError) and error.errno in _CANNOT_WRITE
+        return NOT_WRITTEN if full else USAGE
+    except SystemExit as leaving:
+        # click leaves with 1 where the reader of stdout is gone; 1 would read as "refuted".
+        if isinstance(leaving.__context__, OSError):
+            return CLOSED_PIPE
+        raise
     except (typer.Abort, KeyboardInterrupt):
         typer.echo("interrupted", err=True)
         return 130
@@ -49,4 +64,9 @@ def run() -> None:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")  # Greek letters on a stream that has none
-    sys.exit(main())
+    code = main()
+    if code == CLOSED_PIPE and hasattr(signal, "SIGPIPE"):
+        # As `cat` or `grep` end: by the signal itself, without a word.
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+        os.kill(os.getpid(), signal.SIGPIPE)
+    sys.exit(code)

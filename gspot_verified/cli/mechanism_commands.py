@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
+from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
     from gspot_verified.mechanisms.mechanism import Mechanism
@@ -59,6 +60,8 @@ def expand(
     from gspot_verified.expansion.accuracy import AccuracyWarning
     from gspot_verified.mechanisms.expand import expand as expand_mechanism
 
+    outputs = Outputs()
+    outputs.file("--picture", picture, PICTURES)
     if latex and (in_time or at is not None):
         raise ValueError("--latex prints the scaled variables: not with --in-time or --at")
     chosen = [*(settings or []), *([] if chi is None else [f"chi={chi}"])]
@@ -85,14 +88,15 @@ def expand(
     if picture is not None:
         from gspot_verified.report.truncation import save_truncation
 
-        save_truncation(trajectory, picture)
+        outputs.write("--picture", picture, lambda: save_truncation(trajectory, picture))
     if as_json:
         print_json(data)
     else:
         typer.echo(text)
-    if trajectory.accuracy is not None and not trajectory.accuracy.reached:
+    reached = trajectory.accuracy is None or trajectory.accuracy.reached
+    if not reached:
         warn(str(trajectory.accuracy))
-        raise typer.Exit(2)
+    outputs.leave(0 if reached else 2)
 
 
 def _orders(done: int, of: int) -> None:

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+from gspot_verified.cli.output import Outputs
 
 
 @app.command(
@@ -26,8 +27,10 @@ def verify(
     from gspot_verified.ledger.verify import exit_code, verify_paper
     from gspot_verified.report.write import write_report
 
+    outputs = Outputs()
+    outputs.folder("--output", output)
     entries = verify_paper(progress)
-    page = write_report(entries, output, progress)
+    written = outputs.write("--output", output, lambda: write_report(entries, output, progress))
     if as_json:
         numbers = {
             "counts": counts(entries),
@@ -46,8 +49,10 @@ def verify(
         alone = sum(entry.page_alone for entry in entries)
         typer.echo(f"{alone} of {len(entries)} rest on a proof page alone")
         total = counts(entries)
-        typer.echo(", ".join(f"{number} {outcome}" for outcome, number in total.items()) + f"; report: {page}")
-    raise typer.Exit(exit_code(entries))
+        typer.echo(", ".join(f"{number} {outcome}" for outcome, number in total.items()))
+        if written:
+            typer.echo(f"report: {output / 'index.html'}")
+    outputs.leave(exit_code(entries))
 
 
 @app.command(epilog="Example: gspot-verified report report/report.json --output report")
@@ -59,6 +64,9 @@ def report(
     """Write the HTML page again from report.json, without running the checks."""
     from gspot_verified.report.write import render_from_json
 
+    if not source.is_file():
+        raise ValueError(f"SOURCE: there is no file {source}")
+    Outputs().folder("--output", output)
     page = render_from_json(source, output)
     if as_json:
         print_json({"page": str(page)})

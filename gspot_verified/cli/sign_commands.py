@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
+from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
     from gspot_verified.signs.subdivision import Progress
@@ -42,20 +43,28 @@ def sign(
     from gspot_verified.signs.executors import executor
     from gspot_verified.signs.sign import sign_on_ranges
 
+    outputs = Outputs()
+    outputs.file("--certificate", certificate)
+    outputs.file("--journal", journal)
     wanted = 1 if positive else -1
     with executor(workers, scheduler) as pool:
         result = sign_on_ranges(
             tau, beta, wanted, budget=budget, by_theorem=by_theorem, executor=pool, journal=journal, progress=_show
         )
-    if certificate is not None and result.proved_statement is not None:
-        write_certificate(certificate, result.proved_statement, result.columns)
+    statement, written = result.proved_statement, False
+    if certificate is not None and statement is not None:
+        written = outputs.write(
+            "--certificate", certificate, lambda: write_certificate(certificate, statement, result.columns)
+        )
     if as_json:
         print_json(result.to_json())
     else:
         typer.echo(str(result))
-        if result.proved_statement is not None and certificate is not None:
-            typer.echo(f"certificate of: {result.proved_statement}: {certificate}")
-    raise typer.Exit(result.verdict.exit_code)
+        if written:
+            typer.echo(f"certificate of: {statement}: {certificate}")
+    if certificate is not None and statement is None:
+        warn(f"--certificate: nothing was proved, so {certificate} was not written")
+    outputs.leave(result.verdict.exit_code)
 
 
 @app.command(epilog="Example: gspot-verified zeros --beta 7/3 --digits 30")
@@ -75,25 +84,36 @@ def zeros(
     from gspot_verified.signs.executors import executor
     from gspot_verified.signs.zeros import zeros_on_range
 
+    outputs = Outputs()
+    outputs.file("--certificate", certificate)
+    outputs.file("--journal", journal)
+    outputs.file("--picture", picture, PICTURES)
     if ".." not in beta:
-        _zeros_at(beta, digits, picture, certificate, as_json)
+        if journal is not None or workers != 1 or scheduler is not None:
+            raise ValueError("--journal, --workers and --scheduler need a range of β, such as 1..13")
+        _zeros_at(outputs, beta, digits, picture, certificate, as_json)
         return
     with executor(workers, scheduler) as pool:
         result = zeros_on_range(beta, budget=budget, executor=pool, journal=journal, progress=_show)
-    if certificate is not None and result.statement is not None:
-        write_certificate(certificate, result.statement, result.columns)
+    statement = result.statement
+    if certificate is not None and statement is not None:
+        outputs.write("--certificate", certificate, lambda: write_certificate(certificate, statement, result.columns))
     if picture is not None:
         from gspot_verified.report.atlas import save_atlas
 
-        save_atlas(result, picture)
+        outputs.write("--picture", picture, lambda: save_atlas(result, picture))
     if as_json:
         print_json(result.to_json())
     else:
         typer.echo(str(result))
-    raise typer.Exit(0 if result.statement is not None else 2)
+    if certificate is not None and statement is None:
+        warn(f"--certificate: nothing was proved, so {certificate} was not written")
+    outputs.leave(0 if statement is not None else 2)
 
 
-def _zeros_at(beta: str, digits: int, picture: Path | None, certificate: Path | None, as_json: bool) -> None:
+def _zeros_at(
+    outputs: Outputs, beta: str, digits: int, picture: Path | None, certificate: Path | None, as_json: bool
+) -> None:
     from flint import fmpq
 
     from gspot_verified.balls import exact
@@ -119,11 +139,14 @@ def _zeros_at(beta: str, digits: int, picture: Path | None, certificate: Path | 
         typer.echo(f"undecided: {error}", err=True)
         raise typer.Exit(2) from None
     if certificate is not None:
-        write_certificate(certificate, found.statement, [found.column])
+        outputs.write(
+            "--certificate", certificate, lambda: write_certificate(certificate, found.statement, [found.column])
+        )
     if as_json:
         print_json(found.to_json())
     else:
         typer.echo(str(found))
+    outputs.leave(0)
 
 
 @app.command(epilog="Example: gspot-verified check iwc.cert")

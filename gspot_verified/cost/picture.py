@@ -51,6 +51,9 @@ def save_picture(curves: Sequence[Curve], path: Path, labels: Labels = DIGITS) -
     axes.grid(True, which="major", linewidth=0.4)
     axes.legend()
     unfinished = path.with_name(path.name + ".part")
-    figure.savefig(unfinished, format="png", dpi=150)
-    unfinished.replace(path)
+    try:
+        figure.savefig(unfinished, format="png", dpi=150)
+        unfinished.replace(path)
+    finally:
+        unfinished.unlink(missing_ok=True)
     return path

@@ -31,14 +31,17 @@ def write_report(entries: Sequence[Entry], directory: Path, progress: Callable[[
 
     Everything is computed before the first file is touched, and each file is replaced in one step, the page last.
 
-    :param directory: made if it does not exist.
+    :param directory: made if it does not exist; the folder it is in must exist.
     :param progress: called with a short line before each step.
     :raises ValueError: two entries have one identifier.
+    :raises OSError: a file or folder cannot be written.
     """
     say = progress or (lambda _: None)
     drawn = pictures(say)
     report = report_data(entries, drawn)
     page = render_html(report)
+    _make(directory)
+    _make(directory / "figures")
     for picture in drawn:
         say(f"writing figures/{picture.name}.png")
         _replace(directory / "figures" / f"{picture.name}.png", picture.png)
@@ -62,6 +65,7 @@ def render_from_json(path: Path, directory: Path) -> Path:
         raise ValueError(f"{path}: nested too deeply, so it is not a report") from None
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from error
+    _make(directory)
     return _replace(directory / "index.html", page.encode())
 
 
@@ -145,9 +149,15 @@ def _canonical(report: dict[str, Any]) -> bytes:
     return (json.dumps(report, indent=1, sort_keys=True, ensure_ascii=False, allow_nan=False) + "\n").encode()
 
 
+def _make(directory: Path) -> None:
+    """The folder, if only its last part is missing; a slip in the path makes no tree of folders."""
+    if not directory.parent.is_dir():
+        raise FileNotFoundError(f"there is no folder {directory.parent}")
+    directory.mkdir(exist_ok=True)
+
+
 def _replace(path: Path, content: bytes) -> Path:
     """Write the whole file beside its place, then put it there in one step; a good file is never left half-written."""
-    path.parent.mkdir(parents=True, exist_ok=True)
     draft = path.with_name(f".{path.name}.{secrets.token_hex(6)}.tmp")
     try:
         with draft.open("xb") as file:

@@ -65,11 +65,14 @@ def test_every_page_that_is_named_exists() -> None:
 
 def test_written_bytes_are_the_text(tmp_path: Path) -> None:
     for k, (statement, columns) in enumerate(certificates()):
-        path = tmp_path / "deep" / f"{k}.cert"
+        path = tmp_path / f"{k}.cert"
         write_certificate(path, statement, columns)
         assert path.read_bytes() == certificate_text(statement, columns).encode()
         write_certificate(path, statement, columns)
-    assert len(list((tmp_path / "deep").iterdir())) == 6
+    assert len(list(tmp_path.iterdir())) == 6
+    with pytest.raises(FileNotFoundError, match=r"there is no folder .*deep"):
+        write_certificate(tmp_path / "deep" / "x.cert", statement, columns)
+    assert not (tmp_path / "deep").exists()
 
 
 @pytest.mark.parametrize("where", ["fsync", "replace", "text"])

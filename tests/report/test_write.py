@@ -15,7 +15,7 @@ from gspot_verified.report.data import report_data
 def written(entries, pictures, tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(write, "pictures", lambda _: pictures)
-        directory = tmp_path_factory.mktemp("out") / "new" / "report"
+        directory = tmp_path_factory.mktemp("out") / "report"
         said = []
         assert write.write_report(entries, directory, said.append) == directory / "index.html"
         assert said[-2:] == ["writing report.json", "writing index.html"]
