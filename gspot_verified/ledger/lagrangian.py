@@ -198,14 +198,14 @@ def _extended() -> Entry:
         rows = zip(_field(parts, "F"), _field(parts, "N"), _field(parts, "H"), model(parts), strict=True)
         return [_DENOMINATOR * (f + n * force - m) - share * h * force for f, n, h, m in rows]
 
-    def by_case(parts: Parts) -> list[fmpq_mpoly]:
-        flow, found = _Flow(parts), []
-        force, mu = flow.number(_SYMBOLS["lam"]), flow.number(parts["mu"])
-        for c, sign in ((1, flow.number(ALGEBRA.constant(-1))), (0, flow.number(ALGEBRA.constant(1)))):
-            rows = zip(model(parts), flow.drift, flow.normal, flow.tangent, strict=True)
-            for wanted, f, n, t in rows:
-                case = ALGEBRA.substitute(wanted, {"c": ALGEBRA.constant(c)})
-                found.append(flow.equal(f + (n + sign * mu * t) * force, case))
+    def by_forces(parts: Parts) -> list[fmpq_mpoly]:
+        # Each normal force brings its own friction: -mu lambda+ forwards, +mu lambda- backwards.
+        flow = _Flow(parts)
+        mu = flow.number(parts["mu"])
+        forward, backward = (flow.number(ALGEBRA.read(text)) for text in ("c*lam", "(1-c)*lam"))
+        found = []
+        for wanted, f, n, t in zip(model(parts), flow.drift, flow.normal, flow.tangent, strict=True):
+            found.append(flow.equal(f + (n - mu * t) * forward + (n + mu * t) * backward, wanted))
         return found
 
     return settled(
@@ -215,7 +215,10 @@ def _extended() -> Entry:
         r"\dot\xi=F+G_T\lambda_T+G_N\lambda_N",
         "The printed F, G_T, G_N, μ are the extended example in positive slip, negative slip and stick",
         this.check("λ_T = -(2c - 1) μ λ_N for every c, as polynomials", general),
-        this.check("positive slip (c = 1) and negative slip (c = 0), as rational functions", by_case),
+        this.check(
+            "λ+ along G_N - μ G_T plus λ- along G_N + μ G_T for every c, as rational functions in all symbols",
+            by_forces,
+        ),
     )
 
 

@@ -1,4 +1,4 @@
-"""Ledger of Section 4 on its outer scale: the fast system with its eigenvalues, the slow system, the ratio beta.
+"""Ledger of Section 4 on its outer scale: the fast system with its eigenvalues.
 
 f0, f1, ... are b and its derivatives in the fast time; p = alpha1 t is a constant there.
 """
@@ -11,60 +11,29 @@ from flint import fmpq_mpoly
 
 from gspot_verified.ledger.entry import Check, Entry, Rung, settled
 from gspot_verified.ledger.identities import Claim, Parts, rising_signs
-from gspot_verified.ledger.section_4_outer import ALGEBRA, along
+from gspot_verified.ledger.section_4_outer import ALGEBRA, along, field
 from gspot_verified.ledger.section_4_outer import PRINTED as OUTER
 
 SECTION = "Section 4"
 _SYMBOLS = ALGEBRA.symbols
 PRINTED: dict[str, dict[str, str]] = {
-    "1-beta": {"numerator": "alpha1", "denominator": "alpha3"},
     "4-fast": {"equation": "-(p*(f1+f2) + 2*f3 + f4) + eps*(alpha3*f0 + (alpha3-alpha1)*f1)"},
     "4-fast-polynomial": {"polynomial": "-lam*(lam^3 + 2*lam^2 + p*lam + p)"},
     "4-discriminant": {"discriminant": "-p*(4*p^2 - 13*p + 32)"},
-    "4-slow": {"equation": "alpha3*b0 - alpha1*t*b1", "y": "2*b0", "v": "0*b0", "z": "b0", "lambda": "-b0"},
 }
-CORRECTED: dict[str, dict[str, str]] = {"1-beta": {"numerator": "alpha3", "denominator": "alpha1"}}
 CUBIC = "lam^3 + 2*lam^2 + p*lam + p"
-
-
-def ratio_entries() -> list[Entry]:
-    """The ratio beta as Sec. 1 prints it."""
-    return [_beta()]
+"""The second factor of the characteristic polynomial."""
+ALLOWED = {"4-stable": "x", "4-saddle": "-x"}
+"""All the values of p that a statement speaks of, as x takes all positive ones."""
 
 
 def entries() -> list[Entry]:
-    """The fast and the slow system, in the order of the paper."""
-    return [_fast(), _polynomial(), _stable(), _discriminant(), _saddle(), _slow()]
+    """The fast system, in the order of the paper."""
+    return [_fast(), _polynomial(), _stable(), _discriminant(), _saddle()]
 
 
 def _claim(identifier: str) -> Claim:
-    return Claim(ALGEBRA, PRINTED[identifier], CORRECTED.get(identifier, {}))
-
-
-def _beta() -> Entry:
-    this = _claim("1-beta")
-
-    def slow(parts: Parts) -> list[fmpq_mpoly]:
-        # (-t)^beta in alpha3 b - alpha1 t b' = 0: alpha3 - alpha1 beta, times the denominator of beta.
-        equation = ALGEBRA.read(OUTER["4-deviation"]["equation"])
-        leading = ALGEBRA.coefficient_of(equation, "eps", 0)
-        rate = ALGEBRA.coefficient_of(leading.derivative("b1"), "t", 1)
-        return [leading.derivative("b0") * parts["denominator"] + rate * parts["numerator"]]
-
-    def obstruction(parts: Parts) -> list[fmpq_mpoly]:
-        # The coefficient of s^k in 2 b''' + alpha1 s b' - alpha3 b vanishes at k = beta (Sec. 5, step 2).
-        return [_SYMBOLS["alpha1"] * parts["numerator"] - _SYMBOLS["alpha3"] * parts["denominator"]]
-
-    return settled(
-        "Section 1",
-        "1-beta",
-        "line 380",
-        r"\beta=\alpha_1/\alpha_3",
-        "The ratio whose positive integers are the places of side-switching is β = α_1/α_3",
-        this.check("the exponent of the outer solution (-t)^β of modelSysDev at ε = 0", slow),
-        this.check("the k at which k α_1 - α_3 = 0: where the term s^k of Theorem 1 is obstructed", obstruction),
-        corrected="β = α_3/α_1, as in eq. beta (line 758), Sec. 4 and Theorem 1",
-    )
+    return Claim(ALGEBRA, PRINTED[identifier])
 
 
 def _fast() -> Entry:
@@ -91,10 +60,12 @@ def _fast() -> Entry:
     )
 
 
-def fast_matrix(size: int) -> list[list[fmpq_mpoly]]:
-    """lam I minus the matrix of the fast system in (b, y, v, z) at eps = 0, or of its part (y, v, z)."""
-    rows = ["lam 0*p 0*p 0*p", "0*p lam -1+0*p 0*p", "-1+0*p p lam -p", "0*p -1+0*p 0*p lam+2"]
-    return [[ALGEBRA.read(text) for text in row.split()][4 - size :] for row in rows[4 - size :]]
+def fast_matrix() -> list[list[fmpq_mpoly]]:
+    """lam I minus the matrix of the fast system in (b, y, v, z) at eps = 0, with p for alpha1 t."""
+    rates, states = field(False), ("b0", "y", "v", "z")
+    limit = {"eps": ALGEBRA.constant(0), "alpha1": _SYMBOLS["p"], "t": ALGEBRA.constant(1)}
+    rows = [[-ALGEBRA.substitute(rates[row].derivative(name), limit) for name in states] for row in states]
+    return [[value + _SYMBOLS["lam"] * (i == j) for j, value in enumerate(row)] for i, row in enumerate(rows)]
 
 
 def _polynomial() -> Entry:
@@ -114,7 +85,7 @@ def _polynomial() -> Entry:
         this.check("exponentials in the fast equation at ε = 0", exponential),
         this.check(
             "determinant of λ I minus the 4 x 4 matrix of the fast system in (b, y, v, z)",
-            lambda parts: [parts["polynomial"] + ALGEBRA.determinant(fast_matrix(4))],
+            lambda parts: [parts["polynomial"] + ALGEBRA.determinant(fast_matrix())],
         ),
     )
 
@@ -124,6 +95,17 @@ def _cubic_coefficients() -> list[fmpq_mpoly]:
     return [ALGEBRA.coefficient_of(cubic, "lam", k) for k in range(4)]
 
 
+def _is_the_factor() -> bool:
+    """Whether -lam times the cubic is the characteristic polynomial of the fast system."""
+    return bool(ALGEBRA.determinant(fast_matrix()) == _SYMBOLS["lam"] * ALGEBRA.read(CUBIC))
+
+
+def _sign(identifier: str, value: fmpq_mpoly) -> int | None:
+    """The sign for every p that the entry speaks of, when all coefficients have one sign."""
+    value = ALGEBRA.substitute(value, {"p": ALGEBRA.read(ALLOWED[identifier])})
+    return 1 if rising_signs(value) else -1 if rising_signs(-value) else None
+
+
 def _stable() -> Entry:
     zero, one, two, three = _cubic_coefficients()
     hurwitz = [three, two, two * one - three * zero, zero]
@@ -131,6 +113,10 @@ def _stable() -> Entry:
     argument = -two - _SYMBOLS["lam"]
     sums = -(argument**3 + two * argument**2 + one * argument + zero)
     all_sums = [ALGEBRA.coefficient_of(sums, "lam", k) for k in range(4)]
+
+    def all_positive(values: list[fmpq_mpoly]) -> bool:
+        return all(_sign("4-stable", value) == 1 for value in values)
+
     return settled(
         SECTION,
         "4-stable",
@@ -140,13 +126,13 @@ def _stable() -> Entry:
         Check(
             Rung.EXACT,
             "Routh-Hurwitz: 1, 2, 2 p - p and p are polynomials in p with positive coefficients only",
-            all(rising_signs(value) for value in hurwitz) or None,
+            (_is_the_factor() and all_positive(hurwitz)) or None,
         ),
         Check(
             Rung.EXACT,
             "no real root is >= 0 (all coefficients positive), and twice the real part of a pair is a real root of the "
             "polynomial of the sums of two roots, λ³ + 4 λ² + (4 + p) λ + p, which has none >= 0 either",
-            all(rising_signs(value) for value in [zero, one, two, three, *all_sums]) or None,
+            (_is_the_factor() and three.is_one() and all_positive([zero, one, two, *all_sums])) or None,
         ),
     )
 
@@ -171,12 +157,6 @@ def _discriminant() -> Entry:
             lambda parts: [ALGEBRA.read(CUBIC).discriminant("lam") - parts["discriminant"]],
         ),
     )
-
-
-def _negative_p(value: fmpq_mpoly) -> int | None:
-    """The sign for every p < 0, when all coefficients in -p have one sign."""
-    mirrored = ALGEBRA.substitute(value, {"p": -_SYMBOLS["p"]})
-    return 1 if rising_signs(mirrored) else -1 if rising_signs(-mirrored) else None
 
 
 def sturm_chain() -> list[list[fmpq_mpoly]]:
@@ -205,7 +185,7 @@ def roots_for_negative_p() -> tuple[int, int] | None:
     for place in (-1, 0, 1):
         signs = []
         for values in sturm_chain():
-            sign = _negative_p(values[-1] if place else values[0])
+            sign = _sign("4-saddle", values[-1] if place else values[0])
             if sign is None:
                 return None
             signs.append(sign * (-1) ** (len(values) - 1) if place < 0 else sign)
@@ -214,10 +194,10 @@ def roots_for_negative_p() -> tuple[int, int] | None:
 
 
 def _saddle() -> Entry:
-    zero, _, two, _ = _cubic_coefficients()
-    real = _negative_p(ALGEBRA.read(CUBIC).discriminant("lam")) == 1
+    zero, _, two, three = _cubic_coefficients()
+    real = _sign("4-saddle", ALGEBRA.read(CUBIC).discriminant("lam")) == 1
     # Product of the roots -zero > 0: one or three positive roots; their sum -two < 0 leaves one.
-    one_positive = _negative_p(zero) == -1 and rising_signs(two)
+    one_positive = three.is_one() and _sign("4-saddle", zero) == -1 and _sign("4-saddle", two) == 1
     return settled(
         SECTION,
         "4-saddle",
@@ -225,45 +205,13 @@ def _saddle() -> Entry:
         r"p<0:\ \lambda_1<\lambda_2<0<\lambda_3",
         "For p < 0 the three roots are real and exactly one is positive",
         Check(
-            Rung.EXACT, "discriminant, sum and product of the roots, for every p < 0", (real and one_positive) or None
+            Rung.EXACT,
+            "discriminant, sum and product of the roots, for every p < 0",
+            (_is_the_factor() and real and one_positive) or None,
         ),
         Check(
             Rung.EXACT,
             "Sturm's theorem with p as a symbol: two roots below 0, one above",
-            roots_for_negative_p() == (2, 1) or None,
+            (_is_the_factor() and roots_for_negative_p() == (2, 1)) or None,
         ),
-    )
-
-
-def _slow() -> Entry:
-    this = _claim("4-slow")
-    product = ALGEBRA.read("alpha1*t")
-
-    def limits(parts: Parts) -> list[fmpq_mpoly]:
-        found = [parts["equation"] - ALGEBRA.coefficient_of(ALGEBRA.read(OUTER["4-deviation"]["equation"]), "eps", 0)]
-        for name, power in (("y", 2), ("v", 1), ("z", 2), ("lambda", 0)):
-            leading = ALGEBRA.coefficient_of(ALGEBRA.read(OUTER["4-deviation-recover"][name]), "eps", power)
-            # b' = alpha3 b/(alpha1 t), all times alpha1 t.
-            value = ALGEBRA.replaced(leading, "b", [product * _SYMBOLS["b0"], ALGEBRA.read("alpha3*b0")], product)
-            found.append(value - _SYMBOLS["alpha3"] * parts[name])
-        return found
-
-    def balance(parts: Parts) -> list[fmpq_mpoly]:
-        y, v, z, force = parts["y"], parts["v"], parts["z"], parts["lambda"]
-        b = _SYMBOLS["b0"]
-        # The system at eps = 0, times alpha1 t: v = 0, b + p lambda = 0, z = -lambda = y/2, b' = -alpha3 lambda.
-        slope = ALGEBRA.substitute(parts["equation"], {"b1": ALGEBRA.constant(0)}) * product
-        slope += parts["equation"].derivative("b1") * (-_SYMBOLS["alpha3"] * force)
-        return [v, b + force, z + force, force - z + y, slope]
-
-    return settled(
-        SECTION,
-        "4-slow",
-        "eq:example_outer, lines 1117 to 1136",
-        r"\frac{\hat y}{\epsilon^2}=\frac{2\hat b}{\alpha_1^*t},\ \hat v=0,\ \frac{\hat z}{\epsilon^2}="
-        r"\frac{\hat b}{\alpha_1^*t},\ \hat\lambda_N=-\frac{\hat b}{\alpha_1^*t}",
-        "The slow system, and y, v, z, λ_N on it",
-        this.check("modelSysDev and modelSysDevRecoverY, V, Z, LN at leading order in ε", limits),
-        this.check("the system of the deviations itself at ε = 0", balance),
-        note="The solution (-t)^β of the slow equation: entry 4-unique.",
     )

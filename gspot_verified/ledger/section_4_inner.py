@@ -5,12 +5,15 @@ g0, g1, ... are b and its derivatives in s; f0, f1, ... in the fast time; h0, h1
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import replace
+
 from flint import fmpq_mpoly
 
-from gspot_verified.ledger.entry import Entry, settled
-from gspot_verified.ledger.identities import Claim, Parts
+from gspot_verified.ledger.entry import Check, Entry, settled
+from gspot_verified.ledger.identities import Claim, Parts, rising_signs
 from gspot_verified.ledger.section_4_fast import fast_matrix
-from gspot_verified.ledger.section_4_outer import ALGEBRA, along
+from gspot_verified.ledger.section_4_outer import ALGEBRA, along, field
 from gspot_verified.ledger.section_4_outer import PRINTED as OUTER
 
 SECTION = "Section 4"
@@ -33,6 +36,8 @@ CORRECTED: dict[str, dict[str, str]] = {
     "4-inner-fast": {"equation": PRINTED["4-inner-fast"]["equation"].replace("+ delta^2", "- delta^2")},
     "4-inner-scaling-v": {"v factor": "delta"},
 }
+ALPHA_1 = "-x"
+"""All the values of α_1, as x takes all positive ones: the sign of κ depends on α_1 < 0."""
 
 
 def entries() -> list[Entry]:
@@ -53,6 +58,13 @@ def scaled(value: fmpq_mpoly) -> fmpq_mpoly:
 def _fast_powers() -> list[fmpq_mpoly]:
     """b and its derivatives in fast time along the vector field of the deviations, on the inner scale."""
     return [ALGEBRA.substitute(along(_SYMBOLS[f"f{k}"], "f", False), INNER_SCALE) for k in range(5)]
+
+
+def slow_rates(scales: Mapping[str, fmpq_mpoly]) -> dict[str, fmpq_mpoly]:
+    """The derivation δ d/ds of the deviations on the inner scale, on z = y/2, where that of z vanishes."""
+    images = {**INNER_SCALE, **scales}
+    rates = {name: ALGEBRA.substitute(rate, images) for name, rate in field(False).items()}
+    return {name: ALGEBRA.substitute(rate, {"z": ALGEBRA.read("y/2")}) for name, rate in rates.items()}
 
 
 def _inner() -> Entry:
@@ -115,7 +127,7 @@ def _inner_fast_polynomial() -> Entry:
         this.check(
             "determinant of λ I minus the matrix of the fast system at p = 0",
             lambda parts: [
-                parts["polynomial"] + ALGEBRA.substitute(ALGEBRA.determinant(fast_matrix(4)), p_is_0),
+                parts["polynomial"] + ALGEBRA.substitute(ALGEBRA.determinant(fast_matrix()), p_is_0),
             ],
         ),
     )
@@ -125,11 +137,12 @@ def _inner_slow() -> Entry:
     this = _claim("4-inner-slow")
 
     def reduced(parts: Parts) -> list[fmpq_mpoly]:
-        # delta = 0: z = y/2, lambda = -y/2, so b' = alpha3 y/2, y' = v, v' = b - alpha1 s y/2.
-        texts = {"s": "1+0*s", "g0": "alpha3*y/2", "y": "v", "v": "g0 - alpha1*s*y/2"}
-        images = {name: ALGEBRA.read(text) for name, text in texts.items()}
+        # b = delta^2 g0, v = delta v: then every rate has the factor delta of eps d/dt = delta d/ds.
+        rates = slow_rates({"b0": _DELTA**2 * _SYMBOLS["g0"], "v": _DELTA * _SYMBOLS["v"]})
+        images = {"s": ALGEBRA.constant(1), "g0": rates["b0"] / _DELTA**3, "y": rates["y"] / _DELTA,
+                  "v": rates["v"] / _DELTA**2}  # fmt: skip
         powers = [ALGEBRA.derivative(_SYMBOLS["g0"], images, k) for k in range(4)]
-        return [ALGEBRA.replaced(parts["equation"], "g", powers, ALGEBRA.constant(1))]
+        return [rates["z"], ALGEBRA.replaced(parts["equation"], "g", powers, ALGEBRA.constant(1))]
 
     inner = ALGEBRA.read(PRINTED["4-inner"]["equation"])
     return settled(
@@ -142,43 +155,58 @@ def _inner_slow() -> Entry:
             "eq. modelSysDevInner at δ = 0",
             lambda parts: [ALGEBRA.coefficient_of(inner, "delta", 0) - parts["equation"]],
         ),
-        this.check("along the reduced vector field with z = y/2, λ_N = -y/2", reduced),
+        this.check("along the vector field of the deviations at δ = 0, where z = y/2", reduced),
     )
+
+
+def _reduced(value: fmpq_mpoly, cube: fmpq_mpoly) -> fmpq_mpoly:
+    """A polynomial in kappa with ``cube`` for kappa^3, and beta alpha1 for alpha3."""
+    total = ALGEBRA.constant(0)
+    for power, part in ALGEBRA.coefficients(value, "kappa").items():
+        total += part * cube ** (power // 3) * _SYMBOLS["kappa"] ** (power % 3)
+    return ALGEBRA.substitute(total, {"alpha3": ALGEBRA.read("beta*alpha1")})
 
 
 def _theta() -> Entry:
     this = _claim("4-theta")
     inner = ALGEBRA.read(PRINTED["4-inner-slow"]["equation"])
-    with_beta = {"alpha3": ALGEBRA.read("beta*alpha1")}
+    kappa, s, tau = (_SYMBOLS[name] for name in ("kappa", "s", "tau"))
+    in_s = {"tau": kappa * s}
+    none = ALGEBRA.constant(0)
 
     def chain_rule(parts: Parts) -> list[fmpq_mpoly]:
-        # g_k = kappa^k h_k and s = tau/kappa: only s g1 = tau h1 and g3 = kappa^3 h3 occur.
-        value = ALGEBRA.read("alpha3*h0 - alpha1*tau*h1") - 2 * parts["kappa cubed"] * _SYMBOLS["h3"]
-        return [ALGEBRA.substitute(value, with_beta) - _SYMBOLS["alpha1"] * parts["equation"]]
+        left = ALGEBRA.replaced(inner, "g", [kappa**k * _SYMBOLS[f"h{k}"] for k in range(4)], none)
+        right = ALGEBRA.substitute(parts["equation"], in_s)
+        return [_reduced(left - _SYMBOLS["alpha1"] * right, parts["kappa cubed"])]
 
     def monomials(parts: Parts) -> list[fmpq_mpoly]:
-        found = [parts["kappa cubed"] + _SYMBOLS["alpha1"] / 2]
-        kappa, s, tau = (_SYMBOLS[name] for name in ("kappa", "s", "tau"))
+        found = []
         for j in range(5):
             b, theta = (kappa * s) ** j, tau**j
             b_powers = [ALGEBRA.derivative(b, {"s": ALGEBRA.constant(1)}, k) for k in range(4)]
             theta_powers = [ALGEBRA.derivative(theta, {"tau": ALGEBRA.constant(1)}, k) for k in range(4)]
-            left = ALGEBRA.replaced(inner, "g", b_powers, ALGEBRA.constant(0))
-            right = ALGEBRA.replaced(parts["equation"], "h", theta_powers, ALGEBRA.constant(0))
-            difference = left - _SYMBOLS["alpha1"] * ALGEBRA.substitute(right, {"tau": kappa * s})
-            difference = ALGEBRA.substitute(difference, with_beta)
-            found.append(ALGEBRA.substitute(difference, {"alpha1": ALGEBRA.read("-2*kappa^3")}))
+            left = ALGEBRA.replaced(inner, "g", b_powers, none)
+            right = ALGEBRA.replaced(parts["equation"], "h", theta_powers, none)
+            difference = left - _SYMBOLS["alpha1"] * ALGEBRA.substitute(right, in_s)
+            found.append(_reduced(difference, parts["kappa cubed"]))
         return found
+
+    def with_direction(check: Check) -> Check:
+        cube = ALGEBRA.substitute(ALGEBRA.read(PRINTED["4-theta"]["kappa cubed"]), {"alpha1": ALGEBRA.read(ALPHA_1)})
+        if check.agrees and not rising_signs(cube):
+            return replace(check, agrees=None, finding="the sign of κ is open")
+        return check
 
     return settled(
         SECTION,
         "4-theta",
         "eq:hypergeomeqn, line 1176",
-        r"\theta'''-\tau\theta'+\beta\theta=0,\quad \tau=\kappa s,\ \kappa=(-\alpha_1^*/2)^{1/3}",
-        "τ = κ s turns eq. de_inner into θ''' - τ θ' + β θ = 0 with β = α_3/α_1",
-        this.check("chain rule; the quotient of both sides is α_1", chain_rule),
-        this.check("both operators on 1, s, ..., s⁴, which determine an operator of order 3", monomials),
-        note="κ > 0 since α_1 < 0.",
+        r"\theta'''-\tau\theta'+\beta\theta=0,\quad \tau=\kappa s,\ \kappa=(-\alpha_1^*/2)^{1/3}>0",
+        "τ = κ s turns eq. de_inner into θ''' - τ θ' + β θ = 0 with β = α_3/α_1, and κ > 0 for α_1 < 0",
+        with_direction(this.check("chain rule; the quotient of both sides is α_1; sign of κ³", chain_rule)),
+        with_direction(
+            this.check("both operators on 1, s, ..., s⁴, which determine an operator of order 3; sign of κ³", monomials)
+        ),
     )
 
 
@@ -191,6 +219,15 @@ def _leading(name: str, order: int, factor: fmpq_mpoly, wanted: fmpq_mpoly) -> l
     return [*lower, powers.get(place, ALGEBRA.constant(0)) - wanted]
 
 
+def _on_slow_system(value: fmpq_mpoly, factor: fmpq_mpoly, name: str) -> fmpq_mpoly:
+    """delta^2 (value - factor alpha3 x) for a variable x, with db/ds and d²b/ds² along the slow system."""
+    rates = slow_rates({})
+    first = rates["b0"]
+    powers = [_DELTA**2 * _SYMBOLS["g0"], _DELTA * first, ALGEBRA.derivative(first, rates)]
+    variable = ALGEBRA.read({"y": "y", "z": "y/2", "lambda": "y/2 - y", "v": "v"}[name])
+    return ALGEBRA.replaced(value, "g", powers, _DELTA**2) - _DELTA**2 * factor * _SYMBOLS["alpha3"] * variable
+
+
 def _scaling() -> Entry:
     this = _claim("4-inner-scaling")
 
@@ -199,9 +236,7 @@ def _scaling() -> Entry:
         return [r for name, n in orders.items() for r in _leading(name, n, parts[f"{name} factor"], parts[name])]
 
     def reduced(parts: Parts) -> list[fmpq_mpoly]:
-        # alpha3 lambda = -delta^(-2) b', z = -eps^2 lambda, y = 2 z at leading order.
-        base = {"lambda": "-g1", "z": "g1", "y": "2*g1"}
-        return [_DELTA**2 * parts[n] - parts[f"{n} factor"] * ALGEBRA.read(text) for n, text in base.items()]
+        return [_on_slow_system(parts[name], parts[f"{name} factor"], name) for name in ("y", "z", "lambda")]
 
     return settled(
         SECTION,
@@ -211,16 +246,12 @@ def _scaling() -> Entry:
         r"\delta^2\alpha_3^*\hat\lambda_N=-\hat b'",
         "y, z and λ_N from b on the inner scale, at leading order in δ",
         this.check("modelSysDevRecoverY, Z, LN with t = δ² s, ε = δ³: lowest power of δ", recovered),
-        this.check("α_3 λ = -db/dt, z = -ε² λ and y = 2 z of the slow system", reduced),
+        this.check("db/ds along the slow system of the deviations, where z = y/2", reduced),
     )
 
 
 def _scaling_v() -> Entry:
     this = _claim("4-inner-scaling-v")
-
-    def from_y(parts: Parts) -> list[fmpq_mpoly]:
-        # v = dy/dt = delta^(-2) dy/ds with alpha3 y = 2 delta^4 b': alpha3 v/eps = 2 delta^(-1) b''.
-        return [parts["v factor"] * ALGEBRA.read("2*g2") - _DELTA * parts["v"]]
 
     return settled(
         SECTION,
@@ -232,7 +263,10 @@ def _scaling_v() -> Entry:
             "modelSysDevRecoverV with t = δ² s, ε = δ³: the term of the stated order in δ",
             lambda parts: _leading("v", 1, parts["v factor"], parts["v"]),
         ),
-        this.check("v = dy/dt with y of the same equation", from_y),
+        this.check(
+            "d²b/ds² along the slow system of the deviations, where z = y/2",
+            lambda parts: [_on_slow_system(parts["v"], parts["v factor"], "v")],
+        ),
         corrected="δ α_3 v/ε = 2 b'': the factor is δ, not δ²",
         note="With δ² the size of v would be ε^((2β+1)/3), against the paper's own ε^((2β+2)/3) in line 1237. "
         "In the findings g2 is b''.",

@@ -14,7 +14,9 @@ from gspot_verified.ledger import (
     section_4_inner,
     section_4_matching,
     section_4_outer,
+    section_4_slow,
     section_4_trivial,
+    section_4_unique,
     section_5_matching,
     section_5_outer,
     section_5_recursion,
@@ -26,12 +28,13 @@ from gspot_verified.ledger.entry import Entry
 from gspot_verified.verdict import Outcome
 
 PARTS: dict[str, Callable[[], list[Entry]]] = {
-    "Section 1, the ratio β": section_4_fast.ratio_entries,
+    "Section 1, the ratio β": section_4_slow.ratio_entries,
     "Section 2, the motivating example": section_4_trivial.entries,
     "Section 2, the extended example": lagrangian.entries,
     "Section 4, elimination and deviations": section_4_outer.entries,
-    "Section 4.1, the distinguished trajectory": section_4_trivial.uniqueness_entries,
-    "Section 4, fast and slow system": section_4_fast.entries,
+    "Section 4.1, the distinguished trajectory": section_4_unique.entries,
+    "Section 4, fast system": section_4_fast.entries,
+    "Section 4, slow system": section_4_slow.entries,
     "Section 4, inner scale": section_4_inner.entries,
     "Section 4.4, matching": section_4_matching.entries,
     "Section 4.5, formulas and signs": section_4_5.entries,

@@ -1,0 +1,52 @@
+"""The roots of the fast system: the sign conditions, one by one."""
+
+from __future__ import annotations
+
+import pytest
+from flint import fmpq_poly
+
+from gspot_verified import Outcome
+from gspot_verified.ledger import section_4_fast as ledger
+from gspot_verified.ledger.section_4_outer import ALGEBRA
+
+
+def outcome(identifier: str) -> Outcome:
+    return next(entry.verdict.outcome for entry in ledger.entries() if entry.identifier == identifier)
+
+
+@pytest.mark.parametrize(
+    ("cubic", "saddle"),
+    [
+        ("lam^3 + 2*lam^2 + p*lam + 3*p", None),  # 2 p - 3 p < 0
+        ("lam^3 + 2*lam^2 - p*lam + p", Outcome.UNDECIDED),
+        ("lam^3 + 2*lam^2 + p*lam - p", Outcome.UNDECIDED),
+        ("lam^3 - 2*lam^2 + p*lam + p", Outcome.UNDECIDED),
+    ],
+)
+def test_other_cubics_have_other_roots(monkeypatch: pytest.MonkeyPatch, cubic: str, saddle: Outcome | None) -> None:
+    monkeypatch.setattr(ledger, "CUBIC", cubic)
+    monkeypatch.setattr(ledger, "_is_the_factor", lambda: True)
+    assert outcome("4-stable") is Outcome.UNDECIDED
+    if saddle is not None:
+        assert outcome("4-saddle") is saddle
+
+
+@pytest.mark.parametrize("identifier", ["4-stable", "4-saddle"])
+def test_the_cubic_must_be_the_factor_of_the_characteristic_polynomial(
+    monkeypatch: pytest.MonkeyPatch, identifier: str
+) -> None:
+    monkeypatch.setattr(ledger, "CUBIC", "lam^3 + 2*lam^2 + p*lam + p/2")  # the same signs
+    assert outcome(identifier) is Outcome.UNDECIDED
+
+
+def test_the_matrix_of_the_fast_system() -> None:
+    rows = ["lam 0*p 0*p 0*p", "0*p lam -1+0*p 0*p", "-1+0*p p lam -p", "0*p -1+0*p 0*p lam+2"]
+    assert ledger.fast_matrix() == [[ALGEBRA.read(text) for text in row.split()] for row in rows]
+
+
+def test_roots_of_the_cubic_by_enclosures() -> None:
+    for p in (-100, -3, -1, 1, 5, 300):
+        roots = [root.real for root, _ in fmpq_poly([p, p, 2, 1]).complex_roots()]
+        positive = sum(bool(root > 0) for root in roots)
+        assert positive == (1 if p < 0 else 0)
+        assert all(bool(root > 0) or bool(root < 0) for root in roots)
