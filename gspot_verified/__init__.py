@@ -11,10 +11,11 @@ from gspot_verified.signs.side import SideSwitching, SignInterval, gamma_sign, s
 from gspot_verified.signs.sign import SignResult, sign_on_ranges
 from gspot_verified.signs.zeros import ZerosResult, zeros_on_range
 from gspot_verified.theta_function.asymptotic_coefficients import coefficient, coefficient_by_inversion
-from gspot_verified.theta_function.evaluate import Evaluation, evaluate, theta
+from gspot_verified.theta_function.evaluate import Evaluation, evaluate
 from gspot_verified.theta_function.initial_values import initial_values, paper_initial_values
 from gspot_verified.theta_function.integer import polynomial
 from gspot_verified.theta_function.routes import BudgetError, theta_by
+from gspot_verified.theta_function.theta import theta
 from gspot_verified.verdict import Outcome, Reason, Verdict
 
 __version__ = "0.1.0"

@@ -10,7 +10,7 @@ from flint import fmpq
 from gspot_verified.cost.baseline import Answer, flint_theta, mpmath_theta, right_digits
 from gspot_verified.cost.measure import Contestant, Timing, clear_caches, import_seconds, measure, run_child, timing
 from gspot_verified.cost.rows import Row, Target, seconds_text
-from gspot_verified.theta_function.evaluate import theta
+from gspot_verified.theta_function.theta import theta
 
 HALF = fmpq(1, 2)
 SEVEN_THIRDS = fmpq(7, 3)

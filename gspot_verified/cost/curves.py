@@ -11,7 +11,7 @@ from flint import fmpq
 
 from gspot_verified.cost.baseline import flint_theta, mpmath_theta
 from gspot_verified.cost.measure import Contestant, clear_caches, measure
-from gspot_verified.theta_function.evaluate import theta
+from gspot_verified.theta_function.theta import theta
 
 _TAU = fmpq(7, 3)
 _DIGITS = (10, 30, 100, 300, 1_000, 3_000, 10_000, 30_000, 100_000)

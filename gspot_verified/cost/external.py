@@ -15,7 +15,7 @@ from typing import Any
 from flint import fmpq
 
 from gspot_verified.cost.baseline import right_digits
-from gspot_verified.theta_function.evaluate import theta
+from gspot_verified.theta_function.theta import theta
 
 NOT_INSTALLED = "not installed"
 _TRACE = re.compile(r"Warning|at top-level|in function|\^")

@@ -23,9 +23,9 @@ from gspot_verified.balls import (
     working_bits,
 )
 from gspot_verified.dyadic import Dyadic
-from gspot_verified.theta_function.evaluate import theta
 from gspot_verified.theta_function.reciprocal_gamma import reciprocal_gamma
 from gspot_verified.theta_function.routes import theta_by
+from gspot_verified.theta_function.theta import theta
 
 _DIGITS_PER_BIT = math.log10(2)
 _BOX_BITS = 6

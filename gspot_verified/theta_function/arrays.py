@@ -8,6 +8,7 @@ import numpy as np
 from flint import fmpq
 
 from gspot_verified.balls import ExactInput, float_bounds
+from gspot_verified.theta_function.evaluate import evaluate
 
 ObjectArray = np.ndarray[Any, np.dtype[np.object_]]
 FloatArray = np.ndarray[Any, np.dtype[np.float64]]
@@ -17,7 +18,7 @@ def theta_array(tau: np.ndarray[Any, Any], beta: ExactInput, derivative: int = 0
     """Enclosures of d^k Theta/dtau^k at every entry of ``tau``: an object array of ``arb``, of the same shape.
 
     An array of floats is taken on purpose: each entry stands for its exact binary value. Object arrays hold any exact
-    input. beta, derivative, digits and the errors are those of :func:`gspot_verified.theta_function.evaluate.theta`.
+    input. beta, derivative, digits and the errors are those of :func:`gspot_verified.theta_function.theta.theta`.
 
     :raises ValueError: an entry is NaN, infinite, or outside the domain.
 
@@ -25,11 +26,9 @@ def theta_array(tau: np.ndarray[Any, Any], beta: ExactInput, derivative: int = 0
     >>> bool((lower < upper).all())
     True
     """
-    from gspot_verified.theta_function.evaluate import theta
-
     result = np.empty(tau.shape, dtype=object)
     for index, value in np.ndenumerate(tau):
-        result[index] = theta(_exact_entry(value), beta, derivative, digits)
+        result[index] = evaluate(_exact_entry(value), beta, derivative, digits).value
     return result
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, cast, overload
+from typing import Any
 
 from flint import arb, fmpq, fmpq_poly
 
@@ -28,11 +28,9 @@ from gspot_verified.dyadic import Dyadic
 from gspot_verified.theta_function import choice, routes
 from gspot_verified.theta_function.integer import polynomial
 from gspot_verified.theta_function.majorant import majorant_bound
+from gspot_verified.theta_function.mean_value import mean_value_form
 from gspot_verified.theta_function.routes import BudgetError, checked_arguments, shifted_parameter
 from gspot_verified.verdict import Reason, Verdict
-
-if TYPE_CHECKING:
-    from numpy import ndarray
 
 _EXACT_POLYNOMIAL_BITS = 100_000
 # Where every route failed at a lower goal, rounding may have hidden a hypothesis: once more with this many bits.
@@ -121,37 +119,6 @@ def evaluate(
     return Evaluation(value, digits, reached, route, bits, reason)
 
 
-@overload
-def theta(tau: ExactInput, beta: ExactInput, derivative: int = 0, digits: int = 15) -> arb: ...
-
-
-@overload
-def theta(tau: ndarray[Any, Any], beta: ExactInput, derivative: int = 0, digits: int = 15) -> ndarray[Any, Any]: ...
-
-
-def theta(tau: ExactInput | ndarray[Any, Any], beta: ExactInput, derivative: int = 0, digits: int = 15) -> Any:
-    """An enclosure of d^k Theta/dtau^k (tau, beta) with relative accuracy 10^-digits, as an ``arb``.
-
-    A numpy array for ``tau`` gives an object array of the same shape (see :mod:`gspot_verified.theta_function.arrays`).
-    Arguments and errors: see :func:`evaluate`, which also says whether the accuracy was reached: next to a zero of
-    Theta, or for wide input balls, the ball returned here is valid but wider than asked.
-
-    Printing an ``arb`` shows as many digits as flint's own precision; ``ball_text`` shows as many as asked.
-
-    >>> ball_text(theta(-50, "7/3", digits=20), 20)
-    '[9210.1042163477515727 +/- 4.20e-17]'
-    >>> theta(2, 3, derivative=1)
-    -12.0000000000000
-    """
-    if type(tau).__name__ == "ndarray":  # by name: numpy is not imported before someone uses it
-        from gspot_verified.theta_function.arrays import theta_array
-
-        return theta_array(cast("ndarray[Any, Any]", tau), beta, derivative, digits)
-    goal = bits_for_digits(digits)
-    point, parameter = checked_arguments(cast("ExactInput", tau), beta, derivative)
-    return _enclose(point, parameter, derivative, goal, None)[0]
-
-
 _Found = tuple[arb, str, int, Reason | None]
 """An enclosure, its route, the bits that were asked of the route, and why it is wider than asked (if it is)."""
 
@@ -227,14 +194,11 @@ def _tighter(first: arb, second: arb) -> arb:
 
 
 def _centred(found: _Found, tau: arb, beta: Exact, goal: int, max_bits: int | None) -> _Found:
-    """Mean value form over the ball tau: Theta(m) + Theta'(tau)(tau - m), m the midpoint; the common part is kept."""
-    middle = tau.mid()
-    center = _approach(middle, beta, goal, max_bits)[0]
+    """The common part with the mean value form over the ball tau."""
+    center = _approach(tau.mid(), beta, goal, max_bits)[0]
     with working_bits(goal + 64):
         below = beta - 1
-    slope = _attempt(tau, below, goal)[1]
-    with working_bits(goal + 64):
-        form = center - beta * slope * (tau - middle)
+    form = mean_value_form(beta, tau.rad(), center, _attempt(tau, below, goal)[1], goal + 64)
     return _tighter(found[0], form), *found[1:]
 
 

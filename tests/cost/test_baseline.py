@@ -6,7 +6,7 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import bits_for_digits, relative_bits, working_bits
 from gspot_verified.cost.baseline import flint_attempt, flint_theta, mpmath_theta, right_digits
-from gspot_verified.theta_function.evaluate import theta
+from gspot_verified.theta_function.theta import theta
 
 BETAS = (fmpq(1, 2), fmpq(7, 3), fmpq(-5, 2))
 TAUS = (fmpq(1, 10), fmpq(-7, 3), fmpq(10), fmpq(-50))

@@ -7,7 +7,7 @@ import pytest
 from gspot_verified.cost import child, measure
 from gspot_verified.cost.measure import Contestant, Timing, clear_caches, run_child, timing
 from gspot_verified.theta_function import choice, initial_values, taylor
-from gspot_verified.theta_function.evaluate import theta
+from gspot_verified.theta_function.theta import theta
 
 
 def test_clear_caches_finds_every_cache_of_theta() -> None:

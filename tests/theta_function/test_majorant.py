@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+import mpmath
 import pytest
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
-from strategies import ends
+from strategies import ends, holds
 
 from gspot_verified import evaluate
 from gspot_verified.theta_function.majorant import majorant_bound
@@ -31,6 +32,27 @@ def test_it_is_attained_at_the_negative_parameter() -> None:
     upper = ends(majorant_bound(fmpq(-5, 2), fmpq(5, 2), value, 128))[1]
     first, last = ends(value)
     assert last <= upper <= first * (1 + Fraction(1, 10**8))
+
+
+@pytest.mark.parametrize("order", [0, 1, 2])
+def test_each_initial_value_counts(order: int) -> None:
+    """At beta = 0, 1, 2 Theta is 1, -tau, tau^2: one initial value is not zero, and M is its quotient alone."""
+    beta, size, far = fmpq(order), fmpq(5, 2), fmpq(3)
+    bound = majorant_bound(beta, size, evaluate(far, -size, digits=30).value, 128)
+    assert holds(bound, (-3) ** order)
+    # M Theta(X, -B) from the page, by mpmath.
+    with mpmath.workdps(40):
+        ours = abs([1, -1, 2][order])
+        theirs = mpmath.diff(lambda t: _theta(t, mpmath.mpf(-5) / 2), 0, order)
+        page = ours / theirs * _theta(mpmath.mpf(3), mpmath.mpf(-5) / 2)
+        radius = ends(bound)[1]
+        assert abs(mpmath.mpf(radius.numerator) / radius.denominator - page) < page * mpmath.mpf(10) ** -8
+
+
+def _theta(tau: mpmath.mpf, beta: mpmath.mpf) -> mpmath.mpf:
+    """The Laplace integral for beta < 0."""
+    integral = mpmath.quad(lambda r: r ** (-beta - 1) * mpmath.exp(r * tau - r**3 / 3), [0, 1, 3, 6, 12])
+    return integral / mpmath.gamma(-beta)
 
 
 def test_hypotheses() -> None:
