@@ -25,6 +25,7 @@ from gspot_verified.ledger import (
     section_4_slow,
     section_4_trivial,
     section_4_unique,
+    section_5_ansatz,
     section_5_matching,
     section_5_outer,
     section_5_recursion,
@@ -38,7 +39,7 @@ from gspot_verified.ledger.verify import PARTS
 MODULES = (
     lagrangian, section_4_trivial, section_4_outer, section_4_unique, section_4_fast, section_4_slow, section_4_inner,
     section_4_matching, section_5_recursion, section_5_theorem, section_5_spaces, example, section_5_outer,
-    section_5_matching,
+    section_5_ansatz, section_5_matching,
 )  # fmt: skip
 WITH_FORMULAS = tuple(module for module in MODULES if hasattr(module, "PRINTED"))
 OWN = [part for part, entries in PARTS.items() if inspect.getmodule(entries) in MODULES]

@@ -24,6 +24,7 @@ PENDING = {
     "cases",
     "example",
     "section_4_5",
+    "section_5_ansatz",
     "section_5_matching",
     "section_5_outer",
     "section_5_recursion",
