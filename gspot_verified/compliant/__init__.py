@@ -1,0 +1,1 @@
+"""The model system with compliant contact at every epsilon: exact solution, side rule, force, zeros."""

@@ -1,0 +1,123 @@
+"""G_b(tau; eta) for b <= -1 by the trapezoidal rule in the logarithm of the integration variable.
+
+Proof page: ``proofs/slow_integral.md``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from flint import arb, fmpq
+
+from gspot_verified.balls import Exact, add_remainder, ball, nonfinite, working_bits
+from gspot_verified.compliant.grid import Grid, cubic_exponent, grid, scale
+
+
+@dataclass(frozen=True, slots=True)
+class TrapezoidPlan:
+    """What the rule may choose freely: step and range of the nodes rho = e^(k step), the half-width ``angle`` of the
+    strip, and two points for the tangents that bound the shifted integral. Hypotheses: 0 < angle <= pi/6, step > 0,
+    first < last; those on the tangents are checked where they are drawn."""
+
+    step: fmpq
+    first: int
+    last: int
+    angle: fmpq
+    rising: fmpq
+    falling: fmpq
+    bits: int
+
+
+def slow_moments(tau: arb, b: Exact, epsilon: Exact, count: int, plan: TrapezoidPlan) -> list[arb]:
+    """Enclosures of I_(b-j) = int_0^oo rho^(j-b-1) e^(-rho^3/3 + rho tau + h(rho; eta)) drho, j = 0, ..., count - 1.
+
+    Hypotheses, checked: b <= -1, eta > 0 and the plan's; else the balls are not finite.
+    """
+    with working_bits(plan.bits):
+        top, eta = ball(b), scale(epsilon)
+        if not (top <= -1 and eta > 0 and 0 < plan.angle and plan.step > 0 and plan.first < plan.last):
+            return [nonfinite()] * count
+        if not arb(plan.angle) * 6 <= arb.pi():
+            return [nonfinite()] * count
+        nodes = grid(epsilon, plan.step, plan.first, plan.last, plan.bits)
+        sums = _sums(tau, top, count, nodes)
+        found = []
+        for j, total in enumerate(sums):
+            exponent = top - j
+            remainder = plan.step * (
+                _left_of_the_nodes(tau, exponent, plan, nodes) + _right_of_the_nodes(tau, exponent, eta, plan, nodes)
+            ) + _discretisation(tau, exponent, eta, plan)
+            found.append(add_remainder(plan.step * total, remainder))
+        return found
+
+
+def _sums(tau: arb, b: arb, count: int, nodes: Grid) -> list[arb]:
+    """sum_k rho_k^(j-b) e^(exponent_k + rho_k tau), j = 0, ..., count - 1: the nodes' powers times their exponentials."""
+    # rho_k^(-b) = e^(-b k step): one logarithm less at each node, and no power.
+    slope = -b * nodes.step
+    terms = [
+        (exponent + rho * tau + slope * k).exp()
+        for k, rho, exponent in zip(range(nodes.first, nodes.last + 1), nodes.nodes, nodes.exponents, strict=True)
+    ]
+    found = []
+    for j in range(count):
+        if j:
+            terms = [term * rho for term, rho in zip(terms, nodes.nodes, strict=True)]
+        found.append(sum(terms, arb(0)))
+    return found
+
+
+def _left_of_the_nodes(tau: arb, b: arb, plan: TrapezoidPlan, nodes: Grid) -> arb:
+    """sum_(k<first) rho_k^(-b) e^(...), because -rho^3/3 + h <= 0: a geometric series times e^max(0, rho tau)."""
+    growth = (nodes.nodes[0] * tau).max(arb(0)).exp()
+    ratio = (b * plan.step).exp()
+    return growth * (-b * plan.step * (plan.first - 1)).exp() / (1 - ratio)
+
+
+def _right_of_the_nodes(tau: arb, b: arb, eta: arb, plan: TrapezoidPlan, nodes: Grid) -> arb:
+    """sum_(k>last): the logarithm of the term falls at least as fast in k step as at the last node.
+
+    Hypotheses, checked: E' < 0 and the slope -b + rho E' < 0 at the last node.
+    """
+    rho = nodes.nodes[-1]
+    slope = _slope(rho, tau, eta, arb(1))
+    fall = b - rho * slope
+    if not (slope < 0 and fall > 0):
+        return nonfinite()
+    last = (nodes.exponents[-1] + rho * tau - b * plan.step * plan.last).exp()
+    ratio = (-fall * plan.step).exp()
+    return last * ratio / (1 - ratio)
+
+
+def _slope(rho: arb, tau: arb, eta: arb, cosine_3: arb) -> arb:
+    """tau + cosine_3 d/drho (-rho^3/3 + h(rho; eta)) = tau - cosine_3 rho^2 (x + 2)/(2 (1 + x)), x = eta rho."""
+    x = eta * rho
+    return tau - cosine_3 * rho * rho * (x + 2) / (2 * (1 + x))
+
+
+def _discretisation(tau: arb, b: arb, eta: arb, plan: TrapezoidPlan) -> arb:
+    """2 M/(e^(2 pi angle/step) - 1), M a bound of the integral along Im log rho = angle."""
+    shifted = tangent_bound(tau, b, eta, arb(plan.angle), arb(plan.rising), arb(plan.falling))
+    return 2 * shifted / ((2 * arb.pi() * plan.angle / plan.step).exp() - 1)
+
+
+def tangent_bound(tau: arb, b: arb, eta: arb, angle: arb, rising: arb, falling: arb) -> arb:
+    """A bound of int_0^oo rho^(-b-1) e^(rho tau cos(angle) + cos(3 angle)(-rho^3/3 + h)) drho, 0 <= angle <= pi/6.
+
+    The logarithm of the integrand is concave for b <= -1, so it lies below its tangents at ``rising`` and ``falling``.
+    Hypotheses, checked: 0 < rising < falling, slope > 0 at the first and < 0 at the second.
+    """
+    cosine, cosine_3 = angle.cos(), (3 * angle).cos()
+    if not (0 < rising < falling and cosine_3 >= 0 and b <= -1):
+        return nonfinite()
+    logs, slopes = [], []
+    for rho in (rising, falling):
+        nodes = cubic_exponent(eta, (rho,))[0]
+        logs.append((-b - 1) * rho.log() + rho * tau * cosine + cosine_3 * nodes)
+        slopes.append((-b - 1) / rho + _slope(rho, tau * cosine, eta, cosine_3))
+    if not (slopes[0] > 0 and slopes[1] < 0):
+        return nonfinite()
+    # Where the two tangents meet: rising + (logs[1] - logs[0] + s_1 (falling - rising)...)/(s_0 - s_1).
+    meeting = (logs[1] - logs[0] - slopes[1] * (falling - rising)) / (slopes[0] - slopes[1])
+    peak = logs[0] + slopes[0] * meeting
+    return peak.exp() * (1 / slopes[0] - 1 / slopes[1])
