@@ -23,6 +23,7 @@ ROWS = (
     ("testing",),
     ("scenes",),
     ("mechanisms",),
+    ("compliant",),
     ("expansion",),
     ("certificates",),
     ("signs",),

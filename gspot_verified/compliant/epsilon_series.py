@@ -73,7 +73,7 @@ def epsilon_remainder(tau: arb, b: Exact, eta: arb, terms: int, places: Sequence
 
 
 def theta_derivatives(first: Sequence[arb], tau: arb, b: Exact, count: int) -> list[arb]:
-    """Theta, Theta', ..., ``count`` of them, from the first three by Theta^(n+3) = tau Theta^(n+1) + (n - b) Theta^(n)."""
+    """``count`` derivatives of Theta from the first three, by Theta^(n+3) = tau Theta^(n+1) + (n - b) Theta^(n)."""
     found = list(first)
     for n in range(count - 3):
         found.append(tau * found[n + 1] + (n - b) * found[n])

@@ -15,7 +15,7 @@ from gspot_verified.balls import Exact
 def climbed(lowest: Sequence[arb], b: Exact, steps: int, tau: arb, eta: arb) -> list[arb]:
     """G_b, G_(b-1), G_(b-2), G_(b-3) from G_(b-n), ..., G_(b-n-3), n = ``steps``, by
 
-        G_c = -tau G_(c-1) + (c-1)(c-2) G_(c-3) + eta (c-1) [tau G_(c-2) + G_(c-1) - (c-2)(c-3)/2 G_(c-4)].
+    G_c = -tau G_(c-1) + (c-1)(c-2) G_(c-3) + eta (c-1) [tau G_(c-2) + G_(c-1) - (c-2)(c-3)/2 G_(c-4)].
     """
     first, second, third, fourth = lowest
     for k in range(steps - 1, -1, -1):

@@ -32,7 +32,7 @@ def integral(time: Exact, b: Exact, epsilon: Exact, goal: int) -> arb:
     place, eta = approximate_scaled(time, epsilon)
     steps = steps_from_below(approximate(b), place, goal)
     base = b - steps
-    lost = bits_lost(approximate(b), place, steps)
+    lost = bits_lost(approximate(b), place, eta, steps)
     plan = trapezoid_plan(place, approximate(base), eta, _ORDER, goal + lost)
     with working_bits(plan.bits):
         exact_eta = scale(epsilon)

@@ -42,7 +42,8 @@ def _log_size(tau: float, b: float) -> float:
     """About log |rGamma(-b) G_b|, without the factor 1/Gamma(-b)."""
     if tau <= 1:
         return (b * math.log(1 - tau) if tau < 0 else 0.0) + math.lgamma(abs(b) + 1)
-    return 2 / 3 * tau**1.5 - (b / 2 + 0.75) * math.log(tau)
+    exponential: float = 2 / 3 * tau**1.5
+    return exponential - (b / 2 + 0.75) * math.log(tau)
 
 
 def _remainder(tau: float, b: float, eta: float, terms: int) -> tuple[list[tuple[float, float]], float]:
@@ -58,9 +59,7 @@ def _remainder(tau: float, b: float, eta: float, terms: int) -> tuple[list[tuple
 
 @lru_cache(maxsize=128)
 def _log_coefficients(terms: int) -> tuple[float, ...]:
-    return tuple(
-        math.log(abs(int(c.p))) - math.log(int(c.q)) for c in series_coefficients(terms)
-    )
+    return tuple(math.log(abs(int(c.p))) - math.log(int(c.q)) for c in series_coefficients(terms))
 
 
 def _loss(tau: float, terms: int) -> int:

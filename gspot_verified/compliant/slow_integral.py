@@ -35,7 +35,7 @@ def slow_moments(tau: arb, b: Exact, epsilon: Exact, count: int, plan: Trapezoid
     """
     with working_bits(plan.bits):
         top, eta = ball(b), scale(epsilon)
-        if not (top <= -1 and eta > 0 and 0 < plan.angle and plan.step > 0 and plan.first < plan.last):
+        if not (top <= -1 and eta > 0 and plan.angle > 0 and plan.step > 0 and plan.first < plan.last):
             return [nonfinite()] * count
         if not arb(plan.angle) * 6 <= arb.pi():
             return [nonfinite()] * count
@@ -45,14 +45,15 @@ def slow_moments(tau: arb, b: Exact, epsilon: Exact, count: int, plan: Trapezoid
         for j, total in enumerate(sums):
             exponent = top - j
             remainder = plan.step * (
-                _left_of_the_nodes(tau, exponent, plan, nodes) + _right_of_the_nodes(tau, exponent, eta, plan, nodes)
+                _left_of_the_nodes(tau, exponent, eta, plan, nodes)
+                + _right_of_the_nodes(tau, exponent, eta, plan, nodes)
             ) + _discretisation(tau, exponent, eta, plan)
             found.append(add_remainder(plan.step * total, remainder))
         return found
 
 
 def _sums(tau: arb, b: arb, count: int, nodes: Grid) -> list[arb]:
-    """sum_k rho_k^(j-b) e^(exponent_k + rho_k tau), j = 0, ..., count - 1: the nodes' powers times their exponentials."""
+    """sum_k rho_k^(j-b) e^(exponent_k + rho_k tau), j = 0, ..., count - 1."""
     # rho_k^(-b) = e^(-b k step): one logarithm less at each node, and no power.
     slope = -b * nodes.step
     terms = [
@@ -67,11 +68,16 @@ def _sums(tau: arb, b: arb, count: int, nodes: Grid) -> list[arb]:
     return found
 
 
-def _left_of_the_nodes(tau: arb, b: arb, plan: TrapezoidPlan, nodes: Grid) -> arb:
-    """sum_(k<first) rho_k^(-b) e^(...), because -rho^3/3 + h <= 0: a geometric series times e^max(0, rho tau)."""
-    growth = (nodes.nodes[0] * tau).max(arb(0)).exp()
+def _left_of_the_nodes(tau: arb, b: arb, eta: arb, plan: TrapezoidPlan, nodes: Grid) -> arb:
+    """sum_(k<first) rho_k^(-b) e^(...): a geometric series of ratio e^(b step), times the last exponential or a bound.
+
+    Where E' >= 0 at the first node, E increases up to it; otherwise E(rho) <= max(0, rho tau).
+    """
+    rho = nodes.nodes[0]
+    rising = _slope(rho, tau, eta, arb(1)) >= 0
+    growth = nodes.exponents[0] + rho * tau if rising else (rho * tau).max(arb(0))
     ratio = (b * plan.step).exp()
-    return growth * (-b * plan.step * (plan.first - 1)).exp() / (1 - ratio)
+    return (growth - b * plan.step * (plan.first - 1)).exp() / (1 - ratio)
 
 
 def _right_of_the_nodes(tau: arb, b: arb, eta: arb, plan: TrapezoidPlan, nodes: Grid) -> arb:

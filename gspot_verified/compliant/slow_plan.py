@@ -12,7 +12,7 @@ from flint import fmpq
 
 from gspot_verified.compliant.slow_integral import TrapezoidPlan
 
-_ANGLES = tuple(math.pi / 6 * k / 16 for k in (1, 2, 3, 4, 6, 8, 10, 12, 13, 14))
+_ANGLES = tuple(math.pi / 6 * 7 / 8 * 2 ** (-k / 2) for k in range(50))
 _GUARD_BITS = 24
 _STEP_BITS = 4
 _NEWTON_STEPS = 60
@@ -27,9 +27,10 @@ def steps_from_below(b: float, tau: float, bits: int) -> int:
     return max(least, math.ceil(b + bits / 8))
 
 
-def bits_lost(b: float, tau: float, steps: int) -> int:
-    """What the recurrence costs: a step to c is a sum of terms tau^(3/2)/|c| times its value, for tau > 0."""
-    size = 1.5 * math.log2(max(tau, 1.0))
+def bits_lost(b: float, tau: float, eta: float, steps: int) -> int:
+    """What the recurrence costs: a step to c sums terms tau rho (1 + eta rho)/|c| times its value, rho the peak."""
+    rho = math.sqrt(2 * tau) if tau > 0 else 0.0
+    size = math.log2(max(tau * rho * (1 + eta * rho), 1.0))
     return math.ceil(sum(max(0.5, size - math.log2(max(1.0, abs(b - k)))) for k in range(steps)))
 
 
@@ -43,7 +44,9 @@ def trapezoid_plan(tau: float, b: float, eta: float, count: int, bits: int) -> T
     high = peak(tau, b - count + 1, eta, 0.0)
     left = _edge(lambda u: top - log_integrand(math.exp(u), tau, b, eta, 0.0) - goal, math.log(low), -1.0)
     top_high = log_integrand(high, tau, b - count + 1, eta, 0.0)
-    right = _edge(lambda u: top_high - log_integrand(math.exp(u), tau, b - count + 1, eta, 0.0) - goal, math.log(high), 1.0)
+    right = _edge(
+        lambda u: top_high - log_integrand(math.exp(u), tau, b - count + 1, eta, 0.0) - goal, math.log(high), 1.0
+    )
     first, last = math.floor(left / float(step)), math.ceil(right / float(step)) + 1
     size = max(abs(top), abs(tau) * math.exp(right), math.exp(3 * right) / 3, abs(b * left), 1.0)
     rising, falling = _tangents(tau, b, eta, angle, count)
@@ -75,14 +78,14 @@ def peak(tau: float, b: float, eta: float, angle: float = 0.0) -> float:
     True
     """
     cosine, cosine_3 = math.cos(angle), math.cos(3 * angle)
-    rho = max(2 * math.sqrt(max(tau, 0.0) * cosine / cosine_3), (-4 * b / cosine_3) ** (1 / 3))
+    rho: float = max(2 * math.sqrt(max(tau, 0.0) * cosine / cosine_3), (-4 * b / cosine_3) ** (1 / 3))
     if tau < 0:
         rho = min(rho, -b / (-tau * cosine))
     for _ in range(_NEWTON_STEPS):
         x = eta * rho
         cubic = cosine_3 * rho * rho * (x + 2) / (2 * (1 + x))
         slope = cubic * 3 - cosine_3 * rho * rho * x / (2 * (1 + x) ** 2) - tau * cosine
-        following = rho - (rho * (cubic - tau * cosine) + b) / slope
+        following: float = rho - (rho * (cubic - tau * cosine) + b) / slope
         if abs(following - rho) <= 1e-10 * rho:
             return following
         rho = following
