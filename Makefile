@@ -2,13 +2,14 @@
 # make test     set everything up, run the tests
 # make test-all the same with the slow tests
 # make lint     formatting, lint, types
+# make mutants  mutation testing: FILES="gspot_verified/dyadic.py ...", OPTIONS="--sample 20" (tests/mutants/README.md)
 
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: verify test test-all lint clean
+.PHONY: verify test test-all lint mutants clean
 
 # Exit code 1 means that a printed statement of the paper is refuted: that is a result, not a failure of the run.
 verify: $(READY)
@@ -24,6 +25,11 @@ lint: $(READY)
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/mypy
+
+FILES ?= gspot_verified/dyadic.py gspot_verified/verdict.py
+
+mutants: $(READY)
+	PYTHONPATH=tests $(BIN)/python -m mutants $(FILES) $(OPTIONS)
 
 $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed: make PYTHON=python3.12 ...")'

@@ -1,0 +1,150 @@
+"""Mutation testing: ``make mutants FILES="gspot_verified/dyadic.py"``. See ``tests/mutants/README.md``."""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import json
+import os
+import random
+import sys
+import time
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+
+from mutants.choice import importing, mirrored
+from mutants.operators import Mutant, code_of, mutants_of
+from mutants.process import Reach, reach_of, start
+from mutants.survivors import complaints, read_survivors
+
+ROOT = Path(__file__).resolve().parents[2]
+_PRELOADED = ("flint", "mpmath", "numpy", "sympy", "hypothesis.strategies")
+_KILLED, _LIMIT, _SURVIVED = "killed", "killed by a limit", "survived"
+
+
+def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
+    """0: every survivor is in the list. 1: one is not, or the list is out of date. 2: the tests fail unchanged."""
+    parser = argparse.ArgumentParser(prog="make mutants", description=__doc__)
+    parser.add_argument("files", nargs="+", help="source files or folders of the package")
+    parser.add_argument("--sample", type=int, metavar="N", help="at most N mutants of each file")
+    parser.add_argument("--seed", type=int, default=0, help="which sample (default 0)")
+    parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
+    parser.add_argument("--resume", action="store_true", help="leave out what was killed before in the same sources")
+    parser.add_argument("--tests", nargs="+", help="test files to use in place of those that are found")
+    parser.add_argument("--wide", action="store_true", help="survivors: every test that imports the module, too")
+    options = parser.parse_args(arguments)
+    for name in _PRELOADED:  # once, before the forks; never the package itself
+        __import__(name)
+    listed = read_survivors(root / "tests" / "mutants" / "survivors.toml")
+    wrong: list[str] = []
+    for file in _files(root, options.files):
+        everything = mutants_of(root, file)
+        chosen = _sample(everything, options.sample, f"{options.seed} {file}")
+        if not chosen:
+            continue
+        try:
+            results = _Run(root, file, options.tests or mirrored(root, file), options.workers, options.resume).judge(
+                chosen
+            )
+            left = [mutant for mutant in chosen if results[mutant] == _SURVIVED]
+            if options.wide and left:
+                results |= _Run(root, file, importing(root, file), options.workers, resume=False).judge(left)
+        except RuntimeError as error:
+            print(error, file=sys.stderr)
+            return 2
+        survived = [mutant for mutant in chosen if results[mutant] == _SURVIVED]
+        killed = [mutant for mutant in chosen if results[mutant] != _SURVIVED]
+        count = Counter(results.values())
+        argued = sum(mutant.key in listed for mutant in survived)
+        print(
+            f"{file}: {len(everything)} mutants, {len(killed)} killed ({count[_LIMIT]} by a limit), {argued} survivors "
+            f"argued, {len(survived) - argued} not argued, {len(everything) - len(chosen)} not run",
+            flush=True,
+        )
+        wrong += complaints(listed, everything, killed, survived)
+    for text in wrong:
+        print(f"\n{text}")
+    missing = sorted({key[0] for key in listed if not (root / key[0]).is_file()})
+    for name in missing:
+        print(f"\nin the list, but there is no such file: {name}")
+    return 1 if wrong or missing else 0
+
+
+def _files(root: Path, names: Sequence[str]) -> list[str]:
+    paths = [root / name for name in names]
+    files = [file for path in paths for file in (sorted(path.rglob("*.py")) if path.is_dir() else [path])]
+    return [file.resolve().relative_to(root).as_posix() for file in files]
+
+
+def _sample(mutants: list[Mutant], size: int | None, seed: str) -> list[Mutant]:
+    if size is None or size >= len(mutants):
+        return mutants
+    return sorted(random.Random(seed).sample(mutants, size), key=lambda mutant: mutant.index)
+
+
+class _Run:
+    """The mutants of one file, each in a process of its own, as many at once as there are workers."""
+
+    def __init__(self, root: Path, file: str, tests: Sequence[str], workers: int, resume: bool) -> None:
+        self.root, self.journal = root, root / "build" / "mutants.jsonl"
+        self.file, self.tests, self.workers = file, list(tests), workers
+        self.digest = hashlib.sha256((root / file).read_bytes()).hexdigest()[:16]
+        self.known = self._journal() if resume else set()
+
+    def judge(self, mutants: Sequence[Mutant]) -> dict[Mutant, str]:
+        """What became of each mutant."""
+        results = {mutant: _KILLED for mutant in mutants if mutant.key in self.known}
+        waiting = [mutant for mutant in reversed(mutants) if mutant not in results]
+        reach = reach_of(self.root, self.file, self.tests) if waiting else Reach()
+        running: dict[int, Mutant] = {}
+        began = time.monotonic()
+        while waiting or running:
+            while waiting and len(running) < self.workers:
+                mutant = waiting.pop()
+                tests = self._tests(reach, mutant)
+                if tests:
+                    running[self._start(reach, mutant, tests)] = mutant
+                else:
+                    results[mutant] = _SURVIVED  # no test comes here
+            if running:
+                child, status = os.wait()
+                mutant = running.pop(child)
+                results[mutant] = self._outcome(mutant, os.waitstatus_to_exitcode(status))
+                self._write(mutant, results[mutant])
+            left = len(waiting) + len(running)
+            print(f"\r{self.file}: {left} left, {time.monotonic() - began:.0f} s ", end="", file=sys.stderr, flush=True)
+        print(file=sys.stderr)
+        return results
+
+    def _tests(self, reach: Reach, mutant: Mutant) -> list[str]:
+        return (
+            sorted(reach.seconds, key=reach.seconds.__getitem__) if mutant.everywhere else reach.tests_of(*mutant.lines)
+        )
+
+    def _start(self, reach: Reach, mutant: Mutant, tests: list[str]) -> int:
+        paths = sorted({test.split("::")[0] for test in tests}, key=self.tests.index)
+        seconds = 5 + 3 * sum(reach.seconds[test] for test in tests)
+        return start(self.root, self.file, paths, tests, code_of(self.root, mutant), seconds)
+
+    def _outcome(self, mutant: Mutant, code: int) -> str:
+        """pytest: 0 passed, 1 failed, 2 and 3 the changed module cannot be imported or breaks pytest itself."""
+        if code < 0:
+            return _LIMIT
+        if code in (0, 1, 2, 3):
+            return _SURVIVED if code == 0 else _KILLED
+        raise RuntimeError(f"pytest ended with {code} for {mutant}")
+
+    def _journal(self) -> set[tuple[str, str, str, str]]:
+        lines = self.journal.read_text(encoding="utf-8").splitlines() if self.journal.is_file() else []
+        entries = [json.loads(line) for line in lines]
+        return {tuple(e["key"]) for e in entries if e["digest"] == self.digest and e["outcome"] != _SURVIVED}
+
+    def _write(self, mutant: Mutant, outcome: str) -> None:
+        self.journal.parent.mkdir(exist_ok=True)
+        with self.journal.open("a", encoding="utf-8") as file:
+            file.write(json.dumps({"digest": self.digest, "key": mutant.key, "outcome": outcome}) + "\n")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

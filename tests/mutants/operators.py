@@ -1,0 +1,222 @@
+"""Single-point changes of a source file: which mutants it has, what each one says, and the code of one of them.
+
+The changes are those that a slip in a bound or in a guard would make: a comparison moved by one, a sign turned, a term
+or a factor dropped, a constant moved, a condition forced, one operand of ``and``/``or`` dropped, a call that only
+guards or widens taken away. Texts, annotations, decorators and what stands inside ``raise`` are left alone.
+"""
+
+from __future__ import annotations
+
+import ast
+import copy
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from types import CodeType
+
+_COMPARISONS: dict[type[ast.cmpop], type[ast.cmpop]] = {
+    ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq,
+    ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.In: ast.NotIn, ast.NotIn: ast.In,
+}  # fmt: skip
+_OPERATORS: dict[type[ast.operator], type[ast.operator]] = {
+    ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult,
+    ast.LShift: ast.RShift, ast.RShift: ast.LShift, ast.BitAnd: ast.BitOr, ast.Mod: ast.FloorDiv,
+}  # fmt: skip
+_NAMES = {
+    "min": "max", "max": "min", "any": "all", "all": "any", "floor": "ceil", "ceil": "floor", "lower": "upper",
+    "upper": "lower", "abs_lower": "abs_upper", "abs_upper": "abs_lower", "certainly_less": "certainly_at_most",
+    "certainly_at_most": "certainly_less",
+}  # fmt: skip
+_UNWRAPPED = ("abs", "sorted", "add_remainder", "union")
+_NOT_MUTATED = {"annotation", "returns", "decorator_list", "exc", "type_params"}
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """One change of one file. ``lines``: where the changed statement stands; ``everywhere``: it runs at import."""
+
+    file: str
+    scope: str
+    before: str
+    after: str
+    lines: tuple[int, int]
+    everywhere: bool
+    index: int
+
+    @property
+    def key(self) -> tuple[str, str, str, str]:
+        """What names it in the list of survivors: it lasts as long as its line does."""
+        return self.file, self.scope, self.before, self.after
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.lines[0]} {self.scope}\n    - {self.before}\n    + {self.after}"
+
+
+@dataclass
+class _Site:
+    owner: ast.AST
+    field: str
+    position: int | None
+    statement: ast.stmt
+    scope: tuple[str, ...]
+    everywhere: bool
+
+    def put(self, node: object) -> None:
+        if self.position is None:
+            setattr(self.owner, self.field, node)
+        else:
+            getattr(self.owner, self.field)[self.position] = node
+
+
+def mutants_of(root: Path, file: str) -> list[Mutant]:
+    """Every mutant of the file, in the order of its text. Equal changes of equal lines in one scope are numbered."""
+    tree = ast.parse((root / file).read_text(encoding="utf-8"))
+    found: list[Mutant] = []
+    seen: dict[tuple[str, str, str], int] = {}
+    for index, (site, node, changed) in enumerate(_changes(tree)):
+        before = _header(site.statement)
+        _apply(site, changed)
+        # A statement that is taken away is replaced in its owner; the site still holds the old one.
+        after = _header(changed) if node is site.statement else _header(site.statement)  # type: ignore[arg-type]
+        _apply(site, node)
+        scope = ".".join(site.scope) or "module"
+        count = seen[(scope, before, after)] = seen.get((scope, before, after), 0) + 1
+        if before != after:
+            after = after if count == 1 else f"{after}  # occurrence {count}"
+            last = site.statement.end_lineno or site.statement.lineno
+            body = getattr(site.statement, "body", None)
+            last = max(site.statement.lineno, body[0].lineno - 1) if isinstance(body, list) and body else last
+            found.append(Mutant(file, scope, before, after, (site.statement.lineno, last), site.everywhere, index))
+    return found
+
+
+def code_of(root: Path, mutant: Mutant) -> CodeType:
+    """The compiled module with the change."""
+    path = root / mutant.file
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    for index, (site, _, changed) in enumerate(_changes(tree)):
+        if index == mutant.index:
+            _apply(site, changed)
+            return compile(ast.fix_missing_locations(tree), str(path), "exec")
+    raise LookupError(f"{mutant.file} has no change number {mutant.index}")
+
+
+def _apply(site: _Site, node: ast.AST) -> None:
+    site.put(node)
+
+
+def _header(statement: ast.stmt) -> str:
+    """The statement on one line, without the block that it opens."""
+    short = copy.copy(statement)
+    for field in ("body", "orelse", "finalbody", "handlers", "decorator_list"):
+        if hasattr(short, field):
+            setattr(short, field, [ast.Expr(ast.Constant(...))] if field == "body" else [])
+    lines = ast.unparse(ast.fix_missing_locations(short)).splitlines()
+    return lines[0] if isinstance(getattr(statement, "body", None), list) else " ".join(line.strip() for line in lines)
+
+
+def _changes(tree: ast.Module) -> Iterator[tuple[_Site, ast.AST, ast.AST]]:
+    """(site, what stands there, what the mutant has there), collected before anything is changed."""
+    sites: list[tuple[_Site, ast.AST]] = []
+    _collect(tree, None, (), True, sites)
+    for site, node in sites:
+        for changed in _alternatives(node, site.owner):
+            yield site, node, ast.copy_location(changed, node)
+
+
+def _collect(
+    node: ast.AST,
+    statement: ast.stmt | None,
+    scope: tuple[str, ...],
+    everywhere: bool,
+    sites: list[tuple[_Site, ast.AST]],
+) -> None:
+    for field, value in ast.iter_fields(node):
+        if field in _NOT_MUTATED or isinstance(node, ast.JoinedStr):
+            continue
+        function = isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda)
+        inside = everywhere and not (function and field == "body")
+        for position, child in enumerate(value) if isinstance(value, list) else [(None, value)]:
+            if not isinstance(child, ast.AST):
+                continue
+            holder = child if isinstance(child, ast.stmt) else statement
+            named = isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef)
+            deeper = (*scope, child.name) if named else scope  # type: ignore[attr-defined]
+            if holder is not None:
+                sites.append((_Site(node, field, position, holder, deeper, inside), child))
+            _collect(child, holder, deeper, inside, sites)
+
+
+def _alternatives(node: ast.AST, owner: ast.AST) -> Iterator[ast.AST]:
+    match node:
+        case ast.Compare():
+            for k, operator in enumerate(node.ops):
+                if type(operator) in _COMPARISONS:
+                    ops = [*node.ops[:k], _COMPARISONS[type(operator)](), *node.ops[k + 1 :]]
+                    yield ast.Compare(node.left, ops, node.comparators)
+        case ast.BoolOp():
+            for k in range(len(node.values)):
+                rest = [*node.values[:k], *node.values[k + 1 :]]
+                yield rest[0] if len(rest) == 1 else ast.BoolOp(node.op, rest)
+        case ast.BinOp():
+            if type(node.op) in _OPERATORS:
+                yield ast.BinOp(node.left, _OPERATORS[type(node.op)](), node.right)
+            if isinstance(node.op, ast.Add | ast.Sub | ast.Div | ast.FloorDiv):
+                yield node.left
+            if isinstance(node.op, ast.Add | ast.Mult):
+                yield node.right
+        case ast.UnaryOp(op=ast.Not() | ast.USub()):
+            yield node.operand
+        case ast.Constant(value=bool(value)):
+            yield ast.Constant(not value)
+        case ast.Constant(value=int(value)):
+            yield ast.Constant(value + 1)
+        case ast.Constant(value=float(value)):
+            yield ast.Constant(2 * value)
+        case ast.IfExp():
+            yield node.body
+            yield node.orelse
+        case ast.comprehension():
+            for k in range(len(node.ifs)):
+                yield ast.comprehension(node.target, node.iter, [*node.ifs[:k], *node.ifs[k + 1 :]], node.is_async)
+        case ast.Call():
+            yield from _other_calls(node)
+        case ast.stmt():
+            yield from _other_statements(node, owner)
+
+
+def _other_calls(node: ast.Call) -> Iterator[ast.AST]:
+    match node.func:
+        case ast.Name(id=name) | ast.Attribute(attr=name) if name in _NAMES:
+            function = copy.copy(node.func)
+            setattr(function, "id" if isinstance(function, ast.Name) else "attr", _NAMES[name])
+            yield ast.Call(function, node.args, node.keywords)
+            if name in ("min", "max") and len(node.args) == 2:
+                yield from node.args
+    match node.func:
+        case ast.Name(id=name) if name in _UNWRAPPED and node.args:
+            yield node.args[0]
+        case ast.Attribute(attr=name) if name in (*_UNWRAPPED, "abs_lower", "abs_upper"):
+            yield node.func.value
+
+
+def _other_statements(node: ast.stmt, owner: ast.AST) -> Iterator[ast.AST]:
+    match node:
+        case ast.If():
+            yield ast.If(ast.Constant(False), node.body, node.orelse)
+            if not isinstance(node.body[0], ast.Raise):
+                yield ast.If(ast.Constant(True), node.body, node.orelse)
+        case ast.While(test=test) if not isinstance(test, ast.Constant):
+            yield ast.While(ast.Constant(False), node.body, node.orelse)
+        case ast.Assert() | ast.Expr(value=ast.Call()):
+            yield ast.Pass()
+        case ast.Raise() if not isinstance(owner, ast.If):
+            yield ast.Pass()
+        case ast.AugAssign():
+            if type(node.op) in _OPERATORS:
+                yield ast.AugAssign(node.target, _OPERATORS[type(node.op)](), node.value)
+            yield ast.Pass()
+        case ast.Continue():
+            yield ast.Break()
+        case ast.Break():
+            yield ast.Continue()

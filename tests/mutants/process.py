@@ -1,0 +1,163 @@
+"""One forked process per run of the tests: with the module under test changed, and within limits of work and memory."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.abc
+import importlib.machinery
+import importlib.util
+import json
+import os
+import resource
+import signal
+import sys
+import threading
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import CodeType, FrameType
+from typing import Any
+
+import pytest
+from hypothesis import HealthCheck, Phase, settings
+
+NOT_LOADED = 71
+_MEMORY = 4 * 2**30
+_OPTIONS = [
+    "-p", "no:cacheprovider", "-p", "no:xdist", "-p", "no:faulthandler", "--tb=no", "-x", "-m", "not slow",
+    "-W", "ignore:Module already imported:pytest.PytestAssertRewriteWarning",
+]  # fmt: skip
+
+
+@dataclass
+class Reach:
+    """Which tests reach which lines of a file, how long each takes (CPU seconds), and the order of collection."""
+
+    lines: dict[str, list[int]] = field(default_factory=dict)
+    seconds: dict[str, float] = field(default_factory=dict)
+
+    def tests_of(self, first: int, last: int) -> list[str]:
+        """The tests that reach one of these lines, the quick ones first."""
+        reached = [test for test, lines in self.lines.items() if any(first <= line <= last for line in lines)]
+        return sorted(reached, key=lambda test: (self.seconds.get(test, 0.0), test))
+
+
+class _Changed(importlib.abc.MetaPathFinder):
+    """Gives the module under test its changed code; every other module is found as usual."""
+
+    def __init__(self, module: str, path: Path, code: CodeType) -> None:
+        self.module, self.path, self.code = module, path, code
+        self.loaded = False
+
+    def find_spec(self, fullname: str, path: Any, target: Any = None) -> importlib.machinery.ModuleSpec | None:  # noqa: ARG002
+        if fullname != self.module:
+            return None
+        loader = importlib.machinery.SourceFileLoader(fullname, str(self.path))
+        loader.get_code = self._get_code  # type: ignore[method-assign]
+        return importlib.util.spec_from_file_location(fullname, self.path, loader=loader)
+
+    def _get_code(self, _: str) -> CodeType:
+        self.loaded = True
+        return self.code
+
+
+class _Plugin:
+    """Sets Hypothesis up (no shrinking: one failure is enough); chooses and orders the tests; records their reach."""
+
+    def __init__(
+        self, chosen: Sequence[str] | None = None, changed: _Changed | None = None, traced: Path | None = None
+    ) -> None:
+        self.changed = changed
+        self.chosen = None if chosen is None else {test: k for k, test in enumerate(chosen)}
+        self.file = str(traced)
+        self.hit: set[int] = set()
+        self.reach = Reach()
+        self.tracing = traced is not None
+
+    @pytest.hookimpl(trylast=True)
+    def pytest_configure(self) -> None:
+        quick = settings(phases=(Phase.explicit, Phase.generate), suppress_health_check=(HealthCheck.too_slow,))
+        settings.register_profile("mutants", quick)
+        settings.load_profile("mutants")
+        if self.changed is not None:  # in front of pytest's own hook, which would read the file itself
+            sys.meta_path.insert(0, self.changed)
+
+    @pytest.hookimpl(trylast=True)
+    def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
+        if self.chosen is not None:
+            order = self.chosen
+            items[:] = sorted((i for i in items if i.nodeid in order), key=lambda item: order[item.nodeid])
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_protocol(self, item: pytest.Item) -> Any:
+        if not self.tracing:
+            return (yield)
+        self.hit = set()
+        threading.settrace(self._call)
+        sys.settrace(self._call)
+        start = time.process_time()
+        try:
+            return (yield)
+        finally:
+            sys.settrace(None)
+            threading.settrace(None)  # type: ignore[arg-type]
+            self.reach.seconds[item.nodeid] = time.process_time() - start
+            self.reach.lines[item.nodeid] = sorted(self.hit)
+
+    def _call(self, frame: FrameType, event: str, _: Any) -> Callable[..., Any] | None:
+        return self._line if event == "call" and frame.f_code.co_filename == self.file else None
+
+    def _line(self, frame: FrameType, event: str, _: Any) -> Callable[..., Any]:
+        if event == "line":
+            self.hit.add(frame.f_lineno)
+        return self._line
+
+
+def start(root: Path, file: str, tests: Sequence[str], chosen: Sequence[str], code: CodeType, seconds: float) -> int:
+    """Fork a process that runs the chosen tests on the changed code, and give its number at once."""
+    child = os.fork()
+    if child:
+        return child
+    resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
+    resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, _MEMORY))
+    signal.alarm(int(10 * seconds) + 60)  # a mutant that waits for ever uses no time of the processor
+    module = file.removesuffix(".py").replace("/", ".")
+    _finish(root, tests, _Plugin(chosen, _Changed(module, root / file, code)))
+    raise AssertionError("the process has ended")
+
+
+def reach_of(root: Path, file: str, tests: Sequence[str]) -> Reach:
+    """Run the tests as they stand and record which of them reach which lines of the file.
+
+    :raises RuntimeError: they do not pass: then no mutant can be judged.
+    """
+    reading, writing = os.pipe()
+    child = os.fork()
+    if not child:
+        os.close(reading)
+        _finish(root, tests, _Plugin(traced=root / file), writing)
+    os.close(writing)
+    with os.fdopen(reading, encoding="utf-8") as pipe:
+        text = pipe.read()
+    status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    if status != 0:
+        raise RuntimeError(f"{file}: its tests do not pass without a change (exit {status}): {' '.join(tests)}")
+    return Reach(**json.loads(text))
+
+
+def _finish(root: Path, tests: Sequence[str], plugin: _Plugin, pipe: int | None = None) -> None:
+    code = 70
+    try:
+        os.chdir(root)
+        quiet = os.open(os.devnull, os.O_RDWR)
+        for stream in (0, 1, 2):
+            os.dup2(quiet, stream)
+        code = int(pytest.main([*_OPTIONS, *tests], plugins=[plugin]))
+        if plugin.changed is not None and not plugin.changed.loaded:
+            code = NOT_LOADED
+        if pipe is not None:
+            with os.fdopen(pipe, "w", encoding="utf-8") as file, contextlib.suppress(BrokenPipeError):
+                json.dump(vars(plugin.reach), file)
+    finally:
+        os._exit(code)

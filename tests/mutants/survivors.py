@@ -1,0 +1,52 @@
+"""The committed list of survivors: read it, and hold it against what a run found."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterable
+from pathlib import Path
+
+from mutants.operators import Mutant
+
+Key = tuple[str, str, str, str]
+
+
+def read_survivors(path: Path) -> dict[Key, str]:
+    """Each listed mutant with the argument why it is equivalent or harmless.
+
+    :raises ValueError: an entry without an argument, or listed twice.
+    """
+    found: dict[Key, str] = {}
+    for entry in tomllib.loads(path.read_text(encoding="utf-8")).get("survivor", []):
+        key = (entry["file"], entry["scope"], entry["before"], entry["after"])
+        if key in found:
+            raise ValueError(f"listed twice: {key}")
+        if not entry.get("argument", "").strip():
+            raise ValueError(f"no argument: {key}")
+        found[key] = entry["argument"]
+    return found
+
+
+def complaints(
+    listed: Iterable[Key], existing: Iterable[Mutant], killed: Iterable[Mutant], survived: Iterable[Mutant]
+) -> list[str]:
+    """What is wrong with the list, one text each; ``existing`` are all mutants of the files that were run."""
+    listed, existing = set(listed), list(existing)
+    files, keys = {mutant.file for mutant in existing}, {mutant.key for mutant in existing}
+    found = [f"survived and is not in the list:\n{entry(mutant)}" for mutant in survived if mutant.key not in listed]
+    found += [f"is in the list and was killed: {mutant}" for mutant in killed if mutant.key in listed]
+    gone = sorted(key for key in listed if key[0] in files and key not in keys)
+    return found + [f"is in the list and exists no longer: {' | '.join(key)}" for key in gone]
+
+
+def entry(mutant: Mutant) -> str:
+    """The text to add to the list, its argument left open."""
+    fields = zip(("file", "scope", "before", "after"), mutant.key, strict=True)
+    lines = [f"{name} = {_toml(value)}" for name, value in fields]
+    return "\n".join(["[[survivor]]", *lines, 'argument = ""'])
+
+
+def _toml(text: str) -> str:
+    if "'" not in text:
+        return f"'{text}'"
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'

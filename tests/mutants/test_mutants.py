@@ -1,0 +1,186 @@
+"""The mutation tool: what it changes, that its verdicts are right, and that its list of survivors cannot go stale."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from mutants.operators import code_of, mutants_of
+from mutants.survivors import complaints, entry, read_survivors
+
+ROOT = Path(__file__).resolve().parents[2]
+
+SETTINGS = '[tool.pytest.ini_options]\naddopts = "--import-mode=importlib --doctest-modules"\nmarkers = ["slow"]\n'
+SOURCE = '''"""A module under test."""
+
+LIMIT = 3
+
+
+def clamp(value: int) -> int:
+    """
+    >>> clamp(5)
+    3
+    """
+    if value < 0:
+        raise ValueError(f"{value} < 0")
+    return min(value, LIMIT)
+'''
+STRONG = """import pytest
+from package.source import clamp
+
+def test_clamp():
+    assert [clamp(k) for k in range(6)] == [0, 1, 2, 3, 3, 3]
+
+def test_refused():
+    with pytest.raises(ValueError):
+        clamp(-1)
+"""
+
+
+def changes(tmp_path: Path, source: str) -> set[str]:
+    (tmp_path / "x.py").write_text(source)
+    return {mutant.after for mutant in mutants_of(tmp_path, "x.py")}
+
+
+@pytest.mark.parametrize(
+    ("source", "expected"),
+    [
+        ("a = b < c", {"a = b <= c"}),
+        ("a = b < c < d", {"a = b <= c < d", "a = b < c <= d"}),
+        ("a = b + c", {"a = b - c", "a = b", "a = c"}),
+        ("a = b and c", {"a = b", "a = c"}),
+        ("a = not b", {"a = b"}),
+        ("a = -b", {"a = b"}),
+        ("a = 7", {"a = 8"}),
+        ("a = True", {"a = False"}),
+        ("a = abs(b)", {"a = b"}),
+        ("a = min(b, c)", {"a = max(b, c)", "a = b", "a = c"}),
+        ("a = add_remainder(b, c)", {"a = b"}),
+        ("a = b.abs_upper()", {"a = b.abs_lower()", "a = b"}),
+        ("a = b if c else d", {"a = b", "a = d"}),
+        ("a = [b for b in c if d]", {"a = [b for b in c]"}),
+        ("if a:\n    raise b", {"if False:"}),
+        ("if a:\n    b()", {"if False:", "if True:", "pass"}),
+        ("check(a)", {"pass"}),
+        ("a += b", {"a -= b", "pass"}),
+        ("try:\n    a()\nexcept b:\n    raise", {"pass"}),
+        ('a: list[3] = "text"', set()),
+        ('@decorated(3)\ndef f(a: 3 = b) -> 3:\n    "text"', set()),
+        ('raise ValueError(f"{a + 1}")', {"pass"}),
+    ],
+)
+def test_operators(tmp_path: Path, source: str, expected: set[str]) -> None:
+    assert changes(tmp_path, source) == expected
+
+
+def test_equal_changes_are_numbered_and_the_code_is_the_changed_one(tmp_path: Path) -> None:
+    (tmp_path / "x.py").write_text("def f():\n    a = [1]\n    a = a[:]\n    a = [1]\n    return a\n")
+    mutants = mutants_of(tmp_path, "x.py")
+    assert len({mutant.key for mutant in mutants}) == len(mutants)
+    found = {}
+    for mutant in mutants:
+        names: dict[str, object] = {}
+        exec(code_of(tmp_path, mutant), names)
+        found[mutant.after] = names["f"]()  # type: ignore[operator]
+    assert found["a = [2]  # occurrence 2"] == [2]
+    assert found["a = [2]"] == [1]
+
+
+def test_the_list_is_held_against_the_run(tmp_path: Path) -> None:
+    (tmp_path / "x.py").write_text("a = b < c\n")
+    (mutant,) = mutants_of(tmp_path, "x.py")
+    assert complaints([mutant.key], [mutant], [], [mutant]) == []
+    assert complaints([], [mutant], [mutant], []) == []
+    assert "not in the list" in complaints([], [mutant], [], [mutant])[0]
+    assert "was killed" in complaints([mutant.key], [mutant], [mutant], [])[0]
+    gone = (*mutant.key[:3], "a = c < b")
+    assert "no longer" in complaints([gone], [mutant], [mutant], [])[0]
+    assert complaints([("y.py", *gone[1:])], [mutant], [mutant], []) == []  # of a file that was not run
+
+
+def test_an_entry_can_be_read_back_and_needs_an_argument(tmp_path: Path) -> None:
+    (tmp_path / "x.py").write_text("""a = {'b': "'"} == '\\\\'\n""")
+    (mutant,) = mutants_of(tmp_path, "x.py")
+    path = tmp_path / "survivors.toml"
+    path.write_text(entry(mutant))
+    with pytest.raises(ValueError, match="no argument"):
+        read_survivors(path)
+    argued = entry(mutant).replace('argument = ""', 'argument = "Equal."')
+    path.write_text(argued)
+    assert read_survivors(path) == {mutant.key: "Equal."}
+    path.write_text(f"{argued}\n\n{argued}")
+    with pytest.raises(ValueError, match="listed twice"):
+        read_survivors(path)
+
+
+def test_the_committed_list_reads() -> None:
+    listed = read_survivors(ROOT / "tests" / "mutants" / "survivors.toml")
+    assert {key[0] for key in listed if not (ROOT / key[0]).is_file()} == set()
+
+
+def run(folder: Path, tests: str, survivors: str = "", source: str = SOURCE) -> tuple[int, str]:
+    """The tool on a small project, in a process of its own."""
+    files = {"pyproject.toml": SETTINGS, "package/__init__.py": "", "package/source.py": source,
+             "tests/test_source.py": tests, "tests/mutants/survivors.toml": survivors}  # fmt: skip
+    for name, text in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    script = (
+        "import sys; from pathlib import Path; from mutants.__main__ import main; sys.path.insert(0, sys.argv[1]); "
+        "sys.exit(main(['package/source.py', '--workers', '1'], Path(sys.argv[1])))"
+    )
+    command = [sys.executable, "-c", script, str(folder)]
+    environment = {"PYTHONPATH": str(ROOT / "tests"), "PATH": ""}
+    done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
+    return done.returncode, done.stdout + done.stderr
+
+
+LIVING = (
+    "[[survivor]]\nfile = 'package/source.py'\nscope = 'clamp'\nbefore = 'if value < 0:'\nafter = 'if False:'\n"
+    "argument = 'For this test.'\n"
+)
+
+
+@pytest.mark.slow
+def test_every_mutant_meets_the_tests(tmp_path: Path) -> None:
+    code, text = run(tmp_path, STRONG)
+    assert "package/source.py: 7 mutants, 7 killed (0 by a limit), 0 survivors argued, 0 not argued, 0 not run" in text
+    assert code == 0
+    assert (tmp_path / "package" / "source.py").read_text() == SOURCE
+
+
+WEAK = STRONG[: STRONG.index("def test_refused")]
+
+
+def test_a_survivor_fails_the_run(tmp_path: Path) -> None:
+    code, text = run(tmp_path, WEAK)
+    assert code == 1
+    assert text.count("not in the list") == 1
+    assert "after = 'if False:'" in text
+    assert "package/source.py: 7 mutants, 6 killed" in text
+
+
+@pytest.mark.slow
+def test_an_argued_survivor_does_not_and_a_killed_one_does(tmp_path: Path) -> None:
+    assert run(tmp_path, WEAK, LIVING)[0] == 0
+    code, text = run(tmp_path, STRONG, LIVING)
+    assert code == 1
+    assert "was killed" in text
+
+
+@pytest.mark.slow
+def test_no_verdict_when_the_tests_fail_without_a_change(tmp_path: Path) -> None:
+    code, text = run(tmp_path, STRONG.replace("3, 3, 3]", "3, 3, 4]"))
+    assert code == 2
+    assert "do not pass without a change" in text
+
+
+@pytest.mark.slow
+def test_a_mutant_that_never_ends_is_killed_by_its_limit(tmp_path: Path) -> None:
+    source = "def down(value):\n    while value > 0:\n        value -= 1\n    return value\n"
+    code, text = run(tmp_path, "from package.source import down\n\ndef test():\n    assert down(3) == 0\n", "", source)
+    assert "by a limit" in text
+    assert "(0 by a limit)" not in text
+    assert code in (0, 1)
