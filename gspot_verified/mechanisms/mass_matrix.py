@@ -20,7 +20,7 @@ from gspot_verified.mechanisms.to_system import Shifted
 
 
 def check_mass_matrix(shifted: Shifted, values: Mapping[str, Any], ring: Ring) -> None:
-    """Checks that the leading minors are certainly positive at the point, and the friction coefficient not negative.
+    """Checks that the leading minors are certainly positive at the point and the friction coefficient is not negative.
 
     :raises MechanismError: one is not, or not certainly.
 
@@ -55,6 +55,6 @@ G-spot: its leading minor of size 1 is -1
         if not value > 0:
             raise MechanismError(f"{message} {ball_text(value) if ring is BALLS else value}")
     friction = series[expressions[-1]][0]
-    if friction < 0:
+    if not friction >= 0:
         shown = ball_text(friction) if ring is BALLS else friction
         raise MechanismError(f"{name}: the friction coefficient mu must not be negative at the G-spot, it is {shown}")

@@ -9,7 +9,7 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.rings import BALLS, RATIONALS
-from gspot_verified.mechanisms.given import lagrangian
+from gspot_verified.mechanisms.given import from_fields, lagrangian
 from gspot_verified.mechanisms.mass_matrix import check_mass_matrix
 from gspot_verified.mechanisms.mechanism import MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
@@ -18,8 +18,8 @@ from gspot_verified.mechanisms.to_system import shift
 HERE = {"X": fmpq(0), "Y": fmpq(1, 2), "X_dot": fmpq(0), "Y_dot": fmpq(0)}
 
 
-def block(matrix: list[list[Any]]) -> Any:
-    return shift(lagrangian("block", ["X", "Y"], matrix, [0, 0], "X", "Y", 1))
+def block(matrix: list[list[Any]], mu: Any = 1) -> Any:
+    return shift(lagrangian("block", ["X", "Y"], matrix, [0, 0], "X", "Y", mu))
 
 
 @pytest.mark.parametrize("matrix", [[[1, 0], [0, 1]], [[2, "X"], ["X", "Y"]], [[1, "Y"], ["Y", 1]]])
@@ -58,3 +58,46 @@ def test_fields_need_positive_a_and_c() -> None:
         check_mass_matrix(shifted, at | {"p": fmpq(2)}, RATIONALS)
     with pytest.raises(MechanismError, match="C = L_GN v must be positive, it is -1"):
         check_mass_matrix(shifted, at | {"p": fmpq(-3)}, RATIONALS)
+
+
+def test_fields_need_a_positive_determinant() -> None:
+    """A = 2, C = 3: B^2 must stay below 6."""
+
+    def with_coupling(b: Any) -> Any:
+        return shift(
+            from_fields("fields", "xuyv", ["u", 0, "v", 0], [0, 2, 0, b], [0, b, 0, 3], "x", "y", 1)
+        )  # fmt: skip
+
+    at = dict.fromkeys("xuyv", fmpq(0))
+    for coupling in (0, 2, -2, "12/5"):
+        check_mass_matrix(with_coupling(coupling), at, RATIONALS)
+    for coupling, value in (("5/2", "-1/4"), (-3, "-3"), ("3", "-3")):
+        with pytest.raises(MechanismError, match=f"A C - B\\^2 must be positive, it is {value}"):
+            check_mass_matrix(with_coupling(coupling), at, RATIONALS)
+
+
+IDENTITY = [[1, 0], [0, 1]]
+
+
+@pytest.mark.parametrize("mu", ["X", "X + 1/2", "Y - 1/2", 0])
+def test_friction_that_is_not_negative(mu: Any) -> None:
+    check_mass_matrix(block(IDENTITY, mu), HERE, RATIONALS)
+    with working_bits(80):
+        check_mass_matrix(block(IDENTITY, mu), {name: arb(value) for name, value in HERE.items()}, BALLS)
+
+
+def test_negative_friction_is_refused() -> None:
+    with pytest.raises(MechanismError, match="friction coefficient mu must not be negative at the G-spot, it is -1/2"):
+        check_mass_matrix(block(IDENTITY, "X - Y"), HERE, RATIONALS)
+
+
+@pytest.mark.parametrize(
+    ("middle", "radius", "shown"),
+    [("-0.1", "1e-9", r"\[-0\.1\d* \+/- .*\]$"), ("0.001", "0.01", r"\[-0\.\d*, 0\.\d*\]$")],
+)
+def test_friction_that_is_not_certain_is_refused(middle: str, radius: str, shown: str) -> None:
+    """A ball on both sides of 0 has not been shown to be a friction coefficient."""
+    with working_bits(80):
+        around = {name: arb(value) for name, value in HERE.items()} | {"X": arb(middle, radius)}
+        with pytest.raises(MechanismError, match=f"mu must not be negative at the G-spot, it is {shown}"):
+            check_mass_matrix(block(IDENTITY, "X"), around, BALLS)
