@@ -113,6 +113,13 @@ def test_no_fraction_that_does_not_fit(exponent: int) -> None:
     assert interval.sign() == 1
 
 
+@pytest.mark.parametrize("exponent", [10**7, -(10**7)])
+def test_the_last_fraction_that_fits(exponent: int) -> None:
+    lower, upper = Dyadic(1, 3, exponent).endpoints()
+    assert upper == 3 * lower
+    assert max(lower.numerator, lower.denominator) == 1 << 10**7
+
+
 def test_frozen() -> None:
     with pytest.raises(dataclasses.FrozenInstanceError):
         Dyadic(1, 2).lower = 0  # type: ignore[misc]
@@ -237,18 +244,26 @@ def test_from_ball_is_exact_at_any_precision(value: arb, bits: int) -> None:
 
 @given(nonfinite_balls())
 def test_from_ball_wants_a_finite_ball(value: arb) -> None:
-    with pytest.raises(ValueError, match="finite"):
+    with pytest.raises(ValueError, match="the ball must be finite"):
         Dyadic.from_ball(value)
 
 
 @pytest.mark.parametrize(
     ("middle", "radius"),
     [((1, 0), (1, -(10**7) - 1)), ((1, 10**7 + 1), (1, 0)), ((1, 0), (1, -(2**90))), ((1, 2**90), (1, 0)),
-     ((1, 2**90), (1, -(2**90)))],
+     ((1, 2**90), (1, -(2**90))), ((1, 0), (1, 10**7 + 1))],
 )  # fmt: skip
 def test_from_ball_refuses_ends_that_do_not_fit(middle: tuple[int, int], radius: tuple[int, int]) -> None:
     with pytest.raises(ValueError, match="too far apart"):
         Dyadic.from_ball(arb(middle, radius))
+
+
+@pytest.mark.parametrize(("middle", "radius"), [((1, 10**7), (1, 0)), ((1, 0), (1, 10**7)), ((1, -(10**7)), (1, 0))])
+def test_from_ball_takes_the_last_ends_that_fit(middle: tuple[int, int], radius: tuple[int, int]) -> None:
+    interval = Dyadic.from_ball(arb(middle, radius))
+    least = min(middle[1], radius[1])
+    sides = middle[0] << (middle[1] - least), radius[0] << (radius[1] - least)
+    assert interval == Dyadic(sides[0] - sides[1], sides[0] + sides[1], least)
 
 
 @pytest.mark.parametrize("exponent", [2**90, -(2**90), 10**24 + 1])

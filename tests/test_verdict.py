@@ -109,6 +109,15 @@ def test_json_round_trip(verdict: Verdict) -> None:
     assert rebuilt == verdict
 
 
+def test_the_words_of_the_json() -> None:
+    """What a script that reads the reports compares with."""
+    words = {reason: Verdict.undecided("s", reason).to_json()["reason"] for reason in Reason}
+    assert words == {
+        Reason.BUDGET: "budget", Reason.WIDE_INPUT: "wide_input", Reason.HYPOTHESIS: "hypothesis",
+        Reason.NO_ROUTE: "no_route",
+    }  # fmt: skip
+
+
 @given(st.text(max_size=40), st.text(min_size=1, max_size=40), st.text(max_size=40))
 def test_json_keeps_any_text(statement: str, witness: str, detail: str) -> None:
     data = json.loads(json.dumps(Verdict.refuted(statement, witness, detail).to_json()))

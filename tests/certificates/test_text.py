@@ -10,6 +10,7 @@ import pytest
 from flint import fmpq
 
 from gspot_verified.certificates import text
+from gspot_verified.certificates.checker import run_checker
 from gspot_verified.certificates.text import certificate_text, write_certificate
 from gspot_verified.signs.brackets import zeros_at
 from gspot_verified.signs.pieces import Column
@@ -69,10 +70,31 @@ def test_written_bytes_are_the_text(tmp_path: Path) -> None:
         write_certificate(path, statement, columns)
         assert path.read_bytes() == certificate_text(statement, columns).encode()
         write_certificate(path, statement, columns)
+        assert path.stat().st_mode & 0o777 == 0o644  # others may read what the private temporary file held
     assert len(list(tmp_path.iterdir())) == 6
     with pytest.raises(FileNotFoundError, match=r"there is no folder .*deep"):
         write_certificate(tmp_path / "deep" / "x.cert", statement, columns)
     assert not (tmp_path / "deep").exists()
+
+
+@pytest.mark.parametrize(("statement", "columns"), certificates(), ids=lambda value: type(value).__name__)
+def test_the_independent_checker_reads_what_was_written(
+    tmp_path: Path, statement: Statement, columns: list[Column]
+) -> None:
+    """Every kind of statement, a range of β without a lower end included."""
+    write_certificate(tmp_path / "x.cert", statement, columns)
+    found = run_checker(tmp_path / "x.cert")
+    assert found.verified, found.text
+
+
+def test_the_bytes_are_complete_when_they_are_forced_to_the_disk(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sizes = []
+    monkeypatch.setattr(os, "fsync", lambda descriptor: sizes.append(os.fstat(descriptor).st_size))
+    statement, columns = certificates()[0]
+    write_certificate(tmp_path / "x.cert", statement, columns)
+    assert sizes == [len(certificate_text(statement, columns).encode())]
 
 
 @pytest.mark.parametrize("where", ["fsync", "replace", "text"])
@@ -101,6 +123,22 @@ def test_an_interrupt_leaves_nothing_behind(tmp_path: Path, monkeypatch: pytest.
     with pytest.raises(KeyboardInterrupt):
         write_certificate(tmp_path / "x.cert", *certificates()[0])
     assert list(tmp_path.iterdir()) == []
+
+
+def test_an_interrupt_after_the_last_step_stays_an_interrupt(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The temporary file is gone by then: to tidy up must not hide why the call ended."""
+    real = Path.replace
+
+    def replace(self: Path, target: Path) -> None:
+        real(self, target)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Path, "replace", replace)
+    statement, columns = certificates()[0]
+    with pytest.raises(KeyboardInterrupt):
+        write_certificate(tmp_path / "x.cert", statement, columns)
+    assert [path.name for path in tmp_path.iterdir()] == ["x.cert"]
+    assert (tmp_path / "x.cert").read_text() == certificate_text(statement, columns)
 
 
 def test_a_folder_in_the_way(tmp_path: Path) -> None:

@@ -56,6 +56,23 @@ def test_two_unknowns() -> None:
         assert found[1].contains(4)
 
 
+@pytest.mark.parametrize("outside", [0, 1])
+def test_every_side_must_shrink(outside: int) -> None:
+    """x^2 = 2 and y^2 = 2 are two equations for themselves: one box holds its root, the other none."""
+    box = [arb("1.4", "0.05"), arb("1.4", "0.05")]
+    with working_bits(80):
+
+        def both(q: list[arb]) -> list[arb]:
+            return [q[0] * q[0] - 2, q[1] * q[1] - 2]
+
+        def slopes(q: list[arb]) -> list[list[arb]]:
+            return [[2 * q[0], arb(0)], [arb(0), 2 * q[1]]]
+
+        assert krawczyk(both, slopes, box) is not None
+        box[outside] = arb("1.6", "0.05")
+        assert krawczyk(both, slopes, box) is None
+
+
 def test_a_refused_value_shows_nothing() -> None:
     def refuse(box: list[arb]) -> list[list[arb]]:
         raise ValueError(f"a base may vanish on {box}")
@@ -69,3 +86,5 @@ def test_strictly_inside() -> None:
     assert not strictly_inside(arb(0, 1), arb(0, 1))
     assert not strictly_inside(arb("nan"), arb(0, 1))
     assert not strictly_inside(arb(0, 1), arb("nan"))
+    assert not strictly_inside(arb(0, 1), arb(0, "inf"))  # no compact box: the proof takes the widths of its sides
+    assert not strictly_inside(arb(0, "inf"), arb(0, 1))
