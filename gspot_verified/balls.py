@@ -104,7 +104,7 @@ def bits_for_digits(digits: int) -> int:
 def exact(value: ExactInput, name: str) -> Exact:
     """The exact value of an input: ``fmpq`` for a rational or an exact ball, the ball itself for another ``arb``.
 
-    Accepted: int, Fraction, fmpq, fmpz, a decimal or fraction string (``"0.1"`` means 1/10), a finite arb.
+    Accepted: int, Fraction, fmpq, fmpz, decimal or fraction strings (``"0.1"`` is 1/10, U+2212 a minus), a finite arb.
 
     :raises TypeError: a float (or any other type); the message says how to pass it on purpose.
     :raises ValueError: a NaN or infinite ball, or a string that is not a number; it names the argument.
@@ -145,7 +145,7 @@ def _point(value: arb) -> Exact:
 
 
 def _parse(text: str, name: str) -> fmpq:
-    word = text.strip()
+    word = text.strip().replace("\N{MINUS SIGN}", "-")
     shown = word if len(word) <= 40 else word[:37] + "..."
     if len(word) > _MAX_STRING:
         raise ValueError(f"{name}: a number may have at most {_MAX_STRING} characters")

@@ -15,6 +15,7 @@ from flint import arb, fmpz
 # An exponent is only a number; endpoints as fractions need that many bits.
 _MAX_EXPONENT = 10**24
 _MAX_SHIFT = 10_000_000
+_KEPT = 1_000
 _TEXT = re.compile(r"\[(-?0x[0-9a-f]+), (-?0x[0-9a-f]+)\]p(-?(?:0|[1-9][0-9]{0,23}))")
 
 
@@ -55,10 +56,13 @@ class Dyadic:
 
     @classmethod
     def from_ball(cls, value: arb) -> Dyadic:
-        """The set of numbers in a finite ball, exactly.
+        """The set of numbers in a finite ball, exactly; rounded outward, by less than 2^-1000 of the last binary place
+        of the larger one, where midpoint and radius are more than 10^7 bits apart.
 
-        :raises ValueError: the ball is not finite, or midpoint and radius are so far apart that the endpoints would
-            need more than 10^7 bits.
+        :raises ValueError: the ball is not finite.
+
+        >>> Dyadic.from_ball(arb((1, 0), (1, -(10**9)))).contains_interval(Dyadic.from_ball(arb(1)))
+        True
         """
         if not value.is_finite():
             raise ValueError("the ball must be finite")
@@ -70,10 +74,18 @@ class Dyadic:
             return cls(-radius, radius, radius_exponent)
         exponent = min(middle_exponent, radius_exponent)
         if max(middle_exponent, radius_exponent) - exponent > _MAX_SHIFT:
-            raise ValueError("midpoint and radius are too far apart for exact endpoints")
+            return cls._outward(middle, middle_exponent, radius, radius_exponent)
         middle <<= middle_exponent - exponent
         radius <<= radius_exponent - exponent
         return cls(middle - radius, middle + radius, exponent)
+
+    @classmethod
+    def _outward(cls, middle: int, middle_exponent: int, radius: int, radius_exponent: int) -> Dyadic:
+        """An interval that holds the ball, in units of 2^(larger exponent - 1000): floor, ceiling, radius up."""
+        exponent = max(middle_exponent, radius_exponent) - _KEPT
+        lower, upper = _floor(middle, middle_exponent - exponent), -_floor(-middle, middle_exponent - exponent)
+        width = -_floor(-radius, radius_exponent - exponent)
+        return cls(lower - width, upper + width, exponent)
 
     @classmethod
     def parse(cls, text: str) -> Dyadic:
@@ -129,6 +141,11 @@ class Dyadic:
         if self.upper < 0:
             return -1
         return 0 if self.lower == self.upper == 0 else None
+
+
+def _floor(number: int, shift: int) -> int:
+    """The largest integer <= number * 2^shift."""
+    return number << shift if shift >= 0 else number >> -shift
 
 
 def _man_exp(exact_ball: arb) -> tuple[int, int]:

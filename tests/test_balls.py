@@ -147,7 +147,7 @@ def test_exact_refuses_other_types(value: object) -> None:
         "1/2/3", "1.5/2", "1/2.5", "1/-2", "1 / 2", "1/ 2", "--1", "+-1", "1 2", "1\n2", "1..2", "1.2.3",
         "1e999999999", "1e-999999999", "1e100001", "1e-100001", "1e9999999999", "1e" + "9" * 100_000,
         "inf", "-inf", "Infinity", "nan", "NaN", "0x10", "0b1", "1_000", "1__0", "_1", "1_", "1,5", "1'000", "1d5",
-        "١٢", "１２", "٣.٥", "1/٢", "1e٢", "½", "−1", "²", "1\x00", "\x001", "1j", "0.1f", "[1 +/- 2]", "1 +/- 2",
+        "١٢", "１２", "٣.٥", "1/٢", "1e٢", "½", "−−1", "²", "1\x00", "\x001", "1j", "0.1f", "[1 +/- 2]", "1 +/- 2",
         "9" * 2_000_001, "x" * 3_000_000, "0." + "0" * 2_000_000, "1/" + "7" * 2_000_000, "１" * 100_000,
     ],
     ids=lambda text: repr(text[:20]),
@@ -721,3 +721,14 @@ def test_text_examples() -> None:
     assert ball_text(arb(0)) == "0"
     assert ball_text(arb(3), 5) == "3.0000"
     assert ball_text(arb((0, 0), (1, 0)), 5) == "[-1.01, 1.01]"
+
+
+@pytest.mark.parametrize("text", ["−50", "−7/3", "−0.1", "−1.5e3", "2e−3", " −4 "])
+def test_the_typeset_minus_is_a_minus(text: str) -> None:
+    assert exact(text, "tau") == exact(text.replace("−", "-"), "tau")
+
+
+@pytest.mark.parametrize("text", ["–50", "—50", "‐5", "1−2", "−−1", "−", "7/−3"])
+def test_other_dashes_and_a_minus_elsewhere_are_not_numbers(text: str) -> None:
+    with pytest.raises(ValueError, match="tau: expected a number"):
+        exact(text, "tau")

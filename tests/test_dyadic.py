@@ -250,12 +250,20 @@ def test_from_ball_wants_a_finite_ball(value: arb) -> None:
 
 @pytest.mark.parametrize(
     ("middle", "radius"),
-    [((1, 0), (1, -(10**7) - 1)), ((1, 10**7 + 1), (1, 0)), ((1, 0), (1, -(2**90))), ((1, 2**90), (1, 0)),
-     ((1, 2**90), (1, -(2**90))), ((1, 0), (1, 10**7 + 1))],
-)  # fmt: skip
-def test_from_ball_refuses_ends_that_do_not_fit(middle: tuple[int, int], radius: tuple[int, int]) -> None:
-    with pytest.raises(ValueError, match="too far apart"):
+    [((1, 2**90), (1, 0)), ((1, 2**90), (1, -(2**90))), ((1, -(2**90)), (1, 2**90))],
+)
+def test_from_ball_refuses_ends_that_no_exponent_reaches(middle: tuple[int, int], radius: tuple[int, int]) -> None:
+    with pytest.raises(ValueError, match="exponent must lie within"):
         Dyadic.from_ball(arb(middle, radius))
+
+
+def test_ends_are_exact_up_to_the_limit_and_outward_beyond() -> None:
+    far = 10**7
+    assert Dyadic.from_ball(arb((1, 0), (1, -far))) == Dyadic(2**far - 1, 2**far + 1, -far)
+    assert Dyadic.from_ball(arb((1, far), (1, 0))) == Dyadic(2**far - 1, 2**far + 1, 0)
+    assert Dyadic.from_ball(arb((1, 0), (1, -far - 1))) == Dyadic(2**1000 - 1, 2**1000 + 1, -1000)
+    assert Dyadic.from_ball(arb((1, far + 1), (1, 0))) == Dyadic(2**1000 - 1, 2**1000 + 1, far - 999)
+    assert Dyadic.from_ball(arb((1, 0), (1, far + 1))) == Dyadic(-(2**1000), 2**1000 + 1, far - 999)
 
 
 @pytest.mark.parametrize(("middle", "radius"), [((1, 10**7), (1, 0)), ((1, 0), (1, 10**7)), ((1, -(10**7)), (1, 0))])
@@ -364,3 +372,30 @@ def test_sign(interval: Dyadic) -> None:
     lower, upper = span(interval)
     expected = 1 if lower > 0 else -1 if upper < 0 else 0 if lower == upper == 0 else None
     assert interval.sign() == expected
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize(
+    ("middle", "radius"),
+    [
+        ((3, 0), (1, -(10**9))),
+        ((2**70 + 1, 5), (7, -(10**8))),
+        ((3, -(10**9)), (1, 5)),
+        ((2**80 + 1, -(10**8)), (3, 0)),
+    ],
+)
+def test_a_ball_whose_parts_are_far_apart_is_rounded_outward(
+    sign: int, middle: tuple[int, int], radius: tuple[int, int]
+) -> None:
+    """It was refused; its exact ends would need 10^8 bits and more."""
+    ball = arb((sign * middle[0], middle[1]), radius)
+    found = Dyadic.from_ball(ball)
+    assert found.lower.bit_length() < 2_000
+    lower, upper = found.endpoints()
+    # The tiny part counts as 0 here: it moves an end by less than 2^-(10^7).
+    centre, width = (Fraction(m) * Fraction(2) ** e if e > -1000 else Fraction(0) for m, e in (middle, radius))
+    gaps = sign * centre - width - lower, upper - sign * centre - width
+    unit = Fraction(2) ** (max(middle[1], radius[1]) - 1000)
+    assert all(0 <= gap <= 2 * unit for gap in gaps)
+    assert sum(gaps) > 0
+    assert Dyadic.parse(str(found)) == found

@@ -53,7 +53,7 @@ class Range:
         """
         if not isinstance(text, str):
             raise TypeError(f'{name}: expected a Range or a text such as "0..1", got {type(text).__name__}')
-        word = text.strip()
+        word = text.strip().replace("\N{MINUS SIGN}", "-")
         if ".." not in word:
             if word.lower() in _INFINITE:
                 raise ValueError(f'{name}: a single value must be finite; a range is written "a..b"')

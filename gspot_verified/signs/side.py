@@ -45,18 +45,23 @@ class SignInterval:
         """The sign of C_1 that takes an IWC; -1, the only one that occurs, for 0 < beta < 1; None for beta < 0."""
         return self.sign if self.lower >= 0 else None
 
+    def _ends(self) -> tuple[str, str]:
+        """Both ends as text; by FLINT, because CPython refuses to print integers of more than 4,300 digits."""
+        first, last = (str(fmpq(end.numerator, end.denominator)) for end in (self.lower, self.upper))
+        return first, last
+
     def __str__(self) -> str:
         left, right = "[" if self.lower_closed else "(", "]" if self.upper_closed else ")"
         sign = "> 0" if self.sign > 0 else "< 0"
         return (
-            f"{left}{self.lower}, {self.upper}{right}: Γ(-β) {sign}; {side_text(self.lift_off_sign, self.impact_sign)}"
+            f"{left}{', '.join(self._ends())}{right}: Γ(-β) {sign}; {side_text(self.lift_off_sign, self.impact_sign)}"
         )
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for ``json.dumps``; exact fractions as text."""
         return {
-            "lower": str(self.lower),
-            "upper": str(self.upper),
+            "lower": self._ends()[0],
+            "upper": self._ends()[1],
             "lower_closed": self.lower_closed,
             "upper_closed": self.upper_closed,
             "sign": self.sign,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -12,6 +13,7 @@ from gspot_verified.balls import (
     MAX_WORKING_BITS,
     Exact,
     ExactInput,
+    approximate,
     ball,
     ball_text,
     bits_for_digits,
@@ -35,6 +37,7 @@ from gspot_verified.verdict import Reason, Verdict
 _EXACT_POLYNOMIAL_BITS = 100_000
 # Where every route failed at a lower goal, rounding may have hidden a hypothesis: once more with this many bits.
 _LEAST_SECOND_GOAL = 128
+_ROOM = 64
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,8 +96,8 @@ def evaluate(
     :param beta: |beta| <= 10^4, same types; integers and balls that hold integers included.
     :param derivative: k, 0..1000.
     :param digits: 1..10^6.
-    :param max_bits: the budget: working precision is raised up to this many bits (default 8 times the asked bits
-        plus 16,384).
+    :param max_bits: the budget: a route is asked for at most this many bits, the first one too (default 8 times the
+        asked bits plus 16,384). Inside, a route adds what its own cancellation costs.
     :raises TypeError: a float argument.
     :raises ValueError: an argument outside its domain.
     :raises BudgetError: the request would not fit in memory; raised beforehand.
@@ -127,14 +130,45 @@ def _enclose(tau: Exact, beta: Exact, derivative: int, goal: int, max_bits: int 
     if isinstance(beta, fmpq) and beta.q == 1 and 0 <= beta.p < derivative:
         return arb(0), "polynomial", 0, None
     shifted, factor = shifted_parameter(beta, derivative, goal)
-    found = _exact_polynomial(tau, shifted, goal) or _approach(tau, shifted, goal + 2, max_bits)
-    if isinstance(tau, arb) and not tau.is_exact():
-        found = _centred(found, tau, shifted, goal + 2, max_bits)
+    found = _exact_polynomial(tau, shifted, goal)
+    if found is None:
+        worth = min(goal + 2, _bits_of_input(tau, shifted))
+        found = _of_inputs(tau, shifted, worth, max_bits)
+        if worth < goal + 2 and relative_bits(found[0]) >= worth:  # the result depends on its inputs less than most do
+            finer = _of_inputs(tau, shifted, goal + 2, max_bits)
+            found = (_tighter(finer[0], found[0]), *finer[1:])
+        elif worth < goal + 2:
+            found = (*found[:3], found[3] or Reason.WIDE_INPUT)
     value, route, bits, reason = found
     if derivative:
         with working_bits(goal + 32):
             value = value * factor
     return shrink_to_bits(value, goal + 16), route, bits, reason
+
+
+def _of_inputs(tau: Exact, beta: Exact, goal: int, max_bits: int | None) -> _Found:
+    found = _approach(tau, beta, goal, max_bits)
+    if isinstance(tau, arb) and not tau.is_exact():
+        return _centred(found, tau, beta, goal, max_bits)
+    return found
+
+
+def _bits_of_input(tau: Exact, beta: Exact) -> int:
+    """How many bits of the result are worth asking for at first: no more than the input balls have, and some.
+
+    A heuristic: more bits than that cannot narrow the answer, but cost time, and rule out the asymptotic routes.
+    """
+    radii = [_exponent(value.rad()) for value in (tau, beta) if isinstance(value, arb) and not value.is_exact()]
+    size = max(abs(approximate(tau)), abs(approximate(beta)), 1.0)
+    return max(
+        _LEAST_SECOND_GOAL, min((math.ceil(math.log2(size)) + _ROOM - r for r in radii), default=MAX_WORKING_BITS)
+    )
+
+
+def _exponent(radius: arb) -> int:
+    """The binary exponent of a radius, as far as it matters here."""
+    mantissa, exponent = radius.man_exp()
+    return max(-MAX_WORKING_BITS, min(int(exponent), MAX_WORKING_BITS)) + int(mantissa).bit_length()
 
 
 @lru_cache(maxsize=64)
@@ -155,13 +189,13 @@ def _exact_polynomial(tau: Exact, beta: Exact, goal: int) -> _Found | None:
 
 def _approach(tau: Exact, beta: Exact, goal: int, max_bits: int | None) -> _Found:
     """Raise the precision until ``goal`` relative bits are certain, or the budget ends, or balls forbid more."""
-    wanted = goal
+    budget = max_bits or 8 * goal + 16_384
+    wanted = min(goal, budget)
     route, value = _attempt(tau, beta, wanted)
     certain = relative_bits(value)
     if certain >= goal:
         return value, route, wanted, None
     exact_input = is_exact(tau) and is_exact(beta)
-    budget = max_bits or 8 * goal + 16_384
     while certain < goal:
         following = wanted + max(goal - certain, 16) + 8 if certain > 0 else 2 * wanted + 64
         if following > budget:

@@ -7,17 +7,22 @@ from __future__ import annotations
 
 from flint import fmpq, fmpq_poly, fmpz
 
+MAX_DEGREE = 20_000
+
 
 def polynomial(n: int) -> fmpq_poly:
     """Theta(., n) = (-1)^n n! [r^n] e^(r tau - r^3/3), exactly.
 
-    :raises ValueError: n is negative.
+    :raises TypeError: n is not an int.
+    :raises ValueError: n is negative, or above 20,000: the coefficients then fill more than about 200 MB.
 
     >>> polynomial(3)
     (-1)*x^3 + 2
     """
-    if n < 0:
-        raise ValueError(f"n must be at least 0, got {n}")
+    if type(n) is not int:
+        raise TypeError(f"n must be an int, got {type(n).__name__}")
+    if not 0 <= n <= MAX_DEGREE:
+        raise ValueError(f"n must lie in 0..{MAX_DEGREE}, got {fmpz(n)}")
     coefficients = [fmpz(0)] * (n + 1)
     value = fmpz(-1) ** n
     for j in range(n // 3 + 1):

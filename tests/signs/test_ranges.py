@@ -101,3 +101,8 @@ def test_infinite_ranges_hold_what_they_should() -> None:
     assert below.contains(fmpq(0))
     assert not below.contains(fmpq(1, 10**400))
     assert not whole.is_point
+
+
+def test_the_typeset_minus_is_a_minus() -> None:
+    assert Range.parse("[−2..−1/2)", "tau") == Range.parse("[-2..-1/2)", "tau")
+    assert Range.parse("−inf..inf", "tau") == Range.parse("-inf..inf", "tau")

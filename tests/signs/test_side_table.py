@@ -109,3 +109,11 @@ def test_a_ball_that_ends_exactly_at_a_pole() -> None:
         assert gamma_sign(ball) is None
     found = side_switching(arb((1, -1), (1, -1)), arb((5, -1), (1, -1)))
     assert (found.undecided, found.integers) == ((0, 3), (1, 2))
+
+
+def test_ends_of_more_digits_than_cpython_prints() -> None:
+    """CPython refuses to turn integers of more than 4,300 digits into text."""
+    end = "1/3" + "0" * 5000
+    found = side_switching(end, 1)
+    assert str(found).startswith(f"[{end}, 1): Γ(-β) < 0")
+    assert found.to_json()["intervals"][0]["lower"] == end

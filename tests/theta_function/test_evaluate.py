@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from typing import Any
 
 import pytest
 from flint import arb, fmpq
@@ -12,6 +13,7 @@ from witness import contains_witness, theta_witness
 
 from gspot_verified import Outcome, Reason, evaluate, theta_by
 from gspot_verified.balls import bits_for_digits, relative_bits, sign_of, working_bits
+from gspot_verified.theta_function import routes
 from gspot_verified.theta_function.integer import polynomial_value
 
 _MODERATE = st.builds(Fraction, st.integers(-240, 160), st.integers(8, 12))
@@ -219,3 +221,58 @@ def test_json() -> None:
     assert data["reached"] is True
     assert data["route"] == "negative"
     assert data["enclosure"].startswith("[0x")
+
+
+@pytest.fixture
+def asked(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """The bits that each call of a route is asked for: work counted, not timed."""
+    goals: list[int] = []
+    for name, route in dict(routes.ROUTES).items():
+
+        def counted(tau: Any, beta: Any, goal: int, route: Any = route) -> arb:
+            goals.append(goal)
+            value: arb = route(tau, beta, goal)
+            return value
+
+        monkeypatch.setitem(routes.ROUTES, name, counted)
+    return goals
+
+
+@pytest.mark.parametrize(
+    ("tau", "radius", "beta"), [(2, 20, "-7/3"), (-30, 5, "7/3"), (100, 10, "-7/3"), (300, 30, "-50"), (3000, 5, "5/2")]
+)
+def test_a_wide_ball_asks_for_no_more_bits_than_it_has(asked: list[int], tau: int, radius: int, beta: str) -> None:
+    """At 1000 digits the routes were asked for 3,300 bits and more: no asymptotic one answers there, quadrature was
+    started for minutes, and the ball of Θ(-30 +- 10^-5) was +-10^37."""
+    with working_bits(4_000):
+        ball = arb(tau) + arb(0, arb(10) ** -radius)
+        ends = [evaluate(end, beta, digits=50).value for end in (ball.lower().mid(), ball.mid(), ball.upper().mid())]
+    asked.clear()
+    found = evaluate(ball, beta, digits=1000)
+    assert max(asked) < 700
+    assert len(asked) <= 6
+    assert found.reason is Reason.WIDE_INPUT
+    assert not found.reached
+    # Valid, and as good as what a few digits give.
+    assert all(found.value.overlaps(end) for end in ends)
+    few = evaluate(ball, beta, digits=15)
+    with working_bits(4_000):
+        assert found.value.rad() <= 2 * few.value.rad()
+
+
+def test_a_result_that_hardly_depends_on_a_wide_input_still_has_all_digits(asked: list[int]) -> None:
+    """Θ(τ, β) = 1 + O(β): 200 digits from a ball of τ with one, because β is 10^-400."""
+    found = evaluate(arb(1, fmpq(1, 10)), "1e-400", digits=200)
+    assert found.reached
+    assert found.value.overlaps(arb(1))
+    assert max(asked) > 600
+
+
+@pytest.mark.parametrize("max_bits", [64, 200, 1000])
+def test_max_bits_bounds_the_first_attempt_too(asked: list[int], max_bits: int) -> None:
+    found = evaluate("1/3", "7/5", digits=1000, max_bits=max_bits)
+    assert max(asked) <= max_bits
+    assert (found.reached, found.reason) == (False, Reason.BUDGET)
+    assert found.value.is_finite()
+    assert found.value.overlaps(evaluate("1/3", "7/5", digits=50).value)
+    assert relative_bits(found.value) >= max_bits - 8

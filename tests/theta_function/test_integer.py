@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from math import comb, factorial
+from typing import Any
 
 import pytest
 from flint import fmpq, fmpq_poly
@@ -46,3 +47,16 @@ def test_polynomial_values(tau: Fraction, n: int) -> None:
         Fraction(0),
     )
     assert to_fraction(polynomial_value(to_fmpq(tau), n)) == expected
+
+
+@pytest.mark.parametrize("n", [20_001, 100_000, pytest.param(10**5000, id="long"), -1])
+def test_a_polynomial_that_would_fill_the_memory_is_refused_beforehand(n: int) -> None:
+    """n = 100,000 took 40 s and gigabytes."""
+    with pytest.raises(ValueError, match=r"n must lie in 0\.\.20000"):
+        polynomial(n)
+
+
+@pytest.mark.parametrize("n", [1.5, "3", True, None])
+def test_the_degree_is_an_int(n: Any) -> None:
+    with pytest.raises(TypeError, match="n must be an int"):
+        polynomial(n)
