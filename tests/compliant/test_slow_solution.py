@@ -18,7 +18,7 @@ from gspot_verified.balls import bits_for_digits, working_bits
 from gspot_verified.compliant.grid import scale
 from gspot_verified.compliant.routes import ROUTES
 from gspot_verified.compliant.slow_solution import slow_solution, slow_value
-from gspot_verified.theta_function.evaluate import theta
+from gspot_verified import theta
 
 EPSILONS = [Fraction(10), Fraction(1), Fraction(1, 7), Fraction(1, 1000), Fraction(1, 10**9), Fraction(1, 10**300)]
 
