@@ -70,12 +70,11 @@ class Algebra:
     def coefficients(self, value: fmpq_mpoly, name: str) -> dict[int, fmpq_mpoly]:
         """The coefficients of the powers of one symbol that occur."""
         place = list(self.symbols).index(name)
-        found: dict[int, fmpq_mpoly] = {}
+        found: dict[int, dict[tuple[int, ...], fmpq]] = {}
         for exponents, number in value.terms():
-            power = int(exponents[place])
             rest = (*exponents[:place], 0, *exponents[place + 1 :])
-            found[power] = found.get(power, self.constant(0)) + self._context.from_dict({rest: number})
-        return found
+            found.setdefault(int(exponents[place]), {})[rest] = number
+        return {power: self._context.from_dict(terms) for power, terms in found.items()}
 
     def coefficient_of(self, value: fmpq_mpoly, name: str, power: int) -> fmpq_mpoly:
         """The coefficient of one power of one symbol."""
