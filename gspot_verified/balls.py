@@ -130,7 +130,7 @@ def exact(value: ExactInput, name: str) -> Exact:
             f'or "{float(value)!r}" for the decimal'
         )
     if isinstance(value, Integral | fmpz) and not isinstance(value, bool):
-        return fmpq(operator.index(value) if isinstance(value, Integral) else value)
+        return fmpq(operator.index(value))
     if isinstance(value, Fraction):
         return fmpq(value.numerator, value.denominator)
     raise TypeError(f"{name}: expected int, Fraction, fmpq, str or arb, got {type(value).__name__}")
@@ -284,9 +284,8 @@ def ball_text(value: arb, digits: int = 15) -> str:
     """
     if not value.is_finite():
         return "[no information]"
-    if value.is_exact() or relative_bits(value) >= 5:
-        with working_bits(max(64, math.ceil(digits * _LOG2_10) + 20)):
-            return value.str(digits)
+    if relative_bits(value) >= 5:
+        return value.str(digits)
     lower, upper = float_bounds(value)
     if math.isinf(lower) or math.isinf(upper) or max(-lower, upper) < _SMALLEST_SHOWN:
         return value.str(digits)

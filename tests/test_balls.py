@@ -175,6 +175,26 @@ def test_exact_passes_a_ball_through_unrounded(value: arb, bits: int) -> None:
         assert found is value
 
 
+@pytest.mark.parametrize("exponent", [40_000, -40_000, 0, 1, -1])
+def test_exact_reads_an_exact_ball_up_to_the_last_exponent(exponent: int) -> None:
+    assert exact(arb((3, exponent)), "tau") == fmpq(3) * fmpq(2) ** exponent
+    for beyond in (40_001, -40_001):
+        assert isinstance(exact(arb((3, beyond)), "tau"), arb)
+
+
+def test_a_long_word_is_shortened_in_the_message() -> None:
+    for word, shown in (("x" * 40, "x" * 40), ("x" * 41, "x" * 37 + "..."), ("y", "y")):
+        with pytest.raises(ValueError, match="expected a number") as caught:
+            exact(word, "tau")
+        assert str(caught.value).endswith(f"got {shown!r}")
+
+
+def test_the_longest_number() -> None:
+    assert exact("0" * 1_999_999 + "7", "tau") == 7
+    with pytest.raises(ValueError, match="at most 2000000 characters"):
+        exact("0" * 2_000_001, "tau")
+
+
 def test_exact_keeps_an_exact_ball_whose_rational_would_fill_the_memory() -> None:
     for exponent in (10**6, -(10**6), 2**70, -(2**70)):
         value = arb((1, exponent))
@@ -247,6 +267,12 @@ def test_the_largest_number_of_digits() -> None:
 def test_working_bits_out_of_range(bits: int) -> None:
     with pytest.raises(ValueError, match="bits must lie in"):
         working_bits(bits)
+
+
+def test_the_last_precision_that_is_allowed() -> None:
+    working_bits(64_000_000)
+    with pytest.raises(ValueError, match=r"2\.\.64000000"):
+        working_bits(64_000_001)
 
 
 @pytest.mark.parametrize("bits", ["53", None, 60.7, 64.0, float("nan"), np.float64(64), Fraction(64), [64]], ids=repr)
@@ -399,6 +425,26 @@ def test_shrink_to_bits_is_outward_and_short(pair: tuple[arb, Fraction], bits: i
     (lower, upper), (first, last) = ends(value), ends(shrunk)
     largest = max(abs(lower), abs(upper))
     assert last - first <= (upper - lower) * (1 + Fraction(1, 2**20)) + largest * Fraction(4, 2 ** max(bits, 30))
+
+
+@pytest.mark.parametrize("bits", [2, 30, 31, 100, 200])
+def test_a_long_midpoint_is_cut_to_the_bits_asked_for(bits: int) -> None:
+    with working_bits(500):
+        root = arb(2).sqrt()
+    with working_bits(1000):
+        shrunk = shrink_to_bits(root, bits)
+        assert shrunk.contains(root)
+        assert shrunk.mid().bits() <= max(bits, 30)
+        assert shrunk.rel_accuracy_bits() >= max(bits, 30) - 2
+
+
+def test_ball_rounds_to_the_precision_in_force() -> None:
+    with working_bits(500):
+        root = arb(2).sqrt()
+    with working_bits(40):
+        rounded = ball(root)
+        assert rounded.mid().bits() <= 40
+        assert rounded.contains(root)
 
 
 @given(nonfinite_balls())
@@ -732,3 +778,15 @@ def test_the_typeset_minus_is_a_minus(text: str) -> None:
 def test_other_dashes_and_a_minus_elsewhere_are_not_numbers(text: str) -> None:
     with pytest.raises(ValueError, match="tau: expected a number"):
         exact(text, "tau")
+
+
+@given(precise_balls(), precisions(), st.integers(1, 60))
+def test_the_text_does_not_depend_on_the_precision_in_force(value: arb, bits: int, digits: int) -> None:
+    text = ball_text(value, digits)
+    with working_bits(bits):
+        assert ball_text(value, digits) == text
+
+
+def test_fifteen_digits_when_nothing_is_said() -> None:
+    with working_bits(200):
+        assert ball_text(arb(1) / 3).startswith("[0.333333333333333 +/- ")
