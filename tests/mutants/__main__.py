@@ -102,7 +102,7 @@ class _Run:
         while waiting or running:
             while waiting and len(running) < self.workers:
                 mutant = waiting.pop()
-                tests = self._tests(reach, mutant)
+                tests = reach.tests_of(mutant)
                 if tests:
                     running[self._start(reach, mutant, tests)] = mutant
                 else:
@@ -116,11 +116,6 @@ class _Run:
             print(f"\r{self.file}: {left} left, {time.monotonic() - began:.0f} s ", end="", file=sys.stderr, flush=True)
         print(file=sys.stderr)
         return results
-
-    def _tests(self, reach: Reach, mutant: Mutant) -> list[str]:
-        return (
-            sorted(reach.seconds, key=reach.seconds.__getitem__) if mutant.everywhere else reach.tests_of(*mutant.lines)
-        )
 
     def _start(self, reach: Reach, mutant: Mutant, tests: list[str]) -> int:
         paths = sorted({test.split("::")[0] for test in tests}, key=self.tests.index)

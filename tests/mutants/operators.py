@@ -33,13 +33,13 @@ _NOT_MUTATED = {"annotation", "returns", "decorator_list", "exc", "type_params"}
 
 @dataclass(frozen=True)
 class Mutant:
-    """One change of one file. ``lines``: where the changed statement stands; ``everywhere``: it runs at import."""
+    """One change of one file. ``line``: where the changed statement begins; ``everywhere``: it runs at import."""
 
     file: str
     scope: str
     before: str
     after: str
-    lines: tuple[int, int]
+    line: int
     everywhere: bool
     index: int
 
@@ -49,7 +49,7 @@ class Mutant:
         return self.file, self.scope, self.before, self.after
 
     def __str__(self) -> str:
-        return f"{self.file}:{self.lines[0]} {self.scope}\n    - {self.before}\n    + {self.after}"
+        return f"{self.file}:{self.line} {self.scope}\n    - {self.before}\n    + {self.after}"
 
 
 @dataclass
@@ -83,10 +83,7 @@ def mutants_of(root: Path, file: str) -> list[Mutant]:
         count = seen[(scope, before, after)] = seen.get((scope, before, after), 0) + 1
         if before != after:
             after = after if count == 1 else f"{after}  # occurrence {count}"
-            last = site.statement.end_lineno or site.statement.lineno
-            body = getattr(site.statement, "body", None)
-            last = max(site.statement.lineno, body[0].lineno - 1) if isinstance(body, list) and body else last
-            found.append(Mutant(file, scope, before, after, (site.statement.lineno, last), site.everywhere, index))
+            found.append(Mutant(file, scope, before, after, site.statement.lineno, site.everywhere, index))
     return found
 
 
@@ -99,6 +96,31 @@ def code_of(root: Path, mutant: Mutant) -> CodeType:
             _apply(site, changed)
             return compile(ast.fix_missing_locations(tree), str(path), "exec")
     raise LookupError(f"{mutant.file} has no change number {mutant.index}")
+
+
+def traced_code(root: Path, file: str, reporter: str) -> CodeType:
+    """The compiled module, calling the built-in name ``reporter`` with the line of each statement of its functions."""
+    path = root / file
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    for function in [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)]:
+        _report_each(function, "body", reporter, ast.get_docstring(function) is not None)
+    return compile(ast.fix_missing_locations(tree), str(path), "exec")
+
+
+def _report_each(node: ast.AST, field: str, reporter: str, keep_first: bool = False) -> None:
+    reported: list[ast.stmt] = []
+    for k, statement in enumerate(getattr(node, field)):
+        if not (keep_first and k == 0):
+            report = ast.Expr(ast.Call(ast.Name(reporter, ast.Load()), [ast.Constant(statement.lineno)], []))
+            reported.append(ast.copy_location(report, statement))
+        reported.append(statement)
+        if isinstance(statement, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+            continue
+        for part in (statement, *getattr(statement, "handlers", []), *getattr(statement, "cases", [])):
+            for block in ("body", "orelse", "finalbody"):
+                if isinstance(getattr(part, block, None), list):
+                    _report_each(part, block, reporter)
+    setattr(node, field, reported)
 
 
 def _apply(site: _Site, node: ast.AST) -> None:
@@ -134,7 +156,7 @@ def _collect(
     for field, value in ast.iter_fields(node):
         if field in _NOT_MUTATED or isinstance(node, ast.JoinedStr):
             continue
-        function = isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda)
+        function = isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
         inside = everywhere and not (function and field == "body")
         for position, child in enumerate(value) if isinstance(value, list) else [(None, value)]:
             if not isinstance(child, ast.AST):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import builtins
 import contextlib
 import importlib.abc
 import importlib.machinery
@@ -11,18 +12,19 @@ import os
 import resource
 import signal
 import sys
-import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from types import CodeType, FrameType
+from types import CodeType
 from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, Phase, settings
+from mutants.operators import Mutant, traced_code
 
 NOT_LOADED = 71
+_REPORTER = "__mutants_reach__"
 _MEMORY = 4 * 2**30
 _OPTIONS = [
     "-p", "no:cacheprovider", "-p", "no:xdist", "-p", "no:faulthandler", "--tb=no", "-x", "-m", "not slow",
@@ -32,22 +34,24 @@ _OPTIONS = [
 
 @dataclass
 class Reach:
-    """Which tests reach which lines of a file, how long each takes (CPU seconds), and the order of collection."""
+    """Which lines of a file the tests reach, each by itself and all while they are collected; CPU seconds of each."""
 
+    collected: list[int] = field(default_factory=list)
     lines: dict[str, list[int]] = field(default_factory=dict)
     seconds: dict[str, float] = field(default_factory=dict)
 
-    def tests_of(self, first: int, last: int) -> list[str]:
-        """The tests that reach one of these lines, the quick ones first."""
-        reached = [test for test, lines in self.lines.items() if any(first <= line <= last for line in lines)]
-        return sorted(reached, key=lambda test: (self.seconds.get(test, 0.0), test))
+    def tests_of(self, mutant: Mutant) -> list[str]:
+        """The tests that reach the mutant's statement (all, if it runs before them), the quick ones first."""
+        early = mutant.everywhere or mutant.line in self.collected
+        reached = [test for test, lines in self.lines.items() if early or mutant.line in lines]
+        return sorted(reached, key=lambda test: (self.seconds[test], test))
 
 
 class _Changed(importlib.abc.MetaPathFinder):
     """Gives the module under test its changed code; every other module is found as usual."""
 
-    def __init__(self, module: str, path: Path, code: CodeType) -> None:
-        self.module, self.path, self.code = module, path, code
+    def __init__(self, root: Path, file: str, code: CodeType) -> None:
+        self.module, self.path, self.code = file.removesuffix(".py").replace("/", "."), root / file, code
         self.loaded = False
 
     def find_spec(self, fullname: str, path: Any, target: Any = None) -> importlib.machinery.ModuleSpec | None:  # noqa: ARG002
@@ -65,23 +69,18 @@ class _Changed(importlib.abc.MetaPathFinder):
 class _Plugin:
     """Sets Hypothesis up (no shrinking: one failure is enough); chooses and orders the tests; records their reach."""
 
-    def __init__(
-        self, chosen: Sequence[str] | None = None, changed: _Changed | None = None, traced: Path | None = None
-    ) -> None:
+    def __init__(self, changed: _Changed, chosen: Sequence[str] | None = None) -> None:
         self.changed = changed
         self.chosen = None if chosen is None else {test: k for k, test in enumerate(chosen)}
-        self.file = str(traced)
         self.hit: set[int] = set()
         self.reach = Reach()
-        self.tracing = traced is not None
 
     @pytest.hookimpl(trylast=True)
     def pytest_configure(self) -> None:
         quick = settings(phases=(Phase.explicit, Phase.generate), suppress_health_check=(HealthCheck.too_slow,))
         settings.register_profile("mutants", quick)
         settings.load_profile("mutants")
-        if self.changed is not None:  # in front of pytest's own hook, which would read the file itself
-            sys.meta_path.insert(0, self.changed)
+        sys.meta_path.insert(0, self.changed)  # in front of pytest's own hook, which would read the file itself
 
     @pytest.hookimpl(trylast=True)
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
@@ -89,29 +88,17 @@ class _Plugin:
             order = self.chosen
             items[:] = sorted((i for i in items if i.nodeid in order), key=lambda item: order[item.nodeid])
 
+    def pytest_collection_finish(self) -> None:
+        self.reach.collected = sorted(self.hit)
+
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_protocol(self, item: pytest.Item) -> Any:
-        if not self.tracing:
-            return (yield)
-        self.hit = set()
-        threading.settrace(self._call)
-        sys.settrace(self._call)
-        start = time.process_time()
-        try:
-            return (yield)
-        finally:
-            sys.settrace(None)
-            threading.settrace(None)  # type: ignore[arg-type]
-            self.reach.seconds[item.nodeid] = time.process_time() - start
-            self.reach.lines[item.nodeid] = sorted(self.hit)
-
-    def _call(self, frame: FrameType, event: str, _: Any) -> Callable[..., Any] | None:
-        return self._line if event == "call" and frame.f_code.co_filename == self.file else None
-
-    def _line(self, frame: FrameType, event: str, _: Any) -> Callable[..., Any]:
-        if event == "line":
-            self.hit.add(frame.f_lineno)
-        return self._line
+        self.hit.clear()
+        begin = time.process_time()
+        result = yield
+        self.reach.seconds[item.nodeid] = time.process_time() - begin
+        self.reach.lines[item.nodeid] = sorted(self.hit)
+        return result
 
 
 def start(root: Path, file: str, tests: Sequence[str], chosen: Sequence[str], code: CodeType, seconds: float) -> int:
@@ -122,8 +109,7 @@ def start(root: Path, file: str, tests: Sequence[str], chosen: Sequence[str], co
     resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
     resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, _MEMORY))
     signal.alarm(int(10 * seconds) + 60)  # a mutant that waits for ever uses no time of the processor
-    module = file.removesuffix(".py").replace("/", ".")
-    _finish(root, tests, _Plugin(chosen, _Changed(module, root / file, code)))
+    _finish(root, tests, _Plugin(_Changed(root, file, code), chosen))
     raise AssertionError("the process has ended")
 
 
@@ -136,7 +122,9 @@ def reach_of(root: Path, file: str, tests: Sequence[str]) -> Reach:
     child = os.fork()
     if not child:
         os.close(reading)
-        _finish(root, tests, _Plugin(traced=root / file), writing)
+        plugin = _Plugin(_Changed(root, file, traced_code(root, file, _REPORTER)))
+        setattr(builtins, _REPORTER, plugin.hit.add)
+        _finish(root, tests, plugin, writing)
     os.close(writing)
     with os.fdopen(reading, encoding="utf-8") as pipe:
         text = pipe.read()
@@ -154,7 +142,7 @@ def _finish(root: Path, tests: Sequence[str], plugin: _Plugin, pipe: int | None 
         for stream in (0, 1, 2):
             os.dup2(quiet, stream)
         code = int(pytest.main([*_OPTIONS, *tests], plugins=[plugin]))
-        if plugin.changed is not None and not plugin.changed.loaded:
+        if not plugin.changed.loaded:
             code = NOT_LOADED
         if pipe is not None:
             with os.fdopen(pipe, "w", encoding="utf-8") as file, contextlib.suppress(BrokenPipeError):
