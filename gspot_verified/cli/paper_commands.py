@@ -40,7 +40,8 @@ def verify(
         print_json({**numbers, "entries": [entry.to_json() for entry in entries]})
     else:
         for entry in entries:
-            typer.echo(f"{entry.verdict.outcome.value:9}  {entry.label:28}  {entry.statement}")
+            place = entry.cited.printed or entry.label
+            typer.echo(f"{entry.verdict.outcome.value:9}  {place:28}  {entry.statement}")
             if entry.verdict.outcome.value == "refuted":
                 typer.echo(f"{'':9}  {'corrected:':28}  {entry.corrected}")
         for outcome, row in rung_counts(entries).items():

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
+from gspot_verified.ledger.paper import Citation, citation, with_printed_numbers
 from gspot_verified.verdict import Outcome, Reason, Verdict
 
 
@@ -70,8 +71,9 @@ class Check:
 class Entry:
     """A statement of the paper with its verdict.
 
-    ``label`` is the paper's label or "line N" of its source; ``source`` the printed form as LaTeX; ``statement`` the
-    claim in words; ``corrected`` the form that holds when the printed one is refuted, or the condition it needs.
+    ``label`` is the paper's label or "line N" of its source; ``source`` the printed form, transcribed as short LaTeX;
+    ``statement`` the claim in words; ``corrected`` the form that holds when the printed one is refuted, or the
+    condition it needs. ``cited`` has the numbers that the PDF prints and the exact lines of the source.
     """
 
     identifier: str
@@ -83,6 +85,16 @@ class Entry:
     verdict: Verdict
     corrected: str = ""
     note: str = ""
+
+    @property
+    def cited(self) -> Citation:
+        """What the label cites: printed numbers and quoted lines; empty for a label that the data do not hold."""
+        return citation(self.label)
+
+    @property
+    def verbatim(self) -> bool:
+        """True when the paper's own lines stand beside the entry; else ``source`` is a transcription alone."""
+        return bool(self.cited.quotations)
 
     @property
     def rests_on(self) -> tuple[Rung, ...]:
@@ -114,6 +126,9 @@ class Entry:
         return {
             "identifier": self.identifier,
             "label": self.label,
+            "printed": self.cited.printed,
+            "verbatim": self.verbatim,
+            "quotations": [quotation.to_json() for quotation in self.cited.quotations],
             "section": self.section,
             "source": self.source,
             "statement": self.statement,
@@ -181,7 +196,12 @@ def settled(
     corrected: str = "",
     note: str = "",
 ) -> Entry:
-    """An entry with the verdict that its checks support."""
+    """An entry with the verdict that its checks support; labels of equations in its texts become printed numbers."""
+    statement, corrected, note = (with_printed_numbers(text) for text in (statement, corrected, note))
+    checks = tuple(
+        replace(check, what=with_printed_numbers(check.what), finding=with_printed_numbers(check.finding))
+        for check in checks
+    )
     return Entry(identifier, label, section, source, statement, checks, conclude(statement, checks), corrected, note)
 
 

@@ -105,6 +105,8 @@ def _eliminated() -> Entry:
             "b and its four derivatives along the vector field, as polynomials in t and the state",
             lambda parts: [along(parts["equation"])],
         ),
+        note="The equation has a label and no number: references to it print (4), the number of its section, "
+        "and eq. pain_par+ is that equation.",
     )
 
 
@@ -169,7 +171,7 @@ def _recover() -> Entry:
     return settled(
         SECTION,
         "4-recover",
-        "eqs. modelSysRecoverY, V, Z, LN",
+        "eqs. modelSysRecoverY to modelSysRecoverLN",
         r"\alpha_3^*y=\epsilon^2[\ldots],\ \ldots,\ \alpha_3^*\lambda_N=\alpha_2^*-\dot b",
         "The four formulas recover y, v, z, λ_N from b",
         this.check(
@@ -221,7 +223,7 @@ def _deviation_recover() -> Entry:
     return settled(
         SECTION,
         "4-deviation-recover",
-        "eqs. modelSysDevRecoverY, V, Z, LN",
+        "eqs. modelSysDevRecoverY to modelSysDevRecoverLN",
         r"\alpha_3^*\hat y=\ldots,\ \ldots,\ \alpha_3^*\hat\lambda_N=-\dot{\hat b}",
         "The four formulas recover the deviations of y, v, z, λ_N from that of b",
         this.check(

@@ -87,7 +87,7 @@ def _trivial() -> Entry:
     return settled(
         "Section 2",
         "2-trivial",
-        "eqs. modelSysDistP, B, V",
+        "eqs. modelSysDistP, modelSysDistB, modelSysDistV",
         r"\bar p=\alpha_1^*t,\quad \bar b=\frac{\alpha_2^*}{\alpha_1^*-\alpha_3^*}\alpha_1^*t,\quad \bar v=0",
         "The trivial solution of the motivating example for α_1 ≠ α_3 (with the corrected z, y of 2-trivial-zy)",
         this.check(

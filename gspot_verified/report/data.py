@@ -18,7 +18,7 @@ SCHEMA = 3
 _OUTCOMES = [outcome.value for outcome in Outcome]
 _RUNGS = [rung.name.lower() for rung in Rung]
 _REASONS = [reason.name.lower() for reason in Reason]
-_ENTRY_TEXTS = ("identifier", "label", "section", "source", "statement", "corrected", "note")
+_ENTRY_TEXTS = ("identifier", "label", "printed", "section", "source", "statement", "corrected", "note")
 _PICTURE_TEXTS = ("name", "title", "caption", "alternative", "svg")
 _VERSIONS = ("gspot-verified", "python", "FLINT", "python-flint", "mpmath", "numpy", "matplotlib")
 
@@ -118,6 +118,19 @@ def _check_rungs(entry: dict[str, Any], where: str) -> None:
         raise ValueError(f"{where}.rests_on: a proof never rests on points")
 
 
+def _check_quotations(entry: dict[str, Any], where: str) -> None:
+    """Lines of the paper's source; "verbatim" says that there are some."""
+    quotations = _sequence(entry, "quotations", where)
+    for number, quotation in enumerate(quotations):
+        place = f"{where}.quotations[{number}]"
+        _texts(_mapping(quotation, place), ("latex",), place)
+        ends = [quotation.get(key) for key in ("first", "last")]
+        if any(type(end) is not int for end in ends) or not 1 <= ends[0] <= ends[1]:
+            raise ValueError(f"{place}: expected line numbers, first not after last, got {ends}")
+    if entry.get("verbatim") is not bool(quotations):
+        raise ValueError(f"{where}.verbatim: {entry.get('verbatim')!r} with {len(quotations)} quotations")
+
+
 def _check_entry(value: object, where: str) -> None:
     entry = _mapping(value, where)
     _texts(entry, _ENTRY_TEXTS, where)
@@ -132,6 +145,7 @@ def _check_entry(value: object, where: str) -> None:
     if verdict["outcome"] == Outcome.UNDECIDED.value or verdict["reason"] is not None:
         _one_of(verdict["reason"], _REASONS, f"{where}.verdict.reason")
     _check_rungs(entry, where)
+    _check_quotations(entry, where)
     for box in _sequence(verdict, "remaining", f"{where}.verdict"):
         if not isinstance(box, list) or not all(isinstance(side, str) for side in box):
             raise ValueError(f"{where}.verdict.remaining: expected lists of texts")

@@ -82,7 +82,8 @@ def test_links_inside_the_page_arrive(page):
 
 def test_statements_are_shown_and_escaped(page, entries):
     for entry in entries:
-        for text in (entry.statement, entry.label, entry.source, entry.corrected, entry.note):
+        printed = [quotation.latex for quotation in entry.cited.quotations] or [entry.source]
+        for text in (entry.statement, entry.label, entry.cited.printed, *printed, entry.corrected, entry.note):
             assert str(write._template().environment.from_string("{{ x }}").render(x=text)) in page
     assert "<script" not in page
     assert "<img src=x" not in page
@@ -100,6 +101,16 @@ def test_each_entry_has_its_own_badge_and_no_other(page, entries):
     for entry in entries:
         badges = re.findall(r'class="badge (\w+)">(\w+)<', row(page, entry))
         assert badges == [(entry.verdict.outcome.value,) * 2]
+
+
+def test_verbatim_and_transcribed_are_told_apart(page, entries):
+    assert [entry.verbatim for entry in entries[:2]] == [True, False]
+    assert "Printed, verbatim: line 2453 of the source" in row(page, entries[0])
+    assert "Printed, transcribed" not in row(page, entries[0])
+    assert "eq. (A.8)" in row(page, entries[0])
+    assert "Printed, transcribed" in row(page, entries[1])
+    assert r"\Gamma(-\beta)&lt;0" in row(page, entries[1])
+    assert f"{sum(entry.verbatim for entry in entries)} of\n4 statements" in page
 
 
 def test_each_entry_says_what_it_rests_on(page, entries):
