@@ -5,7 +5,7 @@ from __future__ import annotations
 import enum
 import html
 from dataclasses import dataclass
-from typing import Any, NoReturn
+from typing import Any, ClassVar, NoReturn
 
 from gspot_verified.dyadic import Dyadic
 
@@ -26,6 +26,29 @@ class Reason(enum.Enum):
     HYPOTHESIS = "a hypothesis of the bound could not be verified"
     NO_ROUTE = "no second route is at hand, so the first one stands alone"
 
+
+class NoTruthValue:
+    """Base of the result types: ``bool`` of one raises TypeError, and the message says what to ask instead.
+
+    Without it ``if result:`` would be true for a result that proves nothing.
+
+    >>> class Answer(NoTruthValue):
+    ...     ask = ".agrees is True, False or None"
+    >>> bool(Answer())
+    Traceback (most recent call last):
+    ...
+    TypeError: Answer has no truth value: .agrees is True, False or None
+    """
+
+    __slots__ = ()
+    ask: ClassVar[str]
+    """What to ask instead; it begins with the name of an attribute, after a dot."""
+
+    def __bool__(self) -> NoReturn:
+        raise TypeError(f"{type(self).__name__} has no truth value: {self.ask}")
+
+
+ASK_VERDICT = ".verdict.outcome is Outcome.PROVED, REFUTED or UNDECIDED"
 
 _EXIT_CODES = {Outcome.PROVED: 0, Outcome.REFUTED: 1, Outcome.UNDECIDED: 2}
 

@@ -9,15 +9,19 @@ import subprocess
 import sys
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
+
+from gspot_verified.verdict import NoTruthValue
 
 _ROOT = Path(__file__).resolve().parents[2]
 _REJECTED = 1
 
 
 @dataclass(frozen=True, slots=True)
-class CheckResult:
+class CheckResult(NoTruthValue):
     """What the checker said. ``verified`` is True only if it printed its line and left with code 0."""
+
+    ask: ClassVar[str] = ".verified is True only if the checker verified the certificate"
 
     verified: bool
     text: str

@@ -9,13 +9,14 @@ import enum
 import time
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
 from gspot_verified.balls import approximate, sign_of, working_bits
 from gspot_verified.cost.baseline import LOWER
 from gspot_verified.theta_function.initial_values import paper_initial_values
+from gspot_verified.verdict import NoTruthValue
 
 _BITS = 64
 
@@ -31,8 +32,10 @@ class Choice(enum.Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Bisection:
+class Bisection(NoTruthValue):
     """How far the bisection of one box came. ``settled`` is the part of the area where dTheta/dtau < 0 was shown."""
+
+    ask: ClassVar[str] = ".finished says whether the whole box was settled"
 
     box: Box
     choice: Choice

@@ -6,21 +6,24 @@ import math
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from gspot_verified.certificates.text import certificate_text
 from gspot_verified.cost.curves import Curve
 from gspot_verified.cost.measure import clear_caches
 from gspot_verified.cost.rows import seconds_text
 from gspot_verified.signs.zeros import ZerosResult, zeros_on_range
+from gspot_verified.verdict import NoTruthValue
 
 
 @dataclass(frozen=True, slots=True)
-class RangeTime:
+class RangeTime(NoTruthValue):
     """What one range of beta took, with empty caches before it; the text of the certificate is included.
 
     ``processor`` is processor time, which other work on the machine lengthens less than ``seconds``.
     """
+
+    ask: ClassVar[str] = ".proved says whether the statement was proved"
 
     lower: int
     upper: int

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
+
+from gspot_verified.verdict import NoTruthValue
 
 _UNITS = ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs"))
 _HEADER = ("asked", "cold", "warm", "baseline", "mpmath", "figure", "target", "outcome")
@@ -43,12 +45,14 @@ class Target:
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class Row(NoTruthValue):
     """One measurement. Times are medians in seconds, ``None`` where there is none; ``note`` says why.
 
     ``cold``: the package's caches are empty before each call. ``warm``: the same call again. ``figure`` is what the
     target speaks of.
     """
+
+    ask: ClassVar[str] = ".met is True, False or None (no figure)"
 
     case: str
     asked: str

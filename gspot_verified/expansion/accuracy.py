@@ -5,11 +5,12 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import Any, ClassVar, TypeVar
 
 from flint import arb
 
 from gspot_verified.balls import MAX_WORKING_BITS, bits_for_digits, relative_bits, working_bits
+from gspot_verified.verdict import NoTruthValue
 
 _COMPARED_BITS = 64
 _LEAST_GAIN = 4
@@ -24,12 +25,14 @@ class AccuracyWarning(UserWarning):
 
 
 @dataclass(frozen=True, slots=True)
-class Accuracy:
+class Accuracy(NoTruthValue):
     """What was asked and what was reached.
 
     ``certain_bits`` is that of the least accurate coefficient, see :func:`certain_bits`. ``attempts`` counts how often
     the expansion was computed.
     """
+
+    ask: ClassVar[str] = ".reached says whether the asked accuracy was reached"
 
     digits: int
     certain_bits: int

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
@@ -22,6 +22,7 @@ from gspot_verified.expansion.rings import Ring
 from gspot_verified.expansion.spaces import SpacePolynomial
 from gspot_verified.expansion.terms import NumberTerms, PolynomialTerms
 from gspot_verified.expansion.trajectory import Trajectory
+from gspot_verified.verdict import NoTruthValue
 
 _BITS = 128
 _EXTRA = 8
@@ -33,12 +34,14 @@ class ResidualError(ValueError):
 
 
 @dataclass(frozen=True)
-class ResidualBounds:
+class ResidualBounds(NoTruthValue):
     """|residual| <= constants[name] delta^order for all |s| <= s and 0 <= delta <= delta.
 
     xi_1, ..., p, b, y, v, z, lambda_n name eqs. specialX to specialL; start_p, start_b, start_y, start_v, start_J_1,
     ... the conditions specialInitialFirst to Jbc, divided by delta^2. A constant that is not finite is no bound.
     """
+
+    ask: ClassVar[str] = ".constants are bounds only where they are finite"
 
     name: str
     order: int

@@ -5,10 +5,10 @@ from __future__ import annotations
 import enum
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, ClassVar
 
 from gspot_verified.ledger.paper import Citation, citation, with_printed_numbers
-from gspot_verified.verdict import Outcome, Reason, Verdict
+from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
 
 
 class Rung(enum.Enum):
@@ -45,12 +45,14 @@ _SHORT = {
 
 
 @dataclass(frozen=True, slots=True)
-class Check:
+class Check(NoTruthValue):
     """One route to the claim: what was done and what came out.
 
     ``agrees`` is True when the claim holds on everything this check covers, False when it certainly fails somewhere,
     None when the check could not tell.
     """
+
+    ask: ClassVar[str] = ".agrees is True, False or None"
 
     rung: Rung
     what: str
@@ -68,13 +70,15 @@ class Check:
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class Entry(NoTruthValue):
     """A statement of the paper with its verdict.
 
     ``label`` is the paper's label or "line N" of its source; ``source`` the printed form, transcribed as short LaTeX;
     ``statement`` the claim in words; ``corrected`` the form that holds when the printed one is refuted, or the
     condition it needs. ``cited`` has the numbers that the PDF prints and the exact lines of the source.
     """
+
+    ask: ClassVar[str] = ASK_VERDICT
 
     identifier: str
     label: str

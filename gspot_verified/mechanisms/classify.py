@@ -7,7 +7,7 @@ elsewhere: what the balls leave open is said to be undecided.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import fmpq
 
@@ -15,13 +15,14 @@ from gspot_verified.balls import Exact, ball_text, sign_of, working_bits
 from gspot_verified.mechanisms.g_spot import DEFAULT_BITS, GSpot, find_g_spot
 from gspot_verified.mechanisms.mechanism import Mechanism
 from gspot_verified.signs.side import MAX_BETA, gamma_sign, side_text
+from gspot_verified.verdict import NoTruthValue
 
 _CASES = {"I": "alpha_2 < 0, alpha_1 < alpha_3 < 0", "II": "alpha_2 > 0, alpha_1 < alpha_3 < 0"}
 _CASES["III"] = "alpha_2 < 0, alpha_3 < alpha_1 < 0"
 
 
 @dataclass(frozen=True, slots=True)
-class Classification:
+class Classification(NoTruthValue):
     """The result of :func:`classify`.
 
     ``case`` is "I", "II", "III", "none", or None when the balls leave it open; ``reason`` says why. ``beta``,
@@ -30,6 +31,8 @@ class Classification:
     ``integer_beta`` is the integer that beta is or may be, at whose order 2 (beta - 1) of delta there is no unique
     expansion. ``slip_velocity`` is u at the G-spot.
     """
+
+    ask: ClassVar[str] = '.case is "I", "II", "III", "none", or None (undecided)'
 
     name: str
     point: tuple[tuple[str, str], ...]

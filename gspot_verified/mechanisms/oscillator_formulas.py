@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import fmpq
 
@@ -18,6 +18,7 @@ from gspot_verified.mechanisms.lie_derivatives import Derived, derive, vanishes_
 from gspot_verified.mechanisms.mechanism import Lagrangian, Mechanism
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.symbolic import symbolic_system
+from gspot_verified.verdict import NoTruthValue
 
 _E = "(k_phi*(phi - phi_0) + c_phi*phi_dot)"
 _P = "(k_psi*psi + c_psi*psi_dot)"
@@ -77,8 +78,10 @@ PRINTED_NUMBERS = {"alpha_1": "-0.4289", "alpha_2": "-1.8764", "alpha_3": "-1.00
 
 
 @dataclass(frozen=True, slots=True)
-class Comparison:
+class Comparison(NoTruthValue):
     """One printed formula against the derived one."""
+
+    ask: ClassVar[str] = ".holds says whether the printed formula holds"
 
     label: str
     lines: str

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import arb, fmpq, fmpz
 
@@ -17,6 +17,7 @@ from gspot_verified.signs.pieces import Column, Kind, cell_of, number_of_zeros
 from gspot_verified.signs.statements import BracketsStatement
 from gspot_verified.signs.zero_column import zero_column
 from gspot_verified.theta_function.evaluate import evaluate
+from gspot_verified.verdict import NoTruthValue
 
 MAX_BETA = 200
 MAX_DIGITS = 2_000
@@ -30,11 +31,13 @@ class UndecidedError(ArithmeticError):
 
 
 @dataclass(frozen=True, slots=True)
-class Brackets:
+class Brackets(NoTruthValue):
     """One open interval with rational ends for each real zero of dTheta/dtau(., beta), in order; all are simple.
 
     ``column`` shows that there are no others.
     """
+
+    ask: ClassVar[str] = ".brackets holds one interval for each zero, and may be empty"
 
     beta: fmpq
     brackets: tuple[tuple[fmpq, fmpq], ...]

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
 from gspot_verified.balls import ExactInput, approximate, bits_for_digits, exact, working_bits
 from gspot_verified.signs.side import gamma_sign
 from gspot_verified.theta_function.evaluate import evaluate
+from gspot_verified.verdict import NoTruthValue
 
 MAX_BETA = 100
 LEAST_TENS = -100_000
@@ -22,12 +23,14 @@ _GUARD_BITS = 64
 
 
 @dataclass(frozen=True, slots=True)
-class ContactForce:
+class ContactForce(NoTruthValue):
     """One system and one trajectory: lambda_N(tau, eps) = mean - (C_1/alpha_3) kappa^(1-beta) eps^p dTheta/dtau.
 
     Here mean = alpha_2/(alpha_3 - alpha_1), kappa^3 = -alpha_1/2, beta = alpha_3/alpha_1, p = (2 beta - 2)/3. Make it
     with :func:`contact_force`, which checks the hypotheses.
     """
+
+    ask: ClassVar[str] = ".takes_impact says which side it is"
 
     beta: fmpq
     alpha_1: fmpq

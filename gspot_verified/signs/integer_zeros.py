@@ -7,20 +7,23 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import fmpq, fmpz
 
 from gspot_verified.signs.brackets import MAX_BETA, MAX_DIGITS, decimal_text
 from gspot_verified.signs.count_law import multiplicity_at_zero, positive_zeros
 from gspot_verified.signs.witness import sign_at
+from gspot_verified.verdict import NoTruthValue
 
 _MAX_HALVINGS = 12
 
 
 @dataclass(frozen=True, slots=True)
-class IntegerZeros:
+class IntegerZeros(NoTruthValue):
     """The zero tau = 0 with its multiplicity (0: none), and a bracket for each positive zero; these are simple."""
+
+    ask: ClassVar[str] = ".brackets holds one interval for each positive zero, and may be empty"
 
     beta: int
     multiplicity_at_zero: int

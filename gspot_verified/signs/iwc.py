@@ -7,7 +7,7 @@ Proof page: ``proofs/iwc.md``. "At leading order" is the paper's approximation; 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
@@ -20,7 +20,7 @@ from gspot_verified.signs.lift_off import LEADING, LiftOff, growth_table, lift_o
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.short_text import short_text
 from gspot_verified.signs.stretches import Bracket, Stretches, minimum, stretches
-from gspot_verified.verdict import Outcome, Reason, Verdict
+from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
 
 MAX_DIGITS = 100
 MAX_START = 10**6
@@ -28,7 +28,7 @@ PAPER_EPSILON = fmpq(1, 1000)
 
 
 @dataclass(frozen=True, slots=True)
-class IwcResult:
+class IwcResult(NoTruthValue):
     """The verdict for one system and one sign of C_1, and the numbers behind it.
 
     On the side C_1/Gamma(-beta) > 0: ``epsilon_0``, a number certainly below the largest possible one, which
@@ -36,6 +36,8 @@ class IwcResult:
     and that value. On the other side: ``lift_off`` and the table ``growth``. ``whole_line``: the verdict, when proved,
     holds to the left of ``start`` as well.
     """
+
+    ask: ClassVar[str] = ASK_VERDICT
 
     force: ContactForce
     start: fmpq

@@ -6,7 +6,7 @@ Proof page: ``proofs/iwc.md``, section 4.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
@@ -18,7 +18,7 @@ from gspot_verified.signs.force_refutation import force_refutation
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.short_text import short_text
 from gspot_verified.signs.stretches import NotAbove, first_crossing, stretches
-from gspot_verified.verdict import Reason, Verdict
+from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
 
 LEADING = "at leading order"
 GROWTH_EXPONENTS = (10, 100, 1_000, 10_000)
@@ -27,13 +27,15 @@ _CRITICAL_DIGITS = 15
 
 
 @dataclass(frozen=True, slots=True)
-class LiftOff:
+class LiftOff(NoTruthValue):
     """lambda_N > 0 on [start, lower], and it has one zero, with a change of sign, in the open interval (lower, upper).
 
     ``number`` counts the zeros on [start, infinity); ``ratio`` is the time over ((beta-1) ln(1/eps))^(2/3), for
     beta > 1 and eps < 1; ``whole_line``: lambda_N > 0 to the left of the start as well. Without a proof both ends are
     None and the verdict says why.
     """
+
+    ask: ClassVar[str] = ASK_VERDICT
 
     epsilon: fmpq
     lower: fmpq | None

@@ -6,18 +6,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from typing import ClassVar
 
 from flint import fmpq
 
 from gspot_verified.signs.ranges import Range
-from gspot_verified.verdict import Verdict
+from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Verdict
 
 Point = tuple[fmpq, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Refutation:
+class Refutation(NoTruthValue):
     """A verdict "refuted" and the point that it rests on, one number for each range that was asked about."""
+
+    ask: ClassVar[str] = ASK_VERDICT
 
     verdict: Verdict
     point: Point

@@ -10,24 +10,27 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
 from gspot_verified.balls import Exact, ExactInput, exact, sign_of, working_bits
 from gspot_verified.theta_function.reciprocal_gamma import reciprocal_gamma
+from gspot_verified.verdict import NoTruthValue
 
 MAX_BETA = 10**6
 _MAX_INTERVALS = 100_000
 
 
 @dataclass(frozen=True, slots=True)
-class SignInterval:
+class SignInterval(NoTruthValue):
     """A maximal interval of constant sign of Gamma(-beta) inside the range.
 
     ``lower`` and ``upper`` are its ends; ``lower_closed`` and ``upper_closed`` say whether an end belongs to it.
     An end is closed only where it is an end of the range that is not a pole.
     """
+
+    ask: ClassVar[str] = ".sign is 1 or -1"
 
     lower: Fraction
     upper: Fraction
@@ -71,12 +74,14 @@ class SignInterval:
 
 
 @dataclass(frozen=True, slots=True)
-class SideSwitching:
+class SideSwitching(NoTruthValue):
     """The answer of :func:`side_switching`: intervals and integers together cover the range.
 
     ``integers`` are the poles of Gamma(-beta) in the range (1/Gamma(-beta) = 0 there).
     ``undecided`` holds the poles that lie in the range for some choice of ball endpoints and outside for others.
     """
+
+    ask: ClassVar[str] = ".undecided holds the poles that the balls leave open"
 
     intervals: tuple[SignInterval, ...]
     integers: tuple[int, ...]

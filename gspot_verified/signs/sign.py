@@ -10,7 +10,7 @@ from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import fmpq
 
@@ -25,16 +25,18 @@ from gspot_verified.signs.sign_column import SignQuestion, sign_column
 from gspot_verified.signs.statements import SignStatement, cells_of
 from gspot_verified.signs.subdivision import Progress, Subdivision
 from gspot_verified.signs.witness import find_witness, sign_at
-from gspot_verified.verdict import Outcome, Reason, Verdict
+from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
 
 MAX_BETA = 200
 DEFAULT_BUDGET = 2_000
 
 
 @dataclass(frozen=True, slots=True)
-class SignResult:
+class SignResult(NoTruthValue):
     """The verdict; ``columns`` prove the statement, or ``point`` and ``sign_there`` refute it and ``columns`` prove the
     sign at that point. At one point with an integer beta there are no columns: an integer polynomial is evaluated."""
+
+    ask: ClassVar[str] = ASK_VERDICT
 
     statement: SignStatement
     verdict: Verdict

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import fmpq
 
 from gspot_verified.signs.ranges import Range
+from gspot_verified.verdict import NoTruthValue
 
 _RELATION = {1: ">", 0: "=", -1: "<"}
 
 
 @dataclass(frozen=True, slots=True)
-class SignStatement:
+class SignStatement(NoTruthValue):
     """dTheta/dtau has the sign ``sign`` at every point of the two ranges."""
+
+    ask: ClassVar[str] = ".sign is what is stated; that it holds is proved elsewhere"
 
     tau: Range
     beta: Range
@@ -31,8 +34,10 @@ class SignStatement:
 
 
 @dataclass(frozen=True, slots=True)
-class ZerosStatement:
+class ZerosStatement(NoTruthValue):
     """For every beta of the range that is not an integer dTheta/dtau has exactly counts[floor(beta)] real zeros."""
+
+    ask: ClassVar[str] = ".counts is what is stated; that it holds is proved elsewhere"
 
     beta: Range
     counts: tuple[tuple[int, int], ...]
@@ -47,8 +52,10 @@ class ZerosStatement:
 
 
 @dataclass(frozen=True, slots=True)
-class BracketsStatement:
+class BracketsStatement(NoTruthValue):
     """dTheta/dtau at one beta has exactly one real zero in each open interval, and no other."""
+
+    ask: ClassVar[str] = ".brackets is what is stated; that it holds is proved elsewhere"
 
     beta: fmpq
     brackets: tuple[tuple[fmpq, fmpq], ...]

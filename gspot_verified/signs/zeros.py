@@ -10,7 +10,7 @@ from collections.abc import Callable
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import fmpq
 
@@ -21,17 +21,20 @@ from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.statements import ZerosStatement, cells_of
 from gspot_verified.signs.subdivision import Progress, Subdivision
 from gspot_verified.signs.zero_column import zero_column
+from gspot_verified.verdict import NoTruthValue
 
 MAX_BETA = 200
 DEFAULT_BUDGET = 5_000
 
 
 @dataclass(frozen=True, slots=True)
-class ZerosResult:
+class ZerosResult(NoTruthValue):
     """``columns`` hold the curves as tubes of boxes; ``unfinished`` are the ranges of beta left when the budget ended.
 
     ``statement`` is None as long as something is left.
     """
+
+    ask: ClassVar[str] = ".statement is None as long as a range of beta is left"
 
     beta: Range
     columns: tuple[Column, ...]

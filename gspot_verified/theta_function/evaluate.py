@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import arb, fmpq, fmpq_poly
 
@@ -32,7 +32,7 @@ from gspot_verified.theta_function.integer import polynomial
 from gspot_verified.theta_function.majorant import majorant_bound
 from gspot_verified.theta_function.mean_value import mean_value_form
 from gspot_verified.theta_function.routes import BudgetError, checked_arguments, shifted_parameter
-from gspot_verified.verdict import Reason, Verdict
+from gspot_verified.verdict import NoTruthValue, Reason, Verdict
 
 _EXACT_POLYNOMIAL_BITS = 100_000
 # Where every route failed at a lower goal, rounding may have hidden a hypothesis: once more with this many bits.
@@ -41,13 +41,15 @@ _ROOM = 64
 
 
 @dataclass(frozen=True, slots=True)
-class Evaluation:
+class Evaluation(NoTruthValue):
     """The result of :func:`evaluate`.
 
     ``value`` contains the exact result for every exact input in the input balls, always. ``reached`` says whether its
     relative radius is at most 10^-digits. When it is not, ``reason`` says why: near a zero of Theta the absolute
     accuracy is what the ball shows, and the sign is undecided.
     """
+
+    ask: ClassVar[str] = ".sign is a Verdict, .reached says whether the accuracy was reached"
 
     value: arb
     digits: int

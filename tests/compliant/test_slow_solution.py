@@ -14,11 +14,11 @@ from slow_witness import continued, defining_integral, polynomial_value
 from strategies import ends, holds, to_fmpq
 from witness import contains_witness, to_fraction
 
+from gspot_verified import theta
 from gspot_verified.balls import bits_for_digits, working_bits
 from gspot_verified.compliant.grid import scale
 from gspot_verified.compliant.routes import ROUTES
 from gspot_verified.compliant.slow_solution import slow_solution, slow_value
-from gspot_verified import theta
 
 EPSILONS = [Fraction(10), Fraction(1), Fraction(1, 7), Fraction(1, 1000), Fraction(1, 10**9), Fraction(1, 10**300)]
 
