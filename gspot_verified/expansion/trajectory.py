@@ -116,7 +116,7 @@ class Trajectory:
 
     def _bits(self, digits: int) -> int:
         """Working bits of a value: no fewer than the coefficients have."""
-        return max(bits_for_digits(digits) + _GUARD_BITS, self.accuracy.working_bits if self.accuracy else 0)
+        return max(bits_for_digits(digits) + _GUARD_BITS, 0 if self.accuracy is None else self.accuracy.working_bits)
 
     def _needs_numbers(self) -> None:
         if not isinstance(self.system.ring.number(0), fmpq | arb):
