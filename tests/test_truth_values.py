@@ -18,6 +18,7 @@ from gspot_verified.signs.integer_zeros import zeros_at_integer
 from gspot_verified.verdict import NoTruthValue
 
 PLAIN = {
+    "compliant.normal_form.CompliantModel": "four numbers of a model, which claim nothing",
     "cost.curves.Curve": "times that were measured",
     "cost.theta.CostReport": "times that were measured",
     "cost.expand.ExpandCost": "times that were measured",

@@ -6,7 +6,7 @@ Proof pages: ``proofs/exact_solution.md`` (what it is), ``proofs/slow_integral.m
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, cast, overload
+from typing import Any, ClassVar, TYPE_CHECKING, cast, overload
 
 from flint import arb, fmpq
 
@@ -29,7 +29,7 @@ from gspot_verified.compliant.grid import scale
 from gspot_verified.compliant.routes import ROUTES, approximate_scaled
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.theta_function.routes import shifted_parameter
-from gspot_verified.verdict import Reason, Verdict
+from gspot_verified.verdict import NoTruthValue, Reason, Verdict
 
 if TYPE_CHECKING:
     from numpy import ndarray
@@ -45,11 +45,13 @@ _SERIES_FROM_TAU = -30.0
 
 
 @dataclass(frozen=True, slots=True)
-class SlowValue:
+class SlowValue(NoTruthValue):
     """The result of :func:`slow_value`: a ball that contains the exact value, always, and how it was found.
 
     ``reached``: its relative radius is at most 10^-digits; otherwise ``reason`` says why not.
     """
+
+    ask: ClassVar[str] = ".sign is a Verdict, .reached says whether the accuracy was reached"
 
     value: arb
     digits: int
