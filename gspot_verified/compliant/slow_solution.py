@@ -6,7 +6,7 @@ Proof pages: ``proofs/exact_solution.md`` (what it is), ``proofs/slow_integral.m
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar, TYPE_CHECKING, cast, overload
+from typing import TYPE_CHECKING, Any, ClassVar, cast, overload
 
 from flint import arb, fmpq
 
