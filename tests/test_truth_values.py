@@ -25,6 +25,7 @@ PLAIN = {
     "cost.external.ExternalTime": "times that were measured",
     "cost.growth.Growth": "times that were measured",
     "cli.cost_command.Measured": "the shape of a cost report, not a class of results",
+    "ledger.paper.Quotation": "words of the paper",
     "report.canvas.Picture": "a drawing",
     "cost.sign.SignCost": "times that were measured",
     "cost.expand.Size": "times that were measured",
