@@ -1,49 +1,40 @@
-"""Ledger of Appendix A: Theorems 3, 4, 5 and the initial values."""
+"""Ledger of Appendix A: the functions of th:3, their coefficients, the initial values; all its entries in order."""
 
 from __future__ import annotations
 
 from flint import arb, fmpq, fmpq_poly
 
-from gspot_verified.balls import ball_text, certainly_less, relative_bits, working_bits
+from gspot_verified.balls import certainly_less, relative_bits, working_bits
+from gspot_verified.ledger import appendix_a_asymptotics as asymptotics
 from gspot_verified.ledger import asymptotic_errors as errors
 from gspot_verified.ledger import hypergeometric as printed
+from gspot_verified.ledger.closed_forms import ClosedForm
 from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, settled
+from gspot_verified.ledger.formulas import Forms, FormulaClaim, closed_form, put
+from gspot_verified.ledger.identities import in_greek
 from gspot_verified.theta_function.asymptotic_coefficients import coefficient, coefficient_by_inversion
-from gspot_verified.theta_function.initial_values import initial_values, paper_initial_values
-from gspot_verified.theta_function.reciprocal_gamma import reciprocal_gamma
+from gspot_verified.theta_function.initial_values import initial_values
 from gspot_verified.theta_function.routes import theta_by
-from gspot_verified.theta_function.taylor import taylor_coefficients
 
 SECTION = "Appendix A"
 BETAS = tuple(fmpq(n, 20) for n in (-104, -34, -6, 1, 6, 10, 19, 30, 38, 50, 66, 94, 122))
-_SMALL = ("bsmall1", "bsmall2", "bsmall3")
-_LARGE = ("blarge1", "blarge2", "blarge3")
-_SMALL_SOURCE = (
-    r"{}_1F_2(-\beta/3;1/3,2/3;\tau^3/9) \sim 3\Gamma((3+\beta)/3)h + (3/\Gamma(-\beta/3)) 2e_r",
-    r"\tau{}_1F_2(\ldots) \sim -3^{2/3}\Gamma((2+\beta)/3)h - (3^{2/3}/\Gamma((1-\beta)/3))(e_r-\sqrt{3}e_i)",
-    r"(\tau^2/2){}_1F_2(\ldots) \sim 3^{1/3}\Gamma((1+\beta)/3)h + (3^{1/3}/\Gamma((2-\beta)/3))(-e_r-\sqrt{3}e_i)",
-)
+PAGE_INITIAL_VALUE = "3^((k-beta)/3-1)*Gamma((k-beta)/3)/Gamma(-beta)"
+"""proofs/laplace.md, section 1: the derivative of order k of Θ at 0."""
+PAGE_POWER = "(-1)^k*Gamma(3*k-beta)/(Gamma(-beta)*3^k*fac(k))*x^(beta-3*k)"
+"""proofs/negative.md: the term t_k."""
+COEFFICIENTS = 8
 
 
 def entries() -> list[Entry]:
     """Every labelled formula of Appendix A, in the order of the paper."""
-    found = [_theorem_3(), _coefficients(), *(_small(j) for j in range(3)), _cancellation()]
+    found = [_theorem_3(), _coefficients(), *(asymptotics.small(j, BETAS) for j in range(3)), _cancellation()]
     found += [*(_initial_value(j) for j in range(3)), _leading_behaviour()]
-    return [*found, *(_large(j) for j in range(3)), _large_condition(), _theta_large()]
+    found += [asymptotics.large(j, BETAS) for j in range(3)]
+    return [*found, asymptotics.large_condition(), asymptotics.theta_large(BETAS)]
 
 
 def _theorem_3() -> Entry:
-    statement = "The three 1F2 of Theorem 3 span the solutions of the differential equation, for every β"
-    lower = ((fmpq(1, 3), fmpq(2, 3)), (fmpq(2, 3), fmpq(4, 3)), (fmpq(4, 3), fmpq(5, 3)))
-    # Both sides are polynomials of degree 1 in beta and 4 in i: 3 x 5 points prove the identity.
-    exact_holds = all(
-        ((j - beta) / 3 + i) * (k + 1) * (k + 2) * (k + 3)
-        == (k - beta) * 9 * (lower[j][0] + i) * (lower[j][1] + i) * (1 + i)
-        for j in range(3)
-        for beta in (fmpq(0), fmpq(1, 2), fmpq(7, 3))
-        for i in range(5)
-        for k in (j + 3 * i,)
-    )
+    claim = FormulaClaim(printed.FUNCTIONS)
     points = [(tau, beta) for tau in (fmpq(-9), fmpq(-7, 3), fmpq(1, 2), fmpq(8)) for beta in BETAS]
     agrees = all_of(
         _equal(
@@ -57,90 +48,113 @@ def _theorem_3() -> Entry:
         "A-theorem-3",
         "th:3, eq:btau",
         r"\theta=\theta(0)\,{}_1F_2(-\tfrac\beta3;\tfrac13,\tfrac23;\tfrac{\tau^3}9)+\ldots",
-        statement,
-        Check(
-            Rung.EXACT, "quotient of consecutive terms against the equation's recurrence, as polynomials", exact_holds
+        "The three 1F2 of th:3 with their factors span the solutions of the differential equation, for every β",
+        claim.check(
+            "quotient of consecutive terms against the equation's recurrence, as rational functions of β and the "
+            "index; the first terms are 1, τ, τ^2/2, so the initial values are unit vectors (proofs/connection.md)",
+            lambda forms: [part for j in range(3) for part in (_term_quotient(j, forms), _first_term(j, forms))],
         ),
         Check(Rung.POINTS, f"three FLINT 1F2 against the Laplace integral at {len(points)} points", agrees),
     )
 
 
+def _first_term(j: int, forms: Forms) -> ClosedForm:
+    return forms[f"front {j}"] / closed_form(f"tau^{j}/fac({j})")
+
+
+def _term_quotient(j: int, forms: Forms) -> ClosedForm:
+    """The quotient of the terms n + 1 and n of 1F2 number j over (k - β)/((k+1)(k+2)(k+3)) τ^3, k = j + 3n."""
+    index = closed_form("n")
+    upper, lower, other = (forms[f"{name} {j}"] + index for name in ("upper", "lower", "other lower"))
+    found = upper / (lower * other * closed_form("1+n")) * forms["argument"]
+    return found / closed_form(put("tau^3*(k-beta)/((k+1)*(k+2)*(k+3))", k=f"{j}+3*n"))
+
+
 def _coefficients() -> Entry:
-    count = 8
-    dlmf = [printed.dlmf_coefficients(j, count) for j in range(3)]
-    by_equation = [coefficient(k) for k in range(count)]
-    by_inversion = [coefficient_by_inversion(k) for k in range(count)]
+    dlmf = [printed.dlmf_coefficients(j, COEFFICIENTS) for j in range(3)]
+    by_equation = [coefficient(k) for k in range(COEFFICIENTS)]
+    by_inversion = [coefficient_by_inversion(k) for k in range(COEFFICIENTS)]
     return settled(
         SECTION,
         "A-coefficients",
         "eq:eier, eq:cisdef",
         r"c_0=1,\quad c_k \text{ from DLMF 16.11.4}",
-        "c_0 = 1, and DLMF 16.11.4 gives the same c_k(β) for the three functions (exactly, k < 8)",
+        f"c_0 = 1, and DLMF 16.11.4 gives the same c_k(β) for the three functions (exactly, k < {COEFFICIENTS})",
         Check(
             Rung.EXACT,
             "DLMF 16.11.4 for each 1F2 against the differential equation, as polynomials in β",
-            all(row == by_equation for row in dlmf),
+            all(row == by_equation for row in dlmf) and by_equation[0] == fmpq_poly([1]),
             f"c_1 = {by_equation[1]} (x is β)",
         ),
         Check(Rung.EXACT, "Lagrange inversion at the saddle point, as polynomials in β", by_inversion == by_equation),
-        note="proofs/asymptotic_coefficients.md; any k: theta.asymptotic_coefficients",
-    )
-
-
-def _small(j: int) -> Entry:
-    checked = [(x, beta) for x in (fmpq(30), fmpq(60)) for beta in BETAS]
-    agrees = all_of(errors.small_error_within(j, x, beta) for x, beta in checked)
-    return settled(
-        SECTION,
-        f"A-{_SMALL[j]}",
-        f"th:4, eq:{_SMALL[j]}",
-        _SMALL_SOURCE[j],
-        "The formula holds as τ → −∞ for every β that is not an integer",
-        Check(Rung.PAGE, "proofs/connection.md, Theorem 4: DLMF 16.11.8 with the parameters put in", True),
-        Check(
-            Rung.POINTS,
-            f"4 terms of e_r + i e_i and 9 of h at {len(checked)} points: the error is at most twice the "
-            "first omitted terms",
-            agrees,
-        ),
-        note="Not being an integer is sufficient, not necessary: the formula also holds at β = 0, 1, 2, ...",
+        note="proofs/asymptotic_coefficients.md; any k: theta_function.asymptotic_coefficients",
     )
 
 
 def _cancellation() -> Entry:
+    claim = FormulaClaim(printed.INITIAL_VALUES)
     answers = []
     for beta in BETAS:
-        first, second, third = paper_initial_values(beta, 256)
-        with working_bits(256):
-            outer = [arb((j - beta) / 3).rgamma() * arb(3) ** arb(fmpq(3 - j, 3)) for j in range(3)]
-            real = 2 * first * outer[0] - second * outer[1] - third * outer[2]
-            imaginary = second * outer[1] - third * outer[2]
-            answers += [_is_zero(part) for part in (real, imaginary)]
-    agrees = all_of(answers)
+        values = printed.printed_initial_values(beta, 256)
+        for part in ("real", "imaginary"):
+            weights = [(printed.value_of(printed.SMALL[f"e {j}"], beta, 256), _weight(part, j, beta)) for j in range(3)]
+            with working_bits(256):
+                answers.append(_is_zero(sum((v * w[0] * w[1] for v, w in zip(values, weights, strict=True)), arb(0))))
     return settled(
         SECTION,
         "A-cancellation",
         "line 2446",
         r"\text{the coefficients of } e_r, e_i \text{ vanish}",
-        "With the initial values t01-t03 the highly oscillatory terms cancel",
-        Check(
+        "With the initial values t01-t03 the coefficients of e_r and e_i, the highly oscillatory terms, are 0",
+        claim.check("both sums of the three coefficients, as closed forms in β", _sums_vanish),
+        claim.check(
+            "proofs/negative.md: Θ minus N terms of its power series is below the next term, for every N; the initial "
+            "values are those of proofs/laplace.md, as closed forms in β",
+            lambda forms: [form / _page_initial_value(j) for j, form in enumerate(forms.values())],
             Rung.PAGE,
-            "proofs/negative.md: Θ minus N terms of its power series is below the next term, for every N",
-            True,
         ),
         Check(
             Rung.POINTS,
             f"both coefficients in balls of radius below 1e-60 around 0 at {len(BETAS)} values of β",
-            agrees,
+            all_of(answers),
         ),
     )
 
 
+def _weight(part: str, j: int, beta: fmpq) -> arb:
+    return printed.value_of(printed.SMALL[f"{part} {j}"], beta, 256)
+
+
+def _sums_vanish(forms: Forms) -> list[ClosedForm]:
+    """1 minus each sum of Θ^(j)(0) (e j) (real j) and of Θ^(j)(0) (e j) (imaginary j), over its last term."""
+    found = []
+    for part in ("real", "imaginary"):
+        terms = [
+            form * closed_form(printed.SMALL[f"e {j}"]) * closed_form(printed.SMALL[f"{part} {j}"])
+            for j, form in enumerate(forms.values())
+        ]
+        found.append(closed_form("1") + (terms[0] + terms[1] + terms[2]) / terms[2])
+    return found
+
+
+def _page_initial_value(j: int) -> ClosedForm:
+    return closed_form(put(PAGE_INITIAL_VALUE, k=str(j)))
+
+
 def _initial_value(j: int) -> Entry:
     label = f"t0{j + 1}"
-    agrees = all_of(_equal(paper_initial_values(beta, 256)[j], initial_values(beta, 256)[j]) for beta in BETAS)
-    power = ("", "3^(1/3) ", "3^(2/3) ")[j]
-    factors = ("Γ((1-β)/3) Γ((2-β)/3)", "Γ(-β/3) Γ((2-β)/3)", "Γ(-β/3) Γ((1-β)/3)")[j]
+    entire = printed.ENTIRE_INITIAL_VALUES[label]
+    # The entire form is the library's addition: it is checked with the printed one.
+    claim = FormulaClaim({"printed": printed.INITIAL_VALUES[label], "entire": entire})
+    found = [
+        (
+            printed.printed_initial_values(beta, 256)[j],
+            printed.value_of(entire, beta, 256),
+            initial_values(beta, 256)[j],
+        )
+        for beta in BETAS
+    ]
+    at_integers = [(printed.value_of(entire, fmpq(n), 256), initial_values(fmpq(n), 256)[j]) for n in range(-4, 9)]
     derivative = (r"\Theta(0)", r"\Theta'(0)", r"\Theta''(0)")[j]
     return settled(
         SECTION,
@@ -148,106 +162,60 @@ def _initial_value(j: int) -> Entry:
         f"eq:{label}",
         rf"{derivative}=\Gamma(({j}-\beta)/3)/(3^{{({3 - j}+\beta)/3}}\Gamma(-\beta))",
         f"{label} gives the solution without oscillatory terms, for every β that is not 0, 1, 2, ...",
-        Check(Rung.PAGE, "proofs/laplace.md section 1 (substitution r^3/3) and proofs/initial_values.md", True),
-        Check(Rung.POINTS, f"printed form against the entire form at {len(BETAS)} values of β, 70 digits", agrees),
-        corrected=f"for every real β: 2π 3^(2β/3 - 1/2) {power}/ ({factors})",
+        claim.check(
+            "proofs/laplace.md section 1 (substitution r^3/3): its value and the printed one, as closed forms in β",
+            lambda forms: [forms["printed"] / _page_initial_value(j)],
+            Rung.PAGE,
+        ),
+        claim.check(
+            "proofs/initial_values.md: the entire form, by Gauss's multiplication formula, as closed forms in β",
+            lambda forms: [forms["entire"] / forms["printed"]],
+            Rung.PAGE,
+        ),
+        Check(
+            Rung.POINTS,
+            f"printed and entire form against the library's values at {len(BETAS)} values of β, the entire form "
+            "also at the integers from -4 to 8",
+            all_of(
+                [
+                    all_of(all_of([_equal(a, c), _equal(b, c)]) for a, b, c in found),
+                    all_of(_same(*pair) for pair in at_integers),
+                ]
+            ),
+        ),
+        corrected=f"for every real β: {in_greek(entire)}",
         note=f"As printed it is ∞/∞ at β = {j}, {j + 3}, {j + 6}, ...; the entire form is not.",
     )
 
 
 def _leading_behaviour() -> Entry:
-    # Gamma(1+beta)/Gamma(1+beta-3k) = beta (beta-1)..(beta-3k+1) = (-1)^(3k) (-beta)_(3k), as polynomials.
-    identity = True
-    falling, rising = fmpq_poly([1]), fmpq_poly([1])
-    for i in range(30):
-        falling *= fmpq_poly([-i, 1])
-        rising *= fmpq_poly([i, -1])
-        identity &= falling == rising * (-1) ** (i + 1)
+    claim = FormulaClaim(printed.THETA)
     points = [(x, beta) for x in (fmpq(20), fmpq(80)) for beta in BETAS]
-    agrees = all_of(errors.power_series_within(x, beta) for x, beta in points)
     return settled(
         SECTION,
         "A-leading",
         "eq:hdef, line 2459",
         r"\Theta(\tau,\beta)\sim 3^{1-\beta/3}\Gamma(1+\beta)h(\tau,\beta)\sim(-\tau)^\beta",
         "Θ ~ 3^(1-β/3) Γ(1+β) h ~ (-τ)^β as τ → −∞, β not -1, -2, ...",
-        Check(Rung.PAGE, "proofs/negative.md: the rest after N terms is at most the next term, once 3N > β", True),
-        Check(
-            Rung.EXACT,
-            "the terms of 3^(1-β/3) Γ(1+β) h are those of that page, as polynomials (k <= 10)",
-            identity,
+        claim.check(
+            "proofs/negative.md: the rest after N terms is at most the next term, once 3N > β; every term of "
+            "3^(1-β/3) Γ(1+β) h is a term of that page, as closed forms in β, k and x",
+            lambda forms: [forms["small front"] * closed_form(printed.SERIES["h"]) / closed_form(PAGE_POWER)],
+            Rung.PAGE,
         ),
-        Check(Rung.POINTS, f"three terms against the Laplace integral at {len(points)} points", agrees),
+        claim.check(
+            "proofs/negative.md: the term with k = 0 is (-τ)^β, as closed forms in β and x",
+            lambda forms: [
+                forms["small front"] * closed_form(put(printed.SERIES["h"], k="0")) / forms["small leading"]
+            ],
+            Rung.PAGE,
+        ),
+        Check(
+            Rung.POINTS,
+            f"three terms against the Laplace integral at {len(points)} points",
+            all_of(errors.power_series_within(x, beta) for x, beta in points),
+        ),
         note="At β = -1, -2, ... every term of h is 0 and Γ(1+β) infinite; the product keeps its limit.",
-    )
-
-
-def _large(j: int) -> Entry:
-    points = [(tau, beta) for tau in (fmpq(30), fmpq(60)) for beta in BETAS]
-    agrees = all_of(errors.large_error_within(j, tau, beta) for tau, beta in points)
-    left = (r"{}_1F_2", r"\tau\,{}_1F_2", r"\tfrac{\tau^2}2{}_1F_2")[j]
-    return settled(
-        SECTION,
-        f"A-{_LARGE[j]}",
-        f"th:5, eq:{_LARGE[j]}",
-        rf"{left}(\ldots)\sim 3^{{({3 - j})/3}}e_1/\Gamma(({j}-\beta)/3)",
-        "The formula holds as τ → +∞ for every β that is not an integer",
-        Check(Rung.PAGE, "proofs/connection.md, Theorem 5, from proofs/positive.md", True),
-        Check(
-            Rung.POINTS,
-            f"4 terms of e_1 at {len(points)} points: the error is at most twice the first omitted term",
-            agrees,
-        ),
-        corrected=f"needs a condition, which Theorem 5 does not state: it fails at β = {j}, {j + 3}, {j + 6}, ...",
-    )
-
-
-def _large_condition() -> Entry:
-    value = printed.theorem_3_function(0, fmpq(30), fmpq(0), 128)
-    reciprocal = arb(0).rgamma()
-    # At beta = 0 the coefficient of tau^3 is (0 - beta)/6 = 0, and every later one is a multiple of it.
-    third = taylor_coefficients(fmpq(0), 4, 64)[3]
-    constant = third.is_zero() and reciprocal_gamma(fmpq(0), 64).is_zero()
-    return settled(
-        SECTION,
-        "A-theorem-5-condition",
-        "th:5",
-        r"\text{(no condition on } \beta \text{)}",
-        "Theorem 5 holds for every β, as printed without a condition",
-        Check(
-            Rung.EXACT,
-            "β = 0: the factor (k - β) of the recurrence is 0 at k = 0, so y_0 = 1; 1/Γ(0) = 0",
-            False if constant else None,
-            "β = 0: the left side of blarge1 is 1, the right side is 0",
-        ),
-        Check(
-            Rung.BALLS,
-            "FLINT's 1F2 and 1/Γ at β = 0, τ = 30",
-            False if value == 1 and reciprocal.is_zero() else None,
-            f"left {ball_text(value)}, right has the factor 1/Γ(0) = {reciprocal}",
-        ),
-        corrected="Theorem 5 holds for every β that is not an integer. blarge1, blarge2, blarge3 fail at "
-        "β = 0, 3, 6, ..., at 1, 4, 7, ..., and at 2, 5, 8, ...; tlarge fails at 0, 1, 2, ...",
-    )
-
-
-def _theta_large() -> Entry:
-    points = [(tau, beta) for tau in (fmpq(40), fmpq(90)) for beta in BETAS]
-    agrees = all_of(errors.theta_error_within(tau, beta) for tau, beta in points)
-    return settled(
-        SECTION,
-        "A-tlarge",
-        "eq:tlarge",
-        r"\Theta\sim\frac{3^{1-\beta/3}}{\Gamma(-\beta)}e_1\sim\frac{\sqrt\pi}{\Gamma(-\beta)}e^{(2/3)\tau^{3/2}}\tau^{-\beta/2-3/4}",
-        "Both asymptotic forms hold as τ → +∞ for every β that is not 0, 1, 2, ...",
-        Check(Rung.PAGE, "proofs/positive.md: explicit remainder", True),
-        Check(
-            Rung.POINTS,
-            f"4 terms against the Taylor series at {len(points)} points: the error is at most twice the first "
-            "omitted term",
-            agrees,
-        ),
-        corrected="needs the condition β not in {0, 1, 2, ...}; at β = n, Θ is a polynomial ~ (-τ)^n",
     )
 
 
@@ -256,6 +224,11 @@ def _equal(first: arb, second: arb) -> bool | None:
     if min(relative_bits(first), relative_bits(second)) <= 60:
         return None
     return bool(first.overlaps(second))
+
+
+def _same(first: arb, second: arb) -> bool | None:
+    """As :func:`_equal`, and True when both are exactly 0."""
+    return True if first.is_zero() and second.is_zero() else _equal(first, second)
 
 
 def _is_zero(part: arb) -> bool | None:

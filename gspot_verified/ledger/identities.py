@@ -17,7 +17,11 @@ Parts = Mapping[str, fmpq_mpoly]
 Route = Callable[[Parts], Sequence[fmpq_mpoly]]
 """From the formulas of a claim, by name, to polynomials that are all zero exactly when the claim holds."""
 
-_GREEK = {"alpha": "α_", "beta": "β", "delta": "δ", "eps": "ε", "lam": "λ", "chi": "χ", "kappa": "κ"}
+_GREEK = {"alpha": "α_", "beta": "β", "delta": "δ", "eps": "ε", "lam": "λ", "chi": "χ", "kappa": "κ"} | {
+    "Gamma": "Γ",
+    "pi": "π",
+    "tau": "τ",
+}
 
 
 class Algebra:
@@ -127,11 +131,16 @@ class Claim:
         return readable(wrong[0]) if wrong else "" if found else None
 
 
-def readable(value: fmpq_mpoly) -> str:
-    """A polynomial as text with Greek letters, cut when it is long."""
-    text = str(value)
+def in_greek(text: str) -> str:
+    """A formula with Greek letters in place of their names."""
     for name, letter in _GREEK.items():
         text = re.sub(rf"\b{name}(?=\d|\b)", letter, text)
+    return text
+
+
+def readable(value: fmpq_mpoly) -> str:
+    """A polynomial as text with Greek letters, cut when it is long."""
+    text = in_greek(str(value))
     return text if len(text) <= 160 else f"{text[:150]} ... ({len(value.to_dict())} terms)"
 
 
