@@ -66,6 +66,20 @@ def mended(printed: bool | None, corrected: bool | None) -> bool | None:
     return None if printed is False and corrected is not True else printed
 
 
+def rational_value(text: str, **values: fmpq | int) -> fmpq:
+    """A formula without irrational numbers at rational values of its symbols, exactly.
+
+    :raises ValueError: the value is not rational.
+
+    >>> rational_value("2*n-1", n=3)
+    5
+    """
+    found = _number(_tree(text), {name: fmpq(value) for name, value in values.items()})
+    if not isinstance(found, fmpq):
+        raise ValueError(f"{text} is not rational")
+    return found
+
+
 @dataclass(frozen=True)
 class FormulaClaim:
     """Formulas as printed, and in the corrected form where the printed one fails."""
@@ -73,17 +87,24 @@ class FormulaClaim:
     printed: Mapping[str, str]
     corrected: Mapping[str, str] = field(default_factory=dict)
 
-    def check(self, what: str, route: Route, rung: Rung = Rung.EXACT) -> Check:
-        """Whether every quotient of the route is 1. A failure needs the corrected form, if there is one, to give 1."""
-        return self._check(what, route, rung, ClosedForm.is_one, "1")
+    def under(self, **images: str) -> FormulaClaim:
+        """The claim under hypotheses: symbols replaced by texts in positive symbols; beta="u" says β > 0."""
+        return FormulaClaim(
+            {name: put(text, **images) for name, text in self.printed.items()},
+            {name: put(text, **images) for name, text in self.corrected.items()},
+        )
 
-    def check_sign(self, what: str, route: Route, rung: Rung = Rung.EXACT) -> Check:
+    def check(self, what: str, route: Route, rung: Rung = Rung.EXACT, finding: str = "") -> Check:
+        """Whether every quotient of the route is 1. A failure needs the corrected form, if there is one, to give 1."""
+        return self._check(what, route, rung, ClosedForm.is_one, "1", finding)
+
+    def check_sign(self, what: str, route: Route, rung: Rung = Rung.EXACT, finding: str = "") -> Check:
         """Whether every quotient of the route is positive; where no sign is proved the answer is open."""
         signs = {1: True, -1: False, None: None}
-        return self._check(what, route, rung, lambda found: signs[found.sign()], "positive")
+        return self._check(what, route, rung, lambda found: signs[found.sign()], "positive", finding)
 
     def _check(
-        self, what: str, route: Route, rung: Rung, holds: Callable[[ClosedForm], bool | None], wanted: str
+        self, what: str, route: Route, rung: Rung, holds: Callable[[ClosedForm], bool | None], wanted: str, finding: str
     ) -> Check:
         found = _first_failure(route, self.printed, holds)
         if found is None:
@@ -94,7 +115,7 @@ class FormulaClaim:
         if self.corrected and _first_failure(route, {**self.printed, **self.corrected}, holds) is not None:
             return Check(rung, what, None, "the printed and the corrected form fail")
         repair = f"; with the corrected form it is {wanted}" if self.corrected else ""
-        return Check(rung, what, False, f"the quotient is {in_greek(value)}, not {wanted}{repair}")
+        return Check(rung, what, False, finding or f"the quotient is {in_greek(value)}, not {wanted}{repair}")
 
 
 def _first_failure(
