@@ -1,19 +1,64 @@
-"""Ledger of Section 4.5, second half: what follows in Cases I and II, and in Case III."""
+"""Ledger of Section 4.5, second half: what follows in Cases I and II, and in Case III.
+
+Formulas are closed forms, compared for all values of their symbols; a hypothesis is a parametrisation by positive
+symbols (v: by a number in (0, 1)).
+"""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 from flint import arb, fmpq
 
 from gspot_verified.balls import approximate, sign_of, working_bits
+from gspot_verified.ledger import hypergeometric as appendix
+from gspot_verified.ledger import lift_off
+from gspot_verified.ledger.closed_forms import ClosedForm, rational
 from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, same_sign, settled
-from gspot_verified.ledger.lift_off import growth_brackets
+from gspot_verified.ledger.formulas import Forms, FormulaClaim, closed_form, evaluate_text, mended, put
+from gspot_verified.ledger.gamma_cells import induction
+from gspot_verified.ledger.identities import in_greek
+from gspot_verified.ledger.section_4_5 import CORRECTED as CORRECTED_FORCE
+from gspot_verified.ledger.section_4_5 import PRINTED as FORCE
 from gspot_verified.signs.iwc import iwc
-from gspot_verified.signs.side import gamma_sign, gamma_sign_by_ball, side_switching
+from gspot_verified.signs.side import side_switching
 from gspot_verified.signs.sign import sign_on_ranges
 from gspot_verified.theta_function.evaluate import evaluate
 from gspot_verified.verdict import Outcome
 
 SECTION = "Section 4.5"
+PRINTED: dict[str, dict[str, str]] = {
+    "S-iwc": {"sign": "-1"},
+    "S-wording": {
+        "at 0": appendix.ENTIRE_INITIAL_VALUES["t01"],
+        "far left": appendix.THETA["small leading"],
+        "far right": appendix.THETA["large leading"],
+    },
+    "S-side": {"side": "C_1/Gamma(-beta)"},
+    "S-iwc-case-III": {"side": "C_1/Gamma(-beta)"},
+    "S-switching": {"function": "Gamma(-beta)"},
+}
+CORRECTED: dict[str, dict[str, str]] = {
+    "S-wording": {
+        "at 0": appendix.ENTIRE_INITIAL_VALUES["t02"],
+        "far left": "-beta*x^(beta-1)",
+        "far right": "-sqrt(pi)*beta/Gamma(1-beta)*e^(2/3*lam)*tau^(-(beta-1)/2-3/4)",
+    },
+}
+"""S-wording speaks of Θ; what it says holds for dΘ/dτ = -β Θ(τ, β - 1)."""
+CASE_III = {"beta": "1+u", "alpha1": "-w", "alpha2": "-x", "alpha3": "-(1+u)*w"}
+HYPOTHESES: dict[str, dict[str, str]] = {
+    "S-iwc": {"beta": "v"},
+    "S-wording": {"beta": "v"},
+    "S-side": CASE_III,
+    "S-iwc-case-III": dict(CASE_III),
+    "S-growth": {"beta": "1+u"},
+}
+BETA_RANGE = {"S-iwc": "0..1"}
+SIDE_BETAS = (fmpq(3, 2), fmpq(5, 2), fmpq(7, 2), fmpq(9, 2), fmpq(7, 3))
+IWC_BETAS = (fmpq(3, 2), fmpq(7, 3), fmpq(7, 2), fmpq(9, 2), fmpq(13, 2))
+BELOW = fmpq(99, 100)
+"""The ε that is tried is this share of the found ε_0."""
 
 
 def entries() -> list[Entry]:
@@ -21,21 +66,37 @@ def entries() -> list[Entry]:
     return [_iwc(), _theta_wording(), _lift_off_side(), _other_side(), _growth(), _switching()]
 
 
+def _claim(identifier: str) -> FormulaClaim:
+    claim = FormulaClaim(PRINTED[identifier], CORRECTED.get(identifier, {}))
+    return claim.under(**HYPOTHESES.get(identifier, {}))
+
+
 def _iwc() -> Entry:
-    cover = sign_on_ranges("-inf..inf", "0..1")
+    images = HYPOTHESES["S-iwc"]
+    sign = sign_of(appendix.value_of(PRINTED["S-iwc"]["sign"], fmpq(1, 2), 64)) or 0
+    cover = sign_on_ranges("-inf..inf", BETA_RANGE["S-iwc"], sign)
     pieces = [piece.kind.value for column in cover.columns for piece in column.pieces]
+    answer = {Outcome.PROVED: True, Outcome.REFUTED: False, Outcome.UNDECIDED: None}[cover.verdict.outcome]
     return settled(
         SECTION,
         "S-iwc",
         "line 1278 (Cases I and II)",
         r"\frac{d\Theta}{d\tau}(\tau,\beta)<0\quad(\tau\in\mathbb R,\ 0<\beta<1)",
         "For 0 < β < 1, dΘ/dτ < 0 for every real τ",
-        Check(Rung.PAGE, "proofs/signs.md, first proof: positive integrand", True),
+        _claim("S-iwc").check_sign(
+            "proofs/signs.md, first proof: Γ(-β) dΘ/dτ is an integral with positive integrand, which converges for "
+            "β < 1; Γ(-β) has the sign for every β in (0, 1)",
+            lambda forms: [
+                closed_form(put("Gamma(-beta)", **images)) / forms["sign"],
+                closed_form(put("1-beta", **images)),
+            ],
+            Rung.PAGE,
+        ),
         Check(
             Rung.BALLS,
             "second proof: positive Taylor coefficients for τ >= 0, enveloping series for τ <= -2^(1/3), "
             "a cover by Taylor models on boxes between",
-            True if cover.verdict.outcome is Outcome.PROVED else None,
+            answer,
             "pieces from τ = −∞ to +∞: " + ", ".join(pieces),
         ),
         note='The paper calls this "strong evidence, although not quite a proof". With C_1 < 0 and '
@@ -45,38 +106,69 @@ def _iwc() -> Entry:
 
 
 def _theta_wording() -> Entry:
-    far, near = evaluate(-20, "3/10"), evaluate(0, "3/10")
+    places, beta = (-20, 0), fmpq(3, 10)
+    values = [evaluate(tau, beta).value for tau in places]
+    slopes = [evaluate(tau, beta, derivative=1).value for tau in (*places, 20)]
+
+    def all_negative(forms: Forms) -> list[ClosedForm]:
+        return [rational(-1) * form for form in forms.values()]
+
+    vanishing = closed_form(put(CORRECTED["S-wording"]["far left"], **HYPOTHESES["S-wording"])).exponent("x")
     return settled(
         SECTION,
         "S-wording",
         "line 1287",
         r"\Theta \text{ is very negative for large } |\tau| \text{ and for } \tau=0",
         "For 0 < β < 1, Θ is negative for large |τ| and for τ = 0",
-        Check(
-            Rung.EXACT,
-            "Θ(0) = c/(Γ((1-β)/3) Γ((2-β)/3)): both arguments positive at β = 0 and at β = 1 - 1/1000, linear between",
-            False if all((j - beta) / 3 > 0 for j in (1, 2) for beta in (fmpq(0), fmpq(999, 1000))) else None,
-            "Θ(0) > 0 for 0 < β < 1",
+        _claim("S-wording").check_sign(
+            "the entire form of Θ(0) and the leading forms (-τ)^β and eq. tlarge, for every β in (0, 1); "
+            "the same for dΘ/dτ, with a negative power of -τ as τ → −∞",
+            lambda forms: [*all_negative(forms), rational(-vanishing)],
+            finding="Θ(0) > 0 and (-τ)^β > 0 for every β in (0, 1); dΘ/dτ is negative at all three places",
         ),
         Check(
             Rung.BALLS,
             "Θ(-20, 3/10) and Θ(0, 3/10)",
-            False if sign_of(far.value) == 1 and sign_of(near.value) == 1 else None,
-            f"{far} and {near}",
+            mended(_negative(values), _negative(slopes)),
+            f"Θ > 0 at τ = {places[0]} and τ = {places[1]}, dΘ/dτ < 0 there and at τ = 20",
         ),
-        corrected="it is dΘ/dτ that is negative there, and very negative only for τ → +∞: dΘ/dτ → 0 as τ → −∞",
+        corrected="it is dΘ/dτ that is negative there, and very negative only for τ → +∞: dΘ/dτ → 0 as τ → −∞, like "
+        f"{in_greek(CORRECTED['S-wording']['far left'])}, x = -τ",
     )
+
+
+def _negative(values: Sequence[arb]) -> bool | None:
+    return all_of(same_sign(sign_of(value), -1) for value in values)
+
+
+def _force_far_right(identifier: str, side: ClosedForm) -> list[ClosedForm]:
+    """λ_N as τ → +∞: the deviation over the side, its growth, and the mean force, under the hypotheses."""
+    images = HYPOTHESES[identifier]
+    slope = f"-beta*({put(appendix.THETA['large leading'], beta='beta-1')})"
+    deviation = closed_form(put(put(FORCE["S-deviation-force"]["force"], slope=slope), **images))
+    mean = closed_form(put(CORRECTED_FORCE["S-mean-force"]["force"], **images))
+    return [deviation / side, rational(deviation.exponent("e")), mean]
 
 
 def _lift_off_side() -> Entry:
     answers = []
-    for beta in (fmpq(3, 2), fmpq(5, 2), fmpq(7, 2), fmpq(9, 2), fmpq(7, 3)):
+    for beta in SIDE_BETAS:
         slope = evaluate(60, beta, derivative=1).value
-        for c_1 in (-1, 1):
-            with working_bits(64):  # alpha_3 = -beta, kappa = 1, epsilon = 10^-6, mean force 1/(beta - 1)
-                force = 1 / arb(beta - 1) + c_1 / arb(beta) * arb(10) ** arb(-6 * (2 * beta - 2) / 3) * slope
-            answers.append(same_sign(sign_of(force), -1 if c_1 * (gamma_sign(beta) or 0) < 0 else 1))
-    agrees = all_of(answers)
+        for c_1 in (fmpq(-1), fmpq(1)):
+            values: dict[str, fmpq | arb] = {
+                "C_1": c_1,
+                "beta": beta,
+                "alpha1": fmpq(-1),
+                "alpha2": fmpq(-1),
+                "alpha3": -beta,
+            }
+            values |= {"kappa": fmpq(1), "eps": fmpq(1, 10**6)}
+            values["slope"] = slope
+            mean = evaluate_text(CORRECTED_FORCE["S-mean-force"]["force"], values, 64).real
+            deviation = evaluate_text(FORCE["S-deviation-force"]["force"], values, 64).real
+            side = evaluate_text(PRINTED["S-side"]["side"], values, 64).real
+            with working_bits(64):
+                answers.append(same_sign(sign_of(mean + deviation), sign_of(side)))
     return settled(
         SECTION,
         "S-side",
@@ -84,24 +176,32 @@ def _lift_off_side() -> Entry:
         r"C_1/\Gamma(-\beta)<0",
         "For β > 1 not an integer, at leading order, the contact lifts off when C_1/Γ(-β) < 0: "
         "λ_N becomes negative for τ large, and stays positive there for the other sign",
-        Check(Rung.PAGE, "proofs/signs.md (τ → +∞) with S-deviation-force and the corrected S-mean-force", True),
+        _claim("S-side").check_sign(
+            "proofs/signs.md (τ → +∞): the formula of S-deviation-force with the leading form of dΘ/dτ over C_1/Γ(-β) "
+            "is positive and grows without bound; the corrected mean force is positive (Case III, symbols α_1, α_2, β)",
+            lambda forms: _force_far_right("S-side", forms["side"]),
+            Rung.PAGE,
+        ),
         Check(
             Rung.POINTS,
             "certified sign of λ_N at τ = 60, ε = 1e-6, both signs of C_1, five values of β",
-            agrees,
+            all_of(answers),
         ),
         note="At leading order and for τ large; for all τ of a half-line see S-iwc-case-III.",
     )
 
 
 def _other_side() -> Entry:
-    betas = ("3/2", "7/3", "7/2", "9/2", "13/2")
-    results = {beta: iwc(beta) for beta in betas}
+    results = {beta: iwc(beta) for beta in IWC_BETAS}
     bounds = {beta: result.epsilon_0 for beta, result in results.items() if result.epsilon_0 is not None}
-    holds = all_of(
-        True if iwc(beta, epsilon=bound * fmpq(99, 100)).verdict.outcome is Outcome.PROVED else None
-        for beta, bound in bounds.items()
-    )
+    sides = [
+        sign_of(evaluate_text(PRINTED["S-iwc-case-III"]["side"], {"C_1": found.force.c1, "beta": beta}, 64).real)
+        for beta, found in results.items()
+    ]
+    answers = {Outcome.PROVED: True, Outcome.REFUTED: False, Outcome.UNDECIDED: None}
+    holds = all_of(answers[iwc(beta, epsilon=bound * BELOW).verdict.outcome] for beta, bound in bounds.items())
+    images = HYPOTHESES["S-iwc-case-III"]
+    power = closed_form(put(FORCE["S-dominance"]["exponent"], **images))
     return settled(
         SECTION,
         "S-iwc-case-III",
@@ -109,11 +209,17 @@ def _other_side() -> Entry:
         r"\hat\lambda_N>0\quad(C_1/\Gamma(-\beta)>0)",
         "For β > 1 not an integer and C_1/Γ(-β) > 0, at leading order: on every half-line [τ_0, ∞) the contact force "
         "λ_N is positive for all ε below an explicit ε_0",
-        Check(Rung.PAGE, "proofs/iwc.md: C_1 dΘ/dτ is bounded below on [τ_0, ∞)", True),
+        _claim("S-iwc-case-III").check_sign(
+            "proofs/iwc.md: C_1 dΘ/dτ is bounded below on [τ_0, ∞), since it tends to infinity with the sign of "
+            "C_1/Γ(-β); the mean force and the exponent of ε are positive (Case III, symbols α_1, α_2, β)",
+            lambda forms: [*_force_far_right("S-iwc-case-III", forms["side"]), power],
+            Rung.PAGE,
+        ),
         Check(
-            Rung.BALLS,
-            "certified minimum of C_1 dΘ/dτ on [-10, ∞) from all its critical points; α_1 = α_2 = -1, |C_1| = 1",
-            holds if len(bounds) == len(betas) else None,
+            Rung.POINTS,
+            "certified minimum of C_1 dΘ/dτ on [-10, ∞) from all its critical points, at five values of β; "
+            "α_1 = α_2 = -1, |C_1| = 1",
+            all_of([holds, *(same_sign(side, 1) for side in sides)]) if len(bounds) == len(results) else None,
             "; ".join(f"β = {beta}: ε_0 >= {approximate(bound):.4g}" for beta, bound in bounds.items()),
         ),
         note='The paper: "we are in the same situation as in above where there is strong evidence that an IWC occurs". '
@@ -122,38 +228,62 @@ def _other_side() -> Entry:
 
 
 def _growth() -> Entry:
-    brackets = growth_brackets()
-    ratios = "; ".join(str(bracket) for bracket in brackets)
+    claim = FormulaClaim(lift_off.PRINTED["S-growth"])
+    brackets = lift_off.growth_brackets()
+    leading = closed_form(put(appendix.THETA["large leading"], beta="beta-1"))
+    exponent = closed_form(FORCE["S-deviation-force"]["force"]).exponent("eps")
     return settled(
         SECTION,
         "S-growth",
         "line 1302",
         r"\tau_{\text{lift-off}}\sim\log(\varepsilon)^{2/3}",
         "The lift-off time grows like |log ε|^(2/3) as ε → 0",
-        Check(Rung.PAGE, "proofs/signs.md, last section", True),
+        claim.check(
+            "proofs/signs.md, last section: (2/3) τ^(3/2) = ((2 β - 2)/3) ln(1/ε) with the exponents of eq. tlarge and "
+            "of S-deviation-force, for a symbol β",
+            lambda forms: [
+                closed_form("3/2") * forms["power"],
+                rational(leading.exponent("e")) / closed_form("lam") * forms["rate"] / rational(exponent),
+            ],
+            Rung.PAGE,
+        ),
+        claim.under(**HYPOTHESES["S-growth"]).check_sign(
+            "proofs/signs.md, last section: for β > 1 the rate and the power are positive",
+            lambda forms: list(forms.values()),
+            Rung.PAGE,
+        ),
         Check(
             Rung.POINTS,
-            "certified brackets of a zero of λ_N beyond τ = 2: its ratio to ((β-1) ln(1/ε))^(2/3) tends to 1",
-            True if all(bracket.closer_than_before for bracket in brackets) else None,
-            ratios,
+            "certified brackets of a zero of λ_N beyond τ = 2: its ratio to the law tends to 1",
+            all_of(True if bracket.closer_than_before else None for bracket in brackets),
+            "; ".join(str(bracket) for bracket in brackets),
         ),
-        corrected="τ_lift-off ~ ((β - 1) ln(1/ε))^(2/3); log(ε) is negative, read |log(ε)|",
+        corrected=f"τ_lift-off ~ (({in_greek(claim.printed['rate'])}) ln(1/ε))^({claim.printed['power']}); log(ε) is "
+        "negative, read |log(ε)|",
     )
 
 
 def _switching() -> Entry:
     found = side_switching("1/2", "61/2")
     alternate = all(a.sign == -b.sign for a, b in zip(found.intervals, found.intervals[1:], strict=False))
-    by_ball = all_of(same_sign(gamma_sign_by_ball((i.lower + i.upper) / 2), i.sign) for i in found.intervals)
+    function = PRINTED["S-switching"]["function"]
+    middles = [(i.lower + i.upper) / 2 for i in found.intervals]
+    signs = [sign_of(appendix.value_of(function, fmpq(*beta.as_integer_ratio()), 64)) for beta in middles]
+    by_ball = all_of(same_sign(sign, i.sign) for sign, i in zip(signs, found.intervals, strict=True))
     return settled(
         SECTION,
         "S-switching",
         "line 1309",
         r"\Gamma(-\beta)\text{ changes sign at every positive integer}",
         "Γ(-β) changes sign whenever β passes through a positive integer, so the side of lift-off switches there",
-        Check(Rung.PAGE, "proofs/side_switching.md", True),
-        Check(
-            Rung.EXACT, "the intervals of [1/2, 61/2] alternate", alternate and found.integers == tuple(range(1, 31))
+        _claim("S-switching").check_sign(
+            "functional equation of Γ: the sign on (m, m + 1) is (-1)^(m + 1), by induction on m, the step for a "
+            "symbol β (proofs/side_switching.md)",
+            lambda _: induction(function),
         ),
-        Check(Rung.POINTS, "an enclosure of 1/Γ(-β) at each midpoint", by_ball),
+        Check(
+            Rung.POINTS,
+            "the intervals of [1/2, 61/2] alternate, and an enclosure of Γ(-β) at each midpoint has their sign",
+            all_of([alternate and found.integers == tuple(range(1, 31)), by_ball]),
+        ),
     )

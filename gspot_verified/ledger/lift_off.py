@@ -7,9 +7,13 @@ from dataclasses import dataclass
 from flint import arb, fmpq
 
 from gspot_verified.balls import ball_text, working_bits
+from gspot_verified.ledger.formulas import rational_value
+from gspot_verified.ledger.section_4_5 import PRINTED as FORCE
 from gspot_verified.signs.stretches import narrowed
 from gspot_verified.theta_function.evaluate import evaluate
 
+PRINTED: dict[str, dict[str, str]] = {"S-growth": {"power": "2/3", "rate": "beta-1"}}
+"""The lift-off time is (rate ln(1/eps))^power; the paper prints the power, the rate is added here."""
 _EXPONENTS = (10, 100, 1_000, 10_000)
 
 
@@ -48,10 +52,11 @@ def growth_brackets(betas: tuple[fmpq, ...] = (fmpq(3, 2), fmpq(5, 2))) -> list[
 
 
 def _bracket(beta: fmpq, exponent: int, before: arb | None) -> GrowthBracket:
+    growth = PRINTED["S-growth"]
     with working_bits(128):
         large = exponent * arb(10).log()
-        goal = (2 * beta - 2) / 3 * large
-        law = (arb(beta - 1) * large) ** arb(fmpq(2, 3))
+        goal = rational_value(FORCE["S-dominance"]["exponent"], beta=beta) * large
+        law = (rational_value(growth["rate"], beta=beta) * large) ** arb(rational_value(growth["power"]))
     lower, upper = fmpq(2), fmpq(4 * exponent + 40)
     # Without a certain change of sign between the ends nothing is bracketed.
     bracketed = _above(lower, beta, goal) is False and _above(upper, beta, goal) is True
