@@ -73,7 +73,7 @@ def _by_dlmf(j: int, forms: Forms) -> list[ClosedForm]:
     )
     weight = front * oscillating / (forms[f"e {j}"] * closed_form(printed.SERIES["e"]))
     # 2 Re(W (e_r + i e_i)) = 2 Re(W) e_r - 2 Im(W) e_i
-    real, imaginary = weight.turned() if weight.phase.is_constant() else (weight, weight)
+    real, imaginary = weight.turned() or (weight, weight)
     return [
         front * algebraic / (forms[f"h {j}"] * closed_form(printed.SERIES["h"])),
         quotient(closed_form("2") * real, forms[f"real {j}"]),
@@ -94,8 +94,9 @@ def large(j: int, betas: Sequence[fmpq]) -> Entry:
         rf"{left}(\ldots)\sim 3^{{({3 - j})/3}}e_1/\Gamma(({j}-\beta)/3)",
         f"The formula holds as τ → +∞ for every β except {j}, {j + 3}, {j + 6}, ...",
         claim.check(
-            "proofs/connection.md, β < 0: a third of eq. tlarge over the initial value, as closed forms in β",
-            lambda forms: [_by_connection(j) / forms[f"factor {j}"]],
+            "proofs/connection.md, β < 0: a third of eq. tlarge over the initial value; e_1 as in proofs/positive.md: "
+            "closed forms in β, k and τ",
+            lambda forms: [_by_connection(j) / forms[f"factor {j}"], _by_saddle_point()],
             Rung.PAGE,
         ),
         claim.check(
@@ -118,6 +119,11 @@ def large(j: int, betas: Sequence[fmpq]) -> Entry:
 def _by_connection(j: int) -> ClosedForm:
     value = list(printed.INITIAL_VALUES.values())[j]
     return closed_form(f"({printed.THETA['large front']})/(3*({value}))")
+
+
+def _by_saddle_point() -> ClosedForm:
+    """The terms of eq. tlarge over those of the page, for all k."""
+    return closed_form(printed.THETA["large front"]) * closed_form(printed.SERIES["e_1"]) / closed_form(PAGE_SADDLE)
 
 
 def _step(j: int, forms: Forms) -> ClosedForm:
@@ -205,7 +211,7 @@ def theta_large(betas: Sequence[fmpq]) -> Entry:
         claim.check(
             "proofs/positive.md (explicit remainder): each term, as a closed form in β, k and τ",
             lambda forms: [
-                forms["large front"] * closed_form(printed.SERIES["e_1"]) / closed_form(PAGE_SADDLE),
+                _by_saddle_point(),
                 forms["large leading"] / closed_form(put(PAGE_SADDLE, k="0")),
             ],
             Rung.PAGE,

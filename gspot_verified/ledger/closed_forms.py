@@ -90,14 +90,11 @@ class ClosedForm:
         """Whether it is identically 0."""
         return bool(self.factor.numerator.is_zero())
 
-    def turned(self) -> tuple[ClosedForm, ClosedForm]:
-        """The real and the imaginary part, when the phase is a number and the rest is real.
-
-        :raises ValueError: the phase is no number.
-        """
-        if not self.phase.is_constant():
-            raise ValueError(f"the phase {self.phase} is no number")
+    def turned(self) -> tuple[ClosedForm, ClosedForm] | None:
+        """The real and the imaginary part, when the rest is real and the phase a multiple of 1/6; else ``None``."""
         angle = _constant(self.phase)
+        if not self.phase.is_constant() or (6 * angle).q != 1:
+            return None
         size = ClosedForm(self.factor, self.powers, ALGEBRA.constant(0), self.gammas, self.sines)
         return size * sine_of_number(angle + fmpq(1, 2)), size * sine_of_number(angle)
 
@@ -208,7 +205,7 @@ def _gamma_of_number(value: fmpq) -> ClosedForm:
         return found
     if value == fmpq(1, 2):
         return found * power("pi", ALGEBRA.constant(value))
-    if value > fmpq(1, 2):
+    if 1 - value in _SINES:
         return found * rational(ALGEBRA.symbols["pi"]) / (_sine(ALGEBRA.constant(value)) * _gamma_of_number(1 - value))
     return found * ClosedForm(rational(1).factor, gammas={str(value): 1})
 
@@ -225,13 +222,13 @@ def _sine(argument: fmpq_mpoly) -> ClosedForm:
 
 
 def sine_of_number(value: fmpq) -> ClosedForm:
-    """sin(π value) for a multiple of 1/6 or of 1/2."""
+    """sin(π value) for a multiple of 1/6."""
     half_turns = int(value.floor())
     rest = value - half_turns
     if rest == 0:
         return rational(0)
     number, threes = _SINES[min(rest, 1 - rest)]
-    return rational((-1) ** half_turns * number) * power("3", ALGEBRA.constant(threes))
+    return rational(-number if half_turns % 2 else number) * power("3", ALGEBRA.constant(threes))
 
 
 def _folded(

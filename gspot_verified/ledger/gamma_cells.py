@@ -8,6 +8,9 @@ from __future__ import annotations
 from gspot_verified.ledger.closed_forms import ClosedForm, power, rational
 from gspot_verified.ledger.formulas import closed_form, put
 
+ABOVE_0 = "u"
+"""β > 0 in the step of the induction: u is positive."""
+
 
 def induction(function: str) -> list[ClosedForm]:
     """Positive forms exactly when the function of β is positive on (-1, 0) and f(β)/f(β - 1) < 0 for every β > 0.
@@ -15,9 +18,9 @@ def induction(function: str) -> list[ClosedForm]:
     For Γ(-β): Γ > 0 on (0, 1), and Γ(z) = Γ(z + 1)/z. Then the sign on (m, m + 1) is (-1)^(m + 1) by induction on m.
 
     >>> [form.sign() for form in induction("Gamma(-beta)")], [form.sign() for form in induction("Gamma(beta)")]
-    ([1, 1], [None, -1])
+    ([1, 1], [-1, None])
     """
-    step = closed_form(put(function, beta="u")) / closed_form(put(function, beta="u-1"))
+    step = closed_form(put(function, beta=ABOVE_0)) / closed_form(put(function, beta=f"{ABOVE_0}-1"))
     return [closed_form(put(function, beta="-v")), rational(-1) * step]
 
 

@@ -20,10 +20,7 @@ from gspot_verified.verdict import Outcome
 _FOLDER = Path(__file__).with_name("teeth")
 TABLES = sorted(path.stem for path in _FOLDER.glob("*.py"))
 PENDING = {
-    "appendix_a",
-    "cases",
     "example",
-    "section_4_5",
     "section_5_ansatz",
     "section_5_matching",
     "section_5_outer",

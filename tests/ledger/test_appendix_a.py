@@ -1,0 +1,139 @@
+"""Appendix A of the ledger: changed values are not proved, and the steps of proofs/connection.md."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from flint import acb, arb, fmpq, fmpq_poly
+
+from gspot_verified import Outcome
+from gspot_verified.ledger import appendix_a, asymptotic_errors, hypergeometric
+from gspot_verified.ledger import appendix_a_asymptotics as asymptotics
+from gspot_verified.ledger.entry import Entry, Rung
+from gspot_verified.theta_function.asymptotic_coefficients import coefficient
+from gspot_verified.theta_function.initial_values import initial_values, paper_initial_values
+from gspot_verified.theta_function.routes import theta_by
+
+BETA = fmpq_poly([0, 1])
+
+
+def outcome(identifier: str, found: list[Entry] | None = None) -> Outcome:
+    entries = appendix_a.entries() if found is None else found
+    return next(e.verdict.outcome for e in entries if e.identifier == identifier)
+
+
+def times(factor: Callable[[int], Any], honest: Callable[..., list[Any]]) -> Callable[..., list[Any]]:
+    return lambda *arguments: [term * factor(k) for k, term in enumerate(honest(*arguments))]
+
+
+@pytest.mark.parametrize(
+    ("name", "factor", "entry"),
+    [
+        ("h_terms", lambda _: -1, "A-leading"),
+        ("h_terms", lambda k: (-1) ** k, "A-leading"),
+        ("h_terms", lambda k: (-1) ** k, "A-bsmall1"),
+        ("e_terms", lambda _: -1, "A-bsmall1"),
+        ("e_terms", lambda _: acb(0, 1), "A-bsmall2"),
+        ("e_terms", lambda k: (-1) ** k, "A-bsmall3"),
+        ("e_terms", lambda k: 2**k, "A-bsmall2"),
+        ("e_1_terms", lambda _: -1, "A-tlarge"),
+        ("e_1_terms", lambda k: (-1) ** k, "A-blarge1"),
+        ("e_1_terms", lambda _: arb(3).sqrt(), "A-blarge3"),
+    ],
+)
+def test_a_changed_series_is_noticed_at_points(
+    monkeypatch: pytest.MonkeyPatch, name: str, factor: Callable[[int], Any], entry: str
+) -> None:
+    monkeypatch.setattr(hypergeometric, name, times(factor, getattr(hypergeometric, name)))
+    monkeypatch.setattr(appendix_a, "BETAS", appendix_a.BETAS[-3:])
+    assert outcome(entry) is not Outcome.PROVED
+
+
+@pytest.mark.parametrize("j", range(3))
+def test_a_changed_initial_value_is_noticed_at_points(monkeypatch: pytest.MonkeyPatch, j: int) -> None:
+    honest = hypergeometric.printed_initial_values
+
+    def changed(beta: fmpq, bits: int) -> tuple[arb, ...]:
+        values = list(honest(beta, bits))
+        values[j] = -values[j]
+        return tuple(values)
+
+    monkeypatch.setattr(hypergeometric, "printed_initial_values", changed)
+    monkeypatch.setattr(appendix_a, "BETAS", appendix_a.BETAS[-3:])
+    found = appendix_a.entries()
+    assert outcome(f"A-t0{j + 1}", found) is not Outcome.PROVED
+    assert outcome("A-cancellation", found) is not Outcome.PROVED
+
+
+def test_nan_proves_and_refutes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(hypergeometric, "theorem_3_function", lambda *_: arb.nan())
+    found = appendix_a.entries()
+    for identifier in ("A-theorem-3", "A-bsmall1", "A-blarge2", "A-theorem-5-condition"):
+        assert outcome(identifier, found) is Outcome.UNDECIDED
+
+
+def test_a_ball_that_cannot_tell_refutes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(hypergeometric, "theorem_3_function", lambda *_: arb(1, 0.5))
+    assert outcome("A-theorem-5-condition") is Outcome.UNDECIDED
+
+
+def test_checks_on_nothing_prove_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(appendix_a, "BETAS", ())
+    proved = {e.identifier for e in appendix_a.entries() if e.verdict.outcome is Outcome.PROVED}
+    assert proved == {"A-coefficients"}
+
+
+def test_asymptotic_errors_answer_false_when_certain(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(asymptotic_errors, "theta_by", lambda *a, **k: 2 * theta_by(*a, **k))
+    assert asymptotic_errors.theta_error_within(fmpq(40), fmpq(1, 2)) is False
+
+
+def test_only_what_covers_the_whole_claim_is_called_exact() -> None:
+    exact = {e.identifier for e in appendix_a.entries() for check in e.checks if check.rung is Rung.EXACT}
+    assert exact == {"A-theorem-3", "A-coefficients", "A-cancellation", "A-theorem-5-condition"}
+
+
+def test_the_texts_of_the_initial_values_are_those_of_the_library() -> None:
+    for beta in (fmpq(-7, 3), fmpq(1, 2), fmpq(22, 5)):
+        texts = hypergeometric.printed_initial_values(beta, 128)
+        entire = [hypergeometric.value_of(text, beta, 128) for text in hypergeometric.ENTIRE_INITIAL_VALUES.values()]
+        library = zip(paper_initial_values(beta, 128), initial_values(beta, 128), strict=True)
+        for first, second, (third, fourth) in zip(texts, entire, library, strict=True):
+            assert all(value.is_finite() for value in (first, second))
+            assert first.overlaps(third)
+            assert second.overlaps(fourth)
+
+
+def series(j: int, beta: fmpq_poly, count: int) -> list[fmpq_poly]:
+    """The Taylor coefficients of y_j, as polynomials in β."""
+    found = [fmpq_poly([0])] * count
+    found[j] = fmpq_poly([fmpq(1, 2) if j == 2 else 1])
+    for k in range(count - 3):
+        if not found[k].degree() < 0:
+            found[k + 3] = (k - beta) * found[k] / ((k + 1) * (k + 2) * (k + 3))
+    return found
+
+
+@pytest.mark.parametrize("j", range(3))
+def test_step_1_of_the_induction_in_beta(j: int) -> None:
+    slope = [(k + 1) * value for k, value in enumerate(series(j, BETA, 31)[1:])]
+    factor = fmpq_poly([1]) if j else -BETA
+    assert slope == [factor * value for value in series((j - 1) % 3, BETA - 1, 30)]
+
+
+def test_step_3_of_the_induction_in_beta() -> None:
+    scaled = [coefficient(k) * fmpq(3, 2) ** k for k in range(20)]
+    a = -BETA / 3 - fmpq(1, 2)
+    for k in range(1, 20):
+        assert scaled[k](BETA - 1) == scaled[k] + fmpq(3, 2) * (a - k + 1) * scaled[k - 1]
+
+
+@pytest.mark.parametrize("j", range(3))
+def test_the_exceptions_are_the_integers_at_which_the_formula_fails(j: int) -> None:
+    allowed = asymptotics._allowed_integers(j)
+    assert allowed == [fmpq(n) for n in range(9) if n % 3 != j]
+    for n in range(9):
+        holds = asymptotic_errors.large_error_within(j, fmpq(60), fmpq(n))
+        assert holds is (n % 3 != j)
