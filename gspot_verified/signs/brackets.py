@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any, ClassVar
 
 from flint import arb, fmpq, fmpz
@@ -32,7 +33,8 @@ class UndecidedError(ArithmeticError):
 
 @dataclass(frozen=True, slots=True)
 class Brackets(NoTruthValue):
-    """One open interval with rational ends for each real zero of dTheta/dtau(., beta), in order; all are simple.
+    """One open interval with rational ends for each real zero of dTheta/dtau(., beta), in order and disjoint; all zeros
+    are simple.
 
     ``column`` shows that there are no others.
     """
@@ -90,9 +92,16 @@ def zeros_at(beta: ExactInput, digits: int = 15) -> Brackets:
     if _in_tail(column):
         tubes.append(_tail_tube(point, column))
     brackets = tuple(_refine(point, lower, upper, digits) for lower, upper in sorted(tubes))
-    if len(brackets) != number_of_zeros(column):
+    return Brackets(point, _one_each(brackets, number_of_zeros(column)), column)
+
+
+def _one_each(brackets: tuple[tuple[fmpq, fmpq], ...], number: int | None) -> tuple[tuple[fmpq, fmpq], ...]:
+    """The brackets, when they are disjoint and as many as there are zeros: each has a change of sign, so one zero."""
+    if len(brackets) != number:
         raise ArithmeticError("the number of brackets is not the number of zeros; please report this")
-    return Brackets(point, brackets, column)
+    if any(before[1] > after[0] for before, after in pairwise(brackets)):
+        raise UndecidedError("two brackets overlap; ask for more digits")
+    return brackets
 
 
 def _column(beta: fmpq) -> Column:

@@ -7,7 +7,7 @@ from flint import fmpq
 
 from gspot_verified.signs.brackets import zeros_at
 from gspot_verified.signs.count_law import number_of_zeros
-from gspot_verified.signs.integer_zeros import zeros_at_integer
+from gspot_verified.signs.integer_zeros import _refine, zeros_at_integer
 from gspot_verified.theta_function.integer import polynomial
 
 
@@ -36,6 +36,17 @@ def test_neighbouring_beta_have_neighbouring_zeros() -> None:
     ((lower, upper),) = zeros_at_integer(6, 6).brackets
     near = zeros_at(fmpq(6) + fmpq(1, 10**9), 6).brackets
     assert any(abs(a - lower) < fmpq(1, 10**5) and abs(b - upper) < fmpq(1, 10**5) for a, b in near)
+
+
+@pytest.mark.parametrize(("lower", "upper"), [(fmpq(21, 10), fmpq(5, 2)), (fmpq(5, 2), fmpq(29, 10))])
+def test_a_cell_of_the_grid_with_two_zeros_is_not_taken(lower: fmpq, upper: fmpq) -> None:
+    """beta = 150: 2.190... and 2.894... are zeros. The cell (2, 3) of 0 decimals has one sign at both ends."""
+    values = polynomial(149)
+    assert values(lower) * values(upper) < 0 < values(fmpq(2)) * values(fmpq(3))
+    assert _refine(150, lower, upper, 0) == (lower, upper)
+    left, right = _refine(150, lower, upper, 1)
+    assert lower <= left < right <= upper
+    assert right - left == fmpq(1, 10)
 
 
 @pytest.mark.parametrize(("beta", "digits"), [(0, 5), (-1, 5), (201, 5), (True, 5), ("3", 5), (3, 0), (3, 1.0)])
