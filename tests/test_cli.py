@@ -5,6 +5,7 @@ import os
 import re
 import subprocess
 import sys
+import threading
 from pathlib import Path
 
 import pytest
@@ -151,3 +152,98 @@ def test_version(capsys: pytest.CaptureFixture[str]) -> None:
 
     project = tomllib.loads((Path(__file__).parents[1] / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     assert run(capsys, "--version") == (0, f"gspot-verified {project['version']}\n", "")
+
+
+def test_long_work_is_not_silent(capsys: pytest.CaptureFixture[str]) -> None:
+    """Heavy requests such as `theta 1000000 7/3 --digits 100000` said nothing for minutes."""
+    from gspot_verified.cli.app import signs_of_life
+
+    with signs_of_life(0.001):
+        seen = ""
+        while seen.count("... at work for") < 2:
+            output, errors = capsys.readouterr()
+            assert output == ""
+            seen += errors
+    alive = threading.active_count()
+    with signs_of_life(1000.0):
+        assert threading.active_count() == alive + 1
+    assert threading.active_count() == alive
+    assert capsys.readouterr() == ("", "")
+
+
+def test_every_command_works_under_the_signs_of_life(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from gspot_verified.signs import side
+
+    monkeypatch.setattr(side, "side_switching", lambda *_: threading.enumerate())
+    assert run(capsys, "side", "1/2")[0] == 70  # a list has no verdict: internal
+    names: list[list[threading.Thread]] = []
+    monkeypatch.setattr(side, "side_switching", lambda *_: names.append(threading.enumerate()))
+    run(capsys, "side", "1/2")
+    assert any(thread.daemon for thread in names[0])
+
+
+@pytest.mark.parametrize("command", ["expand", "classify"])
+def test_a_mechanism_that_is_neither_file_nor_name(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, command: str
+) -> None:
+    for name, words in (("nothing", "there is no file 'nothing'"), ("", "there is no file ''"),
+                        (str(tmp_path), f"{tmp_path} is a folder")):  # fmt: skip
+        code, output, errors = run(capsys, command, name)
+        assert (code, output) == (64, "")
+        assert words in errors
+        assert "model; extended; oscillator; rod; model system;" in errors
+
+
+def test_check_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    for name, words in ((str(tmp_path), "is a folder, not a certificate"), (str(tmp_path / "x"), "there is no file")):
+        code, _, errors = run(capsys, "check", name)
+        assert code == 64
+        assert words in errors
+
+
+@pytest.mark.parametrize("name", ["missing.json", "."])
+def test_report_of_no_file(capsys: pytest.CaptureFixture[str], tmp_path: Path, name: str) -> None:
+    code, _, errors = run(capsys, "report", str(tmp_path / name), "--output", str(tmp_path))
+    assert code == 64
+    assert "SOURCE: there is no file" in errors
+
+
+LONG = "1" + "0" * 4999 + "7"
+"""More digits than CPython prints or reads."""
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("side", f"-{LONG}/{LONG[:-1]}1", "1"),
+        ("theta", "1/3", f"1/{LONG}"),
+        ("sign", "--tau", "1..2", "--beta", f"1/{LONG}"),
+        ("zeros", "--beta", f"1/{LONG}"),
+        ("iwc", "--beta", f"1/{LONG}"),
+        ("classify", "extended", "--set", f"alpha_3=-{LONG}"),
+        ("expand", "extended", "--order", "3", "--chi", LONG),
+    ],
+)
+@pytest.mark.parametrize("form", [(), ("--json",)])
+def test_numbers_longer_than_cpython_prints(
+    capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], form: tuple[str, ...]
+) -> None:
+    code, output, errors = run(capsys, *arguments, *form)
+    assert code == 0
+    assert "Exceeds the limit" not in errors
+    assert output
+    if form:
+        json.loads(output)
+
+
+def test_the_typeset_minus_on_the_command_line(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(capsys, "theta", "−3", "−1/2") == run(capsys, "theta", "-3", "-1/2")
+    assert run(capsys, "sign", "--tau", "−inf..0", "--beta", "−1/2") == run(
+        capsys, "sign", "--tau", "-inf..0", "--beta", "-1/2"
+    )
+    assert (
+        run(capsys, "classify", "extended", "--set", "alpha_3=−5/2")[1]
+        == (run(capsys, "classify", "extended", "--set", "alpha_3=-5/2")[1])
+    )

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import json
 import re
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Annotated, Any
 
 import typer
 from typer.core import TyperCommand
 
+QUIET_SECONDS = 10.0
 _NUMBER = re.compile(r"-\.?[0-9].*")
 
 
@@ -67,6 +72,25 @@ def print_json(data: Any) -> None:
 def warn(text: str) -> None:
     """What the reader of a result must know, on stderr."""
     typer.echo(f"warning: {text}", err=True)
+
+
+@contextmanager
+def signs_of_life(seconds: float = QUIET_SECONDS) -> Iterator[None]:
+    """Say on stderr, every so many seconds, that the work goes on: no command is silent for minutes."""
+    done = threading.Event()
+    start = time.monotonic()
+
+    def say() -> None:
+        while not done.wait(seconds):
+            progress(f"at work for {time.monotonic() - start:.0f} s")
+
+    thread = threading.Thread(target=say, daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        done.set()
+        thread.join()
 
 
 def progress(step: str) -> None:

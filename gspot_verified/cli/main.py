@@ -16,7 +16,7 @@ from collections.abc import Sequence
 import typer
 
 from gspot_verified.cli import cost_command, mechanism_commands, paper_commands, sign_commands, theta_commands
-from gspot_verified.cli.app import app
+from gspot_verified.cli.app import app, signs_of_life
 from gspot_verified.cli.output import NOT_WRITTEN
 
 USAGE = 64
@@ -33,9 +33,10 @@ COMMANDS = (theta_commands, sign_commands, mechanism_commands, paper_commands, c
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code; bad input is a message on stderr and 64."""
     try:
-        code = app(
-            prog_name="gspot-verified", args=None if arguments is None else list(arguments), standalone_mode=False
-        )
+        with signs_of_life():
+            code = app(
+                prog_name="gspot-verified", args=None if arguments is None else list(arguments), standalone_mode=False
+            )
     except (ValueError, TypeError, OSError) as error:
         typer.echo(f"error: {error}", err=True)
         full = isinstance(error, OSError) and error.errno in _CANNOT_WRITE

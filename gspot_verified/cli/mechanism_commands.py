@@ -113,10 +113,18 @@ def _pair(text: str, option: str) -> tuple[str, str]:
 
 def _mechanism(name: str, settings: list[str] | None) -> Mechanism:
     from gspot_verified.mechanisms.file import read_mechanism
+    from gspot_verified.mechanisms.mechanism import MechanismError
     from gspot_verified.mechanisms.shipped import shipped_mechanism
 
     path = Path(name)
-    mechanism = read_mechanism(path) if path.suffix == ".toml" or path.is_file() else shipped_mechanism(name)
+    if path.suffix == ".toml" or path.is_file():
+        mechanism = read_mechanism(path)
+    else:
+        try:
+            mechanism = shipped_mechanism(name)
+        except MechanismError as error:
+            place = f"{name} is a folder" if name and path.is_dir() else f"there is no file {name[:60]!r}"
+            raise ValueError(f"{place}, and {error}") from None
     values: dict[str, str | None] = {}
     for setting in settings or []:
         key, equals, value = setting.partition("=")

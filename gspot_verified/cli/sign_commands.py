@@ -157,6 +157,8 @@ def check(file: Annotated[Path, typer.Argument(help="A certificate.")], as_json:
     """
     from gspot_verified.certificates.checker import run_checker
 
+    if file.is_dir():
+        raise ValueError(f"FILE: {file} is a folder, not a certificate")
     result = run_checker(file)
     if as_json:
         print_json(result.to_json())

@@ -28,8 +28,8 @@ class Classification(NoTruthValue):
     ``case`` is "I", "II", "III", "none", or None when the balls leave it open; ``reason`` says why. ``beta``,
     ``mean_force`` are None where they do not exist (or may not). ``lift_off_sign`` is the sign of C_1 that lifts off,
     None except in Case III; ``impact_sign`` the one that takes an impact without collision, None in no Case.
-    ``integer_beta`` is the integer that beta is or may be, at whose order 2 (beta - 1) of delta there is no unique
-    expansion. ``slip_velocity`` is u at the G-spot.
+    ``integer_beta`` is the integer (up to 10^6) that beta is or may be, at whose order 2 (beta - 1) of delta there is
+    no unique expansion. ``slip_velocity`` is u at the G-spot.
     """
 
     ask: ClassVar[str] = '.case is "I", "II", "III", "none", or None (undecided)'
@@ -192,11 +192,11 @@ def _sides(case: str | None, beta: Exact | None) -> tuple[int | None, int | None
 
 
 def _integer_in(beta: Exact | None) -> int | None:
-    """The integer >= 1 that beta is or may be."""
+    """The integer in 1..10^6 that beta is or may be; above, the order that it obstructs is beyond every expansion."""
     if beta is None:
         return None
     if isinstance(beta, fmpq):
-        return int(beta.p) if beta.q == 1 and beta >= 1 else None
+        return int(beta.p) if beta.q == 1 and 1 <= beta <= MAX_BETA else None
     if not abs(beta) <= MAX_BETA:
         return None
     near = beta.mid().floor().unique_fmpz()

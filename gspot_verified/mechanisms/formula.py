@@ -73,7 +73,7 @@ def parse_formula(text: str, names: Mapping[str, Any]) -> Any:
         raise TypeError(f"a formula must be a text, got {type(text).__name__}")
     if len(text) > MAX_LENGTH:
         raise FormulaError(f"a formula may have at most {MAX_LENGTH} characters, got {len(text)}")
-    return _Parser(text, names).whole()
+    return _Parser(text.replace("\N{MINUS SIGN}", "-"), names).whole()
 
 
 class _Parser:

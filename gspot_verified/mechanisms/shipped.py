@@ -50,7 +50,7 @@ def shipped_mechanism(name: str, **parameters: ExactInput | None) -> Mechanism:
     stem = name.replace("-", "_")
     stem = stem if stem in _FILES.values() else _FILES.get(name, "")
     if not stem:
-        raise MechanismError(f"no shipped mechanism {name[:60]!r}; there are: {', '.join(_FILES)}")
+        raise MechanismError(f"no shipped mechanism {name[:60]!r}; there are: {'; '.join((*_SHORT, *_FILES))}")
     text = resources.files("gspot_verified.mechanisms").joinpath("data", f"{stem}.toml").read_text(encoding="utf-8")
     return parse_mechanism(text).with_parameters(**parameters)
 

@@ -61,6 +61,8 @@ def render_from_json(path: Path, directory: Path) -> Path:
         raise ValueError(f"{path}: larger than {_MAX_FILE_BYTES} bytes, so it is not a report")
     try:
         page = render_html(json.loads(path.read_text(encoding="utf-8")))
+    except UnicodeDecodeError:
+        raise ValueError(f"{path}: not UTF-8 text") from None
     except RecursionError:
         raise ValueError(f"{path}: nested too deeply, so it is not a report") from None
     except ValueError as error:

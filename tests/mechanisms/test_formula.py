@@ -145,3 +145,8 @@ def test_only_text(text: object) -> None:
 def test_bad_names(name: str) -> None:
     with pytest.raises(FormulaError):
         check_name(name)
+
+
+def test_the_typeset_minus_is_a_minus() -> None:
+    x = sympy.Symbol("x")
+    assert parse_formula("−2*x − 1", {"x": x}) == -2 * x - 1
