@@ -200,8 +200,9 @@ def _integer_in(beta: Exact | None) -> int | None:
     if not abs(beta) <= MAX_BETA:
         return None
     near = beta.mid().floor().unique_fmpz()
-    candidates = [int(near) + k for k in (0, 1)] if near is not None else []
-    return next((k for k in candidates if k >= 1 and beta.overlaps(type(beta)(k))), None)
+    # The integers >= 1 next to the midpoint: if the ball holds any such integer, it holds one of these.
+    candidates = [max(int(near) + k, 1) for k in (0, 1)] if near is not None else []
+    return next((k for k in candidates if beta.overlaps(type(beta)(k))), None)
 
 
 def _text(value: Exact) -> str:

@@ -15,7 +15,7 @@ from flint import arb, fmpq
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.recursion import ObstructedOrderError, Recursion
 from gspot_verified.expansion.system import GSpotError
-from gspot_verified.mechanisms.classify import classify
+from gspot_verified.mechanisms.classify import _integer_in, classify
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.file import parse_mechanism
 from gspot_verified.mechanisms.given import lagrangian
@@ -261,3 +261,14 @@ def test_a_negative_friction_coefficient_is_refused() -> None:
         MechanismError, match=r"friction coefficient mu must not be negative at the G-spot, it is -73/36"
     ):
         classify(parse_mechanism(mirrored))
+
+
+@pytest.mark.parametrize(
+    ("middle", "radius", "holds_one"),
+    [("2.5", "0.4", False), ("2.5", "0.6", True), ("0.4", "0.7", True), ("-0.3", "1.5", True), ("-3", "3.5", False)],
+)
+def test_an_integer_that_beta_may_be_is_not_lost(middle: str, radius: str, holds_one: bool) -> None:
+    """Also where the midpoint of the ball is below 1 and the ball reaches beyond it."""
+    found = _integer_in(arb(middle, radius))
+    assert (found is not None) is holds_one
+    assert found is None or found >= 1
