@@ -1,7 +1,8 @@
 """What a user would do without this package: the paper's formulas with FLINT's 1F2, or with mpmath's.
 
 Initial values by t01-t03 as printed, then Theta = sum over j = 0, 1, 2 of Theta^(j)(0) tau^j/j! times the 1F2 number j
-of Theorem 3. A derivative is taken by Theta' = -beta Theta(beta - 1), which spares the alternative a product rule.
+of Theorem 4 (th:3). A derivative is taken by Theta' = -beta Theta(beta - 1), which spares the alternative a product
+rule.
 """
 
 from __future__ import annotations

@@ -27,25 +27,25 @@ COEFFICIENTS = 8
 
 def entries() -> list[Entry]:
     """Every labelled formula of Appendix A, in the order of the paper."""
-    found = [_theorem_3(), _coefficients(), *(asymptotics.small(j, BETAS) for j in range(3)), _cancellation()]
+    found = [_general_solution(), _coefficients(), *(asymptotics.small(j, BETAS) for j in range(3)), _cancellation()]
     found += [*(_initial_value(j) for j in range(3)), _leading_behaviour()]
     found += [asymptotics.large(j, BETAS) for j in range(3)]
     return [*found, asymptotics.large_condition(), asymptotics.theta_large(BETAS)]
 
 
-def _theorem_3() -> Entry:
+def _general_solution() -> Entry:
     claim = FormulaClaim(printed.FUNCTIONS)
     points = [(tau, beta) for tau in (fmpq(-9), fmpq(-7, 3), fmpq(1, 2), fmpq(8)) for beta in BETAS]
     agrees = all_of(
         _equal(
-            printed.theta_by_theorem_3(tau, beta, initial_values(beta, 256), 256),
+            printed.theta_by_fundamental_solutions(tau, beta, initial_values(beta, 256), 256),
             theta_by("laplace", tau, beta, digits=30),
         )
         for tau, beta in points
     )
     return settled(
         SECTION,
-        "A-theorem-3",
+        "A-th3",
         "th:3, eq:btau",
         r"\theta=\theta(0)\,{}_1F_2(-\tfrac\beta3;\tfrac13,\tfrac23;\tfrac{\tau^3}9)+\ldots",
         "The three 1F2 of th:3 with their factors span the solutions of the differential equation, for every β",

@@ -112,7 +112,7 @@ def large(j: int, betas: Sequence[fmpq]) -> Entry:
             all_of(errors.large_error_within(j, tau, beta) for tau, beta in points),
         ),
         corrected=f"needs a condition, which th:5 does not state: it fails at β = {j}, {j + 3}, {j + 6}, ... "
-        "(A-theorem-5-condition)",
+        "(A-th5-condition)",
     )
 
 
@@ -149,7 +149,7 @@ def large_condition() -> Entry:
     """That th:5 states no condition on β; where it fails, exactly."""
     return settled(
         SECTION,
-        "A-theorem-5-condition",
+        "A-th5-condition",
         "th:5",
         r"\text{(no condition on } \beta \text{)}",
         "The three formulas of th:5 hold for every β, as printed without a condition",
@@ -164,7 +164,7 @@ def large_condition() -> Entry:
             Rung.BALLS,
             f"FLINT's 1F2 and the right sides at τ = 30, β = j, j + 3, ..., {TRIED} for each formula",
             mended(*_at_exceptions()),
-            f"at β = 0: left {ball_text(printed.theorem_3_function(0, fmpq(30), fmpq(0), 128))}, right "
+            f"at β = 0: left {ball_text(printed.fundamental_solution(0, fmpq(30), fmpq(0), 128))}, right "
             f"{ball_text(printed.value_of(printed.LARGE['factor 0'], fmpq(0), 128))}; at the other integers below "
             f"{3 * TRIED} the formulas hold to the accuracy of the series",
         ),
@@ -191,7 +191,7 @@ def _at_exceptions() -> tuple[bool | None, bool | None]:
     for j in range(3):
         for m in range(TRIED):
             beta = fmpq(j + 3 * m)
-            left = printed.theorem_3_function(j, fmpq(30), beta, 128)
+            left = printed.fundamental_solution(j, fmpq(30), beta, 128)
             right = printed.value_of(printed.LARGE[f"factor {j}"], beta, 128)
             at_exceptions.append(False if right.is_zero() and (left > 0 or left < 0) else None)
         elsewhere += [errors.large_error_within(j, fmpq(60), beta) for beta in _allowed_integers(j)]

@@ -18,7 +18,7 @@ def small_error_within(j: int, x: fmpq, beta: fmpq) -> bool | None:
     bits, orders, powers = 1200, 4, 9
     h = printed.h_terms(x, beta, powers + 1, bits)
     e = printed.e_terms(x, beta, orders + 1, bits)
-    exact_value = printed.theorem_3_function(j, -x, beta, bits)
+    exact_value = printed.fundamental_solution(j, -x, beta, bits)
     gamma, outer, real, imaginary = (
         printed.value_of(printed.SMALL[f"{name} {j}"], beta, bits) for name in ("h", "e", "real", "imaginary")
     )
@@ -45,7 +45,7 @@ def power_series_within(x: fmpq, beta: fmpq) -> bool | None:
 def large_error_within(j: int, tau: fmpq, beta: fmpq) -> bool | None:
     """th:5, formula j + 1: the error of four terms is at most twice the fifth."""
     terms = printed.e_1_terms(tau, beta, 5, 512)
-    value = printed.theorem_3_function(j, tau, beta, 512)
+    value = printed.fundamental_solution(j, tau, beta, 512)
     factor = printed.value_of(printed.LARGE[f"factor {j}"], beta, 512)
     with working_bits(512):
         error = value - factor * sum(terms[:4], arb(0))

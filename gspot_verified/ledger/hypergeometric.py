@@ -63,7 +63,7 @@ def value_of(text: str, beta: fmpq, bits: int, **values: fmpq | arb) -> arb:
     return evaluate_text(text, {"beta": beta, **values}, bits).real
 
 
-def theorem_3_function(j: int, tau: fmpq, beta: fmpq, bits: int) -> arb:
+def fundamental_solution(j: int, tau: fmpq, beta: fmpq, bits: int) -> arb:
     """y_j: its front times the 1F2 number j of th:3, as FLINT encloses it."""
     upper, lower, other, front = (
         value_of(FUNCTIONS[f"{name} {j}"], beta, bits, tau=tau) for name in ("upper", "lower", "other lower", "front")
@@ -73,10 +73,10 @@ def theorem_3_function(j: int, tau: fmpq, beta: fmpq, bits: int) -> arb:
         return front * argument.hypgeom([upper], [lower, other])
 
 
-def theta_by_theorem_3(tau: fmpq, beta: fmpq, values: tuple[arb, arb, arb], bits: int) -> arb:
+def theta_by_fundamental_solutions(tau: fmpq, beta: fmpq, values: tuple[arb, arb, arb], bits: int) -> arb:
     """Theta from th:3 and given initial values."""
     with working_bits(bits):
-        return sum((values[j] * theorem_3_function(j, tau, beta, bits) for j in range(3)), arb(0))
+        return sum((values[j] * fundamental_solution(j, tau, beta, bits) for j in range(3)), arb(0))
 
 
 def printed_initial_values(beta: fmpq, bits: int) -> tuple[arb, arb, arb]:

@@ -65,17 +65,19 @@ def printed_number(label: str) -> str | None:
 
 
 def with_printed_numbers(text: str) -> str:
-    """The text with labels of equations replaced by the numbers that the PDF prints.
+    """The text with labels of equations and theorems replaced by the numbers that the PDF prints.
 
-    Every label after "eq." or "eqs." is replaced; without that only one that no word can be mistaken for. An equation
-    without a number keeps its label.
+    Every equation's label after "eq." or "eqs." is replaced; without that only one that no word can be mistaken for. An
+    equation without a number keeps its label, and so does a theorem in brackets, as in "Theorem 6 (th:5)".
 
     >>> with_printed_numbers("eqs. specialX to specialL, and modelSysDev times ε")
     'eqs. (70) to (76), and eq. (46) times ε'
+    >>> with_printed_numbers("the condition of th:5")
+    'the condition of Theorem 6'
     """
     for pattern in _patterns():
         text = pattern.sub(_numbered, text)
-    return text
+    return _theorem_pattern().sub(lambda match: str(printed_number(match[0])), text)
 
 
 @lru_cache(maxsize=1)
@@ -106,6 +108,12 @@ def _patterns() -> tuple[re.Pattern[str], re.Pattern[str]]:
         re.compile(rf"\b[Ee]qs?\. ({every}(?:{_SEPARATOR}{every})*)"),
         re.compile(rf"(?<![\w:-])({distinct}(?:{_SEPARATOR}{distinct})*)"),
     )
+
+
+@lru_cache(maxsize=1)
+def _theorem_pattern() -> re.Pattern[str]:
+    labels = [label for label, number in _data()["numbers"].items() if re.match("Theorem|Lemma", number or "")]
+    return re.compile(rf"(?<![\w:(-])(?:{'|'.join(map(re.escape, labels))})(?!\w)")
 
 
 def _numbered(match: re.Match[str]) -> str:

@@ -15,7 +15,7 @@ _PAGE = "proofs/oscillating_solutions.md"
 ALGEBRA = Algebra("tau c F0 F1 G0 G1 u sine cosine")
 _SYMBOLS = ALGEBRA.symbols
 POWERS = {"power series": "beta", "oscillating": "-beta/2 - 3/4"}
-"""The powers of -τ of h and of e_r, e_i in Theorem 4 of the paper."""
+"""The powers of -τ of h and of e_r, e_i in Theorem 5 (th:4) of the paper."""
 BETA = "x - 1/2"
 """All the β that the page speaks of, as x takes all positive values."""
 AIRY = {"solution": "tau*F0*G0 - 4*c^2*F1*G1", "beta": "1/2", "4 c^3": "1"}

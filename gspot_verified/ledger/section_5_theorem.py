@@ -150,7 +150,7 @@ def _existence() -> Entry:
             "specialL and conditions pbc to Jbc, by ordinary polynomials",
             all_of((explicit.equations_hold(r) and explicit.synchronised(r)) or None for r in found),
         ),
-        note="Unique among polynomials: the paper's argument is that Theorem 4 leaves no other smooth solution. For an "
+        note="Unique among polynomials: the paper's argument is that th:3 leaves no other smooth solution. For an "
         "integer β > 0 the polynomial Θ(κ s, β) can be added to b_n where its degree occurs.",
     )
 

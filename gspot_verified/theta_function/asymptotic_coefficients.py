@@ -1,4 +1,4 @@
-"""The coefficients c_k(beta) of Theorems 4 and 5, as exact polynomials in beta, by two independent derivations.
+"""The coefficients c_k(beta) of Theorem 5 (th:4), as exact polynomials in beta, by two independent derivations.
 
 Proof page: ``proofs/asymptotic_coefficients.md``.
 """

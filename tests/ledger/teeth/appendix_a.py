@@ -79,7 +79,7 @@ def _large(j: int) -> tuple[Any, ...]:
 
 
 TEETH: Teeth = {
-    "A-theorem-3": (
+    "A-th3": (
         *(Bite("factor", printed.FUNCTIONS, name, scaled) for name in ("argument", "front 1", "upper 0", "lower 2")),
         Bite("hidden factor", printed.FUNCTIONS, "upper 0", _IN_BETA),
         Bite("hidden factor", printed.FUNCTIONS, "front 2", unseen_at("tau", (-9, 8))),
@@ -121,7 +121,7 @@ TEETH: Teeth = {
     "A-blarge1": _large(0),
     "A-blarge2": _large(1),
     "A-blarge3": _large(2),
-    "A-theorem-5-condition": (
+    "A-th5-condition": (
         *(Bite("factor", asymptotics.EXCEPTIONS, str(j), scaled) for j in range(3)),
         *(Bite("factor", printed.LARGE, f"factor {j}", scaled) for j in range(3)),
         *(Bite("hidden factor", asymptotics.EXCEPTIONS, str(j), unseen_at("m", range(3))) for j in range(3)),
