@@ -80,7 +80,7 @@ def _iwc() -> Entry:
     return settled(
         SECTION,
         "S-iwc",
-        "line 1278 (Cases I and II)",
+        "lines 1278 to 1291 (Cases I and II)",
         r"\frac{d\Theta}{d\tau}(\tau,\beta)<0\quad(\tau\in\mathbb R,\ 0<\beta<1)",
         "For 0 < β < 1, dΘ/dτ < 0 for every real τ",
         _claim("S-iwc").check_sign(
@@ -205,7 +205,7 @@ def _other_side() -> Entry:
     return settled(
         SECTION,
         "S-iwc-case-III",
-        "line 1303 (Case III)",
+        "lines 1304 to 1305 (Case III)",
         r"\hat\lambda_N>0\quad(C_1/\Gamma(-\beta)>0)",
         "For β > 1 not an integer and C_1/Γ(-β) > 0, at leading order: on every half-line [τ_0, ∞) the contact force "
         "λ_N is positive for all ε below an explicit ε_0",

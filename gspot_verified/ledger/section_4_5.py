@@ -157,7 +157,7 @@ def _dominance() -> Entry:
     return settled(
         SECTION,
         "S-dominance",
-        "lines 1253 and 1284",
+        "lines 1253, 1285 and 1296",
         r"\varepsilon^{(2\beta-2)/3}",
         "For small ε at fixed τ with dΘ/dτ not 0 (C_1, α_2 not 0) the deviation of the force dominates the mean force "
         "when β < 1, and the mean force dominates when β > 1",
