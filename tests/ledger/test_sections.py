@@ -21,6 +21,7 @@ from gspot_verified.ledger import (
     section_4_fast,
     section_4_inner,
     section_4_matching,
+    section_4_oscillating,
     section_4_outer,
     section_4_slow,
     section_4_trivial,
@@ -38,8 +39,8 @@ from gspot_verified.ledger.verify import PARTS
 
 MODULES = (
     lagrangian, section_4_trivial, section_4_outer, section_4_unique, section_4_fast, section_4_slow, section_4_inner,
-    section_4_matching, section_5_recursion, section_5_theorem, section_5_spaces, example, section_5_outer,
-    section_5_ansatz, section_5_matching,
+    section_4_oscillating, section_4_matching, section_5_recursion, section_5_theorem, section_5_spaces, example,
+    section_5_outer, section_5_ansatz, section_5_matching,
 )  # fmt: skip
 WITH_FORMULAS = tuple(module for module in MODULES if hasattr(module, "PRINTED"))
 OWN = [part for part, entries in PARTS.items() if inspect.getmodule(entries) in MODULES]
@@ -48,6 +49,7 @@ REFUTED = {
     "2-trivial-zy": "z = y/2 = ε² α_2/(α_1 - α_3)",
     "4-order": "fourth order",
     "4-unique-smooth": "formal series",
+    "4-behaves-like": "without e_r and e_i",
     "4-inner-fast": "-δ² α_1 s",
     "4-inner-scaling-v": "δ α_3 v/ε",
     "4-matching-middle": "(-ε^(2/3) s)^β",
