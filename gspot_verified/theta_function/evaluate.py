@@ -260,5 +260,6 @@ def _attempt(tau: Exact, beta: Exact, goal: int) -> tuple[str, arb]:
     if goal < _LEAST_SECOND_GOAL:
         return _attempt(tau, beta, _LEAST_SECOND_GOAL)
     raise BudgetError(
-        f"no route reaches {goal} bits at this tau and beta within memory: ask for fewer digits, or smaller |tau|"
+        f"no route reaches {goal} bits at this tau and beta within memory and time: ask for fewer digits, "
+        "a smaller |tau|, or a beta of smaller denominator"
     )

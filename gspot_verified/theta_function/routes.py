@@ -43,6 +43,8 @@ _MAX_SPLITTING_BITS = 2**33
 _MAX_TERM_BITS = 2**36
 _MAX_GENERIC_GAMMA_BITS = 400_000
 _SMALL_HEIGHT_BITS = 32
+_SMALL_DENOMINATOR = 1_000
+_MAX_LONG_DENOMINATOR_BITS = 1_000_000
 _MAX_LAPLACE_BITS = 20_000
 _MAX_LAPLACE_LOSS = 4_000
 _MAX_EXACT_FACTOR_BITS = 100_000
@@ -151,8 +153,15 @@ def laplace(tau: Exact, beta: Exact, goal: int) -> arb:
 
 
 def _gamma_is_affordable(beta: Exact, bits: int) -> bool:
-    """Gamma of a rational of small height is quasi-linear; of anything else it is not, and its memory grows."""
-    return bits <= _MAX_GENERIC_GAMMA_BITS or (isinstance(beta, fmpq) and beta.height_bits() <= _SMALL_HEIGHT_BITS)
+    """Gamma of a rational of small height is quasi-linear; of anything else it is not, and its memory grows.
+
+    With a long denominator it is so slow that minutes would pass within one call of FLINT.
+    """
+    if bits <= _MAX_GENERIC_GAMMA_BITS:
+        return True
+    if not isinstance(beta, fmpq) or beta.height_bits() > _SMALL_HEIGHT_BITS:
+        return False
+    return beta.q <= _SMALL_DENOMINATOR or bits <= _MAX_LONG_DENOMINATOR_BITS
 
 
 def _farthest(tau: Exact) -> float:

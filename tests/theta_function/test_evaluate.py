@@ -276,3 +276,27 @@ def test_max_bits_bounds_the_first_attempt_too(asked: list[int], max_bits: int) 
     assert found.value.is_finite()
     assert found.value.overlaps(evaluate("1/3", "7/5", digits=50).value)
     assert relative_bits(found.value) >= max_bits - 8
+
+
+@pytest.mark.parametrize(("beta", "digits", "answered"), [
+    ("1000/1003", 10**6, False), ("1/1001", 310_000, False), ("1/1001", 290_000, True), ("-1/1000", 10**6, True),
+])  # fmt: skip
+def test_long_denominators_at_very_many_digits_are_refused_beforehand(
+    monkeypatch: pytest.MonkeyPatch, beta: str, digits: int, answered: bool
+) -> None:
+    """1000/1003 at 10^6 digits was silent for minutes, inside one call of FLINT."""
+    started: list[int] = []
+
+    def sum_instead(_tau: Any, _beta: Any, _length: int, bits: int, *_: Any) -> arb:
+        started.append(bits)
+        return arb(1)
+
+    for name in ("splitting_sum", "taylor_sum"):
+        monkeypatch.setattr(routes, name, sum_instead)
+    if answered:
+        assert evaluate("1/2", beta, digits=digits).value == 1
+        assert len(started) == 1
+    else:
+        with pytest.raises(routes.BudgetError, match=r"fewer digits.* a beta of smaller denominator"):
+            evaluate("1/2", beta, digits=digits)
+        assert started == []
