@@ -1,7 +1,16 @@
-"""Check a certificate about the sign or the zeros of dΘ/dτ. Usage: python check.py CERTIFICATE
+"""Check a certificate about the sign or the zeros of dΘ/dτ. Usage: python check.py [OPTIONS] CERTIFICATE
 
 The format is on the page certificate.md; every lemma named here is proved there or on check.md. Nothing is shared with
 the code that finds certificates: no Gamma function, no value at τ = 0, no ball arithmetic. F(τ) = Θ(τ, b), b = β - 1.
+
+    Limits        what a check may cost (check.md, section 6)
+    Reading       from bytes to columns of pieces (certificate.md, Text and Columns)
+    Models        polynomials in b with a bound on their error (check.md, Models)
+    F on a disc   F for a complex disc of b, carried along τ (check.md, sections 1 to 3)
+    Boxes         signs of F and of its derivatives on boxes (check.md, section 4)
+    Pieces        the hypotheses of each piece (certificate.md, Pieces)
+    Statements    from pieces to the statement (certificate.md; integer β: check.md, section 5)
+    Command line
 """
 
 from __future__ import annotations
@@ -9,28 +18,18 @@ from __future__ import annotations
 import hashlib
 import json
 import math
+import os
 import re
+import stat
 import sys
 from collections import namedtuple
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
 from fractions import Fraction
-from functools import lru_cache
-from itertools import count, islice, pairwise
+from itertools import count, pairwise
 from typing import Any, NamedTuple, NoReturn
 
-MAX_BYTES, MAX_LINE, MAX_LISTS = 20_000_000, 2_000_000, 200_000
-MAX_BETA, MAX_TAU, MAX_BITS, MAX_SPLITS, MAX_WORK = 200, 200, 3_000, 10, 200_000_000
-HYPOTHESES = ["certificate", "fold", "identities", "initial_values", "laplace", "negative", "tails"]
-NUMBER = "-?(?:0|[1-9][0-9]{0,3999})(?:/[1-9][0-9]{0,3999})?"
-RANGE = rf"([\[(])(-inf|{NUMBER}), (inf|{NUMBER})([\])])"
-POINTS = {"laplace": 0, "taylor": 0, "left": 1, "right": 1, "sign": 2, "monotone": 2, "fold": 2, "hinge": 2}
-VALUES: dict[str, tuple[int, ...]] = {"right": (0, 1), "sign": (-1, 1), "monotone": (-1, 1)}  # of v, s and d
 INFINITY = math.inf  # stands for an infinite end of a range; no float takes part in a bound
-STEP = Fraction(2)  # between the points from which F is carried on
-Box = tuple[Fraction, Fraction, Fraction, Fraction]  # b from, b to, τ from, τ to
-Range = namedtuple("Range", "start end closed text")  # of τ or β; closed at the start, closed at the end; in words
-Piece = namedtuple("Piece", "start end kind points value")  # covers [start, end] in τ; value is its s, d or v, or 0
-Column = namedtuple("Column", "start end cell pieces")  # β in [start, end]; b in [cell, cell + 1] or in (-∞, 0]
 
 
 class Rejected(Exception):
@@ -48,24 +47,101 @@ def require(condition: object, reason: str) -> None:
         reject(reason)
 
 
+# ---------------------------------------------------------------------------------------------------------------------
+# Limits. They keep a check short; no proof needs them. A certificate beyond one of them is rejected, not refuted.
+# ---------------------------------------------------------------------------------------------------------------------
+
+WORK_PER_BYTE = 300_000  # products of digits for each byte of the certificate, beside Limits.work
+OPERATION = 200  # what one operation of the interpreter costs, in products of digits
+DIGIT = 30  # bits; Python multiplies digits of this length
+
+
+class Limits(NamedTuple):
+    """What a check may cost. To raise one on purpose: --limit NAME=NUMBER."""
+
+    bytes: int = 20_000_000  # of the file
+    line: int = 2_000_000  # bytes of one line
+    lists: int = 200_000  # pieces, brackets and so on in the whole file
+    beta: int = 200  # |β|, where F is computed
+    tau: int = 200  # |τ|, where F is computed
+    bits: int = 3_000  # accuracy of F
+    splits: int = 10  # how often a box is halved
+    work: int = 15  # 10^9 products of digits for a whole certificate; WORK_PER_BYTE is added
+    memory: int = 160  # 10^6 bytes of numbers that are kept at one time
+
+    def beyond(self, name: str) -> NoReturn:
+        """End the check at a limit."""
+        value = getattr(self, name)
+        reject(f"out of the checker's range: the limit {name}={value} (raise it on purpose: --limit {name}=NUMBER)")
+
+    def keep(self, name: str, value: Any) -> None:
+        """End the check if a value is greater than the limit of this name."""
+        if value > getattr(self, name):
+            self.beyond(name)
+
+
+def digits(number: int) -> int:
+    """The length of an integer in digits, at least 1."""
+    return number.bit_length() // DIGIT + 1
+
+
+class Meter:
+    """Counts work before it is done: products of digits, and operations of the interpreter."""
+
+    def __init__(self, limits: Limits, budget: int) -> None:
+        self.limits, self.left = limits, budget
+
+    def spend(self, products: int, operations: int) -> None:
+        """Take from the budget."""
+        self.left -= products + OPERATION * operations
+        if self.left < 0:
+            self.limits.beyond("work")
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# Reading: certificate.md, Text and Columns.
+# ---------------------------------------------------------------------------------------------------------------------
+
+HYPOTHESES = ["certificate", "fold", "identities", "initial_values", "laplace", "negative", "tails"]
+NUMBER = "-?(?:0|[1-9][0-9]{0,3999})(?:/[1-9][0-9]{0,3999})?"
+RANGE = rf"([\[(])(-inf|{NUMBER}), (inf|{NUMBER})([\])])"
+POINTS = {"laplace": 0, "taylor": 0, "left": 1, "right": 1, "sign": 2, "monotone": 2, "fold": 2, "hinge": 2}
+VALUES: dict[str, tuple[int, ...]] = {"right": (0, 1), "sign": (-1, 1), "monotone": (-1, 1)}  # of v, s and d
+
+Range = namedtuple("Range", "start end closed text")  # of τ or β; closed at the start, closed at the end; in words
+Piece = namedtuple("Piece", "start end kind points value")  # covers [start, end] in τ; value is its s, d or v, or 0
+Column = namedtuple("Column", "start end cell pieces")  # β in [start, end]; b in [cell, cell + 1] or in (-∞, 0]
+
+
+def integer(text: str) -> int:
+    """A JSON integer; its length is bounded before the conversion."""
+    require(re.fullmatch("-?[0-9]{1,4000}", text), f"{text!a:.50} is not an integer of at most 4000 digits")
+    return int(text)
+
+
+def object_of(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """A JSON object with no key twice."""
+    value = dict(pairs)
+    require(len(value) == len(pairs), "a key occurs twice in one object")
+    return value
+
+
 def read_line(line: bytes) -> Any:
-    """One line of canonical JSON: no key twice, integers only, and their length is bounded before the conversion."""
-
-    def number(text: str) -> int:
-        require(re.fullmatch("-?[0-9]{1,4000}", text), f"{text!a:.50} is not an integer of at most 4000 digits")
-        return int(text)
-
-    def keys(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        return dict(pairs) if len(dict(pairs)) == len(pairs) else reject("a key occurs twice in one object")
-
+    """One line of canonical JSON: integers are its only numbers."""
     try:
         text = line.decode()
-        value = json.loads(text, object_pairs_hook=keys, parse_int=number, parse_float=number, parse_constant=number)
+        value = json.loads(
+            text, object_pairs_hook=object_of, parse_int=integer, parse_float=integer, parse_constant=integer
+        )
         canonical = json.dumps(value, sort_keys=True, separators=(",", ":"))
-    except (RecursionError, ValueError) as error:
-        reasons = {RecursionError: "JSON is nested too deeply", UnicodeDecodeError: "the text is not UTF-8"}
-        reject(reasons.get(type(error), "a line is not JSON"))
-    return value if canonical == text else reject("a line is not canonical JSON")
+    except RecursionError:
+        reject("JSON is nested too deeply")
+    except UnicodeDecodeError:
+        reject("the text is not UTF-8")
+    except ValueError:
+        reject("a line is not JSON")
+    require(canonical == text, "a line is not canonical JSON")
+    return value
 
 
 def entries(value: Any, name: str, *keys: str) -> list[Any]:
@@ -76,26 +152,33 @@ def entries(value: Any, name: str, *keys: str) -> list[Any]:
 
 def rational(value: Any) -> Fraction:
     """A rational number as text in lowest terms."""
-    number = isinstance(value, str) and re.fullmatch(NUMBER, value)
-    require(number, f"{value!a:.50} is not a rational number as text of at most 4000 digits")
-    return Fraction(value) if str(Fraction(value)) == value else reject(f"{value!a:.50} is not in lowest terms")
+    matches = isinstance(value, str) and re.fullmatch(NUMBER, value)
+    require(matches, f"{value!a:.50} is not a rational number as text of at most 4000 digits")
+    number = Fraction(value)
+    require(str(number) == value, f"{value!a:.50} is not in lowest terms")
+    return number
 
 
 def one_of(value: Any, allowed: Sequence[int], name: str) -> int:
     """An integer (no boolean) out of a few."""
-    return value if type(value) is int and value in allowed else reject(f"{name} is {value!a:.50}")
+    require(type(value) is int and value in allowed, f"{name} is {value!a:.50}")
+    return int(value)
 
 
 def has(where: Range, x: Any) -> bool:
     """Whether x is in a range."""
-    return bool(where.start < x < where.end or (x, True) in zip(where[:2], where.closed, strict=True))
+    at_an_end = (x == where.start and where.closed[0]) or (x == where.end and where.closed[1])
+    return bool(where.start < x < where.end or at_an_end)
 
 
 def read_range(value: Any, name: str) -> Range:
     """A range as text, and in words."""
     match = re.fullmatch(RANGE, value) if isinstance(value, str) else None
-    left, low, high, right = match.groups() if match else reject(f"{value!a:.50} is not a range")
-    start, end = -INFINITY if low == "-inf" else rational(low), INFINITY if high == "inf" else rational(high)
+    if match is None:
+        reject(f"{value!a:.50} is not a range")
+    left, low, high, right = match.groups()
+    start = -INFINITY if low == "-inf" else rational(low)
+    end = INFINITY if high == "inf" else rational(high)
     require(left + low != "[-inf" and high + right != "inf]", f"the range {value!a:.50} is closed at infinity")
     require(start < end or (start == end and left + right == "[]"), f"the range {value!a:.50} is empty")
     text = f"for every {name} in {value}" if start < end else f"at {name} = {low}"
@@ -105,8 +188,8 @@ def read_range(value: Any, name: str) -> Range:
 def check_cover(parts: Sequence[Any], start: Any, end: Any, name: str) -> None:
     """Each part begins where the one before it ends, and together they just cover a range."""
     for before, after in pairwise(parts):
-        require(before.end >= after.start, f"a gap between {name} at {before.end!s:.50}")
-        require(before.end <= after.start, f"an overlap of {name} at {after.start!s:.50}")
+        require(before.end >= after.start, f"a gap between {name}")
+        require(before.end <= after.start, f"an overlap of {name}")
         require(before.start < before.end and after.start < after.end, f"one of several {name} is a single point")
     require(parts and parts[0].start <= start and parts[-1].end >= end, f"the {name} do not cover the whole range")
     require(parts[0].end >= start and parts[-1].start <= end, f"one of the {name} lies outside the range")
@@ -116,13 +199,19 @@ def read_piece(value: Any) -> Piece:
     """The shape of one piece."""
     kind = value[0] if isinstance(value, list) and value else ""
     require(isinstance(kind, str) and kind in POINTS, f"unknown piece {value!a:.50}")
-    length, values, arguments = POINTS[kind], VALUES.get(kind, ()), value[1:]
+    arguments, length, values = value[1:], POINTS[kind], VALUES.get(kind, ())
     require(len(arguments) == length + bool(values), f"a piece {kind} has {len(arguments)} arguments")
     points = [rational(point) for point in arguments[:length]]
-    start: Any = Fraction(0) if kind == "taylor" else -INFINITY if kind in ("laplace", "left") else points[0]
-    end: Any = INFINITY if kind in ("laplace", "taylor", "right") else points[-1]
-    require(start < end, f"a piece {kind} does not go from left to right")
     last = one_of(arguments[length], values, f"the last entry of a piece {kind}") if values else 0
+    start: Any = points[0] if points else -INFINITY
+    end: Any = points[-1] if points else INFINITY
+    if kind == "left":
+        start = -INFINITY
+    if kind == "right":
+        end = INFINITY
+    if kind == "taylor":
+        start = Fraction(0)
+    require(start < end, f"a piece {kind} does not go from left to right")
     return Piece(start, end, kind, points, last)
 
 
@@ -130,30 +219,40 @@ def read_column(line: bytes) -> Column:
     """One column and its place in a cell."""
     beta, pieces = entries(read_line(line), "a column", "beta", "pieces")
     require(isinstance(beta, list) and len(beta) == 2 and isinstance(pieces, list), "a column has not its two lists")
-    start: Any = -INFINITY if beta[0] == "-inf" else rational(beta[0])
-    end, unbounded = rational(beta[1]), isinstance(start, float)
-    require(not unbounded or pieces == [["laplace"]], "a column that begins at -inf is not the piece laplace alone")
-    cell = -1 if unbounded else math.floor(start) - 1 - (start == end == math.floor(start))
+    end = rational(beta[1])
+    if beta[0] == "-inf":
+        require(pieces == [["laplace"]], "a column that begins at -inf is not the piece laplace alone")
+        start: Any = -INFINITY
+        cell = -1
+    else:
+        start = rational(beta[0])
+        is_integer = start == end and start.denominator == 1
+        cell = math.floor(start) - 2 if is_integer else math.floor(start) - 1
     require(start <= end, f"the column {beta!a:.50} ends before it begins")
-    require(end <= max(cell + 2, 1), f"the column {beta!a:.50} crosses an integer")
+    require(end <= cell + 2 or end <= 1, f"the column {beta!a:.50} crosses an integer")
     return Column(start, end, cell, [read_piece(piece) for piece in pieces])
 
 
-def read_certificate(data: bytes) -> tuple[Any, list[Column]]:
-    """The hash, the header and the columns."""
-    require(len(data) <= MAX_BYTES, f"the certificate is longer than {MAX_BYTES} bytes")
-    body, last = data[:-72], data[-72:]
+def read_certificate(data: bytes, limits: Limits) -> tuple[Any, list[Column]]:
+    """The statement and the columns."""
+    limits.keep("bytes", len(data))
     require(re.fullmatch(rb"(?s).*\nsha256 [0-9a-f]{64}\n", data), "the last line is not sha256 and a hash")
+    body, last = data[:-72], data[-72:]
     require(hashlib.sha256(body).hexdigest().encode() == last[7:71], "the hash does not match")
+    limits.keep("lists", body.count(b"["))
     lines = body[:-1].split(b"\n")
-    small = max(map(len, lines)) <= MAX_LINE and body.count(b"[") <= MAX_LISTS
-    require(small, f"a line is longer than {MAX_LINE} bytes, or there are more than {MAX_LISTS} lists")
+    limits.keep("line", max(map(len, lines)))
     names = ("format", "hypotheses", "statement", "version")
     form, hypotheses, statement, version = entries(read_line(lines[0]), "the header", *names)
     require(form == "gspot_verified certificate", f"the format is {form!a:.50}")
     one_of(version, (1,), "the version")
     require(hypotheses == HYPOTHESES, "the hypotheses are not the pages that this checker knows")
     return statement, [read_column(line) for line in lines[1:]]
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# Models: check.md, Models.
+# ---------------------------------------------------------------------------------------------------------------------
 
 
 class Model(NamedTuple):
@@ -175,14 +274,28 @@ class Model(NamedTuple):
         n, d = factor.numerator, factor.denominator
         return Model([n * m // d for m in self.m], abs(n) * self.error // d + 1 + len(self.m))
 
+    def digits(self) -> int:
+        """The length of all its integers."""
+        return (sum(map(int.bit_length, self.m)) + self.error.bit_length()) // DIGIT + len(self.m) + 1
 
-def moved(series: list[Model], u: Fraction, p: int) -> list[Model]:
+    def bytes(self) -> int:
+        """The memory that it takes: 4 bytes for a digit, at most 40 beside for an integer."""
+        return 4 * self.digits() + 40 * len(self.m) + 120
+
+
+def moved(series: list[Model], u: Fraction, p: int, meter: Meter) -> list[Model]:
     """Σ C(k,i) a_k u^(k-i), i = 0, 1, 2, for |u| ≤ 1; powers of u have p bits (check.md, section 3)."""
-    powers, result, norms = [1 << p], [], [a.norm() for a in series]
+    length, degree = len(series), len(series[0].m)
+    size = p // DIGIT + 1
+    meter.spend(length * size * (digits(u.numerator) + digits(u.denominator)), 4 * length)
+    meter.spend(3 * size * sum(a.digits() for a in series), length * (3 * degree + 10))
+    powers = [1 << p]
     for _ in series:
         powers.append(powers[-1] * u.numerator // u.denominator)
+    norms = [a.norm() for a in series]
+    result = []
     for i in range(3):
-        weights = [math.comb(k, i) * powers[max(k - i, 0)] for k in range(len(series))]
+        weights = [math.comb(k, i) * powers[max(k - i, 0)] for k in range(length)]
         m = [sum(map(int.__mul__, weights, column)) >> p for column in zip(*(a.m for a in series), strict=True)]
         error = sum(abs(w) * a.error for w, a in zip(weights, series, strict=True))
         error += sum(math.comb(k, i) * k * norm for k, norm in enumerate(norms))
@@ -190,27 +303,84 @@ def moved(series: list[Model], u: Fraction, p: int) -> list[Model]:
     return result
 
 
-class Local:
-    """F/x^b for b = (centre + radius η)/unit, [low, high] is |η| ≤ 1/2, carried along τ from -x (check.md)."""
+# ---------------------------------------------------------------------------------------------------------------------
+# F on a disc: check.md, sections 1 to 3.
+# ---------------------------------------------------------------------------------------------------------------------
 
-    def __init__(self, low: Fraction, high: Fraction, bits: int, spend: Callable[[int], None]) -> None:
+STEP = Fraction(2)  # between the points from which F is carried on
+
+
+def start_for(bits: int, reach: int, tau: Fraction) -> int:
+    """An even x ≥ -τ, so far out that the series at -x gives these bits. A heuristic: any choice is correct."""
+    x = 2 * math.ceil(max((1.05 * bits) ** (2 / 3), 1.5 * reach ** (2 / 3), 4.0) / 2)
+    return x if x >= -tau else 16 * math.ceil(-tau / 16)
+
+
+def degree_for(width: Fraction, x: int, goal: float) -> int:
+    """How many coefficients in η make the rest less than e^-goal. A heuristic: any choice is correct."""
+    size = float(width) * (math.log(x) + 2)
+    if not size:
+        return 1
+    return next(d for d in count(1) if math.lgamma(d) - d * math.log(size) > goal)
+
+
+class Local:
+    """F/x^b for b = (centre + radius η)/unit, [low, high] is |η| ≤ 1/2, carried along τ from -x."""
+
+    def __init__(self, low: Fraction, high: Fraction, bits: int, tau: Fraction, meter: Meter) -> None:
         self.unit = 2 * math.lcm(low.denominator, high.denominator)
         self.centre, self.radius = int((low + high) / 2 * self.unit), int((high - low) * self.unit)
         self.reach = (abs(self.centre) + self.radius) // self.unit + 1  # ≥ |b| on the disc
-        self.spend = spend
-        # Heuristics: the start, a multiple of STEP, the bits and the degrees. Any choice is correct.
-        self.x = 2 * math.ceil(max((1.05 * bits) ** (2 / 3), 1.5 * self.reach ** (2 / 3), 4.0) / 2)
-        self.p = bits + 60 + self.x // 4 + 3 * math.isqrt(self.x)
-        width, goals = float(high - low) * (math.log(self.x) + 2), (0.7 * bits + 28, 20.0)
-        log_width = math.log(width) if width else -INFINITY
-        self.size, self.few = (next(d for d in count(1) if math.lgamma(d) - d * log_width > goal) for goal in goals)
-        self.anchors, self.solutions = [self.at_minus_x()], lru_cache(2)(self.solutions_at)
+        self.x = start_for(bits, self.reach, tau)
+        self.p = bits + 30 + self.x // 4 + 3 * math.isqrt(self.x)
+        self.few_bits = 24 + 3 * math.isqrt(self.x)  # of the basic solutions: only their norms are used
+        self.degree = degree_for(high - low, self.x, 0.6 * bits + 10)
+        self.meter = meter
+        self.anchor_bytes, self.kept_series = 0, dict[int, tuple[list[list[Model]], int]]()
+        self.anchors: list[list[Model]] = []
+        self.add_anchor(self.at_minus_x())
+
+    def bytes(self) -> int:
+        """The memory that is kept: anchors, and series at the last two of them."""
+        return self.anchor_bytes + sum(size for _, size in self.kept_series.values())
+
+    def add_anchor(self, values: list[Model]) -> None:
+        """Keep the values at one more anchor; one F takes at most half of the memory."""
+        self.anchors.append(values)
+        self.anchor_bytes += sum(value.bytes() for value in values)
+        if 2 * self.bytes() > self.meter.limits.memory * 10**6:
+            self.meter.limits.beyond("memory")
 
     def linear(self, a: Model, i: int, divisor: int) -> Model:
         """(i - b) a/divisor; the coefficient beyond the degree goes into the error."""
         n, r, d = i * self.unit - self.centre, self.radius, divisor * self.unit
+        self.meter.spend(a.digits() * (digits(n) + digits(r) + digits(d)), 4 * len(a.m))
         m = [(n * x - r * y) // d for x, y in zip(a.m, [0, *a.m], strict=False)]
         return Model(m, ((abs(n) + r) * a.error + r * abs(a.m[-1])) // abs(d) + 1 + len(m))
+
+    def at_minus_x(self) -> list[Model]:
+        """a_0, a_1, a_2 at τ = -x with the scale STEP: the enveloping series on the disc (section 1)."""
+        x, unit = self.x, self.unit
+        sums = [[0] * self.degree for _ in range(3)]
+        errors = [0, 0, 0]
+        term, bound = Model([1 << self.p] + [0] * (self.degree - 1), 0), 1 << self.p
+        for k in count():
+            once = self.linear(term, 3 * k, x)
+            twice = self.linear(once, 3 * k + 1, x)
+            for i, part in enumerate((term, once, twice)):
+                sums[i] = list(map(int.__add__, sums[i], part.m))
+                errors[i] += part.error
+            term = self.linear(twice, 3 * k + 2, -3 * (k + 1) * x)
+            factors = (abs(i * unit - self.centre) + self.radius for i in range(3 * k, 3 * k + 3))
+            before, bound = bound, -(-bound * math.prod(factors) // ((unit * x) ** 3 * 3 * (k + 1)))
+            # N = k + 1: 3N ≥ B + 1/2. The rest is small enough, or it is the least.
+            if 3 * k + 2 > self.reach and (bound <= 1 or bound >= before):
+                break
+        far = 3 * k + 3 + self.reach  # ≥ 3N + B
+        bound *= 5 ** -(-self.radius // unit)
+        rests = (bound, bound * far // x + 1, bound * far * (far + 1) // (x * x) + 1)
+        values = [Model(m, error + rest) for m, error, rest in zip(sums, errors, rests, strict=True)]
+        return [value.times(STEP**i / (1 + i // 2)) for i, value in enumerate(values)]
 
     def recurrence(self, point: Fraction, s: Fraction, start: Sequence[Model]) -> Iterator[Model]:
         """(k+1)(k+2)(k+3) c_{k+3} = τ (k+1) c_{k+1} + (k - b) c_k at τ = point, for a_k = c_k s^k (section 2)."""
@@ -218,12 +388,12 @@ class Local:
         common = math.lcm(first.denominator, second.denominator)
         alpha, beta = int(first * common), int(second * common)
         zero, one, two = start
-        cost = (8 + len(zero.m)) * (1 + (self.p + common.bit_length()) // 512)
         yield from start
         for k in count():
-            self.spend(cost)
             n, r, f = beta * (k * self.unit - self.centre), beta * self.radius, alpha * (k + 1)
             d = common * (k + 1) * (k + 2) * (k + 3)
+            products = zero.digits() * (digits(n) + digits(r) + digits(d)) + one.digits() * (digits(f) + digits(d))
+            self.meter.spend(products, 4 * len(zero.m) + 20)
             m = [(f * y + n * x - r * z) // d for x, y, z in zip(zero.m, one.m, [0, *zero.m], strict=False)]
             error = (abs(f) * one.error + (abs(n) + r) * zero.error + r * abs(zero.m[-1])) // d + 1 + len(m)
             zero, one, two = one, two, Model(m, error)
@@ -231,10 +401,15 @@ class Local:
 
     def expand(self, point: Fraction, s: Fraction, start: Sequence[Model]) -> list[Model]:
         """Coefficients until the tail lemma (section 2) holds with q ≤ 1/2; the last error bounds the rest too."""
-        square, cube, small = math.ceil(abs(point) * s * s), math.ceil(s**3), 2 * len(start[0].m) + 2
+        square, cube = math.ceil(abs(point) * s * s), math.ceil(s**3)
+        small = 2 * len(start[0].m) + 2
+        kept, most = 0, self.meter.limits.memory * 10**6 // 8
         a: list[Model] = []
         for model in self.recurrence(point, s, start):
             a.append(model)
+            kept += model.bytes()
+            if kept > most:
+                self.meter.limits.beyond("memory")
             i = len(a) - 5
             falls = 2 * (square * (i + 1) + cube * (i + self.reach + 2)) <= (i + 1) * (i + 2) * (i + 3)
             if i >= 0 and falls and max(last.norm() for last in a[-3:]) <= small:
@@ -242,48 +417,37 @@ class Local:
         a[-1] = Model(a[-1].m, a[-1].error + 3 * max(last.norm() for last in a[-3:]))
         return a
 
-    def at_minus_x(self) -> list[Model]:
-        """a_0, a_1, a_2 at τ = -x with the scale STEP: the enveloping series on the disc (section 1)."""
-        x, unit, parts = self.x, self.unit, []
-        term, bound = Model([1 << self.p] + [0] * (self.size - 1), 0), 1 << self.p
-        for k in count():
-            once = self.linear(term, 3 * k, x)
-            twice = self.linear(once, 3 * k + 1, x)
-            parts.append((term, once, twice))
-            term = self.linear(twice, 3 * k + 2, -3 * (k + 1) * x)
-            factors = (abs(i * unit - self.centre) + self.radius for i in range(3 * k, 3 * k + 3))
-            before, bound = bound, -(-bound * math.prod(factors) // ((unit * x) ** 3 * 3 * (k + 1)))
-            if 3 * k + 2 > self.reach and bound >= before:  # N = k + 1: 3N ≥ Re b + 1/2; the least bound is reached
-                break
-        far = 3 * k + 3 + self.reach
-        bound *= 5 ** -(-self.radius // unit)
-        rests = (bound, bound * far // x + 1, bound * far * (far + 1) // (x * x) + 1)
-        sums = [[sum(m) for m in zip(*(t.m for t in terms), strict=True)] for terms in zip(*parts, strict=True)]
-        errors = [sum(t.error for t in terms) for terms in zip(*parts, strict=True)]
-        values = [Model(m, error + rest) for m, error, rest in zip(sums, errors, rests, strict=True)]
-        return [v.times(STEP**i / (1 + i // 2)) for i, v in enumerate(values)]
-
-    def solutions_at(self, index: int) -> list[list[Model]]:
+    def series_at(self, index: int) -> list[list[Model]]:
         """Series at an anchor: of the midpoints of the values there as one solution, and of three basic solutions."""
-        basis = [[Model([(i == j) << self.p] + [0] * (self.few - 1), 0) for j in range(3)] for i in range(3)]
-        starts = ([Model(v.m, 0) for v in self.anchors[index]], *basis)
-        return [self.expand(index * STEP - self.x, STEP, start) for start in starts]
+        if index not in self.kept_series:
+            degree = min(self.degree, degree_for(Fraction(self.radius, self.unit), self.x, 6.0))
+            basis = [[Model([(i == j) << self.few_bits] + [0] * (degree - 1), 0) for j in range(3)] for i in range(3)]
+            starts = ([Model(value.m, 0) for value in self.anchors[index]], *basis)
+            found = [self.expand(index * STEP - self.x, STEP, start) for start in starts]
+            while len(self.kept_series) > 1:
+                del self.kept_series[next(iter(self.kept_series))]
+            self.kept_series[index] = found, sum(a.bytes() for series in found for a in series)
+        return self.kept_series[index][0]
 
     def carried(self, index: int, u: Fraction) -> list[Model]:
         """a_0, a_1, a_2 at a distance u STEP from an anchor: the errors are carried by a 3x3 matrix (section 3)."""
-        exact, *matrix = (moved(series, u, self.p) for series in self.solutions(index))
-        errors = [v.error for v in self.anchors[index]]
-        norms = (map(Model.norm, row) for row in zip(*matrix, strict=True))
-        carried = (sum(map(int.__mul__, row, errors)) >> self.p for row in norms)
-        return [Model(v.m, v.error + error + 1) for v, error in zip(exact, carried, strict=True)]
+        series, *basis = self.series_at(index)
+        exact = moved(series, u, self.p, self.meter)
+        columns = [moved(solution, u, self.few_bits, self.meter) for solution in basis]
+        errors = [value.error for value in self.anchors[index]]
+        result = []
+        for i, value in enumerate(exact):
+            grown = sum(column[i].norm() * error for column, error in zip(columns, errors, strict=True))
+            result.append(Model(value.m, value.error + (grown >> self.few_bits) + 1))
+        return result
 
     def values(self, point: Fraction, s: Fraction) -> list[Model]:
         """a_0, a_1, a_2 at a point with the scale s."""
         index, rest = divmod(point + self.x, STEP)
         require(index >= 0, "out of the checker's range: τ before the start")
         while len(self.anchors) <= index:
-            self.anchors.append(self.carried(len(self.anchors) - 1, Fraction(1)))
-        return [v.times((s / STEP) ** i) for i, v in enumerate(self.carried(index, rest / STEP))]
+            self.add_anchor(self.carried(len(self.anchors) - 1, Fraction(1)))
+        return [value.times((s / STEP) ** i) for i, value in enumerate(self.carried(index, rest / STEP))]
 
     def in_b(self, a: Model) -> Model:
         """A positive multiple of d/db + w, w near log x, for |η| ≤ 1/2: Cauchy's estimate (section 4)."""
@@ -292,62 +456,110 @@ class Local:
         return Model(m, (2 * d + n) * a.error)
 
 
-class Checker:
-    """One certificate: signs of F and its derivatives on boxes, at rising accuracy, within a budget of work."""
+# ---------------------------------------------------------------------------------------------------------------------
+# Boxes: check.md, section 4.
+# ---------------------------------------------------------------------------------------------------------------------
 
-    def __init__(self, statement: Any, columns: list[Column]) -> None:
-        self.statement, self.columns = statement, columns
-        self.left, self.bits, self.local = MAX_WORK, 64, lru_cache(12)(Local)
+Box = tuple[Fraction, Fraction, Fraction, Fraction]  # b from, b to, τ from, τ to
 
-    def spend(self, amount: int) -> None:
-        """Take from the budget: operations on numbers of about 500 bits."""
-        self.left -= amount
-        require(self.left >= 0, "out of the checker's range: the budget of work is used up")
 
-    def begin(self, column: Column, start: Any, end: Any, points: Sequence[Fraction] = ()) -> None:
-        """The pieces of a column cover [start, end]; the limits of this checker; a heuristic first accuracy."""
+def outward(low: Fraction, high: Fraction, bits: int) -> tuple[Fraction, Fraction, bool]:
+    """A range that holds [low, high], with denominators of at most bits bits; and whether it is much wider."""
+    scale = 1 << bits
+    start = low if low.denominator <= scale else Fraction(math.floor(low * scale), scale)
+    end = high if high.denominator <= scale else Fraction(math.ceil(high * scale), scale)
+    return start, end, end - start > 2 * (high - low)
+
+
+class ColumnCheck:
+    """One column: signs of F and its derivatives on boxes, at rising accuracy, within a budget of work."""
+
+    def __init__(self, column: Column, limits: Limits, budget: int) -> None:
+        self.column, self.limits, self.meter = column, limits, Meter(limits, budget)
+        self.bits = 64
+        self.locals: dict[tuple[Fraction, Fraction, int, int], Local] = {}
+
+    def begin(self, start: Any, end: Any, points: Sequence[Fraction] = ()) -> None:
+        """The pieces cover [start, end]; the limits in β and τ; a heuristic first accuracy."""
+        column = self.column
         check_cover(column.pieces, start, end, "pieces")
         distances = [*map(abs, points), *(abs(x) for piece in column.pieces for x in piece.points)]
-        reach, far = max(abs(column.start), abs(column.end)), max(distances, default=0)
-        if distances and (reach > MAX_BETA or far > MAX_TAU):
-            reject(f"out of the checker's range: |β| > {MAX_BETA} or |τ| > {MAX_TAU}")
-        self.bits = 48 + int(float(far) ** 1.5 + 3.2 * float(min(max(column.end, 0), MAX_BETA)))
+        if distances:
+            self.limits.keep("beta", max(abs(column.start), abs(column.end)))
+            self.limits.keep("tau", max(distances))
+            right = max([0, *points, *(x for piece in column.pieces for x in piece.points)])
+            self.bits = 12 + int(0.2 * float(right) ** 1.5 + 0.6 * float(max(column.end, 0)))
+
+    def local(self, low: Fraction, high: Fraction, bits: int, tau: Fraction) -> Local:
+        """F on the disc around [low, high]; those not used for the longest time make room."""
+        key = (low, high, bits, start_for(bits, 0, tau))
+        found = self.locals.pop(key, None) or Local(low, high, bits, tau, self.meter)
+        self.locals[key] = found
+        while (
+            len(self.locals) > 1 and 2 * sum(one.bytes() for one in self.locals.values()) > self.limits.memory * 10**6
+        ):
+            del self.locals[next(iter(self.locals))]
+        return found
 
     def parts(self, box: Box, order: int, bits: int) -> tuple[int, int, int, int]:
         """F^(order), or ∂F/∂b + w F if order = -1: the value in the middle, what τ adds, what b adds, the error."""
-        low, high, start, end = box
-        local, middle, i = self.local(low, high, bits, self.spend), (start + end) / 2, max(order, 0)
+        low, high, thin_b = outward(*box[:2], bits)
+        start, end, thin_tau = outward(*box[2:], bits)
+        local, middle, i = self.local(low, high, bits, start), (start + end) / 2, max(order, 0)
         # At a point the scale matters for rounding only.
         s = (end - start) / 2 or Fraction(1 << max(0, int(abs(start)).bit_length() - 1))
         values = local.values(middle, s)
-        series = local.expand(middle, s, values) if start < end else islice(local.recurrence(middle, s, values), i + 1)
-        models = [a.times(Fraction(math.comb(k, i))) for k, a in enumerate(series)][i:]
-        models = models if order >= 0 else [local.in_b(a) for a in models]
-        error = sum(a.error for a in models)
-        return models[0].m[0], sum(a.spread(0) for a in models[1:]), models[0].spread(1), error
+        if start < end:
+            series = local.expand(middle, s, values)[i:]
+        else:
+            series = [next(a for k, a in enumerate(local.recurrence(middle, s, values)) if k == i)]
+        if order < 0:
+            series = [local.in_b(a) for a in series]
+        self.meter.spend(sum(a.digits() for a in series), 3 * len(series) * len(series[0].m))
+        weights = [math.comb(k, i) for k in range(i, i + len(series))]
+        in_tau = sum(w * a.spread(0) for w, a in zip(weights[1:], series[1:], strict=True))
+        in_b = series[0].spread(1)
+        error = sum(w * a.error for w, a in zip(weights, series, strict=True))
+        # What only the wider box adds is an error: halving would not help, a higher accuracy does.
+        error += (in_tau if thin_tau else 0) + (in_b if thin_b else 0)
+        return series[0].m[0], 0 if thin_tau else in_tau, 0 if thin_b else in_b, error
 
-    def sign(self, box: Box, order: int, splits: int = MAX_SPLITS, bits: int = 0) -> int:
+    def sign(self, box: Box, order: int, splits: int | None = None, bits: int = 0) -> int:
         """The one sign on the whole box, or 0 when none is confirmed."""
+        splits = self.limits.splits if splits is None else splits
         bits = max(bits, self.bits)
         middle, in_tau, in_b, error = self.parts(box, order, bits)
         if abs(middle) > in_tau + in_b + error:
+            self.bits = bits
             return 1 if middle > 0 else -1
         if 4 * error >= max(abs(middle), in_tau + in_b):
-            return self.sign(box, order, splits, bits * 3 // 2) if bits < MAX_BITS else 0
+            return self.sign(box, order, splits, bits * 3 // 2) if bits < self.limits.bits else 0
+        if not splits:
+            return 0
         low, high, start, end = box
         b, tau = (low + high) / 2, (start + end) / 2
-        cuts = ((low, high, start, tau), (low, high, tau, end)), ((low, b, start, end), (b, high, start, end))
-        one, two = cuts[in_tau < in_b]
-        found = self.sign(one, order, splits - 1, bits) if splits else 0
+        if in_tau < in_b:
+            one, two = (low, b, start, end), (b, high, start, end)
+        else:
+            one, two = (low, high, start, tau), (low, high, tau, end)
+        found = self.sign(one, order, splits - 1, bits)
         return found if found and self.sign(two, order, splits - 1, bits) == found else 0
 
+    # -----------------------------------------------------------------------------------------------------------------
+    # Pieces: certificate.md, Pieces.
+    # -----------------------------------------------------------------------------------------------------------------
+
     def left_holds(self, low: Fraction, high: Fraction, cell: int, x: Fraction) -> bool:
-        """The hypothesis of tails.md, τ → -∞, in integers."""
+        """The hypothesis of tails.md, τ → -∞, in integers, for a range of b that is hardly wider and x hardly less."""
+        if low < -1 or x <= 0:
+            return False
+        low, high, _ = outward(low, high, 256)
+        x, _, _ = outward(x, x, 256)
         n, unit = 3 * max(1, cell // 3 + 1), math.lcm(low.denominator, high.denominator)
-        self.spend((n * (1 + (x.numerator * x.denominator * unit).bit_length() // 64)) ** 2 // 50)
+        self.meter.spend((n * digits(x.numerator * x.denominator * unit)) ** 2, 20 * n)
         product = math.prod(int(max(abs(low - i), abs(high - i)) * unit) for i in range(n))
         left = (x.numerator * unit) ** n * 3 ** (n // 3) * math.factorial(n // 3)
-        return low >= -1 and x > 0 and left > product * x.denominator**n
+        return left > product * x.denominator**n
 
     def right_signs(self, box: Box, n: int) -> list[int]:
         """The certain signs of c_0, ..., c_n, (-1)^(n+1) (tails.md); one between opposite signs may be open."""
@@ -357,96 +569,196 @@ class Checker:
                 return [sign for sign in signs if sign]
         return []
 
-    def piece_sign(self, piece: Piece, column: Column) -> int:
+    def fold_holds(self, box: Box) -> bool:
+        """The hypotheses of fold.md beyond its place; ∂F/∂b with a weight, on a wider range of b (section 4)."""
+        low, high, start, end = box
+        wide = (low, max(high, low + Fraction(1, 256)), start, end)
+        return (
+            self.sign((low, high, start, start), 0) == 1
+            and self.sign((low, high, end, end), 0) == 1
+            and self.sign(box, 2) == 1
+            and self.sign(wide, -1) == 1
+        )
+
+    def piece_sign(self, piece: Piece) -> int:
         """Check the hypotheses of a piece. The sign of F that it gives at its ends, or 0 for a piece monotone."""
-        (start, end, kind, points, value), low, high, cell = piece, column.start - 1, column.end - 1, column.cell
+        start, end, kind, points, value = piece
+        column = self.column
+        low, high, cell = column.start - 1, column.end - 1, column.cell
         name = f"the piece {kind} from τ = {start!s:.50} to {end!s:.50} of the column from β = {column.start!s:.50}"
         if kind in ("laplace", "taylor"):
-            return 1 if high <= 0 else reject(f"{name} needs b ≤ 0")
+            require(high <= 0, f"{name} needs b ≤ 0")
+            return 1
         require(high > 0 or kind in ("left", "sign"), f"{name} is not allowed for b ≤ 0")
         if kind == "left":
-            return 1 if self.left_holds(low, high, cell, -points[0]) else reject(f"{name}: the remainder is too large")
+            require(self.left_holds(low, high, cell, -points[0]), f"{name}: the remainder is too large")
+            return 1
         box = (low, high, points[0], points[-1])
         if kind == "right":
             signs = self.right_signs(box, cell)
-            changes = sum(a != b for a, b in pairwise(signs))
             require(signs, f"{name}: the signs of c_0, ..., c_{cell} are not confirmed")
-            return signs[0] if changes == value else reject(f"{name}: {changes} changes of sign, not {value}")
+            changes = sum(a != b for a, b in pairwise(signs))
+            require(changes == value, f"{name}: {changes} changes of sign, not {value}")
+            return signs[0]
         if kind == "fold":
-            around = start < 0 < end and 0 in (column.start % 3, column.end % 3)
-            require(around, f"{name} is not around τ = 0 at β = 3, 6, 9, ...")
-            wide = (low, max(high, low + Fraction(1, 256)), points[0], points[1])
-            orders = [(box, 2), (wide, -1), *(((low, high, point, point), 0) for point in points)]
-            holds = all(self.sign(where, order) == 1 for where, order in orders)
-            return 1 if holds else reject(f"{name}: a hypothesis of the fold is not confirmed")
+            at_an_end = 0 in (column.start % 3, column.end % 3)
+            require(start < 0 < end and at_an_end, f"{name} is not around τ = 0 at β = 3, 6, 9, ...")
+            require(self.fold_holds(box), f"{name}: a hypothesis of the fold is not confirmed")
+            return 1
         found = self.sign(box, 0 if kind == "sign" else 1)
         require(found, f"{name}: no sign is confirmed")
         if kind == "hinge":
             require(0 in points, f"{name} does not begin or end at τ = 0")
-            value = found if start == 0 else -found
-            return value if value == (-1 if cell % 3 == 1 else 1) else reject(f"{name}: F(0, b) has the other sign")
+            sign = found if start == 0 else -found
+            require(sign == (-1 if cell % 3 == 1 else 1), f"{name}: F(0, b) has the other sign")
+            return sign
         require(found == value, f"{name}: the sign is {found}, not {value}")
-        return value if kind == "sign" else 0
+        return found if kind == "sign" else 0
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# Statements: certificate.md, From pieces to the statement.
+# ---------------------------------------------------------------------------------------------------------------------
+
+
+def sign_holds(check: ColumnCheck, tau: Range, beta: Range, sign: int) -> None:
+    """On one column: dΘ/dτ = -βF has one sign."""
+    column = check.column
+    check.begin(tau.start, tau.end)
+    zero = has(tau, 0) and any(end % 3 in (0, 2) and has(beta, end) for end in (column.start, column.end))
+    for piece in column.pieces:
+        kind = piece.kind
+        require(kind != "monotone" and (kind, piece.value) != ("right", 1), f"a piece {kind} gives no sign")
+        require(kind != "fold" or column.start % 3 == 0, "a fold at the upper end of its column has zeros")
+        require(kind not in ("fold", "hinge") or not zero, f"τ = 0 is a zero in a piece {kind} at an integer β")
+        found = check.piece_sign(piece) * (-1 if beta.end > 0 else 1)
+        require(found == sign, f"a piece {kind} gives dΘ/dτ the sign {found}, not {sign}")
+
+
+def number_of_zeros(check: ColumnCheck, points: Sequence[Fraction] = ()) -> int:
+    """On one column: the number of zeros of F for b in the open cell; all are simple."""
+    column = check.column
+    check.begin(-INFINITY, INFINITY, points)
+    before, direction, zeros = 0, 0, 0
+    for piece in column.pieces:
+        require(piece.kind != "hinge", "a piece hinge does not count zeros")
+        sign = check.piece_sign(piece)
+        if piece.kind == "monotone":
+            require(before, "a piece monotone comes first")
+            require(direction in (0, piece.value), "neighbouring pieces monotone have two directions")
+            direction = piece.value
+            continue
+        change = before not in (0, sign)
+        require(direction or not change, "two neighbouring pieces give F different signs where they meet")
+        require(not change or sign == direction, "a change of sign is against the direction of a piece monotone")
+        zeros += 1 if change else 0
+        if piece.kind == "right":
+            zeros += piece.value
+        if piece.kind == "fold" and column.end % 3 == 0:
+            zeros += 2
+        before, direction = sign, 0
+    require(direction == 0, "a piece monotone comes last")
+    return zeros
+
+
+def zeros_hold(check: ColumnCheck, counts: dict[int, int]) -> None:
+    """On one column: the number of zeros is the one that is claimed for its cell."""
+    found, claimed = number_of_zeros(check), counts.get(check.column.cell + 1)
+    require(found == claimed, f"{found} zeros on the column from β = {check.column.start!s:.50}, not {claimed}")
+
+
+def brackets_hold(check: ColumnCheck, beta: Fraction, brackets: list[tuple[Fraction, Fraction]]) -> None:
+    """On the one column: as many zeros as brackets, and a change of sign in each."""
+    number = number_of_zeros(check, [end for pair in brackets for end in pair])
+    require(number == len(brackets), f"there are {number} zeros, not {len(brackets)}")
+    for pair in brackets:
+        low, high = (check.sign((beta - 1, beta - 1, point, point), 0) for point in pair)
+        require(low * high == -1, f"F does not change its sign between {pair[0]!s:.50} and {pair[1]!s:.50}")
+
+
+class Task(NamedTuple):
+    """One column and what must hold on it; it may be sent to another process."""
+
+    rule: Callable[..., None]
+    arguments: tuple[Any, ...]
+    column: Column
+    limits: Limits
+    budget: int
+
+    def run(self) -> tuple[str, int]:
+        """The reason why the rule does not hold, or nothing; and the work that was spent."""
+        check = ColumnCheck(self.column, self.limits, self.budget)
+        try:
+            self.rule(check, *self.arguments)
+        except Rejected as reason:
+            return str(reason), self.budget - check.meter.left
+        return "", self.budget - check.meter.left
+
+
+class Checker:
+    """One certificate: its statement, its columns, and the budget of work that all of them share."""
+
+    def __init__(self, statement: Any, columns: list[Column], limits: Limits, budget: int, workers: int = 1) -> None:
+        self.statement, self.columns = statement, columns
+        self.limits, self.left, self.workers = limits, budget, workers
+
+    def on_each_column(self, rule: Callable[..., None], *arguments: Any) -> None:
+        """The rule holds on each column. The answer is the same for any number of workers."""
+        if self.workers > 1:
+            tasks = [Task(rule, arguments, column, self.limits, self.left) for column in self.columns]
+            with ProcessPoolExecutor(self.workers) as pool:
+                try:
+                    self.settle(pool.map(Task.run, tasks))
+                finally:
+                    pool.shutdown(wait=False, cancel_futures=True)
+        else:
+            # self.left is read when a task is made, after the task before it was settled.
+            self.settle(Task(rule, arguments, column, self.limits, self.left).run() for column in self.columns)
+
+    def settle(self, answers: Iterable[tuple[str, int]]) -> None:
+        """Take the work of each column from the one budget, in the order of the columns."""
+        for reason, spent in answers:
+            self.left -= spent
+            if self.left < 0:
+                self.limits.beyond("work")
+            require(not reason, reason)
 
     def check_sign(self) -> str:
         """dΘ/dτ = -βF has one sign on a range of τ and a range of β."""
         claimed, tau_text, beta_text, _ = entries(self.statement, "the statement", "sign", "tau", "beta", "kind")
         sign, tau, beta = one_of(claimed, (-1, 0, 1), "the sign"), read_range(tau_text, "τ"), read_range(beta_text, "β")
         text = f"dΘ/dτ {'=><'[sign]} 0 {tau.text} and {beta.text}".replace("and for every", "and every")
-        if tau.start == tau.end and beta.start == beta.end and beta.end in range(MAX_BETA + 1):
+        if tau.start == tau.end and beta.start == beta.end and beta.end in range(self.limits.beta + 1):
             require(not self.columns, "at one point with an integer β there is no column")
-            p, q, f = tau.start.numerator, tau.start.denominator, [0, 0, 1]  # f: q^n Θ(τ, n) for three n, up to β - 1
-            for n in range(1, int(beta.end)):
-                f = [f[1], f[2], (n - 1) * (n - 2) * q**3 * f[0] - p * f[2]]  # identities.md, (2)
-            found = (f[2] < 0) - (f[2] > 0) if beta.end else 0
-            return text if found == sign else reject(f"the sign at this integer β is {found}, not {sign}")
+            found = self.sign_at_integer(tau.start, int(beta.end))
+            require(found == sign, f"the sign at this integer β is {found}, not {sign}")
+            return text
         require(sign, "the sign 0 is possible at one point with an integer β ≥ 0 only")
         require(not has(beta, 0), "the range of β holds 0")
         check_cover(self.columns, beta.start, beta.end, "columns")
-        for column in self.columns:
-            self.begin(column, tau.start, tau.end)
-            zero = has(tau, 0) and any(end % 3 in (0, 2) and has(beta, end) for end in (column.start, column.end))
-            for piece in column.pieces:
-                kind = piece.kind
-                require(kind != "monotone" and (kind, piece.value) != ("right", 1), f"a piece {kind} gives no sign")
-                require(kind != "fold" or column.start % 3 == 0, "a fold at the upper end of its column has zeros")
-                require(kind not in ("fold", "hinge") or not zero, f"τ = 0 is a zero in a piece {kind} at an integer β")
-                found = self.piece_sign(piece, column) * (-1 if beta.end > 0 else 1)
-                require(found == sign, f"a piece {kind} gives dΘ/dτ the sign {found}, not {sign}")
+        self.on_each_column(sign_holds, tau, beta, sign)
         return text
 
-    def count_zeros(self, column: Column, points: Sequence[Fraction] = ()) -> int:
-        """The number of zeros of F for b in the open cell; all are simple."""
-        self.begin(column, -INFINITY, INFINITY, points)
-        before, direction, zeros = 0, 0, 0
-        for piece in column.pieces:
-            require(piece.kind != "hinge", "a piece hinge does not count zeros")
-            sign = self.piece_sign(piece, column)
-            if piece.kind == "monotone":
-                require(before, "a piece monotone comes first")
-                require(direction in (0, piece.value), "neighbouring pieces monotone have two directions")
-                direction = piece.value
-                continue
-            change = before not in (0, sign)
-            require(direction or not change, "two neighbouring pieces give F different signs where they meet")
-            require(not change or sign == direction, "a change of sign is against the direction of a piece monotone")
-            zeros += change + (piece.value if piece.kind == "right" else 0)
-            zeros += 2 if piece.kind == "fold" and column.end % 3 == 0 else 0
-            before, direction = sign, 0
-        return zeros if direction == 0 else reject("a piece monotone comes last")
+    def sign_at_integer(self, tau: Fraction, beta: int) -> int:
+        """The sign of dΘ/dτ = -βF at one point, by integers g_n = q^n Θ(p/q, n) (check.md, section 5)."""
+        meter = Meter(self.limits, self.left)
+        p, q, g = tau.numerator, tau.denominator, [0, 0, 1]  # g_n for three n, the last one up to β - 1
+        for n in range(1, beta):
+            meter.spend(digits(g[0]) * (3 * digits(q) + 1) + digits(g[2]) * digits(p), 10)
+            g = [g[1], g[2], (n - 1) * (n - 2) * q**3 * g[0] - p * g[2]]  # identities.md, (2)
+        return (g[2] < 0) - (g[2] > 0) if beta else 0
 
     def check_zeros(self) -> str:
         """The number of zeros for every β of a range that is not an integer."""
         beta_text, counts, _ = entries(self.statement, "the statement", "beta", "counts", "kind")
         beta = read_range(beta_text, "β")
-        require(beta.start >= 0 and beta.end <= MAX_BETA, f"out of the checker's range: β < 0 or β > {MAX_BETA}")
+        require(beta.start >= 0, "a number of zeros is claimed for β < 0")
+        self.limits.keep("beta", beta.end)
         cells = list(range(math.floor(beta.start), math.ceil(beta.end)))
         pairs = isinstance(counts, list) and all(isinstance(e, list) and [*map(type, e)] == [int, int] for e in counts)
         require(pairs and cells and [m for m, _ in counts] == cells, "counts does not list the cells of the range")
         check_cover(self.columns, beta.start, beta.end, "columns")
-        for column in self.columns:
-            found, claimed = self.count_zeros(column), dict(counts).get(column.cell + 1)
-            require(found == claimed, f"{found} zeros on the column from β = {column.start!s:.50}, not {claimed}")
+        self.on_each_column(zeros_hold, dict(counts))
         numbers = ", ".join(f"N = {number} on ({m}, {m + 1})" for m, number in counts)
         where = beta.text + (" that is not an integer" if beta.start < beta.end else "")
         return f"{where}, dΘ/dτ has exactly N real zeros, all simple: {numbers}"
@@ -458,40 +770,90 @@ class Checker:
         require(beta > 0 and beta.denominator > 1, "β is not positive, or it is an integer")
         pairs = isinstance(brackets, list) and all(isinstance(pair, list) and len(pair) == 2 for pair in brackets)
         require(pairs and len(self.columns) == 1, "the brackets are not a list of pairs, or there is not one column")
-        points = [rational(end) for pair in brackets for end in pair]
-        order = all(a < b or (a == b and i % 2) for i, (a, b) in enumerate(pairwise(points)))
+        found = [(rational(low), rational(high)) for low, high in brackets]
+        order = all(low < high for low, high in found) and all(one[1] <= two[0] for one, two in pairwise(found))
         require(order, "the brackets are not in order or overlap")
         check_cover(self.columns, beta, beta, "columns")
-        number = self.count_zeros(self.columns[0], points)
-        require(number == len(brackets), f"there are {number} zeros, not {len(brackets)}")
-        signs = [self.sign((beta - 1, beta - 1, point, point), 0) for point in points]
-        for low, high, pair in zip(signs[::2], signs[1::2], brackets, strict=True):
-            require(low * high == -1, f"F does not change its sign between {pair[0]:.50} and {pair[1]:.50}")
+        self.on_each_column(brackets_hold, beta, found)
         where = ", ".join(f"({low}, {high})" for low, high in brackets) or "none"
-        return f"dΘ/dτ at β = {beta} has exactly {number} real zeros, all simple, one in each of the intervals: {where}"
+        number = f"exactly {len(found)} real zeros, all simple"
+        return f"dΘ/dτ at β = {beta} has {number}, one in each of the intervals: {where}"
 
 
-def check_text(data: bytes) -> str:
+def check_text(data: bytes, limits: Limits | None = None, workers: int = 1) -> str:
     """The statement that a certificate proves."""
+    limits = limits or Limits()
+    budget = limits.work * 10**9 + WORK_PER_BYTE * len(data)
     try:
-        checker = Checker(*read_certificate(data))
+        statement, columns = read_certificate(data, limits)
+        checker = Checker(statement, columns, limits, budget, workers)
         checks = {"sign": checker.check_sign, "zeros": checker.check_zeros, "brackets": checker.check_brackets}
-        kind = checker.statement.get("kind") if isinstance(checker.statement, dict) else None
+        kind = statement.get("kind") if isinstance(statement, dict) else None
         return checks[kind]() if isinstance(kind, str) and kind in checks else reject("unknown kind of statement")
     except (ArithmeticError, AttributeError, LookupError, MemoryError, RecursionError, TypeError, ValueError) as error:
         raise Rejected(f"the check failed with {type(error).__name__}") from error
 
 
+# ---------------------------------------------------------------------------------------------------------------------
+# Command line.
+# ---------------------------------------------------------------------------------------------------------------------
+
+USAGE = "usage: python check.py [--workers N] [--limit NAME=NUMBER]... CERTIFICATE"
+STATUS = {"VERIFIED": 0, "REJECTED": 1, "usage": 64}
+
+
+class Usage(Exception):
+    """The command line is not one that can be run."""
+
+
+def read_arguments(arguments: Sequence[str]) -> tuple[str, Limits, int]:
+    """The file, the limits and the number of workers."""
+    limits, workers, files = Limits(), 1, []
+    waiting = iter(arguments)
+    for word in waiting:
+        option, equals, value = word.partition("=")
+        if option not in ("--workers", "--limit"):
+            files.append(word)
+            continue
+        name, _, number = (value if equals else next(waiting, "")).rpartition("=")
+        if not re.fullmatch("[1-9][0-9]{0,11}", number):
+            raise Usage(f"{option} needs a positive integer")
+        if option == "--workers" and not name:
+            workers = int(number)
+        elif option == "--limit" and name in Limits._fields:
+            limits = limits._replace(**{name: int(number)})
+        else:
+            raise Usage(f"the limits are {', '.join(Limits._fields)}")
+    if len(files) != 1:
+        raise Usage("one certificate is checked at a time")
+    return files[0], limits, workers
+
+
+def read_file(name: str, limits: Limits) -> bytes:
+    """The bytes of a regular file; its length is looked at first."""
+    # Without O_NONBLOCK the opening of a pipe would wait for a writer.
+    descriptor = os.open(name, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
+    with open(descriptor, "rb") as file:
+        status = os.fstat(descriptor)
+        if not stat.S_ISREG(status.st_mode):
+            raise Usage("this is not a regular file")
+        limits.keep("bytes", status.st_size)
+        return file.read(limits.bytes + 1)
+
+
 def main(arguments: Sequence[str]) -> int:
-    """The command line: one line of output and the exit status."""
+    """One line of output and the exit status: 0 verified, 1 rejected, 64 not a certificate to be checked."""
     try:
-        with open(arguments[0] if len(arguments) == 1 else "", "rb") as file:
-            line, stream, status = f"VERIFIED {check_text(file.read(MAX_BYTES + 1))}", sys.stdout, 0
+        name, limits, workers = read_arguments(arguments)
+        line = f"VERIFIED {check_text(read_file(name, limits), limits, workers)}"
     except Rejected as reason:
-        line, stream, status = f"REJECTED {reason}", sys.stderr, 1
-    except (OSError, ValueError):
-        line, stream, status = "usage: python check.py CERTIFICATE", sys.stderr, 64
-    print(line.encode(stream.encoding or "ascii", "backslashreplace").decode(stream.encoding or "ascii"), file=stream)
+        line = f"REJECTED {reason}"
+    except (OSError, ValueError, Usage) as error:
+        line = f"{USAGE}: {error}"
+    status = STATUS[re.split("[ :]", line)[0]]
+    stream = sys.stderr if status else sys.stdout
+    encoding = stream.encoding or "ascii"
+    print(line.encode(encoding, "backslashreplace").decode(encoding), file=stream)
     return status
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
@@ -15,6 +16,7 @@ from gspot_verified.verdict import NoTruthValue
 
 _ROOT = Path(__file__).resolve().parents[2]
 _REJECTED = 1
+_USAGE = 64
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,18 +47,24 @@ def checker_path() -> Path:
     )
 
 
-def run_checker(file: Path) -> CheckResult:
-    """Check one certificate.
+def run_checker(file: Path, workers: int = 1, limits: Sequence[str] = ()) -> CheckResult:
+    """Check one certificate. ``limits``: texts ``NAME=NUMBER`` for limits of the checker that are raised on purpose.
 
-    :raises ValueError: there is no such file, or the checker could not run.
+    :raises ValueError: there is no such file, an option is not one of the checker's, or the checker could not run.
     """
-    if not file.is_file():
+    if not file.exists():
         raise ValueError(f"there is no file {file}")
-    command = [sys.executable, "-I", "-S", "-X", "utf8", str(checker_path()), str(file)]
+    if not file.is_file():
+        raise ValueError(f"{file} is not a regular file")
+    options = [f"--workers={workers}", *(f"--limit={limit}" for limit in limits)]
+    # An absolute path is never taken for an option.
+    command = [sys.executable, "-I", "-S", "-X", "utf8", str(checker_path()), *options, str(file.absolute())]
     run = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", check=False)
     if run.returncode == 0 and run.stdout.startswith("VERIFIED "):
         return CheckResult(True, run.stdout.strip())
     # Python leaves with 1 after a traceback, too.
     if run.returncode == _REJECTED and run.stderr.startswith("REJECTED "):
         return CheckResult(False, run.stderr.strip())
+    if run.returncode == _USAGE and run.stderr.startswith("usage: "):
+        raise ValueError(run.stderr.strip().rpartition(": ")[2])
     raise ValueError(f"the checker stopped with code {run.returncode}: {run.stderr.strip()[-500:]}")

@@ -150,7 +150,14 @@ def _zeros_at(
 
 
 @app.command(epilog="Example: gspot-verified check iwc.cert")
-def check(file: Annotated[Path, typer.Argument(help="A certificate.")], as_json: JsonFlag = False) -> None:
+def check(
+    file: Annotated[Path, typer.Argument(help="A certificate.")],
+    workers: Annotated[int, typer.Option(help="Processes that share the columns; the answer is the same.")] = 1,
+    limit: Annotated[
+        list[str] | None, typer.Option(help="NAME=NUMBER: raise a limit of the checker on purpose, such as work=100.")
+    ] = None,
+    as_json: JsonFlag = False,
+) -> None:
     """Re-check a certificate with proofs/check.py, in a process of its own that imports nothing of this package.
 
     Exit code 0 when it is verified, 1 when it is rejected.
@@ -159,7 +166,7 @@ def check(file: Annotated[Path, typer.Argument(help="A certificate.")], as_json:
 
     if file.is_dir():
         raise ValueError(f"FILE: {file} is a folder, not a certificate")
-    result = run_checker(file)
+    result = run_checker(file, workers, limit or ())
     if as_json:
         print_json(result.to_json())
     else:

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -54,9 +55,29 @@ def test_another_statement(good: Path) -> None:
 
 
 def test_no_file(tmp_path: Path) -> None:
-    for path in (tmp_path / "nothing", tmp_path):
-        with pytest.raises(ValueError, match="there is no file"):
+    with pytest.raises(ValueError, match="there is no file"):
+        run_checker(tmp_path / "nothing")
+    os.mkfifo(tmp_path / "pipe")
+    for path in (tmp_path / "pipe", tmp_path):
+        with pytest.raises(ValueError, match="is not a regular file"):
             run_checker(path)
+
+
+def test_limits_and_workers(good: Path) -> None:
+    assert run_checker(good, workers=2, limits=["work=20", "tau=2"]).verified
+    found = run_checker(good, limits=["tau=1"])
+    assert not found.verified
+    assert "the limit tau=1 (raise it on purpose: --limit tau=NUMBER)" in found.text
+    with pytest.raises(ValueError, match="the limits are bytes, line"):
+        run_checker(good, limits=["time=1"])
+    with pytest.raises(ValueError, match="--workers needs a positive integer"):
+        run_checker(good, workers=0)
+
+
+def test_a_name_that_looks_like_an_option(good: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(good.parent)
+    good.rename("--limit")
+    assert run_checker(Path("--limit")).verified
 
 
 @pytest.mark.parametrize(
