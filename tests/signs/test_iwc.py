@@ -162,6 +162,19 @@ def test_epsilon_0_itself_is_not_below_epsilon_0() -> None:
     assert at_epsilon(result.force, found, fmpq(1), arb(fmpq(1, 1024))).outcome is Outcome.PROVED
 
 
+def test_it_holds_to_the_left_of_the_start_only_where_the_function_decreases_there() -> None:
+    """For 7/2 λ_N < 0 far to the left; for 9/2 only a start before all critical points serves."""
+    rising = iwc("7/2")
+    assert rising.epsilon_0 is not None
+    assert rising.force.value(-(10**4), rising.epsilon_0) < 0
+    assert not rising.whole_line
+    falling = iwc("9/2")
+    assert falling.epsilon_0 is not None
+    assert falling.whole_line
+    assert all(falling.force.value(-(10**k), falling.epsilon_0, 30) > 0 for k in range(1, 6))
+    assert not iwc("9/2", tau_start=6).whole_line
+
+
 def test_very_small_and_very_large_bounds() -> None:
     assert iwc("1.0001").epsilon_0 == fmpq(10) ** 100
     tiny = iwc("1.0001", alpha_2="-1e-40")
