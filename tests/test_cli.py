@@ -247,3 +247,8 @@ def test_the_typeset_minus_on_the_command_line(capsys: pytest.CaptureFixture[str
         run(capsys, "classify", "extended", "--set", "alpha_3=−5/2")[1]
         == (run(capsys, "classify", "extended", "--set", "alpha_3=-5/2")[1])
     )
+
+
+def test_very_many_digits_are_announced_before_the_work(capsys: pytest.CaptureFixture[str]) -> None:
+    assert "20000 digits: this may take minutes" in run(capsys, "theta", "0", "1", "--digits", "20000")[2]
+    assert run(capsys, "theta", "0", "1", "--digits", "100")[2] == ""

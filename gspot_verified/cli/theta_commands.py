@@ -6,7 +6,9 @@ from typing import Annotated
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, NumberArguments, app, print_json
+from gspot_verified.cli.app import JsonFlag, NumberArguments, app, print_json, progress
+
+_SLOW_DIGITS = 20_000
 
 
 @app.command(
@@ -26,6 +28,9 @@ def theta(
     """
     from gspot_verified.theta_function.evaluate import evaluate
 
+    if digits >= _SLOW_DIGITS:
+        # One call of FLINT may last minutes, in which nothing else can be said.
+        progress(f"{digits} digits: this may take minutes")
     result = evaluate(tau, beta, derivative=derivative, digits=digits)
     if as_json:
         print_json(result.to_json())
