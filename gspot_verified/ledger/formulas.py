@@ -95,8 +95,11 @@ class FormulaClaim:
         )
 
     def check(self, what: str, route: Route, rung: Rung = Rung.EXACT, finding: str = "") -> Check:
-        """Whether every quotient of the route is 1. A failure needs the corrected form, if there is one, to give 1."""
-        return self._check(what, route, rung, ClosedForm.is_one, "1", finding)
+        """Whether every quotient of the route is 1. A failure needs the corrected form, if there is one, to give 1.
+
+        A quotient that is another rational function fails; with powers or Γ left over the answer is open.
+        """
+        return self._check(what, route, rung, _is_one, "1", finding)
 
     def check_sign(self, what: str, route: Route, rung: Rung = Rung.EXACT, finding: str = "") -> Check:
         """Whether every quotient of the route is positive; where no sign is proved the answer is open."""
@@ -116,6 +119,10 @@ class FormulaClaim:
             return Check(rung, what, None, "the printed and the corrected form fail")
         repair = f"; with the corrected form it is {wanted}" if self.corrected else ""
         return Check(rung, what, False, finding or f"the quotient is {in_greek(value)}, not {wanted}{repair}")
+
+
+def _is_one(form: ClosedForm) -> bool | None:
+    return form.is_one() if form.is_rational() else None
 
 
 def _first_failure(

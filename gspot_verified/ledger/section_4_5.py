@@ -12,7 +12,15 @@ from gspot_verified.balls import certainly_less, working_bits
 from gspot_verified.ledger import section_4_5_signs
 from gspot_verified.ledger.closed_forms import ALGEBRA, ClosedForm, rational
 from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, settled
-from gspot_verified.ledger.formulas import Forms, FormulaClaim, closed_form, evaluate_text, put, quotient
+from gspot_verified.ledger.formulas import (
+    Forms,
+    FormulaClaim,
+    closed_form,
+    evaluate_text,
+    put,
+    quotient,
+    rational_value,
+)
 from gspot_verified.ledger.identities import in_greek
 from gspot_verified.ledger.section_4_inner import PRINTED as INNER_SCALE
 from gspot_verified.ledger.section_4_matching import PRINTED as MATCHING
@@ -51,6 +59,9 @@ def _mean_force() -> Entry:
     b, p = TRIVIAL["2-trivial"]["b"], TRIVIAL["2-trivial"]["p"]
     slope = closed_form(put(str(ALGEBRA.derivative(ALGEBRA.read(b), {"t": ALGEBRA.constant(1)})), **mean))
     balance = closed_form(f"-({put(b, **mean)})/({p})")
+    values = {"alpha1": fmpq(-1), "alpha2": fmpq(-1), "alpha3": fmpq(-3, 2)}
+    printed, corrected = (rational_value(table["S-mean-force"]["force"], **values) for table in (PRINTED, CORRECTED))
+    example = f"at α = (-1, -1, -3/2) the equations give {corrected}, the printed form {printed}"
     return settled(
         SECTION,
         "S-mean-force",
@@ -60,10 +71,12 @@ def _mean_force() -> Entry:
         claim.check(
             "α_3 λ = α_2 - db/dt along eq. modelSysDistB, for symbols α_1, α_2, α_3",
             lambda forms: [(closed_form("alpha2") + closed_form("-alpha3") * forms["force"]) / slope],
+            finding=example,
         ),
         claim.check(
             "λ = -b/p (eq. pain_par+) along modelSysDistP, modelSysDistB, for symbols α_1, α_2, α_3",
             lambda forms: [forms["force"] / balance],
+            finding=f"λ = {in_greek(str(balance))}; {example}",
         ),
         corrected=f"{in_greek(CORRECTED['S-mean-force']['force'])}, positive in Case III, as in Section 1 (Case III)",
         note="The same sign error is in eq. modelSysDistZY.",

@@ -187,6 +187,7 @@ def test_claims_are_three_valued() -> None:
 
     assert FormulaClaim({"f": "beta/beta"}).check("equal", whole).agrees is True
     assert FormulaClaim({"f": "2"}).check("not equal", whole).agrees is False
+    assert FormulaClaim({"f": "eps^beta"}).check("not proved to be equal", whole).agrees is None
     assert FormulaClaim({"f": "2"}).check("nothing", lambda _: []).agrees is None
     assert FormulaClaim({"f": "2"}, {"f": "1"}).check("mended", whole).agrees is False
     assert FormulaClaim({"f": "2"}, {"f": "3"}).check("not mended", whole).agrees is None

@@ -32,12 +32,11 @@ TEETH: Teeth = {
         NotApplicable("order", "the sign is stated for every τ: there is no error term"),
     ),
     "S-wording": (
-        NotApplicable("factor", _POSITIVE_FACTOR),
+        # The printed words with dΘ/dτ in place of Θ; a factor near 1 keeps the signs.
+        Bite("factor", _PRINTED, "S-wording", lambda _: dict(_WORDING)),
         *(Bite("hidden factor", _WORDING, name, one_at_a_half) for name in _WORDING),
         Bite("hypothesis", ledger.HYPOTHESES["S-wording"], "beta", lambda _: "u"),
         Bite("order", _WORDING, "far left", raised("x")),
-        # The printed words with dΘ/dτ in place of Θ.
-        Bite("order", _PRINTED, "S-wording", lambda _: dict(_WORDING)),
     ),
     "S-side": (
         NotApplicable("factor", _POSITIVE_FACTOR),
