@@ -105,8 +105,8 @@ def _eliminated() -> Entry:
             "b and its four derivatives along the vector field, as polynomials in t and the state",
             lambda parts: [along(parts["equation"])],
         ),
-        note="The equation has a label and no number: references to it print (4), the number of its section, "
-        "and eq. pain_par+ is that equation.",
+        note="The equation has a label and no number: references to it print the number of its section, (4), "
+        "which is also that of another equation (line 168).",
     )
 
 
