@@ -192,7 +192,7 @@ def test_json_round_trip_renders_the_same_page(written, tmp_path, page):
         (b"{", "report.json: "),
         (b"[]", "report.json: report: expected an object, got list"),
         (b'{"schema": 7}', "reads schema 3, the file has schema 7"),
-        (b"\xff\xfe", "report.json: 'utf-8'"),
+        (b"\xff\xfe", "report.json: not UTF-8 text"),
         (b'{"schema": 3}', "expected a list under 'entries'"),
         (b"[" * 200_000, "report.json: nested too deeply"),
     ],
