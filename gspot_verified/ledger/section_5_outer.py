@@ -87,7 +87,8 @@ def _fast_system() -> Entry:
     this = _claim("5-fast-system")
 
     def right_sides(parts: Parts) -> list[fmpq_mpoly]:
-        return [put(ALGEBRA.read(PRINTED["5-outer-system"][n]), lam="z-y") - parts[n] for n in "yvz"]
+        outer = PRINTED["5-outer-system"]
+        return [put(ALGEBRA.read(outer[name]), lam=outer["lambda"]) - parts[name] for name in "yvz"]
 
     def equilibrium(parts: Parts) -> list[fmpq_mpoly]:
         # The slow manifold y_o = 2 b/p, v_o = 0, z_o = b/p must be its equilibrium; b = p q.
@@ -150,8 +151,9 @@ def _slow_manifold() -> Entry:
         ]  # fmt: skip
 
     def cramer(parts: Parts) -> list[fmpq_mpoly]:
+        outer = PRINTED["5-outer-system"]
         # The fast part of the outer system is linear: M x = -(its value at 0); det M = -p.
-        sides = [put(ALGEBRA.read(PRINTED["5-outer-system"][name]), lam="z-y") for name in "yvz"]
+        sides = [put(ALGEBRA.read(outer[name]), lam=outer["lambda"]) for name in "yvz"]
         matrix, right = _jacobian(sides), [-put(side, y="0*y", v="0*v", z="0*z") for side in sides]
         determinant = ALGEBRA.determinant(matrix)
         found = []
