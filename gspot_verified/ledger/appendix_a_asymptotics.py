@@ -15,6 +15,7 @@ from gspot_verified.ledger import hypergeometric as printed
 from gspot_verified.ledger.closed_forms import ALGEBRA, ClosedForm
 from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, settled
 from gspot_verified.ledger.formulas import Forms, FormulaClaim, closed_form, mended, put, quotient
+from gspot_verified.ledger.identities import in_greek
 
 SECTION = "Appendix A"
 EXCEPTIONS: dict[str, str] = {"0": "3*m", "1": "1+3*m", "2": "2+3*m"}
@@ -221,13 +222,19 @@ def theta_large(betas: Sequence[fmpq]) -> Entry:
             lambda forms: [forms["large front"] * closed_form(_leading_e_1("beta")) / forms["large leading"]],
             Rung.PAGE,
         ),
+        claim.check(
+            "proofs/initial_values.md: the leading term of the polynomial at β = n, for all n",
+            lambda forms: [closed_form(put(printed.INTEGER_POLYNOMIAL, m="0")) / forms["integer leading"]],
+            Rung.PAGE,
+        ),
         Check(
             Rung.POINTS,
             f"4 terms against the Taylor series at {len(points)} points: the error is at most twice the first "
             "omitted term, and the leading form agrees with the first term",
             all_of(all_of([errors.theta_error_within(tau, beta), _leading_agrees(tau, beta)]) for tau, beta in points),
         ),
-        corrected="needs the condition β not in {0, 1, 2, ...}; at β = n, Θ is a polynomial ~ (-τ)^n",
+        corrected="needs the condition β not in {0, 1, 2, ...}; at β = n, Θ is a polynomial with leading term "
+        f"{in_greek(printed.THETA['integer leading'])}",
     )
 
 

@@ -54,8 +54,12 @@ THETA: dict[str, str] = {
     "small leading": "x^beta",
     "large front": "3^(1-beta/3)/Gamma(-beta)",
     "large leading": "sqrt(pi)/Gamma(-beta)*e^(2/3*lam)*tau^(-beta/2-3/4)",
+    "integer leading": "(-1)^n*tau^n",
 }
-"""Line 2459 and eq. tlarge: Θ is (front) times h or e_1, at leading order the power or the exponential."""
+"""Line 2459 and eq. tlarge: Θ is (front) times h or e_1, at leading order the power or the exponential; at β = n
+(added here) the leading power."""
+INTEGER_POLYNOMIAL = "(-1)^(n+m)*fac(n)/(fac(n-3*m)*3^m*fac(m))*tau^(n-3*m)"
+"""proofs/initial_values.md: the terms of Θ(τ, n)."""
 
 
 def value_of(text: str, beta: fmpq, bits: int, **values: fmpq | arb) -> arb:

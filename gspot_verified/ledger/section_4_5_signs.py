@@ -39,8 +39,7 @@ AT_INTEGERS: dict[str, dict[str, str]] = {
 """What holds at integers β, where the printed quotients say nothing: S-zero by β mod 3, S-plus-infinity at β = n."""
 HYPOTHESES: dict[str, dict[str, str]] = {"S-minus-infinity": {"beta": "u"}}
 """u is positive: β > 0."""
-INTEGER_POLYNOMIAL = "(-1)^(n+m)*fac(n)/(fac(n-3*m)*3^m*fac(m))*tau^(n-3*m)"
-"""proofs/initial_values.md: the terms of Θ(τ, n)."""
+_RELATION = {"-1": "<", "0": "=", "1": ">"}
 GRID = tuple(fmpq(n, 10) for n in range(1, 130))
 NOT_INTEGER = tuple(beta for beta in GRID if beta.q != 1)
 
@@ -116,14 +115,15 @@ def _sign_at_zero() -> Entry:
             "at integers: the coefficient of τ in Θ(τ, 3 m + 1) for all m >= 0, and the exact values at β = 1, ..., 15",
             integers if _coefficient_at_integers().sign() == 1 else None,
         ),
-        corrected="at β = 1, 4, 7, ... the quotient is infinite over infinite: there dΘ/dτ(0) < 0; "
-        "at β = 2, 3, 5, 6, ... dΘ/dτ(0) = 0",
+        corrected="at β = 1, 4, 7, ... the quotient is infinite over infinite: there dΘ/dτ(0) "
+        f"{_RELATION[at_integers['1']]} 0; at β = 2, 5, ... dΘ/dτ(0) {_RELATION[at_integers['2']]} 0, "
+        f"at β = 3, 6, ... dΘ/dτ(0) {_RELATION[at_integers['0']]} 0",
     )
 
 
 def _coefficient_at_integers() -> ClosedForm:
     """The coefficient of τ^1 at n = 3m + 1 over the stated sign; at the other n there is no power τ^1."""
-    term = put(INTEGER_POLYNOMIAL, n="3*m+1", tau="1")
+    term = put(appendix.INTEGER_POLYNOMIAL, n="3*m+1", tau="1")
     return quotient(closed_form(term), closed_form(AT_INTEGERS["S-zero"]["1"]))
 
 
@@ -135,7 +135,7 @@ def _sign_at_infinity() -> Entry:
         same_sign(sign_of(evaluate(60, beta, derivative=1).value), sign_of(appendix.value_of(text, beta, 64)))
         for beta in NOT_INTEGER
     )
-    leading = closed_form(f"({put(INTEGER_POLYNOMIAL, m='0')})*n/tau")
+    leading = closed_form(f"({put(appendix.INTEGER_POLYNOMIAL, m='0')})*n/tau")
     at_integers = AT_INTEGERS["S-plus-infinity"]["leading"]
     return settled(
         SECTION,

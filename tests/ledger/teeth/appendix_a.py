@@ -132,6 +132,8 @@ TEETH: Teeth = {
     "A-tlarge": (
         *(Bite("factor", printed.THETA, name, scaled) for name in ("large front", "large leading")),
         Bite("factor", printed.SERIES, "e_1", scaled),
+        Bite("factor", printed.THETA, "integer leading", scaled),
+        Bite("hidden factor", printed.THETA, "integer leading", unseen_at("n", range(6))),
         *(Bite("hidden factor", printed.THETA, name, _IN_BETA) for name in ("large front", "large leading")),
         Bite("hidden factor", printed.SERIES, "e_1", unseen_at("k", range(5))),
         Bite("hypothesis", ledger, "BETAS", with_beta(2)),
