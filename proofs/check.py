@@ -324,6 +324,16 @@ def degree_for(width: Fraction, x: int, goal: float) -> int:
     return next(d for d in count(1) if math.lgamma(d) - d * math.log(size) > goal)
 
 
+def tail_factors(point: Fraction, s: Fraction) -> tuple[int, int]:
+    """Integers ≥ |τ₀|s² and ≥ s³."""
+    return math.ceil(abs(point) * s * s), math.ceil(s**3)
+
+
+def tail_falls(square: int, cube: int, i: int, b: int) -> bool:
+    """The hypothesis q(i) ≤ 1/2 of the tail lemma, i ≥ 0, for |b| ≤ B (section 2)."""
+    return i >= 0 and 2 * (square * (i + 1) + cube * (i + b)) <= (i + 1) * (i + 2) * (i + 3)
+
+
 class Local:
     """F/x^b for b = (centre + radius η)/unit, [low, high] is |η| ≤ 1/2, carried along τ from -x."""
 
@@ -401,7 +411,7 @@ class Local:
 
     def expand(self, point: Fraction, s: Fraction, start: Sequence[Model]) -> list[Model]:
         """Coefficients until the tail lemma (section 2) holds with q ≤ 1/2; the last error bounds the rest too."""
-        square, cube = math.ceil(abs(point) * s * s), math.ceil(s**3)
+        square, cube = tail_factors(point, s)
         small = 2 * len(start[0].m) + 2
         kept, most = 0, self.meter.limits.memory * 10**6 // 8
         a: list[Model] = []
@@ -410,9 +420,7 @@ class Local:
             kept += model.bytes()
             if kept > most:
                 self.meter.limits.beyond("memory")
-            i = len(a) - 5
-            falls = 2 * (square * (i + 1) + cube * (i + self.reach + 2)) <= (i + 1) * (i + 2) * (i + 3)
-            if i >= 0 and falls and max(last.norm() for last in a[-3:]) <= small:
+            if tail_falls(square, cube, len(a) - 5, self.reach + 2) and max(last.norm() for last in a[-3:]) <= small:
                 break
         a[-1] = Model(a[-1].m, a[-1].error + 3 * max(last.norm() for last in a[-3:]))
         return a

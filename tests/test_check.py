@@ -194,6 +194,70 @@ def test_tail_lemma(point: int, s: int, b: int) -> None:
         assert math.comb(n - 1, i) * known + rest <= math.comb(n - 1, i) * series[-1].error
 
 
+@given(st.fractions(-40, 40, max_denominator=9), st.fractions(0, 3, max_denominator=9), st.integers(-2, 60))
+def test_the_hypothesis_of_the_tail_lemma(point: Fraction, s: Fraction, i: int) -> None:
+    square, cube = check.tail_factors(point, s)
+    assert square >= abs(point) * s**2
+    assert cube >= s**3
+    for b in (1, 5, 40):
+        q = abs(point) * s**2 / ((i + 2) * (i + 3)) + (i + b) * s**3 / ((i + 1) * (i + 2) * (i + 3)) if i >= 0 else 1
+        assert not check.tail_falls(square, cube, i, b) or q <= Fraction(1, 2)
+
+
+def test_the_tail_lemma_at_its_limit() -> None:
+    """2(a(i+1) + c(i+B)) = (i+1)(i+2)(i+3) holds, and one more does not: i = 1, 2(2a + c(1+B)) ≤ 24."""
+    assert check.tail_falls(0, 3, 1, 3)
+    assert check.tail_falls(6, 0, 1, 3)
+    assert not check.tail_falls(7, 0, 1, 3)
+    assert not check.tail_falls(0, 3, 1, 4)
+    assert check.tail_falls(0, 0, 0, 1)
+    assert not check.tail_falls(0, 0, -1, 1)
+
+
+@given(st.lists(st.integers(-99, 99), min_size=1, max_size=6), st.integers(0, 99), st.fractions(-9, 9))
+def test_models_are_rounded_into_their_error(m: list[int], error: int, factor: Fraction) -> None:
+    product = check.Model(m, error).times(factor)
+    lost = sum(abs(factor * a - b) for a, b in zip(m, product.m, strict=True))
+    assert lost + abs(factor) * error <= product.error
+    for first in (0, 1):
+        terms = sum(Fraction(abs(a), 2**j) for j, a in enumerate(m) if j >= first)
+        assert check.Model(m, error).spread(first) >= terms
+    assert check.Model(m, error).norm() == sum(map(abs, m)) + error
+
+
+@given(st.fractions(-9, 9), st.fractions(0, 3), st.integers(0, 40))
+def test_boxes_are_rounded_outward(low: Fraction, width: Fraction, bits: int) -> None:
+    start, end, wider = check.outward(low, low + width, bits)
+    assert start <= low <= low + width <= end
+    assert max(start.denominator, end.denominator) <= 2**bits
+    assert wider == (end - start > 2 * width)
+    assert end - start <= width + Fraction(2, 2**bits)
+
+
+@pytest.mark.parametrize("wrong", range(4))
+@pytest.mark.parametrize("sign", [0, -1])
+def test_each_hypothesis_of_the_fold_is_checked(wrong: int, sign: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    checker, asked = on_a_column(), []
+
+    def answer(box: tuple[Fraction, ...], order: int) -> int:
+        asked.append((box, order))
+        return sign if len(asked) == wrong + 1 else 1
+
+    monkeypatch.setattr(checker, "sign", answer)
+    low, high, start, end = box = (Fraction(2), Fraction(17, 8), Fraction(-1, 4), Fraction(1, 3))
+    assert not checker.fold_holds(box)
+    del asked[:]
+    wrong = 9
+    assert checker.fold_holds(box)
+    assert asked == [((low, high, start, start), 0), ((low, high, end, end), 0), (box, 2), (box, -1)]
+
+
+@pytest.mark.parametrize(("low", "x", "holds"), [("-1", "2", True), ("-3/2", "2", False), ("-1/2", "0", False)])
+def test_the_left_tail_needs_its_range(low: str, x: str, holds: bool) -> None:
+    """b ≥ -1 and x > 0; with b in [-1, 0]: x³·3 > 1·2·3."""
+    assert on_a_column().left_holds(Fraction(low), Fraction(0), -1, Fraction(x)) is holds
+
+
 def test_the_last_coefficient_bounds_the_rest() -> None:
     model = local("2", "17/8", 60)
     start = model.values(Fraction(0), Fraction(2))
