@@ -29,6 +29,7 @@ from flint import (
     arb_series,
     ctx,
     fmpq,
+    fmpq_mat,
     fmpq_mpoly,
     fmpq_mpoly_ctx,
     fmpq_poly,
@@ -65,6 +66,7 @@ _METHODS = """
     overlaps p pi prec q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi
     sinh sqrt str subs table terms truncate union unique_fmpz upper
     from_dict to_dict compose project_to_context total_degree discriminant
+    complex_roots degrees factor solve
 """
 METHODS = frozenset(_METHODS.split())
 
@@ -543,6 +545,62 @@ def test_more_on_polynomials_in_several_variables() -> None:
     # (x - y)(x - 2 y)(x + 1): the product of the squared differences of its roots
     cubic = (x - y) * (x - 2 * y) * (x + 1)
     assert cubic.discriminant("x") == (y * (y + 1) * (2 * y + 1)) ** 2
+
+
+@covers("factor", "degrees")
+def test_factors_of_numbers_and_polynomials() -> None:
+    for number in (1, 2, 97, 360, 2**20 * 3**5, 10**12 + 39):
+        factors = [(int(prime), int(times)) for prime, times in fmpz(number).factor()]
+        assert math.prod(prime**times for prime, times in factors) == number
+        assert all(all(prime % d for d in range(2, min(prime, 10**4))) for prime, _ in factors)
+    context = fmpq_mpoly_ctx.get(("x", "y"), "degrevlex")
+    x, y = context.gens()
+    for value, count in ((6 * x**2 * (y - 1), 2), ((x - y) * (x + y) ** 3 / 7, 2), (x * x + y * y + 1, 1)):
+        number, factors = value.factor()
+        product = context.constant(1) * number
+        for part, times in factors:
+            product = product * part ** int(times)
+        assert product == value
+        assert len(factors) == count
+        powers = list(terms_of(value))
+        assert tuple(map(int, value.degrees())) == tuple(max(p[i] for p in powers) for i in (0, 1))
+
+
+@covers("solve")
+def test_rational_linear_systems() -> None:
+    rows = ((2, 1, 0), (1, -3, 4), (0, 5, 7))
+    solution = (Fraction(1, 3), Fraction(-2), Fraction(9, 7))
+    right = [sum(Fraction(a) * s for a, s in zip(row, solution, strict=True)) for row in rows]
+    matrix = fmpq_mat([[fmpq(a) for a in row] for row in rows])
+    found = matrix.solve(fmpq_mat([[to_fmpq(value)] for value in right]))
+    assert tuple(to_fraction(found[i, 0]) for i in range(3)) == solution
+
+
+@covers("complex_roots")
+def test_complex_roots_of_integer_polynomials() -> None:
+    for coefficients, bits in itertools.product(
+        ([1, 1, 2, 1], [1, 1, 4, 2], [6, -5, 1], [5, 0, 1], [3, 3, 200, 100]), (53, 300)
+    ):
+        with working_bits(bits):
+            roots = [root for root, times in fmpz_poly(coefficients).complex_roots() for _ in range(int(times))]
+        assert len(roots) == len(coefficients) - 1
+        with mpmath.workdps(120):
+            witnesses = mpmath.polyroots(coefficients[::-1], maxsteps=300, extraprec=400)
+            for root in roots:
+                inside = [w for w in witnesses if _encloses(root, w)]
+                assert len(inside) == 1
+
+
+def _encloses(root: acb, witness: mpmath.mpc) -> bool:
+    """Both parts of the finite ball contain the witness, up to its own 100 digits."""
+    slack = Fraction(1, 10**100)
+    for part, value in ((root.real, witness.real), (root.imag, witness.imag)):
+        sign, mantissa, exponent, _ = mpmath.mpf(value)._mpf_
+        number = (-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+        lower, upper = ends(part)
+        if not lower - slack <= number <= upper + slack:
+            return False
+    return True
 
 
 # Balls: rational operations

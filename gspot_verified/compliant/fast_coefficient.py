@@ -1,5 +1,5 @@
-"""c_+, the coefficient of the oscillating fast solution in a state with p > 0: an integral from -1 over the saddle r_+ to
-infinity, by quadrature at one epsilon and bounded for all smaller ones.
+"""c_+, the coefficient of the oscillating fast solution in a state with p > 0: an integral from -1 over the saddle r_+
+to infinity, by quadrature at one epsilon.
 
 Proof page: ``proofs/first_integrals.md``, sections 4 and 5.
 """
@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 from flint import acb, arb, fmpq, fmpz_poly
 
@@ -28,12 +29,13 @@ def saddle(p: fmpq) -> acb:
     True
     """
     numerator, denominator = p.p, p.q
-    roots = fmpz_poly([numerator, numerator, 2 * denominator, denominator]).complex_roots()
-    return next(root for root, _ in roots if root.imag > 0)
+    roots: Any = fmpz_poly([numerator, numerator, 2 * denominator, denominator]).complex_roots()
+    found: acb = next(root for root, _ in roots if root.imag > 0)
+    return found
 
 
 def fast_coefficient(state: Deviation, bits: int) -> acb:
-    """c_+ = -(beta/(2 pi i)) int s^(beta-1) e^((-psi(s) + p s)/epsilon) k(s) ds from -1 over r_+ to infinity e^(i pi/3).
+    """c_+ = -(beta/(2 pi i)) int s^(beta-1) e^((-psi(s) + p s)/epsilon) k(s) ds, from -1 over r_+ to infinity.
 
     Hypothesis, checked: p > 0. The absolute accuracy is near 2^-bits times the integral of the modulus.
     """
@@ -120,7 +122,7 @@ class FastPath:
         return arb(math.ceil(3 * size + 4 + 2 * math.sqrt(p) + (6 * small * goal) ** (1 / 3)))
 
     def beyond(self, last: arb) -> arb:
-        """rho >= R = ``last``: -Re d(epsilon exponent)/d rho >= d > 0, and k and the power grow like (|r_+| + rho)^n."""
+        """rho >= R = ``last``: -Re dE/d rho >= d > 0, E = epsilon exponent; k and |s|^(beta-1) grow like a power."""
         data, size = self.data, abs(self.top)
         s = self.top + _direction() * last
         slope = last * last - (2 * size + 1) * last - (size * size + size + 2 + abs(data.p))

@@ -6,7 +6,7 @@ Proof page: ``proofs/first_integrals.md``, sections 6 and 7.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import acb, arb, fmpq
 
@@ -17,7 +17,7 @@ from gspot_verified.compliant.normal_form import CompliantModel, CompliantState,
 from gspot_verified.compliant.slow_coefficient import slow_coefficient
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.theta_function.reciprocal_gamma import reciprocal_gamma
-from gspot_verified.verdict import Reason, Verdict
+from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
 
 _ATTEMPTS = 4
 _GUARD_BITS = 16
@@ -26,12 +26,14 @@ _BOUND_FACTOR = 64
 
 
 @dataclass(frozen=True, slots=True)
-class SideRule:
+class SideRule(NoTruthValue):
     """C, c_+ and K = C/Gamma(-beta) + 2 Re c_+ of a state with p > 0, in balls (units of the normal form).
 
-    ``slow`` = C, ``fast`` = c_+ (or a ball around 0 where it cannot matter), ``side`` = K; ``verdict``: on the sign of K.
+    ``slow`` = C, ``fast`` = c_+ (or a ball around 0 where it cannot matter), ``side`` = K; ``verdict``: its sign.
     K < 0: contact is lost, certainly. K > 0: necessary for an impact without collision, not sufficient.
     """
+
+    ask: ClassVar[str] = ASK_VERDICT
 
     state: Deviation
     slow: arb
@@ -49,10 +51,7 @@ class SideRule:
     def paper_differs(self) -> bool | None:
         """Whether the paper's rule, the sign of C_1/Gamma(-beta), gives the other side; None when a sign is open."""
         exact, slow = sign_of(self.side), sign_of(self.slow_side)
-        return None if exact is None or slow is None else exact != slow
-
-    def __bool__(self) -> bool:
-        raise TypeError("a side rule is not true or false: look at .verdict.outcome")
+        return exact != slow if exact and slow else None
 
     def __str__(self) -> str:
         rule = {True: "the paper's rule gives the other side", False: "the paper's rule gives the same side"}

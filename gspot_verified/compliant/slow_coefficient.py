@@ -90,11 +90,19 @@ def _logistic(data: Kernel, bits: int) -> arb:
     upper = arb(approximate(16 * epsilon / 3 * (goal + push - height)) + 1)
 
     def integrand(u: acb, analytic: bool) -> acb:
-        grown = u.exp()
-        x, rest = grown / (1 + grown), 1 / (1 + grown)
-        # Logarithms of 1 + e^-u and 1 + e^u: the flag answers NaN on a box that meets u = +-pi i.
-        log_rest = -(1 + grown).log(analytic)
-        exponent = beta * (u + log_rest) + data.exponent(-x, log_rest) - height
+        # The smaller one of e^u and e^-u, so that wide boxes stay away from the pole of 1/(1 + e^u). The flag makes
+        # the logarithm answer NaN on a box that meets u = +-pi i.
+        if u.real.mid() > 0:
+            small = (-u).exp()
+            x, rest = 1 / (1 + small), small / (1 + small)
+            log_x = -(1 + small).log(analytic)
+            log_rest = log_x - u
+        else:
+            small = u.exp()
+            x, rest = small / (1 + small), 1 / (1 + small)
+            log_rest = -(1 + small).log(analytic)
+            log_x = log_rest + u
+        exponent = beta * log_x + data.exponent(-x, log_rest) - height
         return exponent.exp() * data.polynomial(-x, rest)
 
     middle = height.exp() * holomorphic_integral(integrand, lower, upper, _MAX_EVALUATIONS).real
