@@ -44,12 +44,11 @@ class Graded:
 
 def rest_of_product(left: Graded, right: Graded) -> arb:
     """A bound on the orders >= N of a product: the pairs i + j >= N with i, j < N, and all pairs with a rest."""
-    size = len(left.below)
     ends = [arb(0)]
     for value in reversed(right.below):
         ends.append(ends[-1] + value)
-    # ends[i] is the sum of right.below[size - i:], so i + j >= N for every j in it.
-    pairs = _sum([value * ends[i] for i, value in enumerate(left.below)]) if size else arb(0)
+    # ends[i] is the sum of right.below[N - i:], so i + j >= N for every j in it.
+    pairs = _sum([value * ends[i] for i, value in enumerate(left.below)])
     return pairs + left.rest * right.total() + _sum(left.below) * right.rest
 
 

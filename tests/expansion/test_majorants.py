@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable
 from typing import Any
 
 import mpmath
 import pytest
 from flint import arb, fmpq
+from hypothesis import given
+from hypothesis import strategies as st
 
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import (
@@ -22,7 +25,7 @@ from gspot_verified.expansion.expressions import (
     Variable,
     in_order,
 )
-from gspot_verified.expansion.majorants import _changes, graded_functions
+from gspot_verified.expansion.majorants import Graded, _changes, _least, graded_functions, rest_of_product
 
 x = Variable(0)
 START = fmpq(6, 5)
@@ -36,15 +39,17 @@ CASES: dict[str, tuple[Expression, Callable[[Any], Any]]] = {
     "reciprocal": (Power(x, fmpq(-1)), lambda u: 1 / u),
     "inverse root": (Power(x, fmpq(-1, 2)), lambda u: 1 / mpmath.sqrt(u)),
     "root": (Power(x, fmpq(1, 2)), mpmath.sqrt),
+    "two series": (Product(Exponential(x), Cosine(x)), lambda u: mpmath.exp(u) * mpmath.cos(u)),
     "nested": (Sine(Product(x, Exponential(x))), lambda u: mpmath.sin(u * mpmath.exp(u))),
 }
 # Cases in which no two terms of one order cancel, so that the bound is the sum itself.
 SHARP = ("constant", "sum", "product", "sine", "cosine", "exponential", "reciprocal", "inverse root")
 
 
-def coefficients(function: Callable[[Any], Any], count: int) -> list[Any]:
-    """|f_n| of f(START + d)."""
-    return [abs(c) for c in mpmath.taylor(lambda d: function(mpmath.mpf(6) / 5 + d), 0, count)]
+def coefficients(function: Callable[[Any], Any], count: int, start: Any = None) -> list[Any]:
+    """|f_n| of f(start + d), at START when nothing is said."""
+    at = mpmath.mpf(6) / 5 if start is None else start
+    return [abs(c) for c in mpmath.taylor(lambda d: function(at + d), 0, count)]
 
 
 def middle(value: arb) -> Any:
@@ -52,7 +57,7 @@ def middle(value: arb) -> Any:
     return mpmath.ldexp(mpmath.mpf(mantissa), exponent)
 
 
-def starts_of(nodes: list[Expression]) -> dict[Expression, Any]:
+def starts_of(nodes: list[Expression], start: Any = START) -> dict[Expression, Any]:
     """The values at START, by the functions under test's own arithmetic of one number."""
     found: dict[Expression, Any] = {}
     for node in nodes:
@@ -60,7 +65,7 @@ def starts_of(nodes: list[Expression]) -> dict[Expression, Any]:
             case Constant(value):
                 found[node] = arb(value)
             case Variable():
-                found[node] = arb(START)
+                found[node] = arb(start)
             case Sum(terms):
                 found[node] = sum((found[term] for term in terms), arb(0))
             case Product(left, right):
@@ -90,6 +95,52 @@ def test_the_change_from_the_start(name: str, ratio: fmpq) -> None:
     assert found >= wanted * (1 - mpmath.mpf(10) ** -12)
     if name in SHARP:
         assert found <= wanted * (1 + mpmath.mpf(10) ** -6) + mpmath.mpf(10) ** -12
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_change_from_every_start_in_a_ball(name: str) -> None:
+    """The start 6/5 +- 1/10: the bound covers each number in the ball."""
+    function, independent = CASES[name]
+    nodes = in_order([function])
+    with working_bits(100), mpmath.workdps(30):
+        bound = _changes(nodes, starts_of(nodes, arb("1.2", "0.1")), [lambda r: r], arb("0.25", "0.05"))[function]
+        assert bound.is_finite()
+        found = middle(bound.upper())
+        for tenths in (11, 13):
+            values = coefficients(independent, 15, mpmath.mpf(tenths) / 10)
+            assert found >= sum(c * mpmath.mpf("0.3") ** n for n, c in enumerate(values) if n)
+
+
+graded_norms = st.lists(st.integers(0, 50), min_size=4, max_size=4)
+
+
+@given(graded_norms, graded_norms, st.integers(0, 50), st.integers(0, 50))
+def test_the_orders_of_a_product_are_all_pairs(left: list[int], right: list[int], one: int, other: int) -> None:
+    """The rest is what the product of the norms holds beyond the pairs of order below N: no pair lost, none twice."""
+    low = sum(a * b for i, a in enumerate(left) for j, b in enumerate(right) if i + j < 4)
+    f, g = (Graded(tuple(arb(c) for c in norms), arb(rest)) for norms, rest in ((left, one), (right, other)))
+    assert f.total() == sum(left) + one
+    assert rest_of_product(f, g) == (sum(left) + one) * (sum(right) + other) - low
+
+
+def test_the_rest_of_a_sum_is_the_sum_of_the_rests() -> None:
+    """e^x + sin x + e^x."""
+    parts = Exponential(x), Sine(x)
+    whole = Sum((*parts, parts[0]))
+    nodes = in_order([whole])
+    with working_bits(100):
+        norms = {node: (arb(1), arb(1)) for node in nodes}
+        found = graded_functions(nodes, norms, starts_of(nodes), [lambda r: r / 4])
+        assert found[whole].rest.overlaps(2 * found[parts[0]].rest + found[parts[1]].rest)
+        assert found[whole].rest > found[parts[0]].rest + found[parts[1]].rest
+
+
+def test_the_least_bound_is_the_least_finite_one() -> None:
+    bounds = [arb("nan"), arb(3), arb(0, "inf"), arb(2, 1), arb("2.5"), arb("inf")]
+    for order in itertools.permutations(bounds):
+        assert _least(order) == arb("2.5")
+    assert not _least([arb("nan"), arb("inf")]).is_finite()
+    assert not _least([]).is_finite()
 
 
 @pytest.mark.parametrize("name", CASES)

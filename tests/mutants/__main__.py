@@ -16,7 +16,7 @@ from pathlib import Path
 from mutants.choice import importing, mirrored
 from mutants.operators import Mutant, code_of, mutants_of
 from mutants.process import Reach, reach_of, start
-from mutants.survivors import complaints, read_survivors
+from mutants.survivors import complaints, is_listed, read_survivors
 
 ROOT = Path(__file__).resolve().parents[2]
 _PRELOADED = ("flint", "mpmath", "numpy", "sympy", "hypothesis.strategies")
@@ -56,7 +56,7 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
         survived = [mutant for mutant in chosen if results[mutant] == _SURVIVED]
         killed = [mutant for mutant in chosen if results[mutant] != _SURVIVED]
         count = Counter(results.values())
-        argued = sum(mutant.key in listed for mutant in survived)
+        argued = sum(is_listed(mutant, listed) for mutant in survived)
         print(
             f"{file}: {len(everything)} mutants, {len(killed)} killed ({count[_LIMIT]} by a limit), {argued} survivors "
             f"argued, {len(survived) - argued} not argued, {len(everything) - len(chosen)} not run",

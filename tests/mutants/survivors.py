@@ -9,6 +9,7 @@ from pathlib import Path
 from mutants.operators import Mutant
 
 Key = tuple[str, str, str, str]
+ANY = "*"
 
 
 def read_survivors(path: Path) -> dict[Key, str]:
@@ -27,14 +28,20 @@ def read_survivors(path: Path) -> dict[Key, str]:
     return found
 
 
+def is_listed(mutant: Mutant, listed: Iterable[Key]) -> bool:
+    """Whether the list argues for this mutant, or for every change of its line (``after = '*'``)."""
+    return mutant.key in listed or (*mutant.key[:3], ANY) in listed
+
+
 def complaints(
     listed: Iterable[Key], existing: Iterable[Mutant], killed: Iterable[Mutant], survived: Iterable[Mutant]
 ) -> list[str]:
     """What is wrong with the list, one text each; ``existing`` are all mutants of the files that were run."""
     listed, existing = set(listed), list(existing)
-    files, keys = {mutant.file for mutant in existing}, {mutant.key for mutant in existing}
-    found = [f"survived and is not in the list:\n{entry(mutant)}" for mutant in survived if mutant.key not in listed]
+    found = [f"survived and is not in the list:\n{entry(m)}" for m in survived if not is_listed(m, listed)]
     found += [f"is in the list and was killed: {mutant}" for mutant in killed if mutant.key in listed]
+    keys = {key for mutant in existing for key in (mutant.key, (*mutant.key[:3], ANY))}
+    files = {mutant.file for mutant in existing}
     gone = sorted(key for key in listed if key[0] in files and key not in keys)
     return found + [f"is in the list and exists no longer: {' | '.join(key)}" for key in gone]
 

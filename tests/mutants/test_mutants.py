@@ -97,6 +97,9 @@ def test_the_list_is_held_against_the_run(tmp_path: Path) -> None:
     assert "was killed" in complaints([mutant.key], [mutant], [mutant], [])[0]
     gone = (*mutant.key[:3], "a = c < b")
     assert "no longer" in complaints([gone], [mutant], [mutant], [])[0]
+    whole_line = (*mutant.key[:3], "*")
+    assert complaints([whole_line], [mutant], [], [mutant]) == complaints([whole_line], [mutant], [mutant], []) == []
+    assert "no longer" in complaints([("x.py", "module", "a = 1", "*")], [mutant], [mutant], [])[0]
     assert complaints([("y.py", *gone[1:])], [mutant], [mutant], []) == []  # of a file that was not run
 
 
