@@ -57,14 +57,15 @@ class Column:
     pieces: tuple[Piece, ...]
 
     def tubes(self) -> list[tuple[fmpq, fmpq]]:
-        """Intervals of tau that hold exactly one zero each, for every beta of the column: runs of monotone pieces
-        between two different signs."""
+        """Intervals of tau that hold exactly one zero each, for every beta of the column: runs of monotone
+        pieces of one direction between two certain signs, of which the first is the opposite of the second."""
         if self.lower is None:
             return []
         found = []
         for run, before, after in monotone_runs(self.pieces, cell_of(self.lower, self.upper)):
             lower, upper = run[0].lower, run[-1].upper
-            if before != after and lower is not None and upper is not None:
+            crosses = 0 not in (before, after) and before != after and {piece.mark for piece in run} == {after}
+            if crosses and lower is not None and upper is not None:
                 found.append((lower, upper))
         return found
 
