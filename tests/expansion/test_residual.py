@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import random
 from dataclasses import replace
 from typing import Any
@@ -194,6 +195,40 @@ def test_a_wrong_start_is_noticed() -> None:
     wrong = replace(good, xi=(*good.xi[:3], tuple(component), *good.xi[4:]))
     with pytest.raises(ResidualError):
         residual_bounds(wrong, 1, "1/10")
+
+
+def later(terms: tuple[SpacePolynomial, ...], shift: fmpq) -> tuple[SpacePolynomial, ...]:
+    """The terms of f(s + shift delta^4, delta): they lie in the same spaces."""
+    found = []
+    for n, own in enumerate(terms):
+        total = [fmpq(0)] * max(own.n + 1, 0)
+        for j in range(n // 4 + 1):
+            for k, c in enumerate(terms[n - 4 * j].coefficients()):
+                if k >= j:
+                    total[k - j] += fmpq(c) * math.comb(k, j) * shift**j
+        found.append(SpacePolynomial.from_list(own.n, total) if own.n >= 0 else own)
+    return tuple(found)
+
+
+def test_the_solution_at_a_later_time_is_another_one() -> None:
+    """It solves every equation and starts on the same surfaces; only p = 0 at s = 0 says where the time begins."""
+    y, v, p, b = x[:4]
+    alpha_1, alpha_2, alpha_3 = Constant(fmpq(-1)), Constant(fmpq(-2)), Constant(fmpq(-3, 2))
+    system = System(
+        "four", (v, b, alpha_1, alpha_2), (Constant(fmpq(0)), p, Constant(fmpq(0)), Constant(fmpq(3, 2))),
+        y, v, p, b, alpha_1, alpha_2, alpha_3, (), (fmpq(0),) * 4,
+    )  # fmt: skip
+    good = expand_system(system, 8)
+    assert all(bound.is_finite() for bound in residual_bounds(good, 1, "1/10").constants.values())
+    names = ("p", "b", "y", "v", "z", "lambda_n")
+    moved = replace(
+        good,
+        xi=tuple(later(terms, fmpq(1, 3)) for terms in good.xi),
+        **{name: later(getattr(good, name), fmpq(1, 3)) for name in names},
+    )
+    assert later(good.p, fmpq(0)) == good.p
+    with pytest.raises(ResidualError, match="p does not vanish at s = 0"):
+        residual_bounds(moved, 1, "1/10")
 
 
 def test_balls() -> None:

@@ -13,7 +13,7 @@ from gspot_verified.balls import working_bits
 from gspot_verified.expansion.recursion import Recursion
 from gspot_verified.expansion.system import GSpotError
 from gspot_verified.mechanisms.g_spot import find_g_spot
-from gspot_verified.mechanisms.given import lagrangian
+from gspot_verified.mechanisms.given import from_fields, lagrangian
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.symbolic import symbolic_system
@@ -85,7 +85,35 @@ def test_conditions_given_as_functions() -> None:
     Recursion(spot.system).advance()
 
 
+def fields(p: str = "p", **options: Any) -> Mechanism:
+    """The extended system with a function of p in the place of p."""
+    return from_fields(
+        "fields", ["x", "u", "y", "v", "p", "b"], ["u", 0, "v", "b", -1, -1],
+        [0, f"3/(2*(1 - {p}))", 0, "1/2", 0, f"-3/4/(1 - {p})"], [0, "1/2", 0, f"(1 + {p})/2", 0, "3/4"],
+        "x", "y", f"1 - {p}", **options,
+    )  # fmt: skip
+
+
 def test_degenerate_for_every_choice() -> None:
+    """p^3 has no gradient at the G-spot, so no J makes the Jacobian regular."""
+    here = {"x": 0, "u": 1, "y": 0, "v": 0, "p": 0, "b": 0}
+    assert find_g_spot(fields(place=here)).exact
+    with pytest.raises(GSpotError, match=r"degenerate: .* p, b, y, v have rank 3 there, not 4"):
+        find_g_spot(fields("p^3", place=here))
+
+
+def test_a_search_starts_where_no_g_spot_is() -> None:
+    """At an exact place: without a search it is refused, with one the exact check must not stop the search."""
+    near = {"x": 0, "u": 1, "y": "1/50", "v": "-1/40", "p": "1/30", "b": "1/20"}
+    with pytest.raises(GSpotError, match="not a G-spot: p = 1/30"):
+        find_g_spot(fields(place=near))
+    found = find_g_spot(fields(place=near, fixed=["x", "u"], search=True))
+    assert not found.exact
+    for ball, number in zip(found.system.point, (0, 1, 0, 0, 0, 0), strict=True):
+        assert holds(ball, fmpq(number))
+
+
+def test_a_place_that_is_no_g_spot() -> None:
     block = lagrangian("block", ["X", "Y"], [[1, 0], [0, 1]], [0, 0], "X", "Y", 0,
                        place={"X": 0, "Y": 0, "X_dot": 1, "Y_dot": 0})  # fmt: skip
     with pytest.raises(GSpotError, match="not a G-spot: p = 1 must be 0"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import pytest
@@ -9,13 +10,15 @@ import sympy
 from flint import arb, fmpq
 
 from gspot_verified.balls import working_bits
+from gspot_verified.expansion.expressions import Power, Variable, in_order
 from gspot_verified.expansion.power_series import SeriesOfFunctions
 from gspot_verified.expansion.rings import BALLS, RATIONALS
 from gspot_verified.expansion.terms import NumberTerms
 from gspot_verified.mechanisms.given import from_fields
 from gspot_verified.mechanisms.lie_derivatives import derive
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
-from gspot_verified.mechanisms.to_system import Moves, NotRationalError, Shifted, shift
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.to_system import Moves, NotRationalError, Shifted, shift, to_system
 
 q, w = sympy.symbols("q w")
 q_ref, w_ref = sympy.symbols("q_ref w_ref")
@@ -86,3 +89,49 @@ def test_parameters_need_values() -> None:
     with pytest.raises(MechanismError, match="without a value: k"):
         shift(free)
     assert shift(free, free=True).functions.b == sympy.Symbol("k")
+    given = from_fields("test", ["q", "w"], ["w", "k"], [0, 0], [0, 1], 0, "q", 0, {"k": 2})
+    assert shift(given).functions.b == 2
+
+
+@pytest.mark.parametrize("count", range(1, 10))
+def test_every_factor_of_a_product_counts(count: int) -> None:
+    """(q - q_ref + 2)(q - q_ref + 3)(q - q_ref + 4)...: the value and the derivative by the product rule."""
+    numbers = range(2, count + 2)
+    function = sympy.Mul(*(q - q_ref + k for k in numbers), evaluate=False)
+    value, slope = first_order(function, RATIONALS, [fmpq(0)] * 2, [fmpq(1), fmpq(0)])
+    assert value == math.prod(numbers)
+    assert slope == sum(fmpq(math.prod(numbers), k) for k in numbers)
+
+
+@pytest.mark.parametrize("exponent", [1, 2, 3, 4, 5, 6, 7, -1, -2, sympy.Rational(1, 2), sympy.Rational(-3, 2)])
+def test_only_natural_powers_become_products(exponent: Any) -> None:
+    """The bounds on residuals rest on it (proofs/residual.md): a power is the branch of a base that does not vanish."""
+    shifted = Shifted(mechanism(), derive(mechanism()))
+    expressions = shifted.expressions([Moves(mechanism())(2 + (q - q_ref + 1) ** exponent)], RATIONALS)
+    powers = [node.exponent for node in in_order(expressions) if isinstance(node, Power)]
+    natural = sympy.Rational(exponent).is_Integer and exponent > 0
+    assert powers == ([] if natural else [fmpq(int(sympy.Rational(exponent).p), int(sympy.Rational(exponent).q))])
+
+
+@pytest.mark.parametrize("name", ["extended", "model"])
+def test_each_function_of_the_system_is_the_one_of_its_name(name: str) -> None:
+    """At an exact point away from the G-spot, against sympy."""
+    shifted = shift(shipped_mechanism(name))
+    state = shifted.mechanism.state
+    zero = dict.fromkeys(state, fmpq(0))
+    conditions = [sympy.Symbol(state[0]) * 3, Variable(1)]
+    system = to_system(shifted, zero, RATIONALS, conditions)
+    assert system.J[1] == Variable(1)
+    point = {word: fmpq(k + 2, 7) for k, word in enumerate(state)}
+    numbers = {sympy.Symbol(word): sympy.Rational(k + 2, 7) for k, word in enumerate(state)}
+    f = shifted.functions
+    pairs = [
+        *zip((*system.F, *system.G), (*f.F, *f.G), strict=True),
+        (system.y, f.y), (system.v, f.v), (system.p, f.p), (system.b, f.b), (system.J[0], conditions[0]),
+        (system.alpha_1, f.alpha_1), (system.alpha_2, f.alpha_2), (system.alpha_3, f.alpha_3),
+    ]  # fmt: skip
+    series = SeriesOfFunctions([expression for expression, _ in pairs], NumberTerms(RATIONALS), RATIONALS)
+    series.extend([point[word] for word in state])
+    for expression, function in pairs:
+        found = series[expression][0]
+        assert sympy.Rational(int(found.p), int(found.q)) == function.subs(numbers)

@@ -25,6 +25,17 @@ def test_brackets_change_sign_and_zero_has_its_multiplicity(beta: int) -> None:
     assert list(found.brackets) == sorted(found.brackets)
 
 
+@pytest.mark.parametrize("digits", [1, 2])
+def test_few_digits_where_the_grid_is_wider_than_what_isolates_the_zero(digits: int) -> None:
+    for beta in range(1, 61):
+        values = polynomial(beta - 1)
+        brackets = zeros_at_integer(beta, digits).brackets
+        assert len(brackets) + (values(0) == 0) == number_of_zeros(beta)
+        for lower, upper in brackets:
+            assert upper - lower <= fmpq(1, 10**digits)
+            assert values(lower) * values(upper) < 0 or values(lower) == 0 == upper - lower
+
+
 def test_cubes_are_known() -> None:
     # dTheta/dtau(., 4) = -4 (2 - tau^3), dTheta/dtau(., 5) = -5 tau (tau^3 - 8)
     ((lower, upper),) = zeros_at_integer(4, 20).brackets

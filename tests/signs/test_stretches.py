@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from strategies import ends, to_fmpq
 
 from gspot_verified import evaluate, gamma_sign, zeros_at
-from gspot_verified.balls import working_bits
+from gspot_verified.balls import sign_of, working_bits
 from gspot_verified.signs.contact_force import contact_force
 from gspot_verified.signs.count_law import number_of_zeros
 from gspot_verified.signs.stretches import Bracket, NotAbove, Stretches, first_crossing, minimum, narrowed, stretches
@@ -206,3 +206,21 @@ def test_narrowed_keeps_the_crossing(root: Fraction, digits: int) -> None:
     lower, upper = narrowed(lambda tau: tau > target, fmpq(-17, 3), fmpq(19, 3), digits)
     assert lower <= target < upper
     assert upper - lower <= fmpq(1, 10**digits)
+
+
+@pytest.mark.parametrize("start", [-10, -3])
+@pytest.mark.parametrize("height", [fmpq(1, 2), fmpq(2), fmpq(40)])
+def test_a_crossing_lies_between_a_point_above_and_a_point_below(start: int, height: fmpq) -> None:
+    """0 < β < 1: dΘ/dτ falls from 0 to -infinity, so each level below its value at the start is crossed once."""
+    beta = fmpq(1, 2)
+
+    def level(_: int) -> arb:
+        return arb(height)
+
+    found = first_crossing(stretches(beta, 1, fmpq(start)), level, 8)
+    assert found is not None
+    assert found.number == 1
+    assert start <= found.lower < found.upper <= found.lower + fmpq(1, 10**8)
+    for tau, side in ((found.lower, 1), (found.upper, -1)):
+        value = evaluate(tau, beta, derivative=1, digits=30).value + level(0)
+        assert sign_of(value) == side
