@@ -23,6 +23,7 @@ import mpmath
 import pytest
 from flint import (
     acb,
+    acb_poly,
     arb,
     arb_mat,
     arb_poly,
@@ -45,11 +46,13 @@ PACKAGE = Path(__file__).resolve().parents[1] / "gspot_verified"
 
 CLASSES = {
     "acb": acb,
+    "acb_poly": acb_poly,
     "arb": arb,
     "arb_mat": arb_mat,
     "arb_poly": arb_poly,
     "arb_series": arb_series,
     "fmpq": fmpq,
+    "fmpq_mat": fmpq_mat,
     "fmpq_mpoly": fmpq_mpoly,
     "fmpq_mpoly_ctx": fmpq_mpoly_ctx,
     "fmpq_poly": fmpq_poly,
@@ -574,6 +577,31 @@ def test_rational_linear_systems() -> None:
     matrix = fmpq_mat([[fmpq(a) for a in row] for row in rows])
     found = matrix.solve(fmpq_mat([[to_fmpq(value)] for value in right]))
     assert tuple(to_fraction(found[i, 0]) for i in range(3)) == solution
+    for bits in (53, 200):
+        with working_bits(bits):
+            balls = arb_mat(3, 3, [arb(a) for row in rows for a in row])
+            near = balls.solve(arb_mat(3, 1, [arb(to_fmpq(value)) for value in right]))
+        assert all(holds(near[i, 0], solution[i]) for i in range(3))
+
+
+@covers("coeffs", "degree")
+def test_complex_polynomials() -> None:
+    coefficients = (Fraction(2, 3), Fraction(-1, 4), Fraction(5))
+    place = (Fraction(1, 7), Fraction(-2, 5))
+    real, imaginary = Fraction(0), Fraction(0)
+    for coefficient in reversed(coefficients):
+        real, imaginary = (
+            real * place[0] - imaginary * place[1] + coefficient,
+            real * place[1] + imaginary * place[0],
+        )
+    for bits in (53, 200):
+        with working_bits(bits):
+            polynomial = acb_poly([to_fmpq(c) for c in coefficients])
+            value = polynomial(acb(arb(to_fmpq(place[0])), arb(to_fmpq(place[1]))))
+            assert polynomial.degree() == 2
+            assert all(holds(c.real, e) for c, e in zip(polynomial.coeffs(), coefficients, strict=True))
+        assert holds(value.real, real)
+        assert holds(value.imag, imaginary)
 
 
 @covers("complex_roots")
