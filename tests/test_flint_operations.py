@@ -69,7 +69,7 @@ _METHODS = """
     overlaps p pi prec q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi
     sinh sqrt str subs table terms truncate union unique_fmpz upper
     from_dict to_dict compose project_to_context total_degree discriminant
-    complex_roots degrees factor solve
+    complex_roots degrees factor rank solve
 """
 METHODS = frozenset(_METHODS.split())
 
@@ -569,7 +569,7 @@ def test_factors_of_numbers_and_polynomials() -> None:
         assert tuple(map(int, value.degrees())) == tuple(max(p[i] for p in powers) for i in (0, 1))
 
 
-@covers("solve")
+@covers("solve", "rank")
 def test_rational_linear_systems() -> None:
     rows = ((2, 1, 0), (1, -3, 4), (0, 5, 7))
     solution = (Fraction(1, 3), Fraction(-2), Fraction(9, 7))
@@ -577,6 +577,8 @@ def test_rational_linear_systems() -> None:
     matrix = fmpq_mat([[fmpq(a) for a in row] for row in rows])
     found = matrix.solve(fmpq_mat([[to_fmpq(value)] for value in right]))
     assert tuple(to_fraction(found[i, 0]) for i in range(3)) == solution
+    for dependent, rank in ((rows, 3), ((*rows[:2], (3, -2, 4)), 2), (((1, 2, 3), (2, 4, 6), (0, 0, 0)), 1)):
+        assert int(fmpq_mat([[fmpq(a) for a in row] for row in dependent]).rank()) == rank
     for bits in (53, 200):
         with working_bits(bits):
             balls = arb_mat(3, 3, [arb(a) for row in rows for a in row])
