@@ -216,3 +216,57 @@ def test_random_ranges(t: Fraction, height: Fraction, b: Fraction, width: Fracti
         for _ in range(50):
             tau, beta = near_end(t, t + height, source), near_end(b, b + width, source)
             assert slope_sign(tau, beta) == sign
+
+
+AWAY_FROM_ZERO = [(tau, beta, sign) for tau, beta, sign, outcome in TABLE if outcome is R and beta[0] in "1234(["
+                  and not beta.startswith(("[0", "(-", "[-", "(0"))]  # fmt: skip
+
+
+@pytest.mark.parametrize(("tau", "beta", "sign"), [*AWAY_FROM_ZERO, ("0..3", "2..5/2", -1), ("2..4", "2..3", 1)])
+def test_what_is_false_is_not_proved_when_no_point_was_found_beforehand(
+    monkeypatch: pytest.MonkeyPatch, tau: str, beta: str, sign: int
+) -> None:
+    """The columns stand on their own: a point that the first search misses ends the subdivision, or leaves it open."""
+    monkeypatch.setattr("gspot_verified.signs.sign.find_witness", lambda *_: None)
+    result = sign_on_ranges(tau, beta, sign, budget=30)
+    assert result.verdict.outcome is not P
+    if result.verdict.outcome is R:
+        assert_refuted(result)
+
+
+def test_a_point_that_only_the_columns_meet_refutes(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr("gspot_verified.signs.sign.find_witness", lambda *_: None)
+    result = sign_on_ranges("0..3", "2..5/2", -1, budget=30)
+    assert_refuted(result)
+    assert result.point is not None
+    assert result.to_json()["point"] == [str(value) for value in result.point]
+    assert result.to_json()["sign_there"] == 1
+    assert result.proved_statement is not None
+    write_certificate(tmp_path / "x.cert", result.proved_statement, result.columns)
+    run = subprocess.run([sys.executable, str(CHECKER), str(tmp_path / "x.cert")], capture_output=True, check=False)
+    assert run.returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("tau", "beta", "sign"), [("0", "1/2", 1), ("-3", "1/3", 1), ("2", "-5/2", -1), ("1", "3/2", -1)]
+)
+def test_a_refuted_point_has_a_certificate(tau: str, beta: str, sign: int) -> None:
+    """On both sides of β = 0 and of β = 1, where dΘ/dτ = -βF turns against F."""
+    result = sign_on_ranges(tau, beta, sign)
+    assert_refuted(result)
+    assert len(result.columns) == 1
+    assert result.proved_statement is not None
+
+
+def test_ranges_may_be_given_read_and_numbers_are_the_default() -> None:
+    tau, beta = Range.parse("-inf..inf", "tau"), Range.parse("0..1", "beta")
+    by_text, by_theorem = sign_on_ranges("-inf..inf", "0..1"), sign_on_ranges(tau, beta, by_theorem=True)
+    assert sign_on_ranges(tau, beta).columns == by_text.columns != by_theorem.columns
+
+
+def test_no_proof_is_sought_for_a_range_without_an_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("gspot_verified.signs.sign.find_witness", lambda *_: None)
+    result = sign_on_ranges("-inf..-100", "1..inf")
+    assert (result.verdict.outcome, result.verdict.reason) == (U, Reason.NO_ROUTE)
+    assert "left: β in [1, inf]" in result.verdict.detail
+    assert "no point against it was found" in result.verdict.detail
