@@ -111,6 +111,17 @@ def test_the_change_from_every_start_in_a_ball(name: str) -> None:
             assert found >= sum(c * mpmath.mpf("0.3") ** n for n, c in enumerate(values) if n)
 
 
+def test_a_small_change_of_a_power_grows_with_its_start() -> None:
+    """u^(7/2) on u in 6/5 +- 1/10: the change of u by 1/100 is largest at the upper end, not at the lower one."""
+    node = Power(x, fmpq(7, 2))
+    nodes = in_order([node])
+    with working_bits(100), mpmath.workdps(30):
+        bound = _changes(nodes, starts_of(nodes, arb("1.2", "0.1")), [lambda r: r], arb("0.01"))[node]
+        start = mpmath.mpf("1.3")
+        assert bound.is_finite()
+        assert middle(bound.upper()) >= (start + mpmath.mpf("0.01")) ** 3.5 - start**3.5
+
+
 graded_norms = st.lists(st.integers(0, 50), min_size=4, max_size=4)
 
 

@@ -131,5 +131,6 @@ def test_tubes_are_the_runs_with_a_change_of_sign() -> None:
     # Nothing fixes the sign before or after the run, or its direction is against the change: no zero is certain.
     assert [COUNTS[k][0].tubes() for k in (6, 9, 10)] == [[], [], []]
     assert column("21/10", "29/10", monotone(-2, 0, -1), sign(0, 1, -1)).tubes() == []
+    assert column("21/10", "29/10", LEFT, monotone(-2, 0, 1), sign(0, 1, 1), right(1)).tubes() == []
     runs = monotone_runs(COUNTS[3][0].pieces, 1)
     assert [(len(run), before, after) for run, before, after in runs] == [(2, 1, -1)]
