@@ -163,3 +163,29 @@ def test_the_example_in_the_help_runs(
     code, output, _ = run(capsys, *words)
     assert code == 0
     assert output
+
+
+def test_zeros_at_finite_epsilon(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "zeros", "--beta", "5.95", "--eps", "0.1", "--digits", "6")
+    assert code == 0
+    assert output.startswith("proved: the number of real zeros of λ − λ̄ on the slow manifold of the compliant model")
+    assert "β = 119/20, ε = 1/10: 1 (for Θ (ε → 0): 3)" in output
+    code, output, _ = run(capsys, "zeros", "--beta", "5", "--eps", "32", "--json")
+    assert (code, json.loads(output)["number"]) == (0, 1)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--eps", "0"), "epsilon: expected a number in"),
+        (("--eps", "x"), "epsilon: expected a number"),
+        (("--eps", "1", "--certificate", "x.cert"), "--certificate: not with --eps"),
+        (("--eps", "1", "--digits", "0"), "digits"),
+    ],
+)
+def test_zeros_at_finite_epsilon_refuses(
+    capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], message: str
+) -> None:
+    code, output, errors = run(capsys, "zeros", "--beta", "5/2", *arguments)
+    assert (code, output) == (64, "")
+    assert message in errors

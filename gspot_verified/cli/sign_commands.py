@@ -70,6 +70,9 @@ def sign(
 @app.command(epilog="Example: gspot-verified zeros --beta 7/3 --digits 30")
 def zeros(
     beta: Annotated[str, typer.Option(help='A range such as "1..13", or one value such as "7/3".')],
+    epsilon: Annotated[
+        str | None, typer.Option("--eps", help="ε > 0: the force of the compliant model on its slow manifold, not Θ.")
+    ] = None,
     digits: Annotated[int, typer.Option(help="At one value: decimals of the brackets.")] = 15,
     budget: Annotated[int, typer.Option(help="How many ranges of β may be examined.")] = 5_000,
     picture: Annotated[Path | None, typer.Option(help="Write the sign atlas of the range as a PNG file.")] = None,
@@ -88,6 +91,14 @@ def zeros(
     outputs.file("--certificate", certificate)
     outputs.file("--journal", journal)
     outputs.file("--picture", picture, PICTURES)
+    if epsilon is not None:
+        for option, given in (("--certificate", certificate), ("--picture", picture), ("--journal", journal)):
+            if given is not None:
+                raise ValueError(f"{option}: not with --eps")
+        if workers != 1 or scheduler is not None:
+            raise ValueError("--workers and --scheduler: not with --eps")
+        _slow_zeros_at(beta, epsilon, digits, as_json)
+        return
     if ".." not in beta:
         if journal is not None or workers != 1 or scheduler is not None:
             raise ValueError("--journal, --workers and --scheduler need a range of β, such as 1..13")
@@ -109,6 +120,17 @@ def zeros(
     if certificate is not None and statement is None:
         warn(f"--certificate: nothing was proved, so {certificate} was not written")
     outputs.leave(0 if statement is not None else 2)
+
+
+def _slow_zeros_at(beta: str, epsilon: str, digits: int, as_json: bool) -> None:
+    from gspot_verified.compliant.zero_count import slow_zeros
+
+    found = slow_zeros(beta, epsilon, digits)
+    if as_json:
+        print_json(found.to_json())
+    else:
+        typer.echo(str(found))
+    raise typer.Exit(found.verdict.exit_code)
 
 
 def _zeros_at(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
+from typing import Protocol
 
 from flint import fmpq
 
@@ -19,6 +20,16 @@ LEAST_LEFT_OF_FOLD = fmpq(-1)
 _NARROW = fmpq(1, 16)
 _LEAST_WIDTH = fmpq(1, 2**7)
 _POINT_WIDTH = fmpq(1, 2**120)
+
+
+class CertainSigns(Protocol):
+    """Certain signs of a function and of its tau-derivatives over one range of b."""
+
+    def sign(self, lower: fmpq, upper: fmpq, derivative: int = 0) -> int | None:
+        """The sign of the derivative on [lower, upper] and the whole range of b, or None."""
+
+    def changes(self, tau: fmpq, n: int) -> int | None:
+        """The number v of ``proofs/tails.md`` at tau, or None."""
 
 
 def zero_column(lower: fmpq, upper: fmpq) -> Column | None:
@@ -53,7 +64,7 @@ def reach_of_cell(n: int) -> fmpq:
     return fmpq(math.ceil(2 * (n + 1) ** (2 / 3)) + 4)
 
 
-def right_tail(models: ColumnModels, n: int, reach: fmpq, changes: int) -> fmpq | None:
+def right_tail(models: CertainSigns, n: int, reach: fmpq, changes: int) -> fmpq | None:
     """The least T of the grid beyond which F has ``changes`` = 0 or 1 zeros, certainly."""
     last = int((reach / _STEP).floor())
     if changes:
@@ -74,18 +85,18 @@ def right_tail(models: ColumnModels, n: int, reach: fmpq, changes: int) -> fmpq 
 
 def _middle(models: ColumnModels, left: fmpq, right: fmpq, has_fold: bool, least: fmpq) -> tuple[Piece, ...] | None:
     if not has_fold:
-        return _cover(models, left, right, least)
+        return cover(models, left, right, least)
     for half_width in FOLD_HALF_WIDTHS:
         if -half_width > left and half_width < right and models.fold(-half_width, half_width):
-            before = _cover(models, left, -half_width, least)
-            after = _cover(models, half_width, right, least) if before is not None else None
+            before = cover(models, left, -half_width, least)
+            after = cover(models, half_width, right, least) if before is not None else None
             if before is None or after is None:
                 return None
             return (*before, Piece(Kind.FOLD, -half_width, half_width), *after)
     return None
 
 
-def _cover(models: ColumnModels, left: fmpq, right: fmpq, least: fmpq) -> tuple[Piece, ...] | None:
+def cover(models: CertainSigns, left: fmpq, right: fmpq, least: fmpq) -> tuple[Piece, ...] | None:
     """Pieces SIGN and MONOTONE from left to right, by bisection; None as soon as one box is narrower than ``least``."""
     waiting = grid(left, right)
     found: list[Piece] = []
