@@ -1,11 +1,12 @@
 """Verified numerics for the Painlevé paradox: certified values and signs of Θ(τ, β), and the paper claim by claim."""
 
 from gspot_verified.balls import ball_text
+from gspot_verified.compliant.iwc import CompliantIwc, iwc
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.signs.brackets import Brackets, zeros_at
 from gspot_verified.signs.count_law import number_of_zeros
-from gspot_verified.signs.iwc import IwcResult, iwc
+from gspot_verified.signs.iwc import IwcResult
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.side import SideSwitching, SignInterval, gamma_sign, side_switching
 from gspot_verified.signs.sign import SignResult, sign_on_ranges
@@ -23,6 +24,7 @@ __version__ = "0.1.0"
 __all__ = [
     "Brackets",
     "BudgetError",
+    "CompliantIwc",
     "Dyadic",
     "Evaluation",
     "IwcResult",

@@ -214,8 +214,12 @@ def iwc(
     growth: Annotated[bool, typer.Option("--growth", help="Lift-off side: τ_lo for ε = 1e-10 to 1e-10000.")] = False,
     as_json: JsonFlag = False,
 ) -> None:
-    """The contact force at leading order: an ε0 below which the contact holds, or a bracket of the lift-off time."""
-    from gspot_verified.signs.iwc import iwc as contact_force
+    """The contact force: an ε0 below which the contact holds, or a bracket of the lift-off time.
+
+    Each statement names its system: "at leading order" is the paper's formula; "on the slow manifold of the compliant
+    model" is the exact solution at that ε. The exit code is that of the last statement.
+    """
+    from gspot_verified.compliant.iwc import iwc as contact_force
 
     result = contact_force(
         beta,

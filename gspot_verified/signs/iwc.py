@@ -1,7 +1,8 @@
 """The contact force at leading order on a half-line: a certified eps_0 below which it stays positive (impact without
 collision), or a certified bracket of the lift-off time.
 
-Proof page: ``proofs/iwc.md``. "At leading order" is the paper's approximation; its error is not bounded here.
+Proof page: ``proofs/iwc.md``. "At leading order" is the paper's approximation; its error is not bounded here. What
+holds for the compliant model is in ``compliant/iwc.py``.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, V
 MAX_DIGITS = 100
 MAX_START = 10**6
 PAPER_EPSILON = fmpq(1, 1000)
+CAVEAT = '"at leading order" is the paper\'s approximation; its error is not bounded here'
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +53,10 @@ class IwcResult(NoTruthValue):
     growth: tuple[LiftOff, ...] = ()
 
     def __str__(self) -> str:
+        return "\n".join([*self.lines(), f"  {CAVEAT}"])
+
+    def lines(self) -> list[str]:
+        """The lines of the text without the last one, which says what "at leading order" leaves open."""
         force = self.force
         side = "> 0, λ_N → +∞" if force.takes_impact else "< 0, λ_N → -∞"
         lines = [
@@ -68,9 +74,9 @@ class IwcResult(NoTruthValue):
         if self.lift_off is not None:
             lines.append(f"  {self.lift_off}")
         lines += [f"  {row}" for row in self.growth]
-        if self.whole_line and self.verdict.outcome is Outcome.PROVED:
+        if self.whole_line and not self.every_epsilon and self.verdict.outcome is Outcome.PROVED:
             lines.append(f"  it holds for every τ < {self.start} as well")
-        return "\n".join([*lines, '  "at leading order" is the paper\'s approximation; its error is not bounded here'])
+        return lines
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for ``json.dumps``; exact rationals as text, balls as exact intervals."""
@@ -140,7 +146,7 @@ def _impact(force: ContactForce, start: fmpq, epsilon: fmpq | None, digits: int)
     # beta < 1 by proofs/signs.md, without numbers.
     if (force.beta > 1 and least.value.lower() >= 0) or (force.beta < 1 and force.mean >= 0):
         whole = force.beta < 1
-        verdict = Verdict.proved(_statement(None if whole else start, epsilon, None), _by_theorem(force))
+        verdict = Verdict.proved(force_statement(None if whole else start, epsilon, None), _by_theorem(force))
         return IwcResult(force, start, whole, verdict, least, every_epsilon=True)
     whole = found.whole_line and bool(found.critical)
     log_lower, log_upper = _log_bounds(force, least.value, digits)
@@ -152,7 +158,7 @@ def _impact(force: ContactForce, start: fmpq, epsilon: fmpq | None, digits: int)
         text = f"{LEADING}, some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
         verdict = Verdict.undecided(text, Reason.BUDGET, f"no ε0 above 10^{LEAST_TENS} was found")
     else:
-        verdict = Verdict.proved(_statement(start, None, epsilon_0), _by_theorem(force))
+        verdict = Verdict.proved(force_statement(start, None, epsilon_0), _by_theorem(force))
     return IwcResult(force, start, whole, verdict, least, False, epsilon_0, size)
 
 
@@ -162,11 +168,12 @@ def _by_theorem(force: ContactForce) -> str:
     return "the deviation of λ_N is > 0 for every real τ and every ε > 0: dΘ/dτ < 0 for 0 < β < 1 (proofs/signs.md)"
 
 
-def _statement(start: fmpq | None, epsilon: fmpq | None, bound: fmpq | None) -> str:
+def force_statement(start: fmpq | None, epsilon: fmpq | None, bound: fmpq | None, system: str = LEADING) -> str:
+    """That the force of ``system`` is > 0 from ``start`` on (None: everywhere), at ``epsilon`` or below ``bound``."""
     tau = "every real τ" if start is None else f"every τ in [{start}, inf)"
     if epsilon is not None:
-        return f"{LEADING}, λ_N > 0 for {tau} at ε = {short_text(epsilon)}"
-    return f"{LEADING}, λ_N > 0 for {tau} and " + (
+        return f"{system}, λ_N > 0 for {tau} at ε = {short_text(epsilon)}"
+    return f"{system}, λ_N > 0 for {tau} and " + (
         "every ε > 0" if bound is None else f"every ε in (0, {short_text(bound)})"
     )
 
@@ -189,7 +196,7 @@ def _exponential(lower: arb, upper: arb) -> arb | None:
 def at_epsilon(force: ContactForce, found: Stretches, epsilon: fmpq, lower: arb) -> Verdict:
     """Whether lambda_N > 0 on [start, infinity) at eps; ``lower`` is at most the logarithm of the largest eps_0."""
     start = found.start.lower
-    text = _statement(start, epsilon, None)
+    text = force_statement(start, epsilon, None)
     with working_bits(int(lower.bits()) + 64):
         size = arb(epsilon).log()
     if size < lower:

@@ -1,0 +1,114 @@
+"""The contact force of the compliant model on its slow manifold: is it positive on a half-line, below which eps?
+
+Proof page: ``proofs/monotone.md``. The slow manifold is the one solution with b-hat ~ C_1 (-t)^beta as t -> -infinity
+that grows slower than e^(|T|/2) (``proofs/exact_solution.md``, section 4).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from flint import arb, fmpq
+
+from gspot_verified.balls import approximate, working_bits
+from gspot_verified.compliant.least_value import least_value
+from gspot_verified.compliant.profile import Profile, scaled_epsilon
+from gspot_verified.compliant.slow_solution import MAX_EPSILON, MAX_TENS
+from gspot_verified.compliant.threshold import Threshold, exact_threshold, fails_at
+from gspot_verified.signs.iwc import IwcResult, force_statement
+from gspot_verified.signs.short_text import short_text
+from gspot_verified.signs.stretches import stretches
+from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
+
+SLOW = "on the slow manifold of the compliant model"
+ABOVE = "its force is above the one at leading order at every τ and every ε (proofs/monotone.md, Theorem C)"
+THRESHOLD_DIGITS = 8
+"""Digits of the exact eps_0, at most: each costs a share of a second."""
+
+
+@dataclass(frozen=True, slots=True)
+class SlowManifold(NoTruthValue):
+    """What is proved about the contact force of the compliant model on its slow manifold.
+
+    ``whole_line``: the verdict, when proved, holds to the left of ``start`` as well; ``start`` is None where the
+    statement itself is for every real tau. ``threshold``: the exact eps_0.
+    """
+
+    ask: ClassVar[str] = ASK_VERDICT
+
+    verdict: Verdict
+    start: fmpq | None
+    whole_line: bool
+    threshold: Threshold | None = None
+
+    def lines(self) -> list[str]:
+        """The lines of the text."""
+        found = [str(self.verdict)]
+        exact = self.threshold
+        if exact is not None and exact.lower is not None and exact.upper is not None and exact.place is not None:
+            found.append(
+                f"  the largest ε0 possible lies in [{short_text(exact.lower)}, {short_text(exact.upper)}]: "
+                f"at the upper end λ_N < 0 at τ = {approximate(exact.place):.6g}"
+            )
+        if self.start is not None and self.whole_line and self.verdict.outcome is Outcome.PROVED:
+            found.append(f"  it holds for every τ < {self.start} as well")
+        return found
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``."""
+        return {
+            "verdict": self.verdict.to_json(),
+            "whole_line": self.whole_line,
+            "threshold": None if self.threshold is None else self.threshold.to_json(),
+        }
+
+
+def impact(leading: IwcResult, epsilon: fmpq | None, digits: int) -> SlowManifold:
+    """What follows from the statement at leading order, and the exact eps_0; beta < 5, C_1/Gamma(-beta) > 0."""
+    return _below_threshold(leading, digits) if epsilon is None else _at_epsilon(leading, epsilon, digits)
+
+
+def _below_threshold(leading: IwcResult, digits: int) -> SlowManifold:
+    start = None if leading.every_epsilon and leading.whole_line else leading.start
+    if leading.every_epsilon:
+        return SlowManifold(Verdict.proved(force_statement(start, None, None, SLOW), ABOVE), start, leading.whole_line)
+    known = leading.epsilon_0
+    if known is None:
+        text = f"{SLOW}, some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
+        return SlowManifold(Verdict.undecided(text, Reason.BUDGET, "none at leading order to begin with"), start, False)
+    exact = exact_threshold(leading.force, leading.start, known, min(digits, THRESHOLD_DIGITS))
+    verdict = Verdict.proved(force_statement(start, None, exact.lower, SLOW), ABOVE)
+    return SlowManifold(verdict, start, _to_the_left(leading, digits), exact)
+
+
+def _to_the_left(leading: IwcResult, digits: int) -> bool:
+    """Whether the force is positive to the left of the start at every eps: there it is above the one at leading order,
+    which falls from +infinity to a value at the start that adds to the mean force."""
+    value = stretches(leading.force.beta, leading.force.direction, leading.start, digits).start.value
+    return leading.whole_line and leading.force.mean >= 0 and bool(value >= 0)
+
+
+def _at_epsilon(leading: IwcResult, epsilon: fmpq, digits: int) -> SlowManifold:
+    force, start = leading.force, leading.start
+    if leading.verdict.outcome is Outcome.PROVED:
+        everywhere = None if leading.every_epsilon and leading.whole_line else start
+        text = force_statement(everywhere, epsilon, None, SLOW)
+        return SlowManifold(Verdict.proved(text, ABOVE), everywhere, leading.whole_line)
+    text = force_statement(start, epsilon, None, SLOW)
+    whole = _to_the_left(leading, digits)
+    small = scaled_epsilon(force, epsilon)
+    if not fmpq(10) ** -MAX_TENS <= small <= MAX_EPSILON:
+        return SlowManifold(Verdict.undecided(text, Reason.BUDGET, "ε |α1| is outside [1e-300, 1e6]"), start, False)
+    least = least_value(Profile.of(force, epsilon), start, min(digits, THRESHOLD_DIGITS))
+    if least is not None:
+        with working_bits(4 * digits + 64):
+            size = force.amplitude(digits) * arb(epsilon) ** arb(force.exponent)
+            bound = force.mean + size * least.lower
+        if bound > 0:
+            return SlowManifold(
+                Verdict.proved(text, "least value by branch and bound (proofs/monotone.md)"), start, whole
+            )
+        if fails_at(force, least.place, epsilon, digits):
+            return SlowManifold(Verdict.refuted(text, f"λ_N < 0 at τ = {least.place}"), start, False)
+    return SlowManifold(Verdict.undecided(text, Reason.BUDGET, "the least value is too close to 0"), start, False)

@@ -1,0 +1,75 @@
+"""Each statement names its system, and the two systems agree where the theorem says so."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from flint import fmpq
+
+from gspot_verified import Outcome, iwc
+from gspot_verified.compliant.threshold import slow_force
+from gspot_verified.signs.iwc import CAVEAT
+
+
+def test_the_theorem_takes_the_place_of_the_caveat() -> None:
+    text = str(iwc("5/2"))
+    assert "proved: at leading order" in text
+    assert "proved: on the slow manifold of the compliant model" in text
+    assert "(0, 0.894881353)" in text
+    assert text.count("every τ < -10") == 2
+    assert CAVEAT not in text
+    assert CAVEAT in str(iwc("11/2"))
+
+
+def test_between_the_two_thresholds_the_systems_differ() -> None:
+    """eps = 0.14 lies above eps_0 at leading order, 0.1343, and below the exact one, 0.14579 (beta = 9/2)."""
+    found = iwc("9/2", epsilon="0.14")
+    assert found.slow is not None
+    assert found.leading.verdict.outcome is Outcome.REFUTED
+    assert found.slow.verdict.outcome is Outcome.PROVED
+    assert found.verdict is found.slow.verdict
+    place = fmpq(4866881417624873, 2 * 10**15)
+    assert found.leading.force.value(place, "0.14") < 0
+    assert slow_force(found.leading.force, place, fmpq(14, 100)) > 0
+    above = iwc("9/2", epsilon="0.15")
+    assert above.slow is not None
+    assert above.slow.verdict.outcome is Outcome.REFUTED
+
+
+def test_below_1() -> None:
+    second = iwc("1/2", alpha_2=1)
+    assert second.slow is not None
+    assert second.slow.verdict.statement.endswith("for every real τ and every ε > 0")
+    assert "as well" not in str(second)
+    first = iwc("1/2")
+    assert first.slow is not None
+    assert first.slow.threshold is not None
+    assert first.leading.epsilon_0 is not None
+    assert first.slow.threshold.lower is not None
+    assert first.slow.threshold.lower > first.leading.epsilon_0
+    assert not first.slow.whole_line
+
+
+def test_to_the_left_only_with_a_start_where_the_function_is_not_negative() -> None:
+    """At 3/10 the function at leading order is < 0 and still decreasing: nothing is said to the left above eps_0."""
+    found = iwc("5/2", tau_start="1/2")
+    assert found.slow is not None
+    assert found.leading.whole_line
+    assert not found.slow.whole_line
+
+
+@pytest.mark.parametrize("options", [{}, {"epsilon": "1/2"}, {"c1": 1}, {"tau_start": 5}, {"beta": "11/2"}])
+def test_json(options: dict[str, object]) -> None:
+    data = json.loads(json.dumps(iwc(**{"beta": "7/2", **options}).to_json()))  # type: ignore[arg-type]
+    systems = [statement["system"] for statement in data["statements"]]
+    assert systems[0] == "leading order"
+    assert (data["caveat"] is None) == ("slow manifold" in systems)
+    assert (data["slow_manifold"] is None) == ("slow manifold" not in systems)
+
+
+def test_epsilon_outside_the_range_of_the_slow_solution_is_undecided() -> None:
+    found = iwc("5/2", epsilon=10**7)
+    assert found.slow is not None
+    assert found.slow.verdict.outcome is Outcome.UNDECIDED
+    assert iwc("7/2", tau_start=5, epsilon=10**7).verdict.outcome is Outcome.PROVED
