@@ -1,4 +1,4 @@
-"""Check a certificate about the sign or the zeros of dΘ/dτ. Usage: python check.py [OPTIONS] CERTIFICATE
+"""Check a certificate about dΘ/dτ or about the contact force. Usage: python check.py [OPTIONS] CERTIFICATE
 
 The format is on the page certificate.md; every lemma named here is proved there or on check.md. Nothing is shared with
 the code that finds certificates: no Gamma function, no value at τ = 0, no ball arithmetic. F(τ) = Θ(τ, b), b = β - 1.
@@ -102,10 +102,13 @@ class Meter:
 # Reading: certificate.md, Text and Columns.
 # ---------------------------------------------------------------------------------------------------------------------
 
-HYPOTHESES = ["certificate", "fold", "identities", "initial_values", "laplace", "negative", "tails"]
+HYPOTHESES = {
+    1: ["certificate", "fold", "identities", "initial_values", "laplace", "negative", "tails"],
+    2: ["certificate", "exact_solution", "identities", "initial_values", "laplace", "monotone", "negative", "tails"],
+}  # by version
 NUMBER = "-?(?:0|[1-9][0-9]{0,3999})(?:/[1-9][0-9]{0,3999})?"
 RANGE = rf"([\[(])(-inf|{NUMBER}), (inf|{NUMBER})([\])])"
-POINTS = {"laplace": 0, "taylor": 0, "left": 1, "right": 1, "sign": 2, "monotone": 2, "fold": 2, "hinge": 2}
+POINTS = {"laplace": 0, "taylor": 0, "left": 1, "right": 1, "sign": 2, "monotone": 2, "fold": 2, "hinge": 2, "level": 2}
 VALUES: dict[str, tuple[int, ...]] = {"right": (0, 1), "sign": (-1, 1), "monotone": (-1, 1)}  # of v, s and d
 
 Range = namedtuple("Range", "start end closed text")  # of τ or β; closed at the start, closed at the end; in words
@@ -233,8 +236,8 @@ def read_column(line: bytes) -> Column:
     return Column(start, end, cell, [read_piece(piece) for piece in pieces])
 
 
-def read_certificate(data: bytes, limits: Limits) -> tuple[Any, list[Column]]:
-    """The statement and the columns."""
+def read_certificate(data: bytes, limits: Limits) -> tuple[int, Any, list[Column]]:
+    """The version, the statement and the columns."""
     limits.keep("bytes", len(data))
     require(re.fullmatch(rb"(?s).*\nsha256 [0-9a-f]{64}\n", data), "the last line is not sha256 and a hash")
     body, last = data[:-72], data[-72:]
@@ -245,9 +248,9 @@ def read_certificate(data: bytes, limits: Limits) -> tuple[Any, list[Column]]:
     names = ("format", "hypotheses", "statement", "version")
     form, hypotheses, statement, version = entries(read_line(lines[0]), "the header", *names)
     require(form == "gspot_verified certificate", f"the format is {form!a:.50}")
-    one_of(version, (1,), "the version")
-    require(hypotheses == HYPOTHESES, "the hypotheses are not the pages that this checker knows")
-    return statement, [read_column(line) for line in lines[1:]]
+    known = HYPOTHESES[one_of(version, tuple(HYPOTHESES), "the version")]
+    require(hypotheses == known, "the hypotheses are not the pages that this checker knows")
+    return version, statement, [read_column(line) for line in lines[1:]]
 
 
 # ---------------------------------------------------------------------------------------------------------------------
@@ -553,6 +556,42 @@ class ColumnCheck:
         found = self.sign(one, order, splits - 1, bits)
         return found if found and self.sign(two, order, splits - 1, bits) == found else 0
 
+    def compared(self, value: int, local: Local, b: Fraction, level: Fraction) -> int:
+        """The sign of value x^b/2^p - level for value ≥ 0, level > 0, b = h/n ≥ 0, in integers: both sides to the n."""
+        h, n = b.numerator, b.denominator
+        left, right = value * level.denominator, level.numerator << local.p
+        self.meter.spend((n * (digits(left) + digits(right)) + h * digits(local.x)) ** 2, 20)
+        one, two = left**n * local.x**h, right**n
+        return (one > two) - (one < two)
+
+    def within(self, box: Box, level: Fraction, splits: int, bits: int = 0) -> bool:
+        """|F| ≤ level on a box at one b, 0 ≤ b, whose denominator is at most 2^12."""
+        bits = max(bits, self.bits, 12)
+        middle, in_tau, in_b, error = self.parts(box, 0, bits)
+        local, total = self.local(box[0], box[1], bits, outward(box[2], box[3], bits)[0]), abs(middle) + error
+        if self.compared(total + in_tau + in_b, local, box[0], level) <= 0:
+            return True
+        if 4 * error >= max(abs(middle), in_tau + in_b):
+            return bits < self.limits.bits and self.within(box, level, splits, bits * 3 // 2)
+        if not splits or self.compared(max(total - 2 * error, 0), local, box[0], level) > 0:
+            return False
+        tau = (box[2] + box[3]) / 2
+        halves = ((*box[:2], box[2], tau), (*box[:2], tau, box[3]))
+        return all(self.within(half, level, splits - 1, bits) for half in halves)
+
+    def beyond(self, b: Fraction, tau: Fraction, level: Fraction, sign: int) -> bool:
+        """sign F ≥ level > 0 at one point, with b as above; the accuracy is raised while the ball cannot tell."""
+        bits = max(self.bits, 12)
+        while bits < self.limits.bits:
+            middle, _, in_b, error = self.parts((b, b, tau, tau), 0, bits)
+            local, slack = self.local(b, b, bits, outward(tau, tau, bits)[0]), in_b + error
+            if self.compared(max(sign * middle - slack, 0), local, b, level) >= 0:
+                return True
+            if self.compared(max(sign * middle + slack, 0), local, b, level) < 0:
+                return False
+            bits = bits * 3 // 2
+        return False
+
     # -----------------------------------------------------------------------------------------------------------------
     # Pieces: certificate.md, Pieces.
     # -----------------------------------------------------------------------------------------------------------------
@@ -593,6 +632,7 @@ class ColumnCheck:
         start, end, kind, points, value = piece
         column = self.column
         low, high, cell = column.start - 1, column.end - 1, column.cell
+        require(kind != "level", "a piece level gives no sign")
         name = f"the piece {kind} from τ = {start!s:.50} to {end!s:.50} of the column from β = {column.start!s:.50}"
         if kind in ("laplace", "taylor"):
             require(high <= 0, f"{name} needs b ≤ 0")
@@ -682,6 +722,66 @@ def brackets_hold(check: ColumnCheck, beta: Fraction, brackets: list[tuple[Fract
     for pair in brackets:
         low, high = (check.sign((beta - 1, beta - 1, point, point), 0) for point in pair)
         require(low * high == -1, f"F does not change its sign between {pair[0]!s:.50} and {pair[1]!s:.50}")
+
+
+def force_holds(check: ColumnCheck, tau: Range, sign: int, level: Fraction) -> None:
+    """On the one column, at one β: sign F ≥ -level on the range of τ (certificate.md, force)."""
+    column = check.column
+    check.begin(tau.start, tau.end)
+    for piece in column.pieces:
+        if piece.kind == "level":
+            box = (column.start - 1, column.end - 1, piece.start, piece.end)
+            held = check.within(box, level, check.limits.splits)
+            require(held, f"|F| ≤ {level} is not confirmed from τ = {piece.start!s:.50} to {piece.end!s:.50}")
+            continue
+        allowed = piece.kind in ("left", "sign", "right") and (piece.kind, piece.value) != ("right", 1)
+        require(allowed, f"a piece {piece.kind} does not bound the force")
+        require(check.piece_sign(piece) == sign, f"a piece {piece.kind} gives F the other sign")
+
+
+def lift_off_holds(check: ColumnCheck, beta: Fraction, tau: Fraction, sign: int, level: Fraction) -> None:
+    """On the one column, at one β: sign F ≥ level at one τ (certificate.md, lift_off)."""
+    check.begin(tau, tau, [tau])
+    require(len(check.column.pieces) == 1 and check.column.pieces[0].kind == "level", "there is not one piece level")
+    require(check.beyond(beta - 1, tau, level, sign), f"F beyond the level is not confirmed at τ = {tau!s:.50}")
+
+
+class System(NamedTuple):
+    """The compliant model with its C_1: rational numbers, 1 < β = α_3/α_1 < 5 not an integer, α_1, α_2, α_3 < 0."""
+
+    alpha: list[Fraction]
+    c1: Fraction
+    beta: Fraction
+
+    def side(self) -> int:
+        """The sign of C_1/Γ(-β): Γ(-β) has the sign (-1)^(⌊β⌋ + 1) (side_switching.md)."""
+        return (-1) ** (math.floor(self.beta) + 1) * (1 if self.c1 > 0 else -1)
+
+    def compared(self, epsilon: Fraction, level: Fraction, meter: Meter) -> int:
+        """The sign of A ε^p β level - mean force, A = |C_1/α_3| κ^(1-β), p = 2(β-1)/3, κ^3 = -α_1/2 (iwc.md).
+
+        With β - 1 = h/n: of (|C_1/α_3| β level/mean)^(3n) (2 ε²/-α_1)^h - 1, exactly.
+        """
+        first, second, third = self.alpha
+        h, n = (self.beta - 1).numerator, self.beta.denominator
+        one = abs(self.c1 / third) * self.beta * level * (third - first) / second
+        two = 2 * epsilon * epsilon / -first
+        size = sum(3 * n * digits(x) for x in one.as_integer_ratio()) + sum(
+            h * digits(x) for x in two.as_integer_ratio()
+        )
+        meter.spend(size**2, 20)
+        product = one ** (3 * n) * two**h
+        return (product > 1) - (product < 1)
+
+
+def read_system(alpha: Any, c1: Any) -> System:
+    """The numbers of a statement on the compliant model."""
+    require(isinstance(alpha, list) and len(alpha) == 3, "alpha is not a list of three numbers")
+    numbers, charge = [rational(value) for value in alpha], rational(c1)
+    require(all(number < 0 for number in numbers) and charge, "one of the α is not negative, or C_1 = 0")
+    beta = numbers[2] / numbers[0]
+    require(1 < beta < 5 and 1 < beta.denominator <= 4096, "β is not in (1, 5), an integer, or of a long denominator")
+    return System(numbers, charge, beta)
 
 
 class Task(NamedTuple):
@@ -787,15 +887,50 @@ class Checker:
         number = f"exactly {len(found)} real zeros, all simple"
         return f"dΘ/dτ at β = {beta} has {number}, one in each of the intervals: {where}"
 
+    def check_force(self) -> str:
+        """The contact force on the slow manifold stays positive, for every ε up to one."""
+        names = ("alpha", "c1", "epsilon", "kind", "level", "tau")
+        alpha, c1, epsilon_text, _, level_text, tau_text = entries(self.statement, "the statement", *names)
+        system, epsilon, level = read_system(alpha, c1), rational(epsilon_text), rational(level_text)
+        tau, meter = read_range(tau_text, "τ"), Meter(self.limits, self.left)
+        require(epsilon > 0 and level > 0, "ε or the level is not positive")
+        require(system.side() == 1, "C_1/Γ(-β) is not positive")
+        require(system.compared(epsilon, level, meter) <= 0, "at this level the deviation exceeds the mean force")
+        check_cover(self.columns, system.beta, system.beta, "columns")
+        require(len(self.columns) == 1, "there is not one column")
+        self.on_each_column(force_holds, tau, (-1) ** math.floor(system.beta), level)
+        return f"{self.of_system(alpha, c1)}, λ > 0 {tau.text} and every ε in (0, {epsilon}]"
+
+    def check_lift_off(self) -> str:
+        """The contact force on the slow manifold is negative at one τ, for every ε from one on."""
+        names = ("alpha", "c1", "epsilon", "kind", "level", "tau")
+        alpha, c1, epsilon_text, _, level_text, tau_text = entries(self.statement, "the statement", *names)
+        system, epsilon, level = read_system(alpha, c1), rational(epsilon_text), rational(level_text)
+        tau, meter = rational(tau_text), Meter(self.limits, self.left)
+        require(epsilon > 0 and level > 0, "ε or the level is not positive")
+        require(system.side() == -1, "C_1/Γ(-β) is not negative")
+        require(system.compared(epsilon, level, meter) >= 0, "at this level the mean force exceeds the deviation")
+        check_cover(self.columns, system.beta, system.beta, "columns")
+        require(len(self.columns) == 1, "there is not one column")
+        self.on_each_column(lift_off_holds, system.beta, tau, (-1) ** math.floor(system.beta), level)
+        return f"{self.of_system(alpha, c1)}, λ < 0 at τ = {tau} for every ε ≥ {epsilon}: contact is lost before"
+
+    def of_system(self, alpha: Any, c1: Any) -> str:
+        """The system of a statement in words."""
+        numbers = ", ".join(alpha)
+        return f"on the slow manifold of the compliant model with α = ({numbers}) and C_1 = {c1}, τ = κ t ε^(-2/3)"
+
 
 def check_text(data: bytes, limits: Limits | None = None, workers: int = 1) -> str:
     """The statement that a certificate proves."""
     limits = limits or Limits()
     budget = limits.work * 10**9 + WORK_PER_BYTE * len(data)
     try:
-        statement, columns = read_certificate(data, limits)
+        version, statement, columns = read_certificate(data, limits)
         checker = Checker(statement, columns, limits, budget, workers)
-        checks = {"sign": checker.check_sign, "zeros": checker.check_zeros, "brackets": checker.check_brackets}
+        theta = {"sign": checker.check_sign, "zeros": checker.check_zeros, "brackets": checker.check_brackets}
+        force = {"force": checker.check_force, "lift_off": checker.check_lift_off}
+        checks = theta if version == 1 else force
         kind = statement.get("kind") if isinstance(statement, dict) else None
         return checks[kind]() if isinstance(kind, str) and kind in checks else reject("unknown kind of statement")
     except (ArithmeticError, AttributeError, LookupError, MemoryError, RecursionError, TypeError, ValueError) as error:

@@ -9,15 +9,30 @@ import re
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from gspot_verified.signs.pieces import Column
-from gspot_verified.signs.statements import Statement
 
 FORMAT = "gspot_verified certificate"
-VERSION = 1
 _TOO_LONG = re.compile(r"[0-9]{4001}")
-HYPOTHESES = ("certificate", "fold", "identities", "initial_values", "laplace", "negative", "tails")
+HYPOTHESES = {
+    1: ("certificate", "fold", "identities", "initial_values", "laplace", "negative", "tails"),
+    2: ("certificate", "exact_solution", "identities", "initial_values", "laplace", "monotone", "negative", "tails"),
+}
+"""The pages that a certificate rests on, by version: 1 is about Theta, 2 about the compliant model's contact force."""
+
+
+class Statement(Protocol):
+    """What a certificate states: its version and its plain data, as in ``proofs/certificate.md``."""
+
+    @property
+    def version(self) -> int:
+        """1 or 2."""
+        ...
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data of the certificate."""
+        ...
 
 
 def certificate_text(statement: Statement, columns: Sequence[Column]) -> str:
@@ -32,9 +47,9 @@ def certificate_text(statement: Statement, columns: Sequence[Column]) -> str:
     """
     header = {
         "format": FORMAT,
-        "hypotheses": list(HYPOTHESES),
+        "hypotheses": list(HYPOTHESES[statement.version]),
         "statement": statement.to_json(),
-        "version": VERSION,
+        "version": statement.version,
     }
     lines = [_canonical(header), *(_canonical(_column(column)) for column in columns)]
     body = "".join(f"{line}\n" for line in lines)

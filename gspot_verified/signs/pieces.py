@@ -19,6 +19,7 @@ class Kind(enum.Enum):
     FOLD = "fold"
     HINGE = "hinge"
     RIGHT = "right"
+    LEVEL = "level"
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +43,7 @@ class Piece:
                 return [self.kind.value, str(self.upper)]
             case Kind.RIGHT:
                 return [self.kind.value, str(self.lower), self.mark]
-            case Kind.FOLD | Kind.HINGE:
+            case Kind.FOLD | Kind.HINGE | Kind.LEVEL:
                 return [self.kind.value, str(self.lower), str(self.upper)]
             case _:
                 return [self.kind.value, str(self.lower), str(self.upper), self.mark]

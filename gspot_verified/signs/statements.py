@@ -17,6 +17,7 @@ _RELATION = {1: ">", 0: "=", -1: "<"}
 class SignStatement(NoTruthValue):
     """dTheta/dtau has the sign ``sign`` at every point of the two ranges."""
 
+    version: ClassVar[int] = 1
     ask: ClassVar[str] = ".sign is what is stated; that it holds is proved elsewhere"
 
     tau: Range
@@ -37,6 +38,7 @@ class SignStatement(NoTruthValue):
 class ZerosStatement(NoTruthValue):
     """For every beta of the range that is not an integer dTheta/dtau has exactly counts[floor(beta)] real zeros."""
 
+    version: ClassVar[int] = 1
     ask: ClassVar[str] = ".counts is what is stated; that it holds is proved elsewhere"
 
     beta: Range
@@ -55,6 +57,7 @@ class ZerosStatement(NoTruthValue):
 class BracketsStatement(NoTruthValue):
     """dTheta/dtau at one beta has exactly one real zero in each open interval, and no other."""
 
+    version: ClassVar[int] = 1
     ask: ClassVar[str] = ".brackets is what is stated; that it holds is proved elsewhere"
 
     beta: fmpq
