@@ -18,6 +18,7 @@ from gspot_verified.signs.integer_zeros import zeros_at_integer
 from gspot_verified.verdict import NoTruthValue
 
 PLAIN = {
+    "certificates.text.Statement": "what any statement has, not a class of results",
     "compliant.normal_form.CompliantModel": "four numbers of a model, which claim nothing",
     "cost.curves.Curve": "times that were measured",
     "cost.theta.CostReport": "times that were measured",
@@ -112,7 +113,7 @@ def test_the_message_begins_with_the_name(kind: type) -> None:
         evaluate(1, "1/2"),
         evaluate(1, "1/2").sign,
         iwc("5/2"),
-        iwc("3/2", c1=-1).lift_off,
+        iwc("3/2", c1=-1).leading.lift_off,
         sign_on_ranges("0..1", "1/2"),
         side_switching("1/2", 2),
         zeros_at("1/2", 3),

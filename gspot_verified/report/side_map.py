@@ -43,7 +43,7 @@ def _draw(points: Sequence[SidePoint]) -> Picture:
     differ = sum(_differs(point) for point in points)
     unsettled = sum(None in (point.exact, point.slow) for point in points)
     caption = (
-        f"Sign of K for p = 1/2, v = 0, y = 2ε²b/p, z = ε²b/p and b-hat > 0 at {len(points)} points, each sign certified "
+        f"Sign of K for p = 1/2, v = 0, y = 2ε²b/p, z = ε²b/p, b-hat > 0 at {len(points)} points, each sign certified "
         f"({unsettled} open): orange K > 0, blue K < 0. Crosses: the sign of C/Γ(−β), the paper's rule, is the other "
         f"one ({differ} points). Between the points nothing is claimed."
     )

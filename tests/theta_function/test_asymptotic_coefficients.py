@@ -42,5 +42,5 @@ def test_airy_functions_are_the_case_minus_one() -> None:
 
 @pytest.mark.parametrize("function", [coefficient, coefficient_by_inversion, polynomial])
 def test_negative_index(function: object) -> None:
-    with pytest.raises(ValueError, match="at least 0"):
+    with pytest.raises(ValueError, match=r"at least 0|lie in 0\.\."):
         function(-1)  # type: ignore[operator]
