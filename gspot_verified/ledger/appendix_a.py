@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from flint import arb, fmpq, fmpq_poly
 
 from gspot_verified.balls import certainly_less, relative_bits, working_bits
@@ -9,7 +11,7 @@ from gspot_verified.ledger import appendix_a_asymptotics as asymptotics
 from gspot_verified.ledger import asymptotic_errors as errors
 from gspot_verified.ledger import hypergeometric as printed
 from gspot_verified.ledger.closed_forms import ClosedForm
-from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, settled
+from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.ledger.formulas import Forms, FormulaClaim, closed_form, put
 from gspot_verified.ledger.identities import in_greek
 from gspot_verified.theta_function.asymptotic_coefficients import coefficient, coefficient_by_inversion
@@ -23,14 +25,6 @@ PAGE_INITIAL_VALUE = "3^((k-beta)/3-1)*Gamma((k-beta)/3)/Gamma(-beta)"
 PAGE_POWER = "(-1)^k*Gamma(3*k-beta)/(Gamma(-beta)*3^k*fac(k))*x^(beta-3*k)"
 """proofs/negative.md: the term t_k."""
 COEFFICIENTS = 8
-
-
-def entries() -> list[Entry]:
-    """Every labelled formula of Appendix A, in the order of the paper."""
-    found = [_general_solution(), _coefficients(), *(asymptotics.small(j, BETAS) for j in range(3)), _cancellation()]
-    found += [*(_initial_value(j) for j in range(3)), _leading_behaviour()]
-    found += [asymptotics.large(j, BETAS) for j in range(3)]
-    return [*found, asymptotics.large_condition(), asymptotics.theta_large(BETAS)]
 
 
 def _general_solution() -> Entry:
@@ -236,3 +230,29 @@ def _is_zero(part: arb) -> bool | None:
     if part > 0 or part < 0:
         return False
     return True if certainly_less(part.abs_upper(), arb(fmpq(1, 10**60))) else None
+
+
+def _small(j: int) -> Entry:
+    return asymptotics.small(j, BETAS)
+
+
+def _large(j: int) -> Entry:
+    return asymptotics.large(j, BETAS)
+
+
+def _theta_large() -> Entry:
+    return asymptotics.theta_large(BETAS)
+
+
+ENTRIES: Builders = {
+    "A-th3": _general_solution,
+    "A-coefficients": _coefficients,
+    **{f"A-{name}": partial(_small, j) for j, name in enumerate(asymptotics.SMALL_NAMES)},
+    "A-cancellation": _cancellation,
+    **{f"A-{label}": partial(_initial_value, j) for j, label in enumerate(printed.INITIAL_VALUES)},
+    "A-leading": _leading_behaviour,
+    **{f"A-{name}": partial(_large, j) for j, name in enumerate(asymptotics.LARGE_NAMES)},
+    "A-th5-condition": asymptotics.large_condition,
+    "A-tlarge": _theta_large,
+}
+"""Every labelled formula of Appendix A, in the order of the paper."""

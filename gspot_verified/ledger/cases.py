@@ -14,7 +14,7 @@ from gspot_verified.balls import approximate, sign_of, working_bits
 from gspot_verified.ledger import hypergeometric as appendix
 from gspot_verified.ledger import lift_off
 from gspot_verified.ledger.closed_forms import ClosedForm, rational
-from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, same_sign, settled
+from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, all_of, same_sign, settled
 from gspot_verified.ledger.formulas import Forms, FormulaClaim, closed_form, evaluate_text, mended, put
 from gspot_verified.ledger.gamma_cells import induction
 from gspot_verified.ledger.identities import in_greek
@@ -59,11 +59,6 @@ SIDE_BETAS = (fmpq(3, 2), fmpq(5, 2), fmpq(7, 2), fmpq(9, 2), fmpq(7, 3))
 IWC_BETAS = (fmpq(3, 2), fmpq(7, 3), fmpq(7, 2), fmpq(9, 2), fmpq(13, 2))
 BELOW = fmpq(99, 100)
 """The ε that is tried is this share of the found ε_0."""
-
-
-def entries() -> list[Entry]:
-    """The statements on Cases I, II and III, in the order of the paper."""
-    return [_iwc(), _theta_wording(), _lift_off_side(), _other_side(), _growth(), _switching()]
 
 
 def _claim(identifier: str) -> FormulaClaim:
@@ -287,3 +282,14 @@ def _switching() -> Entry:
             all_of([alternate and found.integers == tuple(range(1, 31)), by_ball]),
         ),
     )
+
+
+ENTRIES: Builders = {
+    "S-iwc": _iwc,
+    "S-wording": _theta_wording,
+    "S-side": _lift_off_side,
+    "S-iwc-case-III": _other_side,
+    "S-growth": _growth,
+    "S-switching": _switching,
+}
+"""The statements on Cases I, II and III, in the order of the paper."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
@@ -143,6 +143,10 @@ class Entry(NoTruthValue):
             "corrected": self.corrected,
             "note": self.note,
         }
+
+
+Builders = Mapping[str, Callable[[], Entry]]
+"""What makes each entry of a part of the paper, by the entry's identifier, in the order of the paper."""
 
 
 def all_of(answers: Iterable[bool | None]) -> bool | None:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from flint import fmpq_mpoly
 
 from gspot_verified.ledger.double_series import example_series, scaled_series
-from gspot_verified.ledger.entry import Entry, settled
+from gspot_verified.ledger.entry import Builders, Entry, settled
 from gspot_verified.ledger.extended_system import extended_terms
 from gspot_verified.ledger.identities import Algebra, Claim, Parts
 
@@ -57,11 +58,6 @@ _LATEX = {
     "z": r"\tilde{\bar z}=-2-8\chi s\delta^2+8\chi\delta^3-\ldots+O(\delta^7)",
 }
 _ORDERS = 9
-
-
-def entries() -> list[Entry]:
-    """The printed series, in the order of the paper."""
-    return [_series("p"), _series("b"), _b_error(), _series("y"), _series("v"), _series("z"), _zbar()]
 
 
 def by_recursion(name: str, orders: int) -> fmpq_mpoly:
@@ -159,3 +155,15 @@ def _zbar() -> Entry:
         this.check("power series in (t, ε): all terms below the stated error", direct),
         note="6672/5 = 6912/5 - 48. χ = 0 gives the trivial solution, with the corrected sign of 2-trivial-zy.",
     )
+
+
+ENTRIES: Builders = {
+    "5-example-p": partial(_series, "p"),
+    "5-example-b": partial(_series, "b"),
+    "5-example-b-error": _b_error,
+    "5-example-y": partial(_series, "y"),
+    "5-example-v": partial(_series, "v"),
+    "5-example-z": partial(_series, "z"),
+    "5-example-zbar": _zbar,
+}
+"""The printed series, in the order of the paper."""

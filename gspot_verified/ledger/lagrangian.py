@@ -11,7 +11,7 @@ from gspot_verified.expansion.expressions import Constant, Expression, Variable
 from gspot_verified.expansion.power_series import SeriesOfFunctions
 from gspot_verified.expansion.symbols import RationalFunction, Symbols
 from gspot_verified.expansion.terms import NumberTerms
-from gspot_verified.ledger.entry import Entry, settled
+from gspot_verified.ledger.entry import Builders, Entry, settled
 from gspot_verified.ledger.identities import Algebra, Claim, Parts
 
 SECTION = "Section 2"
@@ -37,11 +37,6 @@ PRINTED: dict[str, dict[str, str]] = {
     "2-extended": {**_FIELDS, "k+": "-1", "k-": "2", "p-": "1", "a": "0*x1"},
     "2-stick": {"numerator": "kminus*lam + a", "denominator": "(kminus-kplus)*lam"},
 }  # fmt: skip
-
-
-def entries() -> list[Entry]:
-    """The extended example system."""
-    return [_lagrangian(), _quantities(), _extended(), _stick()]
 
 
 def _field(parts: Parts, letter: str) -> list[fmpq_mpoly]:
@@ -247,3 +242,12 @@ def _stick() -> Entry:
         this.check("put into eq. udot: the tangential acceleration vanishes", no_acceleration),
         this.check("zero of the affine function of c from its values at c = 0 and 1", linear),
     )
+
+
+ENTRIES: Builders = {
+    "2-lagrangian": _lagrangian,
+    "2-quantities": _quantities,
+    "2-extended": _extended,
+    "2-stick": _stick,
+}
+"""The extended example system."""

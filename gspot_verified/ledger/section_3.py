@@ -8,7 +8,7 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import ball_text, certainly_less, working_bits
 from gspot_verified.ledger.contact_motion import BITS, force_by_single_equation, force_by_system
-from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, settled
+from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, all_of, settled
 
 EPS = fmpq(1, 1000)
 END = fmpq(7, 100)
@@ -21,11 +21,6 @@ IMPACT = {"printed": {fmpq(3, 2): -1, fmpq(5, 2): 1}, "corrected": {fmpq(3, 2): 
 """By β, panels (b) and (c): the sign of b(0) minus that of the trivial solution for which an impact is taken."""
 
 Forces = Callable[[fmpq], tuple[arb, ...]]
-
-
-def entries() -> list[Entry]:
-    """The sentence on panels (b) and (c)."""
-    return [_sides()]
 
 
 def mean_force(beta: fmpq) -> fmpq:
@@ -87,3 +82,9 @@ def _sides() -> Entry:
         "sentence is right for |b(0)|, as all b(0) are negative",
         note="For ε → 0 this is the side of Sec. 4.5: an impact for C_1/Γ(-β) > 0, Γ(-3/2) > 0 > Γ(-5/2).",
     )
+
+
+ENTRIES: Builders = {
+    "3-sides": _sides,
+}
+"""The sentence on panels (b) and (c)."""

@@ -11,7 +11,7 @@ from flint import arb, fmpq
 from gspot_verified.balls import certainly_less, working_bits
 from gspot_verified.ledger import section_4_5_signs
 from gspot_verified.ledger.closed_forms import ALGEBRA, ClosedForm, rational
-from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, settled
+from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.ledger.formulas import (
     Forms,
     FormulaClaim,
@@ -45,12 +45,6 @@ INNER = {"front": "C_1*kappa^(-beta)*eps^(2*beta/3)", "tau": "kappa*t*eps^(-2/3)
 _SYSTEM = {
     "C_1": fmpq(3), "alpha3": fmpq(-2), "kappa": fmpq(4, 5), "eps": fmpq(1, 64),
 }  # fmt: skip
-
-
-def entries() -> list[Entry]:
-    """The formulas and stated signs before the case distinction, in the order of the paper."""
-    force = [_mean_force(), _deviation_force(), _force_sign(), _dominance()]
-    return [*force, *section_4_5_signs.entries()]
 
 
 def _mean_force() -> Entry:
@@ -197,3 +191,13 @@ def _is_large(beta: fmpq) -> bool | None:
     power = evaluate_text(f"eps^({PRINTED['S-dominance']['exponent']})", {"beta": beta, "eps": fmpq(1, 10**6)}, 64)
     above = certainly_less(arb(1), power.real)
     return None if above is None else above is (beta < 1)
+
+
+ENTRIES: Builders = {
+    "S-mean-force": _mean_force,
+    "S-deviation-force": _deviation_force,
+    "S-force-sign": _force_sign,
+    "S-dominance": _dominance,
+    **section_4_5_signs.ENTRIES,
+}
+"""The formulas and stated signs before the case distinction, in the order of the paper."""

@@ -10,7 +10,7 @@ from flint import arb, fmpq
 from gspot_verified.balls import ball_text, sign_of, working_bits
 from gspot_verified.ledger import hypergeometric as appendix
 from gspot_verified.ledger.closed_forms import ClosedForm, rational
-from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, same_sign, settled
+from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, all_of, same_sign, settled
 from gspot_verified.ledger.formulas import FormulaClaim, closed_form, mended, put, quotient, rational_value
 from gspot_verified.ledger.gamma_cells import induction, is_cell, sign_on_cell
 from gspot_verified.ledger.identities import in_greek
@@ -42,11 +42,6 @@ HYPOTHESES: dict[str, dict[str, str]] = {"S-minus-infinity": {"beta": "u"}}
 _RELATION = {"-1": "<", "0": "=", "1": ">"}
 GRID = tuple(fmpq(n, 10) for n in range(1, 130))
 NOT_INTEGER = tuple(beta for beta in GRID if beta.q != 1)
-
-
-def entries() -> list[Entry]:
-    """The stated signs before the case distinction, in the order of the paper."""
-    return [_sign_at_minus_infinity(), _sign_at_zero(), _sign_at_infinity(), _gamma_intervals()]
 
 
 def _sign_at_minus_infinity() -> Entry:
@@ -202,3 +197,12 @@ def _signs_by_ball(texts: dict[str, str]) -> bool | None:
             lower, upper = (rational_value(texts[f"{name} {end}"], n=n) for end in ("from", "to"))
             answers += [same_sign(gamma_sign_by_ball(beta), sign) for beta in (lower + fmpq(1, 4), upper - fmpq(1, 4))]
     return all_of(answers)
+
+
+ENTRIES: Builders = {
+    "S-minus-infinity": _sign_at_minus_infinity,
+    "S-zero": _sign_at_zero,
+    "S-plus-infinity": _sign_at_infinity,
+    "S-gamma-intervals": _gamma_intervals,
+}
+"""The stated signs before the case distinction, in the order of the paper."""

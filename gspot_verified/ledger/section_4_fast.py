@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from flint import fmpq_mpoly
 
-from gspot_verified.ledger.entry import Check, Entry, Rung, settled
+from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, settled
 from gspot_verified.ledger.identities import Claim, Parts, rising_signs
 from gspot_verified.ledger.section_4_outer import ALGEBRA, along, field
 from gspot_verified.ledger.section_4_outer import PRINTED as OUTER
@@ -25,11 +25,6 @@ CUBIC = "lam^3 + 2*lam^2 + p*lam + p"
 """The second factor of the characteristic polynomial."""
 ALLOWED = {"4-stable": "x", "4-saddle": "-x"}
 """All the values of p that a statement speaks of, as x takes all positive ones."""
-
-
-def entries() -> list[Entry]:
-    """The fast system, in the order of the paper."""
-    return [_fast(), _polynomial(), _stable(), _discriminant(), _saddle()]
 
 
 def _claim(identifier: str) -> Claim:
@@ -215,3 +210,13 @@ def _saddle() -> Entry:
             (_is_the_factor() and roots_for_negative_p() == (2, 1)) or None,
         ),
     )
+
+
+ENTRIES: Builders = {
+    "4-fast": _fast,
+    "4-fast-polynomial": _polynomial,
+    "4-stable": _stable,
+    "4-discriminant": _discriminant,
+    "4-saddle": _saddle,
+}
+"""The fast system, in the order of the paper."""

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from flint import fmpq_mpoly
 
-from gspot_verified.ledger.entry import Check, Entry, settled
+from gspot_verified.ledger.entry import Builders, Check, Entry, settled
 from gspot_verified.ledger.identities import Claim, Parts, rising_signs
 from gspot_verified.ledger.section_4_fast import fast_matrix
 from gspot_verified.ledger.section_4_outer import ALGEBRA, along, field
@@ -38,11 +38,6 @@ CORRECTED: dict[str, dict[str, str]] = {
 }
 ALPHA_1 = "-x"
 """All the values of α_1, as x takes all positive ones: the sign of κ depends on α_1 < 0."""
-
-
-def entries() -> list[Entry]:
-    """The inner scale, in the order of the paper."""
-    return [_inner(), _inner_fast(), _inner_fast_polynomial(), _inner_slow(), _theta(), _scaling(), _scaling_v()]
 
 
 def _claim(identifier: str) -> Claim:
@@ -271,3 +266,15 @@ def _scaling_v() -> Entry:
         note="With δ² the size of v would be ε^((2β+1)/3), against the paper's own ε^((2β+2)/3) in line 1237. "
         "In the findings g2 is b''.",
     )
+
+
+ENTRIES: Builders = {
+    "4-inner": _inner,
+    "4-inner-fast": _inner_fast,
+    "4-inner-fast-polynomial": _inner_fast_polynomial,
+    "4-inner-slow": _inner_slow,
+    "4-theta": _theta,
+    "4-inner-scaling": _scaling,
+    "4-inner-scaling-v": _scaling_v,
+}
+"""The inner scale, in the order of the paper."""

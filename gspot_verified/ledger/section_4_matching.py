@@ -10,7 +10,7 @@ from decimal import ROUND_HALF_EVEN, Decimal
 
 from flint import fmpq, fmpq_mpoly
 
-from gspot_verified.ledger.entry import Check, Entry, Rung, settled
+from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, settled
 from gspot_verified.ledger.identities import Algebra, Claim, Parts
 from gspot_verified.ledger.section_4_inner import INNER_SCALE, scaled
 from gspot_verified.ledger.section_4_outer import ALGEBRA as OUTER_ALGEBRA
@@ -38,11 +38,6 @@ TABLE = (
     ("0.6667", "t", fmpq(1, 2)), ("0.6667", "t", fmpq(3, 2)), ("0.6667", "t", fmpq(5, 2)),
 )  # fmt: skip
 """Part (b) of the table: the printed exponent, the variable, β."""
-
-
-def entries() -> list[Entry]:
-    """The matching, in the order of the paper."""
-    return [_matching(), _matching_middle(), _exponents(), _table()]
 
 
 def _claim(identifier: str) -> Claim:
@@ -211,3 +206,12 @@ def _table() -> Entry:
         ),
         note="The measured values of the table, part (a), are simulations: no claim of this ledger.",
     )
+
+
+ENTRIES: Builders = {
+    "4-matching": _matching,
+    "4-matching-middle": _matching_middle,
+    "4-exponents": _exponents,
+    "4-table": _table,
+}
+"""The matching, in the order of the paper."""

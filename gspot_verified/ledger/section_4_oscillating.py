@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.ledger.entry import Check, Entry, Rung, settled
+from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, settled
 from gspot_verified.ledger.identities import Algebra, rising_signs
 from gspot_verified.ledger.section_4_inner import PRINTED as INNER
 
@@ -22,11 +22,6 @@ AIRY = {"solution": "tau*F0*G0 - 4*c^2*F1*G1", "beta": "1/2", "4 c^3": "1"}
 """A solution, its β and its constant."""
 LEADING = {("F0", "G0"): "-sine*cosine", ("F1", "G1"): "u^2*sine*cosine"}
 """π X^(1/2) Ai Bi and π X^(1/2) Ai' Bi' up to O(1/ζ) relative to u² = X = -c τ (DLMF 9.7.9 to 9.7.12)."""
-
-
-def entries() -> list[Entry]:
-    """The sentence on the choice of Θ."""
-    return [_behaves_like()]
 
 
 def smaller_than_the_power() -> bool:
@@ -95,3 +90,9 @@ def _behaves_like() -> Entry:
         "without e_r and e_i that is ~ (-τ)^β",
         note="The first half of the sentence, that the coefficients of e_r and e_i must vanish, is what determines Θ.",
     )
+
+
+ENTRIES: Builders = {
+    "4-behaves-like": _behaves_like,
+}
+"""The sentence on the choice of Θ."""

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.ledger.entry import Entry, settled
+from gspot_verified.ledger.entry import Builders, Entry, settled
 from gspot_verified.ledger.identities import Algebra, Claim, Parts
 
 SECTION = "Section 4"
@@ -43,11 +43,6 @@ QUOTIENT = {"alpha2": ALGEBRA.read("c*(alpha1-alpha3)")}
 TRIVIAL = ALGEBRA.read("c*alpha1*t")
 """The trivial solution's b (entry 2-trivial)."""
 CORRECTED: dict[str, dict[str, str]] = {"4-order": {"order": "4"}}
-
-
-def entries() -> list[Entry]:
-    """Elimination and deviations, in the order of the paper."""
-    return [_eliminated(), _order(), _recover(), _deviation(), _deviation_recover()]
 
 
 def claim(identifier: str) -> Claim:
@@ -232,3 +227,13 @@ def _deviation_recover() -> Entry:
         ),
         this.check("along the vector field of the deviations", lambda parts: _on_solutions(parts, False)),
     )
+
+
+ENTRIES: Builders = {
+    "4-eliminated": _eliminated,
+    "4-order": _order,
+    "4-recover": _recover,
+    "4-deviation": _deviation,
+    "4-deviation-recover": _deviation_recover,
+}
+"""Elimination and deviations, in the order of the paper."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.ledger.entry import Entry, settled
+from gspot_verified.ledger.entry import Builders, Entry, settled
 from gspot_verified.ledger.identities import Claim, Parts
 from gspot_verified.ledger.section_4_outer import ALGEBRA, field
 from gspot_verified.ledger.section_4_outer import PRINTED as OUTER
@@ -19,16 +19,6 @@ PRINTED: dict[str, dict[str, str]] = {
     },
 }  # fmt: skip
 CORRECTED: dict[str, dict[str, str]] = {"1-beta": {"numerator": "alpha3", "denominator": "alpha1"}}
-
-
-def ratio_entries() -> list[Entry]:
-    """The ratio beta as Sec. 1 prints it."""
-    return [_beta()]
-
-
-def entries() -> list[Entry]:
-    """The slow system."""
-    return [_slow()]
 
 
 def _claim(identifier: str) -> Claim:
@@ -116,3 +106,15 @@ def _slow() -> Entry:
         this.check("modelSysDev and modelSysDevRecoverY, V, Z, LN at leading order in ε; t b' = β b", limits),
         this.check("the system of the deviations itself at ε = 0; (|t|^(-β) b)' = 0", balance),
     )
+
+
+RATIO_ENTRIES: Builders = {
+    "1-beta": _beta,
+}
+"""The ratio beta as Sec. 1 prints it."""
+
+
+ENTRIES: Builders = {
+    "4-slow": _slow,
+}
+"""The slow system."""

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from flint import fmpq_mpoly
 
-from gspot_verified.ledger.entry import Entry, Rung, settled
+from gspot_verified.ledger.entry import Builders, Entry, Rung, settled
 from gspot_verified.ledger.extended_system import extended_terms
 from gspot_verified.ledger.identities import Claim, Parts
 from gspot_verified.ledger.section_4_outer import ALGEBRA, around, with_c
@@ -19,11 +19,6 @@ PRINTED: dict[str, dict[str, str]] = {
 }
 CORRECTED: dict[str, dict[str, str]] = {"2-trivial-zy": {"z": "eps^2*c", "y": "2*eps^2*c"}}
 _WITH_C = "c = α_2/(α_1 - α_3) is a symbol"
-
-
-def entries() -> list[Entry]:
-    """The trivial solution of Sec. 2."""
-    return [_trivial(), _trivial_zy()]
 
 
 def _claim(identifier: str) -> Claim:
@@ -129,3 +124,10 @@ def _trivial_zy() -> Entry:
         "limit that Sec. 1 states for Case III. "
         "The example of Section 5 has the right sign: z_0 = -2 for α = (-1, -1, -3/2).",
     )
+
+
+ENTRIES: Builders = {
+    "2-trivial": _trivial,
+    "2-trivial-zy": _trivial_zy,
+}
+"""The trivial solution of Sec. 2."""

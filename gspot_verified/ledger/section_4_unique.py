@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from flint import fmpq_mpoly
 
-from gspot_verified.ledger.entry import Check, Entry, Rung, settled
+from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, settled
 from gspot_verified.ledger.extended_system import extended_terms
 from gspot_verified.ledger.identities import Claim, Parts, Route, rising_signs
 from gspot_verified.ledger.section_4_outer import ALGEBRA, around, with_c
@@ -41,11 +41,6 @@ STEPS = {
 """Section 3 of the page: ε⁴ φ'''' by f_k = ε^k φ^(k), A_(k+4) by f_i = A_(k+i), and three polynomials that are
 positive for k >= 0, x = |α_1| + |α_3| > 0."""
 ORDERS = 12
-
-
-def entries() -> list[Entry]:
-    """Sec. 4.1, in the order of the paper."""
-    return [_smooth(), _unique()]
 
 
 def differs_from_integers() -> bool:
@@ -220,3 +215,10 @@ def _smooth() -> Entry:
         "ε; smooth solutions differ from it by less than every power of ε",
         note="φ solves modelSysDev with φ = 1, φ' = φ'' = φ''' = 0 at t = 0; c = α_2/(α_1 - α_3).",
     )
+
+
+ENTRIES: Builders = {
+    "4-unique-smooth": _smooth,
+    "4-unique": _unique,
+}
+"""Sec. 4.1, in the order of the paper."""

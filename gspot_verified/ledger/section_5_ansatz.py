@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.ledger.entry import Entry, settled
+from gspot_verified.ledger.entry import Builders, Entry, settled
 from gspot_verified.ledger.identities import Algebra, Claim, Parts
 from gspot_verified.ledger.leading_order import leading
 from gspot_verified.ledger.section_5_outer import PRINTED as OUTER
@@ -39,11 +39,6 @@ PRINTED: dict[str, dict[str, str]] = {
 }  # fmt: skip
 CORRECTED: dict[str, dict[str, str]] = {"5-ansatz-p0": {"alpha3 (r+1) p0": "m*G*b0"}}
 _BETA = {"alpha3": ALGEBRA.read("beta*alpha1")}
-
-
-def entries() -> list[Entry]:
-    """The ansatz and its solution, in the order of the paper."""
-    return [_ansatz(), _solution(), _p0()]
 
 
 def _claim(identifier: str) -> Claim:
@@ -201,3 +196,11 @@ def _p0() -> Entry:
         "there (in the extended example p_0 = -χ b_0/(β + 1))",
         note="m in the findings is (α_1)_ξ at ξ*. p_0 enters at a higher order only: r, ξ_0, λ_0 hold.",
     )
+
+
+ENTRIES: Builders = {
+    "5-ansatz": _ansatz,
+    "5-ansatz-solution": _solution,
+    "5-ansatz-p0": _p0,
+}
+"""The ansatz and its solution, in the order of the paper."""

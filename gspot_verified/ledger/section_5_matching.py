@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from flint import fmpq, fmpq_mpoly
 
-from gspot_verified.ledger.entry import Check, Entry, Rung, settled
+from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, settled
 from gspot_verified.ledger.extended_system import extended_terms
 from gspot_verified.ledger.identities import Algebra, Claim, Parts
 from gspot_verified.ledger.leading_order import leading
@@ -40,11 +40,6 @@ PRINTED: dict[str, dict[str, str]] = {
 CORRECTED: dict[str, dict[str, str]] = {
     "5-bpert-v": {"factor": "1"},
 }
-
-
-def entries() -> list[Entry]:
-    """The perturbation, in the order of the paper."""
-    return [_bpert_v(), _perturbation(), _perturbation_theta(), _matching()]
 
 
 def _claim(identifier: str) -> Claim:
@@ -226,3 +221,12 @@ def _matching() -> Entry:
         this.check("Θ as a polynomial at β = 2, ..., 7: (-t)^β and positive powers of ε", integers, Rung.POINTS),
         note="This b is the unscaled deviation: ε^(2β/3) times the hatted b of lines 2053 to 2071.",
     )
+
+
+ENTRIES: Builders = {
+    "5-bpert-v": _bpert_v,
+    "5-perturbation": _perturbation,
+    "5-perturbation-theta": _perturbation_theta,
+    "5-matching": _matching,
+}
+"""The perturbation, in the order of the paper."""

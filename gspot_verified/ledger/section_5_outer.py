@@ -5,7 +5,7 @@ from __future__ import annotations
 from flint import fmpq_mpoly
 
 from gspot_verified.ledger import section_4_fast
-from gspot_verified.ledger.entry import Entry, settled
+from gspot_verified.ledger.entry import Builders, Entry, settled
 from gspot_verified.ledger.identities import Algebra, Claim, Parts
 
 SECTION = "Section 5, outer system and matching"
@@ -24,11 +24,6 @@ PRINTED: dict[str, dict[str, str]] = {
 CORRECTED: dict[str, dict[str, str]] = {
     "5-fast-system": {"v": "-p*y + p*z + b"},
 }
-
-
-def entries() -> list[Entry]:
-    """The outer system, in the order of the paper."""
-    return [_outer_system(), _fast_system(), _fast_polynomial(), _slow_manifold()]
 
 
 def _claim(identifier: str) -> Claim:
@@ -173,3 +168,12 @@ def _slow_manifold() -> Entry:
         this.check("the outer system at ε = 0, times p", balance),
         this.check("Cramer's rule for the equilibrium, and λ_N = -b/p (eq. pain_par+)", cramer),
     )
+
+
+ENTRIES: Builders = {
+    "5-outer-system": _outer_system,
+    "5-fast-system": _fast_system,
+    "5-fast-polynomial": _fast_polynomial,
+    "5-slow-manifold": _slow_manifold,
+}
+"""The outer system, in the order of the paper."""

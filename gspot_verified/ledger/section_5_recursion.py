@@ -10,7 +10,7 @@ from flint import fmpq, fmpq_mpoly
 
 from gspot_verified.ledger.convolution import NAMES, all_pairs, product_of_geometric_series
 from gspot_verified.ledger.double_series import scaled_series
-from gspot_verified.ledger.entry import Entry, Rung, settled
+from gspot_verified.ledger.entry import Builders, Entry, Rung, settled
 from gspot_verified.ledger.identities import Algebra, Claim, Parts
 
 SECTION = "Section 5, Theorem 1"
@@ -54,11 +54,6 @@ CORRECTED: dict[str, dict[str, str]] = {
     "5-monomial": {"image": "(k*alpha1 - alpha3)*u3 + 2*k*(k-1)*(k-2)*u0"},
     "5-xinprime": {"right": "k"},
 }
-
-
-def entries() -> list[Entry]:
-    """The inner scale and the recursion, in the order of the paper."""
-    return [_inner_system(), _orders(), _third_order(), _monomial(), _step_3(), _xinprime()]
 
 
 def _claim(identifier: str) -> Claim:
@@ -294,3 +289,10 @@ def _xinprime() -> Entry:
         corrected="ξ_n' = F_n + Σ G_(n-k) λ_k: the index of λ is k",
         note="In the findings n and k are the indices: the orders of G and λ_N must have the sum n.",
     )
+
+
+ENTRIES: Builders = {
+    "5-inner-system": _inner_system, "5-orders": _orders, "5-third-order": _third_order,
+    "5-monomial": _monomial, "5-step-3": _step_3, "5-xinprime": _xinprime,
+}  # fmt: skip
+"""The inner scale and the recursion, in the order of the paper."""

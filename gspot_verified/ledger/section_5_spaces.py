@@ -11,7 +11,7 @@ from collections.abc import Iterable
 
 from gspot_verified.ledger import explicit_expansions as explicit
 from gspot_verified.ledger.double_series import POWER_OF_DELTA, example_series
-from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, settled
+from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.ledger.explicit_expansions import LEMMA, SPACES, Shift
 from gspot_verified.ledger.extended_system import extended_terms
 from gspot_verified.ledger.identities import Algebra
@@ -28,11 +28,6 @@ COROLLARY = {
     "odd": {"delta": "2*nu + 3", "rho": "nu - 3 - 3*sigma", "eps": "3 + 2*sigma", "t": "nu - 3 - 3*sigma"},
 }
 """Lines 1803 to 1840, for p: the power of delta in front of s^rho, the exponents rho, and those of eps and t."""
-
-
-def entries() -> list[Entry]:
-    """The spaces, in the order of the paper."""
-    return [_lemma_orders(), _lemma(), _theorem(), _corollary()]
 
 
 def times(left: Shift, right: Shift) -> list[tuple[int, int]]:
@@ -247,3 +242,12 @@ def _corollary() -> Entry:
             example_in_t_and_eps() or None,
         ),
     )
+
+
+ENTRIES: Builders = {
+    "5-lemma-orders": _lemma_orders,
+    "5-lemma": _lemma,
+    "5-theorem-1-spaces": _theorem,
+    "5-corollary": _corollary,
+}
+"""The spaces, in the order of the paper."""

@@ -10,7 +10,7 @@ from flint import fmpq, fmpq_mat, fmpq_mpoly
 
 from gspot_verified.expansion.recursion import Recursion
 from gspot_verified.ledger import explicit_expansions as explicit
-from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, settled
+from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.ledger.identities import Algebra, readable
 from gspot_verified.ledger.section_5_recursion import ALGEBRA as RECURSION
 from gspot_verified.ledger.section_5_recursion import CORRECTED, PRINTED
@@ -33,11 +33,6 @@ KNOWN_BEFORE = {
     "conditions": {name: UNSCALED[name] for name in ("xi", "p", "b", "y", "v")},
 }
 """Order m of the residual has a term of order m - this of the variable, and terms of lower orders."""
-
-
-def entries() -> list[Entry]:
-    """The theorem, except its spaces."""
-    return [_existence(), _orders()]
 
 
 def divisors() -> dict[str, fmpq_mpoly]:
@@ -180,3 +175,10 @@ def _orders() -> Entry:
         ),
         note="O is uniform for s in bounded sets. The conditions of orders 0 and 1 hold as ξ* is a G-spot.",
     )
+
+
+ENTRIES: Builders = {
+    "5-theorem-1": _existence,
+    "5-theorem-1-orders": _orders,
+}
+"""The theorem, except its spaces."""

@@ -5,10 +5,12 @@ The routes are in ``oscillator``; all are identities in the state, the parameter
 
 from __future__ import annotations
 
+from functools import partial
+
 from flint import fmpq, fmpq_mpoly
 
 from gspot_verified.ledger import oscillator
-from gspot_verified.ledger.entry import Check, Entry, Rung, settled
+from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, settled
 from gspot_verified.ledger.identities import Claim, Parts
 from gspot_verified.ledger.oscillator import ALGEBRA, CORRECTED, PRINTED, along, at_g_spot, normal
 from gspot_verified.mechanisms.oscillator_formulas import APPENDIX_B, PRINTED_NUMBERS, SECTION_6
@@ -26,19 +28,6 @@ FORCES = {"1": "-kphi*e - cphi*w", "2": "-kpsi*psi - cpsi*x - m2*g - m2*A2"}
 """Generalised forces of springs and dampers, with weight and inertia of m_2, which moves with ψ."""
 CASE = {"beta": fmpq(7, 3), "kappa": fmpq(0)}
 """Line 2190."""
-
-
-def entries() -> list[Entry]:
-    """The entries in the order of the paper, Appendix B last."""
-    lie, motion = oscillator.by_lie_derivatives(), oscillator.by_the_motion()
-    return [
-        _motion(),
-        _sign_of_g(),
-        _place(lie),
-        *(_value(name, lie, motion) for name in SECTION_6),
-        _decimals(lie),
-        *(_formula(name, lie, motion) for name in APPENDIX_B),
-    ]
 
 
 def _claim(identifier: str) -> Claim:
@@ -121,7 +110,8 @@ def _sign_of_g() -> Entry:
     )
 
 
-def _place(lie: dict[str, fmpq_mpoly]) -> Entry:
+def _place() -> Entry:
+    lie = oscillator.by_lie_derivatives()
     y = ALGEBRA.read(oscillator.MOTION["y"])
     derived = [at_g_spot(value) for value in (lie["p"], lie["b"], y, lie["v"])]
     printed = [at_g_spot(ALGEBRA.read(text)) for text in (*(PRINTED[f"B-{n}"]["formula"] for n in "pbv"), str(y))]
@@ -146,7 +136,8 @@ def _place(lie: dict[str, fmpq_mpoly]) -> Entry:
     )
 
 
-def _value(name: str, lie: dict[str, fmpq_mpoly], motion: dict[str, fmpq_mpoly]) -> Entry:
+def _value(name: str) -> Entry:
+    lie, motion = oscillator.by_lie_derivatives(), oscillator.by_the_motion()
     this = _claim(f"6-{name}")
     lines, text = SECTION_6[name]
     appendix = ALGEBRA.read(PRINTED[f"B-{name}"]["formula"])
@@ -203,7 +194,8 @@ def decimal(text: str) -> tuple[fmpq, fmpq]:
     return fmpq(int(text.replace(".", "")), 10**digits), fmpq(1, 2 * 10**digits)
 
 
-def _decimals(lie: dict[str, fmpq_mpoly]) -> Entry:
+def _decimals() -> Entry:
+    lie = oscillator.by_lie_derivatives()
     printed = {name: _number(ALGEBRA.read(PRINTED[f"6-{name}"]["value"])) for name in SECTION_6}
     derived = {name: _number(lie[name]) for name in SECTION_6}
 
@@ -231,7 +223,8 @@ def _decimals(lie: dict[str, fmpq_mpoly]) -> Entry:
     )
 
 
-def _formula(name: str, lie: dict[str, fmpq_mpoly], motion: dict[str, fmpq_mpoly]) -> Entry:
+def _formula(name: str) -> Entry:
+    lie, motion = oscillator.by_lie_derivatives(), oscillator.by_the_motion()
     this = _claim(f"B-{name}")
     lines = APPENDIX_B[name][0]
     value = ALGEBRA.read(PRINTED[f"6-{name}"]["value"]) if name in SECTION_6 else _ZERO
@@ -262,3 +255,14 @@ def _formula(name: str, lie: dict[str, fmpq_mpoly], motion: dict[str, fmpq_mpoly
         ),
         note="line 2538 has a closing parenthesis too many after φ - φ_0" if name == "alpha_2" else "",
     )
+
+
+ENTRIES: Builders = {
+    "6-motion": _motion,
+    "6-sign-of-G": _sign_of_g,
+    "6-G-spot": _place,
+    **{f"6-{name}": partial(_value, name) for name in SECTION_6},
+    "6-decimals": _decimals,
+    **{f"B-{name}": partial(_formula, name) for name in APPENDIX_B},
+}
+"""The entries in the order of the paper, Appendix B last."""

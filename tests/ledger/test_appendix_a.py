@@ -11,7 +11,7 @@ from flint import acb, arb, fmpq, fmpq_poly
 from gspot_verified import Outcome
 from gspot_verified.ledger import appendix_a, asymptotic_errors, hypergeometric
 from gspot_verified.ledger import appendix_a_asymptotics as asymptotics
-from gspot_verified.ledger.entry import Entry, Rung
+from gspot_verified.ledger.entry import Rung
 from gspot_verified.theta_function.asymptotic_coefficients import coefficient
 from gspot_verified.theta_function.initial_values import initial_values, paper_initial_values
 from gspot_verified.theta_function.routes import theta_by
@@ -19,9 +19,8 @@ from gspot_verified.theta_function.routes import theta_by
 BETA = fmpq_poly([0, 1])
 
 
-def outcome(identifier: str, found: list[Entry] | None = None) -> Outcome:
-    entries = appendix_a.entries() if found is None else found
-    return next(e.verdict.outcome for e in entries if e.identifier == identifier)
+def outcome(identifier: str) -> Outcome:
+    return appendix_a.ENTRIES[identifier]().verdict.outcome
 
 
 def times(factor: Callable[[int], Any], honest: Callable[..., list[Any]]) -> Callable[..., list[Any]]:
@@ -62,16 +61,14 @@ def test_a_changed_initial_value_is_noticed_at_points(monkeypatch: pytest.Monkey
 
     monkeypatch.setattr(hypergeometric, "printed_initial_values", changed)
     monkeypatch.setattr(appendix_a, "BETAS", appendix_a.BETAS[-3:])
-    found = appendix_a.entries()
-    assert outcome(f"A-t0{j + 1}", found) is not Outcome.PROVED
-    assert outcome("A-cancellation", found) is not Outcome.PROVED
+    assert outcome(f"A-t0{j + 1}") is not Outcome.PROVED
+    assert outcome("A-cancellation") is not Outcome.PROVED
 
 
 def test_nan_proves_and_refutes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(hypergeometric, "fundamental_solution", lambda *_: arb.nan())
-    found = appendix_a.entries()
     for identifier in ("A-th3", "A-bsmall1", "A-blarge2", "A-th5-condition"):
-        assert outcome(identifier, found) is Outcome.UNDECIDED
+        assert outcome(identifier) is Outcome.UNDECIDED
 
 
 def test_a_ball_that_cannot_tell_refutes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -81,7 +78,7 @@ def test_a_ball_that_cannot_tell_refutes_nothing(monkeypatch: pytest.MonkeyPatch
 
 def test_checks_on_nothing_prove_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(appendix_a, "BETAS", ())
-    proved = {e.identifier for e in appendix_a.entries() if e.verdict.outcome is Outcome.PROVED}
+    proved = {identifier for identifier in appendix_a.ENTRIES if outcome(identifier) is Outcome.PROVED}
     assert proved == {"A-coefficients"}
 
 
@@ -91,7 +88,7 @@ def test_asymptotic_errors_answer_false_when_certain(monkeypatch: pytest.MonkeyP
 
 
 def test_only_what_covers_the_whole_claim_is_called_exact() -> None:
-    exact = {e.identifier for e in appendix_a.entries() for check in e.checks if check.rung is Rung.EXACT}
+    exact = {name for name, build in appendix_a.ENTRIES.items() if any(c.rung is Rung.EXACT for c in build().checks)}
     assert exact == {"A-th3", "A-coefficients", "A-cancellation", "A-th5-condition"}
 
 

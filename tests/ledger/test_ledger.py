@@ -9,7 +9,7 @@ import pytest
 
 from gspot_verified import Outcome, Verdict
 from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, conclude, counts, rung_counts, same_sign, settled
-from gspot_verified.ledger.verify import exit_code, verify_paper
+from gspot_verified.ledger.verify import PARTS, exit_code, verify_paper
 
 _PROOFS = Path(__file__).resolve().parents[2] / "proofs"
 REFUTED = {
@@ -27,6 +27,7 @@ def entries() -> list[Entry]:
 def test_every_entry_is_decided_and_only_the_known_misprints_are_refuted(entries: list[Entry]) -> None:
     assert {e.identifier for e in entries if e.verdict.outcome is Outcome.REFUTED} == REFUTED
     assert all(e.verdict.outcome is not Outcome.UNDECIDED for e in entries)
+    assert [e.identifier for e in entries] == [identifier for part in PARTS.values() for identifier in part]
     assert len({e.identifier for e in entries}) == len(entries)
 
 

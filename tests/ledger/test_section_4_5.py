@@ -15,7 +15,7 @@ from gspot_verified.signs.sign import sign_on_ranges
 
 
 def entry(identifier: str) -> Entry:
-    return next(e for e in [*section_4_5.entries(), *cases.entries()] if e.identifier == identifier)
+    return {**section_4_5.ENTRIES, **cases.ENTRIES}[identifier]()
 
 
 def test_the_corrected_form_that_is_shown_is_the_one_that_is_checked(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,7 +11,7 @@ from gspot_verified.ledger.section_4_outer import ALGEBRA
 
 
 def outcome(identifier: str) -> Outcome:
-    return next(entry.verdict.outcome for entry in ledger.entries() if entry.identifier == identifier)
+    return ledger.ENTRIES[identifier]().verdict.outcome
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from gspot_verified.ledger import section_4_matching as ledger
 
 
 def outcome(identifier: str) -> Outcome:
-    return next(entry.verdict.outcome for entry in ledger.entries() if entry.identifier == identifier)
+    return ledger.ENTRIES[identifier]().verdict.outcome
 
 
 @pytest.mark.parametrize("row", range(len(ledger.TABLE)))

@@ -17,7 +17,7 @@ SMALL = st.fractions(min_value=Fraction(1, 50), max_value=1, max_denominator=50)
 
 
 def outcome(identifier: str) -> Outcome:
-    return next(entry.verdict.outcome for entry in ledger.entries() if entry.identifier == identifier)
+    return ledger.ENTRIES[identifier]().verdict.outcome
 
 
 def scaled_coefficients(alpha1: Fraction, alpha3: Fraction, eps: Fraction, number: int) -> list[Fraction]:

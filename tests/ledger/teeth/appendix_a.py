@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import pytest
@@ -18,11 +20,14 @@ _TRIED = ledger.BETAS[-_FEW:]
 _IN_BETA = unseen_at("beta", _TRIED)
 
 
-def ENTRIES() -> list[Entry]:
-    """The entries of the module, tried at few values of β: a bite must be noticed there too."""
+def _at_few(build: Callable[[], Entry]) -> Entry:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(ledger, "BETAS", ledger.BETAS[-_FEW:])
-        return ledger.entries()
+        return build()
+
+
+ENTRIES = {identifier: partial(_at_few, build) for identifier, build in ledger.ENTRIES.items()}
+"""The entries of the module, tried at few values of β: a bite must be noticed there too."""
 
 
 def with_beta(beta: int) -> Any:

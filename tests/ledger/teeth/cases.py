@@ -7,15 +7,12 @@ from ledger.bite import Bite, NotApplicable, Teeth, raised, replaced, scaled, un
 
 from gspot_verified.ledger import cases as ledger
 from gspot_verified.ledger import gamma_cells, lift_off
-from gspot_verified.ledger.entry import Entry
 
 _PRINTED, _WORDING, _GROWTH = ledger.PRINTED, ledger.CORRECTED["S-wording"], lift_off.PRINTED["S-growth"]
 _POSITIVE_FACTOR = "a claim about a sign: a factor near 1 keeps it"
 
 
-def ENTRIES() -> list[Entry]:
-    """The entries of the module."""
-    return ledger.entries()
+ENTRIES = ledger.ENTRIES
 
 
 def one_at_a_half(honest: str) -> str:

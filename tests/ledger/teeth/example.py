@@ -9,7 +9,7 @@ from ledger.bite import Bite, Teeth, raised, scaled, unseen_at
 from gspot_verified.ledger import double_series
 from gspot_verified.ledger import example as ledger
 
-ENTRIES = ledger.entries
+ENTRIES = ledger.ENTRIES
 ZBAR = ledger.PRINTED["5-example-zbar"]
 B_ERROR = ledger.CORRECTED["5-example-b-error"]
 

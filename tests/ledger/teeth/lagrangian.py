@@ -5,7 +5,6 @@ from __future__ import annotations
 from ledger.bite import Bite, NotApplicable, Teeth, replaced, scaled, unseen_at
 
 from gspot_verified.ledger import lagrangian as ledger
-from gspot_verified.ledger.entry import Entry
 
 _RELATIONS, _QUANTITIES = ledger.PRINTED["2-lagrangian"], ledger.PRINTED["2-quantities"]
 _EXTENDED, _STICK = ledger.PRINTED["2-extended"], ledger.PRINTED["2-stick"]
@@ -14,9 +13,7 @@ _NAMED = ("u", "v", "p", "b", "alpha_1", "alpha_2", "alpha_3")
 _FREE = {"k+": "kplus", "k-": "kminus", "p-": "pminus", "a": "a"}
 
 
-def ENTRIES() -> list[Entry]:
-    """The entries of the module."""
-    return ledger.entries()
+ENTRIES = ledger.ENTRIES
 
 
 def of_velocity(honest: str) -> str:

@@ -7,12 +7,8 @@ from typing import Any
 from ledger.bite import Bite, NotApplicable, Teeth
 
 from gspot_verified.ledger import section_3 as ledger
-from gspot_verified.ledger.entry import Entry
 
-
-def ENTRIES() -> list[Entry]:
-    """The entries of the module."""
-    return ledger.entries()
+ENTRIES = ledger.ENTRIES
 
 
 def other_sign_at_the_end(honest: Any) -> Any:

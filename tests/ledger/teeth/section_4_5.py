@@ -9,7 +9,6 @@ from gspot_verified.ledger import closed_forms, gamma_cells
 from gspot_verified.ledger import hypergeometric as appendix
 from gspot_verified.ledger import section_4_5 as ledger
 from gspot_verified.ledger import section_4_5_signs as signs
-from gspot_verified.ledger.entry import Entry
 
 _MEAN = ledger.CORRECTED["S-mean-force"]
 _FORCE = ledger.PRINTED["S-deviation-force"]
@@ -18,9 +17,7 @@ _BETAS = ("1/2", "3/2", "7/3")
 _POSITIVE_FACTOR = "a claim about a sign: a factor near 1 keeps it"
 
 
-def ENTRIES() -> list[Entry]:
-    """The entries of the module."""
-    return ledger.entries()
+ENTRIES = ledger.ENTRIES
 
 
 TEETH: Teeth = {

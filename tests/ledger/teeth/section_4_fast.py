@@ -7,7 +7,6 @@ from typing import Any
 from ledger.bite import Bite, NotApplicable, Teeth, replaced, scaled, unseen_at
 
 from gspot_verified.ledger import section_4_fast as ledger
-from gspot_verified.ledger.entry import Entry
 
 _FAST = ledger.PRINTED["4-fast"]
 _POLYNOMIAL = ledger.PRINTED["4-fast-polynomial"]
@@ -15,9 +14,7 @@ _DISCRIMINANT = ledger.PRINTED["4-discriminant"]
 _AT_INTEGERS = range(-3, 4)
 
 
-def ENTRIES() -> list[Entry]:
-    """The entries of the module."""
-    return ledger.entries()
+ENTRIES = ledger.ENTRIES
 
 
 def with_drift(honest: Any) -> Any:

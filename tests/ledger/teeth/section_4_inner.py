@@ -7,16 +7,13 @@ from typing import Any
 from ledger.bite import Bite, Teeth, raised, replaced, scaled, unseen_at
 
 from gspot_verified.ledger import section_4_inner as ledger
-from gspot_verified.ledger.entry import Entry
 
 _PRINTED, _CORRECTED = ledger.PRINTED, ledger.CORRECTED
 _AT_INTEGERS = range(-3, 4)
 _SCALING = _PRINTED["4-inner-scaling"]
 
 
-def ENTRIES() -> list[Entry]:
-    """The entries of the module."""
-    return ledger.entries()
+ENTRIES = ledger.ENTRIES
 
 
 def another_power(_: Any) -> Any:

@@ -7,16 +7,13 @@ from typing import Any
 from ledger.bite import Bite, NotApplicable, Teeth, replaced, scaled, unseen_at
 
 from gspot_verified.ledger import section_4_matching as ledger
-from gspot_verified.ledger.entry import Entry
 
 _MATCHING, _EXPONENTS = ledger.PRINTED["4-matching"], ledger.PRINTED["4-exponents"]
 _MIDDLE = ledger.CORRECTED["4-matching-middle"]
 _TRIED = (2, 3)
 
 
-def ENTRIES() -> list[Entry]:
-    """The entries of the module."""
-    return ledger.entries()
+ENTRIES = ledger.ENTRIES
 
 
 def another_power(_: Any) -> Any:

@@ -5,12 +5,8 @@ from __future__ import annotations
 from ledger.bite import Bite, Teeth, replaced, scaled, unseen_at
 
 from gspot_verified.ledger import section_4_oscillating as ledger
-from gspot_verified.ledger.entry import Entry
 
-
-def ENTRIES() -> list[Entry]:
-    """The entries of the module."""
-    return ledger.entries()
+ENTRIES = ledger.ENTRIES
 
 
 TEETH: Teeth = {

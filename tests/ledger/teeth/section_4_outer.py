@@ -7,15 +7,12 @@ from typing import Any
 from ledger.bite import Bite, Teeth, raised, replaced, scaled, unseen_at
 
 from gspot_verified.ledger import section_4_outer as ledger
-from gspot_verified.ledger.entry import Entry
 
 _PRINTED = ledger.PRINTED
 _AT_INTEGERS = range(-3, 4)
 
 
-def ENTRIES() -> list[Entry]:
-    """The entries of the module."""
-    return ledger.entries()
+ENTRIES = ledger.ENTRIES
 
 
 def without_contact(honest: Any) -> Any:

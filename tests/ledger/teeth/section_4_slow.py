@@ -5,16 +5,13 @@ from __future__ import annotations
 from ledger.bite import Bite, NotApplicable, Teeth, raised, replaced, scaled, unseen_at
 
 from gspot_verified.ledger import section_4_slow as ledger
-from gspot_verified.ledger.entry import Entry
 
 _BETA = ledger.CORRECTED["1-beta"]
 _SLOW = ledger.PRINTED["4-slow"]
 _AT_INTEGERS = range(-3, 4)
 
 
-def ENTRIES() -> list[Entry]:
-    """The entries of the module."""
-    return [*ledger.ratio_entries(), *ledger.entries()]
+ENTRIES = {**ledger.RATIO_ENTRIES, **ledger.ENTRIES}
 
 
 TEETH: Teeth = {

@@ -7,16 +7,13 @@ from typing import Any
 from ledger.bite import Bite, Teeth, raised, replaced, scaled, unseen_at
 
 from gspot_verified.ledger import section_4_trivial as ledger
-from gspot_verified.ledger.entry import Entry
 from gspot_verified.ledger.section_4_outer import QUOTIENT
 
 TRIVIAL, CORRECTED_ZY = ledger.PRINTED["2-trivial"], ledger.CORRECTED["2-trivial-zy"]
 _AT_INTEGERS = range(-3, 4)
 
 
-def ENTRIES() -> list[Entry]:
-    """The entries of the module."""
-    return ledger.entries()
+ENTRIES = ledger.ENTRIES
 
 
 def without_quotient(_: Any) -> Any:

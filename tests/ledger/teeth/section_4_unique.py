@@ -7,16 +7,13 @@ from typing import Any
 from ledger.bite import Bite, NotApplicable, Teeth, raised, replaced, scaled, unseen_at
 
 from gspot_verified.ledger import section_4_unique as ledger
-from gspot_verified.ledger.entry import Entry
 from gspot_verified.ledger.section_4_outer import QUOTIENT
 
 UNIQUE = ledger.PRINTED["4-unique"]
 _AT_INTEGERS = range(-3, 4)
 
 
-def ENTRIES() -> list[Entry]:
-    """The entries of the module."""
-    return ledger.entries()
+ENTRIES = ledger.ENTRIES
 
 
 def at_an_integer(honest: Any) -> Any:

@@ -7,7 +7,7 @@ from ledger.bite import Bite, Teeth, raised, replaced, scaled, unseen_at
 from gspot_verified.ledger import section_5_ansatz as ledger
 from gspot_verified.ledger import section_5_outer as outer
 
-ENTRIES = ledger.entries
+ENTRIES = ledger.ENTRIES
 EQUATIONS, SOLUTION = ledger.PRINTED["5-ansatz"], ledger.PRINTED["5-ansatz-solution"]
 P0 = ledger.CORRECTED["5-ansatz-p0"]
 

@@ -8,7 +8,7 @@ from ledger.bite import Bite, Teeth, raised, replaced, scaled, unseen_at
 
 from gspot_verified.ledger import section_5_matching as ledger
 
-ENTRIES = ledger.entries
+ENTRIES = ledger.ENTRIES
 PERTURBATION, THETA, MATCHING = (
     ledger.PRINTED[identifier] for identifier in ("5-perturbation", "5-perturbation-theta", "5-matching")
 )

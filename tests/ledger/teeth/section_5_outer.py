@@ -7,7 +7,7 @@ from ledger.bite import Bite, NotApplicable, Teeth, raised, replaced, scaled, un
 from gspot_verified.ledger import section_4_fast
 from gspot_verified.ledger import section_5_outer as ledger
 
-ENTRIES = ledger.entries
+ENTRIES = ledger.ENTRIES
 OUTER, POLYNOMIAL, SLOW = (
     ledger.PRINTED[identifier] for identifier in ("5-outer-system", "5-fast-polynomial", "5-slow-manifold")
 )

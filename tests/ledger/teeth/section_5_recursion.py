@@ -8,7 +8,7 @@ from ledger.bite import Bite, NotApplicable, Teeth, raised, replaced, scaled, un
 
 from gspot_verified.ledger import section_5_recursion as ledger
 
-ENTRIES = ledger.entries
+ENTRIES = ledger.ENTRIES
 INNER, ORDERS, THIRD, STEP_3 = (
     ledger.PRINTED[identifier] for identifier in ("5-inner-system", "5-orders", "5-third-order", "5-step-3")
 )

@@ -7,7 +7,7 @@ from ledger.bite import Bite, NotApplicable, Teeth, scaled, unseen_at
 from gspot_verified.ledger import section_5_spaces as ledger
 from gspot_verified.ledger.explicit_expansions import LEMMA, SPACES
 
-ENTRIES = ledger.entries
+ENTRIES = ledger.ENTRIES
 _NO_FACTOR = NotApplicable("factor", "spaces: a constant factor changes no exponent")
 _NOTHING_HIDDEN = NotApplicable("hidden factor", "a space is one pair of shifts for all orders: none can be left out")
 

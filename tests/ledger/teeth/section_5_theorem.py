@@ -10,7 +10,7 @@ from ledger.bite import Bite, Teeth, raised, replaced, scaled, unseen_at
 from gspot_verified.ledger import section_5_recursion as recursion
 from gspot_verified.ledger import section_5_theorem as ledger
 
-ENTRIES = ledger.entries
+ENTRIES = ledger.ENTRIES
 IMAGE = recursion.CORRECTED["5-monomial"]
 ORDERS = ledger.RESIDUAL_ORDERS
 

@@ -9,7 +9,7 @@ from gspot_verified.ledger import section_6 as ledger
 from gspot_verified.ledger.oscillator import CORRECTED, G_SPOT, MOTION, PARAMETERS, PRINTED
 from gspot_verified.mechanisms.oscillator_formulas import PRINTED_NUMBERS
 
-ENTRIES = ledger.entries
+ENTRIES = ledger.ENTRIES
 G = CORRECTED["6-sign-of-G"]
 _PAIRS = (0, 1, 2)
 OTHER_CONTACT = Bite("hypothesis", MOTION, "y", replaced("1 - C", "1 + C"))
