@@ -1,4 +1,4 @@
-"""The five figures of the report: Theta, its slope, the routes, side-switching, the series at tau -> -infinity.
+"""The figures of the report: Theta, its slope, the routes, side-switching, the series at tau -> -infinity; the force.
 
 Each caption is written from the numbers that were certified while the figure was drawn, so it cannot claim more.
 """
@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from gspot_verified.report import samples
 from gspot_verified.report.canvas import COLOURS, GREEN, INK, STYLES, VERMILION, Picture, canvas, picture, styled
+from gspot_verified.report.force_figure import force_picture
 from gspot_verified.signs.side import side_switching
 
 if TYPE_CHECKING:
@@ -222,6 +223,7 @@ _PICTURES: tuple[Callable[[], Picture], ...] = (
     routes_picture,
     sides_picture,
     series_picture,
+    force_picture,
 )
 
 

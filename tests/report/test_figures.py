@@ -10,8 +10,8 @@ from matplotlib import image
 from gspot_verified.report import figures, samples
 
 
-def test_there_are_five_figures_with_texts(pictures):
-    assert [picture.name for picture in pictures] == ["theta", "slope", "routes", "sides", "series"]
+def test_there_are_six_figures_with_texts(pictures):
+    assert [picture.name for picture in pictures] == ["theta", "slope", "routes", "sides", "series", "force"]
     for picture in pictures:
         assert "Certified:" in picture.caption
         assert "nan" not in (picture.title + picture.caption + picture.alternative).lower().split()
@@ -31,7 +31,7 @@ def test_progress_names_every_figure(monkeypatch, pictures):
     said = []
     monkeypatch.setattr(figures, "_PICTURES", [lambda picture=picture: picture for picture in pictures])
     assert figures.pictures(said.append) == pictures
-    assert said == [f"figure {k} of 5" for k in range(1, 6)]
+    assert said == [f"figure {k} of 6" for k in range(1, 7)]
 
 
 def test_captions_count_what_was_certified(pictures):
@@ -39,6 +39,7 @@ def test_captions_count_what_was_certified(pictures):
     assert "685 of 685 have 12 significant digits" in captions["theta"]
     assert "all 360 boxes lie below 0" in captions["slope"]
     assert "certain at 164 of 164 points" in captions["series"]
+    assert "at 244 of 244 of them the value lies above leading order" in captions["force"]
 
 
 def test_slope_caption_says_so_when_a_box_is_not_settled(monkeypatch):
