@@ -1,4 +1,4 @@
-"""Two figures of the compliant model: the slow force at several epsilon against leading order, and the bound between."""
+"""A figure of the compliant model: the slow force at several epsilon above leading order, and the bound between."""
 
 from __future__ import annotations
 
@@ -86,8 +86,8 @@ def force_picture() -> Picture:
         figure,
         "force",
         "The contact force on the slow manifold, β = 5/2, at finite ε",
-        f"Certified: enclosures at {len(points)} points τ = −3, …, 2 for each ε; at {above} of {number} of them the value "
-        "lies above leading order, as Theorem C says for every τ and ε (proofs/monotone.md). The shaded band is the "
+        f"Certified: enclosures at {len(points)} points τ = −3, …, 2 for each ε; at {above} of {number} of them the "
+        "value lies above leading order, as Theorem C says for every τ and ε (proofs/monotone.md). The shaded band is the "
         "range that its two sides leave. Only drawn: the lines between the points.",
         "Curves with one minimum each, higher for larger epsilon; below, a small positive excess inside a band.",
     )

@@ -70,7 +70,7 @@ def test_page_is_well_formed_and_asks_for_nothing_outside(page):
     assert all(link.startswith(("#", "data:image/svg+xml;base64,")) for link in tags.links)
     assert not {"script", "link", "iframe", "object"} & {tag for tag, _ in tags.seen}
     assert not any(name.startswith("on") for _, attributes in tags.seen for name in attributes)
-    assert sum(link.startswith("data:") for link in tags.links) == 5
+    assert sum(link.startswith("data:") for link in tags.links) == 6
 
 
 def test_links_inside_the_page_arrive(page):
