@@ -87,8 +87,8 @@ def force_picture() -> Picture:
         "force",
         "The contact force on the slow manifold, β = 5/2, at finite ε",
         f"Certified: enclosures at {len(points)} points τ = −3, …, 2 for each ε; at {above} of {number} of them the "
-        "value lies above leading order, as Theorem C says for every τ and ε (proofs/monotone.md). The shaded band is the "
-        "range that its two sides leave. Only drawn: the lines between the points.",
+        "value lies above leading order, as Theorem C says for every τ and ε (proofs/monotone.md). The shaded band is "
+        "the range that its two sides leave. Only drawn: the lines between the points.",
         "Curves with one minimum each, higher for larger epsilon; below, a small positive excess inside a band.",
     )
 
