@@ -1,0 +1,34 @@
+"""Whether the contact in a state lasts for ever: an impact without collision as a statement.
+
+Proof page: ``proofs/flight.md``, section 3.
+"""
+
+from __future__ import annotations
+
+from gspot_verified.balls import ball_text, working_bits
+from gspot_verified.compliant.flight import ContactState
+from gspot_verified.compliant.growth_choice import LAGS, growth_rates
+from gspot_verified.compliant.growth_set import in_fast_set, in_monotone_set, in_slow_set
+from gspot_verified.verdict import Reason, Verdict
+
+TEXT = "the contact lasts for ever, λ and −v grow without bound: an impact without collision"
+
+
+def lasting_contact(state: ContactState, bits: int = 128) -> Verdict:
+    """Proved when the state, with p < 0, lies in one of the three invariant sets of the page; otherwise undecided.
+
+    Undecided says nothing about the contact: the sets are sufficient, not necessary.
+    """
+    with working_bits(bits):
+        if not state.p < 0:
+            return Verdict.undecided(TEXT, Reason.HYPOTHESIS, f"p = {ball_text(state.p)} < 0 is not certain")
+        if in_monotone_set(state):
+            return Verdict.proved(TEXT, "every derivative of λ in question has one sign (β < 1)")
+        for rate in growth_rates(state):
+            if in_fast_set(state, rate):
+                return Verdict.proved(TEXT, f"invariant set with rate a = {float(rate.p) / float(rate.q):.4g}")
+            for lag in LAGS:
+                if in_slow_set(state, rate, lag):
+                    shown = f"a = {float(rate.p) / float(rate.q):.4g}, c = {lag}"
+                    return Verdict.proved(TEXT, f"invariant set with {shown}")
+        return Verdict.undecided(TEXT, Reason.HYPOTHESIS, "the state was found in none of the invariant sets")
