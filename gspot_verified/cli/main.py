@@ -15,7 +15,14 @@ from collections.abc import Sequence
 
 import typer
 
-from gspot_verified.cli import cost_command, mechanism_commands, paper_commands, sign_commands, theta_commands
+from gspot_verified.cli import (
+    cost_command,
+    force_command,
+    mechanism_commands,
+    paper_commands,
+    sign_commands,
+    theta_commands,
+)
 from gspot_verified.cli.app import app, signs_of_life
 from gspot_verified.cli.output import NOT_WRITTEN
 
@@ -26,7 +33,7 @@ CLOSED_PIPE = 141
 
 _CANNOT_WRITE = {errno.ENOSPC, errno.EIO, errno.EDQUOT, errno.EFBIG, errno.EROFS}
 
-COMMANDS = (theta_commands, sign_commands, mechanism_commands, paper_commands, cost_command)
+COMMANDS = (theta_commands, sign_commands, force_command, mechanism_commands, paper_commands, cost_command)
 """The modules whose import adds their commands to the application."""
 
 

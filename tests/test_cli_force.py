@@ -1,0 +1,54 @@
+"""The command ``force``: exit codes, what it says about the system, bad input."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from gspot_verified.cli import main
+
+STATE = "1/2,-2/3,-8/3000000,0,-4/3000000"
+
+
+def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    code = main(arguments)
+    output, errors = capsys.readouterr()
+    return code, output, errors
+
+
+def test_on_the_slow_manifold(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "force", "--beta", "5/2", "--eps", "1e-6", "--t", "1e-4")
+    assert code == 0
+    assert output.startswith("λ_N = [0.666665849564909 +/-")
+    assert "slow manifold" in output
+    assert "C1 = -1" in output
+
+
+def test_from_a_state(capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("force", "--beta", "5/2", "--eps", "1/1000", "--t", "-1/2", f"--state={STATE}")
+    code, output, _ = run(capsys, *words, "--json")
+    assert code == 0
+    data = json.loads(output)
+    assert data["reached"] is True
+    assert "initial state" in data["system"]
+    code, output, _ = run(capsys, *words, "--digits", "5")
+    assert code == 0
+    assert "1.3333" in output
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--beta", "5/2", "--t", "x"), "t: expected a number"),
+        (("--t", "0"), "beta: give beta or alpha_3"),
+        (("--beta", "5/2", "--t", "0", "--state=1,2"), "state: expected five numbers"),
+        (("--beta", "5/2", "--t", "0", f"--state={STATE}", "--c1", "1"), "--c1: it is for the slow manifold"),
+        (("--beta", "5/2", "--t", "-1", f"--state={STATE}"), "before the initial state"),
+        (("--beta", "5/2", "--t", "0", "--eps", "0"), "epsilon: expected"),
+    ],
+)
+def test_bad_input(capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], message: str) -> None:
+    code, _, errors = run(capsys, "force", *arguments)
+    assert code == 64
+    assert message in errors
