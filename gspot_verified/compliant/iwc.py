@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from gspot_verified.balls import ExactInput
+from gspot_verified.compliant.profile import in_range
+from gspot_verified.compliant.slow_lift_off import SlowLiftOff, slow_lift_off
 from gspot_verified.compliant.slow_manifold import SlowManifold, impact
 from gspot_verified.compliant.threshold import MAX_BETA_OF_THEOREM
 from gspot_verified.signs.contact_force import rational
@@ -20,35 +22,47 @@ from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Verdict
 @dataclass(frozen=True, slots=True)
 class CompliantIwc(NoTruthValue):
     """The result of :func:`iwc`: the statement at leading order and, where a theorem covers it, the one about the
-    compliant model on its slow manifold."""
+    compliant model on its slow manifold: ``slow`` where C_1/Gamma(-beta) > 0, ``lift_off`` on the other side."""
 
     ask: ClassVar[str] = ASK_VERDICT
 
     leading: IwcResult
-    slow: SlowManifold | None
+    slow: SlowManifold | None = None
+    lift_off: SlowLiftOff | None = None
+
+    @property
+    def compliant(self) -> SlowManifold | SlowLiftOff | None:
+        """What is stated about the compliant model; None where nothing is."""
+        return self.lift_off if self.slow is None else self.slow
 
     @property
     def verdict(self) -> Verdict:
         """That of the compliant model where there is one, else that at leading order."""
-        return self.leading.verdict if self.slow is None else self.slow.verdict
+        return self.leading.verdict if self.compliant is None else self.compliant.verdict
 
     def __str__(self) -> str:
-        if self.slow is None:
+        if self.compliant is None:
             return str(self.leading)
-        return "\n".join([*self.leading.lines(), *self.slow.lines()])
+        return "\n".join([*self.leading.lines(), *self.compliant.lines()])
 
     def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``: that of the leading order, and ``slow_manifold`` (null: nothing is proved).
+        """Plain data for ``json.dumps``: the keys of the leading order, and those of the compliant model.
 
-        ``statements`` lists what is stated, each with the system that it is about.
+        ``slow_manifold``: {verdict, whole_line, threshold}, or null; ``slow_lift_off``: {epsilon, verdict, bracket,
+        lead, kappa, uniform, whole_line}, or null; ``statements``: what is stated, each with its ``system`` ("leading
+        order" or "slow manifold") and its verdict; ``caveat``: what is open, null where a theorem covers it.
         """
-        slow = self.slow
-        about = [("leading order", self.leading.verdict)] + ([] if slow is None else [("slow manifold", slow.verdict)])
+        about = [("leading order", self.leading.verdict)]
+        if self.compliant is not None:
+            about.append(("slow manifold", self.compliant.verdict))
+        if self.lift_off is not None and self.lift_off.uniform is not None:
+            about.append(("slow manifold", self.lift_off.uniform))
         return {
             **self.leading.to_json(),
-            "slow_manifold": None if slow is None else slow.to_json(),
+            "slow_manifold": None if self.slow is None else self.slow.to_json(),
+            "slow_lift_off": None if self.lift_off is None else self.lift_off.to_json(),
             "statements": [{"system": name, **verdict.to_json()} for name, verdict in about],
-            "caveat": CAVEAT if slow is None else None,
+            "caveat": CAVEAT if self.compliant is None else None,
         }
 
 
@@ -69,6 +83,8 @@ def iwc(
 
     Arguments and errors: :func:`gspot_verified.signs.iwc.iwc`. On the side C_1/Gamma(-beta) > 0, for 0 < beta < 5,
     every eps_0 at leading order is one for the compliant model (Theorem C of the page), and the exact eps_0 is found.
+    On the other side the lift-off time of the compliant model is bracketed at eps, and compared with that at leading
+    order for every smaller eps (1 < beta < 5).
 
     >>> iwc("5/2").verdict.statement
     'on the slow manifold of the compliant model, λ_N > 0 for every τ in [-10, inf) and every ε in (0, 0.894881353)'
@@ -78,6 +94,8 @@ def iwc(
         digits=digits, growth=growth,
     )  # fmt: skip
     force = leading.force
-    if not (force.takes_impact and force.beta < MAX_BETA_OF_THEOREM):
-        return CompliantIwc(leading, None)
+    if not force.takes_impact and leading.lift_off is not None and in_range(force, leading.lift_off.epsilon):
+        return CompliantIwc(leading, lift_off=slow_lift_off(force, leading.lift_off, leading.start, digits))
+    if not force.takes_impact or force.beta > MAX_BETA_OF_THEOREM:
+        return CompliantIwc(leading)
     return CompliantIwc(leading, impact(leading, None if epsilon is None else rational(epsilon, "epsilon"), digits))

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import heapq
 from dataclasses import dataclass
-from math import factorial
 
 from flint import arb, fmpq
 
 from gspot_verified.balls import approximate, bits_for_digits, working_bits
 from gspot_verified.compliant.profile import Profile
+from gspot_verified.compliant.taylor_cell import TaylorCell
 
 MAX_CELLS = 2_000
 MAX_RIGHT = fmpq(10**4)
@@ -29,18 +29,6 @@ class LeastValue:
     place: fmpq
 
 
-@dataclass(frozen=True, slots=True)
-class _Cell:
-    lower: fmpq
-    upper: fmpq
-    least: arb
-    centre: arb
-
-    @property
-    def middle(self) -> fmpq:
-        return (self.lower + self.upper) / 2
-
-
 def least_value(profile: Profile, start: fmpq, digits: int = 8) -> LeastValue | None:
     """The least value of f on [start, infinity), to the relative accuracy 10^-digits unless it is nearly 0 or
     :data:`MAX_CELLS` cells do not suffice; None when no point was found beyond which f certainly increases.
@@ -54,38 +42,33 @@ def least_value(profile: Profile, start: fmpq, digits: int = 8) -> LeastValue | 
     if right is None:
         return None
     with working_bits(bits_for_digits(accuracy) + _GUARD_BITS):
-        end = profile.value(right, accuracy)
-        lower, upper, place = end.lower(), end.upper(), right
-        if right == start:
-            return LeastValue(lower, upper, place)
-        settled = lower  # a lower bound of f beyond ``right`` and on the cells that are done
-        waiting: list[tuple[float, int, _Cell]] = []
+        end, first = profile.value(right, accuracy), profile.value(start, accuracy)
+        settled = end.lower()  # a lower bound of f beyond ``right`` and on the cells that are done
+        upper, place = (end.upper(), right) if end.upper() < first.upper() else (first.upper(), start)
+        waiting: list[tuple[float, int, TaylorCell]] = []
+        fresh = [TaylorCell(profile, start, right, accuracy)] if right > start else []
         number = 0
-
-        def add(left: fmpq, wide: fmpq) -> None:
-            nonlocal upper, place, settled, number
-            cell = _cell(profile, left, left + wide, accuracy)
-            if cell.centre.upper() < upper:
-                upper, place = cell.centre.upper(), cell.middle
-            number += 1
-            heapq.heappush(waiting, (approximate(cell.least.lower()), number, cell))
-
-        add(start, right - start)
-        first = profile.value(start, accuracy)
-        if first.upper() < upper:
-            upper, place = first.upper(), start
         goal = arb(10) ** -digits
-        while waiting and number < MAX_CELLS:
+        while True:
+            for cell in fresh:
+                if cell.taylor[0].upper() < upper:
+                    upper, place = cell.taylor[0].upper(), cell.middle
+                number += 1
+                heapq.heappush(waiting, (approximate(cell.least), number, cell))
+            if not waiting:
+                break
             cell = heapq.heappop(waiting)[2]
-            if cell.least.is_finite() and cell.least >= upper - goal * abs(upper):
-                settled = settled.min(cell.least.lower())
-                continue
-            half = (cell.upper - cell.lower) / 2
-            add(cell.lower, half)
-            add(cell.lower + half, half)
-        for _, _, cell in waiting:
-            settled = settled.min(cell.least.lower())
+            if number >= MAX_CELLS or cell.least >= upper - goal * abs(upper):
+                settled, fresh = settled.min(cell.least), []
+            else:
+                fresh = [TaylorCell(profile, *ends, accuracy) for ends in halves(cell.lower, cell.upper)]
         return LeastValue(settled.lower(), upper, place)
+
+
+def halves(lower: fmpq, upper: fmpq) -> tuple[tuple[fmpq, fmpq], tuple[fmpq, fmpq]]:
+    """The two halves of an interval."""
+    middle = (lower + upper) / 2
+    return (lower, middle), (middle, upper)
 
 
 def rising_from(profile: Profile, start: fmpq, digits: int) -> fmpq | None:
@@ -100,39 +83,3 @@ def rising_from(profile: Profile, start: fmpq, digits: int) -> fmpq | None:
         if point > 8:
             step *= 2
     return None
-
-
-def _cell(profile: Profile, lower: fmpq, upper: fmpq, digits: int) -> _Cell:
-    """A lower bound of f on [lower, upper] from its derivatives at the middle (proofs/monotone.md, section 5)."""
-    n = profile.order
-    half = arb((upper - lower) / 2)
-    slopes = profile.derivatives((lower + upper) / 2, range(n + 1), digits)
-    taylor = [slope / factorial(k) for k, slope in enumerate(slopes)]
-    centre = taylor[0]
-    bound = _parabola(taylor[:n], half)
-    for k in range(3, n):
-        bound -= abs(taylor[k]) * half**k
-    if n % 2:
-        bound -= taylor[n] * half**n
-    increase = taylor[1] - sum((k * abs(taylor[k]) * half ** (k - 1) for k in range(2, n)), arb(0)) if n > 1 else arb(1)
-    if n > 1 and n % 2 == 0:
-        increase -= n * taylor[n] * half ** (n - 1)
-    if increase > 0:
-        bound = _larger(bound, profile.value(lower, digits))
-    return _Cell(lower, upper, bound, centre)
-
-
-def _parabola(taylor: list[arb], half: arb) -> arb:
-    """A lower bound of a_0 + a_1 t + a_2 t^2, |t| <= half; terms that are missing count as 0."""
-    padded = [*taylor, arb(0), arb(0), arb(0)][:3]
-    at_ends = padded[0] - abs(padded[1]) * half + padded[2].min(arb(0)) * half * half
-    if padded[2] > 0:
-        return _larger(at_ends, padded[0] - padded[1] * padded[1] / (4 * padded[2]))
-    return at_ends
-
-
-def _larger(left: arb, right: arb) -> arb:
-    """The larger one of two lower bounds, whichever is finite."""
-    if not right.is_finite():
-        return left
-    return left.lower().max(right.lower()) if left.is_finite() else right

@@ -12,10 +12,12 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import Exact, bits_for_digits, working_bits
 from gspot_verified.compliant.grid import scale
-from gspot_verified.compliant.slow_solution import slow_value
+from gspot_verified.compliant.slow_solution import MAX_EPSILON, MAX_TENS, slow_value
 from gspot_verified.signs.contact_force import ContactForce
 from gspot_verified.signs.side import gamma_sign
+from gspot_verified.theta_function.evaluate import evaluate
 
+SLOW = "on the slow manifold of the compliant model"
 _GUARD_BITS = 32
 
 
@@ -42,6 +44,11 @@ class Profile:
     def of(cls, force: ContactForce, epsilon: fmpq) -> Profile:
         """That of the system at its epsilon, in the paper's units."""
         return cls(force.beta, scaled_epsilon(force, epsilon))
+
+    @classmethod
+    def leading_order(cls, beta: fmpq) -> Profile:
+        """At eta = 0: f_0 = sign Gamma(-beta) dTheta/dtau (tau, beta)."""
+        return cls(beta, fmpq(0), fmpq(0))
 
     @property
     def order(self) -> int:
@@ -71,6 +78,8 @@ class Profile:
         >>> [bool(value > 0) for value in values]
         [False, False, True]
         """
+        if self.root == 0:
+            return [self.direction * evaluate(tau, self.beta, derivative=k + 1, digits=digits).value for k in orders]
         bits = bits_for_digits(digits) + _GUARD_BITS
         eta = self.eta(2 * bits)
         found = []
@@ -90,3 +99,8 @@ class Profile:
 def scaled_epsilon(force: ContactForce, epsilon: fmpq) -> fmpq:
     """epsilon in the normal form, epsilon |alpha_1|."""
     return -force.alpha_1 * epsilon
+
+
+def in_range(force: ContactForce, epsilon: fmpq) -> bool:
+    """Whether the slow solution is evaluated at this epsilon."""
+    return bool(fmpq(10) ** -MAX_TENS <= scaled_epsilon(force, epsilon) <= MAX_EPSILON)

@@ -13,15 +13,14 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import approximate, working_bits
 from gspot_verified.compliant.least_value import least_value
-from gspot_verified.compliant.profile import Profile, scaled_epsilon
-from gspot_verified.compliant.slow_solution import MAX_EPSILON, MAX_TENS
+from gspot_verified.compliant.profile import SLOW, Profile, in_range
 from gspot_verified.compliant.threshold import Threshold, exact_threshold, fails_at
+from gspot_verified.compliant.to_the_left import positive_to_the_left
 from gspot_verified.signs.iwc import IwcResult, force_statement
 from gspot_verified.signs.short_text import short_text
 from gspot_verified.signs.stretches import stretches
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
 
-SLOW = "on the slow manifold of the compliant model"
 ABOVE = "its force is above the one at leading order at every τ and every ε (proofs/monotone.md, Theorem C)"
 THRESHOLD_DIGITS = 8
 """Digits of the exact eps_0, at most: each costs a share of a second."""
@@ -97,10 +96,11 @@ def _at_epsilon(leading: IwcResult, epsilon: fmpq, digits: int) -> SlowManifold:
         return SlowManifold(Verdict.proved(text, ABOVE), everywhere, leading.whole_line)
     text = force_statement(start, epsilon, None, SLOW)
     whole = _to_the_left(leading, digits)
-    small = scaled_epsilon(force, epsilon)
-    if not fmpq(10) ** -MAX_TENS <= small <= MAX_EPSILON:
+    if not in_range(force, epsilon):
         return SlowManifold(Verdict.undecided(text, Reason.BUDGET, "ε |α1| is outside [1e-300, 1e6]"), start, False)
-    least = least_value(Profile.of(force, epsilon), start, min(digits, THRESHOLD_DIGITS))
+    profile = Profile.of(force, epsilon)
+    whole = whole or positive_to_the_left(force, profile, start)
+    least = least_value(profile, start, min(digits, THRESHOLD_DIGITS))
     if least is not None:
         with working_bits(4 * digits + 64):
             size = force.amplitude(digits) * arb(epsilon) ** arb(force.exponent)
