@@ -189,3 +189,31 @@ def test_zeros_at_finite_epsilon_refuses(
     code, output, errors = run(capsys, "zeros", "--beta", "5/2", *arguments)
     assert (code, output) == (64, "")
     assert message in errors
+
+
+@pytest.mark.parametrize(
+    ("arguments", "statement"),
+    [
+        (("--beta", "5/2", "--tau-start", "-2"), "λ > 0 for every τ in [-2, inf) and every ε in (0, 79/100]"),
+        (("--beta", "7/3", "--c1=1", "--epsilon", "1e-3"), "λ < 0 at τ = 5309/1000 for every ε ≥ 1/1000"),
+    ],
+)
+def test_certificates_of_the_force(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, arguments: tuple[str, ...], statement: str
+) -> None:
+    place = tmp_path / "force.cert"
+    code, _, errors = run(capsys, "iwc", *arguments, "--certificate", str(place))
+    assert code == 0
+    assert statement in errors
+    code, output, _ = run(capsys, "check", str(place))
+    assert code == 0
+    assert statement in output
+
+
+def test_no_certificate_beyond_theorem_c(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    place = tmp_path / "force.cert"
+    code, output, errors = run(capsys, "iwc", "--beta", "13/2", "--certificate", str(place))
+    assert code == 74
+    assert output.startswith("proved")
+    assert "NOT written: beta: a certificate of the force needs 1 < beta < 5" in errors
+    assert not place.exists()

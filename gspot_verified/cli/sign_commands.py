@@ -212,15 +212,20 @@ def iwc(
     epsilon: Annotated[str | None, typer.Option(help="ε at which the lift-off time is bracketed, or λ_N > 0.")] = None,
     digits: Annotated[int, typer.Option(help="Decimal digits of the answer, 1..100.")] = 15,
     growth: Annotated[bool, typer.Option("--growth", help="Lift-off side: τ_lo for ε = 1e-10 to 1e-10000.")] = False,
+    certificate: Annotated[Path | None, typer.Option(help="Write a certificate, 1 < β < 5, for a range of ε.")] = None,
     as_json: JsonFlag = False,
 ) -> None:
     """The contact force: an ε0 below which the contact holds, or a bracket of the lift-off time.
 
     Each statement names its system: "at leading order" is the paper's formula; "on the slow manifold of the compliant
-    model" is the exact solution at that ε. The exit code is that of the last statement.
+    model" is the exact solution at that ε. The exit code is that of the last statement. The certificate's own
+    statement, for all ε up to (lift-off: from) a rounded one, is printed when it is written.
     """
+    from gspot_verified.compliant.force_certificate import certificate_for
     from gspot_verified.compliant.iwc import iwc as contact_force
 
+    outputs = Outputs()
+    outputs.file("--certificate", certificate)
     result = contact_force(
         beta,
         alpha_1=alpha1,
@@ -236,4 +241,13 @@ def iwc(
         print_json(result.to_json())
     else:
         typer.echo(str(result))
-    raise typer.Exit(result.verdict.exit_code)
+    if certificate is not None:
+        place = certificate
+
+        def write() -> None:
+            found = certificate_for(result.leading)
+            found.write(place)
+            progress(f"{place}: {found.statement}")
+
+        outputs.write("--certificate", place, write)
+    outputs.leave(result.verdict.exit_code)

@@ -8,14 +8,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from pathlib import Path
 
 from flint import arb, fmpq
 
 from gspot_verified.balls import approximate, sign_of, working_bits
-from gspot_verified.certificates.text import certificate_text
+from gspot_verified.certificates.text import certificate_text, write_certificate
 from gspot_verified.compliant.force_statements import ForceStatement, LiftOffStatement
 from gspot_verified.signs.column_models import ColumnModels
 from gspot_verified.signs.contact_force import ContactForce
+from gspot_verified.signs.iwc import IwcResult
 from gspot_verified.signs.pieces import Column, Kind, Piece, cell_of
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.tails import left_threshold
@@ -41,6 +43,10 @@ class ForceCertificate:
     def text(self) -> str:
         """The certificate as it stands in a file."""
         return certificate_text(self.statement, [self.column])
+
+    def write(self, path: Path) -> None:
+        """Write it as a file; see :func:`gspot_verified.certificates.text.write_certificate`."""
+        write_certificate(path, self.statement, [self.column])
 
 
 def force_certificate(force: ContactForce, start: fmpq | None, epsilon: fmpq) -> ForceCertificate:
@@ -87,6 +93,29 @@ def lift_off_certificate(force: ContactForce, tau: fmpq, epsilon: fmpq) -> Force
         raise NotProvable(f"at τ = {tau} the deviation does not certainly exceed the mean force at ε = {epsilon}")
     column = Column(force.beta, force.beta, (Piece(Kind.LEVEL, tau, tau + 1),))
     return ForceCertificate(LiftOffStatement(force, tau, epsilon, level), column)
+
+
+def certificate_for(leading: IwcResult) -> ForceCertificate:
+    """A certificate beside a result at leading order: the same half-line, epsilon a little below eps_0, or the end of
+    the lift-off bracket, rounded to two or three places.
+
+    :raises ValueError: not 1 < beta < 5.
+    :raises NotProvable: no eps_0 or no bracket was found, or no pieces.
+    """
+    if leading.force.takes_impact:
+        if leading.every_epsilon or leading.epsilon_0 is None:
+            raise NotProvable("there is no least upper bound of ε to certify")
+        return force_certificate(leading.force, leading.start, _two_digits(leading.epsilon_0 * fmpq(99, 100)))
+    time = leading.lift_off
+    if time is None or time.upper is None:
+        raise NotProvable("no lift-off time was bracketed")
+    return lift_off_certificate(leading.force, fmpq(int((time.upper * 1000).floor()) + 1, 1000), time.epsilon)
+
+
+def _two_digits(value: fmpq) -> fmpq:
+    """The value rounded down to two decimal digits."""
+    digits = 1 - math.floor(math.log10(approximate(value)))
+    return fmpq(int((value * fmpq(10) ** digits).floor())) * fmpq(10) ** -digits
 
 
 def _checked(force: ContactForce, side: int) -> None:
