@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
@@ -17,6 +17,7 @@ from gspot_verified.compliant.least_value import LeastValue, least_value
 from gspot_verified.compliant.profile import Profile, scaled_epsilon
 from gspot_verified.compliant.slow_solution import MAX_EPSILON, MAX_TENS
 from gspot_verified.signs.contact_force import ContactForce, rounded_down
+from gspot_verified.verdict import NoTruthValue
 
 MAX_BETA_OF_THEOREM = 5
 MAX_STEPS = 60
@@ -24,10 +25,12 @@ _SPARE_DIGITS = 3
 
 
 @dataclass(frozen=True, slots=True)
-class Threshold:
+class Threshold(NoTruthValue):
     """The force is positive on the half-line for every eps < ``lower``, and not at eps = ``upper``, which ``place``
     shows (lambda_N <= 0 there). ``every_epsilon``: it is positive at every eps > 0, and both are None. ``upper`` is
     None when the search ended before; ``steps`` counts the iterations."""
+
+    ask: ClassVar[str] = ".every_epsilon, or .lower and .upper"
 
     lower: fmpq | None
     upper: fmpq | None
