@@ -1,4 +1,7 @@
-"""The independent checker: its arithmetic against witnesses, what it accepts, its command line."""
+"""The independent checker: its arithmetic against witnesses, what it accepts, its command line.
+
+Page: proofs/check.md.
+"""
 
 from __future__ import annotations
 

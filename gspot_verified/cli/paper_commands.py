@@ -19,7 +19,7 @@ def verify(
     output: Annotated[Path, typer.Option(help="Directory of the report.")] = Path("report"),
     as_json: JsonFlag = False,
 ) -> None:
-    """Check the paper, claim by claim: Secs. 2, 4, 5 and Appendix A, and write the report (HTML, JSON, figures).
+    """Check the paper, Sections 1 to 6 and Appendices A and B, claim by claim, and write the report.
 
     Exit code 1 when a printed statement is refuted (the paper has misprints), 2 when one is undecided.
     """

@@ -14,16 +14,13 @@ from gspot_verified.ledger.closed_forms import ClosedForm
 from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.ledger.formulas import Forms, FormulaClaim, closed_form, put
 from gspot_verified.ledger.identities import in_greek
+from gspot_verified.ledger.theta_pages import INITIAL_VALUES, LAPLACE, MOMENT, NEGATIVE, POWER
 from gspot_verified.theta_function.asymptotic_coefficients import coefficient, coefficient_by_inversion
 from gspot_verified.theta_function.initial_values import initial_values
 from gspot_verified.theta_function.routes import theta_by
 
 SECTION = "Appendix A"
 BETAS = tuple(fmpq(n, 20) for n in (-104, -34, -6, 1, 6, 10, 19, 30, 38, 50, 66, 94, 122))
-PAGE_INITIAL_VALUE = "3^((k-beta)/3-1)*Gamma((k-beta)/3)/Gamma(-beta)"
-"""proofs/laplace.md, section 1: the derivative of order k of Θ at 0."""
-PAGE_POWER = "(-1)^k*Gamma(3*k-beta)/(Gamma(-beta)*3^k*fac(k))*x^(beta-3*k)"
-"""proofs/negative.md: the term t_k."""
 COEFFICIENTS = 8
 
 
@@ -101,11 +98,12 @@ def _cancellation() -> Entry:
         r"\text{the coefficients of } e_r, e_i \text{ vanish}",
         "With the initial values t01-t03 the coefficients of e_r and e_i, the highly oscillatory terms, are 0",
         claim.check("both sums of the three coefficients, as closed forms in β", _sums_vanish),
-        claim.check(
-            "proofs/negative.md: Θ minus N terms of its power series is below the next term, for every N; the initial "
-            "values are those of proofs/laplace.md, as closed forms in β",
-            lambda forms: [form / _page_initial_value(j) for j, form in enumerate(forms.values())],
-            Rung.PAGE,
+        NEGATIVE.carries(
+            claim.check(
+                "Θ minus N terms of its power series is below the next term, for every N; the initial "
+                "values are those of proofs/laplace.md, as closed forms in β",
+                lambda forms: [form / _page_initial_value(j) for j, form in enumerate(forms.values())],
+            ),
         ),
         Check(
             Rung.POINTS,
@@ -132,7 +130,7 @@ def _sums_vanish(forms: Forms) -> list[ClosedForm]:
 
 
 def _page_initial_value(j: int) -> ClosedForm:
-    return closed_form(put(PAGE_INITIAL_VALUE, k=str(j)))
+    return closed_form(put(MOMENT, k=str(j)))
 
 
 def _initial_value(j: int) -> Entry:
@@ -156,15 +154,17 @@ def _initial_value(j: int) -> Entry:
         f"eq:{label}",
         rf"{derivative}=\Gamma(({j}-\beta)/3)/(3^{{({3 - j}+\beta)/3}}\Gamma(-\beta))",
         f"{label} gives the solution without oscillatory terms, for every β that is not 0, 1, 2, ...",
-        claim.check(
-            "proofs/laplace.md section 1 (substitution r^3/3): its value and the printed one, as closed forms in β",
-            lambda forms: [forms["printed"] / _page_initial_value(j)],
-            Rung.PAGE,
+        LAPLACE.carries(
+            claim.check(
+                "section 1 (substitution r^3/3): its value and the printed one, as closed forms in β",
+                lambda forms: [forms["printed"] / _page_initial_value(j)],
+            ),
         ),
-        claim.check(
-            "proofs/initial_values.md: the entire form, by Gauss's multiplication formula, as closed forms in β",
-            lambda forms: [forms["entire"] / forms["printed"]],
-            Rung.PAGE,
+        INITIAL_VALUES.carries(
+            claim.check(
+                "the entire form, by Gauss's multiplication formula, as closed forms in β",
+                lambda forms: [forms["entire"] / forms["printed"]],
+            ),
         ),
         Check(
             Rung.POINTS,
@@ -191,18 +191,20 @@ def _leading_behaviour() -> Entry:
         "eq:hdef, line 2459",
         r"\Theta(\tau,\beta)\sim 3^{1-\beta/3}\Gamma(1+\beta)h(\tau,\beta)\sim(-\tau)^\beta",
         "Θ ~ 3^(1-β/3) Γ(1+β) h ~ (-τ)^β as τ → −∞, β not -1, -2, ...",
-        claim.check(
-            "proofs/negative.md: the rest after N terms is at most the next term, once 3N > β; every term of "
-            "3^(1-β/3) Γ(1+β) h is a term of that page, as closed forms in β, k and x",
-            lambda forms: [forms["small front"] * closed_form(printed.SERIES["h"]) / closed_form(PAGE_POWER)],
-            Rung.PAGE,
+        NEGATIVE.carries(
+            claim.check(
+                "the rest after N terms is at most the next term, once 3N > β; every term of "
+                "3^(1-β/3) Γ(1+β) h is a term of that page, as closed forms in β, k and x",
+                lambda forms: [forms["small front"] * closed_form(printed.SERIES["h"]) / closed_form(POWER)],
+            ),
         ),
-        claim.check(
-            "proofs/negative.md: the term with k = 0 is (-τ)^β, as closed forms in β and x",
-            lambda forms: [
-                forms["small front"] * closed_form(put(printed.SERIES["h"], k="0")) / forms["small leading"]
-            ],
-            Rung.PAGE,
+        NEGATIVE.carries(
+            claim.check(
+                "the term with k = 0 is (-τ)^β, as closed forms in β and x",
+                lambda forms: [
+                    forms["small front"] * closed_form(put(printed.SERIES["h"], k="0")) / forms["small leading"]
+                ],
+            ),
         ),
         Check(
             Rung.POINTS,

@@ -16,14 +16,13 @@ from gspot_verified.ledger.closed_forms import ALGEBRA, ClosedForm
 from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, settled
 from gspot_verified.ledger.formulas import Forms, FormulaClaim, closed_form, mended, put, quotient
 from gspot_verified.ledger.identities import in_greek
+from gspot_verified.ledger.theta_pages import CONNECTION, INITIAL_VALUES, POSITIVE, SADDLE
 
 SECTION = "Appendix A"
 EXCEPTIONS: dict[str, str] = {"0": "3*m", "1": "1+3*m", "2": "2+3*m"}
 """The β = j + 3m, m = 0, 1, 2, ..., at which formula j + 1 of th:5 fails."""
 TRIED = 3
 """How many m, and how many times three integers β, are tried in balls."""
-PAGE_SADDLE = "sqrt(pi)/Gamma(-beta)*tau^(-beta/2)*tau^(-3/4)*e^(2*lam/3)*(3/2)^k*tau^(-3*k/2)"
-"""proofs/positive.md: K √π g_k λ^(-k) with g_k = (3/2)^k c_k, without c_k."""
 SMALL_NAMES = ("bsmall1", "bsmall2", "bsmall3")
 LARGE_NAMES = ("blarge1", "blarge2", "blarge3")
 _SMALL_SOURCE = (
@@ -43,10 +42,11 @@ def small(j: int, betas: Sequence[fmpq]) -> Entry:
         f"th:4, eq:{SMALL_NAMES[j]}",
         _SMALL_SOURCE[j],
         "The formula holds as τ → −∞ for every β that is not an integer",
-        claim.check(
-            "proofs/connection.md: DLMF 16.11.8 with the parameters of th:3 put in, as closed forms in β, k and x",
-            lambda forms: _by_dlmf(j, forms),
-            Rung.PAGE,
+        CONNECTION.carries(
+            claim.check(
+                "DLMF 16.11.8 with the parameters of th:3 put in, as closed forms in β, k and x",
+                lambda forms: _by_dlmf(j, forms),
+            ),
         ),
         Check(
             Rung.POINTS,
@@ -94,17 +94,18 @@ def large(j: int, betas: Sequence[fmpq]) -> Entry:
         f"th:5, eq:{LARGE_NAMES[j]}",
         rf"{left}(\ldots)\sim 3^{{({3 - j})/3}}e_1/\Gamma(({j}-\beta)/3)",
         f"The formula holds as τ → +∞ for every β except {j}, {j + 3}, {j + 6}, ...",
-        claim.check(
-            "proofs/connection.md, β < 0: a third of eq. tlarge over the initial value; e_1 as in proofs/positive.md: "
-            "closed forms in β, k and τ",
-            lambda forms: [_by_connection(j) / forms[f"factor {j}"], _by_saddle_point()],
-            Rung.PAGE,
+        CONNECTION.carries(
+            claim.check(
+                "β < 0: a third of eq. tlarge over the initial value; e_1 as in proofs/positive.md: "
+                "closed forms in β, k and τ",
+                lambda forms: [_by_connection(j) / forms[f"factor {j}"], _by_saddle_point()],
+            ),
         ),
-        claim.check(
-            "proofs/connection.md, the step from β - 1 to β: d/dτ takes the formula for β to that for β - 1, as closed "
-            "forms in β",
-            lambda forms: [_step(j, forms)],
-            Rung.PAGE,
+        CONNECTION.carries(
+            claim.check(
+                "the step from β - 1 to β: d/dτ takes the formula for β to that for β - 1, as closed forms in β",
+                lambda forms: [_step(j, forms)],
+            ),
         ),
         Check(
             Rung.POINTS,
@@ -124,7 +125,7 @@ def _by_connection(j: int) -> ClosedForm:
 
 def _by_saddle_point() -> ClosedForm:
     """The terms of eq. tlarge over those of the page, for all k."""
-    return closed_form(printed.THETA["large front"]) * closed_form(printed.SERIES["e_1"]) / closed_form(PAGE_SADDLE)
+    return closed_form(printed.THETA["large front"]) * closed_form(printed.SERIES["e_1"]) / closed_form(SADDLE)
 
 
 def _step(j: int, forms: Forms) -> ClosedForm:
@@ -209,23 +210,26 @@ def theta_large(betas: Sequence[fmpq]) -> Entry:
         "eq:tlarge",
         r"\Theta\sim\frac{3^{1-\beta/3}}{\Gamma(-\beta)}e_1\sim\frac{\sqrt\pi}{\Gamma(-\beta)}e^{(2/3)\tau^{3/2}}\tau^{-\beta/2-3/4}",
         "Both asymptotic forms hold as τ → +∞ for every β that is not 0, 1, 2, ...",
-        claim.check(
-            "proofs/positive.md (explicit remainder): each term, as a closed form in β, k and τ",
-            lambda forms: [
-                _by_saddle_point(),
-                forms["large leading"] / closed_form(put(PAGE_SADDLE, k="0")),
-            ],
-            Rung.PAGE,
+        POSITIVE.carries(
+            claim.check(
+                "(explicit remainder): each term, as a closed form in β, k and τ",
+                lambda forms: [
+                    _by_saddle_point(),
+                    forms["large leading"] / closed_form(put(SADDLE, k="0")),
+                ],
+            ),
         ),
-        claim.check(
-            "proofs/positive.md: the second form is the first with k = 0, as closed forms in β and τ",
-            lambda forms: [forms["large front"] * closed_form(_leading_e_1("beta")) / forms["large leading"]],
-            Rung.PAGE,
+        POSITIVE.carries(
+            claim.check(
+                "the second form is the first with k = 0, as closed forms in β and τ",
+                lambda forms: [forms["large front"] * closed_form(_leading_e_1("beta")) / forms["large leading"]],
+            ),
         ),
-        claim.check(
-            "proofs/initial_values.md: the leading term of the polynomial at β = n, for all n",
-            lambda forms: [closed_form(put(printed.INTEGER_POLYNOMIAL, m="0")) / forms["integer leading"]],
-            Rung.PAGE,
+        INITIAL_VALUES.carries(
+            claim.check(
+                "the leading term of the polynomial at β = n, for all n",
+                lambda forms: [closed_form(put(printed.INTEGER_POLYNOMIAL, m="0")) / forms["integer leading"]],
+            ),
         ),
         Check(
             Rung.POINTS,

@@ -20,6 +20,7 @@ from gspot_verified.ledger.gamma_cells import induction
 from gspot_verified.ledger.identities import in_greek
 from gspot_verified.ledger.section_4_5 import CORRECTED as CORRECTED_FORCE
 from gspot_verified.ledger.section_4_5 import PRINTED as FORCE
+from gspot_verified.ledger.theta_pages import IWC, SIGNS_INTEGRAL, SIGNS_RIGHT
 from gspot_verified.signs.iwc import iwc
 from gspot_verified.signs.side import side_switching
 from gspot_verified.signs.sign import sign_on_ranges
@@ -59,6 +60,7 @@ SIDE_BETAS = (fmpq(3, 2), fmpq(5, 2), fmpq(7, 2), fmpq(9, 2), fmpq(7, 3))
 IWC_BETAS = (fmpq(3, 2), fmpq(7, 3), fmpq(7, 2), fmpq(9, 2), fmpq(13, 2))
 BELOW = fmpq(99, 100)
 """The ε that is tried is this share of the found ε_0."""
+_ANSWERS = {Outcome.PROVED: True, Outcome.REFUTED: False, Outcome.UNDECIDED: None}
 
 
 def _claim(identifier: str) -> FormulaClaim:
@@ -71,27 +73,27 @@ def _iwc() -> Entry:
     sign = sign_of(appendix.value_of(PRINTED["S-iwc"]["sign"], fmpq(1, 2), 64)) or 0
     cover = sign_on_ranges("-inf..inf", BETA_RANGE["S-iwc"], sign)
     pieces = [piece.kind.value for column in cover.columns for piece in column.pieces]
-    answer = {Outcome.PROVED: True, Outcome.REFUTED: False, Outcome.UNDECIDED: None}[cover.verdict.outcome]
     return settled(
         SECTION,
         "S-iwc",
         "lines 1278 to 1291 (Cases I and II)",
         r"\frac{d\Theta}{d\tau}(\tau,\beta)<0\quad(\tau\in\mathbb R,\ 0<\beta<1)",
         "For 0 < β < 1, dΘ/dτ < 0 for every real τ",
-        _claim("S-iwc").check_sign(
-            "proofs/signs.md, first proof: Γ(-β) dΘ/dτ is an integral with positive integrand, which converges for "
-            "β < 1; Γ(-β) has the sign for every β in (0, 1)",
-            lambda forms: [
-                closed_form(put("Gamma(-beta)", **images)) / forms["sign"],
-                closed_form(put("1-beta", **images)),
-            ],
-            Rung.PAGE,
+        SIGNS_INTEGRAL.carries(
+            _claim("S-iwc").check_sign(
+                "first proof: Γ(-β) dΘ/dτ is an integral with positive integrand, which converges for "
+                "β < 1; Γ(-β) has the sign for every β in (0, 1)",
+                lambda forms: [
+                    closed_form(put("Gamma(-beta)", **images)) / forms["sign"],
+                    closed_form(put("1-beta", **images)),
+                ],
+            ),
         ),
         Check(
             Rung.BALLS,
             "second proof: positive Taylor coefficients for τ >= 0, enveloping series for τ <= -2^(1/3), "
             "a cover by Taylor models on boxes between",
-            answer,
+            _ANSWERS[cover.verdict.outcome],
             "pieces from τ = −∞ to +∞: " + ", ".join(pieces),
         ),
         note='The paper calls this "strong evidence, although not quite a proof". With C_1 < 0 and '
@@ -157,8 +159,7 @@ def _lift_off_side() -> Entry:
                 "alpha2": fmpq(-1),
                 "alpha3": -beta,
             }
-            values |= {"kappa": fmpq(1), "eps": fmpq(1, 10**6)}
-            values["slope"] = slope
+            values |= {"kappa": fmpq(1), "eps": fmpq(1, 10**6), "slope": slope}
             mean = evaluate_text(CORRECTED_FORCE["S-mean-force"]["force"], values, 64).real
             deviation = evaluate_text(FORCE["S-deviation-force"]["force"], values, 64).real
             side = evaluate_text(PRINTED["S-side"]["side"], values, 64).real
@@ -171,11 +172,12 @@ def _lift_off_side() -> Entry:
         r"C_1/\Gamma(-\beta)<0",
         "For β > 1 not an integer, at leading order, the contact lifts off when C_1/Γ(-β) < 0: "
         "λ_N becomes negative for τ large, and stays positive there for the other sign",
-        _claim("S-side").check_sign(
-            "proofs/signs.md (τ → +∞): the formula of S-deviation-force with the leading form of dΘ/dτ over C_1/Γ(-β) "
-            "is positive and grows without bound; the corrected mean force is positive (Case III, symbols α_1, α_2, β)",
-            lambda forms: _force_far_right("S-side", forms["side"]),
-            Rung.PAGE,
+        SIGNS_RIGHT.carries(
+            _claim("S-side").check_sign(
+                "τ → +∞: S-deviation-force with the leading form of dΘ/dτ over C_1/Γ(-β) is positive and grows without "
+                "bound; the corrected mean force is positive (Case III, symbols α_1, α_2, β)",
+                lambda forms: _force_far_right("S-side", forms["side"]),
+            ),
         ),
         Check(
             Rung.POINTS,
@@ -193,8 +195,7 @@ def _other_side() -> Entry:
         sign_of(evaluate_text(PRINTED["S-iwc-case-III"]["side"], {"C_1": found.force.c1, "beta": beta}, 64).real)
         for beta, found in results.items()
     ]
-    answers = {Outcome.PROVED: True, Outcome.REFUTED: False, Outcome.UNDECIDED: None}
-    holds = all_of(answers[iwc(beta, epsilon=bound * BELOW).verdict.outcome] for beta, bound in bounds.items())
+    holds = all_of(_ANSWERS[iwc(beta, epsilon=bound * BELOW).verdict.outcome] for beta, bound in bounds.items())
     images = HYPOTHESES["S-iwc-case-III"]
     power = closed_form(put(FORCE["S-dominance"]["exponent"], **images))
     return settled(
@@ -204,11 +205,12 @@ def _other_side() -> Entry:
         r"\hat\lambda_N>0\quad(C_1/\Gamma(-\beta)>0)",
         "For β > 1 not an integer and C_1/Γ(-β) > 0, at leading order: on every half-line [τ_0, ∞) the contact force "
         "λ_N is positive for all ε below an explicit ε_0",
-        _claim("S-iwc-case-III").check_sign(
-            "proofs/iwc.md: C_1 dΘ/dτ is bounded below on [τ_0, ∞), since it tends to infinity with the sign of "
-            "C_1/Γ(-β); the mean force and the exponent of ε are positive (Case III, symbols α_1, α_2, β)",
-            lambda forms: [*_force_far_right("S-iwc-case-III", forms["side"]), power],
-            Rung.PAGE,
+        IWC.carries(
+            _claim("S-iwc-case-III").check_sign(
+                "C_1 dΘ/dτ is bounded below on [τ_0, ∞), since it tends to infinity with the sign of "
+                "C_1/Γ(-β); the mean force and the exponent of ε are positive (Case III, symbols α_1, α_2, β)",
+                lambda forms: [*_force_far_right("S-iwc-case-III", forms["side"]), power],
+            ),
         ),
         Check(
             Rung.POINTS,
@@ -233,19 +235,21 @@ def _growth() -> Entry:
         "line 1302",
         r"\tau_{\text{lift-off}}\sim\log(\varepsilon)^{2/3}",
         "The lift-off time grows like |log ε|^(2/3) as ε → 0",
-        claim.check(
-            "proofs/signs.md, last section: (2/3) τ^(3/2) = ((2 β - 2)/3) ln(1/ε) with the exponents of eq. tlarge and "
-            "of S-deviation-force, for a symbol β",
-            lambda forms: [
-                closed_form("3/2") * forms["power"],
-                rational(leading.exponent("e")) / closed_form("lam") * forms["rate"] / rational(exponent),
-            ],
-            Rung.PAGE,
+        SIGNS_RIGHT.carries(
+            claim.check(
+                "last section: (2/3) τ^(3/2) = ((2 β - 2)/3) ln(1/ε) with the exponents of eq. tlarge and "
+                "of S-deviation-force, for a symbol β",
+                lambda forms: [
+                    closed_form("3/2") * forms["power"],
+                    rational(leading.exponent("e")) / closed_form("lam") * forms["rate"] / rational(exponent),
+                ],
+            ),
         ),
-        claim.under(**HYPOTHESES["S-growth"]).check_sign(
-            "proofs/signs.md, last section: for β > 1 the rate and the power are positive",
-            lambda forms: list(forms.values()),
-            Rung.PAGE,
+        SIGNS_RIGHT.carries(
+            claim.under(**HYPOTHESES["S-growth"]).check_sign(
+                "last section: for β > 1 the rate and the power are positive",
+                lambda forms: list(forms.values()),
+            ),
         ),
         Check(
             Rung.POINTS,

@@ -109,16 +109,21 @@ class FormulaClaim:
     def _check(
         self, what: str, route: Route, rung: Rung, holds: Callable[[ClosedForm], bool | None], wanted: str, finding: str
     ) -> Check:
+        return Check(rung, what, *self._answer(route, holds, wanted, finding))
+
+    def _answer(
+        self, route: Route, holds: Callable[[ClosedForm], bool | None], wanted: str, finding: str
+    ) -> tuple[bool | None, str]:
         found = _first_failure(route, self.printed, holds)
         if found is None:
-            return Check(rung, what, True)
+            return True, ""
         answer, value = found
         if answer is None:
-            return Check(rung, what, None, f"open: {value}")
+            return None, f"open: {value}"
         if self.corrected and _first_failure(route, {**self.printed, **self.corrected}, holds) is not None:
-            return Check(rung, what, None, "the printed and the corrected form fail")
+            return None, "the printed and the corrected form fail"
         repair = f"; with the corrected form it is {wanted}" if self.corrected else ""
-        return Check(rung, what, False, finding or f"the quotient is {in_greek(value)}, not {wanted}{repair}")
+        return False, finding or f"the quotient is {in_greek(value)}, not {wanted}{repair}"
 
 
 def _is_one(form: ClosedForm) -> bool | None:

@@ -114,16 +114,19 @@ class Claim:
 
     def check(self, what: str, route: Route, rung: Rung = Rung.EXACT) -> Check:
         """Whether the route gives zero. A failure needs the corrected form, if there is one, to give zero."""
-        answer = self._first_failure(route, self.printed)
-        if answer is None:
-            return Check(rung, what, None, "nothing was checked")
-        if answer == "":
-            return Check(rung, what, True)
+        return Check(rung, what, *self._answer(route))
+
+    def _answer(self, route: Route) -> tuple[bool | None, str]:
+        left = self._first_failure(route, self.printed)
+        if left is None:
+            return None, "nothing was checked"
+        if left == "":
+            return True, ""
         fixed = self._first_failure(route, {**self.printed, **self.corrected})
         if self.corrected and fixed != "":
-            return Check(rung, what, None, f"printed: {answer}; corrected: {fixed}")
+            return None, f"printed: {left}; corrected: {fixed}"
         holds = "; the corrected form gives 0" if self.corrected else ""
-        return Check(rung, what, False, f"the printed form leaves {answer} instead of 0{holds}")
+        return False, f"the printed form leaves {left} instead of 0{holds}"
 
     def _first_failure(self, route: Route, texts: Mapping[str, str]) -> str | None:
         found = route({name: self.algebra.read(text) for name, text in texts.items()})

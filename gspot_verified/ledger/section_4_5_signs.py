@@ -14,6 +14,7 @@ from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, all_of, sa
 from gspot_verified.ledger.formulas import FormulaClaim, closed_form, mended, put, quotient, rational_value
 from gspot_verified.ledger.gamma_cells import induction, is_cell, sign_on_cell
 from gspot_verified.ledger.identities import in_greek
+from gspot_verified.ledger.theta_pages import INITIAL_VALUES, SIGNS_LEFT, SIGNS_RIGHT
 from gspot_verified.signs.side import gamma_sign_by_ball
 from gspot_verified.signs.tails import left_threshold
 from gspot_verified.theta_function.evaluate import evaluate
@@ -62,11 +63,12 @@ def _sign_at_minus_infinity() -> Entry:
         "eq:dTheta_sign, first row",
         r"\frac{d\Theta}{d\tau}<0\ (\tau\to-\infty)",
         "dΘ/dτ is negative for τ large and negative, for every β > 0",
-        claim.check_sign(
-            "proofs/signs.md: an explicit T(β), from the enveloping series of -β Θ(τ, β - 1), whose first term "
-            "-β (-τ)^(β-1) has the sign for every β > 0",
-            lambda forms: [closed_form(put(leading, **HYPOTHESES["S-minus-infinity"])) / forms["sign"]],
-            Rung.PAGE,
+        SIGNS_LEFT.carries(
+            claim.check_sign(
+                "an explicit T(β), from the enveloping series of -β Θ(τ, β - 1), whose first term "
+                "-β (-τ)^(β-1) has the sign for every β > 0",
+                lambda forms: [closed_form(put(leading, **HYPOTHESES["S-minus-infinity"])) / forms["sign"]],
+            ),
         ),
         Check(Rung.POINTS, "certified sign at -T(β) for β = 0.1, 0.2, ..., 12.9", agrees),
     )
@@ -138,17 +140,19 @@ def _sign_at_infinity() -> Entry:
         "eq:dTheta_sign, third row",
         r"\frac{d\Theta}{d\tau}\to\infty\cdot\frac1{\Gamma(-\beta)}",
         "dΘ/dτ is very large with the sign of 1/Γ(-β) for τ large and positive, β > 0 not an integer",
-        claim.check_sign(
-            "proofs/signs.md, proofs/positive.md: -β times the leading form of Θ(τ, β - 1) over 1/Γ(-β) is positive "
-            "and grows like e^(2/3 τ^(3/2)), for a symbol β",
-            lambda forms: [growth / forms["sign of"], rational(growth.exponent("e"))],
-            Rung.PAGE,
+        SIGNS_RIGHT.carries(
+            claim.check_sign(
+                "-β times the leading form of Θ(τ, β - 1) over 1/Γ(-β) is positive "
+                "and grows like e^(2/3 τ^(3/2)), for a symbol β",
+                lambda forms: [growth / forms["sign of"], rational(growth.exponent("e"))],
+            ),
         ),
         Check(Rung.POINTS, "certified sign at τ = 60 for β = 0.1, ..., 12.9 without the integers", agrees),
-        FormulaClaim({"leading": at_integers}).check(
-            "proofs/initial_values.md: the leading term of dΘ/dτ at β = n, for all n",
-            lambda forms: [leading / forms["leading"]],
-            Rung.PAGE,
+        INITIAL_VALUES.carries(
+            FormulaClaim({"leading": at_integers}).check(
+                "the leading term of dΘ/dτ at β = n, for all n",
+                lambda forms: [leading / forms["leading"]],
+            ),
         ),
         corrected=f"at an integer β = n, dΘ/dτ is a polynomial with leading term {in_greek(at_integers)}",
     )

@@ -16,6 +16,7 @@ from gspot_verified.ledger.section_4_inner import INNER_SCALE, scaled
 from gspot_verified.ledger.section_4_outer import ALGEBRA as OUTER_ALGEBRA
 from gspot_verified.ledger.section_4_outer import PRINTED as OUTER
 from gspot_verified.ledger.section_4_slow import PRINTED as SLOW
+from gspot_verified.ledger.theta_pages import NEGATIVE
 
 SECTION = "Section 4"
 ALGEBRA = Algebra("beta K E D S alpha1")
@@ -95,15 +96,17 @@ def _matching() -> Entry:
             ALGEBRA.substitute(_in_delta(parts["scale"]) - parts["outer"] * _log_time(), at_one),
         ]
 
-    page = "proofs/negative.md, Θ(τ, β) ~ (-τ)^β as τ → −∞ (entry A-leading)"
+    leading = "Θ(τ, β) ~ (-τ)^β as τ → −∞ (entry A-leading)"
     return settled(
         SECTION,
         "4-matching",
         "eq:bhat_inner",
         r"\hat b(s)=C_1\kappa^{-\beta}\epsilon^{2\beta/3}\Theta(\kappa s,\beta)\sim C_1(-t)^\beta",
         "The leading inner solution matches C_1 (-t)^β of the outer solution as s → −∞, for every β",
-        this.check(f"{page}; the exponents of κ, ε and -s on both sides, β a symbol", exponents, Rung.PAGE),
-        this.check(f"{page}; both sides solve the slow equation and agree at τ = -1", slow_equation, Rung.PAGE),
+        NEGATIVE.carries(this.check(f"{leading}; the exponents of κ, ε and -s on both sides, β a symbol", exponents)),
+        NEGATIVE.carries(
+            this.check(f"{leading}; both sides solve the slow equation and agree at τ = -1", slow_equation)
+        ),
         note="κ > 0 (entry 4-theta), so that s → −∞ is τ → −∞.",
     )
 

@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.ledger.entry import Builders, Entry, settled
 from gspot_verified.ledger.identities import Algebra, rising_signs
+from gspot_verified.ledger.page import Page
 from gspot_verified.ledger.section_4_inner import PRINTED as INNER
 
-_PAGE = "proofs/oscillating_solutions.md"
+_PAGE = "oscillating_solutions"
 ALGEBRA = Algebra("tau c F0 F1 G0 G1 u sine cosine")
 _SYMBOLS = ALGEBRA.symbols
 POWERS = {"power series": "beta", "oscillating": "-beta/2 - 3/4"}
@@ -74,17 +75,11 @@ def _behaves_like() -> Entry:
         "line 1219",
         r"\text{there is a unique solution } \Theta(\tau,\beta) \text{ that behaves like } (-\tau)^\beta",
         "Θ is the only solution with θ ~ (-τ)^β as τ → −∞",
-        Check(
-            Rung.PAGE,
-            f"{_PAGE}, section 1, first proof: oscillating solutions are O((-τ)^(-β/2-3/4)), a smaller power",
-            False if smaller_than_the_power() else None,
-            finding,
+        Page(_PAGE, (smaller_than_the_power,)).refutation(
+            "section 1, first proof: oscillating solutions are O((-τ)^(-β/2-3/4)), a smaller power", finding
         ),
-        Check(
-            Rung.PAGE,
-            f"{_PAGE}, section 1, second proof: a product of Airy functions at β = 1/2",
-            False if airy_solves() and airy_leading_term_cancels() else None,
-            at_half,
+        Page(_PAGE, (airy_solves, airy_leading_term_cancels)).refutation(
+            "section 1, second proof: a product of Airy functions at β = 1/2", at_half
         ),
         corrected="the only solution that is the power series of A-leading up to o((-τ)^(-β/2-3/4)): the only one "
         "without e_r and e_i that is ~ (-τ)^β",

@@ -6,20 +6,19 @@ and its derivatives, k for the number of a derivative or of a power of t.
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from flint import fmpq_mpoly
 
 from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, settled
 from gspot_verified.ledger.extended_system import extended_terms
 from gspot_verified.ledger.identities import Claim, Parts, Route, rising_signs
+from gspot_verified.ledger.page import Page
 from gspot_verified.ledger.section_4_outer import ALGEBRA, around, with_c
 from gspot_verified.ledger.section_4_outer import PRINTED as OUTER
 from gspot_verified.ledger.section_4_trivial import CORRECTED as TRIVIAL
 from gspot_verified.ledger.section_4_trivial import first_terms
 
 SECTION = "Section 4"
-_PAGE = "proofs/smooth_trajectory.md"
+_PAGE = "smooth_trajectory"
 _SYMBOLS = ALGEBRA.symbols
 _WITH_BETA = {"alpha3": ALGEBRA.read("beta*alpha1")}
 PRINTED: dict[str, dict[str, str]] = {
@@ -136,10 +135,7 @@ def _unique() -> Entry:
     this = Claim(ALGEBRA, PRINTED["4-unique"])
 
     def on_page(what: str, route: Route) -> Check:
-        check = this.check(f"{_PAGE}, {what}", route, Rung.PAGE)
-        if check.agrees and not differs_from_integers():
-            return replace(check, agrees=None, finding="β may be an integer k, with the smooth solution t^k")
-        return check
+        return Page(_PAGE, (differs_from_integers,)).carries(this.check(what, route))
 
     return settled(
         SECTION,
@@ -184,32 +180,30 @@ def bounded_coefficients() -> bool:
     return bool(recurrence.is_zero()) and all(positive)
 
 
-def _smooth() -> Entry:
-    finding = "b = c α_1 t + exp(-1/ε²) φ solves it too, and exp(-1/ε²) φ is smooth in t and ε >= 0"
+def deviation_solves() -> bool:
+    """Whether the trivial solution plus w φ leaves w times modelSysDev of φ: a solution for every w."""
     trivial = around(
         ALGEBRA.read(OUTER["4-eliminated"]["equation"]), ALGEBRA.read(PRINTED["4-unique"]["b"]), _SYMBOLS["w"]
     )
     deviation = ALGEBRA.replaced(
         ALGEBRA.read(OUTER["4-deviation"]["equation"]), "b", [_SYMBOLS[f"f{k}"] for k in range(5)], ALGEBRA.constant(0)
     )
-    solves = trivial == _SYMBOLS["w"] * deviation
+    return bool(trivial == _SYMBOLS["w"] * deviation)
+
+
+def _smooth() -> Entry:
+    finding = "b = c α_1 t + exp(-1/ε²) φ solves it too, and exp(-1/ε²) φ is smooth in t and ε >= 0"
     return settled(
         SECTION,
         "4-unique-smooth",
         "lines 1015 to 1018",
         r"\text{it is the only solution that is smooth in } t \text{ and } \epsilon",
         "For β not an integer the trivial solution is the only one that is smooth (C^∞) in t and ε",
-        Check(
-            Rung.PAGE,
-            f"{_PAGE}, section 3, first proof: φ and its derivatives grow at most like exp(K/ε), by Gronwall",
-            False if solves and bounded_in_fast_time() else None,
-            finding,
+        Page(_PAGE, (deviation_solves, bounded_in_fast_time)).refutation(
+            "section 3, first proof: φ and its derivatives grow at most like exp(K/ε), by Gronwall", finding
         ),
-        Check(
-            Rung.PAGE,
-            f"{_PAGE}, section 3, second proof: the power series of φ in t/ε, and Cauchy's estimates in ε",
-            False if solves and bounded_coefficients() else None,
-            finding,
+        Page(_PAGE, (deviation_solves, bounded_coefficients)).refutation(
+            "section 3, second proof: the power series of φ in t/ε, and Cauchy's estimates in ε", finding
         ),
         corrected="the only formal series in ε with smooth coefficients (4-unique), and the only solution analytic in "
         "ε; smooth solutions differ from it by less than every power of ε",

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from flint import fmpq, fmpq_mpoly
 
-from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.ledger.entry import Builders, Entry, Rung, settled
 from gspot_verified.ledger.extended_system import extended_terms
 from gspot_verified.ledger.identities import Algebra, Claim, Parts
 from gspot_verified.ledger.leading_order import leading
 from gspot_verified.ledger.section_4_inner import PRINTED as SECTION_4
 from gspot_verified.ledger.section_5_recursion import PRINTED as RECURSION
+from gspot_verified.ledger.theta_pages import NEGATIVE
 
 SECTION = "Section 5, outer system and matching"
 ALGEBRA = Algebra(
@@ -214,10 +215,8 @@ def _matching() -> Entry:
         "lines 2079 to 2083",
         r"\hat b(s)=b_0\kappa^{-\beta}\epsilon^{2\beta/3}\Theta(\kappa s,\beta)",
         "The inner solution b_0 κ^(-β) ε^(2β/3) Θ(κ s, β) matches b_0 (-t)^β of the outer solution",
-        Check(Rung.PAGE, "proofs/negative.md: Θ(τ, β) ~ (-τ)^β as τ → −∞", True),
-        this.check(
-            "the powers of κ and ε, for every β, given Θ(τ, β) ~ (-τ)^β of proofs/negative.md", exponents, Rung.PAGE
-        ),
+        NEGATIVE.check("Θ(τ, β) ~ (-τ)^β as τ → −∞"),
+        NEGATIVE.carries(this.check("the powers of κ and ε, for every β, given this", exponents)),
         this.check("Θ as a polynomial at β = 2, ..., 7: (-t)^β and positive powers of ε", integers, Rung.POINTS),
         note="This b is the unscaled deviation: ε^(2β/3) times the hatted b of lines 2053 to 2071.",
     )

@@ -14,7 +14,8 @@ from gspot_verified.ledger.double_series import POWER_OF_DELTA, example_series
 from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.ledger.explicit_expansions import LEMMA, SPACES, Shift
 from gspot_verified.ledger.extended_system import extended_terms
-from gspot_verified.ledger.identities import Algebra
+from gspot_verified.ledger.identities import Algebra, rising_signs
+from gspot_verified.ledger.page import Page
 from gspot_verified.ledger.powers_of_eps import exponents, later, progressions, sums
 
 SECTION = "Section 5, Theorem 1"
@@ -57,6 +58,19 @@ def dependence() -> bool:
     left = n - INDICES.read(LOWEST["order of xi_k"])
     beyond = INDICES.substitute(left, {"k": highest + k})
     return INDICES.substitute(left, {"k": highest}).is_zero() and bool(beyond == -k)
+
+
+def products_of_factors() -> bool:
+    """A product of m factors ξ_k has the order n = Σ (k + 2): k = n - 2 for m = 1, and less for m > 1.
+
+    rho is the sum of the other k, nu + 1 the number of the other factors, for m > 1.
+    """
+    order = INDICES.read(LOWEST["order of xi_k"])
+    others = INDICES.substitute(order, {"k": INDICES.symbols["rho"]}) + 2 * INDICES.symbols["nu"]
+    highest = INDICES.read(LOWEST["highest k"])
+    alone = INDICES.substitute(highest, {"n": order}) - INDICES.symbols["k"]
+    below = INDICES.substitute(highest, {"n": order + others}) - INDICES.symbols["k"]
+    return alone.is_zero() and rising_signs(below) and below.total_degree() == 1 and below[(0,) * 5] > 0
 
 
 def lemma_by_induction() -> bool:
@@ -124,11 +138,14 @@ def _lemma_orders() -> Entry:
         "thm:expansion, first part",
         r"f_n=f_n(\xi_0,\ldots,\xi_{n-2}),\quad \partial f_n/\partial\xi_{n-2}=f_\xi(\xi^*)",
         "f_n depends on ξ_k with k <= n - 2 only, linearly on ξ_(n-2) with the coefficient f_ξ(ξ*)",
-        Check(Rung.PAGE, "proofs/expansion.md, section 1: ∂f_n/∂ξ_k = (f_ξ)_(n-2-k)", True),
+        Page("expansion", (dependence,)).check(
+            "section 1: ∂f_n/∂ξ_k = (f_ξ)_(n-2-k), and n - 2 - k is 0 at k = n - 2, negative beyond, for every n"
+        ),
         Check(
-            Rung.PAGE,
-            "the step of proofs/expansion.md: n - 2 - k is 0 at k = n - 2, negative beyond, for every n",
-            dependence() or None,
+            Rung.EXACT,
+            "Taylor's formula: a product of m factors ξ_k δ^(k+2) of the order n, for every n and m: its highest k is "
+            "n - 2 for m = 1 and lower for m > 1",
+            products_of_factors() or None,
         ),
         Check(
             Rung.POINTS,
@@ -169,7 +186,7 @@ def _theorem() -> Entry:
         "th:1, the spaces",
         r"p_{2\nu},b_{2\nu},\xi_{2\nu}\in P_{\nu+1},\ \ldots,\ \lambda_{2\nu+1}\in P_{\nu-4}",
         "The terms of Theorem 1 are in the stated spaces, for every order",
-        Check(Rung.PAGE, "proofs/expansion.md, section 4", True),
+        Page("expansion", (dependence, lemma_by_induction, lemma_by_powers_of_eps)).check("section 4"),
         Check(
             Rung.EXACT,
             "the steps of the induction, each for every ν at once: " + ", ".join(proved),

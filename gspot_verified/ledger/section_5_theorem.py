@@ -12,9 +12,10 @@ from gspot_verified.expansion.recursion import Recursion
 from gspot_verified.ledger import explicit_expansions as explicit
 from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.ledger.identities import Algebra, readable
+from gspot_verified.ledger.page import Page
 from gspot_verified.ledger.section_5_recursion import ALGEBRA as RECURSION
 from gspot_verified.ledger.section_5_recursion import CORRECTED, PRINTED
-from gspot_verified.ledger.section_5_spaces import UNSCALED
+from gspot_verified.ledger.section_5_spaces import UNSCALED, dependence
 
 SECTION = "Section 5, Theorem 1"
 ALGEBRA = Algebra("alpha1 alpha3 beta k u0 u3 jacobian n M")
@@ -57,6 +58,20 @@ def unjustified() -> list[str]:
         if number == 0 or any(all(factor not in (a, -a) for a in allowed) for factor, _ in factors):
             found.append(f"{name}: {readable(value)}")
     return found
+
+
+def divisors_are_justified() -> bool:
+    """Whether every divisor is a product of factors that a hypothesis keeps from 0."""
+    return not unjustified()
+
+
+def is_triangular() -> bool:
+    """Whether the operator of b_n takes s^k to its multiple and a multiple of s^(k-3), which is 0 for k < 3."""
+    image = RECURSION.read({**PRINTED["5-monomial"], **CORRECTED["5-monomial"]}["image"])
+    same, lower = image.derivative("u3"), image.derivative("u0")
+    rest = image - same * RECURSION.symbols["u3"] - lower * RECURSION.symbols["u0"]
+    ends = [RECURSION.substitute(lower, {"k": RECURSION.constant(k)}) for k in range(3)]
+    return all(value.is_zero() for value in (rest, *ends))
 
 
 def rank_defect(degree: int, alpha_1: fmpq, alpha_3: fmpq) -> int:
@@ -110,6 +125,11 @@ def stated_is_first(kind: str) -> bool:
     return any(stated - before == ALGEBRA.symbols["M"] for before in KNOWN_BEFORE[kind].values())
 
 
+def truncation_is_felt_at_the_stated_orders() -> bool:
+    """Whether no order below the stated ones feels the truncation, and the stated ones do, for every M."""
+    return all(not felt_by_truncation(kind) and stated_is_first(kind) for kind in RESIDUAL_ORDERS)
+
+
 def residual_begins(recursion: Recursion, terms: int) -> int:
     """The first order of specialX to specialL that does not vanish for the sums of the first terms."""
     orders = len(recursion.p)
@@ -118,7 +138,6 @@ def residual_begins(recursion: Recursion, terms: int) -> int:
 
 
 def _existence() -> Entry:
-    rest = unjustified()
     found = explicit.recursions()
     return settled(
         SECTION,
@@ -126,13 +145,10 @@ def _existence() -> Entry:
         "th:1",
         r"\exists!\ \xi_n,p_n,b_n,y_n,v_n,z_n,\lambda_n\text{ polynomials in }s",
         "For β not an integer the equations and conditions have exactly one expansion in polynomials of s",
-        Check(Rung.PAGE, "proofs/expansion.md, sections 2 and 3: induction over n", True),
-        Check(
-            Rung.PAGE,
-            "the step of proofs/expansion.md from n - 1 to n: every divisor is a product of factors that a "
-            "hypothesis keeps from 0 (with entries 5-orders, 5-third-order, 5-monomial, 5-step-3, 5-lemma-orders)",
-            None if rest else True,
-            "; ".join(rest),
+        Page("expansion", (dependence, is_triangular, divisors_are_justified)).check(
+            "sections 2 and 3, induction over n: the terms of functions are known, the operator of b_n is triangular, "
+            "and every divisor is a product of factors that a hypothesis keeps from 0 (with entries 5-orders, "
+            "5-third-order, 5-monomial, 5-step-3, 5-lemma-orders)"
         ),
         Check(
             Rung.POINTS,
@@ -151,7 +167,6 @@ def _existence() -> Entry:
 
 
 def _orders() -> Entry:
-    kinds = tuple(RESIDUAL_ORDERS)
     begins = [(residual_begins(r, terms), terms) for r in explicit.recursions() for terms in (2, 4, 6)]
     stated = [ALGEBRA.substitute(ALGEBRA.read(RESIDUAL_ORDERS["equations"]), {"M": ALGEBRA.constant(terms)})
               for _, terms in begins]  # fmt: skip
@@ -161,12 +176,9 @@ def _orders() -> Entry:
         "th:1, the orders of the residuals",
         r"O(\delta^M),\quad O(\delta^{M+2})",
         "The sums of the first M terms satisfy specialX to specialL up to O(δ^M), pbc to Jbc up to O(δ^(M+2))",
-        Check(Rung.PAGE, "proofs/expansion.md, section 3, orders; a constant: proofs/residual.md", True),
-        Check(
-            Rung.PAGE,
-            "the step of proofs/expansion.md: the orders below know terms of orders below M only, the "
-            "stated ones know the term of order M, for every M",
-            all(not felt_by_truncation(kind) and stated_is_first(kind) for kind in kinds) or None,
+        Page("expansion", (dependence, truncation_is_felt_at_the_stated_orders)).check(
+            "section 3, orders: the orders below know terms of orders below M only, the stated ones know the term of "
+            "order M, for every M; a constant: proofs/residual.md"
         ),
         Check(
             Rung.POINTS,

@@ -1,3 +1,5 @@
+"""Tests of what proofs/certificate.md states."""
+
 from __future__ import annotations
 
 import hashlib

@@ -1,4 +1,7 @@
-"""Flight and touch-down: against the differential equations, the number of touch-downs, states that must be refused."""
+"""Flight and touch-down: against the differential equations, the number of touch-downs, states that must be refused.
+
+Page: proofs/flight.md.
+"""
 
 from __future__ import annotations
 

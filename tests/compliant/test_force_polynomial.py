@@ -1,4 +1,7 @@
-"""F_n at integers: the recurrence against the coefficients of the exponential; Sturm's count against isolated roots."""
+"""F_n at integers: the recurrence against the coefficients of the exponential; Sturm's count against isolated roots.
+
+Page: proofs/finite_epsilon_zeros.md.
+"""
 
 from __future__ import annotations
 

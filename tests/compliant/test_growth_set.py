@@ -1,5 +1,8 @@
 """The growth sets: motions that start in them are followed by series; each hypothesis is needed for membership; states
-whose K is negative are in none of them."""
+whose K is negative are in none of them.
+
+Page: proofs/flight.md.
+"""
 
 from __future__ import annotations
 

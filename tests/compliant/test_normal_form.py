@@ -1,4 +1,7 @@
-"""The normal form against the paper's own equations, in exact rationals."""
+"""The normal form against the paper's own equations, in exact rationals.
+
+Page: proofs/exact_solution.md.
+"""
 
 from __future__ import annotations
 

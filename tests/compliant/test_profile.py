@@ -1,4 +1,7 @@
-"""The force on the slow manifold: against mpmath's integral, its equation, and the leading order."""
+"""The force on the slow manifold: against mpmath's integral, its equation, and the leading order.
+
+Page: proofs/monotone.md.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The coefficients of a state: constant along the motion, 1 and 0 on slow data, K by its own contour."""
+"""The coefficients of a state: constant along the motion, 1 and 0 on slow data, K by its own contour.
+
+Page: proofs/first_integrals.md.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Lift-off on the slow manifold: known times, signs around the bracket, the leading order, all small eps."""
+"""Lift-off on the slow manifold: known times, signs around the bracket, the leading order, all small eps.
+
+Page: proofs/monotone.md.
+"""
 
 from __future__ import annotations
 

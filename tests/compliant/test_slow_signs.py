@@ -1,4 +1,7 @@
-"""Taylor coefficients and signs on intervals of tau against single values by another route."""
+"""Taylor coefficients and signs on intervals of tau against single values by another route.
+
+Page: proofs/finite_epsilon_zeros.md.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The slow solution against its definition, exact polynomials, its equation, its limit, and itself by two routes."""
+"""The slow solution against its definition, exact polynomials, its equation, its limit, and itself by two routes.
+
+Pages: proofs/epsilon_series.md, proofs/exact_solution.md, proofs/slow_integral.md.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Exact eps_0: known values, points on both sides, and the least value against a scan."""
+"""Exact eps_0: known values, points on both sides, and the least value against a scan.
+
+Page: proofs/monotone.md.
+"""
 
 from __future__ import annotations
 

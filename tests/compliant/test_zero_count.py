@@ -1,4 +1,7 @@
-"""The number of real zeros at one (beta, epsilon): theorems, exact polynomials nearby, seen deviations, bad input."""
+"""The number of real zeros at one (beta, epsilon): theorems, exact polynomials nearby, seen deviations, bad input.
+
+Page: proofs/finite_epsilon_zeros.md.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Theorem 1's recursion: the paper's printed example, the hypotheses, balls and symbols."""
+"""Theorem 1's recursion: the paper's printed example, the hypotheses, balls and symbols.
+
+Page: proofs/expansion.md.
+"""
 
 from __future__ import annotations
 

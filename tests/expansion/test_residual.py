@@ -1,4 +1,7 @@
-"""The constants of the residual: against the residual itself, by mpmath; wrong terms are noticed."""
+"""The constants of the residual: against the residual itself, by mpmath; wrong terms are noticed.
+
+Page: proofs/residual.md.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The spaces P_n: what is in them, and that + * d/ds and the integral stay in them."""
+"""The spaces P_n: what is in them, and that + * d/ds and the integral stay in them.
+
+Page: proofs/expansion.md.
+"""
 
 from __future__ import annotations
 

@@ -56,7 +56,7 @@ def test_every_proof_page_that_is_named_exists(entries: list[Entry]) -> None:
             for page in re.findall(r"proofs/(\w+\.md)", check.what):
                 assert (_PROOFS / page).is_file(), page
             if check.rung is Rung.PAGE:
-                assert "proofs/" in check.what or "S-" in check.what
+                assert check.what.startswith("proofs/")
 
 
 def test_exit_code_and_counts(entries: list[Entry]) -> None:
@@ -64,6 +64,21 @@ def test_exit_code_and_counts(entries: list[Entry]) -> None:
     assert counts(entries) == {"proved": len(entries) - len(REFUTED), "refuted": len(REFUTED), "undecided": 0}
     proved = [e for e in entries if e.verdict.outcome is Outcome.PROVED]
     assert exit_code(proved) == 0
+
+
+def test_the_texts_state_the_counts_and_the_sections_of_the_ledger(entries: list[Entry]) -> None:
+    found = counts(entries)
+    assert found["undecided"] == 0
+    numbers = [str(len(entries)), str(found["proved"]), str(found["refuted"])]
+    parts = {match[0] for part in PARTS if (match := re.match(r"Section \d", part))}
+    assert sorted(parts) == [f"Section {n}" for n in range(1, 7)]
+    assert any("Appendix A" in part for part in PARTS)
+    assert any("Appendix B" in part for part in PARTS)
+    for path, times in (("README.md", 1), ("CHANGELOG.md", 1), ("gspot_verified/cli/paper_commands.py", 0)):
+        text = " ".join((_PROOFS.parent / path).read_text(encoding="utf-8").split())
+        stated = re.findall(r"(\d+) statements, (\d+) proved, (\d+) refuted", text)
+        assert [list(row) for row in stated] == [numbers] * times, path
+        assert text.count("Sections 1 to 6 and Appendices A and B") == 1, path
 
 
 def test_no_answers_are_no_agreement() -> None:

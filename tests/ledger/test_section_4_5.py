@@ -1,4 +1,7 @@
-"""Section 4.5 of the ledger: the forms are what the reader sees, and a check that cannot tell says so."""
+"""Section 4.5 of the ledger: the forms are what the reader sees, and a check that cannot tell says so.
+
+Pages: proofs/side_switching.md, proofs/signs.md.
+"""
 
 from __future__ import annotations
 

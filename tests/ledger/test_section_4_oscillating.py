@@ -1,4 +1,7 @@
-"""The Airy form at β = 1/2, in numbers: a solution, and smaller than (-τ)^(1/2)."""
+"""The Airy form at β = 1/2, in numbers: a solution, and smaller than (-τ)^(1/2).
+
+Page: proofs/oscillating_solutions.md.
+"""
 
 from __future__ import annotations
 

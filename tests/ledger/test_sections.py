@@ -1,4 +1,7 @@
-"""Sections 1, 2, 4 and 5 of the ledger: outcomes, labels, and that a changed formula is not proved."""
+"""Sections 1, 2, 4 and 5 of the ledger: outcomes, labels, and that a changed formula is not proved.
+
+Page: proofs/expansion.md.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Krawczyk's test: it finds what is there, and shows nothing where its hypotheses fail."""
+"""Krawczyk's test: it finds what is there, and shows nothing where its hypotheses fail.
+
+Page: proofs/krawczyk.md.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The fold's four hypotheses, each of which alone must stop it, and signs of models against point values."""
+"""The fold's four hypotheses, each of which alone must stop it, and signs of models against point values.
+
+Page: proofs/fold.md.
+"""
 
 from __future__ import annotations
 

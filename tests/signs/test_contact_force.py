@@ -1,4 +1,7 @@
-"""The force against the printed formulas in mpmath, and every hypothesis of the system one by one."""
+"""The force against the printed formulas in mpmath, and every hypothesis of the system one by one.
+
+Page: proofs/iwc.md.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The force at leading order. Two routes: the certified brackets, and a scan with mpmath's 1F2 or with point values."""
+"""The force at leading order. Two routes: the certified brackets, and a scan with mpmath's 1F2 or with point values.
+
+Page: proofs/iwc.md.
+"""
 
 from __future__ import annotations
 

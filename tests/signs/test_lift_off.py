@@ -1,4 +1,7 @@
-"""The lift-off time against point values of the force, here and in mpmath."""
+"""The lift-off time against point values of the force, here and in mpmath.
+
+Page: proofs/iwc.md.
+"""
 
 from __future__ import annotations
 

@@ -1,3 +1,5 @@
+"""Tests of what proofs/side_switching.md states."""
+
 from __future__ import annotations
 
 from fractions import Fraction

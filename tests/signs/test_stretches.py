@@ -1,4 +1,7 @@
-"""Critical points, least values and crossings of sign * dTheta/dtau, against point values on a scan."""
+"""Critical points, least values and crossings of sign * dTheta/dtau, against point values on a scan.
+
+Page: proofs/iwc.md.
+"""
 
 from __future__ import annotations
 

@@ -1,3 +1,5 @@
+"""Tests of what proofs/signs.md and proofs/tails.md state."""
+
 from __future__ import annotations
 
 import itertools

@@ -1,4 +1,7 @@
-"""c_k(beta) by three derivations."""
+"""c_k(beta) by three derivations.
+
+Page: proofs/asymptotic_coefficients.md.
+"""
 
 from __future__ import annotations
 

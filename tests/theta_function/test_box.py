@@ -2,6 +2,8 @@
 
 Witnesses: ``evaluate`` (other routes, no parameter series) and mpmath's 1F2 at complex b. Every containment is decided
 after finiteness; where a model may be not finite, the tests count that enough of them are.
+
+Page: proofs/box.md.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""Hadamard's finite part next to r = 0."""
+"""Hadamard's finite part next to r = 0.
+
+Page: proofs/laplace.md.
+"""
 
 from __future__ import annotations
 

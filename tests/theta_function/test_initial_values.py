@@ -1,3 +1,5 @@
+"""Tests of what proofs/initial_values.md states."""
+
 from __future__ import annotations
 
 from fractions import Fraction

@@ -1,4 +1,7 @@
-"""The integer polynomials."""
+"""The integer polynomials.
+
+Page: proofs/initial_values.md.
+"""
 
 from __future__ import annotations
 

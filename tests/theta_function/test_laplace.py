@@ -1,4 +1,7 @@
-"""The Laplace integral by quadrature."""
+"""The Laplace integral by quadrature.
+
+Page: proofs/laplace.md.
+"""
 
 from __future__ import annotations
 

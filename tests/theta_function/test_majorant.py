@@ -1,4 +1,7 @@
-"""A bound over balls of any width."""
+"""A bound over balls of any width.
+
+Page: proofs/majorant.md.
+"""
 
 from __future__ import annotations
 

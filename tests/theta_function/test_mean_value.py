@@ -1,4 +1,7 @@
-"""The mean value form: what it holds, where it is attained, and that a ball of tau is as narrow as it makes it."""
+"""The mean value form: what it holds, where it is attained, and that a ball of tau is as narrow as it makes it.
+
+Page: proofs/identities.md.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The enveloping series at minus infinity."""
+"""The enveloping series at minus infinity.
+
+Page: proofs/negative.md.
+"""
 
 from __future__ import annotations
 

@@ -1,6 +1,8 @@
 """The coefficients of Theta at tau = 0 as polynomials in b: what they enclose, and that each error is the page's.
 
 The witness is mpmath's 1/Gamma at complex b and the recurrence: the models hold on a disc, not only on an interval.
+
+Page: proofs/box.md.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""The saddle point at plus infinity with its explicit remainder."""
+"""The saddle point at plus infinity with its explicit remainder.
+
+Page: proofs/positive.md.
+"""
 
 from __future__ import annotations
 

@@ -1,3 +1,5 @@
+"""Tests of what proofs/identities.md states."""
+
 from __future__ import annotations
 
 from typing import Any

@@ -1,4 +1,7 @@
-"""The Taylor series at 0 by exact binary splitting."""
+"""The Taylor series at 0 by exact binary splitting.
+
+Page: proofs/splitting.md.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The Taylor series at 0 in floating balls; where it shares its bound with binary splitting, both."""
+"""The Taylor series at 0 in floating balls; where it shares its bound with binary splitting, both.
+
+Page: proofs/taylor.md.
+"""
 
 from __future__ import annotations
 
