@@ -12,7 +12,6 @@ from gspot_verified.balls import ExactInput
 from gspot_verified.compliant.profile import in_range
 from gspot_verified.compliant.slow_lift_off import SlowLiftOff, slow_lift_off
 from gspot_verified.compliant.slow_manifold import SlowManifold, impact
-from gspot_verified.compliant.threshold import MAX_BETA_OF_THEOREM
 from gspot_verified.signs.contact_force import rational
 from gspot_verified.signs.iwc import CAVEAT, IwcResult
 from gspot_verified.signs.iwc import iwc as leading_order
@@ -82,9 +81,9 @@ def iwc(
     model on its slow manifold.
 
     Arguments and errors: :func:`gspot_verified.signs.iwc.iwc`. On the side C_1/Gamma(-beta) > 0, for 0 < beta < 5,
-    every eps_0 at leading order is one for the compliant model (Theorem C of the page), and the exact eps_0 is found.
-    On the other side the lift-off time of the compliant model is bracketed at eps, and compared with that at leading
-    order for every smaller eps (1 < beta < 5).
+    every eps_0 at leading order is one for the compliant model (Theorem C of the page), and the exact eps_0 is found,
+    for 5 < beta < 13 by cells of eps (six digits, some seconds). On the other side the lift-off time of the compliant
+    model is bracketed at eps, and compared with that at leading order for every smaller eps (1 < beta < 5).
 
     >>> iwc("5/2").verdict.statement
     'on the slow manifold of the compliant model, λ_N > 0 for every τ in [-10, inf) and every ε in (0, 0.894881353)'
@@ -93,9 +92,9 @@ def iwc(
         beta, alpha_1=alpha_1, alpha_2=alpha_2, alpha_3=alpha_3, c1=c1, tau_start=tau_start, epsilon=epsilon,
         digits=digits, growth=growth,
     )  # fmt: skip
-    force = leading.force
-    if not force.takes_impact and leading.lift_off is not None and in_range(force, leading.lift_off.epsilon):
+    force, at = leading.force, None if epsilon is None else rational(epsilon, "epsilon")
+    if force.takes_impact:
+        return CompliantIwc(leading, impact(leading, at, digits))
+    if leading.lift_off is not None and in_range(force, leading.lift_off.epsilon):
         return CompliantIwc(leading, lift_off=slow_lift_off(force, leading.lift_off, leading.start, digits))
-    if not force.takes_impact or force.beta > MAX_BETA_OF_THEOREM:
-        return CompliantIwc(leading)
-    return CompliantIwc(leading, impact(leading, None if epsilon is None else rational(epsilon, "epsilon"), digits))
+    return CompliantIwc(leading)

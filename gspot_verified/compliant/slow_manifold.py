@@ -14,7 +14,8 @@ from flint import arb, fmpq
 from gspot_verified.balls import approximate, working_bits
 from gspot_verified.compliant.least_value import least_value
 from gspot_verified.compliant.profile import SLOW, Profile, in_range
-from gspot_verified.compliant.threshold import Threshold, exact_threshold, fails_at
+from gspot_verified.compliant.threshold import MAX_BETA_OF_THEOREM, Threshold, exact_threshold, fails_at
+from gspot_verified.compliant.threshold_by_cells import MAX_BETA, threshold_by_cells
 from gspot_verified.compliant.to_the_left import positive_to_the_left
 from gspot_verified.signs.iwc import IwcResult, force_statement
 from gspot_verified.signs.short_text import short_text
@@ -22,8 +23,11 @@ from gspot_verified.signs.stretches import stretches
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
 
 ABOVE = "its force is above the one at leading order at every τ and every ε (proofs/monotone.md, Theorem C)"
+BY_CELLS = "by Theorem C's polynomial, on cells that cover every such ε (proofs/monotone.md, section 10)"
 THRESHOLD_DIGITS = 8
 """Digits of the exact eps_0, at most: each costs a share of a second."""
+CELL_DIGITS = 6
+"""The same for beta > 5."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,9 +67,28 @@ class SlowManifold(NoTruthValue):
         }
 
 
-def impact(leading: IwcResult, epsilon: fmpq | None, digits: int) -> SlowManifold:
-    """What follows from the statement at leading order, and the exact eps_0; beta < 5, C_1/Gamma(-beta) > 0."""
-    return _below_threshold(leading, digits) if epsilon is None else _at_epsilon(leading, epsilon, digits)
+def impact(leading: IwcResult, epsilon: fmpq | None, digits: int) -> SlowManifold | None:
+    """What is proved where C_1/Gamma(-beta) > 0: at ``epsilon``, or below the exact eps_0; None where nothing is."""
+    beta = leading.force.beta
+    if epsilon is not None:
+        return _at_epsilon(leading, epsilon, digits)
+    if beta < MAX_BETA_OF_THEOREM:
+        return _below_threshold(leading, digits)
+    return _by_cells(leading, digits) if beta < MAX_BETA else None
+
+
+def _by_cells(leading: IwcResult, digits: int) -> SlowManifold | None:
+    """beta > 5, where the leading order is no lower bound; None where it has no eps_0 to begin with."""
+    if leading.epsilon_0 is None:
+        return None
+    force, start = leading.force, leading.start
+    exact, whole = threshold_by_cells(
+        force, start, leading.epsilon_0, min(digits, CELL_DIGITS), leading.whole_line and force.direction < 0
+    )
+    if exact is None:
+        text = f"{SLOW}, some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
+        return SlowManifold(Verdict.undecided(text, Reason.BUDGET, "no cell of ε was settled"), start, False)
+    return SlowManifold(Verdict.proved(force_statement(start, None, exact.lower, SLOW), BY_CELLS), start, whole, exact)
 
 
 def _below_threshold(leading: IwcResult, digits: int) -> SlowManifold:
@@ -90,12 +113,12 @@ def _to_the_left(leading: IwcResult, digits: int) -> bool:
 
 def _at_epsilon(leading: IwcResult, epsilon: fmpq, digits: int) -> SlowManifold:
     force, start = leading.force, leading.start
-    if leading.verdict.outcome is Outcome.PROVED:
+    if leading.verdict.outcome is Outcome.PROVED and force.beta < MAX_BETA_OF_THEOREM:
         everywhere = None if leading.every_epsilon and leading.whole_line else start
         text = force_statement(everywhere, epsilon, None, SLOW)
         return SlowManifold(Verdict.proved(text, ABOVE), everywhere, leading.whole_line)
     text = force_statement(start, epsilon, None, SLOW)
-    whole = _to_the_left(leading, digits)
+    whole = force.beta < MAX_BETA_OF_THEOREM and _to_the_left(leading, digits)
     if not in_range(force, epsilon):
         return SlowManifold(Verdict.undecided(text, Reason.BUDGET, "ε |α1| is outside [1e-300, 1e6]"), start, False)
     profile = Profile.of(force, epsilon)

@@ -73,7 +73,7 @@ def exact_threshold(force: ContactForce, start: fmpq, proved: fmpq, digits: int 
     accuracy = digits + _SPARE_DIGITS + max(0, math.ceil(-math.log10(abs(approximate(force.exponent)))))
     bound, place = proved, None
     for step in range(MAX_STEPS):
-        root = _root_below(scaled_epsilon(force, bound), accuracy)
+        root = root_below(scaled_epsilon(force, bound), accuracy)
         if root is None:
             return Threshold(bound, None, None, False, step)
         least = least_value(Profile.at_root(force.beta, root), start, accuracy)
@@ -81,15 +81,15 @@ def exact_threshold(force: ContactForce, start: fmpq, proved: fmpq, digits: int 
             return Threshold(bound, None, None, False, step)
         if force.beta > 1 and least.lower >= 0:
             return Threshold(None, None, None, True, step + 1)
-        following = _next(force, least, accuracy)
+        following = exponential_below(force, least, accuracy)
         bound, place = max(bound, following or bound), least.place
-        beyond = _next_decimal(bound, digits)
+        beyond = next_decimal(bound, digits)
         if fails_at(force, place, beyond, accuracy):
-            return Threshold(_rounded(bound, digits + 1), beyond, place, False, step + 1)
+            return Threshold(rounded(bound, digits + 1), beyond, place, False, step + 1)
     return Threshold(bound, None, None, False, MAX_STEPS)
 
 
-def _root_below(epsilon: fmpq, digits: int) -> fmpq | None:
+def root_below(epsilon: fmpq, digits: int) -> fmpq | None:
     """A decimal number a little below (epsilon/2)^(1/3); None where the slow solution is not evaluated."""
     if not fmpq(10) ** (2 - MAX_TENS) <= epsilon <= MAX_EPSILON:
         return None
@@ -97,18 +97,19 @@ def _root_below(epsilon: fmpq, digits: int) -> fmpq | None:
         return rounded_down((arb(epsilon) / 2).log() / 3, digits + 2)
 
 
-def _next(force: ContactForce, least: LeastValue, digits: int) -> fmpq | None:
+def exponential_below(force: ContactForce, least: LeastValue, digits: int) -> fmpq | None:
     """A decimal number, at most E(M) for the least value M."""
     with working_bits(64 + 8 * digits):
         return rounded_down(force.log_epsilon(least.lower, 2 * digits), digits + 2)
 
 
-def _rounded(value: fmpq, digits: int) -> fmpq:
+def rounded(value: fmpq, digits: int) -> fmpq:
+    """The number of ``digits`` decimal digits next below the value, which is > 0."""
     unit = _unit(value, digits)
     return fmpq((value / unit).floor()) * unit
 
 
-def _next_decimal(value: fmpq, digits: int) -> fmpq:
+def next_decimal(value: fmpq, digits: int) -> fmpq:
     """The second decimal number of ``digits`` digits above the value."""
     unit = _unit(value, digits)
     return fmpq((value / unit).floor() + 2) * unit

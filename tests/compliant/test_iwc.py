@@ -19,7 +19,7 @@ def test_the_theorem_takes_the_place_of_the_caveat() -> None:
     assert "(0, 0.894881353)" in text
     assert text.count("every τ < -10") == 2
     assert CAVEAT not in text
-    assert CAVEAT in str(iwc("11/2"))
+    assert CAVEAT in str(iwc("27/2"))
 
 
 def test_between_the_two_thresholds_the_systems_differ() -> None:
@@ -59,7 +59,7 @@ def test_to_the_left_only_with_a_start_where_the_function_is_not_negative() -> N
     assert not found.slow.whole_line
 
 
-@pytest.mark.parametrize("options", [{}, {"epsilon": "1/2"}, {"c1": 1}, {"tau_start": 5}, {"beta": "11/2"}])
+@pytest.mark.parametrize("options", [{}, {"epsilon": "1/2"}, {"c1": 1}, {"tau_start": 5}, {"beta": "27/2"}])
 def test_json(options: dict[str, object]) -> None:
     data = json.loads(json.dumps(iwc(**{"beta": "7/2", **options}).to_json()))  # type: ignore[arg-type]
     systems = [statement["system"] for statement in data["statements"]]
@@ -73,3 +73,19 @@ def test_epsilon_outside_the_range_of_the_slow_solution_is_undecided() -> None:
     assert found.slow is not None
     assert found.slow.verdict.outcome is Outcome.UNDECIDED
     assert iwc("7/2", tau_start=5, epsilon=10**7).verdict.outcome is Outcome.PROVED
+
+
+def test_above_5_the_leading_order_is_no_lower_bound() -> None:
+    """At beta = 21/4 the exact eps_0 is smaller than the one at leading order: in between the two differ."""
+    found = iwc("21/4")
+    assert found.slow is not None
+    assert found.slow.threshold is not None
+    assert found.slow.threshold.upper is not None
+    assert found.leading.epsilon_0 is not None
+    assert found.slow.threshold.upper < found.leading.epsilon_0
+    between = (found.slow.threshold.upper + found.leading.epsilon_0) / 2
+    assert found.leading.force.value(-10, between) > 0
+    at = iwc("21/4", epsilon=between)
+    assert at.slow is not None
+    assert at.leading.verdict.outcome is Outcome.PROVED
+    assert at.slow.verdict.outcome is Outcome.REFUTED
