@@ -24,6 +24,7 @@ class Reason(enum.Enum):
     BUDGET = "the stated budget ended before the question was settled"
     WIDE_INPUT = "the input balls are too wide: different numbers in them may have different answers"
     HYPOTHESIS = "a hypothesis of the bound could not be verified"
+    BEYOND = "no proof is sought there: it is beyond what the method covers"
     NO_ROUTE = "no second route is at hand, so the first one stands alone"
 
 

@@ -114,7 +114,7 @@ def test_the_words_of_the_json() -> None:
     words = {reason: Verdict.undecided("s", reason).to_json()["reason"] for reason in Reason}
     assert words == {
         Reason.BUDGET: "budget", Reason.WIDE_INPUT: "wide_input", Reason.HYPOTHESIS: "hypothesis",
-        Reason.NO_ROUTE: "no_route",
+        Reason.BEYOND: "beyond", Reason.NO_ROUTE: "no_route",
     }  # fmt: skip
 
 

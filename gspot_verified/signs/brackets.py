@@ -78,8 +78,9 @@ def zeros_at(beta: ExactInput, digits: int = 15) -> Brackets:
     point = exact(beta, "beta")
     if not isinstance(point, fmpq):
         raise ValueError("beta: expected one exact number, got a ball")
-    if not 0 < point <= MAX_BETA or point.q == 1:
-        raise ValueError(f"beta: expected a number in (0, {MAX_BETA}] that is not an integer, got {point}")
+    check_parameter(point)
+    if point.q == 1:
+        raise ValueError(f"beta: expected a number that is not an integer, got {point}: ask zeros_at_integer")
     if type(digits) is not int or not 1 <= digits <= MAX_DIGITS:
         raise ValueError(f"digits must be an int and lie in 1..{MAX_DIGITS}")
     column = _column(point)
@@ -102,6 +103,19 @@ def _one_each(brackets: tuple[tuple[fmpq, fmpq], ...], number: int | None) -> tu
     if any(before[1] > after[0] for before, after in pairwise(brackets)):
         raise UndecidedError("two brackets overlap; ask for more digits")
     return brackets
+
+
+def check_parameter(beta: fmpq) -> None:
+    """Zeros are sought for 0 < beta <= 200.
+
+    :raises ValueError: another beta; the message says what is known there.
+    """
+    if beta < 0:
+        known = "; for beta < 0 there is none (dΘ/dτ > 0)"
+    else:
+        known = "; at beta = 0 dΘ/dτ is 0 everywhere" if beta == 0 else ""
+    if not 0 < beta <= MAX_BETA:
+        raise ValueError(f"beta: the real zeros are sought for 0 < beta <= {MAX_BETA}, got {beta}{known}")
 
 
 def _column(beta: fmpq) -> Column:

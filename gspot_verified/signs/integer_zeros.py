@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 from flint import fmpq, fmpz
 
-from gspot_verified.signs.brackets import MAX_BETA, MAX_DIGITS, decimal_text
+from gspot_verified.signs.brackets import MAX_DIGITS, check_parameter, decimal_text
 from gspot_verified.signs.count_law import multiplicity_at_zero, positive_zeros
 from gspot_verified.signs.witness import sign_at
 from gspot_verified.verdict import NoTruthValue
@@ -56,8 +56,9 @@ def zeros_at_integer(beta: int, digits: int = 15) -> IntegerZeros:
       0, of multiplicity 2
       2.7144176165..2.7144176166
     """
-    if type(beta) is not int or not 1 <= beta <= MAX_BETA:
-        raise ValueError(f"beta: expected an integer in 1..{MAX_BETA}, got {beta!r}")
+    if type(beta) is not int:
+        raise ValueError(f"beta: expected an int, got {beta!r}")
+    check_parameter(fmpq(beta))
     if type(digits) is not int or not 1 <= digits <= MAX_DIGITS:
         raise ValueError(f"digits must be an int and lie in 1..{MAX_DIGITS}")
     number = positive_zeros(beta)

@@ -117,7 +117,7 @@ def sign_on_ranges(
         return SignResult(statement, Verdict.proved(str(statement)))
     if beta.upper is None or beta.upper > MAX_BETA:
         detail = f"no point against it was found; a proof is sought for beta <= {MAX_BETA} only"
-        return SignResult(statement, _undecided(statement, Reason.NO_ROUTE, detail, [(beta.lower, beta.upper)]))
+        return SignResult(statement, _undecided(statement, Reason.BEYOND, detail, [(beta.lower, beta.upper)]))
     # dTheta/dtau = -beta F; a range with beta = 0 inside was refuted above, so beta has one sign.
     wanted = sign if beta.upper <= 0 else -sign
     question = SignQuestion(tau, beta, wanted, by_theorem)

@@ -53,3 +53,12 @@ def test_decimal_text() -> None:
 def test_bad_input(beta: object, digits: object) -> None:
     with pytest.raises(ValueError, match=r"beta|digits"):
         zeros_at(beta, digits)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("beta", "known"),
+    [(-3, "none \\(dΘ/dτ > 0\\)"), (0, "at beta = 0 dΘ/dτ is 0 everywhere"), (201, "201$")],
+)
+def test_beyond_the_range_the_message_says_what_is_known(beta: int, known: str) -> None:
+    with pytest.raises(ValueError, match="the real zeros are sought for 0 < beta <= 200, got .*" + known):
+        zeros_at(beta)

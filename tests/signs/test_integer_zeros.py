@@ -64,3 +64,12 @@ def test_a_cell_of_the_grid_with_two_zeros_is_not_taken(lower: fmpq, upper: fmpq
 def test_bad_input(beta: object, digits: object) -> None:
     with pytest.raises(ValueError, match=r"beta|digits"):
         zeros_at_integer(beta, digits)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("beta", "known"),
+    [(-3, "none \\(dΘ/dτ > 0\\)"), (0, "at beta = 0 dΘ/dτ is 0 everywhere"), (201, "201$")],
+)
+def test_beyond_the_range_the_message_says_what_is_known(beta: int, known: str) -> None:
+    with pytest.raises(ValueError, match="the real zeros are sought for 0 < beta <= 200, got .*" + known):
+        zeros_at_integer(beta)

@@ -144,7 +144,8 @@ def test_stuck_is_not_called_out_of_budget() -> None:
 def test_beyond_the_largest_beta_there_is_no_proof() -> None:
     result = sign_on_ranges("-inf..-1e9", "199..201", -1)
     assert result.verdict.outcome is U
-    assert result.verdict.reason is Reason.NO_ROUTE
+    assert result.verdict.reason is Reason.BEYOND
+    assert "a proof is sought for beta <= 200 only; left: β in [199, 201]" in result.verdict.detail
 
 
 @pytest.mark.parametrize(
