@@ -250,5 +250,9 @@ def test_the_typeset_minus_on_the_command_line(capsys: pytest.CaptureFixture[str
 
 
 def test_very_many_digits_are_announced_before_the_work(capsys: pytest.CaptureFixture[str]) -> None:
-    assert "20000 digits: this may take minutes" in run(capsys, "theta", "0", "1", "--digits", "20000")[2]
+    found = run(capsys, "theta", "0", "1", "--digits", "20000")
+    assert "... 20000 digits, route splitting: about 1 s on one core, roughly\n" in found[2]
+    found = run(capsys, "theta", "1e12", "7/3", "--digits", "1000000")
+    assert "1000000 digits: this may take minutes; there is no estimate for these arguments" in found[2]
+    assert found[0] == 64
     assert run(capsys, "theta", "0", "1", "--digits", "100")[2] == ""

@@ -29,8 +29,7 @@ def theta(
     from gspot_verified.theta_function.evaluate import evaluate
 
     if digits >= _SLOW_DIGITS:
-        # One call of FLINT may last minutes, in which nothing else can be said.
-        progress(f"{digits} digits: this may take minutes")
+        _announce(tau, beta, derivative, digits)
     result = evaluate(tau, beta, derivative=derivative, digits=digits)
     if as_json:
         print_json(result.to_json())
@@ -40,6 +39,19 @@ def theta(
         reason = result.reason.value if result.reason else "unknown reason"
         typer.echo(f"relative accuracy not reached: {reason}; the sign may be undecided", err=True)
         raise typer.Exit(2)
+
+
+def _announce(tau: str, beta: str, derivative: int, digits: int) -> None:
+    """Beforehand: one call of FLINT may last so long that nothing can be said meanwhile."""
+    from gspot_verified.theta_function.effort import expected_effort
+    from gspot_verified.theta_function.routes import checked_arguments
+
+    point, parameter = checked_arguments(tau, beta, derivative)
+    effort = expected_effort(point, parameter - derivative, digits)
+    if effort is None:
+        progress(f"{digits} digits: this may take minutes; there is no estimate for these arguments")
+    else:
+        progress(f"{digits} digits, route {effort.route}: {effort} on one core, roughly")
 
 
 @app.command(cls=NumberArguments, epilog="Example: gspot-verified side 1/2 4")

@@ -19,15 +19,16 @@ def weight(n: int, beta: Exact, bits: int) -> arb:
     """w_n = 1/(Gamma(-beta) (n - beta)) at precision ``bits``, finite at beta = n too.
 
     By reflection it is (-1)^n Gamma(1 + beta) sin(pi (beta - n))/(pi (beta - n)); used where beta > -1/2 is certain, so
-    that the factors are finite; the exact beta - n of a rational keeps the accuracy. Elsewhere it is
-    (-beta)(1 - beta)...(n - 1 - beta)/Gamma(n + 1 - beta).
+    that the factors are finite; the exact beta - n of a rational keeps the accuracy, and Gamma of a rational is much
+    faster than Gamma of a ball at many bits. Elsewhere it is (-beta)(1 - beta)...(n - 1 - beta)/Gamma(n + 1 - beta).
     """
     if not beta > fmpq(-1, 2):
         value = reciprocal_gamma(n + 1 - beta, bits)
         for j in range(n):
             value = value * (j - beta)
         return value
-    value = ball(1 + beta).gamma() * ball(beta - n).sinc_pi()
+    gamma = 1 / reciprocal_gamma(1 + beta, bits) if isinstance(beta, fmpq) else (1 + beta).gamma()
+    value = gamma * ball(beta - n).sinc_pi()
     return -value if n % 2 else value
 
 

@@ -9,11 +9,13 @@ from dataclasses import dataclass
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import Exact, add_remainder, ball, nonfinite, working_bits
+from gspot_verified.balls import Exact, add_remainder, ball, current_bits, nonfinite, working_bits
 from gspot_verified.theta_function.finite_part import near_integers, weight
 from gspot_verified.theta_function.reciprocal_gamma import reciprocal_gamma
 
 _SHARE = fmpq(9, 10)
+_BLOCK = 64
+_LEAST_BITS = 64
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,14 +76,28 @@ def _saddle_series(large: arb, beta: Exact, terms: int) -> arb:
     exponent = -beta / 3 - fmpq(1, 2)
     inverse = 1 / large
     previous, current, total = arb(0), arb(1), arb(1)
-    for k in range(1, terms):
-        first, second = exponent - (k - 1), exponent - (k - 2)
-        # For a rational beta the factors are small rationals, cheap to multiply by.
-        following = current * ((27 * first * first - 9 * first - 1) / (12 * k))
-        following += inverse * previous * (second * (3 * second - 2) * (3 * second - 4) / (8 * k))
-        previous, current = current, following * inverse
-        total += current
+    bits = current_bits()
+    for start in range(1, terms, _BLOCK):
+        # A term of relative size 2^-m needs m bits less; what rounding costs is in its ball.
+        with working_bits(max(_LEAST_BITS, bits - _bits_below_one(abs(current) + abs(previous)))):
+            part = arb(0)
+            for k in range(start, min(start + _BLOCK, terms)):
+                first, second = exponent - (k - 1), exponent - (k - 2)
+                # For a rational beta the factors are small rationals, cheap to multiply by.
+                following = current * ((27 * first * first - 9 * first - 1) / (12 * k))
+                following += inverse * previous * (second * (3 * second - 2) * (3 * second - 4) / (8 * k))
+                previous, current = current, following * inverse
+                part += current
+        total += part
     return total
+
+
+def _bits_below_one(size: arb) -> int:
+    """m >= 0 with |size| <= 2^-m, or 0. For heuristics only."""
+    if not size.is_finite():
+        return 0
+    mantissa, exponent = size.abs_upper().man_exp()
+    return max(0, -int(exponent) - int(mantissa).bit_length())
 
 
 def _saddle_remainder(large: arb, beta: arb, plan: SaddlePlan) -> arb:

@@ -39,8 +39,8 @@ _MAX_TAYLOR_BITS = 2**34
 _MAX_WIDE_TAYLOR_BITS = 2**29
 _BITS_OF_A_BALL = 1_000
 _MAX_NEAR_INTEGERS = 16
-_MAX_SPLITTING_BITS = 2**33
-_MAX_TERM_BITS = 2**36
+MAX_SPLITTING_BITS = 2**33
+MAX_TERM_BITS = 2**36
 _MAX_GENERIC_GAMMA_BITS = 400_000
 _SMALL_HEIGHT_BITS = 32
 _SMALL_DENOMINATOR = 1_000
@@ -114,16 +114,20 @@ def splitting(tau: Exact, beta: Exact, goal: int) -> arb:
     if not (isinstance(tau, fmpq) and isinstance(beta, fmpq)):
         return nonfinite()
     plan = choice.taylor_plan(approximate(tau), approximate(beta), goal)
-    bits_of_a_term = 3 * (tau.height_bits() + plan.length.bit_length()) + beta.height_bits()
-    if plan.length * bits_of_a_term > _MAX_SPLITTING_BITS or not _gamma_is_affordable(beta, plan.bits):
+    if splitting_bits(tau, beta, plan.length) > MAX_SPLITTING_BITS or not _gamma_is_affordable(beta, plan.bits):
         return nonfinite()
     return splitting_sum(tau, beta, plan.length, plan.bits, choice.block_length(plan.bits))
+
+
+def splitting_bits(tau: fmpq, beta: fmpq, length: int) -> int:
+    """The length of the integers that exact binary splitting ends with."""
+    return length * (3 * (tau.height_bits() + length.bit_length()) + beta.height_bits())
 
 
 def negative(tau: Exact, beta: Exact, goal: int) -> arb:
     """The enveloping series at tau -> -infinity, planned for ``goal`` bits."""
     plan = choice.negative_plan(-approximate(tau), approximate(beta), goal)
-    if plan is None or plan.terms * plan.bits > _MAX_TERM_BITS:
+    if plan is None or plan.terms * plan.bits > MAX_TERM_BITS:
         return nonfinite()
     return negative_sum(tau, beta, plan.terms, plan.bits)
 
@@ -135,7 +139,7 @@ def positive(tau: Exact, beta: Exact, goal: int) -> arb:
     if plan is None or len(near_integers(beta)) > _MAX_NEAR_INTEGERS:
         return nonfinite()
     bits = choice.saddle_bits(point, parameter, goal)
-    if plan.terms * bits > _MAX_TERM_BITS or not _gamma_is_affordable(beta, bits):
+    if plan.terms * bits > MAX_TERM_BITS or not _gamma_is_affordable(beta, bits):
         return nonfinite()
     return positive_sum(tau, beta, plan, bits)
 

@@ -12,6 +12,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from strategies import near_integers, small_heights, to_fmpq
 
+from gspot_verified.balls import relative_bits, working_bits
 from gspot_verified.theta_function.finite_part import near_integers as integers_next_to
 from gspot_verified.theta_function.finite_part import series_part, weight
 
@@ -25,6 +26,16 @@ def test_weights_by_their_two_forms(n: int, beta: Fraction) -> None:
     assert value.is_finite()
     assert quotient.is_finite()
     assert value.overlaps(quotient)
+
+
+def test_weights_at_many_bits() -> None:
+    """There Gamma of a rational has its own series; of a ball with the same number it has not."""
+    for beta in (fmpq(7, 3), fmpq(1, 1_009), fmpq(5), fmpq(-1, 3)):
+        with working_bits(4_000):
+            rational, of_a_ball = weight(2, beta, 4_000), weight(2, arb(beta) + arb(0, arb(2) ** -3_990), 4_000)
+            assert relative_bits(rational) > 3_900
+            assert of_a_ball.is_finite()
+            assert of_a_ball.contains(rational)
 
 
 def test_integers_next_to_a_ball() -> None:

@@ -14,9 +14,10 @@ from hypothesis import strategies as st
 from strategies import near_integers, small_heights, to_fmpq
 from witness import contains_witness, theta_witness
 
-from gspot_verified.balls import relative_bits
+from gspot_verified.balls import relative_bits, working_bits
+from gspot_verified.theta_function.asymptotic_coefficients import coefficient
 from gspot_verified.theta_function.integer import polynomial_value
-from gspot_verified.theta_function.positive import SaddlePlan, positive_sum
+from gspot_verified.theta_function.positive import SaddlePlan, _saddle_series, positive_sum
 
 _BETAS = st.one_of(small_heights(), near_integers(12)).filter(lambda b: abs(b) <= 20)
 
@@ -61,3 +62,26 @@ def test_saddle_point_at_integers_is_the_polynomial(tau: int, n: int) -> None:
     value = positive_sum(fmpq(tau), fmpq(n), SaddlePlan(3, fmpq(1, 2), fmpq(1, 4)), 200)
     assert relative_bits(value) > 150
     assert value.overlaps(arb(polynomial_value(fmpq(tau), n)))
+
+
+@pytest.mark.parametrize("beta", [fmpq(7, 3), fmpq(-1, 2), fmpq(25, 2)])
+@pytest.mark.parametrize("terms", [1, 2, 64, 65, 66, 130])
+def test_a_long_sum_is_the_exact_one_and_keeps_its_accuracy(terms: int, beta: fmpq) -> None:
+    """The coefficients as polynomials in beta, in exact rationals; later blocks have fewer bits."""
+    large = fmpq(10**4)
+    exact = sum((coefficient(k)(beta) * fmpq(3, 2) ** k / large**k for k in range(terms)), fmpq(0))
+    with working_bits(2_000):
+        value = _saddle_series(arb(large), beta, terms)
+        assert relative_bits(value) > 1_980 or terms == 1
+        assert value.contains(exact)
+    with working_bits(3_000):
+        assert abs(value.mid() - arb(exact)) <= value.rad()
+
+
+def test_a_sum_over_a_wide_ball_contains_the_sums() -> None:
+    with working_bits(200):
+        value = _saddle_series(arb(100, 1), fmpq(7, 3), 150)
+        assert value.is_finite()
+        for large in (fmpq(99), fmpq(100), fmpq(101)):
+            assert value.contains(_saddle_series(arb(large), fmpq(7, 3), 150))
+    assert not _saddle_series(arb(0, 1), fmpq(7, 3), 150).is_finite()
