@@ -74,6 +74,10 @@ class Limits(NamedTuple):
         value = getattr(self, name)
         reject(f"out of the checker's range: the limit {name}={value} (raise it on purpose: --limit {name}=NUMBER)")
 
+    def effort(self) -> str:
+        """What was tried at most, where a sign stays open."""
+        return f"with the limits bits={self.bits}, splits={self.splits} (raise them on purpose: --limit NAME=NUMBER)"
+
     def keep(self, name: str, value: Any) -> None:
         """End the check if a value is greater than the limit of this name."""
         if value > getattr(self, name):
@@ -337,6 +341,18 @@ def tail_falls(square: int, cube: int, i: int, b: int) -> bool:
     return i >= 0 and 2 * (square * (i + 1) + cube * (i + b)) <= (i + 1) * (i + 2) * (i + 3)
 
 
+def next_bound(bound: int, n: int, centre: int, radius: int, unit: int, x: int) -> int:
+    """From a bound on sup |(-b)_{3n}|/(3^n n! x^(3n)) to one for n + 1, b = (centre + radius η)/unit; rounded up."""
+    factors = math.prod(abs(i * unit - centre) + radius for i in range(3 * n, 3 * n + 3))
+    return -(-bound * factors // ((unit * x) ** 3 * 3 * (n + 1)))
+
+
+def rests(bound: int, n: int, reach: int, x: int) -> tuple[int, int, int]:
+    """For bound = g T, N = n and B = reach: g T, g T (3N + B)/x and g T (3N + B)(3N + 1 + B)/x², rounded up."""
+    far = 3 * n + reach
+    return bound, -(-bound * far // x), -(-bound * far * (far + 1) // (x * x))
+
+
 class Local:
     """F/x^b for b = (centre + radius η)/unit, [low, high] is |η| ≤ 1/2, carried along τ from -x."""
 
@@ -373,7 +389,7 @@ class Local:
 
     def at_minus_x(self) -> list[Model]:
         """a_0, a_1, a_2 at τ = -x with the scale STEP: the enveloping series on the disc (section 1)."""
-        x, unit = self.x, self.unit
+        x = self.x
         sums = [[0] * self.degree for _ in range(3)]
         errors = [0, 0, 0]
         term, bound = Model([1 << self.p] + [0] * (self.degree - 1), 0), 1 << self.p
@@ -384,15 +400,13 @@ class Local:
                 sums[i] = list(map(int.__add__, sums[i], part.m))
                 errors[i] += part.error
             term = self.linear(twice, 3 * k + 2, -3 * (k + 1) * x)
-            factors = (abs(i * unit - self.centre) + self.radius for i in range(3 * k, 3 * k + 3))
-            before, bound = bound, -(-bound * math.prod(factors) // ((unit * x) ** 3 * 3 * (k + 1)))
+            before, bound = bound, next_bound(bound, k, self.centre, self.radius, self.unit, x)
             # N = k + 1: 3N ≥ B + 1/2. The rest is small enough, or it is the least.
             if 3 * k + 2 > self.reach and (bound <= 1 or bound >= before):
                 break
-        far = 3 * k + 3 + self.reach  # ≥ 3N + B
-        bound *= 5 ** -(-self.radius // unit)
-        rests = (bound, bound * far // x + 1, bound * far * (far + 1) // (x * x) + 1)
-        values = [Model(m, error + rest) for m, error, rest in zip(sums, errors, rests, strict=True)]
+        growth = 5 ** -(-self.radius // self.unit)
+        left_out = rests(growth * bound, k + 1, self.reach, x)
+        values = [Model(m, error + rest) for m, error, rest in zip(sums, errors, left_out, strict=True)]
         return [value.times(STEP**i / (1 + i // 2)) for i, value in enumerate(values)]
 
     def recurrence(self, point: Fraction, s: Fraction, start: Sequence[Model]) -> Iterator[Model]:
@@ -499,7 +513,7 @@ class ColumnCheck:
             self.limits.keep("beta", max(abs(column.start), abs(column.end)))
             self.limits.keep("tau", max(distances))
             right = max([0, *points, *(x for piece in column.pieces for x in piece.points)])
-            self.bits = 12 + int(0.2 * float(right) ** 1.5 + 0.6 * float(max(column.end, 0)))
+            self.bits = min(12 + int(0.2 * float(right) ** 1.5 + 0.6 * float(max(column.end, 0))), self.limits.bits)
 
     def local(self, low: Fraction, high: Fraction, bits: int, tau: Fraction) -> Local:
         """F on the disc around [low, high]; those not used for the longest time make room."""
@@ -644,17 +658,17 @@ class ColumnCheck:
         box = (low, high, points[0], points[-1])
         if kind == "right":
             signs = self.right_signs(box, cell)
-            require(signs, f"{name}: the signs of c_0, ..., c_{cell} are not confirmed")
+            require(signs, f"{name}: the signs of c_0, ..., c_{cell} are not confirmed {self.limits.effort()}")
             changes = sum(a != b for a, b in pairwise(signs))
             require(changes == value, f"{name}: {changes} changes of sign, not {value}")
             return signs[0]
         if kind == "fold":
             at_an_end = 0 in (column.start % 3, column.end % 3)
             require(start < 0 < end and at_an_end, f"{name} is not around τ = 0 at β = 3, 6, 9, ...")
-            require(self.fold_holds(box), f"{name}: a hypothesis of the fold is not confirmed")
+            require(self.fold_holds(box), f"{name}: a hypothesis of the fold is not confirmed {self.limits.effort()}")
             return 1
         found = self.sign(box, 0 if kind == "sign" else 1)
-        require(found, f"{name}: no sign is confirmed")
+        require(found, f"{name}: no sign is confirmed {self.limits.effort()}")
         if kind == "hinge":
             require(0 in points, f"{name} does not begin or end at τ = 0")
             sign = found if start == 0 else -found

@@ -13,12 +13,12 @@ import random
 import subprocess
 import sys
 from fractions import Fraction
-from itertools import islice
+from itertools import islice, pairwise
 from pathlib import Path
 
 import mpmath
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from must_reject import mutate
 from must_reject.mutate import GOOD, lines_of, text_of
@@ -217,14 +217,217 @@ def test_the_tail_lemma_at_its_limit() -> None:
     assert not check.tail_falls(0, 0, -1, 1)
 
 
+@given(
+    st.integers(0, 10**6), st.integers(0, 9), st.fractions(-9, 9, max_denominator=50),
+    st.fractions(0, 3, max_denominator=50), st.integers(1, 9),
+)  # fmt: skip
+def test_the_bound_of_the_first_term_left_out(bound: int, n: int, b: Fraction, radius: Fraction, x: int) -> None:
+    """T for N = n + 1 from T for N = n, in rationals; rounded up by less than 1."""
+    unit = 2 * math.lcm(b.denominator, radius.denominator)
+    found = check.next_bound(bound, n, int(b * unit), int(radius * unit), unit, x)
+    factors = math.prod((abs(i - b) + radius for i in (3 * n, 3 * n + 1, 3 * n + 2)), start=Fraction(bound))
+    assert found - 1 < factors / (3 * (n + 1) * x**3) <= found
+
+
+@given(st.integers(0, 10**6), st.integers(1, 20), st.integers(1, 20), st.integers(1, 9))
+def test_the_rests_of_the_enveloping_series(bound: int, n: int, reach: int, x: int) -> None:
+    far, found = 3 * n + reach, check.rests(bound, n, reach, x)
+    exact = (Fraction(bound), Fraction(bound * far, x), Fraction(bound * far * (far + 1), x**2))
+    assert all(rest - 1 < value <= rest for value, rest in zip(exact, found, strict=True))
+
+
+@pytest.mark.parametrize(
+    ("low", "high"), [("7/3", "7/3"), ("-5/2", "-5/2"), ("21/4", "21/4"), ("7/3", "5/2"), ("1", "2")]
+)
+@pytest.mark.parametrize("x", [1, 2, 3])
+def test_a_start_that_is_too_near_has_a_large_error(
+    low: str, high: str, x: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """There what the enveloping series leaves out is most of the error, and at a point b it is seldom much less."""
+    monkeypatch.setattr(check, "start_for", lambda *_: x)
+    model = local(low, high, 60)
+    with mpmath.workdps(DIGITS):
+        for eta in points_of_the_disc(3, 3):
+            b = (model.centre + model.radius * eta) / model.unit
+            for k, value in enumerate(model.anchors[0]):
+                exact = coefficient(mpmath.mpf(-x), b, k) * 2**k * mpmath.mpf(2) ** model.p / mpmath.power(x, b)
+                assert abs(polynomial(value, eta) - exact) <= value.error
+
+
+@given(st.integers(-(2**200), 2**200))
+def test_the_length_of_an_integer_is_not_too_small(value: int) -> None:
+    """A budget that counts too little is none."""
+    assert max(1, Fraction(value.bit_length(), 30)) <= check.digits(value) <= value.bit_length() // 30 + 1
+
+
+def assert_rounded(found: check.Model, exact: list[Fraction], error: Fraction) -> None:
+    """The error holds what the exact model has, and less than 1 for each coefficient and for the error itself."""
+    lost = sum(abs(a - b) for a, b in zip(exact, found.m, strict=True))
+    assert lost + error <= found.error <= error + 1 + len(exact)
+
+
+SMALL = st.integers(-3, 3) | st.integers(-(10**6), 10**6)
+MODELS = st.builds(check.Model, st.lists(SMALL, min_size=4, max_size=4), st.integers(0, 9) | st.integers(0, 10**6))
+RATIONALS = st.fractions(-6, 6, max_denominator=40)
+
+
+@example(Fraction(0), Fraction(0), check.Model([-1] * 4, 44), 1, 45)
+@given(RATIONALS, st.fractions(0, 2, max_denominator=40), MODELS, st.integers(-9, 30), st.sampled_from([1, 7, -6, 45]))
+def test_a_linear_factor_in_rationals(b: Fraction, width: Fraction, a: check.Model, i: int, divisor: int) -> None:
+    """(i - b) a/divisor for b = b_0 + R η: what is cut off is R |m_last|, and ‖i - b‖ = |i - b_0| + R."""
+    model = small_local(b, b + width)
+    middle, radius = b + width / 2, width
+    exact = [((i - middle) * x - radius * y) / divisor for x, y in zip(a.m, [0, *a.m[:-1]], strict=True)]
+    error = (abs(i - middle) + radius) * a.error + radius * abs(a.m[-1])
+    assert_rounded(model.linear(a, i, divisor), exact, error / abs(divisor))
+
+
+@example(
+    Fraction(-1), Fraction(0), Fraction(0), Fraction(1), (check.Model([-1] * 4, 5),) + (check.Model([0] * 4, 0),) * 2
+)
+@given(
+    RATIONALS, st.fractions(0, 2, max_denominator=40), RATIONALS, st.fractions(1, 5, max_denominator=7),
+    st.tuples(MODELS, MODELS, MODELS),
+)  # fmt: skip
+def test_the_recurrence_in_rationals(
+    b: Fraction, width: Fraction, point: Fraction, s: Fraction, start: tuple[check.Model, ...]
+) -> None:
+    model = small_local(b, b + width)
+    middle, radius = b + width / 2, width
+    found = list(islice(model.recurrence(point, s, start), 7))
+    assert found[:3] == list(start)
+    for k, (a, c) in enumerate(pairwise(found[:5])):
+        one, zero = point * s**2 * (k + 1), s**3
+        d = (k + 1) * (k + 2) * (k + 3)
+        moved = [0, *a.m[:-1]]
+        exact = [
+            (one * y + zero * ((k - middle) * x - radius * z)) / d for x, y, z in zip(a.m, c.m, moved, strict=True)
+        ]
+        error = abs(one) * c.error + zero * ((abs(k - middle) + radius) * a.error + radius * abs(a.m[-1]))
+        assert_rounded(found[k + 3], exact, error / d)
+
+
+@given(st.lists(MODELS, min_size=4, max_size=7), st.fractions(-1, 1, max_denominator=99), st.sampled_from([8, 40, 90]))
+def test_the_taylor_shift_in_rationals(series: list[check.Model], u: Fraction, p: int) -> None:
+    for i, value in enumerate(check.moved(series, u, p, ENDLESS)):
+        weights = [math.comb(k, i) * u ** max(k - i, 0) for k in range(len(series))]
+        exact = [sum(map(lambda w, m: w * m, weights, column)) for column in zip(*(a.m for a in series), strict=True)]
+        lost = sum(abs(a - b) for a, b in zip(exact, value.m, strict=True))
+        error = sum(abs(w) * a.error for w, a in zip(weights, series, strict=True))
+        rounding = sum(math.comb(k, i) * k * a.norm() for k, a in enumerate(series)) / Fraction(2**p)
+        assert lost + error <= value.error
+        # The rounded powers of u may be larger than |u|^k by k units.
+        assert value.error <= error + 2 * rounding + 1 + 4
+
+
+@given(RATIONALS, st.fractions(0, 2, max_denominator=40), MODELS)
+def test_the_derivative_in_b_in_integers(b: Fraction, width: Fraction, a: check.Model) -> None:
+    """radius·v·2^16·unit... P + P' and ‖ε'‖ ≤ 2e: no rounding at all."""
+    model = small_local(b, b + width)
+    v, factor = round(math.log(model.x) * 2**16), model.unit * 2**16
+    found = model.in_b(a)
+    derivative = [j * m for j, m in enumerate(a.m)][1:]
+    assert found.m == [factor * x + model.radius * v * y for x, y in zip([*derivative, 0], a.m, strict=True)]
+    assert found.error == (2 * factor + model.radius * v) * a.error
+
+
+@given(
+    st.fractions(-1, 12, max_denominator=30),
+    st.fractions(0, 1, max_denominator=30),
+    st.fractions(0, 5, max_denominator=9),
+)
+def test_the_left_tail_in_rationals(low: Fraction, width: Fraction, x: Fraction) -> None:
+    """tails.md, τ → -∞, written out."""
+    n = math.floor(low)
+    high = min(low + width, Fraction(n + 1))
+    number = max(1, n // 3 + 1)
+    product = math.prod(max(abs(low - i), abs(high - i)) for i in range(3 * number))
+    holds = x > 0 and x ** (3 * number) * 3**number * math.factorial(number) > product
+    assert on_a_column().left_holds(low, high, n, x) is bool(holds)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "growth"),
+    [("7/3", "7/3", 1), ("2", "9/4", 5), ("2", "3", 5), ("-7/2", "-1", 125), ("40", "40", 1), ("-30", "-30", 1)],
+)
+def test_what_the_start_leaves_out(low: str, high: str, growth: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """g T for g = 5^⌈R⌉ and the N of the sum, 3N ≥ B + 1/2, is what goes into the errors."""
+    asked: list[tuple[int, int, int, int]] = []
+    left_out = [10**80, 2 * 10**80, 3 * 10**80]
+    monkeypatch.setattr(check, "rests", lambda *arguments: asked.append(arguments) or left_out)
+    model = local(low, high, 60)
+    ((bound, n, reach, x),) = asked
+    largest = Fraction(abs(model.centre) + model.radius, model.unit)
+    assert x == model.x
+    assert reach >= largest
+    assert 3 * n >= largest + Fraction(1, 2)
+    start = 1 << model.p
+    for i in range(n):
+        start = check.next_bound(start, i, model.centre, model.radius, model.unit, x)
+    assert bound == growth * start
+    assert [a.error // 10**79 for a in model.anchors[0]] == [10, 40, 60]
+
+
+@pytest.mark.parametrize("x", [2, 4, 8])
+@pytest.mark.parametrize("b", [0, 1, 2])
+def test_a_start_without_rounding_is_exact(b: int, x: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """F(-x) = x^b for b = 0, 1, 2: no division of the sum leaves a rest."""
+    monkeypatch.setattr(check, "start_for", lambda *_: x)
+    model = local(str(b), str(b), 60)
+    one = 1 << model.p
+    exact = [Fraction(one), Fraction(-2 * b * one, x), Fraction(2 * b * (b - 1) * one, x**2)]
+    assert [a.m for a in model.anchors[0]] == [[int(value)] for value in exact]
+
+
+def length_of(*values: int) -> list[Fraction]:
+    return [Fraction(value.bit_length(), 30) for value in values]
+
+
+@pytest.mark.parametrize("long", range(4))
+def test_steps_are_counted_with_the_lengths_of_their_numbers(long: int) -> None:
+    """Each long operand is seen: its products are taken from the budget before they are made."""
+    huge = 10**900
+    model = small_local(Fraction(1), Fraction(3, 2) + (Fraction(1, huge) if long == 0 else 0))
+    model.meter = check.Meter(LIMITS, 10**18)
+    a, i, divisor = check.Model([huge, huge], 0), huge if long == 1 else 3, huge if long == 2 else 3
+    model.linear(a, i, divisor)
+    n, r, d = i * model.unit - model.centre, model.radius, divisor * model.unit
+    (one,) = length_of(huge)
+    assert 10**18 - model.meter.left >= 2 * one * sum(length_of(n, r, d)) > 0
+    model.meter = check.Meter(LIMITS, 10**18)
+    point = Fraction(1, huge) if long == 2 else Fraction(huge if long == 1 else 3)
+    start = [check.Model([huge, huge], 0)] * 3
+    list(islice(model.recurrence(point, Fraction(1), start), 4))
+    common = point.denominator * model.unit
+    n, r, f, d = common // model.unit * model.centre, common // model.unit * model.radius, common * point, 6 * common
+    assert 10**18 - model.meter.left >= 2 * one * sum(length_of(n, r, int(f), d)) / 2 > 0
+    meter = check.Meter(LIMITS, 10**18)
+    u, p = (
+        (Fraction(1, 3), Fraction(1, huge), Fraction(huge - 1, huge), Fraction(2, 3))[long],
+        3000 if long == 3 else 60,
+    )
+    check.moved(start * 2, u, p, meter)
+    powers = 6 * Fraction(p, 30) * sum(length_of(u.numerator, u.denominator))
+    assert 10**18 - meter.left >= powers + 3 * 6 * 2 * one * Fraction(p, 30) > 1_000
+
+
+def small_local(low: Fraction, high: Fraction) -> check.Local:
+    """Cheap to make: only its b and its degree are used."""
+    model = object.__new__(check.Local)
+    model.unit = 2 * math.lcm(low.denominator, high.denominator)
+    model.centre, model.radius = int((low + high) / 2 * model.unit), int((high - low) * model.unit)
+    model.x, model.meter = 6, ENDLESS
+    return model
+
+
 @given(st.lists(st.integers(-99, 99), min_size=1, max_size=6), st.integers(0, 99), st.fractions(-9, 9))
+@example([-1] * 6, 44, Fraction(1, 45))
 def test_models_are_rounded_into_their_error(m: list[int], error: int, factor: Fraction) -> None:
     product = check.Model(m, error).times(factor)
-    lost = sum(abs(factor * a - b) for a, b in zip(m, product.m, strict=True))
-    assert lost + abs(factor) * error <= product.error
+    assert_rounded(product, [factor * a for a in m], abs(factor) * error)
     for first in (0, 1):
         terms = sum(Fraction(abs(a), 2**j) for j, a in enumerate(m) if j >= first)
-        assert check.Model(m, error).spread(first) >= terms
+        assert 0 <= check.Model(m, error).spread(first) - terms <= len(m[first:])
     assert check.Model(m, error).norm() == sum(map(abs, m)) + error
 
 
@@ -253,6 +456,16 @@ def test_each_hypothesis_of_the_fold_is_checked(wrong: int, sign: int, monkeypat
     wrong = 9
     assert checker.fold_holds(box)
     assert asked == [((low, high, start, start), 0), ((low, high, end, end), 0), (box, 2), (box, -1)]
+
+
+def test_the_derivative_in_b_of_a_narrow_fold_is_taken_on_a_wider_range(monkeypatch: pytest.MonkeyPatch) -> None:
+    checker, asked = on_a_column(), []
+    monkeypatch.setattr(checker, "sign", lambda box, order: asked.append((box, order)) or 1)
+    low, high, start, end = Fraction(2), 2 + Fraction(1, 10**40), Fraction(-1, 4), Fraction(1, 3)
+    assert checker.fold_holds((low, high, start, end))
+    (low_b, high_b, *in_tau), order = asked[-1]
+    assert (order, in_tau) == (-1, [start, end])
+    assert low_b <= low < high < low_b + Fraction(1, 300) < high_b
 
 
 @pytest.mark.parametrize(("low", "x", "holds"), [("-1", "2", True), ("-3/2", "2", False), ("-1/2", "0", False)])

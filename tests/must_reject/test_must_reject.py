@@ -123,6 +123,7 @@ CONTENT: list[tuple[str, str, Mutation, str]] = [
     ("monotone in a sign", "hinge", put_piece(2, 2, "monotone", "-1/2", "0", -1), "a piece monotone gives no sign"),
     ("right with a zero", "right", put_piece(1, 0, "right", "4", 1), "a piece right gives no sign"),
     ("right for b <= 0", "iwc", put_piece(1, 3, "right", "0", 0), "is not allowed for b ≤ 0"),
+    ("right for b = 0", "iwc", put_piece(2, 2, "right", "0", 0), "is not allowed for b ≤ 0"),
     ("right too early", "right", put_pieces(1, ["sign", "3", "4", 1], ["right", "1", 0]), "an overlap of pieces"),
     ("hinge away from 0", "hinge", put_piece(2, 1, "hinge", "-3/4", "-1/2"), "does not begin or end at τ = 0"),
     ("hinge against F(0, b)", "hinge", lambda lines: _hinge_in_the_next_cell(lines), "F(0, b) has the other sign"),

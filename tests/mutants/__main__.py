@@ -29,7 +29,7 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
     parser.add_argument("files", nargs="+", help="source files or folders of the package")
     parser.add_argument("--sample", type=int, metavar="N", help="at most N mutants of each file")
     parser.add_argument("--seed", type=int, default=0, help="which sample (default 0)")
-    parser.add_argument("--scope", metavar="NAME", help="only this function, such as Dyadic.parse, or module")
+    parser.add_argument("--scope", metavar="NAME", action="append", help="only this function (Dyadic.parse), or module")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--resume", action="store_true", help="leave out what was killed before in the same sources")
     parser.add_argument("--tests", nargs="+", help="test files to use in place of those that are found")
@@ -41,7 +41,7 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
     wrong: list[str] = []
     for file in _files(root, options.files):
         everything = mutants_of(root, file)
-        inside = [mutant for mutant in everything if options.scope in (None, mutant.scope)]
+        inside = [mutant for mutant in everything if options.scope is None or mutant.scope in options.scope]
         chosen = _sample(inside, options.sample, f"{options.seed} {file}")
         if not chosen:
             continue

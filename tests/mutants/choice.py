@@ -5,12 +5,15 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 
+_ALSO = {"proofs/check.py": ("must_reject/test_must_reject.py", "must_reject/test_hostile.py")}
+
 
 def mirrored(root: Path, file: str) -> list[str]:
     """Paths for pytest: the file's own examples and ``tests/.../test_NAME*.py``; what imports it when there is none."""
     path = Path(file)
     folder = root / "tests" / Path(*path.parts[1:-1])
     tests = sorted(folder.glob(f"test_{path.stem}.py")) + sorted(folder.glob(f"test_{path.stem}_*.py"))
+    tests += [root / "tests" / name for name in _ALSO.get(file, ())]
     return [file, *(test.relative_to(root).as_posix() for test in tests)] if tests else importing(root, file)
 
 

@@ -41,17 +41,18 @@ class Reach:
     seconds: dict[str, float] = field(default_factory=dict)
 
     def tests_of(self, mutant: Mutant) -> list[str]:
-        """The tests that reach the mutant's statement (all, if it runs before them), the quick ones first."""
+        """The tests that reach the mutant's statement (all, if it runs before them), quick and narrow ones first."""
         early = mutant.everywhere or mutant.line in self.collected
         reached = [test for test, lines in self.lines.items() if early or mutant.line in lines]
-        return sorted(reached, key=lambda test: (self.seconds[test], test))
+        return sorted(reached, key=lambda test: ((self.seconds[test] + 0.01) * len(self.lines[test]), test))
 
 
 class _Changed(importlib.abc.MetaPathFinder):
     """Gives the module under test its changed code; every other module is found as usual."""
 
     def __init__(self, root: Path, file: str, code: CodeType) -> None:
-        self.module, self.path, self.code = file.removesuffix(".py").replace("/", "."), root / file, code
+        self.module, self.code = file.removesuffix(".py").replace("/", "."), code
+        self.path = Path(os.path.realpath(root / file))
         self.loaded = False
 
     def find_spec(self, fullname: str, path: Any, target: Any = None) -> importlib.machinery.ModuleSpec | None:  # noqa: ARG002
@@ -60,6 +61,16 @@ class _Changed(importlib.abc.MetaPathFinder):
         loader = importlib.machinery.SourceFileLoader(fullname, str(self.path))
         loader.get_code = self._get_code  # type: ignore[method-assign]
         return importlib.util.spec_from_file_location(fullname, self.path, loader=loader)
+
+    def install(self) -> None:
+        """In front of pytest's own hook, which would read the file itself; and for who loads the file by its path."""
+        sys.meta_path.insert(0, self)
+        unchanged, path = importlib.machinery.SourceFileLoader.get_code, str(self.path)
+
+        def get_code(loader: importlib.machinery.SourceFileLoader, fullname: str) -> CodeType | None:
+            return self._get_code(fullname) if os.path.realpath(loader.path) == path else unchanged(loader, fullname)
+
+        importlib.machinery.SourceFileLoader.get_code = get_code  # type: ignore[method-assign, assignment]
 
     def _get_code(self, _: str) -> CodeType:
         self.loaded = True
@@ -80,7 +91,7 @@ class _Plugin:
         quick = settings(phases=(Phase.explicit, Phase.generate), suppress_health_check=(HealthCheck.too_slow,))
         settings.register_profile("mutants", quick)
         settings.load_profile("mutants")
-        sys.meta_path.insert(0, self.changed)  # in front of pytest's own hook, which would read the file itself
+        self.changed.install()
 
     @pytest.hookimpl(trylast=True)
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
