@@ -1,0 +1,114 @@
+"""Theorem 6 of flight.md: its identities by another quadrature, its bounds on lift-off states found at single epsilon,
+and what must not be proved."""
+
+from __future__ import annotations
+
+import mpmath
+import pytest
+from flint import arb, fmpq
+from witness import contains_witness, to_fraction
+
+from gspot_verified.balls import working_bits
+from gspot_verified.compliant.flight import ContactState
+from gspot_verified.compliant.lasting_contact import lasting_contact
+from gspot_verified.compliant.slow_flights import one_flight
+from gspot_verified.compliant.slow_solution import slow_value
+from gspot_verified.compliant.touch_down import flight_end
+from gspot_verified.verdict import Outcome
+
+CERTIFIED = [("3/2", 2), ("5/2", 5)]
+
+
+def moment(j: int, beta: fmpq, epsilon: fmpq, time: fmpq) -> arb:
+    """x^(j) = Gamma(j - b) F_(b-j), b = beta - 1."""
+    b = beta - 1
+    return arb(j - b).gamma() * slow_value(time, b - j, epsilon, digits=30).value
+
+
+@pytest.mark.parametrize(("beta", "tau"), CERTIFIED)
+def test_the_certified_statements(beta: str, tau: int) -> None:
+    verdict = one_flight(beta, "1/100", tau)
+    assert verdict.outcome is Outcome.PROVED
+    assert "every ε <= 1/100" in verdict.statement
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("3/2", "1/100", "3/2"),
+        ("5/2", "1/100", 4),
+        ("11/4", "1/100", 6),
+        ("3/2", 1, 2),
+        ("3/2", "1/100", 2, "1/3"),
+        ("3/2", "1/100", 12),
+    ],
+    ids=["tau", "tau at 5/2", "margin", "epsilon", "late", "far"],
+)
+def test_what_the_inequalities_do_not_give_is_undecided(arguments: tuple[object, ...]) -> None:
+    assert one_flight(*arguments).outcome is Outcome.UNDECIDED  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [(1, "1/100", 2), (2, "1/100", 2), (3, "1/100", 2), ("1/2", "1/100", 2), ("3/2", 0, 2), ("3/2", "1/100", -1),
+     ("3/2", "1/100", 2, 0)],
+)  # fmt: skip
+def test_arguments_outside_the_theorem_are_refused(arguments: tuple[object, ...]) -> None:
+    with pytest.raises(ValueError, match=r"beta|largest|tau|latest"):
+        one_flight(*arguments)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("beta", [fmpq(3, 2), fmpq(5, 2)])
+def test_the_identity_and_the_bounds_of_lemma_1(beta: fmpq) -> None:
+    epsilon, time = fmpq(1, 50), fmpq(12)
+    with mpmath.workdps(40):
+        small, power = mpmath.mpf(1) / 50, mpmath.mpf(int(beta.p)) / int(beta.q)
+
+        def weighted(j: int) -> mpmath.mpf:
+            def integrand(u: mpmath.mpf) -> mpmath.mpf:
+                r = mpmath.exp(u)
+                exponent = (r - r**2 / 2 - r**3 / 3 - mpmath.log1p(r)) / small + 12 * r
+                return mpmath.exp((j - power + 1) * u + exponent) * (2 + r) / (1 + r)
+
+            return mpmath.quad(integrand, [mpmath.mpf(k) / 2 for k in range(-320, 4)])
+
+        second, third = (to_fraction(weighted(j)) for j in (2, 3))
+    with working_bits(150):
+        x = [moment(j, beta, epsilon, time) for j in range(4)]
+        q, kappa = epsilon * time, epsilon * (beta - 1)
+        assert contains_witness(q * x[1] - kappa * x[0], third, 25)
+        for low, middle in ((x[2], second), (x[3], third)):
+            exact = arb(fmpq(middle.numerator, middle.denominator))
+            assert low < exact < 2 * low
+
+
+@pytest.mark.parametrize(("beta", "tau"), CERTIFIED)
+@pytest.mark.parametrize("epsilon", [fmpq(1, 100), fmpq(1, 10**5), fmpq(1, 10**12)])
+@pytest.mark.parametrize("factor", [fmpq(1), fmpq(3, 2)])
+def test_flights_of_slow_trajectories_at_one_epsilon(beta: str, tau: int, epsilon: fmpq, factor: fmpq) -> None:
+    """The trajectory that lifts off at a given time (its C is chosen so): bounds of the proof, and its conclusion."""
+    power = fmpq(*map(int, beta.split("/")))
+    with working_bits(200):
+        eta = (arb(epsilon) / 2).root(3)
+        time = fmpq((tau * factor / eta).upper().ceil().unique_fmpz())
+        x = [moment(j, power, epsilon, time) for j in range(4)]
+        mean = 1 / arb(power - 1)
+        k = mean / x[0]
+        q, kappa = epsilon * time, epsilon * (power - 1)
+        # V + Y = k x', b = k m_2, V = k (x'' + 2 x' - m_2), with m_2 from b-hat = -k epsilon beta Gamma(-beta) F_beta.
+        b_hat = -k * epsilon * power * arb(-power).gamma() * slow_value(time, power, epsilon, digits=40).value
+        b = b_hat + q * mean
+        V = k * (x[2] + 2 * x[1]) - b
+        Y = k * x[1] - V
+        if not q <= fmpq(1, 4):
+            pytest.skip("later than the theorem allows")
+        assert b > q * mean / 4
+        assert b < fmpq(9, 2) * arb(q) * mean
+        assert V < 3 * arb(q).sqrt() * mean
+        assert Y < 0
+        start = ContactState(power, epsilon, fmpq(-1), arb(-q), b, V, Y, arb(0))
+        end = flight_end(start, 80)
+        assert end.state is not None
+        assert end.lower is not None
+        assert 4 * end.lower * kappa > 3 * q
+        assert lasting_contact(end.state).outcome is Outcome.PROVED
