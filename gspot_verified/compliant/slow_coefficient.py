@@ -46,12 +46,12 @@ def _scaled(data: Kernel, bits: int) -> arb:
     lower = arb(-goal / approximate(beta) - 1)
     reach = 2 * (goal + 4 * approximate(beta)) / approximate(p)
     upper = arb(reach).log().min((_FARTHEST_X / epsilon).log().lower()).mid()
-    series = _cubic_coefficients(3 + math.ceil(bits / 3))
+    series = cubic_coefficients(3 + math.ceil(bits / 3))
 
     def integrand(u: acb, _: bool) -> acb:
         y = u.exp()
         x = epsilon * y
-        exponent = beta * u - p * y - x * x * y * _cubic_quotient(x, series) - height
+        exponent = beta * u - p * y - x * x * y * cubic_quotient(x, series) - height
         return exponent.exp() * (data.b - x * data.V + x * x * (data.Y + x * data.force) / (1 - x))
 
     middle = height.exp() * holomorphic_integral(integrand, lower, upper, _MAX_EVALUATIONS).real
@@ -66,15 +66,15 @@ def _scaled(data: Kernel, bits: int) -> arb:
     return add_remainder(epsilon**beta * add_remainder(middle, left), right)
 
 
-def _cubic_coefficients(length: int) -> acb_poly:
+def cubic_coefficients(length: int) -> acb_poly:
     """psi(-x)/x^3 = 2/3 + x/4 + x^2/5 + ...: ``length`` terms."""
     return acb_poly([fmpq(2, 3)] + [fmpq(1, j) for j in range(4, length + 3)])
 
 
-def _cubic_quotient(x: acb, series: acb_poly) -> acb:
-    """psi(-x)/x^3 for complex |x| < 1/8: the rest is at most |x|^n/((n + 3)(1 - |x|)) after n terms."""
+def cubic_quotient(x: acb, series: acb_poly) -> acb:
+    """psi(-x)/x^3 for complex |x| < 1/2: the rest is at most |x|^n/((n + 3)(1 - |x|)) after n terms."""
     size, length = x.abs_upper(), series.degree() + 1
-    if not size < fmpq(1, 8):
+    if not size < fmpq(1, 2):
         return acb(nonfinite())
     rest = size**length / ((length + 3) * (1 - size))
     return series(x) + acb(add_remainder(arb(0), rest), add_remainder(arb(0), rest))

@@ -104,7 +104,7 @@ def test_flights_of_slow_trajectories_at_one_epsilon(beta: str, tau: int, epsilo
             pytest.skip("later than the theorem allows")
         assert b > q * mean / 4
         assert b < fmpq(9, 2) * arb(q) * mean
-        assert V < 3 * arb(q).sqrt() * mean
+        assert 3 * arb(q).sqrt() * mean > V
         assert Y < 0
         start = ContactState(power, epsilon, fmpq(-1), arb(-q), b, V, Y, arb(0))
         end = flight_end(start, 80)

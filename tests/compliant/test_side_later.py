@@ -1,0 +1,112 @@
+"""K of any state: by C and c+ for p > 0, by mpmath along another path for p <= 0, and constant along the motion."""
+
+from __future__ import annotations
+
+import mpmath
+import pytest
+from contact_witness import moved
+from flint import arb, fmpq
+from witness import contains_witness, to_fraction
+
+from gspot_verified.balls import relative_bits, working_bits
+from gspot_verified.compliant.flight import ContactState
+from gspot_verified.compliant.growth_set import in_slow_set
+from gspot_verified.compliant.normal_form import Deviation
+from gspot_verified.compliant.side_later import side
+from gspot_verified.compliant.side_rule import coefficients
+
+BITS = 80
+NONE = fmpq(0)
+BEFORE = [
+    Deviation(fmpq(3, 2), fmpq(1, 10), fmpq(1, 2), fmpq(1), fmpq(-2, 3), fmpq(1, 5), fmpq(2)),
+    Deviation(fmpq(1, 2), fmpq(1), fmpq(2), fmpq(-1, 3), fmpq(2), fmpq(1), fmpq(-1)),
+    Deviation(fmpq(13, 2), fmpq(1, 40), fmpq(1, 3), fmpq(1), fmpq(0), fmpq(-4), fmpq(-2)),
+    Deviation(fmpq(3), fmpq(8), fmpq(1), fmpq(1), fmpq(1), fmpq(1), fmpq(2)),
+]
+
+
+def contact(hats: Deviation, alpha_2: fmpq = NONE) -> ContactState:
+    """The state whose deviation from the trivial solution is ``hats``."""
+    mean = alpha_2 / (1 - hats.beta)
+    values = (hats.p, hats.b - hats.p * mean, hats.V, hats.Y - 2 * mean, hats.force + mean)
+    with working_bits(200):
+        return ContactState(hats.beta, hats.epsilon, alpha_2, *map(arb, values))
+
+
+@pytest.mark.parametrize("hats", BEFORE, ids=lambda s: f"beta={s.beta}, eps={s.epsilon}")
+@pytest.mark.parametrize("alpha_2", [fmpq(0), fmpq(-2)])
+def test_k_before_the_g_spot_is_that_of_the_side_rule(hats: Deviation, alpha_2: fmpq) -> None:
+    value, other = side(contact(hats, alpha_2), BITS), coefficients(hats, BITS)[2]
+    assert relative_bits(value) > 40
+    assert relative_bits(other) > 40
+    assert value.overlaps(other)
+
+
+def later_witness(hats: Deviation) -> mpmath.mpf:
+    """K by mpmath along the vertical line through 1/3 of the scale and then to infinity at 80 degrees."""
+    beta, epsilon, p, b, V, Y, force = (
+        mpmath.mpf(int(v.p)) / int(v.q) for v in (hats.beta, hats.epsilon, hats.p, hats.b, hats.V, hats.Y, hats.force)
+    )
+
+    def integrand(s: mpmath.mpc) -> mpmath.mpc:
+        exponent = (mpmath.log(1 + s) - s + s**2 / 2 + s**3 / 3 + p * s) / epsilon
+        return s ** (beta - 1) * mpmath.exp(exponent) * (b + s * V + s**2 * (Y - s * force) / (1 + s))
+
+    start, size = mpmath.cbrt(epsilon), mpmath.cbrt(epsilon) + mpmath.sqrt(abs(p))
+    direction = mpmath.expjpi(mpmath.mpf(5) / 12)
+    points = [start + direction * size * i / 6 for i in range(90)]
+    return -(beta / mpmath.pi) * mpmath.quad(integrand, points).imag
+
+
+@pytest.mark.parametrize("p", [fmpq(0), fmpq(-1, 5), fmpq(-2)])
+@pytest.mark.parametrize(("beta", "epsilon"), [(fmpq(1, 2), fmpq(1, 5)), (fmpq(5, 2), fmpq(1, 50)), (fmpq(4), fmpq(2))])
+def test_k_after_the_g_spot_by_another_path(p: fmpq, beta: fmpq, epsilon: fmpq) -> None:
+    hats = Deviation(beta, epsilon, p, fmpq(-1, 3), fmpq(-1), fmpq(1, 7), fmpq(2))
+    value = side(contact(hats), BITS)
+    assert relative_bits(value) > 40
+    with mpmath.workdps(40):
+        assert contains_witness(value, to_fraction(later_witness(hats)), 20)
+
+
+@pytest.mark.parametrize("epsilon", [10, 1000, 3 * 10**4, 10**6, 10**12, 10**100])
+def test_k_is_constant_along_the_motion(epsilon: int) -> None:
+    """One step of the motion in mpmath; the series and the closed form of the exponent both occur."""
+    size = round(epsilon ** (2 / 3)) if epsilon < 10**50 else 10**67
+    hats = Deviation(fmpq(5, 2), fmpq(1, epsilon), fmpq(-5, size), fmpq(-1, 3), fmpq(-1), fmpq(1, 7), fmpq(-1))
+    with mpmath.workdps(60):
+        start = [mpmath.mpf(int(v.p)) / int(v.q) for v in (hats.b, hats.V, hats.Y, hats.Z)]
+        later, p = moved(start, -mpmath.mpf(5) / size, mpmath.mpf(5) / 2, 1 / mpmath.mpf(epsilon), mpmath.mpf(1), 10)
+        exact = [fmpq(v.numerator, v.denominator) for v in map(to_fraction, later)]
+    after = Deviation(hats.beta, hats.epsilon, hats.p - hats.epsilon, *exact)
+    assert abs(float(p) - float(after.p.p) / float(after.p.q)) < 1e-15
+    first, second = side(contact(hats), BITS), side(contact(after), BITS)
+    assert relative_bits(first) > 30
+    assert relative_bits(second) > 30
+    assert (first - second).abs_upper() < abs(first) * arb("1e-9")
+
+
+def test_k_is_not_negative_in_the_growth_sets() -> None:
+    state = ContactState(
+        fmpq(2),
+        fmpq(1, 1000),
+        fmpq(-1),
+        arb(fmpq(-1, 4)),
+        arb(fmpq(-31, 32)),
+        arb(-1),
+        arb(fmpq(-1, 4)),
+        arb(fmpq(1, 8)),
+    )
+    assert in_slow_set(state, fmpq(1, 10), fmpq(1, 4))
+    assert side(state, BITS) > 0
+
+
+def test_a_wide_state_gives_a_wide_k_that_holds_the_narrow_one() -> None:
+    narrow = contact(BEFORE[0])
+    wide = ContactState(*(narrow.beta, narrow.epsilon, narrow.alpha_2), narrow.p, narrow.b, narrow.V + arb(0, "1e-3"),
+                        narrow.Y, narrow.force)  # fmt: skip
+    value = side(wide, BITS)
+    assert value.is_finite()
+    assert value.rad() > 1e-6
+    assert value.contains(side(narrow, BITS).mid())
+    assert not side(ContactState(narrow.beta, narrow.epsilon, narrow.alpha_2, narrow.p, arb("nan"), narrow.V, narrow.Y,
+                                 narrow.force), BITS).is_finite()  # fmt: skip
