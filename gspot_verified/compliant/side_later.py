@@ -32,9 +32,9 @@ def side(state: ContactState, bits: int) -> arb:
     lost = max(0, math.ceil(-math.log2(approximate(state.epsilon))))
     with working_bits(bits + lost + _GUARD_BITS):
         data = _hats(state)
-        sizes = [approximate(v) for v in (state.epsilon, state.p)]
-        start = arb(_start(*sizes))
-        last = arb(_last(*sizes, approximate(start), approximate(state.beta), bits))
+        small, p = approximate(state.epsilon), approximate(state.p)
+        start = arb(_start(small, p))
+        last = arb(_last(small, p, approximate(start), approximate(state.beta), bits))
         exponent = _near_exponent(data, bits) if start + last < _SERIES_BELOW else _exponent(data)
         height = exponent(acb(start), False).real.mid()
         half = _half(data, start, last, exponent, height)
@@ -102,10 +102,10 @@ def _start(epsilon: float, p: float) -> float:
             lower = s
         else:
             upper = s
-    return max(lower, (epsilon / 2) ** (1 / 3))
+    return max(lower, math.cbrt(epsilon / 2))
 
 
 def _last(epsilon: float, p: float, start: float, beta: float, bits: int) -> float:
     """Where the cube has won; any number is right."""
     goal = (bits + 8 + 8 * beta) * math.log(2)
-    return 2 * start + math.sqrt(max(p, 0.0)) + (6 * epsilon * goal) ** (1 / 3)
+    return 2 * start + math.sqrt(max(p, 0.0)) + math.cbrt(6 * epsilon * goal)
