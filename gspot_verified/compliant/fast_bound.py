@@ -28,29 +28,33 @@ class FastBound:
     rate: arb
 
     def at(self, epsilon: fmpq) -> arb:
-        """The bound at one epsilon; not finite when epsilon > largest."""
-        if epsilon > self.largest:
+        """The bound at one epsilon; not finite unless 0 < epsilon <= largest."""
+        if not 0 < epsilon <= self.largest:
             return nonfinite()
         with working_bits(_BITS + int(epsilon.height_bits())):
             return self.size * (self.rate * (1 / arb(epsilon) - 1 / arb(self.largest))).exp()
 
 
 def fast_bound(state: Deviation, largest: fmpq) -> FastBound:
-    """The bound for every epsilon <= ``largest``, with p and the hats b, V, Y, Z of ``state``; p > 0, else not finite.
+    """The bound for every epsilon <= ``largest``, with p and the hats b, V, Y, Z of ``state``.
 
     ``rate`` is a bound of epsilon Re(exponent) on the whole path, just above its value Re g(r_+) < 0 at the saddle.
+    Hypotheses, checked, else not finite: p > 0, ``largest`` > 0, and that ``rate`` holds before and beyond the boxes.
     """
-    if not state.p > 0:
+    if not (state.p > 0 and largest > 0):
         return FastBound(largest, nonfinite(), nonfinite())
     with working_bits(_BITS):
         data, top = kernel(replace(state, epsilon=largest)), saddle(state.p)
         path = FastPath(data, top, _BITS)
         first, last = path.first(), path.last()
         boxes = [*_from_minus_one(data, top, first), *_to_infinity(data, top, last)]
-        # Before and beyond the boxes Re E is smaller still (section 5).
         rate = boxes[0].rate
         for box in boxes:
             rate = rate.max(box.rate)
+        # Beyond the boxes Re E falls: that is a hypothesis of path.beyond. Before them it is at most ``start``.
+        start = data.epsilon * path.exponent_before(first)
+        if not start <= rate:
+            return FastBound(largest, nonfinite(), nonfinite())
         size = path.before(first) + path.beyond(last)
         for box in boxes:
             size += box.front * (box.rate / data.epsilon - path.height).exp()
@@ -74,11 +78,11 @@ def _from_minus_one(data: Kernel, top: acb, first: arb) -> Iterator[_Box]:
         s = (1 + top) * u.exp() - 1
         return log_start + u + s * (data.p - 1 + s / 2 + s * s / 3)
 
-    for whole, middle, width in _parts(first, arb(0)):
+    for whole, middle in _parts(first, arb(0)):
         rest = (1 + top) * whole.exp()
         s = rest - 1
         slope = data.p * (1 + s) + s * s * (s + 2)
-        yield _box(data, s, data.polynomial(s, rest), exponent(middle).real, slope.real, width)
+        yield _box(data, s, data.polynomial(s, rest), exponent(middle).real, slope.real, _reach(whole, middle))
 
 
 def _to_infinity(data: Kernel, top: acb, last: arb) -> Iterator[_Box]:
@@ -89,20 +93,26 @@ def _to_infinity(data: Kernel, top: acb, last: arb) -> Iterator[_Box]:
         s = top + direction * rho
         return (1 + s).log() + s * (data.p - 1 + s / 2 + s * s / 3)
 
-    for whole, middle, width in _parts(last, arb(0)):
+    for whole, middle in _parts(last, arb(0)):
         s = top + direction * whole
         slope = direction * (data.p + s * s * (s + 2) / (1 + s))
-        yield _box(data, s, data.polynomial(s, 1 + s) / (1 + s), exponent(middle).real, slope.real, width)
+        yield _box(data, s, data.polynomial(s, 1 + s) / (1 + s), exponent(middle).real, slope.real, _reach(whole, middle))
 
 
-def _box(data: Kernel, s: acb, rest: acb, middle: arb, slope: arb, width: arb) -> _Box:
-    """Re E <= its value in the middle + |slope| width/2 (mean value theorem)."""
+def _box(data: Kernel, s: acb, rest: acb, middle: arb, slope: arb, reach: arb) -> _Box:
+    """Re E <= its value in the middle + |slope| reach (mean value theorem); the piece is at most 2 reach long."""
     power = abs(s) ** (data.beta - 1)
-    return _Box((middle + abs(slope) * width / 2).upper(), (width * power * abs(rest)).abs_upper())
+    return _Box((middle + abs(slope) * reach).upper(), (2 * reach * power * abs(rest)).abs_upper())
 
 
-def _parts(far: arb, near: arb) -> Iterator[tuple[arb, arb, arb]]:
-    """Pieces between ``far`` and ``near`` as (ball, midpoint, width), the finer the nearer to ``near``."""
+def _reach(whole: arb, middle: arb) -> arb:
+    """How far a number of ``whole`` is from ``middle``, at most: rounded, so a little more than half the width."""
+    return (whole - middle).abs_upper()
+
+
+def _parts(far: arb, near: arb) -> Iterator[tuple[arb, arb]]:
+    """Pieces that cover what lies between ``far`` and ``near``, as (ball, a number in it), the finer the nearer to
+    ``near``."""
     for k in range(_PARTS):
         begin, end = (near + (far - near) * fmpq(j**2, _PARTS**2) for j in (k, k + 1))
-        yield begin.union(end), ((begin + end) / 2).mid(), abs(end - begin)
+        yield begin.union(end), ((begin + end) / 2).mid()

@@ -97,8 +97,12 @@ class FastPath:
         if not radius <= fmpq(1, 4):
             return nonfinite()
         power = arb(fmpq(5, 4)) ** (data.beta - 1).max(arb(0)) * arb(fmpq(4, 3)) ** (1 - data.beta).max(arb(0))
-        exponent = self._growth() + radius.log() / data.epsilon - self.height
+        exponent = self.exponent_before(lower) - self.height
         return power * 4 * data.size * exponent.exp() * data.epsilon
+
+    def exponent_before(self, lower: arb) -> arb:
+        """A bound of the real part of the exponent for u <= ``lower``; it needs |1 + s| <= 1/4 there."""
+        return self._growth() + ((1 + self.top).log().real + lower) / self.data.epsilon
 
     def to_infinity(self) -> acb:
         """s = r_+ + e^(i pi/3) rho, rho from 0 to infinity; a bound beyond ``last``."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from flint import arb
+from flint import arb, fmpq
 
 from gspot_verified.balls import Exact, approximate, nonfinite, working_bits
 from gspot_verified.compliant.epsilon_series import epsilon_series
@@ -30,7 +30,7 @@ Route = Callable[[Exact, Exact, Exact, int], arb]
 def integral(time: Exact, b: Exact, epsilon: Exact, goal: int) -> arb:
     """The trapezoidal rule for four consecutive b - n <= -1, and the recurrence from there up to b."""
     place, eta = approximate_scaled(time, epsilon)
-    steps = steps_from_below(approximate(b), place, goal)
+    steps = steps_from_below(approximate(b), place, goal, eta)
     base = b - steps
     lost = bits_lost(approximate(b), place, eta, steps)
     plan = trapezoid_plan(place, approximate(base), eta, _ORDER, goal + lost)
@@ -57,10 +57,20 @@ def series(time: Exact, b: Exact, epsilon: Exact, goal: int) -> arb:
     return epsilon_series(first, tau, b, exact_eta, places, plan.bits)
 
 
+def polynomial(time: Exact, b: Exact, epsilon: Exact, goal: int) -> arb:
+    """b = 0, 1, 2, ...: the recurrence from G_0 = 1 alone, because the factors of what stands below G_0 vanish."""
+    if not (isinstance(b, fmpq) and b.q == 1 and b >= 0):
+        return nonfinite()
+    steps = int(b.p)
+    with working_bits(goal + 8 * steps + 32):
+        eta = scale(epsilon)
+        return climbed([arb(1), arb(0), arb(0), arb(0)], b, steps, eta * time, eta)[0]
+
+
 def approximate_scaled(time: Exact, epsilon: Exact) -> tuple[float, float]:
     """tau and eta as floats, for heuristics."""
     eta = (approximate(epsilon) / 2) ** (1 / 3)
     return eta * approximate(time), eta
 
 
-ROUTES: dict[str, Route] = {"integral": integral, "series": series}
+ROUTES: dict[str, Route] = {"integral": integral, "series": series, "polynomial": polynomial}

@@ -16,13 +16,14 @@ _ANGLES = tuple(math.pi / 6 * 7 / 8 * 2 ** (-k / 2) for k in range(50))
 _GUARD_BITS = 24
 _STEP_BITS = 4
 _NEWTON_STEPS = 60
+_LARGE_ETA = 4.0
 
 
-def steps_from_below(b: float, tau: float, bits: int) -> int:
+def steps_from_below(b: float, tau: float, bits: int, eta: float = 0.0) -> int:
     """How many steps of the recurrence in b lead from the integrals, at b - n <= -1, up to b."""
     least = max(0, math.ceil(b + 2.5))
-    # The further down, the fewer nodes near rho = 0. Where the peak alone counts, the steps would only cancel.
-    if tau > 0 and tau**1.5 > bits:
+    # The further down, the fewer nodes near rho = 0. Where the peak alone counts, or eta is large, the steps cancel.
+    if (tau > 0 and tau**1.5 > bits) or eta > _LARGE_ETA:
         return least
     return max(least, math.ceil(b + bits / 8))
 

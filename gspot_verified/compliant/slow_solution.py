@@ -148,23 +148,26 @@ def _enclose(time: Exact, b: Exact, epsilon: Exact, derivative: int, goal: int) 
 
 def _approach(time: Exact, b: Exact, epsilon: Exact, goal: int) -> tuple[arb, str, Reason | None]:
     """G_b by the preferred route, with rising precision until ``goal`` bits are certain or nothing is gained."""
-    route = _preferred(time, epsilon)
+    route = _preferred(time, b, epsilon)
     value = ROUTES[route](time, b, epsilon, goal)
+    following = "integral" if route == "series" else route
     if not value.is_finite() and route == "series":
-        route, value = "integral", ROUTES["integral"](time, b, epsilon, goal)
+        route, value = following, ROUTES[following](time, b, epsilon, goal)
     wanted, certain = goal, relative_bits(value)
     while certain < goal:
         wanted = wanted + max(goal - certain, 16) + 8 if certain > 0 else 2 * wanted + 64
         if wanted > 8 * goal + 4_096:
             return value, route, Reason.BUDGET
-        finer = ROUTES["integral"](time, b, epsilon, wanted)
+        finer = ROUTES[following](time, b, epsilon, wanted)
         if not all(map(is_exact, (time, b, epsilon))) and not certainly_less(4 * finer.rad(), value.rad()):
-            return finer if finer.is_finite() else value, "integral", Reason.WIDE_INPUT
-        value, route, certain = finer, "integral", relative_bits(finer)
+            return finer if finer.is_finite() else value, following, Reason.WIDE_INPUT
+        value, route, certain = finer, following, relative_bits(finer)
     return value, route, None
 
 
-def _preferred(time: Exact, epsilon: Exact) -> str:
+def _preferred(time: Exact, b: Exact, epsilon: Exact) -> str:
+    if isinstance(b, fmpq) and b.q == 1 and b >= 0:
+        return "polynomial"
     place = approximate_scaled(time, epsilon)[0]
     return "series" if approximate(epsilon) < _SERIES_BELOW and place > _SERIES_FROM_TAU else "integral"
 
