@@ -21,9 +21,15 @@ from hypothesis import settings
 settings.register_profile("default", max_examples=60, deadline=None, derandomize=True, database=None)
 settings.register_profile("thorough", max_examples=1000, deadline=None, database=None, print_blob=True)
 
-SABOTAGED_MODULES = (
-    "majorant", "mean_value", "taylor", "splitting", "negative", "positive", "laplace", "finite_part", "box",
-)  # fmt: skip
+SABOTAGED_MODULES = {
+    **dict.fromkeys(
+        ("majorant", "mean_value", "taylor", "splitting", "negative", "positive", "laplace", "finite_part", "box"),
+        "theta_function",
+    ),
+    **dict.fromkeys(
+        ("grid", "slow_integral", "epsilon_series", "slow_coefficient", "fast_coefficient", "side_rule"), "compliant"
+    ),
+}
 _MAX_EXPONENT = 10_000
 
 AddRemainder = Callable[[arb, arb], arb]
@@ -68,8 +74,8 @@ def parse_sabotage(request: str) -> tuple[str, int]:
 
 
 def sabotage(route: str, exponent: int) -> None:
-    """Replace ``add_remainder`` as the module ``gspot_verified.theta_function.<route>`` sees it."""
-    module = importlib.import_module(f"gspot_verified.theta_function.{route}")
+    """Replace ``add_remainder`` as the module ``route`` of its package sees it."""
+    module = importlib.import_module(f"gspot_verified.{SABOTAGED_MODULES[route]}.{route}")
     honest = getattr(module, "add_remainder", None)
     if honest is None:
         raise pytest.UsageError(f"--sabotage: {module.__name__} has no add_remainder to replace")

@@ -11,19 +11,25 @@ import pytest
 _ROOT = Path(__file__).resolve().parent.parent
 
 
-def _run(*options: str) -> int:
+_THETA = (
+    "tests/theta_function/test_sharpness.py",
+    "tests/theta_function/test_majorant.py",
+    "tests/theta_function/test_mean_value.py",
+    "tests/theta_function/test_box.py::test_bounds_that_are_attained",
+)
+_COMPLIANT = ("tests/compliant/test_sharpness.py",)
+
+
+def _run(files: tuple[str, ...], *options: str) -> int:
     command = [
-        sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", *options,
-        "tests/theta_function/test_sharpness.py",
-        "tests/theta_function/test_majorant.py",
-        "tests/theta_function/test_mean_value.py",
-        "tests/theta_function/test_box.py::test_bounds_that_are_attained",
+        sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", *options, *files
     ]  # fmt: skip
     return subprocess.run(command, cwd=_ROOT, capture_output=True, timeout=300, check=False).returncode
 
 
 def test_green_without_sabotage() -> None:
-    assert _run() == 0
+    assert _run(_THETA) == 0
+    assert _run(_COMPLIANT) == 0
 
 
 # The first six bounds are attained to 2^-20 relative; the others are wider than the error, by less than 2^20.
@@ -35,4 +41,16 @@ def test_green_without_sabotage() -> None:
     ],
 )  # fmt: skip
 def test_red_with_a_shrunk_radius(sabotage: str) -> None:
-    assert _run("--sabotage", sabotage) == 1
+    assert _run(_THETA, "--sabotage", sabotage) == 1
+
+
+# The first two are attained to 2^-20 relative.
+@pytest.mark.parametrize(
+    "sabotage",
+    [
+        "grid:20", "slow_integral:20", "epsilon_series:-20", "slow_coefficient:-20", "fast_coefficient:-20",
+        "side_rule:-20",
+    ],
+)  # fmt: skip
+def test_red_with_a_shrunk_radius_of_the_compliant_model(sabotage: str) -> None:
+    assert _run(_COMPLIANT, "--sabotage", sabotage) == 1

@@ -96,7 +96,9 @@ def _to_infinity(data: Kernel, top: acb, last: arb) -> Iterator[_Box]:
     for whole, middle in _parts(last, arb(0)):
         s = top + direction * whole
         slope = direction * (data.p + s * s * (s + 2) / (1 + s))
-        yield _box(data, s, data.polynomial(s, 1 + s) / (1 + s), exponent(middle).real, slope.real, _reach(whole, middle))
+        yield _box(
+            data, s, data.polynomial(s, 1 + s) / (1 + s), exponent(middle).real, slope.real, _reach(whole, middle)
+        )
 
 
 def _box(data: Kernel, s: acb, rest: acb, middle: arb, slope: arb, reach: arb) -> _Box:

@@ -15,6 +15,7 @@ from gspot_verified.balls import Exact, add_remainder, approximate, ball, curren
 
 # Below this x = eta rho the exponent is summed: the closed form would lose 3 log2(1/x) bits and more.
 _SERIES_BELOW = fmpq(1, 16)
+_BLOCK = 16
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,32 +29,43 @@ class Grid:
     exponents: tuple[arb, ...]
 
 
-@lru_cache(maxsize=64)
-def _nodes(step: fmpq, first: int, last: int, bits: int) -> tuple[arb, ...]:
-    # A product of up to last - first factors: each multiplication adds 2^-bits relative.
-    with working_bits(bits + (last - first).bit_length() + 8):
-        ratio, node = arb(step).exp(), (arb(step) * first).exp()
+def grid(epsilon: Exact, step: fmpq, first: int, last: int, bits: int) -> Grid:
+    """The grid at one epsilon > 0, or for all epsilon of a ball; kept for the next calls at the same one.
+
+    Nodes are made and kept in blocks, so that grids which overlap share them.
+    """
+    block = _kept_block if isinstance(epsilon, fmpq) else _new_block
+    nodes: list[arb] = []
+    exponents: list[arb] = []
+    start = first // _BLOCK
+    for index in range(start, last // _BLOCK + 1):
+        made = block(epsilon, step, index, bits)
+        nodes += made[0]
+        exponents += made[1]
+    begin, end = first - start * _BLOCK, last + 1 - start * _BLOCK
+    return Grid(step, first, last, tuple(nodes[begin:end]), tuple(exponents[begin:end]))
+
+
+@lru_cache(maxsize=1024)
+def _nodes(step: fmpq, index: int, bits: int) -> tuple[arb, ...]:
+    """rho_k for the k of one block."""
+    # A product of up to _BLOCK factors: each multiplication adds 2^-bits relative.
+    with working_bits(bits + _BLOCK.bit_length() + 8):
+        ratio, node = arb(step).exp(), (arb(step) * (_BLOCK * index)).exp()
         found = [node]
-        for _ in range(last - first):
+        for _ in range(_BLOCK - 1):
             node = node * ratio
             found.append(node)
         return tuple(found)
 
 
-def grid(epsilon: Exact, step: fmpq, first: int, last: int, bits: int) -> Grid:
-    """The grid at one epsilon > 0, or for all epsilon of a ball; kept for the next call at the same one."""
-    if isinstance(epsilon, fmpq):
-        return _kept_grid(epsilon, step, first, last, bits)
-    return _new_grid(epsilon, step, first, last, bits)
-
-
-def _new_grid(epsilon: Exact, step: fmpq, first: int, last: int, bits: int) -> Grid:
-    nodes = _nodes(step, first, last, bits)
+def _new_block(epsilon: Exact, step: fmpq, index: int, bits: int) -> tuple[tuple[arb, ...], tuple[arb, ...]]:
+    nodes = _nodes(step, index, bits)
     with working_bits(bits):
-        return Grid(step, first, last, nodes, tuple(cubic_exponent(scale(epsilon), nodes)))
+        return nodes, tuple(cubic_exponent(scale(epsilon), nodes))
 
 
-_kept_grid = lru_cache(maxsize=64)(_new_grid)
+_kept_block = lru_cache(maxsize=1024)(_new_block)
 
 
 def scale(epsilon: Exact) -> arb:

@@ -5,12 +5,15 @@ Proof page: ``proofs/slow_integral.md``.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from flint import arb, fmpq
 
 from gspot_verified.balls import Exact, add_remainder, ball, nonfinite, working_bits
 from gspot_verified.compliant.grid import Grid, cubic_exponent, grid, scale
+
+_BOUND_BITS = 64
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,16 +43,22 @@ def slow_moments(tau: arb, b: Exact, epsilon: Exact, count: int, plan: Trapezoid
         if not arb(plan.angle) * 6 <= arb.pi():
             return [nonfinite()] * count
         nodes = grid(epsilon, plan.step, plan.first, plan.last, plan.bits)
-        sums = _sums(tau, top, count, nodes)
-        found = []
-        for j, total in enumerate(sums):
-            exponent = top - j
-            remainder = plan.step * (
-                _left_of_the_nodes(tau, exponent, eta, plan, nodes)
-                + _right_of_the_nodes(tau, exponent, eta, plan, nodes)
-            ) + _discretisation(tau, exponent, eta, plan)
-            found.append(add_remainder(plan.step * total, remainder))
-        return found
+        sums = [plan.step * total for total in _sums(tau, top, count, nodes)]
+        exponents = [top - j for j in range(count)]
+        with working_bits(_BOUND_BITS):
+            remainders = _remainders(tau, exponents, eta, plan, nodes)
+        return [add_remainder(total, remainder) for total, remainder in zip(sums, remainders, strict=True)]
+
+
+def _remainders(tau: arb, exponents: Sequence[arb], eta: arb, plan: TrapezoidPlan, nodes: Grid) -> list[arb]:
+    """Bounds of what the sums leave out and of the discretisation, for each b of ``exponents``."""
+    shifted = _tangent_bounds(tau, exponents, eta, arb(plan.angle), arb(plan.rising), arb(plan.falling))
+    ratio = (2 * arb.pi() * plan.angle / plan.step).exp() - 1
+    return [
+        plan.step * (_left_of_the_nodes(tau, b, eta, plan, nodes) + _right_of_the_nodes(tau, b, eta, plan, nodes))
+        + 2 * bound / ratio
+        for b, bound in zip(exponents, shifted, strict=True)
+    ]
 
 
 def _sums(tau: arb, b: arb, count: int, nodes: Grid) -> list[arb]:
@@ -101,29 +110,33 @@ def _slope(rho: arb, tau: arb, eta: arb, cosine_3: arb) -> arb:
     return tau - cosine_3 * rho * rho * (x + 2) / (2 * (1 + x))
 
 
-def _discretisation(tau: arb, b: arb, eta: arb, plan: TrapezoidPlan) -> arb:
-    """2 M/(e^(2 pi angle/step) - 1), M a bound of the integral along Im log rho = angle."""
-    shifted = tangent_bound(tau, b, eta, arb(plan.angle), arb(plan.rising), arb(plan.falling))
-    return 2 * shifted / ((2 * arb.pi() * plan.angle / plan.step).exp() - 1)
-
-
 def tangent_bound(tau: arb, b: arb, eta: arb, angle: arb, rising: arb, falling: arb) -> arb:
     """A bound of int_0^oo rho^(-b-1) e^(rho tau cos(angle) + cos(3 angle)(-rho^3/3 + h)) drho, 0 <= angle <= pi/6.
 
     The logarithm of the integrand is concave for b <= -1, so it lies below its tangents at ``rising`` and ``falling``.
     Hypotheses, checked: 0 < rising < falling, slope > 0 at the first and < 0 at the second.
     """
+    return _tangent_bounds(tau, (b,), eta, angle, rising, falling)[0]
+
+
+def _tangent_bounds(tau: arb, exponents: Sequence[arb], eta: arb, angle: arb, rising: arb, falling: arb) -> list[arb]:
+    """:func:`tangent_bound` for several b: what does not depend on b is made once."""
     cosine, cosine_3 = angle.cos(), (3 * angle).cos()
-    if not (0 < rising < falling and cosine_3 >= 0 and b <= -1):
+    if not (0 < rising < falling and cosine_3 >= 0):
+        return [nonfinite()] * len(exponents)
+    places = [
+        (rho.log(), 1 / rho, rho * tau * cosine + cosine_3 * cubic, _slope(rho, tau * cosine, eta, cosine_3))
+        for rho, cubic in zip((rising, falling), cubic_exponent(eta, (rising, falling)), strict=True)
+    ]
+    return [_below_the_tangents(places, -b - 1, falling - rising) if b <= -1 else nonfinite() for b in exponents]
+
+
+def _below_the_tangents(places: Sequence[tuple[arb, arb, arb, arb]], power: arb, distance: arb) -> arb:
+    """The integral of e^min(tangents); ``places`` hold log rho, 1/rho and the rest of the logarithm and its slope."""
+    height, other = (power * log + rest for log, _, rest, _ in places)
+    up, down = (power * inverse + slope for _, inverse, _, slope in places)
+    if not (up > 0 and down < 0):
         return nonfinite()
-    logs, slopes = [], []
-    for rho in (rising, falling):
-        nodes = cubic_exponent(eta, (rho,))[0]
-        logs.append((-b - 1) * rho.log() + rho * tau * cosine + cosine_3 * nodes)
-        slopes.append((-b - 1) / rho + _slope(rho, tau * cosine, eta, cosine_3))
-    if not (slopes[0] > 0 and slopes[1] < 0):
-        return nonfinite()
-    # Where the two tangents meet: rising + (logs[1] - logs[0] + s_1 (falling - rising)...)/(s_0 - s_1).
-    meeting = (logs[1] - logs[0] - slopes[1] * (falling - rising)) / (slopes[0] - slopes[1])
-    peak = logs[0] + slopes[0] * meeting
-    return peak.exp() * (1 / slopes[0] - 1 / slopes[1])
+    # The tangents meet at rising + x: height + up x = other + down (x - distance).
+    meeting = (other - height - down * distance) / (up - down)
+    return (height + up * meeting).exp() * (1 / up - 1 / down)

@@ -15,6 +15,8 @@ from gspot_verified.compliant.slow_integral import TrapezoidPlan
 _ANGLES = tuple(math.pi / 6 * 7 / 8 * 2 ** (-k / 2) for k in range(50))
 _GUARD_BITS = 24
 _STEP_BITS = 4
+# Working bits in few sizes, so that grids are shared.
+_BITS_MULTIPLE = 32
 _NEWTON_STEPS = 60
 _LARGE_ETA = 4.0
 
@@ -40,7 +42,7 @@ def trapezoid_plan(tau: float, b: float, eta: float, count: int, bits: int) -> T
     low = peak(tau, b, eta, 0.0)
     top = log_integrand(low, tau, b, eta, 0.0)
     goal = bits * math.log(2) + 4
-    angle = max(_ANGLES, key=lambda a: a / (goal + _excess(tau, b, eta, a, top)))
+    angle = _best_angle(tau, b, eta, goal, top)
     step = _rounded(2 * math.pi * angle / (goal + _excess(tau, b, eta, angle, top)))
     high = peak(tau, b - count + 1, eta, 0.0)
     left = _edge(lambda u: top - log_integrand(math.exp(u), tau, b, eta, 0.0) - goal, math.log(low), -1.0)
@@ -53,8 +55,24 @@ def trapezoid_plan(tau: float, b: float, eta: float, count: int, bits: int) -> T
     rising, falling = _tangents(tau, b, eta, angle, count)
     return TrapezoidPlan(
         fmpq(*float(step).as_integer_ratio()), first, last, _short(angle), _short(rising), _short(falling),
-        bits + math.ceil(math.log2(size)) + _GUARD_BITS,
+        -(-(bits + math.ceil(math.log2(size)) + _GUARD_BITS) // _BITS_MULTIPLE) * _BITS_MULTIPLE,
     )  # fmt: skip
+
+
+def _best_angle(tau: float, b: float, eta: float, goal: float, top: float) -> float:
+    """The angle that allows the longest step: the excess grows like its square, so the best one is near the guess."""
+
+    def merit(k: int) -> float:
+        return _ANGLES[k] / (goal + _excess(tau, b, eta, _ANGLES[k], top))
+
+    trial = 12
+    growth = max(_excess(tau, b, eta, _ANGLES[trial], top), 1e-12) / _ANGLES[trial] ** 2
+    guess = 2 * math.log2(_ANGLES[0] / math.sqrt(goal / growth))
+    best = min(max(round(guess), 0), len(_ANGLES) - 1)
+    for direction in (-1, 1):
+        while 0 <= best + direction < len(_ANGLES) and merit(best + direction) > merit(best):
+            best += direction
+    return _ANGLES[best]
 
 
 def _excess(tau: float, b: float, eta: float, angle: float, top: float) -> float:

@@ -77,6 +77,21 @@ def test_two_routes_agree(tau: Fraction, b: Fraction, tens: int, digits: int) ->
         assert tens < 20  # many digits at a not so small epsilon: the series diverges
 
 
+@pytest.mark.parametrize("n", [0, 1, 2, 3, 4, 7, 20])
+@pytest.mark.parametrize("epsilon", [fmpq(50), fmpq(1, 1000)])
+def test_polynomials_and_the_integral_agree(n: int, epsilon: fmpq) -> None:
+    for time in (fmpq(-7, 2), fmpq(0), fmpq(3)):
+        first, second = (ROUTES[name](time, fmpq(n), epsilon, 200) for name in ("polynomial", "integral"))
+        assert first.is_finite()
+        assert second.is_finite()
+        assert first.overlaps(second)
+
+
+def test_the_route_of_polynomials_knows_nothing_elsewhere() -> None:
+    for b in (fmpq(1, 2), fmpq(-1), arb(2), arb(2, 1)):
+        assert not ROUTES["polynomial"](fmpq(1), b, fmpq(1), 60).is_finite()
+
+
 @pytest.mark.parametrize("epsilon", [Fraction(3), Fraction(1, 20), Fraction(1, 300)], ids=str)
 @pytest.mark.parametrize("b", [Fraction(1, 2), Fraction(13, 3), Fraction(15, 2)])
 def test_it_solves_the_equation_of_fourth_order(b: Fraction, epsilon: Fraction) -> None:
@@ -141,6 +156,10 @@ def test_wide_balls_contain_their_points() -> None:
         (5, "25/2", "1/10"),
         (1, 120, "1e-3"),
         (0, -150, 10),
+        (0, "61/10", 10**6),
+        ("13/10", "13/10", 10**6),
+        (10**5, 13, "206/329"),
+        ("-1e300", 200, "1e-298"),
     ],
 )
 def test_far_out_the_accuracy_is_reached(time: str, b: str, epsilon: str) -> None:

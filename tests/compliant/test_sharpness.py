@@ -1,0 +1,87 @@
+"""Places where a bound is attained almost exactly, or up to a factor far from 2^20: a radius that is too small would
+exclude the value here.
+
+``tests/test_sabotage.py`` runs this file with each bound shrunk on purpose and wants it red.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+from flint import arb, fmpq
+from strategies import ends
+
+from gspot_verified.balls import working_bits
+from gspot_verified.compliant.epsilon_series import epsilon_series
+from gspot_verified.compliant.fast_coefficient import fast_coefficient
+from gspot_verified.compliant.grid import _half_phi, _half_phi_at, scale
+from gspot_verified.compliant.normal_form import Deviation
+from gspot_verified.compliant.routes import integral
+from gspot_verified.compliant.side_rule import coefficients
+from gspot_verified.compliant.slow_coefficient import slow_coefficient
+from gspot_verified.compliant.slow_integral import TrapezoidPlan, slow_moments
+from gspot_verified.theta_function.evaluate import evaluate
+
+
+def _exact(value: arb) -> Fraction:
+    """The midpoint of a very accurate enclosure, for comparison with a much wider one."""
+    lower, upper = ends(value)
+    return (lower + upper) / 2
+
+
+def _contained(value: arb, number: Fraction) -> bool:
+    lower, upper = ends(value)
+    return lower <= number <= upper
+
+
+@pytest.mark.parametrize("length", [1, 2, 5])
+def test_few_terms_of_the_exponent(length: int) -> None:
+    x = arb((1, -40))
+    with working_bits(1000):
+        few = _half_phi_at(x, *_half_phi(length, 1000))
+        many = _half_phi_at(x, *_half_phi(40, 1000))
+    assert _contained(few, _exact(many))
+
+
+@pytest.mark.parametrize("b", [fmpq(-1), fmpq(-5, 2)])
+def test_nodes_left_out_near_zero(b: fmpq) -> None:
+    """The grid begins at rho = e^-20 and the step is so short that nothing but the left end is seen."""
+    step = fmpq(1, 80)
+    plan = TrapezoidPlan(step, -1600, 240, fmpq(1, 4), fmpq(1, 4), fmpq(3), 300)
+    full = TrapezoidPlan(step, -10_000, 240, fmpq(1, 4), fmpq(1, 4), fmpq(3), 300)
+    found = slow_moments(arb(1), b, fmpq(1, 10), 1, plan)[0]
+    assert _contained(found, _exact(slow_moments(arb(1), b, fmpq(1, 10), 1, full)[0]))
+
+
+def test_series_in_eta_with_one_order() -> None:
+    epsilon, b = fmpq(1, 10**30), fmpq(-1, 2)
+    with working_bits(400):
+        eta = scale(epsilon)
+        first = [evaluate(arb(0), b, derivative=j, digits=100).value for j in range(3)]
+    found = epsilon_series(first, arb(0), b, eta, [(arb(1), arb(2))], 400)
+    assert _contained(found, _exact(integral(fmpq(0), b, epsilon, 300)))
+
+
+@pytest.mark.parametrize("epsilon", [fmpq(1), fmpq(1, 100_000)])
+@pytest.mark.parametrize("beta", [fmpq(1, 2), fmpq(3)])
+def test_ends_of_the_integral_of_the_slow_coefficient(beta: fmpq, epsilon: fmpq) -> None:
+    state = Deviation(beta, epsilon, fmpq(1), fmpq(1), fmpq(0), fmpq(0), fmpq(0))
+    assert _contained(slow_coefficient(state, 4), _exact(slow_coefficient(state, 200)))
+
+
+def test_ends_of_the_path_of_the_fast_coefficient() -> None:
+    state = Deviation(fmpq(3, 2), fmpq(8), fmpq(1, 2), fmpq(0), fmpq(0), fmpq(1), fmpq(1))
+    coarse, fine = fast_coefficient(state, 4), fast_coefficient(state, 200)
+    assert _contained(coarse.real, _exact(fine.real))
+    assert _contained(coarse.imag, _exact(fine.imag))
+
+
+def test_the_bound_that_stands_for_the_fast_part() -> None:
+    state = Deviation(fmpq(1, 2), fmpq(1, 6000), fmpq(1, 2), fmpq(1), fmpq(0), fmpq(4), fmpq(2))
+    fast = coefficients(state, 4)[1]
+    true = fast_coefficient(state, 60)
+    assert fast.real.contains(0)
+    assert fast.imag.contains(0)
+    assert _contained(fast.real, _exact(true.real))
+    assert _contained(fast.imag, _exact(true.imag))
