@@ -130,8 +130,9 @@ def _checked(
         raise ValueError(f"epsilon: expected a number in [1e-{MAX_TENS}, {MAX_EPSILON}]")
     if not (parameter >= -MAX_B and parameter <= MAX_B):
         raise ValueError(f"b: the library covers |b| <= {MAX_B}")
-    with working_bits(64):
-        if not scale(small) * ball(point) <= MAX_SCALED_TIME or not ball(point) >= -(arb(10) ** MAX_TENS):
+    with working_bits(1_024):  # 10^300 is exact in them
+        # tau <= 10^6 as tau^3 = (epsilon/2) T^3 <= 10^18: exact for rationals.
+        if not (point >= -(fmpq(10) ** MAX_TENS) and small * point * point * point <= 2 * MAX_SCALED_TIME**3):
             raise ValueError(f"T: expected -1e{MAX_TENS} <= T and (epsilon/2)^(1/3) T <= {MAX_SCALED_TIME}")
     return bits_for_digits(digits), point, parameter, small
 

@@ -160,6 +160,7 @@ def test_wide_balls_contain_their_points() -> None:
         ("13/10", "13/10", 10**6),
         (10**5, 13, "206/329"),
         ("-1e300", 200, "1e-298"),
+        (10**6, "5/2", 2),
     ],
 )
 def test_far_out_the_accuracy_is_reached(time: str, b: str, epsilon: str) -> None:
@@ -184,6 +185,8 @@ def test_arrays() -> None:
         ((0, 1, fmpq(10) ** -301), {}, ValueError, "epsilon: expected"),
         ((0, 201, 1), {}, ValueError, r"\|b\| <= 200"),
         ((10**9, 1, 1), {}, ValueError, "T: expected"),
+        ((10**6 + fmpq(1, 10**100), 1, 2), {}, ValueError, "T: expected"),
+        ((-(10**300) - fmpq(1, 10**9), 1, 1), {}, ValueError, "T: expected"),
         ((0, 1, 1), {"digits": 0}, ValueError, "digits"),
         ((0, 1, 1), {"digits": 1001}, ValueError, "digits"),
         ((0, 1, 1), {"derivative": -1}, ValueError, "derivative"),
