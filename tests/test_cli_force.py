@@ -37,6 +37,18 @@ def test_from_a_state(capsys: pytest.CaptureFixture[str]) -> None:
     assert "1.3333" in output
 
 
+def test_whether_contact_has_lasted(capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("force", "--beta", "5/2", "--eps", "1/1000", f"--state={STATE}", "--certify")
+    code, output, _ = run(capsys, *words, "--t", "1/100")
+    assert code == 0
+    assert "proved: in the compliant model" in output
+    # A run on the other side, nu = 1/2: contact is lost before t = 0.069.
+    words = ("force", "--beta", "5/2", "--eps", "1/1000", "--state=1/2,-1/6,-0.0000006666,0,-0.0000003333", "--certify")
+    code, output, _ = run(capsys, *words, "--t", "7/100", "--json")
+    assert code == 2
+    assert json.loads(output)["contact_lasts"]["outcome"] == "undecided"
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
@@ -44,6 +56,7 @@ def test_from_a_state(capsys: pytest.CaptureFixture[str]) -> None:
         (("--t", "0"), "beta: give beta or alpha_3"),
         (("--beta", "5/2", "--t", "0", "--state=1,2"), "state: expected five numbers"),
         (("--beta", "5/2", "--t", "0", f"--state={STATE}", "--c1", "1"), "--c1: it is for the slow manifold"),
+        (("--beta", "5/2", "--t", "0", "--certify"), "--certify: it needs"),
         (("--beta", "5/2", "--t", "-1", f"--state={STATE}"), "before the initial state"),
         (("--beta", "5/2", "--t", "0", "--eps", "0"), "epsilon: expected"),
     ],

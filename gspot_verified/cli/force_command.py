@@ -22,15 +22,19 @@ def force(
     ] = None,
     state: Annotated[str | None, typer.Option(help="From this initial state in contact: p,b,y,v,z.")] = None,
     digits: Annotated[int, typer.Option(help="Decimal digits of the force, 1..1000.")] = 15,
+    certify: Annotated[
+        bool, typer.Option("--certify", help="With --state: whether contact has lasted until t.")
+    ] = False,
     as_json: JsonFlag = False,
 ) -> None:
     """The contact force of the compliant model at one time, at every ε: on its slow manifold, or from a state.
 
-    Exit code 0 when the accuracy was reached, 2 when not.
+    Exit code 0 when the accuracy was reached (with --certify: and contact has lasted), 2 when not.
     """
     from flint import fmpq
 
     from gspot_verified.compliant.compliant_force import SlowManifold, compliant_force
+    from gspot_verified.compliant.first_zero import contact_lasts
     from gspot_verified.compliant.normal_form import compliant_model
     from gspot_verified.compliant.state_text import state_from_text
     from gspot_verified.signs.contact_force import rational
@@ -40,15 +44,23 @@ def force(
     if state is not None:
         if c1 is not None:
             raise ValueError("--c1: it is for the slow manifold; the state fixes its own C1")
-        result = compliant_force(model, state_from_text(state), t, digits)
+        start = state_from_text(state)
+        result = compliant_force(model, start, t, digits)
+        lasting = contact_lasts(model, start, t) if certify else None
         where = "from the initial state (p, b, y, v, z) = (" + state + ")"
     else:
+        if certify:
+            raise ValueError("--certify: it needs an initial state, --state")
+        lasting = None
         charge = fmpq(gamma_sign(model.beta) or 1) if c1 is None else rational(c1, "c1")
         result = compliant_force(model, SlowManifold(charge), t, digits)
         where = f"on its slow manifold, b + (α2/(α3-α1)) p ~ C1 (-t)^β, C1 = {charge}"
     if as_json:
-        print_json({**result.to_json(), "system": f"the compliant model, {where}"})
+        certified = {} if lasting is None else {"contact_lasts": lasting.to_json()}
+        print_json({**result.to_json(), **certified, "system": f"the compliant model, {where}"})
     else:
         typer.echo(str(result))
         typer.echo(f"  the compliant model in contact, {where}, ε = {eps}")
-    raise typer.Exit(0 if result.reached else 2)
+        if lasting is not None:
+            typer.echo(str(lasting))
+    raise typer.Exit(0 if result.reached and (lasting is None or lasting.exit_code == 0) else 2)

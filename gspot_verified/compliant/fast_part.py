@@ -10,13 +10,14 @@ from functools import lru_cache
 
 from flint import acb, arb, fmpq
 
-from gspot_verified.balls import nonfinite, working_bits
+from gspot_verified.balls import add_remainder, nonfinite, working_bits
 from gspot_verified.compliant.decaying_coefficient import decaying_coefficient, real_saddle
 from gspot_verified.compliant.fast_coefficient import fast_coefficient, saddle
 from gspot_verified.compliant.fast_coefficient_bound import (
     decaying_coefficient_bound,
     oscillating_coefficient_bound,
     state_weight,
+    unit_weight,
 )
 from gspot_verified.compliant.fast_path_bound import NAMES, decaying_bounds, oscillating_bounds
 from gspot_verified.compliant.fast_solutions import decaying, oscillating
@@ -25,7 +26,7 @@ from gspot_verified.compliant.late_bound import late_bounds
 from gspot_verified.compliant.normal_form import Deviation
 
 _BITS = 64
-_LEVELS = 8
+_LEVELS = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,30 +37,33 @@ class _Coefficients:
     decaying: arb
 
 
-def fast_bound_at(state: Deviation, p: fmpq) -> dict[str, arb]:
-    """Bounds of the fast parts of b-hat, lambda-hat, Z-hat and V-hat, from the state at its p > 0.
+def fast_bound_at(state: Deviation, p: fmpq, names: tuple[str, ...] = NAMES) -> dict[str, arb]:
+    """Bounds of the fast parts of b-hat, lambda-hat, Z-hat and V-hat (or some), from the state at its p > 0.
 
-    For 0 < p <= state.p they hold at every T from -p/epsilon up to 0; for p <= 0 at T = -p/epsilon. Not finite
+    For 0 < p <= state.p they hold at every T from -p/epsilon up to 0; for p <= 0 from 0 up to -p/epsilon. Not finite
     when p > state.p, or state.p <= 0.
     """
     if not state.p > 0 or p > state.p:
-        return {name: nonfinite() for name in NAMES}
+        return {name: nonfinite() for name in names}
     with working_bits(_bits(state)):
         sizes = _coefficients(state)
-        duration = (state.p - p) / state.epsilon
-        fall = (real_saddle(state.p) * duration).exp() * sizes.decaying
-        steady = [fall * bound for bound in _decaying(state.beta, state.epsilon, state.p)]
+        steady = _decaying_bounds(state, max(p, fmpq(0)))
         if p > 0:
             level = _level(state.p, p)
             rate = _height(state.p) - _height(level) if level < state.p else arb(0)
             swing = (-rate / state.epsilon).exp() * sizes.oscillating
-            waves = [swing * bound for bound in _oscillating(state.beta, state.epsilon, level)]
+            bounds = dict(zip(NAMES, _oscillating(state.beta, state.epsilon, level), strict=True))
+            waves = [swing * bounds[name] for name in names]
         else:
             swing = (-_height(state.p) / state.epsilon).exp() * sizes.oscillating
-            waves = [swing * bound for bound in late_bounds(state.beta, state.epsilon, -p / state.epsilon)]
+            late = late_bounds(state.beta, state.epsilon, -p / state.epsilon, names)
+            waves = [swing * bound for bound in late]
         front = arb(1) / (state.epsilon * state.beta)
-        total = [(2 * wave + rest).abs_upper() for wave, rest in zip(waves, steady, strict=True)]
-        return {name: bound * (arb(1) if name == "b" else front) for name, bound in zip(NAMES, total, strict=True)}
+        fronts = [arb(1) if name == "b" else front for name in names]
+        return {
+            name: (2 * unit * wave + steady[name]).abs_upper()
+            for name, unit, wave in zip(names, fronts, waves, strict=True)
+        }
 
 
 def _bits(state: Deviation) -> int:
@@ -68,7 +72,7 @@ def _bits(state: Deviation) -> int:
 
 
 def _level(first: fmpq, p: fmpq) -> fmpq:
-    """The least multiple of first/8 that is at least p: few bounds for many times."""
+    """The least multiple of first/4 that is at least p: few bounds for many times."""
     return first * fmpq((p * _LEVELS / first).ceil(), _LEVELS)
 
 
@@ -78,11 +82,31 @@ def _height(p: fmpq) -> arb:
     return (top * (1 - p - top / 2 - top * top / 3) - (1 + top).log()).real
 
 
+def quasi_static(state: Deviation) -> bool:
+    """V = 0, Y = 2 b/p, Z = b/p in hats: the data of the paper's runs.
+
+    >>> quasi_static(Deviation(fmpq(3, 2), fmpq(1), fmpq(1, 2), fmpq(1), fmpq(0), fmpq(4), fmpq(2)))
+    True
+    """
+    ratio = state.b / state.p
+    return bool(state.V == 0 and 2 * ratio == state.Y and ratio == state.Z)
+
+
+def _largest(epsilon: fmpq, p: fmpq) -> fmpq:
+    """The epsilon of the sums over boxes: the bounds serve smaller ones too, and few boxes suffice there."""
+    return max(epsilon, min(p * p, fmpq(1)) / 256)
+
+
 @lru_cache(maxsize=64)
 def _coefficients(state: Deviation) -> _Coefficients:
     with working_bits(_BITS):
-        weight, small = state_weight(kernel(state)), arb(state.epsilon)
+        small = arb(_largest(state.epsilon, state.p))
         front = arb(state.beta) / (2 * arb.pi())
+        weight = state_weight(kernel(state))
+        if quasi_static(state):
+            # One integration by parts (section 9): a factor epsilon, and k = 1.
+            weight = unit_weight(arb(state.beta))
+            front = front * abs(state.b / state.p * state.epsilon * (state.beta - 1))
         return _Coefficients(
             (front * oscillating_coefficient_bound(weight, state.p, small)).abs_upper(),
             (front * decaying_coefficient_bound(weight, state.p, small)).abs_upper(),
@@ -92,25 +116,38 @@ def _coefficients(state: Deviation) -> _Coefficients:
 @lru_cache(maxsize=64)
 def _oscillating(beta: fmpq, epsilon: fmpq, p: fmpq) -> tuple[arb, ...]:
     with working_bits(_BITS):
-        return tuple(oscillating_bounds(arb(beta), p, arb(epsilon)))
+        return tuple(oscillating_bounds(arb(beta), p, arb(_largest(epsilon, p))))
 
 
 @lru_cache(maxsize=64)
 def _decaying(beta: fmpq, epsilon: fmpq, p: fmpq) -> tuple[arb, ...]:
     with working_bits(_BITS):
-        return tuple(decaying_bounds(arb(beta), p, arb(epsilon)))
+        return tuple(decaying_bounds(arb(beta), p, arb(_largest(epsilon, p))))
 
 
 def fast_part(state: Deviation, p: fmpq, names: tuple[str, ...], bits: int) -> dict[str, arb]:
     """The fast parts of the named hats at T = -p/epsilon, by quadrature, accurate to near 2^-bits of their moduli."""
-    fast, steady = _fast_coefficient(state, bits), _decaying_coefficient(state, bits)
+    fast = _fast_coefficient(state, bits)
     waves, height = oscillating(state.beta, state.epsilon, p, names, bits)
+    with working_bits(bits + _bits(state)):
+        swing = fast * height.exp()
+        found = {name: 2 * (swing * wave).real for name, wave in zip(names, waves, strict=True)}
+        steady = _decaying_bounds(state, p)
+        sizes = {name: abs(swing * wave).abs_lower() for name, wave in zip(names, waves, strict=True)}
+        if all(steady[name] < sizes[name] * arb(2) ** -bits for name in names):
+            return {name: add_remainder(value, steady[name]) for name, value in found.items()}
     falls, depth = decaying(state.beta, state.epsilon, p, names, bits)
     with working_bits(bits + _bits(state)):
-        swing, fall = fast * height.exp(), steady * depth.exp()
-        return {
-            name: 2 * (swing * wave).real + fall * rest for name, wave, rest in zip(names, waves, falls, strict=True)
-        }
+        fall = _decaying_coefficient(state, bits) * depth.exp()
+        return {name: found[name] + fall * rest for name, rest in zip(names, falls, strict=True)}
+
+
+def _decaying_bounds(state: Deviation, p: fmpq) -> dict[str, arb]:
+    """Bounds of the hats of c_Q Q from T = -p/epsilon on."""
+    fall = (real_saddle(state.p) * (state.p - p) / state.epsilon).exp() * _coefficients(state).decaying
+    front = arb(1) / (state.epsilon * state.beta)
+    found = zip(NAMES, _decaying(state.beta, state.epsilon, state.p), strict=True)
+    return {name: fall * bound * (arb(1) if name == "b" else front) for name, bound in found}
 
 
 @lru_cache(maxsize=16)

@@ -16,22 +16,24 @@ from gspot_verified.compliant.slow_solution import slow_value
 _DIGITS = 6
 
 
-def late_bounds(beta: fmpq, epsilon: fmpq, time: fmpq) -> list[arb]:
-    """Bounds of |P_+(T)|, T >= 0, with the multipliers of b-hat, lambda-hat, Z-hat, V-hat without 1/(epsilon beta)."""
-    if not time >= 0:
-        return [nonfinite()] * 4
-    radius = _radius(epsilon, time)
-    return [_late(beta, epsilon, time, power, factor, radius) for power, factor in _POWERS]
-
-
-_POWERS = ((0, fmpq(1)), (1, fmpq(1)), (1, fmpq(4, 3)), (2, fmpq(7, 3)))
+_POWERS = {"b": (0, fmpq(1)), "force": (1, fmpq(1)), "Z": (1, fmpq(4, 3)), "V": (2, fmpq(7, 3))}
 """|multiplier| <= factor |r|^power on the path."""
 
 
+def late_bounds(beta: fmpq, epsilon: fmpq, time: fmpq, names: tuple[str, ...] = tuple(_POWERS)) -> list[arb]:
+    """Bounds of |P_+(T)|, T >= 0, with the multipliers of the named hats without 1/(epsilon beta)."""
+    if not time >= 0:
+        return [nonfinite()] * len(names)
+    radius = _radius(epsilon, time)
+    return [_late(beta, epsilon, time, *_POWERS[name], radius) for name in names]
+
+
 def _radius(epsilon: fmpq, time: fmpq) -> arb:
-    """delta <= 1/4, delta <= eta and delta T <= 1 or near: a heuristic."""
-    found = scale(epsilon).min(arb(fmpq(1, 4)))
-    return (found.min(1 / arb(time)) if time > 0 else found).mid()
+    """delta <= 1/4, of the size of eta, and about half the place of the peak for large T: a heuristic."""
+    eta = scale(epsilon)
+    tau = approximate(eta * arb(time))
+    place = 1.0 if tau < 1 else max(1 / tau, 0.45 * math.sqrt(tau))
+    return (eta * place).min(arb(fmpq(1, 4))).mid()
 
 
 def _late(beta: fmpq, epsilon: fmpq, time: fmpq, power: int, factor: fmpq, radius: arb) -> arb:

@@ -13,7 +13,7 @@ from flint import acb, arb, fmpq
 
 from gspot_verified.balls import nonfinite
 
-_PARTS = 200
+_PARTS = 128
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,227 @@
+"""The first zero of the contact force from an initial state: lambda > 0 before it, a bracket, transversality.
+
+Proof page: ``proofs/force_range.md``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from flint import arb, fmpq
+
+from gspot_verified.balls import ExactInput, approximate, bits_for_digits, sign_of, working_bits
+from gspot_verified.compliant.compliant_force import ContactMotion, contact_motion
+from gspot_verified.compliant.force_range import ForceRange
+from gspot_verified.compliant.normal_form import CompliantModel, CompliantState
+from gspot_verified.signs.brackets import decimal_text
+from gspot_verified.signs.contact_force import rational
+from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+
+MAX_DIGITS = 100
+_PIECES_BEFORE = 12
+_SCALED_STEP = fmpq(1)
+_LAST_SCALED = 60
+_MARGINS = (fmpq(1, 16), fmpq(1, 4), fmpq(1))
+_MOST_PIECES = 400
+_NEWTON_STEPS = 8
+_START_BITS = 60
+
+
+@dataclass(frozen=True, slots=True)
+class FirstZero(NoTruthValue):
+    """When contact is lost: the first zero of the contact force lies between ``lower`` and ``upper`` (times measured
+    from the G-spot, p = alpha_1 t; ``start`` is the time of the initial state), the force is > 0 from the start up to
+    it and falls through 0 there. Undecided: no bracket."""
+
+    ask: ClassVar[str] = ASK_VERDICT
+
+    model: CompliantModel
+    start: fmpq
+    verdict: Verdict
+    lower: fmpq | None = None
+    upper: fmpq | None = None
+
+    def __str__(self) -> str:
+        if self.lower is None or self.upper is None:
+            return str(self.verdict)
+        since = decimal_text(self.lower - self.start, self.upper - self.start)
+        return f"{self.verdict}\n  t = {decimal_text(self.lower, self.upper)}; since the initial state {since}"
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``; exact rationals as text."""
+        return {
+            "model": self.model.to_json(),
+            "start": str(self.start),
+            "lower": None if self.lower is None else str(self.lower),
+            "upper": None if self.upper is None else str(self.upper),
+            "verdict": self.verdict.to_json(),
+        }
+
+
+def contact_lasts(model: CompliantModel, state: CompliantState, until: ExactInput) -> Verdict:
+    """Whether the contact force is > 0 from the initial state up to the time ``until`` (p = alpha_1 t): contact lasts.
+
+    Proved, or undecided: a refutation is the business of :func:`first_zero`.
+
+    :raises ValueError: ``until`` is before the state; p <= 0.
+    """
+    end = rational(until, "until")
+    motion = contact_motion(model, state)
+    assert motion.state is not None
+    if model.alpha_1 * end > motion.state.p:
+        raise ValueError(f"until: {end} is before the initial state")
+    text = f"in the compliant model, from this initial state, λ_N > 0 up to t = {end}"
+    if _positive(_force_range(motion), motion.state.time, -model.alpha_1 * end / model.scaled_epsilon):
+        return Verdict.proved(text)
+    return Verdict.undecided(text, Reason.BUDGET, "the force is too small, or its fast part too large for the bound")
+
+
+def first_zero(model: CompliantModel, state: CompliantState, digits: int = 25) -> FirstZero:
+    """The time at which the contact force first vanishes, in a bracket of 10^-digits times (epsilon/2)^(-1/3) epsilon.
+
+    The unit of the bracket is that of tau = (epsilon/2)^(1/3) t/epsilon, in which the G-spot has width 1.
+
+    :param digits: 1..100.
+    :raises ValueError: p <= 0; digits out of range.
+
+    >>> from gspot_verified.compliant.normal_form import compliant_model, compliant_state
+    >>> model = compliant_model("3/2", "1e-9")
+    >>> b, small = fmpq(-2), model.epsilon
+    >>> data = compliant_state("1/2", b, 4 * small**2 * b, 0, 2 * small**2 * b)
+    >>> found = first_zero(model, data)
+    >>> print(found.verdict.outcome.value, decimal_text(found.lower + fmpq(1, 2), found.upper + fmpq(1, 2))[:20])
+    proved 0.500006988019767490
+    """
+    if not 1 <= digits <= MAX_DIGITS:
+        raise ValueError(f"digits must lie in 1..{MAX_DIGITS}, got {digits}")
+    motion = contact_motion(model, state)
+    assert motion.state is not None
+    start = state.p / model.alpha_1
+    text = "in the compliant model, from this initial state, the contact force has its first zero in the bracket"
+    failed = FirstZero(model, start, Verdict.undecided(text, Reason.BUDGET, "no bracket was found"))
+    force = _force_range(motion)
+    rough = _rough_zero(force, motion.state.time)
+    if rough is None:
+        return failed
+    unit = _unit(motion)
+    for margin in _MARGINS:
+        before, after = rough - margin * unit, rough + margin * unit
+        if before < 0 < after:
+            continue
+        if not (force.slope(before, after) < 0 and _positive(force, motion.state.time, before)):
+            continue
+        second = model.scaled_epsilon / -model.alpha_1
+        bracket = _bracket(motion, rough, unit / fmpq(10) ** digits, digits)
+        if bracket is None:
+            return failed
+        lower, upper = _outward(bracket[0] * second, bracket[1] * second)
+        if not (before * second <= lower and upper <= after * second):
+            return failed
+        return FirstZero(model, start, Verdict.proved(text, "λ_N > 0 before it, dλ_N/dt < 0 at it"), lower, upper)
+    return failed
+
+
+def _force_range(motion: ContactMotion) -> ForceRange:
+    return ForceRange(motion, motion.coefficient(_START_BITS))
+
+
+def _unit(motion: ContactMotion) -> fmpq:
+    """About (epsilon/2)^(-1/3), the unit of tau in T; any number is right."""
+    with working_bits(_START_BITS):
+        found = (arb(motion.model.scaled_epsilon) / 2).root(3)
+        return fmpq(*approximate(1 / found).as_integer_ratio())
+
+
+def _positive(force: ForceRange, first: fmpq, last: fmpq) -> bool:
+    """lambda > 0 on [first, last], certainly: halves, and the parts before and after 0 apart."""
+    waiting = [(first, min(last, fmpq(0)))] if first < 0 else []
+    if last > 0:
+        waiting.append((max(first, fmpq(0)), last))
+    for _ in range(_MOST_PIECES):
+        if not waiting:
+            return True
+        begin, end = waiting.pop()
+        if force.over(begin, end) > 0:
+            continue
+        if begin == end:
+            return False
+        middle = (begin + end) / 2
+        if force.near(middle) < 0:  # a heuristic: no use in going on
+            return False
+        waiting += [(begin, middle), (middle, end)]
+    return False
+
+
+def _rough_zero(force: ForceRange, start: fmpq) -> fmpq | None:
+    """Near the first change of sign of the force at sample times; a heuristic."""
+    previous = None
+    for place in _samples(start, _unit(force.motion)):
+        if force.near(place) < 0:
+            return None if previous is None else _bisected(force, previous, place)
+        previous = place
+    return None
+
+
+def _samples(start: fmpq, unit: fmpq) -> Iterator[fmpq]:
+    """From the initial state to the G-spot in steps that shrink, then in steps of 1/2 in tau."""
+    for k in range(_PIECES_BEFORE):
+        yield start * fmpq((_PIECES_BEFORE - k) ** 2, _PIECES_BEFORE**2)
+    for k in range(int(_LAST_SCALED / _SCALED_STEP)):
+        yield k * _SCALED_STEP * unit
+
+
+def _bisected(force: ForceRange, left: fmpq, right: fmpq) -> fmpq:
+    for _ in range(6):
+        middle = (left + right) / 2
+        left, right = (left, middle) if force.near(middle) < 0 else (middle, right)
+    return (left + right) / 2
+
+
+def _bracket(motion: ContactMotion, rough: fmpq, width: fmpq, digits: int) -> tuple[fmpq, fmpq] | None:
+    """Two times ``width`` apart at which the force is certainly > 0 and < 0, by the secant method."""
+    coarse, fine = bits_for_digits(12), bits_for_digits(digits + 8)
+    step = _unit(motion) / 10**3
+    points = [(place, _value(motion, place, coarse)) for place in (rough, rough + step)]
+    bits = coarse
+    for _ in range(_NEWTON_STEPS):
+        (first, one), (second, two) = points[-2:]
+        with working_bits(fine + 64):
+            change = (one - two).mid()
+            if change.is_zero() or not change.is_finite():
+                return None
+            shift = (two.mid() * (second - first) / change).mid()
+        root = second + _rational(shift, fine)
+        if abs(root - second) < width:
+            lower, upper = root - width / 2, root + width / 2
+            if sign_of(_value(motion, lower, fine)) == 1 and sign_of(_value(motion, upper, fine)) == -1:
+                return lower, upper
+            return None
+        bits = fine if bits > coarse or abs(root - second) < step / 10**3 else coarse
+        points.append((root, _value(motion, root, bits)))
+    return None
+
+
+def _outward(lower: fmpq, upper: fmpq) -> tuple[fmpq, fmpq]:
+    """Both rounded outward to decimals, one digit beyond their difference."""
+    tens = fmpq(1)
+    while tens * (upper - lower) < 10:
+        tens *= 10
+    return fmpq((lower * tens).floor()) / tens, fmpq((upper * tens).ceil()) / tens
+
+
+def _value(motion: ContactMotion, place: fmpq, bits: int) -> arb:
+    """lambda at T, in the normal form, with an absolute accuracy near 2^-bits of the mean force."""
+    model = motion.model
+    slow, fast, _ = motion.hats(-place * model.scaled_epsilon, bits, ("force",))
+    with working_bits(bits + 64 + 2 * int(model.scaled_epsilon.height_bits())):
+        return slow["force"] + fast["force"] + model.mean_force * model.sigma**2
+
+
+def _rational(value: arb, bits: int) -> fmpq:
+    """A rational near the midpoint with few bits, so that later times stay short."""
+    with working_bits(bits):
+        mantissa, exponent = (+value).mid().man_exp()
+    scale = fmpq(2) ** abs(int(exponent))
+    return fmpq(mantissa) * (scale if exponent >= 0 else 1 / scale)
