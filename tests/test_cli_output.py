@@ -11,9 +11,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import typer
 
 # Imported before anything is replaced: modules that take a name from another must take the true one.
 from gspot_verified.cli import main
+from gspot_verified.cli.output import Outputs
 from gspot_verified.ledger import cases
 
 POINT = ("--tau", "[0..1]", "--beta", "1/2")
@@ -91,7 +93,9 @@ def test_a_picture_of_an_unknown_kind_is_refused(
     code, out, err = run(capsys, *command, "--picture", str(tmp_path / name))
     assert (code, out) == (64, "")
     assert "allowed: .png" in err
-    assert name in err
+    suffix = Path(name).suffix
+    path = tmp_path / name
+    assert (f"the suffix {suffix!r} of {path};" if suffix else f"cannot write {path} without a suffix;") in err
     assert not list(tmp_path.iterdir())
 
 
@@ -118,6 +122,25 @@ def test_a_folder_that_cannot_be_written_is_refused(
     code, _, err = run(capsys, "sign", *POINT, "--certificate", str(tmp_path / "x"))
     assert code == 64
     assert "cannot be written" in err
+
+
+def test_a_folder_that_is_there_is_taken_if_it_can_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    Outputs().folder("--output", tmp_path)
+    Outputs().folder("--output", tmp_path / "new")
+    monkeypatch.setattr(os, "access", lambda folder, _: folder != tmp_path)
+    for path in (tmp_path, tmp_path / "new"):
+        with pytest.raises(ValueError, match=f"--output: the folder {tmp_path} cannot be written"):
+            Outputs().folder("--output", path)
+
+
+def test_what_was_written_and_what_was_not(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    for write, code in ((lambda: None, 2), (full, 74)):
+        outputs = Outputs()
+        assert outputs.write("--certificate", tmp_path / "x", write) is (code == 2)
+        with pytest.raises(typer.Exit) as left:
+            outputs.leave(2)
+        assert left.value.exit_code == code
+    assert "NOT written" in capsys.readouterr().err
 
 
 def full(*_: Any, **__: Any) -> None:
