@@ -88,7 +88,7 @@ def test_the_budget_is_one_for_all_columns(spent: list[int]) -> None:
     data = text_of(GOOD["iwc"])
     assert answer(data, check.Limits()).startswith("dΘ/dτ <")
     total = sum(spent)
-    statement, columns = check.read_certificate(data, check.Limits())
+    _, statement, columns = check.read_certificate(data, check.Limits())
     for workers in (1, 2):
         check.Checker(statement, columns, check.Limits(), total, workers).check_sign()
         with pytest.raises(check.Rejected, match="the limit work"):

@@ -9,9 +9,10 @@ import pytest
 from flint import arb, fmpq
 from force_witness import force_by_mpmath
 
-from gspot_verified import Outcome, gamma_sign, iwc, zeros_at
+from gspot_verified import Outcome, gamma_sign, zeros_at
 from gspot_verified.balls import working_bits
 from gspot_verified.signs.contact_force import ContactForce, contact_force
+from gspot_verified.signs.iwc import iwc
 from gspot_verified.signs.lift_off import growth_table, lift_off
 
 BETAS = ("3/2", "7/3", "29/10", "7/2", "9/2", "27/5", "13/2", "23/3", "101/100", "399/100")
