@@ -85,7 +85,7 @@ def exact_threshold(force: ContactForce, start: fmpq, proved: fmpq, digits: int 
         bound, place = max(bound, following or bound), least.place
         beyond = next_decimal(bound, digits)
         if fails_at(force, place, beyond, accuracy):
-            return Threshold(rounded(bound, digits + 1), beyond, place, False, step + 1)
+            return Threshold(max(proved, rounded(bound, digits + 1)), beyond, place, False, step + 1)
     return Threshold(bound, None, None, False, MAX_STEPS)
 
 

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from gspot_verified.ledger import (
     appendix_a,
     cases,
+    compliant_model,
     example,
     lagrangian,
     section_3,
@@ -44,6 +45,7 @@ PARTS: dict[str, Builders] = {
     "Section 4.4, matching": section_4_matching.ENTRIES,
     "Section 4.5, formulas and signs": section_4_5.ENTRIES,
     "Section 4.5, Cases I, II and III": cases.ENTRIES,
+    "Section 4.5, the compliant model itself": compliant_model.ENTRIES,
     "Section 5, the recursion": section_5_recursion.ENTRIES,
     "Section 5, Theorem 1": section_5_theorem.ENTRIES,
     "Section 5, the spaces of Theorem 1": section_5_spaces.ENTRIES,
