@@ -307,6 +307,7 @@ def test_the_recurrence_in_rationals(
         assert_rounded(found[k + 3], exact, error / d)
 
 
+@example([check.Model([-1] * 4, 97)] * 4, Fraction(1, 99), 90)
 @given(st.lists(MODELS, min_size=4, max_size=7), st.fractions(-1, 1, max_denominator=99), st.sampled_from([8, 40, 90]))
 def test_the_taylor_shift_in_rationals(series: list[check.Model], u: Fraction, p: int) -> None:
     for i, value in enumerate(check.moved(series, u, p, ENDLESS)):
@@ -368,15 +369,32 @@ def test_what_the_start_leaves_out(low: str, high: str, growth: int, monkeypatch
     assert [a.error // 10**79 for a in model.anchors[0]] == [10, 40, 60]
 
 
+@pytest.mark.parametrize(("low", "high"), [("2", "9/4"), ("7/3", "3"), ("-5/2", "-1")])
+@pytest.mark.parametrize("degree", [1, 2, 3])
+def test_a_start_of_low_degree_has_what_it_lacks_in_its_error(
+    low: str, high: str, degree: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(check, "degree_for", lambda *_: degree)
+    model = local(low, high, 60)
+    with mpmath.workdps(DIGITS):
+        for eta in points_of_the_disc(5, 2):
+            b = (model.centre + model.radius * eta) / model.unit
+            for k, value in enumerate(model.anchors[0]):
+                assert len(value.m) == degree
+                exact = coefficient(mpmath.mpf(-model.x), b, k) * 2**k / mpmath.power(model.x, b)
+                assert abs(polynomial(value, eta) - exact * mpmath.mpf(2) ** model.p) <= value.error
+
+
 @pytest.mark.parametrize("x", [2, 4, 8])
 @pytest.mark.parametrize("b", [0, 1, 2])
 def test_a_start_without_rounding_is_exact(b: int, x: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """F(-x) = x^b for b = 0, 1, 2: no division of the sum leaves a rest."""
+    """F(-x) = x^b for b = 0, 1, 2: no division of the sum leaves a rest, and at a point nothing depends on η."""
     monkeypatch.setattr(check, "start_for", lambda *_: x)
+    monkeypatch.setattr(check, "degree_for", lambda *_: 3)
     model = local(str(b), str(b), 60)
     one = 1 << model.p
     exact = [Fraction(one), Fraction(-2 * b * one, x), Fraction(2 * b * (b - 1) * one, x**2)]
-    assert [a.m for a in model.anchors[0]] == [[int(value)] for value in exact]
+    assert [a.m for a in model.anchors[0]] == [[int(value), 0, 0] for value in exact]
 
 
 def length_of(*values: int) -> list[Fraction]:
