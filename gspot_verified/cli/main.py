@@ -17,6 +17,7 @@ import typer
 
 from gspot_verified.cli import (
     cost_command,
+    events_command,
     force_command,
     mechanism_commands,
     paper_commands,
@@ -33,7 +34,15 @@ CLOSED_PIPE = 141
 
 _CANNOT_WRITE = {errno.ENOSPC, errno.EIO, errno.EDQUOT, errno.EFBIG, errno.EROFS}
 
-COMMANDS = (theta_commands, sign_commands, force_command, mechanism_commands, paper_commands, cost_command)
+COMMANDS = (
+    theta_commands,
+    sign_commands,
+    force_command,
+    events_command,
+    mechanism_commands,
+    paper_commands,
+    cost_command,
+)
 """The modules whose import adds their commands to the application."""
 
 

@@ -1,0 +1,179 @@
+"""A run of the compliant model from an initial state: its events, with brackets, and how it ends.
+
+Proof pages: ``proofs/flight.md``; for the first contact ``proofs/fast_part.md``, ``proofs/first_integrals.md``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from flint import arb, fmpq
+
+from gspot_verified.balls import ball_text, bits_for_digits, sign_of, working_bits
+from gspot_verified.compliant.compliant_force import compliant_force
+from gspot_verified.compliant.first_zero import contact_lasts, first_zero
+from gspot_verified.compliant.flight import ContactState
+from gspot_verified.compliant.lasting_contact import lasting_contact
+from gspot_verified.compliant.lift_off_state import contact_state, lift_off_state
+from gspot_verified.compliant.normal_form import CompliantModel, CompliantState, deviation
+from gspot_verified.compliant.run_plan import later_times
+from gspot_verified.compliant.side_later import side
+from gspot_verified.compliant.side_rule import side_rule
+from gspot_verified.compliant.touch_down import flight_end
+from gspot_verified.dyadic import Dyadic
+from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
+
+MAX_DIGITS = 80
+_SPARE_DIGITS = 10
+_GUARD_BITS = 64
+_TEXT_BITS = 400
+_SHOWN_DIGITS = 30
+
+IMPACT = "contact for ever: an impact without collision"
+TRIVIAL = "contact for ever on the trivial solution: the force is constant"
+ONE_FLIGHT = "exactly one flight, then contact for ever: an impact without collision"
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Lift-off, touch-down, or the time from which the contact is known to last for ever.
+
+    It happens in [lower, upper], times measured from the G-spot (p = alpha_1 t). ``velocity``: v there, in the units of
+    the paper; ``strength`` says what is proved.
+    """
+
+    name: str
+    lower: fmpq
+    upper: fmpq
+    velocity: arb
+    strength: str
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``; exact rationals and intervals as text."""
+        return {
+            "event": self.name,
+            "lower": str(self.lower),
+            "upper": str(self.upper),
+            "v": str(Dyadic.from_ball(self.velocity)) if self.velocity.is_finite() else None,
+            "strength": self.strength,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class Run(NoTruthValue):
+    """The events of a run from an initial state, in order; the verdict speaks of the whole run."""
+
+    ask: ClassVar[str] = ASK_VERDICT
+
+    model: CompliantModel
+    state: CompliantState
+    events: tuple[Event, ...]
+    verdict: Verdict
+
+    @property
+    def start(self) -> fmpq:
+        """The time of the initial state, measured from the G-spot."""
+        return self.state.p / self.model.alpha_1
+
+    def __str__(self) -> str:
+        lines = [str(self.verdict)]
+        for event in self.events:
+            with working_bits(_TEXT_BITS):
+                since = arb(event.lower - self.start).union(arb(event.upper - self.start))
+                shown = since.str(_SHOWN_DIGITS)
+            lines.append(f"  {event.name}: {shown} after the start, v = {ball_text(event.velocity, _SHOWN_DIGITS)}")
+            lines.append(f"    {event.strength}")
+        return "\n".join(lines)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``."""
+        return {
+            "model": self.model.to_json(),
+            "start": str(self.start),
+            "events": [event.to_json() for event in self.events],
+            "verdict": self.verdict.to_json(),
+        }
+
+
+def compliant_run(model: CompliantModel, state: CompliantState, digits: int = 15) -> Run:
+    """What the model does from a state in contact with p > 0, at this epsilon: proved, or undecided from some event on.
+
+    Contact for ever is proved by an invariant set, not by a large force.
+
+    :param digits: 1..80, decimals of the lift-off time in the unit of tau = (2 epsilon^2)^(-1/3) t.
+    :raises ValueError: p <= 0; digits out of range.
+
+    >>> from gspot_verified.compliant.normal_form import compliant_model, compliant_state
+    >>> model = compliant_model("3/2", "1e-6")
+    >>> run = compliant_run(model, compliant_state("1/2", -2, "-8e-12", 0, "-4e-12"))
+    >>> run.verdict.statement
+    'exactly one flight, then contact for ever: an impact without collision'
+    """
+    if not 1 <= digits <= MAX_DIGITS:
+        raise ValueError(f"digits must lie in 1..{MAX_DIGITS}, got {digits}")
+    if _trivial(model, state):
+        return Run(model, state, (), Verdict.proved(TRIVIAL, f"λ_N = {model.mean_force}; K = 0, the canard"))
+    rule = side_rule(model, state)
+    bits = bits_for_digits(digits + _SPARE_DIGITS)
+    if sign_of(rule.side) == 1:
+        lasting = _lasting_from(model, state, digits + _SPARE_DIGITS, bits)
+        if lasting is not None:
+            return Run(model, state, (lasting,), Verdict.proved(IMPACT))
+    zero = first_zero(model, state, digits)
+    if zero.lower is None or zero.upper is None:
+        detail = "neither the loss of contact nor its lasting for ever was shown"
+        return Run(model, state, (), Verdict.undecided("how the first contact ends", Reason.BUDGET, detail))
+    return _after_lift_off(model, state, zero.lower, zero.upper, bits)
+
+
+def _trivial(model: CompliantModel, state: CompliantState) -> bool:
+    """Whether the state lies on the trivial solution exactly, and its force is positive."""
+    hats = deviation(model, state)
+    return bool(hats.b == 0 and hats.V == 0 and hats.Y == 0 and hats.Z == 0 and model.mean_force > 0)
+
+
+def _lasting_from(model: CompliantModel, state: CompliantState, digits: int, bits: int) -> Event | None:
+    """The first of some times from which on the contact lasts for ever, after lambda > 0 up to it."""
+    for time in later_times(model):
+        there = contact_state(compliant_force(model, state, time, digits), bits)
+        verdict = lasting_contact(there, bits)
+        if verdict.outcome is not Outcome.PROVED:
+            continue
+        if contact_lasts(model, state, time).outcome is not Outcome.PROVED:
+            return None
+        strength = f"λ_N > 0 before it; from then on {verdict.detail}"
+        return Event("contact for ever from", time, time, _velocity(model, there), strength)
+    return None
+
+
+def _after_lift_off(model: CompliantModel, state: CompliantState, lower: fmpq, upper: fmpq, bits: int) -> Run:
+    """The events from a bracket of lift-off on."""
+    digits = int(bits / 3)
+    before = contact_state(compliant_force(model, state, lower, min(digits, 1_000)), bits + _GUARD_BITS)
+    start = lift_off_state(before, (upper - lower) / model.epsilon, bits + _GUARD_BITS)
+    lift = Event("lift-off", lower, upper, _velocity(model, start), "λ_N > 0 before it, dλ_N/dt < 0 at it")
+    end = flight_end(start, bits)
+    if end.state is None or end.lower is None or end.upper is None:
+        return Run(model, state, (lift,), end.verdict)
+    first, last = lower + model.epsilon * end.lower, upper + model.epsilon * end.upper
+    land = Event("touch-down", first, last, _velocity(model, end.state), end.verdict.statement)
+    lasting = lasting_contact(end.state, bits)
+    if lasting.outcome is Outcome.PROVED:
+        return Run(model, state, (lift, land), Verdict.proved(ONE_FLIGHT, lasting.detail))
+    return Run(model, state, (lift, land), _second_contact(end.state, bits))
+
+
+def _second_contact(state: ContactState, bits: int) -> Verdict:
+    """What the sign of K says where the invariant sets do not apply."""
+    value = side(state, bits)
+    if sign_of(value) == -1:
+        return Verdict.proved("one flight, then a contact that is lost again", f"K = {ball_text(value)} < 0")
+    text = "the contact after the first flight"
+    return Verdict.undecided(text, Reason.HYPOTHESIS, f"in none of the invariant sets; K = {ball_text(value)}")
+
+
+def _velocity(model: CompliantModel, state: ContactState) -> arb:
+    """v in the units of the paper."""
+    with working_bits(_GUARD_BITS * 4):
+        return state.V * (model.scaled_epsilon / model.sigma)

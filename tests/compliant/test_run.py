@@ -1,0 +1,135 @@
+"""Runs of the model with all their events: the paper's fifteen, times of touch-down, what must stay undecided."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from flight_witness import lift_off_by_series
+from flint import arb, fmpq
+from witness import contains_witness, to_fraction
+
+from gspot_verified.balls import working_bits
+from gspot_verified.compliant.normal_form import compliant_model, compliant_state
+from gspot_verified.compliant.paper_state import paper_state
+from gspot_verified.compliant.run import IMPACT, ONE_FLIGHT, TRIVIAL, Run, compliant_run
+from gspot_verified.verdict import Outcome
+
+NUS = ("1/4", "1/2", "1", "2", "4")
+VERDICTS = {
+    "1/2": (IMPACT,) * 5,
+    "3/2": (IMPACT, IMPACT, TRIVIAL, ONE_FLIGHT, ONE_FLIGHT),
+    "5/2": (ONE_FLIGHT, ONE_FLIGHT, TRIVIAL, IMPACT, IMPACT),
+}
+FIFTEEN = [(beta, nu, verdict) for beta, row in VERDICTS.items() for nu, verdict in zip(NUS, row, strict=True)]
+
+# Touch-down after the start, by independent prototypes: power series in contact, root finding in flight.
+TOUCH_DOWN = {
+    ("3/2", "2", "1e-4"): "0.55084605490847719780",
+    ("3/2", "2", "1e-5"): "0.51307067000298769388",
+    ("3/2", "2", "1e-6"): "0.50325893525683302821",
+    ("3/2", "2", "1e-9"): "0.50004422198376101390",
+    ("5/2", "1/2", "1e-4"): "0.54942531483749593409",
+    ("5/2", "1/2", "1e-5"): "0.51249099375764133147",
+    ("5/2", "1/2", "1e-6"): "0.50304597403913484763",
+    ("5/2", "1/2", "1e-9"): "0.50003969472218972272",
+}
+
+
+def run_of(beta: str, nu: str, epsilon: str, digits: int = 15) -> Run:
+    model = compliant_model(beta, epsilon)
+    return compliant_run(model, paper_state(model, nu), digits)
+
+
+@pytest.mark.parametrize(("beta", "nu", "verdict"), FIFTEEN)
+def test_the_fifteen_runs_of_the_paper_at_one_small_epsilon(beta: str, nu: str, verdict: str) -> None:
+    run = run_of(beta, nu, "1e-6")
+    assert run.verdict.outcome is Outcome.PROVED
+    assert run.verdict.statement == verdict
+    names = [event.name for event in run.events]
+    assert names == {IMPACT: ["contact for ever from"], TRIVIAL: [], ONE_FLIGHT: ["lift-off", "touch-down"]}[verdict]
+
+
+@pytest.mark.parametrize(("case", "wanted"), TOUCH_DOWN.items(), ids=str)
+def test_touch_down_times(case: tuple[str, str, str], wanted: str) -> None:
+    run = run_of(*case)
+    assert run.verdict.statement == ONE_FLIGHT
+    lift, land = run.events
+    assert land.lower < land.upper < land.lower + fmpq(1, 10**14)
+    assert lift.upper < land.lower
+    with working_bits(200):
+        since = arb(land.lower - run.start).union(arb(land.upper - run.start))
+        assert abs(since - arb(wanted)) < arb("1e-14")
+        assert lift.velocity > 0
+        assert land.velocity < 0
+
+
+@pytest.mark.parametrize(("beta", "nu", "series"), [("3/2", "2", ("1.5", "2")), ("5/2", "1/2", ("2.5", "0.5"))])
+def test_lift_off_at_a_large_epsilon_by_power_series(beta: str, nu: str, series: tuple[str, str]) -> None:
+    run = run_of(beta, nu, "1/1000", digits=20)
+    assert run.verdict.statement == ONE_FLIGHT
+    p, (_, V, _) = lift_off_by_series(*series, "0.001")
+    exact = -to_fraction(p)
+    lift = run.events[0]
+    assert lift.lower < fmpq(exact.numerator, exact.denominator) < lift.upper
+    assert contains_witness(lift.velocity, to_fraction(V) / 1000, 30)
+
+
+def test_more_digits_give_nested_brackets() -> None:
+    coarse, fine = (run_of("3/2", "2", "1e-9", digits) for digits in (12, 25))
+    for first, second in zip(coarse.events, fine.events, strict=True):
+        assert first.lower < second.lower < second.upper < first.upper
+    assert fine.events[1].upper - fine.events[1].lower < fmpq(1, 10**22)
+
+
+def test_units_other_than_the_normal_form() -> None:
+    """alpha_1 = -2: t' = 2 t; b, lambda are four times as large, v twice."""
+    one = run_of("3/2", "2", "1e-6")
+    model = compliant_model("3/2", "5e-7", alpha_1=-2, alpha_2=-8)
+    start = compliant_state("1/2", -8, "-8e-12", 0, "-4e-12")
+    two = compliant_run(model, start)
+    assert two.verdict.statement == ONE_FLIGHT
+    for first, second in zip(one.events, two.events, strict=True):
+        assert first.lower < 2 * second.upper
+        assert 2 * second.lower < first.upper
+        assert second.velocity.overlaps(2 * first.velocity)
+
+
+def test_a_flight_that_never_ends() -> None:
+    """alpha_2 > 0, beta > 1: the mean force is negative; contact is lost before the G-spot, and b grows in flight."""
+    model = compliant_model("3/2", "1e-4", alpha_2=1)
+    run = compliant_run(model, paper_state(model, 2))
+    assert run.verdict.outcome is Outcome.PROVED
+    assert run.verdict.statement == "the flight never ends"
+    assert [event.name for event in run.events] == ["lift-off"]
+    assert run.events[0].upper < 0
+
+
+@pytest.mark.parametrize(("beta", "epsilon", "known"), [("5/2", "1e-4", ["lift-off"]), ("3/2", "1/10", [])])
+def test_what_is_not_shown_is_undecided(beta: str, epsilon: str, known: list[str]) -> None:
+    model = compliant_model(beta, epsilon, alpha_2=1)
+    run = compliant_run(model, paper_state(model, 2))
+    assert run.verdict.outcome is Outcome.UNDECIDED
+    assert [event.name for event in run.events] == known
+
+
+def test_bad_input() -> None:
+    model = compliant_model("3/2", "1/1000")
+    with pytest.raises(ValueError, match="digits"):
+        compliant_run(model, paper_state(model, 2), 0)
+    with pytest.raises(ValueError, match="p: expected"):
+        compliant_run(model, compliant_state("-1/2", 1, -1, 0, 0))
+    with pytest.raises(ValueError, match="nu"):
+        paper_state(model, 0)
+    with pytest.raises(TypeError):
+        paper_state(model, 0.5)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="verdict"):
+        bool(run_of("3/2", "1", "1e-6"))
+
+
+def test_text_and_json() -> None:
+    run = run_of("3/2", "2", "1e-9")
+    assert "touch-down: [0.500044221983761013" in str(run)
+    data = json.loads(json.dumps(run.to_json()))
+    assert [event["event"] for event in data["events"]] == ["lift-off", "touch-down"]
+    assert data["verdict"]["outcome"] == "proved"

@@ -1,0 +1,56 @@
+"""The command ``events``: exit codes, text and JSON, bad input."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from gspot_verified.cli import main
+
+
+def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    code = main(arguments)
+    output, errors = capsys.readouterr()
+    return code, output, errors
+
+
+def test_a_run_of_the_paper(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "events", "--beta", "3/2", "--eps", "1e-9", "--nu", "2")
+    assert code == 0
+    assert output.startswith("proved: exactly one flight, then contact for ever: an impact without collision")
+    assert "lift-off: [0.500006988019767490" in output
+    assert "p = 1/2, b = -2, ε = 1e-9" in output
+
+
+def test_the_same_from_a_state_as_json(capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("events", "--beta", "3/2", "--eps", "1e-6", "--state=1/2,-2,-8e-12,0,-4e-12", "--digits", "10", "--json")
+    code, output, _ = run(capsys, *words)
+    assert code == 0
+    data = json.loads(output)
+    assert [event["event"] for event in data["events"]] == ["lift-off", "touch-down"]
+    assert data["start"] == "-1/2"
+
+
+def test_an_open_question_leaves_with_2(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "events", "--beta", "3/2", "--eps", "1/10", "--nu", "2", "--alpha2", "1")
+    assert code == 2
+    assert output.startswith("undecided")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("--beta", "3/2"),
+        ("--beta", "3/2", "--nu", "2", "--state=1/2,-2,-1,0,0"),
+        ("--beta", "3/2", "--nu", "0"),
+        ("--beta", "1", "--nu", "2"),
+        ("--beta", "3/2", "--nu", "2", "--digits", "0"),
+        ("--beta", "3/2", "--state=1/2,-2"),
+    ],
+)
+def test_bad_input(capsys: pytest.CaptureFixture[str], words: tuple[str, ...]) -> None:
+    code, output, errors = run(capsys, "events", *words)
+    assert code == 64
+    assert output == ""
+    assert errors.startswith("error: ")
