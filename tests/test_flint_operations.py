@@ -69,7 +69,7 @@ _METHODS = """
     overlaps p pi prec q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi
     sinh sqrt str subs table terms truncate union unique_fmpz upper
     from_dict to_dict compose project_to_context total_degree discriminant
-    complex_roots degrees factor rank solve
+    coefficient complex_roots degrees factor rank solve
 """
 METHODS = frozenset(_METHODS.split())
 
@@ -567,6 +567,15 @@ def test_factors_of_numbers_and_polynomials() -> None:
         assert len(factors) == count
         powers = list(terms_of(value))
         assert tuple(map(int, value.degrees())) == tuple(max(p[i] for p in powers) for i in (0, 1))
+
+
+@covers("coefficient")
+def test_coefficients_in_the_order_of_the_terms() -> None:
+    context = fmpq_mpoly_ctx.get(("x", "y"), "degrevlex")
+    for terms in _SEVERAL:
+        value = several(context, terms)
+        found = [to_fraction(value.coefficient(k)) for k in range(len(terms))]
+        assert found == [terms[powers] for powers in sorted(terms, key=lambda p: (sum(p), p[0]), reverse=True)]
 
 
 @covers("solve", "rank")
