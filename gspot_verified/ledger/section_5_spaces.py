@@ -14,7 +14,7 @@ from gspot_verified.ledger.double_series import POWER_OF_DELTA, example_series
 from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.ledger.explicit_expansions import LEMMA, SPACES, Shift
 from gspot_verified.ledger.extended_system import extended_terms
-from gspot_verified.ledger.identities import Algebra, rising_signs
+from gspot_verified.ledger.identities import Algebra
 from gspot_verified.ledger.page import Page
 from gspot_verified.ledger.powers_of_eps import exponents, later, progressions, sums
 
@@ -63,14 +63,14 @@ def dependence() -> bool:
 def products_of_factors() -> bool:
     """A product of m factors ξ_k has the order n = Σ (k + 2): k = n - 2 for m = 1, and less for m > 1.
 
-    rho is the sum of the other k, nu + 1 the number of the other factors, for m > 1.
+    rho >= 0 is the sum of the other k, nu + 1 the number of the other factors, for m > 1: n - 2 - k = rho + 2 nu + 2.
     """
     order = INDICES.read(LOWEST["order of xi_k"])
     others = INDICES.substitute(order, {"k": INDICES.symbols["rho"]}) + 2 * INDICES.symbols["nu"]
     highest = INDICES.read(LOWEST["highest k"])
     alone = INDICES.substitute(highest, {"n": order}) - INDICES.symbols["k"]
     below = INDICES.substitute(highest, {"n": order + others}) - INDICES.symbols["k"]
-    return alone.is_zero() and rising_signs(below) and below.total_degree() == 1 and below[(0,) * 5] > 0
+    return alone.is_zero() and bool(below == INDICES.read("rho + 2*nu + 2"))
 
 
 def lemma_by_induction() -> bool:

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from flint import acb, arb, fmpq
+from flint import acb, arb, fmpq, fmpq_poly
 
 from gspot_verified.balls import working_bits
 from gspot_verified.ledger import theta_pages as ledger
@@ -31,6 +31,16 @@ def doubled(text: str) -> str:
     return f"2*({text})"
 
 
+def from_another_start(k: int) -> fmpq_poly:
+    """c_k of a solution of the recurrence of proofs/asymptotic_coefficients.md from k = 2 on, with g_0 = 1, g_1 = 0."""
+    beta, g = fmpq_poly([0, 1]), [fmpq_poly([1]), fmpq_poly([0])]
+    for n in range(2, k + 1):
+        m, below = (-beta / 3 - fmpq(1, 2) - n + shift for shift in (1, 2))
+        first, second = (27 * m**2 - 9 * m - 1) / 4, 3 * below * (3 * below - 2) * (3 * below - 4) / 8
+        g.append((first * g[n - 1] + second * g[n - 2]) / (3 * n))
+    return g[k] * fmpq(2, 3) ** k
+
+
 def at_another_beta(text: str) -> str:
     return text.replace("beta", "(beta+1)")
 
@@ -39,6 +49,7 @@ def at_another_beta(text: str) -> str:
     ("name", "change", "step"),
     [
         ("MOMENT", doubled, "moments_obey_the_equation"),
+        ("MOMENT", lambda text: f"(1+k)*({text})", "moments_obey_the_equation"),
         ("MOMENT", at_another_beta, "moments_obey_the_equation"),
         ("MOMENT", lambda text: f"3*({text})*(1+beta)", "moments_move_with_beta"),
         ("POWER", doubled, "powers_solve_the_equation"),
@@ -49,6 +60,12 @@ def at_another_beta(text: str) -> str:
         ("SADDLE", lambda text: f"tau*{text}", "saddle_has_the_exponents_of_the_equation"),
         ("SADDLE", lambda text: text.replace("2*lam/3", "lam/3"), "saddle_has_the_exponents_of_the_equation"),
         ("SADDLE", lambda text: text.replace("-3*k/2", "-k"), "saddle_has_the_exponents_of_the_equation"),
+        (
+            "_orders",
+            lambda orders: lambda: orders() | {3: ledger._ALGEBRA.constant(1)},
+            "saddle_has_the_exponents_of_the_equation",
+        ),
+        ("coefficient_by_inversion", lambda _: from_another_start, "saddle_obeys_the_recurrence"),
         ("coefficient_by_inversion", lambda c: lambda k: c(k) + (k == 7), "saddle_obeys_the_recurrence"),
         ("coefficient_by_inversion", lambda c: lambda k: c(k) * 2**k, "saddle_obeys_the_recurrence"),
     ],
