@@ -1,4 +1,7 @@
-"""The force over intervals, and lift-off times of the paper's runs against an independent table."""
+"""The force over intervals, and lift-off times of the paper's runs against an independent table.
+
+Page: proofs/force_range.md.
+"""
 
 from __future__ import annotations
 
