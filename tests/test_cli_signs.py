@@ -172,6 +172,12 @@ def test_zeros_at_finite_epsilon(capsys: pytest.CaptureFixture[str]) -> None:
     assert "β = 119/20, ε = 1/10: 1 (for Θ (ε → 0): 3)" in output
     code, output, _ = run(capsys, "zeros", "--beta", "5", "--eps", "32", "--json")
     assert (code, json.loads(output)["number"]) == (0, 1)
+    code, output, errors = run(capsys, "zeros", "--beta", "17/4..35/8", "--eps", "1", "--json")
+    assert (code, json.loads(output)["rows"][0]["stretches"]) == (0, [{"beta": ["17/4", "35/8"], "numbers": [2]}])
+    assert "1 settled" in errors
+    code, output, _ = run(capsys, "zeros", "--beta", "17/4..35/8", "--eps", "1", "--budget", "0")
+    assert (code, output.startswith("undecided")) == (2, True)
+    assert run(capsys, "zeros")[0] == 64
 
 
 @pytest.mark.parametrize(
@@ -180,6 +186,8 @@ def test_zeros_at_finite_epsilon(capsys: pytest.CaptureFixture[str]) -> None:
         (("--eps", "0"), "epsilon: expected a number in"),
         (("--eps", "x"), "epsilon: expected a number"),
         (("--eps", "1", "--certificate", "x.cert"), "--certificate: not with --eps"),
+        (("--eps", "1", "--journal", "x"), "--journal, --workers and --scheduler need a range"),
+        (("--eps", "1..2"), "needs a range of β"),
         (("--eps", "1", "--digits", "0"), "digits"),
     ],
 )

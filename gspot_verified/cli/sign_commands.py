@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
+from gspot_verified.cli.finite_epsilon import DEFAULT_BETA, zeros_at_finite_epsilon, zeros_over_a_rectangle
 from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
@@ -69,9 +70,13 @@ def sign(
 
 @app.command(epilog="Example: gspot-verified zeros --beta 7/3 --digits 30")
 def zeros(
-    beta: Annotated[str, typer.Option(help='A range such as "1..13", or one value such as "7/3".')],
+    beta: Annotated[
+        str | None,
+        typer.Option(help='A range such as "1..13", or one value such as "7/3"; with --eps 1..7 if left out.'),
+    ] = None,
     epsilon: Annotated[
-        str | None, typer.Option("--eps", help="ε > 0: the force of the compliant model on its slow manifold, not Θ.")
+        str | None,
+        typer.Option("--eps", help='ε or "0..10" (0 < ε <= 10): the compliant model on its slow manifold, not Θ.'),
     ] = None,
     digits: Annotated[int, typer.Option(help="At one value: decimals of the brackets.")] = 15,
     budget: Annotated[int, typer.Option(help="How many ranges of β may be examined.")] = 5_000,
@@ -82,7 +87,10 @@ def zeros(
     journal: JournalFile = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Every real zero of dΘ/dτ: how many there are over a range of β, or brackets of all of them at one β."""
+    """Every real zero of dΘ/dτ: how many there are over a range of β, or brackets of all of them at one β.
+
+    With --eps: of the contact force's deviation λ − λ̄ on the slow manifold of the compliant model, at that ε.
+    """
     from gspot_verified.certificates.text import write_certificate
     from gspot_verified.signs.executors import executor
     from gspot_verified.signs.zeros import zeros_on_range
@@ -92,16 +100,18 @@ def zeros(
     outputs.file("--journal", journal)
     outputs.file("--picture", picture, PICTURES)
     if epsilon is not None:
-        for option, given in (("--certificate", certificate), ("--picture", picture), ("--journal", journal)):
+        for option, given in (("--certificate", certificate), ("--picture", picture)):
             if given is not None:
                 raise ValueError(f"{option}: not with --eps")
-        if workers != 1 or scheduler is not None:
-            raise ValueError("--workers and --scheduler: not with --eps")
-        _slow_zeros_at(beta, epsilon, digits, as_json)
-        return
+        beta = DEFAULT_BETA if beta is None else beta
+        if ".." in beta:
+            zeros_over_a_rectangle(beta, epsilon, budget, workers, scheduler, journal, as_json)
+        _only_with_a_range(journal, workers, scheduler)
+        zeros_at_finite_epsilon(beta, epsilon, digits, as_json)
+    if beta is None:
+        raise ValueError("--beta is needed")
     if ".." not in beta:
-        if journal is not None or workers != 1 or scheduler is not None:
-            raise ValueError("--journal, --workers and --scheduler need a range of β, such as 1..13")
+        _only_with_a_range(journal, workers, scheduler)
         _zeros_at(outputs, beta, digits, picture, certificate, as_json)
         return
     with executor(workers, scheduler) as pool:
@@ -122,15 +132,9 @@ def zeros(
     outputs.leave(0 if statement is not None else 2)
 
 
-def _slow_zeros_at(beta: str, epsilon: str, digits: int, as_json: bool) -> None:
-    from gspot_verified.compliant.zero_count import slow_zeros
-
-    found = slow_zeros(beta, epsilon, digits)
-    if as_json:
-        print_json(found.to_json())
-    else:
-        typer.echo(str(found))
-    raise typer.Exit(found.verdict.exit_code)
+def _only_with_a_range(journal: Path | None, workers: int, scheduler: str | None) -> None:
+    if journal is not None or workers != 1 or scheduler is not None:
+        raise ValueError("--journal, --workers and --scheduler need a range of β, such as 1..13")
 
 
 def _zeros_at(

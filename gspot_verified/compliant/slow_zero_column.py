@@ -11,21 +11,23 @@ from gspot_verified.compliant.slow_signs import CELL, SlowSigns
 from gspot_verified.signs.pieces import Column, Kind, Piece, number_of_zeros
 from gspot_verified.signs.zero_column import cover, right_tail
 
-_MAX_REACH = 256
+MAX_REACH = 256
+MAP_REACH = 16
+_FIRST_REACH = 8
 
 
 def slow_zero_column(
-    signs: SlowSigns, lower: fmpq, upper: fmpq, n: int, least: fmpq, changes: tuple[int, ...] = (0, 1)
+    signs: SlowSigns, lower: fmpq, upper: fmpq, n: int, least: fmpq, reach: int = MAX_REACH
 ) -> Column | None:
     """A column of certain pieces over beta in [lower, upper], n + 1 <= beta <= n + 2, or None.
 
-    ``changes``: how many zeros may stay in the right tail, in the order of preference; ``least``: the narrowest piece.
+    ``least``: the narrowest piece; ``reach``: how far from 0 the tails may begin.
     """
-    left = left_end(signs, n)
+    left = left_end(signs, n, reach)
     if left is None:
         return None
-    for tail in changes:
-        right = _right(signs, n, tail)
+    for tail in tails(lower, n):
+        right = right_end(signs, n, tail, reach)
         middle = cover(signs, left, right, least) if right is not None and left < right else None
         if right is not None and middle is not None:
             pieces = (Piece(Kind.LEFT, None, left), *middle, Piece(Kind.RIGHT, right, None, tail))
@@ -35,22 +37,28 @@ def slow_zero_column(
     return None
 
 
-def left_end(signs: SlowSigns, n: int) -> fmpq | None:
+def tails(lower: fmpq, n: int) -> tuple[int, ...]:
+    """How many zeros may stay in the right tail, in the order of preference; none of it can be empty from an integer
+    on."""
+    return (1,) if lower == n + 1 else (0, 1)
+
+
+def left_end(signs: SlowSigns, n: int, reach: int) -> fmpq | None:
     """A grid point up to which G_b > 0, or None."""
     k = 1
-    while k * CELL <= _MAX_REACH:
+    while k * CELL <= reach:
         if signs.positive_before(-k * CELL, n):
             return -k * CELL
         k += max(1, k // 4)
     return None
 
 
-def _right(signs: SlowSigns, n: int, tail: int) -> fmpq | None:
+def right_end(signs: SlowSigns, n: int, tail: int, reach: int) -> fmpq | None:
     """A grid point beyond which G_b has ``tail`` = 0 or 1 zeros, or None."""
-    reach = fmpq(8)
-    while reach <= _MAX_REACH:
-        right = right_tail(signs, n, reach, tail)
+    end = _FIRST_REACH
+    while end <= reach:
+        right = right_tail(signs, n, fmpq(end), tail)
         if right is not None:
             return right
-        reach *= 2
+        end *= 2
     return None

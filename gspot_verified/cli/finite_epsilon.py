@@ -1,0 +1,52 @@
+"""``zeros --eps``: the zeros of the slow solution of the compliant model, at one point or over a rectangle."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, NoReturn
+
+import typer
+
+from gspot_verified.cli.app import print_json, progress
+
+if TYPE_CHECKING:
+    from gspot_verified.signs.subdivision import Progress
+
+DEFAULT_BETA = "1..7"
+
+
+def zeros_at_finite_epsilon(beta: str, epsilon: str, digits: int, as_json: bool) -> NoReturn:
+    """One beta, one epsilon.
+
+    :raises ValueError: ``epsilon`` is a range.
+    """
+    from gspot_verified.compliant.zero_count import slow_zeros
+
+    if ".." in epsilon:
+        raise ValueError("--eps: a range of ε needs a range of β, such as 5..6")
+    found = slow_zeros(beta, epsilon, digits)
+    if as_json:
+        print_json(found.to_json())
+    else:
+        typer.echo(str(found))
+    raise typer.Exit(found.verdict.exit_code)
+
+
+def zeros_over_a_rectangle(
+    beta: str, epsilon: str, budget: int, workers: int, scheduler: str | None, journal: Path | None, as_json: bool
+) -> NoReturn:
+    """A range of beta, one epsilon or a range of them."""
+    from gspot_verified.compliant.zero_map import zero_map
+    from gspot_verified.signs.executors import executor
+
+    with executor(workers, scheduler) as pool:
+        found = zero_map(beta, epsilon, budget=budget, executor=pool, journal=journal, progress=_show)
+    if as_json:
+        print_json(found.to_json())
+    else:
+        typer.echo(str(found))
+    raise typer.Exit(found.verdict.exit_code)
+
+
+def _show(step: Progress) -> None:
+    progress(f"{step.examined} ranges of β examined in this row of ε, {step.finished} settled, {step.waiting} waiting")

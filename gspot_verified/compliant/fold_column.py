@@ -1,0 +1,103 @@
+"""Columns across a fold: two zeros meet at some beta of the column, or outside of it, and vanish as beta increases.
+
+Proof page: ``proofs/finite_epsilon_zeros.md``, section 6.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from flint import fmpq
+
+from gspot_verified.compliant.slow_jet import slow_jet
+from gspot_verified.compliant.slow_patch import SlowPatch
+from gspot_verified.compliant.slow_signs import SlowSigns
+from gspot_verified.compliant.slow_zero_column import MAP_REACH, left_end, right_end, tails
+from gspot_verified.signs.pieces import Column, Kind, Piece, number_of_zeros
+from gspot_verified.signs.zero_column import cover, grid
+
+WIDEST = fmpq(1, 4)
+_HALF_WIDTHS = (fmpq(1, 4), fmpq(1, 8), fmpq(1, 2), fmpq(3, 4), fmpq(1, 16))
+_PARTS = 3
+_SEARCH_STEP = fmpq(1, 32)
+_SEARCH_BITS = 40
+_SEARCH_FROM, _SEARCH_TO = fmpq(-6), fmpq(8)
+
+
+def fold_column(
+    lower: fmpq, upper: fmpq, n: int, epsilon_lower: fmpq, epsilon_upper: fmpq, least: fmpq
+) -> Column | None:
+    """A column with one piece FOLD over beta in [lower, upper], n + 1 <= beta <= n + 2, and the epsilon, or None."""
+    epsilons = (max(epsilon_lower, epsilon_upper / 1000), epsilon_upper)
+    minima = [_first_minimum(b, epsilon) for b in (lower - 1, upper - 1) for epsilon in epsilons]
+    places = [place for place, _ in minima if place is not None]
+    if len(places) < len(minima) or len({sign for _, sign in minima}) == 1:
+        return None
+    patch = SlowPatch(lower - 1, upper - 1, epsilon_lower, epsilon_upper)
+    signs, slopes = patch.signs(lower - 1, upper - 1), patch.slopes(lower - 1, upper - 1)
+    left = left_end(signs, n, MAP_REACH)
+    if left is None:
+        return None
+    for half_width in _HALF_WIDTHS:
+        begin, end = min(places) - half_width, max(places) + half_width
+        if not is_fold(signs, slopes, begin, end):
+            continue
+        for tail in tails(lower, n):
+            right = right_end(signs, n, tail, MAP_REACH)
+            if right is None or right < end:
+                continue
+            before = cover(signs, min(left, begin), begin, least) if left < begin else ()
+            after = cover(signs, end, right, least) if before is not None else None
+            if before is None or after is None:
+                continue
+            pieces = (
+                Piece(Kind.LEFT, None, min(left, begin)),
+                *before,
+                Piece(Kind.FOLD, begin, end),
+                *after,
+                Piece(Kind.RIGHT, right, None, tail),
+            )
+            column = Column(lower, upper, pieces)
+            if numbers_of_zeros(column) is not None:
+                return column
+    return None
+
+
+def is_fold(signs: SlowSigns, slopes: SlowSigns, begin: fmpq, end: fmpq) -> bool:
+    """Whether G > 0 at both ends, and G'' > 0 and dG/db > 0 between them."""
+    if signs.sign(begin, begin) != 1 or signs.sign(end, end) != 1:
+        return False
+    parts = [
+        (a + (b - a) * fmpq(i, _PARTS), a + (b - a) * fmpq(i + 1, _PARTS))
+        for a, b in grid(begin, end)
+        for i in range(_PARTS)
+    ]
+    return all(signs.sign(a, b, 2) == 1 and slopes.sign(a, b) == 1 for a, b in parts)
+
+
+def numbers_of_zeros(column: Column) -> tuple[int, ...] | None:
+    """The numbers of zeros that the column allows, the smaller beta first: one number, or (N + 2, N) across a fold."""
+    has_fold = any(piece.kind is Kind.FOLD for piece in column.pieces)
+    # Beyond the fold G > 0 on its piece.
+    pieces = tuple(
+        Piece(Kind.SIGN, piece.lower, piece.upper, 1) if piece.kind is Kind.FOLD else piece for piece in column.pieces
+    )
+    number = number_of_zeros(replace(column, pieces=pieces))
+    if number is None:
+        return None
+    return (number + 2, number) if has_fold else (number,)
+
+
+def _first_minimum(b: fmpq, epsilon: fmpq) -> tuple[fmpq | None, bool]:
+    """A place near the first critical point of G, from the left, and whether G is positive there. A heuristic: without
+    a change of sign among the corners of a box there is no fold to be looked for."""
+    tau, step = _SEARCH_FROM, fmpq(1, 2)
+    while tau < _SEARCH_TO:
+        value, slope = slow_jet(tau + step, b, epsilon, 2, _SEARCH_BITS)
+        if not slope > 0:
+            tau += step
+        elif step > _SEARCH_STEP:
+            step /= 2
+        else:
+            return tau + step / 2, bool(value > 0)
+    return None, False
