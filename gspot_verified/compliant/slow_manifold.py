@@ -77,14 +77,27 @@ def impact(leading: IwcResult, epsilon: fmpq | None, digits: int) -> SlowManifol
     return _by_cells(leading, digits) if beta < MAX_BETA else None
 
 
+def exact_epsilon_0(leading: IwcResult, digits: int) -> tuple[Threshold | None, bool]:
+    """The exact eps_0 on [start, infinity), and whether it is proved to hold to the left as well; 0 < beta < 13.
+
+    None where there is none at leading order to begin with, or none was found.
+    """
+    if leading.epsilon_0 is None:
+        return None, False
+    force, start = leading.force, leading.start
+    if force.beta < MAX_BETA_OF_THEOREM:
+        exact = exact_threshold(force, start, leading.epsilon_0, min(digits, THRESHOLD_DIGITS))
+        return exact, _to_the_left(leading, digits)
+    left = leading.whole_line and force.direction < 0
+    return threshold_by_cells(force, start, leading.epsilon_0, min(digits, CELL_DIGITS), left)
+
+
 def _by_cells(leading: IwcResult, digits: int) -> SlowManifold | None:
     """beta > 5, where the leading order is no lower bound; None where it has no eps_0 to begin with."""
     if leading.epsilon_0 is None:
         return None
-    force, start = leading.force, leading.start
-    exact, whole = threshold_by_cells(
-        force, start, leading.epsilon_0, min(digits, CELL_DIGITS), leading.whole_line and force.direction < 0
-    )
+    start = leading.start
+    exact, whole = exact_epsilon_0(leading, digits)
     if exact is None:
         text = f"{SLOW}, some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
         return SlowManifold(Verdict.undecided(text, Reason.BUDGET, "no cell of ε was settled"), start, False)
@@ -95,13 +108,12 @@ def _below_threshold(leading: IwcResult, digits: int) -> SlowManifold:
     start = None if leading.every_epsilon and leading.whole_line else leading.start
     if leading.every_epsilon:
         return SlowManifold(Verdict.proved(force_statement(start, None, None, SLOW), ABOVE), start, leading.whole_line)
-    known = leading.epsilon_0
-    if known is None:
+    exact, whole = exact_epsilon_0(leading, digits)
+    if exact is None:
         text = f"{SLOW}, some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
         return SlowManifold(Verdict.undecided(text, Reason.BUDGET, "none at leading order to begin with"), start, False)
-    exact = exact_threshold(leading.force, leading.start, known, min(digits, THRESHOLD_DIGITS))
     verdict = Verdict.proved(force_statement(start, None, exact.lower, SLOW), ABOVE)
-    return SlowManifold(verdict, start, _to_the_left(leading, digits), exact)
+    return SlowManifold(verdict, start, whole, exact)
 
 
 def _to_the_left(leading: IwcResult, digits: int) -> bool:

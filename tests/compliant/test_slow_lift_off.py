@@ -120,6 +120,33 @@ def test_bounds_on_a_cell(beta: Fraction, root: Fraction, left: Fraction, wide: 
         assert not cell.rising or here[1] > 0
 
 
+@settings(max_examples=40, deadline=None)
+@given(
+    BETAS,
+    st.fractions(Fraction(1, 10), 25, max_denominator=20),
+    st.fractions(Fraction(1, 50), Fraction(3, 2), max_denominator=50),
+)
+def test_the_steps_of_the_uniform_bound(beta: Fraction, tau: Fraction, root: Fraction) -> None:
+    """(ii) of section 9 at any tau > 0; (i) where its hypotheses hold; theta(x) >= 1 - x/2; the mean of rho^4."""
+    parameter, place, eta = to_fmpq(beta), to_fmpq(tau), to_fmpq(root)
+    profile, leading = Profile.at_root(parameter, eta), Profile.leading_order(parameter)
+    with working_bits(150):
+        b, at = parameter - 1, arb(place)
+        fourth, eighth = (profile.derivatives(place, range(k, k + 1), 20)[0] for k in (4, 8))
+        f = leading.derivatives(place, range(5), 20)
+        half = eta * at / 2
+        m = half + (half * half + at + eta * (6 - b) + (5 - b) / at.sqrt()).sqrt()
+        assert fourth > f[4]
+        assert fourth <= (eta * m**4 / 8).exp() * f[4]
+        assert eighth <= m**4 * fourth
+        if all(value > 0 for value in f[:3]) and f[2] <= at.sqrt() * f[1]:
+            further = leading.derivatives(place + 1, range(5), 20)
+            assert further[2] <= arb(place + 1).sqrt() * further[1]
+            assert f[4] <= (at * at.sqrt() + 1 - b) * f[1]
+    x = Fraction(root)
+    assert (x + 2) / (2 * (1 + x)) >= max(1 - x / 2, Fraction(1, 2))
+
+
 def test_hypotheses_of_the_uniform_bound() -> None:
     """Each is checked: below 1 nothing is said, and an end too far to the left violates one."""
     profile = Profile(fmpq(5, 2), fmpq(1, 1000))
