@@ -5,12 +5,15 @@ Page: proofs/iwc.md.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from flint import arb, fmpq
 from force_witness import force_by_mpmath
 
 from gspot_verified import Outcome, gamma_sign, zeros_at
 from gspot_verified.balls import working_bits
+from gspot_verified.dyadic import Dyadic
 from gspot_verified.signs.contact_force import ContactForce, contact_force
 from gspot_verified.signs.iwc import iwc
 from gspot_verified.signs.lift_off import growth_table, lift_off
@@ -154,3 +157,16 @@ def test_the_growth_table_has_its_rows() -> None:
         row.upper - row.lower <= fmpq(1, 1000) for row in rows if row.upper is not None and row.lower is not None
     )
     assert all(row.verdict.outcome is Outcome.PROVED for row in rows)
+
+
+def test_what_a_bracket_says_of_itself() -> None:
+    found = lift_off(contact_force("3/2", c1=-1), fmpq(1, 1000), fmpq(-10), 6)
+    data = found.to_json()
+    assert (data["epsilon"], data["bracket"]) == ("1/1000", [str(found.lower), str(found.upper)])
+    assert found.ratio is not None
+    assert Dyadic.parse(data["ratio"]) == Dyadic.from_ball(found.ratio)
+    assert ", over ((β-1) ln(1/ε))^(2/3): [1.571" in str(found)
+    without = replace(found, ratio=None, lower=None, upper=None)
+    assert (without.to_json()["bracket"], without.to_json()["ratio"]) == (None, None)
+    assert str(without) == "ε = 0.001: proved"
+    assert "over" not in str(replace(found, ratio=None))
