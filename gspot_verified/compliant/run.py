@@ -1,6 +1,7 @@
 """A run of the compliant model from an initial state: its events, with brackets, and how it ends.
 
-Proof pages: ``proofs/flight.md``, section 8; for the first contact ``proofs/force_range.md``, ``proofs/first_integrals.md``.
+Proof pages: ``proofs/flight.md``, section 8; for the first contact ``proofs/force_range.md`` and
+``proofs/first_integrals.md``.
 """
 
 from __future__ import annotations
