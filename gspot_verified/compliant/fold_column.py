@@ -29,7 +29,7 @@ def fold_column(
 ) -> Column | None:
     """A column with one piece FOLD over beta in [lower, upper], n + 1 <= beta <= n + 2, and the epsilon, or None."""
     epsilons = (max(epsilon_lower, epsilon_upper / 1000), epsilon_upper)
-    minima = [_first_minimum(b, epsilon) for b in (lower - 1, upper - 1) for epsilon in epsilons]
+    minima = [nearest_minimum(b, epsilon) for b in (lower - 1, upper - 1) for epsilon in epsilons]
     places = [place for place, _ in minima if place is not None]
     if len(places) < len(minima) or len({sign for _, sign in minima}) == 1:
         return None
@@ -67,12 +67,17 @@ def is_fold(signs: SlowSigns, slopes: SlowSigns, begin: fmpq, end: fmpq) -> bool
     """Whether G > 0 at both ends, and G'' > 0 and dG/db > 0 between them."""
     if signs.sign(begin, begin) != 1 or signs.sign(end, end) != 1:
         return False
-    parts = [
+    parts = fold_parts(begin, end)
+    return all(signs.sign(a, b, 2) == 1 and slopes.sign(a, b) == 1 for a, b in parts)
+
+
+def fold_parts(begin: fmpq, end: fmpq) -> list[tuple[fmpq, fmpq]]:
+    """[begin, end] in short intervals, each in one cell of tau."""
+    return [
         (a + (b - a) * fmpq(i, _PARTS), a + (b - a) * fmpq(i + 1, _PARTS))
         for a, b in grid(begin, end)
         for i in range(_PARTS)
     ]
-    return all(signs.sign(a, b, 2) == 1 and slopes.sign(a, b) == 1 for a, b in parts)
 
 
 def numbers_of_zeros(column: Column) -> tuple[int, ...] | None:
@@ -88,7 +93,7 @@ def numbers_of_zeros(column: Column) -> tuple[int, ...] | None:
     return (number + 2, number) if has_fold else (number,)
 
 
-def _first_minimum(b: fmpq, epsilon: fmpq) -> tuple[fmpq | None, bool]:
+def nearest_minimum(b: fmpq, epsilon: fmpq) -> tuple[fmpq | None, bool]:
     """A place near the first critical point of G, from the left, and whether G is positive there. A heuristic: without
     a change of sign among the corners of a box there is no fold to be looked for."""
     tau, step = _SEARCH_FROM, fmpq(1, 2)

@@ -1,0 +1,58 @@
+"""The fold at one epsilon: seen values, the exact one at epsilon = 32, the number of zeros on both sides, bad input."""
+
+from __future__ import annotations
+
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.balls import exact
+from gspot_verified.compliant.fold_point import fold_point
+from gspot_verified.compliant.zero_count import slow_zeros
+
+
+@pytest.mark.parametrize(
+    ("epsilon", "beta_f"),
+    [
+        ("1e-6", "5.9999625"), ("1e-3", "5.9961939"), ("1e-2", "5.982103"), (".1", "5.916976"), ("1", "5.670239"),
+        ("4", "5.398791"), ("100", "4.840875"), ("500", "4.682690"),
+    ],
+)  # fmt: skip
+def test_seen_values(epsilon: str, beta_f: str) -> None:
+    found = fold_point(epsilon, 9)
+    assert found is not None
+    assert 0 < found.upper - found.lower <= fmpq(1, 10**9)
+    seen = exact(beta_f, "seen")
+    assert abs(found.lower - seen) < fmpq(6, 10 ** (1 + len(beta_f.split(".")[1])))
+
+
+@pytest.mark.parametrize("epsilon", ["1e-4", "3", "60"])
+def test_two_zeros_less_beyond(epsilon: str) -> None:
+    found = fold_point(epsilon, 12)
+    assert found is not None
+    before, after = (slow_zeros(end, epsilon, digits=2).number for end in (found.lower, found.upper))
+    assert before is not None
+    assert after == before - 2
+
+
+def test_the_fold_at_epsilon_32_is_at_5() -> None:
+    """F_4 has its double zero there: no bracket can be shown to lie on one side of it."""
+    found = fold_point(32, 9)
+    assert found is not None
+    assert found.lower < 5 < found.upper
+
+
+def test_more_digits_lie_inside() -> None:
+    coarse, fine = fold_point("1/7", 6), fold_point("1/7", 30)
+    assert coarse is not None
+    assert fine is not None
+    assert coarse.lower <= fine.lower < fine.upper <= coarse.upper
+    assert fine.upper - fine.lower <= fmpq(1, 10**30)
+
+
+@pytest.mark.parametrize(
+    ("epsilon", "digits", "message"),
+    [(0, 8, "epsilon"), (501, 8, "epsilon"), (arb(1, 1), 8, "one exact"), (1, 0, "digits"), (1, 41, "digits")],
+)
+def test_refused(epsilon: object, digits: int, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        fold_point(epsilon, digits)  # type: ignore[arg-type]
