@@ -82,6 +82,7 @@ _PLANS = [
     # Most of the radius is, in turn, the left end (E rising; E falling), the right end, the step.
     (fmpq(1), TrapezoidPlan(fmpq(1, 40), -120, 120, fmpq(1, 4), fmpq(1, 4), fmpq(3), 400)),
     (fmpq(-2), TrapezoidPlan(fmpq(1, 40), -120, 120, fmpq(1, 4), fmpq(1, 8), fmpq(3), 400)),
+    (fmpq(1, 10), TrapezoidPlan(fmpq(1, 40), -40, 120, fmpq(1, 4), fmpq(1, 8), fmpq(3), 400)),
     (fmpq(1), TrapezoidPlan(fmpq(1, 40), -2000, 50, fmpq(1, 4), fmpq(1, 4), fmpq(3), 400)),
     (fmpq(1), TrapezoidPlan(fmpq(1, 2), -200, 9, fmpq(1, 3), fmpq(1, 4), fmpq(4), 400)),
 ]
@@ -130,6 +131,37 @@ def test_the_trapezoidal_rule_is_finite_exactly_where_its_hypotheses_hold() -> N
     assert not slow_moments(arb(1), arb(-1, fmpq(1, 100)), fmpq(1), 1, good)[0].is_finite()
     for epsilon in (fmpq(0), fmpq(-1), arb(0, 1)):
         assert not slow_moments(arb(1), fmpq(-3, 2), epsilon, 1, good)[0].is_finite()
+
+
+def test_the_trapezoidal_rule_contains_the_integral() -> None:
+    tau, epsilon, b = fmpq(1, 2), fmpq(1, 3), fmpq(-3, 2)
+    plan = TrapezoidPlan(fmpq(1, 20), -600, 80, fmpq(1, 4), fmpq(1, 4), fmpq(3), 200)
+    eta = _eta(epsilon)
+    with mpmath.workdps(30):
+        for j, value in enumerate(slow_moments(arb(tau), b, epsilon, 3, plan)):
+            power = j - _m(b) - 1
+            true = mpmath.quad(
+                lambda r, n=power: r**n * mpmath.exp(r / 2 + _cubic(eta * r, eta)), [mpf("1e-20"), 1, 2, 4, 8, 16, 32]
+            )
+            lower, upper = _ends(value)
+            assert lower - mpf("1e-15") < true < upper + mpf("1e-15")
+            assert upper - lower < mpf("1e-8")
+
+
+def test_the_tangent_bound_is_refused_without_its_hypotheses() -> None:
+    def bound(b: fmpq, angle: fmpq, rising: fmpq, falling: fmpq) -> arb:
+        return tangent_bound(*(arb(v) for v in (fmpq(1), b, fmpq(1, 5), angle, rising, falling)))
+
+    good = (fmpq(-2), fmpq(1, 4), fmpq(1, 2), fmpq(20))
+    assert bound(*good).is_finite()
+    for k, value in ((0, fmpq(-99, 100)), (0, fmpq(0)), (1, fmpq(53, 100)), (2, fmpq(0)), (2, fmpq(10)), (3, fmpq(1))):
+        assert not bound(*good[:k], value, *good[k + 1 :]).is_finite()
+    assert bound(fmpq(-1), *good[1:]).is_finite()
+    assert not bound(*good[:2], good[3], good[2]).is_finite()
+    # tau = -1, so that only cos(3 angle) < 0 speaks against the second angle: there the integral diverges.
+    for angle, allowed in ((fmpq(52, 100), True), (fmpq(53, 100), False)):
+        value = tangent_bound(*(arb(v) for v in (fmpq(-1), fmpq(-2), fmpq(1, 5), angle, fmpq(1, 2), fmpq(3))))
+        assert value.is_finite() is allowed
 
 
 @pytest.mark.parametrize("angle", [fmpq(0), fmpq(1, 4), fmpq(1, 2)])
