@@ -100,7 +100,7 @@ def _run(beta: fmpq, nu: fmpq) -> Entry:
         f"every {every}: {DRAWN[fate]}",
         Check(rung, what, for_every_epsilon(beta, nu), f"every {every}"),
         Check(Rung.POINTS, "the sign of K and intervals at ε = 10^-3, 10^-6, 10^-12", at_points(beta, nu)),
-        note="A statement about the compliant model (modelsys1 to modelsys5) and these initial values, not about the leading order.",
+        note="About the compliant model (modelsys1 to modelsys5) from these initial values, not the leading order.",
     )
 
 

@@ -27,6 +27,7 @@ from gspot_verified.ledger import (
     section_5_spaces,
     section_5_theorem,
     section_6,
+    varsim1,
 )
 from gspot_verified.ledger.entry import Builders, Entry
 from gspot_verified.verdict import Outcome
@@ -36,6 +37,7 @@ PARTS: dict[str, Builders] = {
     "Section 2, the motivating example": section_4_trivial.ENTRIES,
     "Section 2, the extended example": lagrangian.ENTRIES,
     "Section 3, sides of the simulations": section_3.ENTRIES,
+    "Section 3, the runs of the simulations": varsim1.ENTRIES,
     "Section 4, elimination and deviations": section_4_outer.ENTRIES,
     "Section 4.1, the distinguished trajectory": section_4_unique.ENTRIES,
     "Section 4, fast system": section_4_fast.ENTRIES,

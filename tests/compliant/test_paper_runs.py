@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 from flint import arb, fmpq
 
@@ -101,7 +103,7 @@ def test_the_bounds_fall_with_epsilon() -> None:
             found = [sizes_up_to(beta, largest) for largest in CANDIDATES]
         kept = [sizes for sizes in found if sizes is not None]
         assert len(kept) >= 9
-        for first, second in zip(kept, kept[1:], strict=False):
+        for first, second in pairwise(kept):
             assert second.fast < first.fast
             assert second.ratio < first.ratio
 
