@@ -65,3 +65,40 @@ def test_bad_input(capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...
     code, _, errors = run(capsys, "force", *arguments)
     assert code == 64
     assert message in errors
+
+
+def test_the_exact_side_rule_of_a_state(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "side", "--beta", "5/2", "--eps", "1/1000", f"--state={STATE}")
+    assert code == 0
+    assert output.startswith("proved: K > 0")
+    assert "the paper's rule gives the same side" in output
+    assert "initial state" in output
+    # beta = 13/2: with the paper's own data the fast part wins at eps = 1/1000.
+    words = ("side", "13/2", "--state=1/2,-2/11,-8/11000000,0,-4/11000000", "--json")
+    code, output, _ = run(capsys, *words)
+    assert code == 0
+    data = json.loads(output)
+    assert data["paper_differs"] is True
+    assert data["verdict"]["statement"].startswith("K < 0")
+
+
+def test_the_trivial_state_is_the_canard(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "side", "5/2", "--state=1/2,-1/3,-1/750000,0,-1/1500000")
+    assert code == 2
+    assert output.startswith("undecided")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((), "give it as an argument"),
+        (("--beta", "5/2"), "--beta goes with --state"),
+        (("5/2", "--state=1,2,3"), "state: expected five numbers"),
+        (("--state=-1/2,1,-1,0,1",), "beta: give beta"),
+        (("5/2", "--state=-1/2,1,-1,0,1"), "p > 0"),
+    ],
+)
+def test_bad_input_for_the_side(capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], message: str) -> None:
+    code, _, errors = run(capsys, "side", *arguments)
+    assert code == 64
+    assert message in errors

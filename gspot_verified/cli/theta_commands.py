@@ -56,11 +56,25 @@ def _announce(tau: str, beta: str, derivative: int, digits: int) -> None:
 
 @app.command(cls=NumberArguments, epilog="Example: gspot-verified side 1/2 4")
 def side(
-    lower: Annotated[str, typer.Argument(help="Lower end of the range of β.")],
+    lower: Annotated[str | None, typer.Argument(help="Lower end of the range of β.")] = None,
     upper: Annotated[str | None, typer.Argument(help="Upper end; left out: the single value.")] = None,
+    beta: Annotated[str | None, typer.Option(help="With --state: β = α3/α1.")] = None,
+    eps: Annotated[str, typer.Option("--eps", help="With --state: ε > 0.")] = "1/1000",
+    alpha1: Annotated[str, typer.Option(help="With --state: α1* < 0.")] = "-1",
+    alpha2: Annotated[str, typer.Option(help="With --state: α2*.")] = "-1",
+    state: Annotated[str | None, typer.Option(help="The exact side rule of this state in contact: p,b,y,v,z.")] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Certified sign of Γ(−β) over a range of β, and which sign of C1 lifts off (Case III) or takes an IWC."""
+    """Certified sign of Γ(−β) over a range of β, and which sign of C1 lifts off (Case III) or takes an IWC.
+
+    With --state: the exact side rule of the compliant model at one ε, K < 0: contact is certainly lost, with the
+    paper's rule C1/Γ(−β) beside it.
+    """
+    if state is not None:
+        _side_of_state(lower if beta is None else beta, eps, alpha1, alpha2, state, as_json)
+        return
+    if beta is not None or lower is None:
+        raise ValueError("β: give it as an argument; --beta goes with --state")
     from gspot_verified.signs.side import side_switching
 
     result = side_switching(lower, lower if upper is None else upper)
@@ -70,3 +84,18 @@ def side(
         typer.echo(str(result))
     if result.undecided:
         raise typer.Exit(2)
+
+
+def _side_of_state(beta: str | None, eps: str, alpha1: str, alpha2: str, state: str, as_json: bool) -> None:
+    from gspot_verified.compliant.normal_form import compliant_model
+    from gspot_verified.compliant.side_rule import side_rule
+    from gspot_verified.compliant.state_text import state_from_text
+
+    result = side_rule(compliant_model(beta, eps, alpha_1=alpha1, alpha_2=alpha2), state_from_text(state))
+    system = f"the compliant model from the initial state (p, b, y, v, z) = ({state}), ε = {eps}"
+    if as_json:
+        print_json({**result.to_json(), "system": system})
+    else:
+        typer.echo(str(result))
+        typer.echo(f"  {system}")
+    raise typer.Exit(result.verdict.exit_code)
