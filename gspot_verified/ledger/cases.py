@@ -97,8 +97,8 @@ def _iwc() -> Entry:
             "pieces from τ = −∞ to +∞: " + ", ".join(pieces),
         ),
         note='The paper calls this "strong evidence, although not quite a proof". With C_1 < 0 and '
-        "S-deviation-force the deviation of the force is then positive for every τ at leading order: "
-        "an impact without collision. C-cases-I-II says it for the compliant model at every ε.",
+        "S-deviation-force the deviation of the force is then positive for every τ at leading order: an impact "
+        "without collision. For the compliant model: C-cases-I-II.",
     )
 
 
@@ -184,8 +184,7 @@ def _lift_off_side() -> Entry:
             "certified sign of λ_N at τ = 60, ε = 1e-6, both signs of C_1, five values of β",
             all_of(answers),
         ),
-        note="At leading order and for τ large; for all τ of a half-line see S-iwc-case-III, for the compliant model "
-        "C-lift-off and C-iwc-case-III.",
+        note="At leading order and for τ large; for all τ see S-iwc-case-III, for the compliant model C-lift-off.",
     )
 
 
@@ -221,8 +220,7 @@ def _other_side() -> Entry:
             "; ".join(f"β = {beta}: ε_0 >= {approximate(bound):.4g}" for beta, bound in bounds.items()),
         ),
         note='The paper: "we are in the same situation as in above where there is strong evidence that an IWC occurs". '
-        "ε_0 depends on τ_0 when ⌊β⌋ is odd: there C_1 dΘ/dτ → −∞ as τ → −∞. C-iwc-case-III: "
-        "the same ε_0 for the compliant model.",
+        "ε_0 depends on τ_0 for odd ⌊β⌋: C_1 dΘ/dτ → −∞ as τ → −∞. For the compliant model: C-iwc-case-III.",
     )
 
 
