@@ -188,6 +188,7 @@ def test_zeros_at_finite_epsilon(capsys: pytest.CaptureFixture[str]) -> None:
         (("--eps", "1", "--certificate", "x.cert"), "--certificate: not with --eps"),
         (("--eps", "1", "--journal", "x"), "--journal, --workers and --scheduler need a range"),
         (("--eps", "1..2"), "needs a range of β"),
+        (("--eps", "1", "--picture", "x.png"), "--picture needs a range of β"),
         (("--eps", "1", "--digits", "0"), "digits"),
     ],
 )

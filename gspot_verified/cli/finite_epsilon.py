@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NoReturn
 import typer
 
 from gspot_verified.cli.app import print_json, progress
+from gspot_verified.cli.output import Outputs
 
 if TYPE_CHECKING:
     from gspot_verified.signs.subdivision import Progress
@@ -33,19 +34,36 @@ def zeros_at_finite_epsilon(beta: str, epsilon: str, digits: int, as_json: bool)
 
 
 def zeros_over_a_rectangle(
-    beta: str, epsilon: str, budget: int, workers: int, scheduler: str | None, journal: Path | None, as_json: bool
+    outputs: Outputs,
+    beta: str,
+    epsilon: str,
+    budget: int,
+    picture: Path | None,
+    workers: int,
+    scheduler: str | None,
+    journal: Path | None,
+    as_json: bool,
 ) -> NoReturn:
-    """A range of beta, one epsilon or a range of them."""
+    """A range of beta, one epsilon or a range of them.
+
+    :raises ValueError: a picture of one epsilon is asked for.
+    """
     from gspot_verified.compliant.zero_map import zero_map
     from gspot_verified.signs.executors import executor
 
+    if picture is not None and ".." not in epsilon:
+        raise ValueError("--picture needs a range of ε, such as 0..10")
     with executor(workers, scheduler) as pool:
         found = zero_map(beta, epsilon, budget=budget, executor=pool, journal=journal, progress=_show)
+    if picture is not None:
+        from gspot_verified.report.zero_map_picture import save_zero_map
+
+        outputs.write("--picture", picture, lambda: save_zero_map(found, picture))
     if as_json:
         print_json(found.to_json())
     else:
         typer.echo(str(found))
-    raise typer.Exit(found.verdict.exit_code)
+    outputs.leave(found.verdict.exit_code)
 
 
 def _show(step: Progress) -> None:

@@ -100,13 +100,14 @@ def zeros(
     outputs.file("--journal", journal)
     outputs.file("--picture", picture, PICTURES)
     if epsilon is not None:
-        for option, given in (("--certificate", certificate), ("--picture", picture)):
-            if given is not None:
-                raise ValueError(f"{option}: not with --eps")
+        if certificate is not None:
+            raise ValueError("--certificate: not with --eps")
         beta = DEFAULT_BETA if beta is None else beta
         if ".." in beta:
-            zeros_over_a_rectangle(beta, epsilon, budget, workers, scheduler, journal, as_json)
+            zeros_over_a_rectangle(outputs, beta, epsilon, budget, picture, workers, scheduler, journal, as_json)
         _only_with_a_range(journal, workers, scheduler)
+        if picture is not None:
+            raise ValueError("--picture needs a range of β, such as 1..7")
         zeros_at_finite_epsilon(beta, epsilon, digits, as_json)
     if beta is None:
         raise ValueError("--beta is needed")

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from flint import fmpq
 
+from gspot_verified.balls import approximate
 from gspot_verified.compliant.slow_jet import slow_jet
 from gspot_verified.compliant.slow_patch import SlowPatch
 from gspot_verified.compliant.slow_signs import SlowSigns
@@ -21,6 +22,8 @@ _HALF_WIDTHS = (fmpq(1, 4), fmpq(1, 8), fmpq(1, 2), fmpq(3, 4), fmpq(1, 16))
 _PARTS = 3
 _SEARCH_STEP = fmpq(1, 32)
 _SEARCH_BITS = 40
+_FAR = 0.05
+_BEHIND = 6
 _SEARCH_FROM, _SEARCH_TO = fmpq(-6), fmpq(8)
 
 
@@ -31,7 +34,8 @@ def fold_column(
     epsilons = (max(epsilon_lower, epsilon_upper / 1000), epsilon_upper)
     minima = [nearest_minimum(b, epsilon) for b in (lower - 1, upper - 1) for epsilon in epsilons]
     places = [place for place, _ in minima if place is not None]
-    if len(places) < len(minima) or len({sign for _, sign in minima}) == 1:
+    values = [value for _, value in minima]
+    if len(places) < len(minima) or min(values) > _FAR or max(values) < -_FAR:
         return None
     patch = SlowPatch(lower - 1, upper - 1, epsilon_lower, epsilon_upper)
     signs, slopes = patch.signs(lower - 1, upper - 1), patch.slopes(lower - 1, upper - 1)
@@ -81,7 +85,10 @@ def fold_parts(begin: fmpq, end: fmpq) -> list[tuple[fmpq, fmpq]]:
 
 
 def numbers_of_zeros(column: Column) -> tuple[int, ...] | None:
-    """The numbers of zeros that the column allows, the smaller beta first: one number, or (N + 2, N) across a fold."""
+    """The numbers of zeros that the column allows, the smaller beta first: one number, or (N + 2, N) across a fold.
+
+    From beta = 6 on the fold is behind: F_5 has one simple zero and no other (section 4 (c) of the page).
+    """
     has_fold = any(piece.kind is Kind.FOLD for piece in column.pieces)
     # Beyond the fold G > 0 on its piece.
     pieces = tuple(
@@ -90,12 +97,12 @@ def numbers_of_zeros(column: Column) -> tuple[int, ...] | None:
     number = number_of_zeros(replace(column, pieces=pieces))
     if number is None:
         return None
-    return (number + 2, number) if has_fold else (number,)
+    return (number + 2, number) if has_fold and column.lower != _BEHIND else (number,)
 
 
-def nearest_minimum(b: fmpq, epsilon: fmpq) -> tuple[fmpq | None, bool]:
-    """A place near the first critical point of G, from the left, and whether G is positive there. A heuristic: without
-    a change of sign among the corners of a box there is no fold to be looked for."""
+def nearest_minimum(b: fmpq, epsilon: fmpq) -> tuple[fmpq | None, float]:
+    """A place near the first critical point of G, from the left, and G there, nearly. A heuristic: where its sign does
+    not change among the corners of a box, and it is not small, there is no fold to be looked for."""
     tau, step = _SEARCH_FROM, fmpq(1, 2)
     while tau < _SEARCH_TO:
         value, slope = slow_jet(tau + step, b, epsilon, 2, _SEARCH_BITS)
@@ -104,5 +111,5 @@ def nearest_minimum(b: fmpq, epsilon: fmpq) -> tuple[fmpq | None, bool]:
         elif step > _SEARCH_STEP:
             step /= 2
         else:
-            return tau + step / 2, bool(value > 0)
-    return None, False
+            return tau + step / 2, approximate(value)
+    return None, 0.0

@@ -72,8 +72,8 @@ def _search(epsilon: fmpq) -> tuple[fmpq, fmpq]:
     low, high, place = fmpq(_MEETING - 3), fmpq(_MEETING - 1), fmpq(0)
     for _ in range(_SEARCHES):
         middle = (low + high) / 2
-        found, positive = nearest_minimum(middle, epsilon)
-        if found is None or positive:
+        found, value = nearest_minimum(middle, epsilon)
+        if found is None or value > 0:
             high = middle
         else:
             low, place = middle, found

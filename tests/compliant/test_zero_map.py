@@ -54,6 +54,14 @@ def test_a_column_across_the_fold_against_points() -> None:
     assert (slow_zeros(lower, 1, 2).number, slow_zeros(upper, 1, 2).number) == (3, 1)
 
 
+def test_from_6_on_the_fold_is_behind() -> None:
+    """For all 0 < epsilon <= 1/1000: G at its minimum tends to 0 with epsilon at beta = 6, and stays positive."""
+    column = fold_column(fmpq(6), fmpq(49, 8), 5, fmpq(0), fmpq(1, 1000), fmpq(1, 128))
+    assert column is not None
+    assert numbers_of_zeros(column) == (2,)
+    assert [slow_zeros(beta, "1/1000", 2).number for beta in ("6.001", "6.125")] == [2, 2]
+
+
 def test_no_fold_is_found_where_there_is_none() -> None:
     """No local minimum lies between beta = 4.9 and 5 at epsilon = 100; at 4.75, 1/10 G is negative at its minimum."""
     for lower, upper, n, epsilon in (
