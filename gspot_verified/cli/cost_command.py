@@ -29,24 +29,24 @@ class Measured(Protocol):
 
 @app.command(epilog="Example: gspot-verified cost theta --picture cost.png")
 def cost(
-    subject: Annotated[str, typer.Argument(help='What to measure: "theta", "sign" or "expand".')],
+    subject: Annotated[str, typer.Argument(help='What to measure: "theta", "sign", "expand" or "force".')],
     full: Annotated[bool, typer.Option("--full", help="Larger cases too: about 20, 10 or 2 minutes.")] = False,
     picture: Annotated[
         Path | None, typer.Option(help="Write time against digits, size or order as a PNG file.")
     ] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Measure what accuracy (theta), certified signs (sign) and expansions (expand) cost in time, beside alternatives.
+    """Measure what accuracy (theta), certified signs (sign), expansions (expand) and the compliant force cost in time.
 
     About half a minute each. The exit code is 0 whatever the times are: a benchmark decides nothing.
     """
-    from gspot_verified.cost.picture import DIGITS, ORDERS, RANGES, save_picture
+    from gspot_verified.cost.picture import DIGITS, ORDERS, RANGES, SMALLNESS, save_picture
 
     outputs = Outputs()
     outputs.file("--picture", picture, PICTURES)
     result = _measure(subject, full)
     if picture is not None:
-        labels = {"theta": DIGITS, "sign": RANGES, "expand": ORDERS}[subject]
+        labels = {"theta": DIGITS, "sign": RANGES, "expand": ORDERS, "force": SMALLNESS}[subject]
         outputs.write("--picture", picture, lambda: save_picture(result.curves, picture, labels))
     if as_json:
         print_json(result.to_json())
@@ -68,4 +68,8 @@ def _measure(subject: str, full: bool) -> Measured:
         from gspot_verified.cost import expand
 
         return expand.run(full, progress)
-    raise ValueError(f'cost: expected "theta", "sign" or "expand", got {subject!r}')
+    if subject == "force":
+        from gspot_verified.cost import force
+
+        return force.run(full, progress)
+    raise ValueError(f'cost: expected "theta", "sign", "expand" or "force", got {subject!r}')

@@ -27,6 +27,7 @@ RANGES = Labels(
     "seconds of processor time",
     "The cost of certified zeros of dΘ/dτ over a range of β",
 )
+SMALLNESS = Labels("k, ε = 10^-k", "seconds per value", "The cost of a small ε: the slow solution")
 ORDERS = Labels("order of δ", "seconds, one core", "The cost of exact expansions: Theorem 1")
 
 
