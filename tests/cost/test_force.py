@@ -26,3 +26,12 @@ def test_the_command(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixt
     assert main(["cost", "force"]) == 0
     assert "slow solution" in capsys.readouterr().out
     assert main(["cost", "forces"]) == 64
+
+
+def test_caches_are_empty_before_a_call_from_a_state() -> None:
+    from gspot_verified.compliant import fast_part
+
+    force.first_zero(*force._run_of_the_paper(6), digits=5)
+    assert fast_part._oscillating.cache_info().currsize > 0
+    force.forget()
+    assert fast_part._oscillating.cache_info().currsize == 0
