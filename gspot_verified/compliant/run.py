@@ -41,7 +41,7 @@ class Event:
     """Lift-off, touch-down, or the time from which the contact is known to last for ever.
 
     It happens in [lower, upper], times measured from the G-spot (p = alpha_1 t). ``velocity``: v there, in the units of
-    the paper; ``strength`` says what is proved.
+    the paper; ``strength`` says what is proved; ``state``: a ball of the whole state, in the normal form.
     """
 
     name: str
@@ -49,6 +49,7 @@ class Event:
     upper: fmpq
     velocity: arb
     strength: str
+    state: ContactState
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for ``json.dumps``; exact rationals and intervals as text."""
@@ -144,7 +145,7 @@ def _lasting_from(model: CompliantModel, state: CompliantState, digits: int, bit
         if contact_lasts(model, state, time).outcome is not Outcome.PROVED:
             return None
         strength = f"λ_N > 0 before it; from then on {verdict.detail}"
-        return Event("contact for ever from", time, time, _velocity(model, there), strength)
+        return Event("contact for ever from", time, time, _velocity(model, there), strength, there)
     return None
 
 
@@ -153,12 +154,12 @@ def _after_lift_off(model: CompliantModel, state: CompliantState, lower: fmpq, u
     digits = int(bits / 3)
     before = contact_state(compliant_force(model, state, lower, min(digits, 1_000)), bits + _GUARD_BITS)
     start = lift_off_state(before, (upper - lower) / model.epsilon, bits + _GUARD_BITS)
-    lift = Event("lift-off", lower, upper, _velocity(model, start), "λ_N > 0 before it, dλ_N/dt < 0 at it")
+    lift = Event("lift-off", lower, upper, _velocity(model, start), "λ_N > 0 before it, dλ_N/dt < 0 at it", start)
     end = flight_end(start, bits)
     if end.state is None or end.lower is None or end.upper is None:
         return Run(model, state, (lift,), end.verdict)
     first, last = lower + model.epsilon * end.lower, upper + model.epsilon * end.upper
-    land = Event("touch-down", first, last, _velocity(model, end.state), end.verdict.statement)
+    land = Event("touch-down", first, last, _velocity(model, end.state), end.verdict.statement, end.state)
     lasting = lasting_contact(end.state, bits)
     if lasting.outcome is Outcome.PROVED:
         return Run(model, state, (lift, land), Verdict.proved(ONE_FLIGHT, lasting.detail))

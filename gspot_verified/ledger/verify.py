@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from gspot_verified.ledger import (
+    after_lift_off,
     appendix_a,
     cases,
     compliant_model,
@@ -38,6 +39,7 @@ PARTS: dict[str, Builders] = {
     "Section 2, the extended example": lagrangian.ENTRIES,
     "Section 3, sides of the simulations": section_3.ENTRIES,
     "Section 3, the runs of the simulations": varsim1.ENTRIES,
+    "Section 3, after lift-off": after_lift_off.ENTRIES,
     "Section 4, elimination and deviations": section_4_outer.ENTRIES,
     "Section 4.1, the distinguished trajectory": section_4_unique.ENTRIES,
     "Section 4, fast system": section_4_fast.ENTRIES,
