@@ -39,14 +39,14 @@ def excess(state: ContactState) -> fmpq:
 
 
 def in_monotone_set(state: ContactState) -> bool:
-    """Theorem 2 of the page, beta <= 1: everything has one sign."""
+    """Theorem F2 of the page, beta <= 1: everything has one sign."""
     x = slopes(state)
     signs = _not_negative(x.q, x.force, x.W, x.G) and x.D > 0
     return bool(excess(state) <= 0 and state.pull >= 0 and signs)
 
 
 def in_fast_set(state: ContactState, a: fmpq) -> bool:
-    """Theorem 3 of the page: q >= kappa/a + 2a + a^2, and lambda grows at least like e^(aT)."""
+    """Theorem F3 of the page: q >= kappa/a + 2a + a^2, and lambda grows at least like e^(aT)."""
     kappa = excess(state)
     if not (a > 0 and kappa > 0 and state.pull >= 0):
         return False
@@ -57,7 +57,7 @@ def in_fast_set(state: ContactState, a: fmpq) -> bool:
 
 
 def in_slow_set(state: ContactState, a: fmpq, c: fmpq) -> bool:
-    """Theorem 4 of the page: the set that holds until q is large enough for the fast set, and leads into it."""
+    """Theorem F4 of the page: the set that holds until q is large enough for the fast set, and leads into it."""
     kappa = excess(state)
     if not (0 < a < 1 and c > 0 and kappa > 0 and state.pull >= 0):
         return False

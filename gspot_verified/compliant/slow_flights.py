@@ -31,7 +31,7 @@ class _Moments:
 
 
 def one_flight(beta: ExactInput, largest: ExactInput, tau: ExactInput, latest: ExactInput = LATEST) -> Verdict:
-    """Theorem 6 of the page for every epsilon <= ``largest``: every slow trajectory with alpha_2 < 0 whose contact ends
+    """Theorem F6 of the page for every epsilon <= ``largest``: every slow trajectory with alpha_2 < 0 whose contact ends
     with lift-off at tau_lo >= ``tau``, t_lo <= ``latest``, makes exactly one flight and then takes an impact without
     collision.
 

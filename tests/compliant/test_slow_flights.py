@@ -1,4 +1,4 @@
-"""Theorem 6 of flight.md: its identities by another quadrature, its bounds on lift-off states found at single epsilon,
+"""Theorem F6 of flight.md: its identities by another quadrature, its bounds on lift-off states found at single epsilon,
 and what must not be proved."""
 
 from __future__ import annotations
