@@ -31,9 +31,8 @@ class _Moments:
 
 
 def one_flight(beta: ExactInput, largest: ExactInput, tau: ExactInput, latest: ExactInput = LATEST) -> Verdict:
-    """Theorem F6 of the page for every epsilon <= ``largest``: every slow trajectory with alpha_2 < 0 whose contact ends
-    with lift-off at tau_lo >= ``tau``, t_lo <= ``latest``, makes exactly one flight and then takes an impact without
-    collision.
+    """Theorem F6 for every epsilon <= ``largest``: every slow trajectory with alpha_2 < 0 whose contact ends with
+    lift-off at tau_lo >= ``tau``, t_lo <= ``latest``, makes exactly one flight, then an impact without collision.
 
     In the normal form; tau = (2 epsilon^2)^(-1/3) t. Proved, or undecided: the inequalities are sufficient only.
 
