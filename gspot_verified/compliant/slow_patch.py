@@ -49,12 +49,22 @@ class SlowPatch:
         self._values: dict[int, list[arb_mat]] = {}
 
     def signs(self, lower: fmpq, upper: fmpq) -> SlowSigns:
-        """Of G for b in [lower, upper], a part of the patch, and all its eta."""
+        """Of G for b in [lower, upper], a part of the patch, and all its eta.
+
+        :raises ValueError: [lower, upper] is not in the patch.
+        """
+        self._check(lower, upper)
         return SlowSigns(partial(self._expansion, lower, upper, False), self.order, _BITS)
 
     def slopes(self, lower: fmpq, upper: fmpq) -> SlowSigns:
         """Of dG/db, likewise."""
+        self._check(lower, upper)
         return SlowSigns(partial(self._expansion, lower, upper, True), self.order, _BITS)
+
+    def _check(self, lower: fmpq, upper: fmpq) -> None:
+        middle, radius = self._b
+        if not middle - radius <= lower <= upper <= middle + radius:
+            raise ValueError("the range of b must lie in the patch")
 
     def _at(self, k: int) -> list[arb_mat]:
         """For each order the matrix of values at the nodes of b (rows) and eta (columns)."""

@@ -154,3 +154,11 @@ def test_the_cube_root_is_enclosed(epsilon: fmpq) -> None:
     assert low > 0
     assert 2 * low**3 <= epsilon <= 2 * high**3
     assert high / low < 1 + fmpq(1, 10**6)
+
+
+def test_beyond_the_patch_nothing_is_known() -> None:
+    model = SlowPatch(fmpq(4), fmpq(9, 2), fmpq(1), fmpq(1))
+    for lower, upper in ((fmpq(4), fmpq(5)), (fmpq(3), fmpq(4)), (fmpq(9, 2), fmpq(4))):
+        for part in (model.signs, model.slopes):
+            with pytest.raises(ValueError, match="in the patch"):
+                part(lower, upper)
