@@ -18,6 +18,7 @@ import typer
 from gspot_verified.cli import (
     cost_command,
     events_command,
+    figure_command,
     force_command,
     mechanism_commands,
     paper_commands,
@@ -38,6 +39,7 @@ COMMANDS = (
     theta_commands,
     sign_commands,
     force_command,
+    figure_command,
     events_command,
     mechanism_commands,
     paper_commands,

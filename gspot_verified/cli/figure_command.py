@@ -1,0 +1,62 @@
+"""The command ``figure``: pictures of the compliant model that take too long for the report's page."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from gspot_verified.cli.app import app, progress
+from gspot_verified.cli.output import PICTURES, Outputs
+
+if TYPE_CHECKING:
+    from gspot_verified.report.canvas import Picture
+
+
+@app.command(epilog="Example: gspot-verified figure force force.png")
+def figure(
+    name: Annotated[str, typer.Argument(help='"force", "side-map" or "threshold".')],
+    output: Annotated[Path, typer.Argument(help="The PNG file.")],
+) -> None:
+    """Draw a figure of the compliant model; its caption, which says what is certified, goes to stdout.
+
+    force: the slow force at several ε above leading order. side-map: the exact side rule over β and ε for the paper's
+    data (about a minute). threshold: the exact ε0 over β beside the one at leading order (some minutes).
+    """
+    if name not in _FIGURES:
+        raise ValueError(f"name: expected one of {', '.join(_FIGURES)}, got {name!r}")
+    outputs = Outputs()
+    outputs.file("output", output, PICTURES)
+    drawn = _FIGURES[name]()
+    typer.echo(f"{drawn.title}\n{drawn.caption}")
+    outputs.write("output", output, lambda: output.write_bytes(drawn.png))
+    outputs.leave(0)
+
+
+def _force() -> Picture:
+    from gspot_verified.report.force_figure import force_picture
+
+    return force_picture()
+
+
+def _side_map() -> Picture:
+    from flint import fmpq
+
+    from gspot_verified.compliant.side_map import side_map
+    from gspot_verified.report.side_map import side_map_picture
+
+    betas = [fmpq(2 * n + 1, 8) for n in range(1, 40)]
+    parts = (fmpq(1), fmpq(3, 2), fmpq(2), fmpq(3), fmpq(9, 2), fmpq(7))  # of a power of ten
+    epsilons = [fmpq(10) ** -(k // 6) / parts[k % 6] for k in range(25)]
+    return side_map_picture(side_map(betas, epsilons, lambda done, number: progress(f"{done} of {number} values of β")))
+
+
+def _threshold() -> Picture:
+    from gspot_verified.report.threshold_figure import threshold_picture, threshold_points
+
+    return threshold_picture(threshold_points())
+
+
+_FIGURES: dict[str, Callable[[], Picture]] = {"force": _force, "side-map": _side_map, "threshold": _threshold}
