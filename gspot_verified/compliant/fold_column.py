@@ -22,7 +22,7 @@ _HALF_WIDTHS = (fmpq(1, 4), fmpq(1, 8), fmpq(1, 2), fmpq(3, 4), fmpq(1, 16))
 _PARTS = 3
 _SEARCH_STEP = fmpq(1, 32)
 _SEARCH_BITS = 40
-_FAR = 0.05
+_FAR = 0.5
 _BEHIND = 6
 _SEARCH_FROM, _SEARCH_TO = fmpq(-6), fmpq(8)
 
