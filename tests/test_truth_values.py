@@ -18,6 +18,7 @@ from gspot_verified.signs.integer_zeros import zeros_at_integer
 from gspot_verified.verdict import NoTruthValue
 
 PLAIN = {
+    "cost.force.ForceReport": "times that were measured",
     "certificates.text.Statement": "what any statement has, not a class of results",
     "compliant.normal_form.CompliantModel": "four numbers of a model, which claim nothing",
     "cost.curves.Curve": "times that were measured",

@@ -37,12 +37,14 @@ ONE_FLIGHT = "exactly one flight, then contact for ever: an impact without colli
 
 
 @dataclass(frozen=True, slots=True)
-class Event:
+class Event(NoTruthValue):
     """Lift-off, touch-down, or the time from which the contact is known to last for ever.
 
     It happens in [lower, upper], times measured from the G-spot (p = alpha_1 t). ``velocity``: v there, in the units of
     the paper; ``strength`` says what is proved; ``state``: a ball of the whole state, in the normal form.
     """
+
+    ask: ClassVar[str] = ".strength says what is proved"
 
     name: str
     lower: fmpq

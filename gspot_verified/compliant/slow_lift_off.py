@@ -21,6 +21,8 @@ from gspot_verified.dyadic import Dyadic
 from gspot_verified.signs.brackets import decimal_text
 from gspot_verified.signs.contact_force import ContactForce
 from gspot_verified.signs.lift_off import LiftOff
+from gspot_verified.signs.ranges import Range
+from gspot_verified.signs.refutation import refutation
 from gspot_verified.signs.short_text import short_text
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
 
@@ -95,8 +97,11 @@ def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: in
     try:
         crossing = first_crossing(profile, start, lambda places: force.level(epsilon, places), digits)
     except NotBelow:
-        verdict = Verdict.refuted(f"{where}, λ_N > 0 at τ = {start}", f"λ_N < 0 at τ = {start}")
-        return SlowLiftOff(epsilon, start, None, None, None, None, False, verdict, None)
+        # first_crossing has just shown that the force is certainly below 0 at the start itself.
+        asked = {"τ": Range(start, start, True, True)}
+        against = refutation(f"{where}, λ_N > 0 at τ = {start}", asked, [(start,)], lambda _: "λ_N < 0")
+        assert against is not None  # the start lies in the range that is the start
+        return SlowLiftOff(epsilon, start, None, None, None, None, False, against.verdict, None)
     if crossing is None:
         text = f"{where}, the first zero of λ_N on [{start}, inf)"
         return _open(epsilon, start, text, "a value of λ_N is too close to 0, or nothing was found")

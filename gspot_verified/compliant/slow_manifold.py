@@ -18,6 +18,8 @@ from gspot_verified.compliant.threshold import MAX_BETA_OF_THEOREM, Threshold, e
 from gspot_verified.compliant.threshold_by_cells import MAX_BETA, threshold_by_cells
 from gspot_verified.compliant.to_the_left import positive_to_the_left
 from gspot_verified.signs.iwc import IwcResult, force_statement
+from gspot_verified.signs.ranges import Range
+from gspot_verified.signs.refutation import refutation
 from gspot_verified.signs.short_text import short_text
 from gspot_verified.signs.stretches import stretches
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
@@ -144,6 +146,10 @@ def _at_epsilon(leading: IwcResult, epsilon: fmpq, digits: int) -> SlowManifold:
             return SlowManifold(
                 Verdict.proved(text, "least value by branch and bound (proofs/monotone.md)"), start, whole
             )
-        if fails_at(force, least.place, epsilon, digits):
-            return SlowManifold(Verdict.refuted(text, f"λ_N < 0 at τ = {least.place}"), start, False)
+        asked = {"τ": Range(start, None, True, False)}
+        against = refutation(
+            text, asked, [(least.place,)], lambda tau: "λ_N < 0" if fails_at(force, tau, epsilon, digits) else None
+        )
+        if against is not None:
+            return SlowManifold(against.verdict, start, False)
     return SlowManifold(Verdict.undecided(text, Reason.BUDGET, "the least value is too close to 0"), start, False)

@@ -1,4 +1,4 @@
-"""Theorem A': its steps against values of the compliant force, and its hypotheses."""
+"""Theorem A' (``proofs/paper_runs.md``): its steps against values of the compliant force, and its hypotheses."""
 
 from __future__ import annotations
 

@@ -100,8 +100,8 @@ def test_flights_of_slow_trajectories_at_one_epsilon(beta: str, tau: int, epsilo
         b = b_hat + q * mean
         V = k * (x[2] + 2 * x[1]) - b
         Y = k * x[1] - V
-        if not q <= fmpq(1, 4):
-            pytest.skip("later than the theorem allows")
+        if q > fmpq(1, 4):  # later than the theorem allows: nothing is claimed
+            return
         assert b > q * mean / 4
         assert b < fmpq(9, 2) * arb(q) * mean
         assert 3 * arb(q).sqrt() * mean > V

@@ -270,6 +270,6 @@ def test_ranges_may_be_given_read_and_numbers_are_the_default() -> None:
 def test_no_proof_is_sought_for_a_range_without_an_end(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("gspot_verified.signs.sign.find_witness", lambda *_: None)
     result = sign_on_ranges("-inf..-100", "1..inf")
-    assert (result.verdict.outcome, result.verdict.reason) == (U, Reason.NO_ROUTE)
+    assert (result.verdict.outcome, result.verdict.reason) == (U, Reason.BEYOND)
     assert "left: β in [1, inf]" in result.verdict.detail
     assert "no point against it was found" in result.verdict.detail
