@@ -129,9 +129,7 @@ def _negligible(state: Deviation, part: arb, bits: int) -> acb | None:
 def _verdict(side: arb) -> Verdict:
     sign = sign_of(side)
     if sign == -1:
-        return Verdict.proved("K < 0: contact is lost at a finite time", f"K = {ball_text(side)}")
+        return Verdict.proved("K < 0: contact is lost at a finite time")
     if sign == 1:
-        return Verdict.proved(
-            "K > 0: contact may last; necessary for an impact without collision", f"K = {ball_text(side)}"
-        )
+        return Verdict.proved("K > 0: contact may last; necessary for an impact without collision")
     return Verdict.undecided("the sign of K", Reason.BUDGET, f"K = {ball_text(side)}: K = 0 is the canard")
