@@ -911,7 +911,9 @@ class Checker:
         require(system.side() == 1, "C_1/Γ(-β) is not positive")
         require(system.compared(epsilon, level, meter) <= 0, "at this level the deviation exceeds the mean force")
         check_cover(self.columns, system.beta, system.beta, "columns")
-        require(len(self.columns) == 1, "there is not one column")
+        # F is compared in units of x^b at the one b of the column: it must be that of the statement.
+        point = len(self.columns) == 1 and self.columns[0].start == self.columns[0].end
+        require(point, "there is not one column, the point β")
         self.on_each_column(force_holds, tau, (-1) ** math.floor(system.beta), level)
         return f"{self.of_system(alpha, c1)}, λ > 0 {tau.text} and every ε in (0, {epsilon}]"
 
@@ -925,7 +927,9 @@ class Checker:
         require(system.side() == -1, "C_1/Γ(-β) is not negative")
         require(system.compared(epsilon, level, meter) >= 0, "at this level the mean force exceeds the deviation")
         check_cover(self.columns, system.beta, system.beta, "columns")
-        require(len(self.columns) == 1, "there is not one column")
+        # F is compared in units of x^b at the one b of the column: it must be that of the statement.
+        point = len(self.columns) == 1 and self.columns[0].start == self.columns[0].end
+        require(point, "there is not one column, the point β")
         self.on_each_column(lift_off_holds, system.beta, tau, (-1) ** math.floor(system.beta), level)
         return f"{self.of_system(alpha, c1)}, λ < 0 at τ = {tau} for every ε ≥ {epsilon}: contact is lost before"
 

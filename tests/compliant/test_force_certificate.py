@@ -110,6 +110,8 @@ WRONG_FORCE = [
     ("version 1", lambda found: found[0].update(version=1), "the hypotheses are not the pages"),
     ("version 3", lambda found: found[0].update(version=3), "the version is 3"),
     ("two columns", lambda found: found.append(found[1]), ""),
+    ("a wider column", lambda found: found[1].update(beta=["17/4", "19/4"]), "there is not one column, the point β"),
+    ("a column up to β", lambda found: found[1].update(beta=["17/4", "9/2"]), "there is not one column, the point β"),
     ("a key more", state(more="1"), "has not the keys"),
 ]
 WRONG_LIFT_OFF = [
@@ -122,6 +124,7 @@ WRONG_LIFT_OFF = [
     ("a range", state(tau="[5, 6]"), "is not a rational number"),
     ("a piece sign", put_piece(1, 0, "sign", "28/5", "33/5", 1), "there is not one piece level"),
     ("force instead", state(kind="force"), "is not a range"),
+    ("a wider column", lambda found: found[1].update(beta=["9/4", "11/4"]), "there is not one column, the point β"),
 ]
 
 
