@@ -196,3 +196,36 @@ def test_the_mean_force_is_compared_exactly(epsilon: str, sign: int) -> None:
     # alpha = (-1, -1, -5/2), C_1 = -1, level 1: A eps^p beta/mean = (3/2)(2 eps^2)^(1/2) is 1 at eps = sqrt(2)/3.
     system = check.System([Fraction(-1), Fraction(-1), Fraction(-5, 2)], Fraction(-1), Fraction(5, 2))
     assert system.compared(Fraction(epsilon), Fraction(1), check.Meter(check.Limits(), 10**12)) == sign
+
+
+def test_a_piece_of_the_other_sign_does_not_bound_the_force() -> None:
+    """F < 0 next to its minimum at tau = 2.27: the piece is true, and the force is not positive by it."""
+    found = lines(FORCE)
+    pieces = found[1]["pieces"]
+    place = next(
+        i for i, p in enumerate(pieces) if p[0] == "level" and Fraction(p[1]) <= Fraction(9, 4) < Fraction(p[2])
+    )
+    pieces[place] = ["sign", *pieces[place][1:], -1]
+    with pytest.raises(check.Rejected, match="gives F the other sign"):
+        check.check_text(text_of(found))
+
+
+class Known(check.ColumnCheck):
+    """Middle 10, 3 from tau, 2 from b, error 1, in units of 1."""
+
+    def parts(self, *_: Any) -> tuple[int, int, int, int]:
+        return 10, 3, 2, 1
+
+    def local(self, *_: Any) -> Any:
+        return type("Unit", (), {"x": 1, "p": 0})
+
+
+def test_every_part_of_the_width_counts() -> None:
+    limits = check.Limits()
+    column = Known(check.Column(Fraction(5, 2), Fraction(5, 2), 0, []), limits, 10**12)
+    box = (Fraction(3, 2), Fraction(3, 2), Fraction(0), Fraction(1))
+    assert column.within(box, Fraction(16), 0)
+    assert not column.within(box, Fraction(15), 0)
+    assert column.beyond(Fraction(3, 2), Fraction(0), Fraction(7), 1)
+    assert not column.beyond(Fraction(3, 2), Fraction(0), Fraction(8), 1)
+    assert not column.beyond(Fraction(3, 2), Fraction(0), Fraction(1), -1)
