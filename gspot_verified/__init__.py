@@ -1,56 +1,111 @@
-"""Verified numerics for the Painlevé paradox: certified values and signs of Θ(τ, β), and the paper claim by claim."""
+"""Verified numerics for the Painlevé paradox: Θ(τ, β) and its signs, the paper claim by claim, your own mechanism.
 
-from gspot_verified.balls import ball_text
-from gspot_verified.compliant.iwc import CompliantIwc, iwc
-from gspot_verified.dyadic import Dyadic
-from gspot_verified.mechanisms.expand import expand
-from gspot_verified.signs.brackets import Brackets, zeros_at
-from gspot_verified.signs.count_law import number_of_zeros
-from gspot_verified.signs.iwc import IwcResult
-from gspot_verified.signs.ranges import Range
-from gspot_verified.signs.side import SideSwitching, SignInterval, gamma_sign, side_switching
-from gspot_verified.signs.sign import SignResult, sign_on_ranges
-from gspot_verified.signs.zeros import ZerosResult, zeros_on_range
-from gspot_verified.theta_function.asymptotic_coefficients import coefficient, coefficient_by_inversion
-from gspot_verified.theta_function.evaluate import Evaluation, evaluate
-from gspot_verified.theta_function.initial_values import initial_values, paper_initial_values
-from gspot_verified.theta_function.integer import polynomial
-from gspot_verified.theta_function.routes import BudgetError, theta_by
-from gspot_verified.theta_function.theta import theta
-from gspot_verified.verdict import Outcome, Reason, Verdict
+A name is loaded when it is first used, so that the import is quick.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from gspot_verified.balls import ball_text as ball_text
+    from gspot_verified.compliant.iwc import CompliantIwc as CompliantIwc
+    from gspot_verified.compliant.iwc import iwc as iwc
+    from gspot_verified.dyadic import Dyadic as Dyadic
+    from gspot_verified.expansion.residual import residual_bounds as residual_bounds
+    from gspot_verified.expansion.system import GSpotError as GSpotError
+    from gspot_verified.expansion.trajectory import Trajectory as Trajectory
+    from gspot_verified.mechanisms.classify import Classification as Classification
+    from gspot_verified.mechanisms.classify import classify as classify
+    from gspot_verified.mechanisms.expand import expand as expand
+    from gspot_verified.mechanisms.load import load as load
+    from gspot_verified.mechanisms.mechanism import Mechanism as Mechanism
+    from gspot_verified.mechanisms.mechanism import MechanismError as MechanismError
+    from gspot_verified.mechanisms.shipped import shipped_names as shipped_names
+    from gspot_verified.signs.brackets import Brackets as Brackets
+    from gspot_verified.signs.brackets import zeros_at as zeros_at
+    from gspot_verified.signs.count_law import number_of_zeros as number_of_zeros
+    from gspot_verified.signs.iwc import IwcResult as IwcResult
+    from gspot_verified.signs.ranges import Range as Range
+    from gspot_verified.signs.side import SideSwitching as SideSwitching
+    from gspot_verified.signs.side import SignInterval as SignInterval
+    from gspot_verified.signs.side import gamma_sign as gamma_sign
+    from gspot_verified.signs.side import side_switching as side_switching
+    from gspot_verified.signs.sign import SignResult as SignResult
+    from gspot_verified.signs.sign import sign_on_ranges as sign_on_ranges
+    from gspot_verified.signs.zeros import ZerosResult as ZerosResult
+    from gspot_verified.signs.zeros import zeros_on_range as zeros_on_range
+    from gspot_verified.theta_function.asymptotic_coefficients import coefficient as coefficient
+    from gspot_verified.theta_function.asymptotic_coefficients import (
+        coefficient_by_inversion as coefficient_by_inversion,
+    )
+    from gspot_verified.theta_function.evaluate import Evaluation as Evaluation
+    from gspot_verified.theta_function.evaluate import evaluate as evaluate
+    from gspot_verified.theta_function.initial_values import initial_values as initial_values
+    from gspot_verified.theta_function.initial_values import paper_initial_values as paper_initial_values
+    from gspot_verified.theta_function.integer import polynomial as polynomial
+    from gspot_verified.theta_function.routes import BudgetError as BudgetError
+    from gspot_verified.theta_function.routes import theta_by as theta_by
+    from gspot_verified.theta_function.theta import theta as theta
+    from gspot_verified.verdict import Outcome as Outcome
+    from gspot_verified.verdict import Reason as Reason
+    from gspot_verified.verdict import Verdict as Verdict
 
 __version__ = "0.1.0"
 
-__all__ = [
-    "Brackets",
-    "BudgetError",
-    "CompliantIwc",
-    "Dyadic",
-    "Evaluation",
-    "IwcResult",
-    "Outcome",
-    "Range",
-    "Reason",
-    "SideSwitching",
-    "SignInterval",
-    "SignResult",
-    "Verdict",
-    "ZerosResult",
-    "ball_text",
-    "coefficient",
-    "coefficient_by_inversion",
-    "evaluate",
-    "expand",
-    "gamma_sign",
-    "initial_values",
-    "iwc",
-    "number_of_zeros",
-    "paper_initial_values",
-    "polynomial",
-    "side_switching",
-    "sign_on_ranges",
-    "theta",
-    "theta_by",
-    "zeros_at",
-    "zeros_on_range",
-]
+__homes__ = {
+    "Brackets": "signs.brackets",
+    "BudgetError": "theta_function.routes",
+    "Classification": "mechanisms.classify",
+    "CompliantIwc": "compliant.iwc",
+    "Dyadic": "dyadic",
+    "Evaluation": "theta_function.evaluate",
+    "GSpotError": "expansion.system",
+    "IwcResult": "signs.iwc",
+    "Mechanism": "mechanisms.mechanism",
+    "MechanismError": "mechanisms.mechanism",
+    "Outcome": "verdict",
+    "Range": "signs.ranges",
+    "Reason": "verdict",
+    "SideSwitching": "signs.side",
+    "SignInterval": "signs.side",
+    "SignResult": "signs.sign",
+    "Trajectory": "expansion.trajectory",
+    "Verdict": "verdict",
+    "ZerosResult": "signs.zeros",
+    "ball_text": "balls",
+    "classify": "mechanisms.classify",
+    "coefficient": "theta_function.asymptotic_coefficients",
+    "coefficient_by_inversion": "theta_function.asymptotic_coefficients",
+    "evaluate": "theta_function.evaluate",
+    "expand": "mechanisms.expand",
+    "gamma_sign": "signs.side",
+    "initial_values": "theta_function.initial_values",
+    "iwc": "compliant.iwc",
+    "load": "mechanisms.load",
+    "number_of_zeros": "signs.count_law",
+    "paper_initial_values": "theta_function.initial_values",
+    "polynomial": "theta_function.integer",
+    "residual_bounds": "expansion.residual",
+    "shipped_names": "mechanisms.shipped",
+    "side_switching": "signs.side",
+    "sign_on_ranges": "signs.sign",
+    "theta": "theta_function.theta",
+    "theta_by": "theta_function.routes",
+    "zeros_at": "signs.brackets",
+    "zeros_on_range": "signs.zeros",
+}
+"""The public names and the modules that define them."""
+
+__all__ = [*__homes__]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in __homes__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(f"{__name__}.{__homes__[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__homes__})

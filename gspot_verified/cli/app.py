@@ -26,7 +26,6 @@ def _print_version(wanted: bool) -> None:
 
 
 app = typer.Typer(
-    add_completion=False,
     no_args_is_help=True,
     rich_markup_mode=None,
     help="Certified values and signs of Θ(τ, β), and the paper claim by claim. "

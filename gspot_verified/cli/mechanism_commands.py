@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import glob
 import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -15,7 +16,18 @@ if TYPE_CHECKING:
     from gspot_verified.mechanisms.mechanism import Mechanism
 
 
-MechanismName = Annotated[str, typer.Argument(help="A TOML file, or: model, extended, oscillator, rod.")]
+def _known_names(typed: str) -> list[str]:
+    """What a shell may complete: the names of the package, and files."""
+    from gspot_verified.mechanisms.shipped import SHORT_NAMES
+
+    found = [path for path in Path().glob(f"{glob.escape(typed)}*") if not path.name.startswith(".")]
+    files = [str(path) for path in found if path.is_dir() or path.suffix == ".toml"]
+    return [*(name for name in SHORT_NAMES if name.startswith(typed)), *sorted(files)]
+
+
+MechanismName = Annotated[
+    str, typer.Argument(help="A TOML file, or: model, extended, oscillator, rod.", autocompletion=_known_names)
+]
 Settings = Annotated[
     list[str] | None,
     typer.Option("--set", help='A parameter, "chi=1/2"; "chi=symbolic" keeps the symbol (expand only).'),
@@ -112,19 +124,8 @@ def _pair(text: str, option: str) -> tuple[str, str]:
 
 
 def _mechanism(name: str, settings: list[str] | None) -> Mechanism:
-    from gspot_verified.mechanisms.file import read_mechanism
-    from gspot_verified.mechanisms.mechanism import MechanismError
-    from gspot_verified.mechanisms.shipped import shipped_mechanism
+    from gspot_verified.mechanisms.load import load
 
-    path = Path(name)
-    if path.suffix == ".toml" or path.is_file():
-        mechanism = read_mechanism(path)
-    else:
-        try:
-            mechanism = shipped_mechanism(name)
-        except MechanismError as error:
-            place = f"{name} is a folder" if name and path.is_dir() else f"there is no file {name[:60]!r}"
-            raise ValueError(f"{place}, and {error}") from None
     values: dict[str, str | None] = {}
     for setting in settings or []:
         key, equals, value = setting.partition("=")
@@ -133,4 +134,4 @@ def _mechanism(name: str, settings: list[str] | None) -> Mechanism:
         if key.strip() in values:
             raise ValueError(f"--set: {key.strip()[:60]} is given twice")
         values[key.strip()] = None if value.strip() == "symbolic" else value.strip()
-    return mechanism.with_parameters(**values)
+    return load(name, **values)

@@ -19,12 +19,13 @@ _FILES = {
     "falling rod, lower friction": "falling_rod_lower_friction",
     "falling rod of Génot and Brogliato": "genot_brogliato_rod",
 }
-_SHORT = {
+SHORT_NAMES = {
     "model": "model system",
     "extended": "extended system",
     "oscillator": "frictional impact oscillator",
     "rod": "falling rod",
 }
+"""The names that people type, and the mechanisms that they mean."""
 
 
 def shipped_names() -> tuple[str, ...]:
@@ -46,11 +47,11 @@ def shipped_mechanism(name: str, **parameters: ExactInput | None) -> Mechanism:
     >>> shipped_mechanism("extended system", chi="1/2").state
     ('x', 'u', 'y', 'v', 'p', 'b')
     """
-    name = _SHORT.get(name, name)
+    name = SHORT_NAMES.get(name, name)
     stem = name.replace("-", "_")
     stem = stem if stem in _FILES.values() else _FILES.get(name, "")
     if not stem:
-        raise MechanismError(f"no shipped mechanism {name[:60]!r}; there are: {'; '.join((*_SHORT, *_FILES))}")
+        raise MechanismError(f"no shipped mechanism {name[:60]!r}; there are: {'; '.join((*SHORT_NAMES, *_FILES))}")
     text = resources.files("gspot_verified.mechanisms").joinpath("data", f"{stem}.toml").read_text(encoding="utf-8")
     return parse_mechanism(text).with_parameters(**parameters)
 

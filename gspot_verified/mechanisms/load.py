@@ -1,0 +1,36 @@
+"""The one way to a mechanism: a file, or one that comes with the package."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from gspot_verified.balls import ExactInput
+from gspot_verified.mechanisms.file import read_mechanism
+from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+
+
+def load(name_or_path: str | Path, /, **parameters: ExactInput | None) -> Mechanism:
+    """The mechanism in a TOML file or, where there is no such file, the one of the package with that name.
+
+    ``parameters`` replace values of the file; None makes a parameter a symbol. Names of the package: model, extended,
+    oscillator, rod, and those of :func:`gspot_verified.mechanisms.shipped.shipped_names`.
+
+    :raises MechanismError: neither a file nor a name, a part of the file is wrong, or there is no such parameter.
+
+    >>> load("rod").state
+    ('X', 'Y', 'theta', 'X_dot', 'Y_dot', 'theta_dot')
+    >>> load("extended", chi="1/2").name
+    'extended system'
+    """
+    if not isinstance(name_or_path, str | Path):
+        raise TypeError(f"load: expected a path or a name, got {type(name_or_path).__name__}")
+    path = Path(name_or_path)
+    if isinstance(name_or_path, Path) or path.suffix == ".toml" or path.is_file():
+        return read_mechanism(path).with_parameters(**parameters)
+    try:
+        mechanism = shipped_mechanism(name_or_path)
+    except MechanismError as error:
+        place = f"{path} is a folder" if name_or_path and path.is_dir() else f"there is no file {name_or_path[:60]!r}"
+        raise MechanismError(f"{place}, and {error}") from None
+    return mechanism.with_parameters(**parameters)

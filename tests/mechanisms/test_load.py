@@ -1,0 +1,64 @@
+"""The one way to a mechanism."""
+
+from __future__ import annotations
+
+from importlib import resources
+from pathlib import Path
+
+import pytest
+
+from gspot_verified.mechanisms.load import load
+from gspot_verified.mechanisms.mechanism import MechanismError
+from gspot_verified.mechanisms.shipped import SHORT_NAMES, shipped_mechanism, shipped_names
+
+DATA = resources.files("gspot_verified.mechanisms").joinpath("data")
+
+
+@pytest.mark.parametrize("name", [*SHORT_NAMES, *shipped_names()])
+def test_a_name_of_the_package(name: str) -> None:
+    assert load(name) == shipped_mechanism(name)
+
+
+def test_a_file_and_values_for_its_parameters(tmp_path: Path) -> None:
+    own = tmp_path / "own.toml"
+    own.write_text(DATA.joinpath("extended_system.toml").read_text(encoding="utf-8"), encoding="utf-8")
+    assert load(own) == load(str(own)) == load("extended")
+    assert load(own, chi="1/2") == load("extended").with_parameters(chi="1/2")
+    assert dict(load(own, chi=None).parameters)["chi"] is None
+
+
+def test_a_file_without_a_suffix_comes_before_a_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    text = DATA.joinpath("extended_system.toml").read_text(encoding="utf-8")
+    (tmp_path / "rod").write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    assert load("rod").name == "extended system"
+    assert load(Path("rod")).name == "extended system"
+
+
+def test_a_path_is_never_a_name() -> None:
+    with pytest.raises(MechanismError, match="oscillator: cannot be read"):
+        load(Path("oscillator"))
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [("nothing", "there is no file 'nothing', and no shipped mechanism"), ("no.toml", "no.toml: cannot be read")],
+)
+def test_what_is_not_there(name: str, message: str) -> None:
+    with pytest.raises(MechanismError, match=message):
+        load(name)
+
+
+def test_a_folder_is_said_to_be_one(tmp_path: Path) -> None:
+    with pytest.raises(MechanismError, match="is a folder, and no shipped mechanism"):
+        load(str(tmp_path))
+
+
+def test_an_unknown_parameter() -> None:
+    with pytest.raises(MechanismError, match="no parameter 'nu'"):
+        load("extended", nu=1)
+
+
+def test_what_is_no_name() -> None:
+    with pytest.raises(TypeError, match="a path or a name, got int"):
+        load(3)  # type: ignore[arg-type]
