@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from pathlib import Path
 
 import pytest
@@ -91,6 +92,8 @@ def test_a_name_that_looks_like_an_option(good: Path, monkeypatch: pytest.Monkey
         ("print('verified')", None),
         ("import sys; print('VERIFIED it'); sys.exit(3)", None),
         ("import sys; print('VERIFIED it'); sys.exit(1)", None),
+        ("import sys; print('REJECTED it', file=sys.stderr)", None),
+        ("import sys; print('REJECTED it', file=sys.stderr); sys.exit(2)", None),
         ("import os, signal; os.kill(os.getpid(), signal.SIGKILL)", None),
         ("import gspot_verified", None),
         ("", None),
@@ -107,6 +110,36 @@ def test_only_its_line_and_code_count(
             run_checker(good)
     else:
         assert run_checker(good) == CheckResult(verified, f"{'VERIFIED' if verified else 'REJECTED'} it")
+
+
+USAGE_LINE = "import sys; print('usage: check.py: a wrong option', file=sys.stderr); sys.exit({})"
+
+
+@pytest.mark.parametrize(
+    ("script", "message"),
+    [
+        (USAGE_LINE.format(64), "a wrong option"),
+        (USAGE_LINE.format(1), "the checker stopped with code 1: usage: check.py: a wrong option"),
+        ("import sys; print('odd: it', file=sys.stderr); sys.exit(64)", "the checker stopped with code 64: odd: it"),
+    ],
+)
+def test_a_usage_error_is_its_line_and_its_code(
+    good: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, script: str, message: str
+) -> None:
+    path = tmp_path / "check.py"
+    path.write_text(script)
+    monkeypatch.setattr(checker, "checker_path", lambda: path)
+    with pytest.raises(ValueError, match=re.escape(message)) as raised:
+        run_checker(good)
+    assert str(raised.value) == message
+
+
+def test_one_process_unless_more_are_asked_for(good: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "check.py"
+    path.write_text("import sys; print('VERIFIED', *sys.argv[1:-1])")
+    monkeypatch.setattr(checker, "checker_path", lambda: path)
+    assert run_checker(good).text == "VERIFIED --workers=1"
+    assert run_checker(good, 3, ["tau=2"]).text == "VERIFIED --workers=3 --limit=tau=2"
 
 
 def test_where_the_checker_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 from flint import fmpq
+from must_reject import mutate
 
 from gspot_verified.certificates import text
 from gspot_verified.certificates.checker import run_checker
@@ -59,6 +60,10 @@ def assert_only_exact(value: Any) -> None:
             assert_only_exact(part)
     else:
         assert type(value) in (str, int)
+
+
+def test_the_checker_asks_for_the_same_pages_of_each_version() -> None:
+    assert {version: list(names) for version, names in text.HYPOTHESES.items()} == mutate.checker().HYPOTHESES
 
 
 def test_every_page_that_is_named_exists() -> None:

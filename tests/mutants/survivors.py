@@ -24,13 +24,19 @@ def read_survivors(path: Path) -> dict[Key, str]:
             raise ValueError(f"listed twice: {key}")
         if not entry.get("argument", "").strip():
             raise ValueError(f"no argument: {key}")
+        if key[2] == ANY and (key[1] == "module" or key[3] != ANY):
+            raise ValueError(f"a whole scope is a function and every change of it: {key}")
         found[key] = entry["argument"]
     return found
 
 
 def is_listed(mutant: Mutant, listed: Iterable[Key]) -> bool:
-    """Whether the list argues for this mutant, or for every change of its line (``after = '*'``)."""
-    return mutant.key in listed or (*mutant.key[:3], ANY) in listed
+    """Whether the list argues for this mutant, for every change of its line, or for every change of its function."""
+    return not {mutant.key, *_wider(mutant)}.isdisjoint(listed)
+
+
+def _wider(mutant: Mutant) -> tuple[Key, Key]:
+    return (mutant.file, mutant.scope, mutant.before, ANY), (mutant.file, mutant.scope, ANY, ANY)
 
 
 def complaints(
@@ -40,7 +46,7 @@ def complaints(
     listed, existing = set(listed), list(existing)
     found = [f"survived and is not in the list:\n{entry(m)}" for m in survived if not is_listed(m, listed)]
     found += [f"is in the list and was killed: {mutant}" for mutant in killed if mutant.key in listed]
-    keys = {key for mutant in existing for key in (mutant.key, (*mutant.key[:3], ANY))}
+    keys = {key for mutant in existing for key in (mutant.key, *_wider(mutant))}
     files = {mutant.file for mutant in existing}
     gone = sorted(key for key in listed if key[0] in files and key not in keys)
     return found + [f"is in the list and exists no longer: {' | '.join(key)}" for key in gone]

@@ -100,6 +100,10 @@ def test_the_list_is_held_against_the_run(tmp_path: Path) -> None:
     whole_line = (*mutant.key[:3], "*")
     assert complaints([whole_line], [mutant], [], [mutant]) == complaints([whole_line], [mutant], [mutant], []) == []
     assert "no longer" in complaints([("x.py", "module", "a = 1", "*")], [mutant], [mutant], [])[0]
+    whole_scope = ("x.py", "module", "*", "*")
+    assert complaints([whole_scope], [mutant], [], [mutant]) == complaints([whole_scope], [mutant], [mutant], []) == []
+    assert "not in the list" in complaints([("x.py", "f", "*", "*")], [mutant], [], [mutant])[0]
+    assert "no longer" in complaints([("x.py", "f", "*", "*")], [mutant], [mutant], [])[0]
     assert complaints([("y.py", *gone[1:])], [mutant], [mutant], []) == []  # of a file that was not run
 
 
@@ -116,6 +120,21 @@ def test_an_entry_can_be_read_back_and_needs_an_argument(tmp_path: Path) -> None
     path.write_text(f"{argued}\n\n{argued}")
     with pytest.raises(ValueError, match="listed twice"):
         read_survivors(path)
+
+
+@pytest.mark.parametrize(("scope", "after", "reads"), [("f", "*", True), ("module", "*", False), ("f", "a = 1", False)])
+def test_a_whole_scope_is_a_function_with_every_change_of_it(
+    tmp_path: Path, scope: str, after: str, reads: bool
+) -> None:
+    path = tmp_path / "survivors.toml"
+    path.write_text(
+        f"[[survivor]]\nfile = 'x.py'\nscope = '{scope}'\nbefore = '*'\nafter = '{after}'\nargument = 'A guess.'\n"
+    )
+    if reads:
+        assert list(read_survivors(path)) == [("x.py", scope, "*", after)]
+    else:
+        with pytest.raises(ValueError, match="a whole scope is a function"):
+            read_survivors(path)
 
 
 def test_the_committed_list_reads() -> None:
