@@ -72,6 +72,11 @@ class _Changed(importlib.abc.MetaPathFinder):
 
         importlib.machinery.SourceFileLoader.get_code = get_code  # type: ignore[method-assign, assignment]
 
+    def import_it(self) -> None:
+        """Import the module where it is part of a package; a script is loaded by its tests."""
+        if (self.path.parent / "__init__.py").is_file():
+            importlib.import_module(self.module)
+
     def _get_code(self, _: str) -> CodeType:
         self.loaded = True
         return self.code
@@ -92,6 +97,12 @@ class _Plugin:
         settings.register_profile("mutants", quick)
         settings.load_profile("mutants")
         self.changed.install()
+
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_collection(self) -> None:
+        """Import the module as a user does: pytest would run the file again when its package imports it, too."""
+        with contextlib.suppress(Exception):  # what cannot be imported is reported when the tests are collected
+            self.changed.import_it()
 
     @pytest.hookimpl(trylast=True)
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:

@@ -142,9 +142,9 @@ def test_the_committed_list_reads() -> None:
     assert {key[0] for key in listed if not (ROOT / key[0]).is_file()} == set()
 
 
-def run(folder: Path, tests: str, survivors: str = "", source: str = SOURCE) -> tuple[int, str]:
+def run(folder: Path, tests: str, survivors: str = "", source: str = SOURCE, package: str = "") -> tuple[int, str]:
     """The tool on a small project, in a process of its own."""
-    files = {"pyproject.toml": SETTINGS, "package/__init__.py": "", "package/source.py": source,
+    files = {"pyproject.toml": SETTINGS, "package/__init__.py": package, "package/source.py": source,
              "tests/test_source.py": tests, "tests/mutants/survivors.toml": survivors}  # fmt: skip
     for name, text in files.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
@@ -206,3 +206,15 @@ def test_a_mutant_that_never_ends_is_killed_by_its_limit(tmp_path: Path) -> None
     assert "by a limit" in text
     assert "(0 by a limit)" not in text
     assert code in (0, 1)
+
+
+@pytest.mark.slow
+def test_a_module_that_its_package_imports_is_loaded_once(tmp_path: Path) -> None:
+    """Loaded twice, it has two classes of one name, and no value of the one equals a value of the other."""
+    source = "class Value:\n    pass\n\ndef make():\n    return Value() if 1 < 2 else None\n"
+    tests = (
+        "from package import make\nfrom package.source import Value\n\ndef test():\n    assert type(make()) is Value\n"
+    )
+    code, text = run(tmp_path, tests, "", source, "from package.source import make\n")
+    assert code in (0, 1), text
+    assert "do not pass" not in text
