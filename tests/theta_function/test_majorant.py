@@ -61,7 +61,10 @@ def _theta(tau: mpmath.mpf, beta: mpmath.mpf) -> mpmath.mpf:
 def test_hypotheses() -> None:
     value = evaluate(3, -2).value
     assert not majorant_bound(fmpq(3), fmpq(2), value, 64).is_finite()
+    assert not majorant_bound(fmpq(-3), fmpq(2), value, 64).is_finite()
     assert not majorant_bound(arb(2, 1), fmpq(2), value, 64).is_finite()
+    assert not majorant_bound(arb(-2, 1), fmpq(2), value, 64).is_finite()
+    assert not majorant_bound(arb(-9, 1), fmpq(2), value, 64).is_finite()
     assert not majorant_bound(fmpq(1, 2), fmpq(1, 2), value, 64).is_finite()
     assert not majorant_bound(fmpq(1), fmpq(2), arb.nan(), 64).is_finite()
 
