@@ -93,6 +93,8 @@ class Dyadic:
 
         :raises ValueError: any other text, one that is not canonical included.
         """
+        if text == "0":
+            return cls(0, 0, 0)
         match = _TEXT.fullmatch(text)
         if match is None:
             raise ValueError(f"not a dyadic interval: {text[:60]!r}")
@@ -102,7 +104,7 @@ class Dyadic:
         return interval
 
     def __str__(self) -> str:
-        return f"[{self.lower:#x}, {self.upper:#x}]p{self.exponent}"
+        return "0" if self.lower == self.upper == 0 else f"[{self.lower:#x}, {self.upper:#x}]p{self.exponent}"
 
     def to_ball(self) -> arb:
         """A ball that contains the interval; equal to it when midpoint and radius fit (a radius has 30 bits)."""

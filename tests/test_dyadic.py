@@ -72,7 +72,7 @@ def test_equality_is_equality_of_sets(first: Dyadic, second: Dyadic) -> None:
 
 def test_zero_has_one_form() -> None:
     assert Dyadic(0, 0, 999) == Dyadic(0, 0) == Dyadic(0, 0, -(10**9))
-    assert str(Dyadic(0, 0, 5)) == "[0x0, 0x0]p0"
+    assert str(Dyadic(0, 0, 5)) == "0"
 
 
 @pytest.mark.parametrize(
@@ -153,7 +153,7 @@ def test_long_texts_round_trip() -> None:
     "text",
     [
         "[0x2, 0x4]p0",  # both even
-        "[0x0, 0x0]p1",  # zero has the exponent 0
+        "[0x0, 0x0]p0",  # zero has a text of its own
         "[-0x0, 0x1]p0",
         "[0x01, 0x3]p0",
         "[0x1, 0x3]p-0",

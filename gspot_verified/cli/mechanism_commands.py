@@ -5,7 +5,7 @@ from __future__ import annotations
 import glob
 import warnings
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -13,6 +13,7 @@ from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
 from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
+    from gspot_verified.expansion.trajectory import Trajectory
     from gspot_verified.mechanisms.mechanism import Mechanism
 
 
@@ -68,7 +69,6 @@ def expand(
 
     Coefficients are balls of the asked digits where the G-spot is not rational. Exit code 2 when they are not reached.
     """
-    from gspot_verified.balls import ball_text
     from gspot_verified.expansion.accuracy import AccuracyWarning
     from gspot_verified.mechanisms.expand import expand as expand_mechanism
 
@@ -88,15 +88,14 @@ def expand(
         series = trajectory.in_time()
         data, text = series.to_json(), str(series)
     if at is not None:
-        first, second = _pair(at, "--at")
-        value = trajectory.evaluate_in_time if in_time else trajectory.evaluate
-        data = {key: ball_text(found, digits) for key, found in value(first, second, digits).items()}
-        text = "\n".join(f"{key} = {found}" for key, found in data.items())
+        values, text = _values_at(trajectory, at, in_time, digits)
+        data |= {"at": values}
     if residual is not None:
         from gspot_verified.expansion.residual import residual_bounds
 
         bounds = residual_bounds(trajectory, *_pair(residual, "--residual"))
-        data, text = {**data, "residual": bounds.to_json()}, f"{text}\n{bounds}"
+        data |= {"residual": bounds.to_json()}
+        text = f"{text}\n{bounds}"
     if picture is not None:
         from gspot_verified.report.truncation import save_truncation
 
@@ -109,6 +108,21 @@ def expand(
     if not reached:
         warn(str(trajectory.accuracy))
     outputs.leave(0 if reached else 2)
+
+
+def _values_at(trajectory: Trajectory, at: str, in_time: bool, digits: int) -> tuple[dict[str, Any], str]:
+    """The values of the truncated polynomials as data and as text."""
+    from gspot_verified.balls import ball_text
+    from gspot_verified.expansion.legend import VALUES_OF, in_two, left_side
+    from gspot_verified.expansion.text import exact_text
+
+    first, second = _pair(at, "--at")
+    value = trajectory.evaluate_in_time if in_time else trajectory.evaluate
+    found, names = value(first, second, digits), trajectory.system.names
+    lines = [f"{left_side(key, names, not in_time)} = {ball_text(ball, digits)}" for key, ball in found.items()]
+    both = {key: {"value": ball_text(ball, digits), "enclosure": exact_text(ball)} for key, ball in found.items()}
+    place = {"t": first, "epsilon": second} if in_time else {"s": first, "delta": second}
+    return {**place, "values_of": VALUES_OF, **in_two(both, names)}, "\n".join([*lines, VALUES_OF])
 
 
 def _orders(done: int, of: int) -> None:

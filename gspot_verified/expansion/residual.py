@@ -16,6 +16,7 @@ from gspot_verified.balls import ExactInput, ball_text, exact, working_bits
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.expansion.derivative import powers_as_products
 from gspot_verified.expansion.expressions import Expression, in_order
+from gspot_verified.expansion.legend import in_two, state_names
 from gspot_verified.expansion.majorants import Graded, graded_functions, rest_of_product, size_of
 from gspot_verified.expansion.power_series import SeriesOfFunctions, Terms
 from gspot_verified.expansion.rings import Ring
@@ -24,6 +25,10 @@ from gspot_verified.expansion.terms import NumberTerms, PolynomialTerms
 from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.verdict import NoTruthValue
 
+ONLY_RESIDUAL = (
+    "a bound on what is left in the equations; how far the mechanism's own trajectory is from the polynomials "
+    "is not proved"
+)
 _BITS = 128
 _EXTRA = 8
 _LEAST_EXTRA = 4
@@ -48,23 +53,34 @@ class ResidualBounds(NoTruthValue):
     s: fmpq | arb
     delta: fmpq | arb
     constants: dict[str, arb]
+    state: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         box = f"|s| <= {self.s}, 0 <= delta <= {self.delta}"
         lines = [f"{self.name}: |residual| <= K delta^{self.order} for {box}, K ="]
-        return "\n".join(lines + [f"  {name}: {ball_text(value, 6)}" for name, value in self.constants.items()])
+        lines += [f"  {self._equation(key)}: {ball_text(value, 6)}" for key, value in self.constants.items()]
+        return "\n".join([*lines, f"  {ONLY_RESIDUAL}"])
+
+    def _equation(self, key: str) -> str:
+        return f"equation of {self.state[int(key[3:]) - 1]}" if self.state and key.startswith("xi_") else key
 
     def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; a bound that is not finite is None."""
+        """Plain data for ``json.dumps``; a bound that is not finite is None.
+
+        ``state`` and ``contact`` have the constants of the equations, ``start`` those of the conditions at s = 0.
+        """
+        texts = {
+            key: str(Dyadic.from_ball(value)) if value.is_finite() else None for key, value in self.constants.items()
+        }
+        components = sum(key.startswith("xi_") for key in texts)
         return {
-            "system": self.name,
+            "name": self.name,
             "order": self.order,
             "s": _text(self.s),
             "delta": _text(self.delta),
-            "constants": {
-                name: str(Dyadic.from_ball(value)) if value.is_finite() else None
-                for name, value in self.constants.items()
-            },
+            "meaning": ONLY_RESIDUAL,
+            **in_two(texts, state_names(self.state, components)),
+            "start": {key[6:]: text for key, text in texts.items() if key.startswith("start_")},
         }
 
 
@@ -95,7 +111,7 @@ def residual_bounds(trajectory: Trajectory, s: ExactInput, delta: ExactInput, ex
             raise ValueError(f"delta must be positive, got {delta}")
         checks = _Residual(trajectory, size_of(box[0]), size_of(box[1]), trajectory.order + extra)
         constants = {**checks.equations(), **checks.conditions()}
-    return ResidualBounds(trajectory.system.name, trajectory.order, *box, constants)
+    return ResidualBounds(trajectory.system.name, trajectory.order, *box, constants, trajectory.system.state)
 
 
 class _Residual:

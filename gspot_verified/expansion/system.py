@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from gspot_verified.expansion.expressions import Expression
+from gspot_verified.expansion.legend import state_names
 from gspot_verified.expansion.power_series import SeriesOfFunctions
 from gspot_verified.expansion.rings import RATIONALS, Ring
 from gspot_verified.expansion.terms import NumberTerms
@@ -39,11 +40,20 @@ class System:
     J: tuple[Expression, ...]
     point: tuple[Any, ...]
     ring: Ring = RATIONALS
+    state: tuple[str, ...] = ()
+    """The mechanism's names of the components, for texts; empty: xi_1, xi_2, ..."""
 
     def __post_init__(self) -> None:
         dimension = len(self.point)
         if not len(self.F) == len(self.G) == dimension or len(self.J) != dimension - 4:
             raise ValueError("F, G and the point must have one length m, and J the length m - 4")
+        if self.state and len(self.state) != dimension:
+            raise ValueError("the state must have one name for each component")
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of the components."""
+        return state_names(self.state, len(self.point))
 
     @property
     def conditions(self) -> tuple[Expression, ...]:

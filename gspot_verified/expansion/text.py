@@ -22,6 +22,11 @@ def exact_text(value: Any) -> str:
     return str(Dyadic.from_ball(value)) if isinstance(value, arb) else str(value)
 
 
+def shown(value: Any) -> str:
+    """A rational or a function of symbols as it is; a ball for people."""
+    return ball_text(value) if isinstance(value, arb) else str(value)
+
+
 @dataclass(frozen=True)
 class Style:
     """How powers and fractions are written."""
@@ -49,13 +54,6 @@ class Style:
 
 PLAIN = Style("delta", "^{}", "{}/{}", "O({})")
 LATEX = Style(r"\delta", "^{{{}}}", r"\frac{{{}}}{{{}}}", r"\mathcal{{O}}({})")
-
-
-def latex_name(name: str) -> str:
-    """The scaled variable in LaTeX."""
-    if name.startswith("xi_"):
-        return rf"\tilde{{\xi}}_{{{name[3:]}}}"
-    return r"\tilde{\lambda}" if name == "lambda_n" else rf"\tilde{{{name}}}"
 
 
 def polynomial_text(coefficients: Sequence[Any], style: Style) -> str:

@@ -16,16 +16,14 @@ from dataclasses import dataclass
 from typing import Any
 
 from gspot_verified.expansion.layers import LayeredFunctions, Layers, dot, entry, product_coefficient
+from gspot_verified.expansion.legend import SCALES, in_two, left_side, state_names
 from gspot_verified.expansion.linear import inverse
 from gspot_verified.expansion.system import GSpotError, System
+from gspot_verified.expansion.text import exact_text, shown
 from gspot_verified.verdict import Reason, Verdict
 
 Table = dict[tuple[int, int], Any]
 """The coefficient of t^k epsilon^m under the key (k, m); what is certainly zero is left out."""
-
-DELTA_FACTORS = {"xi": 2, "p": 2, "b": 2, "y": 6, "v": 4, "z": 6, "lambda_n": 0}
-"""Paper, Sec. 5.1: xi - xi* = delta^2 xi~, y = delta^6 y~, ...; with t = delta^2 s and epsilon = delta^3 the
-coefficient of t^k epsilon^m belongs to the order 2 k + 3 m minus this number."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +41,12 @@ class TimeSeries:
     v: Table
     z: Table
     lambda_n: Table
+    state: tuple[str, ...] = ()
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of the components."""
+        return state_names(self.state, len(self.xi))
 
     def tables(self) -> dict[str, Table]:
         """All tables by name: xi_1, xi_2, ..., p, b, y, v, z, lambda_n."""
@@ -50,13 +54,14 @@ class TimeSeries:
         return {**named, **{name: getattr(self, name) for name in ("p", "b", "y", "v", "z", "lambda_n")}}
 
     def __str__(self) -> str:
-        lines = [f"the unscaled variables, {self.order} orders of delta; xi is xi - xi*"]
+        lines = [f"the distinguished trajectory of Theorem 1 in time, {self.order} orders of delta"]
+        lines += [f"  {line}" for line in SCALES]
         for name, table in self.tables().items():
             terms = [
-                f"({value}) t^{k} epsilon^{m}"
+                f"({shown(value)}) t^{k} epsilon^{m}"
                 for (k, m), value in sorted(table.items(), key=lambda item: item[0][::-1])
             ]
-            lines.append(f"  {name} = " + (" + ".join(terms) or "0"))
+            lines.append(f"  {left_side(name, self.names, False)} = " + (" + ".join(terms) or "0"))
         return (
             "\n".join(lines).replace(" t^0", "").replace(" epsilon^0", "").replace("t^1 ", "t ").replace("^1\n", "\n")
         )
@@ -65,10 +70,15 @@ class TimeSeries:
         """Plain data for ``json.dumps``: per variable [k, m, coefficient of t^k epsilon^m], the coefficient as text."""
         return {
             "order": self.order,
-            "terms": {
-                name: [[k, m, str(value)] for (k, m), value in sorted(table.items())]
-                for name, table in self.tables().items()
-            },
+            "scaled": False,
+            "scales": list(SCALES),
+            **in_two(
+                {
+                    key: [[k, m, exact_text(value)] for (k, m), value in sorted(table.items())]
+                    for key, table in self.tables().items()
+                },
+                self.names,
+            ),
         }
 
 

@@ -10,6 +10,7 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import ExactInput, ball, bits_for_digits, exact, working_bits
 from gspot_verified.expansion.accuracy import Accuracy, certain_bits, until_accurate
+from gspot_verified.expansion.legend import DELTA_FACTORS, SCALES, in_two, latex_left_side, left_side
 from gspot_verified.expansion.recursion import Recursion
 from gspot_verified.expansion.spaces import SpacePolynomial
 from gspot_verified.expansion.system import System
@@ -19,11 +20,10 @@ from gspot_verified.expansion.text import (
     Style,
     exact_text,
     joined,
-    latex_name,
     polynomial_text,
     times_power,
 )
-from gspot_verified.expansion.time_series import DELTA_FACTORS, Table, TimeSeries
+from gspot_verified.expansion.time_series import Table, TimeSeries
 
 MAX_ORDER = 2000
 _GUARD_BITS = 30
@@ -70,7 +70,7 @@ class Trajectory:
         """
         tables = {name: self._table(getattr(self, name), DELTA_FACTORS[name]) for name in _SCALARS}
         components = tuple(self._table(terms, DELTA_FACTORS["xi"]) for terms in self.xi)
-        return TimeSeries(order=self.order, xi=components, **tables)
+        return TimeSeries(order=self.order, xi=components, state=self.system.state, **tables)
 
     def _table(self, terms: Terms, factor: int) -> Table:
         table: Table = {}
@@ -127,17 +127,18 @@ class Trajectory:
         return isinstance(self.system.ring.number(0), fmpq)
 
     def __str__(self) -> str:
-        lines = [f"{self.system.name}: the scaled variables to the order {self.order} of delta"]
-        lines += [f"  {name} = {self._text(terms, PLAIN)}" for name, terms in self.terms().items()]
+        names = self.system.names
+        lines = [f"{self.system.name}: the distinguished trajectory of Theorem 1, orders of delta below {self.order}"]
+        lines += [f"  {line}" for line in SCALES]
+        lines += [f"  {left_side(key, names, True)} = {self._text(rows, PLAIN)}" for key, rows in self.terms().items()]
         if self.accuracy is not None:
             lines.append(f"  {self.accuracy}")
         return "\n".join(lines)
 
     def to_latex(self) -> str:
-        r"""An ``align*`` environment with one line for each scaled variable."""
-        lines = [
-            rf"  {latex_name(name)}(s,\delta) &= {self._text(terms, LATEX)}" for name, terms in self.terms().items()
-        ]
+        r"""An ``align*`` environment with one line for each scaled variable, as in the text."""
+        names = self.system.names
+        lines = [f"  {latex_left_side(key, names)} &= {self._text(rows, LATEX)}" for key, rows in self.terms().items()]
         return "\\begin{align*}\n" + " \\\\\n".join(lines) + "\n\\end{align*}"
 
     def _text(self, terms: Terms, style: Style) -> str:
@@ -149,15 +150,22 @@ class Trajectory:
         return joined(parts)
 
     def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``: per variable and order the coefficients of s^0, s^1, ... as exact text."""
+        """Plain data for ``json.dumps``: per variable and order the coefficients of s^0, s^1, ... as exact text.
+
+        ``state`` has the components by the mechanism's names, ``contact`` p, b, y, v, z, lambda_n; ``scales`` says how
+        they are scaled.
+        """
+        rows = {
+            key: [[exact_text(value) for value in term.coefficients()] for term in terms]
+            for key, terms in self.terms().items()
+        }
         return {
-            "system": self.system.name,
+            "name": self.system.name,
             "order": self.order,
             "accuracy": None if self.accuracy is None else self.accuracy.to_json(),
-            "terms": {
-                name: [[exact_text(value) for value in term.coefficients()] for term in terms]
-                for name, terms in self.terms().items()
-            },
+            "scaled": True,
+            "scales": list(SCALES),
+            **in_two(rows, self.system.names),
         }
 
 
@@ -174,8 +182,8 @@ def expand_system(
 
     >>> from gspot_verified.testing import extended_example
     >>> trajectory = expand_system(extended_example(chi=1), 7)
-    >>> print(str(trajectory).splitlines()[7])
-      p = -s + s^2 delta^2 + 2 s^3 delta^4 + (3 s^4 - 96 s) delta^6 + O(delta^7)
+    >>> print(str(trajectory).splitlines()[11])
+      p/delta^2 = -s + s^2 delta^2 + 2 s^3 delta^4 + (3 s^4 - 96 s) delta^6 + O(delta^7)
     >>> trajectory.in_time().z[0, 4]
     6672/5
     """

@@ -49,10 +49,11 @@ def expand(
         raise TypeError(f"expected a Mechanism or a System, got {type(source).__name__}")
     order = checked_order(order)
     if any(value is None for _, value in source.parameters):
-        return expand_system(symbolic_system(source), order, digits, progress)
+        named = replace(symbolic_system(source), state=source.state)
+        return expand_system(named, order, digits, progress)
 
     def attempt(bits: int) -> tuple[Trajectory, int | None]:
-        trajectory = terms_of(find_g_spot(source, bits).system, order, bits, progress)
+        trajectory = terms_of(replace(find_g_spot(source, bits).system, state=source.state), order, bits, progress)
         return trajectory, certain_bits_of(trajectory)
 
     found, accuracy = until_accurate(attempt, digits, first_bits(order, digits))

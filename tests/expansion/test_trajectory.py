@@ -23,38 +23,38 @@ EXAMPLE = expand_system(extended_example(1), 7)
 
 def test_text() -> None:
     lines = str(EXAMPLE).splitlines()
-    assert lines[0] == "extended example: the scaled variables to the order 7 of delta"
-    assert "  v = -16 delta^2 - 96 s delta^4 + 48 delta^5 - 2208/5 s^2 delta^6 + O(delta^7)" in lines
-    assert lines[-2].startswith("  z = -2 - 8 s delta^2 + 8 delta^3 - 24 s^2 delta^4 + 48 s delta^5")
-    assert str(expand_system(extended_example(1), 1)).splitlines()[-3] == "  v = O(delta)"
+    assert lines[0] == "extended example: the distinguished trajectory of Theorem 1, orders of delta below 7"
+    assert "  v/delta^4 = -16 delta^2 - 96 s delta^4 + 48 delta^5 - 2208/5 s^2 delta^6 + O(delta^7)" in lines
+    assert lines[-2].startswith("  z/delta^6 = -2 - 8 s delta^2 + 8 delta^3 - 24 s^2 delta^4 + 48 s delta^5")
+    assert str(expand_system(extended_example(1), 1)).splitlines()[-3] == "  v/delta^4 = O(delta)"
 
 
 def test_latex() -> None:
     lines = EXAMPLE.to_latex().splitlines()
     assert (lines[0], lines[-1]) == (r"\begin{align*}", r"\end{align*}")
     assert lines[5] == (
-        r"  \tilde{\xi}_{5}(s,\delta) &= -s + s^{2} \delta^{2} + 2 s^{3} \delta^{4}"
+        r"  \delta^{-2}(\xi_{5} - \xi_{5}^*) &= -s + s^{2} \delta^{2} + 2 s^{3} \delta^{4}"
         r" + (3 s^{4} - 96 s) \delta^{6} + \mathcal{O}(\delta^{7}) \\"
     )
-    assert lines[-2].startswith(r"  \tilde{\lambda}(s,\delta) &= 2")
+    assert lines[-2].startswith(r"  \lambda_{n} &= 2")
     assert r"\frac{368}{5} s^{3}" in lines[-2]
     assert not lines[-2].endswith(r"\\")
 
 
 def test_json_is_exact() -> None:
     data = json.loads(json.dumps(EXAMPLE.to_json()))
-    assert (data["system"], data["order"]) == ("extended example", 7)
-    assert data["terms"]["z"][6] == ["6672/5", "0", "0", "-368/5"]
+    assert (data["name"], data["order"]) == ("extended example", 7)
+    assert data["contact"]["z"][6] == ["6672/5", "0", "0", "-368/5"]
     for name, terms in EXAMPLE.terms().items():
-        assert [[fmpq(*map(int, text.split("/"))) for text in row] for row in data["terms"][name]] == [
-            term.coefficients() for term in terms
-        ]
+        assert [
+            [fmpq(*map(int, text.split("/"))) for text in row] for row in {**data["state"], **data["contact"]}[name]
+        ] == [term.coefficients() for term in terms]
 
 
 def test_json_of_balls() -> None:
     base = extended_example("1/3")
     trajectory = expand_system(replace(base, point=(arb(0),) * 6, ring=BALLS), 4)
-    text = trajectory.to_json()["terms"]["b"][2][2]
+    text = trajectory.to_json()["contact"]["b"][2][2]
     assert isinstance(text, str)
     assert "O(delta^4)" in str(trajectory)
 
