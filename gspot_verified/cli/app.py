@@ -8,12 +8,15 @@ import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from contextvars import ContextVar
+from importlib import resources
 from typing import Annotated, Any
 
 import typer
 from typer.core import TyperCommand
 
 QUIET_SECONDS = 10.0
+_running: ContextVar[str] = ContextVar("_running", default="")
 _NUMBER = re.compile(r"-\.?[0-9].*")
 
 
@@ -35,11 +38,12 @@ app = typer.Typer(
 
 @app.callback()
 def _options(
-    version: Annotated[
+    context: typer.Context,
+    version: Annotated[  # noqa: ARG001  its callback acts
         bool, typer.Option("--version", help="Print the version and leave.", is_eager=True, callback=_print_version)
     ] = False,
 ) -> None:
-    pass
+    _running.set(context.invoked_subcommand or "")
 
 
 JsonFlag = Annotated[bool, typer.Option("--json", help="Print JSON.")]
@@ -63,9 +67,18 @@ class NumberArguments(TyperCommand):
         return super().parse_args(ctx, [*options, "--", *numbers])
 
 
-def print_json(data: Any) -> None:
-    """Data on stdout."""
-    typer.echo(json.dumps(data, ensure_ascii=False, indent=2, sort_keys=True))
+def schema_of(command: str) -> dict[str, Any]:
+    """The schema (JSON Schema, draft 2020-12) of the command's ``--json``."""
+    text = resources.files("gspot_verified.cli").joinpath("schemas", f"{command}.json").read_text(encoding="utf-8")
+    found: dict[str, Any] = json.loads(text)
+    return found
+
+
+def print_json(data: dict[str, Any]) -> None:
+    """Data on stdout, with the name of the schema in ``cli/schemas`` that the running command's output satisfies."""
+    typer.echo(
+        json.dumps({**data, "schema": schema_of(_running.get())["$id"]}, ensure_ascii=False, indent=2, sort_keys=True)
+    )
 
 
 def warn(text: str) -> None:

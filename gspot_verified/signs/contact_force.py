@@ -60,10 +60,10 @@ class ContactForce(NoTruthValue):
 
     @property
     def case(self) -> str:
-        """The paper's name for the signs of the alphas."""
+        """The paper's Case, as :func:`gspot_verified.classify` names it: "I", "II", "III", "none" (alpha_2 = 0)."""
         if self.beta > 1:
-            return "Case III"
-        return "Case I" if self.alpha_2 < 0 else "Case II" if self.alpha_2 > 0 else "between Cases I and II"
+            return "III"
+        return "I" if self.alpha_2 < 0 else "II" if self.alpha_2 > 0 else "none"
 
     def amplitude(self, digits: int = 15) -> arb:
         """A = (|C_1|/|alpha_3|) kappa^(1-beta) > 0: lambda_N = mean + A eps^p direction dTheta/dtau."""

@@ -58,10 +58,11 @@ class IwcResult(NoTruthValue):
     def lines(self) -> list[str]:
         """The lines of the text without the last one, which says what "at leading order" leaves open."""
         force = self.force
+        case = "no Case, between I and II" if force.case == "none" else f"Case {force.case}"
         side = "> 0, λ_N → +∞" if force.takes_impact else "< 0, λ_N → -∞"
         lines = [
             str(self.verdict),
-            f"  {force.case}: β = {force.beta}, α1 = {short_text(force.alpha_1)}, α2 = {short_text(force.alpha_2)}, "
+            f"  {case}: β = {force.beta}, α1 = {short_text(force.alpha_1)}, α2 = {short_text(force.alpha_2)}, "
             f"α3 = {short_text(force.alpha_3)}, C1 = {short_text(force.c1)}: the side C1/Γ(-β) {side}",
             f"  λ_N = {short_text(force.mean)} - (C1/α3) κ^(1-β) ε^({force.exponent}) dΘ/dτ, "
             f"κ^3 = {short_text(-force.alpha_1 / 2)}",

@@ -87,10 +87,10 @@ def test_the_side(beta: str, charge: object) -> None:
 
 
 def test_the_three_cases_and_what_lies_between() -> None:
-    assert contact_force("1/2").case == "Case I"
-    assert contact_force("1/2", alpha_2=1).case == "Case II"
-    assert contact_force("1/2", alpha_2=0).case == "between Cases I and II"
-    assert contact_force("3/2").case == "Case III"
+    assert contact_force("1/2").case == "I"
+    assert contact_force("1/2", alpha_2=1).case == "II"
+    assert contact_force("1/2", alpha_2=0).case == "none"
+    assert contact_force("3/2").case == "III"
     # line 284: alpha_2/(alpha_3 - alpha_1)
     assert contact_force(alpha_1=-2, alpha_2=-5, alpha_3=-3).mean == 5
     assert contact_force(alpha_1=-2, alpha_2=-5, alpha_3=-1).mean == -5

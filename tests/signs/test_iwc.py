@@ -80,11 +80,11 @@ def test_known_numbers() -> None:
 def test_between_0_and_1() -> None:
     second = iwc("1/2", alpha_2=1)
     assert second.every_epsilon
-    assert second.force.case == "Case II"
+    assert second.force.case == "II"
     assert "every real τ and every ε > 0" in str(second.verdict)
     first = iwc("1/2")
     bound = first.epsilon_0
-    assert first.force.case == "Case I"
+    assert first.force.case == "I"
     assert first.force.c1 == -1
     assert bound is not None
     assert "the deviation of λ_N is > 0 for every real τ" in first.verdict.detail
