@@ -63,8 +63,7 @@ class Constant(Expression):
             return (id(self.value),)
         if isinstance(self.value, fmpq):
             return _numbers(self.value)
-        found: tuple[Hashable, ...] = (type(self.value), self.value)
-        return found
+        return (type(self.value).__name__, self.value)
 
 
 @dataclass(frozen=True, eq=False)

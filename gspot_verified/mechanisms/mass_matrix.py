@@ -66,7 +66,8 @@ def _check_positive(message: str, value: Any, ring: Ring) -> None:
 def leading_minors(matrix: Sequence[Sequence[Any]]) -> Iterator[Any]:
     """The leading minors one after the other, by elimination; none may vanish but the last one asked for.
 
-    >>> list(leading_minors([[2, 0], [0, 3]]))
+    >>> from flint import fmpq
+    >>> list(leading_minors([[fmpq(2), fmpq(0)], [fmpq(0), fmpq(3)]]))
     [2, 6]
     """
     rows = [list(row) for row in matrix]
