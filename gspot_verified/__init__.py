@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from gspot_verified.mechanisms.mechanism import Mechanism as Mechanism
     from gspot_verified.mechanisms.mechanism import MechanismError as MechanismError
     from gspot_verified.mechanisms.shipped import shipped_names as shipped_names
+    from gspot_verified.mechanisms.sweep import sweep as sweep
+    from gspot_verified.mechanisms.sweep_result import Sweep as Sweep
     from gspot_verified.signs.brackets import Brackets as Brackets
     from gspot_verified.signs.brackets import zeros_at as zeros_at
     from gspot_verified.signs.count_law import number_of_zeros as number_of_zeros
@@ -69,6 +71,7 @@ __homes__ = {
     "SideSwitching": "signs.side",
     "SignInterval": "signs.side",
     "SignResult": "signs.sign",
+    "Sweep": "mechanisms.sweep_result",
     "Trajectory": "expansion.trajectory",
     "Verdict": "verdict",
     "ZerosResult": "signs.zeros",
@@ -89,6 +92,7 @@ __homes__ = {
     "shipped_names": "mechanisms.shipped",
     "side_switching": "signs.side",
     "sign_on_ranges": "signs.sign",
+    "sweep": "mechanisms.sweep",
     "theta": "theta_function.theta",
     "theta_by": "theta_function.routes",
     "zeros_at": "signs.brackets",

@@ -1,7 +1,4 @@
-"""A journal of examinations, one line each, so that long work goes on after a kill.
-
-The first line says for which question the journal is. A line that a kill cut short is dropped on the next start.
-"""
+"""A journal of examinations, one line each, so that long work goes on after a kill."""
 
 from __future__ import annotations
 
@@ -12,6 +9,7 @@ from typing import Any
 from flint import fmpq
 
 from gspot_verified.balls import exact
+from gspot_verified.signs.journal_file import JournalFile
 from gspot_verified.signs.pieces import Column, Kind, Piece
 
 Answer = Column | tuple[fmpq, fmpq] | None
@@ -24,22 +22,11 @@ class Journal:
     """
 
     def __init__(self, path: Path, question: dict[str, Any]) -> None:
-        self._path = path
         self._known: dict[tuple[str, str], Answer] = {}
-        header = json.dumps({"journal": question}, sort_keys=True)
-        data = path.read_bytes() if path.exists() else b""
-        # A kill may leave a line without its line feed: what follows the last line feed is dropped.
-        whole = data[: data.rfind(b"\n") + 1]
-        lines = whole.decode(errors="replace").split("\n")[:-1]
-        if lines[0] != header if lines else not header.encode().startswith(data):
-            raise ValueError(f"{path} is not a journal of this question; choose another file or remove it")
-        for line in lines[1:]:
+        self._file = JournalFile(path, question)
+        for line in self._file.lines:
             lower, upper, answer = _read(line, path)
             self._known[lower, upper] = answer
-        with path.open("r+b" if data else "wb") as file:
-            file.truncate(len(whole))
-            if not lines:
-                file.write(f"{header}\n".encode())
 
     def knows(self, lower: fmpq | None, upper: fmpq) -> bool:
         """Whether the range was examined before."""
@@ -54,8 +41,7 @@ class Journal:
         if self.knows(lower, upper):
             return
         self._known[str(lower), str(upper)] = answer
-        with self._path.open("a", encoding="utf-8") as file:
-            file.write(json.dumps([str(lower), str(upper), _to_json(answer)]) + "\n")
+        self._file.add([str(lower), str(upper), _to_json(answer)])
 
 
 def _to_json(answer: Answer) -> Any:

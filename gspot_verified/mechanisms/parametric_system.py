@@ -1,0 +1,105 @@
+"""What a mechanism's G-spot satisfies, as functions of the state and of some of its parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from gspot_verified.balls import working_bits
+from gspot_verified.expansion.expressions import Expression, Variable
+from gspot_verified.expansion.rings import BALLS
+from gspot_verified.mechanisms.g_spot import symbolic_place
+from gspot_verified.mechanisms.lie_derivatives import minor
+from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.to_system import Converter, Moves, Shifted, shift
+
+_CONSTANT_BITS = 320
+
+
+@dataclass(frozen=True)
+class ParametricSystem:
+    """Functions of (ξ, λ): the state ξ (components 0, ..., m - 1, angles from their references), then the parameters.
+
+    ``conditions`` are p, b, y, v, J, which vanish at a G-spot; ``positive`` must be positive there (the leading minors
+    of the mass matrix; or A, C, A C - B^2) and ``friction`` not negative. ``slip`` is u.
+    """
+
+    name: str
+    state: tuple[str, ...]
+    parameters: tuple[str, ...]
+    conditions: tuple[Expression, ...]
+    alpha_1: Expression
+    alpha_2: Expression
+    alpha_3: Expression
+    slip: Expression
+    positive: tuple[Expression, ...]
+    friction: Expression
+
+    @property
+    def dimension(self) -> int:
+        """The number of components of the state."""
+        return len(self.state)
+
+
+def parametric_system(mechanism: Mechanism, parameters: Sequence[str], fixed: Sequence[str] = ()) -> ParametricSystem:
+    """The functions with these parameters as further variables; all others have the mechanism's values.
+
+    ``fixed`` names the components that keep the value of the mechanism's place, where it gives no conditions J.
+
+    :raises MechanismError: no such parameter, or another one has no value; or the Lagrangian character is violated.
+
+    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
+    >>> rod = parametric_system(shipped_mechanism("genot_brogliato_rod"), ["mu"], ["X", "X_dot"])
+    >>> rod.friction, len(rod.conditions)
+    (Variable(index=6), 6)
+    """
+    free = mechanism.with_parameters(**dict.fromkeys(parameters))
+    missing = [name for name, value in free.parameters if value is None and name not in parameters]
+    if missing:
+        raise MechanismError(f"{mechanism.name}: parameters without a value: {', '.join(missing)}")
+    shifted = shift(free, free=True)
+    f = shifted.functions
+    if f.mass_matrix is not None:
+        positive = [minor(f.mass_matrix, range(k), range(k)) for k in range(1, len(f.mass_matrix) + 1)]
+    else:
+        positive = [f.A, f.C, f.A * f.C - f.B**2]
+    conditions = [f.p, f.b, f.y, f.v, *_extra_conditions(shifted, fixed)]
+    scalars = [f.alpha_1, f.alpha_2, f.alpha_3, f.u, f.mu]
+    with working_bits(_CONSTANT_BITS):
+        found = _expressions(free, parameters, [*conditions, *scalars, *positive])
+    own, (first, second, third, slip, friction, *minors) = found[: len(conditions)], found[len(conditions) :]
+    return ParametricSystem(
+        mechanism.name, mechanism.state, tuple(parameters), tuple(own), first, second, third, slip, tuple(minors),
+        friction,
+    )  # fmt: skip
+
+
+def _extra_conditions(shifted: Shifted, fixed: Sequence[str]) -> list[Any]:
+    """The m - 4 conditions J as sympy functions of the shifted state and the parameters."""
+    import sympy
+
+    mechanism = shifted.mechanism
+    given = mechanism.place.conditions
+    wanted = len(mechanism.state) - 4
+    if given is not None:
+        values, moved = mechanism.parameter_values(), Moves(mechanism)
+        found = [moved(J.xreplace(values)) for J in given]
+    else:
+        place = symbolic_place(shifted)
+        found = [sympy.Symbol(word) - place[word] for word in fixed]
+    if len(found) != wanted:
+        raise MechanismError(f"{mechanism.name}: {wanted} conditions J are needed, got {len(found)}")
+    return found
+
+
+def _expressions(mechanism: Mechanism, parameters: Sequence[str], functions: Sequence[Any]) -> list[Expression]:
+    import sympy
+
+    converter = Converter(mechanism, BALLS)
+    for j, name in enumerate(parameters):
+        converter.known[sympy.Symbol(name)] = Variable(len(mechanism.state) + j)
+    parts, reduced = sympy.cse(list(functions), symbols=sympy.numbered_symbols(cls=sympy.Dummy))
+    for symbol, part in parts:
+        converter.known[symbol] = converter(part)
+    return [converter(function) for function in reduced]

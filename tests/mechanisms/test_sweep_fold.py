@@ -1,0 +1,116 @@
+"""Folds: the classical rod's at mu = 4/3, and others in closed form; where there is none, none is proved.
+
+Page: proofs/sweep.md, section 6.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import mpmath
+import pytest
+from families import family
+from flint import fmpq
+
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.sweep import sweep
+from gspot_verified.mechanisms.sweep_piece import Kind
+
+ROD = "falling rod of Génot and Brogliato"
+
+
+@pytest.mark.parametrize("over", ["1.2..2:16", "4/3..2:7", "1.3..1.4:1", "4/3..1.34:1"])
+def test_the_rod_has_its_fold_at_four_thirds(over: str) -> None:
+    """tan θ = 2 there, and θ' = 5^(1/4) (L = g = 1)."""
+    result = sweep(shipped_mechanism(ROD), {"mu": over})
+    (fold,) = result.folds
+    assert fold.value.contains(Fraction(4, 3))
+    lower, upper = fold.value.endpoints()
+    assert upper - lower < Fraction(1, 10**15)
+    assert fold.opens == 1
+    point = dict(fold.point)
+    with mpmath.workdps(40):
+        for word, expected in (("theta", mpmath.atan(2)), ("theta_dot", mpmath.mpf(5) ** 0.25)):
+            ends = [mpmath.mpf(end.numerator) / end.denominator for end in point[word].endpoints()]
+            assert ends[0] < expected < ends[1]
+            assert ends[1] - ends[0] < 1e-11
+
+
+def test_the_pieces_behind_the_fold_say_so_and_no_more() -> None:
+    result = sweep(shipped_mechanism(ROD), {"mu": "1.2..1.5:6"})
+    first, second = result.pieces[:2]
+    assert (first.kind, second.kind) == (Kind.BEYOND, Kind.FOLD)
+    assert first.lower == (fmpq(6, 5),)
+    assert first.upper == second.lower
+    assert second.holds([fmpq(4, 3)]) or first.holds([fmpq(4, 3)])
+    assert first.case is second.case is None
+    assert all(piece.lower[0] > fmpq(4, 3) for piece in result.pieces[2:])
+    assert result.at(mu="1.3").kind is Kind.BEYOND
+
+
+@pytest.mark.parametrize(
+    ("p", "start", "over", "opens", "value", "q"),
+    [
+        ("q^2 - k", "1", "-1/2..1:5", 1, 0, 0),
+        ("q^2 - k", "-1", "-1/3..1:5", 1, 0, 0),
+        ("q^2 + k - 2", "1", "1/2..3:7", -1, 2, 0),
+        ("q^2 - 2*q + 1/3 - k", "3", "-1..2:4", 1, Fraction(-2, 3), 1),
+    ],
+)
+def test_folds_of_parabolas(p: str, start: str, over: str, opens: int, value: Fraction, q: int) -> None:
+    result = sweep(family(p, start), {"k": over})
+    (fold,) = result.folds
+    assert fold.opens == opens
+    assert fold.value.contains(value)
+    assert dict(fold.point)["q"].contains(q)
+    for piece in result.pieces:
+        there = (piece.lower[0] > fmpq(Fraction(value).numerator, Fraction(value).denominator)) == (opens > 0)
+        if piece.kind in (Kind.SETTLED, Kind.CROSSING, Kind.OPEN):
+            assert there
+
+
+@pytest.mark.parametrize(
+    ("p", "start", "over"),
+    [
+        ("q^3 - k", "1", "-1..1:4"),  # an inflection: the branch goes on, f_ξ is singular at k = 0
+        ("q*(q - k)", "0", "-1..1:3"),  # two branches cross
+        ("q^3 - k*q", "0", "-1..1:3"),  # a pitchfork
+        ("(q^2 - k)^2", "1", "-1..1:2"),  # never regular
+    ],
+)
+def test_what_is_no_fold_is_not_called_one(p: str, start: str, over: str) -> None:
+    if p.startswith("("):
+        with pytest.raises(ValueError, match=r"degenerate|no G-spot"):
+            sweep(family(p, start), {"k": over})
+        return
+    result = sweep(family(p, start), {"k": over})
+    assert result.folds == ()
+    assert result.verdict.exit_code == 2
+    assert not any(piece.kind in (Kind.FOLD, Kind.BEYOND) for piece in result.pieces)
+    at_zero = [piece for piece in result.pieces if piece.holds([fmpq(0)])]
+    assert {piece.kind for piece in at_zero} <= {Kind.NO_TUBE, Kind.OPEN}
+
+
+def test_sides_accumulate_at_a_fold() -> None:
+    """q = sqrt(k): beta = 3/(4 sqrt(k)) passes every integer before the fold at k = 0; what is said is right."""
+    result = sweep(family("q^2 - k", "1"), {"k": "-1/10..1:11"}, digits=8)
+    (fold,) = result.folds
+    assert fold.value.contains(0)
+    known = {crossing.quantity: crossing for crossing in result.crossings}
+    for n in (2, 3, 4):
+        crossing = known[f"beta - {n}"]
+        assert crossing.proved
+        assert crossing.lower < fmpq(9, 16 * n * n) < crossing.upper
+    assert known["alpha_3 - alpha_1"].lower < fmpq(9, 16) < known["alpha_3 - alpha_1"].upper
+    for piece in result.pieces:
+        if piece.kind is not Kind.SETTLED:
+            continue
+        for value in (piece.lower[0], piece.middle[0], piece.upper[0]):
+            beta_squared = fmpq(9, 16) / value
+            if piece.case == "I":
+                assert beta_squared < 1
+            else:
+                n = next(n for n in range(1, 10**6) if (n + 1) ** 2 > beta_squared)
+                assert piece.case == "III"
+                assert n >= 1
+                assert piece.lift_off_sign == (-1 if n % 2 else 1)
