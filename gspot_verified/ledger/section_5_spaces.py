@@ -101,7 +101,7 @@ def steps() -> dict[str, bool]:
         "r_n": lies_in(moved(function, -2), target)
         and lies_in(moved(SPACES["z"], -3, 1), target)
         and lies_in(moved(function, 1), target),
-        "b_n": lies_in(moved(target, 0), SPACES["b"]) and lies_in(moved(target, -3), target),
+        # b_n is where r_n is: L is a bijection of every P_a (section 3).
         "lambda_n": lies_in(moved(SPACES["b"], -1), force) and lies_in(moved(function, 0), force),
         "y_n, z_n": all(deformation) and all(lies_in(moved(force, 0), SPACES[name]) for name in ("y", "z")),
         "v_n": lies_in(moved(SPACES["y"], -1), SPACES["v"]),

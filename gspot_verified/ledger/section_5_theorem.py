@@ -75,9 +75,15 @@ def is_triangular() -> bool:
 
 
 def rank_defect(degree: int, alpha_1: fmpq, alpha_3: fmpq) -> int:
-    """Of eqs. specialBn to specialLn for polynomials: b of this degree, lambda, y, z one lower, v two lower.
+    """Of the matrix of eqs. specialBn to specialLn: 0 when every right side has exactly one solution."""
+    rows = homogeneous(degree, alpha_1, alpha_3)
+    return rows.ncols() - rows.rank()
 
-    As many equations as unknowns, with no elimination: the defect is 0 when every right side has exactly one solution.
+
+def homogeneous(degree: int, alpha_1: fmpq, alpha_3: fmpq) -> fmpq_mat:
+    """Eqs. specialBn to specialLn for polynomials: b of this degree, lambda, y, z one lower, v two lower.
+
+    The columns are the coefficients of b, lambda, y, z, v, from s^0 on. As many equations as unknowns, no elimination.
     """
     degrees = {"b": degree, "l": degree - 1, "y": degree - 1, "z": degree - 1, "v": degree - 2}
     unknowns = [(name, k) for name, top in degrees.items() for k in range(top + 1)]
@@ -99,7 +105,7 @@ def rank_defect(degree: int, alpha_1: fmpq, alpha_3: fmpq) -> int:
                 if (name, k) in place:
                     row[place[name, k]] += factor * (k if slopes else 1)
             rows.append(row)
-    return len(unknowns) - fmpq_mat(rows).rank() if len(rows) == len(unknowns) else -1
+    return fmpq_mat(rows)
 
 
 def unique_only_off_integers() -> bool:

@@ -21,6 +21,8 @@ from typing import Any, Literal, get_args
 
 import pytest
 
+from gspot_verified.ledger.entry import Entry
+
 Kind = Literal["factor", "hidden factor", "hypothesis", "order"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
 GENERIC = "1000003/1000000"
@@ -115,3 +117,10 @@ def missing_kinds(teeth: Sequence[Tooth]) -> list[Kind]:
     """The kinds for which there is neither a bite nor an argument why there is none."""
     present = {tooth.kind for tooth in teeth if isinstance(tooth, Bite) or tooth.why.strip()}
     return [kind for kind in KINDS if kind not in present]
+
+
+def answers_with(target: Any, name: str, wrong: Any, build: Callable[[], Entry]) -> list[bool | None]:
+    """What each check of the entry answers with another value in place of the target's attribute of this name."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(target, name, wrong)
+        return [check.agrees for check in build().checks]

@@ -6,17 +6,13 @@ import re
 from pathlib import Path
 
 import pytest
+from ledger.refuted import REFUTED
 
 from gspot_verified import Outcome, Verdict
 from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, conclude, counts, rung_counts, same_sign, settled
 from gspot_verified.ledger.verify import PARTS, exit_code, verify_paper
 
 _PROOFS = Path(__file__).resolve().parents[2] / "proofs"
-REFUTED = {
-    *("A-th5-condition", "S-mean-force", "S-gamma-intervals", "S-wording", "1-beta", "2-trivial-zy", "4-order"),
-    *("4-inner-fast", "4-inner-scaling-v", "4-matching-middle", "5-monomial", "5-xinprime", "5-example-b-error"),
-    *("5-fast-system", "5-ansatz-p0", "5-bpert-v", "6-sign-of-G", "4-unique-smooth", "4-behaves-like", "3-sides"),
-}
 
 
 @pytest.fixture(scope="module")

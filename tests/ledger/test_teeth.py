@@ -2,29 +2,22 @@
 
 from __future__ import annotations
 
-import importlib
 import sys
 from collections.abc import Callable, Iterator
 from functools import cache, lru_cache, partial
-from pathlib import Path
-from types import ModuleType, SimpleNamespace
+from types import SimpleNamespace
 
 import pytest
 from ledger.bite import KINDS, Bite, NotApplicable, Teeth, missing_kinds, raised, replaced, scaled, unseen_at
+from ledger.tables import TABLES, table
 
 from gspot_verified.ledger.entry import Check, Entry, Rung, settled
 from gspot_verified.ledger.verify import PARTS
 from gspot_verified.verdict import Outcome
 
-_FOLDER = Path(__file__).with_name("teeth")
-TABLES = sorted(path.stem for path in _FOLDER.glob("*.py"))
 _CACHED = type(lru_cache(len))
 PENDING: set[str] = set()
 """Modules of the ledger whose table is not complete yet."""
-
-
-def table(name: str) -> ModuleType:
-    return importlib.import_module(f"ledger.teeth.{name}")
 
 
 @cache
@@ -60,7 +53,10 @@ def outcome_after(bite: Bite, build: Callable[[], Entry]) -> Outcome:
 
 @pytest.mark.parametrize(
     ("name", "identifier", "bite"),
-    [pytest.param(*row, id=f"{row[1]}: {row[2].kind}, {row[2].name}") for row in bites()],
+    [
+        pytest.param(*row, id=f"{row[1]}: {row[2].kind}, {row[2].name}", marks=pytest.mark.part(row[0]))
+        for row in bites()
+    ],
 )
 def test_a_wrong_formula_changes_the_verdict(name: str, identifier: str, bite: Bite) -> None:
     honest = honest_outcome(name, identifier)

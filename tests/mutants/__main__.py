@@ -17,6 +17,7 @@ from mutants.choice import importing, mirrored
 from mutants.operators import Mutant, code_of, mutants_of
 from mutants.process import Reach, reach_of, start
 from mutants.survivors import complaints, is_listed, read_survivors
+from mutants.warm import COLD, outcomes
 
 ROOT = Path(__file__).resolve().parents[2]
 _PRELOADED = ("flint", "mpmath", "numpy", "sympy", "hypothesis.strategies")
@@ -101,6 +102,14 @@ class _Run:
         reach = reach_of(self.root, self.file, self.tests) if waiting else Reach()
         running: dict[int, Mutant] = {}
         began = time.monotonic()
+        warm = [mutant for mutant in reversed(waiting) if reach.tests_of(mutant) and not reach.early(mutant)]
+        work = [(mutant, (tests := reach.tests_of(mutant)), reach.limit(tests)) for mutant in warm]
+        for mutant, code in outcomes(self.root, self.file, self.tests, work, self.workers) if work else ():
+            if code != COLD:
+                results[mutant] = self._outcome(mutant, code)
+                self._write(mutant, results[mutant])
+                waiting.remove(mutant)
+                self._show(len(waiting), began)
         while waiting or running:
             while waiting and len(running) < self.workers:
                 mutant = waiting.pop()
@@ -114,15 +123,16 @@ class _Run:
                 mutant = running.pop(child)
                 results[mutant] = self._outcome(mutant, os.waitstatus_to_exitcode(status))
                 self._write(mutant, results[mutant])
-            left = len(waiting) + len(running)
-            print(f"\r{self.file}: {left} left, {time.monotonic() - began:.0f} s ", end="", file=sys.stderr, flush=True)
+            self._show(len(waiting) + len(running), began)
         print(file=sys.stderr)
         return results
 
+    def _show(self, left: int, began: float) -> None:
+        print(f"\r{self.file}: {left} left, {time.monotonic() - began:.0f} s ", end="", file=sys.stderr, flush=True)
+
     def _start(self, reach: Reach, mutant: Mutant, tests: list[str]) -> int:
         paths = sorted({test.split("::")[0] for test in tests}, key=self.tests.index)
-        seconds = 5 + 3 * sum(reach.seconds[test] for test in tests)
-        return start(self.root, self.file, paths, tests, code_of(self.root, mutant), seconds)
+        return start(self.root, self.file, paths, tests, code_of(self.root, mutant), reach.limit(tests))
 
     def _outcome(self, mutant: Mutant, code: int) -> str:
         """pytest: 0 passed, 1 failed, 2 and 3 the changed module cannot be imported or breaks pytest itself."""

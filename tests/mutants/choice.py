@@ -5,6 +5,8 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 
+_LEDGER = "gspot_verified/ledger/"
+_OF_THE_PARTS = ("tests/ledger/test_verdicts.py", "tests/ledger/test_teeth.py")
 _ALSO = {"proofs/check.py": ("must_reject/test_must_reject.py", "must_reject/test_hostile.py")}
 
 
@@ -14,7 +16,24 @@ def mirrored(root: Path, file: str) -> list[str]:
     folder = root / "tests" / Path(*path.parts[1:-1])
     tests = sorted(folder.glob(f"test_{path.stem}.py")) + sorted(folder.glob(f"test_{path.stem}_*.py"))
     tests += [root / "tests" / name for name in _ALSO.get(file, ())]
-    return [file, *(test.relative_to(root).as_posix() for test in tests)] if tests else importing(root, file)
+    chosen = [file, *(test.relative_to(root).as_posix() for test in tests)] if tests else importing(root, file)
+    return chosen + [test for test in _OF_THE_PARTS if parts(root, file) and test not in chosen]
+
+
+def parts(root: Path, file: str) -> set[str]:
+    """The parts of the paper (tables in ``tests/ledger/teeth``) that rest on a file of the ledger; none for others.
+
+    Marked tests of other parts are left out. All parts rest on the frame of the ledger: its own tests judge it.
+    """
+    folder = root / _LEDGER
+    imports = {path.stem: _imported(path) for path in folder.glob("*.py")} if file.startswith(_LEDGER) else {}
+    tables = {path.stem for path in (root / "tests" / "ledger" / "teeth").glob("*.py")}
+    frame, prefix = {"entry", "page", "paper", "identities", "verify"}, _LEDGER.replace("/", ".")
+    found, new = set[str](), {Path(file).stem} & (imports.keys() - frame)
+    while new:
+        found |= new
+        new = {name for name, used in imports.items() if not used.isdisjoint(prefix + n for n in new)} - found - frame
+    return found & tables
 
 
 def importing(root: Path, file: str) -> list[str]:

@@ -21,6 +21,7 @@ from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, Phase, settings
+from mutants.choice import parts
 from mutants.operators import Mutant, traced_code
 
 NOT_LOADED = 71
@@ -42,12 +43,20 @@ class Reach:
 
     def tests_of(self, mutant: Mutant) -> list[str]:
         """The tests that reach the mutant's statement (all, if it runs before them), quick and narrow ones first."""
-        early = mutant.everywhere or mutant.line in self.collected
+        early = self.early(mutant)
         reached = [test for test, lines in self.lines.items() if early or mutant.line in lines]
         return sorted(reached, key=lambda test: ((self.seconds[test] + 0.01) * len(self.lines[test]), test))
 
+    def early(self, mutant: Mutant) -> bool:
+        """Whether the mutant's statement runs before the tests do."""
+        return mutant.everywhere or mutant.line in self.collected
 
-class _Changed(importlib.abc.MetaPathFinder):
+    def limit(self, tests: Sequence[str]) -> float:
+        """How many seconds of the processor a mutant has for these tests."""
+        return 5 + 3 * sum(self.seconds[test] for test in tests)
+
+
+class Changed(importlib.abc.MetaPathFinder):
     """Gives the module under test its changed code; every other module is found as usual."""
 
     def __init__(self, root: Path, file: str, code: CodeType) -> None:
@@ -82,11 +91,11 @@ class _Changed(importlib.abc.MetaPathFinder):
         return self.code
 
 
-class _Plugin:
+class Plugin:
     """Sets Hypothesis up (no shrinking: one failure is enough); chooses and orders the tests; records their reach."""
 
-    def __init__(self, changed: _Changed, chosen: Sequence[str] | None = None) -> None:
-        self.changed = changed
+    def __init__(self, changed: Changed, chosen: Sequence[str] | None = None, parts: set[str] | None = None) -> None:
+        self.changed, self.parts = changed, parts
         self.chosen = None if chosen is None else {test: k for k, test in enumerate(chosen)}
         self.hit: set[int] = set()
         self.reach = Reach()
@@ -106,6 +115,8 @@ class _Plugin:
 
     @pytest.hookimpl(trylast=True)
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
+        if self.parts:
+            items[:] = [i for i in items if {m.args[0] for m in i.iter_markers("part")} <= self.parts]
         if self.chosen is not None:
             order = self.chosen
             items[:] = sorted((i for i in items if i.nodeid in order), key=lambda item: order[item.nodeid])
@@ -128,11 +139,16 @@ def start(root: Path, file: str, tests: Sequence[str], chosen: Sequence[str], co
     child = os.fork()
     if child:
         return child
+    limit(seconds)
+    finish(root, tests, Plugin(Changed(root, file, code), chosen))
+    raise AssertionError("the process has ended")
+
+
+def limit(seconds: float) -> None:
+    """Limit this process in time of the processor and in memory."""
     resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
     resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, _MEMORY))
     signal.alarm(int(10 * seconds) + 60)  # a mutant that waits for ever uses no time of the processor
-    _finish(root, tests, _Plugin(_Changed(root, file, code), chosen))
-    raise AssertionError("the process has ended")
 
 
 def reach_of(root: Path, file: str, tests: Sequence[str]) -> Reach:
@@ -144,9 +160,9 @@ def reach_of(root: Path, file: str, tests: Sequence[str]) -> Reach:
     child = os.fork()
     if not child:
         os.close(reading)
-        plugin = _Plugin(_Changed(root, file, traced_code(root, file, _REPORTER)))
+        plugin = Plugin(Changed(root, file, traced_code(root, file, _REPORTER)), parts=parts(root, file))
         setattr(builtins, _REPORTER, plugin.hit.add)
-        _finish(root, tests, plugin, writing)
+        finish(root, tests, plugin, writing)
     os.close(writing)
     with os.fdopen(reading, encoding="utf-8") as pipe:
         text = pipe.read()
@@ -156,7 +172,8 @@ def reach_of(root: Path, file: str, tests: Sequence[str]) -> Reach:
     return Reach(**json.loads(text))
 
 
-def _finish(root: Path, tests: Sequence[str], plugin: _Plugin, pipe: int | None = None) -> None:
+def finish(root: Path, tests: Sequence[str], plugin: Plugin, pipe: int | None = None) -> None:
+    """Run the tests in this process, send their reach if a pipe is given, and end the process."""
     code = 70
     try:
         os.chdir(root)

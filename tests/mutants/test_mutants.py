@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from mutants.choice import mirrored, parts
 from mutants.operators import code_of, mutants_of
 from mutants.survivors import complaints, entry, read_survivors
 
@@ -86,6 +87,18 @@ def test_equal_changes_are_numbered_and_the_code_is_the_changed_one(tmp_path: Pa
         found[mutant.after] = names["f"]()  # type: ignore[operator]
     assert found["a = [2]  # occurrence 2"] == [2]
     assert found["a = [2]"] == [1]
+
+
+def test_a_file_of_the_ledger_meets_the_verdicts_and_the_wrong_formulas_of_the_parts_that_rest_on_it() -> None:
+    ledger = "gspot_verified/ledger"
+    assert parts(ROOT, f"{ledger}/section_6.py") == parts(ROOT, f"{ledger}/oscillator.py") == {"section_6"}
+    assert {"section_5_spaces", "section_5_theorem"} <= parts(ROOT, f"{ledger}/powers_of_eps.py")
+    assert parts(ROOT, f"{ledger}/entry.py") == parts(ROOT, "gspot_verified/dyadic.py") == set()
+    chosen = mirrored(ROOT, f"{ledger}/oscillator.py")
+    assert {"tests/ledger/test_oscillator.py", "tests/ledger/test_verdicts.py", "tests/ledger/test_teeth.py"} <= {
+        *chosen
+    }
+    assert "tests/ledger/test_verdicts.py" not in mirrored(ROOT, "gspot_verified/dyadic.py")
 
 
 def test_the_list_is_held_against_the_run(tmp_path: Path) -> None:
@@ -218,3 +231,43 @@ def test_a_module_that_its_package_imports_is_loaded_once(tmp_path: Path) -> Non
     code, text = run(tmp_path, tests, "", source, "from package.source import make\n")
     assert code in (0, 1), text
     assert "do not pass" not in text
+
+
+CLOSURES = """from functools import cache
+
+class Box:
+    @property
+    def half(self):
+        return 8 / 2
+
+def adder(n):
+    def add(value):
+        return value + n
+    return add
+
+plus_one = adder(1)
+
+@cache
+def nine():
+    return (lambda: 9)()
+"""
+USES = """from package.source import Box, nine, plus_one
+
+def test_box():
+    assert Box().half == 4
+
+def test_closure():
+    assert plus_one(1) == 2
+
+def test_cached():
+    assert nine() == 9
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("left_out", ["", "test_closure"])
+def test_the_change_reaches_properties_closures_and_cached_functions(tmp_path: Path, left_out: str) -> None:
+    """Also those that stand in memory before the change: with a test for each, no mutant lives; without it, some do."""
+    tests = USES.replace(f"def {left_out}", "def left_out") if left_out else USES
+    code, text = run(tmp_path, tests, "", CLOSURES)
+    assert code == bool(left_out), text

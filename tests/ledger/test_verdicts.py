@@ -1,0 +1,28 @@
+"""Each entry of the ledger by itself: its verdict, and that every check of it could tell."""
+
+from __future__ import annotations
+
+import pytest
+from ledger.refuted import REFUTED
+from ledger.tables import TABLES, table
+
+from gspot_verified.ledger.verify import PARTS
+from gspot_verified.verdict import Outcome
+
+BUILDERS = {identifier: build for part in PARTS.values() for identifier, build in part.items()}
+PART_OF = {identifier: name for name in TABLES for identifier in table(name).TEETH}
+
+
+@pytest.mark.parametrize(
+    "identifier", [pytest.param(i, id=i, marks=pytest.mark.part(PART_OF.get(i, i))) for i in BUILDERS]
+)
+def test_the_verdict_and_every_check(identifier: str) -> None:
+    entry = BUILDERS[identifier]()
+    assert entry.identifier == identifier
+    assert entry.verdict.outcome is (Outcome.REFUTED if identifier in REFUTED else Outcome.PROVED)
+    answers = [check.agrees for check in entry.checks]
+    if identifier in REFUTED:
+        assert answers.count(False) >= 2
+        assert None not in answers
+    else:
+        assert set(answers) == {True}
