@@ -20,9 +20,8 @@ import re
 import threading
 from fractions import Fraction
 from numbers import Integral
-from types import TracebackType
 
-from flint import arb, arb_series, ctx, fmpq, fmpz
+from flint import arb, ctx, fmpq, fmpz
 
 ExactInput = int | Fraction | fmpq | fmpz | str | arb
 """What a user may pass for a real number."""
@@ -32,6 +31,7 @@ Exact = fmpq | arb
 
 MAX_DIGITS = 1_000_000
 MAX_WORKING_BITS = 64_000_000
+MAX_SERIES_LENGTH = 100_000
 _MAX_DECIMAL_EXPONENT = 100_000
 _MAX_BINARY_EXPONENT = 40_000
 _SMALLEST_SHOWN = 1e-300
@@ -44,10 +44,27 @@ _DECIMAL = re.compile(r"([+-]?)([0-9]*)\.?([0-9]*)(?:[eE]([+-]?[0-9]{1,9}))?")
 _lock = threading.RLock()
 
 
-class working_bits:
-    """Context manager: flint works with ``bits`` bits inside, and with the former precision afterwards.
+class _Setting:
+    """One number of flint's context: set inside the ``with``, restored on every way out. It nests."""
 
-    It nests, it restores after an exception, and the same object can be entered again.
+    __slots__ = ("_saved", "_value")
+    _name: str
+
+    def __init__(self, value: int) -> None:
+        self._value, self._saved = value, list[int]()
+
+    def __enter__(self) -> None:
+        _lock.acquire()
+        self._saved.append(getattr(ctx, self._name))
+        setattr(ctx, self._name, self._value)
+
+    def __exit__(self, kind: object, error: object, trace: object) -> None:
+        setattr(ctx, self._name, self._saved.pop())
+        _lock.release()
+
+
+class working_bits(_Setting):
+    """Context manager: flint works with ``bits`` bits inside; the same object can be entered again.
 
     >>> with working_bits(200):
     ...     third = arb(fmpq(1, 3))
@@ -55,29 +72,33 @@ class working_bits:
     True
     """
 
-    __slots__ = ("_bits", "_saved")
+    __slots__ = ()
+    _name = "prec"
 
     def __init__(self, bits: int) -> None:
         if type(bits) is not int:  # flint would cut a fraction off in silence
             raise TypeError(f"bits must be an int, got {type(bits).__name__}")
         if not 2 <= bits <= MAX_WORKING_BITS:
             raise ValueError(f"bits must lie in 2..{MAX_WORKING_BITS}, got {bits}")
-        self._bits = bits
-        self._saved: list[int] = []
+        super().__init__(bits)
 
-    def __enter__(self) -> None:
-        _lock.acquire()
-        self._saved.append(ctx.prec)
-        ctx.prec = self._bits
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        ctx.prec = self._saved.pop()
-        _lock.release()
+class series_length(_Setting):
+    """Context manager: flint keeps ``length`` terms of every power series inside.
+
+    >>> from flint import arb_series
+    >>> with series_length(3):
+    ...     arb_series([1, 1], 9) * arb_series([1, 1], 9)
+    1.00000000000000 + 2.00000000000000*x + 1.00000000000000*x^2 + O(x^3)
+    """
+
+    __slots__ = ()
+    _name = "cap"
+
+    def __init__(self, length: int) -> None:
+        if type(length) is not int or not 1 <= length <= MAX_SERIES_LENGTH:
+            raise ValueError(f"length must be an int in 1..{MAX_SERIES_LENGTH}, got {length!r}")
+        super().__init__(length)
 
 
 def current_bits() -> int:
@@ -248,31 +269,12 @@ def float_bounds(value: arb) -> tuple[float, float]:
 
 def approximate(value: Exact) -> float:
     """A float near the (midpoint of the) value. For heuristics only: it carries no bound."""
-    if isinstance(value, fmpq):
-        return _ratio(int(value.p), int(value.q))
-    return float(value.mid())
-
-
-def _ratio(numerator: int, denominator: int) -> float:
+    if isinstance(value, arb):
+        return float(value.mid())
     try:
-        return numerator / denominator
+        return int(value.p) / int(value.q)
     except OverflowError:
-        return math.inf if numerator > 0 else -math.inf
-
-
-def reciprocal_gamma_series(argument: arb, slope: arb, length: int) -> list[arb]:
-    """Enclosures of the first ``length`` Taylor coefficients of 1/Gamma(argument + slope t) at t = 0.
-
-    Here, because flint cuts every power series at a length that is part of its global context.
-    """
-    with _lock:
-        saved = ctx.cap
-        ctx.cap = length
-        try:
-            found = list(arb_series([argument, slope], length).rgamma().coeffs())
-        finally:
-            ctx.cap = saved
-    return found + [arb(0)] * (length - len(found))  # flint leaves out exact zeros at the end
+        return math.copysign(math.inf, int(value.p))
 
 
 def ball_text(value: arb, digits: int = 15) -> str:

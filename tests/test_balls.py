@@ -50,12 +50,13 @@ from gspot_verified.balls import (
     float_bounds,
     is_exact,
     nonfinite,
-    reciprocal_gamma_series,
     relative_bits,
+    series_length,
     shrink_to_bits,
     sign_of,
     working_bits,
 )
+from gspot_verified.theta_function.reciprocal_gamma import reciprocal_gamma_series
 
 # exact
 
@@ -792,3 +793,19 @@ def test_the_text_does_not_depend_on_the_precision_in_force(value: arb, bits: in
 def test_fifteen_digits_when_nothing_is_said() -> None:
     with working_bits(200):
         assert ball_text(arb(1) / 3).startswith("[0.333333333333333 +/- ")
+
+
+def test_the_length_of_series_is_restored() -> None:
+    before = ctx.cap
+    with series_length(5):
+        with pytest.raises(ZeroDivisionError), series_length(7):
+            assert ctx.cap == 7
+            raise ZeroDivisionError
+        assert ctx.cap == 5
+    assert ctx.cap == before
+
+
+@pytest.mark.parametrize("length", [0, -1, 2.5, True, "3", 10**9])
+def test_a_length_that_is_none(length: object) -> None:
+    with pytest.raises(ValueError, match="length must be an int in"):
+        series_length(length)  # type: ignore[arg-type]

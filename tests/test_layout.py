@@ -24,6 +24,7 @@ ROWS = (
     ("scenes",),
     ("mechanisms",),
     ("compliant",),
+    ("integrator",),
     ("expansion",),
     ("certificates",),
     ("signs",),

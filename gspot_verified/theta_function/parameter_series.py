@@ -10,7 +10,8 @@ from typing import NamedTuple
 
 from flint import arb, arb_mat, arb_poly, fmpq
 
-from gspot_verified.balls import float_bounds, reciprocal_gamma_series, working_bits
+from gspot_verified.balls import float_bounds, working_bits
+from gspot_verified.theta_function.reciprocal_gamma import reciprocal_gamma_series
 
 _CAUCHY_RADIUS = 6
 """The radius in b of the disc of Cauchy's estimate; 6/3 = 2 in the arguments of 1/Gamma."""

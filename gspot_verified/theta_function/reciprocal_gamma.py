@@ -5,9 +5,9 @@ Source: DLMF 5.5.3 (reflection). Proof page: ``proofs/initial_values.md``.
 
 from __future__ import annotations
 
-from flint import arb
+from flint import arb, arb_series
 
-from gspot_verified.balls import Exact
+from gspot_verified.balls import Exact, series_length
 
 _MAX_HALVINGS = 12
 # From here on Gamma of a rational by its own series (gamma_fmpq) is faster than Gamma of a ball.
@@ -44,3 +44,10 @@ def _of_ball(z: arb, halvings: int) -> arb:
     return _of_ball(arb(middle - quarter, quarter), halvings - 1).union(
         _of_ball(arb(middle + quarter, quarter), halvings - 1)
     )
+
+
+def reciprocal_gamma_series(argument: arb, slope: arb, length: int) -> list[arb]:
+    """Enclosures of the first ``length`` Taylor coefficients of 1/Gamma(argument + slope t) at t = 0."""
+    with series_length(length):
+        found = list(arb_series([argument, slope], length).rgamma().coeffs())
+    return found + [arb(0)] * (length - len(found))  # flint leaves out exact zeros at the end

@@ -1,0 +1,1 @@
+"""Validated integration of ordinary differential equations dξ/dt = f(ξ), f a graph of expressions."""

@@ -1,0 +1,127 @@
+"""The first time at which a function of the state rises through zero, in a bracket, with the sign of its derivative.
+
+Proof page: ``proofs/validated_step.md``, Theorem 5.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from flint import arb
+
+from gspot_verified.balls import current_bits
+from gspot_verified.expansion.box_program import BoxProgram
+from gspot_verified.expansion.derivative import lie_derivative
+from gspot_verified.expansion.expressions import Expression
+from gspot_verified.integrator.field import VectorField
+from gspot_verified.integrator.integrate import Segment
+
+_DEPTH = 26
+
+
+@dataclass(frozen=True, slots=True)
+class Crossing:
+    """Every solution of the run has g < 0 before the bracket, g > 0 at its end, and exactly one zero of g in it.
+
+    ``time`` is the bracket, ``states`` encloses the states in it, ``rate`` > 0 the derivative of g at the zero.
+    """
+
+    name: str
+    time: arb
+    states: tuple[arb, ...]
+    rate: arb
+
+
+@dataclass(frozen=True, slots=True)
+class Unclear:
+    """The function could not be followed: it is not certain whether it has a zero."""
+
+    name: str
+    time: arb
+
+
+@dataclass(frozen=True, slots=True)
+class _Piece:
+    segment: Segment
+    left: arb
+    right: arb
+
+    def box(self) -> list[arb]:
+        return self.segment.states(self.left.union(self.right))
+
+    def time(self, tau: arb) -> arb:
+        return self.segment.time + tau * self.segment.step.h
+
+
+class Watch:
+    """Follows a function g along the segments of a run that starts with g < 0.
+
+    A sign counts only where it is certain for all of the set, so a set that has become too wide gives no bracket.
+    """
+
+    def __init__(self, name: str, function: Expression, field: VectorField) -> None:
+        self.name = name
+        rate = lie_derivative(function, field.functions)
+        self._program = BoxProgram([function, rate], field.dimension)
+        self._rising: _Piece | None = None
+
+    def value(self, states: list[arb]) -> arb:
+        """An enclosure of g."""
+        return self._program.values(states)[0]
+
+    def along(self, segment: Segment) -> Crossing | Unclear | None:
+        """What happens on the next segment: nothing (g < 0 is proved, or it still rises), a crossing, or unclear."""
+        for piece, rises in self._pieces(segment, arb(0), arb(1), 0):
+            if rises is None:
+                return Unclear(self.name, piece.time(piece.left))
+            if not rises:
+                self._rising = None
+                continue
+            start = self._rising
+            if start is None:
+                # g is certainly negative on what lies before, so at the left end; the very first time is checked.
+                if not self.value(segment.states(piece.left)) < 0:
+                    return Unclear(self.name, piece.time(piece.left))
+                start = self._rising = piece
+            if self.value(segment.states(piece.right)) > 0:
+                return self._bracket(start, piece)
+        return None
+
+    def _pieces(self, segment: Segment, left: arb, right: arb, depth: int) -> Iterator[tuple[_Piece, bool | None]]:
+        """Pieces in order, each with False (g < 0 on it), True (g rises on it) or None (neither is certain)."""
+        piece = _Piece(segment, left, right)
+        value, rate = self._program.mean_values(piece.box())
+        if value < 0:
+            yield piece, False
+        elif rate > 0:
+            yield piece, True
+        elif depth == _DEPTH:
+            yield piece, None
+        else:
+            middle = (left + right) / 2
+            yield from self._pieces(segment, left, middle, depth + 1)
+            yield from self._pieces(segment, middle, right, depth + 1)
+
+    def _bracket(self, start: _Piece, end: _Piece) -> Crossing:
+        left, right = start.left, end.right
+        states = start.box()
+        if start is end:
+            left = self._last(start, left, right, -1)
+            right = self._last(start, left, right, 1)
+            states = start.segment.states(left.union(right))
+        else:
+            states = [a.union(b) for a, b in zip(states, end.box(), strict=True)]
+        time = start.time(left).union(end.time(right))
+        return Crossing(self.name, time, tuple(states), self._program.mean_values(states)[1])
+
+    def _last(self, piece: _Piece, left: arb, right: arb, sign: int) -> arb:
+        """By bisection: the last point where g < 0 is certain (sign -1), or the first one where g > 0 is."""
+        for _ in range(current_bits()):
+            middle = (left + right) / 2
+            certain = self.value(piece.segment.states(middle)) * sign > 0
+            if sign < 0:
+                left, right = (middle, right) if certain else (left, middle)
+            else:
+                left, right = (left, middle) if certain else (middle, right)
+        return left if sign < 0 else right

@@ -1,0 +1,104 @@
+"""Events: zeros in closed form are bracketed, grazing ones are left open.
+
+Page: proofs/validated_step.md.
+"""
+
+from __future__ import annotations
+
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.balls import working_bits
+from gspot_verified.expansion.expressions import Constant, Expression, Variable
+from gspot_verified.integrator.event import Crossing, Unclear, Watch
+from gspot_verified.integrator.field import VectorField
+from gspot_verified.integrator.integrate import Run
+
+x, y = Variable(0), Variable(1)
+OSCILLATOR = VectorField([y, -x])
+
+
+def number(p: int, q: int = 1) -> Constant:
+    return Constant(fmpq(p, q))
+
+
+def first(function: Expression, box: list[arb], end: int = 20) -> Crossing | Unclear | None:
+    watch = Watch("event", function, OSCILLATOR)
+    for segment in Run(OSCILLATOR, box, arb(end)):
+        found = watch.along(segment)
+        if found is not None:
+            return found
+    return None
+
+
+@pytest.mark.parametrize("bits", [64, 128, 300])
+def test_the_zero_of_the_cosine(bits: int) -> None:
+    with working_bits(bits):
+        found = first(-x, [arb(1), arb(0)])
+        assert isinstance(found, Crossing)
+        half_turn = arb.pi() / 2
+        assert found.time.is_finite()
+        assert found.time.contains(half_turn)
+        assert found.time.rad() < arb(2) ** (20 - bits)
+        assert found.rate.is_finite()
+        assert found.rate.contains(1)
+        assert found.rate > 0
+        assert found.states[0].contains(0)
+        assert found.states[1].contains(-1)
+
+
+def test_the_first_of_many() -> None:
+    """sin t = 99/100 twice in each turn: the first time is taken."""
+    with working_bits(100):
+        found = first(-y - number(99, 100), [arb(1), arb(0)])
+        assert isinstance(found, Crossing)
+        assert found.time.contains(arb(fmpq(99, 100)).asin())
+
+
+@pytest.mark.parametrize("offset", [fmpq(1, 10**6), fmpq(1, 10**12)])
+def test_near_grazing(offset: fmpq) -> None:
+    """-cos t - 1 -+ offset: it crosses near t = pi, or does not reach 0."""
+    with working_bits(128):
+        below = first(-x - Constant(1 + offset), [arb(1), arb(0)])
+        above = first(-x - Constant(1 - offset), [arb(1), arb(0)])
+        if offset == fmpq(1, 10**6):
+            assert below is None
+            assert isinstance(above, Crossing)
+            assert above.time.contains((-arb(1 - offset)).acos())
+        else:
+            assert not isinstance(below, Crossing)
+
+
+def test_grazing_is_unclear() -> None:
+    with working_bits(128):
+        found = first(-x - number(1), [arb(1), arb(0)])
+        assert isinstance(found, Unclear)
+        assert abs(found.time - arb.pi()) < 1e-2
+
+
+def test_a_start_that_is_not_negative_is_unclear() -> None:
+    with working_bits(64):
+        assert isinstance(first(x, [arb(0), arb(1)]), Unclear)
+        assert isinstance(first(x - number(1, 2), [arb(1), arb(0)]), Unclear)
+
+
+def test_a_set_that_is_too_wide_gives_no_bracket() -> None:
+    with working_bits(64):
+        found = first(-x, [arb(1, "0.9"), arb(0, "0.9")])
+        assert isinstance(found, Unclear)
+
+
+def test_a_wide_set_gives_a_wide_bracket() -> None:
+    with working_bits(64):
+        found = first(-x, [arb(1, "0.01"), arb(0, "0.01")])
+        assert isinstance(found, Crossing)
+        for a in (-1, 1):
+            for b in (-1, 1):
+                start = (1 + a * arb("0.0099"), b * arb("0.0099"))
+                # x = s0 cos t + s1 sin t vanishes at t = pi/2 + atan(s1/s0).
+                assert found.time.contains(arb.pi() / 2 + (start[1] / start[0]).atan())
+
+
+def test_nothing_happens() -> None:
+    with working_bits(64):
+        assert first(x - number(2), [arb(1), arb(0)]) is None
