@@ -72,7 +72,6 @@ class working_bits(_Setting):
     True
     """
 
-    __slots__ = ()
     _name = "prec"
 
     def __init__(self, bits: int) -> None:
@@ -92,12 +91,11 @@ class series_length(_Setting):
     1.00000000000000 + 2.00000000000000*x + 1.00000000000000*x^2 + O(x^3)
     """
 
-    __slots__ = ()
     _name = "cap"
 
     def __init__(self, length: int) -> None:
-        if type(length) is not int or not 1 <= length <= MAX_SERIES_LENGTH:
-            raise ValueError(f"length must be an int in 1..{MAX_SERIES_LENGTH}, got {length!r}")
+        if type(length) is not int or not 0 <= length <= MAX_SERIES_LENGTH:
+            raise ValueError(f"length must be an int in 0..{MAX_SERIES_LENGTH}, got {length!r}")
         super().__init__(length)
 
 
@@ -274,7 +272,7 @@ def approximate(value: Exact) -> float:
     try:
         return int(value.p) / int(value.q)
     except OverflowError:
-        return math.copysign(math.inf, int(value.p))
+        return math.inf if value > 0 else -math.inf
 
 
 def ball_text(value: arb, digits: int = 15) -> str:

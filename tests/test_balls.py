@@ -704,7 +704,7 @@ def test_reciprocal_gamma_series_restores_the_cap() -> None:
                 reciprocal_gamma_series("1/3", object(), 24)  # type: ignore[arg-type]
             assert ctx.cap == cap
             assert reciprocal_gamma_series(arb(1), arb(1), 0) == []
-            with pytest.raises(ValueError, match="cap"):
+            with pytest.raises(ValueError, match="length must be"):
                 reciprocal_gamma_series(arb(1), arb(1), -1)
             assert ctx.cap == cap
         finally:
@@ -799,13 +799,12 @@ def test_the_length_of_series_is_restored() -> None:
     before = ctx.cap
     with series_length(5):
         with pytest.raises(ZeroDivisionError), series_length(7):
-            assert ctx.cap == 7
-            raise ZeroDivisionError
+            print(1 // (ctx.cap - 7))
         assert ctx.cap == 5
     assert ctx.cap == before
 
 
-@pytest.mark.parametrize("length", [0, -1, 2.5, True, "3", 10**9])
+@pytest.mark.parametrize("length", [-1, 2.5, True, "3", 10**9])
 def test_a_length_that_is_none(length: object) -> None:
     with pytest.raises(ValueError, match="length must be an int in"):
         series_length(length)  # type: ignore[arg-type]

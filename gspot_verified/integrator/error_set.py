@@ -52,7 +52,7 @@ class ErrorSet:
         C = moved.mid()
         turned = step.flow * self.Q
         rest = (moved - C) * self.initial + arb_mat([[a - b] for a, b in zip(end, middle, strict=True)])
-        Q = arb_mat(turned_basis(turned.mid().tolist(), [e.rad() for e in self.errors.entries()]))
+        Q = arb_mat(turned_basis(turned.mid().table(), [e.rad() for e in self.errors.entries()]))
         try:
             inverse = Q.inv()
         except ZeroDivisionError:

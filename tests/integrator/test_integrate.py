@@ -85,14 +85,14 @@ def test_the_energy_of_the_pendulum() -> None:
 
 
 FIELDS: list[tuple[str, list[Expression], list[str], str]] = [
-    ("lorenz", [(y - x) * number("10"), x * (number("28") - z) - y, x * y - z * number("8/3")], ["1", "1", "1"], "1"),
-    ("powers", [Power(x, fmpq(1, 2)) * y, Power(y, fmpq(-1)), Power(x + z, fmpq(-3, 2))], ["1", "2", "1/2"], "3/2"),
-    ("exponential", [Exponential(-y) * Sine(x), Cosine(y + x), x * y * z], ["1/3", "1", "1"], "2"),
+    ("lorenz", [(y - x) * number("10"), x * (number("28") - z) - y, x * y - z * number("8/3")], ["1", "1", "1"], "1/4"),
+    ("powers", [Power(x, fmpq(1, 2)) * y, Power(y, fmpq(-1)), Power(x + z, fmpq(-3, 2))], ["1", "2", "1/2"], "1/2"),
+    ("exponential", [Exponential(-y) * Sine(x), Cosine(y + x), x * y * z], ["1/3", "1", "1"], "1/2"),
 ]
 
 
 @pytest.mark.parametrize(("functions", "start", "time"), [row[1:] for row in FIELDS], ids=[row[0] for row in FIELDS])
-@pytest.mark.parametrize("bits", [64, 160])
+@pytest.mark.parametrize("bits", [64, 90])
 def test_against_mpmath(functions: list[Expression], start: list[str], time: str, bits: int) -> None:
     def of(node: Expression, state: list[mpmath.mpf]) -> mpmath.mpf:
         """The expression in mpmath, by a walk of its own."""
@@ -116,10 +116,10 @@ def test_against_mpmath(functions: list[Expression], start: list[str], time: str
     with working_bits(bits):
         *initial, last = [arb(fmpq(*pair)) for pair in numbers]
         end = ended(VectorField(functions), initial, last)
-    with mpmath.workdps(40):
+    with mpmath.workdps(30):
         *at, until = [mpmath.fdiv(*pair) for pair in numbers]
         true = mpmath.odefun(lambda _, state: [of(f, state) for f in functions], 0, at)(until)
-        texts = [mpmath.nstr(value, 35) for value in true]
+        texts = [mpmath.nstr(value, 30) for value in true]
     with working_bits(300):
         for side, text in zip(end, texts, strict=True):
             assert side.overlaps(arb(text, "1e-25"))
