@@ -5,11 +5,13 @@ Proof page: ``proofs/finite_epsilon_zeros.md``, section 6.
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 from flint import fmpq
 
 from gspot_verified.balls import approximate
+from gspot_verified.compliant.polynomial_zeros import number_at_integer
 from gspot_verified.compliant.slow_jet import slow_jet
 from gspot_verified.compliant.slow_patch import SlowPatch
 from gspot_verified.compliant.slow_signs import SlowSigns
@@ -23,7 +25,6 @@ _PARTS = 3
 _SEARCH_STEP = fmpq(1, 32)
 _SEARCH_BITS = 40
 _FAR = 0.5
-_BEHIND = 6
 _SEARCH_FROM, _SEARCH_TO = fmpq(-6), fmpq(8)
 
 
@@ -35,7 +36,8 @@ def fold_column(
     minima = [nearest_minimum(b, epsilon) for b in (lower - 1, upper - 1) for epsilon in epsilons]
     places = [place for place, _ in minima if place is not None]
     values = [value for _, value in minima]
-    if len(places) < len(minima) or min(values) > _FAR or max(values) < -_FAR:
+    far = _FAR * max(1.0, math.gamma(approximate(upper)) / math.gamma(6))
+    if len(places) < len(minima) or min(values) > far or max(values) < -far:
         return None
     patch = SlowPatch(lower - 1, upper - 1, epsilon_lower, epsilon_upper)
     signs, slopes = patch.signs(lower - 1, upper - 1), patch.slopes(lower - 1, upper - 1)
@@ -62,7 +64,7 @@ def fold_column(
                 Piece(Kind.RIGHT, right, None, tail),
             )
             column = Column(lower, upper, pieces)
-            if numbers_of_zeros(column) is not None:
+            if numbers_of_zeros(column, epsilon_lower, epsilon_upper) is not None:
                 return column
     return None
 
@@ -84,12 +86,9 @@ def fold_parts(begin: fmpq, end: fmpq) -> list[tuple[fmpq, fmpq]]:
     ]
 
 
-def numbers_of_zeros(column: Column) -> tuple[int, ...] | None:
-    """The numbers of zeros that the column allows, the smaller beta first: one number, or (N + 2, N) across a fold.
-
-    From beta = 6 on the fold is behind: F_5 has one simple zero and no other (section 4 (c) of the page).
-    """
-    has_fold = any(piece.kind is Kind.FOLD for piece in column.pieces)
+def numbers_of_zeros(column: Column, epsilon_lower: fmpq, epsilon_upper: fmpq) -> tuple[int, ...] | None:
+    """The numbers of zeros that the column allows, the smaller beta first: one number, or (N + 2, N) across a fold."""
+    folds = [piece for piece in column.pieces if piece.kind is Kind.FOLD]
     # Beyond the fold G > 0 on its piece.
     pieces = tuple(
         Piece(Kind.SIGN, piece.lower, piece.upper, 1) if piece.kind is Kind.FOLD else piece for piece in column.pieces
@@ -97,7 +96,17 @@ def numbers_of_zeros(column: Column) -> tuple[int, ...] | None:
     number = number_of_zeros(replace(column, pieces=pieces))
     if number is None:
         return None
-    return (number + 2, number) if has_fold and column.lower != _BEHIND else (number,)
+    beyond = not folds or _is_beyond(column, number, epsilon_lower, epsilon_upper)
+    return (number,) if beyond else (number + 2, number)
+
+
+def _is_beyond(column: Column, number: int, epsilon_lower: fmpq, epsilon_upper: fmpq) -> bool:
+    """Whether the column begins at an integer beta at which the fold's piece has no zero, by exact polynomials."""
+    if column.lower is None or column.lower.q != 1:
+        return False
+    # The tail that begins with an integer has its one zero only beyond the integer.
+    outside = number - column.pieces[-1].mark
+    return number_at_integer(int(column.lower.p) - 1, epsilon_lower, epsilon_upper) == outside
 
 
 def nearest_minimum(b: fmpq, epsilon: fmpq) -> tuple[fmpq | None, float]:

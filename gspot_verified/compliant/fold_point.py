@@ -1,5 +1,7 @@
 """The beta at which two zeros of the slow solution meet and vanish, at one epsilon, in a certified bracket.
 
+Curves of such points leave (beta, epsilon) = (6, 0), (9, 0), ... to the left.
+
 Proof page: ``proofs/finite_epsilon_zeros.md``, section 6.
 """
 
@@ -18,9 +20,12 @@ from gspot_verified.compliant.zero_count import checked_point
 from gspot_verified.signs.stretches import narrowed
 
 MAX_DIGITS = 40
+MEETINGS = (6, 9)
 _LEAST_EPSILON, _MAX_EPSILON = fmpq(1, 10**9), fmpq(500)
-_MEETING = 6
-_SEARCHES = 9
+_SEARCH_STEP = fmpq(1, 8)
+_SEARCHES = 6
+# The curve from 9 passes beta = 8 here, a double zero of F_7; beyond, the curve from 12 comes into (8, 9).
+_LEAVES_8 = fmpq(1527, 1000)
 _HALF_WIDTHS = (fmpq(1, 16), fmpq(1, 64), fmpq(1, 256))
 _TAU_WIDTHS = (fmpq(1, 4), fmpq(1, 8), fmpq(1, 2))
 _SPARE_BITS = 64
@@ -38,12 +43,14 @@ class FoldPoint:
     tau: tuple[fmpq, fmpq]
 
 
-def fold_point(epsilon: ExactInput, digits: int = 8) -> FoldPoint | None:
-    """The fold that starts from beta = 6 at epsilon = 0, to 10^-digits in beta; None when it was not certified.
+def fold_point(epsilon: ExactInput, digits: int = 8, meeting: int = 6) -> FoldPoint | None:
+    """The fold that starts from beta = ``meeting`` at epsilon = 0, to 10^-digits in beta; None: it was not certified.
 
-    The bracket is wider where a sign stayed open, as at epsilon = 32, where beta_f is 5 exactly.
+    That the point lies on the curve from ``meeting`` is how it was sought; certified is what FoldPoint says. The
+    bracket is wider where a sign stayed open, as at epsilon = 32, where beta_f is 5 exactly.
 
     :param epsilon: 10^-9 <= epsilon <= 500, one number.
+    :param meeting: 6 or 9.
     :raises ValueError: an argument outside its domain.
 
     >>> found = fold_point(1, 5)
@@ -55,7 +62,9 @@ def fold_point(epsilon: ExactInput, digits: int = 8) -> FoldPoint | None:
         raise ValueError(f"epsilon: expected a number in [1e-9, {_MAX_EPSILON}]")
     if type(digits) is not int or not 1 <= digits <= MAX_DIGITS:
         raise ValueError(f"digits must be an int and lie in 1..{MAX_DIGITS}")
-    centre, place = _search(small)
+    if meeting not in MEETINGS:
+        raise ValueError(f"meeting: expected one of {MEETINGS}, got {meeting}")
+    centre, place = _search(small, meeting)
     for b_width in _HALF_WIDTHS:
         lower, upper = centre - b_width, centre + b_width
         patch = SlowPatch(lower, upper, small, small)
@@ -67,17 +76,24 @@ def fold_point(epsilon: ExactInput, digits: int = 8) -> FoldPoint | None:
     return None
 
 
-def _search(epsilon: fmpq) -> tuple[fmpq, fmpq]:
-    """b and tau near the fold. A heuristic: where the first minimum changes sign."""
-    low, high, place = fmpq(_MEETING - 3), fmpq(_MEETING - 1), fmpq(0)
+def _search(epsilon: fmpq, meeting: int) -> tuple[fmpq, fmpq]:
+    """b and tau near the fold. A heuristic: from the meeting downwards the first minimum becomes negative there."""
+    start = fmpq(meeting - 1 if meeting == 6 or epsilon < _LEAVES_8 else 7)
+    high, low, place, found = start, start, fmpq(0), False
+    while not found and low > meeting - 4:
+        high, low = low, low - _SEARCH_STEP
+        place, found = _negative_minimum(low, epsilon, place)
     for _ in range(_SEARCHES):
         middle = (low + high) / 2
-        found, value = nearest_minimum(middle, epsilon)
-        if found is None or value > 0:
-            high = middle
-        else:
-            low, place = middle, found
+        place, found = _negative_minimum(middle, epsilon, place)
+        low, high = (middle, high) if found else (low, middle)
     return (low + high) / 2, place
+
+
+def _negative_minimum(b: fmpq, epsilon: fmpq, place: fmpq) -> tuple[fmpq, bool]:
+    """Where the first minimum is if it is negative; else ``place`` and False."""
+    found, value = nearest_minimum(b, epsilon)
+    return (found, True) if found is not None and value < 0 else (place, False)
 
 
 def _convexity(signs: SlowSigns, begin: fmpq, end: fmpq) -> arb:

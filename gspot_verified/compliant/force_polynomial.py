@@ -33,25 +33,34 @@ def force_polynomial(n: int, epsilon: fmpq) -> fmpq_poly:
     return found[n]
 
 
-def distinct_real_zeros(polynomial: fmpq_poly) -> int:
-    """The number of distinct real zeros of a polynomial that is not 0, by Sturm's theorem.
+def distinct_real_zeros(polynomial: fmpq_poly, lower: fmpq | None = None, upper: fmpq | None = None) -> int:
+    """The number of distinct zeros in (lower, upper] of a polynomial that is not 0, by Sturm's theorem; None: infinity.
 
     :raises ValueError: the polynomial is 0.
 
     >>> distinct_real_zeros(fmpq_poly([0, 0, 1])), distinct_real_zeros(fmpq_poly([1, 0, 1]))
     (1, 0)
+    >>> distinct_real_zeros(fmpq_poly([0, -1, 1]), fmpq(0)), distinct_real_zeros(fmpq_poly([0, -1, 1]), None, fmpq(0))
+    (1, 1)
     """
     if polynomial.is_zero():
         raise ValueError("the polynomial 0 has no number of zeros")
-    chain = [polynomial]
-    following = polynomial.derivative()
+    # Without multiple zeros the theorem holds at an end that is a zero too.
+    chain = [polynomial // polynomial.gcd(polynomial.derivative())]
+    following = chain[0].derivative()
     while not following.is_zero():
         chain.append(following)
         following = -(chain[-2] % chain[-1])
-    leading = [element.leading_coefficient() for element in chain]
-    parities = [(-1) ** element.degree() for element in chain]
-    return _changes([c * sign for c, sign in zip(leading, parities, strict=True)]) - _changes(leading)
+    return _changes(_values(chain, lower, -1)) - _changes(_values(chain, upper, 1))
+
+
+def _values(chain: list[fmpq_poly], point: fmpq | None, side: int) -> list[fmpq]:
+    """At a point, or far out on one side up to positive factors."""
+    if point is not None:
+        return [element(point) for element in chain]
+    return [element.leading_coefficient() * side ** element.degree() for element in chain]
 
 
 def _changes(values: Sequence[fmpq]) -> int:
-    return sum((first > 0) != (second > 0) for first, second in pairwise(values))
+    signs = [value > 0 for value in values if value != 0]
+    return sum(first != second for first, second in pairwise(signs))

@@ -23,7 +23,7 @@ _DISTANCE = fmpq(2)
 _STEP = fmpq(1, 32)
 _NONE = fmpq(0)
 _B_NODES = {fmpq(1): 18, fmpq(1, 2): 14, fmpq(1, 4): 12, fmpq(1, 8): 10, fmpq(0): 1}
-_ETA_NODES = 6
+_LEAST_ETA_NODES = 6
 
 
 class SlowPatch:
@@ -43,8 +43,9 @@ class SlowPatch:
         else:
             least = rational_scale(epsilon_lower, -1)
             middle, self._eta_radius = (least + self._largest_eta) / 2, (self._largest_eta - least) / 2
-            self._eta_count = _ETA_NODES
-            self._epsilons = [2 * (middle + self._eta_radius * y) ** 3 for y in nodes(_ETA_NODES).places]
+            # The bound of 5.2 needs at least b - 2 of them.
+            self._eta_count = max(_LEAST_ETA_NODES, int(b_upper.ceil()) - 1)
+            self._epsilons = [2 * (middle + self._eta_radius * y) ** 3 for y in nodes(self._eta_count).places]
         self.order = int(b_upper.ceil()) + _MORE_ORDERS
         self._values: dict[int, list[arb_mat]] = {}
 

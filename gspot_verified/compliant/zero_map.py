@@ -27,7 +27,7 @@ from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.subdivision import Progress, Subdivision
 from gspot_verified.verdict import NoTruthValue, Reason, Verdict
 
-LEAST_BETA, THEOREM_UP_TO, MAX_BETA = fmpq(1), fmpq(4), fmpq(8)
+LEAST_BETA, THEOREM_UP_TO, MAX_BETA = fmpq(1), fmpq(4), fmpq(10)
 MAX_EPSILON = fmpq(100)
 DEFAULT_BUDGET = 2_000
 _COLUMN = fmpq(1, 8)
@@ -51,11 +51,14 @@ class Row:
         """Maximal ranges of beta inside one cell with the same number; a range with (N + 2, N) holds a fold."""
         found: list[tuple[fmpq, fmpq, tuple[int, ...]]] = []
         for column in self.columns:
-            numbers = numbers_of_zeros(column)
+            numbers = numbers_of_zeros(column, self.lower, self.upper)
             assert numbers is not None
             assert column.lower is not None
             last = found[-1] if found else None
-            if last is not None and last[1:] == (column.lower, numbers) and column.lower.q != 1:
+            joined = last is not None and last[1] == column.lower and column.lower.q != 1
+            if last is not None and joined and last[2] == numbers[1:]:
+                numbers = last[2]  # at the common end the fold is behind
+            if last is not None and joined and last[2] == numbers:
                 found[-1] = (last[0], column.upper, numbers)
             else:
                 found.append((column.lower, column.upper, numbers))
@@ -139,7 +142,7 @@ def zero_map(
     ``epsilon`` = "0..10" stands for 0 < epsilon <= 10. ``budget`` counts examined ranges of beta in each row of
     epsilon. ``journal``: a file for each row, this name with the row's number; a killed run goes on from them.
 
-    :raises ValueError: beta not inside [1, 8], or epsilon not inside [0, 100].
+    :raises ValueError: beta not inside [1, 10], or epsilon not inside [0, 100].
 
     >>> print(zero_map("17/4..35/8", "1/10"))
     proved: the number of real zeros of λ − λ̄ on the slow manifold of the compliant model for every β in (17/4, 35/8) \

@@ -1,4 +1,4 @@
-"""The map of the number of real zeros at finite epsilon, with the fold from beta = 6, drawn from certified pieces."""
+"""The map of the number of real zeros at finite epsilon with the folds from 6 and 9, drawn from certified pieces."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 from flint import fmpq
 
 from gspot_verified.balls import approximate
-from gspot_verified.compliant.fold_point import fold_point
+from gspot_verified.compliant.fold_point import MEETINGS, fold_point
 from gspot_verified.compliant.zero_map import THEOREM_UP_TO, ZeroMap
 from gspot_verified.report.canvas import BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, Picture, canvas, picture, styled
 
@@ -78,8 +78,9 @@ def _draw(result: ZeroMap) -> Picture:
                         alpha=0.2,
                     )
                 )
-    folds = _folds(least, most)
-    axes.plot([beta for beta, _ in folds], [epsilon for _, epsilon in folds], color=INK, linewidth=1.6)
+    curves = [_folds(least, most, meeting, result.beta) for meeting in MEETINGS]
+    for points in curves:
+        axes.plot([beta for beta, _ in points], [epsilon for _, epsilon in points], color=INK, linewidth=1.6)
     axes.set(xlim=tuple(map(approximate, result.beta)), ylim=(least, most), yscale="log", xlabel="β", ylabel="ε")
     axes.grid(False)
     handles = [
@@ -88,36 +89,37 @@ def _draw(result: ZeroMap) -> Picture:
     ]
     handles.append(Patch(facecolor=INK, alpha=0.2, label="two more before the fold than after it"))
     axes.legend(handles=handles, loc="lower left", bbox_to_anchor=(-0.03, 1.0), ncols=5, fontsize=8.5, frameon=False)
-    caption = _caption(result, len(folds))
+    caption = _caption(result, list(map(len, curves)))
     figure.supxlabel("\n".join(textwrap.wrap(caption, 116)), fontsize=8, x=0.02, ha="left")
     return picture(
         figure,
         "zeros-at-finite-epsilon",
         "Real zeros of the force on the slow manifold of the compliant model",
         caption,
-        "The plane of β and ε in colours for the number of zeros; a fold curve leaves β = 6, ε = 0 to the left.",
+        "The plane of β and ε in colours for the number of zeros; fold curves leave β = 6 and 9 at ε = 0 to the left.",
     )
 
 
-def _folds(least: float, most: float) -> list[tuple[float, float]]:
-    """Middles of the brackets of the fold."""
+def _folds(least: float, most: float, meeting: int, betas: tuple[fmpq, fmpq]) -> list[tuple[float, float]]:
+    """Middles of the brackets of one fold, where they lie in the picture."""
     count = max(2, math.ceil(_FOLDS_PER_DECADE * math.log10(most / least)))
     found = []
     for i in range(count + 1):
         epsilon = fmpq(*(least * (most / least) ** (i / count)).as_integer_ratio())
-        point = fold_point(epsilon, _FOLD_DIGITS)
-        if point is not None:
+        point = fold_point(epsilon, _FOLD_DIGITS, meeting) if betas[0] < meeting else None
+        if point is not None and betas[0] <= point.lower and point.upper <= betas[1]:
             found.append((approximate((point.lower + point.upper) / 2), approximate(epsilon)))
     return found
 
 
-def _caption(result: ZeroMap, folds: int) -> str:
+def _caption(result: ZeroMap, folds: list[int]) -> str:
     left = sum(len(row.unfinished) for row in result.rows)
     columns = sum(len(row.columns) for row in result.rows)
+    drawn = [f"{n} certified points of the fold from β = {m}" for m, n in zip(MEETINGS, folds, strict=True) if n]
     return (
         "The number of real zeros of λ − λ̄ on the slow manifold of the compliant model. Certified: the colours, for "
         f"every β that is not an integer and every ε, for β < {THEOREM_UP_TO} by theorem, beyond by {columns} columns "
-        f"in {len(result.rows)} rows of ε; in a grey box there is one fold at each ε. The curve joins {folds} "
-        f"certified points of the fold; between them it is drawn. "
+        f"in {len(result.rows)} rows of ε; in a grey box there is at most one fold at each ε. "
+        + (f"The curves join {' and '.join(drawn)}; between them they are drawn. " if drawn else "")
         + (f"White: {left} ranges of β not settled." if left else "")
     )

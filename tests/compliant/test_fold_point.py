@@ -1,4 +1,7 @@
-"""The fold at one epsilon: seen values, the exact one at epsilon = 32, the number of zeros on both sides, bad input."""
+"""The fold at one epsilon: seen values, the exact one at epsilon = 32, the number of zeros on both sides, bad input.
+
+Page: proofs/finite_epsilon_zeros.md.
+"""
 
 from __future__ import annotations
 
@@ -23,6 +26,23 @@ def test_seen_values(epsilon: str, beta_f: str) -> None:
     assert 0 < found.upper - found.lower <= fmpq(1, 10**9)
     seen = exact(beta_f, "seen")
     assert abs(found.lower - seen) < fmpq(6, 10 ** (1 + len(beta_f.split(".")[1])))
+
+
+@pytest.mark.parametrize("epsilon", ["1e-4", "1", "3"])
+def test_the_curve_from_9(epsilon: str) -> None:
+    found = fold_point(epsilon, 9, meeting=9)
+    assert found is not None
+    assert fmpq(6) < found.lower < found.upper < 9
+    before, after = (slow_zeros(end, epsilon, digits=2).number for end in (found.lower, found.upper))
+    assert before is not None
+    assert after == before - 2
+
+
+@pytest.mark.parametrize(("epsilon", "beta"), [("1.52778830963922", 8), ("17.554869316376667", 7)])
+def test_the_curve_from_9_passes_integers_where_the_polynomial_has_a_double_zero(epsilon: str, beta: int) -> None:
+    found = fold_point(epsilon, 6, meeting=9)
+    assert found is not None
+    assert abs(found.lower - beta) < fmpq(1, 10**5)
 
 
 @pytest.mark.parametrize("epsilon", ["1e-4", "3", "60"])
@@ -56,3 +76,8 @@ def test_more_digits_lie_inside() -> None:
 def test_refused(epsilon: object, digits: int, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         fold_point(epsilon, digits)  # type: ignore[arg-type]
+
+
+def test_only_the_curves_from_6_and_9() -> None:
+    with pytest.raises(ValueError, match="meeting"):
+        fold_point(1, 8, meeting=12)

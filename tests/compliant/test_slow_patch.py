@@ -1,4 +1,7 @@
-"""Models over rectangles against values at points; bounds for complex b against complex values; interpolation."""
+"""Models over rectangles against values at points; bounds for complex b against complex values; interpolation.
+
+Page: proofs/finite_epsilon_zeros.md.
+"""
 
 from __future__ import annotations
 
