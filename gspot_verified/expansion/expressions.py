@@ -2,16 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Hashable, Iterable
+from dataclasses import dataclass, fields
 from typing import Any
+from weakref import WeakValueDictionary
 
-from flint import fmpq
+from flint import arb, fmpq
+
+_KNOWN: WeakValueDictionary[tuple[Hashable, ...], Any] = WeakValueDictionary()
 
 
-@dataclass(frozen=True)
-class Expression:
-    """A function of the state. Equal expressions are equal objects for a dictionary, so shared parts are found."""
+class _Shared(type):
+    """Making an expression that exists gives the one that exists: comparing two never walks through their graphs."""
+
+    def __call__(cls, *args: Any, **named: Any) -> Any:
+        made = super().__call__(*args, **named)
+        return _KNOWN.setdefault((cls, *made.identity()), made)
+
+
+@dataclass(frozen=True, eq=False)
+class Expression(metaclass=_Shared):
+    """A function of the state. Expressions made alike are one object, so shared parts are found."""
+
+    def identity(self) -> tuple[Hashable, ...]:
+        """What tells this expression from others of its class; parts are told apart as objects."""
+        return ()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), tuple(getattr(self, field.name) for field in fields(self))
 
     def __add__(self, other: Expression) -> Expression:
         return Sum((self, other))
@@ -33,55 +51,73 @@ class Expression:
         return ()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Constant(Expression):
     """A number of the ring: a rational, a ball, or a symbol such as chi."""
 
     value: Any
 
-    def __hash__(self) -> int:
-        try:
-            return hash(self.value)
-        except ValueError:  # flint's answer for a ball that is not exact, which equals nothing but itself
-            return id(self.value)
+    def identity(self) -> tuple[Hashable, ...]:
+        """The number; a ball equals nothing but itself."""
+        if isinstance(self.value, arb):
+            return (id(self.value),)
+        if isinstance(self.value, fmpq):
+            return _numbers(self.value)
+        return (type(self.value).__name__, self.value)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Variable(Expression):
     """The component ``index`` of the state."""
 
     index: int
 
+    def identity(self) -> tuple[Hashable, ...]:
+        """The index."""
+        return (self.index,)
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, eq=False)
 class Sum(Expression):
     """The sum of its terms."""
 
     terms: tuple[Expression, ...]
+
+    def identity(self) -> tuple[Hashable, ...]:
+        """The terms in their order."""
+        return self.terms
 
     def parts(self) -> tuple[Expression, ...]:
         """The terms."""
         return self.terms
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Product(Expression):
     """The product of two expressions."""
 
     left: Expression
     right: Expression
 
+    def identity(self) -> tuple[Hashable, ...]:
+        """The factors in their order."""
+        return (self.left, self.right)
+
     def parts(self) -> tuple[Expression, ...]:
         """The factors."""
         return (self.left, self.right)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Power(Expression):
     """A rational power; the base must not vanish at the point of expansion unless the exponent is 0, 1, 2, ..."""
 
     base: Expression
     exponent: fmpq
+
+    def identity(self) -> tuple[Hashable, ...]:
+        """The base and the exponent."""
+        return (self.base, *_numbers(self.exponent))
 
     @property
     def is_natural(self) -> bool:
@@ -93,55 +129,54 @@ class Power(Expression):
         return (self.base,)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Sine(Expression):
     """The sine."""
 
     argument: Expression
+
+    def identity(self) -> tuple[Hashable, ...]:
+        """The argument."""
+        return (self.argument,)
 
     def parts(self) -> tuple[Expression, ...]:
         """The argument, and the cosine that its series needs."""
         return (self.argument,)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Cosine(Expression):
     """The cosine."""
 
     argument: Expression
 
+    def identity(self) -> tuple[Hashable, ...]:
+        """The argument."""
+        return (self.argument,)
+
     def parts(self) -> tuple[Expression, ...]:
         """The argument."""
         return (self.argument,)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Exponential(Expression):
     """The exponential."""
 
     argument: Expression
 
+    def identity(self) -> tuple[Hashable, ...]:
+        """The argument."""
+        return (self.argument,)
+
     def parts(self) -> tuple[Expression, ...]:
         """The argument."""
         return (self.argument,)
 
 
-def _remember_hash(cls: Any) -> None:
-    """Compute the hash of an object once: that of a whole asks for those of its parts, which may be shared."""
-    computed = cls.__hash__
-
-    def remembered(self: Any) -> int:
-        value = self.__dict__.get("_hash")
-        if value is None:
-            value = computed(self)
-            object.__setattr__(self, "_hash", value)
-        return int(value)
-
-    cls.__hash__ = remembered
-
-
-for _class in (Constant, Variable, Sum, Product, Power, Sine, Cosine, Exponential):
-    _remember_hash(_class)
+def _numbers(value: fmpq) -> tuple[int, int]:
+    """Numerator and denominator: hashing them needs nothing that Python has given up when it shuts down."""
+    return int(value.p), int(value.q)
 
 
 def in_order(roots: Iterable[Expression]) -> list[Expression]:

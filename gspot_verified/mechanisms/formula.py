@@ -1,28 +1,60 @@
-"""Text to a symbolic expression, with a parser of our own: a formula from a stranger can run no code.
+"""Text to an expression, with a parser of our own: a formula from a stranger can run no code.
 
-Numbers are exact (``"0.1"`` is 1/10). Names come from a given table. Operators: ``+ - * /``, and ``**`` or ``^`` with
-an integer or half-integer exponent. Functions: sin, cos, tan, exp, sqrt. Length, depth and powers are limited.
+Numbers are exact (``"0.1"`` is 1/10). Names of Latin or Greek letters come from a given table; ``pi`` is always known.
+Operators: ``+ - * /``, and ``**`` or ``^`` with an integer or half-integer exponent. Functions: sin, cos, tan, exp,
+sqrt. Length, depth and powers are limited.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any, NoReturn
+from difflib import get_close_matches
+from typing import NoReturn
+
+from flint import fmpq
+
+from gspot_verified.expansion.derivative import ZERO
+from gspot_verified.expansion.expressions import Expression
+from gspot_verified.mechanisms.simplify import (
+    NumberTooLargeError,
+    constant,
+    cosine_of,
+    exponential_of,
+    power_of,
+    product_of,
+    rational_value,
+    sine_of,
+    sum_of,
+)
+from gspot_verified.mechanisms.symbol import PI, Symbol
 
 MAX_LENGTH = 10_000
 MAX_DEPTH = 50
 MAX_POWER = 64
 MAX_NESTED_FUNCTIONS = 6
 MAX_DIGITS = 100
-_MAX_NUMBER_BITS = 20_000
 FUNCTIONS = ("sin", "cos", "tan", "exp", "sqrt")
 
-_TOKEN = re.compile(
-    r"\s*(?:(?P<number>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(?P<name>[A-Za-z_][A-Za-z0-9_]*)|(?P<operator>\*\*|[-+*/^()]))"
+_LETTERS = (
+    "A-Za-z\N{GREEK CAPITAL LETTER ALPHA}-\N{GREEK CAPITAL LETTER OMEGA}"
+    "\N{GREEK SMALL LETTER ALPHA}-\N{GREEK SMALL LETTER OMEGA}"
 )
-_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,39}")
+_TOKEN = re.compile(
+    rf"\s*(?:(?P<number>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(?P<name>[{_LETTERS}_][{_LETTERS}0-9_]*)"
+    r"|(?P<operator>\*\*|[-+*/^()]))"
+)
+_NAME = re.compile(rf"[{_LETTERS}][{_LETTERS}0-9_]{{0,39}}")
+_SAME_LETTERS = str.maketrans(
+    {
+        "\N{MINUS SIGN}": "-",
+        "\N{MICRO SIGN}": "\N{GREEK SMALL LETTER MU}",
+        "\N{GREEK PHI SYMBOL}": "\N{GREEK SMALL LETTER PHI}",
+        "\N{GREEK THETA SYMBOL}": "\N{GREEK SMALL LETTER THETA}",
+        "\N{GREEK LUNATE EPSILON SYMBOL}": "\N{GREEK SMALL LETTER EPSILON}",
+    }
+)
 
 
 class FormulaError(ValueError):
@@ -33,9 +65,18 @@ class FormulaError(ValueError):
 class _Part:
     """An expression, how high its powers nest (a power multiplies this by its exponent), and how deep its functions."""
 
-    value: Any
+    value: Expression
     power: int = 1
     functions: int = 0
+
+
+def normal_name(name: str) -> str:
+    """The name with letters that look alike made one: the micro sign is the Greek mu.
+
+    >>> normal_name("\N{MICRO SIGN}") == "\N{GREEK SMALL LETTER MU}"
+    True
+    """
+    return name.translate(_SAME_LETTERS)
 
 
 def check_name(name: str) -> str:
@@ -46,24 +87,37 @@ def check_name(name: str) -> str:
     >>> check_name("theta_dot")
     'theta_dot'
     """
-    if not isinstance(name, str) or not _NAME.fullmatch(name):
+    if not isinstance(name, str) or not _NAME.fullmatch(normal_name(name)):
         raise FormulaError(
-            f"{str(name)[:50]!r} is no name: letters, digits and _, a letter first, at most 40 characters"
+            f"{str(name)[:50]!r} is no name: Latin or Greek letters, digits and _, a letter first, "
+            "at most 40 characters"
         )
     if name in FUNCTIONS:
         raise FormulaError(f"{name!r} is a function and cannot be a name")
-    return name
+    if name == PI:
+        raise FormulaError(f"{name!r} is a number and cannot be a name")
+    return normal_name(name)
 
 
-def parse_formula(text: str, names: Mapping[str, Any]) -> Any:
-    """The sympy expression that the text says; ``names`` gives the expression of each name.
+def nearest(name: str, known: Iterable[str]) -> str:
+    """``; did you mean 'theta'?`` for a name that is nearly one of the known names, else nothing.
+
+    >>> nearest("thetta", ["theta", "phi"])
+    "; did you mean 'theta'?"
+    """
+    found = get_close_matches(name[:40], list(known)[:1000], 1)
+    return f"; did you mean {found[0]!r}?" if found else ""
+
+
+def parse_formula(text: str, names: Mapping[str, Expression]) -> Expression:
+    """The expression that the text says; ``names`` gives the expression of each name.
 
     :raises TypeError: not a text.
     :raises FormulaError: not a formula of the small language above, an unknown name, or beyond a limit.
 
-    >>> import sympy
-    >>> parse_formula("2*x^2 - 0.1*sin(x)", {"x": sympy.Symbol("x")})
-    2*x**2 - sin(x)/10
+    >>> from gspot_verified.expansion.expressions import Variable
+    >>> parse_formula("x^2 - x*x + 0.1", {"x": Variable(0)})
+    Constant(value=1/10)
     >>> parse_formula("__import__('os')", {})
     Traceback (most recent call last):
     ...
@@ -73,13 +127,13 @@ def parse_formula(text: str, names: Mapping[str, Any]) -> Any:
         raise TypeError(f"a formula must be a text, got {type(text).__name__}")
     if len(text) > MAX_LENGTH:
         raise FormulaError(f"a formula may have at most {MAX_LENGTH} characters, got {len(text)}")
-    return _Parser(text.replace("\N{MINUS SIGN}", "-"), names).whole()
+    return _Parser(normal_name(text), names).whole()
 
 
 class _Parser:
     """Precedence climbing: sums of products of signed powers of atoms."""
 
-    def __init__(self, text: str, names: Mapping[str, Any]) -> None:
+    def __init__(self, text: str, names: Mapping[str, Expression]) -> None:
         self._text, self._names, self._depth = text, names, 0
         self._tokens: list[tuple[str, str, int]] = []
         self._next = 0
@@ -98,9 +152,10 @@ class _Parser:
             place = match.end()
 
     def _check_name(self, name: str, place: int) -> None:
-        if name not in FUNCTIONS and name not in self._names:
+        if name not in FUNCTIONS and name != PI and name not in self._names:
             known = ", ".join(sorted(self._names)[:30])
-            hint = f"; known here: {known}" if known else ""
+            more = ", ..." if len(self._names) > 30 else ""
+            hint = nearest(name, [*self._names, *FUNCTIONS, PI]) + (f"; known here: {known}{more}" if known else "")
             self._refuse(f"unknown name {name[:40]!r}", place, hint)
 
     def _refuse(self, problem: str, place: int, hint: str = "") -> NoReturn:
@@ -113,15 +168,16 @@ class _Parser:
     def _place(self) -> int:
         return self._tokens[self._next][2] if self._next < len(self._tokens) else len(self._text)
 
-    def whole(self) -> Any:
-        part = self._sum()
+    def whole(self) -> Expression:
+        try:
+            part = self._sum()
+        except NumberTooLargeError as error:
+            self._refuse(str(error), self._place())
         if self._next < len(self._tokens):
             self._refuse(f"unexpected {self._peek()[:40]!r}", self._place())
         return part.value
 
     def _sum(self) -> _Part:
-        from sympy import Add
-
         self._depth += 1
         if self._depth > MAX_DEPTH:
             self._refuse(f"nested deeper than {MAX_DEPTH}", self._place())
@@ -130,30 +186,26 @@ class _Parser:
         while self._peek() in ("+", "-"):
             negative = self._advance() == "-"
             parts.append(self._product())
-            terms.append(-parts[-1].value if negative else parts[-1].value)
+            terms.append(_minus(parts[-1].value) if negative else parts[-1].value)
         self._depth -= 1
-        return self._joined(Add(*terms) if len(terms) > 1 else terms[0], parts)
+        return _joined(sum_of(*terms) if len(terms) > 1 else terms[0], parts)
 
     def _product(self) -> _Part:
-        from sympy import Mul
-
         parts = [self._signed()]
         factors = [parts[0].value]
         while self._peek() in ("*", "/"):
             place = self._place()
             divide = self._advance() == "/"
             parts.append(self._signed())
-            if divide and parts[-1].value.is_zero:
-                self._refuse("division by zero", place)
-            factors.append(1 / parts[-1].value if divide else parts[-1].value)
-        return self._joined(Mul(*factors) if len(factors) > 1 else factors[0], parts)
+            factors.append(self._to_power(parts[-1].value, fmpq(-1), place) if divide else parts[-1].value)
+        return _joined(product_of(*factors) if len(factors) > 1 else factors[0], parts)
 
     def _signed(self) -> _Part:
         negative = False
         while self._peek() in ("+", "-"):
             negative ^= self._advance() == "-"
         part = self._power()
-        return _Part(-part.value, part.power, part.functions) if negative else part
+        return _Part(_minus(part.value), part.power, part.functions) if negative else part
 
     def _power(self) -> _Part:
         base = self._atom()
@@ -164,23 +216,24 @@ class _Parser:
         self._depth += 1
         if self._depth > MAX_DEPTH:
             self._refuse(f"nested deeper than {MAX_DEPTH}", place)
-        exponent = self._signed().value
+        exponent = rational_value(self._signed().value)
         self._depth -= 1
-        if not exponent.is_Rational or exponent.q > 2 or abs(exponent) > MAX_POWER:
+        if exponent is None or exponent.q > 2 or abs(exponent) > MAX_POWER:
             self._refuse(f"an exponent must be an integer or half-integer within +-{MAX_POWER}", place)
         return self._raised(base, exponent, place)
 
-    def _raised(self, base: _Part, exponent: Any, place: int) -> _Part:
+    def _raised(self, base: _Part, exponent: fmpq, place: int) -> _Part:
         height = base.power * max(1, abs(int(exponent.p)))
         if height > MAX_POWER:
             self._refuse(f"powers may nest to at most {MAX_POWER}", place)
-        if base.value.is_zero and exponent < 0:
+        return _Part(self._to_power(base.value, exponent, place), height, base.functions)
+
+    def _to_power(self, base: Expression, exponent: fmpq, place: int) -> Expression:
+        if base is ZERO and exponent < 0:
             self._refuse("division by zero", place)
-        return self._joined(base.value**exponent, [_Part(base.value, height, base.functions)])
+        return power_of(base, exponent)
 
     def _atom(self) -> _Part:
-        from sympy import Rational
-
         place = self._place()
         if self._next >= len(self._tokens):
             self._refuse("the formula ends where a number, a name or '(' must follow", place)
@@ -190,26 +243,25 @@ class _Parser:
             if len(text) > MAX_DIGITS:
                 self._refuse(f"a number may have at most {MAX_DIGITS} digits", place)
             digits, _, decimals = text.partition(".")
-            return _Part(Rational(int(digits + decimals), 10 ** len(decimals)))
+            return _Part(constant(fmpq(int(digits + decimals), 10 ** len(decimals))))
         if kind == "name":
             self._next += 1
-            return self._function(text, place) if text in FUNCTIONS else _Part(self._names[text])
+            if text in FUNCTIONS:
+                return self._function(text, place)
+            return _Part(Symbol(PI) if text == PI else self._names[text])
         if text != "(":
             self._refuse(f"unexpected {text!r}", place)
         return self._parenthesis()
 
     def _function(self, name: str, place: int) -> _Part:
-        import sympy
-
         if self._peek() != "(":
             self._refuse(f"{name} needs '('", place)
         argument = self._parenthesis()
         if name == "sqrt":
-            return self._raised(argument, sympy.Rational(1, 2), place)
-        function = {"sin": sympy.sin, "cos": sympy.cos, "tan": sympy.tan, "exp": sympy.exp}[name]
+            return self._raised(argument, fmpq(1, 2), place)
         if argument.functions >= MAX_NESTED_FUNCTIONS:
             self._refuse(f"functions nested deeper than {MAX_NESTED_FUNCTIONS}", place)
-        return self._joined(function(argument.value), [_Part(argument.value, argument.power, argument.functions + 1)])
+        return _Part(_apply(name, argument.value), argument.power, argument.functions + 1)
 
     def _parenthesis(self) -> _Part:
         self._advance()
@@ -223,8 +275,22 @@ class _Parser:
         self._next += 1
         return self._tokens[self._next - 1][1]
 
-    def _joined(self, value: Any, parts: list[_Part]) -> _Part:
-        number = value.as_coeff_Mul()[0]
-        if number.is_Rational and int(number.p).bit_length() + int(number.q).bit_length() > _MAX_NUMBER_BITS:
-            self._refuse(f"a number grows beyond {_MAX_NUMBER_BITS} bits", self._place())
-        return _Part(value, max(part.power for part in parts), max(part.functions for part in parts))
+
+def _minus(value: Expression) -> Expression:
+    return product_of(constant(-1), value)
+
+
+def _apply(name: str, argument: Expression) -> Expression:
+    match name:
+        case "sin":
+            return sine_of(argument)
+        case "cos":
+            return cosine_of(argument)
+        case "tan":
+            return product_of(sine_of(argument), power_of(cosine_of(argument), fmpq(-1)))
+        case _:
+            return exponential_of(argument)
+
+
+def _joined(value: Expression, parts: list[_Part]) -> _Part:
+    return _Part(value, max(part.power for part in parts), max(part.functions for part in parts))

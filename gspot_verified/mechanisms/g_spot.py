@@ -10,9 +10,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from flint import arb, fmpq
+from flint import arb
 
 from gspot_verified.balls import ball_text, current_bits, working_bits
+from gspot_verified.expansion.expressions import Expression
 from gspot_verified.expansion.linear import inverse
 from gspot_verified.expansion.power_series import SeriesOfFunctions
 from gspot_verified.expansion.rings import BALLS, RATIONALS, Ring
@@ -21,7 +22,9 @@ from gspot_verified.expansion.terms import NumberTerms
 from gspot_verified.mechanisms.krawczyk import krawczyk
 from gspot_verified.mechanisms.mass_matrix import check_mass_matrix
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
-from gspot_verified.mechanisms.to_system import Moves, NotRationalError, Shifted, shift, stays, to_system
+from gspot_verified.mechanisms.simplify import constant, product_of, rational_value, sum_of
+from gspot_verified.mechanisms.symbol import Symbol
+from gspot_verified.mechanisms.to_system import NotRationalError, Shifted, shift, stays, to_system
 
 DEFAULT_BITS = 128
 _NEWTON_STEPS = 60
@@ -94,9 +97,10 @@ def find_g_spot(mechanism: Mechanism, bits: int = DEFAULT_BITS) -> GSpot:
 def _exact(shifted: Shifted, bits: int) -> GSpot:
     values = {}
     for word, value in symbolic_place(shifted).items():
-        if not value.is_Rational:
-            raise NotRationalError(f"{shifted.mechanism.name}: {word} = {value} is not rational")
-        values[word] = fmpq(int(value.p), int(value.q))
+        number = rational_value(value)
+        if number is None:
+            raise NotRationalError(f"{shifted.mechanism.name}: {word} is not rational")
+        values[word] = number
     check_mass_matrix(shifted, values, RATIONALS)
     system, fixed = with_conditions(shifted, values, RATIONALS)
     _check_conditions(system)
@@ -107,16 +111,13 @@ def _exact(shifted: Shifted, bits: int) -> GSpot:
     return GSpot(shifted, system, True, bits, fixed)
 
 
-def symbolic_place(shifted: Shifted) -> dict[str, Any]:
+def symbolic_place(shifted: Shifted) -> dict[str, Expression]:
     """The place with the parameters put in; angles counted from their references."""
-    import sympy
-
     mechanism = shifted.mechanism
-    parameters = mechanism.parameter_values()
-    angles = {angle.coordinate: sympy.Symbol(angle.name) for angle in mechanism.angles}
-    given, moved = dict(mechanism.place.values), Moves(mechanism)
-    deviations = {word: given[word].xreplace(parameters) - angles.get(word, 0) for word in mechanism.state}
-    return {word: sympy.expand(moved(deviation)) for word, deviation in deviations.items()}
+    minus = {angle.coordinate: product_of(constant(-1), Symbol(angle.name)) for angle in mechanism.angles}
+    given = dict(mechanism.place.values)
+    deviations = [sum_of(given[word], minus[word]) if word in minus else given[word] for word in mechanism.state]
+    return dict(zip(mechanism.state, shifted.prepare(deviations), strict=True))
 
 
 def _check_g_spot(system: System) -> None:
@@ -155,7 +156,7 @@ def with_conditions(shifted: Shifted, values: Mapping[str, Any], ring: Ring) -> 
     if place.conditions is not None:
         if len(place.conditions) != wanted:
             raise GSpotError(f"{mechanism.name}: {wanted} conditions J are needed, got {len(place.conditions)}")
-        return to_system(shifted, values, ring, _shifted_conditions(shifted)), ()
+        return to_system(shifted, values, ring, shifted.prepare(place.conditions)), ()
     draft = to_system(shifted, values, ring, [stays(i, ring.number(0), ring) for i in range(wanted)])
     if ring is RATIONALS:
         _check_g_spot(draft)
@@ -167,12 +168,6 @@ def with_conditions(shifted: Shifted, values: Mapping[str, Any], ring: Ring) -> 
         fixed = _choose_fixed(draft, state)
     J = tuple(stays(state.index(word), values[word], ring) for word in fixed)
     return System(**{**vars(draft), "J": J}), fixed
-
-
-def _shifted_conditions(shifted: Shifted) -> list[Any]:
-    parameters = shifted.mechanism.parameter_values()
-    moved = Moves(shifted.mechanism)
-    return [moved(J.xreplace(parameters)) for J in shifted.mechanism.place.conditions or ()]
 
 
 def _choose_fixed(draft: System, state: Sequence[str]) -> tuple[str, ...]:

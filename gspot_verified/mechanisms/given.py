@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from gspot_verified.balls import ExactInput
-from gspot_verified.mechanisms.formula import FormulaError, check_name, parse_formula
+from gspot_verified.expansion.expressions import Expression, Variable
+from gspot_verified.mechanisms.formula import FormulaError, check_name, nearest, normal_name, parse_formula
 from gspot_verified.mechanisms.mechanism import (
     Fields,
     Lagrangian,
@@ -15,13 +16,16 @@ from gspot_verified.mechanisms.mechanism import (
     Place,
     ReferenceAngle,
     exact_rational,
-    sympy_number,
 )
+from gspot_verified.mechanisms.simplify import constant, product_of, sum_of
+from gspot_verified.mechanisms.symbol import Symbol, count_operations
 
 Formula = str | int | Any
 """A text in the language of :mod:`formula`, an int, or a sympy expression."""
 
-MAX_COORDINATES = 6
+MAX_COORDINATES = 12
+MAX_STATE = 40
+MAX_PARAMETERS = 500
 MAX_OPERATIONS = 2000
 
 
@@ -64,8 +68,9 @@ def lagrangian(
         tuple(read(entry, f"mass matrix entry ({i + 1}, {j + 1})") for j, entry in enumerate(row))
         for i, row in enumerate(mass_matrix)
     )
-    _check_symmetric(name, rows)
-    motion = Lagrangian(coordinates, rows, tuple(read(f, f"force {i + 1}") for i, f in enumerate(forces)), time)
+    _check_symmetric(name, rows, read.state)
+    right = tuple(read(f, f"force {i + 1}") for i, f in enumerate(forces))
+    motion = Lagrangian(read.state[:n], rows, right, read.state[-1] if time else None)
     return read.mechanism(motion, x, y, mu, place or {}, options)
 
 
@@ -115,86 +120,111 @@ class _Reader:
         parameters: Mapping[str, Any],
         angles: Mapping[str, tuple[ExactInput, ExactInput]],
     ) -> None:
-        import sympy
-
-        self._name, self._state = name, state
-        self._operations = 0
+        self._name, self._operations = name, 0
+        if len(state) > MAX_STATE:
+            raise MechanismError(f"{name}: at most {MAX_STATE} components of the state, got {len(state)}")
+        if len(parameters) > MAX_PARAMETERS:
+            raise MechanismError(f"{name}: at most {MAX_PARAMETERS} parameters, got {len(parameters)}")
+        self.state = self._names(state)
         for angle in angles:
-            if angle not in state:
-                raise MechanismError(f"{name}: angle {angle!r} is no component of the state")
+            self.component(angle, "angle")
         self._angles = tuple(
             ReferenceAngle(
-                angle, exact_rational(pair[0], f"sine of {angle}"), exact_rational(pair[1], f"cosine of {angle}")
+                normal_name(angle),
+                exact_rational(pair[0], f"sine of {angle}"),
+                exact_rational(pair[1], f"cosine of {angle}"),
             )
             for angle, pair in angles.items()
         )
-        words = [*state, *parameters, *(angle.name for angle in self._angles)]
-        try:
-            table = {check_name(word): sympy.Symbol(word) for word in words}
-        except FormulaError as error:
-            raise MechanismError(f"{name}: {error}") from None
-        if len(table) != len(words):
-            twice = next(word for word in words if words.count(word) > 1)
+        words = self._names([*parameters, *(angle.name for angle in self._angles)])
+        twice = next((word for word in words if word in self.state), None)
+        if twice is not None:
             raise MechanismError(f"{name}: the name {twice!r} is used twice")
-        self._all = table
-        self._constants = {word: symbol for word, symbol in table.items() if word not in state}
-        only = {word: table[word] for word in parameters}
+        self._constants: dict[str, Expression] = {word: Symbol(word) for word in words}
+        self._all = {word: Variable(i) for i, word in enumerate(self.state)} | self._constants
+        only = {word: self._constants[word] for word in words[: len(parameters)]}
         self._parameters = tuple(
             (word, None if value is None else self._read(value, f"parameter {word}", only))
-            for word, value in parameters.items()
+            for word, value in zip(words, parameters.values(), strict=False)
         )
 
-    def __call__(self, formula: Formula, where: str) -> Any:
+    def _names(self, words: Sequence[str]) -> tuple[str, ...]:
+        try:
+            checked = tuple(check_name(word) for word in words)
+        except FormulaError as error:
+            raise MechanismError(f"{self._name}: {error}") from None
+        for i, word in enumerate(checked):
+            if word in checked[:i]:
+                raise MechanismError(f"{self._name}: the name {word!r} is used twice")
+        return checked
+
+    def component(self, word: str, where: str) -> str:
+        """The name, if it is one of a component of the state."""
+        if normal_name(word) not in self.state:
+            raise MechanismError(
+                f"{self._name}: {where} {word[:40]!r} is no component of the state{nearest(word, self.state)}; "
+                f"it has: {', '.join(self.state)}"
+            )
+        return normal_name(word)
+
+    def __call__(self, formula: Formula, where: str) -> Expression:
         return self._read(formula, where, self._all)
 
-    def _read(self, formula: Any, where: str, names: Mapping[str, Any]) -> Any:
-        import sympy
-
-        if isinstance(formula, sympy.Basic):
-            self._count(formula)
-            unknown = formula.free_symbols - set(names.values())
-            if unknown or formula.has(sympy.Float, sympy.nan, sympy.oo, sympy.zoo):
-                raise MechanismError(
-                    f"{self._name}: {where}: not exact, or unknown symbols {sorted(map(str, unknown))}"
-                )
-            return formula
+    def _read(self, formula: Any, where: str, names: Mapping[str, Expression]) -> Expression:
         try:
-            found = parse_formula(formula, names) if isinstance(formula, str) else sympy_number(formula, where)
-        except (TypeError, ValueError) as error:
+            found = self._expression(formula, where, names)
+        except (TypeError, ValueError, ZeroDivisionError) as error:
             raise MechanismError(f"{self._name}: {where}: {error}") from None
-        self._count(found)
-        return found
-
-    def _count(self, formula: Any) -> None:
-        self._operations += int(formula.count_ops())
+        self._operations += count_operations(found)
         if self._operations > MAX_OPERATIONS:
             raise MechanismError(f"{self._name}: the formulas have more than {MAX_OPERATIONS} operations")
+        return found
+
+    def _expression(self, formula: Any, where: str, names: Mapping[str, Expression]) -> Expression:
+        if isinstance(formula, str):
+            return parse_formula(formula, names)
+        if hasattr(formula, "free_symbols"):
+            from gspot_verified.mechanisms.in_sympy import from_sympy
+
+            return from_sympy(formula, names)
+        return constant(exact_rational(formula, where))
 
     def mechanism(
         self, motion: Any, x: Any, y: Any, mu: Any, place: Mapping[str, Any], options: Mapping[str, Any]
     ) -> Mechanism:
         """Puts the parts together."""
-        for word in (*place, *(options.get("fixed") or ())):
-            if word not in self._state:
-                raise MechanismError(f"{self._name}: G-spot: {word!r} is no component of the state")
-        values = tuple((word, self._read(value, f"G-spot, {word}", self._constants)) for word, value in place.items())
+        values = tuple(
+            (self.component(word, "G-spot:"), self._read(value, f"G-spot, {word}", self._constants))
+            for word, value in place.items()
+        )
         given = dict(options)
         if given.get("conditions") is not None:
             given["conditions"] = tuple(self(f, f"condition {i + 1}") for i, f in enumerate(given["conditions"]))
         if given.get("fixed") is not None:
-            given["fixed"] = tuple(given["fixed"])
+            given["fixed"] = tuple(self.component(word, "G-spot:") for word in given["fixed"])
         found = Place(values, **given)
         parts = self(x, "x"), self(y, "y"), self(mu, "mu")
-        return Mechanism(self._name, self._state, motion, *parts, self._parameters, self._angles, found)
+        return Mechanism(self._name, self.state, motion, *parts, self._parameters, self._angles, found)
 
 
-def _check_symmetric(name: str, rows: tuple[tuple[Any, ...], ...]) -> None:
-    import sympy
-
+def _check_symmetric(name: str, rows: tuple[tuple[Expression, ...], ...], state: tuple[str, ...]) -> None:
     for i, row in enumerate(rows):
         for j in range(i):
-            if sympy.expand(row[j] - rows[j][i]) != 0:
-                raise MechanismError(
-                    f"{name}: the mass matrix is not symmetric: entry ({i + 1}, {j + 1}) is {row[j]}, "
-                    f"entry ({j + 1}, {i + 1}) is {rows[j][i]}"
-                )
+            if sum_of(row[j], product_of(constant(-1), rows[j][i])) is not constant(0):
+                _check_equal(name, row[j], rows[j][i], (i + 1, j + 1), state)
+
+
+def _check_equal(
+    name: str, below: Expression, above: Expression, place: tuple[int, int], state: tuple[str, ...]
+) -> None:
+    """Two entries of the mass matrix, in sympy: equal after they are multiplied out."""
+    import sympy
+
+    from gspot_verified.mechanisms.in_sympy import to_sympy
+
+    first, second = to_sympy(below, state), to_sympy(above, state)
+    if sympy.expand(first - second) != 0:
+        i, j = place
+        raise MechanismError(
+            f"{name}: the mass matrix is not symmetric: entry ({i}, {j}) is {first}, entry ({j}, {i}) is {second}"
+        )

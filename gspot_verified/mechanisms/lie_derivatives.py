@@ -1,4 +1,4 @@
-"""The functions of Sec. 2 that decide what happens at a G-spot, as Lie derivatives of x and y.
+"""The functions of Sec. 2 by sympy: a second route, independent of :mod:`derivation`, and proofs of identities.
 
 u = L_F x, v = L_F y, a = L_F u, b = L_F v, A = L_GT u, B = L_GN u = L_GT v, C = L_GN v. In positive slip
 λ_T = -μ λ_N, so G = G_N - μ G_T, p = C - μ B = L_G v, α_1 = L_F p, α_2 = L_F b, α_3 = -L_G b.
@@ -7,37 +7,14 @@ u = L_F x, v = L_F y, a = L_F u, b = L_F v, A = L_GT u, B = L_GN u = L_GT v, C =
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
+from gspot_verified.expansion.expressions import Expression
+from gspot_verified.mechanisms.derived import Derived
+from gspot_verified.mechanisms.in_sympy import to_sympy
 from gspot_verified.mechanisms.mechanism import Lagrangian, Mechanism, MechanismError
 
 MAX_OPERATIONS = 10_000
-
-
-@dataclass(frozen=True)
-class Derived:
-    """The fields and functions of a mechanism, as sympy expressions of its state."""
-
-    F: tuple[Any, ...]
-    G_T: tuple[Any, ...]
-    G_N: tuple[Any, ...]
-    G: tuple[Any, ...]
-    x: Any
-    y: Any
-    u: Any
-    v: Any
-    a: Any
-    b: Any
-    A: Any
-    B: Any
-    C: Any
-    p: Any
-    alpha_1: Any
-    alpha_2: Any
-    alpha_3: Any
-    mu: Any
-    mass_matrix: tuple[tuple[Any, ...], ...] | None
 
 
 def lie_derivative(field: Sequence[Any], function: Any, state: Sequence[Any]) -> Any:
@@ -54,8 +31,8 @@ def lie_derivative(field: Sequence[Any], function: Any, state: Sequence[Any]) ->
     return sympy.Add(*terms)
 
 
-def derive(mechanism: Mechanism, substitute: bool = True) -> Derived:
-    """All functions of Sec. 2; with ``substitute`` the values of the parameters are put in first.
+def derive(mechanism: Mechanism, substitute: bool = True) -> Derived[Any]:
+    """All functions of Sec. 2 in sympy; with ``substitute`` the values of the parameters are put in first.
 
     :raises MechanismError: the mass matrix is singular for every state, or the functions are too large.
 
@@ -65,16 +42,16 @@ def derive(mechanism: Mechanism, substitute: bool = True) -> Derived:
     >>> found.v, found.b, found.p
     (y_dot, -1, 1/2)
     """
-    values = mechanism.parameter_values() if substitute else {}
-    x, y, mu = (part.xreplace(values) for part in (mechanism.x, mechanism.y, mechanism.mu))
+    read = Reader(mechanism, substitute)
+    x, y, mu = read.all((mechanism.x, mechanism.y, mechanism.mu))
     state = mechanism.symbols
     motion = mechanism.motion
+    rows: tuple[tuple[Any, ...], ...] | None = None
     if isinstance(motion, Lagrangian):
-        rows = tuple(tuple(entry.xreplace(values) for entry in row) for row in motion.mass_matrix)
-        F, G_T, G_N = _lagrangian_fields(mechanism, motion, rows, x, y, values)
+        rows = tuple(read.all(row) for row in motion.mass_matrix)
+        F, G_T, G_N = _lagrangian_fields(mechanism, motion, rows, x, y, read.all(motion.forces))
     else:
-        rows = None
-        F, G_T, G_N = (tuple(f.xreplace(values) for f in vector) for vector in (motion.F, motion.G_T, motion.G_N))
+        F, G_T, G_N = (read.all(vector) for vector in (motion.F, motion.G_T, motion.G_N))
     G = tuple(n - mu * t for n, t in zip(G_N, G_T, strict=True))
     u, v = lie_derivative(F, x, state), lie_derivative(F, y, state)
     _limit(mechanism, MAX_OPERATIONS // 5, u=u, v=v)
@@ -86,6 +63,25 @@ def derive(mechanism: Mechanism, substitute: bool = True) -> Derived:
     return Derived(F, G_T, G_N, G, x, y, u, v, a, b, A, B, C, p, *alpha, mu, rows)
 
 
+class Reader:
+    """The formulas of a mechanism in sympy, with the values of the parameters put in or not."""
+
+    def __init__(self, mechanism: Mechanism, substitute: bool = True) -> None:
+        import sympy
+
+        values = mechanism.parameter_values() if substitute else {}
+        self._state = mechanism.state
+        self._values = {sympy.Symbol(name): to_sympy(value) for name, value in values.items()}
+
+    def __call__(self, function: Expression) -> Any:
+        """One function."""
+        return to_sympy(function, self._state).xreplace(self._values)
+
+    def all(self, functions: Sequence[Expression]) -> tuple[Any, ...]:
+        """Several functions."""
+        return tuple(self(function) for function in functions)
+
+
 def _limit(mechanism: Mechanism, limit: int, **functions: Any) -> None:
     """Refuses functions whose next derivatives would take very long."""
     for letter, function in functions.items():
@@ -94,7 +90,7 @@ def _limit(mechanism: Mechanism, limit: int, **functions: Any) -> None:
 
 
 def _lagrangian_fields(
-    mechanism: Mechanism, motion: Lagrangian, rows: Any, x: Any, y: Any, values: dict[Any, Any]
+    mechanism: Mechanism, motion: Lagrangian, rows: Any, x: Any, y: Any, forces: Sequence[Any]
 ) -> tuple[tuple[Any, ...], tuple[Any, ...], tuple[Any, ...]]:
     """F, G_T, G_N of ξ = (q, q', t) from M, f and the gradients of x and y."""
     import sympy
@@ -109,7 +105,6 @@ def _lagrangian_fields(
         raise MechanismError(f"{mechanism.name}: x and y must not depend on velocities")
     others = [[k for k in range(n) if k != i] for i in range(n)]
     inverse = {(i, j): (-1) ** (i + j) * minor(rows, others[j], others[i]) for i in range(n) for j in range(n)}
-    forces = [f.xreplace(values) for f in motion.forces]
     end = 1 if motion.time else 0
 
     def accelerations(right: Sequence[Any]) -> list[Any]:
@@ -141,7 +136,7 @@ def minor(rows: Sequence[Sequence[Any]], over: Sequence[int], columns: Sequence[
     return sympy.Add(*terms)
 
 
-def lagrangian_conditions(mechanism: Mechanism, found: Derived) -> dict[str, Any]:
+def lagrangian_conditions(mechanism: Mechanism, found: Derived[Any]) -> dict[str, Any]:
     """What eqs. lagrangian1 and lagrangian2 say must vanish identically, by name."""
     state = mechanism.symbols
     checks = {
@@ -155,7 +150,7 @@ def lagrangian_conditions(mechanism: Mechanism, found: Derived) -> dict[str, Any
     return checks
 
 
-def check_lagrangian_conditions(mechanism: Mechanism, found: Derived) -> None:
+def check_lagrangian_conditions(mechanism: Mechanism, found: Derived[Any]) -> None:
     """Checks eqs. lagrangian1, lagrangian2 and B = L_GN u = L_GT v as identities in the state.
 
     :raises MechanismError: one of them is not the zero function, or was not shown to be.

@@ -7,14 +7,13 @@ Paper, Sec. 1.1: A > 0, C > 0, A C - B^2 > 0 follow from a positive definite mas
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from gspot_verified.balls import ball_text
 from gspot_verified.expansion.power_series import SeriesOfFunctions
 from gspot_verified.expansion.rings import BALLS, Ring
 from gspot_verified.expansion.terms import NumberTerms
-from gspot_verified.mechanisms.lie_derivatives import minor
 from gspot_verified.mechanisms.mechanism import MechanismError
 from gspot_verified.mechanisms.to_system import Shifted
 
@@ -34,27 +33,48 @@ G-spot: its leading minor of size 1 is -1
     """
     name = shifted.mechanism.name
     f = shifted.functions
-    if f.mass_matrix is not None:
-        sizes = range(1, len(f.mass_matrix) + 1)
-        functions = [minor(f.mass_matrix, range(k), range(k)) for k in sizes]
-        messages = [
-            f"{name}: the mass matrix is not positive definite at the G-spot: its leading minor of size {k} is"
-            for k in sizes
-        ]
-    else:
-        functions = [f.A, f.C, f.A * f.C - f.B**2]
-        messages = [
-            f"{name}: no mass matrix gives these fields: at the G-spot {what} must be positive, it is"
-            for what in ("A = L_GT u", "C = L_GN v", "A C - B^2")
-        ]
-    expressions = shifted.expressions([*functions, f.mu], ring)
+    rows = f.mass_matrix or ((f.A, f.B), (f.B, f.C))
+    expressions = shifted.expressions([*(entry for row in rows for entry in row), f.mu], ring)
     series = SeriesOfFunctions(expressions, NumberTerms(ring), ring)
     series.extend([values[word] for word in shifted.mechanism.state])
-    for expression, message in zip(expressions[:-1], messages, strict=True):
-        value = series[expression][0]
-        if not value > 0:
-            raise MechanismError(f"{message} {ball_text(value) if ring is BALLS else value}")
-    friction = series[expressions[-1]][0]
+    numbers = [series[expression][0] for expression in expressions]
+    *entries, friction = numbers
+    matrix = [entries[i * len(rows) : (i + 1) * len(rows)] for i in range(len(rows))]
+    if f.mass_matrix is None:
+        _check_positive(f"{name}: no mass matrix gives these fields: at the G-spot A = L_GT u must be positive, it is",
+                        matrix[0][0], ring)  # fmt: skip
+        _check_positive(f"{name}: no mass matrix gives these fields: at the G-spot C = L_GN v must be positive, it is",
+                        matrix[1][1], ring)  # fmt: skip
+    for size, value in enumerate(leading_minors(matrix), start=1):
+        _check_positive(
+            f"{name}: no mass matrix gives these fields: at the G-spot A C - B^2 must be positive, it is"
+            if f.mass_matrix is None
+            else f"{name}: the mass matrix is not positive definite at the G-spot: its leading minor of size {size} is",
+            value,
+            ring,
+        )
     if not friction >= 0:
         shown = ball_text(friction) if ring is BALLS else friction
         raise MechanismError(f"{name}: the friction coefficient mu must not be negative at the G-spot, it is {shown}")
+
+
+def _check_positive(message: str, value: Any, ring: Ring) -> None:
+    if not value > 0:
+        raise MechanismError(f"{message} {ball_text(value) if ring is BALLS else value}")
+
+
+def leading_minors(matrix: Sequence[Sequence[Any]]) -> Iterator[Any]:
+    """The leading minors one after the other, by elimination; none may vanish but the last one asked for.
+
+    >>> from flint import fmpq
+    >>> list(leading_minors([[fmpq(2), fmpq(0)], [fmpq(0), fmpq(3)]]))
+    [2, 6]
+    """
+    rows = [list(row) for row in matrix]
+    minor: Any = 1
+    for k, own in enumerate(rows):
+        minor = minor * own[k]
+        yield minor
+        for row in rows[k + 1 :]:
+            factor = row[k] / own[k]
+            row[k + 1 :] = [value - factor * other for value, other in zip(row[k + 1 :], own[k + 1 :], strict=True)]

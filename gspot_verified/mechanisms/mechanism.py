@@ -2,6 +2,7 @@
 
 Paper, Sec. 2. All numbers are exact. Velocities of the coordinate ``phi`` are called ``phi_dot``. For an angle with a
 rational sine and cosine at the G-spot, the reference angle ``phi_ref`` may stand in formulas (``phi - phi_ref - 1/4``).
+Formulas are expressions: component i of the state is ``Variable(i)``, parameters and reference angles are symbols.
 """
 
 from __future__ import annotations
@@ -12,6 +13,10 @@ from typing import Any
 from flint import fmpq
 
 from gspot_verified.balls import ExactInput, exact
+from gspot_verified.expansion.expressions import Expression
+from gspot_verified.mechanisms.formula import nearest
+from gspot_verified.mechanisms.simplify import NumberTooLargeError, constant, replaced
+from gspot_verified.mechanisms.symbol import Symbol, symbol_names
 
 
 class MechanismError(ValueError):
@@ -43,8 +48,8 @@ class Lagrangian:
     """M(q) q'' = f(q, q', t) + (dy/dq) λ_N + (dx/dq) λ_T."""
 
     coordinates: tuple[str, ...]
-    mass_matrix: tuple[tuple[Any, ...], ...]
-    forces: tuple[Any, ...]
+    mass_matrix: tuple[tuple[Expression, ...], ...]
+    forces: tuple[Expression, ...]
     time: str | None
 
 
@@ -52,9 +57,9 @@ class Lagrangian:
 class Fields:
     """dξ/dt = F + G_T λ_T + G_N λ_N; paper, eq. genTN."""
 
-    F: tuple[Any, ...]
-    G_T: tuple[Any, ...]
-    G_N: tuple[Any, ...]
+    F: tuple[Expression, ...]
+    G_T: tuple[Expression, ...]
+    G_N: tuple[Expression, ...]
 
 
 @dataclass(frozen=True)
@@ -65,10 +70,10 @@ class Place:
     or ``conditions`` gives m - 4 functions J of the state that vanish; otherwise components are chosen.
     """
 
-    values: tuple[tuple[str, Any], ...] = ()
+    values: tuple[tuple[str, Expression], ...] = ()
     search: bool = False
     fixed: tuple[str, ...] | None = None
-    conditions: tuple[Any, ...] | None = None
+    conditions: tuple[Expression, ...] | None = None
 
 
 @dataclass(frozen=True)
@@ -79,10 +84,10 @@ class Mechanism:
     name: str
     state: tuple[str, ...]
     motion: Lagrangian | Fields
-    x: Any
-    y: Any
-    mu: Any
-    parameters: tuple[tuple[str, Any], ...] = ()
+    x: Expression
+    y: Expression
+    mu: Expression
+    parameters: tuple[tuple[str, Expression | None], ...] = ()
     angles: tuple[ReferenceAngle, ...] = ()
     place: Place = field(default_factory=Place)
 
@@ -94,29 +99,37 @@ class Mechanism:
         known = dict(self.parameters)
         for name, value in values.items():
             if name not in known:
-                raise MechanismError(f"{self.name} has no parameter {name!r}; it has: {', '.join(known) or 'none'}")
-            known[name] = None if value is None else sympy_number(value, name)
+                raise MechanismError(
+                    f"{self.name} has no parameter {name!r}{nearest(name, known)}; it has: {', '.join(known) or 'none'}"
+                )
+            known[name] = None if value is None else constant(exact_rational(value, name))
         return replace(self, parameters=tuple(known.items()))
 
-    def parameter_values(self) -> dict[Any, Any]:
-        """The symbol of each parameter that has a value, with that value; a value may use other parameters.
+    def parameter_values(self) -> dict[str, Expression]:
+        """The value of each parameter that has one, with the values that it uses put in.
 
-        :raises MechanismError: values that use each other in a circle.
+        :raises MechanismError: values that use each other in a circle, that divide by zero or grow too large.
         """
-        import sympy
-
-        known = {sympy.Symbol(name): value for name, value in self.parameters if value is not None}
-        for _ in range(len(known) + 1):
-            if not any(value.free_symbols & set(known) for value in known.values()):
-                return known
-            known = {symbol: value.xreplace(known) for symbol, value in known.items()}
-            if any(symbol in value.free_symbols for symbol, value in known.items()):
-                break
-        raise MechanismError(f"{self.name}: parameters whose values use each other in a circle")
+        waiting = {name: value for name, value in self.parameters if value is not None}
+        uses = {name: symbol_names([value]) & set(waiting) for name, value in waiting.items()}
+        found: dict[str, Expression] = {}
+        while waiting:
+            ready = [name for name in waiting if uses[name] <= set(found)]
+            if not ready:
+                raise MechanismError(
+                    f"{self.name}: parameters whose values use each other in a circle: {', '.join(list(waiting)[:20])}"
+                )
+            for name in ready:
+                table: dict[Expression, Expression] = {Symbol(used): found[used] for used in uses[name]}
+                try:
+                    (found[name],) = replaced([waiting.pop(name)], table)
+                except (ZeroDivisionError, NumberTooLargeError) as error:
+                    raise MechanismError(f"{self.name}: parameter {name}: {error}") from None
+        return found
 
     @property
     def symbols(self) -> tuple[Any, ...]:
-        """The symbols of the state."""
+        """The components of the state as symbols of sympy."""
         import sympy
 
         return tuple(sympy.Symbol(name) for name in self.state)
@@ -134,11 +147,3 @@ def exact_rational(value: ExactInput, name: str) -> fmpq:
     if not isinstance(found, fmpq):
         raise MechanismError(f"{name}: must be a rational number")
     return found
-
-
-def sympy_number(value: ExactInput, name: str) -> Any:
-    """The same as a sympy number."""
-    import sympy
-
-    found = exact_rational(value, name)
-    return sympy.Rational(int(found.p), int(found.q))

@@ -13,8 +13,9 @@ from typing import Any, ClassVar
 
 from flint import fmpq
 
-from gspot_verified.mechanisms.formula import parse_formula
-from gspot_verified.mechanisms.lie_derivatives import Derived, derive, vanishes_identically
+from gspot_verified.mechanisms.derived import Derived
+from gspot_verified.mechanisms.in_sympy import sympy_formula
+from gspot_verified.mechanisms.lie_derivatives import Reader, derive, vanishes_identically
 from gspot_verified.mechanisms.mechanism import Lagrangian, Mechanism
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.symbolic import symbolic_system
@@ -142,6 +143,7 @@ def compare_equations_of_motion() -> Comparison:
     mechanism = _mechanism()
     motion = mechanism.motion
     assert isinstance(motion, Lagrangian)
+    read = Reader(mechanism, substitute=False)
     q, rates = mechanism.symbols[:2], mechanism.symbols[2:]
     kinetic = _parse("m_1*((l*cos(phi)*phi_dot)^2 + (psi_dot + l*sin(phi)*phi_dot)^2)/2 + m_2*psi_dot^2/2")
     potential = _parse("m_1*g*(psi + l*(1 - cos(phi))) + m_2*g*psi + k_phi*(phi - phi_0)^2/2 + k_psi*psi^2/2")
@@ -151,9 +153,9 @@ def compare_equations_of_motion() -> Comparison:
         momentum = sympy.diff(kinetic, rates[i])
         force = sympy.diff(kinetic - potential, q[i]) - sympy.diff(loss, rates[i])
         force -= sympy.Add(*(sympy.diff(momentum, q[j]) * rates[j] for j in range(2)))
-        holds &= vanishes_identically(force - motion.forces[i])
+        holds &= vanishes_identically(force - read(motion.forces[i]))
         for j in range(2):
-            holds &= vanishes_identically(sympy.diff(momentum, rates[j]) - motion.mass_matrix[i][j])
+            holds &= vanishes_identically(sympy.diff(momentum, rates[j]) - read(motion.mass_matrix[i][j]))
     return Comparison("M(q) and f(q, q')", "2117-2127", "M, f of Sec. 6", holds)
 
 
@@ -189,7 +191,7 @@ def compare_values() -> tuple[Comparison, ...]:
     names = {name: sympy.Symbol(name) for name in ("beta", "kappa")}
     found = []
     for (name, (lines, text)), value in zip(SECTION_6.items(), values, strict=True):
-        difference = parse_formula(text, names) - parse_formula(str(value), names)
+        difference = sympy_formula(text, names) - sympy_formula(str(value), names)
         found.append(Comparison(f"{name}*", lines, text, bool(sympy.expand(difference) == 0)))
     return tuple(found)
 
@@ -202,7 +204,7 @@ def compare_decimals() -> tuple[Comparison, ...]:
     names = {str(symbol): symbol for symbol in at}
     found = []
     for name, text in PRINTED_NUMBERS.items():
-        value = parse_formula(SECTION_6[name][1], names).xreplace(at)
+        value = sympy_formula(SECTION_6[name][1], names).xreplace(at)
         error = abs(fmpq(int(value.p), int(value.q)) - fmpq(int(text.replace(".", "")), 10**4))
         found.append(Comparison(f"{name}* at beta = 7/3, kappa = 0", "2190-2191", text, error <= fmpq(1, 20000),
                                 f"exactly {value}"))  # fmt: skip
@@ -215,7 +217,7 @@ def _mechanism() -> Mechanism:
 
 
 @lru_cache(maxsize=1)
-def _derived() -> Derived:
+def _derived() -> Derived[Any]:
     return derive(_mechanism(), substitute=False)
 
 
@@ -228,4 +230,4 @@ def _parse(text: str) -> Any:
 
     mechanism = _mechanism()
     names = {name: sympy.Symbol(name) for name in (*mechanism.state, *(name for name, _ in mechanism.parameters))}
-    return parse_formula(text, names | {"phi_0": sympy.Symbol("phi_ref") + sympy.Symbol("offset")})
+    return sympy_formula(text, names | {"phi_0": sympy.Symbol("phi_ref") + sympy.Symbol("offset")})

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Expression, Variable
 from gspot_verified.expansion.rings import BALLS
 from gspot_verified.mechanisms.g_spot import symbolic_place
-from gspot_verified.mechanisms.lie_derivatives import minor
+from gspot_verified.mechanisms.mass_inverse import minor
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
-from gspot_verified.mechanisms.to_system import Converter, Moves, Shifted, shift
+from gspot_verified.mechanisms.to_system import Shifted, shift
 
 _CONSTANT_BITS = 320
 
@@ -63,11 +62,12 @@ def parametric_system(mechanism: Mechanism, parameters: Sequence[str], fixed: Se
     if f.mass_matrix is not None:
         positive = [minor(f.mass_matrix, range(k), range(k)) for k in range(1, len(f.mass_matrix) + 1)]
     else:
-        positive = [f.A, f.C, f.A * f.C - f.B**2]
+        positive = [f.A, f.C, f.A * f.C - f.B * f.B]
     conditions = [f.p, f.b, f.y, f.v, *_extra_conditions(shifted, fixed)]
     scalars = [f.alpha_1, f.alpha_2, f.alpha_3, f.u, f.mu]
     with working_bits(_CONSTANT_BITS):
-        found = _expressions(free, parameters, [*conditions, *scalars, *positive])
+        own_variables = {name: Variable(len(mechanism.state) + j) for j, name in enumerate(parameters)}
+        found = shifted.expressions([*conditions, *scalars, *positive], BALLS, own_variables)
     own, (first, second, third, slip, friction, *minors) = found[: len(conditions)], found[len(conditions) :]
     return ParametricSystem(
         mechanism.name, mechanism.state, tuple(parameters), tuple(own), first, second, third, slip, tuple(minors),
@@ -75,31 +75,16 @@ def parametric_system(mechanism: Mechanism, parameters: Sequence[str], fixed: Se
     )  # fmt: skip
 
 
-def _extra_conditions(shifted: Shifted, fixed: Sequence[str]) -> list[Any]:
-    """The m - 4 conditions J as sympy functions of the shifted state and the parameters."""
-    import sympy
-
+def _extra_conditions(shifted: Shifted, fixed: Sequence[str]) -> list[Expression]:
+    """The m - 4 conditions J as functions of the shifted state and the parameters."""
     mechanism = shifted.mechanism
     given = mechanism.place.conditions
     wanted = len(mechanism.state) - 4
     if given is not None:
-        values, moved = mechanism.parameter_values(), Moves(mechanism)
-        found = [moved(J.xreplace(values)) for J in given]
+        found = shifted.prepare(given)
     else:
         place = symbolic_place(shifted)
-        found = [sympy.Symbol(word) - place[word] for word in fixed]
+        found = [Variable(mechanism.state.index(word)) - place[word] for word in fixed]
     if len(found) != wanted:
         raise MechanismError(f"{mechanism.name}: {wanted} conditions J are needed, got {len(found)}")
     return found
-
-
-def _expressions(mechanism: Mechanism, parameters: Sequence[str], functions: Sequence[Any]) -> list[Expression]:
-    import sympy
-
-    converter = Converter(mechanism, BALLS)
-    for j, name in enumerate(parameters):
-        converter.known[sympy.Symbol(name)] = Variable(len(mechanism.state) + j)
-    parts, reduced = sympy.cse(list(functions), symbols=sympy.numbered_symbols(cls=sympy.Dummy))
-    for symbol, part in parts:
-        converter.known[symbol] = converter(part)
-    return [converter(function) for function in reduced]

@@ -18,6 +18,7 @@ from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.mechanisms.g_spot import find_g_spot
 from gspot_verified.mechanisms.mechanism import Mechanism, exact_rational
 from gspot_verified.mechanisms.parametric_system import ParametricSystem, parametric_system
+from gspot_verified.mechanisms.simplify import rational_value
 from gspot_verified.mechanisms.sweep_cell import BITS
 from gspot_verified.mechanisms.sweep_ends import with_folds, without_gaps
 from gspot_verified.mechanisms.sweep_fold import Fold
@@ -171,7 +172,7 @@ def _start(mechanism: Mechanism, axes: Sequence[Axis], given: Mapping[str, Exact
     unknown = set(given) - {axis.name for axis in axes}
     if unknown:
         raise ValueError(f"start: {', '.join(sorted(unknown))} does not vary in this sweep")
-    own = {symbol.name: value for symbol, value in mechanism.parameter_values().items()}
+    own = mechanism.parameter_values()
     place = []
     for axis in axes:
         if axis.name in given:
@@ -179,10 +180,8 @@ def _start(mechanism: Mechanism, axes: Sequence[Axis], given: Mapping[str, Exact
             if not axis.lower <= value <= axis.upper:
                 raise ValueError(f"start: {axis.name} = {value} lies outside of {axis.lower}..{axis.upper}")
         else:
-            stated = own.get(axis.name)
-            value = (axis.lower + axis.upper) / 2
-            if stated is not None and stated.is_Rational:
-                value = fmpq(int(stated.p), int(stated.q))
+            stated = rational_value(own[axis.name]) if axis.name in own else None
+            value = (axis.lower + axis.upper) / 2 if stated is None else stated
             value = min(max(value, axis.lower), axis.upper)
         place.append(value)
     return tuple(place)

@@ -9,10 +9,10 @@ from importlib import resources
 from typing import Any
 
 import pytest
-import sympy
 from flint import arb, fmpq
 
 from gspot_verified.balls import working_bits
+from gspot_verified.expansion.expressions import Constant
 from gspot_verified.expansion.recursion import ObstructedOrderError, Recursion
 from gspot_verified.expansion.system import GSpotError
 from gspot_verified.mechanisms.classify import _integer_in, classify
@@ -177,7 +177,7 @@ def test_balls_that_leave_the_case_open_say_so() -> None:
     """The rod at mu = 8/(3 sqrt 3), where alpha_1 = alpha_3: no precision settles the sign of their difference."""
     source = shipped_mechanism("genot_brogliato_rod")
     mu = lagrangian("mu", ["X"], [[1]], [0], "X", "X", "8/(3*sqrt(3))").mu
-    place = replace(source.place, values=(*source.place.values[:2], ("theta", sympy.Rational(85, 100)),
+    place = replace(source.place, values=(*source.place.values[:2], ("theta", Constant(fmpq(85, 100))),
                                           *source.place.values[3:]))  # fmt: skip
     found = classify(replace(source, mu=mu, place=place))
     assert found.case is None

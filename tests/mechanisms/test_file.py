@@ -125,7 +125,7 @@ def test_hostile_texts(text: str) -> None:
 
 def test_hostile_sizes() -> None:
     names = ", ".join(f'"q{i}"' for i in range(50))
-    with pytest.raises(MechanismError, match="between 1 and 6 coordinates"):
+    with pytest.raises(MechanismError, match="between 1 and 12 coordinates"):
         parse_mechanism(GOOD.replace('["X", "Y"]', f"[{names}]"))
     with pytest.raises(MechanismError, match="more than 2000 operations"):
         parse_mechanism(GOOD.replace('"-m"', '"' + "+".join(f"sin({i}*X)" for i in range(900)) + '"'))

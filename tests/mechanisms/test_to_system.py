@@ -10,15 +10,17 @@ import sympy
 from flint import arb, fmpq
 
 from gspot_verified.balls import working_bits
-from gspot_verified.expansion.expressions import Power, Variable, in_order
+from gspot_verified.expansion.expressions import Constant, Expression, Power, Variable, in_order
 from gspot_verified.expansion.power_series import SeriesOfFunctions
 from gspot_verified.expansion.rings import BALLS, RATIONALS
 from gspot_verified.expansion.terms import NumberTerms
+from gspot_verified.mechanisms.formula import FormulaError
 from gspot_verified.mechanisms.given import from_fields
-from gspot_verified.mechanisms.lie_derivatives import derive
+from gspot_verified.mechanisms.in_sympy import from_sympy, to_sympy
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
-from gspot_verified.mechanisms.to_system import Moves, NotRationalError, Shifted, shift, to_system
+from gspot_verified.mechanisms.symbol import Symbol
+from gspot_verified.mechanisms.to_system import NotRationalError, Shifted, shift, to_system
 
 q, w = sympy.symbols("q w")
 q_ref, w_ref = sympy.symbols("q_ref w_ref")
@@ -42,9 +44,17 @@ def holds(ball: arb, number: fmpq) -> bool:
     return bool(ball.is_finite() and (ball * number.q - number.p).contains(0))
 
 
+def prepared(shifted: Shifted, function: Any) -> list[Expression]:
+    names = {"q": Variable(0), "w": Variable(1), "q_ref": Symbol("q_ref"), "w_ref": Symbol("w_ref")}
+    try:
+        return shifted.prepare([from_sympy(function, names)])
+    except FormulaError as error:
+        raise MechanismError(str(error)) from None
+
+
 def first_order(function: Any, ring: Any, point: list[Any], direction: list[Any]) -> tuple[Any, Any]:
-    shifted = Shifted(mechanism(), derive(mechanism()))
-    (expression,) = shifted.expressions([Moves(mechanism())(function)], ring)
+    shifted = shift(mechanism())
+    (expression,) = shifted.expressions(prepared(shifted, function), ring)
     series = SeriesOfFunctions([expression], NumberTerms(ring), ring)
     series.extend(point)
     series.extend(direction)
@@ -88,9 +98,9 @@ def test_parameters_need_values() -> None:
     free = from_fields("test", ["q", "w"], ["w", "k"], [0, 0], [0, 1], 0, "q", 0, {"k": None})
     with pytest.raises(MechanismError, match="without a value: k"):
         shift(free)
-    assert shift(free, free=True).functions.b == sympy.Symbol("k")
+    assert shift(free, free=True).functions.b is Symbol("k")
     given = from_fields("test", ["q", "w"], ["w", "k"], [0, 0], [0, 1], 0, "q", 0, {"k": 2})
-    assert shift(given).functions.b == 2
+    assert shift(given).functions.b is Constant(fmpq(2))
 
 
 @pytest.mark.parametrize("count", range(1, 10))
@@ -106,8 +116,8 @@ def test_every_factor_of_a_product_counts(count: int) -> None:
 @pytest.mark.parametrize("exponent", [1, 2, 3, 4, 5, 6, 7, -1, -2, sympy.Rational(1, 2), sympy.Rational(-3, 2)])
 def test_only_natural_powers_become_products(exponent: Any) -> None:
     """The bounds on residuals rest on it (proofs/residual.md): a power is the branch of a base that does not vanish."""
-    shifted = Shifted(mechanism(), derive(mechanism()))
-    expressions = shifted.expressions([Moves(mechanism())(2 + (q - q_ref + 1) ** exponent)], RATIONALS)
+    shifted = shift(mechanism())
+    expressions = shifted.expressions(prepared(shifted, 2 + (q - q_ref + 1) ** exponent), RATIONALS)
     powers = [node.exponent for node in in_order(expressions) if isinstance(node, Power)]
     natural = sympy.Rational(exponent).is_Integer and exponent > 0
     assert powers == ([] if natural else [fmpq(int(sympy.Rational(exponent).p), int(sympy.Rational(exponent).q))])
@@ -119,7 +129,7 @@ def test_each_function_of_the_system_is_the_one_of_its_name(name: str) -> None:
     shifted = shift(shipped_mechanism(name))
     state = shifted.mechanism.state
     zero = dict.fromkeys(state, fmpq(0))
-    conditions = [sympy.Symbol(state[0]) * 3, Variable(1)]
+    conditions = [Variable(0) * Constant(fmpq(3)), Variable(1)]
     system = to_system(shifted, zero, RATIONALS, conditions)
     assert system.J[1] == Variable(1)
     point = {word: fmpq(k + 2, 7) for k, word in enumerate(state)}
@@ -134,4 +144,4 @@ def test_each_function_of_the_system_is_the_one_of_its_name(name: str) -> None:
     series.extend([point[word] for word in state])
     for expression, function in pairs:
         found = series[expression][0]
-        assert sympy.Rational(int(found.p), int(found.q)) == function.subs(numbers)
+        assert sympy.Rational(int(found.p), int(found.q)) == to_sympy(function, state).subs(numbers)

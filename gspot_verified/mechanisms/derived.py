@@ -1,0 +1,33 @@
+"""The functions of Sec. 2 of a mechanism, by their letters in the paper."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class Derived(Generic[T]):
+    """The fields and functions of a mechanism: expressions, or sympy functions on the second route."""
+
+    F: tuple[T, ...]
+    G_T: tuple[T, ...]
+    G_N: tuple[T, ...]
+    G: tuple[T, ...]
+    x: T
+    y: T
+    u: T
+    v: T
+    a: T
+    b: T
+    A: T
+    B: T
+    C: T
+    p: T
+    alpha_1: T
+    alpha_2: T
+    alpha_3: T
+    mu: T
+    mass_matrix: tuple[tuple[T, ...], ...] | None
