@@ -21,7 +21,7 @@ from gspot_verified.cost.theta import CostReport
 from gspot_verified.ledger import cases
 
 ROOT = Path(__file__).resolve().parents[1]
-FORMS = ("theta", "side", "sign", "zeros", "iwc", "force", "events", "classify", "expand", "check")
+FORMS = ("theta", "side", "sign", "zeros", "iwc", "force", "events", "classify", "expand", "sweep", "check")
 SCHEMAS = sorted(
     path.name.removesuffix(".json") for path in resources.files("gspot_verified.cli").joinpath("schemas").iterdir()
 )
@@ -54,6 +54,9 @@ RUNS = [
     ("expand", "extended", "--order", "4", "--at", "1,1/10", "--residual", "1,1/10"),
     ("expand", "extended", "--order", "4", "--chi", "symbolic"),
     ("expand", "genot_brogliato_rod", "--order", "3", "--in-time"),
+    ("sweep", "oscillator", "--over", "beta=3/2..5/2:2"),
+    ("sweep", "oscillator", "--over", "beta=7/4..9/4:2", "--over", "kappa=0..1:2"),
+    ("sweep", "genot_brogliato_rod", "--over", "mu=1.3..1.4:1"),
     ("check", str(ROOT / "proofs" / "iwc_0_1.cert")),
     ("check", str(ROOT / "README.md")),
 ]

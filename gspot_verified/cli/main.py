@@ -23,6 +23,7 @@ from gspot_verified.cli import (
     mechanism_commands,
     paper_commands,
     sign_commands,
+    sweep_command,
     theta_commands,
 )
 from gspot_verified.cli.app import app, signs_of_life
@@ -42,6 +43,7 @@ COMMANDS = (
     figure_command,
     events_command,
     mechanism_commands,
+    sweep_command,
     paper_commands,
     cost_command,
 )

@@ -15,6 +15,7 @@ NOT_WRITTEN = 74
 """Exit code: the result was printed and stands, but a file that was asked for could not be written."""
 
 PICTURES = (".png",)
+FIGURES = (".png", ".pdf", ".svg")
 
 
 class Outputs:

@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import wraps
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -53,6 +54,11 @@ _STYLE: dict[Any, Any] = {
 
 _WIDTH = 7.2
 _RESOLUTION = 160
+_METADATA: dict[str, dict[str, Any]] = {
+    "png": {"Software": None},
+    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+    "svg": {"Date": None, "Creator": None},
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,6 +114,33 @@ def picture(figure: Figure, name: str, title: str, caption: str, alternative: st
         FigureCanvasSVG(figure).print_figure(drawn, format="svg", metadata={"Date": None, "Creator": None})
         FigureCanvasAgg(figure).print_figure(painted, format="png", dpi=_RESOLUTION, metadata={"Software": None})
     return Picture(name, title, _unbroken(caption), alternative, _two_themes(drawn.getvalue()), painted.getvalue())
+
+
+def save_figure(figure: Figure, name: str, path: Path) -> Path:
+    """Write a figure as PNG, PDF or SVG, by the suffix; called inside :func:`styled_figure`.
+
+    A file that is there is replaced when the new one is ready. It holds no date and no random identifier.
+
+    :raises ValueError: another suffix.
+    """
+    from matplotlib import rc_context
+
+    kind = path.suffix.lower().removeprefix(".")
+    if kind not in _METADATA:
+        raise ValueError(f"{path}: pictures are written as {', '.join(f'.{known}' for known in _METADATA)}")
+    unfinished = path.with_name(path.name + ".part")
+    with rc_context({"svg.hashsalt": name}):
+        figure.savefig(unfinished, format=kind, dpi=_RESOLUTION, metadata=_METADATA[kind])
+    unfinished.replace(path)
+    return path
+
+
+def styled_figure(draw: Callable[[], Path]) -> Path:
+    """``draw`` in the report's style; matplotlib's settings are as before when it returns."""
+    from matplotlib import rc_context
+
+    with rc_context(_STYLE):
+        return draw()
 
 
 def _unbroken(text: str) -> str:
