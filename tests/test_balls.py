@@ -808,3 +808,35 @@ def test_the_length_of_series_is_restored() -> None:
 def test_a_length_that_is_none(length: object) -> None:
     with pytest.raises(ValueError, match="length must be an int in"):
         series_length(length)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (arb(2, 1), "[0.999, 3.01]"),
+        (arb(-2, 1), "[-3.01, -0.999]"),
+        (arb((5, -1), (5, -1)), "[-4.95e-324, 5.01]"),
+        (arb((-5, -1), (5, -1)), "[-5.01, 4.95e-324]"),
+    ],
+)
+def test_wide_balls_show_both_ends_on_either_side_of_zero(value: arb, text: str) -> None:
+    assert ball_text(value) == text
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        arb(0, (1, 2000)),
+        arb((1, 2000), (1, 2000)),
+        arb((-1, 2000), (1, 2000)),
+        arb(0, (1, -1200)),
+        arb((1, -1200), (1, -1200)),
+    ],
+    ids=["both ends beyond floats", "the upper end", "the lower end", "tiny", "tiny and positive"],
+)
+def test_ends_that_no_float_shows_are_written_as_midpoint_and_radius(value: arb) -> None:
+    with working_bits(64):
+        text = ball_text(value)
+        assert "inf" not in text.lower()
+        assert arb(text).contains(value)
+        assert arb(text).rad() < 8 * value.rad()

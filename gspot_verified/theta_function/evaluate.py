@@ -139,8 +139,6 @@ def _enclose(tau: Exact, beta: Exact, derivative: int, goal: int, max_bits: int 
         if worth < goal + 2 and relative_bits(found[0]) >= worth:  # the result depends on its inputs less than most do
             finer = _of_inputs(tau, shifted, goal + 2, max_bits)
             found = (_tighter(finer[0], found[0]), *finer[1:])
-        elif worth < goal + 2:
-            found = (*found[:3], found[3] or Reason.WIDE_INPUT)
     value, route, bits, reason = found
     if derivative:
         with working_bits(goal + 32):
@@ -195,8 +193,6 @@ def _approach(tau: Exact, beta: Exact, goal: int, max_bits: int | None) -> _Foun
     wanted = min(goal, budget)
     route, value = _attempt(tau, beta, wanted)
     certain = relative_bits(value)
-    if certain >= goal:
-        return value, route, wanted, None
     exact_input = is_exact(tau) and is_exact(beta)
     while certain < goal:
         following = wanted + max(goal - certain, 16) + 8 if certain > 0 else 2 * wanted + 64

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import gc
 import hashlib
 import json
 import os
@@ -16,7 +17,7 @@ from pathlib import Path
 from mutants.choice import importing, mirrored
 from mutants.operators import Mutant, code_of, mutants_of
 from mutants.process import Reach, reach_of, start
-from mutants.survivors import complaints, is_listed, read_survivors
+from mutants.survivors import complaints, is_listed, is_waived, read_survivors
 from mutants.warm import COLD, outcomes
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -38,12 +39,15 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
     options = parser.parse_args(arguments)
     for name in _PRELOADED:  # once, before the forks; never the package itself
         __import__(name)
+    gc.freeze()  # no process searches them for garbage
     listed = read_survivors(root / "tests" / "mutants" / "survivors.toml")
     wrong: list[str] = []
     for file in _files(root, options.files):
         everything = mutants_of(root, file)
         inside = [mutant for mutant in everything if options.scope is None or mutant.scope in options.scope]
-        chosen = _sample(inside, options.sample, f"{options.seed} {file}")
+        waived = [mutant for mutant in inside if is_waived(mutant, listed)]
+        judged = [mutant for mutant in inside if mutant not in waived]
+        chosen = _sample(judged, options.sample, f"{options.seed} {file}")
         if not chosen:
             continue
         try:
@@ -62,7 +66,8 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
         argued = sum(is_listed(mutant, listed) for mutant in survived)
         print(
             f"{file}: {len(everything)} mutants, {len(killed)} killed ({count[_LIMIT]} by a limit), {argued} survivors "
-            f"argued, {len(survived) - argued} not argued, {len(everything) - len(chosen)} not run",
+            f"argued, {len(survived) - argued} not argued, {len(waived)} in lines or functions argued as a whole, "
+            f"{len(everything) - len(chosen) - len(waived)} not run",
             flush=True,
         )
         wrong += complaints(listed, everything, killed, survived)

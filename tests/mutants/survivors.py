@@ -35,6 +35,11 @@ def is_listed(mutant: Mutant, listed: Iterable[Key]) -> bool:
     return not {mutant.key, *_wider(mutant)}.isdisjoint(listed)
 
 
+def is_waived(mutant: Mutant, listed: Iterable[Key]) -> bool:
+    """Whether the list argues for every change of its line or of its function: then no test is asked."""
+    return not set(_wider(mutant)).isdisjoint(listed)
+
+
 def _wider(mutant: Mutant) -> tuple[Key, Key]:
     return (mutant.file, mutant.scope, mutant.before, ANY), (mutant.file, mutant.scope, ANY, ANY)
 

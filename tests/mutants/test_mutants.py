@@ -181,7 +181,8 @@ LIVING = (
 @pytest.mark.slow
 def test_every_mutant_meets_the_tests(tmp_path: Path) -> None:
     code, text = run(tmp_path, STRONG)
-    assert "package/source.py: 7 mutants, 7 killed (0 by a limit), 0 survivors argued, 0 not argued, 0 not run" in text
+    assert "package/source.py: 7 mutants, 7 killed (0 by a limit), 0 survivors argued, 0 not argued, 0 in lines" in text
+    assert "argued as a whole, 0 not run" in text
     assert code == 0
     assert (tmp_path / "package" / "source.py").read_text() == SOURCE
 
@@ -203,6 +204,15 @@ def test_an_argued_survivor_does_not_and_a_killed_one_does(tmp_path: Path) -> No
     code, text = run(tmp_path, STRONG, LIVING)
     assert code == 1
     assert "was killed" in text
+
+
+@pytest.mark.slow
+def test_what_is_argued_as_a_whole_is_not_run(tmp_path: Path) -> None:
+    whole = LIVING.replace("'if value < 0:'", "'*'").replace("'if False:'", "'*'")
+    code, text = run(tmp_path, WEAK, whole)
+    assert code == 0
+    assert "package/source.py: 7 mutants, 1 killed" in text  # the constant stands outside the function
+    assert "0 not argued, 6 in lines or functions argued as a whole, 0 not run" in text
 
 
 @pytest.mark.slow

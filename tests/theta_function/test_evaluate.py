@@ -11,9 +11,10 @@ from hypothesis import strategies as st
 from strategies import holds, near_integers, small_heights, to_fmpq, to_fraction
 from witness import contains_witness, theta_witness
 
-from gspot_verified import Outcome, Reason, evaluate, theta_by
-from gspot_verified.balls import bits_for_digits, relative_bits, sign_of, working_bits
+from gspot_verified import Evaluation, Outcome, Reason, evaluate, theta_by
+from gspot_verified.balls import MAX_WORKING_BITS, bits_for_digits, nonfinite, relative_bits, sign_of, working_bits
 from gspot_verified.theta_function import routes
+from gspot_verified.theta_function.evaluate import _tighter
 from gspot_verified.theta_function.integer import polynomial_value
 
 _MODERATE = st.builds(Fraction, st.integers(-240, 160), st.integers(8, 12))
@@ -164,10 +165,106 @@ def test_a_ball_that_holds_a_zero_stays_undecided() -> None:
     assert result.sign.outcome is Outcome.UNDECIDED
 
 
+@pytest.mark.parametrize("exponent", [-12, -40])
+@pytest.mark.parametrize(("tau", "beta"), [(-3, "7/3"), (2, "1/2"), (-20, "-1/3")])
+def test_a_narrow_ball_of_tau_is_as_wide_as_the_slope_makes_it(tau: int, beta: str, exponent: int) -> None:
+    radius = arb((1, exponent))
+    wide = evaluate(arb(tau, radius), beta).value
+    slope = abs(evaluate(tau, beta, derivative=1, digits=20).value)
+    with working_bits(128):
+        assert wide.rad() < slope * radius * fmpq(11, 10)
+    for side in (-1, 1):
+        end = tau + side * Fraction(2) ** exponent
+        assert wide.contains(evaluate(end, beta, digits=40).value)
+
+
+@pytest.mark.parametrize("beta", [2, Fraction(7, 3), -1])
+@pytest.mark.parametrize("radius", [Fraction(1, 8), Fraction(1, 10**9)])
+def test_a_ball_of_beta_with_a_rational_tau(beta: Fraction, radius: Fraction) -> None:
+    result = evaluate(-1, arb(to_fmpq(Fraction(beta)), to_fmpq(radius)))
+    assert (result.reached, result.reason) == (False, Reason.WIDE_INPUT)
+    assert result.value.rad() < 40 * to_fmpq(radius)
+    for point in (beta - radius, Fraction(beta), beta + radius):
+        assert contains_witness(result.value, theta_witness(Fraction(-1), point), 40)
+
+
+def test_the_number_of_digits_is_15_when_nothing_is_said() -> None:
+    found = evaluate("1/3", "7/5")
+    assert found.digits == 15
+    assert relative_bits(found.value) < bits_for_digits(20)
+
+
+@pytest.mark.parametrize("max_bits", [0, 63, MAX_WORKING_BITS + 1])
+def test_budgets_out_of_range(max_bits: int) -> None:
+    with pytest.raises(ValueError, match=f"max_bits must lie in 64..{MAX_WORKING_BITS}, got {max_bits}"):
+        evaluate(1, "1/2", max_bits=max_bits)
+
+
+@pytest.mark.parametrize("max_bits", [64, MAX_WORKING_BITS])
+def test_the_ends_of_the_budget(max_bits: int) -> None:
+    assert evaluate(1, "1/2", max_bits=max_bits).reached
+
+
+@pytest.mark.parametrize(
+    ("missing", "tau", "given", "reached", "reason"),
+    [
+        (0, 1, None, True, None),
+        (0, 1, Reason.BUDGET, True, None),
+        (1, 1, None, False, Reason.BUDGET),
+        (1, arb(1, 1), None, False, Reason.WIDE_INPUT),
+        (1, arb(1, 1), Reason.BUDGET, False, Reason.BUDGET),
+        (1, 1, Reason.WIDE_INPUT, False, Reason.WIDE_INPUT),
+    ],
+)
+def test_reached_is_what_the_ball_shows(
+    monkeypatch: pytest.MonkeyPatch, missing: int, tau: Any, given: Reason | None, reached: bool, reason: Reason | None
+) -> None:
+    """Exactly the asked bits are enough, one less is not; a reason is there exactly when they are missing."""
+    goal = bits_for_digits(15)
+    value = next(v for n in range(200) if relative_bits(v := arb(1, arb((1, -n)))) == goal - missing)
+    monkeypatch.setattr("gspot_verified.theta_function.evaluate._enclose", lambda *_: (value, "taylor", 99, given))
+    found = evaluate(tau, "1/2")
+    assert (found.reached, found.reason, found.route, found.working_bits) == (reached, reason, "taylor", 99)
+
+
+@pytest.mark.parametrize("reason", [Reason.BUDGET, Reason.WIDE_INPUT])
+def test_an_undecided_sign_says_why(reason: Reason) -> None:
+    assert Evaluation(arb(0, 1), 15, False, "taylor", 64, reason).sign.reason is reason
+    assert Evaluation(arb(0, 1), 15, False, "taylor", 64).sign.reason is Reason.WIDE_INPUT
+
+
+def test_the_common_part_of_two_enclosures() -> None:
+    left, right = arb(2, 1), arb((7, -1), 1)  # [1, 3] and [5/2, 9/2]
+    for first, second in ((left, right), (right, left)):
+        common = _tighter(first, second)
+        assert common.contains(arb((11, -2), (1, -2)))
+        assert common.rad() < fmpq(1, 4) + fmpq(1, 10**6)
+    assert _tighter(left, nonfinite()) is left
+    assert _tighter(nonfinite(), left) is left
+    with pytest.raises(ArithmeticError, match="two enclosures of one number are disjoint"):
+        _tighter(left, arb(9, 1))
+
+
+def test_the_common_part_keeps_every_bit_of_both() -> None:
+    with working_bits(1000):
+        third = arb(fmpq(1, 3))
+    for first, second in ((third, arb(0, 1)), (arb(0, 1), third)):
+        assert relative_bits(_tighter(first, second)) > 960
+
+
 def test_exact_zeros_are_exact() -> None:
     assert evaluate(0, 1).value.is_zero()
     assert evaluate(5, 3, derivative=4).value.is_zero()
     assert evaluate(0, 1).sign.outcome is Outcome.PROVED
+
+
+@pytest.mark.parametrize(("beta", "derivative"), [(0, 1), (1, 2), (3, 4), (2, 1000)])
+def test_a_derivative_beyond_the_degree_is_zero_without_work(asked: list[int], beta: int, derivative: int) -> None:
+    found = evaluate("7/3", beta, derivative=derivative)
+    assert found.value.is_zero()
+    assert (found.reached, found.route, found.working_bits) == (True, "polynomial", 0)
+    assert asked == []
+    assert not evaluate("7/3", beta, derivative=beta).value.contains(0)
 
 
 @pytest.mark.parametrize("tau", ["-50", "-1000", "9.99", "30"])
@@ -221,6 +318,9 @@ def test_json() -> None:
     assert data["reached"] is True
     assert data["route"] == "negative"
     assert data["enclosure"].startswith("[0x")
+    assert data["reason"] is None
+    nothing = Evaluation(nonfinite(), 15, False, "majorant", 64, Reason.WIDE_INPUT).to_json()
+    assert (nothing["enclosure"], nothing["reason"]) == (None, "wide_input")
 
 
 @pytest.fixture
@@ -265,7 +365,32 @@ def test_a_result_that_hardly_depends_on_a_wide_input_still_has_all_digits(asked
     found = evaluate(arb(1, fmpq(1, 10)), "1e-400", digits=200)
     assert found.reached
     assert found.value.overlaps(arb(1))
-    assert max(asked) > 600
+    assert max(asked) >= bits_for_digits(200) + 2  # room for the two roundings that follow
+
+
+def test_the_default_budget_is_eight_times_the_bits_and_some(asked: list[int], monkeypatch: pytest.MonkeyPatch) -> None:
+    """A value that never gets a certain bit: the goals are doubled until the budget ends."""
+
+    def uncertain(_tau: Any, _beta: Any, goal: int) -> arb:
+        asked.append(goal)
+        return arb(0, 1)
+
+    for name in routes.ROUTES:
+        monkeypatch.setitem(routes.ROUTES, name, uncertain)
+    for digits in (15, 620, 3000):
+        asked.clear()
+        found = evaluate("1/3", "7/5", digits=digits)
+        assert (found.reached, found.reason) == (False, Reason.BUDGET)
+        goal = bits_for_digits(digits) + 2
+        assert max(asked) <= 8 * goal + 16_384 < 2 * max(asked) + 64
+
+
+def test_a_narrow_ball_is_tried_again_as_long_as_that_helps(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A value of 2^-300 with an absolute error of 2^-goal: two attempts show nothing, the third has all bits."""
+    for name in routes.ROUTES:
+        monkeypatch.setitem(routes.ROUTES, name, lambda _tau, _beta, goal: arb((1, -300), (1, -goal)))
+    found = evaluate(arb(1, (1, -2000)), "7/5")
+    assert (found.reached, found.reason) == (True, None)
 
 
 @pytest.mark.parametrize("max_bits", [64, 200, 1000])
