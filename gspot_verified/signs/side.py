@@ -187,11 +187,7 @@ def side_switching(lower: ExactInput, upper: ExactInput) -> SideSwitching:
 
 def _checked(value: ExactInput, name: str) -> Exact:
     found = exact(value, name)
-    if isinstance(found, fmpq):
-        inside = abs(int(found.p)) <= MAX_BETA * int(found.q)
-    else:
-        inside = bool(-MAX_BETA <= found <= MAX_BETA)
-    if not inside:
+    if not -MAX_BETA <= found <= MAX_BETA:
         raise ValueError(f"{name}: |beta| must be at most {MAX_BETA}")
     return found
 

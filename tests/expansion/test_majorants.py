@@ -201,3 +201,22 @@ def test_no_bound_where_a_base_may_vanish(ratio: fmpq) -> None:
     assert not _changes(nodes, starts_of(nodes), [lambda r: r], arb(ratio))[nodes[-1]].is_finite()
     wide = {**starts_of(nodes), x: arb(0, 1)}
     assert not _changes(nodes, wide, [lambda r: r], arb(ratio) / 100)[nodes[-1]].is_finite()
+
+
+def test_a_power_of_a_start_of_either_sign_and_of_any_size() -> None:
+    """|1/(u_0 + d) - 1/u_0| <= 1/(|u_0| - |d|) - 1/|u_0|, attained."""
+    nodes = in_order([CASES["reciprocal"][0]])
+    for start in (fmpq(6, 5), fmpq(-6, 5), fmpq(1, 2), fmpq(-1, 2)):
+        with working_bits(100):
+            found = _changes(nodes, starts_of(nodes, start), [lambda r: r], arb(fmpq(1, 4)))[nodes[-1]]
+            wanted = 1 / (abs(start) - fmpq(1, 4)) - 1 / abs(start)
+            assert wanted <= found.upper()
+            assert found.upper() < wanted + fmpq(1, 10**20)
+
+
+def test_a_function_without_a_rule_is_refused() -> None:
+    class Another(Expression):
+        """No rule of the page is about it."""
+
+    with pytest.raises(TypeError, match="no bound for Another"):
+        _changes([Another()], {}, [], arb(1))

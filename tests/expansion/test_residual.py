@@ -17,6 +17,7 @@ from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from gspot_verified.dyadic import Dyadic
 from gspot_verified.expansion.expressions import (
     Constant,
     Cosine,
@@ -248,6 +249,15 @@ def test_text_and_json() -> None:
     assert str(found).startswith("extended example: |residual| <= K delta^6 for |s| <= 1/3, 0 <= delta <= 1/10, K =")
     data = json.loads(json.dumps(found.to_json()))
     assert (data["order"], data["s"], data["delta"]) == (6, "1/3", "1/10")
+    for name, value in found.constants.items():
+        assert data["constants"][name] == str(Dyadic.from_ball(value))
+
+
+def test_a_box_of_one_moment() -> None:
+    """s = 0 is a box, and its bounds are at most those of a wider one."""
+    trajectory = expand_system(extended_example(1), 6)
+    none, some = (residual_bounds(trajectory, s, "1/10").constants for s in (0, 1))
+    assert all(none[name].is_finite() and none[name] <= some[name] for name in some)
 
 
 @pytest.mark.parametrize(
@@ -258,6 +268,7 @@ def test_text_and_json() -> None:
         (1, "-1/2", 8, ValueError, "delta must be positive"),
         (1, 1, 3, ValueError, "extra"),
         (1, 1, True, ValueError, "extra"),
+        (1, 1, 8.0, ValueError, "extra must be an int"),
         (0.5, 1, 8, TypeError, "s: a float"),
         (1, 0.5, 8, TypeError, "delta: a float"),
     ],
@@ -270,7 +281,7 @@ def test_bad_arguments(s: Any, delta: Any, extra: Any, error: type[Exception], m
 def test_symbols_have_no_bounds() -> None:
     ring = Symbols("chi")
     system = replace(extended_example(1), point=tuple(ring.number(0) for _ in range(6)), ring=ring)
-    with pytest.raises(TypeError, match="symbols"):
+    with pytest.raises(TypeError, match="bounds need numbers: put values in the place of the symbols"):
         residual_bounds(expand_system(system, 2), 1, 1)
 
 

@@ -30,6 +30,7 @@ def test_number_of_integers_at_its_limit() -> None:
     assert len(side_switching(0, 100_000).integers) == 100_001
     with pytest.raises(ValueError, match="more than 100000"):
         side_switching(0, 100_001)
+    assert len(side_switching(800_000, 800_003).integers) == 4  # it is the number of them that counts
 
 
 @pytest.mark.parametrize(
@@ -100,8 +101,10 @@ def test_balls_that_touch_a_pole() -> None:
 
 def test_a_ball_end_with_a_tiny_exponent() -> None:
     assert gamma_sign(arb((1, -99_000), (1, -99_010))) == -1
-    with pytest.raises(ValueError, match="exponent below"):
-        gamma_sign(arb((1, -200_000), (1, -200_010)))
+    assert gamma_sign(arb((1, -99_990), (1, -100_000))) == -1
+    for beyond in (-100_001, -200_000):
+        with pytest.raises(ValueError, match="exponent below"):
+            gamma_sign(arb((1, beyond + 10), (1, beyond)))
 
 
 def test_a_ball_that_ends_exactly_at_a_pole() -> None:

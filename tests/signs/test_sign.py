@@ -6,7 +6,9 @@ import json
 import random
 import subprocess
 import sys
+from concurrent.futures import Executor, Future
 from fractions import Fraction
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -17,8 +19,10 @@ from hypothesis import strategies as st
 
 from gspot_verified.balls import sign_of
 from gspot_verified.certificates.text import write_certificate
+from gspot_verified.signs.executors import InProcessExecutor
 from gspot_verified.signs.ranges import Range
-from gspot_verified.signs.sign import SignResult, sign_on_ranges
+from gspot_verified.signs.sign import SignResult, _cells, sign_on_ranges
+from gspot_verified.signs.subdivision import Progress
 from gspot_verified.signs.witness import find_witness, sign_at
 from gspot_verified.theta_function.evaluate import evaluate
 from gspot_verified.verdict import Outcome, Reason
@@ -265,6 +269,91 @@ def test_ranges_may_be_given_read_and_numbers_are_the_default() -> None:
     tau, beta = Range.parse("-inf..inf", "tau"), Range.parse("0..1", "beta")
     by_text, by_theorem = sign_on_ranges("-inf..inf", "0..1"), sign_on_ranges(tau, beta, by_theorem=True)
     assert sign_on_ranges(tau, beta).columns == by_text.columns != by_theorem.columns
+
+
+def test_what_needs_no_column_examines_nothing() -> None:
+    refuted, proved = sign_on_ranges("-1..1", "[2..3]"), sign_on_ranges("1", "3")
+    assert (refuted.verdict.outcome, refuted.examined) == (R, 0)
+    assert (proved.verdict.outcome, proved.examined, proved.columns) == (P, 0, ())
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_point_beyond_the_largest_beta_has_no_certificate(sign: int) -> None:
+    """A column is sought for beta <= 200 only; the point itself refutes one of the signs."""
+    result = sign_on_ranges("-1", "401/2", sign)
+    if result.verdict.outcome is R:
+        assert_refuted(result)
+        assert result.columns == ()
+    assert result.proved_statement is None
+
+
+def test_one_of_the_signs_at_a_point_beyond_the_largest_beta_is_refuted() -> None:
+    outcomes = {sign_on_ranges("-1", "401/2", sign).verdict.outcome for sign in (1, -1)}
+    assert outcomes == {R, U}
+
+
+def test_the_largest_beta_belongs_to_those_for_which_a_proof_is_sought(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("gspot_verified.signs.sign.find_witness", lambda *_: None)
+    monkeypatch.setattr("gspot_verified.signs.sign.sign_column", lambda *_: None)
+    for upper, reason in (("200", Reason.BUDGET), ("200.01", Reason.BEYOND)):
+        assert sign_on_ranges("-2..-1", f"199.5..{upper}", -1, budget=1).verdict.reason is reason
+
+
+@pytest.mark.parametrize(
+    ("tau", "beta", "point"),
+    [
+        ("-5..5", "[2..4]", (fmpq(1), fmpq(3))),  # the statement holds there
+        ("1..1e14", "1/4..2", (fmpq(10**13), fmpq(1, 2))),  # nothing is certain there
+        ("-5..5", "[2..5/2]", (fmpq(1), fmpq(6))),  # it fails there, outside the range
+    ],
+)
+@pytest.mark.parametrize("where", ["find_witness", "sign_column"])
+def test_a_point_that_is_not_confirmed_refutes_nothing(
+    monkeypatch: pytest.MonkeyPatch, tau: str, beta: str, point: tuple[fmpq, fmpq], where: str
+) -> None:
+    monkeypatch.setattr("gspot_verified.signs.sign.find_witness", lambda *_: None)
+    monkeypatch.setattr(f"gspot_verified.signs.sign.{where}", lambda *_: point)
+    result = sign_on_ranges(tau, beta, -1, budget=1)
+    assert (result.verdict.outcome, result.verdict.reason) == (U, Reason.HYPOTHESIS)
+    assert "could not be confirmed" in result.verdict.detail
+    assert result.proved_statement is result.point is result.sign_there is None
+    assert result.columns == ()
+
+
+def test_the_first_columns_end_at_the_integers() -> None:
+    quarters = [fmpq(k, 4) for k in range(9)]
+    assert _cells(Range.parse("0..2", "beta")) == list(pairwise(quarters))
+    assert _cells(Range.parse("-3..-1", "beta")) == [(fmpq(-3), fmpq(-1))]
+    assert _cells(Range.parse("-inf..-1", "beta")) == [(None, fmpq(-1))]
+
+
+def test_for_negative_beta_one_column_is_enough() -> None:
+    assert [(column.lower, column.upper) for column in sign_on_ranges("-1", "-3..-3/2", 1).columns] == [
+        (fmpq(-3), fmpq(-3, 2))
+    ]
+
+
+def test_the_journal_the_executor_and_the_progress_are_used(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    class Counting(Executor):
+        calls = 0
+
+        def submit(self, function: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
+            Counting.calls += 1
+            return InProcessExecutor().submit(function, *args, **kwargs)
+
+    steps: list[Progress] = []
+    arguments = ("-inf..inf", "0..1", -1)
+    first = sign_on_ranges(*arguments, executor=Counting(), journal=tmp_path / "j", progress=steps.append)
+    assert Counting.calls == first.examined == len(steps) > 0
+    assert steps[-1].examined == first.examined
+    with pytest.raises(ValueError, match="not a journal of this question"):
+        sign_on_ranges(*arguments, journal=tmp_path / "j", by_theorem=True)
+
+    def again(*_: Any) -> None:
+        raise AssertionError("it was examined before")
+
+    monkeypatch.setattr("gspot_verified.signs.sign.sign_column", again)
+    assert sign_on_ranges(*arguments, journal=tmp_path / "j").columns == first.columns
 
 
 def test_no_proof_is_sought_for_a_range_without_an_end(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -212,6 +212,7 @@ def test_the_ends_of_the_budget(max_bits: int) -> None:
         (0, 1, Reason.BUDGET, True, None),
         (1, 1, None, False, Reason.BUDGET),
         (1, arb(1, 1), None, False, Reason.WIDE_INPUT),
+        (1, None, None, False, Reason.WIDE_INPUT),
         (1, arb(1, 1), Reason.BUDGET, False, Reason.BUDGET),
         (1, 1, Reason.WIDE_INPUT, False, Reason.WIDE_INPUT),
     ],
@@ -223,7 +224,7 @@ def test_reached_is_what_the_ball_shows(
     goal = bits_for_digits(15)
     value = next(v for n in range(200) if relative_bits(v := arb(1, arb((1, -n)))) == goal - missing)
     monkeypatch.setattr("gspot_verified.theta_function.evaluate._enclose", lambda *_: (value, "taylor", 99, given))
-    found = evaluate(tau, "1/2")
+    found = evaluate(tau, "1/2") if tau is not None else evaluate(1, arb(1, 1))  # a ball of either argument
     assert (found.reached, found.reason, found.route, found.working_bits) == (reached, reason, "taylor", 99)
 
 
