@@ -249,8 +249,10 @@ def test_text_and_json() -> None:
     assert str(found).startswith("extended example: |residual| <= K delta^6 for |s| <= 1/3, 0 <= delta <= 1/10, K =")
     data = json.loads(json.dumps(found.to_json()))
     assert (data["order"], data["s"], data["delta"]) == (6, "1/3", "1/10")
-    for name, value in found.constants.items():
-        assert data["constants"][name] == str(Dyadic.from_ball(value))
+    texts = {name: str(Dyadic.from_ball(value)) for name, value in found.constants.items()}
+    assert data["start"] == {name[6:]: text for name, text in texts.items() if name.startswith("start_")}
+    written = [*data["start"].values(), *data["state"].values(), *data["contact"].values()]
+    assert sorted(written) == sorted(texts.values())
 
 
 def test_a_box_of_one_moment() -> None:

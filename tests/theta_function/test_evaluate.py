@@ -12,10 +12,19 @@ from strategies import holds, near_integers, small_heights, to_fmpq, to_fraction
 from witness import contains_witness, theta_witness
 
 from gspot_verified import Evaluation, Outcome, Reason, evaluate, theta_by
-from gspot_verified.balls import MAX_WORKING_BITS, bits_for_digits, nonfinite, relative_bits, sign_of, working_bits
+from gspot_verified.balls import (
+    MAX_WORKING_BITS,
+    bits_for_digits,
+    is_exact,
+    nonfinite,
+    relative_bits,
+    sign_of,
+    working_bits,
+)
 from gspot_verified.theta_function import routes
-from gspot_verified.theta_function.evaluate import _tighter
+from gspot_verified.theta_function.evaluate import _attempt, _majorant, _tighter
 from gspot_verified.theta_function.integer import polynomial_value
+from gspot_verified.theta_function.majorant import majorant_bound
 
 _MODERATE = st.builds(Fraction, st.integers(-240, 160), st.integers(8, 12))
 
@@ -390,8 +399,73 @@ def test_a_narrow_ball_is_tried_again_as_long_as_that_helps(monkeypatch: pytest.
     """A value of 2^-300 with an absolute error of 2^-goal: two attempts show nothing, the third has all bits."""
     for name in routes.ROUTES:
         monkeypatch.setitem(routes.ROUTES, name, lambda _tau, _beta, goal: arb((1, -300), (1, -goal)))
-    found = evaluate(arb(1, (1, -2000)), "7/5")
-    assert (found.reached, found.reason) == (True, None)
+    for tau, beta in ((arb(1, (1, -2000)), "7/5"), ("7/5", arb(1, (1, -2000)))):
+        found = evaluate(tau, beta)
+        assert (found.reached, found.reason) == (True, None)
+
+
+def no_balls(monkeypatch: pytest.MonkeyPatch, least_goal: int = 0) -> list[int]:
+    """Routes that know nothing of balls, and of numbers only from ``least_goal`` bits on; the goals that they get."""
+    goals: list[int] = []
+    for name, route in dict(routes.ROUTES).items():
+
+        def only_numbers(tau: Any, beta: Any, goal: int, route: Any = route) -> arb:
+            goals.append(goal)
+            known = is_exact(tau) and is_exact(beta) and goal >= least_goal
+            return route(tau, beta, goal) if known else nonfinite()
+
+        monkeypatch.setitem(routes.ROUTES, name, only_numbers)
+    return goals
+
+
+@pytest.mark.parametrize(
+    ("tau", "beta", "far", "size"),
+    [
+        (arb(3, 2), fmpq(-3), 5, 3),  # attained at tau = 5
+        (arb(-3, 2), fmpq(-3), 5, 3),
+        (fmpq(5), arb(-2, 1), 5, 3),
+        (arb(3, 2), arb(-2, 1), 5, 3),
+        (fmpq(-2), arb((1, -1), (1, -2)), 2, 1),  # B = 1 where |beta| <= 3/4
+    ],
+)
+def test_where_no_route_knows_balls_the_majorant_is_that_of_the_farthest_numbers(
+    monkeypatch: pytest.MonkeyPatch, tau: Any, beta: Any, far: int, size: int
+) -> None:
+    """M Theta(X, -B) of proofs/majorant.md with |tau| <= X and |beta| <= B over the whole balls."""
+    above = size + fmpq(1, 10**6) if isinstance(beta, arb) else fmpq(size)  # the end of a ball is rounded
+    page = majorant_bound(beta, above, evaluate(far, -above, digits=30).value, 128)
+    assert page.is_finite()
+    inside = [evaluate(t, b, digits=30).value for t in _three(tau) for b in _three(beta)]
+    no_balls(monkeypatch)
+    found = evaluate(tau, beta)
+    assert found.route == "majorant"
+    assert found.value.is_finite()
+    assert all(found.value.contains(value.mid()) for value in inside)
+    assert abs(found.value.rad() - page.rad()) < page.rad() * fmpq(1, 10**3)
+
+
+def _three(value: Any) -> list[Any]:
+    """Both ends and the middle."""
+    return [value] if isinstance(value, fmpq) else [value.lower(), value.mid(), value.upper()]
+
+
+def test_the_majorant_of_numbers_that_no_rational_holds_is_not_finite(monkeypatch: pytest.MonkeyPatch) -> None:
+    no_balls(monkeypatch)
+    tiny = arb((1, -50_000), (1, -50_010))
+    for tau, beta in ((tiny, arb(-2, 1)), (arb(1, 1), tiny)):
+        assert not _majorant(tau, beta).is_finite()
+
+
+def test_numbers_that_no_route_reaches_are_asked_for_again_with_more_bits(monkeypatch: pytest.MonkeyPatch) -> None:
+    goals = no_balls(monkeypatch, least_goal=128)
+    found = evaluate("1/3", "7/5", digits=5)
+    assert found.reached
+    assert max(goals) == 128
+    assert found.value.overlaps(theta_by("taylor", "1/3", "7/5", digits=40))
+    no_balls(monkeypatch, least_goal=10**9)
+    for goal in (20, 128, 129):
+        with pytest.raises(routes.BudgetError, match=f"no route reaches {max(goal, 128)} bits"):
+            _attempt(fmpq(1, 3), fmpq(7, 5), goal)
 
 
 @pytest.mark.parametrize("max_bits", [64, 200, 1000])
