@@ -181,6 +181,7 @@ def test_the_steps_are_named() -> None:
 def test_a_term_of_the_example_must_be_one_of_its_series(
     monkeypatch: pytest.MonkeyPatch, row: list[int], place: tuple[int, int], holds: bool
 ) -> None:
-    monkeypatch.setattr(ledger, "extended_terms", lambda *_, **__: {key: [] for key in "byvz"} | {"p": [row]})
+    with_chi = {key: [] for key in "byvz"} | {"p": [row]}
+    monkeypatch.setattr(ledger, "extended_terms", lambda _, chi: with_chi if chi else {})
     monkeypatch.setattr(ledger, "example_series", lambda _: {name: {place: 1} for name in "pbyvz"})
     assert ledger.example_in_t_and_eps() is holds

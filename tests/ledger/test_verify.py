@@ -1,0 +1,41 @@
+"""The run of the whole ledger: every part in its order, each announced, and the exit code."""
+
+from __future__ import annotations
+
+import pytest
+
+from gspot_verified.ledger import verify
+from gspot_verified.ledger.entry import Check, Entry, Rung, settled
+
+
+def toy(*answers: bool) -> Entry:
+    """A proved, refuted or undecided entry."""
+    checks = [Check(Rung.EXACT, f"check {n}", agrees) for n, agrees in enumerate(answers)]
+    return settled("Section", "identifier", "line 1", "x", "statement", *checks)
+
+
+PROVED, REFUTED, OPEN = toy(True, True), toy(False, False), toy(True)
+
+
+@pytest.mark.parametrize(
+    ("entries", "code"),
+    [
+        ([], 0),
+        ([PROVED], 0),
+        ([PROVED, OPEN], 2),
+        ([OPEN, PROVED], 2),
+        ([PROVED, REFUTED], 1),
+        ([OPEN, REFUTED], 1),
+    ],
+)
+def test_exit_code(entries: list[Entry], code: int) -> None:
+    assert verify.exit_code(entries) == code
+
+
+def test_every_part_is_run_in_its_order_and_announced(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(
+        verify, "PARTS", {"one": {"a": lambda: PROVED, "b": lambda: OPEN}, "two": {"c": lambda: REFUTED}}
+    )
+    told: list[str] = []
+    assert verify.verify_paper(told.append) == verify.verify_paper() == [PROVED, OPEN, REFUTED]
+    assert told == ["one", "two"]
