@@ -22,6 +22,8 @@ Rows = list[list[arb]]
 class BoxProgram:
     """Functions f_1, ..., f_k of a state of ``dimension`` components, to be enclosed on many boxes.
 
+    ``variables`` are the components for which partial derivatives are wanted (default: all).
+
     Each method encloses at every point of the box, at the working precision in force. A ball that is not finite says
     that nothing is known: a divisor, or the base of a root, may vanish or be negative somewhere on the box.
 
@@ -37,8 +39,11 @@ class BoxProgram:
     (0, True, [1.00000000000000, 0])
     """
 
-    def __init__(self, functions: Sequence[Expression], dimension: int) -> None:
+    def __init__(
+        self, functions: Sequence[Expression], dimension: int, variables: Sequence[int] | None = None
+    ) -> None:
         self.dimension = dimension
+        self.variables = tuple(range(dimension) if variables is None else variables)
         self._code = StraightLine()
         self._roots = [self._code.value(function) for function in functions]
         used = [int(name[1:]) for name in self._code.needed(self._roots) if name[0] == "x"]
@@ -51,9 +56,7 @@ class BoxProgram:
     @property
     def depends(self) -> list[frozenset[int]]:
         """For each function the components that it depends on (or may depend on: cancellations are not seen)."""
-        return [
-            frozenset(int(name[1:]) for name in self._code.needed([root]) if name[0] == "x") for root in self._roots
-        ]
+        return [self._code.depends(root) for root in self._roots]
 
     def values(self, box: Box) -> list[arb]:
         """Enclosures of the functions on the box."""
@@ -62,12 +65,12 @@ class BoxProgram:
         return list(self._values(box, self._at_this_precision()))
 
     def gradients(self, box: Box) -> tuple[list[arb], Rows]:
-        """Enclosures of the functions and, as rows, of their partial derivatives on the box.
+        """Enclosures of the functions and, as rows, of their partial derivatives by ``variables``.
 
         Where a function's enclosure is finite, it is analytic on a neighbourhood of the box.
         """
         if self._gradients is None:
-            slopes = [[self._code.slope(root, i) for i in range(self.dimension)] for root in self._roots]
+            slopes = [[self._code.slope(root, i) for i in self.variables] for root in self._roots]
             rows = ", ".join(f"[{', '.join(slope or 'zero' for slope in row)}]" for row in slopes)
             names = [*self._roots, *(slope for row in slopes for slope in row if slope is not None)]
             self._gradients = self._compiled(names, f"[{', '.join(self._roots)}], [{rows}]")
@@ -81,8 +84,11 @@ class BoxProgram:
     def mean_values_and_gradients(self, box: Box) -> tuple[list[arb], Rows]:
         """The enclosures of :meth:`mean_values`, and the partial derivatives that they come from."""
         values, rows = self.gradients(box)
-        middle = [side.mid() for side in box]
-        moves = [side - centre for side, centre in zip(box, middle, strict=True)]
+        # The other components keep their whole sides in the value at the centre.
+        middle = list(box)
+        for i in self.variables:
+            middle[i] = box[i].mid()
+        moves = [box[i] - middle[i] for i in self.variables]
         found = []
         for value, centre, row in zip(values, self.values(middle), rows, strict=True):
             for slope, move in zip(row, moves, strict=True):

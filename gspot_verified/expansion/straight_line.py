@@ -62,6 +62,18 @@ class StraightLine:
                 self._slopes[inner, index] = self._slope(inner, index)
         return self._slopes[name, index]
 
+    def number(self, name: str) -> fmpq | None:
+        """The rational that a value is by its definition; None for every other value."""
+        return self._numbers.get(name)
+
+    def depends(self, name: str) -> frozenset[int]:
+        """The components that a value depends on, or may depend on: cancellations are not seen."""
+        return frozenset(int(inner[1:]) for inner in self.needed([name]) if inner[0] == "x")
+
+    def definition(self, name: str) -> Definition:
+        """The operation and the operands of a value."""
+        return self._definitions[name]
+
     def needed(self, names: Iterable[str]) -> list[str]:
         """The names of all values that these are computed from, and their own, in an order to compute them."""
         found: dict[str, None] = {}
