@@ -39,9 +39,7 @@ class BoxProgram:
     (0, True, [1.00000000000000, 0])
     """
 
-    def __init__(
-        self, functions: Sequence[Expression], dimension: int, variables: Sequence[int] | None = None
-    ) -> None:
+    def __init__(self, functions: Sequence[Expression], dimension: int, variables: Sequence[int] | None = None) -> None:
         self.dimension = dimension
         self.variables = tuple(range(dimension) if variables is None else variables)
         self._code = StraightLine()

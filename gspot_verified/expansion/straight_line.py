@@ -86,14 +86,15 @@ class StraightLine:
                 found[name] = None
             else:
                 waiting.append((name, True))
-                waiting += [(part, False) for part in self._parts(name)]
+                waiting += [(part, False) for part in self.operands(name)]
         return list(found)
 
     def lines(self, names: Iterable[str]) -> list[str]:
         """Python lines that compute these values from x0, x1, ... and the constants c0, c1, ..."""
         return [_line(name, *self._definitions[name]) for name in self.needed(names) if name[0] not in "xc"]
 
-    def _parts(self, name: str) -> Sequence[str]:
+    def operands(self, name: str) -> Sequence[str]:
+        """The names of the values that one value is computed from."""
         operation, operands = self._definitions[name]
         if operation == "sum":
             return [part for _, part in operands]

@@ -13,6 +13,7 @@ from typing import Any
 from flint import arb
 
 from gspot_verified.balls import ball_text, current_bits, working_bits
+from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.expressions import Expression
 from gspot_verified.expansion.linear import inverse
 from gspot_verified.expansion.power_series import SeriesOfFunctions
@@ -112,12 +113,13 @@ def _exact(shifted: Shifted, bits: int) -> GSpot:
 
 
 def symbolic_place(shifted: Shifted) -> dict[str, Expression]:
-    """The place with the parameters put in; angles counted from their references."""
+    """The components that the place gives, with the parameters put in; angles counted from their references."""
     mechanism = shifted.mechanism
     minus = {angle.coordinate: product_of(constant(-1), Symbol(angle.name)) for angle in mechanism.angles}
     given = dict(mechanism.place.values)
-    deviations = [sum_of(given[word], minus[word]) if word in minus else given[word] for word in mechanism.state]
-    return dict(zip(mechanism.state, shifted.prepare(deviations), strict=True))
+    words = [word for word in mechanism.state if word in given]
+    deviations = [sum_of(given[word], minus[word]) if word in minus else given[word] for word in words]
+    return dict(zip(words, shifted.prepare(deviations), strict=True))
 
 
 def _check_g_spot(system: System) -> None:
@@ -156,7 +158,7 @@ def with_conditions(shifted: Shifted, values: Mapping[str, Any], ring: Ring) -> 
     if place.conditions is not None:
         if len(place.conditions) != wanted:
             raise GSpotError(f"{mechanism.name}: {wanted} conditions J are needed, got {len(place.conditions)}")
-        return to_system(shifted, values, ring, shifted.prepare(place.conditions)), ()
+        return to_system(shifted, values, ring, shifted_conditions(shifted)), ()
     draft = to_system(shifted, values, ring, [stays(i, ring.number(0), ring) for i in range(wanted)])
     if ring is RATIONALS:
         _check_g_spot(draft)
@@ -168,6 +170,11 @@ def with_conditions(shifted: Shifted, values: Mapping[str, Any], ring: Ring) -> 
         fixed = _choose_fixed(draft, state)
     J = tuple(stays(state.index(word), values[word], ring) for word in fixed)
     return System(**{**vars(draft), "J": J}), fixed
+
+
+def shifted_conditions(shifted: Shifted) -> list[Expression]:
+    """The conditions J that the mechanism gives as formulas, with parameters put in and angles shifted."""
+    return shifted.prepare(shifted.mechanism.place.conditions or ())
 
 
 def _choose_fixed(draft: System, state: Sequence[str]) -> tuple[str, ...]:
@@ -192,11 +199,12 @@ def _choose_fixed(draft: System, state: Sequence[str]) -> tuple[str, ...]:
 
 
 def place_in(shifted: Shifted, ring: Ring) -> dict[str, Any]:
-    """The place as numbers of the ring."""
-    expressions = shifted.expressions(list(symbolic_place(shifted).values()), ring)
+    """The components that the place gives, as numbers of the ring."""
+    place = symbolic_place(shifted)
+    expressions = shifted.expressions(list(place.values()), ring)
     series = SeriesOfFunctions(expressions, NumberTerms(ring), ring)
     series.extend([ring.number(0)] * len(shifted.mechanism.state))
-    return dict(zip(shifted.mechanism.state, (series[expression][0] for expression in expressions), strict=True))
+    return dict(zip(place, (series[expression][0] for expression in expressions), strict=True))
 
 
 def _proved(shifted: Shifted, bits: int) -> GSpot:
@@ -204,44 +212,58 @@ def _proved(shifted: Shifted, bits: int) -> GSpot:
     name = shifted.mechanism.name
     try:
         start = place_in(shifted, BALLS)
-        if not all(value.is_finite() for value in start.values()):
-            raise GSpotError(f"{name}: the G-spot's place is not finite")
-        system, fixed = with_conditions(shifted, start, BALLS)
-        point = _newton(system)
     except ZeroDivisionError:
         raise GSpotError(degenerate(name, "during the search")) from None
     except (GSpotError, MechanismError):
         raise
     except ValueError as error:
         raise GSpotError(f"{name}: no G-spot found: {error}") from None
-    box = _enclosed(system, point)
-    if box is None:
-        raise GSpotError(f"{name}: no G-spot could be proved near {[ball_text(value, 6) for value in point]}")
-    check_mass_matrix(shifted, dict(zip(shifted.mechanism.state, box, strict=True)), BALLS)
+    spot = prove_near(shifted, start, bits)
     if not shifted.mechanism.place.search:
-        for word, found, given in zip(shifted.mechanism.state, box, start.values(), strict=True):
+        for word, found, given in zip(shifted.mechanism.state, spot.system.point, start.values(), strict=True):
             if not found.overlaps(given):
                 raise GSpotError(
                     f"{name}: not a G-spot: {word} = {ball_text(given)}, the nearest has {ball_text(found)}"
                 )
+    return spot
+
+
+def prove_near(shifted: Shifted, start: Mapping[str, arb], bits: int) -> GSpot:
+    """A box around the limit of Newton's method from here, with a proof that it holds exactly one G-spot.
+
+    Exactly one with the conditions J: given, or components that keep their values at the start.
+
+    :raises GSpotError: no convergence, degenerate conditions, or nothing could be proved.
+    :raises MechanismError: the mass matrix is not positive definite there.
+    """
+    name = shifted.mechanism.name
+    try:
+        if not all(value.is_finite() for value in start.values()):
+            raise GSpotError(f"{name}: the G-spot's place is not finite")
+        system, fixed = with_conditions(shifted, start, BALLS)
+        program = BoxProgram(system.conditions, len(system.point))
+        point = _newton(system, program)
+    except ZeroDivisionError:
+        raise GSpotError(degenerate(name, "during the search")) from None
+    except (GSpotError, MechanismError):
+        raise
+    except ValueError as error:
+        raise GSpotError(f"{name}: no G-spot found: {error}") from None
+    box = _enclosed(program, point)
+    if box is None:
+        raise GSpotError(f"{name}: no G-spot could be proved near {[ball_text(value, 6) for value in point]}")
+    check_mass_matrix(shifted, dict(zip(shifted.mechanism.state, box, strict=True)), BALLS)
     return GSpot(shifted, System(**{**vars(system), "point": tuple(box)}), False, bits, fixed)
 
 
-def _values(system: System, point: Sequence[Any]) -> list[Any]:
-    return System(**{**vars(system), "point": tuple(point)}).values_at_point(system.conditions)
-
-
-def _jacobian(system: System, point: Sequence[Any]) -> list[list[Any]]:
-    return System(**{**vars(system), "point": tuple(point)}).jacobian()
-
-
-def _newton(system: System) -> list[arb]:
+def _newton(system: System, program: BoxProgram) -> list[arb]:
     """A point near a zero; a heuristic, midpoints only."""
     point = [value.mid() for value in system.point]
     small = arb(2) ** (20 - current_bits())
     for _ in range(_NEWTON_STEPS):
-        residual = [value.mid() for value in _values(system, point)]
-        matrix = [[value.mid() for value in row] for row in _jacobian(system, point)]
+        values, slopes = program.gradients(point)
+        residual = [value.mid() for value in values]
+        matrix = [[value.mid() for value in row] for row in slopes]
         rows = inverse(matrix, BALLS)
         step = [sum((a * r for a, r in zip(row, residual, strict=True)), arb(0)).mid() for row in rows]
         if not all(value.is_finite() for value in step):
@@ -252,11 +274,11 @@ def _newton(system: System) -> list[arb]:
     raise GSpotError(f"{system.name}: Newton's method finds no G-spot from the given start")
 
 
-def _enclosed(system: System, point: Sequence[arb]) -> list[arb] | None:
+def _enclosed(program: BoxProgram, point: Sequence[arb]) -> list[arb] | None:
     radius = arb(2) ** (26 - current_bits())
     for _ in range(_INFLATIONS):
         box = [x + arb(0, (radius * (1 + abs(x))).upper()) for x in point]
-        found = krawczyk(lambda at: _values(system, at), lambda at: _jacobian(system, at), box)
+        found = krawczyk(program.values, lambda at: program.gradients(at)[1], box)
         if found is not None:
             return found
         radius = radius * 64

@@ -29,7 +29,6 @@ def krawczyk(
     >>> root is not None and root[0].overlaps(arb(2).sqrt())
     True
     """
-    size = len(box)
     middle = [side.mid() for side in box]
     try:
         at_middle = function(middle)
@@ -37,12 +36,33 @@ def krawczyk(
         at_centre = jacobian(middle)
     except ValueError:
         return None
+    found = krawczyk_operator(at_middle, over_box, at_centre, box)
+    if found is None:
+        return None
+    inside = all(strictly_inside(new, old) for new, old in zip(found, box, strict=True))
+    return found if inside else None
+
+
+def krawczyk_operator(
+    at_middle: Sequence[arb],
+    over_box: Sequence[Sequence[arb]],
+    near_middle: Sequence[Sequence[arb]],
+    box: Sequence[arb],
+) -> Vector | None:
+    """The box K that holds every zero in the given box; None where no matrix Y was found, or K is not finite.
+
+    ``at_middle`` encloses the values at the midpoint, ``over_box`` the derivatives on the box; ``near_middle`` serves
+    to choose Y only.
+    """
+    size = len(box)
     try:
-        inverse = arb_mat(at_centre).inv()
+        inverse = arb_mat([list(row) for row in near_middle]).inv()
     except ZeroDivisionError:
         return None
     # Any matrix serves as Y; the midpoints make it an exact one.
     y = [[inverse[i, j].mid() for j in range(size)] for i in range(size)]
+    middle = [side.mid() for side in box]
+    moves = [side - centre for side, centre in zip(box, middle, strict=True)]
     found: Vector = []
     for i in range(size):
         total = middle[i]
@@ -52,10 +72,11 @@ def krawczyk(
             entry = arb(1 if i == j else 0)
             for k in range(size):
                 entry = entry - y[i][k] * over_box[k][j]
-            total = total + entry * (box[j] - middle[j])
+            total = total + entry * moves[j]
+        if not total.is_finite():
+            return None
         found.append(total)
-    inside = all(strictly_inside(new, old) for new, old in zip(found, box, strict=True))
-    return found if inside else None
+    return found
 
 
 def strictly_inside(inner: arb, outer: arb) -> bool:
