@@ -173,15 +173,9 @@ class _Search:
         search = ZeroSearch(program, self._full(partial.values), periods)
         found = search.run([self._region.side(i) for i in stage.variables], self._budget)
         solved = [self._one_zero(search, zero, stage, partial) for zero in found.zeros]
-        exhausted = self._budget.boxes <= 0
-        boxes = found.left if exhausted else clusters(found.left)
-        for box in boxes:
+        for box in found.left if found.stopped and self._budget.boxes <= 0 else clusters(found.left):
             values = {**partial.values, **dict(zip(stage.variables, box, strict=True))}
-            why = (
-                "the budget of boxes ended"
-                if exhausted
-                else partial.why or _singular(self._functions(stage), stage, self._full(values))
-            )
+            why = found.stopped or partial.why or _singular(self._functions(stage), stage, self._full(values))
             solved.append(_Partial(values, False, why))
         return solved
 

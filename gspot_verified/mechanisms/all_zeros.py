@@ -21,6 +21,8 @@ PASSES = ((64, -26), (160, -70), (400, -180))
 """Working precision and the exponent of the least relative width, one pass after the other."""
 
 _NEWTON_STEPS = 12
+_MANY = 500
+_COARSE = 2.0**-6
 
 
 @dataclass
@@ -44,6 +46,8 @@ class Zeros:
 
     zeros: list[Zero] = field(default_factory=list)
     left: list[Box] = field(default_factory=list)
+    stopped: str = ""
+    """Why the search ended before every box was small or excluded; empty when it did not."""
 
 
 class ZeroSearch:
@@ -64,7 +68,7 @@ class ZeroSearch:
         for bits, exponent in PASSES:
             with working_bits(bits):
                 self._pass(budget, 2.0**exponent)
-            if not self.found.left or budget.boxes <= 0:
+            if not self.found.left or self.found.stopped:
                 break
         return self.found
 
@@ -72,6 +76,10 @@ class ZeroSearch:
         waiting, self.found.left = self.found.left, []
         while waiting:
             if budget.boxes <= 0:
+                self.found.stopped = "the budget of boxes ended"
+            elif len(self.found.left) >= _MANY:
+                self.found.stopped = f"zeros may form a curve: more than {_MANY} small boxes could not be settled"
+            if self.found.stopped:
                 self.found.left += waiting
                 return
             budget.boxes -= 1
@@ -79,7 +87,8 @@ class ZeroSearch:
             rest = self._pruned(box)
             if rest is None:
                 continue
-            if max(float(side.rad()) / scale for side, scale in zip(rest, self._scale, strict=True)) < least:
+            width = max(float(side.rad()) / scale for side, scale in zip(rest, self._scale, strict=True))
+            if width < least or (width < _COARSE and self._undefined_at_middle(rest)):
                 self.found.left.append(rest)
             else:
                 waiting += self._halves(rest)
@@ -120,6 +129,9 @@ class ZeroSearch:
         self._prove_near(rest)
         return None if self.is_known(rest) else rest
 
+    def _undefined_at_middle(self, box: Box) -> bool:
+        return not all(value.is_finite() for value in self._program.values(self.state([side.mid() for side in box])))
+
     def is_known(self, box: Sequence[arb]) -> bool:
         """Whether the box lies in a region whose only zero is known."""
         return any(self.lies_in(box, region) for zero in self.found.zeros for region in zero.regions)
@@ -149,9 +161,10 @@ class ZeroSearch:
         point = self._newton(box, arb(2) ** -40)
         if point is None:
             return
+        least = arb(2) ** (16 - current_bits())
         for factor in (2, 1 / 16, 2.0**-14):
             region = tuple(
-                x + arb(0, arb(factor) * side.rad() + arb(2) ** -50 * (1 + abs(x)).upper())
+                x + arb(0, arb(factor) * side.rad() + least * (1 + abs(x)).upper())
                 for x, side in zip(point, box, strict=True)
             )
             found = self._krawczyk(region)

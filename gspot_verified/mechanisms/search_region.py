@@ -21,7 +21,7 @@ DEFAULT_BOUND = 10
 
 
 _MORE_THAN_HALF_A_TURN = fmpq(13, 4)
-"""In units of the period over 2 pi. The ends of exactly one turn would be the likeliest places of a G-spot at an end."""
+"""In units of the period over 2 pi. The ends of exactly one turn are likely places of G-spots: not to be cut there."""
 
 
 class Region:

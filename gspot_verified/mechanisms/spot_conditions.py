@@ -73,8 +73,9 @@ def take_apart(conditions: Mapping[str, Expression], dimension: int, kept: Seque
 
 def _affine(remaining: Mapping[str, Expression], dimension: int, kept: Sequence[int]) -> Explicit | None:
     """A condition k xi_i + g = 0, with a rational k that is not 0 and a g without xi_i: xi_i = -g/k."""
+    # p and b are left for the search: solved for a component, they would hide the bounds on it from the search.
     order = [*(i for i in reversed(range(dimension)) if i not in kept), *reversed(kept)]
-    for name in reversed(list(remaining)):
+    for name in (name for name in reversed(list(remaining)) if name not in ("p", "b")):
         code = StraightLine()
         root = code.value(remaining[name])
         for i in order:

@@ -1,0 +1,368 @@
+"""All G-spots: known answers in closed form, proofs of absence, folds, ends of intervals, budgets, surfaces.
+
+proofs/all_g_spots.md.
+"""
+
+from __future__ import annotations
+
+import itertools
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from flint import arb, fmpq
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import to_fmpq
+
+from gspot_verified.balls import working_bits
+from gspot_verified.mechanisms.all_g_spots import find_g_spots
+from gspot_verified.mechanisms.g_spot import GSpot, find_g_spot
+from gspot_verified.mechanisms.g_spot_list import GSpots
+from gspot_verified.mechanisms.given import from_fields, lagrangian
+from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.verdict import Outcome, Reason
+
+CRITICAL = Fraction(4, 3)
+
+
+def classical_rod(mu: Fraction, length: Fraction = Fraction(1), gravity: Fraction = Fraction(1)) -> Mechanism:
+    """The slender rod of Genot and Brogliato."""
+    return shipped_mechanism("genot_brogliato_rod", mu=mu, L=length, g=gravity)
+
+
+def polynomial(p: str, b: str, extra: tuple[str, ...] = ("w", "s"), fixed: bool = True) -> Mechanism:
+    """A system with these p and b, functions of further components; A = 2, C = 1, B = 1 - p, mu = 1."""
+    state = ["x", "u", "y", "v", *extra]
+    none = [0] * len(extra)
+    options: dict[str, Any] = {"fixed": ["x", "u"], "place": {"x": 0, "u": 1}} if fixed else {}
+    return from_fields(
+        "polynomial", state, ["u", 0, "v", b, *([1] * len(extra))], [0, 2, 0, f"1 - ({p})", *none],
+        [0, f"1 - ({p})", 0, 1, *none], "x", "y", 1, **options,
+    )  # fmt: skip
+
+
+def components(spot: GSpot, *words: str) -> list[arb]:
+    state = spot.mechanism.state
+    return [spot.system.point[state.index(word)] for word in words]
+
+
+def by_formula(mu: Fraction, length: Fraction, gravity: Fraction) -> list[tuple[arb, arb]]:
+    """p = 0: tan(theta)^2 - 3 mu tan(theta) + 4 = 0; b = 0: theta_dot^2 = 2 g/(L sin(theta)). (theta, theta_dot)."""
+    root = (9 * arb(to_fmpq(mu * mu)) - 16).sqrt()
+    found = []
+    for sign in (-1, 1):
+        theta = ((3 * arb(to_fmpq(mu)) + sign * root) / 2).atan()
+        speed = (2 * arb(to_fmpq(gravity / length)) / theta.sin()).sqrt()
+        found += [(theta, -speed), (theta, speed)]
+    return found
+
+
+def agree(found: GSpots, expected: list[tuple[arb, arb]]) -> bool:
+    """Each expected pair is in exactly one proved box, and there are no more boxes."""
+    boxes = [components(spot, "theta", "theta_dot") for spot in found.spots]
+    hits = [sum(x.overlaps(a) and y.overlaps(c) for x, y in boxes) for a, c in expected]
+    return len(boxes) == len(expected) and hits == [1] * len(expected)
+
+
+@settings(deadline=None, max_examples=12)
+@given(
+    st.fractions(Fraction(-1), Fraction(3), max_denominator=20),
+    st.sampled_from([Fraction(1), Fraction(1, 1000), Fraction(7, 3)]),
+    st.sampled_from([Fraction(1), Fraction(981, 100)]),
+)
+def test_the_classical_rod_for_any_friction_and_in_any_units(mu: Fraction, length: Fraction, gravity: Fraction) -> None:
+    found = find_g_spots(classical_rod(mu, length, gravity))
+    if mu < CRITICAL and mu > -CRITICAL:
+        assert found.complete
+        assert found.spots == ()
+        assert found.verdict.outcome is Outcome.REFUTED
+    elif mu > CRITICAL:
+        assert found.complete
+        assert found.verdict.outcome is Outcome.PROVED
+        with working_bits(150):
+            assert agree(found, by_formula(mu, length, gravity))
+    elif mu == CRITICAL:
+        assert not found.complete
+
+
+def test_the_four_spots_at_seven_fifths() -> None:
+    """tan(theta) = (21 -+ sqrt(41))/10."""
+    found = find_g_spots(classical_rod(Fraction(7, 5)))
+    with working_bits(150):
+        tangents = [(21 + sign * arb(41).sqrt()) / 10 for sign in (-1, 1)]
+        for spot in found.spots:
+            (theta, speed, Y, Y_dot) = components(spot, "theta", "theta_dot", "Y", "Y_dot")
+            assert sum(theta.tan().overlaps(t) for t in tangents) == 1
+            assert (speed * speed * theta.sin()).overlaps(arb(2))
+            assert (2 * Y).overlaps(theta.sin())
+            assert (2 * Y_dot).overlaps(theta.cos() * speed)
+            assert theta.rad() < arb(2) ** -100
+    assert dict(found.searched)["theta"].startswith("every angle")
+    assert dict(found.searched)["theta_dot"] == "every value"
+
+
+@pytest.mark.parametrize("digits", [6, 12, 24, 45])
+def test_next_to_the_fold(digits: int) -> None:
+    """Two pairs of spots as near as 10^(-digits/2), or none; at the fold itself neither is said."""
+    above = find_g_spots(classical_rod(CRITICAL + Fraction(1, 10**digits)))
+    below = find_g_spots(classical_rod(CRITICAL - Fraction(1, 10**digits)))
+    assert above.complete
+    assert len(above.spots) == 4
+    assert below.verdict.outcome is Outcome.REFUTED
+
+
+def test_the_fold_is_bracketed_and_named() -> None:
+    found = find_g_spots(classical_rod(CRITICAL))
+    assert found.spots == ()
+    assert found.verdict.outcome is Outcome.UNDECIDED
+    assert found.verdict.reason is Reason.HYPOTHESIS
+    assert len(found.left) == 2
+    for left in found.left:
+        assert "fold" in left.why
+        assert dict(left.sides)["theta"].startswith("[1.1071487177940")  # tan(theta) = 2
+    assert {dict(left.sides)["theta_dot"][:15] for left in found.left} == {"[1.495348781221", "[-1.49534878122"}
+
+
+def two_link_arm(mu: str, height: str) -> Mechanism:
+    """Two slender links of length 1 and mass 1 hang from a hinge; absolute angles from the vertical."""
+    return lagrangian(
+        "two-link arm", ["a", "c"], [["4/3", "cos(a - c)/2"], ["cos(a - c)/2", "1/3"]],
+        ["-sin(a - c)*c_dot^2/2 - 3*g*sin(a)/2", "sin(a - c)*a_dot^2/2 - g*sin(c)/2"],
+        "sin(a) + sin(c)", "h - cos(a) - cos(c)", mu, {"g": 1, "h": height},
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(("mu", "count"), [("8/10", 4), ("2", 6), ("3/10", 0)])
+def test_two_link_arm_against_a_scan(mu: str, count: int) -> None:
+    """Two routes: the search; sign changes of p along the configurations in contact and the quadratic for speeds."""
+    found = find_g_spots(two_link_arm(mu, "3/2"))
+    assert found.complete
+    assert len(found.spots) == count == scanned_arm(float(Fraction(mu)), 1.5)
+
+
+def scanned_arm(mu: float, height: float) -> int:
+    """Counts in floats: no proof, but nothing shared with the search."""
+    import math
+
+    def at(a: float, side: int) -> tuple[float, float]:
+        c = side * math.acos(height - math.cos(a))
+        coupling = math.cos(a - c) / 2
+        determinant = 4 / 9 - coupling**2
+
+        def solved(f: tuple[float, float]) -> tuple[float, float]:
+            return (f[0] / 3 - coupling * f[1]) / determinant, (4 / 3 * f[1] - coupling * f[0]) / determinant
+
+        gx, gy = (math.cos(a), math.cos(c)), (math.sin(a), math.sin(c))
+        n, t = solved(gy), solved(gx)
+        p = gy[0] * n[0] + gy[1] * n[1] - mu * (gy[0] * t[0] + gy[1] * t[1])
+        # v = 0: (a', c') = s (sin c, -sin a).
+        x, z = math.sin(c), -math.sin(a)
+
+        def b(s: float) -> float:
+            rest = solved((
+                -math.sin(a - c) * (z * s) ** 2 / 2 - 1.5 * math.sin(a),
+                math.sin(a - c) * (x * s) ** 2 / 2 - math.sin(c) / 2,
+            ))  # fmt: skip
+            return gy[0] * rest[0] + gy[1] * rest[1] + math.cos(a) * (x * s) ** 2 + math.cos(c) * (z * s) ** 2
+
+        curvature, constant = b(1.0) - b(0.0), b(0.0)
+        return p, -constant / curvature
+
+    end = math.acos(height - 1)
+    count = 0
+    for side in (-1, 1):
+        grid = [-end + 2 * end * (k + 0.5) / 4001 for k in range(4001)]
+        pairs = [at(a, side) for a in grid]
+        for (p, square), (q, _) in itertools.pairwise(pairs):
+            count += 2 * (p * q < 0 and square > 0)
+    return count
+
+
+def test_the_oscillator_has_the_papers_spot_and_others() -> None:
+    found = find_g_spots(shipped_mechanism("oscillator"))
+    assert found.complete
+    exact = find_g_spot(shipped_mechanism("oscillator"))
+    here = [
+        spot
+        for spot in found.spots
+        if all(x.overlaps(arb(y)) for x, y in zip(spot.system.point, exact.system.point, strict=True))
+    ]
+    assert len(here) == 1
+    with working_bits(150):
+        for spot in found.spots:
+            (phi,) = components(spot, "phi")
+            sine, cosine = (
+                fmpq(4, 5) * phi.cos() + fmpq(3, 5) * phi.sin(),
+                fmpq(3, 5) * phi.cos() - fmpq(4, 5) * phi.sin(),
+            )
+            # M^-1 = [[2, -s], [-s, 1]]/(2 - s^2), y_q = (s, 1), x_q = (c, 0): C = 1/(2 - s^2), B = s c/(2 - s^2).
+            assert (1 - fmpq(25, 12) * sine * cosine).overlaps(arb(0))
+    assert "more than one turn" in dict(found.searched)["phi"]
+
+
+def test_the_systems_of_the_paper_have_one_spot_each() -> None:
+    for name in ("model", "extended"):
+        found = find_g_spots(shipped_mechanism(name))
+        assert found.complete
+        assert len(found.spots) == 1
+        assert all(value.overlaps(arb(int(i == 1))) for i, value in enumerate(found.spots[0].system.point))
+
+
+def test_turning_the_coordinate_turns_the_spots() -> None:
+    """The same rod with theta = 1 + angle: the seam lies elsewhere, and so do the boxes."""
+
+    def rod(argument: str) -> Mechanism:
+        return lagrangian(
+            "rod", ["X", "Y", "theta"], [[1, 0, 0], [0, 1, 0], [0, 0, "1/12"]], [0, -1, 0],
+            f"X + cos({argument})/2", f"Y - sin({argument})/2", "7/5",
+        )  # fmt: skip
+
+    plain, turned = find_g_spots(rod("theta")), find_g_spots(rod("theta + 1"))
+    mirrored = find_g_spots(rod("-theta"))
+    assert plain.complete
+    assert turned.complete
+    assert mirrored.complete
+    assert plain.free == ("X", "X_dot")
+    for spots, sign, move in ((turned, 1, 1), (mirrored, -1, 0)):
+        expected = [
+            (sign * theta - move, sign * speed)
+            for theta, speed in (components(spot, "theta", "theta_dot") for spot in plain.spots)
+        ]
+        assert agree(spots, expected)
+
+
+@pytest.mark.parametrize(("sine", "cosine"), [("-3/5", "-4/5"), ("3/5", "4/5"), ("-3/5", "4/5")])
+def test_a_spot_at_the_seam_of_the_period_is_found_once(sine: str, cosine: str) -> None:
+    """Angles are counted from the reference: with (-3/5, -4/5) the rational spot lies exactly at +-pi."""
+    rod = lagrangian(
+        "rod", ["X", "Y", "theta"], [[1, 0, 0], [0, 1, 0], [0, 0, "1/3"]], [0, "-3/5", 0], "X + cos(theta)",
+        "Y - sin(theta)", "73/36", {}, {"theta": (sine, cosine)},
+    )  # fmt: skip
+    found = find_g_spots(rod)
+    assert found.complete
+    assert len(found.spots) == 4
+    heights = sorted(float(components(spot, "Y")[0]) for spot in found.spots)
+    assert heights[0] == pytest.approx(0.6)
+    assert heights[1] == pytest.approx(0.6)
+
+
+@pytest.mark.parametrize(
+    ("box", "inside", "boundary"),
+    [
+        ({"w": (0, 2), "s": (0, 2)}, 1, 0),
+        ({"w": (-2, 2), "s": (-2, 2)}, 2, 0),
+        ({"w": ("1/2", "3/5"), "s": (-1, 1)}, 0, 0),
+        ({"w": (1, 2), "s": (0, 3)}, 0, 1),
+        ({"w": (0, 1), "s": (1, 3)}, 0, 1),
+        ({"w": (1, 1), "s": (-5, 5)}, 0, 1),
+        ({"w": (-1, 1), "s": (-1, 1)}, 0, 2),
+        ({"w": (-1, 1), "s": (-3, 0)}, 0, 1),
+        ({"s": (0, 3)}, 1, 0),
+        ({}, 2, 0),
+    ],
+)
+def test_spots_at_ends_and_corners_of_the_box(box: dict[str, Any], inside: int, boundary: int) -> None:
+    """p = w^2 - 1 and b = s^3 - w: spots at w = s = 1 and w = s = -1."""
+    found = find_g_spots(polynomial("w^2 - 1", "s^3 - w"), box)
+    assert (len(found.spots), len(found.boundary), len(found.left)) == (inside, boundary, 0)
+    expected = Outcome.UNDECIDED if boundary else Outcome.PROVED if inside else Outcome.REFUTED
+    assert found.verdict.outcome is expected
+
+
+@pytest.mark.parametrize("budget", [1, 2, 5])
+def test_a_small_budget_is_undecided_and_says_what_is_left(budget: int) -> None:
+    found = find_g_spots(polynomial("w^2 - 2 + sin(s)", "s^3 - w"), budget=budget)
+    assert found.verdict.outcome is Outcome.UNDECIDED
+    assert found.verdict.reason is Reason.BUDGET
+    assert found.left
+    assert all("budget" in left.why for left in found.left)
+    assert find_g_spots(polynomial("w^2 - 2 + sin(s)", "s^3 - w")).complete
+
+
+NEVER_NONE = {
+    "p vanishes identically": ("sin(w)^2 + cos(w)^2 - 1", "s - 1/3"),
+    "a double zero of p": ("(w - 1/3)^2", "s"),
+    "a double zero of b": ("w - 1/3", "s^2 - 2*s + 1"),
+    "curves that touch": ("w^2 + s^2 - 2", "w*s - 1"),
+    "a quadruple zero": ("w^2", "s^2"),
+    "a cusp": ("w - s^3", "w*s"),
+}
+
+
+@pytest.mark.parametrize(("p", "b"), NEVER_NONE.values(), ids=NEVER_NONE)
+def test_what_cannot_be_settled_is_never_called_none(p: str, b: str) -> None:
+    found = find_g_spots(polynomial(p, b), budget=4000)
+    assert found.verdict.outcome is Outcome.UNDECIDED
+    assert found.left
+
+
+def test_a_root_from_infinity_is_searched_within_stated_bounds() -> None:
+    """b = w s^2 + s - 1 at w = 0, where the quadratic term vanishes."""
+    found = find_g_spots(polynomial("sin(w)", "w*s^2 + s - 1"), {"w": ("-1", "1")})
+    assert dict(found.searched)["s"] == "[-10, 10] (default bound)"
+    assert len(found.spots) == 1
+    assert components(found.spots[0], "s")[0].overlaps(arb(1))
+
+
+def test_a_constant_p_is_decided_at_once() -> None:
+    found = find_g_spots(polynomial("1", "s"), budget=1)
+    assert found.verdict.outcome is Outcome.REFUTED
+
+
+def test_more_unknowns_than_conditions_give_a_patch_or_a_proof_of_absence() -> None:
+    sphere = find_g_spots(polynomial("w^2 + s^2 + r^2 - 1", "w - s^2", ("w", "s", "r")))
+    assert sphere.patch is not None
+    assert sphere.patch.dimension == 1
+    assert not sphere.complete
+    assert sphere.verdict.outcome is Outcome.PROVED
+    assert "curve" in sphere.verdict.statement
+    assert (
+        find_g_spots(polynomial("w^2 + s^2 + r^2 + 1", "w - s^2", ("w", "s", "r"))).verdict.outcome is Outcome.REFUTED
+    )
+    free = find_g_spots(polynomial("w^2 + s^2 + r^2 - 1", "w - s^2", ("w", "s", "r"), fixed=False))
+    assert free.patch is not None
+    assert free.patch.dimension == 3
+
+
+def test_a_mass_matrix_that_is_not_positive_definite_is_said() -> None:
+    bad = from_fields(
+        "bad", ["x", "u", "y", "v", "w", "s"], ["u", 0, "v", "s", 1, 1], [0, 0, 0, 0, 0, 0], [0, 0, 0, "w", 0, 0],
+        "x", "y", 0, fixed=["x", "u"], place={"x": 0, "u": 1},
+    )  # fmt: skip
+    found = find_g_spots(bad)
+    assert found.verdict.outcome is Outcome.UNDECIDED
+    assert "A = L_GT u must be positive" in found.left[0].why
+
+
+def test_bad_input_is_named() -> None:
+    rod = classical_rod(Fraction(2))
+    with pytest.raises(MechanismError, match="'phi' is no component of the state"):
+        find_g_spots(rod, {"phi": (0, 1)})
+    with pytest.raises(MechanismError, match="interval of theta is empty or reversed"):
+        find_g_spots(rod, {"theta": (1, 0)})
+    with pytest.raises(MechanismError, match="a float is not taken as exact"):
+        find_g_spots(rod, {"theta": (0.5, 1)})  # type: ignore[dict-item]
+    for budget in (0, -1, True, 1.5):
+        with pytest.raises(ValueError, match="budget"):
+            find_g_spots(rod, budget=budget)  # type: ignore[arg-type]
+    with pytest.raises(MechanismError, match="the fixed component x has no value"):
+        find_g_spots(from_fields(
+            "f", ["x", "u", "y", "v", "w", "s"], ["u", 0, "v", "s", 1, 1], [0, 2, 0, 1, 0, 0], [0, 1, 0, 1, 0, 0],
+            "x", "y", 1, fixed=["x", "u"],
+        ))  # fmt: skip
+
+
+def test_results_have_text_and_plain_data() -> None:
+    import json
+
+    found = find_g_spots(classical_rod(Fraction(7, 5)))
+    text = str(found)
+    assert "exactly 4 G-spots" in text
+    assert text.count("G-spot 4") == 1
+    data = json.loads(json.dumps(found.to_json()))
+    assert data["verdict"]["outcome"] == "proved"
+    assert len(data["spots"]) == 4
+    with pytest.raises(TypeError, match="complete"):
+        bool(found)
