@@ -149,7 +149,7 @@ class _Search:
         return [replace(partial, proved=False, why=f"{names} may vanish there, with no component left to solve it for")]
 
     def _in_closed_form(self, closed: VelocityRoots, stage: Stage, partial: _Partial) -> list[_Partial]:
-        roots = closed.roots(self._full(partial.values))
+        roots = closed.all_roots(self._full(partial.values))
         if roots.open is not None:
             if roots.near is None:
                 return self._by_boxes(stage, partial)

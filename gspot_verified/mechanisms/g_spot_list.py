@@ -16,8 +16,10 @@ _SHOWN = 20
 
 
 @dataclass(frozen=True)
-class Left:
+class Left(NoTruthValue):
     """A box of states in which G-spots are neither found nor excluded, and why."""
+
+    ask: ClassVar[str] = ".why says why the box is left open"
 
     sides: tuple[tuple[str, str], ...]
     why: str
@@ -31,11 +33,13 @@ class Left:
 
 
 @dataclass(frozen=True)
-class Patch:
+class Patch(NoTruthValue):
     """For all values of ``parameters`` in their intervals exactly one G-spot has the other components in ``box``.
 
     ``dimension`` is that of the curve or surface which the G-spots form there, free components included.
     """
+
+    ask: ClassVar[str] = ".dimension is that of the curve or surface"
 
     dimension: int
     parameters: tuple[tuple[str, str], ...]

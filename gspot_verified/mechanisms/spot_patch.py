@@ -82,12 +82,13 @@ def _point_near(
     point = [value.mid() for value in place]
     for _ in range(_STEPS):
         values, rows = program.gradients(point)
-        matrix = arb_mat([[entry.mid() for entry in row] for row in rows])
+        matrix = [[entry.mid() for entry in row] for row in rows]
+        columns = arb_mat([[row[k] for row in matrix] for k in range(len(variables))])
         try:
-            weights = (matrix * matrix.transpose()).solve(arb_mat([[value.mid()] for value in values]))
+            weights = (arb_mat(matrix) * columns).solve(arb_mat([[value.mid()] for value in values]))
         except ZeroDivisionError:
             return None
-        step = matrix.transpose() * weights
+        step = columns * weights
         moves = [step[k, 0].mid() for k in range(len(variables))]
         if not all(move.is_finite() for move in moves):
             return None

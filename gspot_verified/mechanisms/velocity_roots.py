@@ -56,7 +56,7 @@ class VelocityRoots:
         quadratic = next((function for function, degree in zip(functions, degrees, strict=True) if degree == 2), None)
         return cls(affine, quadratic, dimension, variables)
 
-    def roots(self, given: Sequence[arb]) -> Roots:
+    def all_roots(self, given: Sequence[arb]) -> Roots:
         """All zeros for each choice of numbers in the balls ``given`` (those of ``variables`` are not read)."""
         state = list(given)
         for i in self._variables:

@@ -64,7 +64,7 @@ def test_one_affine_and_one_quadratic_condition() -> None:
     functions: list[Expression] = [c(2) * V - W + Q, V * V + V * W - c(2)]
     closed = VelocityRoots.of(functions, 3, [1, 2])
     assert closed is not None
-    found = closed.roots([arb(1), arb(0), arb(0)])
+    found = closed.all_roots([arb(1), arb(0), arb(0)])
     assert found.open is None
     pairs = sorted((point for point in found.points), key=lambda point: float(point[0]))
     assert holds(pairs[0][0], -1)
@@ -76,12 +76,12 @@ def test_one_affine_and_one_quadratic_condition() -> None:
 def test_affine_conditions_alone() -> None:
     closed = VelocityRoots.of([V + W - Q, V - W], 3, [1, 2])
     assert closed is not None
-    (point,) = closed.roots([arb(4), arb(0), arb(0)]).points
+    (point,) = closed.all_roots([arb(4), arb(0), arb(0)]).points
     assert holds(point[0], 2)
     assert holds(point[1], 2)
     dependent = VelocityRoots.of([V + W - Q, V + W], 3, [1, 2])
     assert dependent is not None
-    assert dependent.roots([arb(4), arb(0), arb(0)]).open
+    assert dependent.all_roots([arb(4), arb(0), arb(0)]).open
 
 
 @pytest.mark.parametrize(
@@ -99,8 +99,8 @@ def test_roots_for_a_ball_of_coefficients_hold_those_of_each(inside: int, size: 
     q = 2 + radius * Fraction(inside, 30)
     closed = VelocityRoots.of([V * V - Q], 2, [1])
     assert closed is not None
-    wide = closed.roots([arb(2) + arb(0, arb(to_fmpq(radius))), arb(0)])
-    exact = closed.roots([arb(fmpq(q.numerator, q.denominator)), arb(0)])
+    wide = closed.all_roots([arb(2) + arb(0, arb(to_fmpq(radius))), arb(0)])
+    exact = closed.all_roots([arb(fmpq(q.numerator, q.denominator)), arb(0)])
     for one, other in zip(wide.points, exact.points, strict=True):
         low, high = ends(other[0])
         assert holds(one[0], low)
