@@ -1,6 +1,7 @@
 # make verify   set everything up, check the paper's statements, write report/
 # make test     set everything up, run the tests
 # make test-all the same with the slow tests
+# make docs     the documentation site, build/docs/index.html; it is read without a network
 # make lint     formatting, lint, types
 # make mutants  mutation testing: FILES="gspot_verified/dyadic.py ...", OPTIONS="--sample 20" (tests/mutants/README.md)
 
@@ -9,7 +10,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: verify test test-all lint mutants clean
+.PHONY: verify test test-all docs lint mutants clean
 
 # Exit code 1 means that a printed statement of the paper is refuted: that is a result, not a failure of the run.
 verify: $(READY)
@@ -20,6 +21,9 @@ test: $(READY)
 
 test-all: $(READY)
 	$(BIN)/pytest -n 2
+
+docs: $(READY)
+	$(BIN)/python -m sphinx -W -q -b html docs build/docs
 
 lint: $(READY)
 	$(BIN)/ruff format --check .
@@ -34,7 +38,7 @@ mutants: $(READY)
 $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed: make PYTHON=python3.12 ...")'
 	$(PYTHON) -m venv --clear $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[test]'
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[test,docs]'
 	touch $@
 
 clean:

@@ -1,0 +1,146 @@
+"""Mathematics as the proof pages write it (``ξ_n``, ``e^(−x²)``, ``Σ_{n<M}``), typeset as HTML.
+
+No script and no font from elsewhere: italic variables, raised and lowered indices. A page can be read without a
+network, and a line of text can break inside a formula. Every character of the source stays, but for the marks
+``_``, ``^`` and the braces around an index; ``<=`` and its like become the signs that they stand for.
+"""
+
+from __future__ import annotations
+
+import html
+import re
+
+_GREEK = "α-ωϑϕϱϵΑ-Ω"
+_OPERATORS = "=<>≤≥≠≈∼~±∓·×∈∉⊂⊃∪∩→↦∞∂∇∫∑Σ∏Π√‖⌊⌋⌈⌉−∝≡∀∃"
+_MARKS = re.compile(
+    rf"[{_GREEK}{_OPERATORS}₀-₉⁰¹²³⁴-⁹ⁿℝℂℤℕ^]|[A-Za-z)\]]_[{{A-Za-z0-9]|[|+\u0300-\u036f]|(?<![a-z])/(?![a-z])|"
+    r"^[A-Za-z]['′]*\("
+)
+_LETTER = re.compile(r"[A-Za-z]['′″]*")
+_NUMBER = re.compile(r"[-−+]?\d[\d./]*[%]?")
+_NAME = re.compile(r"[A-Za-z]{2,}(_[A-Za-z]{2,})+|[A-Za-z]{3,}/[A-Za-z]{3,}|\w+\.(md|py|toml|cert)|https?:.*")
+_WORDS_OF_PROSE = {"a", "A", "I"}
+_TRAILING = ".,;:!?"
+_TYPED = {"<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "-": "−"}
+_LONG = re.compile(r"[A-Za-z]{4,}")
+
+
+def typeset(text: str) -> str:
+    """The text as HTML, its formulas typeset.
+
+    >>> print(typeset("Let p_n be a term of e^(2x)."))
+    Let <span class="formula"><i>p</i><sub><i>n</i></sub></span> be a term of \
+<span class="formula"><i>e</i><sup>2<i>x</i></sup></span>.
+    """
+    parts = re.split(r"(\s+)", text)
+    kinds = [_kind(part) for part in parts]
+    found: list[str] = []
+    run: list[str] = []
+
+    def close() -> None:
+        spaces = []
+        while run and run[-1].isspace():
+            spaces.append(run.pop())
+        if run:
+            words = "".join(run)
+            body = words.rstrip(_TRAILING)
+            found.append(f'<span class="formula">{formula(body)}</span>{html.escape(words[len(body) :], quote=False)}')
+            run.clear()
+        found.extend(reversed(spaces))
+
+    for index, (part, kind) in enumerate(zip(parts, kinds, strict=True)):
+        following = next((k for k in kinds[index + 1 :] if k != "space"), "prose")
+        if kind == "formula" or (run and kind == "number") or (kind == "number" and following == "formula"):
+            run.append(part)
+            if part[-1] in _TRAILING and not _is_open(run):
+                close()
+        elif (run and _is_open(run) and kind != "space" and not _LONG.search(part)) or (kind == "space" and run):
+            run.append(part)
+        else:
+            close()
+            found.append(html.escape(part, quote=False))
+    close()
+    return "".join(found)
+
+
+def _is_open(run: list[str]) -> bool:
+    """Whether a bracket is open, so that the formula goes on after a comma."""
+    text = "".join(run)
+    return any(text.count(opening) > text.count(closing) for opening, closing in ("()", "[]", "{}"))
+
+
+def _kind(word: str) -> str:
+    if word == "" or word.isspace():
+        return "space"
+    bare = word.strip(_TRAILING + "()[]“”\"'")
+    if _NAME.fullmatch(bare) or (re.search(r"[A-Za-z]{4,}", bare) and not re.search(rf"[{_GREEK}^=<>]", bare)):
+        return "prose"
+    if _MARKS.search(bare):
+        return "formula"
+    if _NUMBER.fullmatch(bare):
+        return "number"
+    if _LETTER.fullmatch(bare) and bare not in _WORDS_OF_PROSE:
+        return "formula"
+    return "prose"
+
+
+def formula(source: str) -> str:
+    """A formula as HTML."""
+    for typed, printed in _TYPED.items():
+        source = source.replace(typed, printed)
+    found, place = [], 0
+    while place < len(source):
+        letter = source[place]
+        if letter in "_^" and place + 1 < len(source):
+            inner, place = _index(source, place + 1, letter == "^")
+            tag = "sub" if letter == "_" else "sup"
+            found.append(f"<{tag}>{formula(inner)}</{tag}>")
+        elif letter == "*" and place and source[place - 1].isalnum() and not _follows(source, place + 1):
+            found.append("<sup>*</sup>")
+            place += 1
+        elif _is_letter(letter):
+            end = place + 1
+            while end < len(source) and (letter.isascii() and source[end].isascii() and source[end].isalpha()):
+                end += 1
+            while end < len(source) and "̀" <= source[end] <= "ͯ":  # an accent belongs to its letter
+                end += 1
+            found.append(_word(source[place:end]))
+            place = end
+        else:
+            found.append(html.escape(letter, quote=False))
+            place += 1
+    return "".join(found)
+
+
+def _follows(source: str, place: int) -> bool:
+    """Whether a factor comes next, so that a star is a product."""
+    return place < len(source) and (source[place].isalnum() or source[place] == "(")
+
+
+def _is_letter(letter: str) -> bool:
+    return letter.isalpha() and letter != "ⁿ" and letter not in "ℝℂℤℕ"
+
+
+def _word(word: str) -> str:
+    """One or two letters are variables; capital Greek letters and longer words stand upright."""
+    upright = (word.isascii() and len(word) > 2) or "Α" <= word[0] <= "Ω"
+    return html.escape(word, quote=False) if upright else f"<i>{html.escape(word, quote=False)}</i>"
+
+
+def _index(source: str, start: int, raised: bool) -> tuple[str, int]:
+    """The index that begins at ``start``, without its braces, and where it ends."""
+    if source[start] in "{(" and (source[start] == "{" or raised):
+        opening, closing = source[start], "}" if source[start] == "{" else ")"
+        depth = 0
+        for end in range(start, len(source)):
+            depth += (source[end] == opening) - (source[end] == closing)
+            if depth == 0:
+                inner = source[start + 1 : end]
+                # f^(n) is a derivative, e^(n + 1) a power.
+                keep = opening == "(" and re.fullmatch(r"\w|\d+", inner)
+                return (source[start : end + 1] if keep else inner), end + 1
+    pattern = r"[-−+]?(\d+|[^\W\d_])[̀-ͯ]*['′]*[*]?" if raised else r"[^\W_]+[̀-ͯ]*|."
+    match = re.compile(pattern).match(source, start)
+    if match is None:
+        return source[start], start + 1
+    return match[0], match.end()

@@ -1,0 +1,42 @@
+"""The notebook of the documentation: cells begin with ``# %%``; ``make docs`` runs it from top to bottom."""
+
+# %% [markdown]
+# # A notebook
+#
+# Every output below was computed when this page was built. The script is `docs/notebook.py`; open it as a notebook in
+# any editor that knows `# %%` cells.
+#
+# ## Θ in balls
+
+# %%
+from gspot_verified import ball_text, theta
+
+for tau in (-10, 0, "1/2", 3):
+    print(f"Θ({tau}, 7/3) = {ball_text(theta(tau, '7/3', digits=30), 30)}")
+
+# %% [markdown]
+# ## A mechanism
+
+# %%
+from gspot_verified import classify, load
+
+oscillator = load("oscillator")
+print(classify(oscillator))
+
+# %% [markdown]
+# ## Its distinguished trajectory
+#
+# The coefficients are exact here, because the G-spot is rational.
+
+# %%
+from gspot_verified import expand
+
+print(expand(oscillator, 3))
+
+# %% [markdown]
+# ## Which side lifts off, over β
+
+# %%
+from gspot_verified import side_switching
+
+print(side_switching(1, 5))

@@ -1,0 +1,48 @@
+"""Every example on every page runs and prints what the page says."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import page_examples
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGES = sorted((ROOT / "docs").glob("*.md"))
+WRITTEN = [page for page in PAGES if page.stem != "notebook"]
+
+
+def test_there_are_pages() -> None:
+    assert {"index", "ten_minutes", "file_format", "certified", "rigour"} <= {page.stem for page in WRITTEN}
+
+
+@pytest.mark.parametrize("page", WRITTEN, ids=lambda page: page.stem)
+def test_the_examples_of_a_page(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert page_examples.run_page(page, tmp_path) >= 1
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("'II', -1", "'III', -1"), ("[exit code 64]", "[exit code 1]"), ("Case II (", "Case I ("), ("'sine'", "'sin'")],
+)
+def test_a_page_that_says_something_else_fails(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, old: str, new: str
+) -> None:
+    text = (ROOT / "docs" / "ten_minutes.md").read_text(encoding="utf-8")
+    assert old in text
+    page = tmp_path / "ten_minutes.md"
+    page.write_text(text.replace(old, new, 1), encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(AssertionError, match=r"ten_minutes\.md"):
+        page_examples.run_page(page, tmp_path)
+
+
+def test_every_key_of_the_format_is_on_its_page() -> None:
+    """The keys that the reader of files accepts, from its own list of them."""
+    source = (ROOT / "gspot_verified" / "mechanisms" / "file.py").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "file_format.md").read_text(encoding="utf-8")
+    keys = {key for call in re.findall(r"\.only\(([^)]*)\)", source) for key in re.findall(r'"(\w+)"', call)}
+    assert {"format", "mass_matrix", "G_T", "fixed"} <= keys
+    assert {key for key in keys if not re.search(rf"\b{key}\b", page)} == set()
