@@ -70,8 +70,10 @@ def test_what_the_matrix_takes_to_zero_solves_the_equations(beta: int) -> None:
 def test_every_beta_is_tried_and_one_wrong_rank_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
     tried = []
 
-    def defect(_: int, alpha_1: fmpq, alpha_3: fmpq) -> int:
+    def defect(degree: int, alpha_1: fmpq, alpha_3: fmpq) -> int:
         beta = alpha_3 / alpha_1
+        assert degree == 5
+        assert 0 < beta < 6
         tried.append(beta)
         return int(beta.denominator == 1) if beta != wrong else 2
 
