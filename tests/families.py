@@ -17,3 +17,15 @@ def family(p: str, q: str, k: str = "1") -> Mechanism:
         x="x", y="y", mu=mu, parameters={"k": k},
         place={"x": 0, "u": 1, "y": 0, "v": 0, "q": q, "b": 0}, search=True, fixed=["x", "u"],
     )  # fmt: skip
+
+
+def three_alphas(first: str, second: str, third: str) -> Mechanism:
+    """The model system with α_1, α_2, α_3 any functions of a parameter k, and the spot always at 0."""
+    return from_fields(
+        "three alphas", ["x", "u", "y", "v", "p", "b"],
+        ["u", "0", "v", "b", first, second],
+        ["0", "3/(2*(1 - p))", "0", "1/2", "0", f"({third})/(2*(1 - p))"],
+        ["0", "1/2", "0", "(1 + p)/2", "0", f"-({third})/2"],
+        x="x", y="y", mu="1 - p", parameters={"k": 0},
+        place={"x": 0, "u": 1, "y": 0, "v": 0, "p": 0, "b": 0}, fixed=["x", "u"],
+    )  # fmt: skip

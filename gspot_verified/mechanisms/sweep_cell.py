@@ -58,7 +58,8 @@ class Cell:
 
 @dataclass
 class Examination:
-    """The examination of one cell, all by itself: it depends on the cell and the origin alone."""
+    """The examination of cells, one after the other. What is tried first depends on the cells before, so the same cells
+    in the same order give the same pieces."""
 
     equations: Equations
     digits: int
@@ -70,7 +71,9 @@ class Examination:
         """Pieces that cover the cell, in the order of their lower ends."""
         if cell.origin is None:
             return [SweepPiece(cell.lower, cell.upper, Kind.NO_TUBE)]
-        self.origins = [cell.origin]
+        # The widths of the last tube are a good guess at those of the next.
+        self.origins = [cell.origin.as_wide_as(self.origins[-1]) if self.origins else cell.origin]
+        self.left = _BUDGET
         with working_bits(BITS):
             found = self._examine((cell.lower, cell.upper), 0, Known())
         return sorted(found, key=lambda piece: piece.lower)

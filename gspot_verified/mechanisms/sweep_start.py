@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from flint import arb, fmpq
 
@@ -39,6 +39,10 @@ class Origin:
             tuple((high - low) / 2 for low, high in pairs),
             tuple(approximate(value.abs_upper()) for value in tube.found),
         )
+
+    def as_wide_as(self, other: Origin) -> Origin:
+        """With the widths of another one."""
+        return replace(self, half=other.half, widths=other.widths)
 
     def distance(self, lower: Sequence[fmpq], upper: Sequence[fmpq]) -> fmpq:
         """How far the place is from the middle of a box, in its half sides."""

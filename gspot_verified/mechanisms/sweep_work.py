@@ -74,7 +74,8 @@ def portions(cells: Sequence[Cell]) -> list[list[Cell]]:
 
 def examine(question: Question, cells: Sequence[Cell]) -> Pieces:
     """The pieces of some cells; it pickles, and so do its arguments and its answer."""
-    return [Examination(question.equations(), question.digits).pieces(cell) for cell in cells]
+    examination = Examination(question.equations(), question.digits)
+    return [examination.pieces(cell) for cell in cells]
 
 
 def results(

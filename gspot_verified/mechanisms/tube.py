@@ -157,7 +157,8 @@ def try_tube(
         return None
     by_state = arb_mat([row[:n] for row in rows[:n]])
     # d f(centre + slopes (λ - middle), λ) / dλ
-    along = [[_dot(row[:n], column) + row[n + j] for j, column in enumerate(zip(*slopes, strict=True))] for row in rows]
+    turned = iter((arb_mat([row[:n] for row in rows]) * arb_mat([list(row) for row in slopes])).entries())
+    along = [[next(turned) + slope for slope in row[n:]] for row in rows]
     preconditioner = _middle_inverse(by_state, n)
     if preconditioner is None:
         return None

@@ -1,0 +1,130 @@
+"""Case and side on pieces against exact arithmetic: α_1, α_2, α_3 are random polynomials in the parameter.
+
+Page: proofs/sweep.md, sections 3 to 5.
+"""
+
+from __future__ import annotations
+
+import itertools
+from fractions import Fraction
+
+import pytest
+import sympy
+from families import three_alphas
+from flint import fmpq
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from gspot_verified.mechanisms.classify import classify
+from gspot_verified.mechanisms.sweep import sweep
+from gspot_verified.mechanisms.sweep_findings import case_of_signs
+from gspot_verified.mechanisms.sweep_piece import Kind
+from gspot_verified.mechanisms.sweep_result import Crossing
+
+K = sympy.Symbol("k")
+COEFFICIENTS = st.lists(st.fractions(-3, 3, max_denominator=4), min_size=1, max_size=4)
+NEGATIVE = st.lists(st.fractions(0, 2, max_denominator=4), min_size=1, max_size=3)
+
+
+def polynomial(coefficients: list[Fraction]) -> sympy.Poly:
+    return sympy.Poly(sum(sympy.Rational(c.numerator, c.denominator) * K**i for i, c in enumerate(coefficients)), K)
+
+
+def at(function: sympy.Poly, value: fmpq) -> Fraction:
+    found = function.eval(sympy.Rational(int(value.p), int(value.q)))
+    return Fraction(int(found.p), int(found.q))
+
+
+def exactly(first: Fraction, second: Fraction, third: Fraction) -> tuple[str, int | None, int | None]:
+    """The paper's cases, Sec. 1.2 and Sec. 4.5, for numbers; beta an integer in Case III gives no sides."""
+    if first < third < 0 and second != 0:
+        return ("I" if second < 0 else "II"), None, -1
+    if third < first < 0 and second < 0:
+        beta = third / first
+        sign = None if beta.denominator == 1 else (1 if (beta.numerator // beta.denominator) % 2 else -1)
+        return "III", (None if sign is None else -sign), sign
+    return "none", None, None
+
+
+def boundary(crossing: Crossing, alphas: tuple[sympy.Poly, ...]) -> sympy.Poly:
+    """A polynomial that vanishes where the crossing's quantity does (alpha_1 has a certain sign there, for beta)."""
+    first, second, third = alphas
+    named = {"alpha_1": first, "alpha_2": second, "alpha_3": third, "alpha_3 - alpha_1": third - first}
+    if crossing.quantity in named:
+        return named[crossing.quantity]
+    return third - int(crossing.quantity.removeprefix("beta - ")) * first
+
+
+@given(COEFFICIENTS, COEFFICIENTS, COEFFICIENTS, st.booleans(), st.integers(1, 5), st.lists(st.integers(0, 64)))
+@settings(max_examples=60, deadline=None)
+def test_random_polynomials(
+    one: list[Fraction], two: list[Fraction], three: list[Fraction], likely: bool, cells: int, points: list[int]
+) -> None:
+    first, second, third = (polynomial(each) for each in (one, two, three))
+    if likely:  # mostly Case III: -α_1 small and positive, -α_3 larger
+        first, third = -(first * first) - sympy.Rational(1, 4), -(third * third) - sympy.Rational(1, 3)
+    alphas = (first, second, third)
+    texts = [str(each.as_expr()) for each in alphas]
+    result = sweep(three_alphas(*texts), {"k": ("-1", "1", cells)})
+    for piece in result.pieces:
+        (lower,), (upper,) = piece.lower, piece.upper
+        assert piece.kind in (Kind.SETTLED, Kind.CROSSING, Kind.OPEN)
+        for part in (0, 64, 31, *points):
+            place = lower + (upper - lower) * fmpq(part, 64)
+            values = [at(each, place) for each in alphas]
+            for name, value in zip(("alpha_1", "alpha_2", "alpha_3"), values, strict=True):
+                number = piece.number(name)
+                assert number is not None
+                assert number.contains(value)
+            if piece.number("beta") is not None:
+                assert piece.numbers[3].contains(values[2] / values[0])  # type: ignore[union-attr]
+            if piece.kind is Kind.SETTLED:
+                assert piece.answer == exactly(*values)
+                assert piece.answer[0] in ("none", "I", "II") or piece.answer[1] is not None
+    for crossing in result.crossings:
+        ends = [sympy.Rational(int(end.p), int(end.q)) for end in (crossing.lower, crossing.upper)]
+        zeros = boundary(crossing, alphas).count_roots(*ends)
+        assert zeros == 1 if crossing.proved else zeros <= 1
+
+
+@pytest.mark.parametrize(
+    ("alphas", "settled"),
+    [
+        (("-1", "k^2", "-1/2"), {"II"}),  # alpha_2 touches 0
+        (("-1", "-1", "-2 - k^2"), {"III"}),  # beta touches 2
+        (("-1", "-1", "-2 + k^2"), {"III"}),
+        (("k", "-1", "k"), {"none"}),  # alpha_1 and alpha_3 are equal
+        (("-1", "k", "-1 + k"), {"I", "II", "none", "III"}),  # two quantities vanish at once
+        (("-1 - k", "-1", "-2 - 2*k"), {"none"}),  # beta = 2 all along, until alpha_1 vanishes at the end
+    ],
+)
+def test_what_touches_or_coincides_is_left(alphas: tuple[str, str, str], settled: set[str]) -> None:
+    result = sweep(three_alphas(*alphas), {"k": "-1..1:3"})
+    assert result.verdict.exit_code == 2
+    assert {piece.case for piece in result.pieces if piece.kind is Kind.SETTLED} <= settled
+    assert not any(crossing.proved for crossing in result.crossings if crossing.lower <= 0 <= crossing.upper)
+
+
+@pytest.mark.parametrize("signs", list(itertools.product([-1, 0, 1], repeat=3)))
+def test_the_table_is_that_of_a_single_classification(signs: tuple[int, int, int]) -> None:
+    first, second, third = signs
+    for factor in (1, 3):
+        single = classify(three_alphas(str(first), str(second), f"{third}*{factor}/2"))
+        difference = Fraction(third * factor, 2) - first
+        table = {"alpha_1": first, "alpha_2": second, "alpha_3": third}
+        table["alpha_3 - alpha_1"] = (difference > 0) - (difference < 0)
+        assert case_of_signs(table) == (single.case, ())
+
+
+@pytest.mark.parametrize("unknown", [{"alpha_1"}, {"alpha_2"}, {"alpha_3 - alpha_1"}, {"alpha_1", "alpha_3"}])
+def test_an_unknown_sign_is_never_filled_in(unknown: set[str]) -> None:
+    """Whatever the unknown signs are, a Case that is said is the one that they give."""
+    names = ("alpha_1", "alpha_2", "alpha_3", "alpha_3 - alpha_1")
+    for signs in itertools.product([-1, 1], repeat=4):
+        table = dict(zip(names, signs, strict=True))
+        case, unsure = case_of_signs({name: None if name in unknown else sign for name, sign in table.items()})
+        if case is not None:
+            for others in itertools.product([-1, 1], repeat=len(unknown)):
+                assert case_of_signs(table | dict(zip(sorted(unknown), others, strict=True)))[0] == case
+        else:
+            assert set(unsure) == unknown
