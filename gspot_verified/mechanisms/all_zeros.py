@@ -54,10 +54,18 @@ class ZeroSearch:
     """The zeros of a program's functions in its ``variables``; the other components have the values ``given``.
 
     ``periods`` are the periods of all functions in the variables (None: none), as balls at the precision of the call.
+    With an ``objective`` only those zeros are wanted at which it is largest: others may be left out.
     """
 
-    def __init__(self, program: BoxProgram, given: Sequence[arb], periods: Sequence[arb | None]) -> None:
+    def __init__(
+        self,
+        program: BoxProgram,
+        given: Sequence[arb],
+        periods: Sequence[arb | None],
+        objective: BoxProgram | None = None,
+    ) -> None:
         self._program, self._given, self._periods = program, list(given), list(periods)
+        self._objective, self._reached = objective, arb.neg_inf()
         self._size = len(program.variables)
         self.found = Zeros()
 
@@ -113,6 +121,8 @@ class ZeroSearch:
             return None
         if len(rows) != self._size:
             return box
+        if self._objective is not None and self._objective.mean_values(state)[0] < self._reached:
+            return None
         middle = [side.mid() for side in box]
         near = [[entry.mid() for entry in row] for row in rows]
         contracted = krawczyk_operator(self._program.values(self.state(middle)), rows, near, box)
@@ -218,6 +228,9 @@ class ZeroSearch:
                 return
         if not any(self._may_meet(enclosure, zero.enclosure) for zero in self.found.zeros):
             self.found.zeros.append(Zero(enclosure, [region]))
+            if self._objective is not None:
+                (value,) = self._objective.mean_values(self.state(enclosure))
+                self._reached = value.lower() if value.is_finite() and value > self._reached else self._reached
 
     def _halves(self, box: Box) -> list[Box]:
         j = self._split_along(box)
