@@ -29,7 +29,8 @@ class Classification(NoTruthValue):
     ``mean_force`` are None where they do not exist (or may not). ``lift_off_sign`` is the sign of C_1 that lifts off,
     None except in Case III; ``impact_sign`` the one that takes an impact without collision, None in no Case.
     ``integer_beta`` is the integer (up to 10^6) that beta is or may be, at whose order 2 (beta - 1) of delta there is
-    no unique expansion. ``slip_velocity`` is u at the G-spot.
+    no unique expansion. ``slip_velocity`` is u at the G-spot. ``notes`` say how the mechanism was read: negative
+    slip is mirrored.
     """
 
     ask: ClassVar[str] = '.case is "I", "II", "III", "none", or None (undecided)'
@@ -49,6 +50,7 @@ class Classification(NoTruthValue):
     integer_beta: int | None
     slip_velocity: Exact
     fixed: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
 
     @property
     def obstructed_order(self) -> int | None:
@@ -95,6 +97,7 @@ class Classification(NoTruthValue):
             )
         if self.fixed:
             lines.append(f"  fixed components (conditions J): {', '.join(self.fixed)}")
+        lines += [f"  note: {note}" for note in self.notes]
         lines += [f"  warning: {warning}" for warning in self.warnings]
         return "\n".join(lines)
 
@@ -114,6 +117,7 @@ class Classification(NoTruthValue):
             "integer_beta": self.integer_beta,
             "obstructed_order": self.obstructed_order,
             "fixed": list(self.fixed),
+            "notes": list(self.notes),
         }
 
 
@@ -151,7 +155,7 @@ def classify_g_spot(spot: GSpot) -> Classification:
         lift_off, impact = _sides(case, beta)
         return Classification(
             system.name, tuple(spot.values().items()), spot.exact, first, second, third, beta, force, case, reason,
-            lift_off, impact, integer, slip, spot.fixed,
+            lift_off, impact, integer, slip, spot.fixed, spot.mechanism.notes,
         )  # fmt: skip
 
 

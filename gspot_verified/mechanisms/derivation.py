@@ -10,23 +10,28 @@ so that nothing but b, a and the α's depends on velocities in any other way tha
 character (eqs. lagrangian1, lagrangian2) holds by construction. From M^-1' = -M^-1 M' M^-1: with z = M^-1 Y,
 α_1 = γ'^T z + ζ^T Y' - ζ^T M' z for γ = Y - μ X, ζ = M^-1 γ, where ' is the rate along q'; and
 z'^T f = (Y' - M' z)^T M^-1 f.
+
+Constraints φ(q, t) = 0 with multipliers ν: M q'' = f + Φ^T ν + ..., and φ'' = 0 gives Φ q'' = -(second derivative of φ
+along q'). Both together are K (q'', -ν) = (f, -φ'' at q'' = 0) + (Y, 0) λ_N + (X, 0) λ_T with a symmetric K, M bordered
+by Φ: the formulas above hold with K for M. Where M is positive definite and the rows of Φ are independent,
+K = L D L^T has no vanishing pivot: the first are those of M, the others those of -Φ M^-1 Φ^T.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from gspot_verified.expansion.derivative import ONE, ZERO, lie_derivative, partial_derivative
-from gspot_verified.expansion.expressions import Expression, Variable
+from gspot_verified.expansion.derivative import ZERO, partial_derivative
+from gspot_verified.expansion.expressions import Expression
 from gspot_verified.mechanisms.derived import Derived
+from gspot_verified.mechanisms.lagrangian_input import LagrangianInput, Prepare, lagrangian_input
 from gspot_verified.mechanisms.mass_inverse import MassInverse, SingularMatrixError
 from gspot_verified.mechanisms.mechanism import Fields, Lagrangian, Mechanism, MechanismError
-from gspot_verified.mechanisms.simplify import constant, product_of, simplified, sum_of
-from gspot_verified.mechanisms.symbol import variable_indices
+from gspot_verified.mechanisms.rewriting import along, simplified
+from gspot_verified.mechanisms.simplify import minus, negative, product_of, sum_of
 
 Row = Sequence[Expression]
-Prepare = Callable[[Sequence[Expression]], list[Expression]]
 
 
 def derive_expressions(mechanism: Mechanism, prepare: Prepare) -> Derived[Expression]:
@@ -42,108 +47,79 @@ def derive_expressions(mechanism: Mechanism, prepare: Prepare) -> Derived[Expres
 
 def _of_fields(mechanism: Mechanism, motion: Fields, prepare: Prepare) -> Derived[Expression]:
     m = len(mechanism.state)
-    x, y, mu, *rest = prepare([mechanism.x, mechanism.y, mechanism.mu, *motion.F, *motion.G_T, *motion.G_N])
+    slip = mechanism.slip_velocity if mechanism.x is None else mechanism.x
+    assert slip is not None
+    first, y, mu, *rest = prepare([slip, mechanism.y, mechanism.mu, *motion.F, *motion.G_T, *motion.G_N])
     F, G_T, G_N = tuple(rest[:m]), tuple(rest[m : 2 * m]), tuple(rest[2 * m :])
-    G = tuple(_minus(n, product_of(mu, t)) for n, t in zip(G_N, G_T, strict=True))
-    u, v = along(F, x), along(F, y)
+    G = tuple(minus(n, product_of(mu, t)) for n, t in zip(G_N, G_T, strict=True))
+    x, u = (None, first) if mechanism.x is None else (first, along(F, first))
+    v = along(F, y)
     a, b = along(F, u), along(F, v)
     A, B, C = along(G_T, u), along(G_N, u), along(G_N, v)
     p = along(G, v)
-    alpha = along(F, p), along(F, b), _negative(along(G, b))
+    alpha = along(F, p), along(F, b), negative(along(G, b))
     return Derived(F, G_T, G_N, G, x, y, u, v, a, b, A, B, C, p, *alpha, mu, None)
 
 
 def _of_lagrangian(mechanism: Mechanism, motion: Lagrangian, prepare: Prepare) -> Derived[Expression]:
-    n = len(motion.coordinates)
-    entries = [entry for row in motion.mass_matrix for entry in row]
-    x, y, mu, *rest = prepare([mechanism.x, mechanism.y, mechanism.mu, *entries, *motion.forces])
-    rows = tuple(tuple(rest[i * n : (i + 1) * n]) for i in range(n))
-    forces = rest[n * n :]
-    _check_velocities(mechanism, n, x, y, mu, rows)
+    given = lagrangian_input(mechanism, motion, prepare)
+    n, m, mu, constrained = given.n, given.m, given.mu, len(given.constraints)
+    glide = given.glide
+    rates = [along(glide, constraint) for constraint in given.constraints]
+    gradients = [_gradient(constraint, range(n), m) for constraint in given.constraints]
+    rows = [[*row, *(gradient[i] for gradient in gradients)] for i, row in enumerate(given.rows)]
+    rows += [[*gradient, *[ZERO] * constrained] for gradient in gradients]
     try:
         inverse = MassInverse(rows)
     except SingularMatrixError as error:
         raise MechanismError(f"{mechanism.name}: {error}") from None
-    return _Motion(n, len(mechanism.state), rows, inverse, forces, x, y, mu).derived()
-
-
-def _check_velocities(
-    mechanism: Mechanism, n: int, x: Expression, y: Expression, mu: Expression, rows: Sequence[Row]
-) -> None:
-    velocities = set(range(n, 2 * n))
-    if variable_indices([x, y]) & velocities:
-        raise MechanismError(f"{mechanism.name}: x and y must not depend on velocities")
-    if variable_indices([entry for row in rows for entry in row]) & velocities:
-        raise MechanismError(f"{mechanism.name}: the mass matrix must not depend on velocities")
-    if variable_indices([mu]) & velocities:
-        raise MechanismError(
-            f"{mechanism.name}: the friction coefficient must not depend on velocities: L_G p must vanish (Lagrangian "
-            "character, Sec. 2, eq. lagrangian2), and where p = C - mu B = 0 with A C > B^2, a coefficient mu(u) gives "
-            "L_G p = mu'(u) B (mu A - B) with B > 0 and mu A > B, so p' = alpha_1 + (L_G p) lambda_N would hold in "
-            "the place of eq. gensys2"
-        )
+    still = [ZERO] * constrained
+    X = [*_gradient(given.u, range(n, 2 * n), m), *still]
+    Y = [*_gradient(given.y, range(n), m), *still]
+    forces = [*given.forces, *(negative(along(glide, rate)) for rate in rates)]
+    return _Motion(
+        given, rows, inverse, forces, X, Y, [minus(b, product_of(mu, a)) for a, b in zip(X, Y, strict=True)]
+    ).derived()
 
 
 @dataclass(frozen=True)
 class _Motion:
-    """M q'' = f + Y λ_N + X λ_T; n coordinates, m components of the state (q, q', and t where it is explicit)."""
+    """K (q'', -ν) = f + Y λ_N + X λ_T; K is M, or M bordered by the gradients of the constraints. γ = Y - μ X."""
 
-    n: int
-    m: int
+    given: LagrangianInput
     rows: Sequence[Row]
     inverse: MassInverse
     forces: Row
-    x: Expression
-    y: Expression
-    mu: Expression
+    X: Row
+    Y: Row
+    gamma: Row
 
     def derived(self) -> Derived[Expression]:
-        n, inverse, mu = self.n, self.inverse, self.mu
-        X, Y = self._gradient(self.x), self._gradient(self.y)
-        gamma = [_minus(part, product_of(mu, other)) for part, other in zip(Y, X, strict=True)]
+        given, inverse, X, Y, gamma = self.given, self.inverse, self.X, self.Y, self.gamma
+        n, glide, y, u = given.n, given.glide, given.y, given.u
         free, by_x, by_y, by_gamma = (inverse.times(right) for right in (self.forces, X, Y, gamma))
-        velocities = [Variable(n + i) for i in range(n)]
-        nothing = [ZERO] * n
-        time = [ONE] * (self.m - 2 * n)
-        still = [ZERO] * len(time)
-        F, glide = (*velocities, *free, *time), (*velocities, *nothing, *time)
-        G_T, G_N, G = ((*nothing, *part, *still) for part in (by_x, by_y, by_gamma))
-        u, v = along(glide, self.x), along(glide, self.y)
+        nothing, still = [ZERO] * n, [ZERO] * (given.m - 2 * n)
+        F = (*glide[:n], *free[:n], *glide[2 * n :])
+        G_T, G_N, G = ((*nothing, *part[:n], *still) for part in (by_x, by_y, by_gamma))
+        v = along(glide, y)
         u_rate, v_rate = along(glide, u), along(glide, v)
         A, B, C, p = (inverse.form(*pair) for pair in ((X, X), (X, Y), (Y, Y), (gamma, Y)))
         a, b = sum_of(u_rate, inverse.form(X, self.forces)), sum_of(v_rate, inverse.form(Y, self.forces))
-        mass_rate = [[along(glide, entry) for entry in row] for row in self.rows]
-        pull = [_dot(row, by_y) for row in mass_rate]  # M' z
+        pull = [_dot([along(glide, entry) for entry in row], by_y) for row in self.rows]  # K' z
         Y_rate = [along(glide, part) for part in Y]
         gamma_rate = [along(glide, part) for part in gamma]
-        alpha_1 = sum_of(_dot(gamma_rate, by_y), _dot(by_gamma, Y_rate), _negative(_dot(by_gamma, pull)))
-        bend = [_minus(part, other) for part, other in zip(Y_rate, pull, strict=True)]
+        alpha_1 = sum_of(_dot(gamma_rate, by_y), _dot(by_gamma, Y_rate), negative(_dot(by_gamma, pull)))
+        bend = [minus(part, other) for part, other in zip(Y_rate, pull, strict=True)]
         alpha_2 = sum_of(along(F, v_rate), _dot(bend, free), _dot(by_y, [along(F, force) for force in self.forces]))
-        alpha_3 = _negative(sum_of(along(G, v_rate), _dot(by_y, [along(G, force) for force in self.forces])))
-        rows = tuple(tuple(row) for row in self.rows)
-        return Derived(F, G_T, G_N, G, self.x, self.y, u, v, a, b, A, B, C, p, alpha_1, alpha_2, alpha_3, mu, rows)
-
-    def _gradient(self, function: Expression) -> list[Expression]:
-        return simplified(*(partial_derivative(function, i, self.m) for i in range(self.n)))
+        alpha_3 = negative(sum_of(along(G, v_rate), _dot(by_y, [along(G, force) for force in self.forces])))
+        return Derived(
+            F, G_T, G_N, G, given.x, y, u, v, a, b, A, B, C, p, alpha_1, alpha_2, alpha_3, given.mu, given.rows
+        )
 
 
-def along(field: Row, function: Expression) -> Expression:
-    """The Lie derivative, simplified.
-
-    >>> along([Variable(1), constant(-1)], Variable(0))
-    Variable(index=1)
-    """
-    (found,) = simplified(lie_derivative(function, field))
-    return found
+def _gradient(function: Expression, indices: Iterable[int], m: int) -> list[Expression]:
+    return simplified(*(partial_derivative(function, i, m) for i in indices))
 
 
 def _dot(left: Row, right: Row) -> Expression:
     return sum_of(*(product_of(a, b) for a, b in zip(left, right, strict=True)))
-
-
-def _negative(value: Expression) -> Expression:
-    return product_of(constant(-1), value)
-
-
-def _minus(left: Expression, right: Expression) -> Expression:
-    return sum_of(left, _negative(right))

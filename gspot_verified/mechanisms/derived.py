@@ -10,13 +10,16 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class Derived(Generic[T]):
-    """The fields and functions of a mechanism: expressions, or sympy functions on the second route."""
+    """The fields and functions of a mechanism: expressions, or sympy functions on the second route.
+
+    ``x`` is None where the slip velocity u is given instead, as in rolling: then no x with u = L_F x need exist.
+    """
 
     F: tuple[T, ...]
     G_T: tuple[T, ...]
     G_N: tuple[T, ...]
     G: tuple[T, ...]
-    x: T
+    x: T | None
     y: T
     u: T
     v: T

@@ -1,53 +1,95 @@
 """Read a mechanism from a TOML file.
 
-A file has these parts (numbers are integers or texts such as "7/3" or "0.1"; a float is refused)::
+For example::
 
     format = 1
     name = "falling rod"
 
-    [parameters]                 # in any formula; a value may use other parameters
+    [parameters]
     m = 1
     mu = "73/36"
 
-    [angles.theta]               # optional: makes theta_ref known by exact rationals, sine^2 + cosine^2 = 1
+    [angles.theta]
     sine = "3/5"
     cosine = "4/5"
 
-    [lagrangian]                 # M(q) q'' = f(q, q') + contact forces; velocities are <coordinate>_dot
+    [lagrangian]
     coordinates = ["X", "Y", "theta"]
     mass_matrix = [["m", 0, 0], [0, "m", 0], [0, 0, "m*l^2/3"]]
     forces = [0, "-m*g", 0]
-    # time = "t"                 # optional: makes time a component of the state
 
     [contact]
     x = "X + l*cos(theta)"
     y = "Y - l*sin(theta)"
     mu = "mu"
 
-    [g_spot]                     # a value for each component of the state, in parameters and reference angles
-    search = false               # true: the values start Newton's method
-    # fixed = ["X", "X_dot"]     # optional: m - 4 components that keep their values
-    # conditions = ["X"]         # or: m - 4 functions J of the state that vanish
-
+    [g_spot]
     [g_spot.point]
     X = 0
 
-Instead of ``[lagrangian]`` a file may have ``[fields]`` with ``state``, ``F``, ``G_T``, ``G_N``. Formulas are read by
+The keys; one of the tables ``lagrangian``, ``energies``, ``fields`` says how it moves::
+
+    format                   1
+    name                     one line of visible text
+    note                     a text for readers
+    parameters.*             a formula of other parameters: the value of the parameter *
+    angles.*.sine            rational; with the cosine it makes *_ref known, sine^2 + cosine^2 = 1
+    angles.*.cosine          rational
+    lagrangian.coordinates   names; the velocity of q is q_dot
+    lagrangian.mass_matrix   rows of formulas of the coordinates (and time): M q'' = forces + contact forces
+    lagrangian.forces        one formula for each coordinate, of the whole state
+    lagrangian.time          a name: makes time a component of the state, for explicit forcing
+    lagrangian.constraints   formulas of the coordinates (and time) that are 0; their multipliers are solved for
+    energies.coordinates     names
+    energies.kinetic         T, quadratic in the velocities
+    energies.potential       V, of the coordinates (and time)
+    energies.dissipation     optional: Rayleigh's function D, the force -dD/dq_dot
+    energies.forces          optional: further forces, one for each coordinate
+    energies.time            as in lagrangian
+    energies.constraints     as in lagrangian
+    fields.state             names of the components
+    fields.F                 one formula for each component
+    fields.G_T               one formula for each component: the direction of the tangential force
+    fields.G_N               one formula for each component: the direction of the normal force
+    contact.x                the tangential place of the contact point; its rate is the slip velocity
+    contact.slip_velocity    in the place of x: a formula linear in the velocities (a belt, a rolling contact)
+    contact.slip             "positive" (if missing), or "negative": the library mirrors x
+    contact.y                the distance of the contact point from the surface
+    contact.mu               the friction coefficient, a formula of the coordinates (and time)
+    g_spot.search            true: the values of the point start Newton's method
+    g_spot.fixed             m - 4 components of the state that keep their value; two less for each constraint
+    g_spot.conditions        in the place of fixed: functions of the state that vanish
+    g_spot.point.*           the value of the component * of the state: a formula of parameters and reference angles
+
+Numbers are exact: integers, decimals (0.1 is 1/10), or texts such as "7/3". Formulas are read by
 :mod:`gspot_verified.mechanisms.formula`: they can run no code.
 """
 
 from __future__ import annotations
 
-import tomllib
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from gspot_verified.mechanisms.given import from_fields, lagrangian
+from gspot_verified.mechanisms.given import from_energies, from_fields, lagrangian
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.toml_table import TomlTable, formula_value, shown_value, toml_table
 
 MAX_BYTES = 200_000
-_FORMULA = 'a formula: a text or an integer (write 0.1 as "0.1")'
+KEYS: dict[str, tuple[str, ...]] = {
+    "": ("format", "name", "note", "parameters", "angles", "lagrangian", "energies", "fields", "contact", "g_spot"),
+    "parameters": ("*",),
+    "angles": ("*",),
+    "angles.*": ("sine", "cosine"),
+    "lagrangian": ("coordinates", "mass_matrix", "forces", "time", "constraints"),
+    "energies": ("coordinates", "kinetic", "potential", "dissipation", "forces", "time", "constraints"),
+    "fields": ("state", "F", "G_T", "G_N"),
+    "contact": ("x", "slip_velocity", "slip", "y", "mu"),
+    "g_spot": ("search", "fixed", "conditions", "point"),
+    "g_spot.point": ("*",),
+}
+"""The keys of each table; ``*`` stands for names that the file chooses."""
+
+_MOTIONS = ("lagrangian", "energies", "fields")
 
 
 def read_mechanism(path: str | Path) -> Mechanism:
@@ -63,7 +105,7 @@ def read_mechanism(path: str | Path) -> Mechanism:
     if len(data) > MAX_BYTES:
         raise MechanismError(f"{path}: larger than {MAX_BYTES} bytes")
     try:
-        text = data.decode("utf-8")
+        text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
         raise MechanismError(f"{path}: not UTF-8 text") from None
     try:
@@ -84,80 +126,15 @@ def parse_mechanism(text: str) -> Mechanism:
     """
     if len(text) > MAX_BYTES:
         raise MechanismError(f"the text is longer than {MAX_BYTES} characters")
-    try:
-        table = tomllib.loads(text)
-    except (ValueError, RecursionError) as error:
-        raise MechanismError(f"no TOML: {str(error)[:200] or 'nested too deeply'}") from None
-    return _mechanism(_Table(table, ""))
+    return mechanism_of_table(toml_table(text))
 
 
-class _Table:
-    """A TOML table that knows where it stands, and says it in every error."""
+def mechanism_of_table(top: TomlTable) -> Mechanism:
+    """The mechanism that a table with the keys above describes.
 
-    def __init__(self, data: Mapping[str, Any], where: str) -> None:
-        self._data, self._where = data, where
-
-    def key(self, name: str) -> str:
-        return f"{self._where}.{name}" if self._where else name
-
-    def only(self, *names: str) -> None:
-        for name in self._data:
-            if name not in names:
-                raise MechanismError(f'unknown key "{self.key(name[:60])}"; known here: {", ".join(names)}')
-
-    def has(self, name: str) -> bool:
-        return name in self._data
-
-    def get(self, name: str, kind: type, what: str) -> Any:
-        if name not in self._data:
-            raise MechanismError(f'key "{self.key(name)}" is missing')
-        value = self._data[name]
-        if not isinstance(value, kind) or (isinstance(value, bool) and kind is not bool):
-            raise MechanismError(f'key "{self.key(name)}" must be {what}, got {_shown(value)}')
-        return value
-
-    def text(self, name: str) -> str:
-        found: str = self.get(name, str, "a text")
-        return found
-
-    def table(self, name: str) -> _Table:
-        return _Table(self.get(name, dict, "a table") if name in self._data else {}, self.key(name))
-
-    def words(self, name: str) -> list[str]:
-        found = self.get(name, list, "a list of names")
-        for item in found:
-            if not isinstance(item, str):
-                raise MechanismError(f'key "{self.key(name)}" must be a list of names, got {_shown(item)} in it')
-        return list(found)
-
-    def formula(self, name: str) -> str | int:
-        if name not in self._data:
-            raise MechanismError(f'key "{self.key(name)}" is missing')
-        return _formula(self._data[name], self.key(name))
-
-    def formulas(self, name: str) -> list[str | int]:
-        return [_formula(value, self.key(name)) for value in self.get(name, list, "a list of formulas")]
-
-    def all_formulas(self) -> dict[str, str | int]:
-        return {name: self.formula(name) for name in self._data}
-
-    def names(self) -> list[str]:
-        return list(self._data)
-
-
-def _formula(value: Any, key: str) -> str | int:
-    if isinstance(value, bool) or not isinstance(value, str | int):
-        raise MechanismError(f'key "{key}" must be {_FORMULA}, got {_shown(value)}')
-    return value
-
-
-def _shown(value: Any) -> str:
-    text = repr(value)
-    return f"{type(value).__name__} {text if len(text) <= 40 else text[:37] + '...'}"
-
-
-def _mechanism(top: _Table) -> Mechanism:
-    top.only("format", "name", "parameters", "angles", "lagrangian", "fields", "contact", "g_spot", "note")
+    :raises MechanismError: as :func:`parse_mechanism`.
+    """
+    top.only(KEYS)
     name = top.text("name")
     if not name.strip() or not name.isprintable():
         raise MechanismError('key "name" must be one line of visible text')
@@ -165,44 +142,52 @@ def _mechanism(top: _Table) -> Mechanism:
         raise MechanismError('key "format" must be 1')
     if top.has("note"):
         top.text("note")
-    contact = top.table("contact")
-    contact.only("x", "y", "mu")
-    spot = top.table("g_spot")
-    spot.only("search", "fixed", "conditions", "point")
-    common: dict[str, Any] = {
-        "name": name[:80],
-        "x": contact.formula("x"),
-        "y": contact.formula("y"),
-        "mu": contact.formula("mu"),
-        "parameters": top.table("parameters").all_formulas(),
-        "angles": _angles(top.table("angles")),
-        "place": spot.table("point").all_formulas(),
-        "search": spot.get("search", bool, "true or false") if spot.has("search") else False,
-    }
-    if spot.has("fixed") and spot.has("conditions"):
+    common = {"name": name[:80], "parameters": top.table("parameters").all_formulas()}
+    common |= {"angles": _angles(top.table("angles"))}
+    common |= _contact(top.table("contact")) | _g_spot(top.table("g_spot"))
+    motions = [word for word in _MOTIONS if top.has(word)]
+    if len(motions) != 1:
+        raise MechanismError('exactly one of the tables "lagrangian", "energies" and "fields" is needed')
+    read = {"lagrangian": _by_lagrangian, "energies": _by_energies, "fields": _by_fields}[motions[0]]
+    return read(top.table(motions[0]), common)
+
+
+def _contact(table: TomlTable) -> dict[str, Any]:
+    table.only(KEYS)
+    if table.has("x") and table.has("slip_velocity"):
+        raise MechanismError('table "contact": x or slip_velocity, not both')
+    tangential = "slip_velocity" if table.has("slip_velocity") else "x"
+    found: dict[str, Any] = {"x": None, tangential: table.formula(tangential)}
+    if table.has("slip"):
+        found["slip"] = table.text("slip")
+    return found | {"y": table.formula("y"), "mu": table.formula("mu")}
+
+
+def _g_spot(table: TomlTable) -> dict[str, Any]:
+    table.only(KEYS)
+    found: dict[str, Any] = {"place": table.table("point").all_formulas()}
+    if table.has("search"):
+        found["search"] = table.get("search", bool, "true or false")
+    if table.has("fixed") and table.has("conditions"):
         raise MechanismError('table "g_spot": fixed or conditions, not both')
-    if spot.has("fixed"):
-        common["fixed"] = spot.words("fixed")
-    if spot.has("conditions"):
-        common["conditions"] = spot.formulas("conditions")
-    if top.has("lagrangian") == top.has("fields"):
-        raise MechanismError('exactly one of the tables "lagrangian" and "fields" is needed')
-    if top.has("fields"):
-        return _by_fields(top.table("fields"), common)
-    return _by_lagrangian(top.table("lagrangian"), common)
+    if table.has("fixed"):
+        found["fixed"] = table.words("fixed")
+    if table.has("conditions"):
+        found["conditions"] = table.formulas("conditions")
+    return found
 
 
-def _angles(table: _Table) -> dict[str, tuple[Any, Any]]:
+def _angles(table: TomlTable) -> dict[str, tuple[Any, Any]]:
     found = {}
     for name in table.names():
         angle = table.table(name)
-        angle.only("sine", "cosine")
+        angle.only(KEYS, "angles.*")
         found[name] = (angle.formula("sine"), angle.formula("cosine"))
     return found
 
 
-def _by_fields(table: _Table, common: dict[str, Any]) -> Mechanism:
-    table.only("state", "F", "G_T", "G_N")
+def _by_fields(table: TomlTable, common: dict[str, Any]) -> Mechanism:
+    table.only(KEYS)
     return from_fields(
         state=table.words("state"),
         F=table.formulas("F"),
@@ -212,17 +197,30 @@ def _by_fields(table: _Table, common: dict[str, Any]) -> Mechanism:
     )
 
 
-def _by_lagrangian(table: _Table, common: dict[str, Any]) -> Mechanism:
-    table.only("coordinates", "mass_matrix", "forces", "time")
+def _by_lagrangian(table: TomlTable, common: dict[str, Any]) -> Mechanism:
+    table.only(KEYS)
     rows = table.get("mass_matrix", list, "a list of rows")
     for row in rows:
         if not isinstance(row, list):
-            raise MechanismError(f'key "{table.key("mass_matrix")}" must be a list of rows, got {_shown(row)} in it')
-    matrix = [[_formula(entry, table.key("mass_matrix")) for entry in row] for row in rows]
-    return lagrangian(
-        coordinates=table.words("coordinates"),
-        mass_matrix=matrix,
-        forces=table.formulas("forces"),
-        time=table.text("time") if table.has("time") else None,
-        **common,
-    )
+            raise MechanismError(
+                f'key "{table.key("mass_matrix")}" must be a list of rows, got {shown_value(row)} in it'
+            )
+    matrix = [[formula_value(entry, table.key("mass_matrix")) for entry in row] for row in rows]
+    return lagrangian(mass_matrix=matrix, forces=table.formulas("forces"), **_coordinates(table), **common)
+
+
+def _by_energies(table: TomlTable, common: dict[str, Any]) -> Mechanism:
+    table.only(KEYS)
+    options: dict[str, Any] = {"forces": table.formulas("forces")} if table.has("forces") else {}
+    if table.has("dissipation"):
+        options["dissipation"] = table.formula("dissipation")
+    kinetic, potential = table.formula("kinetic"), table.formula("potential")
+    return from_energies(kinetic=kinetic, potential=potential, **options, **_coordinates(table), **common)
+
+
+def _coordinates(table: TomlTable) -> dict[str, Any]:
+    return {
+        "coordinates": table.words("coordinates"),
+        "time": table.text("time") if table.has("time") else None,
+        "constraints": table.formulas("constraints") if table.has("constraints") else (),
+    }

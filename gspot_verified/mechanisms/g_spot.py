@@ -151,15 +151,19 @@ def degenerate(name: str, detail: str) -> str:
 
 
 def with_conditions(shifted: Shifted, values: Mapping[str, Any], ring: Ring) -> tuple[System, tuple[str, ...]]:
-    """The system with the conditions J that the mechanism gives, or with components chosen to be kept."""
+    """The system with the conditions J: constraints and their rates, and what the mechanism gives or what is chosen."""
     mechanism = shifted.mechanism
     place, state = mechanism.place, mechanism.state
-    wanted = len(state) - 4
+    constraints = len(shifted.constraints)
+    wanted = len(state) - 4 - constraints
+    if wanted < 0:
+        raise GSpotError(f"{mechanism.name}: the constraints leave no room for the conditions p = b = y = v = 0")
     if place.conditions is not None:
         if len(place.conditions) != wanted:
             raise GSpotError(f"{mechanism.name}: {wanted} conditions J are needed, got {len(place.conditions)}")
         return to_system(shifted, values, ring, shifted_conditions(shifted)), ()
-    draft = to_system(shifted, values, ring, [stays(i, ring.number(0), ring) for i in range(wanted)])
+    open_conditions = [stays(i, ring.number(0), ring) for i in range(wanted)]
+    draft = to_system(shifted, values, ring, [*shifted_conditions(shifted), *open_conditions])
     if ring is RATIONALS:
         _check_g_spot(draft)
     if place.fixed is not None:
@@ -167,34 +171,41 @@ def with_conditions(shifted: Shifted, values: Mapping[str, Any], ring: Ring) -> 
         if len(set(fixed)) != wanted or len(fixed) != wanted:
             raise GSpotError(f"{mechanism.name}: {wanted} components must be fixed, got {list(fixed)}")
     else:
-        fixed = _choose_fixed(draft, state)
-    J = tuple(stays(state.index(word), values[word], ring) for word in fixed)
+        fixed = _choose_fixed(draft, state, 4 + constraints)
+    J = draft.J[:constraints] + tuple(stays(state.index(word), values[word], ring) for word in fixed)
     return System(**{**vars(draft), "J": J}), fixed
 
 
 def shifted_conditions(shifted: Shifted) -> list[Expression]:
-    """The conditions J that the mechanism gives as formulas, with parameters put in and angles shifted."""
-    return shifted.prepare(shifted.mechanism.place.conditions or ())
+    """The conditions J that are functions, with parameters put in and angles shifted.
+
+    The constraints of the mechanism and their rates come first, then the conditions that it gives as formulas.
+    """
+    return [*shifted.constraints, *shifted.prepare(shifted.mechanism.place.conditions or ())]
 
 
-def _choose_fixed(draft: System, state: Sequence[str]) -> tuple[str, ...]:
-    """The components without a pivot when p, b, y, v are eliminated: with them fixed the Jacobian is regular."""
+def _choose_fixed(draft: System, state: Sequence[str], count: int) -> tuple[str, ...]:
+    """The components without a pivot when the first ``count`` conditions are eliminated.
+
+    These are p, b, y, v and the constraints; with the components fixed the Jacobian is regular.
+    """
     ring = draft.ring
-    rows = [list(row) for row in draft.jacobian()[:4]]
+    rows = [list(row) for row in draft.jacobian()[:count]]
     free = []
     done = 0
     for j in range(len(state)):
-        pivot = next((i for i in range(done, 4) if ring.is_nonzero(rows[i][j])), None) if done < 4 else None
+        pivot = next((i for i in range(done, count) if ring.is_nonzero(rows[i][j])), None)
         if pivot is None:
             free.append(state[j])
             continue
         rows[done], rows[pivot] = rows[pivot], rows[done]
-        for i in range(done + 1, 4):
+        for i in range(done + 1, count):
             factor = rows[i][j] / rows[done][j]
             rows[i] = [value - factor * own for value, own in zip(rows[i], rows[done], strict=True)]
         done += 1
-    if done < 4:
-        raise GSpotError(degenerate(draft.name, f"for every choice of J: p, b, y, v have rank {done} there, not 4"))
+    if done < count:
+        names = "p, b, y, v" if count == 4 else "p, b, y, v and the constraints"
+        raise GSpotError(degenerate(draft.name, f"for every choice of J: {names} have rank {done} there, not {count}"))
     return tuple(free)
 
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from gspot_verified.expansion.derivative import ZERO
 from gspot_verified.expansion.expressions import Expression
-from gspot_verified.mechanisms.derivation import along
 from gspot_verified.mechanisms.derived import Derived
 from gspot_verified.mechanisms.mechanism import Lagrangian, Mechanism
-from gspot_verified.mechanisms.simplify import constant, product_of, sum_of
+from gspot_verified.mechanisms.rewriting import along
+from gspot_verified.mechanisms.simplify import minus
 
 
 def check_lagrangian_character(mechanism: Mechanism, found: Derived[Expression]) -> None:
@@ -22,9 +22,9 @@ def check_lagrangian_character(mechanism: Mechanism, found: Derived[Expression])
     """
     if isinstance(mechanism.motion, Lagrangian):
         return
-    pairs = [(found.G_T, found.x), (found.G_N, found.x), (found.G_T, found.y), (found.G_N, found.y)]
-    checks = [along(field, function) for field, function in pairs]
-    checks.append(sum_of(found.B, product_of(constant(-1), along(found.G_T, found.v))))
+    places = [found.y] if found.x is None else [found.x, found.y]
+    checks = [along(field, function) for function in places for field in (found.G_T, found.G_N)]
+    checks.append(minus(found.B, along(found.G_T, found.v)))
     checks.append(along(found.G, found.p))
     if all(check is ZERO for check in checks):
         return

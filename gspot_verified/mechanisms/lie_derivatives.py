@@ -43,17 +43,19 @@ def derive(mechanism: Mechanism, substitute: bool = True) -> Derived[Any]:
     (y_dot, -1, 1/2)
     """
     read = Reader(mechanism, substitute)
-    x, y, mu = read.all((mechanism.x, mechanism.y, mechanism.mu))
+    y, mu = read.all((mechanism.y, mechanism.mu))
+    x = None if mechanism.x is None else read(mechanism.x)
+    slip = None if mechanism.slip_velocity is None else read(mechanism.slip_velocity)
     state = mechanism.symbols
     motion = mechanism.motion
     rows: tuple[tuple[Any, ...], ...] | None = None
     if isinstance(motion, Lagrangian):
         rows = tuple(read.all(row) for row in motion.mass_matrix)
-        F, G_T, G_N = _lagrangian_fields(mechanism, motion, rows, x, y, read.all(motion.forces))
+        F, G_T, G_N = _lagrangian_fields(mechanism, motion, rows, (x, slip, y), read)
     else:
         F, G_T, G_N = (read.all(vector) for vector in (motion.F, motion.G_T, motion.G_N))
     G = tuple(n - mu * t for n, t in zip(G_N, G_T, strict=True))
-    u, v = lie_derivative(F, x, state), lie_derivative(F, y, state)
+    u, v = slip if x is None else lie_derivative(F, x, state), lie_derivative(F, y, state)
     _limit(mechanism, MAX_OPERATIONS // 5, u=u, v=v)
     a, b = lie_derivative(F, u, state), lie_derivative(F, v, state)
     A, B, C = lie_derivative(G_T, u, state), lie_derivative(G_N, u, state), lie_derivative(G_N, v, state)
@@ -90,30 +92,38 @@ def _limit(mechanism: Mechanism, limit: int, **functions: Any) -> None:
 
 
 def _lagrangian_fields(
-    mechanism: Mechanism, motion: Lagrangian, rows: Any, x: Any, y: Any, forces: Sequence[Any]
+    mechanism: Mechanism, motion: Lagrangian, rows: Any, contact: tuple[Any, Any, Any], read: Reader
 ) -> tuple[tuple[Any, ...], tuple[Any, ...], tuple[Any, ...]]:
-    """F, G_T, G_N of ξ = (q, q', t) from M, f and the gradients of x and y."""
+    """F, G_T, G_N of ξ = (q, q', t) from M, f, the constraints, and the directions of the contact forces."""
     import sympy
 
+    x, slip, y = contact
     n = len(motion.coordinates)
-    q = mechanism.symbols[:n]
-    velocities = mechanism.symbols[n : 2 * n]
-    determinant = minor(rows, range(n), range(n))
+    q, velocities, time = mechanism.symbols[:n], mechanism.symbols[n : 2 * n], mechanism.symbols[2 * n :]
+    if ((sympy.S.Zero if x is None else x).free_symbols | y.free_symbols) & set(velocities):
+        raise MechanismError(f"{mechanism.name}: x and y must not depend on velocities")
+    zero, one = sympy.Integer(0), sympy.Integer(1)
+    glide = (*velocities, *[zero] * n, *[one] * len(time))
+    constraints = read.all(motion.constraints)
+    gradients = [[sympy.diff(constraint, s) for s in q] for constraint in constraints]
+    bordered = [[*row, *(gradient[i] for gradient in gradients)] for i, row in enumerate(rows)]
+    bordered += [[*gradient, *[zero] * len(gradients)] for gradient in gradients]
+    size = len(bordered)
+    determinant = minor(bordered, range(size), range(size))
     if determinant == 0:
         raise MechanismError(f"{mechanism.name}: the mass matrix is singular")
-    if (x.free_symbols | y.free_symbols) & set(velocities):
-        raise MechanismError(f"{mechanism.name}: x and y must not depend on velocities")
-    others = [[k for k in range(n) if k != i] for i in range(n)]
-    inverse = {(i, j): (-1) ** (i + j) * minor(rows, others[j], others[i]) for i in range(n) for j in range(n)}
-    end = 1 if motion.time else 0
+    others = [[k for k in range(size) if k != i] for i in range(size)]
+    inverse = {(i, j): (-1) ** (i + j) * minor(bordered, others[j], others[i]) for i in range(n) for j in range(size)}
+    states = mechanism.symbols
+    bends = [lie_derivative(glide, lie_derivative(glide, constraint, states), states) for constraint in constraints]
 
     def accelerations(right: Sequence[Any]) -> list[Any]:
-        return [sympy.Add(*(inverse[i, j] * right[j] for j in range(n))) / determinant for i in range(n)]
+        return [sympy.Add(*(inverse[i, j] * part for j, part in enumerate(right))) / determinant for i in range(n)]
 
-    zero = sympy.Integer(0)
-    F = (*velocities, *accelerations(forces), *[sympy.Integer(1)] * end)
-    G_T = (*[zero] * n, *accelerations([sympy.diff(x, s) for s in q]), *[zero] * end)
-    G_N = (*[zero] * n, *accelerations([sympy.diff(y, s) for s in q]), *[zero] * end)
+    tangent = [sympy.diff(slip, s) for s in velocities] if x is None else [sympy.diff(x, s) for s in q]
+    F = (*velocities, *accelerations([*read.all(motion.forces), *(-bend for bend in bends)]), *[one] * len(time))
+    G_T = (*[zero] * n, *accelerations(tangent), *[zero] * len(time))
+    G_N = (*[zero] * n, *accelerations([sympy.diff(y, s) for s in q]), *[zero] * len(time))
     return F, G_T, G_N
 
 
@@ -143,6 +153,7 @@ def lagrangian_conditions(mechanism: Mechanism, found: Derived[Any]) -> dict[str
         f"L_{name} {letter}": lie_derivative(field, function, state)
         for name, field in (("GT", found.G_T), ("GN", found.G_N))
         for letter, function in (("x", found.x), ("y", found.y))
+        if function is not None
     }
     if not isinstance(mechanism.motion, Lagrangian):  # there it is the symmetry of the mass matrix, which is checked
         checks["L_GN u - L_GT v"] = found.B - lie_derivative(found.G_T, found.v, state)

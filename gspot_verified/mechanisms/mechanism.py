@@ -15,7 +15,8 @@ from flint import fmpq
 from gspot_verified.balls import ExactInput, exact
 from gspot_verified.expansion.expressions import Expression
 from gspot_verified.mechanisms.formula import nearest
-from gspot_verified.mechanisms.simplify import NumberTooLargeError, constant, replaced
+from gspot_verified.mechanisms.rewriting import replaced
+from gspot_verified.mechanisms.simplify import NumberTooLargeError, constant
 from gspot_verified.mechanisms.symbol import Symbol, symbol_names
 
 
@@ -45,12 +46,17 @@ class ReferenceAngle:
 
 @dataclass(frozen=True)
 class Lagrangian:
-    """M(q) q'' = f(q, q', t) + (dy/dq) λ_N + (dx/dq) λ_T."""
+    """M(q) q'' = f(q, q', t) + (dy/dq) λ_N + (du/dq') λ_T + the forces of the constraints; du/dq' is dx/dq if u = x'.
+
+    ``constraints`` are functions of q and t that vanish; their multipliers are solved for (index reduction: the
+    second derivatives of the constraints vanish along every motion, at the G-spot they and their rates vanish).
+    """
 
     coordinates: tuple[str, ...]
     mass_matrix: tuple[tuple[Expression, ...], ...]
     forces: tuple[Expression, ...]
     time: str | None
+    constraints: tuple[Expression, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -78,18 +84,24 @@ class Place:
 
 @dataclass(frozen=True)
 class Mechanism:
-    """A mechanism; make one with :func:`given.lagrangian`, :func:`given.from_fields` or
-    :func:`file.read_mechanism`."""
+    """A mechanism; make one with :func:`given.lagrangian`, :func:`given.from_energies`, :func:`given.from_fields` or
+    :func:`file.read_mechanism`.
+
+    Either ``x`` or ``slip_velocity`` is given. ``mirrored`` says that x, or the slip velocity, has the opposite sign of
+    what the user gave: negative slip there is positive slip here.
+    """
 
     name: str
     state: tuple[str, ...]
     motion: Lagrangian | Fields
-    x: Expression
+    x: Expression | None
     y: Expression
     mu: Expression
     parameters: tuple[tuple[str, Expression | None], ...] = ()
     angles: tuple[ReferenceAngle, ...] = ()
     place: Place = field(default_factory=Place)
+    slip_velocity: Expression | None = None
+    mirrored: bool = False
 
     def with_parameters(self, **values: ExactInput | None) -> Mechanism:
         """The same mechanism with other values of some parameters; None makes a parameter a symbol.
@@ -126,6 +138,18 @@ class Mechanism:
                 except (ZeroDivisionError, NumberTooLargeError) as error:
                     raise MechanismError(f"{self.name}: parameter {name}: {error}") from None
         return found
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a reader of results must know of how the mechanism was read."""
+        found = []
+        if self.mirrored:
+            what = "x" if self.x is not None else "the slip velocity"
+            found.append(
+                f"negative slip: mirrored, {what} counts in the opposite direction, so that u > 0 and "
+                "lambda_T = -mu lambda_N"
+            )
+        return tuple(found)
 
     @property
     def symbols(self) -> tuple[Any, ...]:

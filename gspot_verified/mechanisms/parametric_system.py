@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Expression, Variable
 from gspot_verified.expansion.rings import BALLS
-from gspot_verified.mechanisms.g_spot import symbolic_place
+from gspot_verified.mechanisms.g_spot import shifted_conditions, symbolic_place
 from gspot_verified.mechanisms.mass_inverse import minor
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.to_system import Shifted, shift
@@ -81,10 +81,11 @@ def _extra_conditions(shifted: Shifted, fixed: Sequence[str]) -> list[Expression
     given = mechanism.place.conditions
     wanted = len(mechanism.state) - 4
     if given is not None:
-        found = shifted.prepare(given)
+        found = shifted_conditions(shifted)
     else:
         place = symbolic_place(shifted)
-        found = [Variable(mechanism.state.index(word)) - place[word] for word in fixed]
+        own = [Variable(mechanism.state.index(word)) - place[word] for word in fixed]
+        found = [*shifted.constraints, *own]
     if len(found) != wanted:
         raise MechanismError(f"{mechanism.name}: {wanted} conditions J are needed, got {len(found)}")
     return found

@@ -12,12 +12,12 @@ from flint import fmpq
 
 from gspot_verified.expansion.expressions import Cosine, Expression, Product, Sine, Sum, Variable, in_order
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError, ReferenceAngle
+from gspot_verified.mechanisms.rewriting import rebuilt
 from gspot_verified.mechanisms.simplify import (
     NumberTooLargeError,
     constant,
     cosine_of,
     product_of,
-    rebuilt,
     sine_of,
     split,
     sum_of,

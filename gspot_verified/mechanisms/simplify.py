@@ -22,7 +22,6 @@ from gspot_verified.expansion.expressions import (
     Sine,
     Sum,
     Variable,
-    in_order,
 )
 from gspot_verified.mechanisms.symbol import Symbol
 
@@ -247,39 +246,11 @@ def _leads_with_minus(argument: Expression) -> bool:
     return split(first)[0] < 0
 
 
-def rebuilt(node: Expression, made: Mapping[Expression, Expression]) -> Expression:
-    """The node with its parts replaced, in the form of this file."""
-    match node:
-        case Sum(terms):
-            return sum_of(*(made[part] for part in terms))
-        case Product(left, right):
-            return product_of(made[left], made[right])
-        case Power(base, exponent):
-            return power_of(made[base], exponent)
-        case Sine(argument):
-            return sine_of(made[argument])
-        case Cosine(argument):
-            return cosine_of(made[argument])
-        case Exponential(argument):
-            return exponential_of(made[argument])
-    return node
+def negative(value: Expression) -> Expression:
+    """Minus the value."""
+    return product_of(constant(-1), value)
 
 
-def replaced(roots: Sequence[Expression], table: Mapping[Expression, Expression]) -> list[Expression]:
-    """The functions with what the table says in the place of its keys, in the form of this file.
-
-    :raises ZeroDivisionError: something divides by zero then.
-    :raises NumberTooLargeError: a number becomes too large.
-
-    >>> replaced([Variable(0) * Symbol("k")], {Symbol("k"): constant(0)})
-    [Constant(value=0)]
-    """
-    made: dict[Expression, Expression] = {}
-    for node in in_order(roots):
-        made[node] = table[node] if node in table else rebuilt(node, made)
-    return [made[root] for root in roots]
-
-
-def simplified(*roots: Expression) -> list[Expression]:
-    """The same functions in the form of this file."""
-    return replaced(roots, {})
+def minus(left: Expression, right: Expression) -> Expression:
+    """The difference."""
+    return sum_of(left, negative(right))

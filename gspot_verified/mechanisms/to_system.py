@@ -21,7 +21,8 @@ from gspot_verified.expansion.system import System
 from gspot_verified.mechanisms.derivation import derive_expressions
 from gspot_verified.mechanisms.derived import Derived
 from gspot_verified.mechanisms.lagrangian_character import check_lagrangian_character
-from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError, ReferenceAngle
+from gspot_verified.mechanisms.mechanism import Lagrangian, Mechanism, MechanismError, ReferenceAngle
+from gspot_verified.mechanisms.rewriting import along
 from gspot_verified.mechanisms.shift import Preparation
 from gspot_verified.mechanisms.symbol import PI, Symbol
 
@@ -41,6 +42,15 @@ class Shifted:
     mechanism: Mechanism
     functions: Derived[Expression]
     prepare: Preparation = field(repr=False, compare=False)
+
+    @property
+    def constraints(self) -> tuple[Expression, ...]:
+        """The constraints and their rates: functions of the shifted state that vanish along every motion."""
+        motion = self.mechanism.motion
+        if not isinstance(motion, Lagrangian):
+            return ()
+        found = self.prepare(motion.constraints)
+        return (*found, *(along(self.functions.F, constraint) for constraint in found))
 
     def expressions(
         self, functions: Sequence[Expression], ring: Ring, symbols: Mapping[str, Expression] | None = None

@@ -25,14 +25,13 @@ from gspot_verified.expansion.expressions import (
 from gspot_verified.expansion.power_series import SeriesOfFunctions
 from gspot_verified.expansion.rings import BALLS
 from gspot_verified.expansion.terms import NumberTerms
+from gspot_verified.mechanisms.rewriting import replaced, simplified
 from gspot_verified.mechanisms.simplify import (
     NumberTooLargeError,
     constant,
     cosine_of,
     power_of,
     product_of,
-    replaced,
-    simplified,
     sine_of,
     split,
     sum_of,
