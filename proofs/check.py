@@ -109,10 +109,15 @@ class Meter:
 HYPOTHESES = {
     1: ["certificate", "fold", "identities", "initial_values", "laplace", "negative", "tails"],
     2: ["certificate", "exact_solution", "identities", "initial_values", "laplace", "monotone", "negative", "tails"],
+    3: [
+        *("certificate", "epsilon_series", "exact_solution", "finite_epsilon_zeros"),
+        *("identities", "initial_values", "laplace", "negative"),
+    ],
 }  # by version
 NUMBER = "-?(?:0|[1-9][0-9]{0,3999})(?:/[1-9][0-9]{0,3999})?"
 RANGE = rf"([\[(])(-inf|{NUMBER}), (inf|{NUMBER})([\])])"
-POINTS = {"laplace": 0, "taylor": 0, "left": 1, "right": 1, "sign": 2, "monotone": 2, "fold": 2, "hinge": 2, "level": 2}
+POINTS = {"laplace": 0, "taylor": 0, "left": 1, "right": 1, "sign": 2, "monotone": 2, "fold": 2, "hinge": 2}
+POINTS |= {"level": 2, "dip": 2}
 VALUES: dict[str, tuple[int, ...]] = {"right": (0, 1), "sign": (-1, 1), "monotone": (-1, 1)}  # of v, s and d
 
 Range = namedtuple("Range", "start end closed text")  # of τ or β; closed at the start, closed at the end; in words
@@ -496,6 +501,22 @@ def outward(low: Fraction, high: Fraction, bits: int) -> tuple[Fraction, Fractio
     return start, end, end - start > 2 * (high - low)
 
 
+def scale_at(point: Fraction) -> Fraction:
+    """The unit of τ for a box of one point. It matters for rounding only."""
+    return Fraction(1 << max(0, int(abs(point)).bit_length() - 1))
+
+
+def power_between(base: Fraction, exponent: Fraction, bits: int, meter: Meter) -> tuple[Fraction, Fraction]:
+    """base^(h/n) for 0 < base < 1, h/n ≥ 0, between neighbouring multiples of 2^-bits: r^n ≤ 2^(bits n) base^h."""
+    h, n, low, high = exponent.numerator, exponent.denominator, 0, 1 << bits
+    meter.spend(bits * (n * (bits // DIGIT + 1) + h * digits(base.denominator)) ** 2, 20 * bits)
+    right, left = base.numerator**h << (bits * n), base.denominator**h
+    while high - low > 1:  # low^n ≤ 2^(bits n) base^h < high^n
+        middle = (low + high) // 2
+        low, high = (middle, high) if middle**n * left <= right else (low, middle)
+    return Fraction(low, 1 << bits), Fraction(high, 1 << bits)
+
+
 class ColumnCheck:
     """One column: signs of F and its derivatives on boxes, at rising accuracy, within a budget of work."""
 
@@ -531,8 +552,7 @@ class ColumnCheck:
         low, high, thin_b = outward(*box[:2], bits)
         start, end, thin_tau = outward(*box[2:], bits)
         local, middle, i = self.local(low, high, bits, start), (start + end) / 2, max(order, 0)
-        # At a point the scale matters for rounding only.
-        s = (end - start) / 2 or Fraction(1 << max(0, int(abs(start)).bit_length() - 1))
+        s = (end - start) / 2 or scale_at(start)
         values = local.values(middle, s)
         if start < end:
             series = local.expand(middle, s, values)[i:]
@@ -606,6 +626,31 @@ class ColumnCheck:
             bits = bits * 3 // 2
         return False
 
+    def dips(self, first: Fraction, second: Fraction, eta: Fraction) -> bool:
+        """Whether F(t1) + η/(8γ) [μ^(b-1) F'(t2) - F'(t1)] < 0 on the column; μ = t1/t2 > 0, γ = (1 - μ³)/3.
+
+        All three are known in units of x^b/2^p with one x and one p: both are those of the accuracy, for τ > 0.
+        """
+        low, high, ratio = self.column.start - 1, self.column.end - 1, first / second
+        weight = 3 * eta / (8 * (1 - ratio**3))
+        least, most = (power_between(ratio, b - 1, 2 * DIGIT, self.meter)[i] for i, b in enumerate((high, low)))
+        bits = max(self.bits, 12)
+        while bits < self.limits.bits:
+            found, errors = [], 0
+            for tau, order in ((first, 0), (first, 1), (second, 1)):
+                middle, _, in_b, error = self.parts((low, high, tau, tau), order, bits)
+                found.append((middle / scale_at(tau) ** order, (in_b + error) / scale_at(tau) ** order))
+                errors += error
+            (value, slack), (slope, slope_slack), (beyond, beyond_slack) = found
+            largest = beyond + beyond_slack
+            largest *= most if largest > 0 else least
+            if value + slack + weight * (largest - slope + slope_slack) < 0:
+                return True
+            if 4 * errors < sum(slack for _, slack in found):
+                return False
+            bits = bits * 3 // 2
+        return False
+
     # -----------------------------------------------------------------------------------------------------------------
     # Pieces: certificate.md, Pieces.
     # -----------------------------------------------------------------------------------------------------------------
@@ -646,7 +691,7 @@ class ColumnCheck:
         start, end, kind, points, value = piece
         column = self.column
         low, high, cell = column.start - 1, column.end - 1, column.cell
-        require(kind != "level", "a piece level gives no sign")
+        require(kind not in ("level", "dip"), f"a piece {kind} gives no sign")
         name = f"the piece {kind} from τ = {start!s:.50} to {end!s:.50} of the column from β = {column.start!s:.50}"
         if kind in ("laplace", "taylor"):
             require(high <= 0, f"{name} needs b ≤ 0")
@@ -758,6 +803,19 @@ def lift_off_holds(check: ColumnCheck, beta: Fraction, tau: Fraction, sign: int,
     check.begin(tau, tau, [tau])
     require(len(check.column.pieces) == 1 and check.column.pieces[0].kind == "level", "there is not one piece level")
     require(check.beyond(beta - 1, tau, level, sign), f"F beyond the level is not confirmed at τ = {tau!s:.50}")
+
+
+def dip_holds(check: ColumnCheck, eta: Fraction) -> None:
+    """On one column: G_b < 0 at one τ for every ε of the statement (certificate.md, slow_zeros)."""
+    column = check.column
+    require([piece.kind for piece in column.pieces] == ["dip"], "a column is not one piece dip")
+    first, second = column.pieces[0].points
+    require(first > 0 and 2 * first**3 <= second**3, "a piece dip has not t1 > 0 and 2 t1³ ≤ t2³")
+    short = max(column.start.denominator, column.end.denominator) <= 4096
+    require(short, "a column with a piece dip has an end of a denominator beyond 4096")
+    check.begin(first, second)
+    where = f"the piece dip at τ = {first!s:.50} of the column from β = {column.start!s:.50}"
+    require(check.dips(first, second, eta), f"{where} is not confirmed {check.limits.effort()}")
 
 
 class System(NamedTuple):
@@ -933,6 +991,25 @@ class Checker:
         self.on_each_column(lift_off_holds, system.beta, tau, (-1) ** math.floor(system.beta), level)
         return f"{self.of_system(alpha, c1)}, λ < 0 at τ = {tau} for every ε ≥ {epsilon}: contact is lost before"
 
+    def check_slow_zeros(self) -> str:
+        """Two zeros of the slow solution for every β of a range inside [4, 5] and every ε up to one."""
+        beta_text, epsilon_text, eta_text, _ = entries(
+            self.statement, "the statement", "beta", "epsilon", "eta", "kind"
+        )
+        beta, epsilon, eta = read_range(beta_text, "β"), rational(epsilon_text), rational(eta_text)
+        require(beta.start >= 4 and beta.end <= 5, "the range of β is not inside [4, 5]")
+        require(beta.start < beta.end or beta.end.denominator > 1, "the range of β is one integer")
+        require(epsilon > 0 and eta > 0, "ε or η is not positive")
+        Meter(self.limits, self.left).spend((3 * digits(eta.numerator * eta.denominator)) ** 2, 20)
+        require(2 * eta**3 >= epsilon, "2 η³ is less than ε")
+        check_cover(self.columns, beta.start, beta.end, "columns")
+        self.on_each_column(dip_holds, eta)
+        where = (
+            beta.text + (" that is not an integer" if beta.start < beta.end else "") + f", every ε in (0, {epsilon}]"
+        )
+        zeros = "λ minus its mean has exactly two real zeros, both simple"
+        return f"{where}, on the slow manifold of the compliant model with C_1 ≠ 0 {zeros}"
+
     def of_system(self, alpha: Any, c1: Any) -> str:
         """The system of a statement in words."""
         numbers = ", ".join(alpha)
@@ -948,7 +1025,7 @@ def check_text(data: bytes, limits: Limits | None = None, workers: int = 1) -> s
         checker = Checker(statement, columns, limits, budget, workers)
         theta = {"sign": checker.check_sign, "zeros": checker.check_zeros, "brackets": checker.check_brackets}
         force = {"force": checker.check_force, "lift_off": checker.check_lift_off}
-        checks = theta if version == 1 else force
+        checks = {1: theta, 2: force, 3: {"slow_zeros": checker.check_slow_zeros}}[version]
         kind = statement.get("kind") if isinstance(statement, dict) else None
         return checks[kind]() if isinstance(kind, str) and kind in checks else reject("unknown kind of statement")
     except (ArithmeticError, AttributeError, LookupError, MemoryError, RecursionError, TypeError, ValueError) as error:

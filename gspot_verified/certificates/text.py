@@ -18,8 +18,13 @@ _TOO_LONG = re.compile(r"[0-9]{4001}")
 HYPOTHESES = {
     1: ("certificate", "fold", "identities", "initial_values", "laplace", "negative", "tails"),
     2: ("certificate", "exact_solution", "identities", "initial_values", "laplace", "monotone", "negative", "tails"),
+    3: (
+        *("certificate", "epsilon_series", "exact_solution", "finite_epsilon_zeros"),
+        *("identities", "initial_values", "laplace", "negative"),
+    ),
 }
-"""The pages that a certificate rests on, by version: 1 is about Theta, 2 about the compliant model's contact force."""
+"""The pages that a certificate rests on, by version: 1 is about Theta, 2 about the compliant model's contact force, 3
+about the number of zeros of its slow solution."""
 
 
 class Statement(Protocol):
@@ -27,7 +32,7 @@ class Statement(Protocol):
 
     @property
     def version(self) -> int:
-        """1 or 2."""
+        """1, 2 or 3."""
         ...
 
     def to_json(self) -> dict[str, Any]:

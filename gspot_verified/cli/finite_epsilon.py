@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
@@ -11,6 +12,7 @@ from gspot_verified.cli.app import print_json, progress
 from gspot_verified.cli.output import Outputs
 
 if TYPE_CHECKING:
+    from gspot_verified.compliant.zero_certificate import SlowZerosCertificate
     from gspot_verified.signs.subdivision import Progress
 
 DEFAULT_BETA = "1..7"
@@ -39,6 +41,7 @@ def zeros_over_a_rectangle(
     epsilon: str,
     budget: int,
     picture: Path | None,
+    certificate: Path | None,
     workers: int,
     scheduler: str | None,
     journal: Path | None,
@@ -46,24 +49,38 @@ def zeros_over_a_rectangle(
 ) -> NoReturn:
     """A range of beta, one epsilon or a range of them.
 
-    :raises ValueError: a picture of one epsilon is asked for.
+    :raises ValueError: a picture of one epsilon is asked for, or a certificate that is not for beta in (4, 5) and all
+        small epsilon.
     """
     from gspot_verified.compliant.zero_map import zero_map
     from gspot_verified.signs.executors import executor
 
     if picture is not None and ".." not in epsilon:
         raise ValueError("--picture needs a range of ε, such as 0..10")
+    proof = None if certificate is None else _certificate(beta, epsilon)
     with executor(workers, scheduler) as pool:
         found = zero_map(beta, epsilon, budget=budget, executor=pool, journal=journal, progress=_show)
     if picture is not None:
         from gspot_verified.report.zero_map_picture import save_zero_map
 
         outputs.write("--picture", picture, lambda: save_zero_map(found, picture))
+    if proof is not None and certificate is not None:
+        outputs.write("--certificate", certificate, partial(proof.write, certificate))
     if as_json:
         print_json(found.to_json())
     else:
         typer.echo(str(found))
     outputs.leave(found.verdict.exit_code)
+
+
+def _certificate(beta: str, epsilon: str) -> SlowZerosCertificate:
+    from gspot_verified.compliant.zero_certificate import slow_zeros_certificate
+    from gspot_verified.signs.ranges import Range
+
+    small = Range.parse(epsilon, "epsilon") if ".." in epsilon else None
+    if small is None or small.lower != 0 or small.upper is None:
+        raise ValueError("--certificate: with --eps it needs a range from 0 on, such as 0..10, and β inside 4..5")
+    return slow_zeros_certificate(beta, small.upper)
 
 
 def _show(step: Progress) -> None:

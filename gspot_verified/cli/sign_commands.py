@@ -100,14 +100,16 @@ def zeros(
     outputs.file("--journal", journal)
     outputs.file("--picture", picture, PICTURES)
     if epsilon is not None:
-        if certificate is not None:
-            raise ValueError("--certificate: not with --eps")
         beta = DEFAULT_BETA if beta is None else beta
         if ".." in beta:
-            zeros_over_a_rectangle(outputs, beta, epsilon, budget, picture, workers, scheduler, journal, as_json)
+            zeros_over_a_rectangle(
+                outputs, beta, epsilon, budget, picture, certificate, workers, scheduler, journal, as_json
+            )
         _only_with_a_range(journal, workers, scheduler)
         if picture is not None:
             raise ValueError("--picture needs a range of β, such as 1..7")
+        if certificate is not None:
+            raise ValueError("--certificate: with --eps it needs a range of β inside 4..5")
         zeros_at_finite_epsilon(beta, epsilon, digits, as_json)
     if beta is None:
         raise ValueError("--beta is needed")

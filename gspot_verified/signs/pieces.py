@@ -20,6 +20,7 @@ class Kind(enum.Enum):
     HINGE = "hinge"
     RIGHT = "right"
     LEVEL = "level"
+    DIP = "dip"
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +44,7 @@ class Piece:
                 return [self.kind.value, str(self.upper)]
             case Kind.RIGHT:
                 return [self.kind.value, str(self.lower), self.mark]
-            case Kind.FOLD | Kind.HINGE | Kind.LEVEL:
+            case Kind.FOLD | Kind.HINGE | Kind.LEVEL | Kind.DIP:
                 return [self.kind.value, str(self.lower), str(self.upper)]
             case _:
                 return [self.kind.value, str(self.lower), str(self.upper), self.mark]

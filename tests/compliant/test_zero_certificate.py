@@ -1,0 +1,163 @@
+"""Certificates of the number of zeros at finite epsilon: the bound against the exact solution, good and wrong ones.
+
+Pages: proofs/finite_epsilon_zeros.md, section 4 (f); proofs/certificate.md.
+"""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+from flint import arb, fmpq
+from hypothesis import example, given
+from hypothesis import strategies as st
+from must_reject.mutate import checker, mutated, state, text_of
+from strategies import to_fmpq
+
+from gspot_verified.balls import working_bits
+from gspot_verified.compliant.force_certificate import NotProvable
+from gspot_verified.compliant.slow_solution import slow_value
+from gspot_verified.compliant.zero_certificate import _bound, slow_zeros_certificate
+from gspot_verified.compliant.zero_count import slow_zeros
+
+check = checker()
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def lines(text: str) -> list[Any]:
+    return [json.loads(line) for line in text.splitlines()[:-1]]
+
+
+GOOD = slow_zeros_certificate("9/2..37/8", 10)
+
+
+@given(
+    st.fractions(Fraction(3), Fraction(4), max_denominator=64),
+    st.fractions(Fraction(1, 4), Fraction(3), max_denominator=16),
+    st.sampled_from([Fraction(1, 100), Fraction(1, 2), Fraction(1), Fraction(17, 10)]),
+)
+@example(Fraction(4), Fraction(3, 2), Fraction(17, 10))
+@example(Fraction(3), Fraction(3, 2), Fraction(17, 10))
+def test_the_bound_is_above_the_exact_solution(b: Fraction, tau: Fraction, eta: Fraction) -> None:
+    exact_b, place, scale = to_fmpq(b), to_fmpq(tau), to_fmpq(eta)
+    force = slow_value(place / scale, exact_b, 2 * scale**3, digits=20).value
+    with working_bits(100):
+        value = force * arb(scale) ** exact_b
+        bound = _bound(place, arb(exact_b), scale)
+        assert value.is_finite()
+        assert bound.is_finite()
+        assert not bound < value - arb(10) ** -9
+        # It tends to the value at leading order, and is never far from the truth for small eta.
+        assert eta > Fraction(1, 100) or abs(bound - value) < arb("0.2")
+
+
+def test_at_4_it_is_the_exact_value_plus_what_the_exponential_adds() -> None:
+    """b = 4: the lemma's integrand gives Theta + 3 eta ((1 - mu^3)/(3 gamma)) = Theta + 3 eta, which is exact."""
+    with working_bits(80):
+        for eta in (fmpq(1, 10), fmpq(5, 3)):
+            expected = arb(fmpq(81, 16)) - 8 * arb(fmpq(3, 2)) + 3 * arb(eta)
+            assert abs(_bound(fmpq(3, 2), arb(4), eta) - expected) < arb(10) ** -8
+
+
+def test_what_is_found_is_verified() -> None:
+    text = check.check_text(GOOD.text().encode())
+    assert text.startswith(
+        "for every β in (9/2, 37/8) that is not an integer, every ε in (0, 10], on the slow manifold"
+    )
+    for beta in ("9/2", "4.55", "37/8"):
+        assert slow_zeros(beta, 10, 2).number == 2
+
+
+def test_the_one_in_the_repository() -> None:
+    data = (ROOT / "proofs" / "zeros_4_5.cert").read_bytes()
+    assert "for every β in (4, 5) that is not an integer, every ε in (0, 10]," in check.check_text(data)
+    assert slow_zeros_certificate("4..5", 10).text().encode() == data
+
+
+def test_one_beta() -> None:
+    found = lines(GOOD.text())
+    found[0]["statement"]["beta"] = "[73/16, 73/16]"
+    last = [line for line in found[1:] if Fraction(line["beta"][0]) <= Fraction(73, 16) <= Fraction(line["beta"][1])]
+    assert "at β = 73/16, every ε in (0, 10]" in check.check_text(text_of([found[0], *last]))
+
+
+def _dip(first: str, second: str) -> Any:
+    return lambda found: found[1].update(pieces=[["dip", first, second]])
+
+
+WRONG = [
+    ("a larger epsilon", state(epsilon="11"), "2 η³ is less than ε"),
+    ("a smaller eta", state(eta="17/10"), "2 η³ is less than ε"),
+    ("beyond what the bound can show", state(epsilon="31", eta="5/2"), "is not confirmed"),
+    ("a negative eta", state(eta="-2"), "ε or η is not positive"),
+    ("a negative epsilon", state(epsilon="-1"), "ε or η is not positive"),
+    ("epsilon 0", state(epsilon="0"), "ε or η is not positive"),
+    ("beta below 4", state(beta="(7/2, 37/8)"), "not inside [4, 5]"),
+    ("beta beyond 5", state(beta="(9/2, 41/8)"), "not inside [4, 5]"),
+    ("all beta", state(beta="(-inf, inf)"), "not inside [4, 5]"),
+    ("one integer", state(beta="[5, 5]"), "one integer"),
+    ("a wider range", state(beta="(4, 37/8)"), "do not cover the whole range"),
+    ("a range with another end", state(beta="(9/2, 5)"), "do not cover the whole range"),
+    ("a place where G > 0", _dip("7/64", "9/64"), "is not confirmed"),
+    ("a place far out", _dip("7", "9"), "is not confirmed"),
+    ("a ratio whose cube is more than 1/2", _dip("4/3", "5/3"), "2 t1³ ≤ t2³"),
+    ("a negative place", _dip("-1", "2"), "t1 > 0"),
+    ("a place at 0", _dip("0", "2"), "t1 > 0"),
+    ("two pieces", lambda found: found[1]["pieces"].append(["dip", found[1]["pieces"][0][2], "4"]), "not one piece"),
+    ("a piece sign", lambda found: found[1].update(pieces=[["sign", "1", "2", -1]]), "not one piece dip"),
+    ("a long denominator", lambda found: found[1]["beta"].__setitem__(0, "40960/9103"), "denominator beyond 4096"),
+    ("a column in two cells", lambda found: found[1]["beta"].__setitem__(0, "31/8"), "crosses an integer"),
+    ("a column left out", lambda found: found.pop(2), "a gap between columns"),
+    ("a column twice", lambda found: found.insert(1, found[1]), "an overlap of columns"),
+    ("no column", lambda found: found.__delitem__(slice(1, None)), "do not cover"),
+    ("another kind", state(kind="zeros"), "unknown kind"),
+    ("version 2", lambda found: found[0].update(version=2), "the hypotheses are not the pages"),
+    ("a page less", lambda found: found[0]["hypotheses"].pop(), "the hypotheses are not the pages"),
+    ("a key more", state(more="1"), "has not the keys"),
+]
+
+
+@pytest.mark.parametrize(("name", "mutation", "message"), WRONG, ids=[name for name, *_ in WRONG])
+def test_wrong_ones_are_rejected(name: str, mutation: Any, message: str) -> None:
+    assert name
+    with pytest.raises(check.Rejected) as raised:
+        check.check_text(mutated(lines(GOOD.text()), mutation))
+    assert message in str(raised.value)
+
+
+def test_a_dip_gives_no_sign() -> None:
+    column = check.Column(Fraction(9, 2), Fraction(73, 16), 3, [check.read_piece(["dip", "3/2", "2"])])
+    with pytest.raises(check.Rejected, match="a piece dip gives no sign"):
+        check.ColumnCheck(column, check.Limits(), 10**9).piece_sign(column.pieces[0])
+
+
+@pytest.mark.parametrize(("base", "exponent"), [("7/9", "5/2"), ("1/2", "2"), ("3/4", "147/64"), ("1/3", "0")])
+def test_powers_between_neighbours(base: str, exponent: str) -> None:
+    low, high = check.power_between(Fraction(base), Fraction(exponent), 60, check.Meter(check.Limits(), 10**9))
+    true = float(Fraction(base)) ** float(Fraction(exponent))
+    assert high - low == Fraction(1, 2**60)
+    assert abs(float(low) - true) < 1e-15
+    with working_bits(200):
+        exact = arb(to_fmpq(Fraction(base))) ** to_fmpq(Fraction(exponent))
+        assert arb(to_fmpq(low)) <= exact + arb(10) ** -40
+        assert exact <= arb(to_fmpq(high)) + arb(10) ** -40
+
+
+@pytest.mark.parametrize(
+    ("beta", "epsilon", "message"),
+    [
+        ("3..5", 1, "inside"), ("4..6", 1, "inside"), ("9/2", 1, "inside"), ("4..inf", 1, "beta"),
+        ("4..5", 0, "epsilon"), ("4..5", -1, "epsilon"), ("4..5", arb(1, 1), "one exact"),
+    ],
+)  # fmt: skip
+def test_refused(beta: str, epsilon: object, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        slow_zeros_certificate(beta, epsilon)  # type: ignore[arg-type]
+
+
+def test_where_the_bound_is_too_weak() -> None:
+    with pytest.raises(NotProvable, match="next to β = "):
+        slow_zeros_certificate("9/2..37/8", 30)
