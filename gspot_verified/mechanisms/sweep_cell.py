@@ -6,13 +6,14 @@ Which tubes are tried and where a cell is cut are free choices. What a piece say
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
 from flint import fmpq
 
-from gspot_verified.balls import sign_of, working_bits
+from gspot_verified.balls import approximate, sign_of, working_bits
 from gspot_verified.mechanisms.sweep_bracket import Cut, bracket
 from gspot_verified.mechanisms.sweep_findings import HYPOTHESES, SEVERAL, TOO_LARGE, findings, quantity
 from gspot_verified.mechanisms.sweep_piece import Kind, Passing, SweepPiece
@@ -20,9 +21,10 @@ from gspot_verified.mechanisms.sweep_start import Origin, proved_tube
 from gspot_verified.mechanisms.tube import Equations, OnTube, Tube
 
 BITS = 80
-_BUDGET = 96
+_BUDGET = 128
 _DEPTH_OF_A_LINE, _DEPTH_OF_A_MAP, _DEPTH_OF_A_TUBE = 24, 4, 8
 _HOPELESS_FROM = 3
+_FAR_STEEPER = 8
 _NOT_A_BOUNDARY = (*HYPOTHESES, TOO_LARGE, SEVERAL)
 
 Box = tuple[tuple[fmpq, ...], tuple[fmpq, ...]]
@@ -64,6 +66,7 @@ class Examination:
     equations: Equations
     digits: int
     origins: list[Origin] = field(default_factory=list)
+    sides: list[fmpq] = field(default_factory=list)
     left: int = _BUDGET
     """Boxes that may still be examined; on a line, where no tube is found, they are divided all the same."""
 
@@ -74,6 +77,7 @@ class Examination:
         # The widths of the last tube are a good guess at those of the next.
         self.origins = [cell.origin.as_wide_as(self.origins[-1]) if self.origins else cell.origin]
         self.left = _BUDGET
+        self.sides = [high - low for low, high in zip(cell.lower, cell.upper, strict=True)]
         with working_bits(BITS):
             found = self._examine((cell.lower, cell.upper), 0, Known())
         return sorted(found, key=lambda piece: piece.lower)
@@ -87,7 +91,11 @@ class Examination:
         on = proved_tube(self.equations, lower, upper, origin)
         self.left -= 1
         if on is None or not known.concerns(on.tube):
-            return [SweepPiece(lower, upper, Kind.NO_TUBE)] if deep else self._halves(box, depth, known)
+            return (
+                [SweepPiece(lower, upper, Kind.NO_TUBE)]
+                if deep
+                else self._halves(box, depth, known, self._longest(box))
+            )
         self.origins.append(Origin.of(on))
         found = findings(on, known.signs)
         if not found.unsure:
@@ -104,11 +112,12 @@ class Examination:
                     return [_with_passing(found.piece(on, Kind.CROSSING), passing)]
         if last or (depth >= _HOPELESS_FROM and _hopeless(on, found.unsure)):
             return [found.piece(on, Kind.OPEN)]
-        return self._halves(box, depth, known)
+        steepest = _steepest(on, found.unsure)
+        return self._halves(box, depth, known, self._longest(box) if steepest is None else steepest)
 
-    def _halves(self, box: Box, depth: int, known: Known) -> list[SweepPiece]:
+    def _halves(self, box: Box, depth: int, known: Known, side: int) -> list[SweepPiece]:
         """The two halves, that next to what is known first; on a line nothing is sought behind a place without tube."""
-        halves = _halved(box, depth)
+        halves = _halved(box, side)
         nearest = min(self.origins, key=lambda origin: origin.distance(*box))
         first, second = sorted(halves, key=lambda half: nearest.distance(*half))
         kept = self.left // 2  # what the first half may not use up
@@ -119,7 +128,16 @@ class Examination:
             facing = min(found, key=lambda piece: _gap(piece, second))
             if facing.kind is Kind.NO_TUBE:
                 return [*found, SweepPiece(*second, Kind.NO_TUBE)]
-        return [*found, *self._examine(second, depth + 1, known)]
+        found += self._examine(second, depth + 1, known)
+        if all(piece.kind is Kind.NO_TUBE for piece in found):
+            return [SweepPiece(*box, Kind.NO_TUBE)]
+        return found
+
+    def _longest(self, box: Box) -> int:
+        """The side that was cut least often."""
+        lower, upper = box
+        parts = [(high - low) / side for low, high, side in zip(lower, upper, self.sides, strict=True)]
+        return max(range(len(parts)), key=parts.__getitem__)
 
     def _cut(self, on: OnTube, boundary: str, cut: Cut, depth: int, known: Known) -> list[SweepPiece]:
         """The parts before and after a bracket, where a monotone quantity lies between its values at the ends."""
@@ -166,10 +184,20 @@ def _hopeless(on: OnTube, unsure: Sequence[str]) -> bool:
     return False
 
 
-def _halved(box: Box, depth: int) -> tuple[Box, Box]:
-    """Both halves, cut across the sides in turn."""
+def _steepest(on: OnTube, unsure: Sequence[str]) -> int | None:
+    """The parameter with which what is unsure seems to change far more than with others. A heuristic."""
+    name = next((name for name in unsure if name not in _NOT_A_BOUNDARY), "beta")
+    slopes = on.slopes(quantity(on, name))
+    sides = [approximate(high - low) for low, high in zip(on.tube.lower, on.tube.upper, strict=True)]
+    sizes = [abs(approximate(slope)) * side for slope, side in zip(slopes, sides, strict=True)]
+    largest = max(range(len(sizes)), key=sizes.__getitem__)
+    rest = max((size for j, size in enumerate(sizes) if j != largest), default=0.0)
+    return largest if _FAR_STEEPER * rest < sizes[largest] < math.inf else None
+
+
+def _halved(box: Box, side: int) -> tuple[Box, Box]:
+    """Both halves, cut across one side."""
     lower, upper = box
-    side = depth % len(lower)
     middle = (lower[side] + upper[side]) / 2
     return (
         (lower, (*upper[:side], middle, *upper[side + 1 :])),

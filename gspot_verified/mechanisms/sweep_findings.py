@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import sign_of
+from gspot_verified.balls import nonfinite, sign_of
 from gspot_verified.expansion.box_program import BoxProgram, common
 from gspot_verified.mechanisms.parametric_system import ParametricSystem
 from gspot_verified.mechanisms.sweep_piece import Kind, SweepPiece, TubeRecord, interval
@@ -103,7 +103,7 @@ def case_of_signs(signs: Mapping[str, int | None]) -> tuple[str | None, tuple[st
 
 def _beta(on: OnTube, numbers: Mapping[str, arb]) -> arb:
     if sign_of(numbers["alpha_1"]) not in (1, -1):
-        return arb.nan()
+        return nonfinite()
     beta = common(numbers["alpha_3"] / numbers["alpha_1"], 1 + numbers[DIFFERENCE] / numbers["alpha_1"])
     own = on.value(quantity(on, "beta"))
     return common(beta, own) if own.is_finite() else beta

@@ -16,6 +16,7 @@ from gspot_verified.mechanisms.sweep_piece import NUMBERS, Kind, Passing, SweepP
 from gspot_verified.signs.side import side_text
 from gspot_verified.verdict import NoTruthValue, Reason, Verdict
 
+_SLIP = "slip_velocity"
 _SHORT, _DECIMALS = 12, 16
 _SHORT_PIECE = fmpq(1, 10**6)
 
@@ -123,6 +124,23 @@ class Sweep(NoTruthValue):
             found.append(Crossing(passing.quantity, lower, upper, passing.direction, before, passing.after))
         return tuple(found)
 
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What makes a motion through the G-spot impossible, or not certainly possible, where it is in a Case."""
+        cases = [piece for piece in self.pieces if piece.case in ("I", "II", "III")]
+        tensile = sum(piece.case == "I" for piece in cases)
+        signs = [None if number is None else number.sign() for number in (piece.number(_SLIP) for piece in cases)]
+        wrong, unknown = sum(sign in (-1, 0) for sign in signs), signs.count(None)
+        found = []
+        if tensile:
+            found.append(f"in Case I ({tensile} pieces) the mean force is tensile (negative), no contact does that")
+        if wrong or unknown:
+            found.append(
+                f"u <= 0 at the G-spot on {wrong} pieces, perhaps on {unknown} more: no positive slip on a surface at "
+                "rest"
+            )
+        return tuple(found)
+
     def at(self, **values: ExactInput) -> SweepPiece:
         """A piece that holds these parameter values.
 
@@ -160,7 +178,7 @@ class Sweep(NoTruthValue):
             lines += [f"  {text}" for text in (*(crossing.text(name) for crossing in self.crossings), *self.folds)]
         else:
             lines += [f"  {count} pieces: {text}" for text, count in self._counts().items()]
-        return "\n".join(lines)
+        return "\n".join([*lines, *(f"  warning: {warning}" for warning in self.warnings)])
 
     def _counts(self) -> dict[str, int]:
         found: dict[str, int] = {}
@@ -181,6 +199,7 @@ class Sweep(NoTruthValue):
             "spot": dict(self.spot),
             "verdict": self.verdict.to_json(),
             "crossings": [crossing.to_json() for crossing in self.crossings],
+            "warnings": list(self.warnings),
             "folds": [fold.to_json() for fold in self.folds],
             "pieces": [_piece_to_json(piece) for piece in self.pieces],
         }

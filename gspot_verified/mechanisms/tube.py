@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from flint import arb, arb_mat, fmpq
 
+from gspot_verified.balls import nonfinite
 from gspot_verified.expansion.box_program import BoxProgram, common
 from gspot_verified.mechanisms.krawczyk import strictly_inside
 
@@ -112,7 +113,9 @@ class OnTube:
         return quantity.over_tube
 
     def slopes(self, quantity: Quantity) -> list[arb]:
-        """Enclosures of d g(ξ(λ), λ) / dλ_j for every λ of the box."""
+        """Enclosures of d g(ξ(λ), λ) / dλ_j for every λ of the box; not finite where g itself has no enclosure."""
+        if not quantity.over_tube.is_finite():
+            return [nonfinite() for _ in quantity.along]
         return [
             slope + _dot(quantity.by_state, turn)
             for slope, turn in zip(quantity.along, zip(*self.turning, strict=True), strict=True)
@@ -190,7 +193,7 @@ def _turning(error: arb_mat, residual: arb_mat, within: Sequence[arb], k: int) -
         total = sum((abs(error[i, j]).upper() * radii[j] for j in range(n)), arb(0)) / radii[i]
         norm = norm.max(total.upper())
     if not norm < 1:
-        return [[arb.nan()] * k for _ in range(n)]
+        return [[nonfinite()] * k for _ in range(n)]
     bounds = []
     for j in range(k):
         size = arb(0)

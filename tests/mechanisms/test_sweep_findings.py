@@ -128,3 +128,14 @@ def test_an_unknown_sign_is_never_filled_in(unknown: set[str]) -> None:
                 assert case_of_signs(table | dict(zip(sorted(unknown), others, strict=True)))[0] == case
         else:
             assert set(unsure) == unknown
+
+
+def test_what_no_contact_can_do_is_warned_of() -> None:
+    """Case I has a negative mean force; the spot's u is what the place says."""
+    result = sweep(three_alphas("-1", "-1", "-1/2"), {"k": "-1..1:4"})
+    assert result.warnings == ("in Case I (4 pieces) the mean force is tensile (negative), no contact does that",)
+    assert result.warnings[0] in str(result)
+    assert sweep(three_alphas("-1", "-1", "-3/2"), {"k": "1/2..1:4"}).warnings == ()
+    moving = three_alphas("-1", "-1", "-3/2", slip="k")
+    (warning,) = sweep(moving, {"k": "-1..1:4"}).warnings
+    assert warning.startswith("u <= 0 at the G-spot on 1 pieces, perhaps on 2 more")
