@@ -28,7 +28,7 @@ def test_a_figure_and_its_caption(capsys: pytest.CaptureFixture[str], tmp_path: 
     ("arguments", "message"),
     [
         (("atlas", "x.png"), "expected one of force, side-map, threshold, got 'atlas'"),
-        (("force", "x.xyz"), "allowed: .png"),
+        (("force", "x.xyz"), "allowed: .png, .pdf, .svg"),
         (("force", "nowhere/x.png"), "there is no folder nowhere"),
     ],
 )

@@ -85,14 +85,14 @@ def test_paths_are_checked_before_the_work(
 
 
 @pytest.mark.usefixtures("no_work")
-@pytest.mark.parametrize("name", ["atlas.xyz", "atlas", "atlas.pdf", "atlas.png.txt"])
+@pytest.mark.parametrize("name", ["atlas.xyz", "atlas", "atlas.jpg", "atlas.png.txt"])
 @pytest.mark.parametrize("command", [("zeros", "--beta", "1..2"), ("expand", "extended"), ("cost", "theta")])
 def test_a_picture_of_an_unknown_kind_is_refused(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, command: tuple[str, ...], name: str
 ) -> None:
     code, out, err = run(capsys, *command, "--picture", str(tmp_path / name))
     assert (code, out) == (64, "")
-    assert "allowed: .png" in err
+    assert "allowed: .png, .pdf, .svg" in err
     suffix = Path(name).suffix
     path = tmp_path / name
     assert (f"the suffix {suffix!r} of {path};" if suffix else f"cannot write {path} without a suffix;") in err
@@ -152,7 +152,13 @@ def full(*_: Any, **__: Any) -> None:
     [
         ("--certificate", "x.cert", "certificates.text.write_certificate", ("sign", *POINT), "proved"),
         ("--certificate", "x.cert", "certificates.text.write_certificate", ("zeros", "--beta", "5/2"), "2 real zeros"),
-        ("--picture", "x.png", "report.truncation.save_truncation", ("expand", "extended", "--order", "3"), "lambda_n"),
+        (
+            "--picture",
+            "x.png",
+            "report.expansion_picture.save_expansion",
+            ("expand", "extended", "--order", "3"),
+            "lambda_n",
+        ),
     ],
 )
 def test_the_result_outlives_a_full_disk(

@@ -32,7 +32,7 @@ def cost(
     subject: Annotated[str, typer.Argument(help='What to measure: "theta", "sign", "expand" or "force".')],
     full: Annotated[bool, typer.Option("--full", help="Larger cases too: about 20, 10 or 2 minutes.")] = False,
     picture: Annotated[
-        Path | None, typer.Option(help="Write time against digits, size or order as a PNG file.")
+        Path | None, typer.Option(help="Write time against digits, size or order as PNG, PDF or SVG.")
     ] = None,
     as_json: JsonFlag = False,
 ) -> None:
@@ -40,7 +40,7 @@ def cost(
 
     About half a minute each. The exit code is 0 whatever the times are: a benchmark decides nothing.
     """
-    from gspot_verified.cost.picture import DIGITS, ORDERS, RANGES, SMALLNESS, save_picture
+    from gspot_verified.report.cost_picture import DIGITS, ORDERS, RANGES, SMALLNESS, save_picture
 
     outputs = Outputs()
     outputs.file("--picture", picture, PICTURES)

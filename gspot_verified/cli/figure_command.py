@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 @app.command(epilog="Example: gspot-verified figure force force.png")
 def figure(
     name: Annotated[str, typer.Argument(help='"force", "side-map" or "threshold".')],
-    output: Annotated[Path, typer.Argument(help="The PNG file.")],
+    output: Annotated[Path, typer.Argument(help="The file: PNG, PDF or SVG by its suffix.")],
 ) -> None:
     """Draw a figure of the compliant model; its caption, which says what is certified, goes to stdout.
 
@@ -31,7 +31,7 @@ def figure(
     outputs.file("output", output, PICTURES)
     drawn = _FIGURES[name]()
     typer.echo(f"{drawn.title}\n{drawn.caption}")
-    outputs.write("output", output, lambda: output.write_bytes(drawn.png))
+    outputs.write("output", output, lambda: drawn.save(output))
     outputs.leave(0)
 
 

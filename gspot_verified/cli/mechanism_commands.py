@@ -62,7 +62,7 @@ def expand(
     digits: Annotated[int, typer.Option(help="Accuracy where the G-spot is not rational, and of --at.")] = 15,
     residual: Annotated[str | None, typer.Option(help='Bound on what is left for |s| <= S, δ <= D: "S,D".')] = None,
     latex: Annotated[bool, typer.Option("--latex", help="Print LaTeX.")] = False,
-    picture: Annotated[Path | None, typer.Option(help="Truncation error against δ as a PNG file.")] = None,
+    picture: Annotated[Path | None, typer.Option(help="What is left in the equations, with its bound.")] = None,
     as_json: JsonFlag = False,
 ) -> None:
     """The distinguished trajectory of Theorem 1 as an expansion with exact coefficients.
@@ -97,9 +97,9 @@ def expand(
         data |= {"residual": bounds.to_json()}
         text = f"{text}\n{bounds}"
     if picture is not None:
-        from gspot_verified.report.truncation import save_truncation
+        from gspot_verified.report.expansion_picture import save_expansion
 
-        outputs.write("--picture", picture, lambda: save_truncation(trajectory, picture))
+        outputs.write("--picture", picture, lambda: save_expansion(trajectory, picture))
     if as_json:
         print_json(data)
     else:

@@ -14,8 +14,7 @@ from gspot_verified.cli.app import warn
 NOT_WRITTEN = 74
 """Exit code: the result was printed and stands, but a file that was asked for could not be written."""
 
-PICTURES = (".png",)
-FIGURES = (".png", ".pdf", ".svg")
+PICTURES = (".png", ".pdf", ".svg")
 
 
 class Outputs:

@@ -80,7 +80,7 @@ def zeros(
     ] = None,
     digits: Annotated[int, typer.Option(help="At one value: decimals of the brackets.")] = 15,
     budget: Annotated[int, typer.Option(help="How many ranges of β may be examined.")] = 5_000,
-    picture: Annotated[Path | None, typer.Option(help="Write the sign atlas of the range as a PNG file.")] = None,
+    picture: Annotated[Path | None, typer.Option(help="Write the sign atlas of the range as PNG, PDF or SVG.")] = None,
     certificate: CertificateFile = None,
     workers: Workers = 1,
     scheduler: Scheduler = None,

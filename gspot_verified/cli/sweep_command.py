@@ -9,7 +9,7 @@ import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress
 from gspot_verified.cli.mechanism_commands import MechanismName
-from gspot_verified.cli.output import FIGURES, Outputs
+from gspot_verified.cli.output import PICTURES, Outputs
 from gspot_verified.cli.sign_commands import JournalFile, Scheduler, Workers
 
 
@@ -44,7 +44,7 @@ def sweep(
 
     outputs = Outputs()
     outputs.file("--csv", csv)
-    outputs.file("--picture", picture, FIGURES)
+    outputs.file("--picture", picture, PICTURES)
     outputs.file("--journal", journal)
     ranges, first = _assignments("--over", over), _assignments("--start", start or [])
     mechanism = load(name, **_assignments("--set", settings or []))

@@ -37,15 +37,11 @@ _LINE = 128
 
 
 def save_atlas(result: ZerosResult, path: Path) -> Path:
-    """Draw the atlas of a range of beta as a PNG file; a file that is there is replaced when the new one is ready.
+    """Draw the atlas of a range of beta as PNG, PDF or SVG; a file that is there is replaced.
 
     :raises ValueError: no column is settled, or the range of beta is one value.
     """
-    drawn = atlas_picture(result, with_texts=True)
-    unfinished = path.with_name(path.name + ".part")
-    unfinished.write_bytes(drawn.png)
-    unfinished.replace(path)
-    return path
+    return atlas_picture(result, with_texts=True).save(path)
 
 
 def atlas_picture(result: ZerosResult, with_texts: bool = False) -> Picture:

@@ -63,7 +63,7 @@ _METADATA: dict[str, dict[str, Any]] = {
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """A figure of the report: its texts, its SVG (light and dark in one), and a PNG on light paper."""
+    """A figure: its texts, its SVG (light and dark in one), and a PNG and a PDF on light paper."""
 
     name: str
     title: str
@@ -71,9 +71,27 @@ class Picture:
     alternative: str
     svg: str
     png: bytes
+    pdf: bytes = b""
+
+    def save(self, path: str | Path) -> Path:
+        """Write it as PNG, PDF or SVG (on light paper), by the suffix; a file that is there is replaced in one step.
+
+        :raises ValueError: another suffix.
+        :raises OSError: the file cannot be written.
+        """
+        place = Path(path)
+        contents = {"png": self.png, "pdf": self.pdf, "svg": _light(self.svg).encode()}
+        content = contents[_kind(place)]
+        unfinished = place.with_name(place.name + ".part")
+        try:
+            unfinished.write_bytes(content)
+            unfinished.replace(place)
+        finally:
+            unfinished.unlink(missing_ok=True)
+        return place
 
     def to_json(self) -> dict[str, str]:
-        """Plain data for ``json.dumps``, without the PNG."""
+        """Plain data for ``json.dumps``, without the PNG and the PDF."""
         return {
             "name": self.name,
             "title": self.title,
@@ -106,14 +124,14 @@ def canvas(height: float) -> Figure:
 def picture(figure: Figure, name: str, title: str, caption: str, alternative: str) -> Picture:
     """The finished figure, called inside :func:`styled`. It holds no date and no random identifier."""
     from matplotlib import rc_context
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.backends.backend_svg import FigureCanvasSVG
 
-    drawn, painted = io.StringIO(), io.BytesIO()
+    made = {}
     with rc_context({"svg.hashsalt": name}):
-        FigureCanvasSVG(figure).print_figure(drawn, format="svg", metadata={"Date": None, "Creator": None})
-        FigureCanvasAgg(figure).print_figure(painted, format="png", dpi=_RESOLUTION, metadata={"Software": None})
-    return Picture(name, title, _unbroken(caption), alternative, _two_themes(drawn.getvalue()), painted.getvalue())
+        for kind in ("svg", "png", "pdf"):
+            made[kind] = io.BytesIO()
+            figure.savefig(made[kind], format=kind, dpi=_RESOLUTION, metadata=_METADATA[kind])
+    svg = _two_themes(made["svg"].getvalue().decode())
+    return Picture(name, title, _unbroken(caption), alternative, svg, made["png"].getvalue(), made["pdf"].getvalue())
 
 
 def save_figure(figure: Figure, name: str, path: Path) -> Path:
@@ -125,9 +143,7 @@ def save_figure(figure: Figure, name: str, path: Path) -> Path:
     """
     from matplotlib import rc_context
 
-    kind = path.suffix.lower().removeprefix(".")
-    if kind not in _METADATA:
-        raise ValueError(f"{path}: pictures are written as {', '.join(f'.{known}' for known in _METADATA)}")
+    kind = _kind(path)
     unfinished = path.with_name(path.name + ".part")
     with rc_context({"svg.hashsalt": name}):
         figure.savefig(unfinished, format=kind, dpi=_RESOLUTION, metadata=_METADATA[kind])
@@ -141,6 +157,20 @@ def styled_figure(draw: Callable[[], Path]) -> Path:
 
     with rc_context(_STYLE):
         return draw()
+
+
+def _kind(path: Path) -> str:
+    kind = path.suffix.lower().removeprefix(".")
+    if kind not in _METADATA:
+        raise ValueError(f"{path}: pictures are written as {', '.join(f'.{known}' for known in _METADATA)}")
+    return kind
+
+
+def _light(svg: str) -> str:
+    """The SVG with its light colours for good: not every program reads variables."""
+    for number, colour in enumerate(_ON_DARK):
+        svg = svg.replace(f"var(--c{number})", colour)
+    return re.sub(r"<style>svg\{--c0.*?</style>", "", svg, count=1)
 
 
 def _unbroken(text: str) -> str:

@@ -22,15 +22,11 @@ _FOLD_DIGITS = 6
 
 
 def save_zero_map(result: ZeroMap, path: Path) -> Path:
-    """Draw the map as a PNG file; a file that is there is replaced when the new one is ready.
+    """Draw the map as a PNG, PDF or SVG file; a file that is there is replaced when the new one is ready.
 
     :raises ValueError: the map is of one epsilon.
     """
-    drawn = zero_map_picture(result)
-    unfinished = path.with_name(path.name + ".part")
-    unfinished.write_bytes(drawn.png)
-    unfinished.replace(path)
-    return path
+    return zero_map_picture(result).save(path)
 
 
 def zero_map_picture(result: ZeroMap) -> Picture:

@@ -10,8 +10,8 @@ from gspot_verified.balls import sign_of
 from gspot_verified.cost import sign as benchmark
 from gspot_verified.cost.bisection import Bisection, Choice, bisect, halves, slope
 from gspot_verified.cost.growth import Growth, RangeTime, around, cells, fitted_exponent, from_one, time_range
-from gspot_verified.cost.picture import RANGES, save_picture
 from gspot_verified.cost.sign import Plan, SignCost, run
+from gspot_verified.report.cost_picture import RANGES, save_picture
 from gspot_verified.signs.witness import sign_at
 
 TINY = Plan(0.05, ((-4, 10),), (2,), 2, (1,), (1, 2))

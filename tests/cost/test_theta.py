@@ -9,9 +9,9 @@ from gspot_verified.cost import curves as curves_module
 from gspot_verified.cost import theta as benchmark
 from gspot_verified.cost.curves import Curve, curve
 from gspot_verified.cost.external import ExternalTime
-from gspot_verified.cost.picture import save_picture
 from gspot_verified.cost.rows import Row, Target
 from gspot_verified.cost.theta import CostReport
+from gspot_verified.report.cost_picture import save_picture
 
 FAST = Target("cold", 0.005, "s")
 ROWS = (Row("a", "asked 1", FAST, 0.001), Row("a", "asked 2", FAST, 0.01), Row("a", "asked 3", FAST, None))

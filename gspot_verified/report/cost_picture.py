@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from gspot_verified.cost.curves import Curve
+from gspot_verified.report.canvas import COLOURS, STYLES, Picture, canvas, picture, styled
 
-# Dark enough on white, and told apart by line and mark as well as by colour.
-_LOOKS = (("#0072B2", "-", "o"), ("#009E73", "--", "s"), ("#D55E00", "-.", "^"), ("#555555", ":", "D"))
+_MARKS = "os^Dv"
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,30 +32,37 @@ SMALLNESS = Labels("k, ε = 10^-k", "seconds per value", "The cost of a small ε
 ORDERS = Labels("order of δ", "seconds, one core", "The cost of exact expansions: Theorem 1")
 
 
-def save_picture(curves: Sequence[Curve], path: Path, labels: Labels = DIGITS) -> Path:
-    """Write the log-log picture as PNG and return its path; a file that is there is replaced when the new one is ready.
+def cost_picture(curves: Sequence[Curve], labels: Labels = DIGITS) -> Picture:
+    """The times on logarithmic scales.
 
     :raises ValueError: no curve has a point.
     """
     if not any(curve.points for curve in curves):
         raise ValueError("curves: there is no point to draw")
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
+    return styled(lambda: _draw(curves, labels))()
 
-    figure = Figure(figsize=(7, 4.5), layout="constrained")
-    FigureCanvasAgg(figure)
+
+def save_picture(curves: Sequence[Curve], path: Path, labels: Labels = DIGITS) -> Path:
+    """Write the picture as PNG, PDF or SVG and return its path.
+
+    :raises ValueError: no curve has a point, or another suffix.
+    """
+    return cost_picture(curves, labels).save(path)
+
+
+def _draw(curves: Sequence[Curve], labels: Labels) -> Picture:
+    figure = canvas(4.6)
     axes = figure.add_subplot()
     for index, curve in enumerate(curves):
-        colour, line, mark = _LOOKS[index % len(_LOOKS)]
+        look: dict[str, Any] = {
+            "color": COLOURS[index % len(COLOURS)],
+            "linestyle": STYLES[index % len(STYLES)],
+            "marker": _MARKS[index % len(_MARKS)],
+            "markersize": 4,
+        }
         digits, seconds = zip(*curve.points, strict=True) if curve.points else ((), ())
-        axes.loglog(digits, seconds, color=colour, linestyle=line, marker=mark, markersize=4, label=curve.name)
+        axes.loglog(digits, seconds, label=curve.name, **look)
     axes.set(xlabel=labels.horizontal, ylabel=labels.vertical, title=labels.title)
-    axes.grid(True, which="major", linewidth=0.4)
     axes.legend()
-    unfinished = path.with_name(path.name + ".part")
-    try:
-        figure.savefig(unfinished, format="png", dpi=150)
-        unfinished.replace(path)
-    finally:
-        unfinished.unlink(missing_ok=True)
-    return path
+    caption = "Times that were measured on one machine; nothing here is certified."
+    return picture(figure, "cost", labels.title, caption, "Curves of time that rise to the right.")
