@@ -65,8 +65,7 @@ def reference() -> str:
         left = {name: home for name, home in left.items() if home.split(".")[0] not in parts}
     if left:
         raise ValueError(f"docs: no group of the reference has {', '.join(left)}")
-    lines += ["The format of mechanism files", "-----------------------------", ""]
-    return "\n".join([*lines, ".. automodule:: gspot_verified.mechanisms.file", "   :no-index:", ""])
+    return "\n".join(lines)
 
 
 def _entry(name: str, home: str) -> list[str]:
