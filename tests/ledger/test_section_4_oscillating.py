@@ -43,6 +43,7 @@ def test_the_identities_hold_and_need_the_constant() -> None:
     assert ledger.airy_leading_term_cancels()
     assert ledger.smaller_than_the_power()
     assert not ledger.modulo_constant(ledger.ALGEBRA.read("4*c^3 - 2")).is_zero()
+    assert ledger.modulo_constant(ledger.ALGEBRA.read("8*c^4*u + c^2")) == ledger.ALGEBRA.read("2*c*u + c^2")
 
 
 @pytest.mark.parametrize("beta", [fmpq(1, 2), fmpq(7, 5), fmpq(-1, 3), fmpq(10, 3)])
