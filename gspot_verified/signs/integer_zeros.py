@@ -49,7 +49,7 @@ class IntegerZeros(NoTruthValue):
 def zeros_at_integer(beta: int, digits: int = 15) -> IntegerZeros:
     """The zeros at beta = 1, 2, 3, ..., brackets of width 10^-digits (or the zero itself, if it is such a decimal).
 
-    :raises ValueError: beta is not in 1..200, or digits not in 1..3000.
+    :raises ValueError: beta is not in 1..200, or digits not in 1..2000.
 
     >>> print(zeros_at_integer(6, 10))
     β = 6: 2 real zeros of the polynomial dΘ/dτ

@@ -30,7 +30,7 @@ from gspot_verified.expansion.expressions import (
     Variable,
 )
 from gspot_verified.expansion.majorants import Graded, rest_of_product
-from gspot_verified.expansion.residual import ResidualError, residual_bounds
+from gspot_verified.expansion.residual import ResidualError, _Functions, residual_bounds
 from gspot_verified.expansion.rings import BALLS
 from gspot_verified.expansion.spaces import SpacePolynomial
 from gspot_verified.expansion.symbols import Symbols
@@ -253,6 +253,57 @@ def test_text_and_json() -> None:
     assert data["start"] == {name[6:]: text for name, text in texts.items() if name.startswith("start_")}
     written = [*data["start"].values(), *data["state"].values(), *data["contact"].values()]
     assert sorted(written) == sorted(texts.values())
+
+
+def test_a_box_of_balls_is_written_as_exact_intervals() -> None:
+    s, delta = arb("1", "0.01"), arb("0.1", "0.001")
+    data = residual_bounds(expand_system(extended_example(1), 6), s, delta).to_json()
+    assert (data["s"], data["delta"]) == (str(Dyadic.from_ball(s)), str(Dyadic.from_ball(delta)))
+
+
+@pytest.mark.parametrize("order", [3, 6])
+def test_the_rest_of_a_condition_is_divided_by_delta_squared_and_by_delta_to_the_order(
+    monkeypatch: pytest.MonkeyPatch, order: int
+) -> None:
+    """With a rest of 2^40, beside which nothing else counts."""
+    monkeypatch.setattr(_Functions, "graded", lambda *_: Graded((), arb((1, 40))))
+    found = residual_bounds(expand_system(extended_example(1), order), 1, "1/2").constants
+    for name, value in found.items():
+        if name.startswith("start_"):
+            assert abs(value * fmpq(1, 2 ** (42 + order)) - 1) < fmpq(1, 10**6), name
+
+
+def shifted(node: Expression, by: tuple[fmpq, ...]) -> Expression:
+    """The function of u - by."""
+    match node:
+        case Variable(index):
+            return node + Constant(-by[index])
+        case Sum(terms):
+            return Sum(tuple(shifted(term, by) for term in terms))
+        case Product(left, right):
+            return Product(shifted(left, by), shifted(right, by))
+        case Power(base, exponent):
+            return Power(shifted(base, by), exponent)
+        case Sine(argument) | Cosine(argument) | Exponential(argument):
+            return type(node)(shifted(argument, by))
+    return node
+
+
+def test_a_system_at_another_point_has_the_same_bounds() -> None:
+    by = tuple(fmpq(k, 7) for k in range(1, 7))
+    names = ("y", "v", "p", "b", "alpha_1", "alpha_2", "alpha_3")
+    moved = replace(
+        ANALYTIC,
+        point=by,
+        **{name: tuple(shifted(part, by) for part in getattr(ANALYTIC, name)) for name in ("F", "G", "J")},
+        **{name: shifted(getattr(ANALYTIC, name), by) for name in names},
+    )
+    assert not any(ANALYTIC.point)
+    here, there = (residual_bounds(expand_system(s, 5), 1, "1/10").constants for s in (ANALYTIC, moved))
+    assert here.keys() == there.keys()
+    for name, value in here.items():
+        assert there[name].is_finite()
+        assert value * fmpq(999, 1000) <= there[name] <= value * fmpq(1001, 1000), name
 
 
 def test_a_box_of_one_moment() -> None:

@@ -73,3 +73,26 @@ def test_bad_input(beta: object, digits: object) -> None:
 def test_beyond_the_range_the_message_says_what_is_known(beta: int, known: str) -> None:
     with pytest.raises(ValueError, match="the real zeros are sought for 0 < beta <= 200, got .*" + known):
         zeros_at_integer(beta)
+
+
+def test_text_and_json_count_zero_once() -> None:
+    for beta, number in ((4, 1), (6, 2), (2, 1), (1, 0)):
+        found = zeros_at_integer(beta, 5)
+        assert found.to_json()["number"] == number == number_of_zeros(beta)
+        assert str(found).startswith(f"β = {beta}: {number} real zeros")
+        assert ("of multiplicity" in str(found)) == (found.multiplicity_at_zero > 0)
+
+
+def test_digits_when_nothing_is_said_and_the_most_of_them() -> None:
+    ((lower, upper),) = zeros_at_integer(4).brackets
+    assert upper - lower == fmpq(1, 10**15)
+    ((lower, upper),) = zeros_at_integer(4, 2000).brackets
+    assert upper - lower == fmpq(1, 10**2000)
+    assert lower**3 < 2 < upper**3
+
+
+def test_zeros_that_no_step_separates_are_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As many brackets as the law counts, or none."""
+    monkeypatch.setattr("gspot_verified.signs.integer_zeros.positive_zeros", lambda _: 2)
+    with pytest.raises(ArithmeticError, match="not separated"):
+        zeros_at_integer(4)

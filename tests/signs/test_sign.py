@@ -315,9 +315,27 @@ def test_a_point_that_is_not_confirmed_refutes_nothing(
     monkeypatch.setattr(f"gspot_verified.signs.sign.{where}", lambda *_: point)
     result = sign_on_ranges(tau, beta, -1, budget=1)
     assert (result.verdict.outcome, result.verdict.reason) == (U, Reason.HYPOTHESIS)
-    assert "could not be confirmed" in result.verdict.detail
+    assert result.verdict.detail.endswith("could not be confirmed")
     assert result.proved_statement is result.point is result.sign_there is None
     assert result.columns == ()
+
+
+def test_which_points_have_a_column() -> None:
+    """An integer polynomial needs none; at a negative integer there is no polynomial."""
+    at_integer, below = sign_on_ranges("1", "3", 1), sign_on_ranges("1", "-3", 1)
+    assert (at_integer.verdict.outcome, at_integer.columns) == (R, ())
+    assert (below.verdict.outcome, len(below.columns)) == (P, 1)
+    at_0 = sign_on_ranges("1", "0", 1)
+    assert at_0.proved_statement is not None
+    assert (at_0.proved_statement.sign, at_0.columns) == (0, ())
+
+
+def test_the_boxes_that_are_left_hold_the_whole_ranges() -> None:
+    ((box,),) = sign_on_ranges("-inf..inf", "1/3..7/3", budget=0).verdict.remaining
+    assert box.contains(Fraction(1, 3))
+    assert box.contains(Fraction(7, 3))
+    assert not box.contains(Fraction(1, 4))
+    assert sign_on_ranges("-inf..inf", "-inf..0", 1, budget=0).verdict.remaining == ()
 
 
 def test_the_first_columns_end_at_the_integers() -> None:

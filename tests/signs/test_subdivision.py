@@ -1,9 +1,11 @@
 from __future__ import annotations
 
+import itertools
 import random
 from collections.abc import Callable
 from concurrent.futures import Executor, Future
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -12,6 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gspot_verified.signs.executors import InProcessExecutor
+from gspot_verified.signs.journal import Journal
 from gspot_verified.signs.pieces import Column, Kind, Piece
 from gspot_verified.signs.subdivision import Examine, State, Subdivision
 
@@ -151,3 +154,86 @@ def test_an_error_of_the_work_comes_out() -> None:
     with pytest.raises(ArithmeticError, match="0 1"):
         next(tree.steps(examine, InProcessExecutor()))
     assert tree.examined == 0
+
+
+def test_what_is_finished_and_what_is_left_stand_in_the_order_of_beta() -> None:
+    """The halves of the first range come after the others in the tree; 0 and a missing end are ends like others."""
+    cells = [(fmpq(-3, 2), fmpq(-1)), (fmpq(-1), fmpq(0)), (fmpq(0), fmpq(1, 4)), (fmpq(1, 4), fmpq(1, 2)),
+             (None, fmpq(-3, 2)), (fmpq(1, 2), fmpq(3, 4))]  # fmt: skip
+    ordered = [cells[4], *cells[:4], cells[5]]
+    for order in (cells, cells[::-1], [cells[k] for k in (2, 5, 0, 3, 1, 4)]):
+        left = Subdivision(list(order), 0)
+        assert left.unfinished == ordered
+        settled = Subdivision(list(order), 100)
+        for _ in settled.steps(lambda lower, upper: Column(lower, upper, LAPLACE), InProcessExecutor()):
+            pass
+        assert [(column.lower, column.upper) for column in settled.finished] == ordered
+        assert settled.unfinished == []
+    halves = Subdivision([cells[1], cells[2]], 4)
+    for _ in halves.steps(lambda *_: None, InProcessExecutor()):
+        pass
+    assert [ends[0] for ends in halves.unfinished] == [fmpq(k, 16) for k in (-16, -12, -8, -4, 0, 2)]
+
+
+def test_nothing_is_examined_after_the_budget_or_the_witness() -> None:
+    calls: list[fmpq] = []
+
+    def fails_at_once(_: fmpq | None, upper: fmpq) -> tuple[fmpq, fmpq]:
+        calls.append(upper)
+        return fmpq(0), upper
+
+    tree = Subdivision(list(CELLS), 100)
+    assert len(list(tree.steps(fails_at_once, Late()))) == tree.examined
+    examined = tree.examined
+    assert list(tree.steps(fails_at_once, Late())) == []
+    assert (tree.examined, tree.witness) == (examined, (fmpq(0), fmpq(1)))
+
+    one_fails = Subdivision(list(CELLS), 100)
+    assert len(list(one_fails.steps(lambda _, upper: (fmpq(0), upper) if upper == 1 else None, Late()))) == len(CELLS)
+    assert len(one_fails.unfinished) == 4  # the halves of the others
+
+    def settles_nothing(*_: Any) -> None:
+        calls.append(fmpq(0))
+
+    for budget in (0, 1, 5):
+        calls.clear()
+        tree = Subdivision(list(CELLS), budget)
+        for _ in itertools.islice(tree.steps(settles_nothing, Late()), 50):
+            pass
+        assert len(calls) == tree.examined == budget
+
+
+def test_an_executor_of_its_own_gets_a_whole_batch_before_the_first_result() -> None:
+    pool = Late()
+    steps = Subdivision(list(CELLS), 100).steps(narrower_than(fmpq(1)), pool)
+    submitted: list[int] = []
+    real = pool.submit
+
+    def submit(function: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        submitted.append(1)
+        return real(function, *args, **kwargs)
+
+    pool.submit = submit  # type: ignore[method-assign]
+    next(steps)
+    assert len(submitted) == len(CELLS)
+
+
+def test_a_journal_answers_for_what_is_known_and_keeps_the_rest(tmp_path: Path) -> None:
+    calls: list[fmpq] = []
+
+    def examine(lower: fmpq | None, upper: fmpq) -> Column | None:
+        calls.append(upper)
+        return narrower_than(fmpq(1, 4))(lower, upper)
+
+    def run(budget: int) -> Subdivision:
+        tree = Subdivision(list(CELLS), budget, journal=Journal(tmp_path / "j", {"question": 1}))
+        for _ in tree.steps(examine, InProcessExecutor()):
+            pass
+        return tree
+
+    assert run(4).examined == len(calls) == 4
+    whole = run(1000)
+    assert len(calls) == whole.examined > 4
+    assert whole.unfinished == []
+    again = run(1000)
+    assert (again.nodes, len(calls)) == (whole.nodes, whole.examined)
