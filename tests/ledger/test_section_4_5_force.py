@@ -43,6 +43,7 @@ def test_every_stated_beta_is_tried(monkeypatch: pytest.MonkeyPatch) -> None:
         ("1-beta", fmpq(3, 2), False),
         ("0*beta", fmpq(3, 2), True),  # exactly 1 is not above 1
         ("0*beta", fmpq(1, 2), False),
+        ("-1+0*beta", fmpq(1), False),  # at 1 no size is stated
     ],
 )
 def test_what_is_large(monkeypatch: pytest.MonkeyPatch, exponent: str, beta: fmpq, answer: bool) -> None:
