@@ -18,7 +18,7 @@ def is_dominated(a: int, b: int, c: int, unit: int = 1) -> bool:
     >>> is_dominated(2, 1, 1), is_dominated(1, 2, 0), is_dominated(0, 2, 0)
     (True, True, False)
     """
-    return b >= 1 and a - c - unit * (b - 1) >= 0 and (b > 1 or a > c)
+    return b >= 1 and a > c and a - c >= unit * (b - 1)
 
 
 def leading(algebra: Algebra, value: fmpq_mpoly, c: int, unit: int = 1) -> tuple[fmpq_mpoly, list[fmpq_mpoly]]:

@@ -53,3 +53,11 @@ def test_dominated_monomials_are_smaller_for_every_exponent(unit: int) -> None:
     for a, b, c in product(range(5), range(1, 4), range(3)):
         orders = [a + unit * (r - 1) * b - c - unit * (r - 1) for r in (1e-9, 0.1, 0.5, 1, 2, 9, 1e6)]
         assert is_dominated(a, b, c, unit) is all(order > 1e-12 for order in orders)
+
+
+def test_a_monomial_without_t_is_not_dominated() -> None:
+    """Beside w^c T the monomial w^a alone is larger for large r, as T is then a high power of w."""
+    assert not any(is_dominated(a, 0, 1) for a in range(5))
+    assert not is_dominated(1, 1, 1)
+    assert is_dominated(3, 2, 1, unit=2)
+    assert not is_dominated(2, 2, 1, unit=2)

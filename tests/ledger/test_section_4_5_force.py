@@ -41,6 +41,7 @@ def test_every_stated_beta_is_tried(monkeypatch: pytest.MonkeyPatch) -> None:
         ("beta-1", fmpq(3, 2), True),
         ("1-beta", fmpq(1, 2), False),
         ("1-beta", fmpq(3, 2), False),
+        ("-1/40+0*beta", fmpq(1, 2), True),  # 10^(6/40) = 1.41...
         ("0*beta", fmpq(3, 2), True),  # exactly 1 is not above 1
         ("0*beta", fmpq(1, 2), False),
         ("-1+0*beta", fmpq(1), False),  # at 1 no size is stated
@@ -49,6 +50,13 @@ def test_every_stated_beta_is_tried(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_what_is_large(monkeypatch: pytest.MonkeyPatch, exponent: str, beta: fmpq, answer: bool) -> None:
     monkeypatch.setitem(ledger.PRINTED, "S-dominance", {"exponent": exponent})
     assert ledger._is_large(beta) is answer
+
+
+def test_a_ball_that_cannot_tell_refutes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ledger, "certainly_less", lambda *_: None)
+    for beta in BETAS:
+        assert ledger._is_large(beta) is None
+        assert ledger._difference_quotient(beta) is None
 
 
 def test_the_linear_time_is_needed() -> None:
