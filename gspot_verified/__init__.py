@@ -9,14 +9,15 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from gspot_verified.balls import ball_text as ball_text
     from gspot_verified.compliant.iwc import CompliantIwc as CompliantIwc
-    from gspot_verified.compliant.iwc import iwc as iwc
     from gspot_verified.dyadic import Dyadic as Dyadic
     from gspot_verified.expansion.residual import residual_bounds as residual_bounds
     from gspot_verified.expansion.system import GSpotError as GSpotError
     from gspot_verified.expansion.trajectory import Trajectory as Trajectory
+    from gspot_verified.mechanisms.all_g_spots import find_g_spots as find_g_spots
     from gspot_verified.mechanisms.classify import Classification as Classification
     from gspot_verified.mechanisms.classify import classify as classify
     from gspot_verified.mechanisms.expand import expand as expand
+    from gspot_verified.mechanisms.iwc import iwc as iwc
     from gspot_verified.mechanisms.load import load as load
     from gspot_verified.mechanisms.mechanism import Mechanism as Mechanism
     from gspot_verified.mechanisms.mechanism import MechanismError as MechanismError
@@ -81,9 +82,10 @@ __homes__ = {
     "coefficient_by_inversion": "theta_function.asymptotic_coefficients",
     "evaluate": "theta_function.evaluate",
     "expand": "mechanisms.expand",
+    "find_g_spots": "mechanisms.all_g_spots",
     "gamma_sign": "signs.side",
     "initial_values": "theta_function.initial_values",
-    "iwc": "compliant.iwc",
+    "iwc": "mechanisms.iwc",
     "load": "mechanisms.load",
     "number_of_zeros": "signs.count_law",
     "paper_initial_values": "theta_function.initial_values",

@@ -186,3 +186,17 @@ def test_expand_warns_of_a_force_that_would_pull(capsys: pytest.CaptureFixture[s
     assert code == 0
     assert "warning: the mean force is negative" in err
     assert "warning" not in run(capsys, "expand", "extended", "--order", "3")[2]
+
+
+def test_iwc_of_a_mechanism(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "iwc", "--mechanism", "oscillator", "--set", "beta=5/2", "--digits", "5")
+    assert code == 0
+    assert "β = 5/2" in out
+    for arguments, message in (
+        (("--mechanism", "oscillator", "--beta", "5/2"), "the mechanism has its own"),
+        (("--mechanism", "oscillator", "--alpha2", "-1"), "the mechanism has its own"),
+        (("--beta", "5/2", "--set", "mu=2"), "--set: it goes with --mechanism"),
+    ):
+        code, out, err = run(capsys, "iwc", *arguments)
+        assert (code, out) == (64, "")
+        assert message in err

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
+from gspot_verified.cli.load import load_with_settings
 from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
     from gspot_verified.expansion.trajectory import Trajectory
-    from gspot_verified.mechanisms.mechanism import Mechanism
 
 
 def _known_names(typed: str) -> list[str]:
@@ -43,7 +43,7 @@ def classify(name: MechanismName, settings: Settings = None, as_json: JsonFlag =
     """
     from gspot_verified.mechanisms.classify import classify as classify_mechanism
 
-    result = classify_mechanism(_mechanism(name, settings))
+    result = classify_mechanism(load_with_settings(name, settings))
     if as_json:
         print_json(result.to_json())
     else:
@@ -79,7 +79,7 @@ def expand(
     chosen = [*(settings or []), *([] if chi is None else [f"chi={chi}"])]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", AccuracyWarning)  # said below, on stderr and by the exit code
-        trajectory = expand_mechanism(_mechanism(name, chosen), order, digits, _orders)
+        trajectory = expand_mechanism(load_with_settings(name, chosen), order, digits, _orders)
     if trajectory.pulls:
         warn("the mean force is negative: this trajectory would have to pull on the surface, no contact does that")
     data = trajectory.to_json()
@@ -135,17 +135,3 @@ def _pair(text: str, option: str) -> tuple[str, str]:
     if len(parts) != 2:
         raise ValueError(f'{option}: expected two numbers such as "1,1/10", got {text[:60]!r}')
     return parts[0], parts[1]
-
-
-def _mechanism(name: str, settings: list[str] | None) -> Mechanism:
-    from gspot_verified.mechanisms.load import load
-
-    values: dict[str, str | None] = {}
-    for setting in settings or []:
-        key, equals, value = setting.partition("=")
-        if not equals or not key.strip():
-            raise ValueError(f'--set: expected "name=value", got {setting[:60]!r}')
-        if key.strip() in values:
-            raise ValueError(f"--set: {key.strip()[:60]} is given twice")
-        values[key.strip()] = None if value.strip() == "symbolic" else value.strip()
-    return load(name, **values)

@@ -9,6 +9,7 @@ import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
 from gspot_verified.cli.finite_epsilon import DEFAULT_BETA, zeros_at_finite_epsilon, zeros_over_a_rectangle
+from gspot_verified.cli.load import load_with_settings
 from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
@@ -212,8 +213,10 @@ def _show(step: Progress) -> None:
 def iwc(
     beta: Annotated[str | None, typer.Option(help="β = α3/α1, not an integer; or give --alpha3.")] = None,
     alpha1: Annotated[str | None, typer.Option(help="α1* < 0; -1 if left out.")] = None,
-    alpha2: Annotated[str, typer.Option(help="α2*.")] = "-1",
+    alpha2: Annotated[str | None, typer.Option(help="α2*; -1 if left out.")] = None,
     alpha3: Annotated[str | None, typer.Option(help="α3* < 0; β α1 if left out.")] = None,
+    mechanism: Annotated[str | None, typer.Option(help="In their place: a TOML file or a name; its alphas.")] = None,
+    settings: Annotated[list[str] | None, typer.Option("--set", help='A parameter of the mechanism, "mu=2".')] = None,
     c1: Annotated[str | None, typer.Option(help="C1; left out: 1 or -1, on the side without lift-off.")] = None,
     tau_start: Annotated[str, typer.Option(help="The statement holds for τ from here to +∞.")] = "-10",
     epsilon: Annotated[str | None, typer.Option(help="ε at which the lift-off time is bracketed, or λ_N > 0.")] = None,
@@ -229,12 +232,16 @@ def iwc(
     statement, for all ε up to (lift-off: from) a rounded one, is printed when it is written.
     """
     from gspot_verified.compliant.force_certificate import certificate_for
-    from gspot_verified.compliant.iwc import iwc as contact_force
+    from gspot_verified.mechanisms.iwc import iwc as contact_force
 
     outputs = Outputs()
     outputs.file("--certificate", certificate)
+    if mechanism is None and settings:
+        raise ValueError("--set: it goes with --mechanism")
+    if mechanism is not None and beta is not None:
+        raise ValueError("--beta: the mechanism has its own")
     result = contact_force(
-        beta,
+        beta if mechanism is None else load_with_settings(mechanism, settings),
         alpha_1=alpha1,
         alpha_2=alpha2,
         alpha_3=alpha3,

@@ -1,0 +1,56 @@
+"""Whether the contact holds after the G-spot of a mechanism: the statements of :mod:`compliant.iwc` with its alphas."""
+
+from __future__ import annotations
+
+from flint import arb
+
+from gspot_verified.balls import ExactInput
+from gspot_verified.compliant.iwc import CompliantIwc
+from gspot_verified.compliant.iwc import iwc as iwc_of_alphas
+from gspot_verified.mechanisms.classify import Classification, classify
+from gspot_verified.mechanisms.mechanism import Mechanism
+
+
+def iwc(
+    beta: ExactInput | Mechanism | Classification | None = None,
+    *,
+    alpha_1: ExactInput | None = None,
+    alpha_2: ExactInput | None = None,
+    alpha_3: ExactInput | None = None,
+    c1: ExactInput | None = None,
+    tau_start: ExactInput = -10,
+    epsilon: ExactInput | None = None,
+    digits: int = 15,
+    growth: bool = False,
+) -> CompliantIwc:
+    """Whether the contact holds on [tau_start, infinity), or when it lifts off: at leading order, and for the compliant
+    model on its slow manifold; :func:`gspot_verified.compliant.iwc.iwc`, also for a mechanism.
+
+    ``beta`` is a number, a mechanism (its G-spot is found), or a classification. The compliant model has constant
+    alphas, those of the G-spot: nothing is stated about the mechanism away from it.
+
+    :raises ValueError: as for numbers; the G-spot is in no Case, or its alphas are balls (the statements need rational
+        ones); numbers beside a mechanism.
+    :raises GSpotError: the mechanism has no G-spot there.
+
+    >>> from gspot_verified.mechanisms.load import load
+    >>> iwc(load("oscillator", beta="5/2")).leading.force.beta
+    5/2
+    """
+    chosen = {"c1": c1, "tau_start": tau_start, "epsilon": epsilon, "digits": digits, "growth": growth}
+    if isinstance(beta, Mechanism):
+        beta = classify(beta)
+    if not isinstance(beta, Classification):
+        second = -1 if alpha_2 is None else alpha_2
+        return iwc_of_alphas(beta, alpha_1=alpha_1, alpha_2=second, alpha_3=alpha_3, **chosen)  # type: ignore[arg-type]
+    if not (alpha_1 is alpha_2 is alpha_3 is None):
+        raise ValueError("alpha_1, alpha_2, alpha_3: the mechanism has its own")
+    alphas = {"alpha_1": beta.alpha_1, "alpha_2": beta.alpha_2, "alpha_3": beta.alpha_3}
+    if beta.case not in ("I", "II", "III"):
+        raise ValueError(f"{beta.name}: the statements are about Cases I, II and III, and here: {beta.reason}")
+    if any(isinstance(value, arb) for value in alphas.values()):
+        raise ValueError(
+            f"{beta.name}: the alphas are balls, as the G-spot is not rational; the statements need rational alphas "
+            "(exact sine and cosine under [angles], or numbers near these, which are then another system)"
+        )
+    return iwc_of_alphas(**alphas, **chosen)  # type: ignore[arg-type]
