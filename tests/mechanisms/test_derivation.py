@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import random
+import subprocess
+import sys
 from collections.abc import Sequence
 from typing import Any
 
@@ -16,6 +18,8 @@ from gspot_verified.expansion.expressions import Expression, in_order
 from gspot_verified.expansion.power_series import SeriesOfFunctions
 from gspot_verified.expansion.rings import BALLS
 from gspot_verified.expansion.terms import NumberTerms
+from gspot_verified.mechanisms.classify import classify_g_spot
+from gspot_verified.mechanisms.g_spot import find_g_spot
 from gspot_verified.mechanisms.given import lagrangian
 from gspot_verified.mechanisms.lie_derivatives import derive
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
@@ -185,3 +189,34 @@ def test_friction_that_depends_on_the_slip_velocity_breaks_the_lagrangian_charac
     assert sympy.expand(along_g - sympy.diff(mu, u) * B * (mu * A - B)) == 0
     # At p = 0: mu A - B = (A C - B^2)/B.
     assert sympy.simplify((mu * A - B - (A * C - B**2) / B).subs(C, mu * B)) == 0
+
+
+def test_a_chain_of_five_links_is_classified() -> None:
+    """Fourteen components of the state: the G-spot is found and proved; M has LDL^T of seven rows."""
+    angles, rates = ("-1.73", "-2.91", "-2.33", "-1.69", "-1.51"), ("-1.07", "-1.08", "-1.13", "-0.16", "-0.85")
+    place = {"X": 0, "Y": "3.9", "X_dot": 9, "Y_dot": "-2"}
+    place |= {f"a{i + 1}": angle for i, angle in enumerate(angles)}
+    place |= {f"a{i + 1}_dot": rate for i, rate in enumerate(rates)}
+    fixed = ["X", "X_dot", *(f"a{i}" for i in range(1, 5)), *(f"a{i}_dot" for i in range(1, 5))]
+    mechanism = chain(5, place=place, search=True, fixed=fixed).with_parameters(mu="8/5")
+    spot = find_g_spot(mechanism)
+    assert not spot.exact
+    with working_bits(spot.bits):
+        assert all(value.contains(0) and narrow(value) for value in spot.system.values_at_point(spot.system.conditions))
+    found = classify_g_spot(spot)
+    assert found.case == "none"
+    assert "alpha_1 is not negative" in found.reason
+    assert found.fixed == tuple(fixed)
+
+
+def test_sympy_is_not_needed() -> None:
+    """Neither by a shipped file nor by the chain: a proof by sympy is for fields that do not simplify."""
+    script = (
+        "import sys\n"
+        "from gspot_verified.mechanisms.classify import classify\n"
+        "from gspot_verified.mechanisms.shipped import shipped_mechanism, shipped_names\n"
+        "for name in shipped_names(): classify(shipped_mechanism(name))\n"
+        "print('sympy' in sys.modules)"
+    )
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert run.stdout.strip() == "False"
