@@ -12,6 +12,7 @@ from gspot_verified.expansion.expressions import (
     Cosine,
     Exponential,
     Expression,
+    Logarithm,
     Power,
     Product,
     Sine,
@@ -90,7 +91,7 @@ def _with_parts(node: Expression, made: Mapping[Expression, Expression]) -> Expr
             return times(made[left], made[right])
         case Power(base, _):
             return replace(node, base=made[base])
-        case Sine(argument) | Cosine(argument) | Exponential(argument):
+        case Sine(argument) | Cosine(argument) | Exponential(argument) | Logarithm(argument):
             return replace(node, argument=made[argument])
     return node
 
@@ -110,6 +111,8 @@ def _slope(node: Expression, slopes: Mapping[Expression, Expression]) -> Express
             return times(times(Constant(fmpq(-1)), Sine(argument)), slopes[argument])
         case Exponential(argument):
             return times(node, slopes[argument])
+        case Logarithm(argument):
+            return times(Power(argument, fmpq(-1)), slopes[argument])
     return ZERO
 
 

@@ -174,6 +174,37 @@ class Exponential(Expression):
         return (self.argument,)
 
 
+@dataclass(frozen=True, eq=False)
+class Logarithm(Expression):
+    """The natural logarithm; the argument must be positive at the point of expansion."""
+
+    argument: Expression
+
+    def identity(self) -> tuple[Hashable, ...]:
+        """The argument."""
+        return (self.argument,)
+
+    def parts(self) -> tuple[Expression, ...]:
+        """The argument."""
+        return (self.argument,)
+
+
+def partner(node: Sine | Cosine | Exponential | Logarithm) -> tuple[Expression, int]:
+    """The derivative by the argument is sign g: g, and the sign.
+
+    >>> partner(Cosine(Variable(0)))
+    (Sine(argument=Variable(index=0)), -1)
+    """
+    match node:
+        case Sine(argument):
+            return Cosine(argument), 1
+        case Cosine(argument):
+            return Sine(argument), -1
+        case Logarithm(argument):
+            return Power(argument, fmpq(-1)), 1
+    return node, 1
+
+
 def _numbers(value: fmpq) -> tuple[int, int]:
     """Numerator and denominator: hashing them needs nothing that Python has given up when it shuts down."""
     return int(value.p), int(value.q)

@@ -18,12 +18,14 @@ from gspot_verified.expansion.expressions import (
     Cosine,
     Exponential,
     Expression,
+    Logarithm,
     Power,
     Product,
     Sine,
     Sum,
     Variable,
     in_order,
+    partner,
 )
 from gspot_verified.expansion.rings import Ring
 
@@ -84,6 +86,7 @@ class LayeredFunctions:
         nodes = in_order(roots)
         companions: list[Expression] = [Cosine(node.argument) for node in nodes if isinstance(node, Sine)]
         companions += [Sine(node.argument) for node in nodes if isinstance(node, Cosine)]
+        companions += [Power(node.argument, fmpq(-1)) for node in nodes if isinstance(node, Logarithm)]
         self._nodes = in_order([*roots, *companions])
         self._ring, self._zero = ring, ring.number(0)
         self._series = {node: Layers(ring) for node in self._nodes}
@@ -118,9 +121,9 @@ class LayeredFunctions:
         if isinstance(node, Power):
             r = node.exponent
             return series[node.base].middle(series[node], m, lambda j: number((r * j - (m - j)) / m))
-        if isinstance(node, Sine | Cosine | Exponential):
-            partner, sign = _derivative(node)
-            return series[node.argument].middle(series[partner], m, lambda j: number(fmpq(sign * j, m)))
+        if isinstance(node, Sine | Cosine | Exponential | Logarithm):
+            other, sign = partner(node)
+            return series[node.argument].middle(series[other], m, lambda j: number(fmpq(sign * j, m)))
         return []
 
     def _coefficient(self, node: Expression, k: int, state: Sequence[Any]) -> Any:
@@ -136,19 +139,21 @@ class LayeredFunctions:
             return product_coefficient(left, right, self._middle[node], k, self._zero)
         if isinstance(node, Power):
             return self._power(node, k, first_of_all)
-        assert isinstance(node, Sine | Cosine | Exponential)
+        assert isinstance(node, Sine | Cosine | Exponential | Logarithm)
         return self._start(node) if first_of_all else self._rotated(node, k)
 
-    def _start(self, node: Sine | Cosine | Exponential) -> Any:
+    def _start(self, node: Sine | Cosine | Exponential | Logarithm) -> Any:
         value = self._series[node.argument].rows[0][0]
         if isinstance(node, Exponential):
             return self._ring.exponential(value)
+        if isinstance(node, Logarithm):
+            return self._ring.logarithm(value)
         return self._ring.sine_cosine(value)[0 if isinstance(node, Sine) else 1]
 
-    def _rotated(self, node: Sine | Cosine | Exponential, k: int) -> Any:
+    def _rotated(self, node: Sine | Cosine | Exponential | Logarithm, k: int) -> Any:
         """In the first layer k f_k = sum of l u_l g_(k-l), later f_m = u_m g_0 + the complete part."""
-        partner, sign = _derivative(node)
-        argument, other = self._series[node.argument].rows, self._series[partner].rows[0]
+        derivative, sign = partner(node)
+        argument, other = self._series[node.argument].rows, self._series[derivative].rows[0]
         if self._layer:
             both = dot(argument[-1], other, k, self._zero)
             return entry(self._middle[node], k, self._zero) + (both if sign > 0 else -both)
@@ -167,12 +172,3 @@ class LayeredFunctions:
             return dot(weighted, own[0], k, zero, first=1) / start
         known = entry(self._middle[node], k, zero) + dot(base[-1], own[0], k, zero) * ring.number(node.exponent)
         return (known - dot(base[0], own[-1], k, zero, first=1)) / start
-
-
-def _derivative(node: Sine | Cosine | Exponential) -> tuple[Expression, int]:
-    """The derivative of f is sign g: g of the same argument, and the sign."""
-    if isinstance(node, Sine):
-        return Cosine(node.argument), 1
-    if isinstance(node, Cosine):
-        return Sine(node.argument), -1
-    return node, 1

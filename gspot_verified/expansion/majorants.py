@@ -19,6 +19,7 @@ from gspot_verified.expansion.expressions import (
     Cosine,
     Exponential,
     Expression,
+    Logarithm,
     Power,
     Product,
     Sine,
@@ -81,7 +82,7 @@ def graded_functions(
 
 
 def _ratios(nodes: Sequence[Expression]) -> tuple[fmpq, ...]:
-    return _RATIOS if any(isinstance(node, Power | Sine | Cosine | Exponential) for node in nodes) else ()
+    return _RATIOS if any(isinstance(node, Power | Sine | Cosine | Exponential | Logarithm) for node in nodes) else ()
 
 
 def _changes(
@@ -107,6 +108,8 @@ def _changes(
                 change = _power_change(arb(starts[base]), found[base], exponent)
             case Exponential(argument):
                 change = size_of(arb(starts[argument]).exp()) * found[argument].expm1()
+            case Logarithm(argument):
+                change = _logarithm_change(arb(starts[argument]), found[argument])
             case Sine(argument) | Cosine(argument):
                 change = _rotation_change(arb(starts[argument]), found[argument], isinstance(node, Sine))
             case _:
@@ -127,6 +130,15 @@ def _power_change(start: arb, change: arb, exponent: fmpq) -> arb:
     both = least ** arb(exponent)
     both = both.union(start.abs_upper() ** arb(exponent))
     return both.abs_upper() * ((-size * (1 - x).log()).expm1())
+
+
+def _logarithm_change(start: arb, change: arb) -> arb:
+    """-log(1 - x) with x = |u - u_0| / |u_0| < 1."""
+    least = start.lower()
+    if not least > 0:
+        return nonfinite()
+    x = (change / least).upper()
+    return -((1 - x).log()) if x < 1 else nonfinite()
 
 
 def _rotation_change(start: arb, change: arb, is_sine: bool) -> arb:

@@ -16,6 +16,7 @@ from gspot_verified.expansion.expressions import (
     Cosine,
     Exponential,
     Expression,
+    Logarithm,
     Power,
     Product,
     Sine,
@@ -77,6 +78,7 @@ class SeriesOfFunctions:
             for e in in_order(roots)
             if isinstance(e, Sine | Cosine)
         ]
+        companions += [Power(e.argument, fmpq(-1)) for e in in_order(roots) if isinstance(e, Logarithm)]
         for node in in_order([*roots, *companions]):
             made[node] = Series()
         self._steps: list[tuple[Series, Rule]] = []
@@ -133,6 +135,8 @@ class SeriesOfFunctions:
                 return self._rotated(made[argument], made[Sine(argument)], -1, lambda x: self._sine_cosine(x)[1])
             case Exponential(argument):
                 return self._rotated(made[argument], own, 1, self._numbers.exponential)
+            case Logarithm(argument):
+                return self._rotated(made[argument], made[Power(argument, fmpq(-1))], 1, self._numbers.logarithm)
             case _:
                 raise TypeError(f"no rule for {type(node).__name__}")
 

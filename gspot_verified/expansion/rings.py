@@ -42,6 +42,10 @@ class Ring(Protocol):
         """The exponential of a number."""
         ...
 
+    def logarithm(self, value: Any) -> Any:
+        """The natural logarithm of a positive number."""
+        ...
+
     def power(self, value: Any, exponent: fmpq) -> Any:
         """A rational power of a number that is not zero."""
         ...
@@ -91,6 +95,15 @@ class Rationals:
             raise ValueError(_NOT_RATIONAL)
         return fmpq(1)
 
+    def logarithm(self, value: Any) -> fmpq:
+        """Only at 1.
+
+        :raises ValueError: elsewhere, where it is not rational or does not exist.
+        """
+        if value != 1:
+            raise ValueError(_NOT_RATIONAL)
+        return fmpq(0)
+
     def power(self, value: Any, exponent: fmpq) -> fmpq:
         """An integer power of a nonzero number, or the root of a perfect power.
 
@@ -135,6 +148,15 @@ class Balls:
     def exponential(self, value: arb) -> arb:
         """An enclosure."""
         return value.exp()
+
+    def logarithm(self, value: arb) -> arb:
+        """An enclosure; the argument must be certainly positive.
+
+        :raises ValueError: it may be zero or negative.
+        """
+        if not value > 0:
+            raise ValueError("a logarithm of a number that may not be positive has no power series there")
+        return value.log()
 
     def power(self, value: arb, exponent: fmpq) -> arb:
         """An enclosure; the base must be certainly positive unless the exponent is an integer.

@@ -16,6 +16,7 @@ from gspot_verified.expansion.expressions import (
     Cosine,
     Exponential,
     Expression,
+    Logarithm,
     Power,
     Product,
     Sine,
@@ -144,6 +145,8 @@ class StraightLine:
                 return self._named("cosine", self._named("sine and cosine", *parts))
             case Exponential():
                 return self._named("exponential", *parts)
+            case Logarithm():
+                return self._named("logarithm", *parts)
         raise TypeError(f"no enclosure of a {type(node).__name__}")
 
     def total(self, names: Iterable[str]) -> str:
@@ -222,6 +225,7 @@ class StraightLine:
             "sine": lambda: self._named("cosine", base),
             "cosine": lambda: self._named("minus", self._named("sine", base)),
             "exponential": lambda: name,
+            "logarithm": lambda: self._named("reciprocal", base),
         }
         return rules[operation]()
 
@@ -245,6 +249,8 @@ def _line(name: str, operation: str, operands: tuple[Any, ...]) -> str:
             return f"{name} = {operands[0]}[1]"
         case "exponential":
             return f"{name} = {operands[0]}.exp()"
+        case "logarithm":
+            return f"{name} = {operands[0]}.log()"
         case "power":
             return f"{name} = power({operands[0]}, {int(operands[1].p)}, {int(operands[1].q)})"
     return f"{name} = {operation}({operands[0]})"

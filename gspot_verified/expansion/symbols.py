@@ -170,6 +170,14 @@ class Symbols:
         self._must_vanish(value)
         return self.number(1)
 
+    def logarithm(self, value: RationalFunction) -> RationalFunction:
+        """Only at 1.
+
+        :raises ValueError: elsewhere.
+        """
+        self._must_vanish(value - self.number(1))
+        return self.number(0)
+
     def power(self, value: RationalFunction, exponent: fmpq) -> RationalFunction:
         """An integer power of what is not zero.
 
@@ -181,4 +189,6 @@ class Symbols:
 
     def _must_vanish(self, value: RationalFunction) -> None:
         if not self.is_zero(value):
-            raise ValueError("with symbols the argument of sin, cos and exp must vanish at the point of expansion")
+            raise ValueError(
+                "with symbols the argument of sin, cos and exp must be 0 at the point of expansion, that of log 1"
+            )

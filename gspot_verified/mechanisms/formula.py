@@ -2,7 +2,7 @@
 
 Numbers are exact (``"0.1"`` is 1/10). Names of Latin or Greek letters come from a given table; ``pi`` is always known.
 Operators: ``+ - * /``, and ``**`` or ``^`` with an integer or half-integer exponent. Functions: sin, cos, tan, exp,
-sqrt. Length, depth and powers are limited.
+log (natural), sqrt. Length, depth and powers are limited.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from gspot_verified.mechanisms.simplify import (
     constant,
     cosine_of,
     exponential_of,
+    logarithm_of,
     power_of,
     product_of,
     rational_value,
@@ -35,7 +36,7 @@ MAX_DEPTH = 50
 MAX_POWER = 64
 MAX_NESTED_FUNCTIONS = 6
 MAX_DIGITS = 100
-FUNCTIONS = ("sin", "cos", "tan", "exp", "sqrt")
+FUNCTIONS = ("sin", "cos", "tan", "exp", "sqrt", "log")
 
 _LETTERS = (
     "A-Za-z\N{GREEK CAPITAL LETTER ALPHA}-\N{GREEK CAPITAL LETTER OMEGA}"
@@ -288,6 +289,8 @@ def _apply(name: str, argument: Expression) -> Expression:
             return cosine_of(argument)
         case "tan":
             return product_of(sine_of(argument), power_of(cosine_of(argument), fmpq(-1)))
+        case "log":
+            return logarithm_of(argument)
         case _:
             return exponential_of(argument)
 

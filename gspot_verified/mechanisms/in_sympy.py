@@ -12,6 +12,7 @@ from gspot_verified.expansion.expressions import (
     Cosine,
     Exponential,
     Expression,
+    Logarithm,
     Power,
     Product,
     Sine,
@@ -24,6 +25,7 @@ from gspot_verified.mechanisms.simplify import (
     constant,
     cosine_of,
     exponential_of,
+    logarithm_of,
     power_of,
     product_of,
     sine_of,
@@ -66,6 +68,8 @@ def _one_in_sympy(node: Expression, made: Mapping[Expression, Any], state: Seque
             return sympy.cos(made[argument])
         case Exponential(argument):
             return sympy.exp(made[argument])
+        case Logarithm(argument):
+            return sympy.log(made[argument])
     raise TypeError(f"no sympy form of {type(node).__name__}")
 
 
@@ -114,6 +118,8 @@ def _one_from_sympy(node: Any, made: Mapping[Any, Expression], names: Mapping[st
         return product_of(sine_of(*parts), power_of(cosine_of(*parts), fmpq(-1)))
     if isinstance(node, sympy.exp):
         return exponential_of(*parts)
+    if isinstance(node, sympy.log) and len(parts) == 1:
+        return logarithm_of(*parts)
     if node.is_Symbol:
         raise FormulaError(f"unknown symbol {node.name[:40]!r}")
     raise FormulaError(f"not exact, or no function of formulas: {str(node)[:80]}")

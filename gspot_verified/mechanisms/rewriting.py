@@ -9,13 +9,22 @@ from gspot_verified.expansion.expressions import (
     Cosine,
     Exponential,
     Expression,
+    Logarithm,
     Power,
     Product,
     Sine,
     Sum,
     in_order,
 )
-from gspot_verified.mechanisms.simplify import cosine_of, exponential_of, power_of, product_of, sine_of, sum_of
+from gspot_verified.mechanisms.simplify import (
+    cosine_of,
+    exponential_of,
+    logarithm_of,
+    power_of,
+    product_of,
+    sine_of,
+    sum_of,
+)
 
 
 def rebuilt(node: Expression, made: Mapping[Expression, Expression]) -> Expression:
@@ -33,6 +42,8 @@ def rebuilt(node: Expression, made: Mapping[Expression, Expression]) -> Expressi
             return cosine_of(made[argument])
         case Exponential(argument):
             return exponential_of(made[argument])
+        case Logarithm(argument):
+            return logarithm_of(made[argument])
     return node
 
 

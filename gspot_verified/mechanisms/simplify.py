@@ -17,6 +17,7 @@ from gspot_verified.expansion.expressions import (
     Cosine,
     Exponential,
     Expression,
+    Logarithm,
     Power,
     Product,
     Sine,
@@ -239,6 +240,11 @@ def cosine_of(argument: Expression) -> Expression:
 def exponential_of(argument: Expression) -> Expression:
     """The exponential."""
     return ONE if argument is ZERO else Exponential(argument)
+
+
+def logarithm_of(argument: Expression) -> Expression:
+    """The natural logarithm."""
+    return ZERO if argument is ONE else Logarithm(argument)
 
 
 def _leads_with_minus(argument: Expression) -> bool:

@@ -22,6 +22,7 @@ from gspot_verified.expansion.expressions import (
     Cosine,
     Exponential,
     Expression,
+    Logarithm,
     Power,
     Product,
     Sine,
@@ -58,6 +59,7 @@ def grown(parts: st.SearchStrategy[Expression]) -> st.SearchStrategy[Expression]
         parts.map(Sine),
         parts.map(Cosine),
         parts.map(lambda e: Exponential(Sine(e))),
+        parts.map(lambda e: Logarithm(Sum((number(2), Sine(e))))),
         parts.map(lambda e: Power(Sum((number(2), Sine(e))), fmpq(-2))),
         parts.map(lambda e: Power(Sum((number(2), Cosine(e))), fmpq(-3, 2))),
         parts.map(lambda e: Power(Sum((number(3), Cosine(e))), fmpq(2, 3))),
@@ -87,6 +89,8 @@ def reference(node: Expression, at: list[Fraction]) -> Any:
             return mpmath.cos(reference(argument, at))
         case Exponential(argument):
             return mpmath.exp(reference(argument, at))
+        case Logarithm(argument):
+            return mpmath.log(reference(argument, at))
     raise AssertionError(node)
 
 

@@ -18,6 +18,7 @@ from gspot_verified.expansion.expressions import (
     Cosine,
     Exponential,
     Expression,
+    Logarithm,
     Power,
     Product,
     Sine,
@@ -36,6 +37,7 @@ CASES: dict[str, tuple[Expression, Callable[[Any], Any]]] = {
     "sine": (Sine(x), mpmath.sin),
     "cosine": (Cosine(x), mpmath.cos),
     "exponential": (Exponential(x), mpmath.exp),
+    "logarithm": (Logarithm(x), mpmath.log),
     "reciprocal": (Power(x, fmpq(-1)), lambda u: 1 / u),
     "inverse root": (Power(x, fmpq(-1, 2)), lambda u: 1 / mpmath.sqrt(u)),
     "root": (Power(x, fmpq(1, 2)), mpmath.sqrt),
@@ -43,7 +45,7 @@ CASES: dict[str, tuple[Expression, Callable[[Any], Any]]] = {
     "nested": (Sine(Product(x, Exponential(x))), lambda u: mpmath.sin(u * mpmath.exp(u))),
 }
 # Cases in which no two terms of one order cancel, so that the bound is the sum itself.
-SHARP = ("constant", "sum", "product", "sine", "cosine", "exponential", "reciprocal", "inverse root")
+SHARP = ("constant", "sum", "product", "sine", "cosine", "exponential", "logarithm", "reciprocal", "inverse root")
 
 
 def coefficients(function: Callable[[Any], Any], count: int, start: Any = None) -> list[Any]:
@@ -78,6 +80,8 @@ def starts_of(nodes: list[Expression], start: Any = START) -> dict[Expression, A
                 found[node] = found[argument].cos()
             case Exponential(argument):
                 found[node] = found[argument].exp()
+            case Logarithm(argument):
+                found[node] = found[argument].log()
     return found
 
 
@@ -192,6 +196,8 @@ def _value(node: Expression, u: Any) -> Any:
             return mpmath.cos(_value(argument, u))
         case Exponential(argument):
             return mpmath.exp(_value(argument, u))
+        case Logarithm(argument):
+            return mpmath.log(_value(argument, u))
     raise TypeError(node)
 
 
@@ -220,3 +226,13 @@ def test_a_function_without_a_rule_is_refused() -> None:
 
     with pytest.raises(TypeError, match="no bound for Another"):
         _changes([Another()], {}, [], arb(1))
+
+
+def test_no_bound_where_a_logarithm_may_not_exist() -> None:
+    nodes = in_order([Logarithm(x)])
+    with working_bits(100):
+        for start, radius in ((arb(1), arb(1)), (arb(1), arb(2)), (arb(-1), arb(1) / 2), (arb(0, 1), arb(1) / 9)):
+            starts = {x: start, nodes[-1]: arb(0)}
+            assert not _changes(nodes, starts, [lambda r, radius=radius: r * radius], arb(1))[nodes[-1]].is_finite()
+        starts = {x: arb(1), nodes[-1]: arb(0)}
+        assert _changes(nodes, starts, [lambda r: r / 2], arb(1))[nodes[-1]].overlaps(arb(2).log())

@@ -17,6 +17,7 @@ from gspot_verified.expansion.expressions import (
     Cosine,
     Exponential,
     Expression,
+    Logarithm,
     Power,
     Product,
     Sine,
@@ -41,6 +42,7 @@ FUNCTIONS = {
     "root": Power(Constant(fmpq(4)) + x, fmpq(1, 2)) * Power(one - y * y, fmpq(-3, 2)),
     "natural": Power(x + y, fmpq(5)) + Power(x, fmpq(0)) + Power(y, fmpq(1)) + Power(Power(x, fmpq(2)), fmpq(2)),
     "nested": Exponential(Sine(Exponential(x) - one)),
+    "logarithm": Logarithm(one + x * y - x) * Logarithm(Exponential(x)),
     "quotient": (x + one) / (one + Cosine(y)),
 }
 # x and y as series in one letter; 0 at the start.
@@ -66,6 +68,8 @@ def to_sympy(node: Expression, values: list[Any]) -> Any:
             return sympy.cos(to_sympy(argument, values))
         case Exponential(argument):
             return sympy.exp(to_sympy(argument, values))
+        case Logarithm(argument):
+            return sympy.log(to_sympy(argument, values))
     raise TypeError(node)
 
 

@@ -13,7 +13,8 @@ from gspot_verified.expansion.symbols import Symbols
 def test_rational_functions_at_rational_values() -> None:
     assert RATIONALS.sine_cosine(fmpq(0)) == (0, 1)
     assert RATIONALS.exponential(fmpq(0)) == 1
-    for function in (RATIONALS.sine_cosine, RATIONALS.exponential):
+    assert RATIONALS.logarithm(fmpq(1)) == 0
+    for function in (RATIONALS.sine_cosine, RATIONALS.exponential, RATIONALS.logarithm):
         with pytest.raises(ValueError, match="use balls"):
             function(fmpq(1, 2))
 
@@ -98,3 +99,14 @@ def test_singular(last: fmpq) -> None:
         inverse([[fmpq(1), fmpq(2)], [fmpq(2), last]], RATIONALS)
     with pytest.raises(ZeroDivisionError):
         inverse([[arb(1), arb(2)], [arb(2), arb(4, 1)]], BALLS)
+
+
+def test_logarithms() -> None:
+    ring = Symbols("k")
+    assert ring.logarithm(ring.number(1)) == 0
+    with pytest.raises(ValueError, match="of log 1"):
+        ring.logarithm(ring.symbol("k"))
+    assert BALLS.logarithm(arb(2)).overlaps(arb.const_log2())
+    for value in (arb(0), arb(-1), arb(1, 2)):
+        with pytest.raises(ValueError, match="may not be positive"):
+            BALLS.logarithm(value)
