@@ -190,5 +190,5 @@ class Symbols:
     def _must_vanish(self, value: RationalFunction) -> None:
         if not self.is_zero(value):
             raise ValueError(
-                "with symbols the argument of sin, cos and exp must be 0 at the point of expansion, that of log 1"
+                "with symbols the argument of sin, cos and exp must vanish at the point of expansion, that of log be 1"
             )

@@ -104,7 +104,7 @@ def test_singular(last: fmpq) -> None:
 def test_logarithms() -> None:
     ring = Symbols("k")
     assert ring.logarithm(ring.number(1)) == 0
-    with pytest.raises(ValueError, match="of log 1"):
+    with pytest.raises(ValueError, match="of log be 1"):
         ring.logarithm(ring.symbol("k"))
     assert BALLS.logarithm(arb(2)).overlaps(arb.const_log2())
     for value in (arb(0), arb(-1), arb(1, 2)):
