@@ -9,7 +9,6 @@ from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Expression, Variable
 from gspot_verified.expansion.rings import BALLS
 from gspot_verified.mechanisms.g_spot import shifted_conditions, symbolic_place
-from gspot_verified.mechanisms.mass_inverse import minor
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.to_system import Shifted, shift
 
@@ -20,8 +19,8 @@ _CONSTANT_BITS = 320
 class ParametricSystem:
     """Functions of (ξ, λ): the state ξ (components 0, ..., m - 1, angles from their references), then the parameters.
 
-    ``conditions`` are p, b, y, v, J, which vanish at a G-spot; ``positive`` must be positive there (the leading minors
-    of the mass matrix; or A, C, A C - B^2) and ``friction`` not negative. ``slip`` is u.
+    ``conditions`` are p, b, y, v, J, which vanish at a G-spot; ``matrix`` must be positive definite there (the mass
+    matrix; or A, B, B, C where none is given) and ``friction`` not negative. ``slip`` is u.
     """
 
     name: str
@@ -32,7 +31,7 @@ class ParametricSystem:
     alpha_2: Expression
     alpha_3: Expression
     slip: Expression
-    positive: tuple[Expression, ...]
+    matrix: tuple[tuple[Expression, ...], ...]
     friction: Expression
 
     @property
@@ -59,20 +58,20 @@ def parametric_system(mechanism: Mechanism, parameters: Sequence[str], fixed: Se
         raise MechanismError(f"{mechanism.name}: parameters without a value: {', '.join(missing)}")
     shifted = shift(free, free=True)
     f = shifted.functions
-    if f.mass_matrix is not None:
-        positive = [minor(f.mass_matrix, range(k), range(k)) for k in range(1, len(f.mass_matrix) + 1)]
-    else:
-        positive = [f.A, f.C, f.A * f.C - f.B * f.B]
+    rows = f.mass_matrix or ((f.A, f.B), (f.B, f.C))
     conditions = [f.p, f.b, f.y, f.v, *_extra_conditions(shifted, fixed)]
     scalars = [f.alpha_1, f.alpha_2, f.alpha_3, f.u, f.mu]
     with working_bits(_CONSTANT_BITS):
         own_variables = {name: Variable(len(mechanism.state) + j) for j, name in enumerate(parameters)}
-        found = shifted.expressions([*conditions, *scalars, *positive], BALLS, own_variables)
-    own, (first, second, third, slip, friction, *minors) = found[: len(conditions)], found[len(conditions) :]
+        found = shifted.expressions(
+            [*conditions, *scalars, *(entry for row in rows for entry in row)], BALLS, own_variables
+        )
+    own, (first, second, third, slip, friction, *entries) = found[: len(conditions)], found[len(conditions) :]
+    size = len(rows)
+    matrix = tuple(tuple(entries[i * size : (i + 1) * size]) for i in range(size))
     return ParametricSystem(
-        mechanism.name, mechanism.state, tuple(parameters), tuple(own), first, second, third, slip, tuple(minors),
-        friction,
-    )  # fmt: skip
+        mechanism.name, mechanism.state, tuple(parameters), tuple(own), first, second, third, slip, matrix, friction
+    )
 
 
 def _extra_conditions(shifted: Shifted, fixed: Sequence[str]) -> list[Expression]:

@@ -107,7 +107,8 @@ def _assembled(
         if len(question.grid.axes) == 1:
             kept, folds = with_folds(system, question.equations(), kept, own, question.digits)
             kept = without_gaps(kept)
-    return Sweep(question.mechanism.name, question.grid.axes, place, dict(spot), tuple(kept), tuple(folds))
+    mechanism = question.mechanism
+    return Sweep(mechanism.name, question.grid.axes, place, dict(spot), tuple(kept), tuple(folds), mechanism.notes)
 
 
 def _other(piece: SweepPiece) -> SweepPiece:

@@ -5,6 +5,7 @@ Proof page: ``proofs/sweep.md``, sections 3 and 4. Paper, Sec. 1.2 and Sec. 4.5.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -12,6 +13,7 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import nonfinite, sign_of
 from gspot_verified.expansion.box_program import BoxProgram, common
+from gspot_verified.mechanisms.mass_matrix import leading_minors
 from gspot_verified.mechanisms.parametric_system import ParametricSystem
 from gspot_verified.mechanisms.sweep_piece import Kind, SweepPiece, TubeRecord, interval
 from gspot_verified.mechanisms.tube import Equations, OnTube, Quantity
@@ -52,7 +54,7 @@ def equations(system: ParametricSystem) -> Equations:
     """The conditions and, as further functions, what :func:`findings` looks at."""
     functions = [
         *system.conditions, system.alpha_1, system.alpha_2, system.alpha_3, system.slip, system.friction,
-        *system.positive,
+        *(entry for row in system.matrix for entry in row),
     ]  # fmt: skip
     return Equations(BoxProgram(functions, system.dimension + len(system.parameters)), system.dimension)
 
@@ -111,8 +113,11 @@ def _beta(on: OnTube, numbers: Mapping[str, arb]) -> arb:
 
 def _doubts(on: OnTube) -> tuple[str, ...]:
     """The hypotheses that are not certain on the whole tube."""
-    friction, *positive = on.quantities[4:]
-    definite = all(on.value(minor) > 0 for minor in positive)
+    friction, *entries = on.quantities[4:]
+    size = math.isqrt(len(entries))
+    values = [on.value(entry) for entry in entries]
+    minors = leading_minors([values[i * size : (i + 1) * size] for i in range(size)])
+    definite = all(minor > 0 for minor in minors)
     certain = (definite, bool(on.value(friction) >= 0))
     return tuple(name for name, holds in zip(HYPOTHESES, certain, strict=True) if not holds)
 

@@ -69,7 +69,7 @@ class Sweep(NoTruthValue):
     """The result of :func:`sweep`. ``pieces`` cover the range, in the order of their lower ends.
 
     ``start`` is where the spot was proved first, ``spot`` its state there. ``folds``: where it meets another one and
-    vanishes (one parameter).
+    vanishes (one parameter). ``notes`` say how the mechanism was read.
     """
 
     ask: ClassVar[str] = ".verdict.outcome says whether Case and side are settled on the whole range"
@@ -80,6 +80,7 @@ class Sweep(NoTruthValue):
     spot: Mapping[str, str]
     pieces: tuple[SweepPiece, ...]
     folds: tuple[Fold, ...] = ()
+    notes: tuple[str, ...] = ()
 
     @property
     def verdict(self) -> Verdict:
@@ -178,7 +179,13 @@ class Sweep(NoTruthValue):
             lines += [f"  {text}" for text in (*(crossing.text(name) for crossing in self.crossings), *self.folds)]
         else:
             lines += [f"  {count} pieces: {text}" for text, count in self._counts().items()]
-        return "\n".join([*lines, *(f"  warning: {warning}" for warning in self.warnings)])
+        return "\n".join(
+            [
+                *lines,
+                *(f"  note: {note}" for note in self.notes),
+                *(f"  warning: {warning}" for warning in self.warnings),
+            ]
+        )
 
     def _counts(self) -> dict[str, int]:
         found: dict[str, int] = {}
@@ -199,6 +206,7 @@ class Sweep(NoTruthValue):
             "spot": dict(self.spot),
             "verdict": self.verdict.to_json(),
             "crossings": [crossing.to_json() for crossing in self.crossings],
+            "notes": list(self.notes),
             "warnings": list(self.warnings),
             "folds": [fold.to_json() for fold in self.folds],
             "pieces": [_piece_to_json(piece) for piece in self.pieces],

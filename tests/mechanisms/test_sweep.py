@@ -21,6 +21,7 @@ from gspot_verified.balls import working_bits
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.mechanisms.classify import classify_g_spot
 from gspot_verified.mechanisms.g_spot import find_g_spot
+from gspot_verified.mechanisms.given import lagrangian
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.sweep import sweep
@@ -351,3 +352,24 @@ def test_bad_input() -> None:
         result.at()
     with pytest.raises(TypeError, match="no truth value"):
         bool(result)
+
+
+def test_negative_slip_is_swept_as_its_mirror_image() -> None:
+    """The rod seen from behind is in the same Cases, with the same β; the result says that it was mirrored."""
+    rod: dict[str, Any] = {
+        "name": "rod", "coordinates": ["X", "Y", "theta"], "mass_matrix": [[1, 0, 0], [0, 1, 0], [0, 0, "1/3"]],
+        "forces": [0, "-3/5", 0], "x": "X + cos(theta)", "y": "Y - sin(theta)", "mu": "mu", "parameters": {"mu": 2},
+        "place": {"X": 0, "Y": "3/5", "theta": "2/3", "X_dot": 2, "Y_dot": "4/5", "theta_dot": 1},
+        "search": True, "fixed": ["X", "X_dot"],
+    }  # fmt: skip
+    behind = rod | {"x": "X - cos(theta)", "slip": "negative", "place": rod["place"] | {"X_dot": -2}}
+    one, other = (sweep(lagrangian(**given), {"mu": "3/2..2:5"}) for given in (rod, behind))
+    assert one.notes == ()
+    assert "mirrored" in other.notes[0]
+    assert other.notes[0] in str(other)
+    assert [piece.answer for piece in one.pieces] == [piece.answer for piece in other.pieces]
+    for first, second in zip(one.pieces, other.pieces, strict=True):
+        for name in ("beta", "mean_force", "slip_velocity"):
+            number, its = first.number(name), second.number(name)
+            assert (number is None) == (its is None)
+            assert number is None or its is None or number.overlaps(its)
