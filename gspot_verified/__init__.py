@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from gspot_verified.mechanisms.all_g_spots import find_g_spots as find_g_spots
     from gspot_verified.mechanisms.classify import Classification as Classification
     from gspot_verified.mechanisms.classify import classify as classify
+    from gspot_verified.mechanisms.classify_all import classify_all as classify_all
+    from gspot_verified.mechanisms.critical_friction import critical_friction as critical_friction
     from gspot_verified.mechanisms.expand import expand as expand
     from gspot_verified.mechanisms.iwc import iwc as iwc
     from gspot_verified.mechanisms.load import load as load
@@ -78,8 +80,10 @@ __homes__ = {
     "ZerosResult": "signs.zeros",
     "ball_text": "balls",
     "classify": "mechanisms.classify",
+    "classify_all": "mechanisms.classify_all",
     "coefficient": "theta_function.asymptotic_coefficients",
     "coefficient_by_inversion": "theta_function.asymptotic_coefficients",
+    "critical_friction": "mechanisms.critical_friction",
     "evaluate": "theta_function.evaluate",
     "expand": "mechanisms.expand",
     "find_g_spots": "mechanisms.all_g_spots",

@@ -200,3 +200,54 @@ def test_iwc_of_a_mechanism(capsys: pytest.CaptureFixture[str]) -> None:
         code, out, err = run(capsys, "iwc", *arguments)
         assert (code, out) == (64, "")
         assert message in err
+
+
+def test_classify_finds_all_g_spots_or_proves_that_there_is_none(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    code, out, err = run(capsys, "classify", "genot_brogliato_rod", "--set", "mu=13/10")
+    assert code == 1
+    assert "all G-spots are searched instead" in err
+    assert "lies below mu_c: p > 0" in out
+    code, out, err = run(capsys, "classify", "genot_brogliato_rod", "--set", "mu=7/5", "--all", "--json")
+    assert code == 0
+    assert err == ""
+    assert len(json.loads(out)["spots"]) == 4
+    code, out, _ = run(capsys, "classify", "genot_brogliato_rod", "--set", "mu=4/3")
+    assert code == 2
+    assert "a fold" in out
+    own = tmp_path / "own.toml"
+    source = Path(__file__).parents[1] / "gspot_verified" / "mechanisms" / "data" / "falling_rod.toml"
+    own.write_text(source.read_text(encoding="utf-8").split("[g_spot]")[0], encoding="utf-8")
+    code, out, _ = run(capsys, "classify", str(own))
+    assert code == 0
+    assert "exactly 4 G-spots" in out
+    assert "note: X_dot stands in u, and no condition holds it" in out
+
+
+def test_classify_in_a_box_and_with_a_budget(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "classify", "genot_brogliato_rod", "--box", "theta=0..1", "--box", "theta_dot=0..10")
+    assert code == 0
+    assert "exactly one G-spot" in out
+    code, out, _ = run(capsys, "classify", "genot_brogliato_rod", "--box", "theta=2..3")
+    assert code == 1
+    code, out, _ = run(capsys, "classify", "genot_brogliato_rod", "--budget", "1")
+    assert code == 2
+    assert "the budget of boxes ended" in out
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (("--box", "theta"), "lower..upper"),
+        (("--box", "theta=0"), "lower..upper"),
+        (("--box", "theta=0..inf"), "finite"),
+        (("--box", "theta=0..1", "--box", "theta=1..2"), "given twice"),
+        (("--box", "phi=0..1"), "no component of the state"),
+        (("--budget", "-3"), "budget"),
+    ],
+)
+def test_bad_boxes_are_usage_errors(capsys: pytest.CaptureFixture[str], options: tuple[str, ...], message: str) -> None:
+    code, _, err = run(capsys, "classify", "genot_brogliato_rod", *options)
+    assert code == 64
+    assert message in err

@@ -36,19 +36,67 @@ Settings = Annotated[
 
 
 @app.command(epilog="Example: gspot-verified classify oscillator --set beta=5/2")
-def classify(name: MechanismName, settings: Settings = None, as_json: JsonFlag = False) -> None:
+def classify(
+    name: MechanismName,
+    settings: Settings = None,
+    everywhere: Annotated[
+        bool, typer.Option("--all", help="All G-spots, from no start (also where the file gives no place).")
+    ] = False,
+    box: Annotated[
+        list[str] | None, typer.Option("--box", help='All G-spots with a component in an interval: "theta=0..3/2".')
+    ] = None,
+    budget: Annotated[int | None, typer.Option(help="How many boxes the search for all G-spots looks at.")] = None,
+    as_json: JsonFlag = False,
+) -> None:
     """A mechanism's G-spot: alpha_i, β, Case I, II or III, and in Case III which side lifts off.
 
-    Exit code 2 when the balls of a point that is not rational leave the case open.
+    All of its G-spots with --all, --box, or where the file gives no place; then exit code 1: there is none, proved.
+    Exit code 2: the list may not be complete, or the balls of a point that is not rational leave the case open.
     """
     from gspot_verified.mechanisms.classify import classify as classify_mechanism
+    from gspot_verified.mechanisms.g_spot import NotFoundError
 
-    result = classify_mechanism(load_with_settings(name, settings))
+    mechanism = load_with_settings(name, settings)
+    placed = {word for word, _ in mechanism.place.values} >= set(mechanism.state)
+    if placed and not (everywhere or box or budget):
+        try:
+            result = classify_mechanism(mechanism)
+        except NotFoundError as error:
+            warn(f"{error}; all G-spots are searched instead")
+        else:
+            _print(result.to_json(), str(result), as_json)
+            raise typer.Exit(2 if result.case is None else 0)
+    from gspot_verified.mechanisms.all_g_spots import DEFAULT_BUDGET
+    from gspot_verified.mechanisms.classify_all import classify_all
+
+    found = classify_all(mechanism, _box(box or []), budget=DEFAULT_BUDGET if budget is None else budget)
+    _print(found.to_json(), str(found), as_json)
+    raise typer.Exit(found.exit_code)
+
+
+def _print(data: dict[str, Any], text: str, as_json: bool) -> None:
     if as_json:
-        print_json(result.to_json())
+        print_json(data)
     else:
-        typer.echo(str(result))
-    raise typer.Exit(2 if result.case is None else 0)
+        typer.echo(text)
+
+
+def _box(given: list[str]) -> dict[str, tuple[Any, Any]]:
+    from gspot_verified.signs.ranges import Range
+
+    found = {}
+    for text in given:
+        word, equals, interval = text.partition("=")
+        word = word.strip()
+        if not equals or ".." not in interval:
+            raise ValueError(f'--box: expected "component=lower..upper", got {text[:60]!r}')
+        if word in found:
+            raise ValueError(f"--box: {word[:60]} is given twice")
+        parsed = Range.parse(interval, f"--box, {word[:60]}")
+        if parsed.lower is None or parsed.upper is None:
+            raise ValueError(f"--box, {word[:60]}: the interval must be finite")
+        found[word] = (parsed.lower, parsed.upper)
+    return found
 
 
 @app.command(epilog="Example: gspot-verified expand extended --order 7 --chi symbolic")

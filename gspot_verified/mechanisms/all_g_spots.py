@@ -27,7 +27,7 @@ from gspot_verified.mechanisms.g_spot import (
 )
 from gspot_verified.mechanisms.g_spot_list import GSpots, Left, Patch, in_words
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
-from gspot_verified.mechanisms.search_region import Region, search_region
+from gspot_verified.mechanisms.search_region import Region, fixed_name, search_region
 from gspot_verified.mechanisms.spot_conditions import Stage, TakenApart, take_apart
 from gspot_verified.mechanisms.spot_patch import find_patch
 from gspot_verified.mechanisms.to_system import Shifted, shift, stays
@@ -88,7 +88,7 @@ def spot_conditions(shifted: Shifted) -> dict[str, Expression]:
     for word in place.fixed or ():
         if word not in given:
             raise MechanismError(f"{shifted.mechanism.name}: the fixed component {word} has no value")
-        conditions[word] = stays(shifted.mechanism.state.index(word), given[word], BALLS)
+        conditions[fixed_name(word)] = stays(shifted.mechanism.state.index(word), given[word], BALLS)
     return conditions
 
 

@@ -29,8 +29,8 @@ class Classification(NoTruthValue):
     ``mean_force`` are None where they do not exist (or may not). ``lift_off_sign`` is the sign of C_1 that lifts off,
     None except in Case III; ``impact_sign`` the one that takes an impact without collision, None in no Case.
     ``integer_beta`` is the integer (up to 10^6) that beta is or may be, at whose order 2 (beta - 1) of delta there is
-    no unique expansion. ``slip_velocity`` is u at the G-spot. ``notes`` say how the mechanism was read: negative
-    slip is mirrored.
+    no unique expansion. ``slip_velocity`` is u at the G-spot; ``a``, ``A``, ``B``, ``C`` and ``p`` = C - mu B (it is 0,
+    or a ball around 0) are those of Sec. 1.1. ``notes`` say how the mechanism was read: negative slip is mirrored.
     """
 
     ask: ClassVar[str] = '.case is "I", "II", "III", "none", or None (undecided)'
@@ -49,6 +49,11 @@ class Classification(NoTruthValue):
     impact_sign: int | None
     integer_beta: int | None
     slip_velocity: Exact
+    a: Exact
+    A: Exact
+    B: Exact
+    C: Exact
+    p: Exact
     fixed: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
 
@@ -88,6 +93,8 @@ class Classification(NoTruthValue):
         if self.mean_force is not None:
             lines.append(f"  mean force alpha_2/(alpha_3 - alpha_1) = {_text(self.mean_force)}")
         lines.append(f"  slip velocity u = {_text(self.slip_velocity)}")
+        contact = (("a", self.a), ("A", self.A), ("B", self.B), ("C", self.C), ("p = C - mu B", self.p))
+        lines.append("  " + ", ".join(f"{name} = {_text(value)}" for name, value in contact))
         if self.impact_sign is not None:
             lines.append(f"  {side_text(self.lift_off_sign, self.impact_sign)}")
         if self.integer_beta:
@@ -103,7 +110,7 @@ class Classification(NoTruthValue):
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for ``json.dumps``; rationals and balls as text."""
-        numbers = ("alpha_1", "alpha_2", "alpha_3", "beta", "mean_force", "slip_velocity")
+        numbers = ("alpha_1", "alpha_2", "alpha_3", "beta", "mean_force", "slip_velocity", "a", "A", "B", "C", "p")
         found: dict[str, Any] = {"name": self.name, "point": dict(self.point), "exact": self.exact}
         for name in numbers:
             value = getattr(self, name)
@@ -135,6 +142,7 @@ def classify(mechanism: Mechanism, bits: int = DEFAULT_BITS) -> Classification:
       beta = alpha_3/alpha_1 = 18/55
       mean force alpha_2/(alpha_3 - alpha_1) = 48/185
       slip velocity u = 7/5
+      a = -4/5, A = 52/25, B = 36/25, C = 73/25, p = C - mu B = 0
       Cases I and II: only C1 < 0 occurs, it takes an IWC
       fixed components (conditions J): X, X_dot
     """
@@ -145,8 +153,10 @@ def classify_g_spot(spot: GSpot) -> Classification:
     """The same for a G-spot that was found."""
     with working_bits(spot.bits + 40):
         system = spot.system
-        (u,) = spot.shifted.expressions([spot.shifted.functions.u], system.ring)
-        first, second, third, slip = system.values_at_point((system.alpha_1, system.alpha_2, system.alpha_3, u))
+        f = spot.shifted.functions
+        contact = spot.shifted.expressions([f.u, f.a, f.A, f.B, f.C], system.ring)
+        alphas = (system.alpha_1, system.alpha_2, system.alpha_3)
+        first, second, third, u, a, A, B, C, p = system.values_at_point((*alphas, *contact, system.p))
         case, reason = _case(first, second, third)
         beta = third / first if sign_of_exact(first) in (1, -1) else None
         force = second / (third - first) if sign_of_exact(third - first) in (1, -1) else None
@@ -155,7 +165,7 @@ def classify_g_spot(spot: GSpot) -> Classification:
         lift_off, impact = _sides(case, beta)
         return Classification(
             system.name, tuple(spot.values().items()), spot.exact, first, second, third, beta, force, case, reason,
-            lift_off, impact, integer, slip, spot.fixed, spot.mechanism.notes,
+            lift_off, impact, integer, u, a, A, B, C, p, spot.fixed, spot.mechanism.notes,
         )  # fmt: skip
 
 

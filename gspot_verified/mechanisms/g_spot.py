@@ -32,6 +32,10 @@ _NEWTON_STEPS = 60
 _INFLATIONS = 12
 
 
+class NotFoundError(GSpotError):
+    """The search from the given place ended without a G-spot. There may be some elsewhere, or none."""
+
+
 @dataclass(frozen=True)
 class GSpot:
     """A G-spot with what Theorem 1 needs there. In balls, work with ``system`` inside ``working_bits(bits)``.
@@ -79,7 +83,10 @@ def find_g_spot(mechanism: Mechanism, bits: int = DEFAULT_BITS) -> GSpot:
     shifted = shift(mechanism)
     missing = [word for word in mechanism.state if word not in dict(mechanism.place.values)]
     if missing:
-        raise GSpotError(f"{mechanism.name}: the G-spot's place lacks a value for {', '.join(missing)}")
+        raise GSpotError(
+            f"{mechanism.name}: the G-spot's place lacks a value for {', '.join(missing)} "
+            "(classify_all, or classify --all, finds all G-spots without a place)"
+        )
     if len(mechanism.state) < 4:
         raise GSpotError(f"{mechanism.name}: p, b, y and v need a state of 4 components at least")
     if not mechanism.place.search:
@@ -107,8 +114,9 @@ def _exact(shifted: Shifted, bits: int) -> GSpot:
     _check_conditions(system)
     _check_regular(system)
     # Raises where one of the numbers is not rational: the expansion and the classification need them all.
-    slip = shifted.expressions([shifted.functions.u], RATIONALS)
-    system.values_at_point([*system.F, *system.G, system.alpha_1, system.alpha_2, system.alpha_3, *slip])
+    f = shifted.functions
+    contact = shifted.expressions([f.u, f.a, f.A, f.B, f.C], RATIONALS)
+    system.values_at_point([*system.F, *system.G, system.alpha_1, system.alpha_2, system.alpha_3, *contact])
     return GSpot(shifted, system, True, bits, fixed)
 
 
@@ -262,7 +270,7 @@ def prove_near(shifted: Shifted, start: Mapping[str, arb], bits: int) -> GSpot:
         raise GSpotError(f"{name}: no G-spot found: {error}") from None
     box = _enclosed(program, point)
     if box is None:
-        raise GSpotError(f"{name}: no G-spot could be proved near {[ball_text(value, 6) for value in point]}")
+        raise NotFoundError(f"{name}: no G-spot could be proved near {[ball_text(value, 6) for value in point]}")
     check_mass_matrix(shifted, dict(zip(shifted.mechanism.state, box, strict=True)), BALLS)
     return GSpot(shifted, System(**{**vars(system), "point": tuple(box)}), False, bits, fixed)
 
@@ -282,7 +290,7 @@ def _newton(system: System, program: BoxProgram) -> list[arb]:
         point = [(x - d).mid() for x, d in zip(point, step, strict=True)]
         if all(abs(d) <= small * (1 + abs(x)) for x, d in zip(point, step, strict=True)):
             return point
-    raise GSpotError(f"{system.name}: Newton's method finds no G-spot from the given start")
+    raise NotFoundError(f"{system.name}: Newton's method finds no G-spot from the given start")
 
 
 def _enclosed(program: BoxProgram, point: Sequence[arb]) -> list[arb] | None:

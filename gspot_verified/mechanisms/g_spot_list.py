@@ -99,18 +99,26 @@ class GSpots(NoTruthValue):
         )
 
     def __str__(self) -> str:
+        return "\n".join([*self.about(), *self._listed()])
+
+    def about(self) -> list[str]:
+        """The lines of the text that say what was searched, what was found and what is left, without the list."""
         lines = [str(self.verdict).splitlines()[0]]
         if self.patch is not None:
             lines.append(f"  {self.patch}")
             lines.append("  fix components (fixed, conditions) for isolated G-spots and a complete list")
         lines += [f"  {word}: {text}" for word, text in self.searched]
-        for title, spots in (("G-spot", self.spots), ("at the boundary of the region", self.boundary)):
-            for n, spot in enumerate(spots, 1):
-                lines.append(f"  {title} {n}: " + ", ".join(f"{k} = {v}" for k, v in spot.values().items()))
         lines += [f"  left open: {left}" for left in self.left[:_SHOWN]]
         if len(self.left) > _SHOWN:
             lines.append(f"  and {len(self.left) - _SHOWN} boxes more are left open")
-        return "\n".join(lines)
+        return lines
+
+    def _listed(self) -> list[str]:
+        lines = []
+        for title, spots in (("G-spot", self.spots), ("at the boundary of the region", self.boundary)):
+            for n, spot in enumerate(spots, 1):
+                lines.append(f"  {title} {n}: " + ", ".join(f"{k} = {v}" for k, v in spot.values().items()))
+        return lines
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for ``json.dumps``."""

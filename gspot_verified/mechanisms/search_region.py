@@ -94,7 +94,7 @@ class Region:
                 lower, upper = self._given[i]
                 text = f"[{_text(lower)}, {_text(upper)}]"
             elif i in explicit:
-                text = f"follows from {explicit[i]} = 0"
+                text = "fixed" if explicit[i] == fixed_name(word) else f"follows from {explicit[i]} = 0"
             elif i in apart.free:
                 text = "free: no condition holds it"
             elif i in self._turns:
@@ -108,6 +108,11 @@ class Region:
                 text = "every value"
             found.append((word, text))
         return tuple(found)
+
+
+def fixed_name(word: str) -> str:
+    """The name of the condition that a component keeps its value: unlike p, b, y, v, whatever the component's name."""
+    return f"fixed {word}"
 
 
 def search_region(

@@ -1,0 +1,107 @@
+"""All G-spots of a mechanism with what each of them is; where there is none, why: the critical friction."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from gspot_verified.balls import ExactInput
+from gspot_verified.expansion.rings import BALLS
+from gspot_verified.expansion.straight_line import StraightLine
+from gspot_verified.mechanisms.all_g_spots import DEFAULT_BUDGET, find_g_spots
+from gspot_verified.mechanisms.classify import Classification, classify_g_spot
+from gspot_verified.mechanisms.critical_friction import CriticalFriction, critical_friction
+from gspot_verified.mechanisms.g_spot import DEFAULT_BITS
+from gspot_verified.mechanisms.g_spot_list import GSpots
+from gspot_verified.mechanisms.mechanism import Mechanism
+from gspot_verified.mechanisms.to_system import shift
+from gspot_verified.verdict import NoTruthValue, Outcome, Verdict
+
+
+@dataclass(frozen=True)
+class AllClassified(NoTruthValue):
+    """The result of :func:`classify_all`: ``found`` are the G-spots, ``spots`` what each of ``found.spots`` is.
+
+    ``vary`` names what depends on a free component, so that it holds for the value shown only.
+    """
+
+    ask: ClassVar[str] = ".verdict.outcome is Outcome.PROVED, REFUTED or UNDECIDED"
+
+    found: GSpots
+    spots: tuple[Classification, ...]
+    critical: CriticalFriction
+    vary: tuple[tuple[str, tuple[str, ...]], ...]
+
+    @property
+    def verdict(self) -> Verdict:
+        """That of the search: proved when there are G-spots and all are listed, refuted when there is none."""
+        return self.found.verdict
+
+    @property
+    def exit_code(self) -> int:
+        """0 proved, 1 refuted, 2 undecided; 2 also when the case of one of the G-spots is open."""
+        open_case = any(spot.case is None for spot in self.spots)
+        return 2 if open_case and self.verdict.outcome is Outcome.PROVED else self.verdict.exit_code
+
+    def __str__(self) -> str:
+        lines = [*self.found.about(), str(self.critical)]
+        lines += [
+            f"note: {word} stands in {', '.join(names)}, and no condition holds it: these are shown for one value of it"
+            for word, names in self.vary
+        ]
+        lines += [
+            "at the boundary of the region: " + ", ".join(f"{k} = {v}" for k, v in spot.values().items())
+            for spot in self.found.boundary
+        ]
+        return "\n".join([*lines, *(f"G-spot {n}: {spot}" for n, spot in enumerate(self.spots, 1))])
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``."""
+        return {
+            "search": self.found.to_json(),
+            "critical_friction": self.critical.to_json(),
+            "spots": [spot.to_json() for spot in self.spots],
+            "vary": {word: list(names) for word, names in self.vary},
+        }
+
+
+def classify_all(
+    mechanism: Mechanism,
+    box: Mapping[str, tuple[ExactInput, ExactInput]] | None = None,
+    bits: int = DEFAULT_BITS,
+    budget: int = DEFAULT_BUDGET,
+) -> AllClassified:
+    """Find all G-spots in a region of states, without a start, and say of each which of the three cases it is.
+
+    The arguments are those of :func:`gspot_verified.mechanisms.all_g_spots.find_g_spots`.
+
+    :raises MechanismError: the mechanism is not complete, or the box names no component of the state.
+
+    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
+    >>> found = classify_all(shipped_mechanism("genot_brogliato_rod", mu="7/5"))
+    >>> [spot.case for spot in found.spots]
+    ['none', 'none', 'none', 'none']
+    >>> found = classify_all(shipped_mechanism("genot_brogliato_rod", mu="13/10"))
+    >>> found.exit_code, found.critical.is_below
+    (1, True)
+    """
+    found = find_g_spots(mechanism, box, bits, budget)
+    spots = tuple(classify_g_spot(spot) for spot in found.spots)
+    return AllClassified(found, spots, critical_friction(mechanism, bits), _vary(mechanism, found.free))
+
+
+def _vary(mechanism: Mechanism, free: tuple[str, ...]) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Which of the numbers of a classification depend on free components."""
+    shifted = shift(mechanism)
+    names = ("alpha_1", "alpha_2", "alpha_3", "u", "a", "A", "B", "C")
+    functions = shifted.expressions([getattr(shifted.functions, name) for name in names], BALLS)
+    code = StraightLine()
+    depends = [code.depends(code.value(function)) for function in functions]
+    found = []
+    for word in free:
+        index = mechanism.state.index(word)
+        inside = tuple(name for name, own in zip(names, depends, strict=True) if index in own)
+        if inside:
+            found.append((word, inside))
+    return tuple(found)

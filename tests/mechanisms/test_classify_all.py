@@ -1,0 +1,78 @@
+"""All G-spots classified: each as it is near its place, what depends on free components, the exit codes."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import pytest
+from flint import fmpq
+
+from gspot_verified.mechanisms.classify import classify
+from gspot_verified.mechanisms.classify_all import classify_all
+from gspot_verified.mechanisms.given import lagrangian
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+
+
+def test_one_of_them_is_the_exact_one() -> None:
+    """Two routes: rational arithmetic at the place of the file, and the search in balls that knows no place."""
+    for name in ("oscillator", "rod", "falling_rod_lower_friction"):
+        exact, found = classify(shipped_mechanism(name)), classify_all(shipped_mechanism(name))
+        assert found.exit_code == 0
+        assert len(found.found.spots) == len(found.spots)
+        near = [
+            spot
+            for spot in found.spots
+            if (spot.alpha_1 - exact.alpha_1).contains(0) and (spot.slip_velocity - exact.slip_velocity).contains(0)
+        ]
+        assert len(near) == 1
+        for part in ("alpha_2", "alpha_3", "beta", "mean_force", "a", "A", "B", "C", "p"):
+            left, right = getattr(near[0], part), getattr(exact, part)
+            assert left.is_finite()
+            assert (left - right).contains(0), part
+        assert (near[0].case, near[0].lift_off_sign) == (exact.case, exact.lift_off_sign)
+
+
+def test_the_rod_of_opposite_spin_is_the_rod_in_reversed_time() -> None:
+    """Reversing all velocities keeps p and b, and changes the sign of the three alphas."""
+    found = classify_all(shipped_mechanism("genot_brogliato_rod", mu=2))
+    pairs = [(found.spots[i], found.spots[i + 1]) for i in (0, 2)]
+    for left, right in pairs:
+        for part in ("alpha_1", "alpha_2", "alpha_3"):
+            assert (getattr(left, part) + getattr(right, part)).contains(0)
+    assert {spot.case for spot in found.spots} == {"none", "II"}
+
+
+def test_free_components_are_named() -> None:
+    rod = lagrangian(
+        "rod", ["X", "Y", "theta"], [[1, 0, 0], [0, 1, 0], [0, 0, "1/12"]], ["-X", -1, 0], "X + cos(theta)/2",
+        "Y - sin(theta)/2", 2,
+    )  # fmt: skip
+    found = classify_all(rod)
+    assert found.found.free == ("X", "X_dot")
+    assert dict(found.vary) == {"X": ("a",), "X_dot": ("u",)}
+    assert "note: X stands in a" in str(found)
+
+
+def test_exit_codes() -> None:
+    assert classify_all(shipped_mechanism("genot_brogliato_rod", mu="13/10")).exit_code == 1
+    assert classify_all(shipped_mechanism("genot_brogliato_rod", mu="4/3")).exit_code == 2
+    found = classify_all(shipped_mechanism("genot_brogliato_rod", mu=2))
+    assert found.exit_code == 0
+    assert replace(found, spots=(replace(found.spots[0], case=None),)).exit_code == 2
+    with pytest.raises(TypeError, match="verdict"):
+        bool(found)
+
+
+def test_plain_data() -> None:
+    data = json.loads(json.dumps(classify_all(shipped_mechanism("model")).to_json()))
+    assert data["spots"][0]["case"] == "III"
+    assert data["vary"] == {}
+    assert data["search"]["complete"] is True
+
+
+def test_what_the_contact_is_like_is_exact_at_a_rational_point() -> None:
+    """The rod at sine 3/5, cosine 4/5: A = 1 + 3 sin^2, B = 3 sin cos, C = 1 + 3 cos^2, a = -cos (X has no force)."""
+    found = classify(shipped_mechanism("rod"))
+    assert (found.A, found.B, found.C, found.p) == (fmpq(52, 25), fmpq(36, 25), fmpq(73, 25), fmpq(0))
+    assert found.a == fmpq(-4, 5)
