@@ -54,7 +54,7 @@ def classify(
     Exit code 2: the list may not be complete, or the balls of a point that is not rational leave the case open.
     """
     from gspot_verified.mechanisms.classify import classify as classify_mechanism
-    from gspot_verified.mechanisms.g_spot import NotFoundError
+    from gspot_verified.mechanisms.newton import NotFoundError
 
     mechanism = load_with_settings(name, settings)
     placed = {word for word, _ in mechanism.place.values} >= set(mechanism.state)

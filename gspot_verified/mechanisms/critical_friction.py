@@ -108,6 +108,7 @@ class _Maximum:
     def __init__(self, shifted: Shifted) -> None:
         functions = shifted.functions
         self._mechanism = shifted.mechanism
+        self._constrained = bool(shifted.constraints)
         self._size = len(self._mechanism.state)
         B, C, self._y, self._mu = shifted.expressions([functions.B, functions.C, functions.y, functions.mu], BALLS)
         apart = take_apart({"y": self._y}, self._size)
@@ -127,6 +128,8 @@ class _Maximum:
 
     def found(self, budget: Budget) -> CriticalFriction:
         """Search for the places where B/C is stationary; the largest of its values there is the maximum."""
+        if self._constrained:
+            return self._result(None, (), "the mechanism has constraints with multipliers")
         periods = [period_factor(self._all, i) for i in self._variables]
         if any(factor is None for factor in periods):
             words = [self._mechanism.state[i] for i, r in zip(self._variables, periods, strict=True) if r is None]

@@ -12,7 +12,7 @@ from typing import Any
 
 from flint import arb
 
-from gspot_verified.balls import ball_text, current_bits, working_bits
+from gspot_verified.balls import ball_text, working_bits
 from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.expressions import Expression
 from gspot_verified.expansion.linear import inverse
@@ -20,20 +20,14 @@ from gspot_verified.expansion.power_series import SeriesOfFunctions
 from gspot_verified.expansion.rings import BALLS, RATIONALS, Ring
 from gspot_verified.expansion.system import GSpotError, System
 from gspot_verified.expansion.terms import NumberTerms
-from gspot_verified.mechanisms.krawczyk import krawczyk
 from gspot_verified.mechanisms.mass_matrix import check_mass_matrix
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.newton import NotFoundError, newton_point, proved_box
 from gspot_verified.mechanisms.simplify import constant, product_of, rational_value, sum_of
 from gspot_verified.mechanisms.symbol import Symbol
 from gspot_verified.mechanisms.to_system import NotRationalError, Shifted, shift, stays, to_system
 
 DEFAULT_BITS = 128
-_NEWTON_STEPS = 60
-_INFLATIONS = 12
-
-
-class NotFoundError(GSpotError):
-    """The search from the given place ended without a G-spot. There may be some elsewhere, or none."""
 
 
 @dataclass(frozen=True)
@@ -261,44 +255,15 @@ def prove_near(shifted: Shifted, start: Mapping[str, arb], bits: int) -> GSpot:
             raise GSpotError(f"{name}: the G-spot's place is not finite")
         system, fixed = with_conditions(shifted, start, BALLS)
         program = BoxProgram(system.conditions, len(system.point))
-        point = _newton(system, program)
+        point = newton_point(system, program)
     except ZeroDivisionError:
         raise GSpotError(degenerate(name, "during the search")) from None
     except (GSpotError, MechanismError):
         raise
     except ValueError as error:
         raise GSpotError(f"{name}: no G-spot found: {error}") from None
-    box = _enclosed(program, point)
+    box = proved_box(program, point)
     if box is None:
         raise NotFoundError(f"{name}: no G-spot could be proved near {[ball_text(value, 6) for value in point]}")
     check_mass_matrix(shifted, dict(zip(shifted.mechanism.state, box, strict=True)), BALLS)
     return GSpot(shifted, System(**{**vars(system), "point": tuple(box)}), False, bits, fixed)
-
-
-def _newton(system: System, program: BoxProgram) -> list[arb]:
-    """A point near a zero; a heuristic, midpoints only."""
-    point = [value.mid() for value in system.point]
-    small = arb(2) ** (20 - current_bits())
-    for _ in range(_NEWTON_STEPS):
-        values, slopes = program.gradients(point)
-        residual = [value.mid() for value in values]
-        matrix = [[value.mid() for value in row] for row in slopes]
-        rows = inverse(matrix, BALLS)
-        step = [sum((a * r for a, r in zip(row, residual, strict=True)), arb(0)).mid() for row in rows]
-        if not all(value.is_finite() for value in step):
-            break
-        point = [(x - d).mid() for x, d in zip(point, step, strict=True)]
-        if all(abs(d) <= small * (1 + abs(x)) for x, d in zip(point, step, strict=True)):
-            return point
-    raise NotFoundError(f"{system.name}: Newton's method finds no G-spot from the given start")
-
-
-def _enclosed(program: BoxProgram, point: Sequence[arb]) -> list[arb] | None:
-    radius = arb(2) ** (26 - current_bits())
-    for _ in range(_INFLATIONS):
-        box = [x + arb(0, (radius * (1 + abs(x))).upper()) for x in point]
-        found = krawczyk(program.values, lambda at: program.gradients(at)[1], box)
-        if found is not None:
-            return found
-        radius = radius * 64
-    return None

@@ -139,3 +139,13 @@ def test_plain_data_and_no_truth_value() -> None:
     assert json.loads(json.dumps(found.to_json()))["infinite"] is False
     with pytest.raises(TypeError, match="is_below"):
         bool(found)
+
+
+def test_constraints_with_multipliers_are_refused() -> None:
+    tied = lagrangian(
+        "tied", ["X", "Y", "theta"], [[1, 0, 0], [0, 1, 0], [0, 0, "1/3"]], [0, -1, 0], "X + cos(theta)",
+        "Y - sin(theta)", 2, constraints=["X - sin(theta)"],
+    )  # fmt: skip
+    found = critical_friction(tied)
+    assert found.value is None
+    assert "constraints" in found.reason
