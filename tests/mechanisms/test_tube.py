@@ -8,7 +8,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
-from flint import arb, fmpq
+from flint import arb, arb_mat, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -17,7 +17,7 @@ from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.expressions import Constant, Expression, Variable
 from gspot_verified.mechanisms.sweep_links import same_zero
 from gspot_verified.mechanisms.sweep_start import Origin, proved_tube
-from gspot_verified.mechanisms.tube import Equations, OnTube, try_tube
+from gspot_verified.mechanisms.tube import Equations, OnTube, _turning, try_tube
 
 X, PARAMETER = Variable(0), Variable(1)
 ROOT = Equations(BoxProgram([X * X - PARAMETER, X * PARAMETER, PARAMETER / X], 2), 1)
@@ -143,3 +143,19 @@ def test_no_information_proves_nothing() -> None:
     equations = Equations(BoxProgram([PARAMETER / X - X], 2), 1)
     with working_bits(80):
         assert try_tube(equations, (fmpq(1),), (fmpq(2),), [arb(0)], [[arb(0)]], [arb(0, 1)]) is None
+
+
+@pytest.mark.parametrize("entry", ["0.5", "-0.5", "0.9"])
+def test_slopes_hold_the_whole_geometric_series(entry: str) -> None:
+    """z' = E z' - r has the solution -r/(1 - E), not the first terms of its series."""
+    with working_bits(80):
+        error = arb(entry)
+        ((slope,),) = _turning(arb_mat([[error]]), arb_mat([[arb(1)]]), [arb(0, 1)], 1)
+        assert holds(slope, -1 / (1 - error.mid()))
+
+
+@pytest.mark.parametrize("error", [arb(1), arb(-2), arb(0, 1), arb("nan")])
+def test_no_slopes_without_a_contraction(error: arb) -> None:
+    with working_bits(80):
+        ((slope,),) = _turning(arb_mat([[error]]), arb_mat([[arb(1)]]), [arb(0, 1)], 1)
+        assert not slope.is_finite()
