@@ -40,3 +40,26 @@ print(expand(oscillator, 3))
 from gspot_verified import side_switching
 
 print(side_switching(1, 5))
+
+# %% [markdown]
+# ## Pictures
+#
+# `plot` draws a result, a mechanism, or a figure by its name; `plot(subject, "file.svg")` writes it as PNG, PDF or SVG.
+# Here is the slip of the oscillator next to its G-spot:
+
+# %%
+from gspot_verified import plot
+
+plot(oscillator)
+
+# %% [markdown]
+# What the inner scale predicts for the compliant model, and what the model does:
+
+# %%
+plot("b-hat", beta="7/3")
+
+# %% [markdown]
+# How well the expansion satisfies the equations, under its proved bound:
+
+# %%
+plot(expand(load("rod"), 12))

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from gspot_verified.mechanisms.shipped import shipped_names as shipped_names
     from gspot_verified.mechanisms.sweep import sweep as sweep
     from gspot_verified.mechanisms.sweep_result import Sweep as Sweep
+    from gspot_verified.report.canvas import Picture as Picture
+    from gspot_verified.report.plot import plot as plot
     from gspot_verified.signs.brackets import Brackets as Brackets
     from gspot_verified.signs.brackets import zeros_at as zeros_at
     from gspot_verified.signs.count_law import number_of_zeros as number_of_zeros
@@ -69,6 +71,7 @@ __homes__ = {
     "Mechanism": "mechanisms.mechanism",
     "MechanismError": "mechanisms.mechanism",
     "Outcome": "verdict",
+    "Picture": "report.canvas",
     "Range": "signs.ranges",
     "Reason": "verdict",
     "SideSwitching": "signs.side",
@@ -93,6 +96,7 @@ __homes__ = {
     "load": "mechanisms.load",
     "number_of_zeros": "signs.count_law",
     "paper_initial_values": "theta_function.initial_values",
+    "plot": "report.plot",
     "polynomial": "theta_function.integer",
     "residual_bounds": "expansion.residual",
     "shipped_names": "mechanisms.shipped",

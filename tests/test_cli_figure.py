@@ -27,7 +27,10 @@ def test_a_figure_and_its_caption(capsys: pytest.CaptureFixture[str], tmp_path: 
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("atlas", "x.png"), "expected one of force, side-map, threshold, got 'atlas'"),
+        (
+            ("atlas", "x.png"),
+            "expected one of theta, b-hat, contact-force, phase-plane, force, side-map, threshold, got 'atlas'",
+        ),
         (("force", "x.xyz"), "allowed: .png, .pdf, .svg"),
         (("force", "nowhere/x.png"), "there is no folder nowhere"),
     ],
@@ -39,3 +42,11 @@ def test_bad_input_is_refused_before_the_work(
     code, _, errors = run(capsys, "figure", *arguments)
     assert code == 64
     assert message in errors
+
+
+@pytest.mark.parametrize("name", ["b-hat", "contact-force", "phase-plane"])
+def test_figures_by_name(capsys: pytest.CaptureFixture[str], tmp_path: Path, name: str) -> None:
+    code, output, _ = run(capsys, "figure", name, str(tmp_path / "x.pdf"))
+    assert code == 0
+    assert "Certified" in output or "float runs" in output
+    assert (tmp_path / "x.pdf").read_bytes().startswith(b"%PDF")

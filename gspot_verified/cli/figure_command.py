@@ -1,4 +1,4 @@
-"""The command ``figure``: pictures of the compliant model that take too long for the report's page."""
+"""The command ``figure``: pictures by their names."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gspot_verified.cli.app import app, progress
+from gspot_verified.cli.load import load_with_settings
 from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
@@ -17,22 +18,50 @@ if TYPE_CHECKING:
 
 @app.command(epilog="Example: gspot-verified figure force force.png")
 def figure(
-    name: Annotated[str, typer.Argument(help='"force", "side-map" or "threshold".')],
+    name: Annotated[
+        str, typer.Argument(help='"theta", "b-hat", "contact-force", "phase-plane", "force", "side-map", "threshold".')
+    ],
     output: Annotated[Path, typer.Argument(help="The file: PNG, PDF or SVG by its suffix.")],
+    mechanism: Annotated[str, typer.Option(help="phase-plane: a TOML file or a name.")] = "oscillator",
+    settings: Annotated[list[str] | None, typer.Option("--set", help='phase-plane: a parameter, "mu=2".')] = None,
+    beta: Annotated[str, typer.Option(help="b-hat, contact-force: β.")] = "7/3",
+    epsilon: Annotated[str, typer.Option("--eps", help="contact-force: ε.")] = "1/1000",
 ) -> None:
-    """Draw a figure of the compliant model; its caption, which says what is certified, goes to stdout.
+    """Draw a figure; its caption, which says what is certified, goes to stdout.
 
+    theta: Θ for five β. b-hat: b-hat of the compliant model against Θ. contact-force: λ_N(τ) at leading order.
+    phase-plane: (p, b) of a mechanism next to its G-spot.
     force: the slow force at several ε above leading order. side-map: the exact side rule over β and ε for the paper's
     data (about a minute). threshold: the exact ε0 over β beside the one at leading order (some minutes).
     """
-    if name not in _FIGURES:
-        raise ValueError(f"name: expected one of {', '.join(_FIGURES)}, got {name!r}")
+    if name not in NAMES:
+        raise ValueError(f"name: expected one of {', '.join(NAMES)}, got {name!r}")
     outputs = Outputs()
     outputs.file("output", output, PICTURES)
-    drawn = _FIGURES[name]()
+    drawn = _drawn(name, mechanism, settings, beta, epsilon)
     typer.echo(f"{drawn.title}\n{drawn.caption}")
     outputs.write("output", output, lambda: drawn.save(output))
     outputs.leave(0)
+
+
+def _drawn(name: str, mechanism: str, settings: list[str] | None, beta: str, epsilon: str) -> Picture:
+    from gspot_verified.report.plot import plot
+
+    if name == "phase-plane":
+        return plot(load_with_settings(mechanism, settings))
+    if name == "contact-force":
+        from gspot_verified.compliant.iwc import iwc
+
+        return plot(iwc(beta), epsilon=epsilon)
+    if name == "b-hat":
+        return plot(name, beta=beta)
+    return _FIGURES[name]()
+
+
+def _theta() -> Picture:
+    from gspot_verified.report.figures import theta_picture
+
+    return theta_picture()
 
 
 def _force() -> Picture:
@@ -59,4 +88,10 @@ def _threshold() -> Picture:
     return threshold_picture(threshold_points())
 
 
-_FIGURES: dict[str, Callable[[], Picture]] = {"force": _force, "side-map": _side_map, "threshold": _threshold}
+_FIGURES: dict[str, Callable[[], Picture]] = {
+    "theta": _theta,
+    "force": _force,
+    "side-map": _side_map,
+    "threshold": _threshold,
+}
+NAMES = ("theta", "b-hat", "contact-force", "phase-plane", "force", "side-map", "threshold")

@@ -81,7 +81,7 @@ class Picture:
         """
         place = Path(path)
         contents = {"png": self.png, "pdf": self.pdf, "svg": _light(self.svg).encode()}
-        content = contents[_kind(place)]
+        content = contents[checked_suffix(place)]
         unfinished = place.with_name(place.name + ".part")
         try:
             unfinished.write_bytes(content)
@@ -143,7 +143,7 @@ def save_figure(figure: Figure, name: str, path: Path) -> Path:
     """
     from matplotlib import rc_context
 
-    kind = _kind(path)
+    kind = checked_suffix(path)
     unfinished = path.with_name(path.name + ".part")
     with rc_context({"svg.hashsalt": name}):
         figure.savefig(unfinished, format=kind, dpi=_RESOLUTION, metadata=_METADATA[kind])
@@ -159,7 +159,11 @@ def styled_figure(draw: Callable[[], Path]) -> Path:
         return draw()
 
 
-def _kind(path: Path) -> str:
+def checked_suffix(path: Path) -> str:
+    """ "png", "pdf" or "svg", from the suffix.
+
+    :raises ValueError: another suffix.
+    """
     kind = path.suffix.lower().removeprefix(".")
     if kind not in _METADATA:
         raise ValueError(f"{path}: pictures are written as {', '.join(f'.{known}' for known in _METADATA)}")

@@ -1,0 +1,70 @@
+"""One function that draws: a result, a mechanism, or a figure by its name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from gspot_verified.compliant.iwc import CompliantIwc
+from gspot_verified.compliant.zero_map import ZeroMap
+from gspot_verified.expansion.trajectory import Trajectory
+from gspot_verified.mechanisms.mechanism import Mechanism
+from gspot_verified.report.atlas import atlas_picture
+from gspot_verified.report.b_hat_figure import b_hat_picture
+from gspot_verified.report.canvas import Picture, checked_suffix
+from gspot_verified.report.contact_force_picture import contact_force_picture
+from gspot_verified.report.expansion_picture import expansion_picture
+from gspot_verified.report.figures import theta_picture
+from gspot_verified.report.phase_plane import phase_plane_picture
+from gspot_verified.report.zero_map_picture import zero_map_picture
+from gspot_verified.signs.iwc import IwcResult
+from gspot_verified.signs.zeros import ZerosResult
+
+
+def plot(subject: object, path: str | Path | None = None, **options: Any) -> Picture:
+    """Draw ``subject`` and, with ``path``, write it as PNG, PDF or SVG by the suffix; returns it with its caption.
+
+    - "theta": Θ(τ, β) for five β; "b-hat" (``beta=``, ``epsilons=``): b-hat on the slow manifold against Θ;
+    - a mechanism (``state=``): the phase plane (p, b) next to its G-spot;
+    - the result of ``expand``: the residual under its proved bound; of ``iwc`` (``epsilon=``): λ_N(τ) at leading order;
+      of ``zeros_on_range``: the sign atlas; of ``zero_map``: the map over β and ε.
+
+    The suffix is checked before the work.
+
+    :raises ValueError: an unknown suffix or name; what the figure itself refuses.
+    :raises TypeError: ``subject`` is something else, or an option is not the figure's.
+    :raises OSError: the file cannot be written.
+
+    >>> from gspot_verified import iwc
+    >>> plot(iwc("7/3"), epsilon="1/100").title
+    'λ_N(τ) at leading order, β = 7/3, ε = 1/100'
+    """
+    if path is not None:
+        checked_suffix(Path(path))
+    drawn = _drawer(subject)(**options)
+    if path is not None:
+        drawn.save(path)
+    return drawn
+
+
+def _drawer(subject: object) -> Callable[..., Picture]:
+    if isinstance(subject, str):
+        if subject not in _NAMES:
+            raise ValueError(f"plot: expected one of {', '.join(_NAMES)}, got {subject[:60]!r}")
+        return _NAMES[subject]
+    for kind, draw in _KINDS.items():
+        if isinstance(subject, kind):
+            return lambda **options: draw(subject, **options)
+    raise TypeError(f"plot: a {type(subject).__name__} has no figure")
+
+
+_NAMES: dict[str, Callable[..., Picture]] = {"theta": theta_picture, "b-hat": b_hat_picture}
+_KINDS: dict[type, Callable[..., Picture]] = {
+    Mechanism: phase_plane_picture,
+    Trajectory: expansion_picture,
+    CompliantIwc: lambda found, **options: contact_force_picture(found.leading.force, **options),
+    IwcResult: lambda found, **options: contact_force_picture(found.force, **options),
+    ZerosResult: lambda found: atlas_picture(found, with_texts=True),
+    ZeroMap: zero_map_picture,
+}

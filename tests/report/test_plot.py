@@ -1,0 +1,102 @@
+"""plot(): each subject has its figure; what is drawn is what was computed; the suffix is checked before the work."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified import expand, iwc, load, plot, zeros_on_range
+from gspot_verified.balls import working_bits
+from gspot_verified.compliant.compliant_force import SlowManifold, contact_motion
+from gspot_verified.compliant.normal_form import compliant_model
+from gspot_verified.mechanisms.g_spot import find_g_spot
+from gspot_verified.report import plot as module
+from gspot_verified.report.b_hat_figure import scaled_b_hat
+from gspot_verified.report.phase_plane import RigidSlip, phase_plane
+from gspot_verified.theta_function.evaluate import evaluate
+
+
+def test_every_subject(tmp_path: Path) -> None:
+    subjects = (load("rod"), expand(load("extended"), 3), iwc("7/3"), iwc("7/3").leading, zeros_on_range("1..2"))
+    names = ("phase-plane", "expansion", "contact-force", "contact-force", "atlas")
+    for subject, name in zip(subjects, names, strict=True):
+        assert plot(subject, tmp_path / "x.svg").name == name
+        assert (tmp_path / "x.svg").read_text(encoding="utf-8").startswith("<svg")
+    assert plot("b-hat", beta="3/2", epsilons=["1/10"]).name == "b-hat"
+
+
+@pytest.mark.parametrize("name", ["x.jpg", "x", "x.png.txt"])
+def test_the_suffix_comes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    monkeypatch.setitem(module._NAMES, "theta", None)
+    with pytest.raises(ValueError, match=r"pictures are written as \.png, \.pdf, \.svg"):
+        plot("theta", tmp_path / name)
+
+
+def test_what_has_no_figure() -> None:
+    with pytest.raises(TypeError, match="a Verdict has no figure"):
+        plot(iwc("7/3").verdict)
+    with pytest.raises(ValueError, match="expected one of theta, b-hat, got 'atlas'"):
+        plot("atlas")
+    for options in ({"beta": -1}, {"beta": "5/2", "epsilons": [0]}):
+        with pytest.raises(ValueError, match=r"expected a rational"):
+            plot("b-hat", **options)
+
+
+def test_b_hat_is_that_of_the_model_and_tends_to_theta() -> None:
+    """Against the motion of the model itself: b-hat = b + (alpha_2/(alpha_3 - alpha_1)) p at C_1 = 1."""
+    beta, epsilon, tau = fmpq(7, 3), fmpq(1, 100), fmpq(-1)
+    scaled = scaled_b_hat(beta, epsilon, tau)
+    with working_bits(100):
+        kappa = (arb(1) / 2) ** (arb(1) / 3)
+        time = fmpq(*float((arb(tau) / kappa * arb(epsilon) ** (arb(2) / 3)).mid()).as_integer_ratio())
+    motion = contact_motion(compliant_model(beta, epsilon), SlowManifold(fmpq(1))).at(time, 15)
+    with working_bits(100):
+        mean = arb(fmpq(-1) / (-beta + 1)) * arb(motion.p)
+        unit = kappa ** -arb(beta) * arb(epsilon) ** (2 * arb(beta) / 3)
+        assert abs((motion.b + mean) / unit - scaled) < 1e-9
+        gaps = [abs(scaled_b_hat(beta, e, tau) - evaluate(tau, beta).value) for e in (fmpq(1), epsilon, fmpq(1, 10**6))]
+        assert gaps[2] < gaps[1] < gaps[0]
+        assert gaps[2] < fmpq(1, 100)
+
+
+def test_the_phase_plane_of_constant_alphas() -> None:
+    """The model system: b = slope p + C p^beta exactly, so C is the same along a run."""
+    plane = phase_plane(load("model"))
+    beta = plane.alphas[2] / plane.alphas[0]
+    assert plane.slope == pytest.approx(plane.alphas[1] / (plane.alphas[0] - plane.alphas[2]))
+    for run in plane.runs:
+        charges = [(b - plane.slope * p) / p**beta for p, b in run if p > 0.02 * plane.reach]
+        assert len(charges) > 20
+        assert max(charges) - min(charges) <= 1e-6 * max(map(abs, charges))
+    for p, b in plane.distinguished:
+        assert b == pytest.approx(plane.slope * p, abs=1e-9)
+
+
+def test_runs_flow_into_the_g_spot_and_the_expansion_is_a_run() -> None:
+    plane = phase_plane(load("oscillator"))
+    for run in plane.runs:
+        assert run[0][0] == pytest.approx(plane.reach)
+        assert math.hypot(*run[-1]) < 0.02 * plane.reach
+    p, b = plane.distinguished[1]
+    assert b / p == pytest.approx(plane.slope, rel=0.2)
+
+
+def test_a_start_of_one_s_own() -> None:
+    rod = load("genot_brogliato_rod")
+    spot = find_g_spot(rod, 80)
+    with working_bits(80):
+        state = RigidSlip(spot).state_at(arb("0.1"), arb("-0.2"))
+        assert state is not None
+        floats = {name: float(value.mid()) for name, value in zip(rod.state, state, strict=True)}
+    exact = {name: fmpq(*value.as_integer_ratio()) for name, value in floats.items()}
+    plane = phase_plane(rod, exact)
+    assert plane.own[0] == pytest.approx((0.1, -0.2), abs=1e-9)
+    with pytest.raises(ValueError, match="unknown: spin; needed: X, Y"):
+        phase_plane(rod, {**exact, "spin": 0})
+    with pytest.raises(ValueError, match="needed: X, Y"):
+        phase_plane(rod, {"X": 0})
+    with pytest.raises(ValueError, match="reference angles"):
+        phase_plane(load("rod"), dict.fromkeys(load("rod").state, 0))
