@@ -78,6 +78,12 @@ class Recursion:
         self._step_3(n, r_b)
         self._step_4(n)
 
+    @property
+    def _compliance(self) -> tuple[Any, Any]:
+        """h and gamma/kappa_1 of :mod:`regularisation`: 2 and 1 in the paper."""
+        ring, regularisation = self.system.ring, self.system.regularisation
+        return ring.number(regularisation.compliance), ring.number(regularisation.delay)
+
     def _zero(self, variable: str, n: int) -> SpacePolynomial:
         return SpacePolynomial.zero(space_of(variable, n), self.system.ring)
 
@@ -102,9 +108,10 @@ class Recursion:
         r_b = self._alpha_2[n] - self._convolved(self._alpha_3, self.lambda_n, n)
         r_v = self._convolved(self.p, self.lambda_n, n)
         s = SpacePolynomial.from_list(1, [0, 1], self.system.ring)
-        two = self.system.ring.number(2)
+        compliance, delay = self._compliance
         before = self.z[n - 1] if n else self._zero("z", 0)
-        right = r_b.derivative().derivative().scale(two) + before.derivative().derivative().derivative().scale(alpha_3)
+        right = r_b.derivative().derivative().scale(compliance)
+        right = right + before.derivative().derivative().derivative().scale(alpha_3 * delay)
         return r_b, right + (s * r_b).scale(alpha_1) + r_v.scale(alpha_3)
 
     def _convolved(self, function: list[SpacePolynomial], force: list[SpacePolynomial], n: int) -> SpacePolynomial:
@@ -116,12 +123,13 @@ class Recursion:
         return total
 
     def _step_2_solve(self, right: SpacePolynomial) -> SpacePolynomial:
-        """2 b''' + alpha_1 s b' - alpha_3 b = r, from the highest power down.
+        """h b''' + alpha_1 s b' - alpha_3 b = r, from the highest power down; h = 2 in the paper.
 
-        The coefficient of s^k gives (k alpha_1 - alpha_3) c_k + 2 (k+1)(k+2)(k+3) c_(k+3) = r_k.
+        The coefficient of s^k gives (k alpha_1 - alpha_3) c_k + h (k+1)(k+2)(k+3) c_(k+3) = r_k.
         """
         ring = self.system.ring
         alpha_1, _, alpha_3 = self.alpha
+        compliance, _ = self._compliance
         order = len(self.p) - 1
         space = space_of("b", order)
         values = right.in_space(space).cubic.coeffs()
@@ -137,7 +145,7 @@ class Recursion:
                     f"s^{k} at order {order} of delta is obstructed, there is no unique expansion"
                 )
             value = values[i] if i < len(values) else ring.number(0)
-            above = (value - ring.number(2 * (k + 1) * (k + 2) * (k + 3)) * above) / factor
+            above = (value - ring.number((k + 1) * (k + 2) * (k + 3)) * compliance * above) / factor
             found.append(above)
         return SpacePolynomial(space, ring.polynomial(found[::-1]), ring)
 
@@ -145,14 +153,15 @@ class Recursion:
         """y_n, v_n, z_n, lambda_n from b_n."""
         alpha_3 = self.alpha[2]
         ring = self.system.ring
-        before = self.z[n - 1].derivative() if n else SpacePolynomial.zero(0, ring)
+        compliance, delay = self._compliance
+        before = self.z[n - 1].derivative().scale(delay) if n else SpacePolynomial.zero(0, ring)
         force = (r_b - self.b[n].derivative()).scale(ring.number(1) / alpha_3)
-        minus_two = ring.number(-2)
-        y = force.scale(minus_two) - before
+        y = force.scale(-compliance) - before
         self.lambda_n.append(force.in_space(space_of("lambda", n)))
         self.y.append(y.in_space(space_of("y", n)))
         self.v.append(y.derivative().in_space(space_of("v", n)))
-        self.z.append((-force - before).in_space(space_of("z", n)))
+        first_spring = ring.number(1 / self.system.regularisation.k_1)
+        self.z.append((force.scale(-first_spring) - before).in_space(space_of("z", n)))
 
     def _step_4(self, n: int) -> None:
         """xi_n: integrate F_n + sum of G_(n-k) lambda_k; the constants from the conditions at s = 0."""

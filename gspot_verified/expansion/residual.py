@@ -162,8 +162,12 @@ class _Residual:
         slope_v = [term.derivative() for term in v]
         settle("v", self._minus(slope_v, b, self._convolved(p, force)), rest_of_product(p_norms, force_norms))
         slope_z = [self._zero, *(term.derivative() for term in z[:-1])]
-        settle("z", [a + c + d for a, c, d in zip(slope_z, z, force, strict=True)], arb(0))
-        settle("lambda_n", [a - c + d for a, c, d in zip(force, z, y, strict=True)], arb(0))
+        springs = system.regularisation
+        first, second, damper = (self._ring.number(value) for value in (springs.k_1, springs.k_2, springs.c))
+        slow = [a.scale(damper) + c.scale(first) + d for a, c, d in zip(slope_z, z, force, strict=True)]
+        settle("z", slow, arb(0))
+        pressed = [a + (d - c).scale(second) for a, c, d in zip(force, z, y, strict=True)]
+        settle("lambda_n", pressed, arb(0))
         return found
 
     def conditions(self) -> dict[str, arb]:

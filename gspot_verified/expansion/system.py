@@ -12,6 +12,7 @@ from typing import Any
 from gspot_verified.expansion.expressions import Expression
 from gspot_verified.expansion.legend import state_names
 from gspot_verified.expansion.power_series import SeriesOfFunctions
+from gspot_verified.expansion.regularisation import PAPER, Regularisation
 from gspot_verified.expansion.rings import RATIONALS, Ring
 from gspot_verified.expansion.terms import NumberTerms
 
@@ -42,6 +43,7 @@ class System:
     ring: Ring = RATIONALS
     state: tuple[str, ...] = ()
     """The mechanism's names of the components, for texts; empty: xi_1, xi_2, ..."""
+    regularisation: Regularisation = PAPER
 
     def __post_init__(self) -> None:
         dimension = len(self.point)

@@ -1,7 +1,8 @@
 """The distinguished trajectory as a power series in (t, epsilon), from the original equations.
 
 A second route to Theorem 1: paper, eqs. genSysXi to genSysLN with t_0 = 0, p(0) = 0 and J(xi(0)) = 0, without the inner
-scale. With y = epsilon^2 Y and z = epsilon^2 Z the last two equations are Z = -lambda - epsilon Z', lambda = Z - Y, so
+scale. With y = epsilon^2 Y and z = epsilon^2 Z the last two equations are Z = -lambda - epsilon Z', lambda = Z - Y (for
+other springs and dampers: kappa_1 Z = -lambda - gamma epsilon Z', lambda = kappa_2 (Z - Y)), so
 
     Y = -2 lambda - epsilon Z',    b = epsilon^2 Y'' - p lambda,    b' = alpha_2 - alpha_3 lambda.
 
@@ -206,8 +207,10 @@ class _Solver:
         ring, force = self._ring, self._force.rows[-1]
         above = self._big_z[m - 1] if m else []
         moved = [above[k + 1] * ring.number(k + 1) if m else self._zero for k in range(len(force))]
-        self._big_z.append([-value - slope for value, slope in zip(force, moved, strict=True)])
-        self._big_y.append([z - value for z, value in zip(self._big_z[-1], force, strict=True)])
+        springs = self._system.regularisation
+        first, second, damper = (ring.number(value) for value in (springs.k_1, springs.k_2, springs.c))
+        self._big_z.append([(-value - damper * slope) / first for value, slope in zip(force, moved, strict=True)])
+        self._big_y.append([z - value / second for z, value in zip(self._big_z[-1], force, strict=True)])
 
     def result(self) -> TimeSeries:
         """All tables."""

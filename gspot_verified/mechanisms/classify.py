@@ -12,6 +12,7 @@ from typing import Any, ClassVar
 from flint import fmpq
 
 from gspot_verified.balls import Exact, ball_text, sign_of, working_bits
+from gspot_verified.expansion.regularisation import PAPER, Regularisation
 from gspot_verified.mechanisms.g_spot import DEFAULT_BITS, GSpot, find_g_spot
 from gspot_verified.mechanisms.mechanism import Mechanism
 from gspot_verified.signs.side import MAX_BETA, gamma_sign, side_text
@@ -56,6 +57,7 @@ class Classification(NoTruthValue):
     p: Exact
     fixed: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
+    regularisation: Regularisation = PAPER
 
     @property
     def obstructed_order(self) -> int | None:
@@ -166,6 +168,7 @@ def classify_g_spot(spot: GSpot) -> Classification:
         return Classification(
             system.name, tuple(spot.values().items()), spot.exact, first, second, third, beta, force, case, reason,
             lift_off, impact, integer, u, a, A, B, C, p, spot.fixed, spot.mechanism.notes,
+            spot.mechanism.regularisation,
         )  # fmt: skip
 
 

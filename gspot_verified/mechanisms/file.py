@@ -56,6 +56,9 @@ The keys; one of the tables ``lagrangian``, ``energies``, ``fields`` says how it
     contact.slip             "positive" (if missing), or "negative": the library mirrors x
     contact.y                the distance of the contact point from the surface
     contact.mu               the friction coefficient, a formula of the coordinates (and time)
+    regularisation.k_1       optional, rational > 0: the stiffness in series is k_1/eps^2 (1 if missing)
+    regularisation.k_2       optional, rational > 0: the stiffness of the contact is k_2/eps^2 (1 if missing)
+    regularisation.c         optional, rational >= 0: the damper beside k_1 is c/eps (1 if missing)
     g_spot.search            true: the values of the point start Newton's method
     g_spot.fixed             m - 4 components of the state that keep their value; two less for each constraint
     g_spot.conditions        in the place of fixed: functions of the state that vanish
@@ -76,7 +79,19 @@ from gspot_verified.mechanisms.toml_table import TomlTable, formula_value, shown
 
 MAX_BYTES = 200_000
 KEYS: dict[str, tuple[str, ...]] = {
-    "": ("format", "name", "note", "parameters", "angles", "lagrangian", "energies", "fields", "contact", "g_spot"),
+    "": (
+        "format",
+        "name",
+        "note",
+        "parameters",
+        "angles",
+        "lagrangian",
+        "energies",
+        "fields",
+        "contact",
+        "regularisation",
+        "g_spot",
+    ),
     "parameters": ("*",),
     "angles": ("*",),
     "angles.*": ("sine", "cosine"),
@@ -84,6 +99,7 @@ KEYS: dict[str, tuple[str, ...]] = {
     "energies": ("coordinates", "kinetic", "potential", "dissipation", "forces", "time", "constraints"),
     "fields": ("state", "F", "G_T", "G_N"),
     "contact": ("x", "slip_velocity", "slip", "y", "mu"),
+    "regularisation": ("k_1", "k_2", "c"),
     "g_spot": ("search", "fixed", "conditions", "point"),
     "g_spot.point": ("*",),
 }
@@ -145,6 +161,7 @@ def mechanism_of_table(top: TomlTable) -> Mechanism:
     common = {"name": name[:80], "parameters": top.table("parameters").all_formulas()}
     common |= {"angles": _angles(top.table("angles"))}
     common |= _contact(top.table("contact")) | _g_spot(top.table("g_spot"))
+    common |= _regularisation(top.table("regularisation"))
     motions = [word for word in _MOTIONS if top.has(word)]
     if len(motions) != 1:
         raise MechanismError('exactly one of the tables "lagrangian", "energies" and "fields" is needed')
@@ -161,6 +178,11 @@ def _contact(table: TomlTable) -> dict[str, Any]:
     if table.has("slip"):
         found["slip"] = table.text("slip")
     return found | {"y": table.formula("y"), "mu": table.formula("mu")}
+
+
+def _regularisation(table: TomlTable) -> dict[str, Any]:
+    table.only(KEYS)
+    return {"regularisation": table.all_formulas()} if table.names() else {}
 
 
 def _g_spot(table: TomlTable) -> dict[str, Any]:

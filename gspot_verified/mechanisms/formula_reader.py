@@ -8,6 +8,7 @@ from typing import Any
 
 from gspot_verified.balls import ExactInput
 from gspot_verified.expansion.expressions import Expression, Variable
+from gspot_verified.expansion.regularisation import PAPER, Regularisation
 from gspot_verified.mechanisms.formula import FormulaError, check_name, nearest, normal_name, parse_formula
 from gspot_verified.mechanisms.mechanism import Fields, Mechanism, MechanismError, Place, ReferenceAngle, exact_rational
 from gspot_verified.mechanisms.simplify import constant, negative
@@ -119,14 +120,26 @@ class FormulaReader:
         """Several formulas, numbered in messages."""
         return tuple(self(formula, f"{what} {i + 1}") for i, formula in enumerate(formulas))
 
+    def _regularisation(self, given: Mapping[str, ExactInput] | None) -> Regularisation:
+        """The compliance of the contact; a constant that is missing has the paper's value 1."""
+        if given is None:
+            return PAPER
+        if set(given) - {"k_1", "k_2", "c"}:
+            raise MechanismError(f"{self._name}: regularisation: the constants are k_1, k_2, c, got {sorted(given)}")
+        try:
+            return Regularisation.of(**{"k_1": 1, "k_2": 1, "c": 1} | dict(given))
+        except (TypeError, ValueError) as error:
+            raise MechanismError(f"{self._name}: regularisation: {error}") from None
+
     def mechanism(self, motion: Any, contact: Contact, place: Mapping[str, Any], **options: Any) -> Mechanism:
-        """Puts the parts together; ``options`` are those of :class:`Place`."""
+        """Puts the parts together; ``options`` are those of :class:`Place`, and ``regularisation``."""
         x, slip_velocity, mirrored = self._tangential(contact)
         values = tuple(
             (self.component(word, "G-spot:"), self._read(value, f"G-spot, {word}", self._constants))
             for word, value in place.items()
         )
         given = dict(options)
+        regularisation = self._regularisation(given.pop("regularisation", None))
         if given.get("conditions") is not None:
             given["conditions"] = tuple(self(f, f"condition {i + 1}") for i, f in enumerate(given["conditions"]))
         if given.get("fixed") is not None:
@@ -136,7 +149,18 @@ class FormulaReader:
         if mirrored and isinstance(motion, Fields):
             motion = replace(motion, G_T=tuple(map(negative, motion.G_T)))
         return Mechanism(
-            self._name, self.state, motion, x, y, mu, self._parameters, self._angles, found, slip_velocity, mirrored
+            self._name,
+            self.state,
+            motion,
+            x,
+            y,
+            mu,
+            self._parameters,
+            self._angles,
+            found,
+            slip_velocity,
+            mirrored,
+            regularisation,
         )
 
     def _tangential(self, contact: Contact) -> tuple[Expression | None, Expression | None, bool]:

@@ -44,7 +44,8 @@ def lagrangian(
     In the place of x (then None) ``slip_velocity`` may be given, linear in the velocities: a belt, a rolling contact;
     its derivatives by the velocities are the direction of the friction force. For ``slip`` "negative" the library
     mirrors: x, or the slip velocity, counts in the other direction, and ``Mechanism.notes`` says so.
-    ``options``: ``search``, ``fixed``, ``conditions`` of :class:`Place`.
+    ``options``: ``search``, ``fixed``, ``conditions`` of :class:`Place`, and ``regularisation``, the numbers k_1, k_2,
+    c of :class:`expansion.regularisation.Regularisation` by name.
 
     :raises MechanismError: shapes that do not fit, a mass matrix that is not symmetric, an unknown name.
 

@@ -45,6 +45,11 @@ def iwc(
         return iwc_of_alphas(beta, alpha_1=alpha_1, alpha_2=second, alpha_3=alpha_3, **chosen)  # type: ignore[arg-type]
     if not (alpha_1 is alpha_2 is alpha_3 is None):
         raise ValueError("alpha_1, alpha_2, alpha_3: the mechanism has its own")
+    if not beta.regularisation.is_papers:
+        raise ValueError(
+            f"{beta.name}: the compliant model has k_1 = k_2 = 1/eps^2 and c = 1/eps; for other constants nothing "
+            "is stated (in the leading order they change eps alone)"
+        )
     alphas = {"alpha_1": beta.alpha_1, "alpha_2": beta.alpha_2, "alpha_3": beta.alpha_3}
     if beta.case not in ("I", "II", "III"):
         raise ValueError(f"{beta.name}: the statements are about Cases I, II and III, and here: {beta.reason}")

@@ -14,6 +14,7 @@ from flint import fmpq
 
 from gspot_verified.balls import ExactInput, exact
 from gspot_verified.expansion.expressions import Expression
+from gspot_verified.expansion.regularisation import PAPER, Regularisation
 from gspot_verified.mechanisms.formula import nearest
 from gspot_verified.mechanisms.rewriting import replaced
 from gspot_verified.mechanisms.simplify import NumberTooLargeError, constant
@@ -102,6 +103,7 @@ class Mechanism:
     place: Place = field(default_factory=Place)
     slip_velocity: Expression | None = None
     mirrored: bool = False
+    regularisation: Regularisation = PAPER
 
     def with_parameters(self, **values: ExactInput | None) -> Mechanism:
         """The same mechanism with other values of some parameters; None makes a parameter a symbol.
@@ -148,6 +150,12 @@ class Mechanism:
             found.append(
                 f"negative slip: mirrored, {what} counts in the opposite direction, so that u > 0 and "
                 "lambda_T = -mu lambda_N"
+            )
+        if not self.regularisation.is_papers:
+            r = self.regularisation
+            found.append(
+                f"compliance k_1 = {r.k_1}/eps^2, k_2 = {r.k_2}/eps^2, c = {r.c}/eps: Case, beta and side are those "
+                f"of the paper's, with eps^2 times {r.compliance / 2} in the leading order"
             )
         return tuple(found)
 

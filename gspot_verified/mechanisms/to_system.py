@@ -127,7 +127,7 @@ def to_system(
     point = tuple(values[word] for word in shifted.mechanism.state)
     return System(
         name or shifted.mechanism.name, tuple(found[:m]), tuple(found[m : 2 * m]), y, v, p, b, first, second, third,
-        J, point, ring,
+        J, point, ring, regularisation=shifted.mechanism.regularisation,
     )  # fmt: skip
 
 

@@ -111,6 +111,7 @@ class Residual:
         found = self._program.values(state)
         m, force = self._dimension, values["lambda_n"]
         first, second, third = found[2 * m :]
+        springs = path.system.regularisation
         residuals = [
             _sum(terms, s, delta, slope=True) - found[i] - found[m + i] * force for i, terms in enumerate(path.xi)
         ]
@@ -120,8 +121,8 @@ class Residual:
             slopes["b"] - second + third * force,
             slopes["y"] - values["v"],
             slopes["v"] - values["b"] - values["p"] * force,
-            delta * slopes["z"] + values["z"] + force,
-            force - values["z"] + values["y"],
+            delta * arb(springs.c) * slopes["z"] + arb(springs.k_1) * values["z"] + force,
+            force - arb(springs.k_2) * (values["z"] - values["y"]),
         ]
 
     def size(self, s: fmpq, delta: arb) -> float:

@@ -10,9 +10,11 @@ from flint import fmpq
 from gspot_verified.expansion.recursion import Recursion
 from gspot_verified.expansion.system import GSpotError
 from gspot_verified.mechanisms.classify import classify
+from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.file import parse_mechanism
 from gspot_verified.mechanisms.g_spot import find_g_spot
 from gspot_verified.mechanisms.given import from_energies, from_fields, lagrangian
+from gspot_verified.mechanisms.iwc import iwc
 from gspot_verified.mechanisms.lie_derivatives import (
     Reader,
     check_lagrangian_conditions,
@@ -23,6 +25,7 @@ from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.simplify import minus, rational_value
 from gspot_verified.mechanisms.to_system import shift
+from gspot_verified.testing import check_expansion
 
 ROD: dict[str, Any] = {
     "name": "rod", "coordinates": ["X", "Y", "theta"], "mass_matrix": [[1, 0, 0], [0, 1, 0], [0, 0, "1/3"]],
@@ -268,3 +271,36 @@ def test_all_g_spots_and_sweeps_keep_the_constraints() -> None:
     mechanism = lagrangian(**SPLIT | {"place": ROD["place"] | {"W": 1, "W_dot": 2}, "mu": "mu"}, parameters={"mu": 2})
     assert {"J_1", "J_2"} <= set(spot_conditions(shift(mechanism)))
     assert len(parametric_system(mechanism, ["mu"], ["X", "X_dot"]).conditions) == 8
+
+
+def test_other_springs_and_dampers() -> None:
+    """The constants reach the expansion and the notes; statements of the paper's compliant model are refused."""
+    springs = {"k_1": 2, "k_2": "1/3", "c": "0.5"}
+    mechanism = lagrangian(**ROD, regularisation=springs)
+    assert alphas(mechanism) == ALPHA
+    (note,) = classify(mechanism).notes
+    assert note.startswith("compliance k_1 = 2/eps^2, k_2 = 1/3/eps^2, c = 1/2/eps")
+    assert "eps^2 times 7/4" in note
+    assert expand(mechanism, 9).y != expand(lagrangian(**ROD), 9).y
+    check_expansion(find_g_spot(mechanism).system, 7)
+    assert find_g_spot(lagrangian(**ROD, regularisation={})).system.regularisation.is_papers
+    with pytest.raises(ValueError, match="the compliant model has k_1 = k_2"):
+        iwc(mechanism)
+    with pytest.raises(ValueError, match="the compliant model has k_1 = k_2"):
+        iwc(classify(mechanism))
+    iwc(lagrangian(**ROD))
+
+
+@pytest.mark.parametrize(
+    ("springs", "part"),
+    [
+        ({"k_1": 0}, "needs k_1 > 0"),
+        ({"c": -1}, "c >= 0"),
+        ({"k_3": 1}, "the constants are k_1, k_2, c, got .'k_3'."),
+        ({"k_1": "x"}, "regularisation: "),
+        ({"k_1": 0.5}, "regularisation: "),
+    ],
+)
+def test_springs_and_dampers_that_are_refused(springs: dict[str, Any], part: str) -> None:
+    with pytest.raises(MechanismError, match=part):
+        lagrangian(**ROD, regularisation=springs)
