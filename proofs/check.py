@@ -1,4 +1,4 @@
-"""Check a certificate about dΘ/dτ or about the contact force. Usage: python check.py [OPTIONS] CERTIFICATE
+"""Check a certificate about dΘ/dτ, the contact force or its zeros. Usage: python check.py [OPTIONS] CERTIFICATE
 
 The format is on the page certificate.md; every lemma named here is proved there or on check.md. Nothing is shared with
 the code that finds certificates: no Gamma function, no value at τ = 0, no ball arithmetic. F(τ) = Θ(τ, b), b = β - 1.
