@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from strategies import holds, to_fmpq
 
 from gspot_verified import evaluate, gamma_sign
-from gspot_verified.balls import working_bits
+from gspot_verified.balls import bits_for_digits, relative_bits, working_bits
 from gspot_verified.signs.contact_force import LEAST_TENS, contact_force, rounded_down
 
 NOT_INTEGER = st.fractions(Fraction(11, 10), 8, max_denominator=12).filter(lambda beta: beta.denominator > 1)
@@ -155,3 +155,16 @@ def test_bad_input(arguments: dict[str, object], error: type[Exception], message
 def test_bad_epsilon_of_the_force(epsilon: int) -> None:
     with pytest.raises(ValueError, match="epsilon"):
         contact_force("7/3").value(0, epsilon)
+
+
+@pytest.mark.parametrize("beta", ["101/100", "3/2", "5/2"])
+@pytest.mark.parametrize("alpha_2", [0, "1/100"])
+def test_case_iii_needs_a_negative_alpha_2(beta: str, alpha_2: object) -> None:
+    with pytest.raises(ValueError, match=r"alpha_2: Case III \(beta > 1\) needs a number < 0"):
+        contact_force(beta, alpha_2=alpha_2)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("digits", [5, 20, 60])
+def test_the_digits_of_the_force_are_those_asked_for(digits: int) -> None:
+    value = contact_force("7/3").value(1, "1/1000", digits)
+    assert relative_bits(value) >= bits_for_digits(digits)

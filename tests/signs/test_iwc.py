@@ -17,8 +17,10 @@ from hypothesis import strategies as st
 from strategies import to_fmpq
 
 from gspot_verified import Outcome, zeros_at
-from gspot_verified.balls import working_bits
-from gspot_verified.signs.iwc import PAPER_EPSILON, IwcResult, at_epsilon, iwc
+from gspot_verified.balls import ball_text, working_bits
+from gspot_verified.signs.brackets import decimal_text
+from gspot_verified.signs.contact_force import contact_force
+from gspot_verified.signs.iwc import PAPER_EPSILON, IwcResult, _exponential, _log_bounds, at_epsilon, iwc
 from gspot_verified.signs.stretches import stretches
 
 NOT_INTEGER = st.fractions(Fraction(11, 10), 8, max_denominator=12).filter(lambda beta: beta.denominator > 1)
@@ -222,3 +224,76 @@ def test_json(result: IwcResult) -> None:
 def test_bad_input(beta: object, options: dict[str, object], error: type[Exception], message: str) -> None:
     with pytest.raises(error, match=message):
         iwc(beta, **options)  # type: ignore[arg-type]
+
+
+def test_for_beta_between_1_and_2_only_the_half_line_is_stated() -> None:
+    """From 5 on dΘ/dτ > 0: every ε serves there, and nothing is said of the τ before."""
+    late = iwc("3/2", tau_start=5)
+    assert (late.verdict.outcome, late.every_epsilon, late.whole_line) == (Outcome.PROVED, True, False)
+    assert late.verdict.statement == "at leading order, λ_N > 0 for every τ in [5, inf) and every ε > 0"
+    assert late.verdict.detail == iwc("3/2").verdict.detail == ""
+    assert iwc("3/2").force.value(-10, 10**6) < 0
+    whole = iwc("1/2", alpha_2=1).verdict.statement
+    assert whole == "at leading order, λ_N > 0 for every real τ and every ε > 0"
+
+
+@pytest.mark.parametrize(("low", "high"), [(-4, -2), (-100, -1)])
+def test_the_largest_epsilon_is_enclosed_over_the_whole_ball_of_the_least_value(low: int, high: int) -> None:
+    force = contact_force("5/2")
+    least = arb(low).union(arb(high))
+    lower, upper = _log_bounds(force, least, 15)
+    assert upper is not None
+    at_low, at_high = (force.log_epsilon(arb(slope), 30) for slope in (low, high))
+    assert lower <= at_low.upper()
+    assert at_high.lower() <= upper
+    assert lower > at_low - fmpq(1, 10**6)
+    assert upper < at_high + fmpq(1, 10**6)
+    assert _log_bounds(force, arb(0, 1), 15)[1] is None
+
+
+def test_a_bound_of_epsilon_that_no_number_shows_is_left_out() -> None:
+    assert _exponential(arb(-(10**9)), arb(0)) is None
+    assert _exponential(arb(0), arb(10**9)) is None
+    assert _exponential(arb.nan(), arb(0)) is None
+    assert _exponential(arb(0), arb.nan()) is None
+    size = _exponential(arb(0), arb(1))
+    assert size is not None
+    assert size.contains(1)
+    assert size.contains(arb(1).exp())
+
+
+def test_texts_of_both_sides() -> None:
+    impact, flight = iwc("5/2"), iwc("7/3", c1=1)
+    assert "the side C1/Γ(-β) > 0, λ_N → +∞" in str(impact)
+    assert "the side C1/Γ(-β) < 0, λ_N → -∞" in str(flight)
+    assert impact.largest_epsilon is not None
+    assert f"the largest ε0 possible: {ball_text(impact.largest_epsilon, 15)}" in str(impact)
+    assert impact.minimum is not None
+    assert f"at τ = {decimal_text(impact.minimum.lower, impact.minimum.upper)}" in str(impact)
+    assert "at τ = -10\n" in str(iwc("3/2"))
+    assert "the largest" not in str(flight)
+    assert flight.lift_off is not None
+    assert flight.lift_off.epsilon == fmpq(1, 1000)
+    assert f"\n  {flight.lift_off}\n" in str(flight)
+    assert "lift-off" not in str(impact)
+    assert "None" not in str(impact) + str(flight)
+
+
+def test_json_of_what_is_there_and_what_is_not() -> None:
+    impact, every = iwc("5/2"), iwc("7/2", tau_start=5)
+    assert impact.minimum is not None
+    data = impact.to_json()
+    assert data["minimum_at"] == [str(impact.minimum.lower), str(impact.minimum.upper)]
+    assert data["epsilon_0"] == str(impact.epsilon_0)
+    assert data["lift_off"] is None
+    data = every.to_json()
+    assert (data["every_epsilon"], data["epsilon_0"], data["largest_epsilon"]) == (True, None, None)
+
+
+def test_the_most_digits() -> None:
+    found = iwc("5/2", digits=100)
+    assert found.epsilon_0 is not None
+    assert found.epsilon_0 * 10**100 == (found.epsilon_0 * 10**100).floor()
+    assert found.epsilon_0 * 10**90 != (found.epsilon_0 * 10**90).floor()
+    with pytest.raises(ValueError, match=r"digits must lie in 1\.\.100"):
+        iwc("5/2", digits=101)

@@ -227,3 +227,27 @@ def test_a_crossing_lies_between_a_point_above_and_a_point_below(start: int, hei
     for tau, side in ((found.lower, 1), (found.upper, -1)):
         value = evaluate(tau, beta, derivative=1, digits=30).value + level(0)
         assert sign_of(value) == side
+
+
+def test_a_crossing_far_to_the_right_and_one_too_far(monkeypatch: pytest.MonkeyPatch) -> None:
+    """0 < β < 1: dΘ/dτ falls like -exp(2/3 τ^(3/2)), so the level 10^3000 is crossed near τ = 475."""
+    found = stretches(fmpq(1, 2), 1, fmpq(-3))
+    with working_bits(64):
+        height = arb(10) ** 3000
+    crossing = first_crossing(found, lambda _: height, 3)
+    assert crossing is not None
+    assert 400 < crossing.lower < crossing.upper < 500
+    monkeypatch.setattr("gspot_verified.signs.stretches._MAX_TAU", fmpq(100))
+    assert first_crossing(found, lambda _: height, 3) is None
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper", "root", "expected"),
+    [
+        (fmpq(0), fmpq(15, 100), fmpq(12, 100), (fmpq(1, 10), fmpq(15, 100))),
+        (fmpq(1, 100), fmpq(12, 100), fmpq(5, 100), (fmpq(1, 100), fmpq(1, 10))),
+        (fmpq(1, 100), fmpq(12, 100), fmpq(11, 100), (fmpq(1, 10), fmpq(12, 100))),
+    ],
+)
+def test_ends_beside_the_grid_are_kept(lower: fmpq, upper: fmpq, root: fmpq, expected: tuple[fmpq, fmpq]) -> None:
+    assert narrowed(lambda tau: tau > root, lower, upper, 1) == expected
