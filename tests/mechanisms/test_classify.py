@@ -15,7 +15,7 @@ from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Constant
 from gspot_verified.expansion.recursion import ObstructedOrderError, Recursion
 from gspot_verified.expansion.system import GSpotError
-from gspot_verified.mechanisms.classify import _integer_in, classify
+from gspot_verified.mechanisms.classify import MAX_BETA, _integer_in, _sides, classify
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.file import parse_mechanism
 from gspot_verified.mechanisms.given import lagrangian
@@ -272,3 +272,28 @@ def test_an_integer_that_beta_may_be_is_not_lost(middle: str, radius: str, holds
     found = _integer_in(arb(middle, radius))
     assert (found is not None) is holds_one
     assert found is None or found >= 1
+
+
+def test_a_mean_force_that_is_negative_is_said_to_be() -> None:
+    found = classify(shipped_mechanism("extended", alpha_2=-1, alpha_3="-1/2"))
+    assert found.warnings[0].startswith("the mean force is tensile")
+
+
+def test_json_has_every_number_as_text() -> None:
+    found = classify(shipped_mechanism("falling rod"))
+    data = found.to_json()
+    numbers = {"alpha_1": "-55/12", "alpha_2": "4/5", "alpha_3": "-3/2", "beta": "18/55", "mean_force": "48/185",
+               "slip_velocity": "7/5"}  # fmt: skip
+    assert {name: data[name] for name in numbers} == numbers
+    assert replace(found, beta=None).to_json()["beta"] is None
+
+
+def test_a_beta_beyond_the_largest_has_no_side_and_no_integer() -> None:
+    """No answer where Gamma(-beta) is not evaluated, also for balls."""
+    inside, beyond = fmpq(2 * MAX_BETA - 1, 2), fmpq(2 * MAX_BETA + 1, 2)
+    assert _sides("III", inside) == (-1, 1) or _sides("III", inside) == (1, -1)
+    for beta in (beyond, arb(beyond), arb(MAX_BETA, 1)):
+        assert _sides("III", beta) == (None, None)
+    assert _integer_in(arb(MAX_BETA + 1)) is None
+    assert _integer_in(arb(MAX_BETA, 1)) is None
+    assert _integer_in(arb(MAX_BETA)) == MAX_BETA

@@ -79,6 +79,27 @@ def test_wrong_conditions(options: dict[str, Any], part: str) -> None:
         find_g_spot(rod(**options))
 
 
+@pytest.mark.parametrize(
+    ("place", "part"), [({"Y": "4/5"}, "y = 1/5"), ({"Y_dot": 0}, "v = -4/5"), ({"theta_dot": 2}, "b = 9/5")]
+)
+def test_points_that_are_no_g_spots_with_conditions_that_hold(place: dict[str, Any], part: str) -> None:
+    """The conditions J are met there, p = b = y = v = 0 are not."""
+    with pytest.raises(GSpotError, match=f"not a G-spot: {part}"):
+        find_g_spot(rod(place, conditions=["X", "X_dot - 2"]))
+
+
+def test_a_state_of_fewer_than_4_components() -> None:
+    mass = lagrangian("mass", ["Y"], [[1]], [0], "Y", "Y", 1, place={"Y": 0, "Y_dot": 0})
+    with pytest.raises(GSpotError, match="p, b, y and v need a state of 4 components at least"):
+        find_g_spot(mass)
+
+
+def test_angles_are_shown_from_their_references() -> None:
+    assert find_g_spot(rod()).values()["theta"] == "theta_ref"
+    near = find_g_spot(rod({"theta": "theta_ref + 1/50"}, search=True)).values()["theta"]
+    assert near.startswith("theta_ref + [")
+
+
 def test_conditions_given_as_functions() -> None:
     spot = find_g_spot(rod(conditions=["X + theta - theta_ref", "X_dot^2 - 4"]))
     assert spot.exact
