@@ -26,6 +26,9 @@ def sweep(
     start: Annotated[
         list[str] | None, typer.Option("--start", help='Where the G-spot is proved first, such as "mu=2".')
     ] = None,
+    spot: Annotated[
+        int | None, typer.Option(help="Which of all G-spots there, by its number in `classify --all`.")
+    ] = None,
     digits: Annotated[int, typer.Option(help="Decimals of the brackets in which Case or side change, 1..15.")] = 12,
     csv: Annotated[Path | None, typer.Option("--csv", help="Write a table, one line for each piece.")] = None,
     picture: Annotated[Path | None, typer.Option(help="Draw it, as PNG, PDF or SVG by the file's suffix.")] = None,
@@ -50,7 +53,7 @@ def sweep(
     mechanism = load(name, **_assignments("--set", settings or []))
     with executor(workers, scheduler) as pool:
         result = sweep_mechanism(
-            mechanism, ranges, start=first, digits=digits, executor=pool, journal=journal, progress=_show
+            mechanism, ranges, start=first, spot=spot, digits=digits, executor=pool, journal=journal, progress=_show
         )
     if csv is not None:
         outputs.write("--csv", csv, lambda: _replace(csv, result.to_csv()))

@@ -15,12 +15,12 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import Exact, ExactInput, working_bits
 from gspot_verified.expansion.box_program import BoxProgram
-from gspot_verified.mechanisms.g_spot import find_g_spot
 from gspot_verified.mechanisms.mechanism import Mechanism, exact_rational
 from gspot_verified.mechanisms.parametric_system import ParametricSystem, parametric_system
 from gspot_verified.mechanisms.simplify import rational_value
 from gspot_verified.mechanisms.sweep_cell import BITS
 from gspot_verified.mechanisms.sweep_ends import with_folds, without_gaps
+from gspot_verified.mechanisms.sweep_first import first_spot, with_place_of
 from gspot_verified.mechanisms.sweep_fold import Fold
 from gspot_verified.mechanisms.sweep_grid import Axis, Grid, cells
 from gspot_verified.mechanisms.sweep_links import linked
@@ -43,6 +43,7 @@ def sweep(
     parameters: Over,
     *,
     start: Mapping[str, ExactInput] | None = None,
+    spot: int | None = None,
     digits: int = 12,
     executor: Executor | None = None,
     journal: Path | None = None,
@@ -53,7 +54,8 @@ def sweep(
     ``parameters``: name to "lower..upper", "lower..upper:cells" or (lower, upper, cells); the ends belong to the range.
     Each cell is divided further until Case and side hold for all its parameter values; what cannot be decided is left
     and said. ``start``: parameter values of the range at which the spot is proved first (the mechanism's own, or the
-    nearest, if left out). ``digits``: of the brackets in which Case or side change. ``journal``: a killed sweep goes on
+    nearest, if left out). ``spot``: its number in the list of all G-spots there (left out: that at the mechanism's
+    place). ``digits``: of the brackets in which Case or side change. ``journal``: a killed sweep goes on
     from this file. ``executor``: where cells are examined; the result is the same for every one.
 
     :raises GSpotError: there is no G-spot, or a degenerate one, at the start.
@@ -73,20 +75,21 @@ in the brackets where one quantity passes zero or the spot vanishes
         raise ValueError(f"digits must be an int in 1..{_MAX_DIGITS}")
     place = _start(mechanism, axes, start or {})
     names = [axis.name for axis in axes]
-    spot = find_g_spot(mechanism.with_parameters(**dict(zip(names, place, strict=True))))
-    question = Question(mechanism, Grid(axes), spot.fixed, digits)
+    first = first_spot(mechanism.with_parameters(**dict(zip(names, place, strict=True))), spot)
+    mechanism = with_place_of(mechanism, first)
+    question = Question(mechanism, Grid(axes), first.fixed, digits)
     with working_bits(BITS):
-        point = [_ball(value) for value in spot.system.point]
-    system = parametric_system(mechanism, names, spot.fixed)
+        point = [_ball(value) for value in first.system.point]
+    system = parametric_system(mechanism, names, first.fixed)
     conditions = BoxProgram(system.conditions, system.dimension + len(names))
-    kept = open_journal(journal, question, place)
+    kept = open_journal(journal, question, place, first.values())
     work = portions(cells(conditions, question.grid, place, point))
     found: list[list[SweepPiece]] = []
     for pieces in results(question, work, executor or InProcessExecutor(), kept):
         found += pieces
         if progress is not None:
             progress(len(found), sum(map(len, work)))
-    return _assembled(question, system, place, spot.values(), point, found)
+    return _assembled(question, system, place, first.values(), point, found)
 
 
 def _assembled(

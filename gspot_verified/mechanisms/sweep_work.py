@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import lru_cache, partial
@@ -45,8 +45,8 @@ class Question:
         """The parameters that vary."""
         return tuple(axis.name for axis in self.grid.axes)
 
-    def header(self, start: Sequence[Any]) -> dict[str, Any]:
-        """What a journal's first line says: the mechanism by its hash."""
+    def header(self, start: Sequence[Any], spot: Mapping[str, str]) -> dict[str, Any]:
+        """What a journal's first line says: the mechanism by its hash, the spot at the start."""
         whole = hashlib.sha256(repr(self.mechanism).encode()).hexdigest()
         return {
             "kind": f"sweep {_VERSION}",
@@ -54,6 +54,7 @@ class Question:
             "over": [str(axis) for axis in self.grid.axes],
             "fixed": list(self.fixed),
             "start": [str(value) for value in start],
+            "spot": dict(spot),
             "digits": self.digits,
         }
 
@@ -102,12 +103,14 @@ def results(
         yield pieces
 
 
-def open_journal(path: Path | None, question: Question, start: Sequence[Any]) -> JournalFile | None:
+def open_journal(
+    path: Path | None, question: Question, start: Sequence[Any], spot: Mapping[str, str]
+) -> JournalFile | None:
     """The journal in the file, or None.
 
     :raises ValueError: the file belongs to another question.
     """
-    return None if path is None else JournalFile(path, question.header(start))
+    return None if path is None else JournalFile(path, question.header(start, spot))
 
 
 def _recalled(journal: JournalFile) -> dict[int, Pieces]:

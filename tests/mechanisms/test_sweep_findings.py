@@ -139,3 +139,17 @@ def test_what_no_contact_can_do_is_warned_of() -> None:
     moving = three_alphas("-1", "-1", "-3/2", slip="k")
     (warning,) = sweep(moving, {"k": "-1..1:4"}).warnings
     assert warning.startswith("u <= 0 at the G-spot on 1 pieces, perhaps on 2 more")
+
+
+def test_where_no_mass_matrix_gives_the_fields_nothing_is_settled() -> None:
+    """A C - B^2 = (3 k - 1)/4 > 0 for k > 1/3 only; the signs of the alphas alone would say Case III everywhere."""
+    mechanism = three_alphas("-1", "-1", "-3/2", inertia="k").with_parameters(k=1)
+    result = sweep(mechanism, {"k": "-1..1:6"})
+    for piece in result.pieces:
+        if piece.upper[0] > fmpq(2, 5):
+            assert piece.kind is Kind.SETTLED or piece.lower[0] < fmpq(2, 5)
+        if piece.lower[0] <= fmpq(1, 3):
+            assert piece.kind is Kind.OPEN
+            assert piece.unsure == ("the mass matrix is positive definite",)
+    assert result.at(k="9/10").case == "III"
+    assert result.verdict.exit_code == 2

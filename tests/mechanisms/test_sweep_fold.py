@@ -10,11 +10,15 @@ from fractions import Fraction
 import mpmath
 import pytest
 from families import family
-from flint import fmpq
+from flint import arb, fmpq
 
+from gspot_verified.balls import working_bits
+from gspot_verified.mechanisms.parametric_system import parametric_system
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.sweep import sweep
+from gspot_verified.mechanisms.sweep_fold import _on_curve, _widened, turned
 from gspot_verified.mechanisms.sweep_piece import Kind
+from gspot_verified.mechanisms.sweep_start import Origin, proved_tube
 
 ROD = "falling rod of Génot and Brogliato"
 
@@ -114,3 +118,25 @@ def test_sides_accumulate_at_a_fold() -> None:
                 assert piece.case == "III"
                 assert n >= 1
                 assert piece.lift_off_sign == (-1 if n % 2 else 1)
+
+
+def test_a_spot_must_lie_on_the_curve_with_its_tangent() -> None:
+    """p = q^2 - k as a curve over q: (x, u, y, v, b) = (0, 1, 0, 0, 0), k = q^2, and the tangent (0, ..., 0, 2 q)."""
+    system = parametric_system(family("q^2 - k", "1"), ["k"], ["x", "u"])
+    curve = turned(system, 4)
+
+    def known(k: arb, slope: arb, u: int = 1) -> list[arb]:
+        return [arb(0), arb(u), arb(0), arb(0), arb(0), k, *[arb(0)] * 5, slope]
+
+    start = Origin((fmpq(0),), tuple(fmpq(int(i == 1)) for i in range(12)), (*[(fmpq(0),)] * 11, (fmpq(2),)))
+    with working_bits(80):
+        on = proved_tube(curve, (fmpq(-1, 8),), (fmpq(1, 8),), start)
+        assert on is not None
+        tube = _widened(curve, on).tube
+        q = arb("0.1")
+        assert _on_curve(tube, q, known(q * q, 2 * q))
+        assert not _on_curve(tube, q, known(q * q, -2 * q))
+        assert not _on_curve(tube, q, known(q * q + 1, 2 * q))
+        assert not _on_curve(tube, q, known(q * q, 2 * q, u=2))
+        assert not _on_curve(tube, arb("0.2"), known(arb("0.04"), arb("0.4")))
+        assert not _on_curve(tube, arb("nan"), known(q * q, 2 * q))

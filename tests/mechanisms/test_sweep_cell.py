@@ -1,0 +1,62 @@
+"""Cells: what is known of a larger tube is used for its own zeros only; pieces cover the cell.
+
+Page: proofs/sweep.md, sections 2 and 5.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from families import family
+from flint import fmpq
+
+from gspot_verified.balls import working_bits
+from gspot_verified.expansion.box_program import BoxProgram
+from gspot_verified.expansion.expressions import Variable
+from gspot_verified.mechanisms.parametric_system import parametric_system
+from gspot_verified.mechanisms.sweep_cell import Cell, Examination, Known
+from gspot_verified.mechanisms.sweep_findings import equations
+from gspot_verified.mechanisms.sweep_piece import Kind
+from gspot_verified.mechanisms.sweep_start import Origin, proved_tube
+from gspot_verified.mechanisms.tube import Equations, Tube
+
+ROOT = Equations(BoxProgram([Variable(0) * Variable(0) - Variable(1)], 2), 1)
+
+
+def root(lower: fmpq, upper: fmpq, sign: int) -> Tube:
+    on = proved_tube(ROOT, (lower,), (upper,), Origin((fmpq(1),), (fmpq(sign),), ((fmpq(sign, 2),),)))
+    assert on is not None
+    return on.tube
+
+
+def test_signs_are_those_of_one_zero() -> None:
+    """x^2 = λ: what is known of the positive root on [1, 2] says nothing of the negative one on a part."""
+    with working_bits(80):
+        known = Known().further(root(fmpq(1), fmpq(2), 1), "alpha_1", 1)
+        assert known.signs == {"alpha_1": 1}
+        assert known.concerns(root(fmpq(5, 4), fmpq(3, 2), 1))
+        assert not known.concerns(root(fmpq(5, 4), fmpq(3, 2), -1))
+        assert Known().concerns(root(fmpq(5, 4), fmpq(3, 2), -1))
+
+
+def cell_pieces(p: str, lower: fmpq, upper: fmpq, origin: Origin | None) -> list[tuple[fmpq, fmpq, Kind]]:
+    system = parametric_system(family(p, "0"), ["k"], ["x", "u"])
+    found = Examination(equations(system), 10).pieces(Cell((lower,), (upper,), origin))
+    return [(piece.lower[0], piece.upper[0], piece.kind) for piece in found]
+
+
+def test_pieces_cover_the_cell_up_to_a_fold_and_behind_it() -> None:
+    """p = q^2 - k on [-1, 1] from q = 1: no tube for k <= 0, and the whole cell is covered."""
+    start = Origin((fmpq(1),), (fmpq(0), fmpq(1), fmpq(0), fmpq(0), fmpq(1), fmpq(0)), ((fmpq(0),),) * 6)
+    found = cell_pieces("q^2 - k", fmpq(-1), fmpq(1), start)
+    assert (found[0][0], found[-1][1]) == (fmpq(-1), fmpq(1))
+    for (_, end, _), (begin, _, _) in pairwise(found):
+        assert end == begin
+    for lower, upper, kind in found:
+        assert lower < upper
+        assert kind is Kind.NO_TUBE or lower > 0
+    assert {kind for *_, kind in found} >= {Kind.NO_TUBE, Kind.SETTLED}
+
+
+def test_a_cell_without_an_origin_is_left() -> None:
+    assert cell_pieces("q - k", fmpq(0), fmpq(1), None) == [(fmpq(0), fmpq(1), Kind.NO_TUBE)]

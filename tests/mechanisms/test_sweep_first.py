@@ -1,0 +1,63 @@
+"""The spot that a sweep begins with: by its number, or the only one; two spots that meet at a fold agree on it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from families import family
+from flint import fmpq
+
+from gspot_verified.mechanisms.mechanism import Mechanism, Place
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.sweep import sweep
+from gspot_verified.mechanisms.sweep_piece import Kind
+
+
+@pytest.fixture
+def rod() -> Mechanism:
+    """Without a place: four G-spots at mu = 2."""
+    return replace(shipped_mechanism("genot_brogliato_rod"), place=Place())
+
+
+def test_two_spots_meet_at_the_same_fold(rod: Mechanism) -> None:
+    """Numbers 2 and 4 have the same sign of θ'; tan θ is the smaller and the larger root of T^2 - 3 μ T + 4."""
+    second, fourth = (sweep(rod, {"mu": "1.3..2:14"}, spot=number) for number in (2, 4))
+    for name in ("theta", "theta_dot", "Y"):
+        points = [dict(result.folds[0].point)[name] for result in (second, fourth)]
+        assert points[0].overlaps(points[1])
+    assert second.folds[0].value.overlaps(fourth.folds[0].value)
+    answers = [{piece.case for piece in result.pieces if piece.kind is Kind.SETTLED} for result in (second, fourth)]
+    assert answers == [{"none", "II"}, {"none"}]
+    for place in (fmpq(2), fmpq(3, 2)):
+        tubes = [next(piece for piece in result.pieces if piece.holds([place])).tube() for result in (second, fourth)]
+        assert tubes[0] is not None
+        assert tubes[1] is not None
+        assert not tubes[0].holds_at((place,), tubes[1].zero_at((place,)))
+
+
+def test_several_spots_must_be_chosen_from(rod: Mechanism) -> None:
+    with pytest.raises(ValueError, match=r"choose by its number, spot=1(.|\n)*G-spot 4"):
+        sweep(rod, {"mu": "1.4..2:3"})
+    for number in (0, 5, True, "1"):
+        with pytest.raises(ValueError, match=r"a number in 1\.\.4"):
+            sweep(rod, {"mu": "1.4..2:3"}, spot=number)  # type: ignore[arg-type]
+
+
+def test_the_only_spot_need_not_be_chosen() -> None:
+    """p = q - k has one spot; the model system's x and u are free, and 0 where nothing is said."""
+    mechanism = family("q - k", "0", "0")
+    bare = replace(mechanism, place=Place(values=(), fixed=None))
+    result = sweep(bare, {"k": "-1/4..1/4:4"})
+    assert [piece.case for piece in result.pieces] == ["III"] * 4
+    assert [piece.case for piece in sweep(mechanism, {"k": "-1/4..1/4:4"}).pieces] == ["III"] * 4
+    assert result.spot["u"] == "0"
+    assert result.warnings[0].startswith("u <= 0 at the G-spot on 4 pieces")
+
+
+def test_a_journal_is_of_one_spot(rod: Mechanism, tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    sweep(rod, {"mu": "1.4..2:3"}, spot=2, journal=path)
+    with pytest.raises(ValueError, match="not a journal of this question"):
+        sweep(rod, {"mu": "1.4..2:3"}, spot=4, journal=path)
