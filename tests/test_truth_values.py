@@ -33,6 +33,7 @@ PLAIN = {
     "cost.expand.Size": "times that were measured",
     "expansion.time_series.TimeSeries": "coefficients; what is claimed of them is in the trajectory's accuracy",
     "cost.measure.Timing": "times that were measured",
+    "cost.mechanism.MechanismCost": "times that were measured",
     "expansion.trajectory.Trajectory": "coefficients; what is claimed of them is in .accuracy",
 }
 NO_TRUTH = r"no truth value|three outcomes"

@@ -29,24 +29,24 @@ class Measured(Protocol):
 
 @app.command(epilog="Example: gspot-verified cost theta --picture cost.png")
 def cost(
-    subject: Annotated[str, typer.Argument(help='What to measure: "theta", "sign", "expand" or "force".')],
+    subject: Annotated[str, typer.Argument(help='What to measure: "theta", "sign", "expand", "force", "mechanism".')],
     full: Annotated[bool, typer.Option("--full", help="Larger cases too: about 20, 10 or 2 minutes.")] = False,
     picture: Annotated[
         Path | None, typer.Option(help="Write time against digits, size or order as PNG, PDF or SVG.")
     ] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Measure what accuracy (theta), certified signs (sign), expansions (expand) and the compliant force cost in time.
+    """Measure what accuracy (theta), certified signs (sign), expansions, the compliant force and mechanisms cost.
 
     About half a minute each. The exit code is 0 whatever the times are: a benchmark decides nothing.
     """
-    from gspot_verified.report.cost_picture import DIGITS, ORDERS, RANGES, SMALLNESS, save_picture
+    from gspot_verified.report.cost_picture import DIGITS, LINKS, ORDERS, RANGES, SMALLNESS, save_picture
 
     outputs = Outputs()
     outputs.file("--picture", picture, PICTURES)
     result = _measure(subject, full)
     if picture is not None:
-        labels = {"theta": DIGITS, "sign": RANGES, "expand": ORDERS, "force": SMALLNESS}[subject]
+        labels = {"theta": DIGITS, "sign": RANGES, "expand": ORDERS, "force": SMALLNESS, "mechanism": LINKS}[subject]
         outputs.write("--picture", picture, lambda: save_picture(result.curves, picture, labels))
     if as_json:
         print_json(result.to_json())
@@ -72,4 +72,8 @@ def _measure(subject: str, full: bool) -> Measured:
         from gspot_verified.cost import force
 
         return force.run(full, progress)
-    raise ValueError(f'cost: expected "theta", "sign", "expand" or "force", got {subject!r}')
+    if subject == "mechanism":
+        from gspot_verified.cost import mechanism
+
+        return mechanism.run(full, progress)
+    raise ValueError(f'cost: expected "theta", "sign", "expand", "force" or "mechanism", got {subject!r}')

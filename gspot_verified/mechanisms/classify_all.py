@@ -18,6 +18,8 @@ from gspot_verified.mechanisms.mechanism import Mechanism
 from gspot_verified.mechanisms.to_system import shift
 from gspot_verified.verdict import NoTruthValue, Outcome, Verdict
 
+_FRICTION_BUDGET = 4000
+
 
 @dataclass(frozen=True)
 class AllClassified(NoTruthValue):
@@ -88,7 +90,9 @@ def classify_all(
     """
     found = find_g_spots(mechanism, box, bits, budget)
     spots = tuple(classify_g_spot(spot) for spot in found.spots)
-    return AllClassified(found, spots, critical_friction(mechanism, bits), _vary(mechanism, found.free))
+    return AllClassified(
+        found, spots, critical_friction(mechanism, bits, _FRICTION_BUDGET), _vary(mechanism, found.free)
+    )
 
 
 def _vary(mechanism: Mechanism, free: tuple[str, ...]) -> tuple[tuple[str, tuple[str, ...]], ...]:

@@ -29,6 +29,7 @@ RANGES = Labels(
     "The cost of certified zeros of dΘ/dτ over a range of β",
 )
 SMALLNESS = Labels("k, ε = 10^-k", "seconds per value", "The cost of a small ε: the slow solution")
+LINKS = Labels("links", "seconds", "The cost of reading a mechanism: legs of rods")
 ORDERS = Labels("order of δ", "seconds, one core", "The cost of exact expansions: Theorem 1")
 
 
