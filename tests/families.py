@@ -20,7 +20,7 @@ def family(p: str, q: str, k: str = "1") -> Mechanism:
 
 
 def three_alphas(first: str, second: str, third: str, slip: str = "1", inertia: str = "1") -> Mechanism:
-    """The model system with α_1, α_2, α_3 any functions of a parameter k; the spot is at 0, with u = ``slip``.
+    """The model system with α_1, α_2, α_3 any functions of parameters k, l; the spot is at 0, with u = ``slip``.
 
     A is 3/2 times ``inertia`` there and A C - B^2 is (3 inertia - 1)/4; no α depends on it.
     """
@@ -29,6 +29,6 @@ def three_alphas(first: str, second: str, third: str, slip: str = "1", inertia: 
         ["u", "0", "v", "b", first, second],
         ["0", f"3*({inertia})/(2*(1 - p))", "0", "1/2", "0", f"({third})/(2*(1 - p))"],
         ["0", "1/2", "0", "(1 + p)/2", "0", f"-({third})/2"],
-        x="x", y="y", mu="1 - p", parameters={"k": 0},
+        x="x", y="y", mu="1 - p", parameters={"k": 0, "l": 0},
         place={"x": 0, "u": slip, "y": 0, "v": 0, "p": 0, "b": 0}, fixed=["x", "u"],
     )  # fmt: skip

@@ -6,6 +6,7 @@ Page: proofs/sweep.md, sections 3 to 5.
 from __future__ import annotations
 
 import itertools
+import random
 from fractions import Fraction
 
 import pytest
@@ -85,6 +86,46 @@ def test_random_polynomials(
         ends = [sympy.Rational(int(end.p), int(end.q)) for end in (crossing.lower, crossing.upper)]
         zeros = boundary(crossing, alphas).count_roots(*ends)
         assert zeros == 1 if crossing.proved else zeros <= 1
+
+
+PLANE = st.lists(st.integers(-3, 3), min_size=6, max_size=6)
+"""Coefficients of 1, k, l, k^2, k l, l^2, in quarters."""
+
+
+@given(PLANE, PLANE, PLANE, st.booleans(), st.integers(1, 3), st.integers(1, 3), st.integers(0, 10**6))
+@settings(max_examples=25, deadline=None)
+def test_random_polynomials_on_a_map(
+    one: list[int], two: list[int], three: list[int], likely: bool, columns: int, rows: int, seed: int
+) -> None:
+    k, m = sympy.symbols("k l")
+    monomials = (sympy.Integer(1), k, m, k**2, k * m, m**2)
+    first, second, third = (sum((c * x for c, x in zip(each, monomials, strict=True)), sympy.Integer(0)) / 4
+                            for each in (one, two, three))  # fmt: skip
+    if likely:
+        first, third = -(first**2) / 4 - sympy.Rational(1, 4), -(third**2) / 4 - sympy.Rational(1, 3)
+    result = sweep(three_alphas(*map(str, (first, second, third))), {"k": ("-1", "1", columns), "l": ("-1", "1", rows)})
+    named = {"alpha_1": first, "alpha_2": second, "alpha_3": third, "alpha_3 - alpha_1": third - first}
+    dice = random.Random(seed)
+    for piece in dice.sample(result.pieces, min(20, len(result.pieces))):
+        for part in ((0, 0), (8, 8), (0, 8), (dice.randrange(9), dice.randrange(9))):
+            place = [
+                low + (high - low) * fmpq(t, 8) for low, high, t in zip(piece.lower, piece.upper, part, strict=True)
+            ]
+            at_place = {s: sympy.Rational(int(value.p), int(value.q)) for s, value in zip((k, m), place, strict=True)}
+            exact = [sympy.Rational(each.subs(at_place)) for each in (first, second, third)]
+            values = [Fraction(int(each.p), int(each.q)) for each in exact]
+            for name, value in zip(("alpha_1", "alpha_2", "alpha_3"), values, strict=True):
+                number = piece.number(name)
+                assert number is not None
+                assert number.contains(value)
+            if piece.kind is Kind.SETTLED:
+                assert piece.answer == exactly(*values)
+            if piece.passing is not None:
+                quantity, along = piece.passing.quantity, (k, m)[piece.passing.along]
+                function = named.get(quantity)
+                if function is None:
+                    function = third / first - int(quantity.removeprefix("beta - "))
+                assert sympy.sign(sympy.diff(function, along).subs(at_place)) == piece.passing.direction
 
 
 @pytest.mark.parametrize(
