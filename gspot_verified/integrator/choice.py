@@ -15,6 +15,7 @@ _POWER_STEPS = 12
 _LARGEST_GROWTH = 8.0
 _LEAST_GROWTH = 1.0
 _DISC = 4
+_ROUNDING_BITS = 12
 
 
 def order_for(bits: int) -> int:
@@ -93,11 +94,19 @@ def scaled_curve(
 
 
 def plan_for(
-    weights: Sequence[float], deviation: Sequence[arb], speed: Sequence[arb], h: arb, norm: float, order: int
+    weights: Sequence[float],
+    middle: Sequence[arb],
+    deviation: Sequence[arb],
+    speed: Sequence[arb],
+    h: arb,
+    norm: float,
+    order: int,
 ) -> Plan:
-    """Radii a few times larger than what is expected of the deviations, and of the radius of h."""
+    """Radii a few times larger than what is expected of the deviations, of the radius of h, and of rounding."""
     w = tuple(arb(value) for value in weights)
-    start = arb((1, -current_bits()))
+    start = arb(0)
+    for value, weight in zip(middle, w, strict=True):
+        start = start.max(((1 + abs(value)) / weight * arb((1, _ROUNDING_BITS - current_bits()))).upper())
     for value, weight in zip(speed, w, strict=True):
         start = start.max((abs(value) * h.rad() / weight).upper())
     for value, weight in zip(deviation, w, strict=True):

@@ -18,6 +18,7 @@ from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.integrate import Segment
 
 _DEPTH = 26
+_MAX_PIECES = 2000
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,8 +73,8 @@ class Watch:
 
     def along(self, segment: Segment) -> Crossing | Unclear | None:
         """What happens on the next segment: nothing (g < 0 is proved, or it still rises), a crossing, or unclear."""
-        for piece, rises in self._pieces(segment, arb(0), arb(1), 0):
-            if rises is None:
+        for count, (piece, rises) in enumerate(self._pieces(segment, arb(0), arb(1), 0)):
+            if rises is None or count == _MAX_PIECES:
                 return Unclear(self.name, piece.time(piece.left))
             if not rises:
                 self._rising = None

@@ -70,6 +70,10 @@ class VectorField:
         values, rows = self._run("complex", _COMPLEX, box, True)
         return [acb(value) for value in values], [[acb(entry) for entry in row] for row in rows]
 
+    def values_on_complex_box(self, box: Sequence[acb]) -> list[acb]:
+        """f alone on a complex box; where it is finite, f is holomorphic on a neighbourhood of the box."""
+        return [acb(value) for value in self._run("complex values", _COMPLEX, box, False)]
+
     def series(self, state: Sequence[arb_series]) -> list[arb_series]:
         """The power series of f along a curve; its terms enclose the Taylor coefficients.
 

@@ -97,7 +97,7 @@ class Run:
             if left is not None and not 2 * h < left:  # what is left must stay certainly positive
                 h = (left / 2).mid() if h < left else left
             curve = scaled_curve(solution, flow, middle, h)
-            plan = plan_for(weights, deviations, speed, h, norm, order)
+            plan = plan_for(weights, middle, deviations, speed, h, norm, order)
             try:
                 step = certified_step(self.field, curve, deviations, h, plan)
             except ValueError:

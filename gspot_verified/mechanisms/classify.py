@@ -159,12 +159,12 @@ def classify_g_spot(spot: GSpot) -> Classification:
         contact = spot.shifted.expressions([f.u, f.a, f.A, f.B, f.C], system.ring)
         alphas = (system.alpha_1, system.alpha_2, system.alpha_3)
         first, second, third, u, a, A, B, C, p = system.values_at_point((*alphas, *contact, system.p))
-        case, reason = _case(first, second, third)
+        case, reason = case_of(first, second, third)
         beta = third / first if sign_of_exact(first) in (1, -1) else None
         force = second / (third - first) if sign_of_exact(third - first) in (1, -1) else None
         approached = not {sign_of_exact(first), sign_of_exact(third)} & {0, 1}
         integer = _integer_in(beta) if approached else None
-        lift_off, impact = _sides(case, beta)
+        lift_off, impact = sides_of(case, beta)
         return Classification(
             system.name, tuple(spot.values().items()), spot.exact, first, second, third, beta, force, case, reason,
             lift_off, impact, integer, u, a, A, B, C, p, spot.fixed, spot.mechanism.notes,
@@ -179,7 +179,8 @@ def sign_of_exact(value: Exact) -> int | None:
     return sign_of(value)
 
 
-def _case(first: Exact, second: Exact, third: Exact) -> tuple[str | None, str]:
+def case_of(first: Exact, second: Exact, third: Exact) -> tuple[str | None, str]:
+    """The case that α_1*, α_2*, α_3* make, and why; paper, Sec. 1.2."""
     signs = [sign_of_exact(value) for value in (first, second, third, third - first)]
     for name, sign in zip(("alpha_1", "alpha_3"), (signs[0], signs[2]), strict=True):
         if sign in (0, 1):
@@ -198,7 +199,7 @@ def _case(first: Exact, second: Exact, third: Exact) -> tuple[str | None, str]:
     return case, _CASES[case]
 
 
-def _sides(case: str | None, beta: Exact | None) -> tuple[int | None, int | None]:
+def sides_of(case: str | None, beta: Exact | None) -> tuple[int | None, int | None]:
     """The signs of C_1 that lift off and that take an impact; None where the theory gives none (integer beta too)."""
     if case in ("I", "II"):
         return None, -1
