@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from gspot_verified.expansion.system import GSpotError as GSpotError
     from gspot_verified.expansion.trajectory import Trajectory as Trajectory
     from gspot_verified.mechanisms.all_g_spots import find_g_spots as find_g_spots
+    from gspot_verified.mechanisms.approach import approach as approach
+    from gspot_verified.mechanisms.approach_result import Approach as Approach
     from gspot_verified.mechanisms.classify import Classification as Classification
     from gspot_verified.mechanisms.classify import classify as classify
     from gspot_verified.mechanisms.classify_all import classify_all as classify_all
@@ -60,6 +62,7 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 __homes__ = {
+    "Approach": "mechanisms.approach_result",
     "Brackets": "signs.brackets",
     "BudgetError": "theta_function.routes",
     "Classification": "mechanisms.classify",
@@ -81,6 +84,7 @@ __homes__ = {
     "Trajectory": "expansion.trajectory",
     "Verdict": "verdict",
     "ZerosResult": "signs.zeros",
+    "approach": "mechanisms.approach",
     "ball_text": "balls",
     "classify": "mechanisms.classify",
     "classify_all": "mechanisms.classify_all",

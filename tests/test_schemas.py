@@ -21,7 +21,7 @@ from gspot_verified.cost.theta import CostReport
 from gspot_verified.ledger import cases
 
 ROOT = Path(__file__).resolve().parents[1]
-FORMS = ("theta", "side", "sign", "zeros", "iwc", "force", "events", "classify", "expand", "sweep", "check")
+FORMS = ("theta", "side", "sign", "zeros", "iwc", "force", "events", "classify", "approach", "expand", "sweep", "check")
 SCHEMAS = sorted(
     path.name.removesuffix(".json") for path in resources.files("gspot_verified.cli").joinpath("schemas").iterdir()
 )
@@ -53,6 +53,9 @@ RUNS = [
     ("classify", "genot_brogliato_rod", "--set", "mu=13/10"),
     ("classify", "genot_brogliato_rod", "--set", "mu=4/3"),
     ("classify", "oscillator", "--box", "phi=0..1"),
+    ("approach", "oscillator", "--from", "phi=phi_ref + 1/10,phi_dot=-9/10"),
+    ("approach", "model", "--from", "x=0,u=1,p=1/2,b=-2"),
+    ("approach", "model", "--from", "x=0,u=3,p=1/2,b=-1"),
     ("expand", "extended", "--order", "3"),
     ("expand", "extended", "--order", "4", "--in-time", "--at", "1,1/10"),
     ("expand", "extended", "--order", "4", "--at", "1,1/10", "--residual", "1,1/10"),

@@ -74,11 +74,10 @@ def schema_of(command: str) -> dict[str, Any]:
     return found
 
 
-def print_json(data: dict[str, Any]) -> None:
-    """Data on stdout, with the name of the schema in ``cli/schemas`` that the running command's output satisfies."""
-    typer.echo(
-        json.dumps({**data, "schema": schema_of(_running.get())["$id"]}, ensure_ascii=False, indent=2, sort_keys=True)
-    )
+def print_json(data: dict[str, Any], schema: str | None = None) -> None:
+    """Data on stdout, with the name of the schema in ``cli/schemas`` that it satisfies: the running command's own."""
+    name = schema_of(schema or _running.get())["$id"]
+    typer.echo(json.dumps({**data, "schema": name}, ensure_ascii=False, indent=2, sort_keys=True))
 
 
 def warn(text: str) -> None:

@@ -16,6 +16,7 @@ from collections.abc import Sequence
 import typer
 
 from gspot_verified.cli import (
+    approach_command,
     cost_command,
     events_command,
     figure_command,
@@ -43,6 +44,7 @@ COMMANDS = (
     figure_command,
     events_command,
     mechanism_commands,
+    approach_command,
     sweep_command,
     paper_commands,
     cost_command,

@@ -46,6 +46,7 @@ def classify(
         list[str] | None, typer.Option("--box", help='All G-spots with a component in an interval: "theta=0..3/2".')
     ] = None,
     budget: Annotated[int | None, typer.Option(help="How many boxes the search for all G-spots looks at.")] = None,
+    from_state: Annotated[str | None, typer.Option("--from", help="A state: as the command approach.")] = None,
     as_json: JsonFlag = False,
 ) -> None:
     """A mechanism's G-spot: alpha_i, β, Case I, II or III, and in Case III which side lifts off.
@@ -53,6 +54,10 @@ def classify(
     All of its G-spots with --all, --box, or where the file gives no place; then exit code 1: there is none, proved.
     Exit code 2: the list may not be complete, or the balls of a point that is not rational leave the case open.
     """
+    if from_state is not None:
+        from gspot_verified.cli.approach_command import show_approach
+
+        show_approach(load_with_settings(name, settings), from_state, None, as_json)
     from gspot_verified.mechanisms.classify import classify as classify_mechanism
     from gspot_verified.mechanisms.newton import NotFoundError
 

@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from flint import arb
 
 from gspot_verified.expansion.box_program import BoxProgram
-from gspot_verified.expansion.derivative import powers_as_products
 from gspot_verified.expansion.expressions import Expression, Variable
 from gspot_verified.expansion.rings import BALLS
 from gspot_verified.integrator.field import VectorField
@@ -42,9 +41,7 @@ class SlipFlow:
         scalars = (f.y, f.v, f.p, f.b, f.u, f.alpha_1, f.alpha_2, f.alpha_3)
         size = len(f.F)
         found = shifted.expressions([*f.F, *f.G, *scalars], BALLS)
-        products = powers_as_products(found)
-        kept = [products[function] for function in found]
-        return cls(tuple(kept[:size]), tuple(kept[size : 2 * size]), *kept[2 * size :])
+        return cls(tuple(found[:size]), tuple(found[size : 2 * size]), *found[2 * size :])
 
     @property
     def dimension(self) -> int:

@@ -7,23 +7,25 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 from flint import arb, arb_mat
 
 from gspot_verified.balls import ExactInput, add_remainder, ball_text, current_bits
 from gspot_verified.expansion.box_program import BoxProgram
+from gspot_verified.expansion.expressions import Expression
 from gspot_verified.expansion.rings import BALLS
 from gspot_verified.mechanisms.formula import parse_formula
 from gspot_verified.mechanisms.g_spot import place_in
 from gspot_verified.mechanisms.krawczyk import krawczyk
-from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError, Place, sympy_number
+from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError, Place, exact_rational
+from gspot_verified.mechanisms.simplify import constant
+from gspot_verified.mechanisms.symbol import Symbol
 from gspot_verified.mechanisms.to_system import Shifted
 
 _NEWTON_STEPS = 40
 _INFLATIONS = 8
 
-StateInput = Mapping[str, ExactInput | str]
+StateInput = Mapping[str, ExactInput]
 """A number, or a formula of parameters and reference angles such as "phi_ref + 1/10", for components of the state."""
 
 
@@ -78,7 +80,7 @@ def _values(shifted: Shifted, state: StateInput, missing: Sequence[str]) -> list
     mechanism = shifted.mechanism
     start = dict(mechanism.place.values)
     values = {word: _formula(mechanism, word, state[word]) for word in state}
-    values |= {word: start.get(word, sympy_number(0, word)) for word in missing}
+    values |= {word: start.get(word, constant(0)) for word in missing}
     placed = replace(mechanism, place=Place(tuple(values.items())))
     try:
         found = place_in(replace(shifted, mechanism=placed), BALLS)
@@ -90,15 +92,17 @@ def _values(shifted: Shifted, state: StateInput, missing: Sequence[str]) -> list
     return [found[word] for word in mechanism.state]
 
 
-def _formula(mechanism: Mechanism, word: str, value: Any) -> Any:
+def _formula(mechanism: Mechanism, word: str, value: ExactInput) -> Expression:
     """A value of a component as a formula of the parameters and the reference angles."""
-    import sympy
-
-    names = {name: sympy.Symbol(name) for name, _ in mechanism.parameters}
-    names |= {angle.name: sympy.Symbol(angle.name) for angle in mechanism.angles}
+    words = [*(name for name, _ in mechanism.parameters), *(angle.name for angle in mechanism.angles)]
     try:
-        return parse_formula(value, names) if isinstance(value, str) else sympy_number(value, word)
-    except (TypeError, ValueError) as error:
+        try:
+            return constant(exact_rational(value, word))
+        except MechanismError:
+            if not isinstance(value, str):
+                raise
+        return parse_formula(value, {name: Symbol(name) for name in words})
+    except (TypeError, ValueError, ZeroDivisionError) as error:
         raise StateError(f"{mechanism.name}: {word}: {error}") from None
 
 

@@ -1,0 +1,46 @@
+"""The command ``approach``, and ``classify --from``."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from gspot_verified.cli import main
+
+PAPER = "phi=phi_ref + 1/10,phi_dot=-9/10"
+
+
+def test_the_papers_first_start(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["approach", "oscillator", "--from", PAPER]) == 0
+    printed = capsys.readouterr().out
+    assert "proved: slip reaches a G-spot in finite time" in printed
+    assert "side: lift-off (Case III, C1 > 0)" in printed
+    assert "leading order as epsilon -> 0" in printed
+    assert main(["classify", "oscillator", "--from", PAPER, "--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert data["schema"] == "gspot-verified/approach/1"
+    assert data["side"] == "lift-off"
+
+
+def test_stick_and_undecided(capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = ["approach", "oscillator", "--surface-velocity=-1/2", "--from", "phi=phi_ref + 1/10,phi_dot=-1/2"]
+    # x_dot = cos(phi) phi_dot = -0.26 at the start, -0.6 at the G-spot: slip stops on the way.
+    assert main(arguments) == 0
+    assert "stick before any G-spot" in capsys.readouterr().out
+    assert main(["approach", "model", "--from", "x=0,u=5,p=1/2,b=-1"]) == 2
+    assert "too close to the distinguished trajectory" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("state", "message"),
+    [
+        ("x=0", "missing: u, y, v, p, b"),
+        ("x", "--from: expected \"name=value,name=value\", got 'x'"),
+        ("x=1,x=2", "--from: x is given twice"),
+        ("x=0,u=1,p=-1,b=-1", "p = -1.00000000000000 is not certainly positive"),
+    ],
+)
+def test_bad_states(capsys: pytest.CaptureFixture[str], state: str, message: str) -> None:
+    assert main(["approach", "model", "--from", state]) == 64
+    assert message in capsys.readouterr().err
