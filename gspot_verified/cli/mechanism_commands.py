@@ -55,7 +55,7 @@ def classify(
     Exit code 2: the list may not be complete, or the balls of a point that is not rational leave the case open.
     """
     if from_state is not None:
-        from gspot_verified.cli.approach_command import show_approach
+        from gspot_verified.cli.approach_output import show_approach
 
         show_approach(load_with_settings(name, settings), from_state, None, as_json)
     from gspot_verified.mechanisms.classify import classify as classify_mechanism

@@ -32,7 +32,7 @@ def taylor(field: VectorField, point: Sequence[arb], order: int) -> tuple[Coeffi
         if length < order + 1:
             flow, inverse = _flow(field, x, flow, inverse, length)
     return [_midpoints(curve, order + 1) for curve in x], [
-        [_midpoints(entry, len(entry.coeffs())) for entry in row] for row in flow
+        [_midpoints(entry, lengths[min(1, len(lengths) - 1)]) for entry in row] for row in flow
     ]
 
 

@@ -16,6 +16,7 @@ _LARGEST_GROWTH = 8.0
 _LEAST_GROWTH = 1.0
 _DISC = 4
 _ROUNDING_BITS = 12
+_FLOW_BITS = 24
 
 
 def order_for(bits: int) -> int:
@@ -45,6 +46,13 @@ def step_length(coefficients: Sequence[Sequence[arb]], goal_bits: float) -> floa
         if any(not c[k].is_zero() for c in coefficients)
     ]
     return math.exp2(min([10.0, *logs]))
+
+
+def flow_step_length(flow: Sequence[Sequence[Sequence[arb]]]) -> float:
+    """The length at which the shorter series of the derivatives are still accurate: decaying parts too small to be seen
+    in the solution may decay fast.
+    """
+    return step_length([[arb(1), *entry[1:]] for row in flow for entry in row], _FLOW_BITS)
 
 
 def weights_for(rows: Sequence[Sequence[arb]]) -> tuple[list[float], float]:

@@ -15,6 +15,7 @@ from flint import arb
 from gspot_verified.balls import current_bits
 from gspot_verified.integrator.approximation import taylor
 from gspot_verified.integrator.choice import (
+    flow_step_length,
     limited_by_growth,
     order_for,
     plan_for,
@@ -90,7 +91,8 @@ class Run:
         if not all(c.is_finite() for row in solution for c in row):
             return None
         weights, norm = weights_for(rows)
-        length = limited_by_growth(step_length(solution, bits - _GUARD_BITS), norm, deviations)
+        length = min(step_length(solution, bits - _GUARD_BITS), flow_step_length(flow))
+        length = limited_by_growth(length, norm, deviations)
         for halving in range(_HALVINGS):
             size = length / 2**halving
             h = arb(size)

@@ -48,9 +48,9 @@ def approach(
 
     >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
     >>> model = shipped_mechanism("model system")
-    >>> found = approach(model, {"x": 0, "u": 1, "p": "1/2", "b": "-2"})
+    >>> found = approach(model, {"x": 0, "u": 3, "p": "1/2", "b": "-2"})
     >>> found.end, found.side, found.coefficient < 0
-    ('G-spot', 'impact without collision', True)
+    ('G-spot', 'lift-off', True)
     """
     shifted = shift(mechanism)
     velocity = None if surface_velocity is None else exact(surface_velocity, "surface_velocity")
