@@ -39,7 +39,7 @@ def test_the_zero_of_the_cosine(bits: int) -> None:
         half_turn = arb.pi() / 2
         assert found.time.is_finite()
         assert found.time.contains(half_turn)
-        assert found.time.rad() < arb(2) ** (20 - bits)
+        assert found.time.rad() < arb(2) ** (28 - bits)
         assert found.rate.is_finite()
         assert found.rate.contains(1)
         assert found.rate > 0
