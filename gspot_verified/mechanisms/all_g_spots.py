@@ -17,7 +17,7 @@ from gspot_verified.expansion.derivative import partial_derivative
 from gspot_verified.expansion.expressions import Expression
 from gspot_verified.expansion.rings import BALLS
 from gspot_verified.expansion.system import GSpotError
-from gspot_verified.mechanisms.all_zeros import Box, Budget, Zero, ZeroSearch
+from gspot_verified.mechanisms.all_zeros import Budget, Zero, ZeroSearch, clusters
 from gspot_verified.mechanisms.g_spot import (
     DEFAULT_BITS,
     GSpot,
@@ -26,12 +26,14 @@ from gspot_verified.mechanisms.g_spot import (
     shifted_conditions,
 )
 from gspot_verified.mechanisms.g_spot_list import GSpots, Left, Patch, in_words
+from gspot_verified.mechanisms.mass_matrix import check_mass_matrix
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.search_region import Region, fixed_name, search_region
 from gspot_verified.mechanisms.spot_conditions import Stage, TakenApart, take_apart
 from gspot_verified.mechanisms.spot_patch import find_patch
 from gspot_verified.mechanisms.to_system import Shifted, shift, stays
 from gspot_verified.mechanisms.velocity_roots import VelocityRoots
+from gspot_verified.mechanisms.whole_state import WholeState
 
 DEFAULT_BUDGET = 100_000
 """How many boxes are looked at."""
@@ -102,7 +104,7 @@ class _Search:
         kept = [self._state.index(word) for word in box if word in self._state]
         self._apart: TakenApart = take_apart(conditions, len(self._state), kept)
         self._region: Region = search_region(shifted.mechanism, conditions, self._apart, box)
-        self._given = place_in(shifted, BALLS)
+        self._whole = WholeState(self._apart, self._region, place_in(shifted, BALLS), self._state)
         self._left: list[Left] = []
 
     def run(self) -> GSpots:
@@ -192,17 +194,18 @@ class _Search:
 
     def _finish(self, partial: _Partial, spots: list[GSpot], boundary: list[GSpot]) -> None:
         """Prove the solution as a zero of all conditions, and sort it: inside, perhaps inside, outside, or open."""
-        values = dict(partial.values)
-        program = BoxProgram([each.value for each in self._apart.explicit], len(self._state), ())
-        for i in self._apart.free:
-            values[i] = self._given.get(self._state[i], arb(0))
-        for each, value in zip(self._apart.explicit, program.values(self._full(values)), strict=True):
-            values[each.index] = value
-        place = [values[i] for i in range(len(self._state))]
-        if self._region.position(place) == "outside":
+        position = self._region.position(self._whole.state(partial.values, self._whole.any_free()))
+        if position == "outside":
             return
+        place = self._whole.state(partial.values, self._whole.chosen_free())
+        values = dict(enumerate(place))
         if not partial.proved:
             self._leave(values, partial.why)
+            return
+        if position == "boundary" and self._whole.depends_on_free():
+            self._leave(
+                values, "a component with an interval depends on a free one: give that one an interval or fix it"
+            )
             return
         try:
             start = dict(zip(self._state, (value.mid() for value in place), strict=True))
@@ -247,22 +250,24 @@ class _Search:
     def _patch(self, stages: Sequence[Stage], values: Mapping[int, arb]) -> Patch | None:
         functions = [function for stage in stages for function in self._functions(stage)]
         variables = sorted({i for stage in stages for i in stage.variables})
-        return find_patch(self._shifted.mechanism, functions, variables, self._full(values), self._apart)
+        found = find_patch(functions, variables, self._full(values))
+        if found is None:
+            return None
+        everywhere = {**values, **found.parameters, **found.box}
+        if self._region.position(self._whole.state(everywhere, self._whole.any_free())) != "inside":
+            return None
+        place = self._whole.state(everywhere, self._whole.chosen_free())
+        try:
+            with working_bits(64):
+                check_mass_matrix(self._shifted, dict(zip(self._state, place, strict=True)), BALLS)
+        except MechanismError:
+            return None
 
+        def words(sides: Mapping[int, arb]) -> tuple[tuple[str, str], ...]:
+            mechanism, state = self._shifted.mechanism, self._state
+            return tuple((state[i], in_words(mechanism, state[i], side)) for i, side in sides.items())
 
-def clusters(boxes: Sequence[Box]) -> list[Box]:
-    """Boxes that meet are joined to the smallest box around them."""
-    joined: list[Box] = []
-    for box in boxes:
-        while (other := next((old for old in joined if _meet(old, box)), None)) is not None:
-            joined.remove(other)
-            box = tuple(x.union(y) for x, y in zip(box, other, strict=True))
-        joined.append(box)
-    return joined
-
-
-def _meet(left: Box, right: Box) -> bool:
-    return all(x.overlaps(y) for x, y in zip(left, right, strict=True))
+        return Patch(len(found.parameters) + len(self._apart.free), words(found.parameters), words(found.box))
 
 
 def _singular(functions: Sequence[Expression], stage: Stage, state: Sequence[arb]) -> str:

@@ -249,3 +249,18 @@ class ZeroSearch:
         j = weights.index(max(weights))
         widest = widths.index(max(widths))
         return widest if not weights[j] > 0 or widths[widest] > 64 * widths[j] else j
+
+
+def clusters(boxes: Sequence[Box]) -> list[Box]:
+    """Boxes that meet are joined to the smallest box around them."""
+    joined: list[Box] = []
+    for box in boxes:
+        while (other := next((old for old in joined if _meet(old, box)), None)) is not None:
+            joined.remove(other)
+            box = tuple(x.union(y) for x, y in zip(box, other, strict=True))
+        joined.append(box)
+    return joined
+
+
+def _meet(left: Box, right: Box) -> bool:
+    return all(x.overlaps(y) for x, y in zip(left, right, strict=True))

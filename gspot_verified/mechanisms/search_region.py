@@ -68,6 +68,10 @@ class Region:
         lower, upper = self._intervals[index]
         return lower.union(upper)
 
+    def given(self, index: int) -> arb | None:
+        """A ball around the given interval of a component; None where none is given."""
+        return self.side(index) if index in self._given else None
+
     def within_one_period(self, index: int, value: arb) -> arb:
         """The value moved by whole periods towards 0."""
         period = self.period(index)

@@ -5,29 +5,29 @@ Proof page: ``proofs/all_g_spots.md``, section 6. Where the patch is looked for 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 from flint import arb, arb_mat
 
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.expressions import Expression
-from gspot_verified.mechanisms.g_spot_list import Patch, in_words
 from gspot_verified.mechanisms.krawczyk import krawczyk
-from gspot_verified.mechanisms.mechanism import Mechanism
-from gspot_verified.mechanisms.spot_conditions import TakenApart
 
 _STEPS = 40
 _WIDTHS = (-4, -7, -10, -14, -18, -24, -30)
 
 
-def find_patch(
-    mechanism: Mechanism,
-    functions: Sequence[Expression],
-    variables: Sequence[int],
-    place: Sequence[arb],
-    apart: TakenApart,
-) -> Patch | None:
+@dataclass(frozen=True)
+class Graph:
+    """For all values of ``parameters`` (component: interval) exactly one zero has the other components in ``box``."""
+
+    parameters: dict[int, arb]
+    box: dict[int, arb]
+
+
+def find_patch(functions: Sequence[Expression], variables: Sequence[int], place: Sequence[arb]) -> Graph | None:
     """A patch near the place, in the variables; None when none could be proved.
 
     The other components keep the balls that ``place`` gives: the patch holds for each choice of numbers in them.
@@ -38,15 +38,12 @@ def find_patch(
             return None
         point, solved = found
         program = BoxProgram(functions, len(place), solved)
-        parameters = [i for i in variables if i not in solved]
         for width in _WIDTHS:
-            state = list(place)
-            for i in parameters:
-                state[i] = point[i] + arb(0, arb(2) ** width)
+            parameters = {i: point[i] + arb(0, arb(2) ** width) for i in variables if i not in solved}
+            state = [parameters.get(i, side) for i, side in enumerate(place)]
             box = _proved(program, state, [point[i] for i in solved], width)
             if box is not None:
-                values = {**{i: state[i] for i in parameters}, **dict(zip(solved, box, strict=True))}
-                return _patch(mechanism, parameters, solved, values, apart)
+                return Graph(parameters, dict(zip(solved, box, strict=True)))
     return None
 
 
@@ -63,15 +60,6 @@ def _proved(program: BoxProgram, state: Sequence[arb], point: Sequence[arb], wid
         if found is not None:
             return found
     return None
-
-
-def _patch(
-    mechanism: Mechanism, parameters: Sequence[int], solved: Sequence[int], values: Mapping[int, arb], apart: TakenApart
-) -> Patch:
-    def sides(indices: Sequence[int]) -> tuple[tuple[str, str], ...]:
-        return tuple((mechanism.state[i], in_words(mechanism, mechanism.state[i], values[i])) for i in indices)
-
-    return Patch(len(parameters) + len(apart.free), sides(parameters), sides(solved))
 
 
 def _point_near(

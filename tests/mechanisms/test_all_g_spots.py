@@ -366,3 +366,54 @@ def test_results_have_text_and_plain_data() -> None:
     assert len(data["spots"]) == 4
     with pytest.raises(TypeError, match="complete"):
         bool(found)
+
+
+def sloped(surface: str) -> Mechanism:
+    """The rod over a surface Y = surface(X): Y follows from the contact, X is free or not."""
+    return lagrangian(
+        "sloped", ["X", "Y", "w"], [[1, 0, 0], [0, 1, 0], [0, 0, "1/12"]], [0, -1, 0], "X + cos(w)/2",
+        f"Y - sin(w)/2 - {surface}", 2,
+    )  # fmt: skip
+
+
+def test_an_interval_for_a_free_component_never_hides_the_spots() -> None:
+    """X = 5 is as good as X = 0: the spots repeat for every value of the free component."""
+    rod = sloped("0")
+    for box in ({"X": (5, 6)}, {"X": (0, 1), "X_dot": (-3, -2)}, {"X": (7, 7)}):
+        found = find_g_spots(rod, box)
+        assert found.complete
+        assert len(found.spots) == 4
+        assert find_g_spots(rod).free == ("X", "X_dot")
+
+
+def test_an_interval_for_a_component_that_follows_from_a_free_one() -> None:
+    """On Y = X the height follows from X: an interval for it excludes nothing while X is free."""
+    incline = sloped("X/100")
+    everywhere = find_g_spots(incline)
+    assert everywhere.complete
+    assert len(everywhere.spots) == 4
+    far = find_g_spots(incline, {"Y": (50, 51)})
+    assert far.verdict.outcome is not Outcome.REFUTED
+    assert far.spots or far.left
+    both = find_g_spots(incline, {"Y": (50, 51), "X": (0, 1)})
+    assert both.complete
+    assert both.verdict.outcome is Outcome.REFUTED
+
+
+def test_a_patch_lies_in_the_box_and_has_a_positive_definite_mass_matrix() -> None:
+    def sphere(box: dict[str, Any]) -> GSpots:
+        return find_g_spots(polynomial("w^2 + s^2 + r^2 - 1", "w - s^2", ("w", "s", "r")), box)
+
+    inside = sphere({"w": (0, 1), "s": (-1, 1), "r": (0, 1)})
+    assert inside.patch is not None
+    for word, text in (*inside.patch.parameters, *inside.patch.box):
+        if word == "r":
+            assert not text.startswith("[-")
+    assert sphere({"w": (2, 3)}).verdict.outcome is Outcome.REFUTED
+    bad = from_fields(
+        "bad", ["x", "u", "y", "v", "w", "s", "r"], ["u", 0, "v", "s - r", 1, 1, 1], [0, 0, 0, 0, 0, 0, 0],
+        [0, 0, 0, "w^2 + s^2 - 1", 0, 0, 0], "x", "y", 0, fixed=["x", "u"], place={"x": 0, "u": 1},
+    )  # fmt: skip
+    found = find_g_spots(bad, budget=500)
+    assert found.patch is None
+    assert found.verdict.outcome is Outcome.UNDECIDED
