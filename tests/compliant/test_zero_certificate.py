@@ -128,6 +128,21 @@ def test_wrong_ones_are_rejected(name: str, mutation: Any, message: str) -> None
     assert message in str(raised.value)
 
 
+def test_a_column_is_more_than_its_middle() -> None:
+    """At epsilon = 31, tau = 2 the bound is negative at beta = 17/4 and positive at 9/2."""
+    header = lines(GOOD.text())[0]
+    header["statement"] |= {"epsilon": "31", "eta": "5/2"}
+
+    def over(lower: str, upper: str) -> bytes:
+        header["statement"]["beta"] = f"[{lower}, {upper}]"
+        return text_of([header, {"beta": [lower, upper], "pieces": [["dip", "2", "18/7"]]}])
+
+    assert "at β = 17/4, every ε in (0, 31]" in check.check_text(over("17/4", "17/4"))
+    for lower, upper in (("4", "9/2"), ("17/4", "9/2"), ("9/2", "9/2")):
+        with pytest.raises(check.Rejected, match="is not confirmed"):
+            check.check_text(over(lower, upper))
+
+
 def test_a_dip_gives_no_sign() -> None:
     column = check.Column(Fraction(9, 2), Fraction(73, 16), 3, [check.read_piece(["dip", "3/2", "2"])])
     with pytest.raises(check.Rejected, match="a piece dip gives no sign"):
