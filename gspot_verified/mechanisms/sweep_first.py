@@ -18,20 +18,24 @@ from gspot_verified.mechanisms.symbol import Symbol
 def first_spot(mechanism: Mechanism, number: int | None) -> GSpot:
     """The G-spot at the mechanism's place; with ``number``, that one in the list of :func:`find_g_spots`, from 1.
 
-    Where the mechanism names no place and there is one G-spot in all, it is that.
+    Where the mechanism names no place, or none is found there, and there is one G-spot in all, it is that.
 
     :raises GSpotError: none was found or proved there.
     :raises ValueError: there are several and none was chosen, or there is no such number.
     """
     given = dict(mechanism.place.values)
+    wrong = "there is no place of a G-spot"
     if number is None and all(word in given for word in mechanism.state):
-        return find_g_spot(mechanism)
+        try:
+            return find_g_spot(mechanism)
+        except GSpotError as error:
+            wrong = str(error)
     found = find_g_spots(mechanism)
+    if not found.spots:
+        raise GSpotError(f"{wrong}\n{found}")
+    if number is None and (len(found.spots) > 1 or not found.complete):
+        raise ValueError(f"{wrong}: choose one by its number, spot=1\n{found}")
     chosen = 1 if number is None else number
-    if number is None and (len(found.spots) != 1 or not found.complete):
-        raise ValueError(
-            f"there is no place of a G-spot and not exactly one in all: choose by its number, spot=1\n{found}"
-        )
     if type(chosen) is not int or not 1 <= chosen <= len(found.spots):
         raise ValueError(f"spot: expected a number in 1..{len(found.spots)}, got {chosen!r}\n{found}")
     return found.spots[chosen - 1]

@@ -9,6 +9,9 @@ import pytest
 from families import family
 from flint import fmpq
 
+from gspot_verified.expansion.system import GSpotError
+from gspot_verified.mechanisms import sweep_first
+from gspot_verified.mechanisms.g_spot import GSpot
 from gspot_verified.mechanisms.mechanism import Mechanism, Place
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.sweep import sweep
@@ -38,7 +41,7 @@ def test_two_spots_meet_at_the_same_fold(rod: Mechanism) -> None:
 
 
 def test_several_spots_must_be_chosen_from(rod: Mechanism) -> None:
-    with pytest.raises(ValueError, match=r"choose by its number, spot=1(.|\n)*G-spot 4"):
+    with pytest.raises(ValueError, match=r"choose one by its number, spot=1(.|\n)*G-spot 4"):
         sweep(rod, {"mu": "1.4..2:3"})
     for number in (0, 5, True, "1"):
         with pytest.raises(ValueError, match=r"a number in 1\.\.4"):
@@ -54,6 +57,24 @@ def test_the_only_spot_need_not_be_chosen() -> None:
     assert [piece.case for piece in sweep(mechanism, {"k": "-1/4..1/4:4"}).pieces] == ["III"] * 4
     assert result.spot["u"] == "0"
     assert result.warnings[0].startswith("u <= 0 at the G-spot on 4 pieces")
+
+
+def test_where_there_is_none_the_proof_is_in_the_message(rod: Mechanism) -> None:
+    """Below μ = 4/3 the rod has no G-spot: with a place and without."""
+    for mechanism in (shipped_mechanism("genot_brogliato_rod"), rod):
+        with pytest.raises(GSpotError, match=r"refuted: .* has G-spots in the region searched"):
+            sweep(mechanism, {"mu": "1..1.2:3"})
+
+
+def test_where_nothing_is_found_at_the_place_the_only_spot_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(_: Mechanism) -> GSpot:
+        raise GSpotError("nothing found there")
+
+    monkeypatch.setattr(sweep_first, "find_g_spot", fails)
+    result = sweep(family("q - k", "0", "0"), {"k": "-1/4..1/4:2"})
+    assert {piece.case for piece in result.pieces} == {"III"}
+    with pytest.raises(ValueError, match=r"nothing found there: choose one(.|\n)*G-spot 4"):
+        sweep(shipped_mechanism("genot_brogliato_rod"), {"mu": "1.4..2:3"})
 
 
 def test_a_journal_is_of_one_spot(rod: Mechanism, tmp_path: Path) -> None:
