@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
-from gspot_verified.balls import ExactInput
+from gspot_verified.balls import ExactInput, working_bits
 from gspot_verified.expansion.rings import BALLS
 from gspot_verified.expansion.straight_line import StraightLine
 from gspot_verified.mechanisms.all_g_spots import DEFAULT_BUDGET, find_g_spots
 from gspot_verified.mechanisms.classify import Classification, classify_g_spot
 from gspot_verified.mechanisms.critical_friction import CriticalFriction, critical_friction
-from gspot_verified.mechanisms.g_spot import DEFAULT_BITS
+from gspot_verified.mechanisms.g_spot import DEFAULT_BITS, GSpot, find_g_spot
 from gspot_verified.mechanisms.g_spot_list import GSpots
 from gspot_verified.mechanisms.mechanism import Mechanism
 from gspot_verified.mechanisms.to_system import shift
@@ -88,11 +88,29 @@ def classify_all(
     >>> found.exit_code, found.critical.is_below
     (1, True)
     """
-    found = find_g_spots(mechanism, box, bits, budget)
+    found = _with_the_exact_one(find_g_spots(mechanism, box, bits, budget), mechanism, bits)
     spots = tuple(classify_g_spot(spot) for spot in found.spots)
     return AllClassified(
         found, spots, critical_friction(mechanism, bits, _FRICTION_BUDGET), _vary(mechanism, found.free)
     )
+
+
+def _with_the_exact_one(found: GSpots, mechanism: Mechanism, bits: int) -> GSpots:
+    """The list with the rational G-spot that the mechanism names in the place of its enclosure."""
+    if found.left and not found.spots:
+        return found
+    try:
+        named = find_g_spot(mechanism, bits)
+    except ValueError:
+        return found
+    return replace(found, spots=tuple(named if _is_named(spot, named) else spot for spot in found.spots))
+
+
+def _is_named(spot: GSpot, named: GSpot) -> bool:
+    """Whether the box holds the named rational point: then that is the one zero in it, with the same conditions J."""
+    with working_bits(spot.bits):
+        pairs = zip(spot.system.point, named.system.point, strict=True)
+        return named.exact and spot.fixed == named.fixed and all((x - y).contains(0) for x, y in pairs)
 
 
 def _vary(mechanism: Mechanism, free: tuple[str, ...]) -> tuple[tuple[str, tuple[str, ...]], ...]:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from flint import arb, arb_mat
 
+from gspot_verified.balls import add_remainder
 from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.derivative import partial_derivative
 from gspot_verified.expansion.expressions import Expression
@@ -23,7 +24,7 @@ Point = tuple[arb, ...]
 class Roots:
     """All zeros, one in each ball of ``points``; or ``open``: why the balls leave their number open.
 
-    ``near`` is then a place to name: where two zeros meet or nearly meet.
+    ``near`` is then a place that holds all zeros: two meet there, or nearly meet.
     """
 
     points: tuple[Point, ...]
@@ -114,8 +115,10 @@ def quadratic_roots(a: arb, b: arb, c: arb) -> ScalarRoots:
     discriminant = b * b - 4 * a * c
     if discriminant < 0:
         return ScalarRoots(())
+    # Every root lies here: |s + b/(2 a)| = sqrt(discriminant)/(2 |a|).
+    near = add_remainder(-b, discriminant.abs_upper().sqrt()) / (2 * a)
     if not discriminant > 0:
-        return ScalarRoots((), "two roots meet, or nearly meet, or there are none", -b / (2 * a))
+        return ScalarRoots((), "two roots meet, or nearly meet, or there are none", near)
     root = discriminant.sqrt()
     if b > 0 or b < 0:  # no cancellation: the larger root first, the other from the product c/a
         large = -(b + root) / 2 if b > 0 else (root - b) / 2
@@ -125,7 +128,7 @@ def quadratic_roots(a: arb, b: arb, c: arb) -> ScalarRoots:
     if not pair[0] < pair[1]:
         pair.reverse()
     if not pair[0] < pair[1]:
-        return ScalarRoots((), "two roots meet, or nearly meet", -b / (2 * a))
+        return ScalarRoots((), "two roots meet, or nearly meet", near)
     return ScalarRoots(tuple(pair))
 
 

@@ -417,3 +417,19 @@ def test_a_patch_lies_in_the_box_and_has_a_positive_definite_mass_matrix() -> No
     found = find_g_spots(bad, budget=500)
     assert found.patch is None
     assert found.verdict.outcome is Outcome.UNDECIDED
+
+
+@pytest.mark.parametrize(
+    ("mu", "length", "gravity"),
+    [
+        (Fraction(10**6), Fraction(1), Fraction(1)),
+        (Fraction(2), Fraction(10**6), Fraction(1, 10**9)),
+        (Fraction(2), Fraction(1, 10**6), Fraction(10**6)),
+        (CRITICAL + Fraction(1, 10**18), Fraction(1, 999), Fraction(7)),
+    ],
+)
+def test_wide_parameters(mu: Fraction, length: Fraction, gravity: Fraction) -> None:
+    found = find_g_spots(classical_rod(mu, length, gravity))
+    assert found.complete
+    with working_bits(150):
+        assert agree(found, by_formula(mu, length, gravity))

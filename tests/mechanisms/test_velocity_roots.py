@@ -105,3 +105,19 @@ def test_roots_for_a_ball_of_coefficients_hold_those_of_each(inside: int, size: 
         low, high = ends(other[0])
         assert holds(one[0], low)
         assert holds(one[0], high)
+
+
+@pytest.mark.parametrize("distance", [10, 20, 30, 60])
+def test_where_two_roots_are_not_told_apart_the_place_holds_both(distance: int) -> None:
+    """(s - 1)(s - 1 - d) with a coefficient that is known to d only: both roots lie in the place that is named."""
+    gap = Fraction(1, 2**distance)
+    for slack in (gap, gap * gap, Fraction(1, 2**45)):
+        blur = arb(0, arb(to_fmpq(slack)))
+        found = quadratic_roots(arb(1), arb(to_fmpq(-2 - gap)), arb(to_fmpq(1 + gap)) + blur)
+        if found.open is None:
+            assert holds(found.points[0], 1)
+            assert holds(found.points[1], 1 + gap)
+        else:
+            assert found.near is not None
+            assert holds(found.near, 1)
+            assert holds(found.near, 1 + gap)
