@@ -14,6 +14,7 @@ from typing import Any
 
 from gspot_verified.cost.curves import Curve
 from gspot_verified.cost.measure import Contestant, child_environment, machine_load, measure
+from gspot_verified.cost.mechanism_approach import approach_rows
 from gspot_verified.cost.mechanism_models import chain, leg
 from gspot_verified.cost.mechanism_sweep import sweep_rows
 from gspot_verified.cost.rows import Row, Target, table
@@ -67,6 +68,7 @@ def run(full: bool = False, progress: Progress = lambda _: None) -> MechanismCos
     rows = []
     for family in (_searches, _critical, _chains, _commands):
         rows += family(full, repeats, progress)
+    rows += approach_rows(progress)
     rows += sweep_rows(full, progress)
     points = tuple((links, _time(partial(leg, links), repeats)) for links in (2, 3, 4))
     remarks = (

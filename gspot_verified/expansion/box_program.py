@@ -108,7 +108,9 @@ class BoxProgram:
         needed = self._code.needed(names)
         given = [f"{name} = {name[0]}[{name[1:]}]" for name in needed if name[0] in "xc"]
         text = "\n    ".join(["def program(x, c):", *given, *self._code.lines(names), f"return {result}"])
-        space: dict[str, Any] = {"one": arb(1), "zero": arb(0), "square": square, "root": root, "power": power}
+        space: dict[str, Any] = {
+            "one": arb(1), "zero": arb(0), "square": square, "root": root, "power": power, "logarithm": logarithm,
+        }  # fmt: skip
         exec(compile(text, "<box program>", "exec"), space)
         program: Callable[..., Any] = space["program"]
         return program
@@ -136,6 +138,11 @@ def square(value: arb) -> arb:
 def root(value: arb) -> arb:
     """The square root; not finite unless the whole ball is positive."""
     return value.sqrt() if value > 0 else nonfinite()
+
+
+def logarithm(value: arb) -> arb:
+    """The natural logarithm; not finite unless the whole ball is positive."""
+    return value.log() if value > 0 else nonfinite()
 
 
 def power(value: arb, numerator: int, denominator: int) -> arb:

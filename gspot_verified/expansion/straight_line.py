@@ -249,8 +249,6 @@ def _line(name: str, operation: str, operands: tuple[Any, ...]) -> str:
             return f"{name} = {operands[0]}[1]"
         case "exponential":
             return f"{name} = {operands[0]}.exp()"
-        case "logarithm":
-            return f"{name} = {operands[0]}.log()"
         case "power":
             return f"{name} = power({operands[0]}, {int(operands[1].p)}, {int(operands[1].q)})"
     return f"{name} = {operation}({operands[0]})"

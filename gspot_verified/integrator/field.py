@@ -11,11 +11,13 @@ from typing import Any
 from flint import acb, arb, arb_series, fmpq
 
 from gspot_verified.balls import current_bits, nonfinite
-from gspot_verified.expansion.box_program import power, root, square
+from gspot_verified.expansion.box_program import logarithm, power, root, square
 from gspot_verified.expansion.expressions import Expression
 from gspot_verified.expansion.straight_line import StraightLine
 
-_REAL: dict[str, Any] = {"one": arb(1), "zero": arb(0), "square": square, "root": root, "power": power}
+_REAL: dict[str, Any] = {
+    "one": arb(1), "zero": arb(0), "square": square, "root": root, "power": power, "logarithm": logarithm,
+}  # fmt: skip
 
 
 class VectorField:
@@ -142,6 +144,11 @@ def _complex_root(value: acb) -> acb:
     return value.sqrt() if acb(value).real > 0 else acb(nonfinite())
 
 
+def _complex_logarithm(value: acb) -> acb:
+    """The principal logarithm, where it is holomorphic for certain: a ball across its cut would be finite, too."""
+    return value.log() if acb(value).real > 0 else acb(nonfinite())
+
+
 def _complex_power(value: acb, numerator: int, denominator: int) -> acb:
     """The power by the principal logarithm, on the same half plane."""
     return (acb(value).log() * numerator / denominator).exp() if acb(value).real > 0 else acb(nonfinite())
@@ -159,13 +166,19 @@ def _series_root(value: Any) -> Any:
     return value.sqrt() if _start(value) > 0 else nonfinite()
 
 
+def _series_logarithm(value: Any) -> Any:
+    return value.log() if _start(value) > 0 else nonfinite()
+
+
 def _series_power(value: Any, numerator: int, denominator: int) -> Any:
     return (value.log() * (arb(numerator) / denominator)).exp() if _start(value) > 0 else nonfinite()
 
 
 _COMPLEX: dict[str, Any] = {
     "one": acb(1), "zero": acb(0), "square": _complex_square, "root": _complex_root, "power": _complex_power,
+    "logarithm": _complex_logarithm,
 }  # fmt: skip
 _SERIES: dict[str, Any] = {
     "one": arb(1), "zero": arb(0), "square": _complex_square, "root": _series_root, "power": _series_power,
+    "logarithm": _series_logarithm,
 }  # fmt: skip

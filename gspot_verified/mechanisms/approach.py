@@ -11,6 +11,7 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import ExactInput, approximate, ball, ball_text, exact, sign_of, working_bits
 from gspot_verified.expansion.expressions import Constant
+from gspot_verified.expansion.rings import BALLS
 from gspot_verified.integrator.event import Crossing, Unclear, Watch
 from gspot_verified.integrator.integrate import Run, Segment
 from gspot_verified.mechanisms.approach_result import IMPACT, LIFT_OFF, Approach, SlipPath
@@ -18,6 +19,7 @@ from gspot_verified.mechanisms.capture import Capture, capture
 from gspot_verified.mechanisms.classify import case_of, sides_of
 from gspot_verified.mechanisms.deviation_coefficient import coefficient_above_one, coefficient_below_one
 from gspot_verified.mechanisms.krawczyk import krawczyk
+from gspot_verified.mechanisms.mass_matrix import check_mass_matrix
 from gspot_verified.mechanisms.mechanism import Mechanism
 from gspot_verified.mechanisms.slip_flow import SlipFlow, SlipNumbers
 from gspot_verified.mechanisms.slip_state import SlipState, StateError, StateInput, slip_state
@@ -82,6 +84,7 @@ class _Attempt:
         self.start: SlipState = slip_state(shifted, state)
         at = self.numbers.on(self.start.box)
         self._check(at.p, at.b)
+        check_mass_matrix(shifted, dict(zip(self.mechanism.state, self.start.box, strict=True)), BALLS, "at the start")
         if velocity is None and at.u < 0:
             self.surface: arb | None = None
             self.surface_text: str | None = None
@@ -184,6 +187,8 @@ class _Attempt:
                 self.numbers, self.flow.by_p(), marked.states, marked.capture, place, terms, arb(2) ** -disc
             )
         side, why = self._side(case, reason, beta, coefficient)
+        slip = last.capture.numbers.u.lower()
+        self.least_slip = slip if self.least_slip is None else self.least_slip.min(slip)
         return self._made(
             Verdict.proved("slip reaches a G-spot in finite time, with a positive contact force until then"),
             "G-spot", last.states[-1] + last.capture.time * arb((1, -1), (1, -1)), place, case, alphas, beta,
@@ -248,7 +253,7 @@ class _Attempt:
         return Approach(
             self.mechanism.name, self._texts(list(self.start.box)), self.start.solved, verdict, end, time,
             self._texts(place), case if case != "none" else None, alphas, beta, coefficient, side, why,
-            self.least_slip, self.surface_text, self._path(), self.bits,
+            self.least_slip, self.surface_text, self.mechanism.notes, self._path(), self.bits,
         )  # fmt: skip
 
     def _texts(self, values: list[arb]) -> tuple[tuple[str, str], ...]:

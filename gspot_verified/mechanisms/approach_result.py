@@ -37,7 +37,8 @@ class Approach(NoTruthValue):
     ``end`` is "G-spot", "lift-off" or "stick", what is proved to come first; None when it is undecided. ``place`` is
     the G-spot, or the state at the event; ``time`` the time until then. At a G-spot ``case``, ``alphas``, ``beta`` and
     ``coefficient`` (C_1) are what they are there; ``side`` is "lift-off", "impact without collision", or None where it
-    is undecided or the theory says none, and ``side_reason`` says why. ``least_slip`` bounds u on the path from below.
+    is undecided or the theory says none, and ``side_reason`` says why. ``least_slip`` bounds u on the path from below;
+    ``notes`` say how the mechanism was read.
     """
 
     ask: ClassVar[str] = ASK_VERDICT
@@ -57,6 +58,7 @@ class Approach(NoTruthValue):
     side_reason: str
     least_slip: arb | None
     surface_velocity: str | None
+    notes: tuple[str, ...]
     path: SlipPath
     bits: int
 
@@ -87,7 +89,7 @@ class Approach(NoTruthValue):
         if self.end == "G-spot":
             lines.append(f"  side: {self.side or 'undecided'} ({self.side_reason})")
             lines.append(f"  {RESTS_ON}")
-        lines += [f"  {warning}" for warning in self.warnings]
+        lines += [f"  {line}" for line in (*self.notes, *self.warnings)]
         return "\n".join(lines)
 
     @property
@@ -126,6 +128,7 @@ class Approach(NoTruthValue):
             "rests_on": RESTS_ON if self.end == "G-spot" else "proved for rigid slip",
             "surface_velocity": self.surface_velocity,
             "least_slip": text(self.least_slip),
+            "notes": list(self.notes),
             "warnings": list(self.warnings),
             "bits": self.bits,
             "path": {

@@ -18,7 +18,7 @@ from gspot_verified.mechanisms.mechanism import MechanismError
 from gspot_verified.mechanisms.to_system import Shifted
 
 
-def check_mass_matrix(shifted: Shifted, values: Mapping[str, Any], ring: Ring) -> None:
+def check_mass_matrix(shifted: Shifted, values: Mapping[str, Any], ring: Ring, where: str = "at the G-spot") -> None:
     """Checks that the leading minors are certainly positive at the point and the friction coefficient is not negative.
 
     :raises MechanismError: one is not, or not certainly.
@@ -41,21 +41,21 @@ G-spot: its leading minor of size 1 is -1
     *entries, friction = numbers
     matrix = [entries[i * len(rows) : (i + 1) * len(rows)] for i in range(len(rows))]
     if f.mass_matrix is None:
-        _check_positive(f"{name}: no mass matrix gives these fields: at the G-spot A = L_GT u must be positive, it is",
+        _check_positive(f"{name}: no mass matrix gives these fields: {where} A = L_GT u must be positive, it is",
                         matrix[0][0], ring)  # fmt: skip
-        _check_positive(f"{name}: no mass matrix gives these fields: at the G-spot C = L_GN v must be positive, it is",
+        _check_positive(f"{name}: no mass matrix gives these fields: {where} C = L_GN v must be positive, it is",
                         matrix[1][1], ring)  # fmt: skip
     for size, value in enumerate(leading_minors(matrix), start=1):
         _check_positive(
-            f"{name}: no mass matrix gives these fields: at the G-spot A C - B^2 must be positive, it is"
+            f"{name}: no mass matrix gives these fields: {where} A C - B^2 must be positive, it is"
             if f.mass_matrix is None
-            else f"{name}: the mass matrix is not positive definite at the G-spot: its leading minor of size {size} is",
+            else f"{name}: the mass matrix is not positive definite {where}: its leading minor of size {size} is",
             value,
             ring,
         )
     if not friction >= 0:
         shown = ball_text(friction) if ring is BALLS else friction
-        raise MechanismError(f"{name}: the friction coefficient mu must not be negative at the G-spot, it is {shown}")
+        raise MechanismError(f"{name}: the friction coefficient mu must not be negative {where}, it is {shown}")
 
 
 def _check_positive(message: str, value: Any, ring: Ring) -> None:

@@ -9,13 +9,22 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
-from flint import arb, arb_mat, arb_poly, fmpq
+from flint import acb, arb, arb_mat, arb_poly, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 from strategies import ends
 
 from gspot_verified.balls import working_bits
-from gspot_verified.expansion.expressions import Constant, Cosine, Exponential, Expression, Power, Sine, Variable
+from gspot_verified.expansion.expressions import (
+    Constant,
+    Cosine,
+    Exponential,
+    Expression,
+    Logarithm,
+    Power,
+    Sine,
+    Variable,
+)
 from gspot_verified.integrator.error_set import ErrorSet
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.step import Curve, Plan, Step, certified_step
@@ -141,6 +150,20 @@ def line(start: str, h: str, function: Expression) -> Step | None:
             slope = arb(0)
         curve = Curve((arb_poly([at, slope]),), ((arb_poly([1]),),))
         return certified_step(field, curve, [arb(0)], size, Plan((arb(1),), arb("0.05").mid(), 2, 12, 12))
+
+
+def test_a_logarithm_across_its_cut_is_not_holomorphic() -> None:
+    """FLINT's logarithm of a complex ball across the negative axis is finite: Cauchy's estimate would not hold."""
+    field = VectorField([Logarithm(x)])
+    with working_bits(80):
+        assert acb(arb(-1), arb(0, 1)).log().is_finite()
+        for middle, good in (("-1", False), ("0.5", False), ("2", True)):
+            box = [acb(arb(middle, "0.9"), arb(0, "0.9"))]
+            assert field.values_on_complex_box(box)[0].is_finite() is good
+            assert field.on_complex_box(box)[0][0].is_finite() is good
+        assert not field.on_box([arb(1, 2)])[0][0].is_finite()
+        assert line("1", "0.01", Logarithm(x)) is not None
+        assert line("-1", "0.01", Logarithm(x)) is None
 
 
 def test_singular_right_hand_sides() -> None:
