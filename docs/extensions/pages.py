@@ -23,7 +23,7 @@ GROUPS = {
     "The compliant model": ("compliant", "integrator"),
     "Balls, intervals, verdicts, figures": ("balls", "dyadic", "verdict", "report"),
 }
-_TYPESET = ("proofs/", "certified", "rigour", "index", "ten_minutes")
+_TYPESET = ("proofs/", "certified", "rigour", "index", "ten_minutes", "expansions", "theta_and_signs", "compliant")
 _NO_FORMULAS = ("proofs/certificate", "proofs/check")
 
 
