@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 from strategies import to_fmpq
 
 from gspot_verified.balls import working_bits
+from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.mechanisms.all_g_spots import find_g_spots
 from gspot_verified.mechanisms.g_spot import GSpot, find_g_spot
 from gspot_verified.mechanisms.g_spot_list import GSpots
@@ -433,3 +434,48 @@ def test_wide_parameters(mu: Fraction, length: Fraction, gravity: Fraction) -> N
     assert found.complete
     with working_bits(150):
         assert agree(found, by_formula(mu, length, gravity))
+
+
+@pytest.mark.parametrize(
+    ("mu", "height", "fixed"),
+    [
+        ("38/10", "1", {"a1": "-1/5", "a3_dot": "-4/5"}),
+        ("2", "11/5", {"a1": "-93/100", "a2_dot": "1/10"}),
+        ("33/10", "7/5", {"a1": "-69/100", "a1_dot": "-11/5"}),
+    ],
+)
+def test_no_start_of_newtons_method_finds_a_spot_that_is_not_listed(
+    mu: str, height: str, fixed: dict[str, str]
+) -> None:
+    """Two routes to the spots of a leg of three links: the list, and Newton's method in floats from 400 starts."""
+    import random
+
+    import numpy as np
+
+    from gspot_verified.cost.mechanism_models import leg
+    from gspot_verified.mechanisms.all_g_spots import spot_conditions
+    from gspot_verified.mechanisms.to_system import shift
+
+    made = leg(3, height, mu, fixed=list(fixed), place=fixed)
+    found = find_g_spots(made)
+    assert found.complete
+    program = BoxProgram(list(spot_conditions(shift(made)).values()), 6)
+    listed = [[float(value) for value in spot.system.point] for spot in found.spots]
+    hit = set()
+    source = random.Random(1)
+    for _ in range(400):
+        point = np.array([source.uniform(-3.2, 3.2) for _ in range(3)] + [source.uniform(-4, 4) for _ in range(3)])
+        for _ in range(60):
+            values, rows = program.gradients([arb(float(value)) for value in point])
+            matrix = np.array([[float(entry) for entry in row] for row in rows])
+            if not np.all(np.isfinite(matrix)) or abs(np.linalg.det(matrix)) < 1e-12 or np.max(np.abs(point)) > 1e6:
+                break
+            step = np.linalg.solve(matrix, np.array([float(value) for value in values]))
+            point = point - step
+            if np.max(np.abs(step)) < 1e-12:
+                turned = point - 2 * np.pi * np.round(np.array([*point[:3], 0, 0, 0]) / (2 * np.pi))
+                near = [i for i, spot in enumerate(listed) if np.max(np.abs(np.array(spot) - turned)) < 1e-8]
+                assert len(near) == 1, turned
+                hit.update(near)
+                break
+    assert len(hit) >= len(listed) - 2
