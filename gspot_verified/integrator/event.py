@@ -79,14 +79,12 @@ class Watch:
             if not rises:
                 self._rising = None
                 continue
-            start = self._rising
-            if start is None:
-                # g is certainly negative on what lies before, so at the left end; the very first time is checked.
-                if not self.value(segment.states(piece.left)) < 0:
-                    return Unclear(self.name, piece.time(piece.left))
-                start = self._rising = piece
-            if self.value(segment.states(piece.right)) > 0:
-                return self._bracket(start, piece)
+            if self.value(segment.states(piece.left)) < 0:
+                self._rising = piece  # g rises, so what lies before has no zero
+            elif self._rising is None:
+                return Unclear(self.name, piece.time(piece.left))
+            if self._rising is not None and self.value(segment.states(piece.right)) > 0:
+                return self._bracket(self._rising, piece)
         return None
 
     def _pieces(self, segment: Segment, left: arb, right: arb, depth: int) -> Iterator[tuple[_Piece, bool | None]]:

@@ -47,6 +47,17 @@ def test_the_zero_of_the_cosine(bits: int) -> None:
         assert found.states[1].contains(-1)
 
 
+def test_the_bracket_is_narrow_when_g_rises_for_long() -> None:
+    """-x - 1/2 rises on many pieces of many steps before its zero at t = 2 pi/3."""
+    with working_bits(128):
+        found = first(-x - number(1, 2), [arb(1), arb(0)])
+        assert isinstance(found, Crossing)
+        assert found.time.contains(2 * arb.pi() / 3)
+        assert found.time.rad() < 1e-30
+        late = first(-x - number(1, 2), [arb(1), arb(0)], 2)
+        assert late is None
+
+
 def test_the_first_of_many() -> None:
     """sin t = 99/100 twice in each turn: the first time is taken."""
     with working_bits(100):

@@ -166,6 +166,14 @@ def test_slip_and_p_vanish_together() -> None:
     assert "surface's velocity just where p vanishes" in str(found)
 
 
+def test_the_time_of_lift_off_is_known() -> None:
+    """The contact force falls all the way: the bracket is one of a single instant."""
+    steep = shipped_mechanism("frictional impact oscillator", beta="15/2")
+    found = approach(steep, {"phi": "phi_ref + 1/10", "phi_dot": "-9/10"})
+    assert found.end == "lift-off"
+    assert finite(found.time).rad() < 1e-25
+
+
 # The paper's starts, and second routes by mpmath
 
 
