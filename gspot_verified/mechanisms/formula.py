@@ -46,6 +46,7 @@ _TOKEN = re.compile(
     rf"\s*(?:(?P<number>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(?P<name>[{_LETTERS}_][{_LETTERS}0-9_]*)"
     r"|(?P<operator>\*\*|[-+*/^()]))"
 )
+_WORD = re.compile(rf"(?<![{_LETTERS}0-9_.])[{_LETTERS}][{_LETTERS}0-9_]{{0,39}}")
 _NAME = re.compile(rf"[{_LETTERS}][{_LETTERS}0-9_]{{0,39}}")
 _SAME_LETTERS = str.maketrans(
     {
@@ -153,11 +154,18 @@ class _Parser:
             place = match.end()
 
     def _check_name(self, name: str, place: int) -> None:
-        if name not in FUNCTIONS and name != PI and name not in self._names:
+        if not self._known(name):
             known = ", ".join(sorted(self._names)[:30])
             more = ", ..." if len(self._names) > 30 else ""
-            hint = nearest(name, [*self._names, *FUNCTIONS, PI]) + (f"; known here: {known}{more}" if known else "")
+            rest = dict.fromkeys(_WORD.findall(self._text, place + len(name)))
+            others = [word for word in rest if not self._known(word) and word != name][:10]
+            hint = nearest(name, [*self._names, *FUNCTIONS, PI])
+            hint += f"; also unknown: {', '.join(others)}" if others else ""
+            hint += f"; known here: {known}{more}" if known else ""
             self._refuse(f"unknown name {name[:40]!r}", place, hint)
+
+    def _known(self, name: str) -> bool:
+        return name in FUNCTIONS or name == PI or name in self._names
 
     def _refuse(self, problem: str, place: int, hint: str = "") -> NoReturn:
         shown = self._text if len(self._text) <= 60 else self._text[:57] + "..."

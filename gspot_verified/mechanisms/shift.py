@@ -25,6 +25,7 @@ from gspot_verified.mechanisms.simplify import (
 from gspot_verified.mechanisms.symbol import PI, Symbol, symbol_names
 
 _MAX_TURNS = 64
+_MAX_MULTIPLIED_OUT = 64
 
 
 class Preparation:
@@ -66,9 +67,14 @@ class Preparation:
         return rebuilt(node, made)
 
     def _product(self, left: Expression, right: Expression) -> Expression:
-        """The product; a sum in which a bare reference stands is multiplied out, so that the reference may cancel."""
+        """The product; a sum in which a bare reference stands is multiplied out, so that the reference may cancel.
+
+        Not where that gives many terms: such products could double in length with each factor.
+        """
         for one, other in ((left, right), (right, left)):
-            if isinstance(one, Sum) and any(symbol_names([term]) & self._references for term in one.terms):
+            if not isinstance(one, Sum) or len(one.terms) * _length(other) > _MAX_MULTIPLIED_OUT:
+                continue
+            if any(symbol_names([term]) & self._references for term in one.terms):
                 return sum_of(*(self._product(term, other) for term in one.terms))
         return product_of(left, right)
 
@@ -100,6 +106,10 @@ class Preparation:
         if angle is None or factor.q != 1 or abs(factor) > _MAX_TURNS:
             return None
         return _multiple(angle, int(factor.p))
+
+
+def _length(expression: Expression) -> int:
+    return len(expression.terms) if isinstance(expression, Sum) else 1
 
 
 def _multiple(angle: ReferenceAngle, count: int) -> tuple[fmpq, fmpq]:

@@ -304,3 +304,19 @@ def test_other_springs_and_dampers() -> None:
 def test_springs_and_dampers_that_are_refused(springs: dict[str, Any], part: str) -> None:
     with pytest.raises(MechanismError, match=part):
         lagrangian(**ROD, regularisation=springs)
+
+
+def shaken(motion: str) -> Mechanism:
+    """The rod on a surface that shakes: in its frame the weight is -3/5 - motion(t)."""
+    place = ROD["place"] | {"t": 0}
+    return lagrangian(**ROD | {"place": place, "forces": [0, f"-3/5 - {motion}", 0], "time": "t", "fixed": None})
+
+
+def test_forcing_in_time() -> None:
+    """b = y'' without contact holds the forcing: alpha_2 = L_F b loses its rate, -5 here; the others stay."""
+    assert alphas(shaken("(1 - cos(5*t))")) == ALPHA
+    assert alphas(shaken("sin(5*t)")) == [ALPHA[0], ALPHA[1] - 5, ALPHA[2]]
+    spot = find_g_spot(shaken("sin(5*t)"))
+    assert spot.fixed == ("X", "X_dot", "t")
+    check_expansion(spot.system, 6)
+    same_by_sympy(lagrangian(**ROD | {"place": None, "angles": None, "forces": [0, "-3/5 - sin(5*t)", 0], "time": "t"}))

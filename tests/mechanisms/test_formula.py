@@ -183,3 +183,8 @@ def test_a_power_of_a_root_needs_no_absolute_value() -> None:
     assert parse_formula("sqrt(x)^2", NAMES) is NAMES["x"]
     assert parse_formula("sqrt(x^2)", NAMES) is not NAMES["x"]
     assert sympy_formula("sqrt(x^2)", {"x": sympy.Integer(-3)}) == 3
+
+
+def test_all_unknown_names_of_a_formula_are_listed() -> None:
+    with pytest.raises(FormulaError, match=r"unknown name 'k_1' at character 2 .*; also unknown: m, c_2; known here"):
+        parse_formula("-k_1*x - m*sin(phi) + 2*c_2*y*k_1 + m", NAMES)

@@ -9,7 +9,7 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.derivative import ZERO
-from gspot_verified.expansion.expressions import Constant, Variable
+from gspot_verified.expansion.expressions import Constant, Variable, in_order
 from gspot_verified.expansion.rings import BALLS, RATIONALS
 from gspot_verified.mechanisms.formula import parse_formula
 from gspot_verified.mechanisms.given import from_fields
@@ -98,3 +98,11 @@ def test_a_symbol_may_become_a_further_variable() -> None:
     assert found is Variable(2) * Variable(0)
     with pytest.raises(MechanismError, match="k has no value"):
         shifted.expressions([Symbol("k")], BALLS)
+
+
+def test_products_of_sums_with_references_do_not_grow_without_limit() -> None:
+    """Multiplied out they would have 3^50 terms."""
+    product = "*".join(f"(q - {k}*q_ref + w)" for k in range(2, 52))
+    function = prepared(product)
+    assert symbol_names([function]) == {"q_ref"}
+    assert len(in_order([function])) < 5000
