@@ -8,15 +8,15 @@ log (natural), sqrt. Length, depth and powers are limited.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from typing import NoReturn
 
 from flint import fmpq
 
 from gspot_verified.expansion.derivative import ZERO
 from gspot_verified.expansion.expressions import Expression
+from gspot_verified.mechanisms.names import FUNCTIONS, LETTERS, FormulaError, nearest, normal_name
 from gspot_verified.mechanisms.simplify import (
     NumberTooLargeError,
     constant,
@@ -36,31 +36,12 @@ MAX_DEPTH = 50
 MAX_POWER = 64
 MAX_NESTED_FUNCTIONS = 6
 MAX_DIGITS = 100
-FUNCTIONS = ("sin", "cos", "tan", "exp", "sqrt", "log")
 
-_LETTERS = (
-    "A-Za-z\N{GREEK CAPITAL LETTER ALPHA}-\N{GREEK CAPITAL LETTER OMEGA}"
-    "\N{GREEK SMALL LETTER ALPHA}-\N{GREEK SMALL LETTER OMEGA}"
-)
 _TOKEN = re.compile(
-    rf"\s*(?:(?P<number>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(?P<name>[{_LETTERS}_][{_LETTERS}0-9_]*)"
+    rf"\s*(?:(?P<number>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(?P<name>[{LETTERS}_][{LETTERS}0-9_]*)"
     r"|(?P<operator>\*\*|[-+*/^()]))"
 )
-_WORD = re.compile(rf"(?<![{_LETTERS}0-9_.])[{_LETTERS}][{_LETTERS}0-9_]{{0,39}}")
-_NAME = re.compile(rf"[{_LETTERS}][{_LETTERS}0-9_]{{0,39}}")
-_SAME_LETTERS = str.maketrans(
-    {
-        "\N{MINUS SIGN}": "-",
-        "\N{MICRO SIGN}": "\N{GREEK SMALL LETTER MU}",
-        "\N{GREEK PHI SYMBOL}": "\N{GREEK SMALL LETTER PHI}",
-        "\N{GREEK THETA SYMBOL}": "\N{GREEK SMALL LETTER THETA}",
-        "\N{GREEK LUNATE EPSILON SYMBOL}": "\N{GREEK SMALL LETTER EPSILON}",
-    }
-)
-
-
-class FormulaError(ValueError):
-    """The text is no formula; the message shows where."""
+_WORD = re.compile(rf"(?<![{LETTERS}0-9_.])[{LETTERS}][{LETTERS}0-9_]{{0,39}}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,45 +51,6 @@ class _Part:
     value: Expression
     power: int = 1
     functions: int = 0
-
-
-def normal_name(name: str) -> str:
-    """The name with letters that look alike made one: the micro sign is the Greek mu.
-
-    >>> normal_name("\N{MICRO SIGN}") == "\N{GREEK SMALL LETTER MU}"
-    True
-    """
-    return name.translate(_SAME_LETTERS)
-
-
-def check_name(name: str) -> str:
-    """The name itself, if it can stand in a formula.
-
-    :raises FormulaError: it is no name, or it is a function's.
-
-    >>> check_name("theta_dot")
-    'theta_dot'
-    """
-    if not isinstance(name, str) or not _NAME.fullmatch(normal_name(name)):
-        raise FormulaError(
-            f"{str(name)[:50]!r} is no name: Latin or Greek letters, digits and _, a letter first, "
-            "at most 40 characters"
-        )
-    if name in FUNCTIONS:
-        raise FormulaError(f"{name!r} is a function and cannot be a name")
-    if name == PI:
-        raise FormulaError(f"{name!r} is a number and cannot be a name")
-    return normal_name(name)
-
-
-def nearest(name: str, known: Iterable[str]) -> str:
-    """``; did you mean 'theta'?`` for a name that is nearly one of the known names, else nothing.
-
-    >>> nearest("thetta", ["theta", "phi"])
-    "; did you mean 'theta'?"
-    """
-    found = get_close_matches(name[:40], list(known)[:1000], 1)
-    return f"; did you mean {found[0]!r}?" if found else ""
 
 
 def parse_formula(text: str, names: Mapping[str, Expression]) -> Expression:

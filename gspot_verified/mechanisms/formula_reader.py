@@ -9,8 +9,9 @@ from typing import Any
 from gspot_verified.balls import ExactInput
 from gspot_verified.expansion.expressions import Expression, Variable
 from gspot_verified.expansion.regularisation import PAPER, Regularisation
-from gspot_verified.mechanisms.formula import FormulaError, check_name, nearest, normal_name, parse_formula
+from gspot_verified.mechanisms.formula import parse_formula
 from gspot_verified.mechanisms.mechanism import Fields, Mechanism, MechanismError, Place, ReferenceAngle, exact_rational
+from gspot_verified.mechanisms.names import FormulaError, check_name, nearest, normal_name
 from gspot_verified.mechanisms.simplify import constant, negative
 from gspot_verified.mechanisms.symbol import Symbol, count_operations
 

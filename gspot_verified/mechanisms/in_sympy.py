@@ -20,7 +20,8 @@ from gspot_verified.expansion.expressions import (
     Variable,
     in_order,
 )
-from gspot_verified.mechanisms.formula import FormulaError, parse_formula
+from gspot_verified.mechanisms.formula import parse_formula
+from gspot_verified.mechanisms.names import FormulaError
 from gspot_verified.mechanisms.simplify import (
     constant,
     cosine_of,

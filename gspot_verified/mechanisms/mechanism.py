@@ -15,7 +15,7 @@ from flint import fmpq
 from gspot_verified.balls import ExactInput, exact
 from gspot_verified.expansion.expressions import Expression
 from gspot_verified.expansion.regularisation import PAPER, Regularisation
-from gspot_verified.mechanisms.formula import nearest
+from gspot_verified.mechanisms.names import nearest
 from gspot_verified.mechanisms.rewriting import replaced
 from gspot_verified.mechanisms.simplify import NumberTooLargeError, constant
 from gspot_verified.mechanisms.symbol import Symbol, symbol_names

@@ -8,8 +8,8 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from gspot_verified.mechanisms.formula import nearest
 from gspot_verified.mechanisms.mechanism import MechanismError
+from gspot_verified.mechanisms.names import nearest
 
 MAX_DIGITS = 100
 MAX_EXPONENT = 100

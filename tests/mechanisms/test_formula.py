@@ -9,8 +9,9 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gspot_verified.mechanisms.formula import FormulaError, check_name, parse_formula
+from gspot_verified.mechanisms.formula import parse_formula
 from gspot_verified.mechanisms.in_sympy import sympy_formula, to_sympy
+from gspot_verified.mechanisms.names import FormulaError, check_name
 from gspot_verified.mechanisms.symbol import Symbol, symbol_names
 
 NAMES = {name: Symbol(name) for name in ("x", "y", "phi")}

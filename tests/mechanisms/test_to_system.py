@@ -14,10 +14,10 @@ from gspot_verified.expansion.expressions import Constant, Expression, Power, Va
 from gspot_verified.expansion.power_series import SeriesOfFunctions
 from gspot_verified.expansion.rings import BALLS, RATIONALS
 from gspot_verified.expansion.terms import NumberTerms
-from gspot_verified.mechanisms.formula import FormulaError
 from gspot_verified.mechanisms.given import from_fields
 from gspot_verified.mechanisms.in_sympy import from_sympy, to_sympy
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.names import FormulaError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.symbol import Symbol
 from gspot_verified.mechanisms.to_system import NotRationalError, Shifted, shift, to_system
