@@ -65,7 +65,7 @@ def parse_formula(text: str, names: Mapping[str, Expression]) -> Expression:
     >>> parse_formula("__import__('os')", {})
     Traceback (most recent call last):
     ...
-    gspot_verified.mechanisms.formula.FormulaError: unknown name '__import__' at character 1 of "__import__('os')"
+    gspot_verified.mechanisms.names.FormulaError: unknown name '__import__' at character 1 of "__import__('os')"
     """
     if not isinstance(text, str):
         raise TypeError(f"a formula must be a text, got {type(text).__name__}")
