@@ -1,6 +1,6 @@
 """The set of states at one time: a midpoint, and errors in coordinates that turn with the flow (Lohner's method).
 
-Proof page: ``proofs/validated_step.md``, Theorem 4.
+Proof page: ``proofs/validated_step.md``, Theorem V4.
 """
 
 from __future__ import annotations

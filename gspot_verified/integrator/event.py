@@ -1,6 +1,6 @@
 """The first time at which a function of the state rises through zero, in a bracket, with the sign of its derivative.
 
-Proof page: ``proofs/validated_step.md``, Theorem 5.
+Proof page: ``proofs/validated_step.md``, Theorem V5.
 """
 
 from __future__ import annotations

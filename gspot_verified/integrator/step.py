@@ -1,6 +1,6 @@
 """One validated step: where the solutions from a box are, and their derivatives with respect to the initial value.
 
-Proof page: ``proofs/validated_step.md``, Theorems 1 to 3.
+Proof page: ``proofs/validated_step.md``, Theorems V1 to V3.
 """
 
 from __future__ import annotations
@@ -88,7 +88,7 @@ def certified_step(field: VectorField, curve: Curve, radius: Sequence[arb], h: a
     box = _tube(curve, plan)
     growth = _growth(field, box, h, plan)
     start = _norm([abs(r) for r in radius], w)
-    # Theorem 1: the deviation is below growth * (start + defect) as long as it is below the tube's radius.
+    # Theorem V1: the deviation is below growth * (start + defect) as long as it is below the tube's radius.
     reach = growth * (start + defect)
     if not (reach.is_finite() and reach < plan.tube):
         return None
@@ -198,7 +198,7 @@ def _flow(
     growth: arb,
     plan: Plan,
 ) -> arb_mat:
-    """Theorem 2: enclosures of the derivatives at τ = 1 with respect to the initial value."""
+    """Theorem V2: enclosures of the derivatives at τ = 1 with respect to the initial value."""
     size = field.dimension
     length = plan.flow_length
     with series_length(length):

@@ -1,6 +1,6 @@
 """Whether slip from a box of states certainly ends at a G-spot, in finite time and without losing contact.
 
-Proof page: ``proofs/approach.md``, Theorem 1.
+Proof page: ``proofs/approach.md``, Theorem A1.
 """
 
 from __future__ import annotations

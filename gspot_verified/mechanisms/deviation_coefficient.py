@@ -1,6 +1,6 @@
 """C_1 of a trajectory: the coefficient of (-t)^β in its deviation from the distinguished trajectory of its G-spot.
 
-Proof page: ``proofs/approach.md``, Theorems 2 (β > 1) and 4 (β < 1).
+Proof page: ``proofs/approach.md``, Theorems A2 (β > 1) and A4 (β < 1).
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """The distinguished trajectory of rigid slip through a G-spot, as a Taylor polynomial in p with a bounded rest.
 
-Proof page: ``proofs/approach.md``, Theorem 3.
+Proof page: ``proofs/approach.md``, Theorem A3.
 """
 
 from __future__ import annotations
@@ -85,7 +85,7 @@ def _term(series: arb_series, k: int) -> arb:
 
 
 def force_at(field: VectorField, found: Distinguished, p: arb, disc: arb, region: Region) -> arb | None:
-    """λ on the distinguished trajectory at p, 0 < p < disc, or None when a hypothesis of Theorem 3 is not certain.
+    """λ on the distinguished trajectory at p, 0 < p < disc, or None when a hypothesis of Theorem A3 is not certain.
 
     ``region`` must hold the trajectory for all smaller p.
     """

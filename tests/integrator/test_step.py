@@ -178,7 +178,7 @@ def test_singular_right_hand_sides() -> None:
 
 @given(st.integers(0, 2**32 - 1))
 def test_lohners_set_contains_the_images(seed: int) -> None:
-    """Theorem 4 on a step whose flow is a known matrix: points of the set go to points of the new set."""
+    """Theorem V4 on a step whose flow is a known matrix: points of the set go to points of the new set."""
     import random
 
     chance = random.Random(seed)

@@ -1,4 +1,4 @@
-"""Theorem 3 of the page: λ on the distinguished trajectory against the paper's expansion, and hypotheses that fail.
+"""Theorem A3 of the page: λ on the distinguished trajectory against the paper's expansion, and hypotheses that fail.
 
 Page: proofs/approach.md.
 """
