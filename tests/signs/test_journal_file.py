@@ -1,0 +1,52 @@
+"""The file under a journal: whole lines stay, a line that a kill cut short goes, a question has a file of its own."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from gspot_verified.signs.journal_file import JournalFile
+
+QUESTION = {"kind": "test", "over": ["0", "1"]}
+
+
+def test_what_is_added_is_there_again(tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    first = JournalFile(path, QUESTION)
+    assert first.lines == []
+    first.add([1, {"a": "1/3"}])
+    assert [json.loads(line) for line in JournalFile(path, QUESTION).lines] == [[1, {"a": "1/3"}]]
+
+
+@pytest.mark.parametrize("cut", range(1, 12))
+def test_a_line_that_was_cut_short_is_dropped_and_written_again(tmp_path: Path, cut: int) -> None:
+    path = tmp_path / "journal"
+    journal = JournalFile(path, QUESTION)
+    journal.add([1, "first"])
+    whole = path.read_bytes()
+    journal.add([2, "other"])
+    path.write_bytes(path.read_bytes()[:-cut])
+    again = JournalFile(path, QUESTION)
+    assert path.read_bytes() == whole
+    again.add([3, "third"])
+    assert [json.loads(line) for line in JournalFile(path, QUESTION).lines] == [[1, "first"], [3, "third"]]
+
+
+def test_a_header_that_was_cut_short_is_completed(tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    JournalFile(path, QUESTION)
+    header = path.read_bytes()
+    path.write_bytes(header[:-5])
+    assert JournalFile(path, QUESTION).lines == []
+    assert path.read_bytes() == header
+
+
+@pytest.mark.parametrize("content", [b"something else\n", b'{"journal": {"kind": "other"}}\n', b"x", b"\xff\xfe\n"])
+def test_other_files_are_left_alone(tmp_path: Path, content: bytes) -> None:
+    path = tmp_path / "journal"
+    path.write_bytes(content)
+    with pytest.raises(ValueError, match="not a journal of this question"):
+        JournalFile(path, QUESTION)
+    assert path.read_bytes() == content
