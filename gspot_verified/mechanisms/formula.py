@@ -62,10 +62,10 @@ def parse_formula(text: str, names: Mapping[str, Expression]) -> Expression:
     >>> from gspot_verified.expansion.expressions import Variable
     >>> parse_formula("x^2 - x*x + 0.1", {"x": Variable(0)})
     Constant(value=1/10)
-    >>> parse_formula("__import__('os')", {})
+    >>> parse_formula("exec(1)", {})
     Traceback (most recent call last):
     ...
-    gspot_verified.mechanisms.names.FormulaError: unknown name '__import__' at character 1 of "__import__('os')"
+    gspot_verified.mechanisms.names.FormulaError: unknown name 'exec' at character 1 of "exec(1)"
     """
     if not isinstance(text, str):
         raise TypeError(f"a formula must be a text, got {type(text).__name__}")
