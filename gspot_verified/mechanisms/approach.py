@@ -59,7 +59,8 @@ def approach(
     for bits in _PRECISIONS:
         with working_bits(bits):
             found = _Attempt(shifted, state, velocity, bits, max_steps).result()
-        if found.exit_code == 0 or not found.path.time:
+        known = found.coefficient is not None and sign_of(found.coefficient) in (1, -1)
+        if found.exit_code == 0 or known:  # more bits would not say more
             return found
     return found
 

@@ -13,6 +13,9 @@ from typing import Any
 import mpmath
 import pytest
 from flint import arb, fmpq
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import to_fmpq
 
 from gspot_verified.balls import working_bits
 from gspot_verified.mechanisms.approach import approach
@@ -91,6 +94,29 @@ def test_the_model_in_closed_form(alphas: tuple[str, str, str], p: str, b: str, 
         lifts = (1 if exact > 0 else -1) == -(gamma_sign(beta) or 0)
         assert found.side == (LIFT_OFF if lifts else IMPACT)
     assert found.exit_code == 0
+
+
+@settings(max_examples=6, deadline=None)
+@given(
+    st.fractions(Fraction(11, 10), 5, max_denominator=12).filter(lambda beta: beta.denominator > 1),
+    st.fractions(Fraction(1, 4), 3, max_denominator=8),
+    st.fractions(Fraction(1, 8), Fraction(3, 4), max_denominator=16),
+    st.fractions(Fraction(1, 8), 4, max_denominator=16),
+)
+def test_the_model_at_random(beta: Fraction, rate: Fraction, p: Fraction, ratio: Fraction) -> None:
+    """b is a multiple of b_bar: one side or the other, and C_1 in closed form."""
+    mechanism = MODEL.with_parameters(alpha_1=-rate, alpha_2=-1, alpha_3=-beta * rate)
+    middle = -p / (rate * (beta - 1))
+    found = approach(mechanism, {"x": 0, "u": 10**6, "p": p, "b": middle * ratio})
+    assert found.end == "G-spot"
+    with working_bits(600):
+        factor = (arb(to_fmpq(rate)) / to_fmpq(p)) ** arb(to_fmpq(beta))
+        assert finite(found.coefficient).contains(arb(to_fmpq(middle * (ratio - 1))) * factor)
+    if ratio == 1:
+        assert found.side is None
+    else:
+        sign = 1 if ratio < 1 else -1
+        assert found.side == (IMPACT if sign == gamma_sign(to_fmpq(beta)) else LIFT_OFF)
 
 
 def test_lift_off_in_case_two_in_closed_form() -> None:
