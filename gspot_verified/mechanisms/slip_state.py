@@ -64,7 +64,10 @@ def slip_state(shifted: Shifted, state: StateInput) -> SlipState:
     box = _values(shifted, state, missing)
     program = BoxProgram(shifted.expressions([shifted.functions.y, shifted.functions.v], BALLS), len(box))
     if missing:
-        return SlipState(_solved(mechanism, program, box, missing), tuple(missing))
+        found = _solved(mechanism, program, box, missing)
+        _check_constraints(shifted, found)
+        return SlipState(found, tuple(missing))
+    _check_constraints(shifted, box)
     y, v = program.values(box)
     for name, value in (("y", y), ("v", v)):
         if not value.contains(0) or not value.is_finite():
@@ -73,6 +76,18 @@ def slip_state(shifted: Shifted, state: StateInput) -> SlipState:
                 "leave out two components that y = 0 and v = 0 determine"
             )
     return SlipState(tuple(box), ())
+
+
+def _check_constraints(shifted: Shifted, box: Sequence[arb]) -> None:
+    """A state off a constraint of the mechanism is none of its states, though the equations of motion hold there."""
+    if not shifted.constraints:
+        return
+    program = BoxProgram(shifted.expressions(shifted.constraints, BALLS), len(box))
+    for i, value in enumerate(program.values(list(box))):
+        if not value.contains(0) or not value.is_finite():
+            count = len(shifted.constraints) // 2
+            what = f"constraint {i + 1}" if i < count else f"the rate of constraint {i + 1 - count}"
+            raise StateError(f"{shifted.mechanism.name}: {what} must be 0 in the state, it is {ball_text(value)}")
 
 
 def _values(shifted: Shifted, state: StateInput, missing: Sequence[str]) -> list[arb]:

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 from flint import fmpq
 
+from gspot_verified.balls import working_bits
 from gspot_verified.expansion.recursion import Recursion
 from gspot_verified.expansion.system import GSpotError
 from gspot_verified.mechanisms.classify import classify
@@ -24,6 +25,7 @@ from gspot_verified.mechanisms.lie_derivatives import (
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.simplify import minus, rational_value
+from gspot_verified.mechanisms.slip_state import StateError, slip_state
 from gspot_verified.mechanisms.to_system import shift
 from gspot_verified.testing import check_expansion
 
@@ -320,3 +322,18 @@ def test_forcing_in_time() -> None:
     assert spot.fixed == ("X", "X_dot", "t")
     check_expansion(spot.system, 6)
     same_by_sympy(lagrangian(**ROD | {"place": None, "angles": None, "forces": [0, "-3/5 - sin(5*t)", 0], "time": "t"}))
+
+
+@pytest.mark.parametrize(
+    ("change", "part"), [({"W": 2}, "constraint 1 must be 0"), ({"W_dot": 1}, "the rate of constraint 1 must be 0")]
+)
+def test_a_state_off_a_constraint_is_refused(change: dict[str, Any], part: str) -> None:
+    place = ROD["place"] | {"W": 1, "W_dot": 2}
+    shifted = shift(lagrangian(**SPLIT | {"place": place}))
+    state = {word: value for word, value in place.items() if word not in ("Y", "Y_dot")}
+    with working_bits(100):
+        assert slip_state(shifted, place).solved == ()
+        assert slip_state(shifted, state).solved == ("Y", "Y_dot")
+        for given in (place, state):
+            with pytest.raises(StateError, match=part):
+                slip_state(shifted, given | change)
