@@ -45,12 +45,13 @@ print(side_switching(1, 5))
 # ## Pictures
 #
 # `plot` draws a result, a mechanism, or a figure by its name; `plot(subject, "file.svg")` writes it as PNG, PDF or SVG.
-# Here is the slip of the oscillator next to its G-spot:
+# Here is the slip of the oscillator next to its G-spot, with
+# one of the paper's starts (violet): it stays above the distinguished trajectory, C₁ > 0, the side that lifts off.
 
 # %%
 from gspot_verified import plot
 
-plot(oscillator)
+plot(oscillator, state={"phi": "phi_ref + 1/10", "phi_dot": "-9/10"})
 
 # %% [markdown]
 # What the inner scale predicts for the compliant model, and what the model does:

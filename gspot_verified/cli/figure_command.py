@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gspot_verified.cli.app import app, progress
+from gspot_verified.cli.approach_output import components
 from gspot_verified.cli.load import load_with_settings
 from gspot_verified.cli.output import PICTURES, Outputs
 
@@ -24,6 +25,9 @@ def figure(
     output: Annotated[Path, typer.Argument(help="The file: PNG, PDF or SVG by its suffix.")],
     mechanism: Annotated[str, typer.Option(help="phase-plane: a TOML file or a name.")] = "oscillator",
     settings: Annotated[list[str] | None, typer.Option("--set", help='phase-plane: a parameter, "mu=2".')] = None,
+    start: Annotated[
+        str | None, typer.Option("--from", help='phase-plane: a state of one\'s own, "phi=1/10,phi_dot=-9/10".')
+    ] = None,
     beta: Annotated[str, typer.Option(help="b-hat, contact-force: β.")] = "7/3",
     epsilon: Annotated[str, typer.Option("--eps", help="contact-force: ε.")] = "1/1000",
 ) -> None:
@@ -38,17 +42,20 @@ def figure(
         raise ValueError(f"name: expected one of {', '.join(NAMES)}, got {name!r}")
     outputs = Outputs()
     outputs.file("output", output, PICTURES)
-    drawn = _drawn(name, mechanism, settings, beta, epsilon)
+    drawn = _drawn(name, mechanism, settings, start, beta, epsilon)
     typer.echo(f"{drawn.title}\n{drawn.caption}")
     outputs.write("output", output, lambda: drawn.save(output))
     outputs.leave(0)
 
 
-def _drawn(name: str, mechanism: str, settings: list[str] | None, beta: str, epsilon: str) -> Picture:
+def _drawn(
+    name: str, mechanism: str, settings: list[str] | None, start: str | None, beta: str, epsilon: str
+) -> Picture:
     from gspot_verified.report.plot import plot
 
     if name == "phase-plane":
-        return plot(load_with_settings(mechanism, settings))
+        state = None if start is None else components(start)
+        return plot(load_with_settings(mechanism, settings), state=state)
     if name == "contact-force":
         from gspot_verified.compliant.iwc import iwc
 

@@ -8,19 +8,22 @@ balls cut to their midpoints, without any bound: they show, they prove nothing. 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from flint import arb, arb_mat, fmpq
 
-from gspot_verified.balls import ExactInput, ball, exact, working_bits
+from gspot_verified.balls import ball, working_bits
 from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.trajectory import Trajectory
+from gspot_verified.mechanisms.approach import approach
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.g_spot import GSpot, find_g_spot
 from gspot_verified.mechanisms.mechanism import Mechanism
+from gspot_verified.mechanisms.slip_state import StateInput
 from gspot_verified.report.canvas import BLUE, GREEN, INK, ORANGE, PURPLE, Picture, canvas, picture, styled
 
+_OWN = " The given start: middles of enclosures at certified points of its path; lines between them are only drawn."
 _BITS = 80
 _ORDER = 13
 _STEPS = 220
@@ -107,45 +110,38 @@ def _moved(state: Sequence[arb], slope: Sequence[arb], step: arb) -> list[arb]:
     return [(value + step * rate).mid() for value, rate in zip(state, slope, strict=True)]
 
 
-def phase_plane(mechanism: Mechanism, state: Mapping[str, ExactInput] | None = None) -> PhasePlane:
-    """The runs of the picture; ``state`` is a start of the user's own, by the names of the components.
+def phase_plane(mechanism: Mechanism, state: StateInput | None = None) -> PhasePlane:
+    """The runs of the picture; ``state`` is a start of the user's own, as for :func:`mechanisms.approach.approach`.
 
     :raises GSpotError: the mechanism has no G-spot there.
-    :raises ValueError: a component of ``state`` is missing, p is not positive there, or no start was found.
+    :raises ValueError: ``state`` is no start (see there), or no states in contact were found next to the G-spot.
     """
     spot = find_g_spot(mechanism, _BITS)
+    own = () if state is None else _path(mechanism, state)
     with working_bits(_BITS):
         system = spot.system
         first, second, third = (ball(value).mid() for value in system.check())
         slope = (second / (first - third)).mid()
         slip = RigidSlip(spot)
         span = _REACH / min(float(abs(first)), float(abs(third)))
-        own = () if state is None else slip.run(_own_start(slip, spot, state), span)
         reach = arb(abs(own[0][0])) if own else arb(fmpq(1, 4))
         for _ in range(_SHRINKS):
             width = arb(max(2 * abs(float(slope)), 1.0)) * reach
             starts = [slip.state_at(reach, (-ball(k) * width).mid()) for k in _STARTS]
             if all(start is not None for start in starts):
                 runs = tuple(_in_contact(slip.run(start, span)) for start in starts if start is not None)
-                straight = _distinguished(slip, expand(mechanism, _ORDER), float(reach))
+                window = max(float(reach), *(p for p, _ in own), 0.0) if own else float(reach)
+                straight = _distinguished(slip, expand(mechanism, _ORDER), window)
                 alphas = (float(first), float(second), float(third))
-                return PhasePlane(mechanism.name, alphas, float(slope), float(reach), runs, straight, own)
+                return PhasePlane(mechanism.name, alphas, float(slope), window, runs, straight, own)
             reach = reach / 2
     raise ValueError(f"{mechanism.name}: no states in contact were found next to the G-spot")
 
 
-def _own_start(slip: RigidSlip, spot: GSpot, state: Mapping[str, ExactInput]) -> list[arb]:
-    names = spot.mechanism.state
-    unknown, missing = set(state) - set(names), set(names) - set(state)
-    if unknown or missing:
-        words = f"unknown: {', '.join(sorted(unknown))}; " if unknown else ""
-        raise ValueError(f"state: {words}needed: {', '.join(names)}")
-    if any(angle.coordinate in names for angle in spot.mechanism.angles):
-        raise ValueError("state: not with reference angles ([angles] of the file)")
-    start = [ball(exact(state[name], name)).mid() for name in names]
-    if slip.place(start)[0] <= 0:
-        raise ValueError("state: p must be positive there")
-    return start
+def _path(mechanism: Mechanism, state: StateInput) -> Run:
+    """Middles of the enclosures of (p, b) along the validated path."""
+    path = approach(mechanism, state).path
+    return tuple((float(p.mid()), float(b.mid())) for p, b in zip(path.p, path.b, strict=True))
 
 
 def _in_contact(run: Run) -> Run:
@@ -167,7 +163,7 @@ def _distinguished(slip: RigidSlip, trajectory: Trajectory, reach: float) -> Run
     return ((0.0, 0.0), *(point for point in run if point[0] <= 1.05 * reach))
 
 
-def phase_plane_picture(mechanism: Mechanism, state: Mapping[str, ExactInput] | None = None) -> Picture:
+def phase_plane_picture(mechanism: Mechanism, state: StateInput | None = None) -> Picture:
     """The phase plane as a figure with its caption; arguments and errors as for :func:`phase_plane`."""
     plane = phase_plane(mechanism, state)
     return styled(lambda: _draw(plane))()
@@ -189,7 +185,7 @@ def _draw(plane: PhasePlane) -> Picture:
     axes.axvline(0, color=INK, linewidth=1.0, linestyle=":", label="eigen-direction, α₃ (p = 0)")
     axes.plot(*zip(*plane.distinguished, strict=True), color=GREEN, linewidth=2.4, label="distinguished trajectory")
     if plane.own:
-        axes.plot(*zip(*plane.own, strict=True), color=PURPLE, linewidth=2, label="the given start, a float run")
+        axes.plot(*zip(*plane.own, strict=True), color=PURPLE, linewidth=2, label="the given start, certified points")
         axes.plot(*plane.own[0], "s", color=PURPLE, markersize=5)
     axes.plot(0, 0, "o", color=INK, markersize=6, zorder=6)
     axes.annotate("G-spot", (0, 0), xytext=(6, 6), textcoords="offset points")
@@ -201,7 +197,8 @@ def _draw(plane: PhasePlane) -> Picture:
         "phase-plane",
         f"Slip next to the G-spot: {plane.name}",
         "Motion is to the left: p falls to 0. The eigen-directions are those of the proved G-spot. The thick curve "
-        "begins with Theorem 1's expansion at ε = 0, next to the G-spot, and goes on as a float run backwards. All "
-        "other curves are float runs of rigid slip, up to lift-off, b = 0: they show, they prove nothing.",
+        "begins with Theorem 1's expansion at ε = 0, next to the G-spot, and goes on as a float run backwards. The "
+        "thin curves are float runs of rigid slip, up to lift-off, b = 0: they show, they prove nothing."
+        + (_OWN if plane.own else ""),
         "Curves that flow into the origin, along one straight direction or along the vertical axis.",
     )

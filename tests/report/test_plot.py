@@ -85,18 +85,19 @@ def test_runs_flow_into_the_g_spot_and_the_expansion_is_a_run() -> None:
 
 
 def test_a_start_of_one_s_own() -> None:
-    rod = load("genot_brogliato_rod")
-    spot = find_g_spot(rod, 80)
+    """The paper's start of the oscillator, on the side that lifts off: its curve ends in the G-spot."""
+    plane = phase_plane(load("oscillator"), {"phi": "phi_ref + 1/10", "phi_dot": "-9/10"})
+    assert plane.own[0][0] == pytest.approx(plane.reach)
+    assert math.hypot(*plane.own[-1]) < 1e-6
+    assert len(plane.own) > 20
+    with pytest.raises(ValueError, match="spin"):
+        phase_plane(load("oscillator"), {"spin": 0})
+
+
+def test_a_state_in_contact_has_the_p_and_b_that_were_asked() -> None:
+    spot = find_g_spot(load("genot_brogliato_rod"), 80)
     with working_bits(80):
-        state = RigidSlip(spot).state_at(arb("0.1"), arb("-0.2"))
+        slip = RigidSlip(spot)
+        state = slip.state_at(arb("0.1"), arb("-0.2"))
         assert state is not None
-        floats = {name: float(value.mid()) for name, value in zip(rod.state, state, strict=True)}
-    exact = {name: fmpq(*value.as_integer_ratio()) for name, value in floats.items()}
-    plane = phase_plane(rod, exact)
-    assert plane.own[0] == pytest.approx((0.1, -0.2), abs=1e-9)
-    with pytest.raises(ValueError, match="unknown: spin; needed: X, Y"):
-        phase_plane(rod, {**exact, "spin": 0})
-    with pytest.raises(ValueError, match="needed: X, Y"):
-        phase_plane(rod, {"X": 0})
-    with pytest.raises(ValueError, match="reference angles"):
-        phase_plane(load("rod"), dict.fromkeys(load("rod").state, 0))
+        assert slip.place(state) == pytest.approx((0.1, -0.2), abs=1e-12)
