@@ -8,6 +8,7 @@ by a number. Short sums inside sums are opened; long ones stay, so that shared p
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from math import isqrt
 
 from flint import fmpq
 
@@ -211,9 +212,10 @@ def _number_power(number: fmpq, exponent: fmpq) -> Expression:
     if exponent.q == 1:
         return constant(number ** int(exponent.p))
     if exponent.q == 2 and number > 0:
-        roots = [part.sqrtrem() for part in (number.p, number.q)]
-        if all(remainder == 0 for _, remainder in roots):
-            return constant(fmpq(roots[0][0], roots[1][0]) ** int(exponent.p))
+        parts = [int(number.p), int(number.q)]
+        roots = [isqrt(part) for part in parts]
+        if all(root * root == part for root, part in zip(roots, parts, strict=True)):
+            return constant(fmpq(roots[0], roots[1]) ** int(exponent.p))
     return Power(constant(number), exponent)
 
 
