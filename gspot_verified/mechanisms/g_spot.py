@@ -225,8 +225,6 @@ def _proved(shifted: Shifted, bits: int) -> GSpot:
     name = shifted.mechanism.name
     try:
         start = place_in(shifted, BALLS)
-    except ZeroDivisionError:
-        raise GSpotError(degenerate(name, "during the search")) from None
     except (GSpotError, MechanismError):
         raise
     except ValueError as error:

@@ -7,15 +7,20 @@ import sys
 from typing import Any
 
 import pytest
-from flint import arb, fmpq
+from flint import arb, fmpq, fmpq_mat
+from hypothesis import given
+from hypothesis import strategies as st
 
 from gspot_verified.balls import working_bits
+from gspot_verified.expansion.expressions import Expression, Variable
 from gspot_verified.expansion.recursion import Recursion
-from gspot_verified.expansion.system import GSpotError
-from gspot_verified.mechanisms.g_spot import find_g_spot
+from gspot_verified.expansion.system import GSpotError, System
+from gspot_verified.mechanisms.g_spot import _choose_fixed, find_g_spot
 from gspot_verified.mechanisms.given import from_fields, lagrangian
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.newton import NotFoundError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.simplify import constant, product_of, sum_of
 from gspot_verified.mechanisms.symbolic import symbolic_system
 
 
@@ -148,6 +153,7 @@ def test_a_search_finds_the_exact_one_and_proves_it() -> None:
         found = find_g_spot(near, bits)
         assert not found.exact
         assert found.fixed == ("X", "X_dot")
+        assert found.bits >= bits
         with working_bits(bits + 40):
             for ball, number in zip(found.system.point, exact.system.point, strict=True):
                 assert holds(ball, number)
@@ -213,6 +219,85 @@ def test_symbols_give_the_papers_example() -> None:
 def test_a_point_that_is_no_g_spot_for_all_parameters() -> None:
     with pytest.raises(GSpotError, match="not a G-spot for all parameters: p = "):
         symbolic_system(shipped_mechanism("oscillator", mu=None))
+
+
+def with_slider(mass: int, place: dict[str, Any], **options: Any) -> Mechanism:
+    """The rod, half of its mass along X on a slider W of its own, which a constraint may tie to it."""
+    tied = "constraints" in options
+    return lagrangian(
+        "rod", ["X", "Y", "theta", "W"],
+        [["1/2" if tied else 1, 0, 0, 0], [0, 1, 0, 0], [0, 0, "1/3", 0], [0, 0, 0, "1/2" if tied else mass]],
+        [0, "-3/5", 0, 0], "X + cos(theta)", "Y - sin(theta)", "73/36", {}, {"theta": ("3/5", "4/5")},
+        SPOT | {"W": 1, "W_dot": 2} | place, **options,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("search", [False, True])
+def test_a_constraint_and_its_rate_come_before_the_fixed_components(search: bool) -> None:
+    start = {"X": "1/50"} if search else {}  # the constraint does not hold there
+    found = find_g_spot(with_slider(1, start, constraints=["W - X - 1"], search=search))
+    assert (found.exact, found.fixed, len(found.system.J)) == (not search, ("W", "W_dot"), 4)
+    with working_bits(160):
+        X, W = found.system.point[0], found.system.point[3]
+        assert holds(W - X, fmpq(1)) if search else W - X == 1
+    with pytest.raises(GSpotError, match="the condition J_1 = 1 must be 0"):
+        find_g_spot(with_slider(1, {"W": 2}, constraints=["W - X - 1"]))
+
+
+@pytest.mark.parametrize("search", [False, True])
+def test_the_mass_matrix_is_checked_where_p_b_y_v_do_not_feel_it(search: bool) -> None:
+    """A slider that nothing touches: of a negative mass."""
+    assert find_g_spot(with_slider(1, {}, search=search)).exact is not search
+    with pytest.raises(MechanismError, match="not positive definite at the G-spot: its leading minor of size 4"):
+        find_g_spot(with_slider(-1, {}, search=search))
+
+
+def test_a_number_that_is_not_rational_in_the_fields_alone() -> None:
+    """p, b, y, v and J are rational at the point, F is not: the expansion could not be exact."""
+    irrational = from_fields(
+        "fields", ["x", "u", "y", "v", "p", "b"], ["u", "sqrt(2)", "v", "b", -1, -1],
+        [0, "3/(2*(1 - p))", 0, "1/2", 0, "-3/4/(1 - p)"], [0, "1/2", 0, "(1 + p)/2", 0, "3/4"], "x", "y", "1 - p",
+        place={"x": 0, "u": 1, "y": 0, "v": 0, "p": 0, "b": 0},
+    )  # fmt: skip
+    found = find_g_spot(irrational)
+    assert not found.exact
+    with working_bits(found.bits):
+        (root,) = found.system.values_at_point([found.system.F[1]])
+        assert root.is_finite()
+        assert (root * root - 2).contains(0)
+
+
+def test_a_search_from_where_a_root_has_no_value() -> None:
+    with pytest.raises(GSpotError, match="rod: no G-spot found: "):
+        find_g_spot(lagrangian(
+            "rod", ["X", "Y", "theta"], [[1, 0, 0], [0, 1, 0], [0, 0, "1/3"]], [0, "-3/5", 0], "X + cos(theta)",
+            "Y - sin(theta)", "sqrt(X - 1)", {}, {"theta": ("3/5", "4/5")}, SPOT, search=True,
+        ))  # fmt: skip
+
+
+def test_a_box_without_a_proof_is_no_g_spot(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("gspot_verified.mechanisms.g_spot.proved_box", lambda *_: None)
+    with pytest.raises(NotFoundError, match="rod: no G-spot could be proved near"):
+        find_g_spot(rod(search=True))
+
+
+@given(st.lists(st.lists(st.integers(-2, 2), min_size=7, max_size=7), min_size=4, max_size=4))
+def test_the_fixed_components_are_those_without_a_pivot(rows: list[list[int]]) -> None:
+    """For linear p, b, y, v, against the reduced echelon form of FLINT."""
+    functions: list[Expression] = [
+        sum_of(*(product_of(constant(a), Variable(j)) for j, a in enumerate(row))) for row in rows
+    ]
+    p, b, y, v = functions
+    zero = constant(0)
+    J = (Variable(0), Variable(1), Variable(2))
+    system = System("linear", (zero,) * 7, (zero,) * 7, y, v, p, b, zero, zero, zero, J, (fmpq(0),) * 7)
+    reduced, rank = fmpq_mat(4, 7, [fmpq(a) for row in rows for a in row]).rref()
+    pivots = [next(j for j in range(7) if reduced[i, j] != 0) for i in range(rank)]
+    if rank < 4:
+        with pytest.raises(GSpotError, match=f"p, b, y, v have rank {rank} there, not 4"):
+            _choose_fixed(system, "abcdefg", 4)
+    else:
+        assert _choose_fixed(system, "abcdefg", 4) == tuple("abcdefg"[j] for j in range(7) if j not in pivots)
 
 
 def test_sympy_is_loaded_late() -> None:
