@@ -189,3 +189,108 @@ def test_a_power_of_a_root_needs_no_absolute_value() -> None:
 def test_all_unknown_names_of_a_formula_are_listed() -> None:
     with pytest.raises(FormulaError, match=r"unknown name 'k_1' at character 2 .*; also unknown: m, c_2; known here"):
         parse_formula("-k_1*x - m*sin(phi) + 2*c_2*y*k_1 + m", NAMES)
+
+
+@pytest.mark.parametrize(
+    ("inside", "beyond", "part"),
+    [
+        ("x" + " " * 9999, "x" + " " * 10000, "at most 10000 characters, got 10001"),
+        ("(" * 49 + "x" + ")" * 49, "(" * 50 + "x" + ")" * 50, "nested deeper than 50 at character 51 of"),
+        ("x^" + "1^" * 47 + "1", "x^" + "1^" * 49 + "1", r"nested deeper than 50 at character 100 of"),
+        ("9" * 100, "9" * 101, "a number may have at most 100 digits at character 1 of"),
+        ("x^64", "x^65", r"an exponent must be an integer or half-integer within \+-64 at character 2 of"),
+        ("x^-64", "x^-65", r"within \+-64 at character 2 of"),
+        ("x^(1/2)", "x^(1/3)", r"half-integer within"),
+        ("(x^8)^8", "y + (x^8)^9", "powers may nest to at most 64 at character 10 of"),
+        ("(x^8)^-8", "(x^8)^-9", "powers may nest to at most 64"),
+        ("((x^8 + y))^8", "(x^8 + y)^9", "powers may nest to at most 64"),
+        ("(y*x^8)^8", "(y*x^8)^9", "powers may nest to at most 64"),
+        ("(-x^8)^8", "(-x^8)^9", "powers may nest to at most 64"),
+        ("exp(x^8)^8", "exp(x^8)^9", "powers may nest to at most 64"),
+        ("sqrt(x^32)^2", "sqrt(x^32)^3", "powers may nest to at most 64"),
+        ("((x^8)^8)^(1/2)", "((x^8)^8)^(3/2)", "powers may nest to at most 64"),
+        ("sin(" * 6 + "x" + ")" * 6, "sin(" * 7 + "x" + ")" * 7, "functions nested deeper than 6 at character 1 of"),
+        ("y + " + "sin(" * 6 + "x + y" + ")" * 6, "sin(y + " + "sin(" * 6 + "x" + ")" * 6 + ")", "functions nested"),
+        ("-" + "sin(" * 6 + "x" + ")" * 6, "sin(-" + "sin(" * 6 + "x" + ")" * 6 + ")", "functions nested"),
+        ("2*" + "sin(" * 6 + "x" + ")" * 6, "sin(2*" + "sin(" * 6 + "x" + ")" * 6 + ")", "functions nested"),
+        ("sin(" * 6 + "x" + ")" * 6 + "^2", "sin(" + "sin(" * 6 + "x" + ")" * 6 + "^2)", "functions nested"),
+        ("sqrt(" * 6 + "sin(x)" + ")" * 6, "sin(sqrt(" + "sin(" * 6 + "x" + ")" * 8, "functions nested"),
+    ],
+)
+def test_each_limit_is_where_it_is_said_to_be(inside: str, beyond: str, part: str) -> None:
+    parse_formula(inside, NAMES)
+    with pytest.raises(FormulaError, match=part):
+        parse_formula(beyond, NAMES)
+
+
+def test_what_stands_side_by_side_is_not_nested() -> None:
+    assert parse_formula("+".join(["(x)"] * 60), NAMES) is parse_formula("60*x", NAMES)
+    assert parse_formula("*".join(["x^1"] * 60), NAMES) is parse_formula("x^60", NAMES)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("x + $", """unexpected '$' at character 5 of "x + $\""""),
+        ("x y", """unexpected 'y' at character 3 of "x y\""""),
+        ("x) ", """unexpected ')' at character 2 of "x) \""""),
+        ("(x + y", """')' is missing at character 7 of "(x + y\""""),
+        ("x +", """the formula ends where a number, a name or '(' must follow at character 4 of "x +\""""),
+        ("x*/y", """unexpected '/' at character 3 of "x*/y\""""),
+        ("x + sin y", """sin needs '(' at character 5 of "x + sin y\""""),
+        ("y/(x - x)", """division by zero at character 2 of "y/(x - x)\""""),
+        ("2 + 0^-1", """division by zero at character 6 of "2 + 0^-1\""""),
+        ("x" + "+x" * 29 + "$", "unexpected '$' at character 60 of \"x" + "+x" * 29 + '$"'),
+        ("x" + "+x" * 30 + "$", "unexpected '$' at character 62 of \"x" + "+x" * 28 + '..."'),
+        ("x " + "2" * 50, "unexpected '" + "2" * 40 + "' at character 3 of \"x " + "2" * 50 + '"'),
+    ],
+)
+def test_the_message_says_where(text: str, message: str) -> None:
+    with pytest.raises(FormulaError) as caught:
+        parse_formula(text, NAMES)
+    assert str(caught.value) == message
+
+
+def test_what_is_known_is_listed_up_to_30_names() -> None:
+    names = {f"a{k:02}": Symbol(f"a{k:02}") for k in range(31)}
+    thirty = dict(list(names.items())[:30])
+    for known, end in ((thirty, "a28, a29"), (names, "a28, a29, ...")):
+        with pytest.raises(FormulaError) as caught:
+            parse_formula("wholly", known)
+        assert str(caught.value).endswith(f"; known here: {', '.join(sorted(thirty)[:-2])}, {end}")
+    with pytest.raises(FormulaError) as caught:
+        parse_formula("wholly_" * 7, {})
+    assert str(caught.value) == f"unknown name '{('wholly_' * 7)[:40]}' at character 1 of \"{'wholly_' * 7}\""
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("x" * 41, "at most 40 characters"),
+        ("x" * 60, "^'" + "x" * 50 + "' is no name"),
+        ("sin", "'sin' is a function and cannot be a name"),
+        ("pi", "'pi' is a number and cannot be a name"),
+    ],
+)
+def test_a_bad_name_is_told_why(name: str, message: str) -> None:
+    with pytest.raises(FormulaError, match=message):
+        check_name(name)
+    assert check_name("x" * 40) == "x" * 40
+
+
+@pytest.mark.parametrize(
+    ("text", "same"),
+    [
+        ("+x", "x"), ("--x", "x"), ("-+-x", "x"), ("+-x", "-1*x"), ("x--y", "x + y"), ("2*-x", "-2*x"), ("x^+2", "x*x"),
+        ("x/-y", "-x/y"), ("1.25", "5/4"), (".5", "1/2"), ("10.", "10"), ("log(x)", "log(+x)"), ("  x  +\ty ", "x+y"),
+    ],
+)  # fmt: skip
+def test_signs_spaces_and_decimals(text: str, same: str) -> None:
+    assert parse_formula(text, NAMES) is parse_formula(same, NAMES)
+
+
+def test_the_functions_are_sympys() -> None:
+    x = sympy.Symbol("x")
+    for name in ("sin", "cos", "tan", "exp", "log", "sqrt"):
+        found = to_sympy(parse_formula(f"{name}(x)", NAMES))
+        assert sympy.simplify(found - getattr(sympy, name)(x)) == 0
