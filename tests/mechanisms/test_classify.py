@@ -297,3 +297,23 @@ def test_a_beta_beyond_the_largest_has_no_side_and_no_integer() -> None:
     assert _integer_in(arb(MAX_BETA + 1)) is None
     assert _integer_in(arb(MAX_BETA, 1)) is None
     assert _integer_in(arb(MAX_BETA)) == MAX_BETA
+
+
+def test_the_text_says_what_there_is_and_no_more() -> None:
+    """One line for each thing that is known, in the order of the fields."""
+    whole = classify(shipped_mechanism("extended", alpha_3=-3))
+    assert whole.integer_beta == 3
+    lines = str(replace(whole, fixed=("x", "u"), notes=("one", "two"))).splitlines()
+    assert lines[0] == "extended system: Case III (alpha_2 < 0, alpha_3 < alpha_1 < 0)"
+    assert lines[-4:] == [
+        "  beta is, or may be, the integer 3: no unique expansion, obstructed at order 4 of delta",
+        "  fixed components (conditions J): x, u",
+        "  note: one",
+        "  note: two",
+    ]
+    assert "lifts off" not in str(whole)
+    assert "IWC" not in str(whole)
+    assert len(str(replace(whole, fixed=(), notes=(), integer_beta=None)).splitlines()) == 7
+    none = str(classify(shipped_mechanism("extended", alpha_1=1)))
+    assert none.startswith("extended system: no Case (trajectories do not approach in the three ways: ")
+    assert len(none.splitlines()) == 7 + ("fixed" in none)

@@ -15,13 +15,14 @@ from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Expression, Variable
 from gspot_verified.expansion.recursion import Recursion
 from gspot_verified.expansion.system import GSpotError, System
-from gspot_verified.mechanisms.g_spot import _choose_fixed, find_g_spot
+from gspot_verified.mechanisms.g_spot import _choose_fixed, find_g_spot, prove_near, symbolic_place
 from gspot_verified.mechanisms.given import from_fields, lagrangian
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.newton import NotFoundError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.simplify import constant, product_of, sum_of
 from gspot_verified.mechanisms.symbolic import symbolic_system
+from gspot_verified.mechanisms.to_system import shift
 
 
 def holds(ball: arb, number: fmpq) -> bool:
@@ -72,6 +73,7 @@ def test_a_missing_value_is_named() -> None:
     [
         ({"fixed": ["X"]}, "2 components must be fixed"),
         ({"fixed": ["X", "X"]}, "2 components must be fixed"),
+        ({"fixed": ["X", "X", "X_dot"]}, "2 components must be fixed"),
         ({"fixed": ["X", "theta"]}, "degenerate: the Jacobian"),
         ({"fixed": ["Y", "Y_dot"]}, "degenerate: the Jacobian"),
         ({"conditions": ["X"]}, "2 conditions J are needed, got 1"),
@@ -281,23 +283,45 @@ def test_a_box_without_a_proof_is_no_g_spot(monkeypatch: pytest.MonkeyPatch) -> 
         find_g_spot(rod(search=True))
 
 
-@given(st.lists(st.lists(st.integers(-2, 2), min_size=7, max_size=7), min_size=4, max_size=4))
+@given(st.lists(st.lists(st.integers(-2, 2), min_size=7, max_size=7), min_size=4, max_size=5))
 def test_the_fixed_components_are_those_without_a_pivot(rows: list[list[int]]) -> None:
-    """For linear p, b, y, v, against the reduced echelon form of FLINT."""
+    """For linear p, b, y, v and possibly a constraint, against the reduced echelon form of FLINT."""
+    count = len(rows)
     functions: list[Expression] = [
         sum_of(*(product_of(constant(a), Variable(j)) for j, a in enumerate(row))) for row in rows
     ]
-    p, b, y, v = functions
+    p, b, y, v = functions[:4]
     zero = constant(0)
-    J = (Variable(0), Variable(1), Variable(2))
+    J = (*functions[4:], Variable(0), Variable(1), Variable(2))[:3]
     system = System("linear", (zero,) * 7, (zero,) * 7, y, v, p, b, zero, zero, zero, J, (fmpq(0),) * 7)
-    reduced, rank = fmpq_mat(4, 7, [fmpq(a) for row in rows for a in row]).rref()
+    reduced, rank = fmpq_mat(count, 7, [fmpq(a) for row in rows for a in row]).rref()
     pivots = [next(j for j in range(7) if reduced[i, j] != 0) for i in range(rank)]
-    if rank < 4:
-        with pytest.raises(GSpotError, match=f"p, b, y, v have rank {rank} there, not 4"):
-            _choose_fixed(system, "abcdefg", 4)
+    if rank < count:
+        names = "p, b, y, v" if count == 4 else "p, b, y, v and the constraints"
+        with pytest.raises(GSpotError, match=f"J: {names} have rank {rank} there, not {count}"):
+            _choose_fixed(system, "abcdefg", count)
     else:
-        assert _choose_fixed(system, "abcdefg", 4) == tuple("abcdefg"[j] for j in range(7) if j not in pivots)
+        assert _choose_fixed(system, "abcdefg", count) == tuple("abcdefg"[j] for j in range(7) if j not in pivots)
+
+
+def test_a_constraint_that_leaves_no_room() -> None:
+    block = lagrangian(
+        "block", ["X", "Y"], [[1, 0], [0, 1]], [0, 0], "X", "Y", 1, constraints=["X"],
+        place={"X": 0, "Y": 0, "X_dot": 0, "Y_dot": 0},
+    )  # fmt: skip
+    with pytest.raises(GSpotError, match="the constraints leave no room for the conditions p = b = y = v = 0"):
+        find_g_spot(block)
+
+
+def test_a_place_may_give_some_components() -> None:
+    some = lagrangian("block", ["X", "Y"], [[1, 0], [0, 1]], [0, 0], "X", "Y", 1, place={"Y": "1/2", "X_dot": 3})
+    assert symbolic_place(shift(some)) == {"Y": constant(fmpq(1, 2)), "X_dot": constant(3)}
+
+
+def test_a_start_that_is_not_finite_is_named() -> None:
+    start = dict.fromkeys(rod().state, arb(0)) | {"Y": arb("nan")}
+    with pytest.raises(GSpotError, match="the G-spot's place is not finite"):
+        prove_near(shift(rod()), start, 64)
 
 
 def test_sympy_is_loaded_late() -> None:
