@@ -265,10 +265,18 @@ def test_a_negative_friction_coefficient_is_refused() -> None:
 
 @pytest.mark.parametrize(
     ("middle", "radius", "holds_one"),
-    [("2.5", "0.4", False), ("2.5", "0.6", True), ("0.4", "0.7", True), ("-0.3", "1.5", True), ("-3", "3.5", False)],
+    [
+        ("2.5", "0.4", False),
+        ("2.5", "0.6", True),
+        ("2.9", "0.2", True),
+        ("2.1", "0.2", True),
+        ("0.4", "0.7", True),
+        ("-0.3", "1.5", True),
+        ("-3", "3.5", False),
+    ],
 )
 def test_an_integer_that_beta_may_be_is_not_lost(middle: str, radius: str, holds_one: bool) -> None:
-    """Also where the midpoint of the ball is below 1 and the ball reaches beyond it."""
+    """On both sides of the midpoint; also where that is below 1 and the ball reaches beyond it."""
     found = _integer_in(arb(middle, radius))
     assert (found is not None) is holds_one
     assert found is None or found >= 1
@@ -317,3 +325,17 @@ def test_the_text_says_what_there_is_and_no_more() -> None:
     none = str(classify(shipped_mechanism("extended", alpha_1=1)))
     assert none.startswith("extended system: no Case (trajectories do not approach in the three ways: ")
     assert len(none.splitlines()) == 7 + ("fixed" in none)
+
+
+def test_the_integer_that_an_exact_beta_is() -> None:
+    for k in (1, 2, 17, MAX_BETA):
+        assert _integer_in(fmpq(k)) == k
+        assert _integer_in(fmpq(2 * k + 1, 2)) is None
+    for k in (0, -1, -2, MAX_BETA + 1):
+        assert _integer_in(fmpq(k)) is None
+
+
+def test_without_a_beta_nothing_is_said() -> None:
+    """A ball of alpha_1 that holds 0 has no quotient."""
+    assert _integer_in(None) is None
+    assert sides_of("III", None) == (None, None)
