@@ -264,21 +264,6 @@ def test_what_is_known_is_listed_up_to_30_names() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "message"),
-    [
-        ("x" * 41, "at most 40 characters"),
-        ("x" * 60, "^'" + "x" * 50 + "' is no name"),
-        ("sin", "'sin' is a function and cannot be a name"),
-        ("pi", "'pi' is a number and cannot be a name"),
-    ],
-)
-def test_a_bad_name_is_told_why(name: str, message: str) -> None:
-    with pytest.raises(FormulaError, match=message):
-        check_name(name)
-    assert check_name("x" * 40) == "x" * 40
-
-
-@pytest.mark.parametrize(
     ("text", "same"),
     [
         ("+x", "x"), ("--x", "x"), ("-+-x", "x"), ("+-x", "-1*x"), ("x--y", "x + y"), ("2*-x", "-2*x"), ("x^+2", "x*x"),
