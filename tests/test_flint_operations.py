@@ -66,7 +66,7 @@ _METHODS = """
     cos_pi cosh degree denominator derivative det entries evaluate exp expm1 fac_ui floor gamma gamma_fmpq gcd
     gens get height_bits hypgeom imag integral intersection inv is_constant is_exact is_finite is_one is_prime
     is_zero lcm leading_coefficient length lgamma log log1p lower man_exp max mid min name names nan numerator
-    overlaps p pi prec q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi
+    overlaps p pi pos_inf prec q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi
     sinh sqrt str subs table terms truncate union unique_fmpz upper
     from_dict to_dict compose project_to_context total_degree discriminant
     coefficient complex_roots degrees factor rank solve
@@ -773,6 +773,18 @@ def test_ball_parts() -> None:
         assert three(arb(number)) == (Fraction(number),) * 3
     for text in ("nan", "inf", "-inf", "0 +/- inf"):
         assert not arb(text).is_finite()
+
+
+@covers("pos_inf")
+def test_infinity_is_above_every_number_and_not_finite() -> None:
+    infinite = arb.pos_inf()
+    assert not infinite.is_finite()
+    assert not infinite < infinite
+    for value in _BALLS:
+        assert value < infinite
+        assert not infinite < value
+        assert not infinite <= value
+    assert not (arb.nan() < infinite)
 
 
 @covers("nan", "is_zero")

@@ -65,7 +65,8 @@ class ZeroSearch:
         objective: BoxProgram | None = None,
     ) -> None:
         self._program, self._given, self._periods = program, list(given), list(periods)
-        self._objective, self._reached = objective, arb.neg_inf()
+        self._objective = objective
+        self._reached: arb | None = None  # a value that the objective takes at a known zero
         self._size = len(program.variables)
         self.found = Zeros()
 
@@ -121,7 +122,7 @@ class ZeroSearch:
             return None
         if len(rows) != self._size:
             return box
-        if self._objective is not None and self._objective.mean_values(state)[0] < self._reached:
+        if self._is_below(state):
             return None
         middle = [side.mid() for side in box]
         near = [[entry.mid() for entry in row] for row in rows]
@@ -138,6 +139,12 @@ class ZeroSearch:
             return rest
         self._prove_near(rest)
         return None if self.is_known(rest) else rest
+
+    def _is_below(self, state: list[arb]) -> bool:
+        """Whether the objective stays below a value that it takes at a known zero."""
+        if self._objective is None or self._reached is None:
+            return False
+        return bool(self._objective.mean_values(state)[0] < self._reached)
 
     def _undefined_at_middle(self, box: Box) -> bool:
         return not all(value.is_finite() for value in self._program.values(self.state([side.mid() for side in box])))
@@ -230,7 +237,8 @@ class ZeroSearch:
             self.found.zeros.append(Zero(enclosure, [region]))
             if self._objective is not None:
                 (value,) = self._objective.mean_values(self.state(enclosure))
-                self._reached = value.lower() if value.is_finite() and value > self._reached else self._reached
+                if value.is_finite() and (self._reached is None or value > self._reached):
+                    self._reached = value.lower()
 
     def _halves(self, box: Box) -> list[Box]:
         j = self._split_along(box)
