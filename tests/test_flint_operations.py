@@ -65,7 +65,7 @@ _METHODS = """
     abs_lower abs_upper airy_ai atan atan2 bit_length bits ceil coeffs constant contains contains_interior cos
     cos_pi cosh degree denominator derivative det entries evaluate exp expm1 fac_ui floor gamma gamma_fmpq gcd
     gens get height_bits hypgeom imag integral intersection inv is_constant is_exact is_finite is_one is_prime
-    is_zero lcm leading_coefficient length lgamma log log1p lower man_exp max mid min name names nan numerator
+    is_zero lcm leading_coefficient length lgamma log log1p lower man_exp max mid min name names nan ncols numerator
     overlaps p pi pos_inf prec q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi
     sinh sqrt str subs table terms truncate union unique_fmpz upper
     from_dict to_dict compose project_to_context total_degree discriminant
@@ -773,6 +773,12 @@ def test_ball_parts() -> None:
         assert three(arb(number)) == (Fraction(number),) * 3
     for text in ("nan", "inf", "-inf", "0 +/- inf"):
         assert not arb(text).is_finite()
+
+
+@covers("ncols")
+def test_the_number_of_columns_of_a_matrix() -> None:
+    for rows in ([[1, 2, 3]], [[1], [2]], [[1, 2], [3, 4], [5, 6]]):
+        assert fmpq_mat(rows).ncols() == len(rows[0])
 
 
 @covers("pos_inf")
