@@ -69,7 +69,7 @@ _METHODS = """
     overlaps p pi pos_inf prec q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi
     sinh sqrt str subs table terms truncate union unique_fmpz upper
     from_dict to_dict compose project_to_context total_degree discriminant
-    coefficient complex_roots degrees factor rank solve
+    coefficient complex_roots degrees factor ncols rank solve
 """
 METHODS = frozenset(_METHODS.split())
 
@@ -578,7 +578,7 @@ def test_coefficients_in_the_order_of_the_terms() -> None:
         assert found == [terms[powers] for powers in sorted(terms, key=lambda p: (sum(p), p[0]), reverse=True)]
 
 
-@covers("solve", "rank")
+@covers("solve", "rank", "ncols")
 def test_rational_linear_systems() -> None:
     rows = ((2, 1, 0), (1, -3, 4), (0, 5, 7))
     solution = (Fraction(1, 3), Fraction(-2), Fraction(9, 7))
@@ -587,7 +587,9 @@ def test_rational_linear_systems() -> None:
     found = matrix.solve(fmpq_mat([[to_fmpq(value)] for value in right]))
     assert tuple(to_fraction(found[i, 0]) for i in range(3)) == solution
     for dependent, rank in ((rows, 3), ((*rows[:2], (3, -2, 4)), 2), (((1, 2, 3), (2, 4, 6), (0, 0, 0)), 1)):
-        assert int(fmpq_mat([[fmpq(a) for a in row] for row in dependent]).rank()) == rank
+        matrix = fmpq_mat([[fmpq(a) for a in row] for row in dependent])
+        assert (int(matrix.rank()), matrix.ncols()) == (rank, 3)
+    assert fmpq_mat([[fmpq(1), fmpq(2), fmpq(3)], [fmpq(0), fmpq(1), fmpq(5)]]).ncols() == 3
     for bits in (53, 200):
         with working_bits(bits):
             balls = arb_mat(3, 3, [arb(a) for row in rows for a in row])

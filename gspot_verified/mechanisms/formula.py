@@ -154,7 +154,7 @@ class _Parser:
     def _signed(self) -> _Part:
         negative = False
         while self._peek() in ("+", "-"):
-            negative ^= self._advance() == "-"
+            negative = negative != (self._advance() == "-")
         part = self._power()
         return _Part(_minus(part.value), part.power, part.functions) if negative else part
 
