@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
+from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from gspot_verified.compliant.force_polynomial import distinct_real_zeros, force_polynomial
 
@@ -42,7 +42,7 @@ def force_discriminant(n: int) -> fmpq_poly:
     >>> force_discriminant(3).coeffs()
     [0, 0, -432]
     """
-    ring = fmpq_mpoly_ctx.get(["T", "d"], Ordering.lex)
+    ring = fmpq_mpoly_ctx.get(["T", "d"], "lex")
     time, inverse = ring.gens()
     # F_n has degree at most n/3 in 1/epsilon: Newton's divided differences at 1/epsilon = 1, 2, ...
     nodes = range(1, n // 3 + 2)
