@@ -186,12 +186,13 @@ def rounded_down(logarithm: arb, digits: int) -> fmpq | None:
     if not logarithm.is_finite():
         return None
     with working_bits(int(logarithm.bits()) + 4 * digits + 64):
-        tens = (logarithm / arb(10).log()).lower()
+        least = logarithm.lower()  # the exponential of a wide ball reaches below 0
+        tens = (least / arb(10).log()).lower()
         if not tens >= LEAST_TENS:
             return None
         if tens > _MOST_TENS:
             return fmpq(10) ** _MOST_TENS
         shift = digits - 1 - math.floor(approximate(tens))
-        mantissa = (logarithm + shift * arb(10).log()).exp().lower().floor().unique_fmpz()
+        mantissa = (least + shift * arb(10).log()).exp().lower().floor().unique_fmpz()
         assert mantissa is not None  # the floor of an exact number of fewer digits than the working precision has
         return fmpq(mantissa) * fmpq(10) ** -shift

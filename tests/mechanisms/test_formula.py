@@ -186,6 +186,15 @@ def test_a_power_of_a_root_needs_no_absolute_value() -> None:
     assert sympy_formula("sqrt(x^2)", {"x": sympy.Integer(-3)}) == 3
 
 
+def test_at_most_ten_further_unknown_names_are_listed_and_each_once() -> None:
+    letters = "abcdefghijkl"
+    with pytest.raises(FormulaError, match=r"unknown name 'a' .*; also unknown: b, c, d, e, f, g, h, i, j, k; known"):
+        parse_formula("x + " + " + ".join(letters) + " + b", NAMES)
+    with pytest.raises(FormulaError) as caught:
+        parse_formula("phi*q", NAMES)
+    assert "also unknown" not in str(caught.value)
+
+
 def test_all_unknown_names_of_a_formula_are_listed() -> None:
     with pytest.raises(FormulaError, match=r"unknown name 'k_1' at character 2 .*; also unknown: m, c_2; known here"):
         parse_formula("-k_1*x - m*sin(phi) + 2*c_2*y*k_1 + m", NAMES)
@@ -223,6 +232,19 @@ def test_each_limit_is_where_it_is_said_to_be(inside: str, beyond: str, part: st
         parse_formula(beyond, NAMES)
 
 
+def test_depth_is_counted_after_what_has_been_closed() -> None:
+    """What stands before, however deep, neither adds to the depth nor takes from it."""
+    for before in ("(((x))) + ", "x^1^1^1 + ", "(x)*(x) + ", "sin((x)) + "):
+        parse_formula(before + "(" * 49 + "x" + ")" * 49, NAMES)
+        with pytest.raises(FormulaError, match="nested deeper than 50"):
+            parse_formula(before + "(" * 50 + "x" + ")" * 50, NAMES)
+
+
+def test_the_zeroth_power_does_not_forget_what_it_is_a_power_of() -> None:
+    with pytest.raises(FormulaError, match="powers may nest to at most 64"):
+        parse_formula("(x^64 + (x^8)^0)^2", NAMES)
+
+
 def test_what_stands_side_by_side_is_not_nested() -> None:
     assert parse_formula("+".join(["(x)"] * 60), NAMES) is parse_formula("60*x", NAMES)
     assert parse_formula("*".join(["x^1"] * 60), NAMES) is parse_formula("x^60", NAMES)
@@ -241,6 +263,7 @@ def test_what_stands_side_by_side_is_not_nested() -> None:
         ("y/(x - x)", """division by zero at character 2 of "y/(x - x)\""""),
         ("2 + 0^-1", """division by zero at character 6 of "2 + 0^-1\""""),
         ("x" + "+x" * 29 + "$", "unexpected '$' at character 60 of \"x" + "+x" * 29 + '$"'),
+        ("x" + "+x" * 29 + "+$", "unexpected '$' at character 61 of \"x" + "+x" * 28 + '..."'),
         ("x" + "+x" * 30 + "$", "unexpected '$' at character 62 of \"x" + "+x" * 28 + '..."'),
         ("x " + "2" * 50, "unexpected '" + "2" * 40 + "' at character 3 of \"x " + "2" * 50 + '"'),
     ],
@@ -266,7 +289,7 @@ def test_what_is_known_is_listed_up_to_30_names() -> None:
 @pytest.mark.parametrize(
     ("text", "same"),
     [
-        ("+x", "x"), ("--x", "x"), ("-+-x", "x"), ("+-x", "-1*x"), ("x--y", "x + y"), ("2*-x", "-2*x"), ("x^+2", "x*x"),
+        ("x*y*phi", "phi*(x*y)"), ("x/y*phi/x", "phi/y"), ("x - y + phi - x", "phi - y"), ("+x", "x"), ("--x", "x"), ("-+-x", "x"), ("+-x", "-1*x"), ("x--y", "x + y"), ("2*-x", "-2*x"), ("x^+2", "x*x"),
         ("x/-y", "-x/y"), ("1.25", "5/4"), (".5", "1/2"), ("10.", "10"), ("log(x)", "log(+x)"), ("  x  +\ty ", "x+y"),
     ],
 )  # fmt: skip

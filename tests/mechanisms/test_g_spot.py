@@ -277,6 +277,20 @@ def test_a_search_from_where_a_root_has_no_value() -> None:
         ))  # fmt: skip
 
 
+def test_a_search_from_a_place_that_divides_by_zero() -> None:
+    block = lagrangian(
+        "block", ["X", "Y"], [[1, 0], [0, 1]], [0, 0], "X", "Y", 1, {"a": 0},
+        place={"X": "1/a", "Y": 0, "X_dot": 1, "Y_dot": 0}, search=True,
+    )  # fmt: skip
+    with pytest.raises(MechanismError, match="block: .*division by zero"):
+        find_g_spot(block)
+
+
+def test_a_search_with_degenerate_conditions() -> None:
+    with pytest.raises(GSpotError, match=r"rod: degenerate: the Jacobian .* not certainly regular during the search"):
+        find_g_spot(rod(fixed=["Y", "Y_dot"], search=True))
+
+
 def test_a_box_without_a_proof_is_no_g_spot(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("gspot_verified.mechanisms.g_spot.proved_box", lambda *_: None)
     with pytest.raises(NotFoundError, match="rod: no G-spot could be proved near"):

@@ -168,3 +168,13 @@ def test_case_iii_needs_a_negative_alpha_2(beta: str, alpha_2: object) -> None:
 def test_the_digits_of_the_force_are_those_asked_for(digits: int) -> None:
     value = contact_force("7/3").value(1, "1/1000", digits)
     assert relative_bits(value) >= bits_for_digits(digits)
+
+
+def test_rounded_down_is_below_the_whole_ball() -> None:
+    """The lower end counts: for its size, for its digits, and for whether there is a number at all."""
+    with working_bits(128):
+        assert rounded_down(arb(0, 1), 5) == fmpq(36787, 10**5)  # e^-1 = 0.367879...
+        assert rounded_down(arb(2, 3), 3) == fmpq(367, 1000)
+        assert rounded_down(arb(0, 10**6), 5) is None
+        assert rounded_down(arb(300, 1), 5) == fmpq(10) ** 100
+        assert rounded_down(arb(1000, 900), 5) == fmpq(26881, 10**4) * fmpq(10) ** 43  # e^100 = 2.68811...e43

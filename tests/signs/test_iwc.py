@@ -18,6 +18,7 @@ from strategies import to_fmpq
 
 from gspot_verified import Outcome, zeros_at
 from gspot_verified.balls import ball_text, working_bits
+from gspot_verified.dyadic import Dyadic
 from gspot_verified.signs.brackets import decimal_text
 from gspot_verified.signs.contact_force import contact_force
 from gspot_verified.signs.iwc import PAPER_EPSILON, IwcResult, _exponential, _log_bounds, at_epsilon, iwc
@@ -297,3 +298,62 @@ def test_the_most_digits() -> None:
     assert found.epsilon_0 * 10**90 != (found.epsilon_0 * 10**90).floor()
     with pytest.raises(ValueError, match=r"digits must lie in 1\.\.100"):
         iwc("5/2", digits=101)
+
+
+def test_where_the_half_line_may_start() -> None:
+    for start in (10**6, -(10**6)):
+        assert iwc("5/2", tau_start=start, digits=3).start == start
+    for start in (10**6 + 1, -(10**6) - 1):
+        with pytest.raises(ValueError, match=r"tau_start: expected \|tau_start\| <= 1000000"):
+            iwc("5/2", tau_start=start)
+
+
+def test_the_text_line_by_line() -> None:
+    """Each line is there when its number is, and says it."""
+    impact = iwc("9/2", alpha_2=-2, c1="-7/3")
+    lines = impact.lines()
+    assert lines[0] == str(impact.verdict)
+    assert lines[1] == "  Case III: β = 9/2, α1 = -1, α2 = -2, α3 = -4.5, C1 = -7/3: the side C1/Γ(-β) > 0, λ_N → +∞"
+    assert lines[2] == "  λ_N = 4/7 - (C1/α3) κ^(1-β) ε^(7/3) dΘ/dτ, κ^3 = 0.5"
+    assert [line.split(":")[0].strip() for line in lines[3:5]] == [
+        "least value of sign(C1) dΘ/dτ", "the largest ε0 possible"
+    ]  # fmt: skip
+    assert lines[5:] == ["  it holds for every τ < -10 as well"]
+    assert str(impact).splitlines()[:-1] == lines
+    assert impact.epsilon_0 is not None
+    above = iwc("9/2", alpha_2=-2, c1="-7/3", epsilon=impact.epsilon_0 * 2)
+    assert above.verdict.outcome is Outcome.REFUTED
+    assert "it holds" not in str(above)
+    assert "it holds" not in str(iwc("9/2", tau_start=6))
+    every = iwc("1/2", alpha_2=1)
+    assert every.whole_line
+    assert "it holds" not in str(every)
+    assert "  no Case, between I and II: β = 1/2" in str(iwc("1/2", alpha_2=0))
+    flight = iwc("7/3", c1=1, growth=True)
+    assert len(flight.growth) == 4
+    assert [line.strip() for line in flight.lines()[3:7]] == [str(row) for row in (flight.lift_off, *flight.growth[:3])]
+
+
+def test_each_field_of_the_json() -> None:
+    impact, flight = iwc("5/2"), iwc("7/3", c1=1, growth=True)
+    assert impact.minimum is not None
+    assert impact.largest_epsilon is not None
+    assert flight.lift_off is not None
+    assert impact.to_json() == {
+        "force": impact.force.to_json(),
+        "start": "-10",
+        "whole_line": True,
+        "verdict": impact.verdict.to_json(),
+        "minimum": str(Dyadic.from_ball(impact.minimum.value)),
+        "minimum_at": [str(impact.minimum.lower), str(impact.minimum.upper)],
+        "every_epsilon": False,
+        "epsilon_0": str(impact.epsilon_0),
+        "largest_epsilon": str(Dyadic.from_ball(impact.largest_epsilon)),
+        "lift_off": None,
+        "growth": [],
+    }
+    data = flight.to_json()
+    assert (data["minimum"], data["minimum_at"], data["epsilon_0"], data["largest_epsilon"]) == (None,) * 4
+    assert data["lift_off"] == flight.lift_off.to_json()
+    assert data["growth"] == [row.to_json() for row in flight.growth]
+    assert data["every_epsilon"] is False
