@@ -282,7 +282,7 @@ def test_a_search_from_a_place_that_divides_by_zero() -> None:
         "block", ["X", "Y"], [[1, 0], [0, 1]], [0, 0], "X", "Y", 1, {"a": 0},
         place={"X": "1/a", "Y": 0, "X_dot": 1, "Y_dot": 0}, search=True,
     )  # fmt: skip
-    with pytest.raises(MechanismError, match="block: .*division by zero"):
+    with pytest.raises(MechanismError, match=r"block: .*division by zero"):
         find_g_spot(block)
 
 

@@ -22,7 +22,7 @@ from gspot_verified.dyadic import Dyadic
 from gspot_verified.signs.brackets import decimal_text
 from gspot_verified.signs.contact_force import contact_force
 from gspot_verified.signs.iwc import PAPER_EPSILON, IwcResult, _exponential, _log_bounds, at_epsilon, iwc
-from gspot_verified.signs.stretches import stretches
+from gspot_verified.signs.stretches import Bracket, stretches
 
 NOT_INTEGER = st.fractions(Fraction(11, 10), 8, max_denominator=12).filter(lambda beta: beta.denominator > 1)
 
@@ -357,3 +357,33 @@ def test_each_field_of_the_json() -> None:
     assert data["lift_off"] == flight.lift_off.to_json()
     assert data["growth"] == [row.to_json() for row in flight.growth]
     assert data["every_epsilon"] is False
+
+
+def test_a_least_value_on_both_sides_of_0_is_not_at_least_0(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No bound for every eps then: what is certain is the lower end, and no upper bound of the largest eps."""
+    monkeypatch.setattr("gspot_verified.signs.iwc.minimum", lambda _: Bracket(fmpq(0), fmpq(1), arb(0, 1)))
+    result = iwc("5/2")
+    assert not result.every_epsilon
+    assert result.largest_epsilon is None
+    assert result.epsilon_0 is not None
+    with working_bits(128):
+        bound = result.force.log_epsilon(arb(-1), 30)
+        assert arb(result.epsilon_0).log() <= bound
+        assert arb(result.epsilon_0).log() > bound - fmpq(1, 10**6)
+
+
+def test_below_beta_1_the_largest_epsilon_is_enclosed_too() -> None:
+    """Case I: the mean force is negative, the deviation positive and least at the start."""
+    first = iwc("1/2")
+    assert first.largest_epsilon is not None
+    assert first.largest_epsilon.is_finite()
+    assert first.epsilon_0 is not None
+    assert fmpq(999999, 10**6) * first.largest_epsilon < first.epsilon_0
+    assert first.epsilon_0 <= first.largest_epsilon.upper()
+    below, above = first.largest_epsilon * fmpq(999, 1000), first.largest_epsilon * fmpq(1001, 1000)
+    assert first.force.value(-10, to_fmpq(Fraction(float(below)))) > 0
+    assert first.force.value(-10, to_fmpq(Fraction(float(above)))) < 0
+
+
+def test_a_growth_table_between_1_and_2() -> None:
+    assert [row.verdict.outcome for row in iwc("3/2", c1=-1, growth=True).growth] == [Outcome.PROVED] * 4
