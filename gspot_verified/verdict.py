@@ -26,6 +26,9 @@ class Reason(enum.Enum):
     HYPOTHESIS = "a hypothesis of the bound could not be verified"
     BEYOND = "no proof is sought there: it is beyond what the method covers"
     NO_ROUTE = "no second route is at hand, so the first one stands alone"
+    CONTRADICTION = "two checks of the same statement contradict each other"
+    ONE_FAILURE = "one check fails; a refutation needs a second derivation of the counterexample"
+    POINTS = "checks at points support the statement, they cannot prove it for all arguments"
 
 
 class NoTruthValue:

@@ -173,24 +173,27 @@ def conclude(statement: str, checks: Sequence[Check], witness: str = "") -> Verd
     - refuted: two different checks fail with certainty (two derivations of a counterexample), and none on a settling
       rung says that the claim holds;
     - proved: every check agrees, there are at least two different ones, and one is on a settling rung;
-    - undecided: anything else.
+    - undecided: anything else, and the reason says which: checks that contradict each other, one failure alone, a
+      check that could not tell, points alone, one check alone.
     """
     failures = [check for check in checks if check.agrees is False]
     settling = [check for check in checks if check.agrees is True and check.rung.settles]
     if failures and settling:
         detail = f"the checks contradict each other: {settling[0].what} agrees, {failures[0].what} fails"
-        return Verdict.undecided(statement, Reason.NO_ROUTE, detail)
+        return Verdict.undecided(statement, Reason.CONTRADICTION, detail)
     if len({check.what for check in failures}) >= 2:
         first, second = failures[0], next(check for check in failures if check.what != failures[0].what)
         return Verdict.refuted(statement, witness or first.finding or first.what, second.finding or second.what)
     if failures:
-        return Verdict.undecided(statement, Reason.NO_ROUTE, f"one check fails: {failures[0].finding}")
+        return Verdict.undecided(statement, Reason.ONE_FAILURE, f"one check fails: {failures[0].finding}")
     if any(check.agrees is None for check in checks):
         open_checks = "; ".join(check.what for check in checks if check.agrees is None)
         return Verdict.undecided(statement, Reason.BUDGET, f"could not tell: {open_checks}")
     if len({check.what for check in checks}) >= 2 and settling:
         return Verdict.proved(statement, "; ".join(check.what for check in checks))
-    detail = "there is one check alone" if settling else "the checks at points alone prove nothing"
+    if checks and not settling:
+        return Verdict.undecided(statement, Reason.POINTS, "the checks at points alone prove nothing")
+    detail = "there is one check alone" if checks else "there is no check"
     return Verdict.undecided(statement, Reason.NO_ROUTE, detail)
 
 

@@ -6,6 +6,7 @@ import pytest
 
 from gspot_verified import Outcome, Verdict
 from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, conclude, counts, rung_counts, same_sign, settled
+from gspot_verified.verdict import Reason
 
 
 def test_no_answers_are_no_agreement() -> None:
@@ -32,6 +33,26 @@ def test_no_answers_are_no_agreement() -> None:
 def test_conclusions(answers: list[tuple[Rung, bool | None]], outcome: Outcome) -> None:
     checks = [Check(rung, f"check {n}", agrees, "a finding") for n, (rung, agrees) in enumerate(answers)]
     assert conclude("a statement", checks).outcome is outcome
+
+
+@pytest.mark.parametrize(
+    ("answers", "reason"),
+    [
+        ([(Rung.EXACT, True), (Rung.BALLS, False)], Reason.CONTRADICTION),
+        ([(Rung.PAGE, True), (Rung.POINTS, False), (Rung.POINTS, False)], Reason.CONTRADICTION),
+        ([(Rung.EXACT, False)], Reason.ONE_FAILURE),
+        ([(Rung.POINTS, True), (Rung.EXACT, False)], Reason.ONE_FAILURE),
+        ([(Rung.EXACT, False), (Rung.BALLS, None)], Reason.ONE_FAILURE),
+        ([(Rung.EXACT, None), (Rung.POINTS, True)], Reason.BUDGET),
+        ([(Rung.POINTS, True)], Reason.POINTS),
+        ([(Rung.POINTS, True), (Rung.POINTS, True)], Reason.POINTS),
+        ([(Rung.EXACT, True)], Reason.NO_ROUTE),
+        ([], Reason.NO_ROUTE),
+    ],
+)
+def test_an_open_entry_has_its_true_reason(answers: list[tuple[Rung, bool | None]], reason: Reason) -> None:
+    checks = [Check(rung, f"check {n}", agrees, "f") for n, (rung, agrees) in enumerate(answers)]
+    assert conclude("a statement", checks).reason is reason
 
 
 def test_one_check_stated_twice_is_one_check() -> None:
