@@ -1,11 +1,16 @@
 """Witnesses for the slow solution that share no formula with the package: mpmath's quadrature of the definition, exact
-polynomials at integer b, and the power series of the fourth-order equation in exact or high-precision arithmetic."""
+polynomials at integer b, and the power series of the fourth-order equation in exact or high-precision arithmetic.
+From the package they take only the record of a state."""
 
 from __future__ import annotations
 
 from fractions import Fraction
 
 import mpmath
+from flint import fmpq
+from strategies import to_fmpq
+
+from gspot_verified.compliant.normal_form import Deviation
 
 
 def defining_integral(time: Fraction, b: Fraction, epsilon: Fraction, digits: int = 30) -> mpmath.mpf:
@@ -54,3 +59,20 @@ def continued(values: list[mpmath.mpf], time: mpmath.mpf, b: mpmath.mpf, epsilon
         power *= step
         total += following * power
     return total
+
+
+def on_the_slow_manifold(beta: int, epsilon: Fraction, p: Fraction) -> Deviation:
+    """The state of F_beta, a polynomial in T: rational, exactly on the slow manifold, with C = 1."""
+    time = -p / epsilon
+
+    def derivative(k: int) -> Fraction:
+        factor = Fraction(1)
+        for j in range(k):
+            factor *= j - beta
+        return factor * polynomial_value(time, beta - k, epsilon) if k <= beta else Fraction(0)
+
+    b, force, first, second = derivative(0), *(derivative(k) / (epsilon * beta) for k in (1, 2, 3))
+    velocity = -second - 2 * first - b - p * force
+    place = -first - 2 * force - velocity
+    hats = [to_fmpq(value) for value in (b, velocity, place, place + force)]
+    return Deviation(fmpq(beta), to_fmpq(epsilon), to_fmpq(p), *hats)

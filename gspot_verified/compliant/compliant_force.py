@@ -1,31 +1,34 @@
 """The motion of the compliant model in contact, from any initial state or on the slow manifold, in balls.
 
-Proof pages: ``proofs/exact_solution.md``, ``proofs/first_integrals.md``, ``proofs/fast_part.md``.
+Proof pages: ``proofs/exact_solution.md``, ``proofs/first_integrals.md``, ``proofs/fast_part.md``; near the initial
+state ``proofs/contact_series.md``.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar, cast, overload
+from typing import TYPE_CHECKING, Any, cast, overload
 
 from flint import arb, fmpq
 
 from gspot_verified.balls import (
     ExactInput,
     add_remainder,
-    ball_text,
+    approximate,
     bits_for_digits,
+    nonfinite,
     relative_bits,
     shrink_to_bits,
     working_bits,
 )
+from gspot_verified.compliant.contact_series import MAX_WORK, carried, series_work
 from gspot_verified.compliant.fast_part import fast_bound_at, fast_part
+from gspot_verified.compliant.force_result import CompliantForce
 from gspot_verified.compliant.normal_form import CompliantModel, CompliantState, Deviation, deviation
 from gspot_verified.compliant.slow_coefficient import slow_coefficient
 from gspot_verified.compliant.slow_part import slow_part
-from gspot_verified.dyadic import Dyadic
 from gspot_verified.signs.contact_force import rational
-from gspot_verified.verdict import NoTruthValue, Reason
+from gspot_verified.verdict import Reason
 
 if TYPE_CHECKING:
     from numpy import ndarray
@@ -35,6 +38,7 @@ _ATTEMPTS = 4
 _GUARD_BITS = 16
 _NEGLIGIBLE_BITS = 8
 _LEAST_EPSILON_OF_QUADRATURE = fmpq(1, 20_000)
+_WORK_OF_FIRST_INSTANTS = 1_500
 
 VARIABLES = ("b", "force", "V", "Z")
 
@@ -44,66 +48,6 @@ class SlowManifold:
     """The motions b-hat ~ C_1 (-t)^beta, t -> -infinity, of the model: multiples of the slow solution."""
 
     c1: fmpq
-
-
-@dataclass(frozen=True, slots=True)
-class CompliantForce(NoTruthValue):
-    """The contact phase at one time: the contact force and b, y, v, z in the units of the paper, in balls.
-
-    ``time`` is measured from the G-spot: p = alpha_1 t. The numbers are those of the contact phase, and those of
-    the model as long as contact has lasted. ``slow`` is the force of the slow part and the mean force together.
-    ``fast_by_bound``: the fast part entered as a bound, not by quadrature.
-    """
-
-    ask: ClassVar[str] = ".reached says whether the accuracy was reached"
-
-    model: CompliantModel
-    time: fmpq
-    force: arb
-    b: arb
-    y: arb
-    v: arb
-    z: arb
-    slow: arb
-    fast: arb
-    fast_by_bound: bool
-    digits: int
-    reached: bool
-    reason: Reason | None = None
-
-    @property
-    def p(self) -> fmpq:
-        """alpha_1 t."""
-        return self.model.alpha_1 * self.time
-
-    def __str__(self) -> str:
-        part = "bounded by" if self.fast_by_bound else "="
-        rows = [
-            f"λ_N = {ball_text(self.force, self.digits)} at t = {self.time}, p = {self.p}",
-            f"  slow part and mean force {ball_text(self.slow, self.digits)}, "
-            f"fast part {part} {ball_text(self.fast, 5)}",
-        ]
-        rows += [f"  {name} = {ball_text(getattr(self, name), self.digits)}" for name in "byvz"]
-        if self.reason is not None:
-            rows.append(f"  {self.reason.value}")
-        return "\n".join(rows)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; balls as exact intervals, null when nothing is known."""
-        return {
-            "model": self.model.to_json(),
-            "t": str(self.time),
-            "p": str(self.p),
-            **{name: _enclosure(getattr(self, name)) for name in ("force", "b", "y", "v", "z", "slow", "fast")},
-            "fast_by_bound": self.fast_by_bound,
-            "digits": self.digits,
-            "reached": self.reached,
-            "reason": self.reason.name.lower() if self.reason else None,
-        }
-
-
-def _enclosure(value: arb) -> str | None:
-    return str(Dyadic.from_ball(value)) if value.is_finite() else None
 
 
 @overload
@@ -123,13 +67,14 @@ def compliant_force(
 ) -> CompliantForce | ndarray[Any, Any]:
     """The contact force of the compliant model at t (p = alpha_1 t), with relative accuracy 10^-digits, and b, y, v, z.
 
-    ``start``: an initial state with p > 0, and t not before it; or the slow manifold with its C_1. The values are those
+    ``start``: an initial state, and t not before it; or the slow manifold with its C_1. From a state with p > 0 every
+    later time is in reach; with p <= 0 about 3 000 units epsilon/|alpha_1| of time. The values are those
     of the contact phase: they hold for the model when contact has lasted until t (:func:`contact_lasts`). A numpy
     array of times gives an object array of balls of the force; floats in it stand for their binary values.
 
     :param digits: 1..1000.
     :raises TypeError: a float.
-    :raises ValueError: a time before the state; a state with p <= 0; an argument out of range.
+    :raises ValueError: a time before the state, or too long after a state with p <= 0; an argument out of range.
 
     >>> from gspot_verified.compliant.normal_form import compliant_model, compliant_state
     >>> model = compliant_model("5/2", "1e-6")
@@ -171,12 +116,38 @@ class ContactMotion:
     c1: fmpq | None
 
     def at(self, time: fmpq, digits: int) -> CompliantForce:
-        """All variables at one time, with rising precision until the force is accurate."""
+        """All variables at one time, with rising precision until the force is accurate.
+
+        :raises ValueError: a state with p <= 0, and the time too long after it.
+        """
+        if self.state is None:
+            return self._accurate(time, digits, by_series=False)
+        work = series_work(self.state, self._since(time))
+        late = not self.state.p > 0
+        if late and work > MAX_WORK:
+            raise ValueError(
+                f"t: {time} is too long after an initial state with p <= 0: the power series needs a work of "
+                f"{approximate(work):.3g}, its limit is {MAX_WORK}"
+            )
+        soon = work <= _WORK_OF_FIRST_INSTANTS and self.model.scaled_epsilon < _LEAST_EPSILON_OF_QUADRATURE
+        if late or soon:
+            return self._accurate(time, digits, by_series=True)
+        found = self._accurate(time, digits, by_series=False)
+        if not found.reached and work <= MAX_WORK:
+            return self._accurate(time, digits, by_series=True)
+        return found
+
+    def _since(self, time: fmpq) -> fmpq:
+        """How long after the state a time is, in T."""
+        assert self.state is not None
+        return (self.state.p - self.model.alpha_1 * time) / self.model.scaled_epsilon
+
+    def _accurate(self, time: fmpq, digits: int, by_series: bool) -> CompliantForce:
         goal = bits_for_digits(digits)
         bits = goal + _GUARD_BITS
         found = None
         for _ in range(_ATTEMPTS):
-            found = self._once(time, digits, bits)
+            found = self._by_series(time, digits, bits) if by_series else self._once(time, digits, bits)
             if found.reached:
                 return found
             certain = relative_bits(found.force)
@@ -217,39 +188,57 @@ class ContactMotion:
         beta = arb(self.model.beta)
         return self.c1 * arb(self.model.sigma) ** (2 + beta) * arb(self.model.scaled_epsilon) ** beta
 
+    def _by_series(self, time: fmpq, digits: int, bits: int) -> CompliantForce:
+        """All variables at one time by the power series about the state."""
+        assert self.state is not None
+        hats = carried(self.state, self._since(time), bits)
+        return self._in_units_of_the_paper(time, digits, bits, hats, None)
+
     def _once(self, time: fmpq, digits: int, bits: int) -> CompliantForce:
-        model = self.model
-        small, sigma, p = model.scaled_epsilon, model.sigma, model.alpha_1 * time
-        mean = model.mean_force * sigma**2
-        slow, fast, by_bound = self.hats(p, bits)
-        with working_bits(bits + 64 + 2 * int(small.height_bits())):
+        """All variables at one time from the slow and the fast part."""
+        slow, fast, by_bound = self.hats(self.model.alpha_1 * time, bits)
+        with working_bits(self._bits(bits)):
             hats = {name: slow[name] + fast[name] for name in VARIABLES}
+        return self._in_units_of_the_paper(time, digits, bits, hats, (slow["force"], fast["force"], by_bound))
+
+    def _bits(self, bits: int) -> int:
+        return bits + 64 + 2 * int(self.model.scaled_epsilon.height_bits())
+
+    def _in_units_of_the_paper(
+        self, time: fmpq, digits: int, bits: int, hats: dict[str, arb], parts: tuple[arb, arb, bool] | None
+    ) -> CompliantForce:
+        model = self.model
+        small, sigma = model.scaled_epsilon, model.sigma
+        mean = model.mean_force * sigma**2
+        slow, fast, by_bound = parts or (nonfinite(), nonfinite(), False)
+        with working_bits(self._bits(bits)):
             force = (hats["force"] + mean) / sigma**2
             reached = relative_bits(force) >= bits_for_digits(digits)
             values = {
                 "force": force,
-                "b": (hats["b"] - p * mean) / sigma**2,
+                "b": (hats["b"] - model.alpha_1 * time * mean) / sigma**2,
                 "y": small**2 * (hats["Z"] - hats["force"] - 2 * mean),
                 "v": small * hats["V"] / sigma,
                 "z": small**2 * (hats["Z"] - mean),
-                "slow": (slow["force"] + mean) / sigma**2,
-                "fast": fast["force"] / sigma**2,
+                "slow": (slow + mean) / sigma**2,
+                "fast": fast / sigma**2,
             }
         short = {name: shrink_to_bits(value, bits + 16) for name, value in values.items()}
         reason = None if reached else Reason.BUDGET
         return CompliantForce(
-            model, time, **short, fast_by_bound=by_bound, digits=digits, reached=reached, reason=reason
+            model,
+            time,
+            **short,
+            fast_by_bound=by_bound,
+            digits=digits,
+            reached=reached,
+            reason=reason,
+            by_series=parts is None,
         )
 
 
 def contact_motion(model: CompliantModel, start: CompliantState | SlowManifold) -> ContactMotion:
-    """The contact phase from a state with p > 0, or on the slow manifold.
-
-    :raises ValueError: p <= 0.
-    """
+    """The contact phase from a state, or on the slow manifold."""
     if isinstance(start, SlowManifold):
         return ContactMotion(model, None, start.c1)
-    hats = deviation(model, start)
-    if not hats.p > 0:
-        raise ValueError(f"p: expected a state before the G-spot, p > 0, got {hats.p}")
-    return ContactMotion(model, hats, None)
+    return ContactMotion(model, deviation(model, start), None)

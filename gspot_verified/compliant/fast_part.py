@@ -72,8 +72,15 @@ def _bits(state: Deviation) -> int:
 
 
 def _level(first: fmpq, p: fmpq) -> fmpq:
-    """The least multiple of first/4 that is at least p: few bounds for many times."""
-    return first * fmpq((p * _LEVELS / first).ceil(), _LEVELS)
+    """The least multiple of first/4 that is at least p, or nearer to first first (1 - 2^-k): few bounds for many times.
+
+    Any number from p to first is right.
+    """
+    level = first * fmpq((p * _LEVELS / first).ceil(), _LEVELS)
+    if level < first or p == first:
+        return level
+    gap = 1 - p / first  # in (0, 1/4)
+    return first * (1 - fmpq(1, 2 ** int((1 / gap).ceil() - 1).bit_length()))
 
 
 def _height(p: fmpq) -> arb:

@@ -8,8 +8,8 @@ from __future__ import annotations
 from flint import arb, fmpq
 
 from gspot_verified.balls import add_remainder, nonfinite, working_bits
-from gspot_verified.compliant.compliant_force import CompliantForce
 from gspot_verified.compliant.flight import ContactState
+from gspot_verified.compliant.force_result import CompliantForce
 
 
 def contact_state(value: CompliantForce, bits: int) -> ContactState:

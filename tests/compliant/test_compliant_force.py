@@ -14,7 +14,9 @@ from strategies import ends
 from witness import contains_witness, to_fraction
 
 from gspot_verified.balls import relative_bits, working_bits
-from gspot_verified.compliant.compliant_force import CompliantForce, SlowManifold, compliant_force
+from gspot_verified.compliant.compliant_force import SlowManifold, compliant_force
+from gspot_verified.compliant.contact_series import carried
+from gspot_verified.compliant.force_result import CompliantForce
 from gspot_verified.compliant.normal_form import compliant_model, compliant_state, deviation
 from gspot_verified.signs.contact_force import contact_force
 from gspot_verified.verdict import Reason
@@ -112,11 +114,39 @@ def test_small_epsilon_needs_the_fast_part_only_as_a_bound(epsilon: str) -> None
     with working_bits(100):
         rough = fmpq(2, 3) * (1 + arb(fmpq(1, 2)) ** fmpq(3, 2))
         assert abs(found.force - rough) < 200 * arb(small) + arb(10) ** -20
-    # At the start nothing is gained by the bound, and the result says so.
+    # At the start nothing is gained by the bound: the power series about the state serves there.
     start = compliant_force(model, state, "-1/2")
-    assert not start.reached
-    assert start.reason is Reason.BUDGET
-    assert start.force.contains(fmpq(4, 3))
+    assert start.reached
+    assert start.by_series
+    assert contains_witness(start.force, Fraction(4, 3), 14)
+
+
+def test_between_the_series_and_the_bound_the_result_says_what_it_did_not_reach() -> None:
+    model = compliant_model("5/2", "1e-300")
+    small = model.epsilon
+    state = compliant_state("1/2", "-2/3", small**2 * fmpq(-5, 2), small / 7, -(small**2))
+    found = compliant_force(model, state, fmpq(-1, 2) + 4000 * small)
+    assert not found.reached
+    assert found.reason is Reason.BUDGET
+    assert compliant_force(model, state, fmpq(-1, 2) + 20_000 * small).reached
+
+
+@pytest.mark.parametrize(("epsilon", "late"), [("1e-6", 1200), ("1e-12", 1500)])
+def test_first_instants_at_small_epsilon(epsilon: str, late: int) -> None:
+    """The bound of the fast part and the power series overlap where both serve, and join without a gap."""
+    model = compliant_model("5/2", epsilon)
+    state = some_state(model)
+    for duration, by_series in ((1, True), (100, True), (450, True), (late, False)):
+        found = compliant_force(model, state, fmpq(-1, 2) + duration * model.epsilon)
+        assert found.reached
+        assert found.by_series is by_series
+        if duration == 1:
+            _, values = expected(model, state, model.epsilon)
+            check(found, values)
+    series = carried(deviation(model, state), fmpq(late), 400)
+    with working_bits(400):
+        assert relative_bits(series["force"]) > 50
+        assert found.force.overlaps(series["force"] + model.mean_force)
 
 
 def test_the_slow_manifold_is_near_leading_order_and_solves_the_equations() -> None:
@@ -168,8 +198,8 @@ def test_bad_input() -> None:
         compliant_force(model, state, 0.5)
     with pytest.raises(ValueError, match="digits"):
         compliant_force(model, state, 0, digits=0)
-    with pytest.raises(ValueError, match="p > 0"):
-        compliant_force(model, compliant_state("-1/2", 1, -1, 0, 1), 1)
+    with pytest.raises(ValueError, match="too long after an initial state with p <= 0"):
+        compliant_force(compliant_model("5/2", "1e-9"), compliant_state("-1/2", 1, -1, 0, 1), 1)
     with pytest.raises(TypeError, match="reached"):
         bool(compliant_force(model, SlowManifold(fmpq(1)), 0))
 

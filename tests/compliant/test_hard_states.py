@@ -7,30 +7,13 @@ from fractions import Fraction
 
 import pytest
 from flint import arb, fmpq
-from slow_witness import polynomial_value
-from strategies import ends, holds, to_fmpq
+from slow_witness import on_the_slow_manifold
+from strategies import ends, holds
 
 from gspot_verified.balls import sign_of, working_bits
 from gspot_verified.compliant.normal_form import Deviation, compliant_model, compliant_state
 from gspot_verified.compliant.side_rule import coefficients, side_rule
 from gspot_verified.verdict import Outcome
-
-
-def on_the_slow_manifold(beta: int, epsilon: Fraction, p: Fraction) -> Deviation:
-    """The state of F_beta, a polynomial in T: rational, exactly on the slow manifold, with C = 1."""
-    time = -p / epsilon
-
-    def derivative(k: int) -> Fraction:
-        factor = Fraction(1)
-        for j in range(k):
-            factor *= j - beta
-        return factor * polynomial_value(time, beta - k, epsilon) if k <= beta else Fraction(0)
-
-    b, force, first, second = derivative(0), *(derivative(k) / (epsilon * beta) for k in (1, 2, 3))
-    velocity = -second - 2 * first - b - p * force
-    place = -first - 2 * force - velocity
-    hats = [to_fmpq(value) for value in (b, velocity, place, place + force)]
-    return Deviation(fmpq(beta), to_fmpq(epsilon), to_fmpq(p), *hats)
 
 
 @pytest.mark.parametrize("beta", [2, 3, 4, 7])
