@@ -235,4 +235,18 @@ def test_no_bound_where_a_logarithm_may_not_exist() -> None:
             starts = {x: start, nodes[-1]: arb(0)}
             assert not _changes(nodes, starts, [lambda r, radius=radius: r * radius], arb(1))[nodes[-1]].is_finite()
         starts = {x: arb(1), nodes[-1]: arb(0)}
-        assert _changes(nodes, starts, [lambda r: r / 2], arb(1))[nodes[-1]].overlaps(arb(2).log())
+        found = _changes(nodes, starts, [lambda r: r / 2], arb(1))[nodes[-1]]
+        assert found.is_finite()
+        assert found.overlaps(arb(2).log())
+
+
+def test_a_logarithm_of_a_start_of_any_size() -> None:
+    """log(u_0 + d) - log u_0 is largest in absolute value at d = -h: -log(1 - h/u_0), attained; h = 1/16."""
+    nodes = in_order([Logarithm(x)])
+    for start in (fmpq(1, 12), fmpq(1, 2), fmpq(1), fmpq(6, 5), fmpq(40)):
+        with working_bits(100):
+            found = _changes(nodes, starts_of(nodes, start), [lambda r: r], arb(fmpq(1, 16)))[nodes[-1]]
+            wanted = arb(start).log() - arb(start - fmpq(1, 16)).log()
+            assert found.is_finite()
+            assert wanted.lower() <= found.upper()
+            assert found.upper() < wanted + fmpq(1, 10**20)

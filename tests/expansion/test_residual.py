@@ -255,6 +255,16 @@ def test_text_and_json() -> None:
     assert sorted(written) == sorted(texts.values())
 
 
+def test_the_equations_bear_the_names_of_the_state() -> None:
+    found = residual_bounds(expand_system(extended_example(chi=1), 6), s=1, delta="1/10")
+    names = ("alpha", "beta", "gamma", "kappa", "mu", "nu")
+    titles = [line.split(": ")[0].strip() for line in str(replace(found, state=names)).splitlines()[1:-1]]
+    assert titles == [f"equation of {names[int(k[3:]) - 1]}" if k[:3] == "xi_" else k for k in found.constants]
+    assert [title for title in titles if "equation" in title] == [f"equation of {name}" for name in names]
+    titles = [line.split(": ")[0].strip() for line in str(replace(found, state=())).splitlines()[1:-1]]
+    assert titles == list(found.constants)
+
+
 def test_a_box_of_balls_is_written_as_exact_intervals() -> None:
     s, delta = arb("1", "0.01"), arb("0.1", "0.001")
     data = residual_bounds(expand_system(extended_example(1), 6), s, delta).to_json()
