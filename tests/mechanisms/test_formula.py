@@ -242,7 +242,7 @@ def test_depth_is_counted_after_what_has_been_closed() -> None:
 
 def test_the_zeroth_power_does_not_forget_what_it_is_a_power_of() -> None:
     with pytest.raises(FormulaError, match="powers may nest to at most 64"):
-        parse_formula("(x^64 + (x^8)^0)^2", NAMES)
+        parse_formula("((x^8)^0)^9", NAMES)
 
 
 def test_what_stands_side_by_side_is_not_nested() -> None:

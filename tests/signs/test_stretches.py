@@ -18,7 +18,16 @@ from gspot_verified import evaluate, gamma_sign, zeros_at
 from gspot_verified.balls import sign_of, working_bits
 from gspot_verified.signs.contact_force import contact_force
 from gspot_verified.signs.count_law import number_of_zeros
-from gspot_verified.signs.stretches import Bracket, NotAbove, Stretches, first_crossing, minimum, narrowed, stretches
+from gspot_verified.signs.stretches import (
+    Bracket,
+    NotAbove,
+    Stretches,
+    _below,
+    first_crossing,
+    minimum,
+    narrowed,
+    stretches,
+)
 
 BETAS = ("3/2", "7/3", "29/10", "7/2", "9/2", "27/5", "13/2", "23/3", "101/100", "399/100")
 
@@ -251,3 +260,28 @@ def test_a_crossing_far_to_the_right_and_one_too_far(monkeypatch: pytest.MonkeyP
 )
 def test_ends_beside_the_grid_are_kept(lower: fmpq, upper: fmpq, root: fmpq, expected: tuple[fmpq, fmpq]) -> None:
     assert narrowed(lambda tau: tau > root, lower, upper, 1) == expected
+
+
+@pytest.mark.parametrize("tries", [1, 2, 3, 4])
+@pytest.mark.parametrize("side", [1, -1])
+def test_what_a_coarse_ball_leaves_open_is_asked_again_of_finer_ones(tries: int, side: int) -> None:
+    """The level is 1 away from the function's value, and known well enough at the ``tries``-th accuracy only."""
+    tau, found = fmpq(1, 3), stretches(fmpq(7, 2), -1, fmpq(-3))
+    value = value_at(tau, found.beta, found.sign).mid()
+    asked: list[int] = []
+
+    def level(digits: int) -> arb:
+        asked.append(digits)
+        with working_bits(200):
+            return arb(side) - value + arb(0, fmpq(1, 2) if len(asked) >= tries else 2)
+
+    answer = _below(found, level, 8)(tau)
+    assert answer is (None if tries > 3 else side < 0)
+    assert len(asked) == min(tries, 3)
+    assert asked == sorted(set(asked))
+    assert asked[0] > 8
+
+
+def test_a_value_that_is_exactly_the_level_is_not_below_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("gspot_verified.signs.stretches.sign_of", lambda _: 0)
+    assert _below(stretches(fmpq(7, 2), -1, fmpq(-3)), lambda _: arb(1), 8)(fmpq(0)) is None
