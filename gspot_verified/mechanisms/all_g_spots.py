@@ -208,8 +208,7 @@ class _Search:
             )
             return
         try:
-            start = dict(zip(self._state, (value.mid() for value in place), strict=True))
-            spot = prove_near(self._shifted, start, self._bits + _EXTRA_BITS)
+            spot = prove_near(self._shifted, self._start(place), self._bits + _EXTRA_BITS)
         except (GSpotError, MechanismError) as error:
             self._leave(values, str(error))
             return
@@ -222,6 +221,12 @@ class _Search:
             spots.append(spot)
         elif position == "boundary":
             boundary.append(spot)
+
+    def _start(self, place: Sequence[arb]) -> dict[str, arb]:
+        """Where Newton's method starts: midpoints, but the whole balls of the components that are fixed at them."""
+        fixed = self._shifted.mechanism.place.fixed or ()
+        pairs = zip(self._state, place, strict=True)
+        return {word: value if word in fixed else value.mid() for word, value in pairs}
 
     def _leave(self, values: Mapping[int, arb], why: str) -> None:
         words = {self._state[i]: in_words(self._shifted.mechanism, self._state[i], v) for i, v in values.items()}
@@ -239,7 +244,7 @@ class _Search:
             left = search.run([self._region.side(i) for i in first.variables], share).left
             for box in left:
                 values = {**partial.values, **dict(zip(first.variables, box, strict=True))}
-                if patch is None:
+                if patch is None and partial.proved:
                     patch = self._patch(stages, values)
                 if len(self._left) < 50 and patch is None:
                     self._leave(values, "no patch of G-spots could be proved, and their absence was not proved either")

@@ -50,8 +50,11 @@ class CriticalFriction(NoTruthValue):
 
     @property
     def is_below(self) -> bool | None:
-        """Whether the mechanism's friction coefficient is certainly below the critical one, or certainly above."""
-        if self.value is None or self.friction is None:
+        """Whether the mechanism's friction coefficient is certainly below the critical one, or certainly above.
+
+        None also for a negative coefficient: nothing is said of p there.
+        """
+        if self.value is None or self.friction is None or not self.friction >= 0:
             return None
         if self.friction < self.value:
             return True

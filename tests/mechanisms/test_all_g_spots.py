@@ -479,3 +479,31 @@ def test_no_start_of_newtons_method_finds_a_spot_that_is_not_listed(
                 hit.update(near)
                 break
     assert len(hit) >= len(listed) - 2
+
+
+def free_rod(mu: Fraction, vertical: str, **options: Any) -> Mechanism:
+    """The slender rod with a vertical force of the user's own."""
+    return lagrangian(
+        "rod", ["X", "Y", "theta"], [[1, 0, 0], [0, 1, 0], [0, 0, "1/12"]], [0, vertical, 0],
+        "X + cos(theta)/2", "Y - sin(theta)/2", mu, **options,
+    )  # fmt: skip
+
+
+def test_no_patch_over_a_configuration_that_is_not_proved() -> None:
+    """Below 4/3 by 10^-190 no configuration has p = 0, but no enclosure tells: velocities cannot make a patch of it."""
+    found = find_g_spots(free_rod(CRITICAL - Fraction(1, 10**190), "-1 - X_dot"), budget=3000)
+    assert found.patch is None
+    assert found.left
+    assert found.verdict.outcome is Outcome.UNDECIDED
+    above = find_g_spots(free_rod(Fraction(2), "-1 - X_dot"), budget=3000)
+    assert above.patch is not None
+
+
+def test_a_fixed_component_that_is_not_rational_lies_in_its_enclosure() -> None:
+    mechanism = free_rod(Fraction(2), "-1", place={"X": "2^(1/2)", "X_dot": 0}, fixed=["X", "X_dot"])
+    found = find_g_spots(mechanism)
+    assert len(found.spots) == 4
+    assert found.complete
+    with working_bits(600):
+        root = arb(2).sqrt()
+        assert all(spot.system.point[0].is_finite() and spot.system.point[0].contains(root) for spot in found.spots)

@@ -149,3 +149,14 @@ def test_constraints_with_multipliers_are_refused() -> None:
     found = critical_friction(tied)
     assert found.value is None
     assert "constraints" in found.reason
+
+
+def test_a_negative_coefficient_is_not_below() -> None:
+    """Nothing is said of p there: by the mirror image, p of the rod vanishes where p of mu = +2 does."""
+    found = critical_friction(shipped_mechanism("genot_brogliato_rod", mu=-2))
+    assert found.value is not None
+    assert found.value.overlaps(arb(4) / 3)
+    assert found.is_below is None
+    assert "lies below" not in str(found)
+    assert found.to_json()["below"] is None
+    assert critical_friction(shipped_mechanism("genot_brogliato_rod", mu=0)).is_below is True
