@@ -76,6 +76,7 @@ def compliant_force(
     :raises TypeError: a float.
     :raises ValueError: a time before the state, or too long after a state with p <= 0; an argument out of range.
 
+    >>> from gspot_verified.balls import ball_text
     >>> from gspot_verified.compliant.normal_form import compliant_model, compliant_state
     >>> model = compliant_model("5/2", "1e-6")
     >>> print(ball_text(compliant_force(model, SlowManifold(fmpq(1)), "1e-4", digits=8).force, 8))

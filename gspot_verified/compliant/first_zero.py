@@ -1,6 +1,6 @@
 """The first zero of the contact force from an initial state: lambda > 0 before it, a bracket, transversality.
 
-Proof page: ``proofs/force_range.md``.
+Proof pages: ``proofs/force_range.md``; near the initial state ``proofs/contact_series.md``, section 4.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from gspot_verified.balls import ExactInput, approximate, bits_for_digits, sign_
 from gspot_verified.compliant.compliant_force import ContactMotion, contact_motion
 from gspot_verified.compliant.force_range import ForceRange
 from gspot_verified.compliant.normal_form import CompliantModel, CompliantState
+from gspot_verified.compliant.zero_by_series import MOST_WORK, positive_by_series, zero_by_series
 from gspot_verified.signs.brackets import decimal_text
 from gspot_verified.signs.contact_force import rational
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
@@ -27,6 +28,7 @@ _MARGINS = (fmpq(1, 16), fmpq(1, 4), fmpq(1))
 _MOST_PIECES = 400
 _NEWTON_STEPS = 8
 _START_BITS = 60
+_FIRST_INSTANTS = fmpq(500)
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +67,9 @@ def contact_lasts(model: CompliantModel, state: CompliantState, until: ExactInpu
 
     Proved, or undecided: a refutation is the business of :func:`first_zero`.
 
-    :raises ValueError: ``until`` is before the state; p <= 0.
+    From a state with p <= 0 about 1 000 units epsilon/|alpha_1| of time are in reach.
+
+    :raises ValueError: ``until`` is before the state.
     """
     end = rational(until, "until")
     motion = contact_motion(model, state)
@@ -73,18 +77,36 @@ def contact_lasts(model: CompliantModel, state: CompliantState, until: ExactInpu
     if model.alpha_1 * end > motion.state.p:
         raise ValueError(f"until: {end} is before the initial state")
     text = f"in the compliant model, from this initial state, λ_N > 0 up to t = {end}"
-    if _positive(_force_range(motion), motion.state.time, -model.alpha_1 * end / model.scaled_epsilon):
+    if _lasts(motion, -model.alpha_1 * end / model.scaled_epsilon):
         return Verdict.proved(text)
+    if not motion.state.p > 0:
+        detail = f"not shown by the power series, whose work is limited to {MOST_WORK}"
+        return Verdict.undecided(text, Reason.BUDGET, detail)
     return Verdict.undecided(text, Reason.BUDGET, "the force is too small, or its fast part too large for the bound")
+
+
+def _lasts(motion: ContactMotion, end: fmpq) -> bool:
+    """lambda > 0 from the state up to T = ``end``; the first instants by the power series where the bound fails."""
+    state = motion.state
+    assert state is not None
+    mean = motion.model.mean_force * motion.model.sigma**2
+    if not state.p > 0:
+        return positive_by_series(state, mean, end - state.time)
+    force = _force_range(motion)
+    if _positive(force, state.time, end):
+        return True
+    head = state.time + min(_FIRST_INSTANTS, end - state.time)
+    return positive_by_series(state, mean, head - state.time) and (head == end or _positive(force, head, end))
 
 
 def first_zero(model: CompliantModel, state: CompliantState, digits: int = 25) -> FirstZero:
     """The time at which the contact force first vanishes, in a bracket of 10^-digits times (epsilon/2)^(-1/3) epsilon.
 
-    The unit of the bracket is that of tau = (epsilon/2)^(1/3) t/epsilon, in which the G-spot has width 1.
+    The unit of the bracket is that of tau = (epsilon/2)^(1/3) t/epsilon, in which the G-spot has width 1. From a state
+    with p <= 0 about 1 000 units epsilon/|alpha_1| of time are looked at.
 
     :param digits: 1..100.
-    :raises ValueError: p <= 0; digits out of range.
+    :raises ValueError: digits out of range.
 
     >>> from gspot_verified.compliant.normal_form import compliant_model, compliant_state
     >>> model = compliant_model("3/2", "1e-9")
@@ -101,6 +123,9 @@ def first_zero(model: CompliantModel, state: CompliantState, digits: int = 25) -
     start = state.p / model.alpha_1
     text = "in the compliant model, from this initial state, the contact force has its first zero in the bracket"
     failed = FirstZero(model, start, Verdict.undecided(text, Reason.BUDGET, "no bracket was found"))
+    if not state.p > 0:
+        found = _after_the_g_spot(motion, start, text, digits)
+        return failed if found is None else found
     force = _force_range(motion)
     rough = _rough_zero(force, motion.state.time)
     if rough is None:
@@ -110,7 +135,7 @@ def first_zero(model: CompliantModel, state: CompliantState, digits: int = 25) -
         before, after = rough - margin * unit, rough + margin * unit
         if before < 0 < after:
             continue
-        if not (force.slope(before, after) < 0 and _positive(force, motion.state.time, before)):
+        if not (force.slope(before, after) < 0 and _lasts(motion, before)):
             continue
         second = model.scaled_epsilon / -model.alpha_1
         bracket = _bracket(motion, rough, unit / fmpq(10) ** digits, digits)
@@ -121,6 +146,21 @@ def first_zero(model: CompliantModel, state: CompliantState, digits: int = 25) -
             return failed
         return FirstZero(model, start, Verdict.proved(text, "λ_N > 0 before it, dλ_N/dt < 0 at it"), lower, upper)
     return failed
+
+
+def _after_the_g_spot(motion: ContactMotion, start: fmpq, text: str, digits: int) -> FirstZero | None:
+    """The bracket from a state with p <= 0, by the power series."""
+    model, state = motion.model, motion.state
+    assert state is not None
+    mean = model.mean_force * model.sigma**2
+    width = _unit(motion) / fmpq(10) ** digits
+    bracket = zero_by_series(state, mean, width, 2 * bits_for_digits(digits) + _START_BITS)
+    if bracket is None:
+        return None
+    second = model.scaled_epsilon / -model.alpha_1
+    lower, upper = _outward(start + bracket[0] * second, start + bracket[1] * second)
+    proved = Verdict.proved(text, "λ_N > 0 before it, dλ_N/dt < 0 at it")
+    return FirstZero(model, start, proved, max(lower, start), upper)
 
 
 def _force_range(motion: ContactMotion) -> ForceRange:

@@ -1,0 +1,133 @@
+"""The contact force over the first stretch of a motion, by its power series: > 0, or its first zero in a bracket.
+
+Proof pages: ``proofs/contact_series.md``, section 4; ``proofs/force_range.md``, section 2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from flint import arb, arb_poly, fmpq
+
+from gspot_verified.balls import add_remainder, sign_of, working_bits
+from gspot_verified.compliant.contact_series import SeriesCell, series_cells, series_rate, series_work
+from gspot_verified.compliant.normal_form import Deviation
+
+MOST_WORK = 3_000
+"""Rate times duration up to which a stretch is looked at."""
+
+_STRETCHES = (30, 300, MOST_WORK)
+_WORK_OF_A_CELL = 3
+_LEAST_PIECE = fmpq(1, 2**24)
+_BITS = 128
+_BITS_OF_LARGE = 30
+
+
+@dataclass(frozen=True, slots=True)
+class _Piece:
+    """The force lambda = mean + Z - Y and its slope on a part [left, right] of a cell, 0 <= left < right <= 1."""
+
+    cell: SeriesCell
+    mean: fmpq
+    left: fmpq
+    right: fmpq
+
+    def force(self) -> arb:
+        """An enclosure of lambda over the piece."""
+        _, _, Y, Z = self.cell.variables
+        return self.mean + _range(Z - Y, self.cell.rests[2] + self.cell.rests[3], self.left, self.right)
+
+    def slope(self) -> arb:
+        """An enclosure of d lambda/dT = -(2 Z - Y + V) over the piece."""
+        _, V, Y, Z = self.cell.variables
+        _, v, y, z = self.cell.rests
+        return -_range(2 * Z - Y + V, 2 * z + y + v, self.left, self.right)
+
+    def halves(self) -> tuple[_Piece, _Piece]:
+        """The left and the right half."""
+        middle = (self.left + self.right) / 2
+        return _Piece(self.cell, self.mean, self.left, middle), _Piece(self.cell, self.mean, middle, self.right)
+
+    def sign_at(self, x: fmpq) -> int | None:
+        """The sign of lambda at a point of the cell, where it is certain."""
+        _, _, Y, Z = self.cell.at(arb(x))
+        return sign_of(self.mean + Z - Y)
+
+
+def _range(polynomial: arb_poly, rest: arb, left: fmpq, right: fmpq) -> arb:
+    """An enclosure over [left, right]: the coefficients in u, x = left + (right - left) u, and 0 <= u^k <= 1."""
+    shifted = polynomial(arb_poly([left, right - left])).coeffs()
+    total = shifted[0] if shifted else arb(0)
+    for coefficient in shifted[1:]:
+        total += arb(0).union(coefficient)
+    return add_remainder(total, rest)
+
+
+def positive_by_series(state: Deviation, mean: fmpq, duration: fmpq) -> bool:
+    """lambda > 0 from the state up to the time ``duration`` in T after it, certainly; False where it is not shown."""
+    if series_work(state, duration) > MOST_WORK:
+        return False
+    if duration == 0:
+        return bool(state.force + mean > 0)
+    return next(_not_positive(state, mean, duration, _BITS), None) is None
+
+
+def zero_by_series(state: Deviation, mean: fmpq, width: fmpq, bits: int) -> tuple[fmpq, fmpq] | None:
+    """Two times since the state, in T, ``width`` or less apart: the first zero of lambda lies between them.
+
+    lambda > 0 from the state up to it, and its slope is < 0 there. ``bits``: the accuracy of lambda that this asks for.
+    None where no such bracket is found.
+    """
+    for work in _STRETCHES:
+        duration = _duration(state, work)
+        for piece in _not_positive(state, mean, duration, bits, gives_up=True):
+            return _bracket(piece, width / piece.cell.width, bits)
+    return None
+
+
+def _duration(state: Deviation, work: int) -> fmpq:
+    """About the time at which this work is done: a heuristic."""
+    duration = work / series_rate(state, fmpq(0))
+    for _ in range(4):
+        duration = work / series_rate(state, duration)
+    return duration
+
+
+def _not_positive(state: Deviation, mean: fmpq, duration: fmpq, bits: int, gives_up: bool = False) -> Iterator[_Piece]:
+    """The first piece on which lambda > 0 is not shown and its slope is < 0, or that is too short to be cut; with
+    lambda > 0 on all pieces before it. Nothing when lambda > 0 up to the end; and, if ``gives_up``, when lambda has
+    become so large that no zero is to be expected: a heuristic."""
+    large = arb(2) ** _BITS_OF_LARGE * (1 + abs(arb(mean)) + abs(arb(state.b)) + abs(arb(state.V)) + arb(state.force))
+    steps = int((series_work(state, duration) / _WORK_OF_A_CELL).ceil())
+    for cell in series_cells(state, duration, max(1, steps), bits):
+        with working_bits(bits + 64):
+            waiting = [_Piece(cell, mean, fmpq(0), fmpq(1))]
+            while waiting:
+                piece = waiting.pop()
+                if piece.force() > 0:
+                    continue
+                end = piece.sign_at(piece.right) if piece.slope() < 0 else None
+                if end == 1:  # it falls, and is still positive
+                    continue
+                if end == -1 or piece.right - piece.left <= _LEAST_PIECE:
+                    yield piece
+                    return
+                waiting += reversed(piece.halves())
+            if gives_up and cell.at(arb(1))[3] - cell.at(arb(1))[2] > large:
+                return
+
+
+def _bracket(piece: _Piece, width: fmpq, bits: int) -> tuple[fmpq, fmpq] | None:
+    """Halved down to a part of length ``width`` of the cell, while the signs at both ends are certain."""
+    with working_bits(bits + 64):
+        left, right = piece.left, piece.right
+        if not (piece.slope() < 0 and piece.sign_at(left) == 1 and piece.sign_at(right) == -1):
+            return None
+        while right - left > width:
+            middle = (left + right) / 2
+            sign = piece.sign_at(middle)
+            if sign not in (1, -1):
+                return None
+            left, right = (middle, right) if sign == 1 else (left, middle)
+    return piece.cell.first + left * piece.cell.width, piece.cell.first + right * piece.cell.width

@@ -1,0 +1,138 @@
+"""The contact force near the initial state by its power series: where it is positive, and its first zero.
+
+Page: proofs/contact_series.md, section 4.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import mpmath
+import pytest
+from contact_witness import moved
+from flint import arb, arb_poly, fmpq
+from hypothesis import given
+from hypothesis import strategies as st
+from strategies import ends, to_fmpq
+
+from gspot_verified.balls import working_bits
+from gspot_verified.compliant.compliant_force import compliant_force
+from gspot_verified.compliant.contact_series import series_cells
+from gspot_verified.compliant.first_zero import contact_lasts, first_zero
+from gspot_verified.compliant.normal_form import compliant_model, compliant_state, deviation
+from gspot_verified.compliant.zero_by_series import _Piece, _range, positive_by_series, zero_by_series
+from gspot_verified.verdict import Outcome
+
+EPSILONS = ["1/10", "1/1000", "1e-6", "1e-9"]
+
+
+def motion(epsilon: str, p: str = "-1/10", b: str = "1/3"):
+    model = compliant_model("5/2", epsilon)
+    small = model.epsilon
+    return model, compliant_state(p, b, -2 * small**2, small / 7, -(small**2))
+
+
+def force_by_equations(model, state, time: fmpq) -> mpmath.mpf:
+    hats = deviation(model, state)
+    duration = (time - state.p / model.alpha_1) / model.epsilon
+    with mpmath.workdps(50):
+        numbers = [
+            mpmath.mpf(int(v.p)) / int(v.q)
+            for v in (hats.b, hats.V, hats.Y, hats.Z, hats.p, hats.beta, hats.epsilon, duration, model.mean_force)
+        ]
+        (_, _, Y, Z), _ = moved(numbers[:4], *numbers[4:8], steps=int(duration * 4) + 4)
+        return Z - Y + numbers[8]
+
+
+@pytest.mark.parametrize(("p", "b"), [("0", "1/3"), ("-1/10", "1/3"), ("-3", "4")])
+@pytest.mark.parametrize("epsilon", EPSILONS)
+def test_the_first_zero_from_a_state_at_or_after_the_g_spot(epsilon: str, p: str, b: str) -> None:
+    model, state = motion(epsilon, p, b)
+    found = first_zero(model, state)
+    assert found.verdict.outcome is Outcome.PROVED
+    assert found.lower is not None
+    assert found.upper is not None
+    assert found.start < found.lower < found.upper
+    with working_bits(64):
+        width = (arb(model.epsilon) / 2).root(3) ** 2 * 2 * arb(10) ** -25
+        assert arb(found.upper - found.lower) < 2 * width
+    assert force_by_equations(model, state, found.lower) > 0 > force_by_equations(model, state, found.upper)
+    # It is the first one: the force is positive at times before it, and the certificate of that agrees.
+    for share in (fmpq(1, 4), fmpq(1, 2), fmpq(3, 4), fmpq(99, 100)):
+        assert force_by_equations(model, state, found.start + share * (found.lower - found.start)) > 0
+    assert contact_lasts(model, state, found.lower).outcome is Outcome.PROVED
+    assert contact_lasts(model, state, found.upper).outcome is Outcome.UNDECIDED
+    assert compliant_force(model, state, found.lower, digits=3).force > 0
+
+
+def test_a_force_that_grows_has_no_bracket_and_lasts() -> None:
+    model, state = motion("1/1000", b="-1/3")
+    found = first_zero(model, state)
+    assert found.verdict.outcome is Outcome.UNDECIDED
+    assert contact_lasts(model, state, "1/5").outcome is Outcome.PROVED
+    beyond = contact_lasts(model, state, 10)
+    assert beyond.outcome is Outcome.UNDECIDED
+    assert "the power series, whose work is limited to 3000" in beyond.detail
+
+
+def test_the_second_zero_is_not_taken_for_the_first() -> None:
+    """A force that falls to 0, is negative, and rises again: the bracket is that of the fall."""
+    model = compliant_model("5/2", "1/10")
+    small = model.epsilon
+    state = compliant_state("-1/10", "-1/3", -2 * small**2, 3 * small, -(small**2))
+    found = first_zero(model, state)
+    assert found.lower is not None
+    assert found.upper is not None
+    assert force_by_equations(model, state, found.lower) > 0 > force_by_equations(model, state, found.upper)
+    assert force_by_equations(model, state, found.start + 50 * (found.upper - found.start)) > 0
+    assert not positive_by_series(deviation(model, state), model.mean_force, fmpq(60))
+
+
+@pytest.mark.parametrize("until", ["-499999/1000000", "-49/100", "-1/4", "1/10000"])
+def test_the_first_instants_at_small_epsilon(until: str) -> None:
+    """The bound of the fast part is too large at the start, p > 0: the series joins the two."""
+    model = compliant_model("5/2", "1e-6")
+    small = model.epsilon
+    state = compliant_state("1/2", "-2/3", small**2 * fmpq(-5, 2), small / 7, -(small**2))
+    assert contact_lasts(model, state, until).outcome is Outcome.PROVED
+
+
+def test_a_loss_of_contact_in_the_first_instants_is_seen() -> None:
+    model = compliant_model("5/2", "1e-6")
+    small = model.epsilon
+    state = compliant_state("1/2", "-2/3", small**2 * fmpq(-5, 2), 3 * small, -(small**2))
+    assert force_by_equations(model, state, fmpq(-1, 2) + 2 * small) < 0
+    assert contact_lasts(model, state, "-1/4").outcome is Outcome.UNDECIDED
+
+
+coefficients = st.lists(st.fractions(-5, 5, max_denominator=9), max_size=6)
+
+
+@given(coefficients, st.fractions(0, 1, max_denominator=16), st.fractions(0, 1, max_denominator=16), st.fractions(0, 1))
+def test_the_range_of_a_polynomial_holds_its_values(found: list[Fraction], one: Fraction, two: Fraction, u) -> None:
+    left, right = min(one, two), max(one, two)
+    x = left + (right - left) * u
+    value = sum((c * x**k for k, c in enumerate(found)), Fraction(0))
+    with working_bits(100):
+        box = _range(arb_poly([to_fmpq(c) for c in found]), arb(fmpq(1, 8)), to_fmpq(left), to_fmpq(right))
+        lower, upper = ends(box)
+        assert lower <= value - Fraction(1, 8)
+        assert upper >= value + Fraction(1, 8)
+
+
+def test_the_rests_enter_with_their_factors() -> None:
+    model, state = motion("1/10")
+    (cell,) = series_cells(deviation(model, state), fmpq(1), 1, 80)
+    wide = type(cell)(cell.first, cell.width, cell.variables, (arb(64), arb(16), arb(4), arb(1)))
+    narrow = type(cell)(cell.first, cell.width, cell.variables, (arb(0),) * 4)
+    for name, rest in (("force", 5), ("slope", 16 + 2 + 4)):
+        one, two = (getattr(_Piece(c, fmpq(0), fmpq(0), fmpq(1)), name)() for c in (wide, narrow))
+        with working_bits(80):
+            assert abs(one.rad() - two.rad() - rest) < fmpq(1, 1000)
+
+
+def test_without_a_certain_sign_at_an_end_there_is_no_bracket() -> None:
+    model, state = motion("1/10")
+    hats = deviation(model, state)
+    assert zero_by_series(hats, model.mean_force, fmpq(1, 10**6), 80) is not None
+    assert zero_by_series(hats, model.mean_force, fmpq(1, 10**400), 80) is None
