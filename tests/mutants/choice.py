@@ -7,7 +7,12 @@ from pathlib import Path
 
 _LEDGER = "gspot_verified/ledger/"
 _OF_THE_PARTS = ("tests/ledger/test_verdicts.py", "tests/ledger/test_teeth.py")
-_ALSO = {"proofs/check.py": ("must_reject/test_must_reject.py", "must_reject/test_hostile.py")}
+_ALSO = {
+    "proofs/check.py": (
+        *("must_reject/test_must_reject.py", "must_reject/test_hostile.py"),
+        *("compliant/test_force_certificate.py", "compliant/test_zero_certificate.py"),
+    )
+}
 
 
 def mirrored(root: Path, file: str) -> list[str]:
