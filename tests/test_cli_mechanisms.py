@@ -225,6 +225,23 @@ def test_classify_finds_all_g_spots_or_proves_that_there_is_none(
     assert "note: X_dot stands in u, and no condition holds it" in out
 
 
+def test_a_place_that_is_no_g_spot_for_these_parameters_is_no_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, "classify", "rod", "--set", "mu=13/10")
+    assert code == 1
+    assert "not a G-spot: p = 131/125 must be 0 at the place given, with these parameters" in err
+    assert "all G-spots are searched instead" in err
+    assert "lies below mu_c: p > 0 in every configuration in contact" in out
+    code, out, err = run(capsys, "classify", "rod", "--set", "mu=2", "--json")
+    assert code == 0
+    assert "not a G-spot" in err
+    data = json.loads(out)
+    assert data["search"]["complete"] is True
+    assert len(data["spots"]) == 4
+    code, _, err = run(capsys, "expand", "rod", "--set", "mu=13/10")
+    assert code == 64
+    assert "classify --all" in err
+
+
 def test_classify_in_a_box_and_with_a_budget(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys, "classify", "genot_brogliato_rod", "--box", "theta=0..1", "--box", "theta_dot=0..10")
     assert code == 0

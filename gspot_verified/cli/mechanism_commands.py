@@ -51,7 +51,8 @@ def classify(
 ) -> None:
     """A mechanism's G-spot: alpha_i, β, Case I, II or III, and in Case III which side lifts off.
 
-    All of its G-spots with --all, --box, or where the file gives no place; then exit code 1: there is none, proved.
+    All of its G-spots with --all, --box, or where the file gives no place, or one that is no G-spot for these
+    parameters; then exit code 1: there is none, proved.
     Exit code 2: the list may not be complete, or the balls of a point that is not rational leave the case open.
     """
     if from_state is not None:
@@ -59,6 +60,7 @@ def classify(
 
         show_approach(load_with_settings(name, settings), from_state, None, as_json)
     from gspot_verified.mechanisms.classify import classify as classify_mechanism
+    from gspot_verified.mechanisms.g_spot import NotThereError
     from gspot_verified.mechanisms.newton import NotFoundError
 
     mechanism = load_with_settings(name, settings)
@@ -66,7 +68,7 @@ def classify(
     if placed and not (everywhere or box or budget):
         try:
             result = classify_mechanism(mechanism)
-        except NotFoundError as error:
+        except (NotFoundError, NotThereError) as error:
             warn(f"{error}; all G-spots are searched instead")
         else:
             _print(result.to_json(), str(result), as_json)

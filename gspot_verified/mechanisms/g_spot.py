@@ -30,6 +30,10 @@ from gspot_verified.mechanisms.to_system import NotRationalError, Shifted, shift
 DEFAULT_BITS = 128
 
 
+class NotThereError(GSpotError):
+    """The place that the mechanism names is no G-spot for these parameters. There may be some elsewhere, or none."""
+
+
 @dataclass(frozen=True)
 class GSpot:
     """A G-spot with what Theorem 1 needs there. In balls, work with ``system`` inside ``working_bits(bits)``.
@@ -66,7 +70,8 @@ def find_g_spot(mechanism: Mechanism, bits: int = DEFAULT_BITS) -> GSpot:
     Exact when the place is rational and everything there is; otherwise a box that holds exactly one G-spot (with the
     conditions J), with a proof.
 
-    :raises GSpotError: the place is no G-spot, the conditions are degenerate, or nothing could be proved.
+    :raises NotThereError: the place is no G-spot.
+    :raises GSpotError: the conditions are degenerate, or nothing could be proved.
     :raises MechanismError: the mechanism is not complete.
 
     >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
@@ -127,7 +132,10 @@ def symbolic_place(shifted: Shifted) -> dict[str, Expression]:
 def _check_g_spot(system: System) -> None:
     for name, value in zip("pbyv", system.values_at_point((system.p, system.b, system.y, system.v)), strict=True):
         if value != 0:
-            raise GSpotError(f"{system.name}: not a G-spot: {name} = {value} must be 0 there")
+            raise NotThereError(
+                f"{system.name}: not a G-spot: {name} = {value} must be 0 at the place given, with these parameters "
+                "(classify_all, or classify --all, finds all G-spots, or proves that there is none)"
+            )
 
 
 def _check_conditions(system: System) -> None:
@@ -233,7 +241,7 @@ def _proved(shifted: Shifted, bits: int) -> GSpot:
     if not shifted.mechanism.place.search:
         for word, found, given in zip(shifted.mechanism.state, spot.system.point, start.values(), strict=True):
             if not found.overlaps(given):
-                raise GSpotError(
+                raise NotThereError(
                     f"{name}: not a G-spot: {word} = {ball_text(given)}, the nearest has {ball_text(found)}"
                 )
     return spot
