@@ -126,6 +126,7 @@ class _Search:
         return GSpots(
             self._shifted.mechanism.name, tuple(spots), tuple(boundary), tuple(self._left),
             self._region.searched(self._apart), tuple(self._state[i] for i in self._apart.free), patch,
+            self._region.periods(),
         )  # fmt: skip
 
     def _full(self, values: Mapping[int, arb]) -> list[arb]:

@@ -6,7 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
+from flint import fmpq
+
 from gspot_verified.balls import ExactInput, working_bits
+from gspot_verified.expansion.expressions import Expression
+from gspot_verified.expansion.periods import period_factor
 from gspot_verified.expansion.rings import BALLS
 from gspot_verified.expansion.straight_line import StraightLine
 from gspot_verified.mechanisms.all_g_spots import DEFAULT_BUDGET, find_g_spots
@@ -19,13 +23,15 @@ from gspot_verified.mechanisms.to_system import shift
 from gspot_verified.verdict import NoTruthValue, Outcome, Verdict
 
 _FRICTION_BUDGET = 4000
+_NUMBERS = ("alpha_1", "alpha_2", "alpha_3", "u", "a", "A", "B", "C", "mu")
 
 
 @dataclass(frozen=True)
 class AllClassified(NoTruthValue):
     """The result of :func:`classify_all`: ``found`` are the G-spots, ``spots`` what each of ``found.spots`` is.
 
-    ``vary`` names what depends on a free component, so that it holds for the value shown only.
+    ``vary`` names what depends on a free component, or has not the period of the conditions in an angle: it holds
+    for the value shown only.
     """
 
     ask: ClassVar[str] = ".verdict.outcome is Outcome.PROVED, REFUTED or UNDECIDED"
@@ -49,7 +55,9 @@ class AllClassified(NoTruthValue):
     def __str__(self) -> str:
         lines = [*self.found.about(), str(self.critical)]
         lines += [
-            f"note: {word} stands in {', '.join(names)}, and no condition holds it: these are shown for one value of it"
+            f"note: {word} stands in {', '.join(names)}, and "
+            + ("no condition holds it" if word in self.found.free else "they have not the period of the conditions")
+            + ": these are shown for one value of it"
             for word, names in self.vary
         ]
         lines += [
@@ -90,9 +98,7 @@ def classify_all(
     """
     found = _with_the_exact_one(find_g_spots(mechanism, box, bits, budget), mechanism, bits)
     spots = tuple(classify_g_spot(spot) for spot in found.spots)
-    return AllClassified(
-        found, spots, critical_friction(mechanism, bits, _FRICTION_BUDGET), _vary(mechanism, found.free)
-    )
+    return AllClassified(found, spots, critical_friction(mechanism, bits, _FRICTION_BUDGET), _vary(mechanism, found))
 
 
 def _with_the_exact_one(found: GSpots, mechanism: Mechanism, bits: int) -> GSpots:
@@ -113,17 +119,32 @@ def _is_named(spot: GSpot, named: GSpot) -> bool:
         return named.exact and spot.fixed == named.fixed and all((x - y).contains(0) for x, y in pairs)
 
 
-def _vary(mechanism: Mechanism, free: tuple[str, ...]) -> tuple[tuple[str, tuple[str, ...]], ...]:
-    """Which of the numbers of a classification depend on free components."""
+def _vary(mechanism: Mechanism, found: GSpots) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Which of the numbers of a classification differ where a free component, or a whole turn of an angle, differs.
+
+    The mass matrix and mu are among them: where they differ, a translate may be no G-spot.
+    """
     shifted = shift(mechanism)
-    names = ("alpha_1", "alpha_2", "alpha_3", "u", "a", "A", "B", "C")
-    functions = shifted.expressions([getattr(shifted.functions, name) for name in names], BALLS)
+    functions = shifted.functions
+    parts: dict[str, list[Expression]] = {name: [getattr(functions, name)] for name in _NUMBERS}
+    parts["the mass matrix"] = [entry for row in functions.mass_matrix or () for entry in row]
+    parts = {name: shifted.expressions(own, BALLS) for name, own in parts.items()}
+    state = mechanism.state
+    listed = []
+    for word in found.free:
+        listed.append((word, [name for name, own in parts.items() if _holds(own, state.index(word))]))
+    for word, period in found.periods:
+        inside = [name for name, own in parts.items() if not _has_period(own, state.index(word), period)]
+        listed.append((word, inside))
+    return tuple((word, tuple(inside)) for word, inside in listed if inside)
+
+
+def _holds(functions: list[Expression], index: int) -> bool:
     code = StraightLine()
-    depends = [code.depends(code.value(function)) for function in functions]
-    found = []
-    for word in free:
-        index = mechanism.state.index(word)
-        inside = tuple(name for name, own in zip(names, depends, strict=True) if index in own)
-        if inside:
-            found.append((word, inside))
-    return tuple(found)
+    return any(index in code.depends(code.value(function)) for function in functions)
+
+
+def _has_period(functions: list[Expression], index: int, period: fmpq) -> bool:
+    """Whether the functions certainly have the period 2 pi ``period`` in this component."""
+    own = period_factor(functions, index)
+    return not _holds(functions, index) if own is None else (period / own).q == 1

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from flint import arb
+from flint import arb, fmpq
 
 from gspot_verified.balls import ball_text
 from gspot_verified.mechanisms.g_spot import GSpot
@@ -62,7 +62,8 @@ class GSpots(NoTruthValue):
     ``spots`` are proved to lie in the region, each alone in its box. ``boundary`` are proved too, but so near to the
     end of an interval that they may lie outside. Every other G-spot in the region lies in a box of ``left``: none, when
     ``complete``. ``searched`` says for each component what the region is. ``free`` are components that no condition
-    holds: the spots repeat for all their values. ``patch`` is given where there are fewer conditions than unknowns.
+    holds: the spots repeat for all their values. They repeat with ``periods`` too (2 pi times the number given), in
+    the angles of which one turn was searched. ``patch`` is given where there are fewer conditions than unknowns.
     """
 
     ask: ClassVar[str] = ".complete is True when all G-spots in the region are listed; .verdict has three outcomes"
@@ -74,6 +75,7 @@ class GSpots(NoTruthValue):
     searched: tuple[tuple[str, str], ...]
     free: tuple[str, ...]
     patch: Patch | None = None
+    periods: tuple[tuple[str, fmpq], ...] = ()
 
     @property
     def complete(self) -> bool:

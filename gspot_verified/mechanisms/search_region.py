@@ -58,6 +58,10 @@ class Region:
         factor = self._turns.get(index)
         return None if factor is None else 2 * arb.pi() * arb(factor)
 
+    def periods(self) -> tuple[tuple[str, fmpq], ...]:
+        """The components of which one period of all conditions is searched, with the period over 2 pi."""
+        return tuple((self._state[index], factor) for index, factor in sorted(self._turns.items()))
+
     def side(self, index: int) -> arb:
         """A ball that holds the interval of the component, or one period of it."""
         if index in self._turns:

@@ -12,6 +12,7 @@ from gspot_verified.mechanisms.all_g_spots import find_g_spots
 from gspot_verified.mechanisms.classify import classify, classify_g_spot
 from gspot_verified.mechanisms.classify_all import classify_all
 from gspot_verified.mechanisms.given import lagrangian
+from gspot_verified.mechanisms.mechanism import Mechanism
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 
 
@@ -80,3 +81,26 @@ def test_what_the_contact_is_like_is_exact_at_a_rational_point() -> None:
     found = classify(shipped_mechanism("rod"))
     assert (found.A, found.B, found.C, found.p) == (fmpq(52, 25), fmpq(36, 25), fmpq(73, 25), fmpq(0))
     assert found.a == fmpq(-4, 5)
+
+
+def rod_with_a_rotor(torque: str, inertia: str = "1") -> Mechanism:
+    """The slender rod below a rotor whose angle phi stands in the vertical force by its sine."""
+    mass = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, "1/12", 0], [0, 0, 0, inertia]]
+    fixed = {"X": 0, "X_dot": 1, "theta_dot": "7/4", "phi_dot": 0}
+    return lagrangian(
+        "rod", ["X", "Y", "theta", "phi"], mass, [0, "-1 + sin(phi) + phi_dot/10", 0, torque], "X + cos(theta)/2",
+        "Y - sin(theta)/2", 2, place=fixed, fixed=list(fixed),
+    )  # fmt: skip
+
+
+def test_what_has_not_the_period_of_the_conditions_is_named() -> None:
+    """p, b, y, v have the period 2 pi in phi; alpha_2 holds phi'' = -phi: a turn further it is 2 pi/10 C less."""
+    found = classify_all(rod_with_a_rotor("-phi"))
+    assert len(found.spots) == 4
+    assert dict(found.vary) == {"phi": ("alpha_2",)}
+    assert "note: phi stands in alpha_2, and they have not the period of the conditions" in str(found)
+    further = classify_all(rod_with_a_rotor("-phi"), {"phi": (4, 10)})
+    assert found.spots[0].alpha_2 != further.spots[0].alpha_2
+    assert further.vary == ()
+    assert classify_all(rod_with_a_rotor("-sin(phi)")).vary == ()
+    assert dict(classify_all(rod_with_a_rotor("0", "1 + phi^2")).vary) == {"phi": ("the mass matrix",)}
