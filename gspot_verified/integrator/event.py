@@ -87,6 +87,13 @@ class Watch:
                 return self._bracket(self._rising, piece)
         return None
 
+    def excluded(self, segment: Segment) -> bool:
+        """Whether g has certainly no zero up to the end of a segment on which :meth:`along` found nothing.
+
+        Where g still rises at the end, only a certain sign there excludes a zero on the way.
+        """
+        return bool(self.value(segment.states(arb(1))) < 0)
+
     def _pieces(self, segment: Segment, left: arb, right: arb, depth: int) -> Iterator[tuple[_Piece, bool | None]]:
         """Pieces in order, each with False (g < 0 on it), True (g rises on it) or None (neither is certain)."""
         piece = _Piece(segment, left, right)

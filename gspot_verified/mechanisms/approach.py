@@ -31,6 +31,7 @@ _PRECISIONS = (160, 400)
 _SAMPLES = 4
 _DISC_BITS = 9
 _FEWEST_TERMS = 4
+_TOO_CLOSE = "lift-off and stick happen too close together to tell which comes first"
 
 
 def approach(
@@ -124,9 +125,12 @@ class _Attempt:
         marked: _Caught | None = None
         for segment in run:
             if caught is None:
-                events = [event for watch in watches if (event := watch.along(segment)) is not None]
+                found_by = [(watch, watch.along(segment)) for watch in watches]
+                events = [event for _, event in found_by if event is not None]
                 if events:
-                    return self._event(events)
+                    if not all(event is not None or watch.excluded(segment) for watch, event in found_by):
+                        return self._open(_TOO_CLOSE)
+                    return self._event(events, segment)
             self._remember(segment)
             states = segment.after.enclosure()
             found = capture(self.numbers, states, self.surface)
@@ -151,6 +155,9 @@ class _Attempt:
         for tau in [*first, *(arb(k) / _SAMPLES for k in range(1, _SAMPLES + 1))]:
             states = segment.states(tau)
             self.rows.append((states[-1], tuple(states[:-1])))
+        self._note_slip(segment)
+
+    def _note_slip(self, segment: Segment) -> None:
         slip = self.numbers.on(segment.states(arb((1, -1), (1, -1)))).u
         self.least_slip = slip.lower() if self.least_slip is None else self.least_slip.min(slip.lower())
 
@@ -227,15 +234,18 @@ class _Attempt:
             return LIFT_OFF, f"Case {case}, {word}"
         return (IMPACT, f"Case {case}, {word}") if sign == impact else (None, f"Case {case}, {word}")
 
-    def _event(self, events: list[Crossing | Unclear]) -> Approach:
+    def _event(self, events: list[Crossing | Unclear], segment: Segment) -> Approach:
         crossings = [event for event in events if isinstance(event, Crossing)]
         if len(crossings) < len(events):
             unclear = next(event for event in events if isinstance(event, Unclear))
             return self._open(f"{unclear.name} may be grazing: it is not certain whether it happens")
         crossings.sort(key=lambda event: float(event.time.mid()))
         if len(crossings) > 1 and not crossings[0].time < crossings[1].time:
-            return self._open("lift-off and stick happen too close together to tell which comes first")
+            return self._open(_TOO_CLOSE)
         event = crossings[0]
+        self._note_slip(segment)
+        if self.surface is not None:  # until the event u is above it, whatever follows on the segment
+            self.least_slip = None if self.least_slip is None else self.least_slip.max(self.surface.lower())
         what = {"lift-off": "the contact force -b/p falls to 0 while p > 0", "stick": "slip stops while p > 0"}
         states = list(event.states)
         return self._made(

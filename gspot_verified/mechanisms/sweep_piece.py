@@ -21,6 +21,8 @@ from gspot_verified.verdict import NoTruthValue
 NUMBERS = ("alpha_1", "alpha_2", "alpha_3", "beta", "mean_force", "slip_velocity")
 """What is enclosed on a piece; None where it is not defined for all its parameter values, or not certainly."""
 
+_RADIUS_BITS = 28
+
 Intervals = tuple[Dyadic, ...]
 
 
@@ -37,7 +39,11 @@ class Kind(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class TubeRecord:
-    """A :class:`Tube` in exact intervals: centre, slopes row by row, within, found."""
+    """A :class:`Tube` in exact intervals: centre, slopes row by row, within, found.
+
+    ``within`` is a little smaller than the tube's (and comes back as it is): in a wider one the zero was not shown to
+    be the only one.
+    """
 
     centre: Intervals
     slopes: Intervals
@@ -48,7 +54,8 @@ class TubeRecord:
     def of(cls, tube: Tube) -> TubeRecord:
         """The record of a tube."""
         slopes = [slope for row in tube.slopes for slope in row]
-        return cls(*(tuple(map(Dyadic.from_ball, part)) for part in (tube.centre, slopes, tube.within, tube.found)))
+        within = list(map(_not_wider, tube.within))
+        return cls(*(tuple(map(Dyadic.from_ball, part)) for part in (tube.centre, slopes, within, tube.found)))
 
     def tube(self, lower: tuple[fmpq, ...], upper: tuple[fmpq, ...]) -> Tube:
         """The tube over its box of parameters. Centre and slopes come back exactly."""
@@ -157,6 +164,13 @@ class SweepPiece(NoTruthValue):
             tuple(None if number is None else Dyadic.parse(number) for number in data["numbers"]),
             None if tube is None else TubeRecord(*(tuple(Dyadic.parse(side) for side in part) for part in tube)),
         )
+
+
+def _not_wider(side: arb) -> arb:
+    """A ball inside of the given one whose radius has few enough bits not to be rounded up on its way back."""
+    mantissa, exponent = side.rad().man_exp()
+    cut = max(mantissa.bit_length() - _RADIUS_BITS, 0)
+    return arb(side.mid().man_exp(), (mantissa >> cut, exponent + cut))
 
 
 def _rational(text: str) -> fmpq:

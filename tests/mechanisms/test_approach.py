@@ -21,6 +21,7 @@ from gspot_verified.balls import working_bits
 from gspot_verified.mechanisms.approach import approach
 from gspot_verified.mechanisms.approach_result import IMPACT, LIFT_OFF, Approach
 from gspot_verified.mechanisms.expand import expand
+from gspot_verified.mechanisms.file import parse_mechanism
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.slip_state import StateError
@@ -130,6 +131,64 @@ def test_lift_off_in_case_two_in_closed_form() -> None:
     with working_bits(160):
         assert arb(dict(found.place)["p"]).contains(fmpq(1, 8))
     assert "lift-off before any G-spot" in str(found)
+
+
+BRAKED = parse_mechanism(
+    """
+format = 1
+name = "the model with p growing and u falling at every force"
+
+[fields]
+state = ["x", "u", "y", "v", "p", "b"]
+F = ["u", -1, "v", "b", 1, 1]
+G_T = [0, "3/(2*(1 - p))", 0, "1/2", 0, "-1/(2*(1 - p))"]
+G_N = [0, "1/2", 0, "(1 + p)/2", 0, "1/2"]
+
+[contact]
+x = "x"
+y = "y"
+mu = "1 - p"
+
+[g_spot]
+fixed = ["x", "u"]
+
+[g_spot.point]
+x = 0
+u = 1
+y = 0
+v = 0
+p = 0
+b = 0
+"""
+)
+"""u' = -1 - λ_N and, along slip, b/p = p/2 - c/p: from p = 1/2, b = -1/4 it lifts off with u smaller by 1/4."""
+
+
+def test_lift_off_is_not_first_where_stick_may_have_been() -> None:
+    """Slip stops before the lift-off on a surface of the velocity 1/100, and not before on one of -1/100."""
+    state = {"x": 0, "u": "1/4", "p": "1/2", "b": "-1/4"}
+    assert approach(BRAKED, state, surface_velocity="1/100").end == "stick"
+    assert approach(BRAKED, state, surface_velocity="-1/100").end == "lift-off"
+    found = approach(BRAKED, state, surface_velocity=arb(0, "1/64"))
+    assert found.end is None
+    assert found.verdict.outcome is Outcome.UNDECIDED
+
+
+def test_the_least_slip_holds_up_to_the_event() -> None:
+    """u falls to -5/4 at the lift-off: a surface a little faster than that is one on which slip stops before."""
+    state = {"x": 0, "u": -1, "p": "1/2", "b": "-1/4"}
+    found = approach(BRAKED, state)
+    assert found.end == "lift-off"
+    assert finite(found.least_slip) <= fmpq(-5, 4)
+    assert finite(found.least_slip) > fmpq(-13, 10)
+    assert approach(BRAKED, state, surface_velocity=finite(found.least_slip) - fmpq(1, 1000)).end == "lift-off"
+    assert approach(BRAKED, state, surface_velocity="-1249/1000").end == "stick"
+
+
+def test_the_least_slip_of_a_path_that_sticks_is_the_surfaces_velocity() -> None:
+    found = approach(BRAKED, {"x": 0, "u": "6/25", "p": "1/2", "b": "-1/4"})
+    assert found.end == "stick"
+    assert abs(finite(found.least_slip)) < fmpq(1, 10**12)
 
 
 def test_stick_in_closed_form() -> None:
