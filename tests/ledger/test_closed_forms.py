@@ -109,7 +109,8 @@ def test_a_proved_sign_is_the_sign(terms: list[tuple[int, int, int]], u: fmpq, w
     [
         ("1-v", 1), ("v-1", -1), ("Gamma(-v)", -1), ("Gamma((1-v)/3)", 1), ("Gamma(u)", 1), ("Gamma(-u)", None),
         ("u-1", None), ("m", None), ("3*m+1", 1), ("C_1*C_1", None), ("alpha1", None), ("e^(i*lam)", None),
-        ("beta", None), ("eps^((2*beta-2)/3)", 1), ("(-1)^k", None), ("0*u", None), ("sqrt(pi)*3^(beta/3)", 1),
+        ("beta", None), ("1-m", None), ("eps^((2*beta-2)/3)", 1), ("(-1)^k", None), ("0*u", None),
+        ("sqrt(pi)*3^(beta/3)", 1),
     ],
 )  # fmt: skip
 def test_signs(text: str, sign: int | None) -> None:
@@ -148,6 +149,13 @@ def test_parts_of_a_turned_form() -> None:
         found = number(str(value).replace(" ", "*"))
         with working_bits(256):
             assert abs(found - arb(fmpq(n, 6)).sin_pi()) < fmpq(1, 10**60)
+
+
+def test_the_text_of_a_form() -> None:
+    assert str(closed_form("2*Gamma(-beta/3)")) == "(-6)/(beta) Γ(-1/3*beta + 1)^1"
+    assert str(closed_form("3^beta*Gamma(beta/3)")) == "pi 3^(beta) Γ(-1/3*beta + 1)^-1 sin π(1/3*beta)^-1"
+    assert str(closed_form("e^(i*pi*beta)")) == "exp(iπ(beta))"
+    assert str(rational(1)) == "1"
 
 
 def test_exponents() -> None:

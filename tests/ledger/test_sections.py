@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from types import ModuleType
 
 import pytest
-from flint import fmpq
+from flint import fmpq, fmpq_mpoly
 
 from gspot_verified import Outcome
 from gspot_verified.ledger import (
@@ -35,7 +35,7 @@ from gspot_verified.ledger import (
     section_5_theorem,
 )
 from gspot_verified.ledger.entry import Entry
-from gspot_verified.ledger.identities import Algebra, Claim, readable, rising_signs
+from gspot_verified.ledger.identities import Algebra, Claim, Parts, readable, rising_signs
 from gspot_verified.ledger.verify import PARTS
 
 MODULES = (
@@ -229,6 +229,24 @@ def test_a_claim_that_checks_nothing_is_open() -> None:
     assert claim.check("not zero", lambda parts: [parts["f"]]).agrees is False
     wrong = Claim(Algebra("x"), {"f": "x"}, {"f": "2*x"})
     assert wrong.check("the corrected form fails too", lambda parts: [parts["f"]]).agrees is None
+
+
+def test_the_finding_says_what_is_left_and_whether_the_corrected_form_holds() -> None:
+    def whole(parts: Parts) -> list[fmpq_mpoly]:
+        return [parts["f"]]
+
+    printed, mended = Claim(Algebra("x"), {"f": "x"}), Claim(Algebra("x"), {"f": "x"}, {"f": "0*x"})
+    assert printed.check("printed", whole).finding == "the printed form leaves x instead of 0"
+    assert mended.check("mended", whole).finding == f"{printed.check('a', whole).finding}; the corrected form gives 0"
+    open_check = Claim(Algebra("x"), {"f": "x"}, {"f": "2*x"}).check("open", whole)
+    assert open_check.finding == "printed: x; corrected: 2*x"
+
+
+@pytest.mark.parametrize(("length", "whole"), [(159, True), (160, True), (161, False), (162, False)])
+def test_a_long_polynomial_is_cut(length: int, whole: bool) -> None:
+    text = f"{'x' * (length - 2)}^2"
+    value = Algebra(text[:-2]).read(text)
+    assert readable(value) == (text if whole else f"{text[:150]} ... (1 terms)")
 
 
 def test_the_algebra() -> None:

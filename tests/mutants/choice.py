@@ -6,7 +6,7 @@ import ast
 from pathlib import Path
 
 _LEDGER = "gspot_verified/ledger/"
-_OF_THE_PARTS = ("tests/ledger/test_verdicts.py", "tests/ledger/test_teeth.py")
+_OF_THE_PARTS = tuple(f"tests/ledger/test_{name}.py" for name in ("verdicts", "teeth", "steps"))
 _ALSO = {
     "proofs/check.py": (
         *("must_reject/test_must_reject.py", "must_reject/test_hostile.py"),

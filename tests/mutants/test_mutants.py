@@ -95,9 +95,7 @@ def test_a_file_of_the_ledger_meets_the_verdicts_and_the_wrong_formulas_of_the_p
     assert {"section_5_spaces", "section_5_theorem"} <= parts(ROOT, f"{ledger}/powers_of_eps.py")
     assert parts(ROOT, f"{ledger}/entry.py") == parts(ROOT, "gspot_verified/dyadic.py") == set()
     chosen = mirrored(ROOT, f"{ledger}/oscillator.py")
-    assert {"tests/ledger/test_oscillator.py", "tests/ledger/test_verdicts.py", "tests/ledger/test_teeth.py"} <= {
-        *chosen
-    }
+    assert {f"tests/ledger/test_{name}.py" for name in ("oscillator", "verdicts", "teeth", "steps")} <= {*chosen}
     assert "tests/ledger/test_verdicts.py" not in mirrored(ROOT, "gspot_verified/dyadic.py")
 
 
