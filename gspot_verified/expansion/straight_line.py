@@ -117,7 +117,7 @@ class StraightLine:
             value = fmpq(value)
             key: Any = value
         elif isinstance(value, arb):
-            key = id(value)  # balls have no certain equality
+            key = ("ball", id(value))  # balls have no certain equality; no integer is such a key
         else:
             raise TypeError(f"no enclosure of a constant of type {type(value).__name__}")
         if ("constant", (key,)) not in self._names:

@@ -118,7 +118,7 @@ class _Maximum:
         values: list[Expression] = [Variable(i) for i in range(self._size)]
         for each in apart.explicit:
             values[each.index] = each.value
-        self._ratio = substitute(B / C, values)
+        self._C, self._ratio = substitute(C, values), substitute(B / C, values)
         self._constraint = apart.functions.get("y")
         self._all = [self._ratio] if self._constraint is None else [self._ratio, self._constraint]
         depends = BoxProgram(self._all, self._size, ()).depends
@@ -168,6 +168,10 @@ class _Maximum:
         return [self._constraint, *minors]
 
     def _from(self, largest: arb, boxes: list[Box]) -> CriticalFriction:
+        if not self._positive_definite_at(boxes):
+            return self._result(
+                None, (), "C is not positive where B/C is largest: the mass matrix is not definite there"
+            )
         if largest <= 0:
             return self._result(arb.pos_inf(), (), "")
         if not largest > 0:
@@ -180,6 +184,20 @@ class _Maximum:
             for box in boxes
         )
         return self._result(1 / largest, places, "")
+
+    def _positive_definite_at(self, boxes: list[Box]) -> bool:
+        """Whether C > 0 on the boxes, as it is where the mass matrix is positive definite.
+
+        C has no zero on a box with a finite enclosure of B/C: its sign at the midpoint is that on the box.
+        """
+        program = BoxProgram([self._C], self._size, ())
+        for box in boxes:
+            state = [arb(0)] * self._size
+            for i, side in zip(self._variables, box, strict=True):
+                state[i] = side.mid()
+            if not program.values(state)[0] > 0:
+                return False
+        return True
 
     def _result(self, value: arb | None, places: tuple[Place, ...], reason: str) -> CriticalFriction:
         return CriticalFriction(self._mechanism.name, value, places, self._friction, reason)

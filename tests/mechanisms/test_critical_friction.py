@@ -160,3 +160,16 @@ def test_a_negative_coefficient_is_not_below() -> None:
     assert "lies below" not in str(found)
     assert found.to_json()["below"] is None
     assert critical_friction(shipped_mechanism("genot_brogliato_rod", mu=0)).is_below is True
+
+
+@pytest.mark.parametrize(("mass", "inertia"), [("-1", "-1/12"), ("-1", "-1/1000")])
+def test_a_mass_matrix_that_is_negative_definite_has_no_critical_friction(mass: str, inertia: str) -> None:
+    """p = C - mu B changes its sign with the mass matrix: B/C and its maximum do not, but C < 0."""
+    made = lagrangian(
+        "rod", ["X", "Y", "theta"], [[mass, 0, 0], [0, mass, 0], [0, 0, inertia]], [0, -1, 0], "X + cos(theta)/2",
+        "Y - sin(theta)/2", 1,
+    )  # fmt: skip
+    found = critical_friction(made)
+    assert found.value is None
+    assert found.is_below is None
+    assert "C is not positive where B/C is largest" in found.reason
