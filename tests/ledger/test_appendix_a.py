@@ -82,6 +82,23 @@ def test_checks_on_nothing_prove_nothing(monkeypatch: pytest.MonkeyPatch) -> Non
     assert proved == {"A-coefficients"}
 
 
+def test_a_ball_is_zero_only_when_it_is_small_and_holds_zero() -> None:
+    assert appendix_a._is_zero(arb(0, "9e-61")) is True
+    assert appendix_a._is_zero(arb(0, "2e-60")) is None
+    assert appendix_a._is_zero(arb(0)) is True
+    assert appendix_a._is_zero(arb("1e-70")) is appendix_a._is_zero(arb("-1e-70")) is False
+    assert appendix_a._is_zero(arb.nan()) is None
+
+
+def test_the_first_coefficient_must_be_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest = appendix_a.coefficient
+    dlmf = hypergeometric.dlmf_coefficients
+    monkeypatch.setattr(appendix_a, "coefficient", lambda k: 2 * honest(k))
+    monkeypatch.setattr(appendix_a, "coefficient_by_inversion", lambda k: 2 * honest(k))
+    monkeypatch.setattr(hypergeometric, "dlmf_coefficients", lambda *a: [2 * c for c in dlmf(*a)])
+    assert [check.agrees for check in appendix_a.ENTRIES["A-coefficients"]().checks] == [False, True]
+
+
 def test_asymptotic_errors_answer_false_when_certain(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(asymptotic_errors, "theta_by", lambda *a, **k: 2 * theta_by(*a, **k))
     assert asymptotic_errors.theta_error_within(fmpq(40), fmpq(1, 2)) is False

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from flint import fmpq_poly
+from flint import fmpq, fmpq_poly
 
 from gspot_verified import Outcome
 from gspot_verified.ledger import section_4_fast as ledger
@@ -37,6 +37,26 @@ def test_the_cubic_must_be_the_factor_of_the_characteristic_polynomial(
 ) -> None:
     monkeypatch.setattr(ledger, "CUBIC", "lam^3 + 2*lam^2 + p*lam + p/2")  # the same signs
     assert outcome(identifier) is Outcome.UNDECIDED
+
+
+def test_three_negative_roots_are_no_saddle(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ledger, "CUBIC", "lam^3 + 6*lam^2 + 11*lam + 6")  # -1, -2, -3
+    monkeypatch.setattr(ledger, "_is_the_factor", lambda: True)
+    assert [check.agrees for check in ledger.ENTRIES["4-saddle"]().checks] == [None, None]
+
+
+@pytest.mark.parametrize("p", [-7, -1, 2, 5])
+def test_the_sturm_chain_is_made_of_remainders_with_the_sign_turned(p: int) -> None:
+    images = {"p": ALGEBRA.constant(p)}
+    numbers = [[ALGEBRA.substitute(value, images) for value in row] for row in ledger.sturm_chain()]
+    chain = [fmpq_poly([fmpq(0) if v.is_zero() else v.leading_coefficient() for v in row]) for row in numbers]
+    assert chain[0] == fmpq_poly([p, p, 2, 1])
+    assert chain[1] == chain[0].derivative()
+    assert [row.degree() for row in chain] == [3, 2, 1, 0]
+    for before, divisor, found in zip(chain, chain[1:], chain[2:], strict=False):
+        ratio = found[found.degree()] / -(before % divisor)[found.degree()]
+        assert ratio > 0
+        assert found == -ratio * (before % divisor)
 
 
 def test_the_matrix_of_the_fast_system() -> None:
