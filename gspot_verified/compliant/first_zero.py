@@ -175,7 +175,8 @@ def _unit(motion: ContactMotion) -> fmpq:
 
 
 def _positive(force: ForceRange, first: fmpq, last: fmpq) -> bool:
-    """lambda > 0 on [first, last], certainly: halves, and the parts before and after 0 apart."""
+    """lambda > 0 on [first, last], certainly: two parts again and again, those before and after 0 apart."""
+    unit = _unit(force.motion)
     waiting = [(first, min(last, fmpq(0)))] if first < 0 else []
     if last > 0:
         waiting.append((max(first, fmpq(0)), last))
@@ -187,11 +188,23 @@ def _positive(force: ForceRange, first: fmpq, last: fmpq) -> bool:
             continue
         if begin == end:
             return False
-        middle = (begin + end) / 2
+        middle = _cut(begin, end, unit)
         if force.near(middle) < 0:  # a heuristic: no use in going on
             return False
         waiting += [(begin, middle), (middle, end)]
     return False
+
+
+def _cut(begin: fmpq, end: fmpq, unit: fmpq) -> fmpq:
+    """A time between two: the middle; far before 0 that in the scale of log(-T), in which the force changes steadily.
+
+    Any time between the two is right.
+    """
+    far, near = -begin, max(-end, unit)
+    if far <= 16 * near:
+        return (begin + end) / 2
+    low, high = (int(size.ceil()).bit_length() for size in (near, far))
+    return -(fmpq(2) ** ((low + high) // 2))
 
 
 def _rough_zero(force: ForceRange, start: fmpq) -> fmpq | None:

@@ -15,7 +15,7 @@ from strategies import ends
 
 from gspot_verified.balls import working_bits
 from gspot_verified.compliant.compliant_force import SlowManifold, compliant_force, contact_motion
-from gspot_verified.compliant.first_zero import contact_lasts, first_zero
+from gspot_verified.compliant.first_zero import _cut, contact_lasts, first_zero
 from gspot_verified.compliant.force_range import ForceRange, slow_range
 from gspot_verified.compliant.normal_form import compliant_model, compliant_state, deviation
 from gspot_verified.compliant.slow_solution import slow_value
@@ -142,3 +142,20 @@ def test_the_slow_manifold_needs_no_state() -> None:
     motion = contact_motion(model, SlowManifold(fmpq(1)))
     value = ForceRange(motion, motion.coefficient(60)).over(fmpq(-5), fmpq(-4))
     assert value.contains(compliant_force(model, SlowManifold(fmpq(1)), fmpq(-9, 200)).force)
+
+
+@pytest.mark.parametrize("unit", [fmpq(1, 3), fmpq(1), fmpq(10) ** 33])
+@pytest.mark.parametrize("begin", [fmpq(-1, 7), fmpq(-17), fmpq(-257, 16), -(fmpq(10) ** 40), -(fmpq(10) ** 100)])
+def test_an_interval_is_cut_inside(begin: fmpq, unit: fmpq) -> None:
+    for end in (begin / 2, begin / 15, begin / 17, begin / 10**9, fmpq(0), -begin):
+        assert begin < _cut(begin, end, unit) < end
+
+
+def test_a_long_interval_before_the_g_spot_needs_few_cuts() -> None:
+    begin, unit, parts = -(fmpq(10) ** 100), fmpq(10) ** 33, 0
+    end = fmpq(0)
+    while end - begin > unit:
+        end, parts = _cut(begin, end, unit), parts + 1
+        if -begin <= 16 * -end:
+            break
+    assert parts < 10
