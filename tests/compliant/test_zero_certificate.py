@@ -161,6 +161,26 @@ def test_powers_between_neighbours(base: str, exponent: str) -> None:
         assert exact <= arb(to_fmpq(high)) + arb(10) ** -40
 
 
+def test_a_power_below_the_unit_is_between_0_and_the_unit() -> None:
+    found = check.power_between(Fraction(1, 10**30), Fraction(4), 60, check.Meter(check.Limits(), 10**9))
+    assert found == (0, Fraction(1, 2**60))
+
+
+@pytest.mark.parametrize("base", ["7/9", "1/3", f"{10**40 + 1}/{10**40 + 9}"])
+@pytest.mark.parametrize("exponent", ["3", "13/4", "31/8"])
+@pytest.mark.parametrize("bits", [30, 60, 120])
+def test_the_work_of_a_power_is_paid_before_it_is_done(base: str, exponent: str, bits: int) -> None:
+    """In each step two integers of the size of 2^(bits n) base^h are made: a product of their digits for each bit."""
+    number, power, budget = Fraction(base), Fraction(exponent), 10**15
+    meter = check.Meter(check.Limits(), budget)
+    assert check.power_between(number, power, bits, meter)
+    size = check.digits(number.denominator**power.numerator << (bits * power.denominator))
+    assert budget - meter.left >= bits * size**2
+    assert budget - meter.left <= bits * (2 * size + 2 * (power.numerator + power.denominator)) ** 2 + 10**4 * bits
+    with pytest.raises(check.Rejected, match="work"):
+        check.power_between(number, power, bits, check.Meter(check.Limits(), bits * size**2 - 1))
+
+
 @pytest.mark.parametrize(
     ("beta", "epsilon", "message"),
     [

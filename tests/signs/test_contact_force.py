@@ -178,3 +178,11 @@ def test_rounded_down_is_below_the_whole_ball() -> None:
         assert rounded_down(arb(0, 10**6), 5) is None
         assert rounded_down(arb(300, 1), 5) == fmpq(10) ** 100
         assert rounded_down(arb(1000, 900), 5) == fmpq(26881, 10**4) * fmpq(10) ** 43  # e^100 = 2.68811...e43
+
+
+def test_rounded_down_where_the_exponential_is_not_told_from_1() -> None:
+    with working_bits(128):
+        least = -(arb(2) ** -300)
+        found = rounded_down(least, 5)
+    assert found is not None
+    assert fmpq(9999, 10**4) <= found < 1  # e^least < 1
