@@ -22,6 +22,7 @@ from gspot_verified.mechanisms.krawczyk import krawczyk
 from gspot_verified.mechanisms.mass_matrix import check_mass_matrix
 from gspot_verified.mechanisms.mechanism import Mechanism
 from gspot_verified.mechanisms.slip_flow import SlipFlow, SlipNumbers
+from gspot_verified.mechanisms.slip_hypotheses import SlipHypotheses
 from gspot_verified.mechanisms.slip_state import SlipState, StateError, StateInput, slip_state
 from gspot_verified.mechanisms.to_system import Shifted, shift
 from gspot_verified.verdict import Reason, Verdict
@@ -83,6 +84,7 @@ class _Attempt:
         self.mechanism, self.bits, self.max_steps = shifted.mechanism, bits, max_steps
         self.flow = SlipFlow.of(shifted)
         self.numbers = SlipNumbers(self.flow)
+        self.hypotheses = SlipHypotheses(shifted)
         self.start: SlipState = slip_state(shifted, state)
         at = self.numbers.on(self.start.box)
         self._check(at.p, at.b)
@@ -124,6 +126,9 @@ class _Attempt:
         caught: _Caught | None = None
         marked: _Caught | None = None
         for segment in run:
+            doubt = self._doubt(segment)
+            if doubt is not None:
+                return self._open(doubt)
             if caught is None:
                 found_by = [(watch, watch.along(segment)) for watch in watches]
                 events = [event for _, event in found_by if event is not None]
@@ -140,6 +145,8 @@ class _Attempt:
                     slip = ball_text(loose.numbers.u, 6)
                     return self._open(f"u may fall to the surface's velocity just where p vanishes: u = {slip} there")
                 continue
+            if self.hypotheses.doubt(found.box) is not None:
+                continue
             caught = _Caught(states, found)
             exponent = self._exponent(found)
             if marked is None and self._near(states, exponent):
@@ -149,6 +156,11 @@ class _Attempt:
         if caught is not None and marked is not None:
             return self._at_spot(marked, caught)
         return self._open(run.reason or "no end")
+
+    def _doubt(self, segment: Segment) -> str | None:
+        """A hypothesis on the mechanism that is not certain on some part of the segment."""
+        parts = (arb((2 * k + 1, -3), (1, -3)) for k in range(_SAMPLES))  # [k/4, (k + 1)/4]
+        return next((doubt for tau in parts if (doubt := self.hypotheses.doubt(segment.states(tau)))), None)
 
     def _remember(self, segment: Segment) -> None:
         first = [arb(0)] if not self.rows else []

@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from fractions import Fraction
+from importlib.resources import files
 from typing import Any
 
 import mpmath
@@ -189,6 +190,20 @@ def test_the_least_slip_of_a_path_that_sticks_is_the_surfaces_velocity() -> None
     found = approach(BRAKED, {"x": 0, "u": "6/25", "p": "1/2", "b": "-1/4"})
     assert found.end == "stick"
     assert abs(finite(found.least_slip)) < fmpq(1, 10**12)
+
+
+@pytest.mark.parametrize(
+    ("friction", "end"),
+    [("73/36 + (theta - theta_ref + 1/20)", "stick"), ("73/36 + 10*(theta - theta_ref + 1/20)", None)],
+)
+def test_friction_is_not_negative_on_the_way(friction: str, end: str | None) -> None:
+    """mu is 73/36 at the start; where it falls below 0 on the way nothing is proved."""
+    text = files("gspot_verified.mechanisms").joinpath("data/falling_rod.toml").read_text(encoding="utf-8")
+    rod = parse_mechanism(text.replace('mu = "mu"', f'mu = "{friction}"'))
+    found = approach(rod, {"X": 0, "X_dot": 2, "theta": "theta_ref - 1/20", "theta_dot": "-1/2"})
+    assert found.end == end
+    if end is None:
+        assert "friction" in found.side_reason
 
 
 def test_stick_in_closed_form() -> None:
