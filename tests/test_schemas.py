@@ -21,7 +21,21 @@ from gspot_verified.cost.theta import CostReport
 from gspot_verified.ledger import cases
 
 ROOT = Path(__file__).resolve().parents[1]
-FORMS = ("theta", "side", "sign", "zeros", "iwc", "force", "events", "classify", "approach", "expand", "sweep", "check")
+FORMS = (
+    "theta",
+    "side",
+    "sign",
+    "zeros",
+    "iwc",
+    "force",
+    "events",
+    "simulate",
+    "classify",
+    "approach",
+    "expand",
+    "sweep",
+    "check",
+)
 SCHEMAS = sorted(
     path.name.removesuffix(".json") for path in resources.files("gspot_verified.cli").joinpath("schemas").iterdir()
 )
@@ -47,6 +61,9 @@ RUNS = [
     ("force", "--beta", "5/2", "--eps", "1e-6", "--t", "1e-4"),
     ("force", "--beta", "13/2", "--eps", "1e-3", "--t", "1e-3", STATE, "--certify"),
     ("events", "--beta", "3/2", "--eps", "1e-6", "--nu", "2"),
+    ("simulate", "fig-varsim1", "--compare"),
+    ("simulate", "fig-varsim1", "--nu", "1"),
+    ("simulate", "fig-varsim2", "--float", "--set", "chi=0"),
     ("classify", "oscillator"),
     ("classify", "rod"),
     ("classify", "rod", "--all"),

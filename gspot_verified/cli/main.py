@@ -24,6 +24,7 @@ from gspot_verified.cli import (
     mechanism_commands,
     paper_commands,
     sign_commands,
+    simulate_command,
     sweep_command,
     theta_commands,
 )
@@ -43,6 +44,7 @@ COMMANDS = (
     force_command,
     figure_command,
     events_command,
+    simulate_command,
     mechanism_commands,
     approach_command,
     sweep_command,

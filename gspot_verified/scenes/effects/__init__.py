@@ -1,0 +1,1 @@
+"""The effects a scene may call for: each brings its states, parameters, equations and events."""

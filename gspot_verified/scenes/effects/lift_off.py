@@ -1,0 +1,27 @@
+"""Lift-off and touch-down: the contact opens where lambda_N falls through 0 and closes where y = z again."""
+
+from __future__ import annotations
+
+from flint import fmpq
+
+from gspot_verified.scenes.effects.effect import Effect
+from gspot_verified.scenes.effects.terms import FLIGHT, Terms, scaled
+from gspot_verified.scenes.scaled_system import PhaseEvent
+
+LIFT_OFF, TOUCH_DOWN = "lift-off", "touch-down"
+
+
+def events(terms: Terms) -> tuple[PhaseEvent, ...]:
+    """Lift-off in contact, touch-down in flight. After it the contact sticks or slips as u says."""
+    if terms.phase == FLIGHT:
+        return (PhaseEvent(TOUCH_DOWN, scaled(fmpq(-1), terms.closing), "contact"),)
+    return (PhaseEvent(LIFT_OFF, terms.closing, FLIGHT),)
+
+
+EFFECT = Effect(
+    "lift_off",
+    "the contact is never lost: the surface may pull",
+    events=events,
+    needs=("compliant_contact",),
+    opens=(FLIGHT,),
+)

@@ -1,0 +1,102 @@
+"""What a run of a scene gives: events, how it ends, and how sure that is. Float and certified runs give the same."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from flint import arb, fmpq
+
+from gspot_verified.balls import approximate, working_bits
+from gspot_verified.scenes.effects.lift_off import LIFT_OFF, TOUCH_DOWN
+from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Verdict
+
+if TYPE_CHECKING:
+    from numpy import ndarray
+
+SIMULATED, CERTIFIED = "simulated", "certified"
+IMPACT = "impact without collision"
+TRIVIAL = "trivial solution"
+OPEN = "open"
+FLIGHT_THEN_IMPACT = f"{LIFT_OFF}, {TOUCH_DOWN}, {IMPACT}"
+_SHOWN_BITS, _SHOWN_DIGITS = 400, 30
+
+
+@dataclass(frozen=True)
+class RunEvent:
+    """An event between two times after the start; both are one float's value where the run is simulated."""
+
+    name: str
+    lower: fmpq
+    upper: fmpq
+
+    def shown(self, strength: str) -> str:
+        """The time as text: a ball, or the float."""
+        if strength == SIMULATED:
+            return f"{approximate(self.lower):.12g}"
+        if self.lower == self.upper:
+            return str(self.lower)
+        with working_bits(_SHOWN_BITS):
+            return arb(self.lower).union(arb(self.upper)).str(_SHOWN_DIGITS)
+
+
+@dataclass(frozen=True)
+class Samples:
+    """Columns (t after the start, then the read-out) at the steps of a float run, and the phase of each row."""
+
+    columns: dict[str, ndarray[Any, Any]]
+    phases: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class SceneRun(NoTruthValue):
+    """The events of one run in order; ``fate``: what they amount to; ``strength``: simulated or certified."""
+
+    ask: ClassVar[str] = ASK_VERDICT
+
+    strength: str
+    fate: str
+    events: tuple[RunEvent, ...]
+    verdict: Verdict
+    samples: Samples | None = None
+
+    def __str__(self) -> str:
+        lines = [f"{self.strength}: {self.fate}", f"  {self.verdict}"]
+        lines += [f"  {event.name}: t = {event.shown(self.strength)} after the start" for event in self.events]
+        return "\n".join(lines)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``; exact rationals as text, times of a float run as floats."""
+        return {
+            "strength": self.strength,
+            "fate": self.fate,
+            "events": [self._event(event) for event in self.events],
+            "verdict": self.verdict.to_json(),
+        }
+
+    def _event(self, event: RunEvent) -> dict[str, Any]:
+        if self.strength == SIMULATED:
+            return {"event": event.name, "time": approximate(event.lower)}
+        return {"event": event.name, "lower": str(event.lower), "upper": str(event.upper)}
+
+
+def fate_of(names: Sequence[str]) -> str:
+    """What the events of a float run amount to, in words.
+
+    >>> fate_of([]), fate_of(["lift-off", "touch-down"])
+    ('no event', 'lift-off, touch-down')
+    """
+    return ", ".join(names) or "no event"
+
+
+def agreement(simulated: SceneRun, certified: SceneRun) -> bool | None:
+    """Whether both end alike; False: a simulated event contradicts what is certified; None: nothing is certified, or
+    the float run ends before the certified one does."""
+    if certified.fate == OPEN:
+        return None
+    if simulated.fate == certified.fate:
+        return True
+    known = [] if certified.fate == TRIVIAL else certified.fate.split(", ")
+    seen = [event.name for event in simulated.events]
+    return None if seen == known[: len(seen)] else False

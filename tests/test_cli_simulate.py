@@ -1,0 +1,89 @@
+"""The commands ``simulate`` and ``scenes``: exit codes, text, files, bad input."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from gspot_verified.cli import main
+
+
+def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    code = main(arguments)
+    output, errors = capsys.readouterr()
+    return code, output, errors
+
+
+def test_a_certified_run(capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("--beta", "3/2", "--nu", "2", "--eps", "1e-3")
+    code, output, _ = run(capsys, "simulate", "fig-varsim1", *words)
+    assert code == 0
+    assert output.startswith("certified: lift-off, touch-down, impact without collision\n  proved: exactly one flight")
+    assert "lift-off: t = [0.535370832662700" in output
+
+
+def test_both_side_by_side_with_files(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    table, arrays = tmp_path / "run.csv", tmp_path / "run.npz"
+    words = ("fig-varsim1", "--compare", "--csv", str(table), "--npz", str(arrays), "--json")
+    code, output, _ = run(capsys, "simulate", *words)
+    data = json.loads(output)
+    assert code == 0
+    assert data["agree"] is True
+    assert [found["strength"] for found in data["runs"]] == ["certified", "simulated"]
+    with table.open(newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    with np.load(arrays) as found:
+        assert found["lambda_N"].tolist() == [float(row["lambda_N"]) for row in rows]
+        assert found["phase"].tolist() == [row["phase"] for row in rows]
+    assert {row["phase"] for row in rows} == {"slip", "flight"}
+    assert sorted(tmp_path.iterdir()) == [table, arrays]
+
+
+def test_floats_alone_prove_nothing(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "simulate", "fig-varsim2", "--float", "--set", "chi=0")
+    assert code == 2
+    assert output.startswith("simulated: stick, lift-off")
+
+
+def test_a_contradiction_is_said(capsys: pytest.CaptureFixture[str]) -> None:
+    """On the canard: what floats find depends on their rounding, and is said where it is wrong."""
+    code, output, errors = run(capsys, "simulate", "fig-varsim1", "--nu", "1", "--compare", "--json")
+    data = json.loads(output)
+    assert code == 0
+    assert data["runs"][0]["fate"] == "trivial solution"
+    assert data["agree"] is (False if data["runs"][1]["events"] else None)
+    assert ("contradicts" in errors) is (data["agree"] is False)
+
+
+def test_the_list(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "scenes")
+    assert code == 0
+    assert "fig-varsim1: compliant_contact, lift_off\n" in output
+    assert "two_way_coupling: the normal motion does not act back" in output
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("fig-varsim1", "--eps", "0"), "epsilon must be > 0"),
+        (("fig-varsim1", "--eps", "-1e-3"), "epsilon must be > 0"),
+        (("fig-varsim1", "--set", "chi=1"), "no setting 'chi'"),
+        (("fig-varsim1", "--set", "nu"), "expected name=value"),
+        (("fig-varsim1", "--csv", "a.csv"), "give --float or --compare"),
+        (("fig-varsim1", "--float", "--compare"), "not both"),
+        (("fig-varsim1", "--float", "--method", "RK"), "method: expected one of"),
+        (("fig-varsim1", "--float", "--csv", "a.txt"), "allowed: .csv"),
+        (("fig-varsim2",), "certified runs cover scenes with"),
+        (("nothing",), "no scene file 'nothing'"),
+    ],
+)
+def test_bad_input(capsys: pytest.CaptureFixture[str], words: tuple[str, ...], message: str) -> None:
+    code, output, errors = run(capsys, "simulate", *words)
+    assert code == 64
+    assert output == ""
+    assert errors.startswith("error: ")
+    assert message in errors
