@@ -20,7 +20,7 @@ GROUPS = {
     "Your mechanism": ("mechanisms", "expansion"),
     "The function Θ": ("theta_function",),
     "Signs, zeros, sides": ("signs",),
-    "The compliant model": ("compliant", "integrator"),
+    "The compliant model": ("compliant", "integrator", "scenes"),
     "Balls, intervals, verdicts, figures": ("balls", "dyadic", "verdict", "report"),
 }
 _TYPESET = ("proofs/", "certified", "rigour", "index", "ten_minutes", "expansions", "theta_and_signs", "compliant")
