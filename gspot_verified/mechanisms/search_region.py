@@ -161,10 +161,16 @@ def _intervals(
             lower, upper = (exact(value, f"box, {word}") for value in pair)
         except (TypeError, ValueError) as error:
             raise MechanismError(f"{mechanism.name}: {error}") from None
-        if certainly_less(ball(upper), ball(lower)) is not False:
+        if not _is_interval(lower, upper):
             raise MechanismError(f"{mechanism.name}: box: the interval of {word} is empty or reversed")
         found[mechanism.state.index(word)] = (lower, upper)
     return found
+
+
+def _is_interval(lower: Exact, upper: Exact) -> bool:
+    if isinstance(lower, fmpq) and isinstance(upper, fmpq):
+        return bool(lower <= upper)
+    return certainly_less(ball(upper), ball(lower)) is False
 
 
 def _text(value: Exact) -> str:

@@ -507,3 +507,14 @@ def test_a_fixed_component_that_is_not_rational_lies_in_its_enclosure() -> None:
     with working_bits(600):
         root = arb(2).sqrt()
         assert all(spot.system.point[0].is_finite() and spot.system.point[0].contains(root) for spot in found.spots)
+
+
+@pytest.mark.parametrize("end", ["4/5", "1/2", Fraction(1, 3)])
+def test_an_interval_of_one_rational_point(end: Any) -> None:
+    """It is not empty, whether or not the number is dyadic; 4/5 is the Y_dot of the rod's place."""
+    found = find_g_spots(shipped_mechanism("falling rod"), {"Y_dot": (end, end)})
+    assert not found.left
+    assert not found.spots
+    assert len(found.boundary) == (1 if end == "4/5" else 0)
+    with pytest.raises(MechanismError, match="empty or reversed"):
+        find_g_spots(shipped_mechanism("falling rod"), {"Y_dot": ("1/3", "33333333333333333333/100000000000000000000")})
