@@ -215,7 +215,9 @@ def iwc(
     alpha1: Annotated[str | None, typer.Option(help="α1* < 0; -1 if left out.")] = None,
     alpha2: Annotated[str | None, typer.Option(help="α2*; -1 if left out.")] = None,
     alpha3: Annotated[str | None, typer.Option(help="α3* < 0; β α1 if left out.")] = None,
-    mechanism: Annotated[str | None, typer.Option(help="In their place: a TOML file or a name; its alphas.")] = None,
+    mechanism: Annotated[
+        str | None, typer.Option(help="In their place: a TOML file or a name; its alphas, or all in their balls.")
+    ] = None,
     settings: Annotated[list[str] | None, typer.Option("--set", help='A parameter of the mechanism, "mu=2".')] = None,
     c1: Annotated[str | None, typer.Option(help="C1; left out: 1 or -1, on the side without lift-off.")] = None,
     tau_start: Annotated[str, typer.Option(help="The statement holds for τ from here to +∞.")] = "-10",
@@ -233,6 +235,7 @@ def iwc(
     """
     from gspot_verified.compliant.force_certificate import certificate_for
     from gspot_verified.mechanisms.iwc import iwc as contact_force
+    from gspot_verified.signs.iwc import IwcResult
 
     outputs = Outputs()
     outputs.file("--certificate", certificate)
@@ -251,15 +254,18 @@ def iwc(
         digits=digits,
         growth=growth,
     )
+    leading = result.leading
+    if certificate is not None and not isinstance(leading, IwcResult):
+        raise ValueError("--certificate: it needs rational alphas, and those of this mechanism are balls")
     if as_json:
         print_json(result.to_json())
     else:
         typer.echo(str(result))
-    if certificate is not None:
-        place = certificate
+    if certificate is not None and isinstance(leading, IwcResult):
+        place, rational = certificate, leading
 
         def write() -> None:
-            found = certificate_for(result.leading)
+            found = certificate_for(rational)
             found.write(place)
             progress(f"{place}: {found.statement}")
 

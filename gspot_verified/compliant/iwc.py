@@ -9,13 +9,18 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from gspot_verified.balls import ExactInput
-from gspot_verified.compliant.profile import in_range
+from gspot_verified.compliant.profile import SLOW, in_range
 from gspot_verified.compliant.slow_lift_off import SlowLiftOff, slow_lift_off
-from gspot_verified.compliant.slow_manifold import SlowManifold, impact
+from gspot_verified.compliant.slow_manifold import ABOVE, SlowManifold, impact
+from gspot_verified.compliant.threshold import MAX_BETA_OF_THEOREM
 from gspot_verified.signs.contact_force import rational
-from gspot_verified.signs.iwc import CAVEAT, IwcResult
+from gspot_verified.signs.iwc import CAVEAT, IwcResult, force_statement
 from gspot_verified.signs.iwc import iwc as leading_order
-from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Verdict
+from gspot_verified.signs.iwc_over_balls import FOR_ALL, IwcOverBalls
+from gspot_verified.signs.iwc_over_balls import iwc_over_balls as leading_order_over_balls
+from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Verdict
+
+BALLS_CAVEAT = f"{CAVEAT}; the bounds for the compliant model are made for one rational β, and the alphas are balls"
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +30,7 @@ class CompliantIwc(NoTruthValue):
 
     ask: ClassVar[str] = ASK_VERDICT
 
-    leading: IwcResult
+    leading: IwcResult | IwcOverBalls
     slow: SlowManifold | None = None
     lift_off: SlowLiftOff | None = None
 
@@ -39,9 +44,17 @@ class CompliantIwc(NoTruthValue):
         """That of the compliant model where there is one, else that at leading order."""
         return self.leading.verdict if self.compliant is None else self.compliant.verdict
 
+    @property
+    def caveat(self) -> str | None:
+        """What is open; None where a theorem covers it."""
+        if self.compliant is not None:
+            return None
+        return BALLS_CAVEAT if isinstance(self.leading, IwcOverBalls) else CAVEAT
+
     def __str__(self) -> str:
-        if self.compliant is None:
-            return str(self.leading)
+        if self.caveat is not None:
+            return "\n".join([*self.leading.lines(), f"  {self.caveat}"])
+        assert self.compliant is not None
         return "\n".join([*self.leading.lines(), *self.compliant.lines()])
 
     def to_json(self) -> dict[str, Any]:
@@ -61,7 +74,7 @@ class CompliantIwc(NoTruthValue):
             "slow_manifold": None if self.slow is None else self.slow.to_json(),
             "slow_lift_off": None if self.lift_off is None else self.lift_off.to_json(),
             "statements": [{"system": name, **verdict.to_json()} for name, verdict in about],
-            "caveat": CAVEAT if self.compliant is None else None,
+            "caveat": self.caveat,
         }
 
 
@@ -98,3 +111,33 @@ def iwc(
     if leading.lift_off is not None and in_range(force, leading.lift_off.epsilon):
         return CompliantIwc(leading, lift_off=slow_lift_off(force, leading.lift_off, leading.start, digits))
     return CompliantIwc(leading)
+
+
+def iwc_over_balls(
+    alpha_1: ExactInput,
+    alpha_2: ExactInput,
+    alpha_3: ExactInput,
+    *,
+    c1: ExactInput | None = None,
+    tau_start: ExactInput = -10,
+    epsilon: ExactInput | None = None,
+    digits: int = 15,
+) -> CompliantIwc:
+    """The same for all alphas in balls at once: :func:`gspot_verified.signs.iwc_over_balls.iwc_over_balls`.
+
+    For 0 < beta < 5 a proved eps_0 holds for the compliant model too (Theorem C compares the forces of each system);
+    the exact eps_0, the compliant lift-off time and beta > 5 need one rational beta, as their bounds are made for one.
+    """
+    leading = leading_order_over_balls(
+        alpha_1, alpha_2, alpha_3, c1=c1, tau_start=tau_start, epsilon=epsilon, digits=digits
+    )
+    force = leading.force
+    covered = force is not None and force.takes_impact and force.beta < MAX_BETA_OF_THEOREM
+    if not covered or leading.verdict.outcome is not Outcome.PROVED:
+        return CompliantIwc(leading)
+    everywhere = leading.every_epsilon and leading.whole_line
+    start = None if everywhere else leading.start
+    at = None if epsilon is None else rational(epsilon, "epsilon")
+    bound = None if leading.every_epsilon else leading.epsilon_0
+    text = force_statement(start, at, bound, f"{SLOW}, {FOR_ALL}")
+    return CompliantIwc(leading, SlowManifold(Verdict.proved(text, ABOVE), start, leading.whole_line))

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from flint import arb
 
-from gspot_verified.balls import ExactInput
-from gspot_verified.compliant.iwc import CompliantIwc
+from gspot_verified.balls import ExactInput, exact
+from gspot_verified.compliant.iwc import CompliantIwc, iwc_over_balls
 from gspot_verified.compliant.iwc import iwc as iwc_of_alphas
 from gspot_verified.mechanisms.classify import Classification, classify
 from gspot_verified.mechanisms.mechanism import Mechanism
@@ -29,20 +31,26 @@ def iwc(
     ``beta`` is a number, a mechanism (its G-spot is found), or a classification. The compliant model has constant
     alphas, those of the G-spot: nothing is stated about the mechanism away from it.
 
-    :raises ValueError: as for numbers; the G-spot is in no Case, or its alphas are balls (the statements need rational
-        ones); numbers beside a mechanism.
+    Where the G-spot is not rational its alphas are balls, and the statements are for all alphas in them; alphas that
+    are given may be balls too, without ``beta``.
+
+    :raises ValueError: as for numbers; the G-spot is in no Case; numbers beside a mechanism; ``growth`` where the
+        alphas are balls.
     :raises GSpotError: the mechanism has no G-spot there.
 
     >>> from gspot_verified.mechanisms.load import load
     >>> iwc(load("oscillator", beta="5/2")).leading.force.beta
     5/2
     """
-    chosen = {"c1": c1, "tau_start": tau_start, "epsilon": epsilon, "digits": digits, "growth": growth}
+    chosen: dict[str, Any] = {"c1": c1, "tau_start": tau_start, "epsilon": epsilon, "digits": digits, "growth": growth}
     if isinstance(beta, Mechanism):
         beta = classify(beta)
     if not isinstance(beta, Classification):
         second = -1 if alpha_2 is None else alpha_2
-        return iwc_of_alphas(beta, alpha_1=alpha_1, alpha_2=second, alpha_3=alpha_3, **chosen)  # type: ignore[arg-type]
+        first = -1 if alpha_1 is None else alpha_1
+        if beta is None and alpha_3 is not None and any(_is_wide(value) for value in (first, second, alpha_3)):
+            return _over_balls("the numbers", first, second, alpha_3, chosen)
+        return iwc_of_alphas(beta, alpha_1=alpha_1, alpha_2=second, alpha_3=alpha_3, **chosen)
     if not (alpha_1 is alpha_2 is alpha_3 is None):
         raise ValueError("alpha_1, alpha_2, alpha_3: the mechanism has its own")
     if not beta.regularisation.is_papers:
@@ -50,12 +58,23 @@ def iwc(
             f"{beta.name}: the compliant model has k_1 = k_2 = 1/eps^2 and c = 1/eps; for other constants nothing "
             "is stated (in the leading order they change eps alone)"
         )
-    alphas = {"alpha_1": beta.alpha_1, "alpha_2": beta.alpha_2, "alpha_3": beta.alpha_3}
     if beta.case not in ("I", "II", "III"):
         raise ValueError(f"{beta.name}: the statements are about Cases I, II and III, and here: {beta.reason}")
-    if any(isinstance(value, arb) for value in alphas.values()):
-        raise ValueError(
-            f"{beta.name}: the alphas are balls, as the G-spot is not rational; the statements need rational alphas "
-            "(exact sine and cosine under [angles], or numbers near these, which are then another system)"
-        )
-    return iwc_of_alphas(**alphas, **chosen)  # type: ignore[arg-type]
+    alphas = (beta.alpha_1, beta.alpha_2, beta.alpha_3)
+    if any(isinstance(value, arb) for value in alphas):
+        return _over_balls(beta.name, *alphas, chosen)
+    first, second, third = alphas
+    return iwc_of_alphas(alpha_1=first, alpha_2=second, alpha_3=third, **chosen)
+
+
+def _is_wide(value: ExactInput) -> bool:
+    return isinstance(exact(value, "alpha"), arb)
+
+
+def _over_balls(
+    name: str, alpha_1: ExactInput, alpha_2: ExactInput, alpha_3: ExactInput, chosen: dict[str, Any]
+) -> CompliantIwc:
+    if chosen["growth"]:
+        raise ValueError(f"growth: the table needs rational alphas, and those of {name} are balls")
+    options = {key: value for key, value in chosen.items() if key != "growth"}
+    return iwc_over_balls(alpha_1, alpha_2, alpha_3, **options)

@@ -14,7 +14,7 @@ from itertools import pairwise
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import bits_for_digits, sign_of, working_bits
+from gspot_verified.balls import Exact, bits_for_digits, sign_of, working_bits
 from gspot_verified.signs.brackets import zeros_at
 from gspot_verified.signs.side import gamma_sign
 from gspot_verified.theta_function.evaluate import evaluate
@@ -45,7 +45,7 @@ class Stretches:
     +infinity.
     """
 
-    beta: fmpq
+    beta: Exact
     sign: int
     start: Bracket
     critical: tuple[Bracket, ...]
