@@ -174,3 +174,21 @@ def test_texts_and_json() -> None:
 def test_bad_input(options: dict[str, int], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         iwc_over_balls(-1, -1, around(Fraction(-5, 2), NARROW), **options)  # type: ignore[arg-type]
+
+
+def test_one_epsilon_where_the_sign_of_the_mean_force_is_open() -> None:
+    alphas = (-1, around(Fraction(0), NARROW), around(Fraction(-1, 2), NARROW))
+    found = iwc_over_balls(*alphas, epsilon=10)
+    assert (found.verdict.outcome, found.verdict.reason) == (Outcome.UNDECIDED, Reason.WIDE_INPUT)
+    assert found.largest_epsilon is None
+
+
+def test_a_wide_ball_far_to_the_left_is_no_proof() -> None:
+    for start in (-50, -1000, -(10**6)):
+        found = iwc_over_balls(-1, -1, around(Fraction(-7, 2), Fraction(1, 10)), tau_start=start)
+        assert found.verdict.outcome in (Outcome.UNDECIDED, Outcome.PROVED)
+        if found.epsilon_0 is not None:
+            one = iwc("18/5", tau_start=start)
+            assert one.largest_epsilon is not None
+            assert one.largest_epsilon > found.epsilon_0
+        assert found.to_json()["start"] == str(start)

@@ -90,3 +90,12 @@ def test_balls_that_are_refused(beta: tuple[str, str], sign: int) -> None:
 def test_a_sign_that_is_none() -> None:
     with pytest.raises(ValueError, match="1 or -1"):
         stretches_over_ball(around("3/2", "1e-9"), 0, fmpq(-10))
+
+
+def test_a_start_inside_a_bracket_cuts_it() -> None:
+    ball = around("5/2", "1/300")
+    whole = stretches_over_ball(ball, -1, fmpq(-10)).critical[0]
+    start = (whole.lower + whole.upper) / 2
+    cut = stretches_over_ball(ball, -1, start)
+    assert (cut.critical[0].lower, cut.critical[0].upper) == (start, whole.upper)
+    assert not cut.whole_line
