@@ -228,3 +228,15 @@ def test_no_certificate_beyond_theorem_c(capsys: pytest.CaptureFixture[str], tmp
     assert output.startswith("proved")
     assert "NOT written: beta: a certificate of the force needs 1 < beta < 5" in errors
     assert not place.exists()
+
+
+def test_iwc_of_a_mechanism_in_balls(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """Statements, but no certificate: it needs rational alphas."""
+    code, output, _ = run(capsys, "iwc", "--mechanism", "genot_brogliato_rod")
+    assert code == 0
+    assert output.startswith("proved: at leading order, for all α1, α2, α3 in the balls, λ_N > 0 for every real τ")
+    path = tmp_path / "x.cert"
+    code, output, errors = run(capsys, "iwc", "--mechanism", "genot_brogliato_rod", "--certificate", str(path))
+    assert (code, output) == (64, "")
+    assert "it needs rational alphas" in errors
+    assert not path.exists()
