@@ -53,7 +53,9 @@ def float_run(scene: Scene, method: str = "Radau", tolerance: float = 1e-10) -> 
     record = _Record([], [], [])
     phase, state, time = scene.first_phase(), _scaled_start(scene), 0.0
     end = approximate(scene.until / scene.epsilon)
-    force = abs(approximate(scene.initial()["z"] - scene.initial()["y"]) / approximate(scene.epsilon) ** 2)
+    force = float_function([scene.system(phase).shown("lambda_N")])(
+        [*(state[n] for n in scene.system(phase).states), 0.0]
+    )[0]
     for _ in range(MAX_PHASES):
         system = scene.system(phase)
         found = _phase(scene, system, [state[name] for name in system.states], (time, end), force, method, tolerance)

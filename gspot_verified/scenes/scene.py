@@ -195,5 +195,7 @@ def _check_numbers(scene: Scene) -> None:
         raise SceneError(f"start: u must be >= 0 (positive slip), got {start['u']}")
     if start["y"] >= start["z"] and FLIGHT not in scene.phases():
         raise SceneError(f"start: not in contact: y = {start['y']} >= z = {start['z']}, and lift_off is left out")
+    if start["y"] >= start["z"] and scene.stop_at_force is not None:
+        raise SceneError("stop_at_force: the start is not in contact, so there is no first force to measure by")
     if start["z"] > 0:
         raise SceneError(f"start: z must be <= 0 (the surface is not pulled out), got {start['z']}")

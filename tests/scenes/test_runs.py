@@ -13,7 +13,7 @@ from gspot_verified.scenes.file import load_scene
 from gspot_verified.scenes.float_function import float_function
 from gspot_verified.scenes.float_run import METHODS, float_run
 from gspot_verified.scenes.run import CERTIFIED, FLIGHT_THEN_IMPACT, IMPACT, SIMULATED, TRIVIAL, agreement
-from gspot_verified.scenes.scene import SceneError
+from gspot_verified.scenes.scene import Scene, SceneError
 from gspot_verified.verdict import Outcome
 
 FATE = {
@@ -131,3 +131,24 @@ def test_what_is_refused() -> None:
         certified_run(scene.with_settings(k_1=2))
     with pytest.raises(TypeError):
         bool(certified_run(scene.with_settings(nu=1)))
+
+
+def test_a_start_in_flight_touches_down_at_the_time_of_the_closed_form() -> None:
+    """z = 0 and b = -1/2, y = 1/100, v = 0: y(t) = 1/100 - t^2/4 - t^3/6."""
+    start = {"p": fmpq(1, 2), "b": fmpq(-1, 2), "y": fmpq(1, 100), "v": fmpq(0), "z": fmpq(0)}
+    scene = Scene("test", ("compliant_contact", "lift_off"), fmpq(1, 1000), fmpq(1, 5), {}, start)
+    found = float_run(scene).events[0]
+    time = approximate(found.lower)
+    assert found.name == "touch-down"
+    assert 0.01 - time**2 / 4 - time**3 / 6 == pytest.approx(0, abs=1e-11)
+
+
+def test_the_stop_is_a_multiple_of_the_first_force() -> None:
+    """Also with a stiff surface: the last force of the run is the stated multiple."""
+    for stiffness in (1, 3):
+        scene = load_scene("fig-varsim1", beta="1/2", k_2=stiffness)
+        run = float_run(scene)
+        assert run.samples is not None
+        force = run.samples.columns["lambda_N"]
+        assert run.fate == IMPACT
+        assert force[-1] == pytest.approx(1000 * force[0], rel=1e-6)

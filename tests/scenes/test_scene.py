@@ -173,6 +173,9 @@ b = -0.5
         ("[start]", "[parameters]\nchi = 1\n[start]", "unknown parameter 'chi'"),
         ("[start]", "[parameters]\nk_1 = 0\n[start]", "k_1 must be > 0"),
         ("[start]", "[parameters]\nbeta = 1\n[start]\nnu = 1\n#", "start"),
+        ("b = -0.5", "b = -0.5\ny = 1\nv = 0\nz = 0\n[parameters]\nk_3 = 1", "unknown parameter 'k_3'"),
+        ("[start]\np = 0.5", "stop_at_force = 9\n[start]\np = 0.5\ny = 1\nv = 0\nz = 0", "not in contact"),
+        ("until = 1", "until = 1\nstop_at_force = 1", "stop_at_force must be > 1"),
         ("name", "[name", "no TOML"),
     ],
 )
