@@ -120,7 +120,7 @@ def _write_csv(path: Path, samples: Samples) -> None:
     with beside.open("w", encoding="utf-8", newline="") as stream:
         writer = csv.writer(stream)
         writer.writerow([*names, "phase"])
-        rows = zip(*(samples.columns[name].tolist() for name in names), samples.phases, strict=True)
+        rows = zip(*(map(float, samples.columns[name]) for name in names), samples.phases, strict=True)
         writer.writerows(rows)
     os.replace(beside, path)
 

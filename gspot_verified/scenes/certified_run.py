@@ -37,7 +37,7 @@ def check_linear(scene: Scene) -> None:
 
     :raises SceneError: it does not; the message says why.
     """
-    others = set(scene.effects) ^ LINEAR
+    others = set(scene.effects).symmetric_difference(LINEAR)
     if others:
         known, wrong = ", ".join(sorted(LINEAR)), ", ".join(sorted(others))
         raise SceneError(f"certified runs cover scenes with {known}, not one that differs in: {wrong}")
