@@ -118,6 +118,8 @@ def compliant_run(model: CompliantModel, state: CompliantState, digits: int = 15
         raise ValueError(f"digits must lie in 1..{MAX_DIGITS}, got {digits}")
     if _trivial(model, state):
         return Run(model, state, (), Verdict.proved(TRIVIAL, f"λ_N = {model.mean_force}; K = 0, the canard"))
+    if not state.p > 0:
+        raise ValueError(f"p: expected a state before the G-spot, p > 0, got {state.p}")
     rule = side_rule(model, state)
     bits = bits_for_digits(digits + _SPARE_DIGITS)
     if sign_of(rule.side) == 1:

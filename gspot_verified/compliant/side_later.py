@@ -12,7 +12,8 @@ from flint import acb, arb, fmpq
 
 from gspot_verified.balls import add_remainder, approximate, nonfinite, working_bits
 from gspot_verified.compliant.flight import ContactState
-from gspot_verified.compliant.kernel import Kernel
+from gspot_verified.compliant.kernel import Kernel, kernel
+from gspot_verified.compliant.normal_form import Deviation
 from gspot_verified.compliant.slow_coefficient import cubic_coefficients, cubic_quotient
 from gspot_verified.theta_function.quadrature import holomorphic_integral
 
@@ -28,18 +29,30 @@ def side(state: ContactState, bits: int) -> arb:
     Its sign is that of lambda as T tends to infinity along the contact. The absolute accuracy is near 2^-bits times
     the integral of the modulus, or what the balls of the state allow.
     """
-    # The exponent is a difference of numbers of the size of 1/epsilon.
-    lost = max(0, math.ceil(-math.log2(approximate(state.epsilon))))
-    with working_bits(bits + lost + _GUARD_BITS):
-        data = _hats(state)
-        small, p = approximate(state.epsilon), approximate(state.p)
-        start = arb(_start(small, p))
-        last = arb(_last(small, p, approximate(start), approximate(state.beta), bits))
-        exponent = _near_exponent(data, bits) if start + last < _SERIES_BELOW else _exponent(data)
-        height = exponent(acb(start), False).real.mid()
-        half = _half(data, start, last, exponent, height)
-        rest = _beyond(data, start, last, height)
-        return -data.beta / arb.pi() * height.exp() * add_remainder(half.imag, rest)
+    with working_bits(_bits(state.epsilon, bits)):
+        return _side(_hats(state), bits)
+
+
+def side_of_deviation(state: Deviation, bits: int) -> arb:
+    """The same of an exact state that is given as its deviation from the trivial solution."""
+    with working_bits(_bits(state.epsilon, bits)):
+        return _side(kernel(state), bits)
+
+
+def _bits(epsilon: fmpq, bits: int) -> int:
+    """The exponent is a difference of numbers of the size of 1/epsilon."""
+    return bits + max(0, math.ceil(-math.log2(approximate(epsilon)))) + _GUARD_BITS
+
+
+def _side(data: Kernel, bits: int) -> arb:
+    small, p = approximate(data.epsilon), approximate(data.p)
+    start = arb(_start(small, p))
+    last = arb(_last(small, p, approximate(start), approximate(data.beta), bits))
+    exponent = _near_exponent(data, bits) if start + last < _SERIES_BELOW else _exponent(data)
+    height = exponent(acb(start), False).real.mid()
+    half = _half(data, start, last, exponent, height)
+    rest = _beyond(data, start, last, height)
+    return -data.beta / arb.pi() * height.exp() * add_remainder(half.imag, rest)
 
 
 def _hats(state: ContactState) -> Kernel:

@@ -1,6 +1,7 @@
 """The coefficients of a state in the basis of exact solutions, and the exact side rule: the sign of one number K.
 
-Proof page: ``proofs/first_integrals.md``, sections 6 and 7.
+Proof pages: ``proofs/first_integrals.md``, sections 6 and 7; ``proofs/flight.md``, section 6, for K at or after the
+G-spot.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from gspot_verified.balls import add_remainder, approximate, ball_text, bits_for
 from gspot_verified.compliant.fast_bound import fast_bound
 from gspot_verified.compliant.fast_coefficient import fast_coefficient, saddle
 from gspot_verified.compliant.normal_form import CompliantModel, CompliantState, Deviation, deviation
+from gspot_verified.compliant.side_later import side_of_deviation
 from gspot_verified.compliant.slow_coefficient import slow_coefficient
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.theta_function.reciprocal_gamma import reciprocal_gamma
@@ -27,33 +29,42 @@ _BOUND_FACTOR = 64
 
 @dataclass(frozen=True, slots=True)
 class SideRule(NoTruthValue):
-    """C, c_+ and K = C/Gamma(-beta) + 2 Re c_+ of a state with p > 0, in balls (units of the normal form).
+    """C, c_+ and K = C/Gamma(-beta) + 2 Re c_+ of a state in contact, in balls (units of the normal form).
 
-    ``slow`` = C, ``fast`` = c_+ (or a ball around 0 where it cannot matter), ``side`` = K; ``verdict``: its sign.
+    ``slow`` = C, ``fast`` = c_+ (or a ball around 0 where it cannot matter), ``side`` = K; ``verdict``: its sign. For
+    p <= 0 K comes by its own integral: ``slow`` and ``fast`` are None, the paper's rule is about the way to the G-spot.
     K < 0: contact is lost, certainly. K > 0: necessary for an impact without collision, not sufficient.
     """
 
     ask: ClassVar[str] = ASK_VERDICT
 
     state: Deviation
-    slow: arb
-    fast: acb
+    slow: arb | None
+    fast: acb | None
     side: arb
     verdict: Verdict
 
     @property
-    def slow_side(self) -> arb:
-        """C/Gamma(-beta): what the paper's rule looks at."""
+    def slow_side(self) -> arb | None:
+        """C/Gamma(-beta): what the paper's rule looks at; None for p <= 0."""
+        if self.slow is None:
+            return None
         with working_bits(int(self.slow.bits()) + _GUARD_BITS):
             return self.slow * reciprocal_gamma(-self.state.beta, int(self.slow.bits()) + _GUARD_BITS)
 
     @property
     def paper_differs(self) -> bool | None:
         """Whether the paper's rule, the sign of C_1/Gamma(-beta), gives the other side; None when a sign is open."""
-        exact, slow = sign_of(self.side), sign_of(self.slow_side)
+        part = self.slow_side
+        if part is None:
+            return None
+        exact, slow = sign_of(self.side), sign_of(part)
         return exact != slow if exact and slow else None
 
     def __str__(self) -> str:
+        if self.slow_side is None or self.fast is None:
+            about = "p <= 0: the paper's rule, which is about the way to the G-spot, does not apply"
+            return "\n".join((str(self.verdict), f"  K = {ball_text(self.side)}", f"  {about}"))
         rule = {True: "the paper's rule gives the other side", False: "the paper's rule gives the same side"}
         lines = [
             str(self.verdict),
@@ -66,23 +77,25 @@ class SideRule(NoTruthValue):
         return "\n".join(lines)
 
     def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; balls as exact intervals."""
+        """Plain data for ``json.dumps``; balls as exact intervals, None where there is no (finite) one."""
         return {
-            "C": str(Dyadic.from_ball(self.slow)),
-            "K": str(Dyadic.from_ball(self.side)),
-            "slow_part": str(Dyadic.from_ball(self.slow_side)),
-            "fast_part": str(Dyadic.from_ball(2 * self.fast.real)),
+            "C": _interval(self.slow),
+            "K": _interval(self.side),
+            "slow_part": _interval(self.slow_side),
+            "fast_part": _interval(None if self.fast is None else 2 * self.fast.real),
             "paper_differs": self.paper_differs,
             "verdict": self.verdict.to_json(),
         }
 
 
+def _interval(value: arb | None) -> str | None:
+    return None if value is None or not value.is_finite() else str(Dyadic.from_ball(value))
+
+
 def side_rule(model: CompliantModel, state: CompliantState, digits: int = 15) -> SideRule:
-    """The exact side rule for a state in contact with p > 0.
+    """The exact side rule for a state in contact, before, at or after the G-spot.
 
     The verdict is proved with the sign of K, or undecided where balls of rising accuracy cannot tell it from 0.
-
-    :raises ValueError: p <= 0.
 
     >>> from gspot_verified.compliant.normal_form import compliant_model, compliant_state
     >>> model = compliant_model("5/2", "1/1000")
@@ -90,11 +103,14 @@ def side_rule(model: CompliantModel, state: CompliantState, digits: int = 15) ->
     'proved'
     """
     hats = deviation(model, state)
-    if not hats.p > 0:
-        raise ValueError(f"p: expected a state before the G-spot, p > 0, got {hats.p}")
     goal = bits_for_digits(digits) + _GUARD_BITS
+    slow: arb | None = None
+    fast: acb | None = None
     for attempt in range(_ATTEMPTS):
-        slow, fast, side = coefficients(hats, goal * 2**attempt)
+        if hats.p > 0:
+            slow, fast, side = coefficients(hats, goal * 2**attempt)
+        else:
+            side = side_of_deviation(hats, goal * 2**attempt)
         if sign_of(side) not in (None, 0):
             break
     return SideRule(hats, slow, fast, side, _verdict(side))

@@ -11,9 +11,10 @@ from witness import contains_witness, to_fraction
 from gspot_verified.balls import relative_bits, working_bits
 from gspot_verified.compliant.flight import ContactState
 from gspot_verified.compliant.growth_set import in_slow_set
-from gspot_verified.compliant.normal_form import Deviation
+from gspot_verified.compliant.normal_form import CompliantState, Deviation, compliant_model, deviation
 from gspot_verified.compliant.side_later import side
-from gspot_verified.compliant.side_rule import coefficients
+from gspot_verified.compliant.side_rule import coefficients, side_rule
+from gspot_verified.verdict import Outcome
 
 BITS = 80
 NONE = fmpq(0)
@@ -67,6 +68,31 @@ def test_k_after_the_g_spot_by_another_path(p: fmpq, beta: fmpq, epsilon: fmpq) 
     assert relative_bits(value) > 40
     with mpmath.workdps(60):
         assert contains_witness(value, to_fraction(later_witness(hats)), 12)
+
+
+@pytest.mark.parametrize("p", [fmpq(0), fmpq(-1, 5), fmpq(-2)])
+@pytest.mark.parametrize(("beta", "epsilon"), [("1/2", "1/5"), ("5/2", "1/50"), ("4", "2")])
+@pytest.mark.parametrize("depth", [-1, 3])
+def test_the_side_rule_of_states_at_or_after_the_g_spot(p: fmpq, beta: str, epsilon: str, depth: int) -> None:
+    """y < z < 0, either sign of K: the sign, and K itself, against mpmath on another path."""
+    model = compliant_model(beta, epsilon)
+    small = model.epsilon * model.epsilon
+    state = CompliantState(p, fmpq(depth), -4 * small, model.epsilon * fmpq(depth, 7), -small)
+    found = side_rule(model, state)
+    with mpmath.workdps(60):
+        witness = later_witness(deviation(model, state))
+        assert contains_witness(found.side, to_fraction(witness), 12)
+    assert found.verdict.outcome is Outcome.PROVED
+    assert found.verdict.statement.startswith("K > 0" if witness > 0 else "K < 0")
+    assert (found.slow, found.fast, found.slow_side, found.paper_differs) == (None, None, None, None)
+    assert found.to_json()["C"] is None
+
+
+def test_the_trivial_solution_after_the_g_spot_is_the_canard() -> None:
+    model = compliant_model("5/2", "1/100")
+    small, force = model.epsilon * model.epsilon, model.mean_force
+    found = side_rule(model, CompliantState(fmpq(-1, 3), force / 3, -2 * small * force, fmpq(0), -small * force))
+    assert found.verdict.outcome is Outcome.UNDECIDED
 
 
 @pytest.mark.parametrize("epsilon", [10, 1000, 3 * 10**4, 10**6, 10**12, 10**100])

@@ -171,10 +171,7 @@ def test_one_bound_serves_all_smaller_epsilons(beta: str) -> None:
     assert not bound.at(fmpq(1, 50)).is_finite()
 
 
-def test_states_after_the_g_spot_are_refused() -> None:
-    model = compliant_model("5/2", "1/100")
-    with pytest.raises(ValueError, match="p > 0"):
-        side_rule(model, compliant_state("-1/2", 1, -1, 0, 1))
+def test_fast_coefficients_need_a_state_before_the_g_spot() -> None:
     assert not fast_coefficient(replace(STATES[0], p=fmpq(-1)), 30).is_finite()
 
 
