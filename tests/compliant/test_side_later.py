@@ -9,6 +9,7 @@ from flint import arb, fmpq
 from witness import contains_witness, to_fraction
 
 from gspot_verified.balls import relative_bits, working_bits
+from gspot_verified.compliant import side_later
 from gspot_verified.compliant.flight import ContactState
 from gspot_verified.compliant.growth_set import in_slow_set
 from gspot_verified.compliant.normal_form import CompliantState, Deviation, compliant_model, deviation
@@ -86,6 +87,20 @@ def test_the_side_rule_of_states_at_or_after_the_g_spot(p: fmpq, beta: str, epsi
     assert found.verdict.statement.startswith("K > 0" if witness > 0 else "K < 0")
     assert (found.slow, found.fast, found.slow_side, found.paper_differs) == (None, None, None, None)
     assert found.to_json()["C"] is None
+
+
+@pytest.mark.parametrize("share", [0.25, 0.3, 0.4])
+@pytest.mark.parametrize("p", [fmpq(0), fmpq(-1, 5)])
+def test_any_end_of_the_integral_is_right(monkeypatch: pytest.MonkeyPatch, share: float, p: fmpq) -> None:
+    """An end that comes early leaves a rest that counts: its bound makes the ball wide, and holds K all the same."""
+    hats = Deviation(fmpq(5, 2), fmpq(1, 50), p, fmpq(-1, 3), fmpq(-1), fmpq(1, 7), fmpq(2))
+    best, late = side_later.side_of_deviation(hats, BITS), side_later._last
+    monkeypatch.setattr(side_later, "_last", lambda *given: share * late(*given))
+    value = side_later.side_of_deviation(hats, BITS)
+    assert best.is_finite()
+    assert value.is_finite()
+    assert not best.overlaps(value.mid())
+    assert value.contains(best.mid())
 
 
 def test_the_trivial_solution_after_the_g_spot_is_the_canard() -> None:
