@@ -28,6 +28,7 @@ from gspot_verified.ledger import (
     section_5_spaces,
     section_5_theorem,
     section_6,
+    table_1,
     varsim1,
 )
 from gspot_verified.ledger.entry import Builders, Entry
@@ -39,6 +40,7 @@ PARTS: dict[str, Builders] = {
     "Section 2, the extended example": lagrangian.ENTRIES,
     "Section 3, sides of the simulations": section_3.ENTRIES,
     "Section 3, the runs of the simulations": varsim1.ENTRIES,
+    "Section 3, Table 1": table_1.ENTRIES,
     "Section 3, after lift-off": after_lift_off.ENTRIES,
     "Section 4, elimination and deviations": section_4_outer.ENTRIES,
     "Section 4.1, the distinguished trajectory": section_4_unique.ENTRIES,

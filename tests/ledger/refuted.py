@@ -4,4 +4,5 @@ REFUTED = {
     *("A-th5-condition", "S-mean-force", "S-gamma-intervals", "S-wording", "1-beta", "2-trivial-zy", "4-order"),
     *("4-inner-fast", "4-inner-scaling-v", "4-matching-middle", "5-monomial", "5-xinprime", "5-example-b-error"),
     *("5-fast-system", "5-ansatz-p0", "5-bpert-v", "6-sign-of-G", "4-unique-smooth", "4-behaves-like", "3-sides"),
+    *("3-table-1-b-5_2", "3-table-1-y-1_2"),
 }
