@@ -35,6 +35,7 @@ from flint import (
     fmpq_mpoly_ctx,
     fmpq_poly,
     fmpz,
+    fmpz_mat,
     fmpz_poly,
 )  # fmt: skip
 from flint.utils.flint_exceptions import DomainError
@@ -57,12 +58,13 @@ CLASSES = {
     "fmpq_mpoly_ctx": fmpq_mpoly_ctx,
     "fmpq_poly": fmpq_poly,
     "fmpz": fmpz,
+    "fmpz_mat": fmpz_mat,
     "fmpz_poly": fmpz_poly,
 }
 
 # Attribute names of flint objects. A field of the package's own that has the same name is tested here all the same.
 _METHODS = """
-    abs_lower abs_upper airy_ai atan atan2 bit_length bits ceil coeffs constant contains contains_interior cos
+    abs_lower abs_upper airy_ai atan atan2 bit_length bits ceil coeffs constant contains content contains_interior cos
     cos_pi cosh degree denominator derivative det entries evaluate exp expm1 fac_ui floor gamma gamma_fmpq gcd
     gens get height_bits hypgeom imag integral intersection inv is_constant is_exact is_finite is_one is_prime
     is_zero lcm leading_coefficient length lgamma log log1p lower man_exp max mid min name names nan ncols numerator
@@ -401,6 +403,7 @@ def test_rational_polynomials() -> None:
             polynomial / 0
 
 
+@covers("content")
 def test_integer_polynomials() -> None:
     for left, right in itertools.product(_INTEGER_POLYNOMIALS, repeat=2):
         first, second = fmpz_poly(left), fmpz_poly(right)
@@ -413,6 +416,10 @@ def test_integer_polynomials() -> None:
         polynomial = fmpz_poly(coefficients)
         assert (polynomial.length(), polynomial.degree()) == (len(coefficients), len(coefficients) - 1)
         assert read(-polynomial) == added([], coefficients, -1)
+        common = math.gcd(*coefficients)
+        assert int(polynomial.content()) == common
+        if common:
+            assert read(polynomial // fmpz(common)) == [Fraction(c, common) for c in read(polynomial)]
         for number in _INTEGERS:
             for scalar in (number, fmpz(number)):
                 assert int(polynomial(scalar)) == horner(coefficients, number)
@@ -665,6 +672,21 @@ def test_ball_matrices() -> None:
         for i, j, place in itertools.product(range(rows), range(columns), range(3)):
             exact = sum(three(left[i * inner + k])[place] * three(right[k * columns + j])[place] for k in range(inner))
             assert holds(product[i, j], exact)
+
+
+def test_integer_matrices() -> None:
+    numbers = [(-1) ** i * (i + 7) ** (i % 90) for i in range(40)]
+    for rows, offset in itertools.product((1, 2), range(0, 30, 3)):
+        left = [numbers[(offset + 2 * i) % 40 :][:1] + numbers[(offset + 5 * i) % 40 :][:1] for i in range(rows)]
+        right = [numbers[(offset + 1) % 40 :][:2], numbers[(offset + 4) % 37 :][:2]]
+        first, second = fmpz_mat(left), fmpz_mat(right)
+        product, other, factor = first * second, fmpz_mat(left[::-1]), fmpz(numbers[offset])
+        for i, j in itertools.product(range(rows), range(2)):
+            assert int(product[i, j]) == sum(left[i][k] * right[k][j] for k in range(2))
+            assert int((first + other)[i, j]) == left[i][j] + left[rows - 1 - i][j]
+            assert int((first * factor)[i, j]) == left[i][j] * numbers[offset]
+            with working_bits(2_000):
+                assert holds(arb_mat(first)[i, j], left[i][j])
 
 
 def test_large_matrices_of_very_unequal_entries() -> None:

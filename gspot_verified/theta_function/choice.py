@@ -21,6 +21,7 @@ _LN2 = math.log(2)
 _GUARD = 8
 _TINY = 1e-60
 _SPLITTING_FROM_BITS = 900
+_TERMS_ONE_BY_ONE = 40
 _SPLITTING_HEIGHT = 256
 # Work of the floating series, in terms times bits, from which another route is faster.
 _QUADRATURE_FROM_WORK = 20_000_000
@@ -86,12 +87,16 @@ def negative_plan(x: float, beta: float, goal: int) -> NegativePlan | None:
         return None
     inverse = x**-3
     term, largest, k = 0.0, 0.0, 0
+    settled = abs(beta) / 3 + _TERMS_ONE_BY_ONE
     while True:
         # For beta < 0 the terms alternate: the sum is near 1/largest, so twice its logarithm is lost.
         lost = 2 * largest if beta < 0 else -largest
-        if 3 * k > beta and k >= 1 and term < -(goal + 3) * _LN2 - lost + largest:
-            power = math.ceil(math.log2(1 + abs(beta) * math.log(x)))
-            return NegativePlan(k, _rounded(goal + _GUARD + power + math.ceil(max(0.0, lost) / _LN2)))
+        enough = -(goal + 3) * _LN2 - lost + largest
+        if k > settled:
+            found = _enveloping_terms(k, term, enough, x, beta)
+            return None if found is None else _negative_plan(found, x, beta, goal, lost)
+        if 3 * k > beta and k >= 1 and term < enough:
+            return _negative_plan(k, x, beta, goal, lost)
         # Next to an integer a factor is tiny, but a float cannot tell how tiny: count it as 1/2.
         factor = inverse / (3 * (k + 1))
         for j in range(3 * k, 3 * k + 3):
@@ -101,6 +106,31 @@ def negative_plan(x: float, beta: float, goal: int) -> NegativePlan | None:
         term += math.log(factor)
         largest = max(largest, term)
         k += 1
+
+
+def _negative_plan(terms: int, x: float, beta: float, goal: int, lost: float) -> NegativePlan:
+    power = math.ceil(math.log2(1 + abs(beta) * math.log(x)))
+    return NegativePlan(terms, _rounded(goal + _GUARD + power + math.ceil(max(0.0, lost) / _LN2)))
+
+
+def _enveloping_terms(start: int, log_start: float, enough: float, x: float, beta: float) -> int | None:
+    """The least k >= start with ln |t_k| < enough, by bisection down to the smallest term: ln |t_start| is given."""
+
+    def size(k: int) -> float:
+        rise = math.lgamma(3 * k - beta) - math.lgamma(k + 1) - k * (math.log(3) + 3 * math.log(x))
+        return rise - at_start + log_start
+
+    at_start = math.lgamma(3 * start - beta) - math.lgamma(start + 1) - start * (math.log(3) + 3 * math.log(x))
+    low, high = start, max(start, int(x**1.5 / 3))
+    if size(high) >= enough:
+        return None
+    while low < high:
+        middle = (low + high) // 2
+        if size(middle) < enough:
+            high = middle
+        else:
+            low = middle + 1
+    return low
 
 
 @lru_cache(maxsize=4096)

@@ -10,8 +10,9 @@ from functools import lru_cache
 from flint import arb, fmpq
 
 from gspot_verified.balls import Exact, ball, working_bits
+from gspot_verified.theta_function.power import positive_power
 from gspot_verified.theta_function.reciprocal_gamma import reciprocal_gamma
-from gspot_verified.theta_function.reduced_gamma import pays, power_of_three, reduced_initial_values
+from gspot_verified.theta_function.reduced_gamma import pays, reduced_initial_values
 
 InitialValues = tuple[arb, arb, arb]
 
@@ -51,16 +52,10 @@ def _entire_form(beta: Exact, bits: int) -> InitialValues:
     with working_bits(bits):
         first, second, third = (reciprocal_gamma((j - beta) / 3, bits) for j in range(3))
         cube_root = arb(3).root(3)
-        constant = 2 * arb.pi() * _power_of_three(beta * _TWO_THIRDS - _HALF, bits)
+        constant = 2 * arb.pi() * positive_power(arb(3), beta * _TWO_THIRDS - _HALF)
         outer = constant * third
         inner = cube_root * first
         return outer * second, outer * inner, constant * cube_root * inner * second
-
-
-def _power_of_three(exponent: Exact, bits: int) -> arb:
-    if bits > _REDUCED_FROM_BITS and isinstance(exponent, fmpq) and abs(exponent) <= 10_000:
-        return power_of_three(exponent)
-    return (ball(exponent) * arb(3).log()).exp()
 
 
 def paper_initial_values(beta: Exact, bits: int) -> InitialValues:

@@ -5,9 +5,13 @@ Proof page: ``proofs/negative.md``.
 
 from __future__ import annotations
 
-from flint import arb, fmpq, fmpz
+from flint import arb, fmpq, fmpz, fmpz_poly
 
 from gspot_verified.balls import Exact, add_remainder, ball, current_bits, nonfinite, working_bits
+from gspot_verified.theta_function.binary_splitting import block, split_sum
+from gspot_verified.theta_function.power import positive_power
+
+_BLOCK_LENGTH = 8
 
 
 def negative_sum(tau: Exact, beta: Exact, terms: int, bits: int) -> arb:
@@ -30,7 +34,26 @@ def negative_sum(tau: Exact, beta: Exact, terms: int, bits: int) -> arb:
             term = term * _ratio(k, beta) * inverse_cube
             if k < terms - 1:
                 total += term
-        return add_remainder(total, term) * x**center
+        return add_remainder(total, term) * positive_power(x, beta)
+
+
+def negative_split_sum(tau: fmpq, beta: fmpq, terms: int, bits: int) -> arb:
+    """The same enclosure for rational tau and beta, by binary splitting, from at least ``terms`` terms.
+
+    Its cost follows the sizes of the integers in tau and beta: use it for rationals of small height. Hypotheses,
+    checked: as in :func:`negative_sum`.
+    """
+    blocks = -(-terms // _BLOCK_LENGTH)
+    x, p, q = -tau, beta.p, beta.q
+    if not (x > 0 and beta < 3 * blocks * _BLOCK_LENGTH):
+        return nonfinite()
+    k = fmpz_poly([0, 1])
+    first = 3 * q * k - p
+    numerator = -(first * (first + q) * (first + 2 * q)) * x.q**3
+    denominator = (3 * (k + 1)) * (q * x.p) ** 3
+    total, omitted = split_sum(block(numerator, denominator, _BLOCK_LENGTH), 0, blocks, bits)
+    with working_bits(bits):
+        return add_remainder(total, omitted) * positive_power(arb(x), beta)
 
 
 def _ratio(k: int, beta: Exact) -> Exact:

@@ -5,28 +5,32 @@ Proof page: ``proofs/positive.md``; E_1 .. E_5 are its labels.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import Exact, add_remainder, ball, current_bits, nonfinite, working_bits
+from gspot_verified.balls import MAX_WORKING_BITS, Exact, add_remainder, ball, nonfinite, working_bits
 from gspot_verified.theta_function.finite_part import near_integers, weight
+from gspot_verified.theta_function.power import positive_power
 from gspot_verified.theta_function.reciprocal_gamma import reciprocal_gamma
+from gspot_verified.theta_function.saddle_series import saddle_series, split_length, split_saddle_series
 
 _SHARE = fmpq(9, 10)
-_BLOCK = 64
-_LEAST_BITS = 64
+_THREE_QUARTERS = fmpq(3, 4)
+_BITS_OF_A_BOUND = 64
 
 
 @dataclass(frozen=True, slots=True)
 class SaddlePlan:
     """What the bound may choose freely: N terms, the disc |u| <= disc, the cut r = cut * sqrt(tau), and how much
-    of the disc of convergence in s is used. Hypotheses: 0 < disc < 1, 0 < cut <= 1 - disc, 0 < share < 1, N >= 1."""
+    of the disc of convergence in s is used. Hypotheses: 0 < disc < 1, 0 < cut <= 1 - disc, 0 < share < 1, N >= 1.
+    ``split``: sum the series by binary splitting where tau and beta are rational, N rounded up to whole blocks."""
 
     terms: int
     disc: fmpq
     cut: fmpq
     share: fmpq = _SHARE
+    split: bool = False
 
 
 def positive_sum(tau: Exact, beta: Exact, plan: SaddlePlan, bits: int) -> arb:
@@ -43,20 +47,58 @@ def positive_sum(tau: Exact, beta: Exact, plan: SaddlePlan, bits: int) -> arb:
         point, center = ball(tau), ball(beta)
         if not point > 0:
             return nonfinite()
-        root = point.sqrt()
-        large = point * root
-        cut = plan.cut * root
-        algebraic = arb(0)
-        for n in near_integers(beta):
-            algebraic += weight(n, beta, bits) * _exponential_coefficient(n, point) * cut ** (n - center)
         reciprocal = reciprocal_gamma(-beta, bits)
         if reciprocal.is_zero():
-            return algebraic
-        front = reciprocal * root ** (-center) * (2 * large / 3).exp() / large.sqrt()
-        bracket = arb.pi().sqrt() * _saddle_series(large, beta, plan.terms)
-        bracket = add_remainder(bracket, _saddle_remainder(large, center, plan))
-        near_zero = 2 * reciprocal * cut ** (-center) * (large * (plan.cut + plan.cut**3 / 3)).exp()
-        return add_remainder(algebraic + front * bracket, near_zero)
+            return _algebraic_part(point, beta, plan, bits)
+        root = point.sqrt()
+        large = point * root
+        if plan.split and isinstance(tau, fmpq) and isinstance(beta, fmpq):
+            plan = replace(plan, terms=split_length(plan.terms))
+            series = split_saddle_series(tau, beta, plan.terms)
+        else:
+            series = saddle_series(large, beta, plan.terms)
+        front = reciprocal * (2 * large / 3).exp() * positive_power(point, -(beta / 2 + _THREE_QUARTERS))
+        value = front * add_remainder(arb.pi().sqrt() * series, _saddle_remainder(large, center, plan))
+        algebraic = _algebraic_part_beside(value, point, beta, plan, bits)
+        return add_remainder(algebraic + value, _near_zero(reciprocal, point, center, plan))
+
+
+def _near_zero(reciprocal: arb, tau: arb, beta: arb, plan: SaddlePlan) -> arb:
+    """E_5."""
+    with working_bits(_BITS_OF_A_BOUND):
+        root = tau.sqrt()
+        exponent = tau * root * (plan.cut + plan.cut**3 / 3)
+        return 2 * reciprocal.abs_upper() * (plan.cut * root) ** (-beta) * exponent.exp()
+
+
+def _algebraic_part(tau: arb, beta: Exact, plan: SaddlePlan, bits: int) -> arb:
+    """An enclosure of sum_n w_n p_n(tau) (cut sqrt(tau))^(n - beta) over the integers n next to beta."""
+    with working_bits(bits):
+        cut = plan.cut * tau.sqrt()
+        total = arb(0)
+        for n in near_integers(beta):
+            total += weight(n, beta, bits) * _exponential_coefficient(n, tau) * positive_power(cut, n - beta)
+        return total
+
+
+def _algebraic_part_beside(value: arb, tau: arb, beta: Exact, plan: SaddlePlan, bits: int) -> arb:
+    """The algebraic part, no more accurate than the sum with ``value`` at the precision ``bits`` can show."""
+    least = _algebraic_part(tau, beta, plan, _BITS_OF_A_BOUND)
+    needed = bits - _bits_above(value, least)
+    return least if needed <= _BITS_OF_A_BOUND else _algebraic_part(tau, beta, plan, needed)
+
+
+def _bits_above(large: arb, small: arb) -> int:
+    """m >= 0 with |small| about 2^-m |large|, 0 where nothing is known. For heuristics only."""
+    if not (large.is_finite() and small.is_finite()) or large.is_zero():
+        return 0
+    if small.is_zero():
+        return MAX_WORKING_BITS
+    exponents = []
+    for value in (large, small):
+        mantissa, exponent = value.abs_upper().man_exp()
+        exponents.append(int(exponent) + int(mantissa).bit_length())
+    return max(0, exponents[0] - exponents[1])
 
 
 def _exponential_coefficient(n: int, tau: arb) -> arb:
@@ -69,35 +111,6 @@ def _exponential_coefficient(n: int, tau: arb) -> arb:
         term = term * fmpq(-m * (m - 1) * (m - 2), 3 * (j + 1)) * inverse_cube
         total += term
     return total
-
-
-def _saddle_series(large: arb, beta: Exact, terms: int) -> arb:
-    """sum_(k<N) g_k lambda^(-k), by the recurrence of ``asymptotic_coefficients.coefficient``."""
-    exponent = -beta / 3 - fmpq(1, 2)
-    inverse = 1 / large
-    previous, current, total = arb(0), arb(1), arb(1)
-    bits = current_bits()
-    for start in range(1, terms, _BLOCK):
-        # A term of relative size 2^-m needs m bits less; what rounding costs is in its ball.
-        with working_bits(max(_LEAST_BITS, bits - _bits_below_one(abs(current) + abs(previous)))):
-            part = arb(0)
-            for k in range(start, min(start + _BLOCK, terms)):
-                first, second = exponent - (k - 1), exponent - (k - 2)
-                # For a rational beta the factors are small rationals, cheap to multiply by.
-                following = current * ((27 * first * first - 9 * first - 1) / (12 * k))
-                following += inverse * previous * (second * (3 * second - 2) * (3 * second - 4) / (8 * k))
-                previous, current = current, following * inverse
-                part += current
-        total += part
-    return total
-
-
-def _bits_below_one(size: arb) -> int:
-    """m >= 0 with |size| <= 2^-m, or 0. For heuristics only."""
-    if not size.is_finite():
-        return 0
-    mantissa, exponent = size.abs_upper().man_exp()
-    return max(0, -int(exponent) - int(mantissa).bit_length())
 
 
 def _saddle_remainder(large: arb, beta: arb, plan: SaddlePlan) -> arb:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from flint import arb, fmpq
 
 from gspot_verified.theta_function.gamma_ratio import gamma_ratio
+from gspot_verified.theta_function.power import positive_power
 
 # From here on two accelerated series are cheaper than two values of FLINT's gamma_fmpq.
 _RATIOS_FROM_BITS = 5_000
@@ -31,7 +32,7 @@ def reduced_initial_values(beta: fmpq, bits: int) -> tuple[arb, arb, arb]:
     outer = arb.gamma_fmpq(phi)
     ratios = _over_outer(phi, outer, bits)
     reciprocal_shift = _gamma_shift(phi, -beta)
-    cube_root, power = arb(3).root(3), power_of_three(-beta / 3 - 1)
+    cube_root, power = arb(3).root(3), positive_power(arb(3), -beta / 3 - 1)
     values = []
     for j in range(3):
         z = (j - beta) / 3
@@ -47,7 +48,7 @@ def _over_outer(phi: fmpq, outer: arb, bits: int) -> list[arb]:
     Gamma(x) Gamma(x + 1/3) Gamma(x + 2/3) = 2 pi 3^(1/2 - phi) Gamma(phi),   phi = 3x.
     """
     x = phi / 3
-    product = 2 * arb.pi() * power_of_three(fmpq(1, 2) - phi)
+    product = 2 * arb.pi() * positive_power(arb(3), fmpq(1, 2) - phi)
     if bits < _RATIOS_FROM_BITS:
         first, second = arb.gamma_fmpq(x), arb.gamma_fmpq(x + fmpq(1, 3))
         return [first / outer, second / outer, product / (first * second)]
@@ -67,10 +68,3 @@ def _gamma_shift(start: fmpq, end: fmpq) -> fmpq:
     for i in range(abs(steps)):
         shift *= min(start, end) + i
     return shift if steps >= 0 else 1 / shift
-
-
-def power_of_three(exponent: fmpq) -> arb:
-    """3^exponent: an integer power and an integer root, cheaper than exp(x log 3) at high precision."""
-    if exponent.q > 64:
-        return arb(3) ** arb(exponent)
-    return (arb(3) ** int(exponent.p)).root(int(exponent.q))

@@ -8,6 +8,7 @@ Theta(beta - 1): d^k Theta/dtau^k (tau, beta) = (-beta)(1 - beta)...(k - 1 - bet
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from flint import arb, fmpq
 
@@ -24,7 +25,7 @@ from gspot_verified.balls import (
 from gspot_verified.theta_function import choice
 from gspot_verified.theta_function.finite_part import near_integers
 from gspot_verified.theta_function.laplace import laplace_sum
-from gspot_verified.theta_function.negative import negative_sum
+from gspot_verified.theta_function.negative import negative_split_sum, negative_sum
 from gspot_verified.theta_function.positive import positive_sum
 from gspot_verified.theta_function.splitting import splitting_sum
 from gspot_verified.theta_function.taylor import taylor_sum
@@ -120,14 +121,25 @@ def splitting(tau: Exact, beta: Exact, goal: int) -> arb:
 
 
 def splitting_bits(tau: fmpq, beta: fmpq, length: int) -> int:
-    """The length of the integers that exact binary splitting ends with."""
+    """The length of the integers that exact binary splitting of the Taylor series ends with."""
     return length * (3 * (tau.height_bits() + length.bit_length()) + beta.height_bits())
+
+
+def far_splitting_bits(tau: fmpq, beta: fmpq, terms: int) -> int:
+    """The same for the two series at infinity, at most."""
+    return terms * 3 * (tau.height_bits() + terms.bit_length() + beta.height_bits() + 2)
 
 
 def negative(tau: Exact, beta: Exact, goal: int) -> arb:
     """The enveloping series at tau -> -infinity, planned for ``goal`` bits."""
     plan = choice.negative_plan(-approximate(tau), approximate(beta), goal)
-    if plan is None or plan.terms * plan.bits > MAX_TERM_BITS:
+    if plan is None:
+        return nonfinite()
+    if isinstance(tau, fmpq) and isinstance(beta, fmpq) and choice.prefers_splitting(tau, beta, plan.bits):
+        if far_splitting_bits(tau, beta, plan.terms) > MAX_SPLITTING_BITS:
+            return nonfinite()
+        return negative_split_sum(tau, beta, plan.terms, plan.bits)
+    if plan.terms * plan.bits > MAX_TERM_BITS:
         return nonfinite()
     return negative_sum(tau, beta, plan.terms, plan.bits)
 
@@ -139,7 +151,13 @@ def positive(tau: Exact, beta: Exact, goal: int) -> arb:
     if plan is None or len(near_integers(beta)) > _MAX_NEAR_INTEGERS:
         return nonfinite()
     bits = choice.saddle_bits(point, parameter, goal)
-    if plan.terms * bits > MAX_TERM_BITS or not _gamma_is_affordable(beta, bits):
+    if not _gamma_is_affordable(beta, bits):
+        return nonfinite()
+    if isinstance(tau, fmpq) and isinstance(beta, fmpq) and choice.prefers_splitting(tau, beta, bits):
+        if far_splitting_bits(tau, beta, plan.terms) > MAX_SPLITTING_BITS:
+            return nonfinite()
+        return positive_sum(tau, beta, replace(plan, split=True), bits)
+    if plan.terms * bits > MAX_TERM_BITS:
         return nonfinite()
     return positive_sum(tau, beta, plan, bits)
 

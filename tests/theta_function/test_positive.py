@@ -5,19 +5,19 @@ Page: proofs/positive.md.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
 from flint import arb, fmpq
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from strategies import near_integers, small_heights, to_fmpq
+from strategies import near_integers, small_heights, to_fmpq, to_fraction
 from witness import contains_witness, theta_witness
 
-from gspot_verified.balls import relative_bits, working_bits
-from gspot_verified.theta_function.asymptotic_coefficients import coefficient
+from gspot_verified.balls import relative_bits
 from gspot_verified.theta_function.integer import polynomial_value
-from gspot_verified.theta_function.positive import SaddlePlan, _saddle_series, positive_sum
+from gspot_verified.theta_function.positive import SaddlePlan, positive_sum
 
 _BETAS = st.one_of(small_heights(), near_integers(12)).filter(lambda b: abs(b) <= 20)
 
@@ -64,24 +64,34 @@ def test_saddle_point_at_integers_is_the_polynomial(tau: int, n: int) -> None:
     assert value.overlaps(arb(polynomial_value(fmpq(tau), n)))
 
 
-@pytest.mark.parametrize("beta", [fmpq(7, 3), fmpq(-1, 2), fmpq(25, 2)])
-@pytest.mark.parametrize("terms", [1, 2, 64, 65, 66, 130])
-def test_a_long_sum_is_the_exact_one_and_keeps_its_accuracy(terms: int, beta: fmpq) -> None:
-    """The coefficients as polynomials in beta, in exact rationals; later blocks have fewer bits."""
-    large = fmpq(10**4)
-    exact = sum((coefficient(k)(beta) * fmpq(3, 2) ** k / large**k for k in range(terms)), fmpq(0))
-    with working_bits(2_000):
-        value = _saddle_series(arb(large), beta, terms)
-        assert relative_bits(value) > 1_980 or terms == 1
-        assert value.contains(exact)
-    with working_bits(3_000):
-        assert abs(value.mid() - arb(exact)) <= value.rad()
+@given(
+    st.integers(9, 40), st.integers(1, 4), _BETAS, st.integers(1, 25), st.integers(20, 80).map(lambda n: fmpq(n, 100))
+)
+def test_both_ways_of_summing_give_one_number(above: int, below: int, beta: Fraction, terms: int, disc: fmpq) -> None:
+    tau, b = fmpq(below * above, below + 1), to_fmpq(beta)
+    plan = SaddlePlan(terms, disc, min(1 - disc, fmpq(9, 20)))
+    plain, split = positive_sum(tau, b, plan, 400), positive_sum(tau, b, replace(plan, split=True), 400)
+    assume(plain.is_finite() and split.is_finite())
+    assert plain.overlaps(split)
+    assert contains_witness(split, theta_witness(to_fraction(tau), beta), 58)
 
 
-def test_a_sum_over_a_wide_ball_contains_the_sums() -> None:
-    with working_bits(200):
-        value = _saddle_series(arb(100, 1), fmpq(7, 3), 150)
+@pytest.mark.parametrize("beta", [fmpq(7, 3), fmpq(2) + fmpq(1, 10**60), fmpq(-1, 2), fmpq(5, 2)])
+@pytest.mark.parametrize("bits", [200, 1_200])
+def test_the_algebraic_part_is_as_accurate_as_the_sum_needs(beta: fmpq, bits: int) -> None:
+    """Next to an integer both parts show at moderate tau: what the smaller one leaves out must not."""
+    plan = SaddlePlan(3, fmpq(18, 25), fmpq(7, 25))
+    for tau in (fmpq(12), fmpq(30), fmpq(60)):
+        value, finer = positive_sum(tau, beta, plan, bits), positive_sum(tau, beta, plan, 2 * bits)
         assert value.is_finite()
-        for large in (fmpq(99), fmpq(100), fmpq(101)):
-            assert value.contains(_saddle_series(arb(large), fmpq(7, 3), 150))
-    assert not _saddle_series(arb(0, 1), fmpq(7, 3), 150).is_finite()
+        assert finer.is_finite()
+        assert value.overlaps(finer)
+        assert value.rad() <= finer.rad() * (1 + arb(2) ** -20) + abs(finer.mid()) * arb(2) ** (40 - bits)
+
+
+def test_a_split_plan_that_outgrows_its_hypotheses_is_refused() -> None:
+    # N rises to whole blocks of 8: lambda sigma^2 >= 2N holds for 9 terms and not for 16
+    plan = SaddlePlan(9, fmpq(1, 2), fmpq(1, 4))
+    tau = fmpq(25)
+    assert positive_sum(tau, fmpq(1, 2), plan, 100).is_finite()
+    assert not positive_sum(tau, fmpq(1, 2), replace(plan, split=True), 100).is_finite()
