@@ -71,7 +71,7 @@ _METHODS = """
     overlaps p pi pos_inf prec q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi
     sinh sqrt str subs table terms truncate union unique_fmpz upper
     from_dict to_dict compose project_to_context total_degree discriminant
-    coefficient complex_roots degrees factor ncols rank solve
+    coefficient complex_roots degrees factor ncols rank solve transpose
 """
 METHODS = frozenset(_METHODS.split())
 
@@ -797,6 +797,40 @@ def test_ball_parts() -> None:
         assert three(arb(number)) == (Fraction(number),) * 3
     for text in ("nan", "inf", "-inf", "0 +/- inf"):
         assert not arb(text).is_finite()
+
+
+@covers("transpose")
+def test_the_transposed_matrix() -> None:
+    for rows, columns in ((1, 1), (2, 3), (4, 1)):
+        entries = [[arb(to_fmpq(_random.choice(_RATIONALS))) for _ in range(columns)] for _ in range(rows)]
+        found = arb_mat(entries).transpose().table()
+        assert [[ends(value) for value in row] for row in found] == [
+            [ends(entries[i][j]) for i in range(rows)] for j in range(columns)
+        ]
+
+
+def test_the_exponential_of_a_matrix() -> None:
+    """Against the series of exact rationals, with the rest of the series below 2 |A|^n/n!."""
+    for size in (1, 2, 3):
+        exact = [[Fraction(_random.randint(-9, 9), 8) for _ in range(size)] for _ in range(size)]
+        total = [[Fraction(int(i == j)) for j in range(size)] for i in range(size)]
+        power = total
+        for k in range(1, 60):
+            power = [
+                [sum((power[i][m] * exact[m][j] for m in range(size)), Fraction(0)) / k for j in range(size)]
+                for i in range(size)
+            ]
+            total = [[a + b for a, b in zip(x, y, strict=True)] for x, y in zip(total, power, strict=True)]
+        rest = Fraction(1, 10**40)
+        for bits in (53, 100):
+            with working_bits(bits):
+                found = arb_mat([[arb(to_fmpq(value)) for value in row] for row in exact]).exp()
+                for value, true in zip(found.entries(), [value for row in total for value in row], strict=True):
+                    assert value.is_finite()
+                    lower, upper = ends(value)
+                    assert lower <= true + rest
+                    assert true - rest <= upper
+                    assert upper - lower < Fraction(1, 10**10)
 
 
 @covers("ncols")

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from enum import Enum
+from typing import Protocol
 
 from flint import arb
 
@@ -15,10 +17,32 @@ from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.derivative import lie_derivative
 from gspot_verified.expansion.expressions import Expression
 from gspot_verified.integrator.field import VectorField
-from gspot_verified.integrator.integrate import Segment
 
 _DEPTH = 26
 _MAX_PIECES = 2000
+
+
+class Length(Protocol):
+    """A step of some kind."""
+
+    @property
+    def h(self) -> arb:
+        """Its length."""
+
+
+class Segment(Protocol):
+    """A proved step of a run, from ``time`` on."""
+
+    @property
+    def time(self) -> arb:
+        """The time at its beginning."""
+
+    @property
+    def step(self) -> Length:
+        """The step."""
+
+    def states(self, tau: arb) -> list[arb]:
+        """The states at the times ``time`` + τ h, τ in a ball inside [0, 1]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,17 +79,28 @@ class _Piece:
         return self.segment.time + tau * self.segment.step.h
 
 
+class Kind(Enum):
+    """What is certain of g on a piece of time."""
+
+    NEGATIVE = "negative"
+    RISING = "rising"
+    FALLING = "falling"
+
+
 class Watch:
     """Follows a function g along the segments of a run that starts with g < 0.
 
     A sign counts only where it is certain for all of the set, so a set that has become too wide gives no bracket.
+
+    ``from_zero``: the run starts with g = 0 instead, and g must be seen to fall first: then g < 0 after the start.
     """
 
-    def __init__(self, name: str, function: Expression, field: VectorField) -> None:
+    def __init__(self, name: str, function: Expression, field: VectorField, from_zero: bool = False) -> None:
         self.name = name
         rate = lie_derivative(function, field.functions)
         self._program = BoxProgram([function, rate], field.dimension)
         self._rising: _Piece | None = None
+        self._leaving = from_zero
 
     def value(self, states: list[arb]) -> arb:
         """An enclosure of g."""
@@ -73,18 +108,22 @@ class Watch:
 
     def along(self, segment: Segment) -> Crossing | Unclear | None:
         """What happens on the next segment: nothing (g < 0 is proved, or it still rises), a crossing, or unclear."""
-        for count, (piece, rises) in enumerate(self._pieces(segment, arb(0), arb(1), 0)):
-            if rises is None or count == _MAX_PIECES:
+        for count, (piece, kind) in enumerate(self._pieces(segment, arb(0), arb(1), 0)):
+            if kind is None or count == _MAX_PIECES:
                 return Unclear(self.name, piece.time(piece.left))
-            if not rises:
-                self._rising = None
-                continue
-            if self.value(segment.states(piece.left)) < 0:
-                self._rising = piece  # g rises, so what lies before has no zero
-            elif self._rising is None:
+            if kind is Kind.NEGATIVE:
+                self._rising, self._leaving = None, False
+            elif kind is Kind.FALLING:
+                self._leaving = not self.value(segment.states(piece.right)) < 0
+            elif self._leaving:
                 return Unclear(self.name, piece.time(piece.left))
-            if self._rising is not None and self.value(segment.states(piece.right)) > 0:
-                return self._bracket(self._rising, piece)
+            else:
+                if self.value(segment.states(piece.left)) < 0:
+                    self._rising = piece  # g rises, so what lies before has no zero
+                elif self._rising is None:
+                    return Unclear(self.name, piece.time(piece.left))
+                if self._rising is not None and self.value(segment.states(piece.right)) > 0:
+                    return self._bracket(self._rising, piece)
         return None
 
     def excluded(self, segment: Segment) -> bool:
@@ -94,14 +133,16 @@ class Watch:
         """
         return bool(self.value(segment.states(arb(1))) < 0)
 
-    def _pieces(self, segment: Segment, left: arb, right: arb, depth: int) -> Iterator[tuple[_Piece, bool | None]]:
-        """Pieces in order, each with False (g < 0 on it), True (g rises on it) or None (neither is certain)."""
+    def _pieces(self, segment: Segment, left: arb, right: arb, depth: int) -> Iterator[tuple[_Piece, Kind | None]]:
+        """Pieces in order, each with what is certain on it, or None; g need fall only as long as it leaves 0."""
         piece = _Piece(segment, left, right)
         value, rate = self._program.mean_values(piece.box())
         if value < 0:
-            yield piece, False
+            yield piece, Kind.NEGATIVE
         elif rate > 0:
-            yield piece, True
+            yield piece, Kind.RISING
+        elif self._leaving and rate < 0:
+            yield piece, Kind.FALLING
         elif depth == _DEPTH:
             yield piece, None
         else:

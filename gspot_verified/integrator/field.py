@@ -19,6 +19,10 @@ _REAL: dict[str, Any] = {
     "one": arb(1), "zero": arb(0), "square": square, "root": root, "power": power, "logarithm": logarithm,
 }  # fmt: skip
 
+_DEGREES: dict[str, Callable[[list[int]], int]] = {
+    "sum": max, "minus": max, "product": sum, "square": lambda parts: 2 * parts[0],
+}  # fmt: skip
+
 
 class VectorField:
     """Functions f_1, ..., f_d of a state of d components, to be evaluated with their Jacobian matrix.
@@ -75,6 +79,23 @@ class VectorField:
     def values_on_complex_box(self, box: Sequence[acb]) -> list[acb]:
         """f alone on a complex box; where it is finite, f is holomorphic on a neighbourhood of the box."""
         return [acb(value) for value in self._run("complex values", _COMPLEX, box, False)]
+
+    def degrees(self, degrees: Sequence[int]) -> list[int | None]:
+        """Bounds on the degrees of f along polynomials of these degrees; None where f is no polynomial."""
+        found: dict[str, int | None] = {}
+        for name in self._code.needed(self._roots):
+            operation, operands = self._code.definition(name)
+            parts = [found[part] for part in self._code.operands(name)]
+            known = [part for part in parts if part is not None]
+            if operation == "variable":
+                found[name] = degrees[operands[0]]
+            elif operation == "constant":
+                found[name] = 0
+            elif len(known) < len(parts) or operation not in _DEGREES:
+                found[name] = None
+            else:
+                found[name] = _DEGREES[operation](known)
+        return [found[root] for root in self._roots]
 
     def series(self, state: Sequence[arb_series]) -> list[arb_series]:
         """The power series of f along a curve; its terms enclose the Taylor coefficients.

@@ -1,6 +1,6 @@
 """Events: zeros in closed form are bracketed, grazing ones are left open.
 
-Page: proofs/validated_step.md.
+Pages: proofs/validated_step.md; proofs/norm_step.md (an event function that starts at zero).
 """
 
 from __future__ import annotations
@@ -113,3 +113,16 @@ def test_a_wide_set_gives_a_wide_bracket() -> None:
 def test_nothing_happens() -> None:
     with working_bits(64):
         assert first(x - number(2), [arb(1), arb(0)]) is None
+
+
+def test_from_zero() -> None:
+    """-sin t falls from 0 and rises through 0 at pi; sin t does not fall, and 1 - cos t shows no direction."""
+    with working_bits(128):
+        for function, box, expected in ((-x, [arb(0), arb(1)], True), (x, [arb(0), arb(1)], False)):
+            watch = Watch("event", function, OSCILLATOR, from_zero=True)
+            found = next(filter(None, map(watch.along, Run(OSCILLATOR, box, arb(20)))))
+            assert isinstance(found, Crossing) is expected
+            if isinstance(found, Crossing):
+                assert found.time.contains(arb.pi())
+        watch = Watch("event", x - number(1), OSCILLATOR, from_zero=True)
+        assert isinstance(next(filter(None, map(watch.along, Run(OSCILLATOR, [arb(1), arb(0)], arb(20))))), Unclear)

@@ -1,0 +1,123 @@
+"""Runs by norm steps against the other integrator, closed forms and the exact model solution; runs not to be proved.
+
+Page: proofs/norm_step.md.
+"""
+
+from __future__ import annotations
+
+import pytest
+from flint import arb, arb_mat, fmpq
+
+from gspot_verified.balls import working_bits
+from gspot_verified.expansion.expressions import Constant, Cosine, Exponential, Expression, Power, Sine, Variable
+from gspot_verified.integrator.event import Crossing, Watch
+from gspot_verified.integrator.field import VectorField
+from gspot_verified.integrator.integrate import integrate
+from gspot_verified.integrator.norm_run import NormRun
+
+x, y, z = Variable(0), Variable(1), Variable(2)
+OSCILLATOR = VectorField([y, -x])
+
+
+def ended(field: VectorField, box: list[arb], time: arb) -> list[arb]:
+    run = NormRun(field, box, time)
+    *_, last = run
+    assert run.reason is None
+    assert not last.end_time < time
+    found = last.states(arb(1))
+    assert all(side.is_finite() for side in found)
+    return found
+
+
+def test_a_stiff_linear_system_against_the_matrix_exponential() -> None:
+    """Rates -40, 0 and a turning pair: errors of the fast part decay, the others do not grow."""
+    rows = [[-40, 1, 0, 2], [0, 0, 1, 0], [0, -1, 0, 0], [1, 0, 0, -1]]
+    functions: list[Expression] = []
+    for row in rows:
+        total: Expression = Constant(fmpq(0))
+        for j, entry in enumerate(row):
+            total = total + Constant(fmpq(entry)) * Variable(j)
+        functions.append(total)
+    with working_bits(160):
+        end = ended(VectorField(functions), [arb(1), arb(2), arb(3), arb(4)], arb(25))
+    with working_bits(400):
+        true = (arb_mat(rows) * 25).exp() * arb_mat([[1], [2], [3], [4]])
+        for side, value in zip(end, true.entries(), strict=True):
+            assert side.contains(value)
+            assert side.rad() < 1e-30
+
+
+def test_periods_do_not_wrap() -> None:
+    with working_bits(128):
+        radius = arb(1) / 1024
+        end = ended(OSCILLATOR, [arb(1, radius), arb(0, radius)], 60 * arb.pi())
+        for side, middle in zip(end, (1, 0), strict=True):
+            assert side.contains(arb(middle))
+            assert radius <= side.rad() < radius * arb("2.01")
+
+
+FIELDS: list[tuple[str, list[Expression], list[fmpq], fmpq]] = [
+    ("lorenz", [
+        (y - x) * Constant(fmpq(10)), x * (Constant(fmpq(28)) - z) - y, x * y - z * Constant(fmpq(8, 3))
+    ], [fmpq(1)] * 3, fmpq(1, 2)),
+    ("powers", [
+        Power(x, fmpq(1, 2)) * y, Power(y, fmpq(-1)), Power(x + z, fmpq(-3, 2))
+    ], [fmpq(1), fmpq(2), fmpq(1, 2)], fmpq(1, 2)),
+    ("exponential", [
+        Exponential(-y) * Sine(x), Cosine(y + x), x * y * z
+    ], [fmpq(1, 3), fmpq(1), fmpq(1)], fmpq(1, 2)),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("functions", "start", "time"), [row[1:] for row in FIELDS], ids=[row[0] for row in FIELDS])
+def test_two_integrators_overlap(functions: list[Expression], start: list[fmpq], time: fmpq) -> None:
+    field = VectorField(functions)
+    with working_bits(128):
+        box = [arb(value) for value in start]
+        known = integrate(field, box, arb(time)).end
+        assert known is not None
+        for side, other in zip(ended(field, box, arb(time)), known, strict=True):
+            assert side.overlaps(other)
+            assert side.rad() < 1e-20
+
+
+@pytest.mark.parametrize("time", ["1", "2", "1.0000000001"])
+def test_blow_up_is_never_passed(time: str) -> None:
+    with working_bits(96):
+        run = NormRun(VectorField([x * x]), [arb(1)], arb(time), max_steps=150)
+        for segment in run:
+            assert segment.end_time < 1
+        assert run.reason is not None
+        assert ended(VectorField([x * x]), [arb(1)], arb(fmpq(99, 100)))[0].contains(100)
+
+
+def test_a_square_root_that_ends() -> None:
+    with working_bits(96):
+        run = NormRun(VectorField([-Power(x, fmpq(1, 2))]), [arb(1)], arb(3), max_steps=150)
+        assert all(segment.end_time < 2 + arb(2) ** -20 for segment in run)
+        assert run.reason is not None
+
+
+@pytest.mark.parametrize("box", [[arb("nan"), arb(0)], [arb(0), arb("inf")], [arb(0)], [arb(0)] * 3])
+def test_boxes_that_are_refused(box: list[arb]) -> None:
+    with pytest.raises(ValueError, match="box: "):
+        NormRun(OSCILLATOR, box, arb(1))
+
+
+def test_a_budget_that_ends() -> None:
+    with working_bits(96):
+        run = NormRun(OSCILLATOR, [arb(1), arb(0)], arb(1000), max_steps=3)
+        assert len(list(run)) == 3
+        assert run.reason == "the budget of 3 steps ended"
+
+
+@pytest.mark.parametrize("bits", [96, 160])
+def test_the_zero_of_the_cosine(bits: int) -> None:
+    with working_bits(bits):
+        watch = Watch("event", -x, OSCILLATOR)
+        found = next(filter(None, map(watch.along, NormRun(OSCILLATOR, [arb(1), arb(0)], arb(20)))))
+        assert isinstance(found, Crossing)
+        assert found.time.is_finite()
+        assert found.time.contains(arb.pi() / 2)
+        assert found.time.rad() < arb(2) ** (50 - bits)
+        assert found.rate.contains(1)

@@ -1,0 +1,53 @@
+"""The recurrences in integers against Newton's method on ball series, and functions that have no value at the start."""
+
+from __future__ import annotations
+
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.balls import working_bits
+from gspot_verified.expansion.expressions import (
+    Constant,
+    Cosine,
+    Exponential,
+    Expression,
+    Logarithm,
+    Power,
+    Sine,
+    Variable,
+)
+from gspot_verified.integrator.approximation import taylor
+from gspot_verified.integrator.field import VectorField
+from gspot_verified.integrator.taylor_recurrence import TaylorRecurrence
+
+x, y = Variable(0), Variable(1)
+BITS = 200
+FIELDS: list[list[Expression]] = [
+    [Power(x, fmpq(1, 2)) * y, Power(y, fmpq(-1))],
+    [Exponential(-y) * Sine(x) + Logarithm(x), Cosine(y + x) * Power(x, fmpq(5, 3))],
+    [x * x * y - Constant(fmpq(7, 3)) * x, -(x * y) + Power(x, fmpq(-2))],
+    [Constant(fmpq(1)), Constant(fmpq(1, 3)) * y + x],
+]
+
+
+@pytest.mark.parametrize("functions", FIELDS)
+@pytest.mark.parametrize("step", [fmpq(1), fmpq(3, 8)])
+def test_against_newtons_method(functions: list[Expression], step: fmpq) -> None:
+    with working_bits(BITS):
+        known, _ = taylor(VectorField(functions), [arb(5) / 4, arb(2)], 20)
+        start = [5 << (BITS - 2), 2 << BITS]
+        length = (int(step.p) << BITS) // int(step.q)
+        found = TaylorRecurrence(functions).coefficients(start, length, 20, BITS)
+        for row, integers in zip(known, found, strict=True):
+            assert len(integers) == 21
+            for k, integer in enumerate(integers):
+                value = arb(integer) * arb((1, -BITS))
+                assert value.is_finite()
+                assert abs(value - row[k] * arb(step) ** k) < arb(2) ** (50 - BITS)
+
+
+@pytest.mark.parametrize("function", [Logarithm(x), Power(x, fmpq(1, 3)), Power(x, fmpq(1, 2)), Power(x, fmpq(-1))])
+def test_no_value_at_the_start(function: Expression) -> None:
+    start = 0 if function == Power(x, fmpq(-1)) else -(1 << 40)
+    with pytest.raises((ValueError, ZeroDivisionError)):
+        TaylorRecurrence([function]).coefficients([start], 1 << 40, 4, 40)
