@@ -55,6 +55,8 @@ if TYPE_CHECKING:
     from gspot_verified.theta_function.routes import BudgetError as BudgetError
     from gspot_verified.theta_function.routes import theta_by as theta_by
     from gspot_verified.theta_function.theta import theta as theta
+    from gspot_verified.uniform.bound import UniformBound as UniformBound
+    from gspot_verified.uniform.bound import uniform_bound as uniform_bound
     from gspot_verified.verdict import Outcome as Outcome
     from gspot_verified.verdict import Reason as Reason
     from gspot_verified.verdict import Verdict as Verdict
@@ -82,6 +84,7 @@ __homes__ = {
     "SignResult": "signs.sign",
     "Sweep": "mechanisms.sweep_result",
     "Trajectory": "expansion.trajectory",
+    "UniformBound": "uniform.bound",
     "Verdict": "verdict",
     "ZerosResult": "signs.zeros",
     "approach": "mechanisms.approach",
@@ -109,6 +112,7 @@ __homes__ = {
     "sweep": "mechanisms.sweep",
     "theta": "theta_function.theta",
     "theta_by": "theta_function.routes",
+    "uniform_bound": "uniform.bound",
     "zeros_at": "signs.brackets",
     "zeros_on_range": "signs.zeros",
 }

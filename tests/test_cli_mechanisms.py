@@ -72,6 +72,8 @@ def test_classify(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
         (("expand", "extended", "--set", "alpha_3=-2"), "integer 2"),
         (("expand", "extended", "--set", "alpha_1=1"), "must be negative"),
         (("expand", "extended", "--at", "1"), "two numbers"),
+        (("expand", "extended", "--uniform", "1,2"), "three numbers"),
+        (("expand", "extended", "--uniform", "2,1,1/20"), "start must be less than end"),
         (("expand", "extended", "--chi", "symbolic", "--residual", "1,1/10"), "symbols"),
         (("classify", "extended", "--set", "chi=0.1.2"), "chi"),
         (("iwc", "--beta", "2"), "integer"),
@@ -268,3 +270,13 @@ def test_bad_boxes_are_usage_errors(capsys: pytest.CaptureFixture[str], options:
     code, _, err = run(capsys, "classify", "genot_brogliato_rod", *options)
     assert code == 64
     assert message in err
+
+
+def test_expand_uniform_says_how_far_true_solutions_are(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "expand", "extended", "--order", "4", "--uniform=-1/4,1/4,1/20")
+    assert code == 0
+    assert "proved: every solution in contact within 1 delta^4 of the expansion at s = -1/4" in out
+    assert "K of lambda_n: [" in out
+    code, out, _ = run(capsys, "expand", "extended", "--order", "4", "--uniform=0,1,9", "--json")
+    assert code == 2
+    assert json.loads(out)["uniform"]["verdict"]["reason"]

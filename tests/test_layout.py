@@ -22,6 +22,7 @@ ROWS = (
     ("ledger", "cost"),
     ("testing",),
     ("scenes",),
+    ("uniform",),
     ("mechanisms",),
     ("compliant",),
     ("integrator",),

@@ -17,6 +17,9 @@ if TYPE_CHECKING:
     from gspot_verified.expansion.trajectory import Trajectory
 
 
+_COUNTED = {2: "two", 3: "three"}
+
+
 def _known_names(typed: str) -> list[str]:
     """What a shell may complete: the names of the package, and files."""
     from gspot_verified.mechanisms.shipped import SHORT_NAMES
@@ -116,13 +119,17 @@ def expand(
     at: Annotated[str | None, typer.Option(help='Value at "s,delta" (with --in-time: "t,epsilon"), in balls.')] = None,
     digits: Annotated[int, typer.Option(help="Accuracy where the G-spot is not rational, and of --at.")] = 15,
     residual: Annotated[str | None, typer.Option(help='Bound on what is left for |s| <= S, δ <= D: "S,D".')] = None,
+    uniform: Annotated[
+        str | None, typer.Option(help='How far true solutions are, for s in [A, B] and all δ <= D: "A,B,D".')
+    ] = None,
     latex: Annotated[bool, typer.Option("--latex", help="Print LaTeX.")] = False,
     picture: Annotated[Path | None, typer.Option(help="What is left in the equations, with its bound.")] = None,
     as_json: JsonFlag = False,
 ) -> None:
     """The distinguished trajectory of Theorem 1 as an expansion with exact coefficients.
 
-    Coefficients are balls of the asked digits where the G-spot is not rational. Exit code 2 when they are not reached.
+    Coefficients are balls of the asked digits where the G-spot is not rational. Exit code 2 when they are not reached,
+    and when --uniform is undecided.
     """
     from gspot_verified.expansion.accuracy import AccuracyWarning
     from gspot_verified.mechanisms.expand import expand as expand_mechanism
@@ -148,9 +155,18 @@ def expand(
     if residual is not None:
         from gspot_verified.expansion.residual import residual_bounds
 
-        bounds = residual_bounds(trajectory, *_pair(residual, "--residual"))
+        reach, small = _numbers(residual, "--residual", "1,1/10")
+        bounds = residual_bounds(trajectory, reach, small)
         data |= {"residual": bounds.to_json()}
         text = f"{text}\n{bounds}"
+    proved = True
+    if uniform is not None:
+        from gspot_verified.uniform.bound import uniform_bound
+        from gspot_verified.verdict import Outcome
+
+        distance = uniform_bound(trajectory, *_numbers(uniform, "--uniform", "-3,2,1/20"))
+        data |= {"uniform": distance.to_json()}
+        text, proved = f"{text}\n{distance}", distance.verdict.outcome is Outcome.PROVED
     if picture is not None:
         from gspot_verified.report.expansion_picture import save_expansion
 
@@ -162,7 +178,7 @@ def expand(
     reached = trajectory.accuracy is None or trajectory.accuracy.reached
     if not reached:
         warn(str(trajectory.accuracy))
-    outputs.leave(0 if reached else 2)
+    outputs.leave(0 if reached and proved else 2)
 
 
 def _values_at(trajectory: Trajectory, at: str, in_time: bool, digits: int) -> tuple[dict[str, Any], str]:
@@ -171,7 +187,7 @@ def _values_at(trajectory: Trajectory, at: str, in_time: bool, digits: int) -> t
     from gspot_verified.expansion.legend import VALUES_OF, in_two, left_side
     from gspot_verified.expansion.text import exact_text
 
-    first, second = _pair(at, "--at")
+    first, second = _numbers(at, "--at", "1,1/10")
     value = trajectory.evaluate_in_time if in_time else trajectory.evaluate
     found, names = value(first, second, digits), trajectory.system.names
     lines = [f"{left_side(key, names, not in_time)} = {ball_text(ball, digits)}" for key, ball in found.items()]
@@ -185,8 +201,10 @@ def _orders(done: int, of: int) -> None:
         progress(f"{done} of {of} orders")
 
 
-def _pair(text: str, option: str) -> tuple[str, str]:
+def _numbers(text: str, option: str, example: str) -> list[str]:
+    """The numbers of an option, as many as its example has."""
     parts = [part.strip() for part in text.split(",")]
-    if len(parts) != 2:
-        raise ValueError(f'{option}: expected two numbers such as "1,1/10", got {text[:60]!r}')
-    return parts[0], parts[1]
+    count = len(example.split(","))
+    if len(parts) != count:
+        raise ValueError(f'{option}: expected {_COUNTED[count]} numbers such as "{example}", got {text[:60]!r}')
+    return parts
