@@ -12,7 +12,8 @@ from gspot_verified.cli.app import JsonFlag, app, print_json, warn
 from gspot_verified.cli.output import Outputs
 
 if TYPE_CHECKING:
-    from gspot_verified.scenes.run import Samples, SceneRun
+    from gspot_verified.scenes.run import SceneRun
+    from gspot_verified.scenes.samples import Samples
     from gspot_verified.scenes.scene import Scene
 
 

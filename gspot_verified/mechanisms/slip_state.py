@@ -94,7 +94,7 @@ def _values(shifted: Shifted, state: StateInput, missing: Sequence[str]) -> list
     """The given components; the missing ones start at the place of the G-spot."""
     mechanism = shifted.mechanism
     start = dict(mechanism.place.values)
-    values = {word: _formula(mechanism, word, state[word]) for word in state}
+    values = {word: state_formula(mechanism, word, state[word]) for word in state}
     values |= {word: start.get(word, constant(0)) for word in missing}
     placed = replace(mechanism, place=Place(tuple(values.items())))
     try:
@@ -107,8 +107,11 @@ def _values(shifted: Shifted, state: StateInput, missing: Sequence[str]) -> list
     return [found[word] for word in mechanism.state]
 
 
-def _formula(mechanism: Mechanism, word: str, value: ExactInput) -> Expression:
-    """A value of a component as a formula of the parameters and the reference angles."""
+def state_formula(mechanism: Mechanism, word: str, value: ExactInput) -> Expression:
+    """A value of a component as a formula of the parameters and the reference angles.
+
+    :raises StateError: it is none.
+    """
     words = [*(name for name, _ in mechanism.parameters), *(angle.name for angle in mechanism.angles)]
     try:
         try:

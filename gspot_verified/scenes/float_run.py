@@ -3,159 +3,192 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
 
 from flint import fmpq
 
 from gspot_verified.balls import approximate
-from gspot_verified.scenes.effects.terms import FLIGHT, STICK
-from gspot_verified.scenes.float_function import FloatFunction, float_function
-from gspot_verified.scenes.run import IMPACT, SIMULATED, RunEvent, Samples, SceneRun, fate_of
-from gspot_verified.scenes.scaled_system import ScaledSystem
+from gspot_verified.scenes.effects.stick import SLIP_STOPS, SLIPS, STICKS
+from gspot_verified.scenes.effects.terms import REVERSE, SLIP, STICK
+from gspot_verified.scenes.float_phase import FloatPhase
+from gspot_verified.scenes.run import SIMULATED, RunEvent, SceneRun, fate_of
+from gspot_verified.scenes.run_journal import RunJournal, question
+from gspot_verified.scenes.samples import Samples
+from gspot_verified.scenes.scaled_system import CONTACT
 from gspot_verified.scenes.scene import Scene, SceneError
 from gspot_verified.verdict import Reason, Verdict
 
-if TYPE_CHECKING:
-    from numpy import ndarray
-
 METHODS = ("Radau", "LSODA", "BDF")
 MAX_PHASES = 200
+MAX_POINTS = 1_000_000
 LEAST_EPSILON = fmpq(1, 10**12)
-_ABSOLUTE = 1e-3
+PIECES = 64
+"""The span of the run is cut into so many equal pieces; solvers start anew at each, with a journal or without."""
 
 
-@dataclass
-class _Record:
-    """What the phases leave behind."""
+@dataclass(frozen=True)
+class Piece:
+    """What one call of the solver leaves behind. ``next_phase``: of the following piece; None: the run ends here."""
 
-    events: list[tuple[str, float]]
-    rows: list[ndarray[Any, Any]]
-    phases: list[str]
+    phase: str
+    rows: list[list[float]]
+    time: float
+    state: dict[str, float]
+    event: str | None
+    next_phase: str | None
 
 
-def float_run(scene: Scene, method: str = "Radau", tolerance: float = 1e-10) -> SceneRun:
-    """The scene integrated with floats until ``scene.until``, or until the force is ``scene.stop_at_force`` times the
-    first one at some p < 0, which is then called an impact without collision: a threshold, not a statement.
+def float_run(
+    scene: Scene,
+    method: str = "Radau",
+    tolerance: float = 1e-10,
+    points: int | None = None,
+    journal: Path | None = None,
+) -> SceneRun:
+    """The scene integrated with floats until ``scene.until``, or until p < 0 and the force is ``scene.stop_at_force``
+    times that of rigid slip at the start, -b/p, which is then called an impact without collision: a threshold, not a
+    statement.
 
     :param tolerance: relative; the absolute one is a thousandth of it, in scaled variables.
+    :param points: the samples are taken at so many equal steps of time, by the solver's interpolation, and at the
+        events; None: at the solver's own steps.
+    :param journal: a file that keeps what is done; a run that was interrupted goes on from there.
     :raises SceneError: an unknown method, a tolerance outside 1e-13..1e-2, epsilon < 1e-12, or the solver fails.
+    :raises ValueError: the journal is that of another run.
+    :raises OSError: the journal cannot be written; what is in it stays good.
     """
     import numpy as np
 
-    if method not in METHODS:
-        raise SceneError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
-    if not 1e-13 <= tolerance <= 1e-2:
-        raise SceneError(f"tolerance: expected 1e-13..1e-2, got {tolerance}")
-    if scene.epsilon < LEAST_EPSILON:
-        raise SceneError(f"float runs need epsilon >= 1e-12, got {scene.epsilon}")
-    record = _Record([], [], [])
-    phase, state, time = scene.first_phase(), _scaled_start(scene), 0.0
-    end = approximate(scene.until / scene.epsilon)
-    force = float_function([scene.system(phase).shown("lambda_N")])(
-        [*(state[n] for n in scene.system(phase).states), 0.0]
-    )[0]
-    for _ in range(MAX_PHASES):
-        system = scene.system(phase)
-        found = _phase(scene, system, [state[name] for name in system.states], (time, end), force, method, tolerance)
-        record.rows.append(_rows(system, found.t, found.y, scene.epsilon))
-        record.phases += [phase] * len(found.t)
-        state = {**state, **dict(zip(system.states, map(float, found.y[:, -1]), strict=True))}
-        time = float(found.t[-1])
-        hits = zip(_ends(scene, system), found.t_events, strict=True)
-        ended = next((event for event, times in hits if len(times)), None)
-        if ended is None:
-            break
-        record.events.append((ended[0], time * approximate(scene.epsilon)))
-        if ended[1] is None:
-            break
-        state["u"] = 0.0 if ended[1] == STICK else state.get("u", 1.0)
-        phase = scene.contact_phase(state["u"] == 0) if ended[1] == "contact" else ended[1]
-    columns = np.concatenate(record.rows, axis=1)
-    names = ("t", *(name for name, _ in scene.system(phase).read_out))
-    samples = Samples(dict(zip(names, columns, strict=True)), tuple(record.phases))
-    events = tuple(RunEvent(name, *(2 * [fmpq(*at.as_integer_ratio())])) for name, at in record.events)
+    _check(scene, method, tolerance, points)
+    asked = {"method": method, "tolerance": tolerance, "points": points}
+    kept = None if journal is None else RunJournal(journal, question(scene, asked))
+    pieces: list[Piece] = []
+    if kept is not None:
+        pieces = [Piece(**data) for data in kept.pieces]
+    for piece in _pieces(scene, method, tolerance, points, pieces[-1] if pieces else None):
+        pieces.append(piece)
+        if kept is not None:
+            kept.add(asdict(piece))
+    names = ("t", *(name for name, _ in scene.system(scene.first_phase()).read_out))
+    columns = np.array([row for piece in pieces for row in piece.rows]).T
+    phases = tuple(piece.phase for piece in pieces for _ in piece.rows)
+    samples = Samples(dict(zip(names, columns, strict=True)), phases)
+    small = approximate(scene.epsilon)
+    events = tuple(
+        RunEvent(piece.event, *(2 * [fmpq(*(piece.time * small).as_integer_ratio())]))
+        for piece in pieces
+        if piece.event is not None
+    )
     fate = fate_of([event.name for event in events])
     detail = f"simulated with floats ({method}, relative tolerance {tolerance:g}): no error is bounded"
     return SceneRun(SIMULATED, fate, events, Verdict.undecided(fate, Reason.HYPOTHESIS, detail), samples)
 
 
-def _scaled_start(scene: Scene) -> dict[str, float]:
-    start, small = scene.initial(), scene.epsilon
-    exact = {**start, "Y": start["y"] / small**2, "V": start["v"] / small, "Z": start["z"] / small**2}
-    found = {name: approximate(value) for name, value in exact.items()}
-    for name, value in found.items():
-        if not math.isfinite(value):
-            raise SceneError(f"start: {name} is too large for a float")
-    return found
+def _check(scene: Scene, method: str, tolerance: float, points: int | None) -> None:
+    if method not in METHODS:
+        raise SceneError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
+    if not 1e-13 <= tolerance <= 1e-2:
+        raise SceneError(f"tolerance: expected 1e-13..1e-2, got {tolerance}")
+    if points is not None and not 2 <= points <= MAX_POINTS:
+        raise SceneError(f"points: expected 2..{MAX_POINTS}, got {points}")
+    if scene.epsilon < LEAST_EPSILON:
+        raise SceneError(f"float runs need epsilon >= 1e-12, got {scene.epsilon}")
 
 
-def _ends(scene: Scene, system: ScaledSystem) -> list[tuple[str, str | None]]:
-    """The events of a phase and what follows them; None: the run ends."""
-    ends: list[tuple[str, str | None]] = [(event.name, event.next_phase) for event in system.events]
-    if scene.stop_at_force is not None and system.phase != FLIGHT:
-        ends.append((IMPACT, None))
-    return ends
+def _pieces(scene: Scene, method: str, tolerance: float, points: int | None, last: Piece | None) -> Iterator[Piece]:
+    """The pieces that follow ``last``."""
+    run = _FloatRun(scene)
+    end = approximate(scene.until / scene.epsilon)
+    if last is None:
+        phase: str | None = scene.first_phase()
+        if phase == STICK:
+            phase = run.contact_phase(run.start, at_rest=True)
+        state, time = run.start, 0.0
+    else:
+        phase, state, time = last.next_phase, last.state, last.time
+    for _ in range(MAX_PHASES + PIECES):
+        if phase is None or time >= end:
+            return
+        stop = min(end, end * (math.floor(time / end * PIECES * (1 + 1e-12)) + 1) / PIECES)
+        piece = run.piece(phase, state, (time, stop), method, tolerance, None if points is None else (end, points))
+        yield piece
+        phase, state, time = piece.next_phase, piece.state, piece.time
 
 
-def _phase(
-    scene: Scene,
-    system: ScaledSystem,
-    state: Sequence[float],
-    span: tuple[float, float],
-    force: float,
-    method: str,
-    tolerance: float,
-) -> Any:
+class _FloatRun:
+    """The compiled phases of one scene."""
+
+    def __init__(self, scene: Scene) -> None:
+        self._scene, self._compiled = scene, dict[str, FloatPhase]()
+        self._belt = approximate(scene.values().get("belt_velocity", fmpq(0)))
+        self.start = {name: approximate(value) for name, value in scene.scaled_initial().items()}
+        for name, value in self.start.items():
+            if not math.isfinite(value):
+                raise SceneError(f"start: {name} is too large for a float")
+        self._large: float | None = None
+        if scene.stop_at_force is not None:
+            first = self._phase(scene.first_phase())
+            at = first.shown([self.start[name] for name in first.states], 0.0)
+            self._large = approximate(scene.stop_at_force) * -at["b"] / at["p"]
+            self._compiled.clear()
+
+    def _phase(self, phase: str) -> FloatPhase:
+        if phase not in self._compiled:
+            self._compiled[phase] = FloatPhase(self._scene, phase, self._large)
+        return self._compiled[phase]
+
+    def contact_phase(self, state: dict[str, float], at_rest: bool) -> str:
+        """Slip as the slip velocity says; without one stick, or slip to where friction does not hold the contact."""
+        if STICK not in self._scene.phases():
+            return SLIP
+        if not at_rest:
+            seen = self._phase(SLIP)
+            slip = seen.shown([state[name] for name in seen.states], 0.0)["u"] - self._belt
+            if slip != 0:
+                return SLIP if slip > 0 else REVERSE
+        held = self._phase(STICK)
+        at = [*(state[name] for name in held.states), 0.0]
+        return next((phase for phase, guard in held.guards if guard(at)[0] < 0), STICK)
+
+    def piece(
+        self,
+        phase: str,
+        state: dict[str, float],
+        span: tuple[float, float],
+        method: str,
+        tolerance: float,
+        points: tuple[float, int] | None,
+    ) -> Piece:
+        """One call of the solver, to the end of the span or to an event, and what follows it."""
+        compiled = self._phase(phase)
+        found = compiled.integrate([state[name] for name in compiled.states], span, method, tolerance)
+        time = float(found.t[-1])
+        after = {**state, **dict(zip(compiled.states, map(float, found.y[:, -1]), strict=True))}
+        rows = _rows(compiled, found, points)
+        hits = zip(compiled.ends, found.t_events, strict=True)
+        ended = next((end for end, times in hits if len(times)), None)
+        if ended is None:
+            return Piece(phase, rows, time, after, None, phase)
+        name, following = ended
+        if following == CONTACT:
+            following = self.contact_phase(after, at_rest=name == SLIP_STOPS)
+            if name == SLIP_STOPS:
+                name = STICKS if following == STICK else SLIPS[following]
+        if following == STICK and "u" in after:
+            after["u"] = self._belt
+        return Piece(phase, rows, time, after, name, following)
+
+
+def _rows(compiled: FloatPhase, found: Any, points: tuple[float, int] | None) -> list[list[float]]:
     import numpy as np
-    from scipy.integrate import solve_ivp
 
-    size = len(system.states)
-    rates = float_function(system.right_hand_side)
-    slopes = float_function([entry for row in system.jacobian() for entry in row])
-    events = [_terminal(_first(float_function([event.function]))) for event in system.events]
-    if scene.stop_at_force is not None and system.phase != FLIGHT:
-        large = approximate(scene.stop_at_force) * force
-        seen = float_function([system.shown("lambda_N"), system.shown("p")])
-
-        def below(x: Sequence[float]) -> float:
-            found, p = seen(x)
-            return large - found if p < 0 else large
-
-        events.append(_terminal(below))
-    found = solve_ivp(
-        lambda t, y: rates([*y, t]),
-        span,
-        state,
-        method=method,
-        jac=lambda t, y: np.array(slopes([*y, t])).reshape(size, size),
-        events=events,
-        rtol=tolerance,
-        atol=tolerance * _ABSOLUTE,
-    )
-    if not found.success:
-        raise SceneError(f"the float run failed: {found.message}")
-    return found
-
-
-def _first(functions: FloatFunction) -> Callable[[Sequence[float]], float]:
-    return lambda x: functions(x)[0]
-
-
-def _terminal(function: Callable[[Sequence[float]], float]) -> Any:
-    """An event of ``solve_ivp`` that ends the phase where the function falls through 0."""
-
-    def event(t: float, y: Sequence[float]) -> float:
-        return function([*y, t])
-
-    event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
-    return event
-
-
-def _rows(system: ScaledSystem, times: Sequence[float], states: Any, epsilon: fmpq) -> ndarray[Any, Any]:
-    import numpy as np
-
-    shown = float_function([function for _, function in system.read_out])
-    rows = [[t * approximate(epsilon), *shown([*y, t])] for t, y in zip(times, states.T, strict=True)]
-    return np.array(rows).T
+    first, last = float(found.t[0]), float(found.t[-1])
+    if points is None:
+        return compiled.rows(found.t, found.y)
+    end, count = points
+    inside = [end * k / (count - 1) for k in range(count)]
+    times: Sequence[float] = sorted({first, last, *(time for time in inside if first < time < last)})
+    return compiled.rows(times, np.column_stack([found.y[:, 0], *(found.sol(t) for t in times[1:-1]), found.y[:, -1]]))

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
 from gspot_verified.balls import approximate, working_bits
 from gspot_verified.scenes.effects.lift_off import LIFT_OFF, TOUCH_DOWN
+from gspot_verified.scenes.samples import Samples
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Verdict
-
-if TYPE_CHECKING:
-    from numpy import ndarray
 
 SIMULATED, CERTIFIED = "simulated", "certified"
 IMPACT = "impact without collision"
@@ -39,14 +37,6 @@ class RunEvent:
             return str(self.lower)
         with working_bits(_SHOWN_BITS):
             return arb(self.lower).union(arb(self.upper)).str(_SHOWN_DIGITS)
-
-
-@dataclass(frozen=True)
-class Samples:
-    """Columns (t after the start, then the read-out) at the steps of a float run, and the phase of each row."""
-
-    columns: dict[str, ndarray[Any, Any]]
-    phases: tuple[str, ...]
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,13 @@ from dataclasses import dataclass
 from gspot_verified.expansion.derivative import partial_derivative
 from gspot_verified.expansion.expressions import Constant, Expression, Variable, in_order
 
+CONTACT = "contact"
+"""In the place of the phase that follows an event: the one that the slip velocity and the force of friction choose."""
+
 
 @dataclass(frozen=True)
 class PhaseEvent:
-    """Where a phase ends: ``function`` vanishes, falling; ``next_phase`` follows."""
+    """Where a phase ends: ``function`` vanishes, falling; ``next_phase`` follows, or CONTACT."""
 
     name: str
     function: Expression
@@ -22,9 +25,11 @@ class PhaseEvent:
 class ScaledSystem:
     """d(state)/dT = ``right_hand_side`` in one phase, T = t/epsilon the clock, from 0 at the start of the scene.
 
-    States: b, p, u in the paper's units, Y = y/epsilon^2, V = v/epsilon, Z = z/epsilon^2. Component i of the state is
-    ``Variable(i)``; the clock is ``Variable(d)`` for d states: it may enter (p = p_0 + alpha_1 epsilon T where p is a
-    known function) and is not integrated. ``read_out``: names and functions in the paper's units.
+    States: b, p, u, x of the model, or components of a mechanism's state (an angle with a reference counted from it),
+    in the paper's units; Y = y/epsilon^2, V = v/epsilon, Z = z/epsilon^2. Component i of the state is ``Variable(i)``;
+    the clock is ``Variable(d)`` for d states: it may enter (p = p_0 + alpha_1 epsilon T where p is a known function)
+    and is not integrated. ``read_out``: names and functions in the paper's units. Constants are exact; a mechanism with
+    a number that is not rational has balls there, of the precision in force when the system was made.
     """
 
     phase: str

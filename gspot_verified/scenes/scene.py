@@ -1,38 +1,48 @@
-"""A scene: a mechanism, the effects that matter, initial values, and how long to look."""
+"""A scene: what moves, the effects that matter, initial values, and how long to look."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from flint import fmpq
 
 from gspot_verified.balls import ExactInput
+from gspot_verified.expansion.derivative import powers_as_products
 from gspot_verified.expansion.expressions import Expression
+from gspot_verified.mechanisms.mechanism import Mechanism
 from gspot_verified.mechanisms.names import nearest
+from gspot_verified.scenes.compact import compact
 from gspot_verified.scenes.effects.catalogue import EFFECTS
 from gspot_verified.scenes.effects.effect import Effect
-from gspot_verified.scenes.effects.normal_acceleration import MECHANISM
-from gspot_verified.scenes.effects.terms import FLIGHT, SLIP, STICK, Terms, number, scaled
+from gspot_verified.scenes.effects.terms import PHASES, SLIP, Terms, scaled
+from gspot_verified.scenes.mechanism_motion import MechanismMotion
+from gspot_verified.scenes.model_motion import ModelMotion
+from gspot_verified.scenes.motion import Motion
+from gspot_verified.scenes.motion import SceneError as SceneError
+from gspot_verified.scenes.numbers import scene_number
 from gspot_verified.scenes.scaled_system import ScaledSystem
-from gspot_verified.signs.contact_force import rational
+from gspot_verified.scenes.start_phase import check_rigid_force, check_start, first_phase
 
-START_KEYS = ("p", "b", "nu", "y", "v", "z", "u")
-
-
-class SceneError(ValueError):
-    """The description of the scene is wrong; the message names the part."""
+START_KEYS = ("p", "b", "nu", "y", "v", "z", "u", "x")
+"""The keys of a start in the model scenes; beside a mechanism its components take the places of p, b, nu, u, x."""
 
 
 @dataclass(frozen=True)
 class Scene:
-    """``start``: p, b or nu (b = -nu p |alpha_2/(alpha_3 - alpha_1)|), y, v, z or none of them (at rest on the
-    surface: y = 2 b epsilon^2/p, z = y/2, v = 0 with the paper's stiffness), u with tangential motion; paper's units.
+    """``mechanism``: what moves; None: the model system and, with its effects, the extended example.
+
+    ``parameters``: those of the effects and of the model. ``start``, in the paper's units; the model: p, b or nu
+    (b = -nu p |alpha_2/(alpha_3 - alpha_1)|), u and x with their effects; y, v, z or none of them (at rest on the
+    surface: y = 2 b epsilon^2/p, z = y/2, v = 0 with the paper's stiffness). A mechanism: components of its state as
+    numbers or formulas; y, v, z or none of them (just in contact: all 0); two components follow from y and v.
 
     ``until``: the time, from the start, at which float runs end. ``stop_at_force``: a float run ends where p < 0 and
-    lambda_N is this many times its first value; None: it does not.
+    lambda_N is this many times that of rigid slip at the start, -b/p; None: it does not.
 
     :raises SceneError: a part is wrong.
+    :raises MechanismError: the mechanism is not complete, or its mass matrix is not positive definite at the start.
     """
 
     name: str
@@ -40,24 +50,48 @@ class Scene:
     epsilon: fmpq
     until: fmpq
     parameters: Mapping[str, fmpq]
-    start: Mapping[str, fmpq]
+    start: Mapping[str, fmpq | str]
     stop_at_force: fmpq | None = None
+    mechanism: Mechanism | None = None
 
     def __post_init__(self) -> None:
-        _check_effects(self.effects)
+        _check_effects(self.effects, self.mechanism is not None)
+        _check_positive(self.epsilon, "epsilon")
         for name in self.parameters:
             if name not in self.defaults():
                 known = ", ".join(self.defaults())
-                raise SceneError(f"unknown parameter {name!r}{nearest(name, self.defaults())}; here: {known}")
+                raise SceneError(f"unknown parameter {name[:40]!r}{nearest(name, self.defaults())}; here: {known}")
         _check_numbers(self)
+        check_start(self.motion, self.values(), self.epsilon, self.effects, self.start)
+        self.first_phase()
+        if self.stop_at_force is not None:
+            check_rigid_force(self.motion, self.values())
 
-    def parts(self) -> tuple[Effect, ...]:
-        """The mechanism and the effects, in the order of their states."""
-        return (MECHANISM, *(effect for name, effect in EFFECTS.items() if name in self.effects))
+    @cached_property
+    def motion(self) -> Motion:
+        """The equations of what moves."""
+        used = self.used()
+        if self.mechanism is None:
+            return ModelMotion(
+                used, self.epsilon, {name: scene_number(v, f"start: {name}") for name, v in self.start.items()}
+            )
+        return MechanismMotion(self.mechanism, [name for each in used for name in each.sees], self.epsilon, self.start)
+
+    def used(self) -> tuple[Effect, ...]:
+        """The effects, in the order of the catalogue."""
+        return tuple(effect for name, effect in EFFECTS.items() if name in self.effects)
+
+    def assumes(self) -> dict[str, str]:
+        """For each effect that is left out, what that assumes; nothing of those that have no place in this scene."""
+        others = [effect for name, effect in EFFECTS.items() if name not in self.effects]
+        if self.mechanism is not None:
+            others = [effect for effect in others if effect.not_with_mechanism is None]
+        return {effect.name: effect.left_out for effect in others}
 
     def defaults(self) -> dict[str, fmpq]:
-        """The parameters of this scene's effects and their default values."""
-        return {name: value for part in self.parts() for name, value in part.parameters.items()}
+        """The parameters of this scene's effects, and of the model, with their default values."""
+        found = {name: value for effect in self.used() for name, value in effect.parameters.items()}
+        return {**found, **self.motion.parameters}
 
     def values(self) -> dict[str, fmpq]:
         """The parameters with the values that they have."""
@@ -65,7 +99,8 @@ class Scene:
 
     def phases(self) -> tuple[str, ...]:
         """The phases that the effects open."""
-        return (SLIP, *(phase for part in self.parts() for phase in part.opens))
+        opened = {SLIP, *(phase for effect in self.used() for phase in effect.opens)}
+        return tuple(phase for phase in PHASES if phase in opened)
 
     def system(self, phase: str) -> ScaledSystem:
         """The equations of one phase; effects that are left out are not in them.
@@ -74,94 +109,101 @@ class Scene:
         """
         if phase not in self.phases():
             raise SceneError(f"no phase {phase!r} in this scene; there are: {', '.join(self.phases())}")
-        parts = self.parts()
-        states = tuple(state for part in parts if phase in part.phases for state in part.states)
-        terms = Terms(phase, states, self.epsilon, self.initial()["p"], self.values())
-        rates = {name: rate for part in parts for name, rate in part.rates(terms).items()}
-        events = tuple(event for part in parts for event in part.events(terms))
-        return ScaledSystem(phase, states, tuple(rates[state] for state in states), events, self._read_out(terms))
+        used = self.used()
+        own = [effect.states for effect in used if effect.states is not None and phase in effect.states.phases]
+        moving = self.motion.states(phase)
+        first = moving if self.mechanism is not None else moving[:1]
+        states = (*first, *(name for part in own for name in part.names), *moving[len(first) :])
+        terms = self.motion.terms(phase, states, self.values())
+        rates = self.motion.rates(terms) | {name: rate for part in own for name, rate in part.rates(terms).items()}
+        events = tuple(event for effect in used for event in effect.events(terms))
+        shown = self._read_out(terms)
+        # The rates alone: what is shown and watched must not change them.
+        shorter = compact([rates[state] for state in states])
+        roots = [*shorter.values(), *(event.function for event in events), *shown.values()]
+        made = powers_as_products(roots)
+        return ScaledSystem(
+            phase,
+            states,
+            tuple(made[shorter[rates[state]]] for state in states),
+            tuple(replace(event, function=made[event.function]) for event in events),
+            tuple((name, made[function]) for name, function in shown.items()),
+        )
 
-    def _read_out(self, terms: Terms) -> tuple[tuple[str, Expression], ...]:
-        epsilon = self.epsilon
-        shown = [
-            ("p", terms.p),
-            ("b", terms.state("b")),
-            ("y", scaled(epsilon**2, terms.state("Y"))),
-            ("v", scaled(epsilon, terms.state("V"))),
-            ("z", scaled(epsilon**2, terms.state("Z"))),
-            ("lambda_N", terms.force),
-        ]
-        if "tangential_motion" in self.effects:
-            shown.append(("u", number(fmpq(0)) if terms.phase == STICK else terms.state("u")))
-        return tuple(shown)
+    def _read_out(self, terms: Terms) -> dict[str, Expression]:
+        epsilon, own = self.epsilon, self.motion.shown(terms)
+        return {
+            "p": own["p"],
+            "b": own["b"],
+            "y": scaled(epsilon**2, terms.state("Y")),
+            "v": scaled(epsilon, terms.state("V")),
+            "z": scaled(epsilon**2, terms.state("Z")),
+            "lambda_N": terms.force,
+            **own,
+        }
 
     def initial(self) -> dict[str, fmpq]:
-        """p, b, y, v, z (and u) at the start, exactly.
+        """The states at the start in the paper's units, exactly: of the model p, b, y, v, z (u, x), of a mechanism its
+        components that are integrated and y, v, z."""
+        return self.motion.start(self.values())
 
-        :raises SceneError: a state is missing, or one too many is given.
-        """
-        found = dict(self.start)
-        factor = found.pop("nu", None)
-        for name in ("p", *(("u",) if "tangential_motion" in self.effects else ())):
-            if name not in found:
-                raise SceneError(f"start: the state {name} is missing")
-        if ("b" in found) == (factor is not None):
-            raise SceneError("start: give b or nu, one of them")
-        values = self.values()
-        if factor is not None:
-            drift = (values["beta"] - 1) * values["alpha_1"]
-            if drift == 0:
-                raise SceneError("start: nu needs a trivial solution; at beta = 1 there is none: give b")
-            found["b"] = -factor * found["p"] * abs(values["alpha_2"] / drift)
-        at_rest = [name for name in "yvz" if name not in found]
-        if len(at_rest) not in (0, 3):
-            raise SceneError(f"start: the state {at_rest[0]} is missing; give y, v and z, or none of them")
-        if at_rest:
-            if found["p"] <= 0:
-                raise SceneError(f"start: at rest on the surface p must be > 0, got {found['p']}; give y, v and z")
-            depth = self.epsilon**2 * found["b"] / found["p"]
-            k_1, k_2 = values["k_1"], values["k_2"]
-            found |= {"y": depth * (1 / k_1 + 1 / k_2), "v": fmpq(0), "z": depth / k_1}
-        return found
+    def scaled_initial(self) -> dict[str, fmpq]:
+        """The same with Y, V, Z: the value at T = 0 of every state that is integrated in some phase."""
+        found, small = self.initial(), self.epsilon
+        return found | {"Y": found["y"] / small**2, "V": found["v"] / small, "Z": found["z"] / small**2}
 
     def first_phase(self) -> str:
-        """Flight where y >= z, else stick where u = 0 and the scene has it, else slip."""
-        start = self.initial()
-        if start["y"] >= start["z"] and FLIGHT in self.phases():
-            return FLIGHT
-        return self.contact_phase(start.get("u", fmpq(1)) == 0)
-
-    def contact_phase(self, at_rest: bool) -> str:
-        """The phase of contact: stick without slip velocity, where the scene has it, else slip."""
-        return STICK if at_rest and STICK in self.phases() else SLIP
+        """Flight, stick, slip or reverse slip, as y, z and the slip velocity at the start say."""
+        return first_phase(self.motion, self.values(), self.epsilon, self.phases())
 
     def with_settings(self, **settings: ExactInput | None) -> Scene:
-        """The scene with other numbers: parameters, values of the start, ``eps``, ``until``; None changes nothing.
+        """The scene with other numbers: parameters (of a mechanism, too), values of the start, ``eps``, ``until``;
+        None changes nothing.
 
         :raises SceneError: there is no such setting.
         """
         parameters, start, epsilon, until = dict(self.parameters), dict(self.start), self.epsilon, self.until
+        mechanism = self.mechanism
         for name, value in settings.items():
             if value is None:
                 continue
-            found = rational(value, name)
             if name in ("eps", "epsilon"):
-                epsilon = found
+                epsilon = scene_number(value, name)
             elif name == "until":
-                until = found
-            elif name in START_KEYS:
+                until = scene_number(value, name)
+            elif name in self._start_keys():
                 if name in ("b", "nu"):
                     start.pop("nu" if name == "b" else "b", None)
-                start[name] = found
+                start[name] = value if isinstance(value, str) and mechanism is not None else scene_number(value, name)
+            elif mechanism is not None and name in dict(mechanism.parameters):
+                mechanism = mechanism.with_parameters(**{checked_owner(self, name): value})
             elif name in self.defaults():
-                parameters[name] = found
+                parameters[name] = scene_number(value, name)
             else:
-                known = ("eps", "until", *START_KEYS, *self.defaults())
+                own = () if mechanism is None else tuple(dict(mechanism.parameters))
+                known = ("eps", "until", *self._start_keys(), *self.defaults(), *own)
                 raise SceneError(f"no setting {name[:40]!r}{nearest(name, known)}; there are: {', '.join(known)}")
-        return replace(self, parameters=parameters, start=start, epsilon=epsilon, until=until)
+        return replace(self, parameters=parameters, start=start, epsilon=epsilon, until=until, mechanism=mechanism)
+
+    def _start_keys(self) -> tuple[str, ...]:
+        if self.mechanism is None:
+            return START_KEYS
+        return tuple(dict.fromkeys((*self.mechanism.state, "y", "v", "z")))
 
 
-def _check_effects(names: tuple[str, ...]) -> None:
+def checked_owner(scene: Scene, name: str) -> str:
+    """The name of a mechanism's parameter, if no effect has one of that name.
+
+    :raises SceneError: both have.
+    """
+    if name in scene.defaults():
+        raise SceneError(
+            f"parameter {name!r} is one of the mechanism and of an effect: change the mechanism's in its file"
+        )
+    return name
+
+
+def _check_effects(names: tuple[str, ...], beside_mechanism: bool) -> None:
     for name in names:
         if name not in EFFECTS:
             raise SceneError(f"unknown effect {name[:40]!r}{nearest(name, EFFECTS)}; there are: {', '.join(EFFECTS)}")
@@ -171,31 +213,23 @@ def _check_effects(names: tuple[str, ...]) -> None:
         for other in effect.needs:
             if other not in names:
                 raise SceneError(f"effect {name!r} needs {other!r}")
+        if beside_mechanism and effect.not_with_mechanism is not None:
+            raise SceneError(f"effect {name!r} and a mechanism exclude each other: {effect.not_with_mechanism}")
     if "compliant_contact" not in names:
         raise SceneError("effect 'compliant_contact' is missing: without it nothing is integrated after the G-spot")
 
 
+def _check_positive(value: fmpq, name: str) -> None:
+    if value <= 0:
+        raise SceneError(f"{name} must be > 0, got {value}")
+
+
 def _check_numbers(scene: Scene) -> None:
     values = scene.values()
-    for name, value in (("epsilon", scene.epsilon), ("until", scene.until)):
-        if value <= 0:
-            raise SceneError(f"{name} must be > 0, got {value}")
+    _check_positive(scene.until, "until")
     for name in ("k_1", "k_2", "damping"):
-        if values[name] <= 0:
-            raise SceneError(f"parameter {name} must be > 0, got {values[name]}")
+        _check_positive(values[name], f"parameter {name}")
     if scene.stop_at_force is not None and scene.stop_at_force <= 1:
         raise SceneError(f"stop_at_force must be > 1, got {scene.stop_at_force}")
-    if "stick" in scene.effects and not (values["a"] == 0 and values["k_plus"] < 0 < values["k_minus"]):
-        raise SceneError("effect 'stick': only a = 0 and k_plus < 0 < k_minus are covered")
-    start = scene.initial()
-    for name in start:
-        if name not in START_KEYS or (name == "u" and "tangential_motion" not in scene.effects):
-            raise SceneError(f"start: this scene has no state {name!r}")
-    if start.get("u", 0) < 0:
-        raise SceneError(f"start: u must be >= 0 (positive slip), got {start['u']}")
-    if start["y"] >= start["z"] and FLIGHT not in scene.phases():
-        raise SceneError(f"start: not in contact: y = {start['y']} >= z = {start['z']}, and lift_off is left out")
-    if start["y"] >= start["z"] and scene.stop_at_force is not None:
-        raise SceneError("stop_at_force: the start is not in contact, so there is no first force to measure by")
-    if start["z"] > 0:
-        raise SceneError(f"start: z must be <= 0 (the surface is not pulled out), got {start['z']}")
+    if "stick" in scene.effects and scene.mechanism is None and values["k_minus"] <= values["k_plus"]:
+        raise SceneError("effect 'stick': k_minus must be > k_plus: their difference is 2 mu A, positive for friction")

@@ -174,7 +174,17 @@ b = -0.5
         ("[start]", "[parameters]\nk_1 = 0\n[start]", "k_1 must be > 0"),
         ("[start]", "[parameters]\nbeta = 1\n[start]\nnu = 1\n#", "start"),
         ("b = -0.5", "b = -0.5\ny = 1\nv = 0\nz = 0\n[parameters]\nk_3 = 1", "unknown parameter 'k_3'"),
-        ("[start]\np = 0.5", "stop_at_force = 9\n[start]\np = 0.5\ny = 1\nv = 0\nz = 0", "not in contact"),
+        (
+            "until = 1\n[start]\np = 0.5\nb = -0.5",
+            "until = 1\nstop_at_force = 9\n[start]\np = -0.5\nb = -0.5\ny = 0\nv = 0\nz = 0",
+            "no force of rigid slip at the start, -b/p",
+        ),
+        ("b = -0.5", "b = -0.5\ny = -1\nv = 0\nz = 0", "interpenetrating: y lies 1 below the surface at z = 0"),
+        ("b = -0.5", "b = 0\ny = 0\nv = 0\nz = 0", "whether contact begins is open"),
+        ("epsilon = 1e-3", 'epsilon = "1e-3 s"', "epsilon: '1e-3 s' has a unit (s); numbers stand without units"),
+        ("p = 0.5", 'p = "500 mm"', "start: p: '500 mm' has a unit (mm)"),
+        ("lift_off", "belt", "effect 'belt' needs 'stick'"),
+        ("lift_off", "tangential_place", "effect 'tangential_place' needs 'tangential_motion'"),
         ("until = 1", "until = 1\nstop_at_force = 1", "stop_at_force must be > 1"),
         ("name", "[name", "no TOML"),
     ],
@@ -203,7 +213,7 @@ def test_phases_and_settings_that_are_not_there() -> None:
         MODEL.with_settings(nu=0.5)  # type: ignore[arg-type]
     with pytest.raises(SceneError, match="at beta = 1 there is none"):
         MODEL.with_settings(beta=1)
-    with pytest.raises(SceneError, match="only a = 0"):
-        ALL.with_settings(a=1)
-    with pytest.raises(SceneError, match="u must be >= 0"):
-        ALL.with_settings(u=-1)
+    with pytest.raises(SceneError, match="k_minus must be > k_plus"):
+        ALL.with_settings(k_minus=-1)
+    with pytest.raises(SceneError, match="u must be >= 0 \\(positive slip\\) where stick is left out, got -1"):
+        smaller("compliant_contact", "tangential_motion").with_settings(u=-1)

@@ -4,30 +4,24 @@ from __future__ import annotations
 
 from flint import fmpq
 
-from gspot_verified.expansion.derivative import plus, times
+from gspot_verified.expansion.derivative import plus
 from gspot_verified.expansion.expressions import Expression
-from gspot_verified.scenes.effects.effect import Effect
-from gspot_verified.scenes.effects.terms import Terms, number, scaled
+from gspot_verified.scenes.effects.effect import Effect, States
+from gspot_verified.scenes.effects.terms import Terms, scaled
 
 
 def rates(terms: Terms) -> dict[str, Expression]:
-    """Y' = V, V' = b + (p c + p^- (1 - c)) lambda, damping Z' = -k_1 Z - lambda.
+    """Y' = V, V' = dv/dt, damping Z' = -k_1 Z - lambda.
 
     The stiffnesses are k_1/epsilon^2 and k_2/epsilon^2, the damping damping/epsilon; 1, 1, 1 in the paper.
     """
-    mixed = plus(scaled(terms.share, terms.p), number(terms["p_minus"] * (1 - terms.share)))
     relaxing = plus(scaled(-terms["k_1"], terms.state("Z")), scaled(fmpq(-1), terms.force))
-    return {
-        "Y": terms.state("V"),
-        "V": plus(terms.state("b"), times(mixed, terms.force)),
-        "Z": scaled(1 / terms["damping"], relaxing),
-    }
+    return {"Y": terms.state("V"), "V": terms.acceleration, "Z": scaled(1 / terms["damping"], relaxing)}
 
 
 EFFECT = Effect(
     "compliant_contact",
     "a rigid surface: the contact force is b/|p|, and nothing is said of the motion once p <= 0",
-    states=("Y", "V", "Z"),
-    parameters={"k_1": fmpq(1), "k_2": fmpq(1), "damping": fmpq(1), "p_minus": fmpq(1)},
-    rates=rates,
+    states=States(("Y", "V", "Z"), rates),
+    parameters={"k_1": fmpq(1), "k_2": fmpq(1), "damping": fmpq(1)},
 )

@@ -8,34 +8,49 @@ from dataclasses import dataclass, field
 from flint import fmpq
 
 from gspot_verified.expansion.expressions import Expression
-from gspot_verified.scenes.effects.terms import FLIGHT, SLIP, STICK, Terms
+from gspot_verified.scenes.effects.model_terms import ModelTerms
+from gspot_verified.scenes.effects.terms import PHASES, Terms
 from gspot_verified.scenes.scaled_system import PhaseEvent
 
 
-def no_events(_: Terms) -> tuple[PhaseEvent, ...]:
-    """None."""
-    return ()
+@dataclass(frozen=True)
+class States:
+    """States with their equations: ``rates`` gives those of these states and of no others.
+
+    ``phases``: those in which they are integrated.
+    """
+
+    names: tuple[str, ...]
+    rates: Callable[[Terms], dict[str, Expression]]
+    phases: tuple[str, ...] = PHASES
 
 
-def no_rates(_: Terms) -> dict[str, Expression]:
-    """None."""
-    return {}
+@dataclass(frozen=True)
+class ModelStates:
+    """The same for states of the model system; a mechanism has its own in their place."""
+
+    names: tuple[str, ...]
+    rates: Callable[[ModelTerms], dict[str, Expression]]
+    phases: tuple[str, ...] = PHASES
 
 
 @dataclass(frozen=True)
 class Effect:
-    """One effect. ``rates`` gives the equations of its own states and of no others.
+    """One effect. ``parameters`` and ``model_parameters`` hold defaults.
 
-    ``phases``: those in which its states are integrated, and ``opens``: the phases that exist because of it.
-    ``parameters``: defaults; ``needs``: effects without which it means nothing; ``left_out``: one line.
+    ``sees``: functions that it needs to know (u, x): of a mechanism those components are integrated on which they
+    depend. ``opens``: the phases that exist because of it; ``needs``: effects without which it means nothing;
+    ``not_with_mechanism``: why it has no place beside a mechanism; ``left_out``: one line.
     """
 
     name: str
     left_out: str
-    states: tuple[str, ...] = ()
+    states: States | None = None
+    model_states: ModelStates | None = None
     parameters: Mapping[str, fmpq] = field(default_factory=dict)
-    rates: Callable[[Terms], dict[str, Expression]] = no_rates
-    events: Callable[[Terms], tuple[PhaseEvent, ...]] = no_events
-    needs: tuple[str, ...] = ()
+    model_parameters: Mapping[str, fmpq] = field(default_factory=dict)
+    events: Callable[[Terms], tuple[PhaseEvent, ...]] = lambda _: ()
+    sees: tuple[str, ...] = ()
     opens: tuple[str, ...] = ()
-    phases: tuple[str, ...] = (SLIP, STICK, FLIGHT)
+    needs: tuple[str, ...] = ()
+    not_with_mechanism: str | None = None

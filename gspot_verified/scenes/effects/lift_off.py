@@ -6,7 +6,7 @@ from flint import fmpq
 
 from gspot_verified.scenes.effects.effect import Effect
 from gspot_verified.scenes.effects.terms import FLIGHT, Terms, scaled
-from gspot_verified.scenes.scaled_system import PhaseEvent
+from gspot_verified.scenes.scaled_system import CONTACT, PhaseEvent
 
 LIFT_OFF, TOUCH_DOWN = "lift-off", "touch-down"
 
@@ -14,7 +14,7 @@ LIFT_OFF, TOUCH_DOWN = "lift-off", "touch-down"
 def events(terms: Terms) -> tuple[PhaseEvent, ...]:
     """Lift-off in contact, touch-down in flight. After it the contact sticks or slips as u says."""
     if terms.phase == FLIGHT:
-        return (PhaseEvent(TOUCH_DOWN, scaled(fmpq(-1), terms.closing), "contact"),)
+        return (PhaseEvent(TOUCH_DOWN, scaled(fmpq(-1), terms.closing), CONTACT),)
     return (PhaseEvent(LIFT_OFF, terms.closing, FLIGHT),)
 
 

@@ -1,26 +1,37 @@
-"""Stick and slip (paper, eqs. lambda+ to newex6): slip ends at u = 0; then c = k^-/(k^- - k^+), 2/3 in the paper."""
+"""Stick and slip (paper, eqs. lambda+ to newex6): slip ends where the slip velocity vanishes; then the contact sticks
+where friction can hold it, and slips the other way where it cannot."""
 
 from __future__ import annotations
 
 from flint import fmpq
 
 from gspot_verified.scenes.effects.effect import Effect
-from gspot_verified.scenes.effects.terms import SLIP, STICK, Terms
-from gspot_verified.scenes.scaled_system import PhaseEvent
+from gspot_verified.scenes.effects.terms import REVERSE, SLIP, STICK, Terms, scaled
+from gspot_verified.scenes.scaled_system import CONTACT, PhaseEvent
 
 STICKS = "stick"
+SLIPS = {SLIP: "slip forwards", REVERSE: "slip backwards"}
+SLIP_STOPS = "slip stops"
 
 
 def events(terms: Terms) -> tuple[PhaseEvent, ...]:
-    """u = 0 in slip. With a = 0 and k^+ < 0 < k^-, c lies in (0, 1) for every force: stick lasts as contact does."""
-    return (PhaseEvent(STICKS, terms.state("u"), STICK),) if terms.phase == SLIP else ()
+    """u = 0 in slip (or the velocity of the belt); in stick, the force of friction reaches its bound.
+
+    Where friction holds the contact for every lambda_N > 0 (paper: a = 0, k^+ < 0 < k^-) stick follows for certain.
+    """
+    if terms.phase == STICK:
+        return tuple(PhaseEvent(SLIPS[phase], function, phase) for phase, function in terms.stick_ends)
+    if terms.phase not in (SLIP, REVERSE):
+        return ()
+    slip = terms.slip if terms.phase == SLIP else scaled(fmpq(-1), terms.slip)
+    return (PhaseEvent(SLIP_STOPS, slip, CONTACT) if terms.stick_ends else PhaseEvent(STICKS, slip, STICK),)
 
 
 EFFECT = Effect(
     "stick",
-    "slip goes on in the same direction where u passes through 0",
-    parameters={"k_minus": fmpq(2)},
+    "slip goes on in the same direction where the slip velocity passes through 0",
+    model_parameters={"k_minus": fmpq(2), "p_minus": fmpq(1)},
     events=events,
     needs=("tangential_motion",),
-    opens=(STICK,),
+    opens=(STICK, REVERSE),
 )

@@ -2,28 +2,24 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 
 from flint import fmpq
 
-from gspot_verified.expansion.derivative import plus, times
+from gspot_verified.expansion.derivative import times
 from gspot_verified.expansion.expressions import Constant, Expression, Variable
 
-SLIP, STICK, FLIGHT = "slip", "stick", "flight"
+SLIP, STICK, REVERSE, FLIGHT = "slip", "stick", "reverse slip", "flight"
+PHASES = (SLIP, STICK, REVERSE, FLIGHT)
 
 
-class Terms:
-    """The states, parameters and common functions of one phase.
+class Terms(ABC):
+    """The states, parameters and common functions of one phase; what moves (the model, a mechanism) adds its own."""
 
-    ``share`` is c of eq. lambda+: which part of the force is that of positive slip; 1 in slip.
-    """
-
-    def __init__(
-        self, phase: str, states: Sequence[str], epsilon: fmpq, start_p: fmpq, parameters: Mapping[str, fmpq]
-    ) -> None:
+    def __init__(self, phase: str, states: Sequence[str], epsilon: fmpq, parameters: Mapping[str, fmpq]) -> None:
         self.phase, self.states, self.epsilon = phase, tuple(states), epsilon
-        self._start_p, self._parameters = start_p, parameters
-        self.share = self["k_minus"] / (self["k_minus"] - self["k_plus"]) if phase == STICK else fmpq(1)
+        self._parameters = parameters
 
     def __getitem__(self, parameter: str) -> fmpq:
         return self._parameters[parameter]
@@ -38,13 +34,6 @@ class Terms:
         return Variable(len(self.states))
 
     @property
-    def p(self) -> Expression:
-        """p, a state where something acts back on it; otherwise known: p_0 + alpha_1 epsilon T."""
-        if "p" in self.states:
-            return self.state("p")
-        return plus(number(self._start_p), scaled(self["alpha_1"] * self.epsilon, self.clock))
-
-    @property
     def force(self) -> Expression:
         """lambda_N = k_2 (Z - Y) in contact, 0 in flight."""
         return number(fmpq(0)) if self.phase == FLIGHT else self.closing
@@ -53,6 +42,26 @@ class Terms:
     def closing(self) -> Expression:
         """k_2 (Z - Y): the force in contact, negative when the contact is open."""
         return scaled(self["k_2"], self.state("Z") - self.state("Y"))
+
+    @property
+    def slip(self) -> Expression:
+        """u less the velocity of the surface (0 without a belt)."""
+        return self.u - number(self["belt_velocity"]) if self._parameters.get("belt_velocity", fmpq(0)) != 0 else self.u
+
+    @property
+    @abstractmethod
+    def acceleration(self) -> Expression:
+        """dv/dt."""
+
+    @property
+    @abstractmethod
+    def u(self) -> Expression:
+        """The tangential velocity of the contact point."""
+
+    @property
+    @abstractmethod
+    def stick_ends(self) -> tuple[tuple[str, Expression], ...]:
+        """What must stay positive for the contact to stick, each with the phase that follows where it does not."""
 
 
 def number(value: fmpq) -> Expression:

@@ -6,11 +6,12 @@ from flint import fmpq
 
 from gspot_verified.expansion.derivative import plus
 from gspot_verified.expansion.expressions import Expression
-from gspot_verified.scenes.effects.effect import Effect
-from gspot_verified.scenes.effects.terms import Terms, number, scaled
+from gspot_verified.scenes.effects.effect import Effect, ModelStates
+from gspot_verified.scenes.effects.model_terms import ModelTerms
+from gspot_verified.scenes.effects.terms import number, scaled
 
 
-def rates(terms: Terms) -> dict[str, Expression]:
+def rates(terms: ModelTerms) -> dict[str, Expression]:
     """p' = epsilon (alpha_1 + chi b)."""
     drift = number(terms.epsilon * terms["alpha_1"])
     return {"p": plus(drift, scaled(terms.epsilon * terms["chi"], terms.state("b")))}
@@ -19,7 +20,7 @@ def rates(terms: Terms) -> dict[str, Expression]:
 EFFECT = Effect(
     "two_way_coupling",
     "the normal motion does not act back: p = p_0 + alpha_1 t is known and not integrated",
-    states=("p",),
-    parameters={"chi": fmpq(1)},
-    rates=rates,
+    model_states=ModelStates(("p",), rates),
+    model_parameters={"chi": fmpq(1)},
+    not_with_mechanism="chi belongs to the model system; the equations of a mechanism say how p moves",
 )
