@@ -57,11 +57,11 @@ class FloatPhase:
         size = len(self.states)
         try:
             found = solve_ivp(
-                lambda t, y: self._rates([*y.tolist(), t]),
+                lambda t, y: self._rates([*map(float, y), t]),
                 span,
                 np.array(state),
                 method=method,
-                jac=lambda t, y: np.array(self._slopes([*y.tolist(), t])).reshape(size, size),
+                jac=lambda t, y: np.array(self._slopes([*map(float, y), t])).reshape(size, size),
                 events=self._events,
                 rtol=tolerance,
                 atol=tolerance * _ABSOLUTE,
@@ -76,8 +76,8 @@ class FloatPhase:
     def rows(self, times: Sequence[float], states: ndarray[Any, Any]) -> list[list[float]]:
         """t in the paper's units and the read-out, for each time; ``states`` has one column for each."""
         return [
-            [float(t) * self._epsilon, *self._shown([*y, float(t)])]
-            for t, y in zip(times, states.T.tolist(), strict=True)
+            [float(t) * self._epsilon, *self._shown([*map(float, y), float(t)])]
+            for t, y in zip(times, states.T, strict=True)
         ]
 
     def shown(self, state: Sequence[float], time: float) -> dict[str, float]:
@@ -89,7 +89,7 @@ def _terminal(function: Callable[[Sequence[float]], list[float]]) -> Any:
     """An event of ``solve_ivp`` that ends the phase where the function falls through 0."""
 
     def event(t: float, y: ndarray[Any, Any]) -> float:
-        return function([*y.tolist(), t])[0]
+        return function([*map(float, y), t])[0]
 
     event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
     return event

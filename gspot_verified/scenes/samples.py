@@ -46,7 +46,7 @@ class Samples:
         text = io.TextIOWrapper(stream, encoding="utf-8", newline="")
         writer = csv.writer(text)
         writer.writerow([*self.columns, "phase"])
-        writer.writerows(zip(*(column.tolist() for column in self.columns.values()), self.phases, strict=True))
+        writer.writerows(zip(*(map(float, column) for column in self.columns.values()), self.phases, strict=True))
         text.flush()
         text.detach()
 
