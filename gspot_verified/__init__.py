@@ -43,12 +43,14 @@ if TYPE_CHECKING:
     from gspot_verified.signs.sign import sign_on_ranges as sign_on_ranges
     from gspot_verified.signs.zeros import ZerosResult as ZerosResult
     from gspot_verified.signs.zeros import zeros_on_range as zeros_on_range
+    from gspot_verified.theta_function.arrays import theta_of_floats as theta_of_floats
     from gspot_verified.theta_function.asymptotic_coefficients import coefficient as coefficient
     from gspot_verified.theta_function.asymptotic_coefficients import (
         coefficient_by_inversion as coefficient_by_inversion,
     )
     from gspot_verified.theta_function.evaluate import Evaluation as Evaluation
     from gspot_verified.theta_function.evaluate import evaluate as evaluate
+    from gspot_verified.theta_function.float_balls import FloatBalls as FloatBalls
     from gspot_verified.theta_function.initial_values import initial_values as initial_values
     from gspot_verified.theta_function.initial_values import paper_initial_values as paper_initial_values
     from gspot_verified.theta_function.integer import polynomial as polynomial
@@ -71,6 +73,7 @@ __homes__ = {
     "CompliantIwc": "compliant.iwc",
     "Dyadic": "dyadic",
     "Evaluation": "theta_function.evaluate",
+    "FloatBalls": "theta_function.float_balls",
     "GSpotError": "expansion.system",
     "IwcResult": "signs.iwc",
     "Mechanism": "mechanisms.mechanism",
@@ -112,6 +115,7 @@ __homes__ = {
     "sweep": "mechanisms.sweep",
     "theta": "theta_function.theta",
     "theta_by": "theta_function.routes",
+    "theta_of_floats": "theta_function.arrays",
     "uniform_bound": "uniform.bound",
     "zeros_at": "signs.brackets",
     "zeros_on_range": "signs.zeros",

@@ -71,7 +71,7 @@ _METHODS = """
     overlaps p pi pos_inf prec q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi
     sinh sqrt str subs table terms truncate union unique_fmpz upper
     from_dict to_dict compose project_to_context total_degree discriminant
-    coefficient complex_roots degrees factor ncols rank solve transpose
+    coefficient complex_roots degrees factor ncols rank solve tolist transpose
 """
 METHODS = frozenset(_METHODS.split())
 
@@ -674,6 +674,7 @@ def test_ball_matrices() -> None:
             assert holds(product[i, j], exact)
 
 
+@covers("tolist")
 def test_integer_matrices() -> None:
     numbers = [(-1) ** i * (i + 7) ** (i % 90) for i in range(40)]
     for rows, offset in itertools.product((1, 2), range(0, 30, 3)):
@@ -681,6 +682,7 @@ def test_integer_matrices() -> None:
         right = [numbers[(offset + 1) % 40 :][:2], numbers[(offset + 4) % 37 :][:2]]
         first, second = fmpz_mat(left), fmpz_mat(right)
         product, other, factor = first * second, fmpz_mat(left[::-1]), fmpz(numbers[offset])
+        assert [[int(number) for number in row] for row in first.tolist()] == left
         for i, j in itertools.product(range(rows), range(2)):
             assert int(product[i, j]) == sum(left[i][k] * right[k][j] for k in range(2))
             assert int((first + other)[i, j]) == left[i][j] + left[rows - 1 - i][j]

@@ -96,3 +96,40 @@ def _tail(size: arb, series: TaylorPolynomial) -> arb:
         return nonfinite()
     first, second, third = series.omitted
     return (first + size * (second + size * third)) * size**series.length / (1 - ratio)
+
+
+def taylor_values(points: list[float], size: float, beta: fmpq, length: int, bits: int) -> list[arb]:
+    """Enclosures of Theta at many doubles with |tau| <= size: :func:`taylor_sum` with one bound on the rest for all.
+
+    Not finite for a point beyond ``size``.
+    """
+    series = taylor_polynomial(beta, length, bits)
+    with working_bits(bits):
+        polynomial = series.polynomial + arb(0, _tail(arb(size), series).abs_upper())
+        if max(map(abs, points), default=0.0) <= size:
+            return [polynomial(arb(point)) for point in points]
+        return [polynomial(arb(point)) if abs(point) <= size else nonfinite() for point in points]
+
+
+def taylor_derivatives(tau: fmpq, beta: Exact, length: int, bits: int) -> tuple[arb, arb, arb]:
+    """Enclosures of Theta, Theta' and Theta'' at tau from one polynomial.
+
+    The rest of the n-th derivative, n <= 2: its terms from K = length >= 3 on, k(k-1)..(k-n+1) a_k tau^(k-n), grow by
+    at most q (1 + 3/(K-1))^2 from one to the third after it; not finite when that is not certainly below 1.
+    """
+    series = taylor_polynomial(beta, length, bits)
+    with working_bits(bits):
+        point, polynomial = ball(tau), series.polynomial
+        size = point.abs_upper()
+        ratio = series.ratio_factor * (size * size * size) * (1 + arb(3) / (length - 1)) ** 2
+        if not (ratio < 1 and length >= 3):  # the hypothesis, certain or not used
+            return nonfinite(), nonfinite(), nonfinite()
+        values = []
+        for n in range(3):
+            total = arb(0)
+            for j, omitted in enumerate(series.omitted):
+                factor = 1 if n == 0 else (length + j) if n == 1 else (length + j) * (length + j - 1)
+                total += factor * omitted * size ** (length + j - n)
+            values.append(add_remainder(polynomial(point), total / (1 - ratio)))
+            polynomial = polynomial.derivative()
+        return values[0], values[1], values[2]

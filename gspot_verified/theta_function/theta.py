@@ -17,13 +17,25 @@ def theta(tau: ExactInput, beta: ExactInput, derivative: int = 0, digits: int = 
 
 
 @overload
-def theta(tau: ndarray[Any, Any], beta: ExactInput, derivative: int = 0, digits: int = 15) -> ndarray[Any, Any]: ...
+def theta(
+    tau: ndarray[Any, Any], beta: ExactInput | ndarray[Any, Any], derivative: int = 0, digits: int = 15
+) -> ndarray[Any, Any]: ...
 
 
-def theta(tau: ExactInput | ndarray[Any, Any], beta: ExactInput, derivative: int = 0, digits: int = 15) -> Any:
+@overload
+def theta(tau: ExactInput, beta: ndarray[Any, Any], derivative: int = 0, digits: int = 15) -> ndarray[Any, Any]: ...
+
+
+def theta(
+    tau: ExactInput | ndarray[Any, Any],
+    beta: ExactInput | ndarray[Any, Any],
+    derivative: int = 0,
+    digits: int = 15,
+) -> Any:
     """An enclosure of d^k Theta/dtau^k (tau, beta) with relative accuracy 10^-digits, as an ``arb``.
 
-    A numpy array for ``tau`` gives an object array of the same shape (see :mod:`gspot_verified.theta_function.arrays`).
+    Numpy arrays for ``tau`` or ``beta`` are broadcast and give an object array of balls; ``theta_of_floats`` gives
+    midpoints and radii as doubles (see :mod:`gspot_verified.theta_function.arrays`).
     Arguments and errors: see :func:`gspot_verified.theta_function.evaluate.evaluate`, which also says whether the
     accuracy was reached: next to a zero of Theta, or for wide input balls, the ball returned here is valid but wider
     than asked.
@@ -36,8 +48,8 @@ def theta(tau: ExactInput | ndarray[Any, Any], beta: ExactInput, derivative: int
     >>> theta(2, 3, derivative=1)
     -12.0000000000000
     """
-    if type(tau).__name__ == "ndarray":  # by name: numpy is not imported before someone uses it
+    if "ndarray" in (type(tau).__name__, type(beta).__name__):  # by name: numpy is not imported before someone uses it
         from gspot_verified.theta_function.arrays import theta_array
 
-        return theta_array(cast("ndarray[Any, Any]", tau), beta, derivative, digits)
-    return evaluate(cast("ExactInput", tau), beta, derivative, digits).value
+        return theta_array(tau, beta, derivative, digits)
+    return evaluate(cast("ExactInput", tau), cast("ExactInput", beta), derivative, digits).value

@@ -14,9 +14,10 @@ from hypothesis import strategies as st
 from strategies import small_heights, to_fmpq
 from witness import contains_witness, theta_witness
 
+from gspot_verified import evaluate
 from gspot_verified.balls import relative_bits, working_bits
 from gspot_verified.theta_function.splitting import splitting_sum
-from gspot_verified.theta_function.taylor import taylor_coefficients, taylor_sum
+from gspot_verified.theta_function.taylor import taylor_coefficients, taylor_derivatives, taylor_sum, taylor_values
 
 _TAUS = st.builds(Fraction, st.integers(-80, 80), st.integers(8, 40))
 
@@ -67,3 +68,26 @@ def test_coefficients_satisfy_the_differential_equation(beta: Fraction) -> None:
 @pytest.mark.parametrize("n", [0, 1, 5, 12])
 def test_polynomials_at_integers_have_no_rest(n: int) -> None:
     assert relative_bits(taylor_sum(fmpq(7, 3), fmpq(n), 3 * (n + 2), 100)) > 60
+
+
+@given(st.integers(-40, 40), small_heights(), st.integers(3, 150))
+def test_three_derivatives_of_one_polynomial(tau: int, beta: Fraction, length: int) -> None:
+    point, b = fmpq(tau, 8), to_fmpq(beta)
+    found = taylor_derivatives(point, b, length, 200)
+    for k, value in enumerate(found):
+        if value.is_finite():
+            assert value.overlaps(evaluate(point, b, k, 40).value)
+        else:
+            assert length < 60
+    assert not any(value.is_finite() for value in taylor_derivatives(fmpq(8), b, 3, 100))
+
+
+def test_many_points_have_one_rest() -> None:
+    points = [0.5, -1.25, 2.0, 2.5]
+    found = taylor_values(points, 2.0, fmpq(7, 3), 60, 150)
+    assert not found[3].is_finite()
+    for point, value in zip(points[:3], found[:3], strict=True):
+        assert value.is_finite()
+        assert value.overlaps(taylor_sum(fmpq(*point.as_integer_ratio()), fmpq(7, 3), 90, 300))
+        assert relative_bits(value) > 100
+    assert not taylor_values([8.0], 8.0, fmpq(1, 2), 3, 100)[0].is_finite()
