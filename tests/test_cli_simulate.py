@@ -77,7 +77,6 @@ def test_the_list(capsys: pytest.CaptureFixture[str]) -> None:
         (("fig-varsim1", "--float", "--compare"), "not both"),
         (("fig-varsim1", "--float", "--method", "RK"), "method: expected one of"),
         (("fig-varsim1", "--float", "--csv", "a.txt"), "allowed: .csv"),
-        (("fig-varsim2",), "certified runs cover scenes with"),
         (("nothing",), "no scene file 'nothing'"),
     ],
 )

@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 Matrix = NDArray[np.float64]
 
 _CLOSE = 0.3
-_ZERO = 1e-13
+_ZERO = 1e-7
+_LARGEST_CONDITION = 1e12
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,34 +33,38 @@ class AdaptedBasis:
 def adapted_basis(rows: Sequence[Sequence[float]]) -> AdaptedBasis:
     """A basis for errors e' = Ae of a real matrix A.
 
+    Slow directions one by one; the unit vectors where no better basis is found.
+
     :raises numpy.linalg.LinAlgError: no basis could be computed, or an entry is not finite.
     """
     matrix = np.array(rows)
     if not np.isfinite(matrix).all():
         raise np.linalg.LinAlgError("an entry is not finite")
     values, vectors = eig(matrix)
-    inverse = np.linalg.inv(vectors)
     zero = _ZERO * float(np.abs(values).max())
     columns: list[Matrix] = []
     blocks: list[int] = []
     for cluster in _clusters(values, zero):
+        first = values[cluster[0]]
+        slow = float(np.abs(values[cluster]).max()) <= zero
+        found: Matrix
         if len(cluster) == 1:
             found = vectors[:, cluster].real
-        elif len(cluster) == 2 and values[cluster[0]].imag != 0:
+        elif len(cluster) == 2 and first.imag != 0 and first == np.conj(values[cluster[1]]):
             found = np.stack([vectors[:, cluster[0]].real, vectors[:, cluster[0]].imag], axis=1)
         else:
-            found = _subspace((vectors[:, cluster] @ inverse[cluster]).real, len(cluster))
-        largest = float(np.abs(values[cluster]).max())
-        if len(cluster) > 1 and largest <= zero:
-            blocks += [1] * len(cluster)
-        else:
-            blocks.append(len(cluster))
-            if len(cluster) > 2 or (len(cluster) == 2 and values[cluster[0]].imag == 0):
-                inner = np.linalg.lstsq(found, matrix @ found, rcond=None)[0]
-                found = found @ _norm_of_lyapunov(inner, _CLOSE * largest)
+            found = _subspace(matrix, values[cluster])
+            if not slow:
+                inner: Matrix = np.array(np.linalg.lstsq(found, np.dot(matrix, found), rcond=None)[0], dtype=np.float64)
+                largest = float(np.abs(values[cluster]).max())
+                found = np.dot(found, _norm_of_lyapunov(inner, _CLOSE * largest))
+        blocks += [1] * len(cluster) if slow else [len(cluster)]
         columns.append(found)
-    S = [[float(entry) for entry in row] for row in np.concatenate(columns, axis=1)]
-    return AdaptedBasis(S, tuple(blocks), float(values.real.max()))
+    basis = np.concatenate(columns, axis=1)
+    if not np.linalg.cond(basis) < _LARGEST_CONDITION:
+        basis, blocks = np.eye(len(matrix)), [1] * len(matrix)
+    rate = float(values.real.max())
+    return AdaptedBasis([[float(entry) for entry in row] for row in basis], tuple(blocks), rate)
 
 
 def _clusters(values: NDArray[np.complex128], zero: float) -> list[list[int]]:
@@ -76,15 +81,20 @@ def _clusters(values: NDArray[np.complex128], zero: float) -> list[list[int]]:
     return [[i for i in range(size) if label[i] == name] for name in sorted(set(label))]
 
 
-def _subspace(projector: Matrix, size: int) -> Matrix:
-    """Columns of a projector that span its range: those that are left longest by the ones before."""
-    rest, chosen = projector.copy(), []
-    for _ in range(size):
+def _subspace(matrix: Matrix, values: NDArray[np.complex128]) -> Matrix:
+    """A basis of the subspace of a group of eigenvalues: one component of each column is 1 where the others' are 0."""
+    size = len(matrix)
+    product = np.eye(size, dtype=complex)
+    for value in values:
+        product = product @ (matrix - value * np.eye(size))
+    flat = np.linalg.svd(product.real)[2][size - len(values) :]
+    rest, chosen = flat.copy(), []
+    for _ in values:
         k = int(np.argmax(np.linalg.norm(rest, axis=0)))
         chosen.append(k)
         along = rest[:, k] / np.linalg.norm(rest[:, k])
         rest = rest - np.outer(along, along @ rest)
-    columns: Matrix = projector[:, chosen] / np.linalg.norm(projector[:, chosen], axis=0)
+    columns: Matrix = np.linalg.solve(flat[:, chosen], flat).T
     return columns
 
 

@@ -92,15 +92,23 @@ class Watch:
 
     A sign counts only where it is certain for all of the set, so a set that has become too wide gives no bracket.
 
-    ``from_zero``: the run starts with g = 0 instead, and g must be seen to fall first: then g < 0 after the start.
+    ``from_zero`` = k > 0: the run starts with g = 0 instead, and for k = 2 with dg/dt = 0, too; the k-th derivative
+    must be seen to be negative first: then g < 0 after the start.
+
+    :raises ValueError: ``from_zero`` is not 0, 1 or 2.
     """
 
-    def __init__(self, name: str, function: Expression, field: VectorField, from_zero: bool = False) -> None:
+    def __init__(self, name: str, function: Expression, field: VectorField, from_zero: int = 0) -> None:
+        if from_zero not in (0, 1, 2):
+            raise ValueError(f"from_zero: expected 0, 1 or 2, got {from_zero}")
         self.name = name
-        rate = lie_derivative(function, field.functions)
-        self._program = BoxProgram([function, rate], field.dimension)
+        derivatives = [function, lie_derivative(function, field.functions)]
+        self._program = BoxProgram(derivatives, field.dimension)
         self._rising: _Piece | None = None
-        self._leaving = from_zero
+        self._leaving = from_zero > 0
+        if from_zero == 2:
+            derivatives.append(lie_derivative(derivatives[1], field.functions))
+        self._first = BoxProgram(derivatives[-1:], field.dimension)
 
     def value(self, states: list[arb]) -> arb:
         """An enclosure of g."""
@@ -134,14 +142,14 @@ class Watch:
         return bool(self.value(segment.states(arb(1))) < 0)
 
     def _pieces(self, segment: Segment, left: arb, right: arb, depth: int) -> Iterator[tuple[_Piece, Kind | None]]:
-        """Pieces in order, each with what is certain on it, or None; g need fall only as long as it leaves 0."""
+        """Pieces in order, each with what is certain on it, or None; FALLING only as long as g leaves 0."""
         piece = _Piece(segment, left, right)
         value, rate = self._program.mean_values(piece.box())
         if value < 0:
             yield piece, Kind.NEGATIVE
         elif rate > 0:
             yield piece, Kind.RISING
-        elif self._leaving and rate < 0:
+        elif self._leaving and self._first.mean_values(piece.box())[0] < 0:
             yield piece, Kind.FALLING
         elif depth == _DEPTH:
             yield piece, None

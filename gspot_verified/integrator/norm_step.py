@@ -43,6 +43,14 @@ class StateSet:
     basis: Basis
     radii: tuple[arb, ...]
 
+    def enclosure(self) -> list[arb]:
+        """A box of the states."""
+        found = []
+        for m, row in zip(self.middle, _row_norms(self.basis), strict=True):
+            reach = sum((a * b for a, b in zip(row, self.radii, strict=True)), arb(0))
+            found.append(add_remainder(m, reach.upper()))
+        return found
+
 
 @dataclass(frozen=True, slots=True)
 class NormPlan:

@@ -1,4 +1,7 @@
-"""Certified runs of the linear model scene, by its exact solution. Proof pages: ``proofs/flight.md``, section 8."""
+"""Certified runs: the linear model scene by its exact solution, every scene by the validated integrator.
+
+Proof pages: ``proofs/flight.md``, section 8; those of ``certified_integration.py``.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +11,7 @@ from gspot_verified.compliant.normal_form import compliant_model, compliant_stat
 from gspot_verified.compliant.run import IMPACT as LASTING
 from gspot_verified.compliant.run import ONE_FLIGHT, Run, compliant_run
 from gspot_verified.compliant.run import TRIVIAL as CONSTANT
+from gspot_verified.scenes.certified_integration import integrated_run
 from gspot_verified.scenes.run import CERTIFIED, FLIGHT_THEN_IMPACT, IMPACT, OPEN, TRIVIAL, RunEvent, SceneRun
 from gspot_verified.scenes.scene import Scene, SceneError
 from gspot_verified.verdict import Outcome
@@ -15,37 +19,57 @@ from gspot_verified.verdict import Outcome
 LINEAR = {"compliant_contact", "lift_off"}
 
 
-def certified_run(scene: Scene, digits: int = 15) -> SceneRun:
+EXACT, INTEGRATOR = "exact", "integrator"
+
+
+def certified_run(scene: Scene, digits: int = 15, route: str | None = None) -> SceneRun:
     """The events of the run with certified brackets, and its end as a statement for all times; or undecided.
 
-    :param digits: 1..80, decimals of the lift-off time in the unit of the G-spot.
-    :raises SceneError: the scene is not the linear model scene from a state in contact with p > 0.
+    :param digits: 1..80, decimals of the lift-off time in the unit of the G-spot (exact), of the times of all events
+        in the unit epsilon (integrator).
+    :param route: "exact" (the linear model scene from a state in contact with p > 0) or "integrator" (any scene);
+        None: the exact solution where it covers the scene and decides, else the integrator.
+    :raises SceneError: an unknown route, or the exact solution does not cover the scene.
 
     >>> from gspot_verified.scenes.file import load_scene
     >>> certified_run(load_scene("fig-varsim1", beta="1/2")).fate
     'impact without collision'
     """
-    check_linear(scene)
+    if route not in (None, EXACT, INTEGRATOR):
+        raise SceneError(f"route: expected {EXACT} or {INTEGRATOR}, got {route!r}")
+    if route == INTEGRATOR:
+        return integrated_run(scene, digits)
+    reason = not_covered(scene)
+    if reason is None:
+        run = _exact_run(scene, digits)
+        if route == EXACT or run.fate != OPEN:
+            return run
+    elif route == EXACT:
+        raise SceneError(reason)
+    return integrated_run(scene, digits)
+
+
+def _exact_run(scene: Scene, digits: int) -> SceneRun:
     values, start = scene.values(), scene.initial()
     model = compliant_model(values["beta"], scene.epsilon, alpha_1=values["alpha_1"], alpha_2=values["alpha_2"])
     run = compliant_run(model, compliant_state(*(start[name] for name in "pbyvz")), digits)
     return SceneRun(CERTIFIED, _fate(run), _events(run), run.verdict)
 
 
-def check_linear(scene: Scene) -> None:
-    """Passes for the scenes that the exact solution covers.
-
-    :raises SceneError: it does not; the message says why.
-    """
+def not_covered(scene: Scene) -> str | None:
+    """Why the exact solution does not cover the scene; None: it does."""
+    if scene.mechanism is not None:
+        return "the exact solution covers the model system, not a mechanism"
     others = set(scene.effects).symmetric_difference(LINEAR)
     if others:
         known, wrong = ", ".join(sorted(LINEAR)), ", ".join(sorted(others))
-        raise SceneError(f"certified runs cover scenes with {known}, not one that differs in: {wrong}")
+        return f"the exact solution covers scenes with {known}, not one that differs in: {wrong}"
     if any(scene.values()[name] != 1 for name in ("k_1", "k_2", "damping")):
-        raise SceneError("certified runs cover k_1 = k_2 = damping = 1")
+        return "the exact solution covers k_1 = k_2 = damping = 1"
     start = scene.initial()
     if not (start["p"] > 0 and start["y"] < start["z"]):
-        raise SceneError("certified runs start in contact with p > 0")
+        return "the exact solution is used from a start in contact with p > 0"
+    return None
 
 
 def _fate(run: Run) -> str:

@@ -116,13 +116,18 @@ def test_nothing_happens() -> None:
 
 
 def test_from_zero() -> None:
-    """-sin t falls from 0 and rises through 0 at pi; sin t does not fall, and 1 - cos t shows no direction."""
+    """-sin t falls from 0 and rises through 0 at pi; sin t does not fall; cos t - 1 falls by its second derivative."""
     with working_bits(128):
-        for function, box, expected in ((-x, [arb(0), arb(1)], True), (x, [arb(0), arb(1)], False)):
-            watch = Watch("event", function, OSCILLATOR, from_zero=True)
-            found = next(filter(None, map(watch.along, Run(OSCILLATOR, box, arb(20)))))
-            assert isinstance(found, Crossing) is expected
+        cases = [(-x, [0, 1], 1, 1), (x, [0, 1], 1, None), (-x, [0, 1], 0, None)]
+        cases += [(x - number(1), [1, 0], 1, None), (number(1) - x, [1, 0], 2, None)]
+        for function, start, order, turns in cases:
+            watch = Watch("event", function, OSCILLATOR, from_zero=order)
+            found = next(filter(None, map(watch.along, Run(OSCILLATOR, [arb(v) for v in start], arb(20)))))
+            assert isinstance(found, Crossing) is (turns is not None)
             if isinstance(found, Crossing):
                 assert found.time.contains(arb.pi())
-        watch = Watch("event", x - number(1), OSCILLATOR, from_zero=True)
-        assert isinstance(next(filter(None, map(watch.along, Run(OSCILLATOR, [arb(1), arb(0)], arb(20))))), Unclear)
+        run = Run(OSCILLATOR, [arb(1), arb(0)], arb(6))
+        watch = Watch("event", x - number(1), OSCILLATOR, from_zero=2)
+        assert all(watch.along(segment) is None for segment in run)
+        with pytest.raises(ValueError, match="from_zero"):
+            Watch("event", x, OSCILLATOR, from_zero=3)

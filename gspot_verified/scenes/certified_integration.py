@@ -1,0 +1,144 @@
+"""Certified runs of any scene by the validated integrator: phase after phase, with brackets of the events.
+
+Proof pages: ``proofs/norm_step.md``, ``proofs/validated_step.md``, ``proofs/invariant_region.md``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from flint import arb, fmpq
+
+from gspot_verified.balls import working_bits
+from gspot_verified.dyadic import Dyadic
+from gspot_verified.integrator.norm_run import NormSegment
+from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase, Open
+from gspot_verified.scenes.certified_phases import CertifiedPhases
+from gspot_verified.scenes.effects.terms import FLIGHT
+from gspot_verified.scenes.invariant_region import Growth, InvariantRegion
+from gspot_verified.scenes.run import CERTIFIED, IMPACT, OPEN, RunEvent, SceneRun, fate_of
+from gspot_verified.scenes.scene import Scene, SceneError
+from gspot_verified.verdict import Reason, Verdict
+
+MAX_EVENTS = 200
+BITS = (192, 320, 576)
+MAX_DIGITS = 80
+_DIGIT_BITS = 3.33
+_SPARE_DIGITS = 5
+
+
+@dataclass
+class _Record:
+    """What a run at one precision has shown."""
+
+    events: list[RunEvent] = field(default_factory=list)
+    remarks: list[str] = field(default_factory=list)
+    open: Open | None = None
+    for_ever: bool = False
+
+
+def integrated_run(scene: Scene, digits: int = 15, bits: tuple[int, ...] | None = None) -> SceneRun:
+    """The events until ``scene.until``, or until an impact without collision is shown to last for ever; or undecided,
+    with the events that are certain and the reason.
+
+    :param digits: 1..80, decimals of the times of the events in the unit epsilon.
+    :param bits: working precisions to try, one after the other.
+    :raises SceneError: digits out of range.
+    """
+    if not 1 <= digits <= MAX_DIGITS:
+        raise SceneError(f"digits must lie in 1..{MAX_DIGITS}, got {digits}")
+    extra = round(max(0, digits - 15) * _DIGIT_BITS)
+    record = _Record()
+    for precision in bits or tuple(value + extra for value in BITS):
+        with working_bits(precision):
+            record = _run(scene)
+        if record.open is None and all(_narrow(event, scene.epsilon, digits) for event in record.events):
+            break
+    return _result(scene, record)
+
+
+def _narrow(event: RunEvent, epsilon: fmpq, digits: int) -> bool:
+    return bool(event.upper - event.lower <= epsilon * fmpq(1, 10 ** (digits + _SPARE_DIGITS)))
+
+
+def _run(scene: Scene) -> _Record:
+    """The whole run at the precision in force."""
+    record, phases = _Record(), CertifiedPhases(scene)
+    start = {name: arb(value) for name, value in scene.scaled_initial().items()} | {CLOCK: arb(0)}
+    end = arb(scene.until / scene.epsilon)
+    now = phases.first(start)
+    for _ in range(MAX_EVENTS):
+        if isinstance(now, Open):
+            record.open = now
+            return record
+        began, phase = start[CLOCK], phases[now.phase]
+        observer = _ImpactObserver(phase, began, scene.epsilon, record)
+        found = phase.run(start, (end - began).upper(), now.at_zero, observer)
+        if isinstance(found, Open):
+            record.open = Open(found.reason, began + found.time)
+            return record
+        start = {**start, **found.states, CLOCK: began + found.time}
+        if found.event is None:
+            return record
+        following = phases.after(now.phase, found.event, start)
+        record.events.append(_event(following.event, start[CLOCK], scene.epsilon))
+        now = following.phase
+    record.open = Open(f"the budget of {MAX_EVENTS} events ended", start[CLOCK])
+    return record
+
+
+class _ImpactObserver:
+    """Looks at the end of each segment for a state from which the force grows for as long as the scene slips."""
+
+    def __init__(self, phase: CertifiedPhase, began: arb, epsilon: fmpq, record: _Record) -> None:
+        self._began, self._epsilon, self._record = began, epsilon, record
+        self._clock, self._seen = CLOCK in phase.names, False
+        self._may_slip_for_ever = all(event.next_phase == FLIGHT for event in phase.system.events)
+        self._region: InvariantRegion | None = None
+        if phase.system.phase != FLIGHT:
+            try:
+                self._region = InvariantRegion(phase.system)
+            except ValueError:
+                self._region = None
+
+    def __call__(self, segment: NormSegment, states: Mapping[str, arb]) -> bool:
+        if self._region is None or self._seen:
+            return False
+        found = self._region.growth(states)
+        if found is None:
+            return False
+        self._seen = True
+        time = self._began + segment.end_time
+        self._record.events.append(_event(IMPACT, time, self._epsilon))
+        self._record.remarks.append(_words(found))
+        self._record.for_ever = found.until is None and self._may_slip_for_ever
+        return self._record.for_ever
+
+
+def _words(growth: Growth) -> str:
+    rate = growth.rate.str(3, radius=False)
+    if growth.until is None:
+        return f"λ_N grows at least like exp({rate} t/ε) for as long as the contact slips"
+    return f"λ_N grows at least like exp({rate} t/ε) until it is {growth.until} times as large, or slip ends"
+
+
+def _event(name: str, time: arb, epsilon: fmpq) -> RunEvent:
+    bounds = Dyadic.from_ball(time * epsilon)
+    unit = fmpq(2) ** bounds.exponent
+    return RunEvent(name, bounds.lower * unit, bounds.upper * unit)
+
+
+def _result(scene: Scene, record: _Record) -> SceneRun:
+    events = tuple(record.events)
+    names = [event.name for event in events]
+    remarks = "; ".join(record.remarks)
+    if record.open is None:
+        fate = fate_of(names)
+        span = "" if record.for_ever else f" until t = {scene.until} after the start"
+        return SceneRun(CERTIFIED, fate, events, Verdict.proved(f"{fate}{span}, and no other event", remarks))
+    known = f"certain before it: {fate_of(names)}"
+    at = (record.open.time * scene.epsilon).str(10)
+    detail = "; ".join(filter(None, (f"{record.open.reason} (t = {at} after the start)", known, remarks)))
+    reason = Reason.BUDGET if "budget" in record.open.reason else Reason.HYPOTHESIS
+    return SceneRun(CERTIFIED, OPEN, events, Verdict.undecided("the events of the run", reason, detail))

@@ -1,0 +1,136 @@
+"""One phase of a certified run: which event ends it, in a bracket, and that no other event came before.
+
+Proof pages: ``proofs/norm_step.md``, ``proofs/validated_step.md`` (Theorem V5).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from flint import arb, fmpq
+
+from gspot_verified.expansion.derivative import lie_derivative
+from gspot_verified.expansion.expressions import Constant, Expression, in_order
+from gspot_verified.integrator.event import Crossing, Unclear, Watch
+from gspot_verified.integrator.field import VectorField
+from gspot_verified.integrator.norm_run import NormRun, NormSegment
+from gspot_verified.scenes.scaled_system import PhaseEvent, ScaledSystem
+
+CLOCK = "T"
+_WIDE = 2.0**-20
+
+
+@dataclass(frozen=True)
+class PhaseEnd:
+    """``event``: what ended the phase (None: the time ended, or the observer stopped the run).
+
+    ``time``: from the start of the phase, a bracket; ``states``: by name, everywhere in the bracket.
+    """
+
+    event: PhaseEvent | None
+    time: arb
+    states: dict[str, arb]
+
+
+@dataclass(frozen=True)
+class Open:
+    """Why the phase could not be followed further, and from when on; ``more_bits`` may help."""
+
+    reason: str
+    time: arb
+
+
+Observer = Callable[[NormSegment, Mapping[str, arb]], bool]
+"""Sees each segment and the states at its end; True ends the phase there."""
+
+
+class CertifiedPhase:
+    """The equations of one phase as a vector field; the clock is a state where it occurs."""
+
+    def __init__(self, system: ScaledSystem) -> None:
+        self.system = system
+        rates = list(system.right_hand_side)
+        functions = [*rates, *(event.function for event in system.events)]
+        self.names = system.states
+        if system.clock in in_order(functions):
+            rates.append(Constant(fmpq(1)))
+            self.names = (*system.states, CLOCK)
+        self.field = VectorField(rates)
+
+    def run(
+        self, start: Mapping[str, arb], time: arb, at_zero: Mapping[str, int | None], observer: Observer
+    ) -> PhaseEnd | Open:
+        """The phase from the states at its start, for a time.
+
+        ``at_zero``: the events whose functions vanish there, and the first of their derivatives that does not, where
+        it is known.
+        """
+        box = [start[name] for name in self.names]
+        watches = []
+        for event in self.system.events:
+            order: int | None = 0
+            if event.name in at_zero:
+                order = at_zero[event.name] or self._order(event, box)
+            if order is None:
+                return Open(f"the phase begins where {event.name} cannot be told from the start", arb(0))
+            watches.append(Watch(event.name, -event.function, self.field, order))
+        run = NormRun(self.field, box, time)
+        for segment in run:
+            found = [watch.along(segment) for watch in watches]
+            if any(found):
+                return self._first(watches, found, segment)
+            quiet = all(watch.excluded(segment) for watch in watches)
+            at_end = dict(zip(self.names, segment.states(arb(1)), strict=True))
+            if quiet and observer(segment, at_end):
+                return PhaseEnd(None, segment.end_time, at_end)
+        if run.reason is not None:
+            return Open(f"{run.reason}{self._width(run)}", run.time)
+        if not quiet:
+            return Open("an event may fall on the end of the time", run.time)
+        return PhaseEnd(None, run.time, at_end)
+
+    def _order(self, event: PhaseEvent, box: list[arb]) -> int | None:
+        """Which derivative of the event's function takes it away from 0 at the start; None: it is not certain."""
+        derivative: Expression = event.function
+        for order in (1, 2):
+            derivative = lie_derivative(derivative, self.field.functions)
+            rate = Watch(event.name, derivative, self.field).value(box)
+            if rate > 0:
+                return order
+            if not rate.is_zero():
+                return None
+        return None
+
+    def _first(
+        self, watches: list[Watch], found: list[Crossing | Unclear | None], segment: NormSegment
+    ) -> PhaseEnd | Open:
+        """The event that certainly comes first in this segment."""
+        crossings = [hit for hit in found if isinstance(hit, Crossing)]
+        first = min(crossings, key=lambda hit: float(hit.time.mid()), default=None)
+        if first is None:
+            unclear = next(hit for hit in found if isinstance(hit, Unclear))
+            return Open(f"{unclear.name}: {self._why(segment)}", unclear.time)
+        for watch, hit in zip(watches, found, strict=True):
+            if hit is first:
+                continue
+            too_early = isinstance(hit, Unclear) and not hit.time > first.time
+            if too_early or not watch.value(list(first.states)) < 0:
+                return Open(f"simultaneous {first.name} and {watch.name}: their order is not certain", first.time)
+        event = next(event for event in self.system.events if event.name == first.name)
+        return PhaseEnd(event, first.time, dict(zip(self.names, first.states, strict=True)))
+
+    def _why(self, segment: NormSegment) -> str:
+        if self._is_wide(segment):
+            return "the set of states has become too wide to follow it; a start on a canard is never decided"
+        return "the event is grazing, or nearly: its function touches 0 without a certain sign of its derivative"
+
+    def _is_wide(self, segment: NormSegment) -> bool:
+        states = segment.states(arb(1))
+        return any(
+            not radius < _WIDE * (1 + abs(state)) for radius, state in zip(segment.step.tube, states, strict=True)
+        )
+
+    def _width(self, run: NormRun) -> str:
+        wide = any(not state.rad() < _WIDE * (1 + abs(state)) for state in run.set.enclosure())
+        return "; the set of states has become wide" if wide else ""

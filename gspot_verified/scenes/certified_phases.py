@@ -1,0 +1,124 @@
+"""Which phase follows which in a certified run: lift-off, touch-down, slip, stick, by certain signs only."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from flint import arb, fmpq
+
+from gspot_verified.expansion.box_program import BoxProgram
+from gspot_verified.expansion.expressions import Expression
+from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase, Open
+from gspot_verified.scenes.effects.stick import SLIP_STOPS, SLIPS, STICKS
+from gspot_verified.scenes.effects.terms import FLIGHT, REVERSE, SLIP, STICK
+from gspot_verified.scenes.scaled_system import CONTACT, PhaseEvent
+from gspot_verified.scenes.scene import Scene
+
+
+@dataclass(frozen=True)
+class Next:
+    """A phase that begins; ``at_zero``: the events whose functions vanish at its beginning, and which derivative of
+    each is the first that does not, where that is known beforehand."""
+
+    phase: str
+    at_zero: dict[str, int | None]
+
+
+@dataclass(frozen=True)
+class Following:
+    """The name of the event that ended a phase, and what follows it."""
+
+    event: str
+    phase: Next | Open
+
+
+class CertifiedPhases:
+    """The phases of one scene at the precision in force, compiled when they are first asked for."""
+
+    def __init__(self, scene: Scene) -> None:
+        self._scene = scene
+        self._compiled: dict[str, CertifiedPhase] = {}
+
+    def __getitem__(self, phase: str) -> CertifiedPhase:
+        if phase not in self._compiled:
+            self._compiled[phase] = CertifiedPhase(self._scene.system(phase))
+        return self._compiled[phase]
+
+    def first(self, start: Mapping[str, arb]) -> Next | Open:
+        """The phase at the start of the scene."""
+        phase = self._scene.first_phase()
+        touching = bool((start["Z"] - start["Y"]).is_zero())
+        return self._resting(start, touching) if phase == STICK else self._begins(phase, touching, at_rest=False)
+
+    def after(self, phase: str, event: PhaseEvent, states: dict[str, arb]) -> Following:
+        """What follows an event; where the contact sticks, ``states`` then holds the slip velocity exactly."""
+        if event.next_phase == FLIGHT:
+            return Following(event.name, self._begins(FLIGHT, touching=True, at_rest=False))
+        if event.next_phase == STICK:
+            self._hold(states)
+            return Following(event.name, self._begins(STICK, touching=False, at_rest=True))
+        if event.next_phase != CONTACT:  # friction at its bound: slip begins without acceleration
+            return Following(event.name, self._begins(event.next_phase, touching=False, at_rest=True, order=2))
+        if event.name != SLIP_STOPS:
+            return Following(event.name, self._touching(phase, states))
+        found = self._resting(states, touching=False)
+        if isinstance(found, Open):
+            return Following(event.name, found)
+        return Following(STICKS if found.phase == STICK else SLIPS[found.phase], found)
+
+    def _touching(self, phase: str, states: dict[str, arb]) -> Next | Open:
+        """Contact that has just closed."""
+        assert phase == FLIGHT
+        if STICK not in self._scene.phases():
+            return self._begins(SLIP, touching=True, at_rest=False)
+        system = self._scene.system(SLIP)
+        slip = self._value(SLIP, system.shown("u"), states) - self._belt
+        if slip > 0:
+            return self._begins(SLIP, touching=True, at_rest=False)
+        if slip < 0 and REVERSE in self._scene.phases():
+            return self._begins(REVERSE, touching=True, at_rest=False)
+        if slip.is_zero():
+            return self._resting(states, touching=True)
+        return Open("the direction of slip at touch-down is not certain", states[CLOCK])
+
+    def _resting(self, states: Mapping[str, arb], touching: bool) -> Next | Open:
+        """Contact without slip velocity: it sticks where friction certainly holds it."""
+        guards = {
+            event.next_phase: self._value(STICK, event.function, states)
+            for event in self._scene.system(STICK).events
+            if event.next_phase not in (FLIGHT, CONTACT)
+        }
+        if all(guard > 0 for guard in guards.values()):
+            if isinstance(states, dict):
+                self._hold(states)
+            return self._begins(STICK, touching, at_rest=True)
+        for phase, guard in guards.items():
+            if guard < 0:
+                return self._begins(phase, touching, at_rest=True)
+        return Open("whether friction holds the contact is not certain", states[CLOCK])
+
+    def _begins(self, phase: str, touching: bool, at_rest: bool, order: int | None = None) -> Next:
+        """The phase, with lift-off or touch-down at zero where y = z, and the end of slip where the contact rests."""
+        found: dict[str, int | None] = {}
+        for event in self._scene.system(phase).events:
+            opens = phase == FLIGHT or event.next_phase == FLIGHT
+            stops = phase in (SLIP, REVERSE) and event.next_phase in (STICK, CONTACT)
+            if opens and touching:
+                found[event.name] = None
+            if stops and at_rest:
+                found[event.name] = order
+        return Next(phase, found)
+
+    def _hold(self, states: dict[str, arb]) -> None:
+        if "u" in states:
+            states["u"] = arb(self._belt)
+
+    @property
+    def _belt(self) -> fmpq:
+        return self._scene.values().get("belt_velocity", fmpq(0))
+
+    def _value(self, phase: str, function: Expression, states: Mapping[str, arb]) -> arb:
+        names = self[phase].system.states
+        box = [states[name] for name in names] + [states[CLOCK]]
+        return BoxProgram([function], len(box)).values(box)[0]

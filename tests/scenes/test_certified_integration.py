@@ -1,0 +1,238 @@
+"""Runs by the integrator against the exact solution, an exact integral, closed forms and float runs; hard cases.
+
+Pages: proofs/norm_step.md, proofs/invariant_region.md.
+"""
+
+from __future__ import annotations
+
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.balls import approximate, sign_of, working_bits
+from gspot_verified.compliant.normal_form import compliant_model, compliant_state
+from gspot_verified.compliant.side_rule import side_rule
+from gspot_verified.scenes.certified_integration import integrated_run
+from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase, Open, PhaseEnd
+from gspot_verified.scenes.certified_run import EXACT, INTEGRATOR, certified_run
+from gspot_verified.scenes.file import load_scene
+from gspot_verified.scenes.float_run import float_run
+from gspot_verified.scenes.run import FLIGHT_THEN_IMPACT, IMPACT, OPEN, SceneRun, agreement
+from gspot_verified.scenes.scene import Scene, SceneError
+from gspot_verified.verdict import Outcome
+
+RUNS = [
+    ("1/2", "1/4"), ("1/2", "4"), ("3/2", "1/4"), ("3/2", "2"), ("3/2", "4"), ("5/2", "1/2"), ("5/2", "2"),
+]  # fmt: skip
+
+
+def names(run: SceneRun) -> list[str]:
+    return [event.name for event in run.events]
+
+
+@pytest.mark.parametrize(("beta", "nu"), RUNS)
+def test_two_routes_overlap(beta: str, nu: str) -> None:
+    """Fig. varsim1 at epsilon = 1e-3: the integrator and the exact solution name the same events, in brackets that
+    have a time in common."""
+    scene = load_scene("fig-varsim1", beta=beta, nu=nu, eps="1e-3")
+    integrated, exact = certified_run(scene, route=INTEGRATOR), certified_run(scene, route=EXACT)
+    assert integrated.verdict.outcome is Outcome.PROVED
+    assert integrated.fate == exact.fate
+    for ours, theirs in zip(integrated.events, exact.events, strict=False):
+        if ours.name == IMPACT:
+            break
+        assert ours.name == theirs.name
+        assert ours.lower <= theirs.upper
+        assert theirs.lower <= ours.upper
+        assert ours.upper - ours.lower < fmpq(1, 10**20)
+
+
+@pytest.mark.parametrize("eps", ["2e-3", "1e-4"])
+def test_two_routes_overlap_at_other_epsilons(eps: str) -> None:
+    scene = load_scene("fig-varsim1", eps=eps)
+    integrated, exact = certified_run(scene, route=INTEGRATOR), certified_run(scene, route=EXACT)
+    assert integrated.fate == exact.fate == FLIGHT_THEN_IMPACT
+    for ours, theirs in zip(integrated.events[:2], exact.events, strict=True):
+        assert ours.lower <= theirs.upper
+        assert theirs.lower <= ours.upper
+
+
+@pytest.mark.parametrize(
+    ("chi", "nu", "expected"),
+    [
+        (0, "1/4", [IMPACT, "stick", "lift-off"]),
+        (0, "4", [IMPACT, "stick", "lift-off"]),
+        (1, "1/4", ["lift-off"]),
+        (1, "4", ["stick", "lift-off"]),
+    ],
+)
+def test_the_runs_of_varsim2(chi: int, nu: str, expected: list[str]) -> None:
+    """Paper: lift-off occurs without a transition to stick in one out of four cases. Floats see the same times."""
+    scene = load_scene("fig-varsim2", chi=chi, nu=nu)
+    run = integrated_run(scene)
+    assert run.verdict.outcome is Outcome.PROVED
+    assert names(run) == expected
+    simulated = float_run(scene)
+    assert agreement(simulated, run) is True
+    certain = [event for event in run.events if event.name != IMPACT]
+    for ours, seen in zip(certain, simulated.events, strict=True):
+        assert abs(approximate(ours.lower - seen.lower)) < 1e-8
+        assert ours.upper - ours.lower < fmpq(1, 10**20)
+
+
+def test_slip_is_an_exact_integral() -> None:
+    """chi = 0: u' = -lambda and b' = -1 + beta lambda in the paper's time, so u = u_0 - (b - b_0 + t)/beta in slip."""
+    scene = load_scene("fig-varsim2", chi=0)
+    with working_bits(192):
+        phase = CertifiedPhase(scene.system("slip"))
+        start = {name: arb(value) for name, value in scene.scaled_initial().items()} | {CLOCK: arb(0)}
+        checked = 0
+
+        def observer(segment: object, states: object) -> bool:
+            nonlocal checked
+            time = segment.end_time * scene.epsilon  # type: ignore[attr-defined]
+            u, b = states["u"], states["b"]  # type: ignore[index]
+            value = u - start["u"] + (b - start["b"] + time) / fmpq(1, 2)
+            assert value.is_finite()
+            assert value.contains(0)
+            assert value.rad() < 1e-25
+            checked += 1
+            return False
+
+        found = phase.run(start, arb(1000), {}, observer)
+        assert isinstance(found, PhaseEnd)
+        assert found.event is not None
+        assert found.event.name == "stick"
+        assert found.states["u"].contains(0)
+        assert checked > 30
+
+
+def test_flight_is_the_closed_form() -> None:
+    """z = 0 and b = -1/2, y = 1/100, v = 0: y(t) = 1/100 - t^2/4 - t^3/6 vanishes in the bracket."""
+    start: dict[str, fmpq | str] = {"p": fmpq(1, 2), "b": fmpq(-1, 2), "y": fmpq(1, 100), "v": fmpq(0), "z": fmpq(0)}
+    scene = Scene("test", ("compliant_contact", "lift_off"), fmpq(1, 1000), fmpq(1, 5), {}, start)
+    event = integrated_run(scene).events[0]
+    assert event.name == "touch-down"
+    height = [fmpq(1, 100) - t**2 / 4 - t**3 / 6 for t in (event.lower, event.upper)]
+    assert height[0] > 0 > height[1]
+
+
+@pytest.mark.parametrize("name", ["oscillator", "rod", "extended"])
+def test_other_scenes_against_floats(name: str) -> None:
+    """Mechanisms with sines and cosines, stick and slip in both directions: the events of a float run."""
+    scene = load_scene(name, eps="1e-3")
+    run, simulated = integrated_run(scene), float_run(scene)
+    assert run.verdict.outcome is Outcome.PROVED
+    assert names(run) == names(simulated)
+    for ours, seen in zip(run.events, simulated.events, strict=True):
+        assert abs(approximate(ours.lower - seen.lower)) < 1e-7
+
+
+def test_on_a_canard_nothing_is_decided() -> None:
+    """Exactly on the trivial solution the set of states outgrows it, and the run says so: no event, no impact."""
+    run = integrated_run(load_scene("fig-varsim1", nu=1), bits=(128,))
+    assert run.fate == OPEN
+    assert run.verdict.outcome is Outcome.UNDECIDED
+    assert "canard" in run.verdict.detail
+    assert run.events == ()
+
+
+@pytest.mark.parametrize("exponent", [30, 60])
+@pytest.mark.parametrize("side", [1, -1])
+def test_beside_a_canard(exponent: int, side: int) -> None:
+    """10^-30 and 10^-60 off it, on either side: the side that the sign of K gives."""
+    scene = load_scene("fig-varsim1", nu=1 + side * fmpq(1, 10**exponent), eps="1e-3")
+    run = integrated_run(scene)
+    assert run.verdict.outcome is Outcome.PROVED
+    assert names(run)[0] == ("lift-off" if side == 1 else IMPACT)
+    start = scene.initial()
+    rule = side_rule(compliant_model("3/2", "1e-3"), compliant_state(*(start[name] for name in "pbyvz")))
+    assert sign_of(rule.side) == -side
+
+
+def test_simultaneous_stick_and_lift_off() -> None:
+    """The slip velocity at the start such that u and lambda vanish at one time, to 15 digits, then to all digits that a
+    run has: decided with more bits, and not decided with few."""
+    scene = load_scene("fig-varsim2", chi=1)
+    lift = integrated_run(scene, bits=(192,))
+    assert names(lift) == ["lift-off"]
+    with working_bits(192):
+        phase = CertifiedPhase(scene.system("slip"))
+        start = {name: arb(value) for name, value in scene.scaled_initial().items()} | {CLOCK: arb(0)}
+        found = phase.run(start, arb(1000), {}, lambda *_: False)
+        assert isinstance(found, PhaseEnd)
+        left = found.states["u"]  # u acts on nothing else, so u_0 - left is the start at which both vanish
+        together = fmpq(70) - fmpq(*approximate(left).as_integer_ratio())
+        mantissa, exponent = (arb(70) - left).mid().man_exp()
+    for offset, expected in ((fmpq(1, 1000), ["lift-off"]), (fmpq(-1, 1000), ["stick", "lift-off"])):
+        assert names(integrated_run(scene.with_settings(u=together + offset))) == expected
+    exactly = fmpq(int(mantissa)) * fmpq(2) ** int(exponent)
+    run = integrated_run(scene.with_settings(u=exactly), bits=(128,))
+    assert run.fate == OPEN
+    assert "simultaneous lift-off and stick" in run.verdict.detail or "simultaneous stick and lift-off" in (
+        run.verdict.detail
+    )
+
+
+def test_a_contact_that_never_closes() -> None:
+    """Starting above the surface with v > 0 and alpha_2 > 0: no event in the whole time, which is certain."""
+    start: dict[str, fmpq | str] = {"p": fmpq(1, 2), "b": fmpq(1, 2), "y": fmpq(1, 100), "v": fmpq(1), "z": fmpq(0)}
+    scene = Scene("test", ("compliant_contact", "lift_off"), fmpq(1, 1000), fmpq(5), {"alpha_2": fmpq(1)}, start)
+    run = integrated_run(scene)
+    assert run.verdict.outcome is Outcome.PROVED
+    assert run.events == ()
+    assert run.fate == "no event"
+
+
+def test_a_grazing_lift_off_is_undecided() -> None:
+    """Contact whose force touches 0: found by bisection over the start, where few bits cannot tell."""
+    effects = ("compliant_contact", "lift_off")
+    base: dict[str, fmpq | str] = {"p": fmpq(1, 2), "b": fmpq(-1), "y": fmpq(-1, 10**6), "z": fmpq(-1, 2 * 10**6)}
+
+    def first(speed: fmpq, bits: int) -> SceneRun:
+        scene = Scene("test", effects, fmpq(1, 1000), fmpq(1, 50), {}, {**base, "v": speed})
+        return integrated_run(scene, bits=(bits,))
+
+    low, high = fmpq(0), fmpq(1, 50)
+    assert names(first(low, 128)) == []
+    assert names(first(high, 128))[0] == "lift-off"
+    for _ in range(200):
+        middle = (low + high) / 2
+        run = first(middle, 96)
+        if run.fate == OPEN and not run.events:
+            break
+        low, high = (low, middle) if run.events else (middle, high)
+    else:
+        pytest.fail("no grazing start was found")
+    assert "grazing" in run.verdict.detail
+    assert high - low < fmpq(1, 10**8)
+
+
+def test_what_is_refused() -> None:
+    scene = load_scene("fig-varsim2")
+    with pytest.raises(SceneError, match="differs in: stick, tangential_motion, two_way_coupling"):
+        certified_run(scene, route=EXACT)
+    with pytest.raises(SceneError, match="k_1 = k_2 = damping = 1"):
+        certified_run(load_scene("fig-varsim1", k_1=2), route=EXACT)
+    with pytest.raises(SceneError, match="not a mechanism"):
+        certified_run(load_scene("oscillator"), route=EXACT)
+    with pytest.raises(SceneError, match="route"):
+        certified_run(scene, route="other")
+    with pytest.raises(SceneError, match="digits"):
+        integrated_run(scene, digits=0)
+
+
+def test_other_stiffness_is_integrated() -> None:
+    scene = load_scene("fig-varsim1", k_1=2, k_2="1/2")
+    run, simulated = certified_run(scene), float_run(scene)
+    assert run.verdict.outcome is Outcome.PROVED
+    assert agreement(simulated, run) is True
+    assert abs(approximate(run.events[0].lower - simulated.events[0].lower)) < 1e-8
+
+
+def test_a_budget_says_so() -> None:
+    """A phase whose field blows up before the end of the time."""
+    with working_bits(96):
+        phase = CertifiedPhase(load_scene("fig-varsim2").system("slip"))
+        names_of = dict.fromkeys(phase.names, arb(0))
+        found = phase.run({**names_of, "Y": arb(0), "Z": arb(1), "b": arb("1e200")}, arb(10), {}, lambda *_: False)
+        assert isinstance(found, Open)
