@@ -1,0 +1,70 @@
+"""Command ``failures``: how often float runs report the wrong side, and where the paper's rule does."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+
+if TYPE_CHECKING:
+    from gspot_verified.scenes.hard_sides import Count, Failures
+
+_OF_THE_SET = "in place of those of the set, as often as needed."
+
+
+@app.command(epilog="Example: gspot-verified failures --eps 1/10000 --beta 15/2 --solver LSODA --tolerance 1e-6")
+def failures(
+    eps: Annotated[list[str] | None, typer.Option("--eps", help=f"ε, {_OF_THE_SET}")] = None,
+    beta: Annotated[list[str] | None, typer.Option(help=f"β, {_OF_THE_SET}")] = None,
+    nu: Annotated[list[str] | None, typer.Option(help=f"ν of the starts, {_OF_THE_SET}")] = None,
+    solver: Annotated[list[str] | None, typer.Option(help=f"Radau, LSODA or BDF, {_OF_THE_SET}")] = None,
+    tolerance: Annotated[list[str] | None, typer.Option(help=f"1e-13..1e-2, {_OF_THE_SET}")] = None,
+    as_json: JsonFlag = False,
+) -> None:
+    """Count the starts whose side solve_ivp reports wrongly: the certified side is from the exact solution.
+
+    Starts of Fig. varsim1 with β from 5/2 to 15/2 and ε from 10^-3 to 10^-6, a factor 2 from the canard and close to
+    it. A float run says "contact is lost" or "contact lasts" by its first event; only starts with a certified answer
+    count. Nothing is stored: the whole set with all solvers and tolerances takes hours.
+    Exit code 0 when every start is decided, else 2.
+    """
+    from gspot_verified.scenes.hard_sides import count_failures, hard_sides
+
+    chosen = hard_sides().restricted(epsilons=eps, betas=beta, nus=nu, solvers=solver, tolerances=tolerance)
+    found = count_failures(chosen, progress)
+    if as_json:
+        print_json(found.to_json())
+    else:
+        _show(found)
+    raise typer.Exit(0 if all(side.side is not None for side in found.certified.values()) else 2)
+
+
+def _show(found: Failures) -> None:
+    epsilons = list(dict.fromkeys(count.epsilon for count in found.counts))
+    betas = list(dict.fromkeys(count.beta for count in found.counts))
+    typer.echo("wrong sides of decided starts; s: runs without an event, f: runs that failed")
+    for epsilon in epsilons:
+        typer.echo(f"ε = {epsilon}".ljust(24) + "".join(f"β = {beta}".ljust(14) for beta in betas).rstrip())
+        here = [count for count in found.counts if count.epsilon == epsilon]
+        for solver, tolerance in dict.fromkeys((count.solver, count.tolerance) for count in here):
+            cells = [_cell(c) for c in here if (c.solver, c.tolerance) == (solver, tolerance)]
+            typer.echo(f"  {solver} {tolerance}".ljust(24) + "".join(cell.ljust(14) for cell in cells).rstrip())
+        rule = "".join(_rule(found, epsilon, beta).ljust(14) for beta in betas).rstrip()
+        typer.echo("  the paper's rule".ljust(24) + rule)
+    typer.echo("certified sides:")
+    for start, side in found.certified.items():
+        place = f"  ε = {start.epsilon}, β = {start.beta}, ν = {start.nu}: "
+        typer.echo(place + f"{side.verdict}" + ("; the paper's rule gives the other side" if side.rule_fails else ""))
+
+
+def _cell(count: Count) -> str:
+    extra = "".join(f" {number}{letter}" for number, letter in ((count.silent, "s"), (count.failed, "f")) if number)
+    return f"{count.wrong}/{count.decided}{extra}"
+
+
+def _rule(found: Failures, epsilon: object, beta: object) -> str:
+    answers = [s.rule_fails for start, s in found.certified.items() if (start.epsilon, start.beta) == (epsilon, beta)]
+    known = [answer for answer in answers if answer is not None]
+    return f"{sum(known)}/{len(known)}"

@@ -1,0 +1,124 @@
+"""Which side a start of the linear model scene takes: certified by the exact solution, or as a float run has it.
+
+Proof pages: ``proofs/first_integrals.md`` (the sign of K), ``proofs/flight.md`` (contact that lasts for ever).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from flint import fmpq
+
+from gspot_verified.balls import sign_of
+from gspot_verified.compliant.compliant_force import compliant_force
+from gspot_verified.compliant.lasting_contact import lasting_contact
+from gspot_verified.compliant.lift_off_state import contact_state
+from gspot_verified.compliant.normal_form import (
+    CompliantModel,
+    CompliantState,
+    compliant_model,
+    compliant_state,
+    deviation,
+)
+from gspot_verified.compliant.run import IMPACT as LASTING
+from gspot_verified.compliant.run import compliant_run
+from gspot_verified.compliant.run_plan import later_times
+from gspot_verified.compliant.side_rule import SideRule, side_rule
+from gspot_verified.compliant.zero_by_series import positive_by_series, zero_by_series
+from gspot_verified.scenes.certified_run import not_covered
+from gspot_verified.scenes.effects.lift_off import LIFT_OFF
+from gspot_verified.scenes.float_run import float_run
+from gspot_verified.scenes.run import IMPACT
+from gspot_verified.scenes.scene import Scene, SceneError
+from gspot_verified.verdict import NoTruthValue, Outcome, Reason, Verdict
+
+LOST, LASTS = "contact is lost", "contact lasts"
+NO_EVENT, FAILED = "no event", "failed"
+_SERIES_FROM = fmpq(1, 1500)
+_DIGITS, _BITS = 13, 60
+
+
+@dataclass(frozen=True, slots=True)
+class CertifiedSide(NoTruthValue):
+    """``side``: whether contact is lost or lasts for ever, None where that is undecided; ``rule``: K and its parts.
+
+    ``asymptotic``: what the paper's rule says, the sign of C_1/Gamma(-beta); None where that sign is open.
+    """
+
+    ask: ClassVar[str] = ".side is a text or None, .verdict a Verdict"
+
+    side: str | None
+    rule: SideRule
+    verdict: Verdict
+
+    @property
+    def asymptotic(self) -> str | None:
+        """The side by the paper's rule."""
+        part = self.rule.slow_side
+        sign = None if part is None else sign_of(part)
+        return {1: LASTS, -1: LOST}.get(sign) if sign else None
+
+    @property
+    def rule_fails(self) -> bool | None:
+        """Whether the paper's rule gives the wrong side; None where one of the two is open."""
+        return None if self.side is None or self.asymptotic is None else self.side != self.asymptotic
+
+
+def certified_side(scene: Scene) -> CertifiedSide:
+    """Whether the contact of the scene's start is lost or lasts for ever, from the exact solution.
+
+    :raises SceneError: the scene is not the linear model scene from a state in contact with p > 0.
+
+    >>> from gspot_verified.scenes.file import load_scene
+    >>> found = certified_side(load_scene("fig-varsim1", beta="13/2", nu=2))
+    >>> found.side, found.rule_fails
+    ('contact is lost', True)
+    """
+    reason = not_covered(scene)
+    if reason is not None:
+        raise SceneError(reason)
+    values, start = scene.values(), scene.initial()
+    model = compliant_model(values["beta"], scene.epsilon, alpha_1=values["alpha_1"], alpha_2=values["alpha_2"])
+    state = compliant_state(*(start[name] for name in "pbyvz"))
+    rule = side_rule(model, state, 6)
+    if sign_of(rule.side) == -1:
+        return CertifiedSide(LOST, rule, Verdict.proved(LOST, "K < 0"))
+    if sign_of(rule.side) == 1 and model.scaled_epsilon > _SERIES_FROM:
+        found = _by_series(model, state)
+        if found is not None:
+            return CertifiedSide(found.statement, rule, found)
+    run = compliant_run(model, state, 3)
+    if run.verdict.outcome is Outcome.PROVED and run.verdict.statement == LASTING:
+        return CertifiedSide(LASTS, rule, Verdict.proved(LASTS, run.verdict.detail))
+    if any(event.name == LIFT_OFF for event in run.events):
+        return CertifiedSide(LOST, rule, Verdict.proved(LOST, "λ_N > 0 up to a zero, dλ_N/dt < 0 at it"))
+    text = "whether contact is lost or lasts"
+    return CertifiedSide(None, rule, Verdict.undecided(text, Reason.BUDGET, "neither was shown"))
+
+
+def _by_series(model: CompliantModel, state: CompliantState) -> Verdict | None:
+    """Where the fast part is large: the force by its power series up to a time of an invariant set, or to its zero."""
+    start = deviation(model, state)
+    mean = model.mean_force * model.sigma**2
+    for time in later_times(model):
+        there = contact_state(compliant_force(model, state, time, _DIGITS), _BITS)
+        if lasting_contact(there, _BITS).outcome is Outcome.PROVED:
+            if positive_by_series(start, mean, start.p / start.epsilon - model.alpha_1 * time / start.epsilon):
+                return Verdict.proved(LASTS, "λ_N > 0 by its power series up to a state in an invariant set")
+            break
+    if zero_by_series(start, mean, fmpq(1, 1000), _BITS) is not None:
+        return Verdict.proved(LOST, "λ_N > 0 by its power series up to a zero, dλ_N/dt < 0 at it")
+    return None
+
+
+def float_side(scene: Scene, method: str, tolerance: float) -> str:
+    """What a float run says: LOST or LASTS by its first event, NO_EVENT, or FAILED where the solver gives up."""
+    try:
+        events = float_run(scene, method, tolerance).events
+    except SceneError:
+        return FAILED
+    names = [event.name for event in events]
+    if not names:
+        return NO_EVENT
+    return {LIFT_OFF: LOST, IMPACT: LASTS}.get(names[0], NO_EVENT)

@@ -1,0 +1,135 @@
+"""The certified side of a start, the float one, and the counts: wrong only where the certified one is decided."""
+
+from __future__ import annotations
+
+import pytest
+from flint import fmpq
+
+from gspot_verified.compliant.normal_form import compliant_model, compliant_state
+from gspot_verified.compliant.side_rule import side_rule
+from gspot_verified.scenes import hard_sides, side
+from gspot_verified.scenes.file import load_scene
+from gspot_verified.scenes.scene import Scene, SceneError
+from gspot_verified.scenes.side import FAILED, LASTS, LOST, NO_EVENT, CertifiedSide, certified_side, float_side
+from gspot_verified.verdict import Outcome, Reason, Verdict
+
+
+def start(beta: str, nu: str, eps: str) -> Scene:
+    return load_scene("fig-varsim1", beta=beta, nu=nu, eps=eps)
+
+
+@pytest.mark.parametrize(
+    ("beta", "nu", "eps", "expected", "rule_fails"),
+    [
+        ("5/2", "1/2", "1e-4", LOST, False),
+        ("5/2", "2", "1e-4", LASTS, False),
+        ("15/2", "2", "1e-5", LOST, False),
+        ("13/2", "2", "1e-3", LOST, True),
+        ("15/2", "1/2", "1e-3", LOST, True),
+    ],
+)
+def test_the_certified_side_and_whether_the_rule_of_the_paper_has_it(
+    beta: str, nu: str, eps: str, expected: str, rule_fails: bool
+) -> None:
+    found = certified_side(start(beta, nu, eps))
+    assert (found.side, found.rule_fails) == (expected, rule_fails)
+    assert found.verdict.outcome is Outcome.PROVED
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("beta", "nu", "expected", "rule_fails"),
+    [("13/2", "1/2", LASTS, True), ("15/2", "2", LOST, False), ("9/2", "2", LASTS, False)],
+)
+def test_where_the_fast_part_is_large_the_power_series_decides(
+    beta: str, nu: str, expected: str, rule_fails: bool
+) -> None:
+    """β = 15/2, ν = 2: K > 0, and contact is lost all the same."""
+    found = certified_side(start(beta, nu, "1e-3"))
+    assert (found.side, found.rule_fails) == (expected, rule_fails)
+    assert bool(found.rule.side > 0)
+
+
+def test_floats_of_every_tolerance_are_on_the_wrong_side_somewhere() -> None:
+    """A factor 2 from the canard: the certified side is settled by K < 0; which float runs fail depends on scipy."""
+    runs = (("15/2", "1e-5", 1e-13), ("15/2", "1e-4", 1e-6), ("13/2", "1e-5", 1e-10), ("13/2", "1e-5", 1e-6))
+    wrong = set()
+    for beta, eps, tolerance in runs:
+        scene = start(beta, "2" if beta == "15/2" else "1/2", eps)
+        assert certified_side(scene).side == LOST
+        wrong |= {tolerance for method in ("LSODA", "BDF") if float_side(scene, method, tolerance) == LASTS}
+    assert len(wrong) >= 2
+
+
+def test_a_scene_that_the_exact_solution_does_not_cover_is_refused() -> None:
+    with pytest.raises(SceneError, match="the exact solution covers"):
+        certified_side(load_scene("fig-varsim2"))
+
+
+def test_what_a_float_run_says(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = start("5/2", "2", "1e-3")
+    assert float_side(scene, "LSODA", 1e-6) == LASTS
+    assert float_side(start("5/2", "1/2", "1e-3"), "LSODA", 1e-6) == LOST
+    assert float_side(scene.with_settings(until="1/10"), "LSODA", 1e-6) == NO_EVENT
+
+    def gives_up(*_: object) -> None:
+        raise SceneError("the float run failed")
+
+    monkeypatch.setattr(side, "float_run", gives_up)
+    assert float_side(scene, "LSODA", 1e-6) == FAILED
+
+
+def fake(answers: dict[fmpq, str | None], said: dict[fmpq, str], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Certified and float answers by ν."""
+    model = compliant_model("5/2", "1/100")
+    rule = side_rule(model, compliant_state("1/2", "-2/3", "-8/30000", 0, "-4/30000"))
+
+    def certified(scene: Scene) -> CertifiedSide:
+        found = answers[scene.start["nu"]]
+        open_verdict = Verdict.undecided("which side", Reason.BUDGET, "for the test")
+        return CertifiedSide(found, rule, open_verdict if found is None else Verdict.proved(found, "for the test"))
+
+    monkeypatch.setattr(hard_sides, "certified_side", certified)
+    monkeypatch.setattr(hard_sides, "float_side", lambda scene, *_: said[scene.start["nu"]])
+
+
+def test_only_decided_starts_count_and_silence_is_not_wrong(monkeypatch: pytest.MonkeyPatch) -> None:
+    nus = [fmpq(n) for n in (2, 3, 4, 5, 6)]
+    fake(
+        dict(zip(nus, (LOST, LOST, LASTS, LOST, None), strict=True)),
+        dict(zip(nus, (LASTS, LOST, NO_EVENT, FAILED, LASTS), strict=True)),
+        monkeypatch,
+    )
+    chosen = hard_sides.hard_sides().restricted(
+        epsilons=["1/100"], betas=["5/2"], nus=["2", "3", "4", "5", "6"], solvers=["BDF"], tolerances=["1e-6"]
+    )
+    told: list[str] = []
+    found = hard_sides.count_failures(chosen, told.append)
+    (count,) = found.counts
+    assert (count.wrong, count.silent, count.failed, count.decided) == (1, 1, 1, 4)
+    assert told == ["ε = 1/100, β = 5/2"]
+    assert [row["side"] for row in found.to_json()["starts"]] == [LOST, LOST, LASTS, LOST, None]
+
+
+def test_the_shipped_set() -> None:
+    found = hard_sides.hard_sides()
+    assert len(list(found.starts())) == 72
+    assert found.solvers == ("Radau", "LSODA", "BDF")
+    assert (min(found.betas), max(found.betas)) == (fmpq(5, 2), fmpq(15, 2))
+    assert (min(found.epsilons), max(found.epsilons)) == (fmpq(1, 10**6), fmpq(1, 1000))
+    assert {fmpq(1, 2), fmpq(2)} < set(found.nus)
+    assert found.restricted(betas=None, nus=[]) == found
+
+
+@pytest.mark.parametrize(
+    ("lists", "message"),
+    [
+        ({"solvers": ["RK45"]}, "solver: expected one of Radau, LSODA, BDF"),
+        ({"tolerances": ["1e-15"]}, "tolerance: expected 1e-13..1e-2"),
+        ({"tolerances": ["tight"]}, "tolerance: expected a number"),
+        ({"betas": ["two"]}, "betas"),
+    ],
+)
+def test_a_wrong_choice_is_refused(lists: dict[str, list[str]], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        hard_sides.hard_sides().restricted(**lists)
