@@ -11,7 +11,7 @@ from typing import Any
 from docutils import nodes
 from script_notebook import notebook_page
 from sphinx.transforms.post_transforms import SphinxPostTransform
-from typeset import formula, typeset
+from gspot_verified.report.formulas import formula, typeset
 
 import gspot_verified
 

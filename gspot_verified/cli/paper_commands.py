@@ -59,10 +59,20 @@ def verify(
 @app.command(epilog="Example: gspot-verified report report/report.json --output report")
 def report(
     source: Annotated[Path, typer.Argument(help="A report.json that `verify` wrote.")] = Path("report/report.json"),
-    output: Annotated[Path, typer.Option(help="Directory of the page.")] = Path("report"),
+    output: Annotated[Path, typer.Option(help="Directory of the pages.")] = Path("report"),
+    check: Annotated[
+        Path | None, typer.Option(help="Write nothing; check the certificates of this report again.", metavar="<folder>")
+    ] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Write the HTML page again from report.json, without running the checks."""
+    """Write the pages again from report.json, without running the checks; or check a report's certificates again.
+
+    With --check: exit code 0 when the independent checker verifies every certificate that report.json names, and each
+    says what it said then; 1 when one is rejected, missing or says something else.
+    """
+    if check is not None:
+        _check_again(check, as_json)
+        return
     from gspot_verified.report.write import render_from_json
 
     if not source.is_file():
@@ -73,3 +83,15 @@ def report(
         print_json({"page": str(page)})
     else:
         typer.echo(str(page))
+
+
+def _check_again(folder: Path, as_json: bool) -> None:
+    from gspot_verified.report.check_again import check_again
+
+    found = check_again(folder, progress)
+    if as_json:
+        print_json({"certificates": [result.to_json() for result in found]})
+    else:
+        for result in found:
+            typer.echo(f"{'verified' if result.same else 'FAILED':9}  {result.name}  {result.said}")
+    raise typer.Exit(0 if all(result.same for result in found) else 1)

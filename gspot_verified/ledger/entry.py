@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
+from gspot_verified.ledger.consequences import Consequence, consequence
 from gspot_verified.ledger.paper import Citation, citation, with_printed_numbers
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
 
@@ -75,7 +76,8 @@ class Entry(NoTruthValue):
 
     ``label`` is the paper's label or "line N" of its source; ``source`` the printed form, transcribed as short LaTeX;
     ``statement`` the claim in words; ``corrected`` the form that holds when the printed one is refuted, or the
-    condition it needs. ``cited`` has the numbers that the PDF prints and the exact lines of the source.
+    condition it needs. ``cited`` has the numbers that the PDF prints and the exact lines of the source. ``code`` is the
+    file and the name of the function that made the entry, "" when it was not made by ``verify_paper``.
     """
 
     ask: ClassVar[str] = ASK_VERDICT
@@ -89,6 +91,7 @@ class Entry(NoTruthValue):
     verdict: Verdict
     corrected: str = ""
     note: str = ""
+    code: str = ""
 
     @property
     def cited(self) -> Citation:
@@ -121,6 +124,11 @@ class Entry(NoTruthValue):
         return next(iter(self.rests_on), None)
 
     @property
+    def consequence(self) -> Consequence | None:
+        """What follows from the error that a refuted entry shows, where it is recorded."""
+        return consequence(self.identifier) if self.verdict.outcome is Outcome.REFUTED else None
+
+    @property
     def page_alone(self) -> bool:
         """True when the verdict rests on a proof page and on nothing else: who doubts the page has no other check."""
         return self.rests_on == (Rung.PAGE,)
@@ -133,6 +141,8 @@ class Entry(NoTruthValue):
             "printed": self.cited.printed,
             "verbatim": self.verbatim,
             "quotations": [quotation.to_json() for quotation in self.cited.quotations],
+            "lines": [[quotation.first, quotation.last] for quotation in self.cited.quotations],
+            "code": self.code,
             "section": self.section,
             "source": self.source,
             "statement": self.statement,
@@ -142,6 +152,7 @@ class Entry(NoTruthValue):
             "rests_on": [rung.name.lower() for rung in self.rests_on],
             "corrected": self.corrected,
             "note": self.note,
+            "consequence": found.to_json() if (found := self.consequence) else None,
         }
 
 

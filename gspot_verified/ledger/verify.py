@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
 
 from gspot_verified.ledger import (
     after_lift_off,
@@ -70,8 +72,18 @@ def verify_paper(progress: Callable[[str], None] | None = None) -> list[Entry]:
     for part, builders in PARTS.items():
         if progress is not None:
             progress(part)
-        found += [build() for build in builders.values()]
+        found += [replace(build(), code=code_of(build)) for build in builders.values()]
     return found
+
+
+def code_of(build: Callable[[], Entry]) -> str:
+    """The file, as seen from the root of the project, and the name of the function that makes an entry.
+
+    >>> code_of(section_3.ENTRIES["3-sides"])
+    'gspot_verified/ledger/section_3.py:_sides'
+    """
+    function = build.func if isinstance(build, partial) else build
+    return f"{function.__module__.replace('.', '/')}.py:{function.__qualname__}"
 
 
 def exit_code(entries: list[Entry]) -> int:

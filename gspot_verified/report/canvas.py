@@ -91,13 +91,12 @@ class Picture:
         return place
 
     def to_json(self) -> dict[str, str]:
-        """Plain data for ``json.dumps``, without the PNG and the PDF."""
+        """The texts as plain data for ``json.dumps``; the pictures are files."""
         return {
             "name": self.name,
             "title": self.title,
             "caption": self.caption,
             "alternative": self.alternative,
-            "svg": self.svg,
         }
 
 

@@ -4,22 +4,29 @@ from __future__ import annotations
 
 import json
 import platform
+import re
 from collections import Counter
 from collections.abc import Sequence
 from importlib import metadata
 from typing import Any
 
+from gspot_verified.ledger.dependencies import dependencies
 from gspot_verified.ledger.entry import Entry, Rung, counts, rung_counts
 from gspot_verified.report.canvas import Picture
+from gspot_verified.report.certificates import CheckedCertificate
+from gspot_verified.report.proof_page import proof_pages
 from gspot_verified.verdict import Outcome, Reason
 
-SCHEMA = 3
+SCHEMA = 4
 
 _OUTCOMES = [outcome.value for outcome in Outcome]
 _RUNGS = [rung.name.lower() for rung in Rung]
 _REASONS = [reason.name.lower() for reason in Reason]
-_ENTRY_TEXTS = ("identifier", "label", "printed", "section", "source", "statement", "corrected", "note")
-_PICTURE_TEXTS = ("name", "title", "caption", "alternative", "svg")
+_ENTRY_TEXTS = ("identifier", "label", "printed", "section", "source", "statement", "corrected", "note", "code")
+_PICTURE_TEXTS = ("name", "title", "caption", "alternative")
+_CERTIFICATE_TEXTS = ("name", "sha256", "said")
+_DEPENDENCIES = ("pages", "certificates", "entries", "see_also")
+_FILE_NAME = re.compile(r"[A-Za-z0-9_-]{1,60}(\.cert)?")
 _VERSIONS = ("gspot-verified", "python", "FLINT", "python-flint", "mpmath", "numpy", "matplotlib")
 
 
@@ -40,19 +47,26 @@ def _installed(name: str) -> str:
         return "not installed as a package"
 
 
-def report_data(entries: Sequence[Entry], pictures: Sequence[Picture]) -> dict[str, Any]:
-    """Everything that the HTML page shows, as plain data for ``json.dumps``.
+def report_data(
+    entries: Sequence[Entry], pictures: Sequence[Picture], certificates: Sequence[CheckedCertificate] = ()
+) -> dict[str, Any]:
+    """What the pages show, as plain data for ``json.dumps``; figures, certificates, proof pages are files beside it.
 
     :raises ValueError: two entries have one identifier.
     """
+    identifiers = [entry.identifier for entry in entries]
     return checked(
         {
             "schema": SCHEMA,
             "counts": counts(entries),
             "rungs": rung_counts(entries),
             "page_alone": sum(entry.page_alone for entry in entries),
-            "entries": [entry.to_json() for entry in entries],
+            "entries": [
+                {**entry.to_json(), "dependencies": dependencies(entry, identifiers).to_json()} for entry in entries
+            ],
             "figures": [picture.to_json() for picture in pictures],
+            "certificates": [certificate.to_json() for certificate in certificates],
+            "proofs": proof_pages(),
             "versions": versions(),
         }
     )
@@ -80,6 +94,16 @@ def checked(report: object) -> dict[str, Any]:
     _check_counts(found, entries)
     for number, picture in enumerate(_sequence(found, "figures", "report")):
         _texts(_mapping(picture, f"figures[{number}]"), _PICTURE_TEXTS, f"figures[{number}]")
+        _file_name(picture["name"], f"figures[{number}].name")
+    for number, certificate in enumerate(_sequence(found, "certificates", "report")):
+        _texts(_mapping(certificate, f"certificates[{number}]"), _CERTIFICATE_TEXTS, f"certificates[{number}]")
+        _file_name(certificate["name"], f"certificates[{number}].name")
+        if not isinstance(certificate.get("verified"), bool):
+            raise ValueError(f"certificates[{number}].verified: expected true or false")
+    proofs = _mapping(found.get("proofs"), "proofs")
+    _texts(proofs, list(proofs), "proofs")
+    for name in proofs:
+        _file_name(name, "proofs")
     known = _mapping(found.get("versions"), "versions")
     _texts(known, _VERSIONS, "versions")
     return found
@@ -127,6 +151,8 @@ def _check_quotations(entry: dict[str, Any], where: str) -> None:
         ends = [quotation.get(key) for key in ("first", "last")]
         if any(type(end) is not int for end in ends) or not 1 <= ends[0] <= ends[1]:
             raise ValueError(f"{place}: expected line numbers, first not after last, got {ends}")
+    if entry.get("lines") != [[quotation["first"], quotation["last"]] for quotation in quotations]:
+        raise ValueError(f"{where}.lines: expected the lines of the quotations, got {entry.get('lines')!r}")
     if entry.get("verbatim") is not bool(quotations):
         raise ValueError(f"{where}.verbatim: {entry.get('verbatim')!r} with {len(quotations)} quotations")
 
@@ -146,6 +172,14 @@ def _check_entry(value: object, where: str) -> None:
         _one_of(verdict["reason"], _REASONS, f"{where}.verdict.reason")
     _check_rungs(entry, where)
     _check_quotations(entry, where)
+    named = _mapping(entry.get("dependencies"), f"{where}.dependencies")
+    for key in _DEPENDENCIES:
+        for name in _sequence(named, key, f"{where}.dependencies"):
+            if not isinstance(name, str):
+                raise ValueError(f"{where}.dependencies.{key}: expected texts")
+    reach = entry.get("consequence")
+    if reach is not None:
+        _texts(_mapping(reach, f"{where}.consequence"), ("reach", "why"), f"{where}.consequence")
     for box in _sequence(verdict, "remaining", f"{where}.verdict"):
         if not isinstance(box, list) or not all(isinstance(side, str) for side in box):
             raise ValueError(f"{where}.verdict.remaining: expected lists of texts")
@@ -174,6 +208,12 @@ def _texts(holder: dict[str, Any], keys: Sequence[str], where: str) -> None:
     for key in keys:
         if not isinstance(holder.get(key), str):
             raise ValueError(f"{where}: expected text under {key!r}")
+
+
+def _file_name(name: object, where: str) -> None:
+    """A plain name: it becomes part of the name of a file or of a link."""
+    if not (isinstance(name, str) and _FILE_NAME.fullmatch(name)):
+        raise ValueError(f"{where}: expected letters, digits, - and _, got {name!r}")
 
 
 def _one_of(value: object, allowed: Sequence[str], where: str) -> None:

@@ -1,4 +1,4 @@
-"""The figures of the report: Theta, its slope, the routes, side-switching, the series at tau -> -infinity; the force.
+"""The figures of the report: the atlas, Theta, its slope, the routes, side-switching, the series at tau -> -infinity; the force.
 
 Each caption is written from the numbers that were certified while the figure was drawn, so it cannot claim more.
 """
@@ -11,9 +11,11 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from gspot_verified.report import samples
+from gspot_verified.report.atlas import atlas_picture
 from gspot_verified.report.canvas import COLOURS, GREEN, INK, STYLES, VERMILION, Picture, canvas, picture, styled
 from gspot_verified.report.force_figure import force_picture
 from gspot_verified.signs.side import side_switching
+from gspot_verified.signs.zeros import zeros_on_range
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -217,7 +219,13 @@ def _stretched(axes: Axes, ticks: tuple[int, ...]) -> None:
     axes.minorticks_off()
 
 
+def atlas_figure() -> Picture:
+    """The sign atlas on beta in (0, 6)."""
+    return atlas_picture(zeros_on_range("0..6"))
+
+
 _PICTURES: tuple[Callable[[], Picture], ...] = (
+    atlas_figure,
     theta_picture,
     slope_picture,
     routes_picture,

@@ -1,35 +1,27 @@
-"""Writing the report: ``report.json``, ``index.html``, ``figures/*.png``; and the page again from the JSON."""
+"""Writing the report: ``report.json``, the pages, ``figures/``, ``certificates/``; and the pages again from the JSON."""
 
 from __future__ import annotations
 
-import base64
 import json
 import os
 import secrets
 from collections.abc import Callable, Sequence
-from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
-from urllib.parse import quote
+from typing import Any
 
-from gspot_verified.ledger.entry import Entry, Rung
-from gspot_verified.report.data import checked, report_data
+from gspot_verified.ledger.entry import Entry
+from gspot_verified.report.certificates import checked_certificates
+from gspot_verified.report.data import report_data
 from gspot_verified.report.figures import pictures
-from gspot_verified.verdict import Outcome, Reason
-
-if TYPE_CHECKING:
-    from jinja2 import Template
+from gspot_verified.report.site import pages, style
 
 _MAX_FILE_BYTES = 200_000_000
-_ANSWERS = {True: "agrees", False: "fails", None: "could not tell"}
-_COUNTEREXAMPLE = "single points: one certain counterexample is enough"
-_COUNTEREXAMPLE_SHORT = "a counterexample at points"  # points carry no other verdict
 
 
 def write_report(entries: Sequence[Entry], directory: Path, progress: Callable[[str], None] | None = None) -> Path:
-    """Draw the figures and write the report; returns the path of its ``index.html``.
+    """Draw the figures, check the certificates and write the report; returns the path of its ``index.html``.
 
-    Everything is computed before the first file is touched, and each file is replaced in one step, the page last.
+    Everything is computed before the first file is touched, and each file is replaced in one step, the start last.
 
     :param directory: made if it does not exist; the folder it is in must exist.
     :param progress: called with a short line before each step.
@@ -38,21 +30,28 @@ def write_report(entries: Sequence[Entry], directory: Path, progress: Callable[[
     """
     say = progress or (lambda _: None)
     drawn = pictures(say)
-    report = report_data(entries, drawn)
-    page = render_html(report)
-    _make(directory)
-    _make(directory / "figures")
+    certificates = checked_certificates(progress=say)
+    report = report_data(entries, drawn, certificates)
+    made = pages(report)
+    for folder in (directory, directory / "figures", directory / "certificates"):
+        _make(folder)
+    say("writing figures and certificates")
     for picture in drawn:
-        say(f"writing figures/{picture.name}.png")
         _replace(directory / "figures" / f"{picture.name}.png", picture.png)
+        _replace(directory / "figures" / f"{picture.name}.svg", picture.svg.encode())
+    for certificate in certificates:
+        _replace(directory / "certificates" / certificate.name, certificate.content)
     say("writing report.json")
     _replace(directory / "report.json", _canonical(report))
-    say("writing index.html")
-    return _replace(directory / "index.html", page.encode())
+    say("writing the pages")
+    return _write_pages(made, directory)
 
 
 def render_from_json(path: Path, directory: Path) -> Path:
-    """Write ``index.html`` into ``directory`` from a ``report.json``; returns its path. Nothing is computed again.
+    """Write the pages into ``directory`` from a ``report.json``; returns the start. Nothing is computed again.
+
+    Figures and certificates that lie beside the file are copied. Proof pages and code are shown where the versions
+    that the report was made with are here.
 
     :raises ValueError: the file is not JSON, has another schema, or is malformed; the message names the file.
     :raises OSError: the file cannot be read.
@@ -60,7 +59,8 @@ def render_from_json(path: Path, directory: Path) -> Path:
     if path.stat().st_size > _MAX_FILE_BYTES:
         raise ValueError(f"{path}: larger than {_MAX_FILE_BYTES} bytes, so it is not a report")
     try:
-        page = render_html(json.loads(path.read_text(encoding="utf-8")))
+        report = json.loads(path.read_text(encoding="utf-8"))
+        made = pages(report)
     except UnicodeDecodeError:
         raise ValueError(f"{path}: not UTF-8 text") from None
     except RecursionError:
@@ -68,83 +68,22 @@ def render_from_json(path: Path, directory: Path) -> Path:
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from error
     _make(directory)
-    return _replace(directory / "index.html", page.encode())
+    files = [f"figures/{figure['name']}.svg" for figure in report["figures"]]
+    files += [f"certificates/{certificate['name']}" for certificate in report["certificates"]]
+    for name in files:
+        source, target = path.parent / name, directory / name
+        if source.is_file() and not (target.exists() and target.samefile(source)):
+            _make(target.parent)
+            _replace(target, source.read_bytes())
+    return _write_pages(made, directory)
 
 
-def render_html(report: dict[str, Any]) -> str:
-    """The page, from the data of ``report.json`` alone.
-
-    Texts are escaped; figures become images, in which a browser runs no script and loads nothing.
-
-    :raises ValueError: the data is not a report of this schema.
-    """
-    report = checked(report)
-    entries = [_shown(entry) for entry in report["entries"]]
-    return _template().render(
-        counts=report["counts"],
-        rungs=[
-            (rung, *(report["rungs"][outcome][rung.name.lower()] for outcome in ("proved", "refuted"))) for rung in Rung
-        ],
-        page_alone=report["page_alone"],
-        versions=report["versions"],
-        entries=entries,
-        sections=_by_section(entries),
-        refuted=[entry for entry in entries if entry["outcome"] == Outcome.REFUTED.value],
-        undecided=[entry for entry in entries if entry["outcome"] == Outcome.UNDECIDED.value],
-        figures=[{**picture, "source": _data_address(picture["svg"])} for picture in report["figures"]],
-    )
-
-
-def _shown(entry: dict[str, Any]) -> dict[str, Any]:
-    """An entry with the words that the page shows for its codes."""
-    verdict = entry["verdict"]
-    reason = verdict["reason"]
-    rests_on = [Rung[rung.upper()] for rung in entry["rests_on"]]
-    checks = [{**check, "rung": _rung_words(check), "answer": _ANSWERS[check["agrees"]]} for check in entry["checks"]]
-    return {
-        **entry,
-        "anchor": "entry-" + quote(entry["identifier"], safe=""),
-        "outcome": verdict["outcome"],
-        "witness": verdict["witness"],
-        "detail": verdict["detail"],
-        "reason": Reason[reason.upper()].value.capitalize() + "." if reason else None,
-        "remaining": [" × ".join(box) for box in verdict["remaining"]],
-        "checks": checks,
-        "rests_on": [_COUNTEREXAMPLE_SHORT if rung is Rung.POINTS else rung.short for rung in rests_on],
-        "page_alone": rests_on == [Rung.PAGE],
-    }
-
-
-def _rung_words(check: dict[str, Any]) -> str:
-    rung = Rung[check["rung"].upper()]
-    return _COUNTEREXAMPLE if rung is Rung.POINTS and check["agrees"] is False else rung.value
-
-
-def _by_section(entries: Sequence[dict[str, Any]]) -> dict[str, list[dict[str, Any]]]:
-    """The entries under their sections, in order of first appearance."""
-    sections: dict[str, list[dict[str, Any]]] = {}
-    for entry in entries:
-        sections.setdefault(entry["section"], []).append(entry)
-    return sections
-
-
-def _data_address(svg: str) -> str:
-    return "data:image/svg+xml;base64," + base64.b64encode(svg.encode()).decode()
-
-
-@lru_cache(maxsize=1)
-def _template() -> Template:
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    environment = Environment(
-        loader=PackageLoader("gspot_verified", "report"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-    )
-    return environment.get_template("report.html.j2")
+def _write_pages(made: dict[str, str], directory: Path) -> Path:
+    _replace(directory / "style.css", style().encode())
+    for name, content in made.items():
+        if name != "index.html":
+            _replace(directory / name, content.encode())
+    return _replace(directory / "index.html", made["index.html"].encode())
 
 
 def _canonical(report: dict[str, Any]) -> bytes:

@@ -1,8 +1,8 @@
-"""Mathematics as the proof pages write it (``ξ_n``, ``e^(−x²)``, ``Σ_{n<M}``), typeset as HTML.
+"""Mathematics as the proof pages and the ledger write it (``ξ_n``, ``e^(−x²)``, ``Σ_{n<M}``), typeset as HTML.
 
 No script and no font from elsewhere: italic variables, raised and lowered indices. A page can be read without a
 network, and a line of text can break inside a formula. Every character of the source stays, but for the marks
-``_``, ``^`` and the braces around an index; ``<=`` and its like become the signs that they stand for.
+``_``, ``^`` and the braces around an index; ``<=``, ``*`` and their like become the signs that they stand for.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ import re
 _GREEK = "α-ωϑϕϱϵΑ-Ω"
 _OPERATORS = "=<>≤≥≠≈∼~±∓·×∈∉⊂⊃∪∩→↦∞∂∇∫∑Σ∏Π√‖⌊⌋⌈⌉−∝≡∀∃"
 _MARKS = re.compile(
-    rf"[{_GREEK}{_OPERATORS}₀-₉⁰¹²³⁴-⁹ⁿℝℂℤℕ^]|[A-Za-z)\]]_[{{A-Za-z0-9]|[|+\u0300-\u036f]|(?<![a-z])/(?![a-z])|"
-    r"^[A-Za-z]['′]*\("
+    rf"[{_GREEK}{_OPERATORS}₀-₉⁰¹²³⁴-⁹ⁿℝℂℤℕ^]|[A-Za-z)\]]_[{{A-Za-z0-9]|[|+\u0300-\u036f]|(?<![a-z])/|/(?![a-z])|(?<![A-Za-z])[A-Za-z]/[A-Za-z](?![A-Za-z])|\d[A-Za-z](?![A-Za-z])|"
+    r"^[-−]?[A-Za-z]['′]*\("
 )
 _LETTER = re.compile(r"[A-Za-z]['′″]*")
 _NUMBER = re.compile(r"[-−+]?\d[\d./]*[%]?")
@@ -77,7 +77,7 @@ def _kind(word: str) -> str:
         return "prose"
     if _MARKS.search(bare):
         return "formula"
-    if _NUMBER.fullmatch(bare):
+    if _NUMBER.fullmatch(bare) or bare == "-":
         return "number"
     if _LETTER.fullmatch(bare) and bare not in _WORDS_OF_PROSE:
         return "formula"
@@ -97,6 +97,9 @@ def formula(source: str) -> str:
             found.append(f"<{tag}>{formula(inner)}</{tag}>")
         elif letter == "*" and place and source[place - 1].isalnum() and not _follows(source, place + 1):
             found.append("<sup>*</sup>")
+            place += 1
+        elif letter == "*" and _follows(source, place + 1):
+            found.append("·")
             place += 1
         elif _is_letter(letter):
             end = place + 1
@@ -139,7 +142,7 @@ def _index(source: str, start: int, raised: bool) -> tuple[str, int]:
                 # f^(n) is a derivative, e^(n + 1) a power.
                 keep = opening == "(" and re.fullmatch(r"\w|\d+", inner)
                 return (source[start : end + 1] if keep else inner), end + 1
-    pattern = r"[-−+]?(\d+|[^\W\d_])[̀-ͯ]*['′]*[*]?" if raised else r"[^\W_]+[̀-ͯ]*|."
+    pattern = r"[-−+]?(\d+|[^\W\d_])[̀-ͯ]*['′]*(?:[*](?![\w(]))?" if raised else r"[^\W_]+[̀-ͯ]*|."
     match = re.compile(pattern).match(source, start)
     if match is None:
         return source[start], start + 1

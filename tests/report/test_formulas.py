@@ -8,8 +8,8 @@ import re
 from pathlib import Path
 
 import pytest
-import typeset as module
-from typeset import formula, typeset
+from gspot_verified.report import formulas as module
+from gspot_verified.report.formulas import formula, typeset
 
 PAGES = sorted((Path(__file__).resolve().parents[2] / "proofs").glob("*.md"))
 
@@ -21,7 +21,7 @@ def said(markup: str) -> str:
 
 def signs(text: str) -> str:
     """Typed signs as printed ones."""
-    for typed, printed in (("<=", "≤"), (">=", "≥"), ("!=", "≠"), ("->", "→"), ("-", "−")):
+    for typed, printed in (("<=", "≤"), (">=", "≥"), ("!=", "≠"), ("->", "→"), ("-", "−"), ("*", "·")):
         text = text.replace(typed, printed)
     return text
 

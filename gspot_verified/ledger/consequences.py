@@ -1,0 +1,73 @@
+"""What follows from each error of the paper: nothing, something local, or another conclusion. A reading, not a proof."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass
+
+
+class Reach(enum.Enum):
+    """How far an error reaches."""
+
+    NONE = "none"
+    LOCAL = "local"
+    CONCLUSION = "changes a conclusion"
+
+
+@dataclass(frozen=True, slots=True)
+class Consequence:
+    """The reach of an error, and why."""
+
+    reach: Reach
+    why: str
+
+    def to_json(self) -> dict[str, str]:
+        """Plain data for ``json.dumps``."""
+        return {"reach": self.reach.value, "why": self.why}
+
+
+def consequence(identifier: str) -> Consequence | None:
+    """What follows from the error that a refuted entry shows; None for an entry that has none recorded.
+
+    >>> consequence("4-order").reach.value
+    'none'
+    """
+    return _CONSEQUENCES.get(identifier)
+
+
+_CONSEQUENCES = {
+    "1-beta": Consequence(Reach.LOCAL, "The Introduction alone; everywhere else β is α_3/α_1."),
+    "2-trivial-zy": Consequence(
+        Reach.LOCAL, "The trivial solution as printed does not solve the equations; nothing later uses its z and y."
+    ),
+    "3-sides": Consequence(
+        Reach.CONCLUSION, "Of two sets of initial values the sentence names the wrong one as the set of impacts."
+    ),
+    "4-order": Consequence(Reach.NONE, "The printed equation is of fourth order, and is used as such."),
+    "4-unique-smooth": Consequence(
+        Reach.CONCLUSION, "The distinguished trajectory is unique as a formal series, not among smooth functions."
+    ),
+    "4-inner-fast": Consequence(Reach.NONE, "The limit that is used does not contain the term."),
+    "4-inner-scaling-v": Consequence(Reach.LOCAL, "The exponents of line 1237 and of Table 1 are those of the right form."),
+    "4-behaves-like": Consequence(
+        Reach.CONCLUSION, "(-τ)^β alone does not determine Θ; the condition on e_r and e_i before it does."
+    ),
+    "4-matching-middle": Consequence(Reach.NONE, "The first and the last form of the line are right."),
+    "S-mean-force": Consequence(
+        Reach.LOCAL, "With the printed sign the mean force of Case III would pull; the Introduction has the right sign."
+    ),
+    "S-gamma-intervals": Consequence(
+        Reach.CONCLUSION, "As printed, lift-off and impact exchange their sides, and the argument for 0 < β < 1 fails."
+    ),
+    "S-wording": Consequence(Reach.LOCAL, "Θ stands for dΘ/dτ; the argument is about dΘ/dτ."),
+    "5-monomial": Consequence(Reach.NONE, "The coefficient that the argument uses is right."),
+    "5-xinprime": Consequence(Reach.LOCAL, "One wrong index in a formula of the recursion."),
+    "5-example-b-error": Consequence(Reach.LOCAL, "The error of one printed expansion is larger than stated."),
+    "5-fast-system": Consequence(Reach.NONE, "M and its eigenvalues are right, and nothing else is used."),
+    "5-ansatz-p0": Consequence(Reach.LOCAL, "The exponent and the leading terms of ξ and λ_N hold; p has another one."),
+    "5-bpert-v": Consequence(Reach.LOCAL, "One line of the perturbed variables has a factor too many."),
+    "6-sign-of-G": Consequence(Reach.LOCAL, "The functions of Appendix B are those of the right sign."),
+    "A-th5-condition": Consequence(
+        Reach.LOCAL, "Where the formulas are used, β is not an integer, and there they hold."
+    ),
+}

@@ -1,0 +1,45 @@
+"""The certificates of ``proofs/`` and what the independent checker says of them."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from gspot_verified.certificates.checker import run_checker
+from gspot_verified.report.proof_page import PROOFS
+
+
+@dataclass(frozen=True, slots=True)
+class CheckedCertificate:
+    """``said``: the checker's line, with the statement that it verified or the reason why it did not."""
+
+    name: str
+    sha256: str
+    verified: bool
+    said: str
+    content: bytes
+
+    def to_json(self) -> dict[str, str | bool]:
+        """Plain data for ``json.dumps``, without the content: that is a file."""
+        return {"name": self.name, "sha256": self.sha256, "verified": self.verified, "said": self.said}
+
+
+def checked_certificates(
+    folder: Path = PROOFS, progress: Callable[[str], None] | None = None
+) -> list[CheckedCertificate]:
+    """Every certificate of a folder, checked now by ``proofs/check.py`` in a process of its own.
+
+    :raises ValueError: the checker is not there, or it could not run.
+    :raises OSError: a file cannot be read.
+    """
+    found = []
+    for path in sorted(folder.glob("*.cert")) if folder.is_dir() else []:
+        if progress is not None:
+            progress(f"checking {path.name}")
+        content = path.read_bytes()
+        result = run_checker(path)
+        said = result.text.splitlines()[-1]
+        found.append(CheckedCertificate(path.name, hashlib.sha256(content).hexdigest(), result.verified, said, content))
+    return found

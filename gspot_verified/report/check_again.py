@@ -1,0 +1,56 @@
+"""The certificates of a report, checked again by the independent checker, whoever wrote the report."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from gspot_verified.report.certificates import checked_certificates
+from gspot_verified.report.data import checked
+
+_MAX_FILE_BYTES = 200_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class CheckedAgain:
+    """``same``: the file has the hash that the report names, and the checker verified it with the same line."""
+
+    name: str
+    same: bool
+    said: str
+
+    def to_json(self) -> dict[str, str | bool]:
+        """Plain data for ``json.dumps``."""
+        return {"name": self.name, "same": self.same, "said": self.said}
+
+
+def check_again(folder: Path, progress: Callable[[str], None] | None = None) -> list[CheckedAgain]:
+    """Every certificate that the report in ``folder`` names, and every other one that lies in its folder.
+
+    :raises ValueError: there is no report.json, it is malformed, or it names no certificate.
+    """
+    path = folder / "report.json"
+    if not path.is_file():
+        raise ValueError(f"--check: there is no file {path}")
+    if path.stat().st_size > _MAX_FILE_BYTES:
+        raise ValueError(f"{path}: larger than {_MAX_FILE_BYTES} bytes, so it is not a report")
+    try:
+        report: dict[str, Any] = checked(json.loads(path.read_text(encoding="utf-8")))
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f"{path}: {error}") from error
+    if not report["certificates"]:
+        raise ValueError(f"{path}: it names no certificate")
+    here = {found.name: found for found in checked_certificates(folder / "certificates", progress)}
+    results = []
+    for named in report["certificates"]:
+        found = here.pop(named["name"], None)
+        if found is None:
+            results.append(CheckedAgain(named["name"], False, "the file is missing"))
+        elif found.sha256 != named["sha256"]:
+            results.append(CheckedAgain(found.name, False, f"another file than the report names; now: {found.said}"))
+        else:
+            results.append(CheckedAgain(found.name, found.verified and found.said == named["said"], found.said))
+    return results + [CheckedAgain(other.name, False, f"the report does not name it; {other.said}") for other in here.values()]

@@ -1,0 +1,250 @@
+"""The pages of the report, from the data of ``report.json`` and the files that it names."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import re
+from collections.abc import Sequence
+from functools import lru_cache
+from importlib import resources
+from typing import TYPE_CHECKING, Any
+from urllib.parse import quote
+
+from gspot_verified.ledger.entry import Rung
+from gspot_verified.ledger.paper import printed_number
+from gspot_verified.report.code_page import code_address, code_page
+from gspot_verified.report.data import checked
+from gspot_verified.report.dependency_graph import Node, graph_svg
+from gspot_verified.report.formulas import typeset
+from gspot_verified.report.latex import NotTypeset, latex_formula, latex_html
+from gspot_verified.report.proof_page import linked_pages, page_title, proof_html, proof_text
+from gspot_verified.verdict import Outcome, Reason
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+    from markupsafe import Markup
+
+SECTIONS = {
+    "Section 1": "Introduction",
+    "Section 2": "Preliminaries",
+    "Section 3": "Numerical results for motivating example",
+    "Section 4": "Asymptotic analysis of the motivating example",
+    "Section 5": "Asymptotic analysis of a general system",
+    "Section 6": "Application to a frictional impact oscillator, and Appendix B",
+    "Appendix A": "Generalised hypergeometric functions",
+}
+_ANSWERS = {True: "agrees", False: "fails", None: "could not tell"}
+_COUNTEREXAMPLE = "single points: one certain counterexample is enough"
+_COUNTEREXAMPLE_SHORT = "a counterexample at points"  # points carry no other verdict
+
+
+def pages(report: dict[str, Any]) -> dict[str, str]:
+    """Every page, by the name of its file. Texts are escaped; no page loads anything from elsewhere.
+
+    :raises ValueError: the data is not a report of this schema.
+    """
+    report = checked(report)
+    entries = [_shown(entry) for entry in report["entries"]]
+    _link(entries, report)
+    sections = _by_section(entries)
+    proofs = _proofs(report, entries)
+    common = {
+        "entries": entries,
+        "by_name": {entry["identifier"]: entry for entry in entries},
+        "counts": report["counts"],
+        "sections": {title: _address(title) for title in sections},
+        "titles": SECTIONS,
+        "versions": report["versions"],
+        "proofs": proofs,
+        "certificates": report["certificates"],
+        "figures": report["figures"],
+    }
+    found = {
+        f"{_address(title)}": _page("section", common, title=title, parts=parts) for title, parts in sections.items()
+    }
+    for name, page in proofs.items():
+        found[page["address"]] = _page("proof", common, name=name, page=page)
+    for path in dict.fromkeys(entry["file"] for entry in entries if entry["code_address"]):
+        found[code_address(path)] = _page("code", common, path=path, listing=code_page(path))
+    return found | {
+        "index.html": _page("start", common, rungs=_rungs(report), page_alone=report["page_alone"]),
+        "statements.html": _page("statements", common, **_script()),
+        "errata.html": _page("errata", common, refuted=_with_outcome(entries, Outcome.REFUTED)),
+        "open.html": _page("open", common, undecided=_with_outcome(entries, Outcome.UNDECIDED)),
+        "proofs.html": _page("proofs", common),
+        "certificates.html": _page("certificates", common),
+        "graph.html": _page("graph", common, graph=_safe(_graph(entries, proofs))),
+        "figures.html": _page("figures", common),
+        "trusted.html": _page("trusted", common),
+    }
+
+
+def style() -> str:
+    """The style sheet of all pages."""
+    return resources.files("gspot_verified.report").joinpath("pages", "style.css").read_text(encoding="utf-8")
+
+
+def _page(template: str, common: dict[str, Any], **more: Any) -> str:
+    return _environment().get_template(f"{template}.html.j2").render({"script_hash": None, **common, **more})
+
+
+def _shown(entry: dict[str, Any]) -> dict[str, Any]:
+    """An entry with the words that the page shows for its codes."""
+    verdict = entry["verdict"]
+    rests_on = [Rung[rung.upper()] for rung in entry["rests_on"]]
+    file, _, function = entry["code"].partition(":")
+    reason = verdict["reason"]
+    return {
+        **entry,
+        "anchor": "entry-" + quote(entry["identifier"], safe=""),
+        "address": _address(_main_section(entry)),
+        "outcome": verdict["outcome"],
+        "witness": verdict["witness"],
+        "detail": verdict["detail"],
+        "reason": Reason[reason.upper()].value.capitalize() + "." if reason else None,
+        "remaining": [" × ".join(box) for box in verdict["remaining"]],
+        "checks": [
+            {**check, "rung": _rung_words(check), "answer": _ANSWERS[check["agrees"]]} for check in entry["checks"]
+        ],
+        "rests_on": [_COUNTEREXAMPLE_SHORT if rung is Rung.POINTS else rung.short for rung in rests_on],
+        "rung_name": rests_on[0].short if rests_on else "none",
+        "page_alone": rests_on == [Rung.PAGE],
+        "file": file,
+        "function": function,
+        "code_address": code_address(file, function) if code_page(file) else None,
+    }
+
+
+def _link(entries: Sequence[dict[str, Any]], report: dict[str, Any]) -> None:
+    """What an entry names becomes links: to entries, pages and certificates that are there; and the way back."""
+    by_name = {entry["identifier"]: entry for entry in entries}
+    for entry in entries:
+        named = entry["dependencies"]
+        entry["used_by"] = []
+        entry["depends_on"] = [by_name[name] for name in named["entries"] if name in by_name]
+        entry["see_also"] = [by_name[name] for name in named["see_also"] if name in by_name]
+        entry["pages"] = [name for name in named["pages"] if name in report["proofs"]]
+        known = {certificate["name"] for certificate in report["certificates"]}
+        entry["named_certificates"] = [name for name in named["certificates"] if name in known]
+    for entry in entries:
+        for other in entry["depends_on"]:
+            other["used_by"].append(entry)
+
+
+def _proofs(report: dict[str, Any], entries: Sequence[dict[str, Any]]) -> dict[str, dict[str, Any]]:
+    """The proof pages that are here in the version that was meant, with who uses them."""
+    texts = {name: proof_text(name, digest) for name, digest in report["proofs"].items()}
+    here = {name: text for name, text in texts.items() if text is not None}
+    found: dict[str, dict[str, Any]] = {}
+    for name, text in here.items():
+        found[name] = {
+            "address": f"proof-{name}.html",
+            "title": page_title(text),
+            "body": _safe(proof_html(name, text, list(here))),
+            "links": [other for other in linked_pages(text) if other in here],
+            "used_by_entries": [entry for entry in entries if name in entry["pages"]],
+        }
+    for name, page in found.items():
+        page["used_by_pages"] = [other for other, known in found.items() if name in known["links"]]
+    return found
+
+
+def _graph(entries: Sequence[dict[str, Any]], proofs: dict[str, dict[str, Any]]) -> str:
+    statements = [
+        Node(entry["identifier"], f"{entry['address']}#{quote(entry['anchor'])}", entry["outcome"]) for entry in entries
+    ]
+    nodes = statements + [Node(f"{name}.md", page["address"], "page") for name, page in proofs.items()]
+    arrows = {
+        entry["identifier"]: [other["identifier"] for other in entry["depends_on"]]
+        + [f"{name}.md" for name in entry["pages"]]
+        for entry in entries
+    }
+    arrows |= {f"{name}.md": [f"{other}.md" for other in page["links"]] for name, page in proofs.items()}
+    return graph_svg(nodes, arrows)
+
+
+def _rungs(report: dict[str, Any]) -> list[tuple[Rung, int, int]]:
+    rows = report["rungs"]
+    return [(rung, rows["proved"][rung.name.lower()], rows["refuted"][rung.name.lower()]) for rung in Rung]
+
+
+def _rung_words(check: dict[str, Any]) -> str:
+    rung = Rung[check["rung"].upper()]
+    return _COUNTEREXAMPLE if rung is Rung.POINTS and check["agrees"] is False else rung.value
+
+
+def _with_outcome(entries: Sequence[dict[str, Any]], outcome: Outcome) -> list[dict[str, Any]]:
+    return [entry for entry in entries if entry["outcome"] == outcome.value]
+
+
+def _main_section(entry: dict[str, Any]) -> str:
+    match = re.match(r"Section \d+|Appendix [A-Z]", entry["section"])
+    return match[0] if match else entry["section"]
+
+
+def _address(section: str) -> str:
+    return re.sub(r"[^a-z0-9]+", "-", section.lower()).strip("-") + ".html"
+
+
+def _by_section(entries: Sequence[dict[str, Any]]) -> dict[str, dict[str, list[dict[str, Any]]]]:
+    """The entries under the sections of the paper and their parts, in order of first appearance."""
+    found: dict[str, dict[str, list[dict[str, Any]]]] = {}
+    for entry in entries:
+        found.setdefault(_main_section(entry), {}).setdefault(entry["section"], []).append(entry)
+    return found
+
+
+@lru_cache(maxsize=1)
+def _environment() -> Environment:
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    environment = Environment(
+        loader=PackageLoader("gspot_verified.report", "pages"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters |= {"typeset": _typeset, "formula": _formula, "passage": _passage}
+    return environment
+
+
+def _safe(markup: str) -> Markup:
+    """Markup made here, from escaped text."""
+    from markupsafe import Markup
+
+    return Markup(markup)  # noqa: S704
+
+
+def _typeset(text: str) -> Markup:
+    return _safe(typeset(text))
+
+
+def _formula(source: str) -> Markup | None:
+    try:
+        return _safe(latex_formula(source, display=True))
+    except NotTypeset:
+        return None
+
+
+def _passage(source: str) -> Markup | None:
+    try:
+        return _safe(latex_html(source, _number))
+    except NotTypeset:
+        return None
+
+
+def _number(label: str) -> str | None:
+    try:
+        return printed_number(label)
+    except KeyError:
+        return None
+
+
+def _script() -> dict[str, str]:
+    """The search of the statements' page, and its hash: the page allows this script and no other."""
+    script = resources.files("gspot_verified.report").joinpath("pages", "search.js").read_text(encoding="utf-8")
+    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+    return {"script": _safe(script), "script_hash": f"sha256-{digest}"}
