@@ -11,9 +11,9 @@ from typing import Any
 from docutils import nodes
 from script_notebook import notebook_page
 from sphinx.transforms.post_transforms import SphinxPostTransform
-from gspot_verified.report.formulas import formula, typeset
 
 import gspot_verified
+from gspot_verified.report.formulas import formula, typeset
 
 ROOT = Path(__file__).resolve().parents[2]
 GROUPS = {

@@ -61,7 +61,8 @@ def report(
     source: Annotated[Path, typer.Argument(help="A report.json that `verify` wrote.")] = Path("report/report.json"),
     output: Annotated[Path, typer.Option(help="Directory of the pages.")] = Path("report"),
     check: Annotated[
-        Path | None, typer.Option(help="Write nothing; check the certificates of this report again.", metavar="<folder>")
+        Path | None,
+        typer.Option(help="Write nothing; check the certificates of this report again.", metavar="<folder>"),
     ] = None,
     as_json: JsonFlag = False,
 ) -> None:

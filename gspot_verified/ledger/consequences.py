@@ -1,4 +1,4 @@
-"""What follows from each error of the paper: nothing, something local, or another conclusion. A reading, not a proof."""
+"""What follows from each error of the paper: nothing, something local, another conclusion. A reading, not a proof."""
 
 from __future__ import annotations
 
@@ -48,7 +48,9 @@ _CONSEQUENCES = {
         Reach.CONCLUSION, "The distinguished trajectory is unique as a formal series, not among smooth functions."
     ),
     "4-inner-fast": Consequence(Reach.NONE, "The limit that is used does not contain the term."),
-    "4-inner-scaling-v": Consequence(Reach.LOCAL, "The exponents of line 1237 and of Table 1 are those of the right form."),
+    "4-inner-scaling-v": Consequence(
+        Reach.LOCAL, "The exponents of line 1237 and of Table 1 are those of the right form."
+    ),
     "4-behaves-like": Consequence(
         Reach.CONCLUSION, "(-τ)^β alone does not determine Θ; the condition on e_r and e_i before it does."
     ),

@@ -53,4 +53,6 @@ def check_again(folder: Path, progress: Callable[[str], None] | None = None) -> 
             results.append(CheckedAgain(found.name, False, f"another file than the report names; now: {found.said}"))
         else:
             results.append(CheckedAgain(found.name, found.verified and found.said == named["said"], found.said))
-    return results + [CheckedAgain(other.name, False, f"the report does not name it; {other.said}") for other in here.values()]
+    return results + [
+        CheckedAgain(other.name, False, f"the report does not name it; {other.said}") for other in here.values()
+    ]

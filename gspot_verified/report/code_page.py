@@ -34,7 +34,9 @@ def code_page(path: str) -> str:
     shown: str = highlight(place.read_text(encoding="utf-8"), PythonLexer(), HtmlFormatter(nowrap=True))
     lines = []
     for number, line in enumerate(shown.splitlines(), 1):
-        name = re.match(r'<span class="k">def</span>\s*(?:<span class="w"> </span>)?<span class="nf">(\w+)</span>', line)
+        name = re.match(
+            r'<span class="k">def</span>\s*(?:<span class="w"> </span>)?<span class="nf">(\w+)</span>', line
+        )
         address = f' id="function-{name[1]}"' if name else ""
         lines.append(f'<span class="line"{address}><i>{number}</i>{line}</span>')
     return "\n".join(lines)

@@ -80,7 +80,7 @@ def checked(report: object) -> dict[str, Any]:
     >>> checked({"schema": 1})
     Traceback (most recent call last):
     ...
-    ValueError: report: this version reads schema 3, the file has schema 1
+    ValueError: report: this version reads schema 4, the file has schema 1
     """
     found = _mapping(report, "report")
     if type(found.get("schema")) is not int or found["schema"] != SCHEMA:

@@ -32,9 +32,7 @@ def graph_svg(nodes: Sequence[Node], arrows: Mapping[str, Sequence[str]]) -> str
     edges = {name: [other for other in arrows.get(name, ()) if other in by_name] for name in by_name}
     columns = _ordered(_columns(edges), edges)
     places = {
-        name: (_COLUMN * number, _ROW * row)
-        for number, column in enumerate(columns)
-        for row, name in enumerate(column)
+        name: (_COLUMN * number, _ROW * row) for number, column in enumerate(columns) for row, name in enumerate(column)
     }
     height = _ROW * max((len(column) for column in columns), default=0) + 4
     width = _COLUMN * len(columns)
@@ -70,7 +68,7 @@ def _ordered(columns: Sequence[Sequence[str]], edges: Mapping[str, Sequence[str]
         height = {name: row / len(column) for column in found for row, name in enumerate(column)}
         for number in range(1, len(found)) if sweep % 2 == 0 else range(len(found) - 1, -1, -1):
             heights = {name: [height[other] for other in neighbours[name] if other in height] for name in found[number]}
-            found[number].sort(key=lambda name: sum(heights[name]) / len(heights[name]))  # noqa: B023
+            found[number].sort(key=lambda name: sum(heights[name]) / len(heights[name]))
             height |= {name: row / len(found[number]) for row, name in enumerate(found[number])}
     return found
 
@@ -79,7 +77,8 @@ def _curve(start: tuple[int, int], end: tuple[int, int]) -> str:
     (x, y), (far, other) = start, end
     left, right = x + _WIDTH, far
     if far <= x:  # to the same column or back: around the right side
-        return f'<path d="M{left},{y + 11} C{left + 60},{y + 11} {far + _WIDTH + 60},{other + 11} {far + _WIDTH},{other + 11}"/>'
+        back = far + _WIDTH
+        return f'<path d="M{left},{y + 11} C{left + 60},{y + 11} {back + 60},{other + 11} {back},{other + 11}"/>'
     middle = (left + right) // 2
     return f'<path d="M{left},{y + 11} C{middle},{y + 11} {middle},{other + 11} {right},{other + 11}"/>'
 

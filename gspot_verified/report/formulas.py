@@ -142,7 +142,7 @@ def _index(source: str, start: int, raised: bool) -> tuple[str, int]:
                 # f^(n) is a derivative, e^(n + 1) a power.
                 keep = opening == "(" and re.fullmatch(r"\w|\d+", inner)
                 return (source[start : end + 1] if keep else inner), end + 1
-    pattern = r"[-−+]?(\d+|[^\W\d_])[̀-ͯ]*['′]*(?:[*](?![\w(]))?" if raised else r"[^\W_]+[̀-ͯ]*|."
+    pattern = r"[-−+]?(\d+|[A-Za-z]{3,}|[^\W\d_])[̀-ͯ]*['′]*(?:[*](?![\w(]))?" if raised else r"[^\W_]+[̀-ͯ]*|."
     match = re.compile(pattern).match(source, start)
     if match is None:
         return source[start], start + 1

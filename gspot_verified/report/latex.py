@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import html
 import re
+import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable
 
 _MACROS = {
@@ -16,16 +17,25 @@ _MACROS = {
     "beq": r"\begin{equation}", "eeq": r"\end{equation}",
     "mathsterling": "£", "mbox": r"\text", "bf": "", "nonumber": "", "dddot": r"\dddot", "allowbreak": "",
 }  # fmt: skip
+_PARTS = {"mfrac": 2, "msub": 2, "msup": 2, "msubsup": 3, "munder": 2, "mover": 2, "munderover": 3, "mroot": 2}
+_ELEMENTS = {*_PARTS, "math", "mrow", "mi", "mo", "mn", "mtext", "mspace", "msqrt", "mtable", "mtr", "mtd", "mstyle"}
+_ELEMENTS |= {"mpadded", "mphantom", "menclose"}
+_ATTRIBUTES = {
+    "display", "mathvariant", "displaystyle", "scriptlevel", "columnalign", "rowspacing", "columnspacing", "rowlines",
+    "columnlines", "stretchy", "fence", "form", "separator", "accent", "accentunder", "movablelimits", "width",
+    "minsize", "maxsize", "linethickness", "largeop", "symmetric", "lspace", "rspace", "notation", "mathsize",
+}  # fmt: skip
 _DISPLAYS = "equation|align|multline|eqnarray|gather|displaymath"
 _FORMULA = re.compile(
     rf"\\begin\{{(?P<name>{_DISPLAYS})\*?\}}(?P<display>.*?)\\end\{{(?P=name)\*?\}}"
     r"|\$\$(?P<dollars>.+?)\$\$|\\\[(?P<brackets>.+?)\\\]|\$(?P<inline>.+?)\$|\\\((?P<round>.+?)\\\)",
     re.DOTALL,
 )
+_TABULAR = re.compile(r"\\begin\{tabular\}\{[^}]*\}(.*?)\\end\{tabular\}", re.DOTALL)
 _TITLED = {"theorem": "Theorem", "lemma": "Lemma", "corollary": "Corollary", "proof": "Proof", "remark": "Remark"}
 _DROPPED = (
     r"\\(?:label|includegraphics|vspace|hspace|cite)(?:\[[^\]]*\])?\{[^}]*\}",
-    r"\\(?:begin|end)\{(?:center|figure)\*?\}(?:\[[^\]]*\])?",
+    r"\\(?:begin|end)\{(?:center|figure|table)\*?\}(?:\[[^\]]*\])?",
     r"\\(?:noindent|centering|bigskip|medskip|smallskip|newpage)\b",
 )
 
@@ -75,7 +85,25 @@ def latex_formula(source: str, display: bool = False) -> str:
     unknown = re.search(r"\\[A-Za-z]+", html.unescape(found))
     if unknown:
         raise NotTypeset(unknown[0])
+    _check(found)
     return found
+
+
+def _check(markup: str) -> None:
+    """That the markup is MathML with all its parts and nothing else: texts in a formula are not escaped by the reader.
+
+    :raises NotTypeset: it is not.
+    """
+    try:
+        elements = list(ElementTree.fromstring(markup).iter())
+    except ElementTree.ParseError as error:
+        raise NotTypeset(f"no MathML: {error}") from error
+    for element in elements:
+        name = element.tag.rpartition("}")[2]
+        if name not in _ELEMENTS or not _ATTRIBUTES.issuperset(element.attrib):
+            raise NotTypeset(f"no element of a formula: {name} {' '.join(element.attrib)}")
+        if len(element) != _PARTS.get(name, len(element)):
+            raise NotTypeset(f"{name} with {len(element)} parts")
 
 
 def latex_html(source: str, number: Callable[[str], str | None]) -> str:
@@ -84,8 +112,23 @@ def latex_html(source: str, number: Callable[[str], str | None]) -> str:
     :raises NotTypeset: something in it is not known here.
     """
     text = _expanded(re.sub(r"(?<!\\)%.*", "", source))
-    if not _FORMULA.search(text) and re.search(r"&|\\[A-Za-z]+[_^{]", text):
+    if not _FORMULA.search(text) and re.search(r"[_^]|&\s*=", text):
         return f"<p>{_display(text)}</p>"  # lines from inside an alignment
+    parts = _TABULAR.split(text)
+    return "\n".join(
+        _table(part, number) if index % 2 else _paragraphs(part, number)
+        for index, part in enumerate(parts)
+        if part.strip()
+    )
+
+
+def _paragraphs(text: str, number: Callable[[str], str | None]) -> str:
+    paragraphs = [part.strip() for part in re.split(r"\n\s*\n", _line(text, number))]
+    return "\n".join(f"<p>{part}</p>" for part in paragraphs if part)
+
+
+def _line(text: str, number: Callable[[str], str | None]) -> str:
+    """Words and formulas, without paragraphs."""
     found: list[str] = []
     place = 0
     for match in _FORMULA.finditer(text):
@@ -93,8 +136,23 @@ def latex_html(source: str, number: Callable[[str], str | None]) -> str:
         found.append(_formula(match))
         place = match.end()
     found.append(_prose(text[place:], number))
-    paragraphs = [part.strip() for part in re.split(r"\n\s*\n", "".join(found))]
-    return "\n".join(f"<p>{part}</p>" for part in paragraphs if part)
+    return "".join(found)
+
+
+def _table(body: str, number: Callable[[str], str | None]) -> str:
+    """The rows of a tabular; cells over several columns keep their width."""
+    body = re.sub(r"\\(?:hline|cline\{[^}]*\})", "", body)
+    rows = []
+    for row in re.split(r"\\\\", body):
+        if not row.strip():
+            continue
+        cells = []
+        for cell in row.split("&"):
+            wide = re.fullmatch(r"\s*\\multicolumn\{(\d+)\}\{[^}]*\}\{(.*)\}\s*", cell, re.DOTALL)
+            span = f' colspan="{wide[1]}"' if wide and wide[1] != "1" else ""
+            cells.append(f"<td{span}>{_line(wide[2] if wide else cell, number).strip()}</td>")
+        rows.append(f"<tr>{''.join(cells)}</tr>")
+    return f'<div class="scroll"><table>{"".join(rows)}</table></div>'
 
 
 def _formula(match: re.Match[str]) -> str:
@@ -114,7 +172,7 @@ def _display(body: str) -> str:
 
 def _expanded(text: str) -> str:
     for name, meaning in _MACROS.items():
-        text = re.sub(rf"\\{name}(?![A-Za-z])", lambda _, meaning=meaning: meaning, text)
+        text = re.sub(rf"\\{name}(?![A-Za-z])", meaning.replace("\\", r"\\"), text)
     return text
 
 

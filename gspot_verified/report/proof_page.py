@@ -57,7 +57,7 @@ def proof_html(name: str, text: str, known: Sequence[str]) -> str:
     """The page as HTML; links to pages that are not known lose their target."""
     from markdown_it import MarkdownIt
 
-    reader = MarkdownIt("commonmark").enable("table")
+    reader = MarkdownIt("commonmark", {"html": False}).enable("table")
     renderer: Any = reader.renderer
 
     def words(tokens: Sequence[Token], index: int, *_: Any) -> str:

@@ -215,7 +215,7 @@ def _safe(markup: str) -> Markup:
     """Markup made here, from escaped text."""
     from markupsafe import Markup
 
-    return Markup(markup)  # noqa: S704
+    return Markup(markup)
 
 
 def _typeset(text: str) -> Markup:

@@ -1,4 +1,4 @@
-"""Writing the report: ``report.json``, the pages, ``figures/``, ``certificates/``; and the pages again from the JSON."""
+"""Writing the report: ``report.json``, pages, ``figures/``, ``certificates/``; and the pages again from the JSON."""
 
 from __future__ import annotations
 

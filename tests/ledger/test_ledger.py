@@ -32,6 +32,9 @@ def test_every_entry_has_two_routes_and_every_refuted_one_a_corrected_form(entri
         assert len(entry.checks) >= 2
         if entry.verdict.outcome is Outcome.REFUTED:
             assert entry.corrected
+            assert entry.consequence is not None, (
+                f"{entry.identifier}: say in consequences.py how far the error reaches"
+            )
             assert sum(check.agrees is False for check in entry.checks) >= 2
         else:
             assert all(check.agrees is True for check in entry.checks)

@@ -4,6 +4,7 @@ import pytest
 
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.ledger.entry import Check, Entry, Rung, conclude
+from gspot_verified.report.certificates import CheckedCertificate
 from gspot_verified.report.figures import pictures as draw
 from gspot_verified.verdict import Reason, Verdict
 
@@ -14,14 +15,26 @@ def pictures():
 
 
 @pytest.fixture(scope="session")
+def certificates():
+    return [
+        CheckedCertificate("iwc_0_1.cert", 64 * "a", True, "VERIFIED dΘ/dτ < 0", b"one"),
+        CheckedCertificate("bad.cert", 64 * "b", False, "REJECTED <b>cover</b>", b"two"),
+    ]
+
+
+@pytest.fixture(scope="session")
 def entries():
-    good = (Check(Rung.PAGE, "a page", True, "found <b>it</b>"), Check(Rung.POINTS, "40 points", True))
+    good = (
+        Check(Rung.PAGE, "proofs/signs.md: as in rate", True, "found <b>it</b>"),
+        Check(Rung.POINTS, "40 points", True),
+    )
     bad = (Check(Rung.EXACT, "at beta = 3/2", False, "4 > 0"), Check(Rung.BALLS, "on (1, 2)", False, "all > 0"))
     return (
         Entry("t01", "eq:t01", "Appendix A", r"\Theta(0)", "value <at> 0 & 'more'", good, conclude("t", good)),
         Entry(
             "gamma sign", "line 1271", "Section 4.5", r"\Gamma(-\beta)<0", "the sign", bad,
-            conclude("g", bad), r"\Gamma(-\beta)>0", "an exchange",
+            conclude("g", bad), r"\Gamma(-\beta)>0", "an exchange, as in t01",
+            "gspot_verified/ledger/section_4_5_signs.py:_gamma_intervals",
         ),
         Entry(
             "rate", "line 1302", "Section 4.5", r"\log(\eps)", "the rate",

@@ -7,14 +7,21 @@ from gspot_verified.report.data import checked, report_data, versions
 
 
 @pytest.fixture
-def report(entries, pictures):
-    return json.loads(json.dumps(report_data(entries, pictures)))
+def report(entries, pictures, certificates):
+    return json.loads(json.dumps(report_data(entries, pictures, certificates)))
 
 
 def test_counts_and_keys(report, entries):
     assert report["counts"] == {"proved": 1, "refuted": 1, "undecided": 2}
-    assert sorted(report) == ["counts", "entries", "figures", "page_alone", "rungs", "schema", "versions"]
-    assert report["entries"] == [json.loads(json.dumps(entry.to_json())) for entry in entries]
+    parts = ["certificates", "counts", "entries", "figures", "page_alone", "proofs", "rungs", "schema", "versions"]
+    assert sorted(report) == parts
+    bare = [{key: value for key, value in entry.items() if key != "dependencies"} for entry in report["entries"]]
+    assert bare == [json.loads(json.dumps(entry.to_json())) for entry in entries]
+    assert report["entries"][0]["dependencies"] == {
+        "pages": ["signs"], "certificates": [], "entries": ["rate"], "see_also": []
+    }  # fmt: skip
+    assert report["entries"][1]["dependencies"]["see_also"] == ["t01"]
+    assert "svg" not in json.dumps(report["figures"])
 
 
 def test_versions_name_the_arithmetic():
@@ -38,9 +45,9 @@ def set_in(report, path, value):
 @pytest.mark.parametrize(
     ("path", "value", "message"),
     [
-        (["schema"], 1, "reads schema 3"),
-        (["schema"], True, "reads schema 3"),
-        (["schema"], "1", "reads schema 3"),
+        (["schema"], 1, "reads schema 4"),
+        (["schema"], True, "reads schema 4"),
+        (["schema"], "1", "reads schema 4"),
         (["counts"], {"proved": 3, "refuted": 1, "undecided": 0}, "its entries give"),
         (["counts"], {"proved": True, "refuted": 1, "undecided": 2}, "its entries give"),
         (["counts"], None, "counts: expected an object"),
@@ -70,12 +77,19 @@ def set_in(report, path, value):
         (["entries", 0, "printed"], None, "expected text under 'printed'"),
         (["entries", 0, "verbatim"], False, r"entries\[0\].verbatim: False with 1 quotations"),
         (["entries", 1, "verbatim"], True, r"entries\[1\].verbatim: True with 0 quotations"),
-        (["entries", 0, "quotations"], [], r"entries\[0\].verbatim: True with 0 quotations"),
+        (["entries", 0, "quotations"], [], r"entries\[0\].lines: expected the lines"),
         (["entries", 0, "quotations"], None, "expected a list under 'quotations'"),
         (["entries", 0, "quotations", 0, "latex"], None, r"quotations\[0\]: expected text under 'latex'"),
         (["entries", 0, "quotations", 0, "first"], 9999, "first not after last"),
         (["entries", 0, "quotations", 0, "first"], True, "expected line numbers"),
-        (["figures", 0, "svg"], 1, r"figures\[0\]: expected text under 'svg'"),
+        (["figures", 0, "caption"], 1, r"figures\[0\]: expected text under 'caption'"),
+        (["figures", 0, "name"], "../index", r"figures\[0\].name: expected letters, digits"),
+        (["certificates", 0, "name"], "../../x.cert", r"certificates\[0\].name: expected letters, digits"),
+        (["certificates", 0, "verified"], "yes", r"certificates\[0\].verified: expected true or false"),
+        (["proofs", "a/b"], 64 * "0", "proofs: expected letters, digits"),
+        (["entries", 0, "dependencies", "pages"], [1], r"entries\[0\].dependencies.pages: expected texts"),
+        (["entries", 0, "lines"], [], r"entries\[0\].lines: expected the lines of the quotations"),
+        (["entries", 0, "consequence"], {"reach": 1}, r"entries\[0\].consequence: expected text under 'reach'"),
         (["versions"], {"python": "3"}, "versions: expected text under"),
     ],
 )

@@ -10,8 +10,8 @@ from matplotlib import image
 from gspot_verified.report import figures, samples
 
 
-def test_there_are_six_figures_with_texts(pictures):
-    assert [picture.name for picture in pictures] == ["theta", "slope", "routes", "sides", "series", "force"]
+def test_there_are_seven_figures_with_texts(pictures):
+    assert [picture.name for picture in pictures] == ["atlas", "theta", "slope", "routes", "sides", "series", "force"]
     for picture in pictures:
         assert "Certified:" in picture.caption
         assert "nan" not in (picture.title + picture.caption + picture.alternative).lower().split()
@@ -31,7 +31,7 @@ def test_progress_names_every_figure(monkeypatch, pictures):
     said = []
     monkeypatch.setattr(figures, "_PICTURES", [lambda picture=picture: picture for picture in pictures])
     assert figures.pictures(said.append) == pictures
-    assert said == [f"figure {k} of 6" for k in range(1, 7)]
+    assert said == [f"figure {k} of 7" for k in range(1, 8)]
 
 
 def test_captions_count_what_was_certified(pictures):

@@ -8,6 +8,7 @@ import re
 from pathlib import Path
 
 import pytest
+
 from gspot_verified.report import formulas as module
 from gspot_verified.report.formulas import formula, typeset
 

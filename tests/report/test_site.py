@@ -1,0 +1,254 @@
+"""The pages: what they show, that they are whole, and that nothing in the data becomes markup."""
+
+import html
+import json
+import re
+from html.parser import HTMLParser
+from urllib.parse import quote, unquote
+
+import pytest
+
+from gspot_verified.ledger.entry import Check, Rung, settled
+from gspot_verified.report.data import report_data
+from gspot_verified.report.site import pages, style
+
+IN_EVERY_FOLDER = {"style.css", "figures", "certificates"}
+
+
+@pytest.fixture(scope="module")
+def site(entries, pictures, certificates):
+    return pages(json.loads(json.dumps(report_data(entries, pictures, certificates))))
+
+
+def article(page, identifier):
+    """The part of a page about one entry."""
+    parts = re.findall(r"<article .*?</article>", page, re.S)
+    [found] = [part for part in parts if f'id="{html.escape(anchor(identifier))}"' in part]
+    return found
+
+
+def anchor(identifier):
+    return identifier if identifier.endswith(".cert") else "entry-" + quote(identifier, safe="")
+
+
+class Tags(HTMLParser):
+    VOID = frozenset({"meta", "img", "br", "link", "input", "rect", "path", "hr"})
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.seen, self.ids, self.links = [], [], [], []
+
+    def handle_starttag(self, tag, attrs):
+        self.seen.append((tag, dict(attrs)))
+        self.ids += [value for name, value in attrs if name == "id"]
+        self.links += [value for name, value in attrs if name in ("href", "src")]
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        if tag not in self.VOID:
+            assert self.open.pop() == tag
+
+
+def parsed(page):
+    tags = Tags()
+    tags.feed(page)
+    assert tags.open == []
+    return tags
+
+
+def test_pages_are_well_formed_and_ask_for_nothing_outside(site):
+    for name, page in site.items():
+        assert page.startswith("<!DOCTYPE html>"), name
+        tags = parsed(page)
+        assert len(tags.ids) == len(set(tags.ids)), name
+        assert not {"iframe", "object", "embed", "base"} & {tag for tag, _ in tags.seen}
+        assert not any(key.startswith("on") or key == "style" for _, attributes in tags.seen for key in attributes)
+        policy = next(attributes["content"] for tag, attributes in tags.seen if "http-equiv" in attributes)
+        assert policy.startswith("default-src 'none'; style-src 'self' file:; img-src 'self' file:")
+        assert ("script-src" in policy) == (name == "statements.html")
+        assert page.count("<script>") == (name == "statements.html")
+
+
+def test_every_link_arrives(site):
+    ids = {name: set(parsed(page).ids) for name, page in site.items()}
+    for name, page in site.items():
+        for link in parsed(page).links:
+            file, _, place = link.partition("#")
+            file = file or name
+            if file.partition("/")[0] in IN_EVERY_FOLDER:
+                continue
+            assert file in site, f"{name}: {link}"
+            assert not place or unquote(place) in ids[file], f"{name}: {link}"
+
+
+def test_the_script_is_the_one_that_the_page_allows(site):
+    import base64
+    import hashlib
+
+    page = site["statements.html"]
+    [script] = re.findall(r"<script>(.*?)</script>", page, re.S)
+    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+    assert f"script-src &#39;sha256-{digest}&#39;" in page or f"script-src 'sha256-{digest}'" in page
+
+
+def test_markup_in_the_data_is_text(site):
+    for page in site.values():
+        for bad in ("<script>alert", "<img src=x", "<b>it", "<at>", "<b>cover", "<n>", "<c>"):
+            assert bad not in page
+    assert "found <b>it</b>" in said(site["appendix-a.html"])
+    assert "<b>cover</b>" in said(site["certificates.html"])
+
+
+def said(page):
+    """What a reader sees."""
+    return html.unescape(re.sub(r"<[^>]*>", "", page))
+
+
+def test_counts_are_shown(site):
+    shown = re.findall(r'<dt>(\w+)</dt><dd class="number">(\d+)</dd>', site["index.html"])
+    assert shown == [("proved", "1"), ("refuted", "1"), ("undecided", "2")]
+    assert "4 statements in all." in site["index.html"]
+
+
+def test_each_entry_has_its_own_badge_and_no_other(site, entries):
+    page = site["section-4.html"] + site["appendix-a.html"]
+    for entry in entries:
+        badges = re.findall(r'class="badge (\w+)">(\w+)<', article(page, entry.identifier))
+        assert badges == [(entry.verdict.outcome.value,) * 2]
+
+
+def test_verbatim_and_transcribed_are_told_apart(site):
+    quoted = article(site["appendix-a.html"], "t01")
+    assert "Printed: line 2453 of the source" in quoted
+    assert "<math" in quoted
+    assert r"\frac{\Gamma" in quoted  # the LaTeX behind it
+    assert "eq. (A.8)" in quoted
+    written = article(site["section-4.html"], "gamma sign")
+    assert "Printed, transcribed" in written
+    assert r"\Gamma(-\beta)&lt;0" in written
+
+
+def test_what_cannot_be_typeset_is_shown_as_it_is(site, entries):
+    strange = article(site["section-4.html"], entries[3].identifier)
+    assert "&lt;/code&gt;&lt;script&gt;" in strange
+
+
+def test_each_entry_says_what_it_rests_on(site, entries):
+    page = site["section-4.html"] + site["appendix-a.html"]
+    shown = [re.findall(r'<span class="rests">(.*?)</span>', article(page, entry.identifier)) for entry in entries]
+    assert shown == [["on a proof page alone"], ["on exact identity or certificate; balls over the whole set"], [], []]
+
+
+def test_the_summary_counts_the_rungs(site):
+    [table] = re.findall(r'<table class="rungs">.*?</table>', site["index.html"], re.S)
+    rows = re.findall(r'<th scope="row">(.*?)</th><td>(\d+)</td><td>(\d+)</td>', table)
+    assert [row[1:] for row in rows] == [("0", "0"), ("0", "1"), ("1", "0"), ("0", "0"), ("0", "0")]
+    assert "<strong>1</strong> of them rests on a proof page alone" in site["index.html"]
+
+
+def test_an_entry_leads_to_its_code_its_page_and_other_entries(site):
+    quoted = article(site["appendix-a.html"], "t01")
+    assert 'href="proof-signs.html"' in quoted
+    assert '<dt>Its checks name</dt><dd><a href="section-4.html#entry-rate">rate</a></dd>' in quoted
+    assert 'Named by the checks of</dt><dd><a href="appendix-a.html#entry-t01">' in article(
+        site["section-4.html"], "rate"
+    )
+    assert 'href="code-section_4_5_signs.html#function-_gamma_intervals"' in site["section-4.html"]
+    assert 'id="function-_gamma_intervals"' in site["code-section_4_5_signs.html"]
+    assert 'href="appendix-a.html#entry-t01">t01</a>' in site["proof-signs.html"]
+
+
+def test_a_refutation_at_points_is_a_counterexample():
+    checks = [Check(Rung.POINTS, what, False, "f") for what in ("one point", "another point")]
+    page = pages(report_data([settled("Section", "a", "line 1", "x", "s", *checks)], []))["section.html"]
+    assert '<span class="rests">on a counterexample at points</span>' in page
+    assert page.count("By single points: one certain counterexample is enough.") == 2
+
+
+def test_undecided_is_not_shown_as_passed(site):
+    rate = article(site["section-4.html"], "rate")
+    assert "could not tell" in rate
+    assert "agrees" not in rate
+    assert "proved" not in rate
+    assert "The stated budget ended before the question was settled." in rate
+    assert "Boxes left (7, the first 5;" in rate
+    assert "Nothing follows from this report about the undecided statements. This is not a pass." in site["open.html"]
+    assert "This is not a pass." in site["index.html"]
+
+
+def test_the_errata_hold_the_refuted_ones_and_no_other(site):
+    page = site["errata.html"]
+    for text in (r"\Gamma(-\beta)&lt;0", "at beta", "4 &gt; 0"):
+        assert text in page or text == "at beta"
+    assert page.count("<article") == 1
+    assert "eq. (A.8)" not in page.split("<main", 1)[1]
+
+
+def test_an_erratum_says_how_far_it_reaches():
+    checks = [Check(Rung.EXACT, what, False, "f") for what in ("one", "another")]
+    refuted = settled("Section 4", "4-order", "line 986", "x", "third order", *checks, corrected="fourth order")
+    page = pages(report_data([refuted], []))["errata.html"]
+    assert "Consequence: none" in page
+    assert "The printed equation is of fourth order" in page
+
+
+def test_the_open_page_holds_the_undecided_ones_and_no_other(site):
+    page = site["open.html"].split("<main", 1)[1]
+    assert "line 1302" in page
+    assert page.count("<article") == 2
+    assert "line 1271" not in page
+
+
+def test_certificates_are_listed_with_what_the_checker_said(site):
+    page = site["certificates.html"]
+    assert 'href="certificates/iwc_0_1.cert"' in page
+    assert "rejected" in article(page, "bad.cert")
+    assert "verified" in article(page, "iwc_0_1.cert")
+
+
+def test_an_empty_ledger_shows_nothing_about_the_paper():
+    site = pages(report_data([], []))
+    for page in site.values():
+        parsed(page)
+    assert "shows nothing about the paper" in site["index.html"]
+    assert "No statement is refuted." in site["errata.html"]
+    assert "What happens after the G-spot" not in site["index.html"]
+
+
+def test_one_entry_reads_well(entries):
+    site = pages(report_data(entries[2:3], []))
+    assert "1 statement in all." in site["index.html"]
+    assert "the undecided statement." in site["open.html"]
+
+
+def test_prose_about_the_questions_needs_its_verdicts():
+    """The paragraphs of the start are shown only where every statement that they stand on is proved."""
+    names = ["S-iwc", "C-cases-I-II", "S-side", "S-iwc-case-III", "C-iwc-case-III", "C-lift-off", "S-switching"]
+    checks = (Check(Rung.EXACT, "one", True), Check(Rung.PAGE, "two", True))
+    known = [settled("Section 4.5", name, "line 1", "x", "s", *checks) for name in names]
+    words = "On one side of the distinguished trajectory"
+    assert words in pages(report_data(known, []))["index.html"]
+    undecided = settled("Section 4.5", names[3], "line 1", "x", "s", checks[0])
+    assert words not in pages(report_data([*known[:3], undecided, *known[4:]], []))["index.html"]
+
+
+def test_colours_of_text_have_contrast():
+    """WCAG's ratio of at least 4.5 for every colour of text on every ground, light and dark."""
+    light, dark = re.findall(r":root \{(.*?)\}", style(), re.S)
+    for block in (light, dark):
+        colours = dict(re.findall(r"--(\w+): (#\w+);", block))
+        for ground in ("paper", "panel"):
+            for ink in ("ink", "soft", "link", "proved", "refuted", "undecided"):
+                assert ratio(colours[ground], colours[ink]) >= 4.5, (ground, ink)
+
+
+def ratio(first, second):
+    low, high = sorted(map(luminance, (first, second)))
+    return (high + 0.05) / (low + 0.05)
+
+
+def luminance(colour):
+    parts = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
