@@ -99,6 +99,19 @@ def test_verify_and_report(capsys: pytest.CaptureFixture[str], tmp_path: Path) -
     code, output, _ = run(capsys, "report", str(tmp_path / "report.json"), "--output", str(tmp_path))
     assert code == 0
     assert (tmp_path / "index.html").read_text(encoding="utf-8") == page
+    code, output, _ = run(capsys, "report", "--check", str(tmp_path))
+    assert code == 0
+    assert output.count("verified   ") == output.count("VERIFIED ") == len(data["certificates"]) > 3
+    (tmp_path / "certificates" / "iwc_0_1.cert").write_text("{}")
+    code, output, _ = run(capsys, "report", "--check", str(tmp_path))
+    assert code == 1
+    assert "FAILED     iwc_0_1.cert  another file than the report names" in output
+
+
+def test_a_check_of_no_report(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    code, _, errors = run(capsys, "report", "--check", str(tmp_path))
+    assert code == 64
+    assert "there is no file" in errors
 
 
 @pytest.mark.parametrize("command", [(), ("theta",), ("side",), ("verify",), ("report",), ("cost",)])
@@ -249,10 +262,13 @@ def test_the_typeset_minus_on_the_command_line(capsys: pytest.CaptureFixture[str
     )
 
 
-def test_very_many_digits_are_announced_before_the_work(capsys: pytest.CaptureFixture[str]) -> None:
+def test_very_many_digits_are_announced_before_the_work(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     found = run(capsys, "theta", "0", "1", "--digits", "20000")
     assert "... 20000 digits, route splitting: about 1 s on one core, roughly\n" in found[2]
-    found = run(capsys, "theta", "1e12", "7/3", "--digits", "1000000")
+    assert run(capsys, "theta", "0", "1", "--digits", "100")[2] == ""
+    monkeypatch.setattr("gspot_verified.theta_function.effort.expected_effort", lambda *_: None)
+    found = run(capsys, "theta", "7/3333333333333333333331", "22/71234567891234567", "--digits", "1000000")
     assert "1000000 digits: this may take minutes; there is no estimate for these arguments" in found[2]
     assert found[0] == 64
-    assert run(capsys, "theta", "0", "1", "--digits", "100")[2] == ""

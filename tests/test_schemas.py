@@ -19,6 +19,7 @@ from gspot_verified.cost.curves import Curve
 from gspot_verified.cost.rows import Row, Target
 from gspot_verified.cost.theta import CostReport
 from gspot_verified.ledger import cases
+from gspot_verified.report.check_again import CheckedAgain
 
 ROOT = Path(__file__).resolve().parents[1]
 FORMS = (
@@ -161,6 +162,9 @@ def test_verify_and_report(capsys: pytest.CaptureFixture[str], monkeypatch: pyte
     source.touch()
     monkeypatch.setattr("gspot_verified.report.write.render_from_json", lambda *_: tmp_path / "index.html")
     assert errors("report", printed(capsys, "report", str(source), "--output", str(tmp_path))) == []
+    again = [CheckedAgain("iwc_0_1.cert", True, "VERIFIED")]
+    monkeypatch.setattr("gspot_verified.report.check_again.check_again", lambda *_: again)
+    assert errors("report", printed(capsys, "report", "--check", str(tmp_path))) == []
 
 
 def test_cost(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:

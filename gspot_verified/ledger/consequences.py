@@ -43,6 +43,12 @@ _CONSEQUENCES = {
     "3-sides": Consequence(
         Reach.CONCLUSION, "Of two sets of initial values the sentence names the wrong one as the set of impacts."
     ),
+    "3-table-1-b-5_2": Consequence(
+        Reach.LOCAL, "One measured exponent; the theoretical one beside it is right, and so is the conclusion."
+    ),
+    "3-table-1-y-1_2": Consequence(
+        Reach.LOCAL, "One measured exponent; the theoretical one beside it is right, and so is the conclusion."
+    ),
     "4-order": Consequence(Reach.NONE, "The printed equation is of fourth order, and is used as such."),
     "4-unique-smooth": Consequence(
         Reach.CONCLUSION, "The distinguished trajectory is unique as a formal series, not among smooth functions."

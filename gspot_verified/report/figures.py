@@ -1,4 +1,4 @@
-"""The figures of the report: atlas, Theta, its slope, routes, side-switching, the series at tau -> -infinity; the force.
+"""The figures of the report: atlas, Theta, its slope, routes, side-switching, the series at tau -> -oo; the force.
 
 Each caption is written from the numbers that were certified while the figure was drawn, so it cannot claim more.
 """

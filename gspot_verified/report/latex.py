@@ -112,6 +112,8 @@ def latex_html(source: str, number: Callable[[str], str | None]) -> str:
     :raises NotTypeset: something in it is not known here.
     """
     text = _expanded(re.sub(r"(?<!\\)%.*", "", source))
+    if r"\multicolumn" in text and not _TABULAR.search(text):
+        return _table(text, number)  # lines from inside a table
     if not _FORMULA.search(text) and re.search(r"[_^]|&\s*=", text):
         return f"<p>{_display(text)}</p>"  # lines from inside an alignment
     parts = _TABULAR.split(text)

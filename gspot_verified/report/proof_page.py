@@ -9,13 +9,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import gspot_verified
 from gspot_verified.report.formulas import formula, typeset
 
 if TYPE_CHECKING:
     from markdown_it.token import Token
 
-PROOFS = Path(gspot_verified.__file__).resolve().parents[1] / "proofs"
+PROOFS = Path(__file__).resolve().parents[2] / "proofs"
 """The folder of the repository; an installed package has none."""
 
 _OF_CODE = ("certificate", "check")  # what stands in blocks there is text of files, no formula

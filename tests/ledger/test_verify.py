@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from gspot_verified.ledger import verify
@@ -37,5 +39,7 @@ def test_every_part_is_run_in_its_order_and_announced(monkeypatch: pytest.Monkey
         verify, "PARTS", {"one": {"a": lambda: PROVED, "b": lambda: OPEN}, "two": {"c": lambda: REFUTED}}
     )
     told: list[str] = []
-    assert verify.verify_paper(told.append) == verify.verify_paper() == [PROVED, OPEN, REFUTED]
+    found = verify.verify_paper(told.append)
+    assert found == verify.verify_paper()
+    assert [replace(entry, code="") for entry in found] == [PROVED, OPEN, REFUTED]
     assert told == ["one", "two"]
