@@ -1,6 +1,7 @@
 # make verify   set everything up, check the paper's statements, write report/
 # make test     set everything up, run the tests
 # make test-all the same with the slow tests
+# make prove    the formal proofs of proofs/coq/, for which Coq and Coquelicot must be there (it says how to get them)
 # make docs     the documentation site, build/docs/index.html; it is read without a network
 # make lint     formatting, lint, types
 # make mutants  mutation testing: FILES="gspot_verified/dyadic.py ...", OPTIONS="--sample 20" (tests/mutants/README.md)
@@ -10,17 +11,23 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: verify test test-all docs lint mutants clean
+.PHONY: verify test test-all prove docs lint mutants clean
 
 # Exit code 1 means that a printed statement of the paper is refuted: that is a result, not a failure of the run.
 verify: $(READY)
+	@$(PYTHON) proofs/coq/prove.py --state
 	@$(BIN)/gspot-verified verify --output report; code=$$?; [ $$code -le 1 ] || exit $$code
 
 test: $(READY)
 	$(BIN)/pytest -n 2 -m "not slow"
+	@$(PYTHON) proofs/coq/prove.py --state
 
 test-all: $(READY)
 	$(BIN)/pytest -n 2
+
+# Coq alone: no virtual environment. Installs nothing.
+prove:
+	@$(PYTHON) proofs/coq/prove.py
 
 docs: $(READY)
 	$(BIN)/python -m sphinx -W -q -b html docs build/docs

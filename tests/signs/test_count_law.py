@@ -178,7 +178,7 @@ def test_refusals(count: object) -> None:
     assert count(arb((5, -1))) == count("5/2")
 
 
-# Fact 4: the signs at τ = 0
+# Fact 3: the signs at τ = 0
 
 SIGNS_AT_0 = {0: [1, 1, 1], 1: [1, -1, -1], 2: [-1, -1, 1]}
 

@@ -1,0 +1,381 @@
+(** * What is proved: definitions and statements
+
+    This file holds no proof. It defines the words and states the theorems; [Theorems.v] proves each statement under
+    the same name. Who wants to know what is proved reads this file alone. It stands on Coq's real numbers and on
+    Coquelicot: [RInt_gen] (improper Riemann integral), [is_derive], [Derive_n] and [ex_derive_n] (derivatives),
+    [is_lim] and [filterlim] (limits), [PSeries] (power series).
+
+    The paper writes tau for t and beta for b; ' is d/dtau. Labels such as t01 are those of the paper. *)
+
+From Coq Require Import Reals List Sorted.
+From Coquelicot Require Import Coquelicot.
+Import ListNotations.
+Open Scope R_scope.
+
+(** ** The function Theta *)
+
+(** Gamma: Euler's integral for x > 0, and Gamma(x) = Gamma(x + 1)/x for x <= 0.
+    At the poles 0, -1, -2, ... the value is a division by 0 and means nothing. *)
+Definition GammaInt (x : R) : R :=
+  RInt_gen (fun t => Rpower t (x - 1) * exp (- t)) (at_right 0) (Rbar_locally p_infty).
+
+Fixpoint Gamma_aux (n : nat) (x : R) : R :=
+  match n with
+  | O => GammaInt x
+  | S n => Gamma_aux n (x + 1) / x
+  end.
+
+Definition Gamma (x : R) : R := Gamma_aux (Z.to_nat (up (- x))) x.
+
+(** b is none of 0, 1, 2, ..., the poles of Gamma(-b). *)
+Definition not_nat (b : R) : Prop := forall n : nat, b <> INR n.
+
+(** theta is Theta(., b): it is three times differentiable on R, solves theta''' - t theta' + b theta = 0, and has the
+    initial values t01, t02, t03. (In Coquelicot [ex_derive_n theta k] says that the (k-1)-st derivative, as a total
+    function, can be differentiated: hence all k <= 3.) *)
+Definition is_Theta (b : R) (theta : R -> R) : Prop :=
+  (forall k t, (k <= 3)%nat -> ex_derive_n theta k t) /\
+  (forall t, Derive_n theta 3 t - t * Derive theta t + b * theta t = 0) /\
+  theta 0 = Gamma (- b / 3) / (Rpower 3 ((3 + b) / 3) * Gamma (- b)) /\
+  Derive theta 0 = Gamma ((1 - b) / 3) / (Rpower 3 ((2 + b) / 3) * Gamma (- b)) /\
+  Derive_n theta 2 0 = Gamma ((2 - b) / 3) / (Rpower 3 ((1 + b) / 3) * Gamma (- b)).
+
+(** The rising factorial x (x + 1) ... (x + n - 1). *)
+Fixpoint rising (x : R) (n : nat) : R :=
+  match n with
+  | O => 1
+  | S n => rising x n * (x + INR n)
+  end.
+
+(** a 0 + ... + a (n - 1). *)
+Fixpoint sum_first (a : nat -> R) (n : nat) : R :=
+  match n with
+  | O => 0
+  | S n => sum_first a n + a n
+  end.
+
+(** l is the list of all real zeros of f, in increasing order, each once. *)
+Definition zeros_of (f : R -> R) (l : list R) : Prop :=
+  StronglySorted Rlt l /\ forall t, f t = 0 <-> In t l.
+
+(** ** The definitions are right *)
+
+Definition gamma_is_euler : Prop := forall x, 0 < x ->
+  is_RInt_gen (fun t => Rpower t (x - 1) * exp (- t)) (at_right 0) (Rbar_locally p_infty) (Gamma x).
+
+Definition gamma_equation : Prop := forall x, x <> 0 -> Gamma (x + 1) = x * Gamma x.
+
+(** Off the poles no other function has these two properties. *)
+Definition gamma_unique : Prop := forall G : R -> R,
+  (forall x, 0 < x ->
+     is_RInt_gen (fun t => Rpower t (x - 1) * exp (- t)) (at_right 0) (Rbar_locally p_infty) (G x)) ->
+  (forall x, (forall n : nat, x <> - INR n) -> G (x + 1) = x * G x) ->
+  forall x, (forall n : nat, x <> - INR n) -> G x = Gamma x.
+
+Definition theta_exists : Prop := forall b, exists theta, is_Theta b theta.
+
+Definition theta_unique : Prop := forall b theta phi, is_Theta b theta -> is_Theta b phi -> forall t, theta t = phi t.
+
+(** The property by which the paper singles Theta out: Theta(t, b) ~ (-t)^b as t -> -oo. *)
+Definition theta_asymptotics : Prop := forall b theta, not_nat b -> is_Theta b theta ->
+  is_lim (fun x => theta (- x) / Rpower x b) p_infty 1.
+
+(** ** Theta: integral, identities, series *)
+
+(** Gamma(-b) Theta^(n) = int_0^oo r^(n-b-1) e^(rt - r^3/3) dr for n > b; hence it is positive everywhere. *)
+Definition laplace_integral : Prop := forall b theta n, not_nat b -> b < INR n -> is_Theta b theta -> forall t,
+  is_RInt_gen (fun r => Rpower r (INR n - b - 1) * exp (r * t - r ^ 3 / 3))
+    (at_right 0) (Rbar_locally p_infty) (Gamma (- b) * Derive_n theta n t).
+
+Definition sign_of_derivatives : Prop := forall b theta n, not_nat b -> b < INR n -> is_Theta b theta ->
+  forall t, 0 < Gamma (- b) * Derive_n theta n t.
+
+Definition derivative_identity : Prop := forall b theta theta1, not_nat b ->
+  is_Theta b theta -> is_Theta (b - 1) theta1 -> forall t, Derive theta t = - b * theta1 t.
+
+Definition three_term_recurrence : Prop := forall b theta theta1 theta3, not_nat b ->
+  is_Theta b theta -> is_Theta (b - 1) theta1 -> is_Theta (b - 3) theta3 ->
+  forall t, theta t = - t * theta1 t + (b - 1) * (b - 2) * theta3 t.
+
+(** Theta is its Taylor series c_0 + c_1 t + ..., (k + 1)(k + 2)(k + 3) c_(k+3) = (k - b) c_k. *)
+Definition taylor_series : Prop := forall b theta, is_Theta b theta -> exists c : nat -> R,
+  c 0%nat = theta 0 /\ c 1%nat = Derive theta 0 /\ 2 * c 2%nat = Derive_n theta 2 0 /\
+  (forall k, (INR k + 1) * (INR k + 2) * (INR k + 3) * c (k + 3)%nat = (INR k - b) * c k) /\
+  forall t, is_pseries c t (theta t).
+
+(** The signs at t = 0 for b in (m - 1, m): the one of Theta(0, b) has the period 3 in m, and is - only if m = 2 mod 3. *)
+Definition signs_at_zero : Prop := forall (m n : nat) b theta, INR m - 1 < b < INR m -> is_Theta b theta ->
+  ((n <= m)%nat -> 0 < (-1) ^ n * (if Nat.eqb ((m - n) mod 3) 2 then -1 else 1) * Derive_n theta n 0) /\
+  ((m <= n)%nat -> 0 < (-1) ^ m * Derive_n theta n 0).
+
+(** t -> -oo, n > b: Theta^(n)(-x) / ((-b)_n x^(b-n)) lies between consecutive partial sums of
+    sum (-1)^k (n-b)_(3k) / (3^k k! x^(3k)): after N terms the rest has the sign of the next one and is at most it. *)
+Definition enveloping_series : Prop := forall b theta n N x, not_nat b -> b < INR n -> is_Theta b theta -> 0 < x ->
+  let term k := rising (INR n - b) (3 * k) / (3 ^ k * INR (fact k) * x ^ (3 * k)) in
+  let quotient := Derive_n theta n (- x) / (rising (- b) n * Rpower x (b - INR n)) in
+  0 <= (-1) ^ N * (quotient - sum_first (fun k => (-1) ^ k * term k) N) <= term N.
+
+(** ** Impact without collision at leading order: 0 < beta < 1 *)
+
+(** The conjecture of the paper (Sec. 4.5 and conclusion): dTheta/dtau < 0 on the whole line. *)
+Definition IWC : Prop := forall b theta, 0 < b < 1 -> is_Theta b theta -> forall t, Derive theta t < 0.
+
+(** The same for every derivative. *)
+Definition IWC_all_derivatives : Prop := forall b theta, 0 < b < 1 -> is_Theta b theta ->
+  forall n t, (1 <= n)%nat -> Derive_n theta n t < 0.
+
+(** ** The number of zeros of dTheta/dtau *)
+
+(** m < beta < m + 1: dTheta/dtau has (m mod 3) + floor(m/3) real zeros, all simple. *)
+Definition count_law : Prop := forall (m : nat) b theta, INR m < b < INR m + 1 -> is_Theta b theta ->
+  exists l, zeros_of (Derive theta) l /\ length l = (m mod 3 + m / 3)%nat /\
+    forall t, In t l -> Derive_n theta 2 t <> 0.
+
+(** Where they are: one negative zero if m = 2 mod 3 and none otherwise, ceil(m/3) positive ones; and the signs: of
+    dTheta/dtau before the first zero, and of its slope at the i-th, i = 0, 1, ... *)
+Definition count_law_with_signs : Prop := forall (m : nat) b theta, INR m < b < INR m + 1 -> is_Theta b theta ->
+  exists negative positive,
+    zeros_of (Derive theta) (negative ++ positive) /\
+    length negative = (if Nat.eqb (m mod 3) 2 then 1 else 0)%nat /\ (forall t, In t negative -> t < 0) /\
+    length positive = ((m + 2) / 3)%nat /\ (forall t, In t positive -> 0 < t) /\
+    (forall t, (forall c, In c (negative ++ positive) -> t < c) -> Derive theta t < 0) /\
+    forall i, (i < length (negative ++ positive))%nat -> 0 < (-1) ^ i * Derive_n theta 2 (nth i (negative ++ positive) 0).
+
+(** z0 < c0 < z1 < ... < c_(k-1) < z_k,  and  c0 < z0 < c1 < ... < z_(k-1). *)
+Definition around (c z : list R) : Prop :=
+  length z = S (length c) /\ forall i, (i < length c)%nat -> nth i z 0 < nth i c 0 < nth (S i) z 0.
+
+Definition after_each (c z : list R) : Prop :=
+  length z = length c /\
+  forall i, (i < length c)%nat -> nth i c 0 < nth i z 0 /\ ((S i < length c)%nat -> nth i z 0 < nth (S i) c 0).
+
+(** The positive zeros z for beta and c for beta - 1 interlace; n = floor(beta) >= 1. *)
+Definition interlacing : Prop := forall (n : nat) b theta theta1, (1 <= n)%nat -> INR n < b < INR n + 1 ->
+  is_Theta b theta -> is_Theta (b - 1) theta1 ->
+  exists c z, StronglySorted Rlt c /\ StronglySorted Rlt z /\
+    (forall t, 0 < t /\ Derive theta1 t = 0 <-> In t c) /\ (forall t, 0 < t /\ Derive theta t = 0 <-> In t z) /\
+    if Nat.eqb (n mod 3) 1 then around c z else after_each c z.
+
+(** Inside a cell m < beta < m + 1 the i-th zero is a continuous function of beta. *)
+Definition zeros_continuous : Prop := forall (m : nat) b0 theta0 l0 eps, INR m < b0 < INR m + 1 ->
+  is_Theta b0 theta0 -> zeros_of (Derive theta0) l0 -> 0 < eps ->
+  exists delta, 0 < delta /\ forall b theta l, Rabs (b - b0) < delta ->
+    is_Theta b theta -> zeros_of (Derive theta) l ->
+    length l = length l0 /\ forall i, (i < length l0)%nat -> Rabs (nth i l 0 - nth i l0 0) < eps.
+
+(** ** Integer beta *)
+
+(** The polynomial P_n = sum_(j <= n/3) (-1)^(n+j) n! / ((n-3j)! 3^j j!) t^(n-3j). *)
+Definition Poly (n : nat) (t : R) : R :=
+  sum_f_R0 (fun j => (-1) ^ (n + j) * INR (fact n) / (INR (fact (n - 3 * j)) * 3 ^ j * INR (fact j)) * t ^ (n - 3 * j))
+    (n / 3).
+
+(** It is the limit of Theta(t, b) as b -> n: "Theta(., n)". At b = n itself t01-t03 divide by a pole. *)
+Definition integer_limit : Prop := forall (n : nat) (Theta : R -> R -> R), (forall b, not_nat b -> is_Theta b (Theta b)) ->
+  forall t, is_lim (fun b => Theta b t) (INR n) (Poly n t).
+
+(** Off the integers Theta is continuous in b. *)
+Definition continuity_in_beta : Prop := forall b (Theta : R -> R -> R), not_nat b ->
+  (forall b, not_nat b -> is_Theta b (Theta b)) -> forall t, is_lim (fun b => Theta b t) b (Theta b t).
+
+(** dP_n/dt (n >= 1) has floor((n-1)/3) positive zeros, all simple; a zero at 0 of multiplicity (n-1) mod 3; no others. *)
+Definition count_law_integer : Prop := forall n, (1 <= n)%nat -> exists l,
+  length l = ((n - 1) / 3)%nat /\ StronglySorted Rlt l /\ (forall t, In t l -> 0 < t) /\
+  (forall t, Derive (Poly n) t = 0 <-> In t l \/ (t = 0 /\ ((n - 1) mod 3 <> 0)%nat)) /\
+  (forall t, In t l -> Derive_n (Poly n) 2 t <> 0) /\
+  match ((n - 1) mod 3)%nat with
+  | 0%nat => Derive (Poly n) 0 <> 0
+  | 1%nat => Derive (Poly n) 0 = 0 /\ Derive_n (Poly n) 2 0 <> 0
+  | _ => Derive (Poly n) 0 = 0 /\ Derive_n (Poly n) 2 0 = 0 /\ Derive_n (Poly n) 3 0 <> 0
+  end.
+
+(** What the zeros l of dTheta/dtau do as beta passes n = k + 1; c are the positive zeros at n. On either side the
+    zeros near c are as many as c and eps-close to it (xs). Below n: besides them none if k = 0 mod 3, one in (0, eps)
+    if k = 1, one in (-eps, 0) and one in (0, eps) if k = 2. Above n: one in (-eps, 0) if k = 1 mod 3, none if not,
+    and exactly one more, z, beyond any T given: it comes from +oo. *)
+Definition zeros_at_integer : Prop := forall (k : nat) c eps T, StronglySorted Rlt c ->
+  (forall t, 0 < t /\ Derive (Poly (S k)) t = 0 <-> In t c) -> 0 < eps ->
+  exists delta, 0 < delta /\ forall b theta l, is_Theta b theta -> zeros_of (Derive theta) l ->
+    (INR (S k) - delta < b < INR (S k) -> exists near_0 xs, l = near_0 ++ xs /\
+       length xs = length c /\ (forall i, (i < length c)%nat -> Rabs (nth i xs 0 - nth i c 0) < eps) /\
+       match (k mod 3)%nat with
+       | 0%nat => near_0 = []
+       | 1%nat => exists x, near_0 = [x] /\ 0 < x < eps
+       | _ => exists x y, near_0 = [x; y] /\ - eps < x < 0 /\ 0 < y < eps
+       end) /\
+    (INR (S k) < b < INR (S k) + delta -> exists near_0 xs z, l = near_0 ++ xs ++ [z] /\ T < z /\
+       length xs = length c /\ (forall i, (i < length c)%nat -> Rabs (nth i xs 0 - nth i c 0) < eps) /\
+       match (k mod 3)%nat with
+       | 1%nat => exists x, near_0 = [x] /\ - eps < x < 0
+       | _ => near_0 = []
+       end).
+
+(** ** The compliant model at every eps > 0 *)
+
+(** The contact force compl2: lambda = (z - y)/eps^2 while y < z, otherwise 0; and the same without the condition. *)
+Definition contact_force (eps y z : R) : R := if Rlt_dec y z then (z - y) / eps ^ 2 else 0.
+Definition linear_force (eps y z : R) : R := (z - y) / eps ^ 2.
+
+(** The equations modelsys1-modelsys5 at time t, for a law of force. *)
+Definition model_at (a1 a2 a3 eps : R) (force : R -> R -> R -> R) (p b y v z : R -> R) (t : R) : Prop :=
+  is_derive p t a1 /\
+  is_derive b t (a2 - a3 * force eps (y t) (z t)) /\
+  is_derive y t (v t) /\
+  is_derive v t (b t + p t * force eps (y t) (z t)) /\
+  is_derive (fun s => eps * z s) t (- z t - eps ^ 2 * force eps (y t) (z t)).
+
+(** What all statements below suppose. beta = a3/a1; the G-spot is passed at t = 0. *)
+Definition parameters (a1 a3 eps : R) : Prop := a1 < 0 /\ a3 < 0 /\ 0 < eps /\ not_nat (a3 / a1).
+
+(** A motion on the slow manifold with coefficient C: it solves the contact equations for all t, p = a1 t, and
+    b - (its trivial part) ~ C (-t/eps)^beta as t -> -oo. *)
+Definition slow_motion (a1 a2 a3 eps C : R) (p b y v z : R -> R) : Prop :=
+  (forall t, p t = a1 * t) /\
+  (forall t, model_at a1 a2 a3 eps linear_force p b y v z t) /\
+  is_lim (fun x => (b (- x) - a2 / (a1 - a3) * a1 * - x) / Rpower (x / eps) (a3 / a1)) p_infty C.
+
+(** For each C there is exactly one. *)
+Definition slow_motion_exists : Prop := forall a1 a2 a3 eps C, parameters a1 a3 eps ->
+  exists p b y v z, slow_motion a1 a2 a3 eps C p b y v z.
+
+Definition slow_motion_unique : Prop := forall a1 a2 a3 eps C p b y v z p' b' y' v' z', parameters a1 a3 eps ->
+  slow_motion a1 a2 a3 eps C p b y v z -> slow_motion a1 a2 a3 eps C p' b' y' v' z' ->
+  forall t, p t = p' t /\ b t = b' t /\ y t = y' t /\ v t = v' t /\ z t = z' t.
+
+(** Growth below that of the fast modes, for instance polynomial growth. *)
+Definition slow_at_left (eps : R) (f : R -> R) : Prop :=
+  exists A T, forall t, t <= T -> Rabs (f t) <= A * exp (- t / (16 * eps)).
+
+(** They are the motions in contact whose b does not grow exponentially at t -> -oo. *)
+Definition slow_motions_are_all : Prop := forall a1 a2 a3 eps p b y v z, parameters a1 a3 eps ->
+  (forall t, p t = a1 * t) -> (forall t, model_at a1 a2 a3 eps linear_force p b y v z t) ->
+  (slow_at_left eps b <-> exists C, slow_motion a1 a2 a3 eps C p b y v z).
+
+(** The side rule at every eps, for every non-integer beta: on the slow manifold the force tends to +oo or to -oo
+    with the sign of C Gamma(-beta). *)
+Definition side_rule : Prop := forall a1 a2 a3 eps C p b y v z, parameters a1 a3 eps ->
+  slow_motion a1 a2 a3 eps C p b y v z ->
+  (0 < C * Gamma (- (a3 / a1)) -> forall M, exists T, forall t, T <= t -> M <= linear_force eps (y t) (z t)) /\
+  (C * Gamma (- (a3 / a1)) < 0 -> forall M, exists T, forall t, T <= t -> linear_force eps (y t) (z t) <= M).
+
+(** Impact without collision: the side of C for which the force increases; 0 < beta < 2. *)
+Definition IWC_side (beta C : R) : Prop := (beta < 1 /\ C < 0) \/ (1 < beta < 2 /\ 0 < C).
+
+(** Any motion of the mechanism (with compl2) from a state of a slow motion with y <= z keeps contact for ever after;
+    the force increases strictly and tends to +oo, and y to -oo. *)
+Definition IWC_compliant : Prop := forall a1 a2 a3 eps C t0 P B Y V Z p b y v z, parameters a1 a3 eps ->
+  IWC_side (a3 / a1) C -> slow_motion a1 a2 a3 eps C P B Y V Z ->
+  (forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force p b y v z t) ->
+  p t0 = P t0 -> b t0 = B t0 -> y t0 = Y t0 -> v t0 = V t0 -> z t0 = Z t0 -> y t0 <= z t0 ->
+  (forall t, t0 < t -> y t < z t) /\
+  (forall s t, t0 <= s -> s < t -> contact_force eps (y s) (z s) < contact_force eps (y t) (z t)) /\
+  (forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)) /\
+  (forall M, exists T, forall t, T <= t -> y t <= M).
+
+(** On the other side the force of a slow motion decreases strictly and vanishes exactly once: lift-off. *)
+Definition lift_off_compliant : Prop := forall a1 a2 a3 eps C t0 p b y v z, parameters a1 a3 eps ->
+  IWC_side (a3 / a1) (- C) -> slow_motion a1 a2 a3 eps C p b y v z -> y t0 < z t0 ->
+  (forall s t, s < t -> linear_force eps (y t) (z t) < linear_force eps (y s) (z s)) /\
+  exists t1, t0 < t1 /\ y t1 = z t1 /\ (forall t, t < t1 -> y t < z t) /\ (forall t, t1 < t -> z t < y t).
+
+(** Case I (0 < beta < 1, a2 < 0), C < 0: the force of the slow motion is negative up to one instant and positive after;
+    from that instant on it is a motion of the mechanism. *)
+Definition case_I : Prop := forall a1 a2 a3 eps C p b y v z, parameters a1 a3 eps ->
+  a3 / a1 < 1 -> a2 < 0 -> C < 0 -> slow_motion a1 a2 a3 eps C p b y v z ->
+  exists t0, (forall t, t < t0 -> z t < y t) /\ (forall t, t0 < t -> y t < z t) /\
+    forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force p b y v z t.
+
+(** Case II (0 < beta < 1, a2 > 0), any motion of the mechanism on R that is in contact for t < t1 and whose b does not
+    grow exponentially at t -> -oo: the trivial one; or impact without collision; or lift-off. *)
+Definition case_II : Prop := forall a1 a2 a3 eps t1 p b y v z, parameters a1 a3 eps ->
+  a3 / a1 < 1 -> 0 < a2 -> (forall t, p t = a1 * t) ->
+  (forall t, model_at a1 a2 a3 eps contact_force p b y v z t) -> (forall t, t < t1 -> y t < z t) ->
+  slow_at_left eps b ->
+  let lambda t := contact_force eps (y t) (z t) in
+  let mean := a2 / (a3 - a1) in
+  ((forall t, y t < z t) /\ forall t, lambda t = mean) \/
+  ((forall t, y t < z t) /\ (forall t, mean < lambda t) /\ (forall s t, s < t -> lambda s < lambda t) /\
+     (forall M, exists T, forall t, T <= t -> M <= lambda t) /\ (forall M, exists T, forall t, T <= t -> y t <= M)) \/
+  (exists t2, (forall t, t < t2 -> y t < z t) /\ y t2 = z t2 /\ (forall t, t < t2 -> lambda t < mean) /\
+     forall s t, s < t -> t <= t2 -> lambda t < lambda s).
+
+(** The force less its mean, and its first three derivatives in contact, as functions of the state. *)
+Definition force_excess (a1 a2 a3 eps : R) (y z : R) : R := (z - y) / eps ^ 2 - a2 / (a3 - a1).
+Definition force_excess1 (eps : R) (y v z : R) : R := ((y - 2 * z) / eps - v) / eps ^ 2.
+Definition force_excess2 (eps : R) (p b y v z : R) : R :=
+  ((v - 2 * ((y - 2 * z) / eps)) / eps - (b + p * ((z - y) / eps ^ 2))) / eps ^ 2.
+Definition force_excess3 (a1 a2 a3 eps : R) (p b y v z : R) : R :=
+  ((b + p * ((z - y) / eps ^ 2) - 2 * ((v - 2 * ((y - 2 * z) / eps)) / eps)) / eps
+   - (a2 - a3 * ((z - y) / eps ^ 2) + a1 * ((z - y) / eps ^ 2) + p * force_excess1 eps y v z)) / eps ^ 2.
+
+(** beta < 1, after the G-spot: an open set of states, off the slow manifold too, from which contact is never
+    lost and the force increases for ever. *)
+Definition IWC_open : Prop := forall a1 a2 a3 eps t0 p b y v z, a1 < 0 -> a1 < a3 -> 0 < eps -> 0 <= t0 ->
+  (forall t, t0 <= t -> p t = a1 * t) ->
+  (forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force p b y v z t) ->
+  y t0 < z t0 -> 0 < force_excess a1 a2 a3 eps (y t0) (z t0) -> 0 < force_excess1 eps (y t0) (v t0) (z t0) ->
+  0 < force_excess2 eps (p t0) (b t0) (y t0) (v t0) (z t0) -> 0 < force_excess3 a1 a2 a3 eps (p t0) (b t0) (y t0) (v t0) (z t0) ->
+  (forall t, t0 <= t -> y t < z t) /\
+  forall s t, t0 <= s -> s < t -> contact_force eps (y s) (z s) < contact_force eps (y t) (z t).
+
+(** It is not empty: for 0 < beta < 1 it holds every slow motion with C < 0, while that is in contact. *)
+Definition open_set_holds_slow_motions : Prop := forall a1 a2 a3 eps C t p b y v z, parameters a1 a3 eps ->
+  a1 < a3 -> C < 0 -> slow_motion a1 a2 a3 eps C p b y v z -> y t < z t ->
+  0 < force_excess a1 a2 a3 eps (y t) (z t) /\ 0 < force_excess1 eps (y t) (v t) (z t) /\
+  0 < force_excess2 eps (p t) (b t) (y t) (v t) (z t) /\ 0 < force_excess3 a1 a2 a3 eps (p t) (b t) (y t) (v t) (z t).
+
+(** Every non-integer beta < n + 2, C on the side of impact without collision: once the force of a slow motion and its first n
+    derivatives are >= 0 at one time, contact is kept ever after. On either side the force vanishes at most n + 1 times. *)
+Definition contact_tail : Prop := forall a1 a2 a3 eps C n t0 p b y v z, parameters a1 a3 eps ->
+  slow_motion a1 a2 a3 eps C p b y v z -> a3 / a1 < INR (n + 2) -> 0 < C * Gamma (- (a3 / a1)) ->
+  (forall k, (k <= n)%nat -> 0 <= Derive_n (fun t => linear_force eps (y t) (z t)) k t0) ->
+  forall t, t0 < t -> y t < z t.
+
+Definition force_zeros : Prop := forall a1 a2 a3 eps C n l p b y v z, parameters a1 a3 eps ->
+  slow_motion a1 a2 a3 eps C p b y v z -> a3 / a1 < INR (n + 2) -> C <> 0 ->
+  StronglySorted Rlt l -> (forall t, In t l -> y t = z t) -> (length l <= n + 1)%nat.
+
+(** The trivial solution as printed, modelSysDistZY with z = y/2 = - eps^2 a2/(a1 - a3), solves the contact equations at
+    no time; with + in place of - it solves them (it is the slow motion with C = 0). *)
+Definition printed_trivial_is_wrong : Prop := forall a1 a2 a3 eps t, 0 < eps -> a1 <> a3 -> a2 <> 0 -> a3 <> 0 ->
+  ~ model_at a1 a2 a3 eps linear_force (fun t => a1 * t) (fun t => a2 / (a1 - a3) * a1 * t)
+      (fun _ => 2 * (- eps ^ 2 * a2 / (a1 - a3))) (fun _ => 0) (fun _ => - eps ^ 2 * a2 / (a1 - a3)) t.
+
+Definition corrected_trivial : Prop := forall a1 a2 a3 eps t, 0 < eps -> a1 <> a3 ->
+  model_at a1 a2 a3 eps linear_force (fun t => a1 * t) (fun t => a2 / (a1 - a3) * a1 * t)
+    (fun _ => 2 * (eps ^ 2 * a2 / (a1 - a3))) (fun _ => 0) (fun _ => eps ^ 2 * a2 / (a1 - a3)) t.
+
+(** ** The deviation in the time T = t/eps, and the limit eps -> 0 *)
+
+(** The equation modelSysDev of b in T, normalized to a1 = -1 (e is then -a1 eps), and its slow solution F. *)
+Definition deviation_equation (e b : R) (f : R -> R) : Prop :=
+  (forall k t, (k <= 4)%nat -> ex_derive_n f k t) /\
+  forall t, - b * f t + t * Derive f t + (1 - b) * Derive f t + t * Derive_n f 2 t
+    - 2 / e * Derive_n f 3 t - 1 / e * Derive_n f 4 t = 0.
+
+Definition is_slow (e b : R) (F : R -> R) : Prop :=
+  deviation_equation e b F /\ is_lim (fun x => F (- x) / Rpower x b) p_infty 1.
+
+Definition slow_exists : Prop := forall e b, 0 < e -> not_nat b -> exists F, is_slow e b F.
+
+Definition slow_unique : Prop := forall e b F G, 0 < e -> not_nat b -> is_slow e b F -> is_slow e b G ->
+  forall t, F t = G t.
+
+(** Gamma(-b) F^(n) = int_0^oo r^(n-b-1) e^(psi(r)/e + rT) dr, n > b, with psi = r - r^2/2 - r^3/3 - ln(1 + r). *)
+Definition slow_integral : Prop := forall e b n F, 0 < e -> not_nat b -> b < INR n -> is_slow e b F -> forall t,
+  is_RInt_gen (fun r => Rpower r (INR n - b - 1) * exp ((r - r ^ 2 / 2 - r ^ 3 / 3 - ln (1 + r)) / e + r * t))
+    (at_right 0) (Rbar_locally p_infty) (Gamma (- b) * Derive_n F n t).
+
+(** 0 < beta < 1, every eps: all derivatives of the slow solution are negative on the whole line. *)
+Definition IWC_every_eps : Prop := forall e b F, 0 < e -> 0 < b < 1 -> is_slow e b F ->
+  forall n t, (1 <= n)%nat -> Derive_n F n t < 0.
+
+(** F has at most n real zeros if b < n. *)
+Definition slow_zeros : Prop := forall e b n F l, 0 < e -> not_nat b -> b < INR n -> is_slow e b F ->
+  StronglySorted Rlt l -> (forall t, In t l -> F t = 0) -> (length l <= n)%nat.
+
+(** eps -> 0 (e = 2 eta^3, T = t/eta): eta^(b-n) F^(n)(t/eta) -> Theta^(n)(t), with an error of known sign. *)
+Definition leading_order_limit : Prop := forall b n eta theta F t w, not_nat b -> b < INR n -> 0 < eta ->
+  is_Theta b theta -> is_slow (2 * eta ^ 3) b F ->
+  is_RInt_gen (fun r => Rpower r (INR n - b + 3) * exp (r * t - r ^ 3 / 6)) (at_right 0) (Rbar_locally p_infty) w ->
+  0 <= Gamma (- b) * (Rpower eta (b - INR n) * Derive_n F n (t / eta) - Derive_n theta n t) <= eta / 8 * w.

@@ -1,0 +1,279 @@
+(** * The theorems
+
+    Each statement of [Statement.v] is proved here under its own name, from the files named for the steps. *)
+
+From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
+From Coquelicot Require Import Coquelicot.
+From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegral WellPosed ImproperIntegral
+  EnvelopingSeries Family SignsAtZero SignPattern PositiveZeros CountLaw IntegerPolynomials PolynomialSum
+  ContinuityInBeta ZeroCurves ZerosAtInteger CompliantKernel CompliantIntegral CompliantSlow CompliantMechanism
+  CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases CompliantOpen CompliantSlowMotion.
+From GSpot Require Import Statement.
+Import ListNotations.
+Open Scope R_scope.
+
+(** ** The definitions are right *)
+
+Theorem gamma_is_euler : Statement.gamma_is_euler.
+Proof. exact Gamma_correct. Qed.
+
+Theorem gamma_equation : Statement.gamma_equation.
+Proof. exact Gamma_rec. Qed.
+
+Theorem gamma_unique : Statement.gamma_unique.
+Proof. exact Gamma_unique. Qed.
+
+Theorem theta_exists : Statement.theta_exists.
+Proof. exact Theta_exists. Qed.
+
+Theorem theta_unique : Statement.theta_unique.
+Proof. exact Theta_unique. Qed.
+
+Theorem theta_asymptotics : Statement.theta_asymptotics.
+Proof. exact Theta_asymptotics. Qed.
+
+(** ** Integral, identities, series *)
+
+Theorem laplace_integral : Statement.laplace_integral.
+Proof. exact Theta_representation. Qed.
+
+Theorem sign_of_derivatives : Statement.sign_of_derivatives.
+Proof. exact Theta_sign. Qed.
+
+Theorem derivative_identity : Statement.derivative_identity.
+Proof. exact Theta_derive. Qed.
+
+Theorem three_term_recurrence : Statement.three_term_recurrence.
+Proof. exact Theta_recurrence. Qed.
+
+Theorem taylor_series : Statement.taylor_series.
+Proof.
+intros b theta H. exists (coef b (theta 0) (Derive theta 0) (Derive_n theta 2 0)).
+refine (conj eq_refl (conj eq_refl (conj _ (conj _ _)))).
+- change (2 * (Derive_n theta 2 0 / 2) = Derive_n theta 2 0). field.
+- intros k. replace (k + 3)%nat with (S (S (S k))) by lia. rewrite coef_rec.
+  assert (Hk := pos_INR k). field. lra.
+- intros t. rewrite (Theta_series b theta H t). apply PSeries_correct, CV_radius_inside.
+  rewrite coef_radius. exact I.
+Qed.
+
+Theorem signs_at_zero : Statement.signs_at_zero.
+Proof.
+intros m n b theta Hb H. destruct (Theta_signs_0 m n b theta Hb H) as [A B]. rewrite sg_mod in A. exact (conj A B).
+Qed.
+
+Theorem enveloping_series : Statement.enveloping_series.
+Proof. exact Theta_neg_series. Qed.
+
+(** ** Impact without collision at leading order *)
+
+Theorem IWC : Statement.IWC.
+Proof. exact LaplaceIntegral.IWC. Qed.
+
+Theorem IWC_all_derivatives : Statement.IWC_all_derivatives.
+Proof. exact IWC_all. Qed.
+
+(** ** The number of zeros *)
+
+Theorem count_law : Statement.count_law.
+Proof.
+intros m b theta Hb H.
+destruct (CountLaw.count_law m b theta Hb H) as (l & El & Sl & Zl & Dl).
+exists l. exact (conj (conj Sl Zl) (conj El Dl)).
+Qed.
+
+Theorem count_law_with_signs : Statement.count_law_with_signs.
+Proof.
+intros m b theta Hb H.
+destruct (count_law_full m b theta Hb H) as (ln & lp & En & Ep & _ & Hn & Hp & Hs & Hz & Hd & Hf & _).
+exists ln, lp. exact (conj (conj Hs Hz) (conj En (conj Hn (conj Ep (conj Hp (conj Hf Hd)))))).
+Qed.
+
+Theorem interlacing : Statement.interlacing.
+Proof.
+intros n b theta theta1 Hn. destruct n as [|m]; [lia|]. exact (CountLaw.interlacing m b theta theta1).
+Qed.
+
+(** The zeros of the named function [Th b] are those of any Theta. *)
+Lemma zeros_of_Th b theta l : is_Theta b theta -> zeros_of (Derive theta) l -> zeros_of (Derive (Th b)) l.
+Proof.
+intros H [Sl Zl]. split; auto. intros t. rewrite <- Zl.
+rewrite (Derive_ext (Th b) theta). reflexivity. intros s. symmetry. apply (Th_is b theta H).
+Qed.
+
+Theorem zeros_continuous : Statement.zeros_continuous.
+Proof.
+intros m b0 theta0 l0 eps Hb H0 Z0 He.
+destruct (ZeroCurves.zeros_continuous m b0 l0 eps Hb (zeros_of_Th b0 theta0 l0 H0 Z0) He) as (delta & Hd & H).
+exists delta. split; auto. intros b theta l Hbb HT Zl. apply (H b l Hbb), (zeros_of_Th b theta l HT Zl).
+Qed.
+
+(** ** Integer beta *)
+
+Theorem integer_limit : Statement.integer_limit.
+Proof.
+intros n Theta HT t. rewrite Poly_Pn.
+apply (is_lim_ext_loc (fun b => Th b t)); [|apply Th_lim_integer].
+eapply filter_imp; [|apply (near_not_nat (INR n))]. intros b Hb. symmetry. apply (Th_is b (Theta b) (HT b Hb)).
+Qed.
+
+Theorem continuity_in_beta : Statement.continuity_in_beta.
+Proof.
+intros b Theta Hb HT t. rewrite (Th_is b (Theta b) (HT b Hb)).
+apply (is_lim_ext_loc (fun b => Th b t)); [|apply Th_lim_not_nat, Hb].
+eapply filter_imp; [|apply (near_not_nat b)]. intros y Hy. symmetry. apply (Th_is y (Theta y) (HT y Hy)).
+Qed.
+
+(** dP_(k+1)/dt = -(k + 1) P_k, with all derivatives. *)
+Lemma Poly_derive_n k n t : Derive_n (Poly (S k)) (S n) t = - INR (S k) * Derive_n (Pn k) n t.
+Proof.
+rewrite <- (Derive_n_scal_l (Pn k) n (- INR (S k)) t).
+rewrite (Derive_n_ext (Poly (S k)) (Pn (S k))) by apply Poly_Pn.
+replace (S n) with (n + 1)%nat by lia. rewrite <- (Derive_n_comp (Pn (S k)) n 1).
+apply Derive_n_ext. intros s. apply is_derive_unique, Pn_derive.
+Qed.
+
+Theorem count_law_integer : Statement.count_law_integer.
+Proof.
+intros n Hn. destruct n as [|k]; [lia|]. replace (S k - 1)%nat with k by lia.
+destruct (Pn_zeros k) as (l & El & Sl & Hp & Hz & Hd & Hm).
+assert (HS : - INR (S k) <> 0) by (apply Ropp_neq_0_compat, not_0_INR; lia).
+assert (NZ : forall x, x <> 0 -> - INR (S k) * x <> 0).
+{ intros x Hx. apply Rmult_integral_contrapositive_currified; auto. }
+assert (E1 : forall t, Derive (Poly (S k)) t = - INR (S k) * Pn k t) by (intros t; exact (Poly_derive_n k 0 t)).
+exists l. refine (conj El (conj Sl (conj Hp (conj _ (conj _ _))))).
+- intros t. rewrite E1, <- Hz. split; [|intros ->; ring].
+  intros E. apply Rmult_integral in E. destruct E as [E|E]; auto. contradiction.
+- intros t Ht. rewrite (Poly_derive_n k 1 t). apply NZ, Hd, Ht.
+- rewrite E1, (Poly_derive_n k 1 0), (Poly_derive_n k 2 0). change (Derive_n (Pn k) 1 0) with (Derive (Pn k) 0).
+  destruct (k mod 3)%nat as [|[|j]].
+  + apply NZ, Hm.
+  + destruct Hm as [-> Hm]. split; [ring|apply NZ, Hm].
+  + destruct Hm as (-> & -> & Hm). repeat split; try ring. apply NZ, Hm.
+Qed.
+
+Theorem zeros_at_integer : Statement.zeros_at_integer.
+Proof.
+intros k c eps T Sc Hc He.
+destruct (at_integer_derive k c eps T Sc) as (delta & Hd & H); auto.
+{ intros t. rewrite <- Hc. rewrite (Derive_ext (Poly (S k)) (Pn (S k))) by apply Poly_Pn. reflexivity. }
+exists delta. split; auto. intros b theta l HT Zl.
+destruct (H b l (zeros_of_Th b theta l HT Zl)) as [HL HR].
+split; intros Hb.
+- destruct (HL Hb) as (lo & xs & E & [E1 E2] & M). exists lo, xs. exact (conj E (conj E1 (conj E2 M))).
+- destruct (HR Hb) as (lo & xs & z & E & [E1 E2] & Hz & M). exists lo, xs, z. exact (conj E (conj Hz (conj E1 (conj E2 M)))).
+Qed.
+
+(** ** The compliant model *)
+
+Theorem slow_motion_exists : Statement.slow_motion_exists.
+Proof. intros a1 a2 a3 eps C Hp. do 5 eexists. apply (slow_motion_sol a1 a2 a3 eps Hp C). Qed.
+
+Theorem slow_motion_unique : Statement.slow_motion_unique.
+Proof.
+intros a1 a2 a3 eps C p b y v z p' b' y' v' z' Hp. exact (CompliantSlowMotion.slow_motion_unique a1 a2 a3 eps Hp C p b y v z p' b' y' v' z').
+Qed.
+
+Theorem slow_motions_are_all : Statement.slow_motions_are_all.
+Proof. intros a1 a2 a3 eps p b y v z Hp. exact (CompliantSlowMotion.slow_motions_are_all a1 a2 a3 eps Hp p b y v z). Qed.
+
+Theorem side_rule : Statement.side_rule.
+Proof. intros a1 a2 a3 eps C p b y v z Hp. exact (CompliantSlowMotion.side_rule a1 a2 a3 eps Hp C p b y v z). Qed.
+
+Theorem IWC_compliant : Statement.IWC_compliant.
+Proof.
+intros a1 a2 a3 eps C t0 P B Y V Z p b y v z Hp HC HS.
+exact (CompliantSlowMotion.IWC_compliant a1 a2 a3 eps Hp C P B Y V Z HS t0 p b y v z HC).
+Qed.
+
+Theorem lift_off_compliant : Statement.lift_off_compliant.
+Proof.
+intros a1 a2 a3 eps C t0 p b y v z Hp HC HS. exact (CompliantSlowMotion.lift_off_compliant a1 a2 a3 eps Hp C p b y v z HS t0 HC).
+Qed.
+
+Theorem case_I : Statement.case_I.
+Proof.
+intros a1 a2 a3 eps C p b y v z Hp H1 H2 HC HS. exact (slow_case_I a1 a2 a3 eps Hp C p b y v z HS H1 H2 HC).
+Qed.
+
+Theorem case_II : Statement.case_II.
+Proof.
+intros a1 a2 a3 eps t1 p b y v z (H1 & H3 & He & Hb). exact (CompliantForward.case_II a1 a2 a3 eps H1 H3 He Hb t1 p b y v z).
+Qed.
+
+Theorem IWC_open : Statement.IWC_open.
+Proof.
+intros a1 a2 a3 eps t0 p b y v z H1 H13 He Ht0 Hp Hm Hc D0 D1 D2 D3.
+assert (HP : Pos a1 a2 a3 eps b y v z t0).
+{ assert (Ep := Hp t0 (Rle_refl t0)). rewrite Ep in D2, D3. exact (conj Hc (conj D0 (conj D1 (conj D2 D3)))). }
+split.
+- intros t Ht. apply (CompliantOpen.IWC_open a1 a2 a3 eps H1 H13 He p b y v z t0 Ht0 Hp Hm HP t Ht).
+- exact (IWC_open_force a1 a2 a3 eps H1 H13 He p b y v z t0 Ht0 Hp Hm HP).
+Qed.
+
+Theorem open_set_holds_slow_motions : Statement.open_set_holds_slow_motions.
+Proof. intros a1 a2 a3 eps C t p b y v z Hp H13 HC HS. exact (slow_in_open_set a1 a2 a3 eps Hp C p b y v z HS t H13 HC). Qed.
+
+Theorem contact_tail : Statement.contact_tail.
+Proof. intros a1 a2 a3 eps C n t0 p b y v z Hp HS. exact (CompliantSlowMotion.contact_tail a1 a2 a3 eps Hp C p b y v z HS n t0). Qed.
+
+Theorem force_zeros : Statement.force_zeros.
+Proof. intros a1 a2 a3 eps C n l p b y v z Hp HS. exact (slow_force_zeros a1 a2 a3 eps Hp C p b y v z HS n l). Qed.
+
+Theorem printed_trivial_is_wrong : Statement.printed_trivial_is_wrong.
+Proof. exact printed_trivial_wrong. Qed.
+
+Theorem corrected_trivial : Statement.corrected_trivial.
+Proof.
+intros a1 a2 a3 eps t He H13.
+assert (E : linear_force eps (2 * (eps ^ 2 * a2 / (a1 - a3))) (eps ^ 2 * a2 / (a1 - a3)) = - a2 / (a1 - a3)).
+{ unfold linear_force. field. split; lra. }
+unfold model_at. rewrite E.
+refine (conj _ (conj _ (conj _ (conj _ _)))).
+- auto_derive; auto; ring.
+- auto_derive; auto. field. lra.
+- apply (is_derive_const (2 * (eps ^ 2 * a2 / (a1 - a3)))).
+- replace (a2 / (a1 - a3) * a1 * t + a1 * t * (- a2 / (a1 - a3))) with 0 by (field; lra). apply (is_derive_const 0).
+- replace (- (eps ^ 2 * a2 / (a1 - a3)) - eps ^ 2 * (- a2 / (a1 - a3))) with 0 by (field; lra).
+  apply (is_derive_const (eps * (eps ^ 2 * a2 / (a1 - a3)))).
+Qed.
+
+(** ** The deviation in the time T *)
+
+Theorem slow_exists : Statement.slow_exists.
+Proof. intros e b He Hb. exists (Fe e b). exact (conj (Fe_ode e He b Hb) (Fe_asymptotics e He b Hb)). Qed.
+
+(** Any slow solution is the named one. *)
+Lemma is_slow_Fe e b F : 0 < e -> not_nat b -> is_slow e b F -> forall t, F t = Fe e b t.
+Proof. intros He Hb [H L]. exact (slow_characterized e b He Hb F H L). Qed.
+
+Theorem slow_unique : Statement.slow_unique.
+Proof. intros e b F G He Hb HF HG t. rewrite (is_slow_Fe e b F), (is_slow_Fe e b G); auto. Qed.
+
+Theorem slow_integral : Statement.slow_integral.
+Proof.
+intros e b n F He Hb Hn HF t. rewrite (Derive_n_ext F (Fe e b)) by (apply is_slow_Fe; auto).
+exact (Fe_representation e He b n Hb Hn t).
+Qed.
+
+Theorem IWC_every_eps : Statement.IWC_every_eps.
+Proof.
+intros e b F He Hb HF n t Hn. rewrite (Derive_n_ext F (Fe e b)) by (apply is_slow_Fe; auto using not_nat_01).
+exact (IWC_eps e He b Hb n t Hn).
+Qed.
+
+Theorem slow_zeros : Statement.slow_zeros.
+Proof.
+intros e b n F l He Hb Hn HF HS H0. apply (Fe_zeros e b n l He Hb Hn HS).
+intros t Ht. rewrite <- (is_slow_Fe e b F); auto.
+Qed.
+
+Theorem leading_order_limit : Statement.leading_order_limit.
+Proof.
+intros b n eta theta F t w Hb Hn He HT HF Hw.
+assert (He2 : 0 < 2 * eta ^ 3) by (generalize (pow_lt eta 3 He); lra).
+rewrite (Derive_n_ext F (Fe (2 * eta ^ 3) b)) by (apply is_slow_Fe; auto).
+assert (E : W (INR n - b + 3) t = w).
+{ apply (is_RInt_gen_unique (V := R_CompleteNormedModule) _ w). exact Hw. }
+rewrite <- E. exact (Fe_limit b n eta t theta Hb Hn HT He).
+Qed.

@@ -1,0 +1,115 @@
+"""proofs/coq/prove.py, the script of `make prove`: what it refuses; where Coq is, the whole job in the long run."""
+
+from __future__ import annotations
+
+import importlib.util
+import shutil
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+COQ = Path(__file__).resolve().parents[1] / "proofs" / "coq"
+
+
+@pytest.fixture
+def prove(tmp_path: Path) -> ModuleType:
+    """The script as a module, on a copy of the sources and with a build directory of its own."""
+    shutil.copytree(COQ, tmp_path / "coq")
+    spec = importlib.util.spec_from_file_location("prove", tmp_path / "coq" / "prove.py")
+    assert spec
+    assert spec.loader
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    module.BUILD = tmp_path / "build"
+    module.BUILD.mkdir()
+    return module
+
+
+def test_no_proof_is_left_out(prove: ModuleType) -> None:
+    assert prove.unproved() == []
+
+
+@pytest.mark.parametrize(
+    "word", ["Admitted.", "admit.", "Axiom a : False.", "Parameter p : R.", "Unset Guard Checking."]
+)
+def test_a_proof_left_out_is_found(prove: ModuleType, word: str) -> None:
+    with (prove.HERE / "Calculus.v").open("a") as file:
+        file.write(f"\n{word}\n")
+    assert len(prove.unproved()) == 1
+
+
+def test_comments_may_say_the_words(prove: ModuleType) -> None:
+    with (prove.HERE / "Calculus.v").open("a") as file:
+        file.write("\n(* Admitted (* nested: Axiom *) Parameter *)\n")
+    assert prove.unproved() == []
+
+
+def test_a_file_that_is_not_compiled_is_found(prove: ModuleType) -> None:
+    (prove.HERE / "Extra.v").write_text("Lemma trivial : True. Proof. exact I. Qed.\n")
+    assert prove.unproved() == ["Extra.v is not in _CoqProject"]
+
+
+def test_each_statement_has_a_theorem_and_a_line_of_axioms(prove: ModuleType) -> None:
+    names = prove.statements()
+    assert {"IWC", "count_law", "count_law_integer", "zeros_continuous", "IWC_compliant", "case_II"} <= set(names)
+    theorems = (prove.HERE / "Theorems.v").read_text(encoding="utf-8")
+    assert [name for name in names if f"Theorem {name} : Statement.{name}.\n" not in theorems] == []
+    assert sorted(prove.listed()) == sorted(names)
+    assert all(set(axioms) <= prove.AXIOMS for axioms in prove.listed().values())
+
+
+ANSWER = """theorem first
+Axioms:
+ClassicalDedekindReals.sig_not_dec
+  : forall P : Prop, {~ ~ P} + {~ P}
+Classical_Prop.classic : forall P : Prop, P \\/ ~ P
+theorem second
+Closed under the global context
+"""
+
+
+def test_what_coq_prints_is_read(prove: ModuleType) -> None:
+    first = ["ClassicalDedekindReals.sig_not_dec", "Classical_Prop.classic"]
+    assert prove.axioms_printed(ANSWER) == {"first": sorted(first), "second": []}
+    with pytest.raises(RuntimeError, match="third"):
+        prove.axioms_printed("theorem third\nSection Variables:\nx : R\n")
+
+
+def test_other_axioms_are_refused(prove: ModuleType) -> None:
+    good = {"first": ["Classical_Prop.classic"]}
+    assert prove.differences(good, good) == []
+    assert len(prove.differences(good, {"first": []})) == 1
+    assert len(prove.differences(good, {})) == 1
+    assert len(prove.differences({}, good)) == 1
+    assert prove.differences({"first": ["mine"]}, {"first": ["mine"]}) == [
+        "first: not an axiom of the classical reals: mine"
+    ]
+
+
+def test_without_coq_nothing_is_said_to_be_proved(
+    prove: ModuleType, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (prove.BUILD / prove.RECORD).write_text("an old record")
+    monkeypatch.setattr(prove.shutil, "which", lambda _: None)
+    assert prove.prove(1, kernel=False) == 2
+    assert "apt-get install" in capsys.readouterr().out
+    assert not (prove.BUILD / prove.RECORD).exists()
+    assert prove.state() == "The formal proofs were not run here; `make prove` runs them."
+
+
+def test_a_record_of_other_sources_says_so(prove: ModuleType) -> None:
+    text = prove.json.dumps({"coq": "8.16.1", "sources": prove.hashes(), "theorems": {"IWC": []}})
+    (prove.BUILD / prove.RECORD).write_text(text)
+    assert "1 theorems proved by Coq 8.16.1 from these sources" in prove.state()
+    with (prove.HERE / "Calculus.v").open("a") as file:
+        file.write("\n")
+    assert "on other sources" in prove.state()
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed: the formal proofs are not run")
+def test_the_whole_job_with_the_kernel_checker(prove: ModuleType, capsys: pytest.CaptureFixture[str]) -> None:
+    assert prove.prove(2, kernel=True) == 0
+    assert "theorems proved" in capsys.readouterr().out
+    assert "from these sources" in prove.state()
