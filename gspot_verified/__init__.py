@@ -54,6 +54,7 @@ if TYPE_CHECKING:
     from gspot_verified.theta_function.initial_values import initial_values as initial_values
     from gspot_verified.theta_function.initial_values import paper_initial_values as paper_initial_values
     from gspot_verified.theta_function.integer import polynomial as polynomial
+    from gspot_verified.theta_function.prepared import PreparedTheta as PreparedTheta
     from gspot_verified.theta_function.routes import BudgetError as BudgetError
     from gspot_verified.theta_function.routes import theta_by as theta_by
     from gspot_verified.theta_function.theta import theta as theta
@@ -80,6 +81,7 @@ __homes__ = {
     "MechanismError": "mechanisms.mechanism",
     "Outcome": "verdict",
     "Picture": "report.canvas",
+    "PreparedTheta": "theta_function.prepared",
     "Range": "signs.ranges",
     "Reason": "verdict",
     "SideSwitching": "signs.side",

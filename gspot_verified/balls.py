@@ -44,27 +44,8 @@ _DECIMAL = re.compile(r"([+-]?)([0-9]*)\.?([0-9]*)(?:[eE]([+-]?[0-9]{1,9}))?")
 _lock = threading.RLock()
 
 
-class _Setting:
-    """One number of flint's context: set inside the ``with``, restored on every way out. It nests."""
-
-    __slots__ = ("_saved", "_value")
-    _name: str
-
-    def __init__(self, value: int) -> None:
-        self._value, self._saved = value, list[int]()
-
-    def __enter__(self) -> None:
-        _lock.acquire()
-        self._saved.append(getattr(ctx, self._name))
-        setattr(ctx, self._name, self._value)
-
-    def __exit__(self, kind: object, error: object, trace: object) -> None:
-        setattr(ctx, self._name, self._saved.pop())
-        _lock.release()
-
-
-class working_bits(_Setting):
-    """Context manager: flint works with ``bits`` bits inside; the same object can be entered again.
+class working_bits:
+    """Context manager: flint works with ``bits`` bits inside; the same object can be entered again, and it nests.
 
     >>> with working_bits(200):
     ...     third = arb(fmpq(1, 3))
@@ -72,18 +53,28 @@ class working_bits(_Setting):
     True
     """
 
-    _name = "prec"
+    __slots__ = ("_bits", "_saved")
 
     def __init__(self, bits: int) -> None:
         if type(bits) is not int:  # flint would cut a fraction off in silence
             raise TypeError(f"bits must be an int, got {type(bits).__name__}")
         if not 2 <= bits <= MAX_WORKING_BITS:
             raise ValueError(f"bits must lie in 2..{MAX_WORKING_BITS}, got {bits}")
-        super().__init__(bits)
+        self._bits = bits
+        self._saved: list[int] = []
+
+    def __enter__(self) -> None:
+        _lock.acquire()
+        self._saved.append(ctx.prec)
+        ctx.prec = self._bits
+
+    def __exit__(self, kind: object, error: object, trace: object) -> None:
+        ctx.prec = self._saved.pop()
+        _lock.release()
 
 
-class series_length(_Setting):
-    """Context manager: flint keeps ``length`` terms of every power series inside.
+class series_length:
+    """Context manager: flint keeps ``length`` terms of every power series inside; it nests.
 
     >>> from flint import arb_series
     >>> with series_length(3):
@@ -91,12 +82,22 @@ class series_length(_Setting):
     1.00000000000000 + 2.00000000000000*x + 1.00000000000000*x^2 + O(x^3)
     """
 
-    _name = "cap"
+    __slots__ = ("_length", "_saved")
 
     def __init__(self, length: int) -> None:
         if type(length) is not int or not 0 <= length <= MAX_SERIES_LENGTH:
             raise ValueError(f"length must be an int in 0..{MAX_SERIES_LENGTH}, got {length!r}")
-        super().__init__(length)
+        self._length = length
+        self._saved: list[int] = []
+
+    def __enter__(self) -> None:
+        _lock.acquire()
+        self._saved.append(ctx.cap)
+        ctx.cap = self._length
+
+    def __exit__(self, kind: object, error: object, trace: object) -> None:
+        ctx.cap = self._saved.pop()
+        _lock.release()
 
 
 def current_bits() -> int:

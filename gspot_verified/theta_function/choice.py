@@ -20,7 +20,22 @@ from gspot_verified.theta_function.positive import SaddlePlan
 _LN2 = math.log(2)
 _GUARD = 8
 _TINY = 1e-60
-_SPLITTING_FROM_BITS = 900
+# Discs of the saddle point and the share of them that is used, both in percent.
+_DISCS = (
+    (72, 90),
+    (80, 95),
+    (66, 90),
+    (60, 90),
+    (52, 90),
+    (44, 90),
+    (36, 90),
+    (28, 90),
+    (20, 90),
+    (14, 90),
+    (10, 90),
+    (6, 90),
+)
+SPLITTING_FROM_BITS = 900
 _TERMS_ONE_BY_ONE = 40
 _SPLITTING_HEIGHT = 256
 # Work of the floating series, in terms times bits, from which another route is faster.
@@ -139,11 +154,11 @@ def saddle_plan(tau: float, beta: float, goal: int) -> SaddlePlan | None:
     large = tau**1.5
     target = (goal + 4) * _LN2 + _log_growth(large, beta)
     best: tuple[int, SaddlePlan] | None = None
-    for percent in (72, 66, 60, 52, 44, 36, 28, 20, 14, 10, 6):
+    for percent, share in _DISCS:
         disc = percent / 100
         cut = min(1 - disc, 0.45)
         radius = disc * math.sqrt(1 - disc / 3)
-        sigma = 0.9 * radius
+        sigma = share / 100 * radius
         log_circle = max(-(beta + 1) * math.log(1 - disc), -(beta + 1) * math.log(1 + disc))
         near_zero = large * (2 / 3 - cut - cut**3 / 3) + beta * math.log(cut)
         tails = large * sigma**2 - max(0.0, -(beta + 1)) * sigma - max(0.0, log_circle, -(beta + 1) * math.log(cut))
@@ -152,9 +167,9 @@ def saddle_plan(tau: float, beta: float, goal: int) -> SaddlePlan | None:
         terms = _saddle_terms(radius * radius * large, log_circle + 3 + target)
         if terms is None or 2 * terms > large * sigma**2:
             continue
-        plan = SaddlePlan(terms, fmpq(percent, 100), fmpq(min(100 - percent, 45), 100))
         if best is None or terms < best[0]:
-            best = (terms, plan)
+            parts = fmpq(percent, 100), fmpq(min(100 - percent, 45), 100), fmpq(share, 100)
+            best = (terms, SaddlePlan(terms, *parts))
     return best[1] if best else None
 
 
@@ -211,7 +226,7 @@ def _short(value: float) -> fmpq:
 def prefers_splitting(tau: Exact, beta: Exact, bits: int) -> bool:
     """True where exact binary splitting beats the floating series: many bits, rationals of small height."""
     height = _height(tau, beta)
-    return height is not None and bits >= _SPLITTING_FROM_BITS and height <= max(_SPLITTING_HEIGHT, bits // 200)
+    return height is not None and bits >= SPLITTING_FROM_BITS and height <= max(_SPLITTING_HEIGHT, bits // 200)
 
 
 def _height(tau: Exact, beta: Exact) -> int | None:
@@ -243,7 +258,7 @@ def block_length(bits: int) -> int:
 def preferred_routes(tau: Exact, beta: Exact, goal: int) -> list[str]:
     """Route names, best first. A route answers "not finite" at once where it cannot reach the goal."""
     point, parameter = approximate(tau), approximate(beta)
-    if -8 <= point <= 8 and goal < _SPLITTING_FROM_BITS and -300 < parameter < 300:
+    if -8 <= point <= 8 and goal < SPLITTING_FROM_BITS and -300 < parameter < 300:
         return ["taylor"]
     names = []
     if point < -8:

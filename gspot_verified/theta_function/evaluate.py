@@ -31,6 +31,7 @@ from gspot_verified.theta_function import choice, routes
 from gspot_verified.theta_function.integer import polynomial
 from gspot_verified.theta_function.majorant import majorant_bound
 from gspot_verified.theta_function.mean_value import mean_value_form
+from gspot_verified.theta_function.near import near_value
 from gspot_verified.theta_function.routes import BudgetError, checked_arguments, shifted_parameter
 from gspot_verified.verdict import NoTruthValue, Reason, Verdict
 
@@ -129,10 +130,14 @@ _Found = tuple[arb, str, int, Reason | None]
 
 
 def _enclose(tau: Exact, beta: Exact, derivative: int, goal: int, max_bits: int | None) -> _Found:
-    if isinstance(beta, fmpq) and beta.q == 1 and 0 <= beta.p < derivative:
+    if derivative and isinstance(beta, fmpq) and beta.q == 1 and 0 <= beta.p < derivative:
         return arb(0), "polynomial", 0, None
-    shifted, factor = shifted_parameter(beta, derivative, goal)
+    shifted, factor = shifted_parameter(beta, derivative, goal) if derivative else (beta, fmpq(1))
     found = _exact_polynomial(tau, shifted, goal)
+    if found is None and max_bits is None and isinstance(tau, fmpq) and isinstance(shifted, fmpq):
+        near = near_value(tau, shifted, goal + 2)
+        if near is not None and relative_bits(near[0]) >= goal + 2:
+            found = near[0], "taylor", near[1], None
     if found is None:
         worth = min(goal + 2, _bits_of_input(tau, shifted))
         found = _of_inputs(tau, shifted, worth, max_bits)
@@ -143,6 +148,8 @@ def _enclose(tau: Exact, beta: Exact, derivative: int, goal: int, max_bits: int 
     if derivative:
         with working_bits(goal + 32):
             value = value * factor
+    elif bits <= goal + 24 and route == "taylor":
+        return found
     return shrink_to_bits(value, goal + 16), route, bits, reason
 
 
@@ -158,6 +165,8 @@ def _bits_of_input(tau: Exact, beta: Exact) -> int:
 
     A heuristic: more bits than that cannot narrow the answer, but cost time, and rule out the asymptotic routes.
     """
+    if isinstance(tau, fmpq) and isinstance(beta, fmpq):
+        return MAX_WORKING_BITS
     radii = [_exponent(value.rad()) for value in (tau, beta) if isinstance(value, arb) and not value.is_exact()]
     size = max(abs(approximate(tau)), abs(approximate(beta)), 1.0)
     return max(

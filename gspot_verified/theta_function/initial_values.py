@@ -17,6 +17,7 @@ from gspot_verified.theta_function.reduced_gamma import pays, reduced_initial_va
 InitialValues = tuple[arb, arb, arb]
 
 _HALF = fmpq(1, 2)
+_THIRD = fmpq(1, 3)
 _TWO_THIRDS = fmpq(2, 3)
 _REDUCED_FROM_BITS = 2_000
 
@@ -37,11 +38,14 @@ def initial_values(beta: Exact, bits: int) -> InitialValues:
     >>> value.overlaps(arb(2)), slope.is_zero(), curvature.is_zero()
     (True, True, True)
     """
-    return _cached(beta, bits) if isinstance(beta, fmpq) else _entire_form(beta, bits)
+    if isinstance(beta, fmpq):
+        return _cached(int(beta.p), int(beta.q), bits)  # integers: the hash of an fmpq takes longer than a product
+    return _entire_form(beta, bits)
 
 
 @lru_cache(maxsize=64)
-def _cached(beta: fmpq, bits: int) -> InitialValues:
+def _cached(p: int, q: int, bits: int) -> InitialValues:
+    beta = fmpq(p, q)
     if bits > _REDUCED_FROM_BITS and pays(beta):
         with working_bits(bits):
             return reduced_initial_values(beta, bits)
@@ -50,11 +54,13 @@ def _cached(beta: fmpq, bits: int) -> InitialValues:
 
 def _entire_form(beta: Exact, bits: int) -> InitialValues:
     with working_bits(bits):
-        first, second, third = (reciprocal_gamma((j - beta) / 3, bits) for j in range(3))
-        cube_root = arb(3).root(3)
-        constant = 2 * arb.pi() * positive_power(arb(3), beta * _TWO_THIRDS - _HALF)
-        outer = constant * third
-        inner = cube_root * first
+        third, three = beta / 3, arb(3)
+        first = reciprocal_gamma(-third, bits)
+        second = reciprocal_gamma(_THIRD - third, bits)
+        other = reciprocal_gamma(_TWO_THIRDS - third, bits)
+        cube_root = three.root(3)
+        constant = 2 * arb.pi() * positive_power(three, 2 * third - _HALF)
+        outer, inner = constant * other, cube_root * first
         return outer * second, outer * inner, constant * cube_root * inner * second
 
 

@@ -22,7 +22,6 @@ def positive_power(base: arb, exponent: Exact) -> arb:
         return arb.nan()
     if not isinstance(exponent, fmpq):
         return base**exponent
-    rooted = current_bits() >= _ROOT_FROM_BITS and 2 < exponent.q <= _LARGEST_ROOT
-    if rooted and abs(exponent.p) <= _LARGEST_POWER:
-        return (base ** int(exponent.p)).root(int(exponent.q))
-    return base ** arb(exponent)
+    if current_bits() < _ROOT_FROM_BITS or not 2 < exponent.q <= _LARGEST_ROOT or abs(exponent.p) > _LARGEST_POWER:
+        return base ** arb(exponent)
+    return (base ** int(exponent.p)).root(int(exponent.q))

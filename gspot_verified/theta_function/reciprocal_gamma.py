@@ -10,6 +10,8 @@ from flint import arb, arb_series
 from gspot_verified.balls import Exact, series_length
 
 _MAX_HALVINGS = 12
+# Nearer to a zero than 1/1000 the reflection is used.
+_NEARNESS = 1_000
 # From here on Gamma of a rational by its own series (gamma_fmpq) is faster than Gamma of a ball.
 _RATIONAL_BITS = 2_000
 
@@ -22,13 +24,12 @@ def reciprocal_gamma(z: Exact, bits: int) -> arb:
     """
     if isinstance(z, arb):
         return _of_ball(z, _MAX_HALVINGS)
-    numerator = int(z.p)
-    if numerator <= 0:
-        denominator = int(z.q)
+    if (z.q == 1 or z.q > _NEARNESS) and z.p <= 0:  # else no zero is so near
+        numerator, denominator = int(z.p), int(z.q)
         above = numerator % denominator  # z = integer + above/denominator
         if above == 0:
             return arb(0)
-        if 1000 * min(above, denominator - above) < denominator:
+        if _NEARNESS * min(above, denominator - above) < denominator:
             nearest = (2 * numerator + denominator) // (2 * denominator)
             product = arb(z - nearest).sin_pi() * arb(1 - z).gamma() / arb.pi()
             return -product if nearest % 2 else product

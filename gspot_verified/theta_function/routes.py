@@ -23,8 +23,10 @@ from gspot_verified.balls import (
     working_bits,
 )
 from gspot_verified.theta_function import choice
+from gspot_verified.theta_function.chains import chain_sum
 from gspot_verified.theta_function.finite_part import near_integers
 from gspot_verified.theta_function.laplace import laplace_sum
+from gspot_verified.theta_function.near import first_visit
 from gspot_verified.theta_function.negative import negative_split_sum, negative_sum
 from gspot_verified.theta_function.positive import positive_sum
 from gspot_verified.theta_function.splitting import splitting_sum
@@ -39,6 +41,7 @@ MAX_HEIGHT_BITS = 50_000
 _MAX_TAYLOR_BITS = 2**34
 _MAX_WIDE_TAYLOR_BITS = 2**29
 _BITS_OF_A_BALL = 1_000
+_LONG_SERIES = 3_000
 _MAX_NEAR_INTEGERS = 16
 MAX_SPLITTING_BITS = 2**33
 MAX_TERM_BITS = 2**36
@@ -74,15 +77,19 @@ def checked_arguments(tau: ExactInput, beta: ExactInput, derivative: int) -> tup
         raise ValueError(f"tau: the library covers |tau| <= {MAX_TAU}")
     if not _within(parameter, MAX_BETA):
         raise ValueError(f"beta: the library covers |beta| <= {MAX_BETA}")
-    for value, name in ((point, "tau"), (parameter, "beta")):
-        if isinstance(value, fmpq) and value.height_bits() > MAX_HEIGHT_BITS:
-            raise ValueError(f"{name}: numerator and denominator may have at most {MAX_HEIGHT_BITS} bits")
+    _check_height(point, "tau")
+    _check_height(parameter, "beta")
     return point, parameter
+
+
+def _check_height(value: Exact, name: str) -> None:
+    if isinstance(value, fmpq) and value.height_bits() > MAX_HEIGHT_BITS:
+        raise ValueError(f"{name}: numerator and denominator may have at most {MAX_HEIGHT_BITS} bits")
 
 
 def _within(value: Exact, limit: int) -> bool:
     if isinstance(value, fmpq):
-        return abs(int(value.p)) <= limit * int(value.q)
+        return bool(-limit * value.q <= value.p <= limit * value.q)
     return bool(-limit <= value <= limit)
 
 
@@ -107,6 +114,9 @@ def taylor(tau: Exact, beta: Exact, goal: int) -> arb:
     limit = _MAX_TAYLOR_BITS if is_exact(tau) and is_exact(beta) else _MAX_WIDE_TAYLOR_BITS
     if plan.length * (plan.bits + _BITS_OF_A_BALL) > limit or not _gamma_is_affordable(beta, plan.bits):
         return nonfinite()
+    few = goal < choice.SPLITTING_FROM_BITS and plan.length < _LONG_SERIES
+    if few and isinstance(tau, fmpq) and isinstance(beta, fmpq) and first_visit(beta):
+        return chain_sum(tau, beta, plan.length, plan.bits)
     return taylor_sum(tau, beta, plan.length, plan.bits)
 
 

@@ -60,12 +60,14 @@ class TaylorPolynomial(NamedTuple):
 
 def taylor_polynomial(beta: Exact, length: int, bits: int) -> TaylorPolynomial:
     """The Taylor polynomial of ``length`` terms with working precision ``bits``; kept for a rational beta."""
-    return _cached_polynomial(beta, length, bits) if isinstance(beta, fmpq) else _polynomial(beta, length, bits)
+    if isinstance(beta, fmpq):
+        return _cached_polynomial(int(beta.p), int(beta.q), length, bits)  # the hash of an fmpq takes longer
+    return _polynomial(beta, length, bits)
 
 
 @lru_cache(maxsize=64)
-def _cached_polynomial(beta: fmpq, length: int, bits: int) -> TaylorPolynomial:
-    return _polynomial(beta, length, bits)
+def _cached_polynomial(p: int, q: int, length: int, bits: int) -> TaylorPolynomial:
+    return _polynomial(fmpq(p, q), length, bits)
 
 
 def _polynomial(beta: Exact, length: int, bits: int) -> TaylorPolynomial:

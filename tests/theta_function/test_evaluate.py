@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import importlib
 import math
 from fractions import Fraction
 from typing import Any
@@ -385,6 +386,7 @@ def test_the_default_budget_is_eight_times_the_bits_and_some(asked: list[int], m
         asked.append(goal)
         return arb(0, 1)
 
+    _no_shortcut(monkeypatch)
     for name in routes.ROUTES:
         monkeypatch.setitem(routes.ROUTES, name, uncertain)
     for digits in (15, 620, 3000):
@@ -402,6 +404,12 @@ def test_a_narrow_ball_is_tried_again_as_long_as_that_helps(monkeypatch: pytest.
     for tau, beta in ((arb(1, (1, -2000)), "7/5"), ("7/5", arb(1, (1, -2000)))):
         found = evaluate(tau, beta)
         assert (found.reached, found.reason) == (True, None)
+
+
+def _no_shortcut(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Exact arguments near 0 go through the routes as all others do."""
+    module = importlib.import_module("gspot_verified.theta_function.evaluate")
+    monkeypatch.setattr(module, "near_value", lambda *_: None)
 
 
 def no_balls(monkeypatch: pytest.MonkeyPatch, least_goal: int = 0) -> list[int]:
@@ -458,6 +466,7 @@ def test_the_majorant_of_numbers_that_no_rational_holds_is_not_finite(monkeypatc
 
 def test_numbers_that_no_route_reaches_are_asked_for_again_with_more_bits(monkeypatch: pytest.MonkeyPatch) -> None:
     goals = no_balls(monkeypatch, least_goal=128)
+    _no_shortcut(monkeypatch)
     found = evaluate("1/3", "7/5", digits=5)
     assert found.reached
     assert max(goals) == 128
