@@ -13,7 +13,10 @@ from gspot_verified.ledger import (
     compliant_model,
     example,
     lagrangian,
+    section_1_cases,
     section_3,
+    section_3_sentences,
+    section_3_smoothness,
     section_4_5,
     section_4_fast,
     section_4_inner,
@@ -32,18 +35,23 @@ from gspot_verified.ledger import (
     section_6,
     table_1,
     varsim1,
+    varsim2,
 )
 from gspot_verified.ledger.entry import Builders, Entry
 from gspot_verified.verdict import Outcome
 
 PARTS: dict[str, Builders] = {
+    "Section 1, Cases I, II and III": section_1_cases.ENTRIES,
     "Section 1, the ratio β": section_4_slow.RATIO_ENTRIES,
     "Section 2, the motivating example": section_4_trivial.ENTRIES,
     "Section 2, the extended example": lagrangian.ENTRIES,
     "Section 3, sides of the simulations": section_3.ENTRIES,
     "Section 3, the runs of the simulations": varsim1.ENTRIES,
+    "Section 3, sentences on the simulations": section_3_sentences.ENTRIES,
+    "Section 3, smoothness": section_3_smoothness.ENTRIES,
     "Section 3, Table 1": table_1.ENTRIES,
     "Section 3, after lift-off": after_lift_off.ENTRIES,
+    "Section 3, the runs of the extended system": varsim2.ENTRIES,
     "Section 4, elimination and deviations": section_4_outer.ENTRIES,
     "Section 4.1, the distinguished trajectory": section_4_unique.ENTRIES,
     "Section 4, fast system": section_4_fast.ENTRIES,
