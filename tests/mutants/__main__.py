@@ -7,7 +7,6 @@ import gc
 import hashlib
 import json
 import os
-import random
 import sys
 import time
 from collections import Counter
@@ -47,7 +46,7 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
         inside = [mutant for mutant in everything if options.scope is None or mutant.scope in options.scope]
         waived = [mutant for mutant in inside if is_waived(mutant, listed)]
         judged = [mutant for mutant in inside if mutant not in waived]
-        chosen = _sample(judged, options.sample, f"{options.seed} {file}")
+        chosen = _sample(judged, options.sample, options.seed)
         if not chosen:
             continue
         try:
@@ -85,10 +84,13 @@ def _files(root: Path, names: Sequence[str]) -> list[str]:
     return [file.resolve().relative_to(root).as_posix() for file in files]
 
 
-def _sample(mutants: list[Mutant], size: int | None, seed: str) -> list[Mutant]:
-    if size is None or size >= len(mutants):
-        return mutants
-    return sorted(random.Random(seed).sample(mutants, size), key=lambda mutant: mutant.index)
+def _sample(mutants: list[Mutant], size: int | None, seed: int) -> list[Mutant]:
+    """The ``size`` mutants whose hashes are least: a larger sample holds a smaller one, and other lines may change."""
+
+    def order(mutant: Mutant) -> str:
+        return hashlib.sha256(json.dumps([seed, *mutant.key]).encode()).hexdigest()
+
+    return sorted(sorted(mutants, key=order)[:size], key=lambda mutant: mutant.index)
 
 
 class _Run:
