@@ -14,6 +14,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from mutants.choice import importing, mirrored
+from mutants.judged import Judged, read_judged, write_judged
 from mutants.operators import Mutant, code_of, mutants_of
 from mutants.process import Reach, reach_of, start
 from mutants.survivors import complaints, is_listed, is_waived, read_survivors
@@ -34,19 +35,29 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--resume", action="store_true", help="leave out what was killed before in the same sources")
     parser.add_argument("--tests", nargs="+", help="test files to use in place of those that are found")
+    parser.add_argument("--stated", action="store_true", help="the sample that judged.toml states for each file")
+    parser.add_argument("--record", action="store_true", help="write what was judged without a complaint to judged.toml")
     parser.add_argument("--wide", action="store_true", help="survivors: every test that imports the module, too")
     options = parser.parse_args(arguments)
     for name in _PRELOADED:  # once, before the forks; never the package itself
         __import__(name)
     gc.freeze()  # no process searches them for garbage
     listed = read_survivors(root / "tests" / "mutants" / "survivors.toml")
+    table = root / "tests" / "mutants" / "judged.toml"
+    rows = read_judged(table)
     wrong: list[str] = []
     for file in _files(root, options.files):
         everything = mutants_of(root, file)
         inside = [mutant for mutant in everything if options.scope is None or mutant.scope in options.scope]
         waived = [mutant for mutant in inside if is_waived(mutant, listed)]
         judged = [mutant for mutant in inside if mutant not in waived]
-        chosen = _sample(judged, options.sample, options.seed)
+        size, seed = options.sample, options.seed
+        if options.stated and everything:
+            if file not in rows:
+                wrong.append(f"is not in judged.toml: {file}")
+                continue
+            size, seed = rows[file].sample, rows[file].seed
+        chosen = _sample(judged, size, seed)
         if not chosen:
             continue
         try:
@@ -69,12 +80,19 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
             f"{len(everything) - len(chosen) - len(waived)} not run",
             flush=True,
         )
-        wrong += complaints(listed, everything, killed, survived)
+        found = complaints(listed, everything, killed, survived)
+        wrong += found
+        if options.record and not found and options.scope is None:
+            stated = None if len(chosen) == len(judged) else size
+            row = Judged(stated, seed if stated else 0, len(everything), len(killed), argued, len(waived))
+            if file not in rows or not rows[file].holds(row):
+                rows[file] = row
+                write_judged(table, rows)
     for text in wrong:
         print(f"\n{text}")
-    missing = sorted({key[0] for key in listed if not (root / key[0]).is_file()})
+    missing = sorted({name for name in [*rows, *(key[0] for key in listed)] if not (root / name).is_file()})
     for name in missing:
-        print(f"\nin the list, but there is no such file: {name}")
+        print(f"\nin the list or the table, but there is no such file: {name}")
     return 1 if wrong or missing else 0
 
 

@@ -2,7 +2,8 @@
 
 The changes are those that a slip in a bound or in a guard would make: a comparison moved by one, a sign turned, a term
 or a factor dropped, a constant moved, a condition forced, one operand of ``and``/``or`` dropped, a call that only
-guards or widens taken away. Texts, annotations, decorators and what stands inside ``raise`` are left alone.
+guards or widens taken away. A multiple of 64 is a working precision as a rule, and one bit more of it harms nothing: it
+becomes 2. Texts, annotations, decorators and what stands inside ``raise`` are left alone.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ _NAMES = {
     "upper": "lower", "abs_lower": "abs_upper", "abs_upper": "abs_lower", "certainly_less": "certainly_at_most",
     "certainly_at_most": "certainly_less",
 }  # fmt: skip
+_PRECISION = 64
 _UNWRAPPED = ("abs", "sorted", "add_remainder", "union")
 _NOT_MUTATED = {"annotation", "returns", "decorator_list", "exc", "type_params"}
 
@@ -192,7 +194,7 @@ def _alternatives(node: ast.AST, owner: ast.AST) -> Iterator[ast.AST]:
         case ast.Constant(value=bool(value)):
             yield ast.Constant(not value)
         case ast.Constant(value=int(value)):
-            yield ast.Constant(value + 1)
+            yield ast.Constant(2 if value >= _PRECISION and value % _PRECISION == 0 else value + 1)
         case ast.Constant(value=float(value)):
             yield ast.Constant(2 * value)
         case ast.IfExp():

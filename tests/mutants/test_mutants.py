@@ -55,6 +55,7 @@ def changes(tmp_path: Path, source: str) -> set[str]:
         ("a = not b", {"a = b"}),
         ("a = -b", {"a = b"}),
         ("a = 7", {"a = 8"}),
+        ("with precision(192):\n    a()", {"with precision(2):", "pass"}),
         ("a = True", {"a = False"}),
         ("a = abs(b)", {"a = b"}),
         ("a = min(b, c)", {"a = max(b, c)", "a = b", "a = c"}),
