@@ -147,7 +147,7 @@ def _tree(text: str) -> ast.expr:
 
 
 def _polynomial(node: ast.expr) -> fmpq_mpoly:
-    return ALGEBRA.read(ast.unparse(node).replace("**", "^") + "+0*beta")
+    return ALGEBRA.read(ast.unparse(node).replace("**", "^"))
 
 
 def _form(node: ast.expr) -> ClosedForm:

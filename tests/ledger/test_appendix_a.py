@@ -151,3 +151,37 @@ def test_the_exceptions_are_the_integers_at_which_the_formula_fails(j: int) -> N
     for n in range(9):
         holds = asymptotic_errors.large_error_within(j, fmpq(60), fmpq(n))
         assert holds is (n % 3 != j)
+
+
+def test_a_factor_with_zeros_of_its_own_says_nothing_on_the_exceptions(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert all(asymptotics._vanishes(j) for j in range(3))
+    monkeypatch.setitem(hypergeometric.LARGE, "factor 1", "3^(2/3)*(beta-5)/Gamma((1-beta)/3)")
+    monkeypatch.setitem(hypergeometric.LARGE, "factor 2", "0/Gamma((2-beta)/3)")
+    assert [asymptotics._vanishes(j) for j in range(3)] == [True, False, False]
+    monkeypatch.setitem(asymptotics.EXCEPTIONS, "0", "3+3*m")
+    assert not asymptotics._vanishes(0)
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "answer"),
+    [("1", "0", False), ("-1", "0", False), ("0 +/- 1", "0", None), ("0", "0", None), ("1", "1e-30", None)],
+)
+def test_a_formula_fails_where_its_sides_differ_for_certain(
+    monkeypatch: pytest.MonkeyPatch, left: str, right: str, answer: bool | None
+) -> None:
+    monkeypatch.setattr(hypergeometric, "fundamental_solution", lambda *_: arb(left))
+    monkeypatch.setattr(hypergeometric, "value_of", lambda *_, **__: arb(right))
+    monkeypatch.setattr(asymptotics, "_allowed_integers", lambda _: [])
+    assert asymptotics._at_exceptions()[0] is answer
+
+
+def test_one_exception_that_is_open_leaves_all_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest = hypergeometric.fundamental_solution
+    monkeypatch.setattr(hypergeometric, "fundamental_solution", lambda j, *a: honest(j, *a) if a[1] != 3 else arb(0, 1))
+    assert asymptotics._at_exceptions()[0] is None
+
+
+def test_the_condition_of_th5_is_said_formula_by_formula() -> None:
+    corrected = appendix_a.ENTRIES["A-th5-condition"]().corrected
+    assert "hold if and only if β is not " in corrected.replace("holds", "hold")
+    assert "3m (j = 0); 1+3m (j = 1); 2+3m (j = 2), m = 0, 1, 2, ..." in corrected

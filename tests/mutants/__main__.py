@@ -36,7 +36,9 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
     parser.add_argument("--resume", action="store_true", help="leave out what was killed before in the same sources")
     parser.add_argument("--tests", nargs="+", help="test files to use in place of those that are found")
     parser.add_argument("--stated", action="store_true", help="the sample that judged.toml states for each file")
-    parser.add_argument("--record", action="store_true", help="write what was judged without a complaint to judged.toml")
+    parser.add_argument(
+        "--record", action="store_true", help="write what was judged without a complaint to judged.toml"
+    )
     parser.add_argument("--wide", action="store_true", help="survivors: every test that imports the module, too")
     options = parser.parse_args(arguments)
     for name in _PRELOADED:  # once, before the forks; never the package itself

@@ -16,13 +16,17 @@ _ALSO = {
 
 
 def mirrored(root: Path, file: str) -> list[str]:
-    """Paths for pytest: the file's own examples and ``tests/.../test_NAME*.py``; what imports it when there is none."""
+    """Paths for pytest: the file's own examples and ``tests/.../test_NAME*.py``; what imports it when there is none.
+
+    For a part of the ledger both, and the tests of all parts.
+    """
     path = Path(file)
     folder = root / "tests" / Path(*path.parts[1:-1])
     tests = sorted(folder.glob(f"test_{path.stem}.py")) + sorted(folder.glob(f"test_{path.stem}_*.py"))
     tests += [root / "tests" / name for name in _ALSO.get(file, ())]
     chosen = [file, *(test.relative_to(root).as_posix() for test in tests)] if tests else importing(root, file)
-    return chosen + [test for test in _OF_THE_PARTS if parts(root, file) and test not in chosen]
+    further = [*importing(root, file), *_OF_THE_PARTS] if parts(root, file) else []
+    return list(dict.fromkeys([*chosen, *further]))
 
 
 def parts(root: Path, file: str) -> set[str]:

@@ -36,7 +36,10 @@ def read_judged(path: Path) -> dict[str, Judged]:
     :raises ValueError: the numbers of a row do not add up.
     """
     rows = tomllib.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
-    return {file: Judged(**(row | {"sample": None if row["sample"] == WHOLE else row["sample"]})) for file, row in rows.items()}
+    return {
+        file: Judged(**(row | {"sample": None if row["sample"] == WHOLE else row["sample"]}))
+        for file, row in rows.items()
+    }
 
 
 def write_judged(path: Path, rows: dict[str, Judged]) -> None:
