@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 WHOLE = "whole"
-_HEAD = "# What the last recorded run of each file judged: see README.md. Written by --record, held against by --stated.\n\n"
+_HEAD = "# What the last recorded run of each file judged: README.md. Written by --record, read by --stated.\n\n"
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class Judged:
 
     def holds(self, other: Judged) -> bool:
         """Whether this sample is the larger one."""
-        return self.sample is None or (other.sample is not None and self.sample > other.sample)
+        return other.sample is not None and (self.sample is None or self.sample > other.sample)
 
 
 def read_judged(path: Path) -> dict[str, Judged]:

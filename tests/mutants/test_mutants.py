@@ -154,7 +154,9 @@ def test_the_committed_list_reads() -> None:
     assert {key[0] for key in listed if not (ROOT / key[0]).is_file()} == set()
 
 
-def run(folder: Path, tests: str, survivors: str = "", source: str = SOURCE, package: str = "") -> tuple[int, str]:
+def run(
+    folder: Path, tests: str, survivors: str = "", source: str = SOURCE, package: str = "", options: str = ""
+) -> tuple[int, str]:
     """The tool on a small project, in a process of its own."""
     files = {"pyproject.toml": SETTINGS, "package/__init__.py": package, "package/source.py": source,
              "tests/test_source.py": tests, "tests/mutants/survivors.toml": survivors}  # fmt: skip
@@ -163,9 +165,9 @@ def run(folder: Path, tests: str, survivors: str = "", source: str = SOURCE, pac
         (folder / name).write_text(text)
     script = (
         "import sys; from pathlib import Path; from mutants.__main__ import main; sys.path.insert(0, sys.argv[1]); "
-        "sys.exit(main(['package/source.py', '--workers', '1'], Path(sys.argv[1])))"
+        "sys.exit(main(['package/source.py', '--workers', '1', *sys.argv[2].split()], Path(sys.argv[1])))"
     )
-    command = [sys.executable, "-c", script, str(folder)]
+    command = [sys.executable, "-c", script, str(folder), options]
     environment = {"PYTHONPATH": str(ROOT / "tests"), "PATH": ""}
     done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
     return done.returncode, done.stdout + done.stderr
