@@ -63,10 +63,10 @@ def test_the_side_at_touch_down(monkeypatch: pytest.MonkeyPatch, side: arb, answ
 
 def test_all_runs_that_lift_off_and_both_epsilon_count(monkeypatch: pytest.MonkeyPatch) -> None:
     """The runs are those on the other side of what takes an impact in Sec. 3."""
-    assert after_lift_off.LIFTING == {
+    assert {
         beta: tuple(nu for nu in section_3.FACTORS if nu != 1 and (1 if nu < 1 else -1) != side)
         for beta, side in section_3.IMPACT["corrected"].items()
-    }
+    } == after_lift_off.LIFTING
     asked = []
 
     def of(beta: fmpq, nu: fmpq, epsilon: fmpq) -> Any:

@@ -11,6 +11,7 @@ from flint import fmpq
 from gspot_verified.compliant.normal_form import compliant_model
 from gspot_verified.compliant.paper_state import paper_state
 from gspot_verified.ledger import varsim1
+from gspot_verified.ledger.entry import Rung
 from gspot_verified.verdict import Outcome
 
 IMPACT, LIFT_OFF, TRIVIAL = (fmpq(3, 2), fmpq(1, 2)), (fmpq(3, 2), fmpq(2)), (fmpq(3, 2), fmpq(1))
@@ -26,10 +27,14 @@ def test_the_initial_state_by_two_routes(beta: fmpq, nu: fmpq) -> None:
 
 
 def test_the_runs_are_those_of_the_figure() -> None:
-    assert varsim1.PANELS == {fmpq(1, 2): "a", fmpq(3, 2): "b", fmpq(5, 2): "c"}
-    assert varsim1.FACTORS == (fmpq(1, 4), fmpq(1, 2), 1, 2, 4)
-    assert set(varsim1.EPSILON_0) == set(varsim1.PANELS)
+    assert {fmpq(1, 2): "a", fmpq(3, 2): "b", fmpq(5, 2): "c"} == varsim1.PANELS
+    assert (fmpq(1, 4), fmpq(1, 2), 1, 2, 4) == varsim1.FACTORS
+    assert {fmpq(1, 2): fmpq(1, 100), fmpq(3, 2): fmpq(1, 100), fmpq(5, 2): fmpq(1, 500)} == varsim1.EPSILON_0
     entry = varsim1.ENTRIES["3-varsim1c-1_4"]()
+    assert entry.checks[0].rung is Rung.BALLS
+    trivial = varsim1.ENTRIES["3-varsim1c-1"]()
+    assert trivial.checks[0].rung is Rung.EXACT
+    assert "every ε > 0" in trivial.statement
     assert f"every ε in (0, {varsim1.EPSILON_0[fmpq(5, 2)]}]" in entry.statement
     shown = ", ".join(f"10^-{len(str(int(1 / point))) - 1}" for point in varsim1.POINTS)
     assert entry.checks[1].what.endswith(f"at ε = {shown}")
