@@ -101,12 +101,16 @@ def _sign(identifier: str, value: fmpq_mpoly) -> int | None:
     return 1 if rising_signs(value) else -1 if rising_signs(-value) else None
 
 
+def sums_of_two_roots(zero: fmpq_mpoly, one: fmpq_mpoly, two: fmpq_mpoly) -> fmpq_mpoly:
+    """Of a monic cubic f with these coefficients: -f(-two - λ), whose roots are -two minus a root."""
+    argument = -two - _SYMBOLS["lam"]
+    return -(argument**3 + two * argument**2 + one * argument + zero)
+
+
 def _stable() -> Entry:
     zero, one, two, three = _cubic_coefficients()
     hurwitz = [three, two, two * one - three * zero, zero]
-    # The pairwise sums of the roots of a monic cubic: g(x) = -f(-two - x), its roots are -two minus a root.
-    argument = -two - _SYMBOLS["lam"]
-    sums = -(argument**3 + two * argument**2 + one * argument + zero)
+    sums = sums_of_two_roots(zero, one, two)
     all_sums = [ALGEBRA.coefficient_of(sums, "lam", k) for k in range(4)]
 
     def all_positive(values: list[fmpq_mpoly]) -> bool:

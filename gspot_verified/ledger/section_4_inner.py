@@ -180,8 +180,8 @@ def _theta() -> Entry:
             b, theta = (kappa * s) ** j, tau**j
             b_powers = [ALGEBRA.derivative(b, {"s": ALGEBRA.constant(1)}, k) for k in range(4)]
             theta_powers = [ALGEBRA.derivative(theta, {"tau": ALGEBRA.constant(1)}, k) for k in range(4)]
-            left = ALGEBRA.replaced(inner, "g", b_powers, none)
-            right = ALGEBRA.replaced(parts["equation"], "h", theta_powers, none)
+            left = ALGEBRA.replaced(inner, "g", b_powers, ALGEBRA.constant(1))
+            right = ALGEBRA.replaced(parts["equation"], "h", theta_powers, ALGEBRA.constant(1))
             difference = left - _SYMBOLS["alpha1"] * ALGEBRA.substitute(right, in_s)
             found.append(_reduced(difference, parts["kappa cubed"]))
         return found

@@ -70,3 +70,19 @@ def test_roots_of_the_cubic_by_enclosures() -> None:
         positive = sum(bool(root > 0) for root in roots)
         assert positive == (1 if p < 0 else 0)
         assert all(bool(root > 0) or bool(root < 0) for root in roots)
+
+
+def test_the_sums_of_two_roots() -> None:
+    """1 + 2, 1 + 3, 2 + 3 for (λ - 1)(λ - 2)(λ - 3); the polynomial that 4-stable names for the printed cubic."""
+    sums = ledger.sums_of_two_roots(*(ALGEBRA.constant(n) for n in (-6, 11, -6)))
+    assert sums == ALGEBRA.read("(lam-3)*(lam-4)*(lam-5)")
+    p = ALGEBRA.read("p")
+    assert ledger.sums_of_two_roots(p, p, ALGEBRA.constant(2)) == ALGEBRA.read("lam^3 + 4*lam^2 + (4+p)*lam + p")
+
+
+def test_complex_roots_are_not_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+    """(λ + 1)(λ² + 1): one root below 0."""
+    rows = [[1, 1, 1, 1], [1, 2, 3], [-2, -1], [-1]]
+    chain = [[ALGEBRA.constant(value) for value in row] for row in rows]
+    monkeypatch.setattr(ledger, "sturm_chain", lambda: chain)
+    assert ledger.roots_for_negative_p() == (1, 0)

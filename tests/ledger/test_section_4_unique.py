@@ -6,11 +6,13 @@ from fractions import Fraction
 from math import factorial
 
 import pytest
+from flint import fmpq_mpoly
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gspot_verified import Outcome
 from gspot_verified.ledger import section_4_unique as ledger
+from gspot_verified.ledger.section_4_outer import ALGEBRA, field
 
 NEGATIVE = st.fractions(min_value=-5, max_value=-1, max_denominator=7)
 SMALL = st.fractions(min_value=Fraction(1, 50), max_value=1, max_denominator=50)
@@ -75,3 +77,19 @@ def test_beta_must_lie_strictly_between_two_integers(monkeypatch: pytest.MonkeyP
 def test_the_constants_of_the_page() -> None:
     assert Fraction(1, 4) <= Fraction(2, 3) ** 3  # 2^(-2/3) <= 2/3, so that 1/(1 - 2^(-2/3)) <= 3
     assert Fraction(7, 10) ** 2 <= Fraction(1, 2)  # 0.7 <= cos(π/4)
+
+
+def test_the_system_in_rows_vanishes_along_its_own_field() -> None:
+    """At ε = 2, with the rates of the field divided by ε; a rate that is wrong by 1 leaves a row."""
+    at_two = {"eps": ALGEBRA.constant(2)}
+    rates = {name: ALGEBRA.substitute(rate, at_two) / 2 for name, rate in field(True).items()}
+    names = {name: (ALGEBRA.symbols[name], rates[name]) for name in "yvz"}
+
+    def rows(names: dict[str, tuple[fmpq_mpoly, fmpq_mpoly]], rate: fmpq_mpoly) -> list[bool]:
+        found = ledger._system((ALGEBRA.symbols["b0"], rate), names)
+        return [bool(ALGEBRA.substitute(row, at_two).is_zero()) for row in found]
+
+    assert rows(names, rates["b0"]) == [True] * 4
+    assert rows(names, rates["b0"] + 1) == [False, True, True, True]
+    for row, (name, (value, rate)) in enumerate(names.items(), start=1):
+        assert rows({**names, name: (value, rate + 1)}, rates["b0"]) == [k != row for k in range(4)]
