@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import pytest
 from flint import arb, fmpq
 
@@ -21,6 +23,21 @@ def test_another_decimal_in_the_table_is_not_proved(monkeypatch: pytest.MonkeyPa
     table[row] = (text[:-1] + str((int(text[-1]) + 1) % 10), name, beta)
     monkeypatch.setattr(ledger, "TABLE", tuple(table))
     assert outcome("4-table") is Outcome.UNDECIDED
+    assert [check.agrees for check in ledger.ENTRIES["4-table"]().checks] == [None, None]
+
+
+def test_the_table_has_four_rows_at_three_beta() -> None:
+    betas = (fmpq(1, 2), fmpq(3, 2), fmpq(5, 2))
+    assert [row[1:] for row in ledger.TABLE] == [(name, beta) for name in "bvyt" for beta in betas]
+
+
+@pytest.mark.parametrize(("exponent", "agrees"), [("0.345", True), ("0.255", True), ("0.355", None), ("0.245", None)])
+def test_half_a_unit_of_the_printed_decimal(
+    monkeypatch: pytest.MonkeyPatch, exponent: str, agrees: bool | None
+) -> None:
+    value = fmpq(*Fraction(exponent).as_integer_ratio())
+    monkeypatch.setattr(ledger, "TABLE", (("0.3", "b", value * fmpq(3, 2)),))
+    assert [check.agrees for check in ledger.ENTRIES["4-table"]().checks] == [agrees, agrees]
 
 
 @pytest.mark.parametrize("beta", [fmpq(1, 2), fmpq(3, 2), fmpq(7, 3)])
