@@ -157,7 +157,7 @@ def _case_three() -> Entry:
             Rung.POINTS,
             "the exact ε_0 for τ >= -10 at three values of β, not below that at leading order; certified values of the "
             "force just below it",
-            all_of(answers) if len(shown) == len(BETAS) else None,
+            all_of(answers),
             "; ".join(shown),
         ),
         note='S-iwc-case-III without the words "at leading order". For 5 < β < 13 an exact ε_0 is found by cells of ε '
