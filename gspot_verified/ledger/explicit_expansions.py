@@ -148,11 +148,14 @@ def _plain(term: SpacePolynomial) -> fmpq_poly:
     return fmpq_poly(term.coefficients())
 
 
-def lemma_on_a_quartic(orders: int = 8) -> bool:
-    """f = c0 + c1 u + ... + c4 u^4 at u = sum of xi_k delta^(k + 2): f_n has no xi_k, k > n - 2, and c1 xi_(n-2)."""
+def lemma_on_a_quartic(orders: int = 8, scale: int = 2) -> bool:
+    """f = c0 + c1 u + ... + c4 u^4 at u = sum of xi_k delta^(k + 2): f_n has no xi_k, k > n - 2, and c1 xi_(n-2).
+
+    ``scale``: another power of delta in front of xi~, for which this is wrong.
+    """
     algebra = Algebra("delta c0 c1 c2 c3 c4 " + " ".join(f"x{k}" for k in range(orders)))
     delta = algebra.symbols["delta"]
-    u = sum((algebra.symbols[f"x{k}"] * delta ** (k + 2) for k in range(orders)), start=algebra.constant(0))
+    u = sum((algebra.symbols[f"x{k}"] * delta ** (k + scale) for k in range(orders)), start=algebra.constant(0))
     f = sum((algebra.symbols[f"c{j}"] * u**j for j in range(5)), start=algebra.constant(0))
     terms = algebra.coefficients(f, "delta")
     for n in range(orders):

@@ -41,6 +41,22 @@ def test_both_routes_say_what_the_written_out_sums_say(texts: tuple[str, str, st
     assert pairs is (holds and texts[1] == "k")
 
 
+@pytest.mark.parametrize(
+    "texts",
+    [
+        ("n", "0*k", "0*k", "n"),  # one product, n + 1 times
+        ("n - k", "k", "0*k", "n*k"),
+        ("n - k", "k", "0*k", "n + 40"),
+        ("n - k", "-40*k", "0*k", "n"),
+        ("-40*k", "k", "0*k", "n"),
+        ("n - k", "k", "k", "n"),
+    ],
+)
+def test_other_sums_are_refused_by_geometric_series(texts: tuple[str, str, str, str]) -> None:
+    of = {name: ALGEBRA.read(text) for name, text in zip(NAMES, texts, strict=True)}
+    assert not all(value.is_zero() for value in product_of_geometric_series(ALGEBRA, of, 0))
+
+
 @pytest.mark.parametrize("wrong", ["n*k", "other", "n/2 - k", "k^2", "9*k"])
 def test_an_index_that_is_no_integer_line_is_refused(wrong: str) -> None:
     of = {name: ALGEBRA.read(text) for name, text in zip(NAMES, (wrong, "k", "0*k", "n"), strict=True)}
