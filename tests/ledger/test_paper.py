@@ -194,6 +194,8 @@ def test_a_label_that_the_data_do_not_hold_cites_nothing() -> None:
         ("modelSysDevInner, not modelSysDevInnermost", "eq. (52), not modelSysDevInnermost"),
         ("th:3 and thm:expansion, Theorem 6 (th:5)", "Theorem 4 and Lemma 2, Theorem 6 (th:5)"),
         ("Coulomb friction, β = 3/2", "Coulomb friction, β = 3/2"),
+        ("Coulomb friction, beta and xdot as words", "Coulomb friction, beta and xdot as words"),
+        ("sec:4 and fig:varsim1 of eq:modelSysTEliminated", "sec:4 and fig:varsim1 of eq:modelSysTEliminated"),
     ],
 )
 def test_labels_in_texts_become_printed_numbers(text: str, wanted: str) -> None:
