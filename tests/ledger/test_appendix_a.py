@@ -185,3 +185,17 @@ def test_the_condition_of_th5_is_said_formula_by_formula() -> None:
     corrected = appendix_a.ENTRIES["A-th5-condition"]().corrected
     assert "hold if and only if β is not " in corrected.replace("holds", "hold")
     assert "3m (j = 0); 1+3m (j = 1); 2+3m (j = 2), m = 0, 1, 2, ..." in corrected
+
+
+@pytest.mark.parametrize("n", [-4, -1, 0, 3, 8])
+def test_each_integer_that_is_named_is_tried(monkeypatch: pytest.MonkeyPatch, n: int) -> None:
+    honest = appendix_a.initial_values
+
+    def changed(beta: fmpq, bits: int) -> tuple[arb, ...]:
+        values = honest(beta, bits)
+        return tuple(value + 1 for value in values) if beta == n else values
+
+    monkeypatch.setattr(appendix_a, "BETAS", appendix_a.BETAS[-3:])
+    assert "integers from -4 to 8" in appendix_a.ENTRIES["A-t01"]().checks[-1].what
+    monkeypatch.setattr(appendix_a, "initial_values", changed)
+    assert appendix_a.ENTRIES["A-t01"]().checks[-1].agrees is not True

@@ -205,3 +205,22 @@ def test_claims_are_three_valued() -> None:
     assert [mended(*pair) for pair in ((True, None), (False, True), (False, None), (False, False), (None, True))] == [
         True, False, None, None, None,
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("text", "same"),
+    [
+        ("Gamma(-1/2)", "-2*pi^(1/2)"),
+        ("Gamma(-3/2)", "4/3*pi^(1/2)"),
+        ("Gamma(-7/2)", "16/105*pi^(1/2)"),
+        ("Gamma(-2/3)", "-3/2*Gamma(1/3)"),
+        ("Gamma(-8/3)", "-27/80*Gamma(1/3)"),
+        ("Gamma(7/2)", "15/8*pi^(1/2)"),
+        ("Gamma(10/3)", "28/27*Gamma(1/3)"),
+    ],
+)
+def test_gamma_of_rational_numbers(text: str, same: str) -> None:
+    assert (closed_form(text) / closed_form(same)).is_one()
+    assert not (closed_form(text) / closed_form(f"2*({same})")).is_one()
+    with working_bits(100):
+        assert abs(evaluate_text(text, {}, 100).real / evaluate_text(same, {}, 100).real - 1) < arb("1e-20")
