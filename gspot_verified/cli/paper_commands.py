@@ -23,6 +23,7 @@ def verify(
 
     Exit code 1 when a printed statement is refuted (the paper has misprints), 2 when one is undecided.
     """
+    from gspot_verified.ledger.claims import standing_counts
     from gspot_verified.ledger.entry import Rung, counts, rung_counts
     from gspot_verified.ledger.verify import exit_code, verify_paper
     from gspot_verified.report.write import write_report
@@ -36,6 +37,7 @@ def verify(
             "counts": counts(entries),
             "rungs": rung_counts(entries),
             "page_alone": sum(entry.page_alone for entry in entries),
+            "claims": standing_counts({entry.identifier: entry.verdict.outcome for entry in entries}),
         }
         print_json({**numbers, "entries": [entry.to_json() for entry in entries]})
     else:
@@ -49,6 +51,9 @@ def verify(
             typer.echo(f"{outcome}: " + (", ".join(words) or "none"))
         alone = sum(entry.page_alone for entry in entries)
         typer.echo(f"{alone} of {len(entries)} rest on a proof page alone")
+        claims = standing_counts({entry.identifier: entry.verdict.outcome for entry in entries})
+        listed = ", ".join(f"{number} {standing}" for standing, number in claims.items())
+        typer.echo(f"of the paper's {sum(claims.values())} claims: {listed}")
         total = counts(entries)
         typer.echo(", ".join(f"{number} {outcome}" for outcome, number in total.items()))
         if written:

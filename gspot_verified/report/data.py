@@ -6,10 +6,11 @@ import json
 import platform
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from importlib import metadata
 from typing import Any
 
+from gspot_verified.ledger.claims import Standing, paper_claims
 from gspot_verified.ledger.dependencies import dependencies
 from gspot_verified.ledger.entry import Entry, Rung, counts, rung_counts
 from gspot_verified.report.canvas import Picture
@@ -20,6 +21,7 @@ from gspot_verified.verdict import Outcome, Reason
 SCHEMA = 4
 
 _OUTCOMES = [outcome.value for outcome in Outcome]
+_STANDINGS = [standing.value for standing in Standing]
 _RUNGS = [rung.name.lower() for rung in Rung]
 _REASONS = [reason.name.lower() for reason in Reason]
 _ENTRY_TEXTS = ("identifier", "label", "printed", "section", "source", "statement", "corrected", "note", "code")
@@ -55,12 +57,14 @@ def report_data(
     :raises ValueError: two entries have one identifier.
     """
     identifiers = [entry.identifier for entry in entries]
+    outcomes = {entry.identifier: entry.verdict.outcome for entry in entries}
     return checked(
         {
             "schema": SCHEMA,
             "counts": counts(entries),
             "rungs": rung_counts(entries),
             "page_alone": sum(entry.page_alone for entry in entries),
+            "claims": [claim.to_json(outcomes) for claim in paper_claims()] if entries else [],
             "entries": [
                 {**entry.to_json(), "dependencies": dependencies(entry, identifiers).to_json()} for entry in entries
             ],
@@ -92,6 +96,10 @@ def checked(report: object) -> dict[str, Any]:
         if times > 1:
             raise ValueError(f"entries: the identifier {identifier!r} occurs {times} times")
     _check_counts(found, entries)
+    for number, claim in enumerate(_sequence(found, "claims", "report")):
+        _check_claim(
+            claim, f"claims[{number}]", {entry["identifier"]: entry["verdict"]["outcome"] for entry in entries}
+        )
     for number, picture in enumerate(_sequence(found, "figures", "report")):
         _texts(_mapping(picture, f"figures[{number}]"), _PICTURE_TEXTS, f"figures[{number}]")
         _file_name(picture["name"], f"figures[{number}].name")
@@ -124,6 +132,23 @@ def _check_counts(report: dict[str, Any], entries: Sequence[dict[str, Any]]) -> 
         # As texts, so that true is not 1.
         if json.dumps(stated, sort_keys=True) != json.dumps(numbers, sort_keys=True):
             raise ValueError(f"{name}: the file says {stated}, its entries give {numbers}")
+
+
+def _check_claim(value: object, where: str, outcomes: Mapping[str, str]) -> None:
+    """A row of the paper's claims: its standing is the one that its entries give."""
+    claim = _mapping(value, where)
+    _texts(claim, ("claim", "why"), where)
+    _one_of(claim.get("standing"), _STANDINGS, f"{where}.standing")
+    lines = _sequence(claim, "lines", where)
+    if len(lines) != 2 or any(type(line) is not int for line in lines):
+        raise ValueError(f"{where}.lines: expected two line numbers, got {lines}")
+    found = {outcomes.get(name) for name in _sequence(claim, "entries", where)}
+    if found:
+        given = "refuted" if "refuted" in found else "proved" if found == {"proved"} else "undecided"
+        if claim["standing"] != given:
+            raise ValueError(f"{where}.standing: the file says {claim['standing']}, its entries give {given}")
+    elif claim["standing"] in ("proved", "refuted"):
+        raise ValueError(f"{where}.standing: {claim['standing']} without an entry")
 
 
 def _check_rungs(entry: dict[str, Any], where: str) -> None:

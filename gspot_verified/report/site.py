@@ -11,6 +11,7 @@ from importlib import resources
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
+from gspot_verified.ledger.claims import Standing
 from gspot_verified.ledger.entry import Rung
 from gspot_verified.ledger.paper import printed_number
 from gspot_verified.report.code_page import code_address, code_page
@@ -58,6 +59,7 @@ def pages(report: dict[str, Any]) -> dict[str, str]:
         "versions": report["versions"],
         "proofs": proofs,
         "certificates": report["certificates"],
+        "standings": _standings(report["claims"]),
         "figures": report["figures"],
     }
     found = {
@@ -70,6 +72,7 @@ def pages(report: dict[str, Any]) -> dict[str, str]:
     return found | {
         "index.html": _page("start", common, rungs=_rungs(report), page_alone=report["page_alone"]),
         "statements.html": _page("statements", common, **_script()),
+        "claims.html": _page("claims", common, claims=_claims(report["claims"], entries)),
         "errata.html": _page("errata", common, refuted=_with_outcome(entries, Outcome.REFUTED)),
         "open.html": _page("open", common, undecided=_with_outcome(entries, Outcome.UNDECIDED)),
         "proofs.html": _page("proofs", common),
@@ -162,6 +165,17 @@ def _graph(entries: Sequence[dict[str, Any]], proofs: dict[str, dict[str, Any]])
     }
     arrows |= {f"{name}.md": [f"{other}.md" for other in page["links"]] for name, page in proofs.items()}
     return graph_svg(nodes, arrows)
+
+
+def _claims(claims: Sequence[dict[str, Any]], entries: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    by_name = {entry["identifier"]: entry for entry in entries}
+    return [{**claim, "entries": [by_name[name] for name in claim["entries"] if name in by_name]} for claim in claims]
+
+
+def _standings(claims: Sequence[dict[str, Any]]) -> dict[str, int]:
+    """How many claims of the paper have each standing, in the order of ``Standing``."""
+    found = [claim["standing"] for claim in claims]
+    return {standing.value: found.count(standing.value) for standing in Standing}
 
 
 def _rungs(report: dict[str, Any]) -> list[tuple[Rung, int, int]]:

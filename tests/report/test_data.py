@@ -13,7 +13,18 @@ def report(entries, pictures, certificates):
 
 def test_counts_and_keys(report, entries):
     assert report["counts"] == {"proved": 1, "refuted": 1, "undecided": 2}
-    parts = ["certificates", "counts", "entries", "figures", "page_alone", "proofs", "rungs", "schema", "versions"]
+    parts = [
+        "certificates",
+        "claims",
+        "counts",
+        "entries",
+        "figures",
+        "page_alone",
+        "proofs",
+        "rungs",
+        "schema",
+        "versions",
+    ]
     assert sorted(report) == parts
     bare = [{key: value for key, value in entry.items() if key != "dependencies"} for entry in report["entries"]]
     assert bare == [json.loads(json.dumps(entry.to_json())) for entry in entries]
@@ -86,6 +97,14 @@ def set_in(report, path, value):
         (["figures", 0, "name"], "../index", r"figures\[0\].name: expected letters, digits"),
         (["certificates", 0, "name"], "../../x.cert", r"certificates\[0\].name: expected letters, digits"),
         (["certificates", 0, "verified"], "yes", r"certificates\[0\].verified: expected true or false"),
+        (["claims", 0, "standing"], "proved", r"claims\[0\].standing: proved without an entry"),
+        (["claims", 0, "lines"], [1], r"claims\[0\].lines: expected two line numbers"),
+        (
+            ["claims", 1, "standing"],
+            "proved",
+            r"claims\[1\].standing: the file says proved, its entries give undecided",
+        ),
+        (["claims"], None, "expected a list under 'claims'"),
         (["proofs", "a/b"], 64 * "0", "proofs: expected letters, digits"),
         (["entries", 0, "dependencies", "pages"], [1], r"entries\[0\].dependencies.pages: expected texts"),
         (["entries", 0, "lines"], [], r"entries\[0\].lines: expected the lines of the quotations"),

@@ -8,6 +8,7 @@ from urllib.parse import quote, unquote
 
 import pytest
 
+from gspot_verified.ledger.claims import paper_claims
 from gspot_verified.ledger.entry import Check, Rung, settled
 from gspot_verified.report.data import report_data
 from gspot_verified.report.site import pages, style
@@ -141,7 +142,7 @@ def test_each_entry_says_what_it_rests_on(site, entries):
 
 
 def test_the_summary_counts_the_rungs(site):
-    [table] = re.findall(r'<table class="rungs">.*?</table>', site["index.html"], re.S)
+    [table] = re.findall(r"What the verdicts rest on.*?</table>", site["index.html"], re.S)
     rows = re.findall(r'<th scope="row">(.*?)</th><td>(\d+)</td><td>(\d+)</td>', table)
     assert [row[1:] for row in rows] == [("0", "0"), ("0", "1"), ("1", "0"), ("0", "0"), ("0", "0")]
     assert "<strong>1</strong> of them rests on a proof page alone" in site["index.html"]
@@ -198,6 +199,15 @@ def test_the_open_page_holds_the_undecided_ones_and_no_other(site):
     assert "line 1302" in page
     assert page.count("<article") == 2
     assert "line 1271" not in page
+
+
+def test_the_claims_have_their_denominator(site):
+    rows = re.findall(r'<tr id="line-.*?</tr>', site["claims.html"], re.S)
+    assert len(rows) == len(paper_claims())
+    assert f"<strong>{len(paper_claims())}</strong> claims" in site["index.html"]
+    assert not any("badge proved" in row for row in rows)  # none of the ledger's entries is in this report
+    [table] = re.findall(r"How much of the paper.*?</table>", site["index.html"], re.S)
+    assert sum(map(int, re.findall(r"<td>(\d+)</td>", table))) == len(paper_claims())
 
 
 def test_certificates_are_listed_with_what_the_checker_said(site):
