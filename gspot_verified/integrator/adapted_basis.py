@@ -17,17 +17,21 @@ from numpy.typing import NDArray
 Matrix = NDArray[np.float64]
 
 _CLOSE = 0.3
+_EXCESS = 0.3
+_SWEEPS = 3
+_DEPENDENCY = 4.0
 _ZERO = 1e-7
 _LARGEST_CONDITION = 1e12
 
 
 @dataclass(frozen=True, slots=True)
 class AdaptedBasis:
-    """The columns of S in blocks of the given sizes; ``rate``: the largest real part of an eigenvalue."""
+    """The columns of S in blocks of the given sizes; ``values``: the eigenvalues, ``rate``: the largest real part."""
 
     rows: list[list[float]]
     blocks: tuple[int, ...]
     rate: float
+    values: tuple[complex, ...]
 
 
 def adapted_basis(rows: Sequence[Sequence[float]]) -> AdaptedBasis:
@@ -37,9 +41,11 @@ def adapted_basis(rows: Sequence[Sequence[float]]) -> AdaptedBasis:
 
     :raises numpy.linalg.LinAlgError: no basis could be computed, or an entry is not finite.
     """
-    matrix = np.array(rows)
-    if not np.isfinite(matrix).all():
+    given = np.array(rows)
+    if not np.isfinite(given).all():
         raise np.linalg.LinAlgError("an entry is not finite")
+    scales = _balance(given)
+    matrix = given * scales / scales[:, None]
     values, vectors = eig(matrix)
     zero = _ZERO * float(np.abs(values).max())
     columns: list[Matrix] = []
@@ -63,8 +69,79 @@ def adapted_basis(rows: Sequence[Sequence[float]]) -> AdaptedBasis:
     basis = np.concatenate(columns, axis=1)
     if not np.linalg.cond(basis) < _LARGEST_CONDITION:
         basis, blocks = np.eye(len(matrix)), [1] * len(matrix)
+    basis = basis * scales[:, None]
     rate = float(values.real.max())
-    return AdaptedBasis([[float(entry) for entry in row] for row in basis], tuple(blocks), rate)
+    return AdaptedBasis([[float(entry) for entry in row] for row in basis], tuple(blocks), rate, tuple(values))
+
+
+def _balance(matrix: Matrix) -> NDArray[np.float64]:
+    """Powers of 2 as units of the components, for rows and columns of like size."""
+    size = len(matrix)
+    scales = np.ones(size)
+    work = np.abs(matrix) * (1 - np.eye(size))
+    for _ in range(_SWEEPS):
+        for i in range(size):
+            row, column = float(work[i].sum()), float(work[:, i].sum())
+            if row > 0 and column > 0:
+                factor = 2.0 ** round(float(np.log2(row / column)) / 2)
+                scales[i] *= factor
+                work[i] /= factor
+                work[:, i] *= factor
+    return scales
+
+
+def spectral_basis(rows: Sequence[Sequence[float]], limit: float) -> tuple[Matrix, NDArray[np.bool_]] | None:
+    """A basis of the fast directions, |eigenvalue| > limit, and the others; and which columns are the others'.
+
+    None: there are no fast directions, or some of them are growing fast.
+    """
+    matrix = np.array(rows)
+    values = np.linalg.eigvals(matrix)
+    fast = np.abs(values) > limit
+    if not fast.any() or fast.all() or bool((values[fast].real > limit).any()):
+        return None
+    parts = [_subspace(matrix, values[fast]), _subspace(matrix, values[~fast])]
+    slow = np.array([False] * int(fast.sum()) + [True] * int((~fast).sum()))
+    return np.concatenate(parts, axis=1), slow
+
+
+def pieces_along(jacobian: NDArray[np.float64], h: float, most: int) -> list[tuple[float, float, AdaptedBasis]]:
+    """Pieces of [0, 1] with a basis for each, short enough for errors e' = hJ(τ)e to grow little beyond what they must.
+
+    ``jacobian``: the coefficients of J by powers of τ.
+    """
+    found: list[tuple[float, float, AdaptedBasis]] = []
+    waiting = [(0.0, 1.0)]
+    while waiting:
+        a, b = waiting.pop()
+        middle = _at(jacobian, (a + b) / 2)
+        basis = adapted_basis([[float(entry) for entry in row] for row in middle])
+        ends = [middle + _DEPENDENCY * (_at(jacobian, end) - middle) for end in (a, b)]
+        excess = max(_growth(basis, end) for end in ends) - max(basis.rate, 0.0)
+        if excess * h > _EXCESS and len(found) + len(waiting) < most:
+            waiting += [((a + b) / 2, b), (a, (a + b) / 2)]
+        else:
+            found.append((a, b, basis))
+    return found
+
+
+def _at(jacobian: NDArray[np.float64], tau: float) -> Matrix:
+    found: Matrix = np.tensordot(tau ** np.arange(len(jacobian)), jacobian, axes=1)
+    return found
+
+
+def _growth(basis: AdaptedBasis, matrix: Matrix) -> float:
+    """The growth rate of the bounds of Theorem N1: the largest eigenvalue of the norms of the blocks."""
+    S = np.array(basis.rows)
+    turned = np.linalg.solve(S, matrix @ S)
+    ends = np.cumsum([0, *basis.blocks])
+    count = len(basis.blocks)
+    norms = np.zeros((count, count))
+    for i in range(count):
+        for j in range(count):
+            block = turned[ends[i] : ends[i + 1], ends[j] : ends[j + 1]]
+            norms[i, j] = np.linalg.norm(block) if i != j else np.linalg.eigvalsh((block + block.T) / 2)[-1]
+    return float(np.linalg.eigvals(norms).real.max())
 
 
 def _clusters(values: NDArray[np.complex128], zero: float) -> list[list[int]]:

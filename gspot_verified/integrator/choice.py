@@ -17,6 +17,8 @@ _LEAST_GROWTH = 1.0
 _DISC = 4
 _ROUNDING_BITS = 12
 _FLOW_BITS = 24
+_SLACK = 0.25
+_LEAST_SHARE = 1e-30
 
 
 def order_for(bits: int) -> int:
@@ -73,6 +75,26 @@ def weights_for(rows: Sequence[Sequence[arb]]) -> tuple[list[float], float]:
         w = [max(value / top, 2.0**-20) for value in new]
     norm = max(floats[i][i] + sum(abs(floats[i][j]) * w[j] / w[i] for j in range(size) if j != i) for i in range(size))
     return w, norm
+
+
+def supersolution(rows: Sequence[Sequence[float]], start: Sequence[float], push: Sequence[float]) -> list[float]:
+    """z > 0 near the least one with z >= start and Mz + push <= σz, for a σ near the largest eigenvalue of M or 0.
+
+    M has entries >= 0 off the diagonal: z = start + (σ - M)⁻¹ max(0, (M - σ) start + push).
+    """
+    import numpy as np
+
+    size = len(rows)
+    matrix, r = np.array(rows), np.array(start)
+    if not np.isfinite(matrix).all():
+        return [1.0] * size
+    shifted = (max(float(np.linalg.eigvals(matrix).real.max()), 0.0) + _SLACK) * np.eye(size) - matrix
+    try:
+        more = np.linalg.solve(shifted, np.maximum(np.array(push) - np.dot(shifted, r), 0.0))
+    except np.linalg.LinAlgError:
+        return [1.0] * size
+    found = 1.001 * (r + np.maximum(more, 0.0))
+    return [float(value) for value in np.maximum(found, _LEAST_SHARE * max(float(found.max()), 1.0))]
 
 
 def limited_by_growth(h: float, norm: float, deviations: Sequence[arb]) -> float:

@@ -12,15 +12,20 @@ import numpy as np
 from flint import arb, arb_mat, arb_poly
 
 from gspot_verified.balls import approximate
-from gspot_verified.integrator.adapted_basis import adapted_basis
+from gspot_verified.integrator.adapted_basis import AdaptedBasis, adapted_basis, pieces_along
+from gspot_verified.integrator.fast_decay import FastDecay
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.norm_step import Basis, NormPlan, NormStep, StateSet, norm_step
-from gspot_verified.integrator.taylor_curve import TaylorCurve, cauchy_plan
+from gspot_verified.integrator.slow_curve import slow_curve
+from gspot_verified.integrator.taylor_curve import TaylorCurve, cauchy_plan, rounded
 
 MAX_STEPS = 200_000
 _HALVINGS = 30
 _PIECES = (1, 4)
-_MARGIN_BITS = 6
+_MARGIN_BITS, _LEAST_MARGIN_BITS = 24, 6
+_NARROW = 2.0**-60
+_MOST_PIECES = 256
+_SLOW_TRIES = 3
 _LARGEST_EXPONENT = 600.0
 
 
@@ -59,12 +64,13 @@ class NormRun:
         self.reason: str | None = None
         """Why the iteration ended before the time, if it did."""
         self._curve = TaylorCurve(field)
+        self._decay = FastDecay()
         self.set = self._of_box(box)
 
     def __iter__(self) -> Iterator[NormSegment]:
         for _ in range(self.max_steps):
             left = None if self.end is None else self.end - self.time
-            step = self._step(left)
+            step = self._slow_step(left) or self._step(left)
             if step is None:
                 self.reason = "no step could be proved: the solution, or the right-hand side, may cease to exist here"
                 return
@@ -97,14 +103,48 @@ class NormRun:
                 continue
         return None
 
+    def _slow_step(self, left: arb | None) -> NormStep | None:
+        """A step along the slow manifold, where the decaying parts have died out and it is worth it."""
+        bits = self._curve.fraction_bits(self.set.middle)
+        for _ in range(_SLOW_TRIES):
+            length = self._decay.slow_length(bits, self._curve.length)
+            if left is not None:
+                length = min(length, approximate(left) / 2)
+            if not length > 0:
+                return None
+            length = rounded(length)
+            try:
+                found = slow_curve(self.field, self.set.middle, length, self._curve.order, bits)
+                if not self._decay.accepts(found, bits) or found is None:
+                    continue
+                pieces = pieces_along(found.jacobian, length, _MOST_PIECES)
+                plan = self._plan_of(found.solution, arb(length), pieces)
+                step = norm_step(self.field, found.solution, self.set, arb(length), plan)
+            except (ValueError, ZeroDivisionError, np.linalg.LinAlgError):
+                step = None
+            if step is not None:
+                return step
+            self._decay.failed()
+        return None
+
     def _plan(self, solution: Sequence[arb_poly], h: arb, pieces: int) -> NormPlan:
-        bases, margins = [], []
+        bases = []
         for i in range(pieces):
-            middle = arb(2 * i + 1) / (2 * pieces)
-            rows = self.field.on_box([p(middle).mid() for p in solution])[1]
-            found = adapted_basis([[approximate(entry) for entry in row] for row in rows])
-            bases.append(Basis(arb_mat([[arb(value) for value in row] for row in found.rows]), found.blocks))
-            growth = 2 * max(found.rate, 0.0) * approximate(h) / pieces
-            margins.append(arb((1, _MARGIN_BITS)) * arb(min(growth, _LARGEST_EXPONENT)).exp().mid())
+            rows = self.field.on_box([p(arb(2 * i + 1) / (2 * pieces)).mid() for p in solution])[1]
+            bases.append(adapted_basis([[approximate(entry) for entry in row] for row in rows]))
+        self._decay.passed(bases[-1].values, approximate(h))
+        return self._plan_of(solution, h, [(i / pieces, (i + 1) / pieces, basis) for i, basis in enumerate(bases)])
+
+    def _plan_of(
+        self, solution: Sequence[arb_poly], h: arb, pieces: Sequence[tuple[float, float, AdaptedBasis]]
+    ) -> NormPlan:
+        narrow = all(radius < _NARROW for radius in self.set.radii)
+        margin = _MARGIN_BITS if narrow else _LEAST_MARGIN_BITS
+        bases, margins = [], []
+        for a, b, basis in pieces:
+            bases.append(Basis(arb_mat([[arb(value) for value in row] for row in basis.rows]), basis.blocks))
+            growth = 2 * max(basis.rate, 0.0) * approximate(h) * (b - a)
+            margins.append(arb((1, margin)) * arb(min(growth, _LARGEST_EXPONENT)).exp().mid())
         disc, length = cauchy_plan(self.field, solution, h)
-        return NormPlan(tuple(arb(i) / pieces for i in range(pieces + 1)), tuple(bases), tuple(margins), disc, length)
+        ends = (arb(0), *(arb(b) for _, b, _ in pieces))
+        return NormPlan(ends, tuple(bases), tuple(margins), disc, length)

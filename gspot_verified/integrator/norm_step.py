@@ -11,7 +11,8 @@ from itertools import pairwise
 
 from flint import acb, arb, arb_mat, arb_poly, arb_series
 
-from gspot_verified.balls import add_remainder, current_bits, nonfinite, series_length
+from gspot_verified.balls import add_remainder, approximate, current_bits, nonfinite, series_length
+from gspot_verified.integrator.choice import supersolution
 from gspot_verified.integrator.field import VectorField
 
 UNIT_INTERVAL = arb((1, -1), (1, -1))  # exactly [0, 1]
@@ -122,22 +123,24 @@ def norm_step(
         size = field.dimension
         forcing = [sum((abs(inverse[j, k]) * defect[k] for k in range(size)), arb(0)) for j in range(size)]
         # Theorem N1.
-        start_and_forcing = radii + arb_mat([[length * d] for d in lengths(forcing, basis)])
+        pushes = lengths(forcing, basis)
         rows = _row_norms(basis)
-        limit = (plan.margins[i] * _largest(start_and_forcing.entries())).upper()
+        limit = (
+            plan.margins[i] * _largest([r + length * d for r, d in zip(radii.entries(), pushes, strict=True)])
+        ).upper()
         box = [add_remainder(p(piece), limit * sum(row, arb(0))) for p, row in zip(solution, rows, strict=True)]
         rates = _rates(field, box, basis, inverse)
         if rates is None:
             return None
         rates = rates * (h * length)
-        growth = _without_decay(rates).exp()
-        reach = growth * start_and_forcing
-        if not all(value.is_finite() and value < limit for value in reach.entries()):
+        pushes = [length * d for d in pushes]
+        reach = _majorant(rates, radii.entries(), pushes)
+        if not all(value.is_finite() and value < limit for value in reach):
             return None
-        radii = rates.exp() * radii + growth * (start_and_forcing - radii)
-        radii = arb_mat([[value.upper()] for value in radii.entries()])
+        pushed = _majorant(rates, [arb(0)] * len(pushes), pushes)
+        radii = arb_mat([[(a + b).upper()] for a, b in zip((rates.exp() * radii).entries(), pushed, strict=True)])
         for j, row in enumerate(rows):
-            at = sum((a * b for a, b in zip(row, reach.entries(), strict=True)), arb(0))
+            at = sum((a * b for a, b in zip(row, reach, strict=True)), arb(0))
             tube[j] = tube[j].max(at.upper())
     step = NormStep(tuple(solution), h, tuple(tube), before, tuple(radii.entries()))
     finite = all(value.is_finite() for value in (*step.enclosure(), *step.radii))
@@ -216,11 +219,23 @@ def _logarithmic_norm(block: Sequence[Sequence[arb]]) -> arb:
     return nonfinite() if worst is None else worst
 
 
-def _without_decay(rates: arb_mat) -> arb_mat:
-    table = rates.table()
-    for j, row in enumerate(table):
-        row[j] = row[j].max(arb(0))
-    return arb_mat(table)
+def _majorant(rates: arb_mat, radii: Sequence[arb], pushes: Sequence[arb]) -> list[arb]:
+    """e^σ z with z > 0, z >= r, rates z + d <= σ z: what n(τ) cannot exceed on the piece. Not finite without such z."""
+    least = _largest([*radii, *pushes])
+    table = [[approximate(entry) for entry in row] for row in rates.table()]
+    scaled = [[approximate(value / least) for value in values] for values in (radii, pushes)]
+    z = [least * value for value in map(arb, supersolution(table, *scaled))]
+    z = [value.max(r.upper()) for value, r in zip(z, radii, strict=True)]
+    if not all(value > 0 for value in z):
+        return [nonfinite()] * len(z)
+    column = (rates * arb_mat([[value] for value in z])).entries()
+    needed = [(a + d) / value for a, d, value in zip(column, pushes, z, strict=True)]
+    growth = arb(0)
+    for value in needed:
+        if not value.is_finite():
+            return [nonfinite()] * len(z)
+        growth = growth.max(value.upper())
+    return [(growth.exp() * value).upper() for value in z]
 
 
 def _defect(field: VectorField, solution: Sequence[arb_poly], h: arb, plan: NormPlan) -> list[arb] | None:

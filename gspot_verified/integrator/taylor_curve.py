@@ -34,6 +34,11 @@ class TaylorCurve:
         self._bits = current_bits() - _GUARD_BITS
         self.order = max(8, round(_ORDER_PER_BIT * self._bits))
 
+    @property
+    def length(self) -> float:
+        """Of the last step."""
+        return self._guess
+
     def fraction_bits(self, state: Sequence[arb]) -> int:
         """How many bits after the point leave the largest component exact at the precision in force."""
         return self._bits - max(0, *(math.ceil(log2_of(x)) for x in state), 0)
@@ -55,11 +60,11 @@ class TaylorCurve:
             change = 1.0 if halvings else self._change(table)
             if change <= _KEPT_CHANGE or tries == _LARGEST_TRIES - 1:
                 break
-            self._guess = _rounded(self._guess * change)  # a multiple of rounding errors is no coefficient
-        length = _rounded(self._guess * min(change, _KEPT_CHANGE))
+            self._guess = rounded(self._guess * change)  # a multiple of rounding errors is no coefficient
+        length = rounded(self._guess * min(change, _KEPT_CHANGE))
         h = arb(length)
         if left is not None and not 2 * h < left:
-            h = arb(_rounded(approximate(left) / 2)) if h < left else left
+            h = arb(rounded(approximate(left) / 2)) if h < left else left
         ratio = fixed((h / self._guess).mid(), bits)
         powers = [1 << bits]
         for _ in range(self.order):
@@ -88,7 +93,7 @@ class TaylorCurve:
         return change
 
 
-def _rounded(length: float) -> float:
+def rounded(length: float) -> float:
     """A length of few bits, so that sums of lengths are exact."""
     mantissa, exponent = math.frexp(length)
     return math.ldexp(math.floor(mantissa * 2**_STEP_BITS), exponent - _STEP_BITS)

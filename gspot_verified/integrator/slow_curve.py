@@ -1,0 +1,137 @@
+"""Polynomials that follow a slow manifold over many fast units. Heuristic: the norm step proves what they are worth.
+
+Newton's method for dx/dτ = h f(x) in the coefficients of a polynomial on [0, 1]: the slow directions start where the
+set is, the fast ones are free, so that no decaying part is resolved. Corrections in floats, residuals in balls.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from flint import arb, arb_poly, arb_series, fmpz_poly
+from numpy.typing import NDArray
+
+from gspot_verified.balls import approximate, series_length
+from gspot_verified.integrator.adapted_basis import Matrix, spectral_basis
+from gspot_verified.integrator.choice import log2_of
+from gspot_verified.integrator.field import VectorField
+from gspot_verified.integrator.taylor_recurrence import fixed
+
+_ITERATIONS = 10
+_FACTORISATIONS = 2
+_NEGLIGIBLE = 1e-18
+_GAIN_BITS = 8.0
+FAST = 30.0
+
+
+@dataclass(frozen=True)
+class SlowCurve:
+    """``solution``: polynomials in τ; ``tail``: log2 of the last coefficients; ``start``: log2 of the distance from the
+    states at the start; ``jacobian``: float coefficients of J along them."""
+
+    solution: list[arb_poly]
+    tail: float
+    start: float
+    jacobian: NDArray[np.float64]
+
+
+def slow_curve(field: VectorField, middle: Sequence[arb], h: float, order: int, bits: int) -> SlowCurve | None:
+    """The polynomials of degree ``order`` from near exact states, or None when Newton's method stalls.
+
+    ``bits``: after the point.
+    """
+    size, unit = len(middle), arb((1, -bits))
+    values, rows = field.on_box(middle)
+    found = spectral_basis([[approximate(entry) for entry in row] for row in rows], FAST / h)
+    if found is None:
+        return None
+    basis, slow = found
+    x = [[fixed(m, bits), fixed(h * v, bits)] + [0] * (order - 1) for m, v in zip(middle, values, strict=True)]
+    start = [row[0] for row in x]
+    solver: _Solver | None = None
+    jacobian = np.zeros((order + 1, size, size))
+    last = float("inf")
+    for count in range(_ITERATIONS):
+        polynomials = [arb_poly(fmpz_poly(row)) * unit for row in x]
+        series = [arb_series(p.coeffs(), order + 1) for p in polynomials]
+        with series_length(order + 1):
+            if count < _FACTORISATIONS:
+                rates, entries = field.series_with_jacobian(series)
+                jacobian = _coefficients(entries, order)
+                solver = _Solver(jacobian, basis, slow, h)
+            else:
+                rates = field.series(series)
+        residuals = [
+            [*(arb_poly(f.coeffs()) * h - p.derivative()).coeffs()] for f, p in zip(rates, polynomials, strict=True)
+        ]
+        gap = [(a - row[0]) * unit for a, row in zip(start, x, strict=True)]
+        level = max(max(map(log2_of, row), default=-1e9) for row in residuals)
+        if count > 1 and level > last - _GAIN_BITS:
+            break
+        last = level
+        assert solver is not None
+        moves = solver.moves(residuals, gap, level, order)
+        for row, column in zip(x, moves.T, strict=True):
+            for k, move in enumerate(column):
+                row[k] += _scaled(move, bits + round(level))
+    solution = [arb_poly(fmpz_poly(row)) * unit for row in x]
+    tail = max(abs(row[k]).bit_length() for row in x for k in (order - 1, order)) - bits
+    distance = max(abs(a - row[0]).bit_length() for a, row in zip(start, x, strict=True)) - bits
+    return SlowCurve(solution, float(tail), float(distance), jacobian)
+
+
+class _Solver:
+    """δ' - h J(τ) δ = r in coefficients, with the slow coordinates of δ(0) given and the fast ones free."""
+
+    def __init__(self, jacobian: NDArray[np.float64], basis: Matrix, slow: NDArray[np.bool_], h: float) -> None:
+        from scipy.linalg import lu_factor
+
+        length, size, _ = jacobian.shape
+        self._basis, self._inverse, self._slow = basis, np.linalg.inv(basis), slow
+        turned = h * np.einsum("ij,kjl,lm->kim", self._inverse, jacobian, basis)
+        table = np.zeros((length, size, length, size))
+        each = np.arange(length)
+        for j in np.flatnonzero(np.abs(turned).max(axis=(1, 2)) > _NEGLIGIBLE * np.abs(turned).max()):
+            table[each[j:], :, each[: length - j], :] -= turned[j]
+        for k in range(length - 1):
+            table[k, :, k + 1, :] += (k + 1) * np.eye(size)
+        table[-1, slow] = 0
+        table[-1, slow, 0, :] = np.eye(size)[slow]
+        flat = table.reshape(length * size, length * size)
+        self._scale = 1 / np.abs(flat).max(axis=1)
+        self._factors = lu_factor(flat * self._scale[:, None])
+
+    def moves(self, residuals: list[list[arb]], gap: list[arb], level: float, order: int) -> Matrix:
+        """The corrections of the coefficients, by degree and component, in units of 2^level."""
+        from scipy.linalg import lu_solve
+
+        unit = arb((1, -round(level)))
+        size = len(gap)
+        right = np.zeros((order + 1, size))
+        for i, row in enumerate(residuals):
+            for k, value in enumerate(row[: order + 1]):
+                right[k, i] = approximate(value * unit)
+        right = np.dot(right, self._inverse.T)
+        start = np.dot(self._inverse, np.array([approximate(value * unit) for value in gap]))
+        right[-1, self._slow] = start[self._slow]
+        solved = lu_solve(self._factors, right.ravel() * self._scale).reshape(order + 1, size)
+        found: Matrix = np.dot(solved, self._basis.T)
+        return found
+
+
+def _coefficients(entries: list[list[arb_series]], order: int) -> NDArray[np.float64]:
+    found = np.zeros((order + 1, len(entries), len(entries)))
+    for i, row in enumerate(entries):
+        for j, entry in enumerate(row):
+            for k, value in enumerate(entry.coeffs()[: order + 1]):
+                found[k, i, j] = approximate(value)
+    return found
+
+
+def _scaled(value: float, shift: int) -> int:
+    """An integer near value * 2^shift."""
+    mantissa, exponent = np.frexp(value)
+    whole, more = int(mantissa * 2.0**53), int(exponent) - 53 + shift
+    return whole << more if more >= 0 else whole >> -more
