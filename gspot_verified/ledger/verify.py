@@ -33,6 +33,7 @@ from gspot_verified.ledger import (
     section_5_spaces,
     section_5_theorem,
     section_6,
+    section_6_runs,
     table_1,
     varsim1,
     varsim2,
@@ -70,6 +71,7 @@ PARTS: dict[str, Builders] = {
     "Section 5, the ansatz near the G-spot": section_5_ansatz.ENTRIES,
     "Section 5, matching": section_5_matching.ENTRIES,
     "Section 6 and Appendix B, the oscillator": section_6.ENTRIES,
+    "Section 6, Cases and simulations": section_6_runs.ENTRIES,
     "Appendix A": appendix_a.ENTRIES,
 }
 
