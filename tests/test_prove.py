@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import re
 import shutil
 from pathlib import Path
 from types import ModuleType
@@ -57,6 +58,26 @@ def test_each_statement_has_a_theorem_and_a_line_of_axioms(prove: ModuleType) ->
     assert [name for name in names if f"Theorem {name} : Statement.{name}.\n" not in theorems] == []
     assert sorted(prove.listed()) == sorted(names)
     assert all(set(axioms) <= prove.AXIOMS for axioms in prove.listed().values())
+
+
+def test_the_table_of_the_checker_names_every_page_and_only_statements(prove: ModuleType) -> None:
+    text = (COQ / "README.md").read_text(encoding="utf-8").partition("## What the checker rests on")[2]
+    rows = re.findall(r"^\| \[(\w+)\]\(\.\./\w+\.md\) \| .*? \| (.*) \|$", text, re.MULTILINE)
+    assert len(rows) == text.count("\n| [")
+    checker = (COQ.parent / "check.py").read_text(encoding="utf-8")
+    named = re.search(r"^HYPOTHESES = \{(.*?)^\}", checker, re.MULTILINE | re.DOTALL)
+    assert named
+    assert {page for page, _ in rows} == {*re.findall(r'"(\w+)"', named[1]), "check"}
+    for _, formal in rows:
+        names = re.findall(r"`(\w+)`", formal)
+        assert set(names) <= set(prove.statements())
+        assert names or formal == "prose"
+
+
+def test_the_list_of_files_is_complete(prove: ModuleType) -> None:
+    text = (COQ / "README.md").read_text(encoding="utf-8")
+    listed = re.findall(r"`(\w+\.v)`", text)
+    assert {path.name for path in prove.sources()} <= set(listed)
 
 
 ANSWER = """theorem first

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from gspot_verified.ledger.consequences import Consequence, consequence
+from gspot_verified.ledger.formal_proof import FormalProof
 from gspot_verified.ledger.paper import Citation, citation, with_printed_numbers
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
 
@@ -77,7 +78,8 @@ class Entry(NoTruthValue):
     ``label`` is the paper's label or "line N" of its source; ``source`` the printed form, transcribed as short LaTeX;
     ``statement`` the claim in words; ``corrected`` the form that holds when the printed one is refuted, or the
     condition it needs. ``cited`` has the numbers that the PDF prints and the exact lines of the source. ``code`` is the
-    file and the name of the function that made the entry, "" when it was not made by ``verify_paper``.
+    file and the name of the function that made the entry, "" when it was not made by ``verify_paper``. ``formal`` names
+    the formal theorems that are the claim (or contradict it) and says whether they were proved here.
     """
 
     ask: ClassVar[str] = ASK_VERDICT
@@ -92,6 +94,7 @@ class Entry(NoTruthValue):
     corrected: str = ""
     note: str = ""
     code: str = ""
+    formal: FormalProof | None = None
 
     @property
     def cited(self) -> Citation:
@@ -129,6 +132,14 @@ class Entry(NoTruthValue):
         return consequence(self.identifier) if self.verdict.outcome is Outcome.REFUTED else None
 
     @property
+    def routes(self) -> tuple[tuple[str, str, bool], ...]:
+        """Each route to the claim: what it rests on, what it is, and whether it was run here."""
+        found = [(check.rung.short, check.what, True) for check in self.checks]
+        if self.formal is not None and not self.formal.run:
+            found.append((Rung.FORMAL.short, ", ".join(name for name, _ in self.formal.theorems), False))
+        return tuple(found)
+
+    @property
     def page_alone(self) -> bool:
         """True when the verdict rests on a proof page and on nothing else: who doubts the page has no other check."""
         return self.rests_on == (Rung.PAGE,)
@@ -143,6 +154,8 @@ class Entry(NoTruthValue):
             "quotations": [quotation.to_json() for quotation in self.cited.quotations],
             "lines": [[quotation.first, quotation.last] for quotation in self.cited.quotations],
             "code": self.code,
+            "formal": self.formal.to_json() if self.formal is not None else None,
+            "routes": [{"rung": rung, "what": what, "run": run} for rung, what, run in self.routes],
             "section": self.section,
             "source": self.source,
             "statement": self.statement,

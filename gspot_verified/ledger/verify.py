@@ -39,6 +39,7 @@ from gspot_verified.ledger import (
     varsim2,
 )
 from gspot_verified.ledger.entry import Builders, Entry
+from gspot_verified.ledger.formal_routes import with_formal_proof
 from gspot_verified.verdict import Outcome
 
 PARTS: dict[str, Builders] = {
@@ -82,7 +83,7 @@ def verify_paper(progress: Callable[[str], None] | None = None) -> list[Entry]:
     for part, builders in PARTS.items():
         if progress is not None:
             progress(part)
-        found += [replace(build(), code=code_of(build)) for build in builders.values()]
+        found += [with_formal_proof(replace(build(), code=code_of(build))) for build in builders.values()]
     return found
 
 

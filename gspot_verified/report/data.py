@@ -182,6 +182,18 @@ def _check_quotations(entry: dict[str, Any], where: str) -> None:
         raise ValueError(f"{where}.verbatim: {entry.get('verbatim')!r} with {len(quotations)} quotations")
 
 
+def _check_formal(entry: dict[str, Any], where: str) -> None:
+    """A formal proof is said to have been run if a check rests on it, and only then."""
+    formal = entry.get("formal")
+    run = any(check.get("rung") == Rung.FORMAL.name.lower() for check in _sequence(entry, "checks", where))
+    if formal is not None:
+        _texts(_mapping(formal, f"{where}.formal"), ("state",), f"{where}.formal")
+        for theorem in _sequence(formal, "theorems", f"{where}.formal"):
+            _texts(_mapping(theorem, f"{where}.formal.theorems"), ("name", "statement"), f"{where}.formal.theorems")
+    if run is not (formal is not None and formal.get("run") is True):
+        raise ValueError(f"{where}.formal: it does not go with the checks")
+
+
 def _check_entry(value: object, where: str) -> None:
     entry = _mapping(value, where)
     _texts(entry, _ENTRY_TEXTS, where)
@@ -205,6 +217,7 @@ def _check_entry(value: object, where: str) -> None:
     reach = entry.get("consequence")
     if reach is not None:
         _texts(_mapping(reach, f"{where}.consequence"), ("reach", "why"), f"{where}.consequence")
+    _check_formal(entry, where)
     for box in _sequence(verdict, "remaining", f"{where}.verdict"):
         if not isinstance(box, list) or not all(isinstance(side, str) for side in box):
             raise ValueError(f"{where}.verdict.remaining: expected lists of texts")

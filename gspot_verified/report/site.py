@@ -113,6 +113,8 @@ def _shown(entry: dict[str, Any]) -> dict[str, Any]:
         "rests_on": [_COUNTEREXAMPLE_SHORT if rung is Rung.POINTS else rung.short for rung in rests_on],
         "rung_name": rests_on[0].short if rests_on else "none",
         "page_alone": rests_on == [Rung.PAGE],
+        "formal": entry.get("formal"),
+        "routes": entry.get("routes", []),
         "file": file,
         "function": function,
         "code_address": code_address(file, function) if code_page(file) else None,

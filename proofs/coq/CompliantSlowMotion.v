@@ -192,6 +192,31 @@ exists t0. refine (conj _ (conj _ _)).
   unfold model_at in *. rewrite E. exact Hm.
 Qed.
 
+Theorem force_deviation : a3 / a1 < 1 -> C < 0 ->
+  let deviation t := linear_force eps (Y t) (Z t) - a2 / (a3 - a1) in
+  (forall t, 0 < deviation t) /\ (forall s t, s < t -> deviation s < deviation t) /\
+  (forall d, 0 < d -> exists T, forall t, t <= T -> deviation t < d) /\
+  (forall M, exists T, forall t, T <= t -> M <= deviation t).
+Proof.
+intros Hlt HC deviation.
+destruct (IWC_model a1 a2 a3 eps C H1 H3 He Hb (or_introl (conj Hlt HC))) as (Hinc & Hinf & _).
+set (mean := a2 / (a3 - a1)) in *.
+assert (E : forall t, deviation t = sol_l a1 a2 a3 eps C t - mean) by (intros t; unfold deviation; rewrite slow_force; reflexivity).
+assert (Inc : forall s t, s < t -> deviation s < deviation t).
+{ intros s t Hst. rewrite !E. assert (A := Hinc s t Hst). lra. }
+refine (conj _ (conj Inc (conj _ _))).
+- intros t. apply Rnot_le_lt. intros Hn.
+  assert (A := Inc (t - 1) t ltac:(lra)).
+  destruct (force_left a1 a2 a3 eps C H1 H3 He Hb Hlt (- deviation (t - 1)) ltac:(lra)) as (T & HT).
+  assert (M1 := Rmin_l T (t - 2)). assert (M2 := Rmin_r T (t - 2)).
+  specialize (HT (Rmin T (t - 2)) M1). fold mean in HT. rewrite <- E in HT.
+  assert (A' := Inc (Rmin T (t - 2)) (t - 1) ltac:(lra)).
+  apply Rabs_def2 in HT. lra.
+- intros d Hd. destruct (force_left a1 a2 a3 eps C H1 H3 He Hb Hlt d Hd) as (T & HT).
+  exists T. intros t Ht. specialize (HT t Ht). fold mean in HT. rewrite <- E in HT. apply Rabs_def2 in HT. lra.
+- intros M. destruct (Hinf (M + mean)) as (T & HT). exists T. intros t Ht. rewrite E. specialize (HT t Ht). lra.
+Qed.
+
 (** The derivatives of the force. *)
 Lemma slow_force_derive n t : Derive_n (fun t => linear_force eps (Y t) (Z t)) n t = dl a1 a2 a3 eps C n t.
 Proof.

@@ -115,6 +115,38 @@ Definition enveloping_series : Prop := forall b theta n N x, not_nat b -> b < IN
   let quotient := Derive_n theta n (- x) / (rising (- b) n * Rpower x (b - INR n)) in
   0 <= (-1) ^ N * (quotient - sum_first (fun k => (-1) ^ k * term k) N) <= term N.
 
+(** The sign of Gamma(-beta) on the cell (m, m + 1): it changes at every integer. *)
+Definition gamma_sign : Prop := forall (m : nat) b, INR m < b < INR m + 1 -> 0 < (-1) ^ (m + 1) * Gamma (- b).
+
+(** dTheta/dtau for t -> -oo, and, with every other derivative, for t -> +oo: the side rule at leading order. *)
+Definition left_end : Prop := forall b theta, 0 < b -> not_nat b -> is_Theta b theta ->
+  exists T, forall t, t <= T -> Derive theta t < 0.
+
+Definition right_end : Prop := forall b theta n, not_nat b -> is_Theta b theta ->
+  forall M, exists T, forall t, T <= t -> M <= Gamma (- b) * Derive_n theta n t.
+
+(** n < beta < n + 1 and a point T, with s k = Gamma(-b) Theta^(k)(T) for k <= n. If none is negative, Theta has no zero on [T, oo);
+    if they change sign once, from <= 0 to >= 0, it has exactly one there, and that is simple. *)
+Definition tail_without_zero : Prop := forall (n : nat) b theta T, INR n < b < INR n + 1 -> is_Theta b theta ->
+  let s k := Gamma (- b) * Derive_n theta k T in
+  (forall k, (k <= n)%nat -> 0 <= s k) -> s 0%nat <> 0 -> forall t, T <= t -> 0 < Gamma (- b) * theta t.
+
+Definition tail_with_one_zero : Prop := forall (n j : nat) b theta T, INR n < b < INR n + 1 -> is_Theta b theta ->
+  let s k := Gamma (- b) * Derive_n theta k T in
+  (1 <= j <= n + 1)%nat -> (forall k, (k < j)%nat -> s k <= 0) -> (forall k, (j <= k <= n)%nat -> 0 <= s k) -> s 0%nat <> 0 ->
+  exists z, T < z /\ theta z = 0 /\ Derive theta z <> 0 /\
+    (forall t, T <= t < z -> Gamma (- b) * theta t < 0) /\ (forall t, z < t -> 0 < Gamma (- b) * theta t).
+
+(** The coefficients c of any solution at any point t0: a_k = |c_k| s^k is small from I + 3 on. *)
+Definition recurrence_tail : Prop := forall b t0 s B (c : nat -> R) (I N : nat), 0 < s -> 1 <= B -> Rabs b <= B ->
+  (forall k, (INR k + 1) * (INR k + 2) * (INR k + 3) * c (k + 3)%nat
+     = t0 * (INR k + 1) * c (k + 1)%nat + (INR k - b) * c k) ->
+  let a k := Rabs (c k) * s ^ k in
+  let q := Rabs t0 * s ^ 2 / ((INR I + 2) * (INR I + 3))
+    + (INR I + B) * s ^ 3 / ((INR I + 1) * (INR I + 2) * (INR I + 3)) in
+  q < 1 -> sum_first (fun i => a (I + 3 + i)%nat) N
+    <= 3 * Rmax (a I) (Rmax (a (I + 1)%nat) (a (I + 2)%nat)) * q / (1 - q).
+
 (** ** Impact without collision at leading order: 0 < beta < 1 *)
 
 (** The conjecture of the paper (Sec. 4.5 and conclusion): dTheta/dtau < 0 on the whole line. *)
@@ -210,6 +242,28 @@ Definition zeros_at_integer : Prop := forall (k : nat) c eps T, StronglySorted R
        | _ => near_0 = []
        end).
 
+(** Left of 0 dP_n/dt is negative. *)
+Definition left_end_integer : Prop := forall n t, (1 <= n)%nat -> t < 0 -> Derive (Poly n) t < 0.
+
+(** A fold, n = 2 mod 3: on a box that holds (0, n), where F = Theta is convex in t, increases with b and is positive at both ends,
+    F has two zeros, both simple, below n, the one zero 0 at n, and none above. *)
+Definition fold : Prop := forall (n : nat) t1 t2 lo hi (F : R -> R -> R), (n mod 3 = 2)%nat -> t1 < 0 < t2 ->
+  lo <= INR n <= hi ->
+  (forall b, lo <= b <= hi -> b <> INR n -> is_Theta b (F b)) -> (forall t, F (INR n) t = Poly n t) ->
+  (forall t b, t1 <= t <= t2 -> lo <= b <= hi -> 0 < Derive_n (F b) 2 t) ->
+  (forall t b b', t1 <= t <= t2 -> lo <= b -> b < b' -> b' <= hi -> F b t < F b' t) ->
+  (forall b, lo <= b <= hi -> 0 < F b t1 /\ 0 < F b t2) ->
+  forall b, lo <= b <= hi ->
+    (b < INR n -> exists x y, t1 < x < 0 /\ 0 < y < t2 /\ F b x = 0 /\ F b y = 0 /\ Derive (F b) x < 0 /\
+       0 < Derive (F b) y /\ forall t, t1 <= t <= t2 -> F b t = 0 -> t = x \/ t = y) /\
+    (b = INR n -> forall t, t1 <= t <= t2 -> (F b t = 0 <-> t = 0)) /\
+    (INR n < b -> forall t, t1 <= t <= t2 -> 0 < F b t).
+
+(** A hinge: a sign at 0 (which may be 0) and the sign of the slope on one side give the sign on that side. *)
+Definition hinge : Prop := forall (f : R -> R) s t1 t2, t1 <= 0 <= t2 -> (forall t, ex_derive f t) -> 0 <= s * f 0 ->
+  ((forall t, t1 <= t <= 0 -> 0 < - (s * Derive f t)) -> forall t, t1 <= t < 0 -> 0 < s * f t) /\
+  ((forall t, 0 <= t <= t2 -> 0 < s * Derive f t) -> forall t, 0 < t <= t2 -> 0 < s * f t).
+
 (** ** The compliant model at every eps > 0 *)
 
 (** The contact force compl2: lambda = (z - y)/eps^2 while y < z, otherwise 0; and the same without the condition. *)
@@ -257,6 +311,14 @@ Definition side_rule : Prop := forall a1 a2 a3 eps C p b y v z, parameters a1 a3
   slow_motion a1 a2 a3 eps C p b y v z ->
   (0 < C * Gamma (- (a3 / a1)) -> forall M, exists T, forall t, T <= t -> M <= linear_force eps (y t) (z t)) /\
   (C * Gamma (- (a3 / a1)) < 0 -> forall M, exists T, forall t, T <= t -> linear_force eps (y t) (z t) <= M).
+
+(** 0 < beta < 1 and C < 0: the force less its mean is positive, and increases from 0 to +oo. *)
+Definition force_deviation : Prop := forall a1 a2 a3 eps C p b y v z, parameters a1 a3 eps ->
+  slow_motion a1 a2 a3 eps C p b y v z -> a3 / a1 < 1 -> C < 0 ->
+  let deviation t := linear_force eps (y t) (z t) - a2 / (a3 - a1) in
+  (forall t, 0 < deviation t) /\ (forall s t, s < t -> deviation s < deviation t) /\
+  (forall d, 0 < d -> exists T, forall t, t <= T -> deviation t < d) /\
+  (forall M, exists T, forall t, T <= t -> M <= deviation t).
 
 (** Impact without collision: the side of C for which the force increases; 0 < beta < 2. *)
 Definition IWC_side (beta C : R) : Prop := (beta < 1 /\ C < 0) \/ (1 < beta < 2 /\ 0 < C).

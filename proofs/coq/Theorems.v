@@ -5,9 +5,10 @@
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
 From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegral WellPosed ImproperIntegral
-  EnvelopingSeries Family SignsAtZero SignPattern PositiveZeros CountLaw IntegerPolynomials PolynomialSum
-  ContinuityInBeta ZeroCurves ZerosAtInteger CompliantKernel CompliantIntegral CompliantSlow CompliantMechanism
-  CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases CompliantOpen CompliantSlowMotion.
+  EnvelopingSeries Family SignsAtZero SignPattern PositiveZeros CountLaw IntegerPolynomials PolynomialSum Ends
+  RecurrenceTail FoldAndHinge ContinuityInBeta ZeroCurves ZerosAtInteger CompliantKernel CompliantIntegral
+  CompliantSlow CompliantMechanism CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases
+  CompliantOpen CompliantSlowMotion.
 From GSpot Require Import Statement.
 Import ListNotations.
 Open Scope R_scope.
@@ -64,6 +65,50 @@ Qed.
 
 Theorem enveloping_series : Statement.enveloping_series.
 Proof. exact Theta_neg_series. Qed.
+
+Theorem gamma_sign : Statement.gamma_sign.
+Proof. exact Gamma_sign. Qed.
+
+Theorem left_end : Statement.left_end.
+Proof. exact Ends.left_end. Qed.
+
+Theorem right_end : Statement.right_end.
+Proof. intros b theta n Hb H. exact (scaled_right b theta Hb H n). Qed.
+
+Theorem tail_without_zero : Statement.tail_without_zero.
+Proof.
+intros n b theta T Hbn H s Hs H0 t Ht.
+assert (Hb : not_nat b) by (apply (cell_not_nat (S n)); unfold cell; rewrite S_INR; lra).
+destruct (Rle_lt_or_eq_dec T t Ht) as [Hlt|<-].
+- exact (tail_positive b theta Hb H n T Hbn Hs 0%nat ltac:(lia) t Hlt).
+- assert (A := Hs 0%nat ltac:(lia)). destruct (Rle_lt_or_eq_dec _ _ A) as [B|B]; [exact B|]. exfalso. apply H0. auto.
+Qed.
+
+Theorem tail_with_one_zero : Statement.tail_with_one_zero.
+Proof.
+intros n j b theta T Hbn H s Hj Hlo Hhi H0.
+assert (Hb : not_nat b) by (apply (cell_not_nat (S n)); unfold cell; rewrite S_INR; lra).
+assert (Hg := not_nat_Gamma b Hb).
+assert (S0 : s 0%nat < 0).
+{ assert (A := Hlo 0%nat ltac:(lia)). destruct (Rle_lt_or_eq_dec _ _ A) as [B|B]; [exact B|]. contradiction. }
+destruct (tail_one_zero b theta Hb H n j T Hbn ltac:(lia) Hlo Hhi) as [P|(z & Hz & Ez & Dz & Hn & Hp)].
+- exfalso. assert (C : locally T (fun t => 0 < - scaled b theta 0 t)).
+  { apply (continuous_pos (fun t => - scaled b theta 0 t)).
+    - exists (- scaled b theta 1 T). apply (is_derive_opp (scaled b theta 0)), (scaled_derive b theta Hb H 0).
+    - unfold s in S0. unfold scaled. lra. }
+  destruct C as [d Hd]. assert (Hdp := cond_pos d).
+  assert (A := P (T + d / 2) ltac:(lra)).
+  assert (B : 0 < - scaled b theta 0 (T + d / 2)).
+  { apply Hd. unfold ball; simpl; unfold AbsRing_ball, abs, minus, plus, opp; simpl. rewrite Rabs_pos_eq; lra. }
+  lra.
+- exists z. refine (conj Hz (conj _ (conj _ (conj _ Hp)))).
+  + apply Rmult_integral in Ez. destruct Ez as [E|E]; [contradiction|exact E].
+  + intros E. unfold scaled in Dz. change (Derive_n theta 1 z) with (Derive theta z) in Dz. rewrite E in Dz. lra.
+  + intros t [Ht1 Ht2]. destruct (Rle_lt_or_eq_dec T t Ht1) as [A|<-]; [exact (Hn t (conj A Ht2))|exact S0].
+Qed.
+
+Theorem recurrence_tail : Statement.recurrence_tail.
+Proof. intros b t0 s B c I N Hs HB Hb Hc a q Hq. exact (RecurrenceTail.recurrence_tail b t0 s B c I Hs HB Hb Hc Hq N). Qed.
 
 (** ** Impact without collision at leading order *)
 
@@ -164,6 +209,15 @@ split; intros Hb.
 - destruct (HR Hb) as (lo & xs & z & E & [E1 E2] & Hz & M). exists lo, xs, z. exact (conj E (conj Hz (conj E1 (conj E2 M)))).
 Qed.
 
+Theorem left_end_integer : Statement.left_end_integer.
+Proof. exact Ends.left_end_integer. Qed.
+
+Theorem fold : Statement.fold.
+Proof. exact FoldAndHinge.fold. Qed.
+
+Theorem hinge : Statement.hinge.
+Proof. exact FoldAndHinge.hinge. Qed.
+
 (** ** The compliant model *)
 
 Theorem slow_motion_exists : Statement.slow_motion_exists.
@@ -179,6 +233,9 @@ Proof. intros a1 a2 a3 eps p b y v z Hp. exact (CompliantSlowMotion.slow_motions
 
 Theorem side_rule : Statement.side_rule.
 Proof. intros a1 a2 a3 eps C p b y v z Hp. exact (CompliantSlowMotion.side_rule a1 a2 a3 eps Hp C p b y v z). Qed.
+
+Theorem force_deviation : Statement.force_deviation.
+Proof. intros a1 a2 a3 eps C p b y v z Hp HS. exact (CompliantSlowMotion.force_deviation a1 a2 a3 eps Hp C p b y v z HS). Qed.
 
 Theorem IWC_compliant : Statement.IWC_compliant.
 Proof.

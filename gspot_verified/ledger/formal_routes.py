@@ -1,0 +1,43 @@
+"""Which theorem of ``proofs/coq/Statement.v`` is the whole claim of which entry, or contradicts it.
+
+A theorem stands here only if it carries the claim for all its arguments. The check is added where ``make prove`` has
+run on these sources; elsewhere the entry names the route and says that it was not run.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+from gspot_verified.ledger.entry import Check, Entry, Rung, conclude
+from gspot_verified.ledger.formal_proof import COQ, RECORD, formal_proof
+
+CARRIED: dict[str, tuple[str, ...]] = {
+    "2-trivial": ("corrected_trivial",),
+    "S-iwc": ("IWC",),
+    "S-minus-infinity": ("left_end", "left_end_integer"),
+    "S-plus-infinity": ("right_end",),
+    "S-switching": ("gamma_sign",),
+    "C-cases-I-II": ("force_deviation",),
+}
+CONTRADICTED: dict[str, tuple[tuple[str, ...], str]] = {
+    "2-trivial-zy": (
+        ("printed_trivial_is_wrong", "corrected_trivial"),
+        "the printed z and y solve the equations never",
+    ),
+    "S-gamma-intervals": (("gamma_sign",), "on (m, m + 1) the sign is (-1)^(m + 1): positive on (1, 2)"),
+}
+
+
+def with_formal_proof(entry: Entry, coq: Path = COQ, record: Path = RECORD) -> Entry:
+    """The entry with its formal proof, and with the check that this is where it was run; others as they are."""
+    contradicted = CONTRADICTED.get(entry.identifier)
+    names, finding = contradicted or (CARRIED.get(entry.identifier, ()), "")
+    if not names:
+        return entry
+    proof = formal_proof(names, coq, record)
+    if not proof.run:
+        return replace(entry, formal=proof)
+    what = f"proofs/coq/Statement.v: {', '.join(names)}"
+    checks = (*entry.checks, Check(Rung.FORMAL, what, contradicted is None, finding))
+    return replace(entry, checks=checks, verdict=conclude(entry.statement, checks), formal=proof)
