@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from gspot_verified.cli import main
+from gspot_verified.dyadic import Dyadic
 
 
 def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
@@ -26,6 +27,23 @@ def test_expand_prints_the_paper_s_example(capsys: pytest.CaptureFixture[str]) -
     code, out, _ = run(capsys, "expand", "extended", "--order", "7", "--in-time", "--json")
     assert code == 0
     assert [0, 4, "6672/5"] in json.loads(out)["contact"]["z"]
+
+
+def test_expand_in_balls_when_they_are_asked_for_or_enough(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    code, out, _ = run(capsys, "expand", "extended", "--order", "8", "--bits", "90")
+    assert code == 0
+    assert "certain bits" in out
+    exact = run(capsys, "expand", "extended", "--order", "8", "--at", "1,1/10", "--json")[1]
+    monkeypatch.setattr("gspot_verified.cli.mechanism_commands._BALLS_FROM_ORDER", 8)
+    balls = run(capsys, "expand", "extended", "--order", "8", "--at", "1,1/10", "--json")[1]
+    assert json.loads(exact)["accuracy"] is None
+    assert json.loads(balls)["accuracy"]["reached"]
+    for group in ("state", "contact"):
+        for key, found in json.loads(exact)["at"][group].items():
+            other = json.loads(balls)["at"][group][key]["enclosure"]
+            assert Dyadic.parse(found["enclosure"]).overlaps(Dyadic.parse(other))
 
 
 def test_expand_in_latex_at_a_point_and_with_a_bound(capsys: pytest.CaptureFixture[str]) -> None:

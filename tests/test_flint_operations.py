@@ -71,7 +71,7 @@ _METHODS = """
     overlaps p pi pos_inf prec q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi
     sinh sqrt str subs table terms truncate union unique_fmpz upper
     from_dict to_dict compose project_to_context total_degree discriminant
-    coefficient complex_roots degrees factor ncols rank solve tolist transpose
+    coefficient complex_roots degrees factor ncols rank solve tolist transpose denom left_shift numer
 """
 METHODS = frozenset(_METHODS.split())
 
@@ -426,6 +426,17 @@ def test_integer_polynomials() -> None:
                 assert read(polynomial + scalar) == read(scalar + polynomial) == added(coefficients, [number])
                 assert read(polynomial - scalar) == added(coefficients, [number], -1)
                 assert read(polynomial * scalar) == read(scalar * polynomial) == multiplied(coefficients, [number])
+
+
+@covers("denom", "left_shift", "numer")
+def test_numerators_and_denominators_of_polynomials() -> None:
+    for left, number in itertools.product(_INTEGER_POLYNOMIALS, (1, 6, 35)):
+        polynomial = fmpq_poly(fmpz_poly(left), fmpz(number))
+        assert read(polynomial) == [Fraction(c, number) for c in read(fmpz_poly(left))]
+        numerator, denominator = polynomial.numer(), polynomial.denom()
+        assert [Fraction(c, int(denominator)) for c in read(numerator)] == read(polynomial)
+        assert math.gcd(int(denominator), *(int(c) for c in numerator.coeffs())) == 1 or not left
+        assert read(numerator.left_shift(2)) == ([0, 0, *read(numerator)] if numerator.length() else [])
 
 
 @covers("evaluate", "truncate", "integral")

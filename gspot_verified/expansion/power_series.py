@@ -42,6 +42,10 @@ class Terms(Protocol):
         """A term times a number of the ring."""
         ...
 
+    def sum_of_products(self, order: int, summands: Sequence[tuple[Any, Any, Any]]) -> Any:
+        """The sum of the products of a number (None for 1) and two terms, as the term of this order."""
+        ...
+
     def is_zero(self, term: Any) -> bool:
         """Whether the term vanishes, so that its products can be left out."""
         ...
@@ -153,12 +157,8 @@ class SeriesOfFunctions:
 
     def _product(self, left: Series, right: Series) -> Rule:
         def term(n: int) -> Any:
-            total = self._terms.zero(n)
-            for k in left.orders:
-                other = right.terms[n - k]
-                if not self._terms.is_zero(other):
-                    total = total + left.terms[k] * other
-            return total
+            pairs = ((left.terms[k], right.terms[n - k]) for k in left.orders)
+            return self._terms.sum_of_products(n, [(None, f, g) for f, g in pairs if not self._terms.is_zero(g)])
 
         return term
 
@@ -180,11 +180,12 @@ class SeriesOfFunctions:
             start = self._terms.at_start(base.terms[0])
             if n == 0:
                 return self._terms.constant(self._numbers.power(start, exponent))
-            total = self._terms.zero(n)
-            for k in base.orders:
-                if k and not self._terms.is_zero(own.terms[n - k]):
-                    factor = self._numbers.number(exponent * k - (n - k))
-                    total = total + self._terms.scale(base.terms[k] * own.terms[n - k], factor)
+            summands = [
+                (self._numbers.number(exponent * k - (n - k)), base.terms[k], own.terms[n - k])
+                for k in base.orders
+                if k and not self._terms.is_zero(own.terms[n - k])
+            ]
+            total = self._terms.sum_of_products(n, summands)
             return self._terms.scale(total, self._numbers.number(fmpq(1, n)) / start)
 
         return term
@@ -195,11 +196,11 @@ class SeriesOfFunctions:
         def term(n: int) -> Any:
             if n == 0:
                 return self._terms.constant(value(self._terms.at_start(argument.terms[0])))
-            total = self._terms.zero(n)
-            for k in argument.orders:
-                if k and not self._terms.is_zero(other.terms[n - k]):
-                    factor = self._numbers.number(fmpq(sign * k, n))
-                    total = total + self._terms.scale(argument.terms[k] * other.terms[n - k], factor)
-            return total
+            summands = [
+                (self._numbers.number(fmpq(sign * k, n)), argument.terms[k], other.terms[n - k])
+                for k in argument.orders
+                if k and not self._terms.is_zero(other.terms[n - k])
+            ]
+            return self._terms.sum_of_products(n, summands)
 
         return term

@@ -11,7 +11,7 @@ from typing import Any
 
 from gspot_verified.expansion.linear import inverse
 from gspot_verified.expansion.power_series import SeriesOfFunctions
-from gspot_verified.expansion.spaces import SpacePolynomial
+from gspot_verified.expansion.spaces import SpacePolynomial, sum_of_products
 from gspot_verified.expansion.system import GSpotError, System
 from gspot_verified.expansion.terms import NumberTerms, PolynomialTerms
 
@@ -116,11 +116,9 @@ class Recursion:
 
     def _convolved(self, function: list[SpacePolynomial], force: list[SpacePolynomial], n: int) -> SpacePolynomial:
         """The sum over k < n of function_(n-k) lambda_k."""
-        total = SpacePolynomial.zero(-1, self.system.ring)
-        for k in range(n):
-            if not function[n - k].is_zero() and not force[k].is_zero():
-                total = total + function[n - k] * force[k]
-        return total
+        pairs = ((function[n - k], force[k]) for k in range(n))
+        summands = [(None, f, g) for f, g in pairs if not f.is_zero() and not g.is_zero()]
+        return sum_of_products(-1, summands, self.system.ring)
 
     def _step_2_solve(self, right: SpacePolynomial) -> SpacePolynomial:
         """h b''' + alpha_1 s b' - alpha_3 b = r, from the highest power down; h = 2 in the paper.
@@ -167,11 +165,9 @@ class Recursion:
         """xi_n: integrate F_n + sum of G_(n-k) lambda_k; the constants from the conditions at s = 0."""
         slopes = []
         for drift, control, orders in zip(self._drift, self._control, self._control_orders, strict=True):
-            total = drift[n]
-            for k in orders:
-                if not self.lambda_n[n - k].is_zero():
-                    total = total + control[k] * self.lambda_n[n - k]
-            slopes.append(total)
+            pairs = ((control[k], self.lambda_n[n - k]) for k in orders)
+            summands = [(None, f, g) for f, g in pairs if not g.is_zero()]
+            slopes.append(drift[n] + sum_of_products(-1, summands, self.system.ring))
         constants = self._constants(n)
         space = space_of("xi", n)
         ring = self.system.ring

@@ -5,9 +5,13 @@ Paper, Sec. 5 (before th:1). For n < 0 the space holds only zero.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from functools import reduce
 from typing import Any
 
-from gspot_verified.expansion.rings import RATIONALS, Ring
+from flint import fmpq_poly, fmpz, fmpz_poly
+
+from gspot_verified.expansion.rings import RATIONALS, Rationals, Ring
 
 
 class SpacePolynomial:
@@ -26,13 +30,20 @@ class SpacePolynomial:
     ValueError: s^0 is not in P_2
     """
 
-    __slots__ = ("cubic", "n", "ring")
+    __slots__ = ("_integers", "cubic", "n", "ring")
 
     def __init__(self, n: int, cubic: Any, ring: Ring = RATIONALS) -> None:
         length = cubic.length()
         if length and (n < 0 or 3 * (length - 1) + n % 3 > n):
             raise ValueError(f"a polynomial of degree {3 * (length - 1) + n % 3} is not in P_{n}")
         self.n, self.cubic, self.ring = n, cubic, ring
+        self._integers: tuple[fmpz_poly, fmpz] | None = None
+
+    def integers(self) -> tuple[fmpz_poly, fmpz]:
+        """Numerator and denominator of ``cubic``, over the rationals; made once."""
+        if self._integers is None:
+            self._integers = self.cubic.numer(), self.cubic.denom()
+        return self._integers
 
     @classmethod
     def zero(cls, n: int, ring: Ring = RATIONALS) -> SpacePolynomial:
@@ -137,3 +148,46 @@ class SpacePolynomial:
 
     def __repr__(self) -> str:
         return f"SpacePolynomial.from_list({self.n}, {self.coefficients()})"
+
+
+Summand = tuple[Any, SpacePolynomial, SpacePolynomial]
+"""A number of the ring, or None for 1, and two factors: the three are multiplied."""
+
+_PAYS = 4
+"""From so many summands on one denominator for all costs less than a reduced fraction for each."""
+
+
+def sum_of_products(n: int, summands: Sequence[Summand], ring: Ring) -> SpacePolynomial:
+    """The sum of the products, an element of P_n, or of the largest space of a summand.
+
+    Over the rationals the products are of integers, and one fraction is reduced at the end.
+
+    :raises ValueError: two summands have no common space.
+    """
+    products = [(factor, left, right) for factor, left, right in summands if not (left.is_zero() or right.is_zero())]
+    if len(products) < _PAYS or not isinstance(ring, Rationals):
+        total = SpacePolynomial.zero(n, ring)
+        for factor, left, right in products:
+            product = left * right
+            total = total + (product if factor is None else product.scale(factor))
+        return total
+    spaces = [left.n + right.n for _, left, right in products]
+    if any((space - spaces[0]) % 3 for space in spaces):
+        raise ValueError(f"elements of P_{min(spaces)} and P_{max(spaces)} have no common space")
+    fractions = [_integer_product(*product) for product in products]
+    common = reduce(fmpz.lcm, (denominator for _, denominator in fractions))
+    numerator = fmpz_poly([])
+    for above, below in fractions:
+        numerator += above * (common // below)
+    return SpacePolynomial(max(spaces), fmpq_poly(numerator, common), ring)
+
+
+def _integer_product(factor: Any, left: SpacePolynomial, right: SpacePolynomial) -> tuple[fmpz_poly, fmpz]:
+    """Numerator and denominator of one product, not reduced, as a polynomial in s^3."""
+    (above, below), (other, divisor) = left.integers(), right.integers()
+    product, denominator = above * other, below * divisor
+    if factor is not None:
+        product, denominator = product * factor.p, denominator * factor.q
+    if left.n % 3 + right.n % 3 >= 3:
+        product = product.left_shift(1)
+    return product, denominator

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from gspot_verified.expansion.rings import Ring
-from gspot_verified.expansion.spaces import SpacePolynomial
+from gspot_verified.expansion.spaces import SpacePolynomial, Summand, sum_of_products
 
 
 def function_space(n: int) -> int:
@@ -39,6 +40,10 @@ class PolynomialTerms:
         """A multiple."""
         return term.scale(factor)
 
+    def sum_of_products(self, order: int, summands: Sequence[Summand]) -> SpacePolynomial:
+        """The sum of the products (number or None) * term * term, the term of this order."""
+        return sum_of_products(function_space(order), summands, self._ring)
+
     def is_zero(self, term: SpacePolynomial) -> bool:
         """Whether every coefficient is zero."""
         return term.is_zero()
@@ -66,6 +71,14 @@ class NumberTerms:
     def scale(self, term: Any, factor: Any) -> Any:
         """The product."""
         return term * factor
+
+    def sum_of_products(self, order: int, summands: Sequence[tuple[Any, Any, Any]]) -> Any:
+        """The sum of the products (number or None) * term * term, whatever the order."""
+        del order
+        total = self._ring.number(0)
+        for factor, left, right in summands:
+            total = total + (left * right if factor is None else left * right * factor)
+        return total
 
     def is_zero(self, term: Any) -> bool:
         """Whether it is certainly zero."""

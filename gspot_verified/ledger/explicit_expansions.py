@@ -5,6 +5,8 @@ A shift (e, o) says: the term of order n = 2 nu is in P_(nu + e), that of order 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from flint import fmpq, fmpq_poly
 
 from gspot_verified.expansion.expressions import Constant, Exponential, Expression, Power, Product, Sine, Sum, Variable
@@ -136,6 +138,12 @@ class _Plain:
 
     def scale(self, term: fmpq_poly, factor: fmpq) -> fmpq_poly:
         return term * factor
+
+    def sum_of_products(self, _: int, summands: Sequence[tuple[fmpq | None, fmpq_poly, fmpq_poly]]) -> fmpq_poly:
+        total = fmpq_poly([])
+        for factor, left, right in summands:
+            total += left * right if factor is None else left * right * factor
+        return total
 
     def is_zero(self, term: fmpq_poly) -> bool:
         return bool(term.is_zero())

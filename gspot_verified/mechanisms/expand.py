@@ -17,6 +17,7 @@ def expand(
     order: int,
     digits: int = 15,
     progress: Callable[[int, int], None] | None = None,
+    bits: int | None = None,
 ) -> Trajectory:
     """The terms of orders 0..order-1 of delta of the distinguished trajectory at the G-spot; paper, Theorem 1.
 
@@ -24,6 +25,9 @@ def expand(
     Balls have the asked ``digits`` (see :class:`expansion.accuracy.Accuracy`): the precision is raised, and with it the
     box of the G-spot. Where that does not help (a system whose numbers are balls already) the result is valid, its
     ``accuracy.reached`` is False, and an ``AccuracyWarning`` is given. ``progress`` is told (orders done, orders).
+
+    ``bits`` asks for balls computed once with so many working bits, also where exact coefficients are possible: at high
+    orders those are long. ``accuracy`` then says what is left of the bits.
 
     :raises TypeError: ``source`` is neither a mechanism nor a system, or ``order`` or ``digits`` is not an int.
     :raises ValueError: ``order`` is not in 1..2000, or ``digits`` not in 1..10^6.
@@ -44,7 +48,9 @@ def expand(
     from gspot_verified.mechanisms.symbolic import symbolic_system
 
     if isinstance(source, System):
-        return expand_system(source, order, digits, progress)
+        return (
+            expand_system(source, order, digits, progress) if bits is None else _in_balls(source, order, bits, progress)
+        )
     if not isinstance(source, Mechanism):
         raise TypeError(f"expected a Mechanism or a System, got {type(source).__name__}")
     order = checked_order(order)
@@ -52,9 +58,18 @@ def expand(
         named = replace(symbolic_system(source), state=source.state)
         return expand_system(named, order, digits, progress)
 
+    if bits is not None:
+        return _in_balls(replace(find_g_spot(source, bits).system, state=source.state), order, bits, progress)
+
     def attempt(bits: int) -> tuple[Trajectory, int | None]:
         trajectory = terms_of(replace(find_g_spot(source, bits).system, state=source.state), order, bits, progress)
         return trajectory, certain_bits_of(trajectory)
 
     found, accuracy = until_accurate(attempt, digits, first_bits(order, digits))
     return replace(found, accuracy=accuracy)
+
+
+def _in_balls(system: System, order: int, bits: int, progress: Callable[[int, int], None] | None) -> Trajectory:
+    from gspot_verified.expansion.in_balls import expand_in_balls
+
+    return expand_in_balls(system, order, bits, progress)
