@@ -49,6 +49,52 @@ def test_floats_alone_prove_nothing(capsys: pytest.CaptureFixture[str]) -> None:
     assert output.startswith("simulated: stick, lift-off")
 
 
+def test_what_is_left_out_is_said(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "simulate", "oscillator", "--float", "--eps", "1/50", "--set", "until=1/10")
+    assert code == 2
+    assert "oscillator, ε = 1/50, from phi - phi_ref = 1/10, phi_dot = -9/10, y = 0, v = 0, z = 0\n" in output
+    assert "  without tangential_motion: the slip velocity stays positive: the contact never sticks\n" in output
+    assert "chi" not in output
+
+
+def test_enclosures_in_files_and_a_picture(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    table, drawing = tmp_path / "run.csv", tmp_path / "run.svg"
+    words = ("fig-varsim1", "--points", "9", "--csv", str(table), "--picture", str(drawing))
+    code, _, _ = run(capsys, "simulate", *words)
+    assert code == 0
+    with table.open(newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert [row["t"] for row in rows] == ["0.0", "0.125", "0.25", "0.375", "0.5", "0.625"]
+    assert [row["phase"] for row in rows] == ["slip"] * 5 + ["flight"]
+    assert all(0 < float(row["b_radius"]) < 1e-9 for row in rows)
+    assert drawing.read_text(encoding="utf-8").startswith("<svg")
+    assert sorted(tmp_path.iterdir()) == [table, drawing]
+
+
+def test_a_journal_that_cannot_be_written(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The result is printed, the exit code says that a file is missing, and the journal stays good."""
+    from gspot_verified.signs.journal_file import JournalFile
+
+    kept = tmp_path / "run.journal"
+    words = ("simulate", "oscillator", "--float", "--eps", "1/50", "--set", "until=1/10", "--journal", str(kept))
+    write = JournalFile.add
+
+    def full(journal: JournalFile, data: object) -> None:
+        if len(kept.read_text().splitlines()) > 4:
+            raise OSError(28, "No space left on device")
+        write(journal, data)
+
+    monkeypatch.setattr(JournalFile, "add", full)
+    code, output, errors = run(capsys, *words)
+    assert code == 74
+    assert "No space left on device; the run went on without it" in errors
+    monkeypatch.undo()
+    again, same, _ = run(capsys, *words)
+    assert (again, same) == (2, output)
+
+
 def test_a_contradiction_is_said(capsys: pytest.CaptureFixture[str]) -> None:
     """On the canard: what floats find depends on their rounding, and is said where it is wrong."""
     code, output, errors = run(capsys, "simulate", "fig-varsim1", "--nu", "1", "--compare", "--json")
@@ -62,7 +108,8 @@ def test_a_contradiction_is_said(capsys: pytest.CaptureFixture[str]) -> None:
 def test_the_list(capsys: pytest.CaptureFixture[str]) -> None:
     code, output, _ = run(capsys, "scenes")
     assert code == 0
-    assert "fig-varsim1: compliant_contact, lift_off\n" in output
+    assert "fig-varsim1 (model): compliant_contact, lift_off\n" in output
+    assert "mechanism and two_way_coupling: chi belongs to the model system" in output
     assert "two_way_coupling: the normal motion does not act back" in output
 
 
@@ -73,7 +120,10 @@ def test_the_list(capsys: pytest.CaptureFixture[str]) -> None:
         (("fig-varsim1", "--eps", "-1e-3"), "epsilon must be > 0"),
         (("fig-varsim1", "--set", "chi=1"), "no setting 'chi'"),
         (("fig-varsim1", "--set", "nu"), "expected name=value"),
-        (("fig-varsim1", "--csv", "a.csv"), "give --float or --compare"),
+        (("fig-varsim1", "--journal", "a.journal"), "give --float or --compare"),
+        (("fig-varsim1", "--picture", "a.jpg"), "allowed: .png, .pdf, .svg"),
+        (("fig-varsim1", "--float", "--points", "1", "--csv", "a.csv"), "points: expected 2..1000000, got 1"),
+        (("oscillator", "--nu", "1"), "no setting 'nu'"),
         (("fig-varsim1", "--float", "--compare"), "not both"),
         (("fig-varsim1", "--float", "--method", "RK"), "method: expected one of"),
         (("fig-varsim1", "--float", "--csv", "a.txt"), "allowed: .csv"),

@@ -23,7 +23,17 @@ GROUPS = {
     "The compliant model": ("compliant", "integrator", "scenes"),
     "Balls, intervals, verdicts, figures": ("balls", "dyadic", "verdict", "report"),
 }
-_TYPESET = ("proofs/", "certified", "rigour", "index", "ten_minutes", "expansions", "theta_and_signs", "compliant")
+_TYPESET = (
+    "proofs/",
+    "certified",
+    "rigour",
+    "index",
+    "ten_minutes",
+    "expansions",
+    "theta_and_signs",
+    "compliant",
+    "scenes",
+)
 _NO_FORMULAS = ("proofs/certificate", "proofs/check")
 
 

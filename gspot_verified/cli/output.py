@@ -70,6 +70,11 @@ class Outputs:
             return False
         return True
 
+    def missing(self, option: str, why: str) -> None:
+        """Say that a file is not what it should be; the result stands."""
+        warn(f"{option}: {why}")
+        self._failed = True
+
     def leave(self, code: int) -> NoReturn:
         """End the command with ``code``, or with 74 where a file is missing."""
         raise typer.Exit(NOT_WRITTEN if self._failed else code)

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, warn
-from gspot_verified.cli.output import Outputs
+from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
+    from flint import fmpq
+
     from gspot_verified.scenes.run import SceneRun
-    from gspot_verified.scenes.samples import Samples
     from gspot_verified.scenes.scene import Scene
+
+_PICTURE_POINTS = 61
+_FILE_POINTS = 101
 
 
 @app.command(epilog="Example: gspot-verified simulate fig-varsim1 --beta 3/2 --nu 2 --eps 1e-3")
@@ -28,14 +31,29 @@ def simulate(
     compare: Annotated[bool, typer.Option("--compare", help="A run with floats beside the certified one.")] = False,
     method: Annotated[str, typer.Option(help="Of the float run: Radau, LSODA or BDF.")] = "Radau",
     tolerance: Annotated[float, typer.Option(help="Of the float run, relative.")] = 1e-10,
-    digits: Annotated[int, typer.Option(help="Of the certified run, decimals of the lift-off time, 1..80.")] = 15,
-    csv: Annotated[Path | None, typer.Option(help="Write the float run's steps to this file.")] = None,
-    npz: Annotated[Path | None, typer.Option(help="Write the float run's steps to this file of numpy arrays.")] = None,
+    digits: Annotated[int, typer.Option(help="Of the certified run, decimals of the times, 1..80.")] = 15,
+    route: Annotated[
+        str | None,
+        typer.Option(help='Of the certified run: "exact" or "integrator"; the exact solution if it decides.'),
+    ] = None,
+    points: Annotated[
+        int | None,
+        typer.Option(
+            help="Samples at so many equal steps of time; the float run and the integrator: own steps if missing."
+        ),
+    ] = None,
+    csv: Annotated[Path | None, typer.Option(help="Write the samples: of the float run if there is one.")] = None,
+    npz: Annotated[Path | None, typer.Option(help="The same as numpy arrays.")] = None,
+    picture: Annotated[Path | None, typer.Option(help="Draw λ_N, y and b: PNG, PDF or SVG by the suffix.")] = None,
+    journal: Annotated[
+        Path | None, typer.Option(help="Keep the float run's progress here; the same command goes on after a kill.")
+    ] = None,
     as_json: JsonFlag = False,
 ) -> None:
     """What a scene does: lift-off, touch-down, stick, impact without collision; certified, or simulated with --float.
 
-    Exit code 0 when the certified run is proved, 2 when something is undecided: a float run always is.
+    Samples of a certified run are enclosures: a column of midpoints and one of radii. Exit code 0 when the certified
+    run is proved, 2 when something is undecided: a float run always is.
     """
     from gspot_verified.scenes.certified_run import certified_run
     from gspot_verified.scenes.file import load_scene
@@ -44,14 +62,19 @@ def simulate(
 
     if floats and compare:
         raise ValueError("give --float or --compare, not both")
-    if (csv is not None or npz is not None) and not (floats or compare):
-        raise ValueError("--csv and --npz write a float run: give --float or --compare")
+    if journal is not None and not (floats or compare):
+        raise ValueError("--journal keeps a float run: give --float or --compare")
     outputs = Outputs()
     outputs.file("--csv", csv, (".csv",))
     outputs.file("--npz", npz, (".npz",))
+    outputs.file("--picture", picture, PICTURES)
+    outputs.file("--journal", journal)
     loaded = load_scene(scene).with_settings(**{**_settings(settings or []), **_given(beta=beta, nu=nu, eps=eps)})
-    certified = None if floats else certified_run(loaded, digits)
-    simulated = float_run(loaded, method, tolerance) if floats or compare else None
+    sampled = None
+    if picture is not None or ((csv is not None or npz is not None) and not compare):
+        sampled = points or (_PICTURE_POINTS if csv is None and npz is None else _FILE_POINTS)
+    certified = None if floats else certified_run(loaded, digits, route, sampled)
+    simulated = float_run(loaded, method, tolerance, points, journal) if floats or compare else None
     runs = [run for run in (certified, simulated) if run is not None]
     agree = None if certified is None or simulated is None else agreement(simulated, certified)
     if as_json:
@@ -60,26 +83,41 @@ def simulate(
         _show(loaded, runs)
     if agree is False:
         warn("the float run contradicts the certified one")
-    if simulated is not None and simulated.samples is not None:
-        samples = simulated.samples
-        if csv is not None:
-            outputs.write("--csv", csv, lambda: _write_csv(csv, samples))
-        if npz is not None:
-            outputs.write("--npz", npz, lambda: _write_npz(npz, samples))
+    for note in (note for run in runs for note in run.notes):
+        outputs.missing("--journal", note)
+    _write(outputs, loaded, runs, csv, npz, picture)
     outputs.leave(runs[0].verdict.exit_code)
 
 
 @app.command(epilog="Example: gspot-verified scenes")
-def scenes() -> None:
-    """The scenes that come with the package, their effects, and what leaving out the others assumes."""
-    from gspot_verified.scenes.effects.catalogue import EFFECTS
+def scenes(as_json: JsonFlag = False) -> None:
+    """The scenes that come with the package, the effects, what leaving one out assumes, and what excludes what."""
+    from gspot_verified.scenes.effects.catalogue import EFFECTS, EXCLUSIONS
     from gspot_verified.scenes.file import SHIPPED, load_scene
 
-    for name in SHIPPED:
-        typer.echo(f"{name}: {', '.join(load_scene(name).effects)}")
+    loaded = [load_scene(name) for name in SHIPPED]
+    if as_json:
+        effects = [
+            {
+                "name": name,
+                "left_out": effect.left_out,
+                "needs": list(effect.needs),
+                "parameters": {n: str(v) for n, v in {**effect.parameters, **effect.model_parameters}.items()},
+            }
+            for name, effect in EFFECTS.items()
+        ]
+        exclusions = [{"first": a, "second": b, "reason": reason} for (a, b), reason in EXCLUSIONS.items()]
+        print_json({"scenes": [_scene_json(scene) for scene in loaded], "effects": effects, "exclusions": exclusions})
+        return
+    for scene in loaded:
+        typer.echo(f"{scene.name} ({_moving(scene)}): {', '.join(scene.effects)}")
     typer.echo("effects, and what a scene without them assumes:")
     for name, effect in EFFECTS.items():
-        typer.echo(f"  {name}: {effect.left_out}")
+        needs = f" (needs {', '.join(effect.needs)})" if effect.needs else ""
+        typer.echo(f"  {name}{needs}: {effect.left_out}")
+    typer.echo("what excludes what:")
+    for (first, second), reason in EXCLUSIONS.items():
+        typer.echo(f"  {first} and {second}: {reason}")
 
 
 def _given(**settings: str | None) -> dict[str, str]:
@@ -96,40 +134,49 @@ def _settings(words: list[str]) -> dict[str, str]:
     return found
 
 
+def _moving(scene: Scene) -> str:
+    return "model" if scene.mechanism is None else scene.mechanism.name
+
+
+def _start(scene: Scene) -> dict[str, fmpq]:
+    """The start; an angle that has a reference is counted from it."""
+    angles = () if scene.mechanism is None else scene.mechanism.angles
+    counted = {angle.coordinate: f"{angle.coordinate} - {angle.name}" for angle in angles}
+    return {counted.get(name, name): value for name, value in scene.initial().items()}
+
+
 def _scene_json(scene: Scene) -> dict[str, Any]:
+    parameters = {name: str(value) for name, value in scene.values().items()}
     return {
         "name": scene.name,
+        "mechanism": None if scene.mechanism is None else scene.mechanism.name,
         "effects": list(scene.effects),
+        "assumes": scene.assumes(),
         "epsilon": str(scene.epsilon),
-        "parameters": {name: str(value) for name, value in scene.values().items()},
-        "start": {name: str(value) for name, value in scene.initial().items()},
+        "parameters": parameters,
+        "start": {name: str(value) for name, value in _start(scene).items()},
+        "states": {phase: list(scene.system(phase).states) for phase in scene.phases()},
     }
 
 
 def _show(scene: Scene, runs: list[SceneRun]) -> None:
     for run in runs:
         typer.echo(str(run))
-    start = ", ".join(f"{name} = {value}" for name, value in scene.initial().items())
+    start = ", ".join(f"{name} = {value}" for name, value in _start(scene).items())
     typer.echo(f"  {scene.name}, ε = {scene.epsilon}, from {start}")
+    for name, line in scene.assumes().items():
+        typer.echo(f"  without {name}: {line}")
 
 
-def _write_csv(path: Path, samples: Samples) -> None:
-    import csv
+def _write(
+    outputs: Outputs, scene: Scene, runs: list[SceneRun], csv: Path | None, npz: Path | None, picture: Path | None
+) -> None:
+    """The samples of the last run that has some, and the picture of all."""
+    samples = next((run.samples for run in reversed(runs) if run.samples is not None), None)
+    for option, path in (("--csv", csv), ("--npz", npz)):
+        if path is not None and samples is not None:
+            outputs.write(option, path, lambda path=path: samples.save(path))  # type: ignore[misc]
+    if picture is not None:
+        from gspot_verified.report.scene_picture import scene_picture
 
-    names = list(samples.columns)
-    beside = path.with_name(f".{path.name}.part")
-    with beside.open("w", encoding="utf-8", newline="") as stream:
-        writer = csv.writer(stream)
-        writer.writerow([*names, "phase"])
-        rows = zip(*(map(float, samples.columns[name]) for name in names), samples.phases, strict=True)
-        writer.writerows(rows)
-    os.replace(beside, path)
-
-
-def _write_npz(path: Path, samples: Samples) -> None:
-    import numpy as np
-
-    beside = path.with_name(f".{path.name}.part")
-    with beside.open("wb") as stream:
-        np.savez_compressed(stream, allow_pickle=False, phase=np.array(samples.phases), **samples.columns)
-    os.replace(beside, path)
+        outputs.write("--picture", picture, lambda: scene_picture(scene, runs).save(picture))

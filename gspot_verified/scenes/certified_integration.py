@@ -6,19 +6,19 @@ Proof pages: ``proofs/norm_step.md``, ``proofs/validated_step.md``, ``proofs/inv
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from flint import arb, fmpq
 
 from gspot_verified.balls import working_bits
 from gspot_verified.dyadic import Dyadic
-from gspot_verified.integrator.norm_run import NormSegment
 from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase, Open
 from gspot_verified.scenes.certified_phases import CertifiedPhases
 from gspot_verified.scenes.effects.terms import FLIGHT
 from gspot_verified.scenes.invariant_region import Growth, InvariantRegion
 from gspot_verified.scenes.run import CERTIFIED, IMPACT, OPEN, RunEvent, SceneRun, fate_of
 from gspot_verified.scenes.scene import Scene, SceneError
+from gspot_verified.scenes.segment_samples import Observer, SegmentSamples, Step
 from gspot_verified.verdict import Reason, Verdict
 
 MAX_EVENTS = 200
@@ -38,31 +38,35 @@ class _Record:
     for_ever: bool = False
 
 
-def integrated_run(scene: Scene, digits: int = 15, bits: tuple[int, ...] | None = None) -> SceneRun:
+def integrated_run(
+    scene: Scene, digits: int = 15, bits: tuple[int, ...] | None = None, sampled: bool = False
+) -> SceneRun:
     """The events until ``scene.until``, or until an impact without collision is shown to last for ever; or undecided,
     with the events that are certain and the reason.
 
     :param digits: 1..80, decimals of the times of the events in the unit epsilon.
     :param bits: working precisions to try, one after the other.
+    :param sampled: keep enclosures of the trajectory at some times of each step.
     :raises SceneError: digits out of range.
     """
     if not 1 <= digits <= MAX_DIGITS:
         raise SceneError(f"digits must lie in 1..{MAX_DIGITS}, got {digits}")
     extra = round(max(0, digits - 15) * _DIGIT_BITS)
-    record = _Record()
+    record, samples = _Record(), None
     for precision in bits or tuple(value + extra for value in BITS):
         with working_bits(precision):
-            record = _run(scene)
+            samples = SegmentSamples(scene) if sampled else None
+            record = _run(scene, samples)
         if record.open is None and all(_narrow(event, scene.epsilon, digits) for event in record.events):
             break
-    return _result(scene, record)
+    return replace(_result(scene, record), samples=None if samples is None else samples.samples())
 
 
 def _narrow(event: RunEvent, epsilon: fmpq, digits: int) -> bool:
     return bool(event.upper - event.lower <= epsilon * fmpq(1, 10 ** (digits + _SPARE_DIGITS)))
 
 
-def _run(scene: Scene) -> _Record:
+def _run(scene: Scene, samples: SegmentSamples | None) -> _Record:
     """The whole run at the precision in force."""
     record, phases = _Record(), CertifiedPhases(scene)
     start = {name: arb(value) for name, value in scene.scaled_initial().items()} | {CLOCK: arb(0)}
@@ -73,7 +77,9 @@ def _run(scene: Scene) -> _Record:
             record.open = now
             return record
         began, phase = start[CLOCK], phases[now.phase]
-        observer = _ImpactObserver(phase, began, scene.epsilon, record)
+        observer: Observer = _ImpactObserver(phase, began, scene.epsilon, record)
+        if samples is not None:
+            observer = samples.beside(observer, phase.system, began)
         found = phase.run(start, (end - began).upper(), now.at_zero, observer)
         if isinstance(found, Open):
             record.open = Open(found.reason, began + found.time)
@@ -102,7 +108,7 @@ class _ImpactObserver:
             except ValueError:
                 self._region = None
 
-    def __call__(self, segment: NormSegment, states: Mapping[str, arb]) -> bool:
+    def __call__(self, segment: Step, states: Mapping[str, arb]) -> bool:
         if self._region is None or self._seen:
             return False
         found = self._region.growth(states)

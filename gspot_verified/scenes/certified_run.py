@@ -12,6 +12,7 @@ from gspot_verified.compliant.run import IMPACT as LASTING
 from gspot_verified.compliant.run import ONE_FLIGHT, Run, compliant_run
 from gspot_verified.compliant.run import TRIVIAL as CONSTANT
 from gspot_verified.scenes.certified_integration import integrated_run
+from gspot_verified.scenes.certified_samples import certified_samples
 from gspot_verified.scenes.run import CERTIFIED, FLIGHT_THEN_IMPACT, IMPACT, OPEN, TRIVIAL, RunEvent, SceneRun
 from gspot_verified.scenes.scene import Scene, SceneError
 from gspot_verified.verdict import Outcome
@@ -22,13 +23,15 @@ LINEAR = {"compliant_contact", "lift_off"}
 EXACT, INTEGRATOR = "exact", "integrator"
 
 
-def certified_run(scene: Scene, digits: int = 15, route: str | None = None) -> SceneRun:
+def certified_run(scene: Scene, digits: int = 15, route: str | None = None, points: int | None = None) -> SceneRun:
     """The events of the run with certified brackets, and its end as a statement for all times; or undecided.
 
     :param digits: 1..80, decimals of the lift-off time in the unit of the G-spot (exact), of the times of all events
         in the unit epsilon (integrator).
     :param route: "exact" (the linear model scene from a state in contact with p > 0) or "integrator" (any scene);
         None: the exact solution where it covers the scene and decides, else the integrator.
+    :param points: enclosures of the trajectory: by the exact solution at so many equal steps of time, by the integrator
+        at the ends of its own steps; None: none.
     :raises SceneError: an unknown route, or the exact solution does not cover the scene.
 
     >>> from gspot_verified.scenes.file import load_scene
@@ -38,22 +41,23 @@ def certified_run(scene: Scene, digits: int = 15, route: str | None = None) -> S
     if route not in (None, EXACT, INTEGRATOR):
         raise SceneError(f"route: expected {EXACT} or {INTEGRATOR}, got {route!r}")
     if route == INTEGRATOR:
-        return integrated_run(scene, digits)
+        return integrated_run(scene, digits, sampled=points is not None)
     reason = not_covered(scene)
     if reason is None:
-        run = _exact_run(scene, digits)
+        run = _exact_run(scene, digits, points)
         if route == EXACT or run.fate != OPEN:
             return run
     elif route == EXACT:
         raise SceneError(reason)
-    return integrated_run(scene, digits)
+    return integrated_run(scene, digits, sampled=points is not None)
 
 
-def _exact_run(scene: Scene, digits: int) -> SceneRun:
+def _exact_run(scene: Scene, digits: int, points: int | None) -> SceneRun:
     values, start = scene.values(), scene.initial()
     model = compliant_model(values["beta"], scene.epsilon, alpha_1=values["alpha_1"], alpha_2=values["alpha_2"])
     run = compliant_run(model, compliant_state(*(start[name] for name in "pbyvz")), digits)
-    return SceneRun(CERTIFIED, _fate(run), _events(run), run.verdict)
+    samples = None if points is None else certified_samples(run, scene.until, points)
+    return SceneRun(CERTIFIED, _fate(run), _events(run), run.verdict, samples)
 
 
 def not_covered(scene: Scene) -> str | None:

@@ -38,6 +38,7 @@ without units, in those of the mechanism.
 
 from __future__ import annotations
 
+import json
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -94,6 +95,17 @@ def load_scene(name_or_path: str | Path, /, **settings: ExactInput | None) -> Sc
         shown = str(name_or_path)[:60]
         raise SceneError(f"no scene file {shown!r}, and no scene of that name{hint}; there are: {', '.join(SHIPPED)}")
     return scene.with_settings(**settings)
+
+
+def scene_file_schema() -> dict[str, Any]:
+    """The schema (JSON Schema, draft 2020-12) of scene files, for editors and other programs.
+
+    >>> scene_file_schema()["$id"]
+    'gspot-verified/scene-file/1'
+    """
+    place = resources.files("gspot_verified.scenes").joinpath("data", "scene_file.json")
+    found: dict[str, Any] = json.loads(place.read_text(encoding="utf-8"))
+    return found
 
 
 def parse_scene(text: str, folder: Path | None = None) -> Scene:

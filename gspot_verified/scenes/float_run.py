@@ -55,23 +55,27 @@ def float_run(
     :param tolerance: relative; the absolute one is a thousandth of it, in scaled variables.
     :param points: the samples are taken at so many equal steps of time, by the solver's interpolation, and at the
         events; None: at the solver's own steps.
-    :param journal: a file that keeps what is done; a run that was interrupted goes on from there.
+    :param journal: a file that keeps what is done; a run that was interrupted goes on from there, to the same result.
+        Where it cannot be written (a full disk) the run goes on without it, and ``notes`` says so.
     :raises SceneError: an unknown method, a tolerance outside 1e-13..1e-2, epsilon < 1e-12, or the solver fails.
     :raises ValueError: the journal is that of another run.
-    :raises OSError: the journal cannot be written; what is in it stays good.
+    :raises OSError: the journal cannot be opened.
     """
     import numpy as np
 
     _check(scene, method, tolerance, points)
     asked = {"method": method, "tolerance": tolerance, "points": points}
     kept = None if journal is None else RunJournal(journal, question(scene, asked))
-    pieces: list[Piece] = []
-    if kept is not None:
-        pieces = [Piece(**data) for data in kept.pieces]
+    pieces = [] if kept is None else [_kept_piece(data, kept.path) for data in kept.pieces]
+    notes = []
     for piece in _pieces(scene, method, tolerance, points, pieces[-1] if pieces else None):
         pieces.append(piece)
         if kept is not None:
-            kept.add(asdict(piece))
+            try:
+                kept.add(asdict(piece))
+            except OSError as error:
+                notes.append(f"the journal {journal} could not be written: {error}; the run went on without it")
+                kept = None
     names = ("t", *(name for name, _ in scene.system(scene.first_phase()).read_out))
     columns = np.array([row for piece in pieces for row in piece.rows]).T
     phases = tuple(piece.phase for piece in pieces for _ in piece.rows)
@@ -84,7 +88,17 @@ def float_run(
     )
     fate = fate_of([event.name for event in events])
     detail = f"simulated with floats ({method}, relative tolerance {tolerance:g}): no error is bounded"
-    return SceneRun(SIMULATED, fate, events, Verdict.undecided(fate, Reason.HYPOTHESIS, detail), samples)
+    return SceneRun(SIMULATED, fate, events, Verdict.undecided(fate, Reason.HYPOTHESIS, detail), samples, tuple(notes))
+
+
+def _kept_piece(data: Any, path: Path) -> Piece:
+    try:
+        piece = Piece(**data)
+        if not (all(math.isfinite(x) for row in piece.rows for x in row) and math.isfinite(piece.time)):
+            raise ValueError("not a finite number")
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{path}: a line of the journal cannot be read: {error}") from None
+    return piece
 
 
 def _check(scene: Scene, method: str, tolerance: float, points: int | None) -> None:
@@ -113,7 +127,10 @@ def _pieces(scene: Scene, method: str, tolerance: float, points: int | None, las
         if phase is None or time >= end:
             return
         stop = min(end, end * (math.floor(time / end * PIECES * (1 + 1e-12)) + 1) / PIECES)
-        piece = run.piece(phase, state, (time, stop), method, tolerance, None if points is None else (end, points))
+        begins = last is None or last.event is not None
+        equal = None if points is None else (end, points)
+        piece = run.piece(phase, state, (time, stop), method, tolerance, equal, begins)
+        last = piece
         yield piece
         phase, state, time = piece.next_phase, piece.state, piece.time
 
@@ -161,15 +178,19 @@ class _FloatRun:
         method: str,
         tolerance: float,
         points: tuple[float, int] | None,
+        begins: bool,
     ) -> Piece:
-        """One call of the solver, to the end of the span or to an event, and what follows it."""
+        """One call of the solver, to the end of the span or to an event, and what follows it.
+
+        ``begins``: whether the phase begins here; otherwise the piece before has this state already.
+        """
         compiled = self._phase(phase)
         found = compiled.integrate([state[name] for name in compiled.states], span, method, tolerance)
         time = float(found.t[-1])
         after = {**state, **dict(zip(compiled.states, map(float, found.y[:, -1]), strict=True))}
-        rows = _rows(compiled, found, points)
         hits = zip(compiled.ends, found.t_events, strict=True)
         ended = next((end for end, times in hits if len(times)), None)
+        rows = _rows(compiled, found, points, begins, ended is not None)
         if ended is None:
             return Piece(phase, rows, time, after, None, phase)
         name, following = ended
@@ -182,13 +203,18 @@ class _FloatRun:
         return Piece(phase, rows, time, after, name, following)
 
 
-def _rows(compiled: FloatPhase, found: Any, points: tuple[float, int] | None) -> list[list[float]]:
+def _rows(
+    compiled: FloatPhase, found: Any, points: tuple[float, int] | None, begins: bool, ends: bool
+) -> list[list[float]]:
     import numpy as np
 
-    first, last = float(found.t[0]), float(found.t[-1])
     if points is None:
-        return compiled.rows(found.t, found.y)
+        skipped = 0 if begins else 1
+        return compiled.rows(found.t[skipped:], found.y[:, skipped:])
     end, count = points
-    inside = [end * k / (count - 1) for k in range(count)]
-    times: Sequence[float] = sorted({first, last, *(time for time in inside if first < time < last)})
-    return compiled.rows(times, np.column_stack([found.y[:, 0], *(found.sol(t) for t in times[1:-1]), found.y[:, -1]]))
+    first, last = float(found.t[0]), float(found.t[-1])
+    equal = (end * k / (count - 1) for k in range(count))
+    times = {time for time in equal if first < time <= last}
+    times |= ({first} if begins else set()) | ({last} if ends else set())
+    at: Sequence[float] = sorted(times)
+    return compiled.rows(at, np.column_stack([found.sol(time) for time in at])) if at else []

@@ -27,6 +27,7 @@ from gspot_verified.mechanisms.simplify import constant, product_of, rational_va
 from gspot_verified.mechanisms.slip_state import state_formula
 from gspot_verified.mechanisms.symbol import variable_indices
 from gspot_verified.mechanisms.to_system import NotRationalError, shift
+from gspot_verified.scenes.effects.catalogue import EXCLUSIONS
 from gspot_verified.scenes.effects.mechanism_terms import Functions, MechanismTerms
 from gspot_verified.scenes.effects.terms import PHASES, Terms
 from gspot_verified.scenes.motion import SceneError
@@ -55,8 +56,8 @@ class MechanismMotion:
     ) -> None:
         self.mechanism, self._epsilon, self._start = mechanism, epsilon, dict(start)
         if isinstance(mechanism.motion, Lagrangian) and mechanism.motion.constraints:
-            raise SceneError(f"{mechanism.name}: scenes do not cover mechanisms with constraints: a start of exact "
-                             "numbers need not satisfy them")  # fmt: skip
+            reason = EXCLUSIONS["mechanism", "constraints"]
+            raise SceneError(f"{mechanism.name}: scenes do not cover mechanisms with constraints: {reason}")
         if "x" in sees and mechanism.x is None:
             raise SceneError(f"{mechanism.name}: effect 'tangential_place' needs x; it gives a slip velocity")
         self._shifted = shift(mechanism)
@@ -161,6 +162,8 @@ class MechanismMotion:
                 found[name] = rational(value, f"start: {name}")
             elif name in solved:
                 raise SceneError(f"start: {name} follows from {solved[name]} in this scene: give {solved[name]}")
+            elif name == "nu":
+                raise SceneError(f"start: nu and a mechanism exclude each other: {EXCLUSIONS['mechanism', 'nu']}")
             elif name not in mechanism.state:
                 names = [word for word in mechanism.state if word not in solved]
                 raise SceneError(f"start: this scene has no state {name[:40]!r}; give {', '.join(names)}, y, v, z")

@@ -11,7 +11,9 @@ from gspot_verified.scenes.motion import SceneError
 from gspot_verified.signs.contact_force import rational
 
 MAX_BITS = 2000
-_UNIT = re.compile(r"\s*[+-]?[0-9][0-9.eE+/-]*\s*([A-Za-zµμ°%][A-Za-z0-9µμ°%/^* ]*)\s*")
+_UNIT = re.compile(
+    r"\s*[+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?(?:/[0-9]+)?\s*(?![eE][+-]?[0-9]+)([A-Za-zµμ°%][A-Za-z0-9µμ°%/^* ]*)\s*"
+)
 
 
 def scene_number(value: ExactInput, name: str) -> fmpq:

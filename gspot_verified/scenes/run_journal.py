@@ -17,6 +17,7 @@ class RunJournal:
     """
 
     def __init__(self, path: Path, asked: dict[str, Any]) -> None:
+        self.path = path
         self._file = JournalFile(path, asked)
         try:
             self.pieces = [json.loads(line) for line in self._file.lines]
