@@ -63,7 +63,7 @@ def _draw(scene: Scene, sampled: Sequence[SceneRun], runs: Sequence[SceneRun]) -
             _curve(axes, run, over, name, scale)
         _limits(axes, first, name, scale)
         axes.set_ylabel(label)
-    _certified_brackets(panels, runs, over, scene)
+    _certified_brackets(panels, runs, over, first)
     ends = first.columns[over.name]
     panels[-1].set_xlabel(over.label)
     width = float(ends.max() - ends.min()) or 1.0
@@ -115,15 +115,16 @@ def _curve(axes: Any, run: SceneRun, over: _Over, name: str, scale: float) -> No
         seen.add(event.name)
 
 
-def _certified_brackets(panels: Sequence[Any], runs: Sequence[SceneRun], over: _Over, scene: Scene) -> None:
+def _certified_brackets(panels: Sequence[Any], runs: Sequence[SceneRun], over: _Over, samples: Samples) -> None:
     """A vertical line at each certified event; its bracket is narrower than the line."""
-    rate = approximate(scene.values().get("alpha_1", scene.epsilon))
+    import numpy as np
+
     for run in runs:
         if run.strength != CERTIFIED:
             continue
         for event in run.events:
             time = approximate((event.lower + event.upper) / 2)
-            at = time if over.name == "t" else approximate(scene.initial()["p"]) + rate * time
+            at = float(np.interp(time, samples.columns["t"], samples.columns[over.name]))
             for axes in panels:
                 axes.axvline(at, color=PURPLE, linewidth=0.8, linestyle=(0, (2, 2)))
             panels[0].annotate(
