@@ -35,6 +35,8 @@ SEPARATED = {fmpq(3, 2): fmpq(1, 100), fmpq(5, 2): fmpq(1, 500)}
 """By β of panels (b) and (c): every ε up to here."""
 PAIRS = ((fmpq(1, 4), fmpq(4)), (fmpq(1, 2), fmpq(2)))
 """ν on the two sides of the trivial solution ν = 1."""
+CASE_I = {"alpha_2": "-y", "alpha_3 - alpha_1": "u"}
+"""Case I (Sec. 1) by positive symbols."""
 CASE_II = {"beta": fmpq(1, 2), "alpha_2": fmpq(1)}
 ATTRACTED, OTHERS = (fmpq(2), fmpq(4)), (fmpq(1, 4), fmpq(1, 2))
 """ν above and below 1: p, b with α_2 p < (α_1 - α_3) b, and not."""
@@ -136,6 +138,29 @@ def _separatrix() -> Entry:
         ),
         note="For data off the slow manifold the separatrix is K = 0, which holds states near the trivial solution "
         "that are not on it (proofs/first_integrals.md).",
+    )
+
+
+def trivial_force() -> bool | None:
+    """Whether λ_N = α_2/(α_3 - α_1) < 0 in Case I: α_1 = -(u + x), α_3 = -x, α_2 = -y, all positive symbols."""
+    second, difference = (ALGEBRA.read(CASE_I[name]) for name in ("alpha_2", "alpha_3 - alpha_1"))
+    return rising_signs(-second) and rising_signs(difference)
+
+
+def trivial_product() -> bool | None:
+    """Whether b p > 0 on the trivial solution there: b p = α_2/(α_1 - α_3) p², so α_2 (α_1 - α_3) > 0."""
+    return rising_signs(ALGEBRA.read(CASE_I["alpha_2"]) * -ALGEBRA.read(CASE_I["alpha_3 - alpha_1"]))
+
+
+def _trivial_in_case_i() -> Entry:
+    return settled(
+        SECTION,
+        "3-case-I-trivial",
+        "lines 766 to 767",
+        r"bp>0,\text{ implying }\lambda_N<0",
+        "In Case I the trivial solution has b p > 0 and λ_N < 0, for all α's of Case I",
+        Check(Rung.EXACT, "λ_N = α_2/(α_3 - α_1), for all values of the symbols", trivial_force()),
+        Check(Rung.EXACT, "b p = α_2 p²/(α_1 - α_3), for all values of the symbols", trivial_product()),
     )
 
 
@@ -247,6 +272,7 @@ def _flight_ends() -> Entry:
 
 ENTRIES: Builders = {
     "3-oscillations": _oscillations,
+    "3-case-I-trivial": _trivial_in_case_i,
     "3-case-II": _case_ii,
     "3-separatrix": _separatrix,
     "3-flight-ends": _flight_ends,

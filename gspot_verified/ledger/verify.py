@@ -14,6 +14,7 @@ from gspot_verified.ledger import (
     example,
     lagrangian,
     section_1_cases,
+    section_2_contact,
     section_3,
     section_3_sentences,
     section_3_smoothness,
@@ -45,6 +46,7 @@ from gspot_verified.verdict import Outcome
 PARTS: dict[str, Builders] = {
     "Section 1, Cases I, II and III": section_1_cases.ENTRIES,
     "Section 1, the ratio β": section_4_slow.RATIO_ENTRIES,
+    "Section 2, the surface": section_2_contact.ENTRIES,
     "Section 2, the motivating example": section_4_trivial.ENTRIES,
     "Section 2, the extended example": lagrangian.ENTRIES,
     "Section 3, sides of the simulations": section_3.ENTRIES,

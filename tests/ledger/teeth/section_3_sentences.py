@@ -30,6 +30,12 @@ TEETH: Teeth = {
         Bite("hypothesis", ledger, "AT", lambda honest: (*honest, fmpq(-1))),
         NotApplicable("order", "the rates are exact; no order of an error occurs"),
     ),
+    "3-case-I-trivial": (
+        Bite("factor", ledger.CASE_I, "alpha_2", lambda _: "y"),
+        Bite("hidden factor", ledger.CASE_I, "alpha_2", unseen_at("y", range(1, 3))),
+        Bite("hypothesis", ledger.CASE_I, "alpha_3 - alpha_1", lambda _: "-u"),
+        NotApplicable("order", "signs of exact expressions; no order of an error occurs"),
+    ),
     "3-case-II": (
         Bite("factor", ledger.CASE_II, "alpha_2", lambda honest: -honest),
         Bite("hidden factor", ledger, "case_ii", negative_for(fmpq(4))),
