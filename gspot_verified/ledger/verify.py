@@ -14,6 +14,7 @@ from gspot_verified.ledger import (
     example,
     lagrangian,
     section_1_cases,
+    section_1_rigid,
     section_2_contact,
     section_3,
     section_3_sentences,
@@ -44,6 +45,7 @@ from gspot_verified.ledger.formal_routes import with_formal_proof
 from gspot_verified.verdict import Outcome
 
 PARTS: dict[str, Builders] = {
+    "Section 1, rigid slip": section_1_rigid.ENTRIES,
     "Section 1, Cases I, II and III": section_1_cases.ENTRIES,
     "Section 1, the ratio β": section_4_slow.RATIO_ENTRIES,
     "Section 2, the surface": section_2_contact.ENTRIES,
