@@ -15,6 +15,7 @@ import sys
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path
 from types import CodeType
 from typing import Any
@@ -27,6 +28,7 @@ from mutants.operators import Mutant, traced_code
 NOT_LOADED = 71
 _REPORTER = "__mutants_reach__"
 _MEMORY = 4 * 2**30
+_CACHED = type(lru_cache(len))
 _OPTIONS = [
     "-p", "no:cacheprovider", "-p", "no:xdist", "-p", "no:faulthandler", "--tb=no", "-x", "-m", "not slow",
     "-W", "ignore:Module already imported:pytest.PytestAssertRewriteWarning",
@@ -95,7 +97,7 @@ class Plugin:
     """Sets Hypothesis up (no shrinking: one failure is enough); chooses and orders the tests; records their reach."""
 
     def __init__(self, changed: Changed, chosen: Sequence[str] | None = None, parts: set[str] | None = None) -> None:
-        self.changed, self.parts = changed, parts
+        self.changed, self.parts, self.alone = changed, parts, chosen is None
         self.chosen = None if chosen is None else {test: k for k, test in enumerate(chosen)}
         self.hit: set[int] = set()
         self.reach = Reach()
@@ -126,12 +128,23 @@ class Plugin:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_protocol(self, item: pytest.Item) -> Any:
+        if self.alone:
+            _forget(self.changed.module.partition(".")[0])
         self.hit.clear()
         begin = time.process_time()
         result = yield
         self.reach.seconds[item.nodeid] = time.process_time() - begin
         self.reach.lines[item.nodeid] = sorted(self.hit)
         return result
+
+
+def _forget(package: str) -> None:
+    """Empty the caches of the package: a test reaches also what an earlier one has left there."""
+    for name, module in list(sys.modules.items()):
+        if name.partition(".")[0] == package and module is not None:
+            for value in list(vars(module).values()):
+                if isinstance(value, _CACHED):
+                    value.cache_clear()
 
 
 def start(root: Path, file: str, tests: Sequence[str], chosen: Sequence[str], code: CodeType, seconds: float) -> int:

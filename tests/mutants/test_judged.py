@@ -74,3 +74,15 @@ def test_what_was_judged_is_recorded_and_run_again(tmp_path: Path) -> None:
     assert run(tmp_path, STRONG, options="--record --sample 7 --seed 2")[0] == 0
     assert run(tmp_path, STRONG, options="--record --sample 3")[0] == 0
     assert read_judged(table) == {"package/source.py": Judged(None, 0, 7, 7, 0, 0)}
+
+
+@pytest.mark.slow
+def test_a_test_reaches_what_an_earlier_one_has_left_in_a_cache(tmp_path: Path) -> None:
+    """The first test fills the cache and asks too little; the second one must be shown the mutant, too."""
+    source = "from functools import cache\n\n@cache\ndef pair():\n    return [1, 2 + 3]\n"
+    tests = (
+        "from package.source import pair\n\ndef test_first():\n    assert pair()[0] == 1\n\n"
+        "def test_second():\n    assert pair()[1] == 5\n"
+    )
+    code, text = run(tmp_path, tests, "", source)
+    assert code == 0, text
