@@ -60,6 +60,8 @@ if TYPE_CHECKING:
     from gspot_verified.theta_function.theta import theta as theta
     from gspot_verified.uniform.bound import UniformBound as UniformBound
     from gspot_verified.uniform.bound import uniform_bound as uniform_bound
+    from gspot_verified.uniform.side import UniformSide as UniformSide
+    from gspot_verified.uniform.side import uniform_side as uniform_side
     from gspot_verified.verdict import Outcome as Outcome
     from gspot_verified.verdict import Reason as Reason
     from gspot_verified.verdict import Verdict as Verdict
@@ -90,6 +92,7 @@ __homes__ = {
     "Sweep": "mechanisms.sweep_result",
     "Trajectory": "expansion.trajectory",
     "UniformBound": "uniform.bound",
+    "UniformSide": "uniform.side",
     "Verdict": "verdict",
     "ZerosResult": "signs.zeros",
     "approach": "mechanisms.approach",
@@ -119,6 +122,7 @@ __homes__ = {
     "theta_by": "theta_function.routes",
     "theta_of_floats": "theta_function.arrays",
     "uniform_bound": "uniform.bound",
+    "uniform_side": "uniform.side",
     "zeros_at": "signs.brackets",
     "zeros_on_range": "signs.zeros",
 }

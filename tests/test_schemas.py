@@ -87,6 +87,8 @@ RUNS = [
     ("expand", "extended", "--order", "4", "--at", "1,1/10", "--residual", "1,1/10"),
     ("expand", "extended", "--order", "4", "--uniform=-1/4,1/4,1/20"),
     ("expand", "extended", "--order", "4", "--uniform=0,1,9"),
+    ("expand", "extended", "--order", "8", "--side=-1,1/50"),
+    ("expand", "extended", "--order", "8", "--side=-1,1/5"),
     ("expand", "extended", "--order", "4", "--chi", "symbolic"),
     ("expand", "genot_brogliato_rod", "--order", "3", "--in-time"),
     ("sweep", "oscillator", "--over", "beta=3/2..5/2:2"),

@@ -124,6 +124,9 @@ def expand(
         str | None, typer.Option(help='How far true solutions are, for s in [A, B] and all δ <= D: "A,B,D".')
     ] = None,
     bits: Annotated[int | None, typer.Option(help="Coefficients as balls, with so many working bits.")] = None,
+    side: Annotated[
+        str | None, typer.Option(help='Lift-off or impact near the G-spot with C1, for all ε <= D³: "C1,D".')
+    ] = None,
     latex: Annotated[bool, typer.Option("--latex", help="Print LaTeX.")] = False,
     picture: Annotated[Path | None, typer.Option(help="What is left in the equations, with its bound.")] = None,
     as_json: JsonFlag = False,
@@ -132,7 +135,7 @@ def expand(
 
     Coefficients are balls of the asked digits where the G-spot is not rational, and with --bits. From order 100 on
     --at alone computes with balls, if their values have the asked digits. Exit code 2 when digits are not reached, and
-    when --uniform is undecided.
+    when --uniform or --side is undecided.
     """
     from gspot_verified.expansion.accuracy import AccuracyWarning
     from gspot_verified.mechanisms.expand import expand as expand_mechanism
@@ -145,7 +148,7 @@ def expand(
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", AccuracyWarning)  # said below, on stderr and by the exit code
         subject = load_with_settings(name, chosen)
-        numbers_only = at is not None and not (residual or uniform or picture)
+        numbers_only = at is not None and not (residual or uniform or side or picture)
         found = _in_balls(subject, order, digits, at, in_time) if numbers_only and bits is None else None
         trajectory = found or expand_mechanism(subject, order, digits, _orders, bits)
     if trajectory.pulls:
@@ -173,6 +176,12 @@ def expand(
         distance = uniform_bound(trajectory, *_numbers(uniform, "--uniform", "-3,2,1/20"))
         data |= {"uniform": distance.to_json()}
         text, proved = f"{text}\n{distance}", distance.verdict.outcome is Outcome.PROVED
+    if side is not None:
+        from gspot_verified.uniform.side import uniform_side
+
+        taken = uniform_side(trajectory, *_numbers(side, "--side", "1,1/50"))
+        data |= {"side": taken.to_json()}
+        text, proved = f"{text}\n{taken}", proved and taken.side is not None
     if picture is not None:
         from gspot_verified.report.expansion_picture import save_expansion
 

@@ -54,7 +54,7 @@ class DeviationEquations:
             [*system.F, *system.G, system.alpha_1, system.alpha_2, system.alpha_3], len(self.point)
         )
         values = self._functions.values(self.point)
-        self._control = values[self.dimension : 2 * self.dimension]
+        self.control = values[self.dimension : 2 * self.dimension]
         self.alpha_1, _, self.alpha_3 = values[2 * self.dimension :]
         self.mean_force = ball(trajectory.lambda_n[0].at_zero())
         self._terms = {
@@ -66,7 +66,7 @@ class DeviationEquations:
     def limit(self, s: arb) -> arb_mat:
         """A_0(s): the matrix at delta = 0."""
         rows = [[arb(0)] * self.size for _ in range(self.size)]
-        for i, value in enumerate(self._control):
+        for i, value in enumerate(self.control):
             rows[i][self.y] = -self.kappa * value
         rows[self.b][self.y] = self.kappa * self.alpha_3
         rows[self.y][self.v] = rows[self.v][self.b] = arb(1)
@@ -101,7 +101,7 @@ class DeviationEquations:
         for i in range(m):
             for j in range(m):
                 rows[i][j] = square * (drifts[i][j] + force * controls[i][j])
-            rows[i][self.y] = -self.kappa * (control[i] - self._control[i])
+            rows[i][self.y] = -self.kappa * (control[i] - self.control[i])
         for j in range(m):
             rows[self.p][j] = square * first[j]
             rows[self.b][j] = square * (second[j] - force * third[j])
@@ -110,6 +110,24 @@ class DeviationEquations:
         rows[self.v][self.y] = -self.kappa * bend
         fast = [*control, arb(0), -alpha_3, arb(0), self.alpha_1 * s + bend]
         return Coupling(arb_mat(rows), arb_mat([[value] for value in fast]), force)
+
+    def norm(self, name: str, reach: arb, first: int = 0) -> arb:
+        """A bound on the terms from ``first`` on, monomial by monomial, for |s| <= reach and delta <= delta_0."""
+        total = arb(0)
+        for term in reversed(self._terms[name][first:]):
+            size = arb(0)
+            for value in reversed(term.coeffs()):
+                size = size * reach + value.abs_upper()
+            total = total * self.delta + size
+        return (total * self.delta**first).upper()
+
+    def functions(self, state: Sequence[arb]) -> tuple[list[arb], list[list[arb]]]:
+        """F, G, alpha_1, alpha_2, alpha_3 and their slopes on a box of states."""
+        return self._functions.gradients(state)
+
+    def residual_below(self, reach: arb) -> tuple[list[arb], arb]:
+        """As :meth:`residual`, for a ball."""
+        return self.residual(fmpq((reach.upper() * _LEVELS).ceil().unique_fmpz() or 1, _LEVELS))
 
     def residual(self, reach: fmpq) -> tuple[list[arb], arb]:
         """Bounds on |R| delta^-M for |s| <= reach: those of e, and that of the equation of z."""
