@@ -19,6 +19,7 @@ from gspot_verified.expansion.expressions import (
     Sum,
     Variable,
     in_order,
+    partner,
 )
 
 ZERO, ONE = Constant(fmpq(0)), Constant(fmpq(1))
@@ -105,14 +106,9 @@ def _slope(node: Expression, slopes: Mapping[Expression, Expression]) -> Express
         case Power(base, exponent):
             lowered = base if exponent == 2 else ONE if exponent == 1 else Power(base, exponent - 1)
             return times(times(Constant(exponent), lowered), slopes[base]) if exponent != 0 else ZERO
-        case Sine(argument):
-            return times(Cosine(argument), slopes[argument])
-        case Cosine(argument):
-            return times(times(Constant(fmpq(-1)), Sine(argument)), slopes[argument])
-        case Exponential(argument):
-            return times(node, slopes[argument])
-        case Logarithm(argument):
-            return times(Power(argument, fmpq(-1)), slopes[argument])
+        case Sine(argument) | Cosine(argument) | Exponential(argument) | Logarithm(argument):
+            derivative, sign = partner(node)
+            return times(times(Constant(fmpq(sign)), derivative), slopes[argument])
     return ZERO
 
 

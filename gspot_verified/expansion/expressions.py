@@ -189,6 +189,10 @@ class Logarithm(Expression):
         return (self.argument,)
 
 
+FUNCTION_NAMES: dict[type[Expression], str] = {Sine: "sin", Cosine: "cos", Exponential: "exp", Logarithm: "log"}
+"""The functions of one argument, as formulas, ``math`` and sympy name them."""
+
+
 def partner(node: Sine | Cosine | Exponential | Logarithm) -> tuple[Expression, int]:
     """The derivative by the argument is sign g: g, and the sign.
 

@@ -8,14 +8,11 @@ from typing import Any
 from flint import fmpq
 
 from gspot_verified.expansion.expressions import (
+    FUNCTION_NAMES,
     Constant,
-    Cosine,
-    Exponential,
     Expression,
-    Logarithm,
     Power,
     Product,
-    Sine,
     Sum,
     Variable,
     in_order,
@@ -38,6 +35,7 @@ from gspot_verified.mechanisms.symbol import PI, Symbol
 def to_sympy(expression: Expression, state: Sequence[str] = ()) -> Any:
     """The expression in sympy; ``state`` names the components of the state.
 
+    >>> from gspot_verified.expansion.expressions import Sine
     >>> to_sympy(Symbol("m") * Variable(0) + Sine(Variable(1)), ("x", "y"))
     m*x + sin(y)
     """
@@ -63,14 +61,8 @@ def _one_in_sympy(node: Expression, made: Mapping[Expression, Any], state: Seque
             return sympy.Mul(made[left], made[right])
         case Power(base, exponent):
             return made[base] ** sympy.Rational(int(exponent.p), int(exponent.q))
-        case Sine(argument):
-            return sympy.sin(made[argument])
-        case Cosine(argument):
-            return sympy.cos(made[argument])
-        case Exponential(argument):
-            return sympy.exp(made[argument])
-        case Logarithm(argument):
-            return sympy.log(made[argument])
+    if type(node) in FUNCTION_NAMES:
+        return getattr(sympy, FUNCTION_NAMES[type(node)])(*(made[part] for part in node.parts()))
     raise TypeError(f"no sympy form of {type(node).__name__}")
 
 

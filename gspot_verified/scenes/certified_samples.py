@@ -58,12 +58,11 @@ def certified_samples(run: Run, until: fmpq, points: int, digits: int = 12) -> S
 def midpoint_and_radius(value: arb) -> tuple[float, float]:
     """Two floats m and r with the whole ball in [m - r, m + r]; r is infinite where the ball has no bounds in floats.
 
-    >>> midpoint_and_radius(arb("0.5"))
-    (0.5, 0.0)
+    >>> middle, radius = midpoint_and_radius(arb(1) / 2)
+    >>> middle, 0 <= radius < 1e-15
+    (0.5, True)
     """
     low, high = float_bounds(value)
-    if low == high:
-        return low, 0.0
     middle = low / 2 + high / 2
     if not math.isfinite(middle):
         return 0.0, math.inf

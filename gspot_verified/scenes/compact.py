@@ -6,7 +6,7 @@ equals the function given wherever that is defined (x/x becomes 1).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from flint import fmpq
@@ -18,9 +18,9 @@ from gspot_verified.expansion.expressions import (
     Power,
     Product,
     Sum,
-    Variable,
     in_order,
 )
+from gspot_verified.scenes.scaled_system import operations
 
 _LONGEST_PRODUCT = 12
 Scaled = tuple[fmpq, Expression]
@@ -29,17 +29,14 @@ Scaled = tuple[fmpq, Expression]
 def compact(roots: Sequence[Expression]) -> dict[Expression, Expression]:
     """For each root the same function, all of them together with fewer operations if that was possible.
 
+    >>> from gspot_verified.expansion.expressions import Variable
     >>> x, y = Variable(0), Variable(1)
     >>> two, minus = Constant(fmpq(2)), Constant(fmpq(-1))
     >>> list(compact([Sum((two * x, two * y)) / Sum((minus * x, minus * y))]).values())
     [Constant(value=-2)]
     """
     made = _Compaction().all(roots)
-    return made if _operations(made.values()) < _operations(roots) else {root: root for root in roots}
-
-
-def _operations(roots: Iterable[Expression]) -> int:
-    return sum(1 for node in in_order(roots) if not isinstance(node, Constant | Variable))
+    return made if operations(list(made.values())) < operations(roots) else {root: root for root in roots}
 
 
 class _Compaction:

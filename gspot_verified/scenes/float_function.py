@@ -7,14 +7,11 @@ from collections.abc import Callable, Sequence
 
 from gspot_verified.balls import approximate
 from gspot_verified.expansion.expressions import (
+    FUNCTION_NAMES,
     Constant,
-    Cosine,
-    Exponential,
     Expression,
-    Logarithm,
     Power,
     Product,
-    Sine,
     Sum,
     Variable,
     in_order,
@@ -28,6 +25,7 @@ def float_function(functions: Sequence[Expression]) -> FloatFunction:
 
     :raises TypeError: a constant that is no number.
 
+    >>> from gspot_verified.expansion.expressions import Sine
     >>> x = Variable(0)
     >>> float_function([x * x, Sine(x)])([0.0])
     [0.0, 0.0]
@@ -56,7 +54,6 @@ def _line(node: Expression, parts: Sequence[str]) -> str:
             return " * ".join(parts)
         case Power(_, exponent):
             return f"{parts[0]} ** {approximate(exponent)!r}"
-        case Sine() | Cosine() | Exponential() | Logarithm():
-            called = {Sine: "sin", Cosine: "cos", Exponential: "exp", Logarithm: "log"}
-            return f"math.{called[type(node)]}({parts[0]})"
+    if type(node) in FUNCTION_NAMES:
+        return f"math.{FUNCTION_NAMES[type(node)]}({parts[0]})"
     raise TypeError(f"no float function of a {type(node).__name__}")
