@@ -17,7 +17,7 @@ from gspot_verified.report.formulas import formula, typeset
 
 ROOT = Path(__file__).resolve().parents[2]
 GROUPS = {
-    "Your mechanism": ("mechanisms", "expansion"),
+    "Your mechanism": ("mechanisms", "expansion", "uniform"),
     "The function Θ": ("theta_function",),
     "Signs, zeros, sides": ("signs",),
     "The compliant model": ("compliant", "integrator", "scenes"),
