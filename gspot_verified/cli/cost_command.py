@@ -31,6 +31,10 @@ class Measured(Protocol):
 def cost(
     subject: Annotated[str, typer.Argument(help='What to measure: "theta", "sign", "expand", "force", "mechanism".')],
     full: Annotated[bool, typer.Option("--full", help="Larger cases too: about 20, 10 or 2 minutes.")] = False,
+    peers: Annotated[
+        bool,
+        typer.Option("--peers", help="theta: every cell beside what is installed (FLINT, mpmath, scipy, PARI, Sage)."),
+    ] = False,
     picture: Annotated[
         Path | None, typer.Option(help="Write time against digits, size or order as PNG, PDF or SVG.")
     ] = None,
@@ -44,7 +48,9 @@ def cost(
 
     outputs = Outputs()
     outputs.file("--picture", picture, PICTURES)
-    result = _measure(subject, full)
+    if peers and (subject != "theta" or full or picture is not None):
+        raise ValueError("--peers: for theta, without --full and --picture")
+    result = _peers() if peers else _measure(subject, full)
     if picture is not None:
         labels = {"theta": DIGITS, "sign": RANGES, "expand": ORDERS, "force": SMALLNESS, "mechanism": LINKS}[subject]
         outputs.write("--picture", picture, lambda: save_picture(result.curves, picture, labels))
@@ -53,6 +59,12 @@ def cost(
     else:
         typer.echo(str(result))
     outputs.leave(0)
+
+
+def _peers() -> Measured:
+    from gspot_verified.cost import theta
+
+    return theta.run_peers(progress)
 
 
 def _measure(subject: str, full: bool) -> Measured:

@@ -113,6 +113,32 @@ _STEPS: tuple[tuple[str, Callable[[], Iterator[Row]]], ...] = (
 )
 
 
+def run_peers(progress: Progress = lambda _: None) -> CostReport:
+    """Every cell beside its peers, interleaved: ratios of the shortest times; then the limits. A few minutes."""
+    from gspot_verified.cost import limits, peers
+
+    start, before = time.perf_counter(), machine_load()
+    rows: list[Row] = []
+    steps: tuple[tuple[str, Callable[[], Iterator[Row]]], ...] = (
+        ("one value", peers.one_value),
+        ("far τ", peers.far_values),
+        ("many values", peers.many_values),
+        ("limits: products", limits.many_digits),
+        ("limits: memory", limits.memory_traffic),
+    )
+    for words, step in steps:
+        progress(words)
+        rows += step()
+    progress("other programs")
+    external = tuple(_external(False))
+    remarks = (
+        f"Python {platform.python_version()}, {platform.machine()}",
+        "The times of these rows are the shortest ones; baseline: FLINT, DOP853 or the limit.",
+        f"before: {before}; after: {machine_load()}",
+    )
+    return CostReport(tuple(rows), external, (), remarks, False, time.perf_counter() - start)
+
+
 def _external(full: bool) -> Iterator[ExternalTime]:
     for program in PROGRAMS:
         for digits in (*_EXTERNAL_DIGITS, *((100_000,) if full else ())):
