@@ -74,6 +74,26 @@ def test_the_table_of_the_checker_names_every_page_and_only_statements(prove: Mo
         assert names or formal == "prose"
 
 
+def test_the_pages_name_statements_and_lemmas_that_exist(prove: ModuleType) -> None:
+    """On the lines "Formal proof" only statements; on the page of the count law also lemmas."""
+    lemmas = re.findall(
+        r"^(?:Theorem|Lemma|Definition|Fixpoint) ([\w']+)",
+        "\n".join(path.read_text(encoding="utf-8") for path in prove.sources()),
+        re.MULTILINE,
+    )
+    noted = 0
+    for page in COQ.parent.glob("*.md"):
+        text = page.read_text(encoding="utf-8")
+        for line in re.findall(r"^Formal proof \(`proofs/coq/Statement.v`\): (.*)$", text, re.MULTILINE):
+            noted += 1
+            assert set(re.findall(r"`(\w+)`", line)) <= set(prove.statements()), page.name
+    assert noted >= 8
+    law = (COQ.parent / "count_law.md").read_text(encoding="utf-8")
+    named = set(re.findall(r"`(\w+)`", law))
+    assert {"step_tail", "step_head", "left_side", "positive_zeros", "Theta_zero_QQ"} <= named
+    assert named - {"cell", "sg"} <= set(lemmas) | {"sg"}
+
+
 def test_the_list_of_files_is_complete(prove: ModuleType) -> None:
     text = (COQ / "README.md").read_text(encoding="utf-8")
     listed = re.findall(r"`(\w+\.v)`", text)
@@ -95,6 +115,31 @@ def test_what_coq_prints_is_read(prove: ModuleType) -> None:
     assert prove.axioms_printed(ANSWER) == {"first": sorted(first), "second": []}
     with pytest.raises(RuntimeError, match="third"):
         prove.axioms_printed("theorem third\nSection Variables:\nx : R\n")
+
+
+SUMMARY = """CONTEXT SUMMARY
+===============
+
+* Theory: Set is predicative
+  
+* Axioms:
+    Coq.Logic.FunctionalExtensionality.functional_extensionality_dep
+    Coq.Reals.ClassicalDedekindReals.sig_not_dec
+  
+* Constants/Inductives relying on type-in-type: <none>
+  
+* Constants/Inductives relying on unsafe (co)fixpoints: <none>
+  
+* Inductives whose positivity is assumed: <none>
+"""  # noqa: W293
+
+
+def test_the_summary_of_the_kernel_checker_is_read(prove: ModuleType) -> None:
+    assert prove.kernel_accepts(SUMMARY)
+    assert not prove.kernel_accepts(SUMMARY.replace("Coq.Reals.ClassicalDedekindReals.sig_not_dec", "Mine.axiom"))
+    assert not prove.kernel_accepts(SUMMARY.replace("Coq.Reals.Classical", "GSpot.Classical"))
+    assert not prove.kernel_accepts(SUMMARY.replace("assumed: <none>", "assumed: GSpot.t"))
+    assert not prove.kernel_accepts("")
 
 
 def test_other_axioms_are_refused(prove: ModuleType) -> None:
