@@ -10,17 +10,21 @@ from itertools import pairwise
 from flint import fmpq_mpoly
 
 from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, settled
-from gspot_verified.ledger.identities import Claim, Parts, rising_signs
+from gspot_verified.ledger.identities import Algebra, Claim, Parts, rising_signs
 from gspot_verified.ledger.section_4_outer import ALGEBRA, along, field
 from gspot_verified.ledger.section_4_outer import PRINTED as OUTER
 
 SECTION = "Section 4"
 _SYMBOLS = ALGEBRA.symbols
+_STATES = Algebra("y v z p")
 PRINTED: dict[str, dict[str, str]] = {
     "4-fast": {"equation": "-(p*(f1+f2) + 2*f3 + f4) + eps*(alpha3*f0 + (alpha3-alpha1)*f1)"},
     "4-fast-polynomial": {"polynomial": "-lam*(lam^3 + 2*lam^2 + p*lam + p)"},
     "4-discriminant": {"discriminant": "-p*(4*p^2 - 13*p + 32)"},
+    "4-roots-sum": {"sum": "-2 + 0*p", "product": "-p"},
 }
+FAST_RATES = {"y": "v", "v": "p*(z - y)", "z": "-z - (z - y)"}
+"""The fast system in (y, v, z) at b = 0, in units in which eps is 1."""
 CUBIC = "lam^3 + 2*lam^2 + p*lam + p"
 """The second factor of the characteristic polynomial."""
 ALLOWED = {"4-stable": "x", "4-saddle": "-x"}
@@ -192,6 +196,35 @@ def roots_for_negative_p() -> tuple[int, int] | None:
     return counts[0] - counts[1], counts[1] - counts[2]
 
 
+def small_matrix() -> list[list[fmpq_mpoly]]:
+    """The matrix of the fast system in (y, v, z) with b = 0: Sec. 5's M, from the equations in contact."""
+    return [[_STATES.read(FAST_RATES[row]).derivative(column) for column in "yvz"] for row in "yvz"]
+
+
+def _roots() -> Entry:
+    this = _claim("4-roots-sum")
+
+    def vieta(parts: Parts) -> list[fmpq_mpoly]:
+        zero, _, two, three = _cubic_coefficients()
+        return [parts["sum"] * three + two, parts["product"] * three + zero]
+
+    def trace_and_determinant(parts: Parts) -> list[fmpq_mpoly]:
+        matrix = small_matrix()
+        trace = sum((matrix[k][k] for k in range(3)), start=_STATES.constant(0))
+        found = {"sum": trace, "product": _STATES.determinant(matrix)}
+        return [parts[name] - ALGEBRA.read(str(value)) for name, value in found.items()]
+
+    return settled(
+        SECTION,
+        "4-roots-sum",
+        "lines 1109 to 1111",
+        r"\sum\lambda_i=-2,\ \prod\lambda_i=-p",
+        "The three roots of λ³ + 2 λ² + p λ + p have the sum -2 and the product -p",
+        this.check("Vieta's formulas", vieta),
+        this.check("trace and determinant of the 3 x 3 matrix of the fast system in (y, v, z)", trace_and_determinant),
+    )
+
+
 def _saddle() -> Entry:
     zero, _, two, three = _cubic_coefficients()
     real = _sign("4-saddle", ALGEBRA.read(CUBIC).discriminant("lam")) == 1
@@ -221,6 +254,7 @@ ENTRIES: Builders = {
     "4-fast-polynomial": _polynomial,
     "4-stable": _stable,
     "4-discriminant": _discriminant,
+    "4-roots-sum": _roots,
     "4-saddle": _saddle,
 }
 """The fast system, in the order of the paper."""

@@ -11,6 +11,7 @@ from gspot_verified.ledger import section_4_fast as ledger
 _FAST = ledger.PRINTED["4-fast"]
 _POLYNOMIAL = ledger.PRINTED["4-fast-polynomial"]
 _DISCRIMINANT = ledger.PRINTED["4-discriminant"]
+_ROOTS = ledger.PRINTED["4-roots-sum"]
 _AT_INTEGERS = range(-3, 4)
 
 
@@ -54,6 +55,12 @@ TEETH: Teeth = {
         Bite("hidden factor", _DISCRIMINANT, "discriminant", unseen_at("p", _AT_INTEGERS)),
         NotApplicable("hypothesis", "an identity for every p: the claim has no hypothesis"),
         Bite("order", _DISCRIMINANT, "discriminant", replaced("p^2", "p^3")),
+    ),
+    "4-roots-sum": (
+        *(Bite("factor", _ROOTS, name, scaled) for name in ("sum", "product")),
+        Bite("hidden factor", _ROOTS, "product", unseen_at("p", _AT_INTEGERS)),
+        Bite("hypothesis", ledger.FAST_RATES, "z", lambda _: "-z"),
+        Bite("order", _ROOTS, "product", replaced("-p", "-p^2")),
     ),
     "4-saddle": (
         Bite("factor", ledger, "CUBIC", scaled),
