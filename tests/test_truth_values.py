@@ -18,7 +18,7 @@ from gspot_verified.signs.integer_zeros import zeros_at_integer
 from gspot_verified.verdict import NoTruthValue
 
 PLAIN = {
-    "cost.force.ForceReport": "times that were measured",
+    "cost.benchmark.Benchmark": "times that were measured",
     "certificates.text.Statement": "what any statement has, not a class of results",
     "compliant.normal_form.CompliantModel": "four numbers of a model, which claim nothing",
     "cost.curves.Curve": "times that were measured",
@@ -33,7 +33,6 @@ PLAIN = {
     "cost.expand.Size": "times that were measured",
     "expansion.time_series.TimeSeries": "coefficients; what is claimed of them is in the trajectory's accuracy",
     "cost.measure.Timing": "times that were measured",
-    "cost.mechanism.MechanismCost": "times that were measured",
     "expansion.trajectory.Trajectory": "coefficients; what is claimed of them is in .accuracy",
 }
 NO_TRUTH = r"no truth value|three outcomes"

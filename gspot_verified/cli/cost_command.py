@@ -29,7 +29,9 @@ class Measured(Protocol):
 
 @app.command(epilog="Example: gspot-verified cost theta --picture cost.png")
 def cost(
-    subject: Annotated[str, typer.Argument(help='What to measure: "theta", "sign", "expand", "force", "mechanism".')],
+    subject: Annotated[
+        str, typer.Argument(help='What to measure: "theta", "sign", "expand", "force", "mechanism", "simulate".')
+    ],
     full: Annotated[bool, typer.Option("--full", help="Larger cases too: about 20, 10 or 2 minutes.")] = False,
     peers: Annotated[
         bool,
@@ -40,11 +42,11 @@ def cost(
     ] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Measure what accuracy (theta), certified signs (sign), expansions, the compliant force and mechanisms cost.
+    """Measure the cost of accuracy (theta), signs, expansions, the compliant force, mechanisms and runs of scenes.
 
     About half a minute each. The exit code is 0 whatever the times are: a benchmark decides nothing.
     """
-    from gspot_verified.report.cost_picture import DIGITS, LINKS, ORDERS, RANGES, SMALLNESS, save_picture
+    from gspot_verified.report.cost_picture import DIGITS, LINKS, ORDERS, RANGES, RUNS, SMALLNESS, save_picture
 
     outputs = Outputs()
     outputs.file("--picture", picture, PICTURES)
@@ -52,7 +54,8 @@ def cost(
         raise ValueError("--peers: for theta, without --full and --picture")
     result = _peers() if peers else _measure(subject, full)
     if picture is not None:
-        labels = {"theta": DIGITS, "sign": RANGES, "expand": ORDERS, "force": SMALLNESS, "mechanism": LINKS}[subject]
+        known = {"theta": DIGITS, "sign": RANGES, "expand": ORDERS, "force": SMALLNESS, "mechanism": LINKS}
+        labels = {**known, "simulate": RUNS}[subject]
         outputs.write("--picture", picture, lambda: save_picture(result.curves, picture, labels))
     if as_json:
         print_json(result.to_json())
@@ -88,4 +91,9 @@ def _measure(subject: str, full: bool) -> Measured:
         from gspot_verified.cost import mechanism
 
         return mechanism.run(full, progress)
-    raise ValueError(f'cost: expected "theta", "sign", "expand", "force" or "mechanism", got {subject!r}')
+    if subject == "simulate":
+        from gspot_verified.cost import simulate
+
+        return simulate.run(full, progress)
+    names = '"theta", "sign", "expand", "force", "mechanism" or "simulate"'
+    raise ValueError(f"cost: expected {names}, got {subject!r}")

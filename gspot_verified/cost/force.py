@@ -6,9 +6,7 @@ import platform
 import sys
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 from flint import arb, fmpq
 
@@ -17,9 +15,10 @@ from gspot_verified.compliant.compliant_force import compliant_force
 from gspot_verified.compliant.first_zero import first_zero
 from gspot_verified.compliant.normal_form import CompliantModel, CompliantState, compliant_model, compliant_state
 from gspot_verified.compliant.slow_solution import slow_solution
+from gspot_verified.cost.benchmark import Benchmark
 from gspot_verified.cost.curves import Curve
 from gspot_verified.cost.measure import Contestant, machine_load, measure
-from gspot_verified.cost.rows import Row, Target, table
+from gspot_verified.cost.rows import Row, Target
 
 Progress = Callable[[str], None]
 
@@ -37,35 +36,7 @@ _HEAD = (
 )
 
 
-@dataclass(frozen=True, slots=True)
-class ForceReport:
-    """What the benchmark measured. ``str`` is the table."""
-
-    rows: tuple[Row, ...]
-    curves: tuple[Curve, ...]
-    remarks: tuple[str, ...]
-    seconds: float
-
-    def summary(self) -> str:
-        """One line: how many targets are met and missed."""
-        met = sum(row.met is True for row in self.rows)
-        return f"{met} of {len(self.rows)} met, {len(self.rows) - met} missed"
-
-    def __str__(self) -> str:
-        return "\n\n".join([_HEAD, table(self.rows), "\n".join([*self.remarks, self.summary()])])
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; all times in seconds."""
-        return {
-            "rows": [row.to_json() for row in self.rows],
-            "curves": [item.to_json() for item in self.curves],
-            "remarks": list(self.remarks),
-            "seconds": self.seconds,
-            "summary": self.summary(),
-        }
-
-
-def run(full: bool = False, progress: Progress = lambda _: None) -> ForceReport:
+def run(full: bool = False, progress: Progress = lambda _: None) -> Benchmark:
     """Run the benchmark: some seconds; with ``full`` more repeats. A missed target is a row of the report."""
     start, before = time.perf_counter(), machine_load()
     repeats = 15 if full else 5
@@ -84,8 +55,8 @@ def run(full: bool = False, progress: Progress = lambda _: None) -> ForceReport:
         f"Python {platform.python_version()}, {platform.machine()}",
         f"before: {before}; after: {machine_load()}",
     )
-    return ForceReport(
-        tuple(rows), (Curve("slow solution, 16 digits", tuple(points)),), remarks, time.perf_counter() - start
+    return Benchmark(
+        _HEAD, tuple(rows), (Curve("slow solution, 16 digits", tuple(points)),), remarks, time.perf_counter() - start
     )
 
 

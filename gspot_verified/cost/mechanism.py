@@ -8,16 +8,15 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
+from gspot_verified.cost.benchmark import Benchmark
 from gspot_verified.cost.curves import Curve
 from gspot_verified.cost.measure import Contestant, child_environment, machine_load, measure
 from gspot_verified.cost.mechanism_approach import approach_rows
 from gspot_verified.cost.mechanism_models import chain, leg
 from gspot_verified.cost.mechanism_sweep import sweep_rows
-from gspot_verified.cost.rows import Row, Target, table
+from gspot_verified.cost.rows import Row, Target
 from gspot_verified.mechanisms.all_g_spots import find_g_spots
 from gspot_verified.mechanisms.classify_all import classify_all
 from gspot_verified.mechanisms.critical_friction import critical_friction
@@ -33,35 +32,7 @@ _HEAD = (
 _LEG = {"a1": "-1", "a1_dot": "-2"}
 
 
-@dataclass(frozen=True, slots=True)
-class MechanismCost:
-    """What the benchmark measured. ``str`` is the table."""
-
-    rows: tuple[Row, ...]
-    curves: tuple[Curve, ...]
-    remarks: tuple[str, ...]
-    seconds: float
-
-    def summary(self) -> str:
-        """One line: how many targets are met and missed."""
-        met = sum(row.met is True for row in self.rows)
-        return f"{met} of {len(self.rows)} met, {len(self.rows) - met} missed"
-
-    def __str__(self) -> str:
-        return "\n\n".join([_HEAD, table(self.rows), "\n".join([*self.remarks, self.summary()])])
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; all times in seconds."""
-        return {
-            "rows": [row.to_json() for row in self.rows],
-            "curves": [item.to_json() for item in self.curves],
-            "remarks": list(self.remarks),
-            "seconds": self.seconds,
-            "summary": self.summary(),
-        }
-
-
-def run(full: bool = False, progress: Progress = lambda _: None) -> MechanismCost:
+def run(full: bool = False, progress: Progress = lambda _: None) -> Benchmark:
     """Run the benchmark: some seconds; with ``full`` longer legs and chains, and more repeats."""
     start, before = time.perf_counter(), machine_load()
     repeats = 9 if full else 3
@@ -75,7 +46,7 @@ def run(full: bool = False, progress: Progress = lambda _: None) -> MechanismCos
         f"Python {platform.python_version()}, {platform.machine()}",
         f"before: {before}; after: {machine_load()}",
     )
-    return MechanismCost(tuple(rows), (Curve("reading a leg", points),), remarks, time.perf_counter() - start)
+    return Benchmark(_HEAD, tuple(rows), (Curve("reading a leg", points),), remarks, time.perf_counter() - start)
 
 
 def _time(call: Callable[[], object], repeats: int) -> float:

@@ -82,8 +82,9 @@ def _balance(matrix: Matrix) -> NDArray[np.float64]:
     for _ in range(_SWEEPS):
         for i in range(size):
             row, column = float(work[i].sum()), float(work[:, i].sum())
-            if row > 0 and column > 0:
-                factor = 2.0 ** round(float(np.log2(row / column)) / 2)
+            if row > 0 or column > 0:
+                ratio = np.sqrt(row / column) if row > 0 and column > 0 else row or 1 / column
+                factor = 2.0 ** round(float(np.log2(ratio)))
                 scales[i] *= factor
                 work[i] /= factor
                 work[:, i] *= factor

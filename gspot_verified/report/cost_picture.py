@@ -30,6 +30,7 @@ RANGES = Labels(
 )
 SMALLNESS = Labels("k, ε = 10^-k", "seconds per value", "The cost of a small ε: the slow solution")
 LINKS = Labels("links", "seconds", "The cost of reading a mechanism: legs of rods")
+RUNS = Labels("correct digits of the time of lift-off", "seconds", "What a certificate costs: fig. varsim1, ε = 1e-3")
 ORDERS = Labels("order of δ", "seconds, one core", "The cost of exact expansions: Theorem 1")
 
 
