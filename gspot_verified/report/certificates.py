@@ -6,14 +6,18 @@ import hashlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import ClassVar
 
 from gspot_verified.certificates.checker import run_checker
 from gspot_verified.report.proof_page import PROOFS
+from gspot_verified.verdict import NoTruthValue
 
 
 @dataclass(frozen=True, slots=True)
-class CheckedCertificate:
+class CheckedCertificate(NoTruthValue):
     """``said``: the checker's line, with the statement that it verified or the reason why it did not."""
+
+    ask: ClassVar[str] = ".verified is True only if the checker verified the certificate"
 
     name: str
     sha256: str

@@ -6,17 +6,20 @@ import json
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from gspot_verified.report.certificates import checked_certificates
 from gspot_verified.report.data import checked
+from gspot_verified.verdict import NoTruthValue
 
 _MAX_FILE_BYTES = 200_000_000
 
 
 @dataclass(frozen=True, slots=True)
-class CheckedAgain:
+class CheckedAgain(NoTruthValue):
     """``same``: the file has the hash that the report names, and the checker verified it with the same line."""
+
+    ask: ClassVar[str] = ".same is True only if the checker verified the file that the report names"
 
     name: str
     same: bool
