@@ -132,6 +132,7 @@ def test_zeros_that_stay_open_are_undecided(
 ) -> None:
     from gspot_verified.signs import brackets
 
+    monkeypatch.setattr(brackets, "_changes", lambda *_: [])
     monkeypatch.setattr(brackets, "zero_column", lambda *_: None)
     code, output, errors = run(capsys, "zeros", "--beta", "5/2")
     assert code == 2

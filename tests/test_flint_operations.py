@@ -71,7 +71,7 @@ _METHODS = """
     overlaps p pi pos_inf prec q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi
     sinh sqrt str subs table terms truncate union unique_fmpz upper
     from_dict to_dict compose project_to_context total_degree discriminant
-    coefficient complex_roots degrees factor ncols rank solve tolist transpose denom left_shift numer
+    coefficient complex_roots degrees factor ncols nrows rank right_shift solve tolist transpose denom left_shift numer
 """
 METHODS = frozenset(_METHODS.split())
 
@@ -1267,3 +1267,16 @@ def test_integrals() -> None:
             value = acb.integral(integrand, acb(lower), acb(upper), eval_limit=20_000)
             assert_encloses(value.real, expected, 60)
             assert holds(value.imag, 0)
+
+
+@covers("nrows", "right_shift")
+def test_rows_of_a_matrix_and_the_upper_part_of_a_polynomial() -> None:
+    for rows, columns in ((1, 3), (4, 1), (5, 2)):
+        assert arb_mat(rows, columns, [arb(1)] * (rows * columns)).nrows() == rows
+    draw = random.Random(7)
+    for _ in range(40):
+        balls = [make_ball((draw.randint(-99, 99), -4), (1, -6)) for _ in range(6)]
+        for shift in (0, 1, 4, 6, 9):
+            upper = arb_poly(balls).right_shift(shift)
+            assert upper.length() == max(0, 6 - shift)
+            assert [ends(value) for value in upper.coeffs()] == [ends(value) for value in balls[shift:]]

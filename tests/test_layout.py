@@ -47,6 +47,8 @@ BOUND_MODULES = (
     "asymptotic_coefficients",
     "parameter_series",
     "box",
+    "local_series",
+    "carried_series",
     "majorant",
     "mean_value",
 )

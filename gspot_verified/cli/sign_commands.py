@@ -148,8 +148,9 @@ def _zeros_at(
 
     from gspot_verified.balls import exact
     from gspot_verified.certificates.text import write_certificate
-    from gspot_verified.signs.brackets import UndecidedError, zeros_at
+    from gspot_verified.signs.brackets import zeros_at
     from gspot_verified.signs.integer_zeros import zeros_at_integer
+    from gspot_verified.signs.slope_at import UndecidedError
 
     if picture is not None:
         raise ValueError("--picture needs a range of β, such as 1..13")

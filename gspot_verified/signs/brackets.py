@@ -1,6 +1,7 @@
 """All real zeros of dTheta/dtau at one beta, in brackets of any width.
 
-That there are no others is shown by a column of pieces (``proofs/certificate.md``); a bracket is a change of sign.
+A bracket is a change of sign. That there are no others is known from their number (``proofs/count_law.md``), and shown
+again by a column of pieces (``proofs/certificate.md``) for a certificate.
 """
 
 from __future__ import annotations
@@ -11,24 +12,23 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any, ClassVar
 
-from flint import arb, fmpq, fmpz
+from flint import fmpq, fmpz
 
-from gspot_verified.balls import ExactInput, approximate, bits_for_digits, exact, sign_of, working_bits
+from gspot_verified.balls import ExactInput, bits_for_digits, exact, working_bits
+from gspot_verified.signs import count_law
 from gspot_verified.signs.pieces import Column, Kind, cell_of, number_of_zeros
+from gspot_verified.signs.slope_at import SlopeAt, UndecidedError
 from gspot_verified.signs.statements import BracketsStatement
-from gspot_verified.signs.zero_column import zero_column
-from gspot_verified.theta_function.evaluate import evaluate
+from gspot_verified.signs.tails import left_threshold
+from gspot_verified.signs.zero_column import grid, reach_of_cell, zero_column
 from gspot_verified.verdict import NoTruthValue
 
 MAX_BETA = 200
 MAX_DIGITS = 2_000
+_MANY = 50
 _NEAR_FOLD = fmpq(1, 64)
 _FIRST_DIGITS = 12
 _MAX_TAIL = fmpq(10**9)
-
-
-class UndecidedError(ArithmeticError):
-    """The zeros were not bracketed; nothing is said about them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,14 +36,24 @@ class Brackets(NoTruthValue):
     """One open interval with rational ends for each real zero of dTheta/dtau(., beta), in order and disjoint; all zeros
     are simple.
 
-    ``column`` shows that there are no others.
+    Their number is that of ``proofs/count_law.md``; ``column``, made when it is asked for, shows it by pieces.
     """
 
     ask: ClassVar[str] = ".brackets holds one interval for each zero, and may be empty"
 
     beta: fmpq
     brackets: tuple[tuple[fmpq, fmpq], ...]
-    column: Column
+
+    @property
+    def column(self) -> Column:
+        """Pieces over the whole tau-axis that hold exactly as many zeros: what a certificate is made of.
+
+        :raises UndecidedError: no certain column was found.
+        """
+        column = _column(self.beta)
+        if number_of_zeros(column) != len(self.brackets):
+            raise ArithmeticError("the number of zeros of the column is not that of the brackets; please report this")
+        return column
 
     @property
     def statement(self) -> BracketsStatement:
@@ -68,7 +78,7 @@ def zeros_at(beta: ExactInput, digits: int = 15) -> Brackets:
 
     :raises ValueError: beta is an integer (dTheta/dtau is a polynomial there), not one number, or not in (0, 200];
         digits not an int in 1..2000.
-    :raises UndecidedError: no certain column was found, or a sign stayed open (not seen for beta <= 100).
+    :raises UndecidedError: the zeros were not kept apart, or a sign stayed open (not seen for beta <= 200).
 
     >>> print(zeros_at("5/2", 8))
     β = 5/2: 2 real zeros of dΘ/dτ, all simple
@@ -83,7 +93,41 @@ def zeros_at(beta: ExactInput, digits: int = 15) -> Brackets:
         raise ValueError(f"beta: expected a number that is not an integer, got {point}: ask zeros_at_integer")
     if type(digits) is not int or not 1 <= digits <= MAX_DIGITS:
         raise ValueError(f"digits must be an int and lie in 1..{MAX_DIGITS}")
-    column = _column(point)
+    slope = SlopeAt(point, _reach(point), digits)
+    tubes = _changes(slope) or _tubes(slope)
+    brackets = tuple(_refine(slope, lower, upper, digits) for lower, upper in sorted(tubes))
+    return Brackets(point, _one_each(brackets, count_law.number_of_zeros(point)))
+
+
+def _reach(beta: fmpq) -> fmpq:
+    return reach_of_cell(int(beta.floor()))
+
+
+def _changes(slope: SlopeAt) -> list[tuple[fmpq, fmpq]]:
+    """Intervals of a grid with a change of sign when they are as many as there are zeros, else none.
+
+    Then each holds one zero, and there are no others.
+    """
+    wanted = count_law.number_of_zeros(slope.beta)
+    n = int(slope.beta.floor()) - 1
+    start = -left_threshold(slope.beta - 1, slope.beta - 1, n)
+    found: list[tuple[fmpq, fmpq]] = []
+    points = [start, *(upper for _, upper in reversed(grid(start, _reach(slope.beta), _step(slope.beta))))]
+    signs = [slope.sign(point) for point in points]
+    for (left, before), (right, after) in pairwise(zip(points, signs, strict=True)):
+        if before != after:
+            found.append((left, right))
+    return found if len(found) == wanted else []
+
+
+def _step(beta: fmpq) -> fmpq:
+    """Zeros are about 4/beta^(1/3) apart at the least. A heuristic."""
+    return fmpq(1, 2) if beta < _MANY else fmpq(1, 4)
+
+
+def _tubes(slope: SlopeAt) -> list[tuple[fmpq, fmpq]]:
+    """Intervals that hold one zero each, from a column of pieces: for zeros near each other or far out."""
+    column = _column(slope.beta)
     tubes = column.tubes()
     for piece in column.pieces:
         if piece.kind is Kind.FOLD and number_of_zeros(column) != len(tubes) + _in_tail(column):
@@ -91,9 +135,8 @@ def zeros_at(beta: ExactInput, digits: int = 15) -> Brackets:
             assert piece.upper is not None
             tubes += [(piece.lower, fmpq(0)), (fmpq(0), piece.upper)]
     if _in_tail(column):
-        tubes.append(_tail_tube(point, column))
-    brackets = tuple(_refine(point, lower, upper, digits) for lower, upper in sorted(tubes))
-    return Brackets(point, _one_each(brackets, number_of_zeros(column)), column)
+        tubes.append(_tail_tube(slope, column))
+    return tubes
 
 
 def _one_each(brackets: tuple[tuple[fmpq, fmpq], ...], number: int | None) -> tuple[tuple[fmpq, fmpq], ...]:
@@ -139,7 +182,7 @@ def _in_tail(column: Column) -> int:
     return last.mark if last.kind is Kind.RIGHT else 0
 
 
-def _tail_tube(beta: fmpq, column: Column) -> tuple[fmpq, fmpq]:
+def _tail_tube(slope: SlopeAt, column: Column) -> tuple[fmpq, fmpq]:
     """An interval that holds the one zero beyond the last piece: doubling until the sign is that at infinity."""
     lower = column.pieces[-1].lower
     assert lower is not None
@@ -147,29 +190,29 @@ def _tail_tube(beta: fmpq, column: Column) -> tuple[fmpq, fmpq]:
     # dTheta/dtau = -beta F, and F has the sign (-1)^(n+1) at infinity.
     final = 1 if cell_of(column.lower, column.upper) % 2 == 0 else -1
     upper = 2 * lower
-    while _certain_sign(beta, upper) != final:
+    while slope.sign(upper) != final:
         if upper > _MAX_TAIL:
             raise UndecidedError("the last zero is too far out to be bracketed")
         lower, upper = upper, 2 * upper
     return lower, upper
 
 
-def _refine(beta: fmpq, lower: fmpq, upper: fmpq, digits: int) -> tuple[fmpq, fmpq]:
+def _refine(slope: SlopeAt, lower: fmpq, upper: fmpq, digits: int) -> tuple[fmpq, fmpq]:
     """A bracket of width 10^-digits inside (lower, upper), with certain opposite signs at its ends."""
-    before, after = _certain_sign(beta, lower), _certain_sign(beta, upper)
+    before, after = slope.sign(lower), slope.sign(upper)
     if before == after:
         raise ArithmeticError("the ends of a tube have one sign; please report this")
     start = min(digits, _FIRST_DIGITS)
-    lower, upper = _bisect(beta, lower, upper, before, start)
+    lower, upper = _bisect(slope, lower, upper, before, start)
     if digits > start:
-        lower, upper = _newton(beta, lower, upper, before, digits)
-    return _on_decimal_grid(beta, lower, upper, before, digits)
+        lower, upper = _newton(slope, lower, upper, before, digits)
+    return _on_decimal_grid(slope, lower, upper, before, digits)
 
 
-def _bisect(beta: fmpq, lower: fmpq, upper: fmpq, before: int, digits: int) -> tuple[fmpq, fmpq]:
+def _bisect(slope: SlopeAt, lower: fmpq, upper: fmpq, before: int, digits: int) -> tuple[fmpq, fmpq]:
     while upper - lower > fmpq(1, 10**digits):
         middle = _round((lower + upper) / 2, lower, upper)
-        if _certain_sign(beta, middle) == before:
+        if slope.sign(middle) == before:
             lower = middle
         else:
             upper = middle
@@ -183,48 +226,37 @@ def _round(value: fmpq, lower: fmpq, upper: fmpq) -> fmpq:
     return rounded if lower < rounded < upper else value
 
 
-def _certain_sign(beta: fmpq, tau: fmpq) -> int:
-    sign = sign_of(evaluate(tau, beta, derivative=1, digits=2).value)
-    if not sign:
-        raise UndecidedError(f"the sign of dΘ/dτ at τ = {approximate(tau)} is open")
-    return sign
-
-
-def _newton(beta: fmpq, lower: fmpq, upper: fmpq, before: int, digits: int) -> tuple[fmpq, fmpq]:
+def _newton(slope: SlopeAt, lower: fmpq, upper: fmpq, before: int, digits: int) -> tuple[fmpq, fmpq]:
     """Newton's method on rationals with doubled digits; each new bracket is kept only if its signs are certain."""
     goal, have = digits + 2, _FIRST_DIGITS
     while have < goal:
         have = min(2 * have - 4, goal)
         middle = (lower + upper) / 2
+        guess = slope.newton(middle, have).mid()
         with working_bits(bits_for_digits(2 * have) + 32):
-            step = (
-                evaluate(middle, beta, derivative=1, digits=have).value
-                / evaluate(middle, beta, derivative=2, digits=have).value
-            )
-            guess = (arb(middle) - step).mid()
             scaled = fmpz((guess * 10**have).floor().unique_fmpz())
         for width in (1, 10**3, 10**6):
             left, right = fmpq(scaled - width, 10**have), fmpq(scaled + width + 1, 10**have)
-            if lower <= left and right <= upper and _brackets(beta, left, right, before):
+            if lower <= left and right <= upper and _brackets(slope, left, right, before):
                 lower, upper = left, right
                 break
         else:
             # Two zeros too near each other for Newton's method, next to a fold.
-            lower, upper = _bisect(beta, lower, upper, before, have)
+            lower, upper = _bisect(slope, lower, upper, before, have)
     return lower, upper
 
 
-def _brackets(beta: fmpq, lower: fmpq, upper: fmpq, before: int) -> bool:
-    return _certain_sign(beta, lower) == before and _certain_sign(beta, upper) == -before
+def _brackets(slope: SlopeAt, lower: fmpq, upper: fmpq, before: int) -> bool:
+    return slope.sign(lower) == before and slope.sign(upper) == -before
 
 
-def _on_decimal_grid(beta: fmpq, lower: fmpq, upper: fmpq, before: int, digits: int) -> tuple[fmpq, fmpq]:
+def _on_decimal_grid(slope: SlopeAt, lower: fmpq, upper: fmpq, before: int, digits: int) -> tuple[fmpq, fmpq]:
     """The cell of the grid of ``digits`` decimals that holds the zero, or the bracket itself at a grid point."""
     scale = 10**digits
     left = math.floor(lower * scale)
     for k in range(int(left), int((upper * scale).ceil()) + 1):
         cell = fmpq(k, scale), fmpq(k + 1, scale)
-        if _brackets(beta, *cell, before):
+        if _brackets(slope, *cell, before):
             return cell
     return lower, upper
 

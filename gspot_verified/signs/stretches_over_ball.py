@@ -12,8 +12,9 @@ from itertools import pairwise
 from flint import arb, fmpq
 
 from gspot_verified.balls import approximate, ball, bits_for_digits, exact, nonfinite, sign_of, working_bits
-from gspot_verified.signs.brackets import UndecidedError, zeros_at
+from gspot_verified.signs.brackets import zeros_at
 from gspot_verified.signs.count_law import number_of_zeros
+from gspot_verified.signs.slope_at import UndecidedError
 from gspot_verified.signs.stretches import Bracket, Stretches
 from gspot_verified.theta_function.box import taylor_model
 from gspot_verified.theta_function.box_choice import bits_for_box, degree_for_box, length_for_box, order_for_box

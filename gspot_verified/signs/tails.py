@@ -8,11 +8,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from flint import fmpq
+from flint import arb, fmpq
 
 from gspot_verified.balls import sign_of
-from gspot_verified.theta_function.box import local_coefficients
-from gspot_verified.theta_function.parameter_series import ParameterSeries
 
 
 def left_holds(x: fmpq, lower: fmpq, upper: fmpq, n: int) -> bool:
@@ -49,18 +47,17 @@ def left_threshold(lower: fmpq, upper: fmpq, n: int, denominator: int = 8) -> fm
     return fmpq(step, denominator)
 
 
-def right_changes(series: ParameterSeries, tau: fmpq, n: int) -> int | None:
-    """The number of changes of sign in c_0, ..., c_n at ``tau``, then (-1)^(n+1); None if it is not certain.
+def right_changes(coefficients: Sequence[arb], lower: fmpq, upper: fmpq, n: int) -> int | None:
+    """The number of changes of sign in c_0, ..., c_n, then (-1)^(n+1); None if it is not certain.
 
-    It holds for every b of the series' range. A sign may be open between two certain signs that differ: whatever it
-    is, there is one change.
+    The coefficients c_k = F^(k)(T)/k! are enclosed for every b in [lower, upper]. A sign may be open between two
+    certain signs that differ: whatever it is, there is one change.
 
-    :raises ValueError: the range of b is not in [n, n+1], or n < 0.
+    :raises ValueError: the range of b is not in [n, n+1], or n < 0, or there are not n + 1 coefficients.
     """
-    if n < 0 or not n <= series.centre - series.radius <= series.centre + series.radius <= n + 1:
-        raise ValueError("expected n >= 0 and a range of b inside [n, n + 1]")
-    signs = [sign_of(value) for value in local_coefficients(series, tau, n + 1)]
-    return changes_of_sign([*signs, -1 if n % 2 == 0 else 1])
+    if n < 0 or not n <= lower <= upper <= n + 1 or len(coefficients) != n + 1:
+        raise ValueError("expected n >= 0, a range of b inside [n, n + 1] and n + 1 coefficients")
+    return changes_of_sign([*map(sign_of, coefficients), -1 if n % 2 == 0 else 1])
 
 
 def changes_of_sign(signs: Sequence[int | None]) -> int | None:

@@ -46,7 +46,7 @@ def zero_column(lower: fmpq, upper: fmpq) -> Column | None:
     has_fold = fold_integer(lower, upper) is not None
     if has_fold:
         left = min(left, LEAST_LEFT_OF_FOLD)
-    least = _LEAST_WIDTH if lower < upper else _POINT_WIDTH
+    least = _least_width(lower, upper)
     # One zero may stay in the tail only if the range is narrow: a wide one is cut, to bracket that zero too.
     for changes in (0, 1) if upper - lower <= _NARROW else (0,):
         right = right_tail(models, n, reach, changes)
@@ -57,6 +57,18 @@ def zero_column(lower: fmpq, upper: fmpq) -> Column | None:
             if number_of_zeros(column) is not None:
                 return column
     return None
+
+
+def _least_width(lower: fmpq, upper: fmpq) -> fmpq:
+    """No box is cut below it. A heuristic: at a distance d from an integer of a fold F has its least value, of the size
+    d, on an interval of about sqrt(d)."""
+    if lower == upper:
+        return _POINT_WIDTH
+    third = 3 * int(((lower + upper) / 6 + fmpq(1, 2)).floor())
+    distance = max(lower - third, third - upper)
+    if distance <= 0:
+        return _LEAST_WIDTH
+    return min(_LEAST_WIDTH, fmpq(1, 2 ** (3 + int((1 / distance).ceil()).bit_length() // 2)))
 
 
 def reach_of_cell(n: int) -> fmpq:
@@ -114,12 +126,12 @@ def cover(models: CertainSigns, left: fmpq, right: fmpq, least: fmpq) -> tuple[P
     return tuple(found)
 
 
-def grid(left: fmpq, right: fmpq) -> list[tuple[fmpq, fmpq]]:
+def grid(left: fmpq, right: fmpq, step: fmpq = _STEP) -> list[tuple[fmpq, fmpq]]:
     """[left, right] cut at the multiples of the step, the last interval first."""
     points = [left]
-    k = int((left / _STEP).floor()) + 1
-    while k * _STEP < right:
-        points.append(k * _STEP)
+    k = int((left / step).floor()) + 1
+    while k * step < right:
+        points.append(k * step)
         k += 1
     points.append(right)
     return [(a, b) for a, b in pairwise(points) if a < b][::-1]

@@ -118,25 +118,6 @@ def taylor_model(series: ParameterSeries, lower: fmpq, upper: fmpq, order: int, 
     return TaylorModel(tau0, half_width, series.centre, series.radius, coefficients, remainder, series.bits)
 
 
-def local_coefficients(series: ParameterSeries, tau: fmpq, count: int) -> list[arb]:
-    """Enclosures of c_0 .. c_(count-1), c_k = Theta^(k)(tau, b)/k!, that hold for every b of the series' range.
-
-    :raises ValueError: tau < 0.
-    """
-    if tau < 0:
-        raise ValueError("tau must not be negative")
-    with working_bits(series.bits):
-        rows = _recentring(tau, fmpq(1), series.length, count, series.bits) * series.matrix
-        degree = series.degree
-        found = []
-        for i in range(count):
-            spread = sum((abs(rows[i, j]) for j in range(1, degree)), arb(0))
-            # For tau >= 0 row i is positive, so it takes the errors of the a_k to the error of c_i.
-            error = rows[i, degree + 1] + omitted_terms(series, arb(tau), i) / math.factorial(i)
-            found.append(add_remainder(add_remainder(rows[i, 0], spread), error))
-    return found
-
-
 def omitted_terms(series: ParameterSeries, reach: arb, derivative: int) -> arb:
     """V_d of ``proofs/box.md``, section 4: the terms k >= length of the d-th derivative for |tau| <= reach."""
     first = series.length

@@ -48,3 +48,54 @@ def order_for_box(middle: float, half_width: float, size: float, goal: int = GOA
         if height < -wanted:
             break
     return order
+
+
+def rate(reach: float, size: float) -> float:
+    """The growth rate r of the solutions at |tau| = reach, |b| = size: r^3 = reach r + size."""
+    r = math.sqrt(reach) + math.pow(size, 1 / 3) + 1e-9
+    for _ in range(20):
+        r -= (r**3 - reach * r - size) / (3 * r * r - reach)
+    return r
+
+
+def carrying_bits(reach: float, size: float) -> float:
+    """About how many bits balls lose on the way from 0 to |tau| = reach: the solutions grow at most like this."""
+    steps = 16
+    return sum(rate((i + 0.5) * reach / steps, size) for i in range(steps)) * reach / steps / math.log(2)
+
+
+def bits_carried(reach: float, size: float, goal: int) -> int:
+    """Working precision of series that are carried along tau."""
+    return 32 * math.ceil((goal + 40 + carrying_bits(reach, size)) / 32)
+
+
+def degree_carried(reach: float, size: float, radius: float, goal: int) -> int:
+    """Powers of eta; see :func:`degree_for_box`."""
+    if radius == 0:
+        return 1
+    return max(4, math.ceil((goal + carrying_bits(reach, size)) / math.log2(6 / min(radius, 3.0))))
+
+
+def length_of_series(distance: float, scale: float, size: float, bits: float) -> int:
+    """Powers of u of a series at |tau| = distance, until the rest is below 2^-bits; the tail lemma needs 5 and more."""
+    exponent, length, height = rate(distance, size + 2) * scale, 0, 0.0
+    while height > -bits or length < exponent:
+        length += 1
+        height += math.log2(exponent / length)
+    b = size + 3
+    while True:
+        i = max(length, 5) - 5
+        ratio = (distance * (i + 1) + (i + b) * scale) * scale**2 / ((i + 1) * (i + 2) * (i + 3))
+        if length >= 5 and ratio < 0.49:
+            return length
+        length += 1
+
+
+def degree_of_box(reach: float, radius: float, goal: int) -> int:
+    """Powers of eta of a series on one box: F varies with b like a power of the distance from 0 and of the growth."""
+    if radius == 0:
+        return 1
+    rest, degree = radius * (math.log(reach + 1) + 2), 1
+    while degree * math.log2(rest) - math.lgamma(degree + 1) / math.log(2) > -goal:
+        degree += 1
+    return degree

@@ -8,7 +8,10 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified import evaluate, number_of_zeros, zeros_at
-from gspot_verified.signs.brackets import UndecidedError, _one_each, decimal_text
+from gspot_verified.signs import brackets
+from gspot_verified.signs.brackets import _one_each, decimal_text
+from gspot_verified.signs.pieces import number_of_zeros as number_of_zeros_of_column
+from gspot_verified.signs.slope_at import SlopeAt, UndecidedError
 
 NEAR = fmpq(1, 10**8)
 
@@ -62,3 +65,37 @@ def test_bad_input(beta: object, digits: object) -> None:
 def test_beyond_the_range_the_message_says_what_is_known(beta: int, known: str) -> None:
     with pytest.raises(ValueError, match="the real zeros are sought for 0 < beta <= 200, got .*" + known):
         zeros_at(beta)
+
+
+@pytest.mark.parametrize("beta", [fmpq(7, 3), fmpq(23, 4), fmpq(31, 4), 3 - NEAR, 6 + NEAR])
+def test_brackets_with_and_without_a_column_are_the_same(beta: fmpq, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two routes to the intervals: the count law with changes of sign, and a column of pieces."""
+    found = zeros_at(beta, 12)
+    assert number_of_zeros_of_column(found.column) == len(found.brackets)
+    monkeypatch.setattr(brackets, "_changes", lambda *_: [])
+    assert zeros_at(beta, 12).brackets == found.brackets
+
+
+def test_fewer_changes_of_sign_than_zeros_are_not_taken() -> None:
+    """Next to an integer one zero is far out, beyond the grid."""
+    assert brackets._changes(SlopeAt(2 + fmpq(1, 10**40), fmpq(8), 9)) == []
+    assert len(brackets._changes(SlopeAt(fmpq(7, 3), fmpq(9), 9))) == 2
+
+
+def test_a_column_with_another_number_of_zeros_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = zeros_at("5/2", 5)
+    monkeypatch.setattr(brackets, "number_of_zeros", lambda _: 1)
+    with pytest.raises(ArithmeticError, match="not that of the brackets"):
+        _ = found.column
+
+
+@pytest.mark.parametrize("digits", [9, 60])
+def test_the_slope_at_points(digits: int) -> None:
+    """Carried, beyond the reach, and by evaluation alone (many digits): the signs of another route."""
+    slope = SlopeAt(fmpq(31, 4), fmpq(5), digits)
+    for k in range(-9, 30):
+        value = evaluate(fmpq(k, 3), fmpq(31, 4), derivative=1, digits=10).value
+        assert slope.sign(fmpq(k, 3)) == (1 if value > 0 else -1)
+    lower, upper = zeros_at(fmpq(31, 4), 20).brackets[0]
+    guess = slope.newton(lower + fmpq(1, 1000), 20)
+    assert abs(guess - arb(upper)) < 1e-4

@@ -27,13 +27,13 @@ def answering(monkeypatch: pytest.MonkeyPatch, changed: str | None, answer: int 
     def sign(lower: fmpq, upper: fmpq, derivative: int = 0) -> int | None:
         return answers[places[lower, upper, derivative]]
 
-    def model(lower: fmpq, upper: fmpq, derivative: int, doubled: bool = False) -> SimpleNamespace:
-        assert (lower, upper, derivative, doubled) == (LOWER, UPPER, 0, True)
+    def doubled(lower: fmpq, upper: fmpq) -> SimpleNamespace:
+        assert (lower, upper) == (LOWER, UPPER)
         ball = {1: arb(2, 1), -1: arb(-2, 1), 0: arb(0), None: arb(0, 1)}[answers["in b"]]
         return SimpleNamespace(beta_derivative=lambda: SimpleNamespace(enclosure=lambda: ball))
 
     monkeypatch.setattr(models, "sign", sign)
-    monkeypatch.setattr(models, "_model", model)
+    monkeypatch.setattr(models, "_doubled", doubled)
     return models
 
 

@@ -15,8 +15,8 @@ from strategies import to_fmpq
 
 from gspot_verified import evaluate
 from gspot_verified.balls import working_bits
-from gspot_verified.signs.brackets import UndecidedError
 from gspot_verified.signs.pieces import number_of_zeros
+from gspot_verified.signs.slope_at import UndecidedError
 from gspot_verified.signs.stretches import stretches
 from gspot_verified.signs.stretches_over_ball import SlopeOverBall, ends, stretches_over_ball
 from gspot_verified.signs.zero_column import zero_column

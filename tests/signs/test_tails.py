@@ -7,14 +7,14 @@ import math
 from fractions import Fraction
 
 import pytest
-from flint import fmpq
+from flint import arb, fmpq
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from piece_samples import sign_of_f
 from strategies import to_fmpq
 
+from gspot_verified.signs.column_models import ColumnModels
 from gspot_verified.signs.tails import changes_of_sign, left_holds, left_threshold, right_changes
-from gspot_verified.theta_function.parameter_series import parameter_series
 
 
 @st.composite
@@ -84,9 +84,7 @@ def test_right_changes_against_values_of_the_derivatives(
     cell: tuple[int, Fraction, Fraction], tau: Fraction, share: int
 ) -> None:
     n, lower, upper = cell
-    centre, radius = to_fmpq((lower + upper) / 2), to_fmpq((upper - lower) / 2)
-    series = parameter_series(centre, radius, 40, 160, 200)
-    found = right_changes(series, to_fmpq(tau), n)
+    found = ColumnModels(to_fmpq(lower), to_fmpq(upper), fmpq(9)).changes(to_fmpq(tau), n)
     assume(found is not None)
     b = to_fmpq(lower + (upper - lower) * Fraction(share, 8))
     signs = [sign_of_f(to_fmpq(tau), b, k) or 0 for k in range(n + 1)]
@@ -101,16 +99,20 @@ def test_right_changes_against_values_of_the_derivatives(
 
 
 def test_right_needs_a_range_inside_the_cell() -> None:
-    series = parameter_series(fmpq(1), fmpq(1, 2), 10, 40, 64)
     for n in (-1, 0, 1):
         with pytest.raises(ValueError, match="inside"):
-            right_changes(series, fmpq(3), n)
+            right_changes([arb(1)] * (n + 1), fmpq(1, 2), fmpq(3, 2), n)
+    # A coefficient too few or too many is another question.
+    for count in (2, 4):
+        with pytest.raises(ValueError, match="n \\+ 1 coefficients"):
+            right_changes([arb(1)] * count, fmpq(2), fmpq(3), 2)
+    assert right_changes([arb(1), arb(0, 1), arb(-1)], fmpq(2), fmpq(3), 2) == 1
+    assert right_changes([arb(1), arb(0, 1), arb(1)], fmpq(2), fmpq(3), 2) is None
 
 
 @pytest.mark.parametrize("n", range(1, 8))
 def test_next_to_the_integer_from_above_one_zero_is_far_out(n: int) -> None:
     # A column that touches b = n from above never has v = 0.
-    series = parameter_series(n + fmpq(1, 32), fmpq(1, 32), 30, 200, 250)
-    assert all(right_changes(series, fmpq(k), n) != 0 for k in range(1, 12))
-    below = parameter_series(n - fmpq(1, 2**14), fmpq(1, 2**14), 30, 200, 250)
-    assert right_changes(below, fmpq(8), n - 1) == 0
+    above = ColumnModels(fmpq(n), n + fmpq(1, 16), fmpq(12))
+    assert all(above.changes(fmpq(k), n) != 0 for k in range(1, 12))
+    assert ColumnModels(n - fmpq(1, 2**13), fmpq(n), fmpq(12)).changes(fmpq(8), n - 1) == 0

@@ -19,7 +19,8 @@ from witness import theta_witness
 from gspot_verified.balls import sign_of
 from gspot_verified.certificates.text import certificate_text, write_certificate
 from gspot_verified.signs import count_law
-from gspot_verified.signs.brackets import Brackets, UndecidedError, decimal_text, zeros_at
+from gspot_verified.signs.brackets import Brackets, decimal_text, zeros_at
+from gspot_verified.signs.slope_at import UndecidedError
 from gspot_verified.signs.zeros import ZerosResult, zeros_on_range
 from gspot_verified.theta_function.evaluate import evaluate
 
@@ -210,6 +211,7 @@ def test_bad_points(beta: Any, digits: Any, error: type[Exception]) -> None:
 def test_an_open_sign_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     from gspot_verified.signs import brackets
 
+    monkeypatch.setattr(brackets, "_changes", lambda *_: [])
     monkeypatch.setattr(brackets, "zero_column", lambda *_: None)
     with pytest.raises(UndecidedError, match="no certain column"):
         zeros_at("5/2")

@@ -22,7 +22,7 @@ from mpmath import mpc, mpf
 from strategies import ends, to_fmpq, to_fraction
 
 from gspot_verified.balls import approximate, current_bits, working_bits
-from gspot_verified.theta_function.box import TaylorModel, local_coefficients, omitted_terms, taylor_model
+from gspot_verified.theta_function.box import TaylorModel, omitted_terms, taylor_model
 from gspot_verified.theta_function.box_choice import bits_for_box, degree_for_box, length_for_box, order_for_box
 from gspot_verified.theta_function.evaluate import evaluate
 from gspot_verified.theta_function.parameter_series import ParameterSeries, parameter_series, shortened
@@ -260,54 +260,6 @@ def test_derivatives_beyond_the_length_are_not_finite() -> None:
     series = parameter_series(fmpq(1, 2), fmpq(1, 8), 4, 9, 100)
     for d in range(15):
         assert omitted_terms(series, arb(fmpq(1, 100)), d).is_finite() == (d < 9)
-    values = local_coefficients(series, fmpq(1, 100), 15)
-    assert [value.is_finite() for value in values] == [True] * 9 + [False] * 6
-
-
-@pytest.mark.parametrize("radius", [fmpq(0), fmpq(1, 16), fmpq(1, 2)])
-@pytest.mark.parametrize("centre", [fmpq(9), fmpq(-5, 2), fmpq(31, 3)])
-@pytest.mark.parametrize("tau", [fmpq(0), fmpq(1, 3), fmpq(5)])
-def test_local_coefficients_contain_the_derivatives(tau: fmpq, centre: fmpq, radius: fmpq) -> None:
-    """c_k = (d/dtau)^k Theta/k! for every b of the range, k up to 100."""
-    series = parameter_series(centre, radius, 1 if radius == 0 else 24, 220, 400)
-    values = local_coefficients(series, tau, 101)
-    assert len(values) == 101
-    for k, eta in product((0, 1, 2, 7, 30, 99, 100), (fmpq(-1), fmpq(1, 3), fmpq(1))):
-        lower, upper = truth(tau, centre + radius * eta, k, 200)
-        assert covers(values[k], (lower / math.factorial(k), upper / math.factorial(k)))
-
-
-@pytest.mark.parametrize("tau", [fmpq(0), fmpq(1, 4), fmpq(1)])
-@pytest.mark.parametrize("radius", [fmpq(0), fmpq(1, 2)])
-def test_local_errors_are_those_of_the_page(tau: fmpq, radius: fmpq) -> None:
-    """The radius is that of the powers of eta, E_i/i! and V_i/i!."""
-    series = parameter_series(fmpq(7, 3), radius, 4, 30, _BITS)
-    values = local_coefficients(series, tau, 28)
-    with mpmath.workdps(120):
-        t = _m(tau)
-        for i, value in enumerate(values):
-            weights = [mpf(math.comb(k, i)) * t ** (k - i) if k >= i else mpf(0) for k in range(30)]
-            columns = [mpmath.fsum(w * _middle(series.matrix[k, j]) for k, w in enumerate(weights)) for j in range(4)]
-            error = mpmath.fsum(w * _upper(series.matrix[k, 5]) for k, w in enumerate(weights))
-            page = mpmath.fsum(abs(c) for c in columns[1:]) + error
-            page += _page_omitted(series, t, i) / mpmath.factorial(i)
-            lower, upper = ends(value)
-            radius_found, tiny = _m((upper - lower) / 2), mpf("1e-100")
-            assert page * (1 - mpf("1e-12")) - tiny <= radius_found <= page * (1 + mpf("1e-7")) + tiny
-            assert abs(_middle(value) - columns[0]) <= tiny + abs(columns[0]) * mpf("1e-100")
-
-
-@pytest.mark.parametrize("tau", [fmpq(0), fmpq(3, 4), fmpq(4)])
-def test_local_coefficients_satisfy_the_differential_equation(tau: fmpq) -> None:
-    """(k+3)(k+2)(k+1) c_(k+3) = tau (k+1) c_(k+1) + (k - b) c_k."""
-    b = fmpq(10, 3)
-    c = local_coefficients(parameter_series(b, fmpq(0), 1, 160, 300), tau, 40)
-    with working_bits(300):
-        for k in range(37):
-            residual = (k + 3) * (k + 2) * (k + 1) * c[k + 3] - tau * (k + 1) * c[k + 1] - (k - b) * c[k]
-            assert residual.is_finite()
-            assert residual.contains(0)
-            assert residual.rad() <= arb(2) ** -150 * max(1, math.perm(k + 3, 3))
 
 
 @pytest.mark.parametrize("tau0", [fmpq(0), fmpq(-7, 4), fmpq(5, 2)])
@@ -465,10 +417,6 @@ def test_bounds_that_are_attained(b: fmpq, bound: str) -> None:
         enclosure = taylor_model(series, -tiny, tiny, 6).enclosure()
         for u in (-1, 1):
             assert covers(enclosure, truth(u * tiny, b, 0, 100))
-    else:
-        # Three coefficients: the fourth is what is left out.
-        short = parameter_series(b, fmpq(0), 1, 3, _BITS)
-        assert covers(local_coefficients(short, tiny, 1)[0], truth(tiny, b, 0, 100))
 
 
 # Bad input
@@ -488,8 +436,6 @@ def test_bad_input() -> None:
     ):
         with pytest.raises(ValueError, match=match):
             taylor_model(series, lower, upper, order, derivative)
-    with pytest.raises(ValueError, match="negative"):
-        local_coefficients(series, fmpq(-1, 10**9), 3)
     model = taylor_model(series, zero, one, 6)
     outside = fmpq(1, 10**30)
     for tau, b in ((-outside, one), (one + outside, one), (one, one + outside), (one, -outside)):
@@ -506,8 +452,6 @@ def test_ends_that_are_floats_are_refused() -> None:
     for lower, upper in ((0.1, 0.3), (0.5, fmpq(1)), (fmpq(0), 0.5), (0.5, 0.5)):
         with pytest.raises(TypeError):
             taylor_model(series, lower, upper, 6)  # type: ignore[arg-type]
-    with pytest.raises(TypeError):
-        local_coefficients(series, 0.1, 6)  # type: ignore[arg-type]
     assert taylor_model(series, 0, 1, 6).half_width == fmpq(1, 2)
 
 
