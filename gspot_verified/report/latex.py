@@ -112,6 +112,7 @@ def latex_html(source: str, number: Callable[[str], str | None]) -> str:
     :raises NotTypeset: something in it is not known here.
     """
     text = _expanded(re.sub(r"(?<!\\)%.*", "", source))
+    text = re.sub(r"\\item\[([^\]]*)\]", r"\\item \1", text)  # the title may hold formulas
     if r"\multicolumn" in text and not _TABULAR.search(text):
         return _table(text, number)  # lines from inside a table
     if not _FORMULA.search(text) and re.search(r"[_^]|&\s*=", text):
@@ -205,7 +206,7 @@ def _prose(text: str, number: Callable[[str], str | None]) -> str:
     text = text.replace("---", "—").replace("--", "–").replace(r"\&", "&").replace(r"\%", "%")
     text = html.escape(text, quote=False)
     text = re.sub(r"\\begin\{(\w+)\}(?:\[([^\]]*)\])?", _opening, text)
-    text = re.sub(r"\\end\{(theorem|lemma|corollary|proof|remark|itemize|enumerate)\}", "\n\n", text)
+    text = re.sub(r"\\end\{(theorem|lemma|corollary|proof|remark|itemize|enumerate|description)\}", "\n\n", text)
     text = re.sub(r"\\item\b", "\n\n• ", text)
     text = re.sub(r"\\(?:sub)*section\*?\{([^{}]*)\}", r"<b>\1.</b>", text)
     text = re.sub(r"\\(?:emph|textit)\{([^{}]*)\}|\{\\(?:em|it)\b\s*([^{}]*)\}", r"<em>\1\2</em>", text)
@@ -218,7 +219,7 @@ def _prose(text: str, number: Callable[[str], str | None]) -> str:
 
 
 def _opening(match: re.Match[str]) -> str:
-    if match[1] in ("itemize", "enumerate"):
+    if match[1] in ("itemize", "enumerate", "description"):
         return ""
     if match[1] not in _TITLED:
         raise NotTypeset(match[0])

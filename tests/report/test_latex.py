@@ -79,6 +79,12 @@ def test_paragraphs_titles_and_comments():
     assert shown.endswith("<p><em>So</em> 5% it is.</p>")
 
 
+def test_lists_with_titles():
+    shown = latex_html("\\begin{description}\n\\item[Case I, $x$.] a\n\\item b\n\\end{description}", number)
+    assert shown.count("•") == 2
+    assert "Case I, <math" in shown
+
+
 def test_markup_is_escaped():
     assert latex_html("a <b>c</b> & d", number) == "<p>a &lt;b&gt;c&lt;/b&gt; &amp; d</p>"
     assert "<script" not in latex_formula("<script>")
