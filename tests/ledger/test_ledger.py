@@ -10,14 +10,14 @@ from ledger.refuted import REFUTED
 
 from gspot_verified import Outcome
 from gspot_verified.ledger.entry import Entry, Rung, counts, rung_counts
-from gspot_verified.ledger.verify import PARTS, exit_code, verify_paper
+from gspot_verified.ledger.verify import PARTS, exit_code
 
 _PROOFS = Path(__file__).resolve().parents[2] / "proofs"
 
 
 @pytest.fixture(scope="module")
-def entries() -> list[Entry]:
-    return verify_paper()
+def entries(whole_ledger: list[Entry]) -> list[Entry]:
+    return whole_ledger
 
 
 def test_every_entry_is_decided_and_only_the_known_misprints_are_refuted(entries: list[Entry]) -> None:

@@ -13,7 +13,6 @@ from ledger.paper_reader import Document, read
 
 from gspot_verified.ledger import paper
 from gspot_verified.ledger.entry import Entry
-from gspot_verified.ledger.verify import verify_paper
 
 ROOT = Path(__file__).resolve().parents[2]
 PAPER = ROOT.parent / "shared" / "paper.tex"
@@ -78,8 +77,8 @@ PRINTED = {
 
 
 @pytest.fixture(scope="module")
-def entries() -> list[Entry]:
-    return verify_paper()
+def entries(whole_ledger: list[Entry]) -> list[Entry]:
+    return whole_ledger
 
 
 @pytest.fixture(scope="module")

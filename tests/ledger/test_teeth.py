@@ -16,6 +16,8 @@ from gspot_verified.ledger.verify import PARTS
 from gspot_verified.verdict import Outcome
 
 _CACHED = type(lru_cache(len))
+LONG = {"varsim2", "section_6_runs", "section_3_sentences"}
+"""Modules whose entries run a simulation for each bite: one bite an entry always, the others with the slow tests."""
 PENDING: set[str] = set()
 """Modules of the ledger whose table is not complete yet."""
 
@@ -29,6 +31,12 @@ def bites() -> Iterator[tuple[str, str, Bite]]:
     for name in TABLES:
         for identifier, teeth in table(name).TEETH.items():
             yield from ((name, identifier, tooth) for tooth in teeth if isinstance(tooth, Bite))
+
+
+def marks(name: str, identifier: str, bite: Bite) -> list[pytest.MarkDecorator]:
+    """The part of the ledger; slow for all bites but the last one of an entry that takes long."""
+    last = [tooth for tooth in table(name).TEETH[identifier] if isinstance(tooth, Bite)][-1]
+    return [pytest.mark.part(name), *([pytest.mark.slow] if name in LONG and bite is not last else [])]
 
 
 def forget() -> None:
@@ -53,10 +61,7 @@ def outcome_after(bite: Bite, build: Callable[[], Entry]) -> Outcome:
 
 @pytest.mark.parametrize(
     ("name", "identifier", "bite"),
-    [
-        pytest.param(*row, id=f"{row[1]}: {row[2].kind}, {row[2].name}", marks=pytest.mark.part(row[0]))
-        for row in bites()
-    ],
+    [pytest.param(*row, id=f"{row[1]}: {row[2].kind}, {row[2].name}", marks=marks(*row)) for row in bites()],
 )
 def test_a_wrong_formula_changes_the_verdict(name: str, identifier: str, bite: Bite) -> None:
     honest = honest_outcome(name, identifier)
