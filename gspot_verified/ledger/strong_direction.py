@@ -44,12 +44,12 @@ def _strong_stable() -> Entry:
         Check(
             Rung.EXACT,
             "the line is an eigenvector for the rate α_1, and α_1 < α_3 < 0",
-            all_of([_is_eigenvector(), _is_strong()]),
+            all_of([_is_eigenvector(), _is_strong()]) or None,
         ),
         Check(
             Rung.EXACT,
             "the distance from the line has the slower rate α_3, so that only on the line is the approach as e^(α_1 s)",
-            all_of([_leaves_the_line(), _is_strong()]),
+            all_of([_leaves_the_line(), _is_strong()]) or None,
         ),
         note="Which trajectories are attracted in slip: entries 1-case-I and 1-case-II.",
     )

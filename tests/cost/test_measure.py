@@ -11,7 +11,8 @@ from gspot_verified.theta_function.theta import theta
 
 
 def test_clear_caches_finds_every_cache_of_theta() -> None:
-    theta("7/3", "1/2")
+    for tau in ("7/3", "5/3", "4/3", "2/3"):  # the polynomial is made when a beta comes again
+        theta(tau, "1/2")
     theta(-50, "1/2")
     theta(50, "1/2")
     theta(1, 3)
