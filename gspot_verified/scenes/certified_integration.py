@@ -14,7 +14,7 @@ from gspot_verified.balls import working_bits
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase, Open
 from gspot_verified.scenes.certified_phases import CertifiedPhases
-from gspot_verified.scenes.effects.terms import FLIGHT
+from gspot_verified.scenes.effects.terms import FLIGHT, STICK
 from gspot_verified.scenes.invariant_region import Growth, InvariantRegion
 from gspot_verified.scenes.run import CERTIFIED, IMPACT, OPEN, RunEvent, SceneRun, fate_of
 from gspot_verified.scenes.scene import Scene, SceneError
@@ -101,6 +101,7 @@ class _ImpactObserver:
         self._began, self._epsilon, self._record = began, epsilon, record
         self._clock, self._seen = CLOCK in phase.names, False
         self._may_slip_for_ever = all(event.next_phase == FLIGHT for event in phase.system.events)
+        self._sticks = phase.system.phase == STICK
         self._region: InvariantRegion | None = None
         if phase.system.phase != FLIGHT:
             try:
@@ -117,16 +118,16 @@ class _ImpactObserver:
         self._seen = True
         time = self._began + segment.end_time
         self._record.events.append(_event(IMPACT, time, self._epsilon))
-        self._record.remarks.append(_words(found))
+        self._record.remarks.append(_words(found, self._sticks))
         self._record.for_ever = found.until is None and self._may_slip_for_ever
         return self._record.for_ever
 
 
-def _words(growth: Growth) -> str:
-    rate = growth.rate.str(3, radius=False)
+def _words(growth: Growth, sticks: bool) -> str:
+    rate, motion = growth.rate.str(3, radius=False), "stick" if sticks else "slip"
     if growth.until is None:
-        return f"λ_N grows at least like exp({rate} t/ε) for as long as the contact slips"
-    return f"λ_N grows at least like exp({rate} t/ε) until it is {growth.until} times as large, or slip ends"
+        return f"λ_N grows at least like exp({rate} t/ε) for as long as the contact {motion}s"
+    return f"λ_N grows at least like exp({rate} t/ε) until it is {growth.until} times as large, or {motion} ends"
 
 
 def _event(name: str, time: arb, epsilon: fmpq) -> RunEvent:
