@@ -26,7 +26,8 @@ MAX_PHASES = 200
 MAX_POINTS = 1_000_000
 LEAST_EPSILON = fmpq(1, 10**12)
 PIECES = 64
-"""The span of the run is cut into so many equal pieces; solvers start anew at each, with a journal or without."""
+"""With a journal the span of the run is cut into so many equal pieces, and solvers start anew at each. Without one it
+is not cut: at a tight tolerance new starts, of low order and short steps, cost many times the run."""
 
 
 @dataclass(frozen=True)
@@ -55,8 +56,10 @@ def float_run(
     :param tolerance: relative; the absolute one is a thousandth of it, in scaled variables.
     :param points: the samples are taken at so many equal steps of time, by the solver's interpolation, and at the
         events; None: at the solver's own steps.
-    :param journal: a file that keeps what is done; a run that was interrupted goes on from there, to the same result.
-        Where it cannot be written (a full disk) the run goes on without it, and ``notes`` says so.
+    :param journal: a file that keeps what is done; a run that was interrupted goes on from there, to the result of a
+        run with a journal that was not interrupted. A run without a journal takes other steps, is faster, and differs
+        within the error of floats, which near a canard may be the other side. Where the journal cannot be written (a
+        full disk) the run goes on without it, and ``notes`` says so.
     :raises SceneError: an unknown method, a tolerance outside 1e-13..1e-2, epsilon < 1e-12, or the solver fails.
     :raises ValueError: the journal is that of another run.
     :raises OSError: the journal cannot be opened.
@@ -68,7 +71,8 @@ def float_run(
     kept = None if journal is None else RunJournal(journal, question(scene, asked))
     pieces = [] if kept is None else [_kept_piece(data, kept.path) for data in kept.pieces]
     notes = []
-    for piece in _pieces(scene, method, tolerance, points, pieces[-1] if pieces else None):
+    cuts = 1 if kept is None else PIECES
+    for piece in _pieces(scene, method, tolerance, points, pieces[-1] if pieces else None, cuts):
         pieces.append(piece)
         if kept is not None:
             try:
@@ -112,8 +116,10 @@ def _check(scene: Scene, method: str, tolerance: float, points: int | None) -> N
         raise SceneError(f"float runs need epsilon >= 1e-12, got {scene.epsilon}")
 
 
-def _pieces(scene: Scene, method: str, tolerance: float, points: int | None, last: Piece | None) -> Iterator[Piece]:
-    """The pieces that follow ``last``."""
+def _pieces(
+    scene: Scene, method: str, tolerance: float, points: int | None, last: Piece | None, cuts: int
+) -> Iterator[Piece]:
+    """The pieces that follow ``last``, of a span cut into ``cuts``; events cut it further."""
     run = _FloatRun(scene)
     end = approximate(scene.until / scene.epsilon)
     if last is None:
@@ -123,10 +129,10 @@ def _pieces(scene: Scene, method: str, tolerance: float, points: int | None, las
         state, time = run.start, 0.0
     else:
         phase, state, time = last.next_phase, last.state, last.time
-    for _ in range(MAX_PHASES + PIECES):
+    for _ in range(MAX_PHASES + cuts):
         if phase is None or time >= end:
             return
-        stop = min(end, end * (math.floor(time / end * PIECES * (1 + 1e-12)) + 1) / PIECES)
+        stop = min(end, end * (math.floor(time / end * cuts * (1 + 1e-12)) + 1) / cuts)
         begins = last is None or last.event is not None
         equal = None if points is None else (end, points)
         piece = run.piece(phase, state, (time, stop), method, tolerance, equal, begins)

@@ -10,15 +10,17 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from flint import arb, fmpq
 
-from gspot_verified.balls import working_bits
+from gspot_verified.balls import approximate, working_bits
 from gspot_verified.scenes.certified_run import certified_run
 from gspot_verified.scenes.certified_samples import midpoint_and_radius
 from gspot_verified.scenes.file import load_scene
+from gspot_verified.scenes.float_phase import FloatPhase
 from gspot_verified.scenes.float_run import float_run
 from gspot_verified.scenes.samples import Samples
 from gspot_verified.scenes.scene import SceneError
@@ -150,7 +152,7 @@ float_run(load_scene("fig-varsim1"), journal=Path(sys.argv[1]))
 """
 
 
-def test_a_run_that_was_killed_goes_on_to_the_same_result(tmp_path: Path) -> None:
+def test_a_run_that_was_killed_goes_on_to_the_result_of_one_with_a_journal(tmp_path: Path) -> None:
     journal = tmp_path / "run.journal"
     child = subprocess.Popen([sys.executable, "-c", CODE, str(journal)])
     end = time.monotonic() + 120
@@ -164,7 +166,7 @@ def test_a_run_that_was_killed_goes_on_to_the_same_result(tmp_path: Path) -> Non
     assert 8 < before < 50
     journal.write_bytes(journal.read_bytes() + b'{"phase": "sl')  # a line that the kill cut short
     scene = load_scene("fig-varsim1")
-    resumed, whole = float_run(scene, journal=journal), float_run(scene)
+    resumed, whole = float_run(scene, journal=journal), float_run(scene, journal=tmp_path / "whole.journal")
     assert resumed.events == whole.events
     assert resumed.samples is not None
     assert whole.samples is not None
@@ -172,6 +174,29 @@ def test_a_run_that_was_killed_goes_on_to_the_same_result(tmp_path: Path) -> Non
     for name, column in whole.samples.columns.items():
         assert resumed.samples.columns[name].tolist() == column.tolist()
     assert float_run(scene, journal=journal).events == whole.events
+    uncut = float_run(scene)  # other steps: equal within the tolerance only
+    assert [event.name for event in uncut.events] == [event.name for event in whole.events]
+    for one, other in zip(uncut.events, whole.events, strict=True):
+        assert approximate(one.lower) == pytest.approx(approximate(other.lower), abs=1e-6)
+
+
+def test_the_solver_starts_once_for_each_phase_without_a_journal(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    calls: list[str] = []
+    integrate = FloatPhase.integrate
+
+    def counted(compiled: FloatPhase, *asked: Any) -> Any:
+        calls.append(compiled.phase)
+        return integrate(compiled, *asked)
+
+    monkeypatch.setattr(FloatPhase, "integrate", counted)
+    scene = load_scene("fig-varsim1")
+    run = float_run(scene)
+    assert len(calls) == len(run.events) == 3
+    calls.clear()
+    float_run(scene, journal=tmp_path / "run.journal")
+    assert len(calls) > 20
 
 
 def test_a_journal_is_of_one_run(tmp_path: Path) -> None:
