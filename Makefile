@@ -19,11 +19,11 @@ verify: $(READY)
 	@$(BIN)/gspot-verified verify --output report; code=$$?; [ $$code -le 1 ] || exit $$code
 
 test: $(READY)
-	$(BIN)/pytest -n 2 -m "not slow"
+	$(BIN)/pytest -n 2 --dist loadgroup -m "not slow"
 	@$(PYTHON) proofs/coq/prove.py --state
 
 test-all: $(READY)
-	$(BIN)/pytest -n 2
+	$(BIN)/pytest -n 2 --dist loadgroup
 
 # Coq alone: no virtual environment. Installs nothing.
 prove:

@@ -18,6 +18,8 @@ import pytest
 from flint import arb, ctx
 from hypothesis import settings
 
+from gspot_verified.ledger.entry import Entry
+
 settings.register_profile("default", max_examples=60, deadline=None, derandomize=True, database=None)
 settings.register_profile("thorough", max_examples=1000, deadline=None, database=None, print_blob=True)
 
@@ -31,6 +33,8 @@ SABOTAGED_MODULES = {
     ),
 }
 _MAX_EXPONENT = 10_000
+SHARED = {"whole_ledger", "pictures"}
+"""Fixtures of the session that take long."""
 
 AddRemainder = Callable[[arb, arb], arb]
 
@@ -94,6 +98,21 @@ def shrinking(honest: AddRemainder, exponent: int) -> AddRemainder:
         return honest(value, smaller)
 
     return shrunk
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Tests that share a costly fixture run in one worker (``--dist loadgroup``), so that it is made once."""
+    for item in items:
+        for name in SHARED.intersection(getattr(item, "fixturenames", ())):
+            item.add_marker(pytest.mark.xdist_group(name))
+
+
+@pytest.fixture(scope="session")
+def whole_ledger() -> list[Entry]:
+    """The whole ledger, run once for all tests that read it."""
+    from gspot_verified.ledger.verify import verify_paper
+
+    return verify_paper()
 
 
 @pytest.fixture(autouse=True)

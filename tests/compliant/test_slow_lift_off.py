@@ -15,6 +15,7 @@ from strategies import to_fmpq
 
 from gspot_verified import Outcome, iwc
 from gspot_verified.balls import working_bits
+from gspot_verified.compliant import crossing
 from gspot_verified.compliant.crossing import first_crossing
 from gspot_verified.compliant.delay import uniform_constant
 from gspot_verified.compliant.profile import Profile
@@ -184,8 +185,9 @@ def test_an_epsilon_out_of_range_keeps_the_leading_order_and_its_caveat() -> Non
     assert direct.verdict.outcome is Outcome.UNDECIDED
 
 
-def test_a_level_that_is_nearly_touched_is_undecided() -> None:
+def test_a_level_that_is_nearly_touched_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
     """At beta = 7/3 the greatest value before the last rise, as a level, cannot be told from the function."""
+    monkeypatch.setattr(crossing, "MAX_CELLS", 200)
     profile = Profile(fmpq(10, 3), fmpq(1, 100))
     places = [fmpq(k, 50) for k in range(-100, 200)]
     top = max((profile.value(place, 12).mid() for place in places[:150]), key=float)

@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from ledger.bite import answers_with
 from ledger.tables import TABLES, table
-from ledger.test_teeth import forget
+from ledger.test_teeth import LONG, forget
 
 from gspot_verified.ledger import closed_forms, entry, formulas, identities, leading_order, page, section_6
 from gspot_verified.ledger.entry import Entry
@@ -92,10 +92,11 @@ def _rows() -> Iterator[Any]:
     for part in TABLES:
         for identifier, build in table(part).ENTRIES.items():
             if identifier in table(part).TEETH:
-                for module, name in steps_of(build):
-                    yield pytest.param(
-                        part, identifier, module, name, id=f"{identifier}: {name}", marks=pytest.mark.part(part)
-                    )
+                steps = steps_of(build)
+                for module, name in steps:
+                    slow = [pytest.mark.slow] if part in LONG and (module, name) != steps[-1] else []
+                    marks = [pytest.mark.part(part), *slow]
+                    yield pytest.param(part, identifier, module, name, id=f"{identifier}: {name}", marks=marks)
 
 
 @cache

@@ -16,8 +16,8 @@ from gspot_verified.ledger.verify import PARTS
 from gspot_verified.verdict import Outcome
 
 _CACHED = type(lru_cache(len))
-LONG = {"varsim2", "section_6_runs", "section_3_sentences"}
-"""Modules whose entries run a simulation for each bite: one bite an entry always, the others with the slow tests."""
+LONG = {"after_lift_off", "section_3_sentences", "section_6_runs", "varsim2"}
+"""Modules whose entries run a simulation for each change: one change an entry always, the others are slow tests."""
 PENDING: set[str] = set()
 """Modules of the ledger whose table is not complete yet."""
 

@@ -24,7 +24,7 @@ def test_figures_are_finite_and_not_empty(pictures):
             assert not re.search(r"nan|inf", path)
         pixels = image.imread(io.BytesIO(picture.png))
         assert pixels.shape[1] > 1000
-        assert len(np.unique(pixels.reshape(-1, pixels.shape[2]), axis=0)) > 50
+        assert len(np.unique(pixels[::7, ::7].reshape(-1, pixels.shape[2]), axis=0)) > 50
 
 
 def test_progress_names_every_figure(monkeypatch, pictures):

@@ -8,7 +8,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from flint import arb, fmpq
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import near_integers, small_heights, to_fmpq
 from witness import contains_witness, theta_witness
@@ -45,6 +45,7 @@ def test_enveloping_series_wants_tau_certainly_negative() -> None:
 
 
 @given(st.integers(10, 90), st.integers(1, 5), _BETAS, st.integers(1, 30))
+@settings(max_examples=30)
 def test_both_ways_of_summing_give_one_number(x: int, below: int, beta: Fraction, terms: int) -> None:
     tau, b = fmpq(-x, below), to_fmpq(beta)
     split = negative_split_sum(tau, b, terms, 300)

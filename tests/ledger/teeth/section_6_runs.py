@@ -45,6 +45,6 @@ TEETH: Teeth = {
         Bite("factor", ledger, "JUST_AFTER", lambda _: (fmpq(1, 1000), fmpq(1026, 10**6))),
         Bite("hidden factor", ledger, "simulated_delay", later),
         Bite("hypothesis", ledger, "STARTS", lambda honest: {**honest, "6-first-start": "-8/10"}),
-        Bite("order", ledger, "EPSILON", lambda honest: honest / 10),
+        Bite("order", ledger, "EPSILON", lambda honest: 2 * honest),
     ),
 }
