@@ -49,6 +49,23 @@ def test_floats_alone_prove_nothing(capsys: pytest.CaptureFixture[str]) -> None:
     assert output.startswith("simulated: stick, lift-off")
 
 
+@pytest.mark.parametrize(("until", "fate"), [("1/2", "lift-off"), ("2/5", "no event")])
+def test_how_long_to_look(capsys: pytest.CaptureFixture[str], until: str, fate: str) -> None:
+    """The lift-off is at 0.4411..., and the scene's own time is 1."""
+    code, output, _ = run(capsys, "simulate", "fig-varsim2", "--until", until, "--json")
+    data = json.loads(output)
+    assert (code, data["scene"]["until"], data["runs"][0]["fate"]) == (0, until, fate)
+    assert data["runs"][0]["verdict"]["statement"].startswith(f"{fate} until t = {until} after the start")
+
+
+def test_the_exact_solution_answers_for_all_times(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "simulate", "fig-varsim1", "--until", "1/10", "--compare", "--json")
+    data = json.loads(output)
+    assert code == 0
+    assert [found["fate"] for found in data["runs"]] == ["lift-off, touch-down, impact without collision", "no event"]
+    assert data["agree"] is None
+
+
 def test_what_is_left_out_is_said(capsys: pytest.CaptureFixture[str]) -> None:
     code, output, _ = run(capsys, "simulate", "oscillator", "--float", "--eps", "1/50", "--set", "until=1/10")
     assert code == 2
@@ -128,6 +145,14 @@ def test_the_list(capsys: pytest.CaptureFixture[str]) -> None:
         (("fig-varsim1", "--float", "--method", "RK"), "method: expected one of"),
         (("fig-varsim1", "--float", "--csv", "a.txt"), "allowed: .csv"),
         (("nothing",), "no scene file 'nothing'"),
+        (("fig-varsim2", "--until", "0"), "until must be > 0, got 0"),
+        (("fig-varsim2", "--until=-1"), "until must be > 0, got -1"),
+        (("fig-varsim2", "--until", "inf"), "until: expected a number"),
+        (("fig-varsim2", "--until", "1 s"), "until: '1 s' has a unit (s)"),
+        (("fig-varsim2", "--until", "1/0"), "until: the denominator of '1/0' is zero"),
+        (("fig-varsim2", "--until", "1e9999"), "until: a number of"),
+        (("fig-varsim2", "--until", "1", "--set", "until=2"), "give --until or --set until=..., not both"),
+        (("fig-varsim2", "--eps", "1", "--set", "epsilon=2"), "give --eps or --set epsilon=..., not both"),
     ],
 )
 def test_bad_input(capsys: pytest.CaptureFixture[str], words: tuple[str, ...], message: str) -> None:

@@ -26,6 +26,10 @@ def simulate(
     beta: Annotated[str | None, typer.Option(help="β, in place of the scene's.")] = None,
     nu: Annotated[str | None, typer.Option(help="ν of the initial values, in place of the scene's.")] = None,
     eps: Annotated[str | None, typer.Option("--eps", help="ε, in place of the scene's.")] = None,
+    until: Annotated[
+        str | None,
+        typer.Option(help="How long to look: a time after the start, in place of the scene's; as 2 or 1/10."),
+    ] = None,
     settings: Annotated[list[str] | None, typer.Option("--set", help="name=value, as often as needed.")] = None,
     floats: Annotated[bool, typer.Option("--float", help="A quick run with floats: nothing is proved.")] = False,
     compare: Annotated[bool, typer.Option("--compare", help="A run with floats beside the certified one.")] = False,
@@ -52,6 +56,8 @@ def simulate(
 ) -> None:
     """What a scene does: lift-off, touch-down, stick, impact without collision; certified, or simulated with --float.
 
+    Events are listed up to --until, all of them; a run also ends where an impact without collision lasts for ever. The
+    exact solution answers for all times, whatever --until is: it is used for the linear model scene where it decides.
     Samples of a certified run are enclosures: a column of midpoints and one of radii. Exit code 0 when the certified
     run is proved, 2 when something is undecided: a float run always is.
     """
@@ -69,7 +75,7 @@ def simulate(
     outputs.file("--npz", npz, (".npz",))
     outputs.file("--picture", picture, PICTURES)
     outputs.file("--journal", journal)
-    loaded = load_scene(scene).with_settings(**{**_settings(settings or []), **_given(beta=beta, nu=nu, eps=eps)})
+    loaded = load_scene(scene).with_settings(**_given(settings or [], beta=beta, nu=nu, eps=eps, until=until))
     sampled = None
     if picture is not None or ((csv is not None or npz is not None) and not compare):
         sampled = points or (_PICTURE_POINTS if csv is None and npz is None else _FILE_POINTS)
@@ -120,8 +126,17 @@ def scenes(as_json: JsonFlag = False) -> None:
         typer.echo(f"  {first} and {second}: {reason}")
 
 
-def _given(**settings: str | None) -> dict[str, str]:
-    return {name: value for name, value in settings.items() if value is not None}
+def _given(words: list[str], **options: str | None) -> dict[str, str]:
+    """What --set and the options of their own say; each setting once."""
+    found = _settings(words)
+    for name, value in options.items():
+        if value is None:
+            continue
+        for same in (name, "epsilon") if name == "eps" else (name,):
+            if same in found:
+                raise ValueError(f"give --{name} or --set {same}=..., not both")
+        found[name] = value
+    return found
 
 
 def _settings(words: list[str]) -> dict[str, str]:
@@ -153,6 +168,7 @@ def _scene_json(scene: Scene) -> dict[str, Any]:
         "effects": list(scene.effects),
         "assumes": scene.assumes(),
         "epsilon": str(scene.epsilon),
+        "until": str(scene.until),
         "parameters": parameters,
         "start": {name: str(value) for name, value in _start(scene).items()},
         "states": {phase: list(scene.system(phase).states) for phase in scene.phases()},
