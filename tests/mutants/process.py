@@ -25,7 +25,8 @@ from hypothesis import HealthCheck, Phase, settings
 from mutants.choice import parts
 from mutants.operators import Mutant, traced_code
 
-NOT_LOADED = 71
+NOT_IMPORTED, NOT_LOADED = 2, 71
+"""Exit codes: the changed module cannot be imported (pytest's code for tests that cannot be); nothing loaded it."""
 _REPORTER = "__mutants_reach__"
 _MEMORY = 4 * 2**30
 _CACHED = type(lru_cache(len))
@@ -64,7 +65,7 @@ class Changed(importlib.abc.MetaPathFinder):
     def __init__(self, root: Path, file: str, code: CodeType) -> None:
         self.module, self.code = file.removesuffix(".py").replace("/", "."), code
         self.path = Path(os.path.realpath(root / file))
-        self.loaded = False
+        self.loaded = self.broken = False
 
     def find_spec(self, fullname: str, path: Any, target: Any = None) -> importlib.machinery.ModuleSpec | None:  # noqa: ARG002
         if fullname != self.module:
@@ -86,7 +87,10 @@ class Changed(importlib.abc.MetaPathFinder):
     def import_it(self) -> None:
         """Import the module where it is part of a package; a script is loaded by its tests."""
         if (self.path.parent / "__init__.py").is_file():
-            importlib.import_module(self.module)
+            try:
+                importlib.import_module(self.module)
+            except Exception:
+                self.broken = True
 
     def _get_code(self, _: str) -> CodeType:
         self.loaded = True
@@ -107,13 +111,12 @@ class Plugin:
         quick = settings(phases=(Phase.explicit, Phase.generate), suppress_health_check=(HealthCheck.too_slow,))
         settings.register_profile("mutants", quick)
         settings.load_profile("mutants")
-        self.changed.install()
 
     @pytest.hookimpl(tryfirst=True)
-    def pytest_collection(self) -> None:
-        """Import the module as a user does: pytest would run the file again when its package imports it, too."""
-        with contextlib.suppress(Exception):  # what cannot be imported is reported when the tests are collected
-            self.changed.import_it()
+    def pytest_load_initial_conftests(self) -> None:
+        """Import the module before a conftest.py does, and as a user does: pytest would run the file a second time."""
+        self.changed.install()
+        self.changed.import_it()
 
     @pytest.hookimpl(trylast=True)
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
@@ -194,7 +197,9 @@ def finish(root: Path, tests: Sequence[str], plugin: Plugin, pipe: int | None = 
         for stream in (0, 1, 2):
             os.dup2(quiet, stream)
         code = int(pytest.main([*_OPTIONS, *tests], plugins=[plugin]))
-        if not plugin.changed.loaded:
+        if plugin.changed.broken:
+            code = NOT_IMPORTED
+        elif not plugin.changed.loaded:
             code = NOT_LOADED
         if pipe is not None:
             with os.fdopen(pipe, "w", encoding="utf-8") as file, contextlib.suppress(BrokenPipeError):

@@ -233,6 +233,15 @@ def test_a_mutant_that_never_ends_is_killed_by_its_limit(tmp_path: Path) -> None
 
 
 @pytest.mark.slow
+def test_a_module_that_a_conftest_imports_is_changed_before(tmp_path: Path) -> None:
+    (tmp_path / "tests").mkdir()
+    (tmp_path / "tests" / "conftest.py").write_text("from package.source import LIMIT\n")
+    code, text = run(tmp_path, STRONG, "", f"{SOURCE}\n\n(0, 0)[LIMIT - 2]\n")
+    assert "package/source.py: 12 mutants, 9 killed" in text  # three of the last line are good places, too
+    assert code == 1
+
+
+@pytest.mark.slow
 def test_a_module_that_its_package_imports_is_loaded_once(tmp_path: Path) -> None:
     """Loaded twice, it has two classes of one name, and no value of the one equals a value of the other."""
     source = "class Value:\n    pass\n\ndef make():\n    return Value() if 1 < 2 else None\n"
