@@ -55,6 +55,16 @@ def test_nearer_to_one_than_before(monkeypatch: pytest.MonkeyPatch, before: str,
     assert lift_off._bracket(fmpq(3, 2), 10, arb(before)).closer_than_before is closer
 
 
+@pytest.mark.parametrize("before", [0, 2])
+def test_as_near_as_before_is_not_nearer(monkeypatch: pytest.MonkeyPatch, before: int) -> None:
+    """The ratio is exactly 0 here."""
+    monkeypatch.setattr(lift_off, "_above", lambda tau, *_: tau != 2)
+    monkeypatch.setattr(lift_off, "narrowed", lambda *_: (fmpq(0), fmpq(0)))
+    found = lift_off._bracket(fmpq(3, 2), 10, arb(before))
+    assert found.ratio == 0
+    assert not found.closer_than_before
+
+
 @pytest.mark.parametrize(
     ("slope", "answer"),
     [(arb(8), True), (arb(-8), True), (arb(6), False), (arb(7), None), (arb(0), None), (arb(0, 9), None)],

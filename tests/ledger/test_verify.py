@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 import pytest
 
@@ -43,3 +44,14 @@ def test_every_part_is_run_in_its_order_and_announced(monkeypatch: pytest.Monkey
     assert found == verify.verify_paper()
     assert [replace(entry, code="") for entry in found] == [PROVED, OPEN, REFUTED]
     assert told == ["one", "two"]
+
+
+def made(identifier: str) -> Entry:
+    """An entry whose name the table gives it."""
+    return replace(PROVED, identifier=identifier)
+
+
+def test_the_function_that_makes_an_entry_is_named_also_where_the_table_gives_it_a_name() -> None:
+    place = f"{__name__.replace('.', '/')}.py:made"
+    assert verify.code_of(partial(made, "x")) == place
+    assert verify.code_of(partial(partial(made), "x")) == place

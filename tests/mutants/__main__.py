@@ -162,10 +162,13 @@ class _Run:
         return start(self.root, self.file, paths, tests, code_of(self.root, mutant), reach.limit(tests))
 
     def _outcome(self, mutant: Mutant, code: int) -> str:
-        """pytest: 0 passed, 1 failed, 2 and 3 the changed module cannot be imported or breaks pytest itself."""
+        """pytest: 0 passed, 1 failed, 2 to 4 tests or a conftest.py cannot be imported, or pytest itself breaks.
+
+        None of these comes from the tests themselves: they have passed without a change.
+        """
         if code < 0:
             return _LIMIT
-        if code in (0, 1, 2, 3):
+        if code in (0, 1, 2, 3, 4):
             return _SURVIVED if code == 0 else _KILLED
         raise RuntimeError(f"pytest ended with {code} for {mutant}")
 

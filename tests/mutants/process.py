@@ -25,8 +25,7 @@ from hypothesis import HealthCheck, Phase, settings
 from mutants.choice import parts
 from mutants.operators import Mutant, traced_code
 
-NOT_IMPORTED, NOT_LOADED = 2, 71
-"""Exit codes: the changed module cannot be imported (pytest's code for tests that cannot be); nothing loaded it."""
+NOT_LOADED = 71
 _REPORTER = "__mutants_reach__"
 _MEMORY = 4 * 2**30
 _CACHED = type(lru_cache(len))
@@ -65,7 +64,7 @@ class Changed(importlib.abc.MetaPathFinder):
     def __init__(self, root: Path, file: str, code: CodeType) -> None:
         self.module, self.code = file.removesuffix(".py").replace("/", "."), code
         self.path = Path(os.path.realpath(root / file))
-        self.loaded = self.broken = False
+        self.loaded = False
 
     def find_spec(self, fullname: str, path: Any, target: Any = None) -> importlib.machinery.ModuleSpec | None:  # noqa: ARG002
         if fullname != self.module:
@@ -87,10 +86,7 @@ class Changed(importlib.abc.MetaPathFinder):
     def import_it(self) -> None:
         """Import the module where it is part of a package; a script is loaded by its tests."""
         if (self.path.parent / "__init__.py").is_file():
-            try:
-                importlib.import_module(self.module)
-            except Exception:
-                self.broken = True
+            importlib.import_module(self.module)
 
     def _get_code(self, _: str) -> CodeType:
         self.loaded = True
@@ -116,7 +112,8 @@ class Plugin:
     def pytest_load_initial_conftests(self) -> None:
         """Import the module before a conftest.py does, and as a user does: pytest would run the file a second time."""
         self.changed.install()
-        self.changed.import_it()
+        with contextlib.suppress(Exception):  # what cannot be imported is reported when the tests are collected
+            self.changed.import_it()
 
     @pytest.hookimpl(trylast=True)
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
@@ -197,9 +194,7 @@ def finish(root: Path, tests: Sequence[str], plugin: Plugin, pipe: int | None = 
         for stream in (0, 1, 2):
             os.dup2(quiet, stream)
         code = int(pytest.main([*_OPTIONS, *tests], plugins=[plugin]))
-        if plugin.changed.broken:
-            code = NOT_IMPORTED
-        elif not plugin.changed.loaded:
+        if not plugin.changed.loaded:
             code = NOT_LOADED
         if pipe is not None:
             with os.fdopen(pipe, "w", encoding="utf-8") as file, contextlib.suppress(BrokenPipeError):
