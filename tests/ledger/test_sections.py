@@ -10,14 +10,13 @@ from collections.abc import Callable, Iterator
 from types import ModuleType
 
 import pytest
-from flint import fmpq, fmpq_mpoly
+from flint import fmpq
 
 from gspot_verified import Outcome
 from gspot_verified.ledger import (
     double_series,
     example,
     explicit_expansions,
-    identities,
     lagrangian,
     section_4_fast,
     section_4_inner,
@@ -35,7 +34,7 @@ from gspot_verified.ledger import (
     section_5_theorem,
 )
 from gspot_verified.ledger.entry import Entry
-from gspot_verified.ledger.identities import Algebra, Claim, Parts, readable, rising_signs
+from gspot_verified.ledger.identities import Algebra
 from gspot_verified.ledger.verify import PARTS
 
 MODULES = (
@@ -228,52 +227,3 @@ def test_the_double_series_depends_on_its_system(monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(double_series, "example_series", double_series.example_series.__wrapped__)
     for name in "pbyvz":
         assert BUILDERS[f"5-example-{name}"]().verdict.outcome is Outcome.UNDECIDED
-
-
-def test_a_claim_that_checks_nothing_is_open() -> None:
-    claim = Claim(Algebra("x"), {"f": "x"})
-    assert claim.check("nothing", lambda _: []).agrees is None
-    assert claim.check("zero", lambda parts: [parts["f"] - parts["f"]]).agrees is True
-    assert claim.check("not zero", lambda parts: [parts["f"]]).agrees is False
-    wrong = Claim(Algebra("x"), {"f": "x"}, {"f": "2*x"})
-    assert wrong.check("the corrected form fails too", lambda parts: [parts["f"]]).agrees is None
-
-
-def test_the_finding_says_what_is_left_and_whether_the_corrected_form_holds() -> None:
-    def whole(parts: Parts) -> list[fmpq_mpoly]:
-        return [parts["f"]]
-
-    printed, mended = Claim(Algebra("x"), {"f": "x"}), Claim(Algebra("x"), {"f": "x"}, {"f": "0*x"})
-    assert printed.check("printed", whole).finding == "the printed form leaves x instead of 0"
-    assert mended.check("mended", whole).finding == f"{printed.check('a', whole).finding}; the corrected form gives 0"
-    open_check = Claim(Algebra("x"), {"f": "x"}, {"f": "2*x"}).check("open", whole)
-    assert open_check.finding == "printed: x; corrected: 2*x"
-
-
-@pytest.mark.parametrize(("length", "whole"), [(159, True), (160, True), (161, False), (162, False)])
-def test_a_long_polynomial_is_cut(length: int, whole: bool) -> None:
-    text = f"{'x' * (length - 2)}^2"
-    value = Algebra(text[:-2]).read(text)
-    assert readable(value) == (text if whole else f"{text[:150]} ... (1 terms)")
-
-
-def test_the_algebra() -> None:
-    algebra = Algebra("s k b0 b1 b2")
-    total = algebra.jets("s", "b")
-    assert algebra.derivative(algebra.read("s*b0"), total, 2) == algebra.read("s*b2 + 2*b1")
-    assert algebra.coefficient_of(algebra.read("s^2*k + 3*s^2 + k"), "s", 2) == algebra.read("k+3")
-    rows = [[algebra.constant(i * i + j) for j in range(3)] for i in range(3)]
-    assert algebra.determinant(rows) == 0
-    assert algebra.determinant(
-        [[algebra.read("s"), algebra.read("k")], [algebra.read("1+0*s"), algebra.read("s")]]
-    ) == (algebra.read("s^2-k"))
-    moved = algebra.replaced(
-        algebra.read("s*b0 + k*b1 + 7"), "b", [algebra.read("k"), algebra.read("s")], algebra.read("s")
-    )
-    assert moved == algebra.read("2*s*k + 7*s")
-    assert rising_signs(algebra.read("s + 2*k"))
-    assert not rising_signs(algebra.read("s - 2*k"))
-    assert not rising_signs(algebra.constant(0))
-    long = sum((algebra.read("s+k") ** n for n in range(12)), start=algebra.constant(0))
-    assert readable(long).endswith("terms)")
-    assert readable(identities.Algebra("alpha1 lam lambda0").read("alpha1*lam + lambda0")) == "α_1*λ + lambda0"
