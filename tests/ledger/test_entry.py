@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from gspot_verified import Outcome, Verdict
+from gspot_verified.ledger.consequences import consequence
 from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, conclude, counts, rung_counts, same_sign, settled
+from gspot_verified.ledger.formal_proof import FormalProof
 from gspot_verified.verdict import Reason
 
 
@@ -169,3 +173,24 @@ def test_only_checks_that_agree_or_fail_carry_a_verdict() -> None:
     assert entry.rests_on == (Rung.PAGE,)
     assert toy((Rung.EXACT, False)).rests_on == ()
     assert toy((Rung.EXACT, False)).rung is None
+
+
+def test_what_follows_from_an_error_is_said_of_a_refuted_entry_alone() -> None:
+    refuted, proved = (replace(entry, identifier="4-order") for entry in (REFUTED, PROVED))
+    found = consequence("4-order")
+    assert found is not None
+    assert (refuted.consequence, refuted.to_json()["consequence"]) == (found, found.to_json())
+    assert (proved.consequence, proved.to_json()["consequence"]) == (None, None)
+    assert REFUTED.consequence is None  # none is recorded
+
+
+@pytest.mark.parametrize("run", [True, False])
+def test_a_formal_proof_that_was_not_run_is_a_route_and_one_that_was_is_among_the_checks(run: bool) -> None:
+    proof = FormalProof((("first", "a text"), ("second", "another")), run, "state")
+    entry = replace(PROVED, formal=proof)
+    ran = [("exact identity or certificate", "check 0", True), ("points only", "check 1", True)]
+    assert list(entry.routes) == [*ran, *([] if run else [("formal proof", "first, second", False)])]
+    assert entry.to_json()["routes"] == [dict(zip(("rung", "what", "run"), row, strict=True)) for row in entry.routes]
+    assert entry.to_json()["formal"] == proof.to_json()
+    assert list(PROVED.routes) == ran
+    assert PROVED.to_json()["formal"] is None
