@@ -19,6 +19,8 @@ CARRIED: dict[str, tuple[str, ...]] = {
     "S-plus-infinity": ("right_end",),
     "S-switching": ("gamma_sign",),
     "C-cases-I-II": ("force_deviation",),
+    "C-iwc-case-III": ("force_above_leading_order", "IWC_below_threshold"),
+    "C-lift-off": ("force_above_leading_order", "side_rule"),
 }
 CONTRADICTED: dict[str, tuple[tuple[str, ...], str]] = {
     "2-trivial-zy": (

@@ -361,6 +361,44 @@ Definition case_II : Prop := forall a1 a2 a3 eps t1 p b y v z, parameters a1 a3 
   (exists t2, (forall t, t < t2 -> y t < z t) /\ y t2 = z t2 /\ (forall t, t < t2 -> lambda t < mean) /\
      forall s t, s < t -> t <= t2 -> lambda t < lambda s).
 
+(** The force at leading order, for b - (its trivial part) ~ C_1 (-t)^beta at t -> -oo. *)
+Definition leading_force (a1 a2 a3 eps C1 : R) (theta : R -> R) (t : R) : R :=
+  let beta := a3 / a1 in
+  let kappa := Rpower (- a1 / 2) (1 / 3) in
+  a2 / (a3 - a1)
+    - C1 / a3 * Rpower kappa (1 - beta) * Rpower eps ((2 * beta - 2) / 3) * Derive theta (kappa * t * Rpower eps (- 2 / 3)).
+
+(** 0 < beta < 5: at every time and every eps the force of the slow motion is above the one at leading order if
+    C_1 Gamma(-beta) > 0, and below it if C_1 Gamma(-beta) < 0. *)
+Definition force_above_leading_order : Prop := forall a1 a2 a3 eps C1 theta p b y v z t, parameters a1 a3 eps ->
+  a3 / a1 < 5 -> is_Theta (a3 / a1) theta -> slow_motion a1 a2 a3 eps (C1 * Rpower eps (a3 / a1)) p b y v z ->
+  (0 < C1 * Gamma (- (a3 / a1)) -> leading_force a1 a2 a3 eps C1 theta t < linear_force eps (y t) (z t)) /\
+  (C1 * Gamma (- (a3 / a1)) < 0 -> linear_force eps (y t) (z t) < leading_force a1 a2 a3 eps C1 theta t).
+
+(** eps_0 = ((mean force) |a3| kappa^(beta-1) / m)^(3/(2 beta - 2)), -m a lower bound of C_1 dTheta/dtau. *)
+Definition threshold (a1 a2 a3 m : R) : R :=
+  let beta := a3 / a1 in
+  let kappa := Rpower (- a1 / 2) (1 / 3) in
+  Rpower (- a3 * (a2 / (a3 - a1)) * Rpower kappa (beta - 1) / m) (3 / (2 * beta - 2)).
+
+(** Case III (a2 < 0), 1 < beta < 5, C_1 on the side of impact without collision, eps <= eps_0: any motion of the mechanism (with
+    compl2) from a state of the slow motion at a time t0 >= (that of tau0) keeps contact for ever; the force tends to +oo, y to -oo. *)
+Definition IWC_below_threshold : Prop := forall a1 a2 a3 eps C1 theta m tau0 t0 P B Y V Z p b y v z, parameters a1 a3 eps ->
+  1 < a3 / a1 < 5 -> a2 < 0 -> 0 < C1 * Gamma (- (a3 / a1)) -> is_Theta (a3 / a1) theta ->
+  0 < m -> (forall tau, tau0 <= tau -> - m <= C1 * Derive theta tau) -> eps <= threshold a1 a2 a3 m ->
+  slow_motion a1 a2 a3 eps (C1 * Rpower eps (a3 / a1)) P B Y V Z ->
+  tau0 <= Rpower (- a1 / 2) (1 / 3) * t0 * Rpower eps (- 2 / 3) ->
+  (forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force p b y v z t) ->
+  p t0 = P t0 -> b t0 = B t0 -> y t0 = Y t0 -> v t0 = V t0 -> z t0 = Z t0 ->
+  (forall t, t0 <= t -> y t < z t) /\
+  (forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)) /\
+  (forall M, exists T, forall t, T <= t -> y t <= M).
+
+(** Such a bound exists on every half-line [tau0, oo), and for C_1 < 0 on the whole line. *)
+Definition least_value_exists : Prop := forall b theta C1, 0 < b -> not_nat b -> is_Theta b theta -> 0 < C1 * Gamma (- b) ->
+  (forall tau0, exists m, 0 < m /\ forall tau, tau0 <= tau -> - m <= C1 * Derive theta tau) /\
+  (C1 < 0 -> exists m, 0 < m /\ forall tau, - m <= C1 * Derive theta tau).
+
 (** The force less its mean, and its first three derivatives in contact, as functions of the state. *)
 Definition force_excess (a1 a2 a3 eps : R) (y z : R) : R := (z - y) / eps ^ 2 - a2 / (a3 - a1).
 Definition force_excess1 (eps : R) (y v z : R) : R := ((y - 2 * z) / eps - v) / eps ^ 2.
@@ -441,3 +479,15 @@ Definition leading_order_limit : Prop := forall b n eta theta F t w, not_nat b -
   is_Theta b theta -> is_slow (2 * eta ^ 3) b F ->
   is_RInt_gen (fun r => Rpower r (INR n - b + 3) * exp (r * t - r ^ 3 / 6)) (at_right 0) (Rbar_locally p_infty) w ->
   0 <= Gamma (- b) * (Rpower eta (b - INR n) * Derive_n F n (t / eta) - Derive_n theta n t) <= eta / 8 * w.
+
+(** Every eps at once: with G(t; eta) = eta^b F(t/eta) the number Gamma(-b) G^(n)(t; eta) increases strictly with eta, at every t, if n > b - 4. *)
+Definition monotone_in_eta : Prop := forall b n eta eta' F F' t, not_nat b -> b < INR n + 4 -> 0 < eta < eta' ->
+  is_slow (2 * eta ^ 3) b F -> is_slow (2 * eta' ^ 3) b F' ->
+  Gamma (- b) * (Rpower eta (b - INR n) * Derive_n F n (t / eta))
+    < Gamma (- b) * (Rpower eta' (b - INR n) * Derive_n F' n (t / eta')).
+
+(** It lies above Gamma(-b) Theta^(n)(t), by at most (eta/8) Gamma(-b) G^(n+4)(t; eta). *)
+Definition above_leading_order : Prop := forall b n eta theta F t, not_nat b -> b < INR n + 4 -> 0 < eta ->
+  is_Theta b theta -> is_slow (2 * eta ^ 3) b F ->
+  let G k := Rpower eta (b - INR k) * Derive_n F k (t / eta) in
+  0 < Gamma (- b) * (G n - Derive_n theta n t) <= eta / 8 * (Gamma (- b) * G (n + 4)%nat).

@@ -8,7 +8,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   EnvelopingSeries Family SignsAtZero SignPattern PositiveZeros CountLaw IntegerPolynomials PolynomialSum Ends
   RecurrenceTail FoldAndHinge ContinuityInBeta ZeroCurves ZerosAtInteger CompliantKernel CompliantIntegral
   CompliantSlow CompliantMechanism CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases
-  CompliantOpen CompliantSlowMotion.
+  CompliantOpen CompliantSlowMotion LeftExpansion CompliantMonotone CompliantThreshold.
 From GSpot Require Import Statement.
 Import ListNotations.
 Open Scope R_scope.
@@ -258,6 +258,21 @@ Proof.
 intros a1 a2 a3 eps t1 p b y v z (H1 & H3 & He & Hb). exact (CompliantForward.case_II a1 a2 a3 eps H1 H3 He Hb t1 p b y v z).
 Qed.
 
+Theorem force_above_leading_order : Statement.force_above_leading_order.
+Proof.
+intros a1 a2 a3 eps C1 theta p b y v z t Hp H5 HT HS.
+exact (CompliantThreshold.force_above_leading_order a1 a2 a3 eps C1 theta p b y v z Hp HT HS t H5).
+Qed.
+
+Theorem IWC_below_threshold : Statement.IWC_below_threshold.
+Proof.
+intros a1 a2 a3 eps C1 theta m tau0 t0 P B Y V Z p b y v z Hp Hb H2 HC HT Hm Hl Hs HS Ht.
+exact (CompliantThreshold.IWC_below_threshold a1 a2 a3 eps C1 theta P B Y V Z Hp HT HS m tau0 t0 Hb H2 HC Hm Hl Hs Ht p b y v z).
+Qed.
+
+Theorem least_value_exists : Statement.least_value_exists.
+Proof. exact CompliantThreshold.least_value_exists. Qed.
+
 Theorem IWC_open : Statement.IWC_open.
 Proof.
 intros a1 a2 a3 eps t0 p b y v z H1 H13 He Ht0 Hp Hm Hc D0 D1 D2 D3.
@@ -333,4 +348,23 @@ rewrite (Derive_n_ext F (Fe (2 * eta ^ 3) b)) by (apply is_slow_Fe; auto).
 assert (E : W (INR n - b + 3) t = w).
 { apply (is_RInt_gen_unique (V := R_CompleteNormedModule) _ w). exact Hw. }
 rewrite <- E. exact (Fe_limit b n eta t theta Hb Hn HT He).
+Qed.
+
+Theorem monotone_in_eta : Statement.monotone_in_eta.
+Proof.
+intros b n eta eta' F F' t Hb Hn He HF HF'.
+assert (H := CompliantMonotone.monotone_in_eta b n eta eta' t Hb Hn He).
+rewrite <- !scaled_slow in H by (auto; lra).
+rewrite (Derive_n_ext F (Fe (2 * eta ^ 3) b)) by (apply is_slow_Fe; auto; apply two_cube; lra).
+rewrite (Derive_n_ext F' (Fe (2 * eta' ^ 3) b)) by (apply is_slow_Fe; auto; apply two_cube; lra). exact H.
+Qed.
+
+Theorem above_leading_order : Statement.above_leading_order.
+Proof.
+intros b n eta theta F t Hb Hn He HT HF G.
+assert (H := CompliantMonotone.above_leading_order b n eta theta t Hb Hn He HT).
+assert (E : forall k, Gamma (- b) * G k = scaled_J eta (- b - 1) k t).
+{ intros k. unfold G. rewrite (Derive_n_ext F (Fe (2 * eta ^ 3) b)) by (apply is_slow_Fe; auto; apply two_cube; lra).
+  apply scaled_slow; auto. }
+rewrite Rmult_minus_distr_l, !E. unfold scaled in H. lra.
 Qed.
