@@ -83,7 +83,7 @@ def test_side(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_verify_and_report(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    code, output, errors = run(capsys, "verify", "--output", str(tmp_path))
+    code, output, errors = run(capsys, "verify", "--output", str(tmp_path), "--cache", str(tmp_path / "kept"))
     assert code == 1  # the paper has misprints
     assert "refuted" in output
     assert "corrected:" in output
@@ -91,6 +91,11 @@ def test_verify_and_report(capsys: pytest.CaptureFixture[str], tmp_path: Path) -
     assert re.search(r"^proved: .*\d+ on exact identity or certificate, \d+ on proof page", output, re.M)
     assert re.search(r"^refuted: .*\d+ on exact identity or certificate", output, re.M)
     assert re.search(r"^\d+ of \d+ rest on a proof page alone", output, re.M)
+    assert re.search(r"^proved: (\d+) of (\d+): ", output, re.M)
+    assert re.search(
+        r"^of the paper's \d+ claims: \d+ proved, \d+ refuted, \d+ undecided, \d+ premise, \d+ not", output, re.M
+    )
+    assert re.search(r"^run now: all \d+$", output, re.M)
     page = (tmp_path / "index.html").read_text(encoding="utf-8")
     data = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))
     assert data["counts"]["undecided"] == 0
@@ -135,7 +140,7 @@ def test_an_internal_error_is_never_an_outcome(
 ) -> None:
     from gspot_verified.ledger import verify
 
-    def broken(_: object) -> list[object]:
+    def broken(*_: object) -> list[object]:
         raise ArithmeticError("two enclosures are disjoint")
 
     monkeypatch.setattr(verify, "verify_paper", broken)

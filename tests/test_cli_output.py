@@ -198,7 +198,7 @@ def test_a_report_that_cannot_be_written_leaves_the_verdicts(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     entries = [cases.ENTRIES["S-iwc"]()]
-    monkeypatch.setattr("gspot_verified.ledger.verify.verify_paper", lambda _: entries)
+    monkeypatch.setattr("gspot_verified.ledger.verify.verify_paper", lambda *_: entries)
     monkeypatch.setattr("gspot_verified.report.write.write_report", full)
     code, out, err = run(capsys, "verify", "--output", str(tmp_path / "report"))
     assert code == 74

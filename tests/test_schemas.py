@@ -160,9 +160,16 @@ def test_every_form_was_run() -> None:
 
 def test_verify_and_report(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     entries = [cases.ENTRIES["S-iwc"]()]
-    monkeypatch.setattr("gspot_verified.ledger.verify.verify_paper", lambda _: entries)
+    monkeypatch.setattr("gspot_verified.ledger.verify.verify_paper", lambda *_: entries)
     monkeypatch.setattr("gspot_verified.report.write.write_report", lambda *_: None)
-    assert errors("verify", printed(capsys, "verify", "--output", str(tmp_path))) == []
+    whole = printed(capsys, "verify", "--output", str(tmp_path), "--cache", str(tmp_path))
+    assert errors("verify", whole) == []
+    named = printed(capsys, "verify", "S-iwc", "--cache", str(tmp_path))
+    assert errors("verify", named) == []
+    assert named["run"] == {"entries": 1, "now": 1, "cached": 0}
+    assert printed(capsys, "verify", "S-iwc", "--cache", str(tmp_path))["run"] == {"entries": 1, "now": 0, "cached": 1}
+    for other in changes(whole):
+        assert errors("verify", other) != []
     source = tmp_path / "report.json"
     source.touch()
     monkeypatch.setattr("gspot_verified.report.write.render_from_json", lambda *_: tmp_path / "index.html")

@@ -7,58 +7,67 @@ from typing import Annotated
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
 from gspot_verified.cli.output import Outputs
 
 
 @app.command(
     short_help="Check the paper, claim by claim, and write the report.",
-    epilog="Example: gspot-verified verify --output report",
+    epilog="Example: gspot-verified verify S-iwc S-side",
 )
 def verify(
-    output: Annotated[Path, typer.Option(help="Directory of the report.")] = Path("report"),
+    claims: Annotated[
+        list[str] | None, typer.Argument(help="Identifiers of the ledger; all of them if none.", metavar="[CLAIM]...")
+    ] = None,
+    output: Annotated[Path | None, typer.Option(help="Directory of the report; report if not given.")] = None,
+    full: Annotated[bool, typer.Option("--full", help="Run every check again; take nothing from the cache.")] = False,
+    alone: Annotated[
+        bool, typer.Option("--alone", help="With claims: leave out the entries that their checks name.")
+    ] = False,
+    cache: Annotated[
+        Path | None,
+        typer.Option(help="Where results are kept; build/ledger of a clone, else in ~/.cache.", metavar="<folder>"),
+    ] = None,
     as_json: JsonFlag = False,
 ) -> None:
     """Check the paper, Sections 1 to 6 and Appendices A and B, claim by claim, and write the report.
 
-    Exit code 1 when a printed statement is refuted (the paper has misprints), 2 when one is undecided.
+    With claims: these entries, and those that their checks name; no report. A result is kept under the hash of all
+    sources, proofs and versions, so that a run that was killed goes on, and shown as kept. Exit code 1 when a printed
+    statement is refuted (the paper has misprints), 2 when one is undecided; of the named ones if some are named.
     """
-    from gspot_verified.ledger.claims import standing_counts
-    from gspot_verified.ledger.entry import Rung, counts, rung_counts
-    from gspot_verified.ledger.verify import exit_code, verify_paper
+    from gspot_verified.cli.ledger_output import claims_data, paper_data, print_claims, print_paper
+    from gspot_verified.ledger.cache import Cache, default_folder
+    from gspot_verified.ledger.verify import exit_code, verify_claims, verify_paper
     from gspot_verified.report.write import write_report
 
     outputs = Outputs()
-    outputs.folder("--output", output)
-    entries = verify_paper(progress)
-    written = outputs.write("--output", output, lambda: write_report(entries, output, progress))
-    if as_json:
-        numbers = {
-            "counts": counts(entries),
-            "rungs": rung_counts(entries),
-            "page_alone": sum(entry.page_alone for entry in entries),
-            "claims": standing_counts({entry.identifier: entry.verdict.outcome for entry in entries}),
-        }
-        print_json({**numbers, "entries": [entry.to_json() for entry in entries]})
+    if claims and output is not None:
+        raise ValueError("--output: the report is of the whole paper; name no claims")
+    if alone and not claims:
+        raise ValueError("--alone: for named claims")
+    folder = output or Path("report")
+    if not claims:
+        outputs.folder("--output", folder)
+    kept = Cache(cache or default_folder(), read=not full)
+    if claims:
+        named, further = verify_claims(claims, progress, kept, alone)
+        if as_json:
+            print_json(claims_data(named, further))
+        else:
+            print_claims(named, further)
     else:
-        for entry in entries:
-            place = entry.cited.printed or entry.label
-            typer.echo(f"{entry.verdict.outcome.value:9}  {place:28}  {entry.statement}")
-            if entry.verdict.outcome.value == "refuted":
-                typer.echo(f"{'':9}  {'corrected:':28}  {entry.corrected}")
-        for outcome, row in rung_counts(entries).items():
-            words = (f"{number} on {Rung[name.upper()].short}" for name, number in row.items() if number)
-            typer.echo(f"{outcome}: " + (", ".join(words) or "none"))
-        alone = sum(entry.page_alone for entry in entries)
-        typer.echo(f"{alone} of {len(entries)} rest on a proof page alone")
-        claims = standing_counts({entry.identifier: entry.verdict.outcome for entry in entries})
-        listed = ", ".join(f"{number} {standing}" for standing, number in claims.items())
-        typer.echo(f"of the paper's {sum(claims.values())} claims: {listed}")
-        total = counts(entries)
-        typer.echo(", ".join(f"{number} {outcome}" for outcome, number in total.items()))
-        if written:
-            typer.echo(f"report: {output / 'index.html'}")
-    outputs.leave(exit_code(entries))
+        named = verify_paper(progress, kept)
+        written = outputs.write("--output", folder, lambda: write_report(named, folder, progress))
+        if as_json:
+            print_json(paper_data(named))
+        else:
+            print_paper(named)
+            if written:
+                typer.echo(f"report: {folder / 'index.html'}")
+    if kept.closed:
+        warn(f"the cache was not used to the end: {kept.closed}")
+    outputs.leave(exit_code(named))
 
 
 @app.command(epilog="Example: gspot-verified report report/report.json --output report")

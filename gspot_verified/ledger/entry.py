@@ -79,7 +79,8 @@ class Entry(NoTruthValue):
     ``statement`` the claim in words; ``corrected`` the form that holds when the printed one is refuted, or the
     condition it needs. ``cited`` has the numbers that the PDF prints and the exact lines of the source. ``code`` is the
     file and the name of the function that made the entry, "" when it was not made by ``verify_paper``. ``formal`` names
-    the formal theorems that are the claim (or contradict it) and says whether they were proved here.
+    the formal theorems that are the claim (or contradict it) and says whether they were proved here. ``from_cache``:
+    the checks were run earlier, on the same sources, and their result was kept.
     """
 
     ask: ClassVar[str] = ASK_VERDICT
@@ -95,6 +96,7 @@ class Entry(NoTruthValue):
     note: str = ""
     code: str = ""
     formal: FormalProof | None = None
+    from_cache: bool = False
 
     @property
     def cited(self) -> Citation:
@@ -154,6 +156,7 @@ class Entry(NoTruthValue):
             "quotations": [quotation.to_json() for quotation in self.cited.quotations],
             "lines": [[quotation.first, quotation.last] for quotation in self.cited.quotations],
             "code": self.code,
+            "from_cache": self.from_cache,
             "formal": self.formal.to_json() if self.formal is not None else None,
             "routes": [{"rung": rung, "what": what, "run": run} for rung, what, run in self.routes],
             "section": self.section,

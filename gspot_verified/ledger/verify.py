@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import difflib
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -43,6 +44,8 @@ from gspot_verified.ledger import (
     varsim1,
     varsim2,
 )
+from gspot_verified.ledger.cache import Cache
+from gspot_verified.ledger.dependencies import dependencies
 from gspot_verified.ledger.entry import Builders, Entry
 from gspot_verified.ledger.formal_routes import with_formal_proof
 from gspot_verified.verdict import Outcome
@@ -87,14 +90,62 @@ PARTS: dict[str, Builders] = {
 }
 
 
-def verify_paper(progress: Callable[[str], None] | None = None) -> list[Entry]:
-    """Run every check and return the entries; ``progress`` is told each part's name as it begins."""
+def verify_paper(progress: Callable[[str], None] | None = None, cache: Cache | None = None) -> list[Entry]:
+    """The entries of every part; ``progress`` is told each part's name as it begins.
+
+    With a cache, results of the same sources are taken from it, and new ones are kept there, each as it is found.
+    """
     found: list[Entry] = []
     for part, builders in PARTS.items():
         if progress is not None:
             progress(part)
-        found += [with_formal_proof(replace(build(), code=code_of(build))) for build in builders.values()]
+        found += [_made(identifier, build, cache) for identifier, build in builders.items()]
     return found
+
+
+def verify_claims(
+    identifiers: Sequence[str],
+    progress: Callable[[str], None] | None = None,
+    cache: Cache | None = None,
+    alone: bool = False,
+) -> tuple[list[Entry], list[Entry]]:
+    """The named entries, in their order, and then those that their checks name, those that theirs name, and so on.
+
+    An entry's verdict is drawn from its own checks alone. But who doubts a claim doubts what it is checked by too.
+    ``alone`` leaves the further ones out.
+
+    :raises ValueError: no entry has that name; the message has the nearest names.
+    """
+    builders = {identifier: build for part in PARTS.values() for identifier, build in part.items()}
+    for identifier in identifiers:
+        if identifier not in builders:
+            near = difflib.get_close_matches(identifier, builders, 4, 0.5)
+            hint = f"; nearest: {', '.join(near)}" if near else ""
+            raise ValueError(f"no entry of the ledger is named {identifier[:60]!r}{hint}")
+    asked = list(dict.fromkeys(identifiers))
+    found: dict[str, Entry] = {}
+    waiting = asked[::-1]
+    while waiting:
+        identifier = waiting.pop()
+        if identifier in found:
+            continue
+        if progress is not None:
+            progress(identifier)
+        found[identifier] = _made(identifier, builders[identifier], cache)
+        if not alone:
+            waiting += dependencies(found[identifier], list(builders)).entries[::-1]
+    named = [found[identifier] for identifier in asked]
+    return named, [entry for identifier, entry in found.items() if identifier not in asked]
+
+
+def _made(identifier: str, build: Callable[[], Entry], cache: Cache | None) -> Entry:
+    """The entry, from the cache or by its checks. Whether a formal proof was run is looked up each time."""
+    entry = cache.recall(identifier) if cache is not None else None
+    if entry is None:
+        entry = replace(build(), code=code_of(build))
+        if cache is not None and entry.identifier == identifier:
+            cache.keep(entry)
+    return with_formal_proof(entry)
 
 
 def code_of(build: Callable[[], Entry]) -> str:

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from importlib import metadata
 from typing import Any
 
-from gspot_verified.ledger.claims import Standing, paper_claims
+from gspot_verified.ledger.claims import Standing, paper_claims, standing_counts
 from gspot_verified.ledger.dependencies import dependencies
 from gspot_verified.ledger.entry import Entry, Rung, counts, rung_counts
 from gspot_verified.report.canvas import Picture
@@ -18,7 +18,7 @@ from gspot_verified.report.certificates import CheckedCertificate
 from gspot_verified.report.proof_page import proof_pages
 from gspot_verified.verdict import Outcome, Reason
 
-SCHEMA = 4
+SCHEMA = 5
 
 _OUTCOMES = [outcome.value for outcome in Outcome]
 _STANDINGS = [standing.value for standing in Standing]
@@ -65,6 +65,7 @@ def report_data(
             "rungs": rung_counts(entries),
             "page_alone": sum(entry.page_alone for entry in entries),
             "claims": [claim.to_json(outcomes) for claim in paper_claims()] if entries else [],
+            "standings": standing_counts(outcomes) if entries else dict.fromkeys(_STANDINGS, 0),
             "entries": [
                 {**entry.to_json(), "dependencies": dependencies(entry, identifiers).to_json()} for entry in entries
             ],
@@ -84,7 +85,7 @@ def checked(report: object) -> dict[str, Any]:
     >>> checked({"schema": 1})
     Traceback (most recent call last):
     ...
-    ValueError: report: this version reads schema 4, the file has schema 1
+    ValueError: report: this version reads schema 5, the file has schema 1
     """
     found = _mapping(report, "report")
     if type(found.get("schema")) is not int or found["schema"] != SCHEMA:
@@ -100,6 +101,9 @@ def checked(report: object) -> dict[str, Any]:
         _check_claim(
             claim, f"claims[{number}]", {entry["identifier"]: entry["verdict"]["outcome"] for entry in entries}
         )
+    standings = {name: sum(claim["standing"] == name for claim in found["claims"]) for name in _STANDINGS}
+    if found.get("standings") != standings:
+        raise ValueError(f"standings: the file says {found.get('standings')}, its claims give {standings}")
     for number, picture in enumerate(_sequence(found, "figures", "report")):
         _texts(_mapping(picture, f"figures[{number}]"), _PICTURE_TEXTS, f"figures[{number}]")
         _file_name(picture["name"], f"figures[{number}].name")
@@ -197,6 +201,8 @@ def _check_formal(entry: dict[str, Any], where: str) -> None:
 def _check_entry(value: object, where: str) -> None:
     entry = _mapping(value, where)
     _texts(entry, _ENTRY_TEXTS, where)
+    if not isinstance(entry.get("from_cache"), bool):
+        raise ValueError(f"{where}.from_cache: expected true or false")
     verdict = _mapping(entry.get("verdict"), f"{where}.verdict")
     _texts(verdict, ("statement", "detail"), f"{where}.verdict")
     _one_of(verdict.get("outcome"), _OUTCOMES, f"{where}.verdict.outcome")

@@ -59,7 +59,7 @@ def pages(report: dict[str, Any]) -> dict[str, str]:
         "versions": report["versions"],
         "proofs": proofs,
         "certificates": report["certificates"],
-        "standings": _standings(report["claims"]),
+        "standings": {name.value: report["standings"][name.value] for name in Standing},
         "figures": report["figures"],
     }
     found = {
@@ -172,12 +172,6 @@ def _graph(entries: Sequence[dict[str, Any]], proofs: dict[str, dict[str, Any]])
 def _claims(claims: Sequence[dict[str, Any]], entries: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
     by_name = {entry["identifier"]: entry for entry in entries}
     return [{**claim, "entries": [by_name[name] for name in claim["entries"] if name in by_name]} for claim in claims]
-
-
-def _standings(claims: Sequence[dict[str, Any]]) -> dict[str, int]:
-    """How many claims of the paper have each standing, in the order of ``Standing``."""
-    found = [claim["standing"] for claim in claims]
-    return {standing.value: found.count(standing.value) for standing in Standing}
 
 
 def _rungs(report: dict[str, Any]) -> list[tuple[Rung, int, int]]:

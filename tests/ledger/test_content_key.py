@@ -1,0 +1,104 @@
+"""The key of kept results changes with everything that a result depends on."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+from importlib import metadata
+from pathlib import Path
+
+import pytest
+
+from gspot_verified.ledger import content_key as keys
+
+
+@pytest.fixture
+def sources(tmp_path: Path) -> Path:
+    folder = tmp_path / "package"
+    (folder / "inner" / "__pycache__").mkdir(parents=True)
+    (folder / "code.py").write_text("one = 1\n")
+    (folder / "inner" / "data.toml").write_text("a = 1\n")
+    (folder / "inner" / "__pycache__" / "code.pyc").write_bytes(b"compiled")
+    return folder
+
+
+def test_every_source_is_in_the_key(sources: Path) -> None:
+    first = keys.content_key([sources])
+    assert keys.content_key([sources]) == first
+    seen = {first}
+    for file in ("code.py", "inner/data.toml"):
+        path = sources / file
+        text = path.read_text()
+        path.write_text(text + "#")
+        seen.add(keys.content_key([sources]))
+        path.write_text(text)
+        assert keys.content_key([sources]) == first
+    (sources / "more.json").write_text("{}")
+    seen.add(keys.content_key([sources]))
+    (sources / "more.json").rename(sources / "other.json")
+    seen.add(keys.content_key([sources]))
+    assert len(seen) == 5
+
+
+def test_what_python_compiled_is_not(sources: Path) -> None:
+    first = keys.content_key([sources])
+    (sources / "inner" / "__pycache__" / "code.pyc").write_bytes(b"compiled again")
+    assert keys.content_key([sources]) == first
+
+
+def test_the_package_and_its_proofs_are_sources() -> None:
+    files = {path.relative_to(keys.PACKAGE.parent).as_posix() for path in keys.source_files()}
+    assert {"gspot_verified/balls.py", "gspot_verified/ledger/claims.toml", "proofs/check.py", "proofs/iwc.md"} <= files
+    assert {"proofs/iwc_0_1.cert", "proofs/coq/Statement.v", "gspot_verified/ledger/paper_source.json"} <= files
+
+
+def test_versions_are_in_the_key(sources: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    first = keys.ingredients([sources])
+    named = [row[0].lower() for row in first["distributions"]]
+    assert {"python-flint", "mpmath", "sympy", "numpy", "scipy"} <= set(named)
+    monkeypatch.setattr("flint.__FLINT_VERSION__", "3.0.0")
+    monkeypatch.setattr(sys, "version", "2.7")
+    other = keys.ingredients([sources])
+    assert {name for name in first if first[name] != other[name]} == {"FLINT", "python"}
+
+
+def test_a_changed_file_of_a_distribution_is_in_the_key(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "toy.py").write_text("1\n")
+    info = tmp_path / "toy-1.0.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: toy\nVersion: 1.0\n")
+    (info / "RECORD").write_text("toy.py,sha256=0,2\ntoy-1.0.dist-info/METADATA,,\n")
+    monkeypatch.setattr(metadata, "distributions", lambda: metadata.Distribution.discover(path=[str(tmp_path)]))
+
+    def key() -> str:
+        keys.distributions.cache_clear()
+        return keys.content_key([])
+
+    found = [key()]
+    os.utime(tmp_path / "toy.py", (1, 1))
+    found.append(key())
+    (info / "RECORD").write_text("toy.py,sha256=1,2\n")
+    found.append(key())
+    (tmp_path / "toy.py").unlink()
+    found.append(key())
+    keys.distributions.cache_clear()
+    assert len(set(found)) == 4
+
+
+def test_changes_are_seen_under_an_old_date(sources: Path) -> None:
+    before = time.time() - 1
+    os.utime(sources / "code.py", (1, 1))
+    assert keys.newest_change([sources]) > before
+    assert keys.newest_change([]) == 0
+
+
+def test_the_start_of_the_process() -> None:
+    script = (
+        "import time; a = time.time(); time.sleep(0.5)\n"
+        "from gspot_verified.ledger.content_key import process_start\nprint(a - process_start())"
+    )
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert float(run.stdout) > -0.05
+    assert keys.process_start() < time.time()
