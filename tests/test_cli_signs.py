@@ -122,9 +122,32 @@ def test_zeros(capsys: pytest.CaptureFixture[str]) -> None:
     code, output, _ = run(capsys, "zeros", "--beta", "5/2", "--digits", "8", "--json")
     assert code == 0
     assert json.loads(output)["number"] == 2
-    code, output, _ = run(capsys, "zeros", "--beta", "2..5", "--budget", "2")
+    code, output, errors = run(capsys, "zeros", "--beta", "2..5", "--budget", "2")
     assert code == 2
-    assert output.startswith("undecided")
+    assert "\nundecided by columns: " in output
+    assert errors.startswith("... by the count law, for every β in (2, 5)")
+
+
+def test_zeros_above_the_reach_of_columns(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    path = tmp_path / "a.cert"
+    code, output, errors = run(capsys, "zeros", "--beta", "300..301", "--certificate", str(path))
+    assert code == 0
+    assert "N = 100 on (300, 301)\n  route: the count law" in output
+    assert "columns do not prove it" in errors
+    assert not path.exists()
+    code, output, _ = run(capsys, "zeros", "--beta", "403/2")
+    assert (code, output.splitlines()[0]) == (0, "β = 403/2: 67 different real zeros of dΘ/dτ")
+    for beta, number in (("403/2", 67), ("1000", 333), ("1001", 334), ("1e4", 3333)):
+        code, output, _ = run(capsys, "zeros", "--beta", beta, "--json")
+        assert (code, json.loads(output)["number"], json.loads(output)["route"]) == (0, number, "the count law")
+    code, _, errors = run(capsys, "zeros", "--beta", "403/2", "--certificate", str(path))
+    assert code == 64
+    assert "no column is sought" in errors
+
+
+def test_zeros_say_where_tubes_are_found(capsys: pytest.CaptureFixture[str]) -> None:
+    _, _, errors = run(capsys, "zeros", "--beta", "5/2..11/4")
+    assert "β in [5/2, 11/4]: 2 tubes" in errors
 
 
 def test_zeros_that_stay_open_are_undecided(

@@ -22,6 +22,7 @@ from gspot_verified.cli import (
     failures_command,
     figure_command,
     force_command,
+    iwc_command,
     mechanism_commands,
     paper_commands,
     sign_commands,
@@ -42,6 +43,7 @@ _CANNOT_WRITE = {errno.ENOSPC, errno.EIO, errno.EDQUOT, errno.EFBIG, errno.EROFS
 COMMANDS = (
     theta_commands,
     sign_commands,
+    iwc_command,
     force_command,
     figure_command,
     events_command,

@@ -1,7 +1,9 @@
-"""Commands ``sign``, ``zeros``, ``check`` and ``iwc``."""
+"""Commands ``sign``, ``zeros`` and ``check``."""
 
 from __future__ import annotations
 
+import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -9,7 +11,6 @@ import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
 from gspot_verified.cli.finite_epsilon import DEFAULT_BETA, zeros_at_finite_epsilon, zeros_over_a_rectangle
-from gspot_verified.cli.load import load_with_settings
 from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
@@ -90,9 +91,13 @@ def zeros(
 ) -> None:
     """Every real zero of dΘ/dτ: how many there are over a range of β, or brackets of all of them at one β.
 
+    How many is known for every β by the count law, at once; columns show it again and give tubes, for β <= 200. Exit
+    code 2: a range of β is left without tubes.
+
     With --eps: of the contact force's deviation λ − λ̄ on the slow manifold of the compliant model, at that ε.
     """
     from gspot_verified.certificates.text import write_certificate
+    from gspot_verified.signs.count_law import numbers_on
     from gspot_verified.signs.executors import executor
     from gspot_verified.signs.zeros import zeros_on_range
 
@@ -118,8 +123,9 @@ def zeros(
         _only_with_a_range(journal, workers, scheduler)
         _zeros_at(outputs, beta, digits, picture, certificate, as_json)
         return
+    progress(f"by the count law, {numbers_on(beta)}")
     with executor(workers, scheduler) as pool:
-        result = zeros_on_range(beta, budget=budget, executor=pool, journal=journal, progress=_show)
+        result = zeros_on_range(beta, budget=budget, executor=pool, journal=journal, progress=_show_tubes())
     statement = result.statement
     if certificate is not None and statement is not None:
         outputs.write("--certificate", certificate, lambda: write_certificate(certificate, statement, result.columns))
@@ -132,8 +138,8 @@ def zeros(
     else:
         typer.echo(str(result))
     if certificate is not None and statement is None:
-        warn(f"--certificate: nothing was proved, so {certificate} was not written")
-    outputs.leave(0 if statement is not None else 2)
+        warn(f"--certificate: columns do not prove it, so {certificate} was not written")
+    outputs.leave(2 if result.unfinished else 0)
 
 
 def _only_with_a_range(journal: Path | None, workers: int, scheduler: str | None) -> None:
@@ -148,13 +154,24 @@ def _zeros_at(
 
     from gspot_verified.balls import exact
     from gspot_verified.certificates.text import write_certificate
-    from gspot_verified.signs.brackets import zeros_at
+    from gspot_verified.signs.brackets import MAX_BETA, zeros_at
+    from gspot_verified.signs.count_law import number_of_zeros
     from gspot_verified.signs.integer_zeros import zeros_at_integer
     from gspot_verified.signs.slope_at import UndecidedError
 
     if picture is not None:
         raise ValueError("--picture needs a range of β, such as 1..13")
     value = exact(beta, "beta")
+    if isinstance(value, fmpq) and value > MAX_BETA:
+        if certificate is not None:
+            raise ValueError(f"--certificate: no column is sought for β > {MAX_BETA}")
+        number, route = number_of_zeros(value), "the count law"
+        if as_json:
+            print_json({"beta": str(value), "number": number, "route": route})
+        else:
+            typer.echo(f"β = {value}: {number} different real zeros of dΘ/dτ")
+            typer.echo(f"  route: {route} (proofs/count_law.md); brackets are sought for β <= {MAX_BETA}")
+        return
     if isinstance(value, fmpq) and value.q == 1:
         if certificate is not None:
             raise ValueError("--certificate: at an integer β dΘ/dτ is a polynomial; no certificate is made")
@@ -210,65 +227,17 @@ def _show(step: Progress) -> None:
         progress(f"{step.examined} ranges of β examined, {step.finished} settled, {step.waiting} waiting")
 
 
-@app.command(epilog="Example: gspot-verified iwc --beta 7/3")
-def iwc(
-    beta: Annotated[str | None, typer.Option(help="β = α3/α1, not an integer; or give --alpha3.")] = None,
-    alpha1: Annotated[str | None, typer.Option(help="α1* < 0; -1 if left out.")] = None,
-    alpha2: Annotated[str | None, typer.Option(help="α2*; -1 if left out.")] = None,
-    alpha3: Annotated[str | None, typer.Option(help="α3* < 0; β α1 if left out.")] = None,
-    mechanism: Annotated[
-        str | None, typer.Option(help="In their place: a TOML file or a name; its alphas, or all in their balls.")
-    ] = None,
-    settings: Annotated[list[str] | None, typer.Option("--set", help='A parameter of the mechanism, "mu=2".')] = None,
-    c1: Annotated[str | None, typer.Option(help="C1; left out: 1 or -1, on the side without lift-off.")] = None,
-    tau_start: Annotated[str, typer.Option(help="The statement holds for τ from here to +∞.")] = "-10",
-    epsilon: Annotated[str | None, typer.Option(help="ε at which the lift-off time is bracketed, or λ_N > 0.")] = None,
-    digits: Annotated[int, typer.Option(help="Decimal digits of the answer, 1..100.")] = 15,
-    growth: Annotated[bool, typer.Option("--growth", help="Lift-off side: τ_lo for ε = 1e-10 to 1e-10000.")] = False,
-    certificate: Annotated[Path | None, typer.Option(help="Write a certificate, 1 < β < 5, for a range of ε.")] = None,
-    as_json: JsonFlag = False,
-) -> None:
-    """The contact force: an ε0 below which the contact holds, or a bracket of the lift-off time.
+def _show_tubes() -> Callable[[Progress], None]:
+    """Says how the search for tubes goes: at the first range, at every tenth, and whenever a second has passed."""
+    said = 0.0
 
-    Each statement names its system: "at leading order" is the paper's formula; "on the slow manifold of the compliant
-    model" is the exact solution at that ε. The exit code is that of the last statement. The certificate's own
-    statement, for all ε up to (lift-off: from) a rounded one, is printed when it is written.
-    """
-    from gspot_verified.compliant.force_certificate import certificate_for
-    from gspot_verified.mechanisms.iwc import iwc as contact_force
-    from gspot_verified.signs.iwc import IwcResult
+    def show(step: Progress) -> None:
+        nonlocal said
+        if step.examined % 10 != 0 and step.waiting and time.monotonic() - said < 1:
+            return
+        said = time.monotonic()
+        column = step.node.column
+        found = "" if column is None else f"; β in [{column.lower}, {column.upper}]: {len(column.tubes())} tubes"
+        progress(f"{step.examined} ranges of β examined, {step.finished} settled, {step.waiting} waiting{found}")
 
-    outputs = Outputs()
-    outputs.file("--certificate", certificate)
-    if mechanism is None and settings:
-        raise ValueError("--set: it goes with --mechanism")
-    if mechanism is not None and beta is not None:
-        raise ValueError("--beta: the mechanism has its own")
-    result = contact_force(
-        beta if mechanism is None else load_with_settings(mechanism, settings),
-        alpha_1=alpha1,
-        alpha_2=alpha2,
-        alpha_3=alpha3,
-        c1=c1,
-        tau_start=tau_start,
-        epsilon=epsilon,
-        digits=digits,
-        growth=growth,
-    )
-    leading = result.leading
-    if certificate is not None and not isinstance(leading, IwcResult):
-        raise ValueError("--certificate: it needs rational alphas, and those of this mechanism are balls")
-    if as_json:
-        print_json(result.to_json())
-    else:
-        typer.echo(str(result))
-    if certificate is not None and isinstance(leading, IwcResult):
-        place, rational = certificate, leading
-
-        def write() -> None:
-            found = certificate_for(rational)
-            found.write(place)
-            progress(f"{place}: {found.statement}")
-
-        outputs.write("--certificate", place, write)
-    outputs.leave(result.verdict.exit_code)
+    return show

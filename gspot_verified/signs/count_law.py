@@ -8,6 +8,10 @@ from __future__ import annotations
 from flint import fmpq
 
 from gspot_verified.balls import ExactInput, exact
+from gspot_verified.signs.ranges import Range
+from gspot_verified.signs.statements import ZerosStatement
+
+MAX_CELLS = 1_000
 
 
 def number_of_zeros(beta: ExactInput) -> int:
@@ -27,6 +31,26 @@ def number_of_zeros(beta: ExactInput) -> int:
     ValueError: beta: dΘ/dτ vanishes identically at β = 0
     """
     return negative_zeros(beta) + (multiplicity_at_zero(beta) > 0) + positive_zeros(beta)
+
+
+def numbers_on(beta: Range | str) -> ZerosStatement:
+    """The number of zeros for every β of a bounded range that is not an integer; at most 1000 cells (m, m + 1).
+
+    :raises TypeError: neither a range nor a text.
+    :raises ValueError: the range is not inside [0, ∞), is one integer, is unbounded, or has more cells.
+
+    >>> numbers_on("300..303").counts
+    ((300, 100), (301, 101), (302, 102))
+    """
+    beta = beta if isinstance(beta, Range) else Range.parse(beta, "beta")
+    if beta.lower is None or beta.upper is None or beta.lower < 0:
+        raise ValueError("beta: the range must lie inside [0, ∞) and be bounded")
+    if beta.is_point and beta.lower.q == 1:
+        raise ValueError(f"beta: at the integer {beta.lower} dΘ/dτ is a polynomial; ask for a range or another value")
+    first, end = int(beta.lower.floor()), int(beta.upper.ceil())
+    if end - first > MAX_CELLS:
+        raise ValueError(f"beta: the range may hold at most {MAX_CELLS} cells between neighbouring integers")
+    return ZerosStatement(beta, tuple((m, number_of_zeros(m + fmpq(1, 2))) for m in range(first, end)))
 
 
 def positive_zeros(beta: ExactInput) -> int:

@@ -10,6 +10,7 @@ from flint import fmpq
 from gspot_verified.signs.ranges import Range
 from gspot_verified.verdict import NoTruthValue
 
+_MANY_ZEROS = 16
 _RELATION = {1: ">", 0: "=", -1: "<"}
 
 
@@ -78,13 +79,10 @@ class BracketsStatement(NoTruthValue):
 Statement = SignStatement | ZerosStatement | BracketsStatement
 
 
-PARTS = 4
-"""Ranges of beta are cut at the multiples of 1/PARTS to begin with: wider ones are seldom settled at once, and take the
-checker longer. A heuristic."""
-
-
 def cells_of(beta: Range) -> list[tuple[fmpq, fmpq]]:
-    """The closure of a finite range of beta, cut at the integers and at the multiples of 1/PARTS between them.
+    """The closure of a finite range of beta, cut at the integers and into equal parts between them.
+
+    Wider ranges are seldom settled at once, and take the checker longer. A heuristic.
 
     :raises ValueError: the range is infinite.
 
@@ -95,5 +93,11 @@ def cells_of(beta: Range) -> list[tuple[fmpq, fmpq]]:
         raise ValueError("the range of beta must be finite")
     if beta.is_point:
         return [(beta.lower, beta.lower)]
-    first, last = int((beta.lower * PARTS).floor()), int((beta.upper * PARTS).ceil())
-    return [(max(beta.lower, fmpq(m, PARTS)), min(beta.upper, fmpq(m + 1, PARTS))) for m in range(first, last)]
+    cells = range(int(beta.lower.floor()), int(beta.upper.ceil()))
+    parts = [(m + fmpq(k, _parts(m)), m + fmpq(k + 1, _parts(m))) for m in cells for k in range(_parts(m))]
+    return [(max(beta.lower, a), min(beta.upper, b)) for a, b in parts if a < beta.upper and b > beta.lower]
+
+
+def _parts(m: int) -> int:
+    """How many ranges (m, m + 1) is cut into to begin with. A heuristic."""
+    return 4 if m < _MANY_ZEROS else 16

@@ -1,7 +1,7 @@
 """Subdivision of a range of beta as an iterator: the whole tree is kept, work goes through an executor.
 
 The tree is the same for every executor: ranges are examined level by level in the order of beta, a range that is not
-settled is bisected, and the examination of a range depends on that range alone.
+settled is cut in two, and the examination of a range depends on that range alone.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from functools import partial
 
 from flint import fmpq
 
+from gspot_verified.signs.cuts import middle
 from gspot_verified.signs.executors import InProcessExecutor
 from gspot_verified.signs.journal import Journal
 from gspot_verified.signs.pieces import Column
@@ -57,16 +58,18 @@ class Progress:
 
 @dataclass
 class Subdivision:
-    """Bisect ranges of beta until ``examine`` settles each one, within ``budget`` examinations.
+    """Cut ranges of beta in two until ``examine`` settles each one, within ``budget`` examinations.
 
     ``nodes`` is the whole tree; ``finished`` and ``unfinished`` are read off it at any time. A ``journal`` keeps each
-    examination in a file: a new subdivision with the same journal goes on where a killed one stopped.
+    examination in a file: a new subdivision with the same journal goes on where a killed one stopped. ``cut`` chooses
+    a point inside a range.
     """
 
     cells: list[tuple[fmpq | None, fmpq]]
     budget: int
     max_depth: int = 40
     journal: Journal | None = None
+    cut: Callable[[fmpq, fmpq], fmpq] = middle
     nodes: list[Node] = field(default_factory=list)
     examined: int = 0
 
@@ -128,8 +131,8 @@ class Subdivision:
             self.nodes[index] = replace(node, state=State.STUCK)
         else:
             self.nodes[index] = replace(node, state=State.SPLIT)
-            middle = (node.lower + node.upper) / 2
-            for lower, upper in ((node.lower, middle), (middle, node.upper)):
+            point = self.cut(node.lower, node.upper)
+            for lower, upper in ((node.lower, point), (point, node.upper)):
                 self.nodes.append(Node(lower, upper, index, node.depth + 1))
 
     def _progress(self, index: int) -> Progress:

@@ -46,7 +46,7 @@ def zero_column(lower: fmpq, upper: fmpq) -> Column | None:
     has_fold = fold_integer(lower, upper) is not None
     if has_fold:
         left = min(left, LEAST_LEFT_OF_FOLD)
-    least = _least_width(lower, upper)
+    least = _least_width(lower, upper, n)
     # One zero may stay in the tail only if the range is narrow: a wide one is cut, to bracket that zero too.
     for changes in (0, 1) if upper - lower <= _NARROW else (0,):
         right = right_tail(models, n, reach, changes)
@@ -59,16 +59,16 @@ def zero_column(lower: fmpq, upper: fmpq) -> Column | None:
     return None
 
 
-def _least_width(lower: fmpq, upper: fmpq) -> fmpq:
+def _least_width(lower: fmpq, upper: fmpq, n: int) -> fmpq:
     """No box is cut below it. A heuristic: at a distance d from an integer of a fold F has its least value, of the size
-    d, on an interval of about sqrt(d)."""
+    d, on an interval of about sqrt(d), a little less for large n."""
     if lower == upper:
         return _POINT_WIDTH
     third = 3 * int(((lower + upper) / 6 + fmpq(1, 2)).floor())
     distance = max(lower - third, third - upper)
     if distance <= 0:
         return _LEAST_WIDTH
-    return min(_LEAST_WIDTH, fmpq(1, 2 ** (3 + int((1 / distance).ceil()).bit_length() // 2)))
+    return min(_LEAST_WIDTH, fmpq(1, 2 ** (3 + n.bit_length() // 5 + int((1 / distance).ceil()).bit_length() // 2)))
 
 
 def reach_of_cell(n: int) -> fmpq:

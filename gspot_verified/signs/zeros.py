@@ -1,7 +1,7 @@
-"""The real zeros of dTheta/dtau over a range of beta: how many, certified over whole intervals of beta.
+"""The real zeros of dTheta/dtau over a range of beta: how many by a theorem, and tubes that hold one each.
 
-Proof pages: ``proofs/certificate.md``, ``proofs/tails.md``, ``proofs/fold.md``.
-The count for every beta, by another route: ``proofs/count_law.md``.
+How many: ``proofs/count_law.md``. Tubes, and the number once more, by columns of pieces: ``proofs/certificate.md``,
+``proofs/tails.md``, ``proofs/fold.md``.
 """
 
 from __future__ import annotations
@@ -14,6 +14,8 @@ from typing import Any, ClassVar
 
 from flint import fmpq
 
+from gspot_verified.signs.count_law import numbers_on
+from gspot_verified.signs.cuts import middle_from_integers
 from gspot_verified.signs.executors import InProcessExecutor
 from gspot_verified.signs.journal import Journal
 from gspot_verified.signs.pieces import Column, Kind, fold_integer, number_of_zeros
@@ -25,18 +27,22 @@ from gspot_verified.verdict import NoTruthValue
 
 MAX_BETA = 200
 DEFAULT_BUDGET = 5_000
+_SHOWN = 8
 
 
 @dataclass(frozen=True, slots=True)
 class ZerosResult(NoTruthValue):
-    """``columns`` hold the curves as tubes of boxes; ``unfinished`` are the ranges of beta left when the budget ended.
+    """``by_count_law`` is the number of zeros by the theorem. ``columns`` hold the curves as tubes of boxes;
+    ``unfinished`` are the ranges of beta left when the budget ended.
 
-    ``statement`` is None as long as something is left.
+    ``statement`` is what the columns prove: None as long as something is left, and above beta = 200, where no column
+    is sought.
     """
 
     ask: ClassVar[str] = ".statement is None as long as a range of beta is left"
 
     beta: Range
+    by_count_law: ZerosStatement
     columns: tuple[Column, ...]
     unfinished: tuple[tuple[fmpq | None, fmpq], ...]
     statement: ZerosStatement | None
@@ -63,24 +69,35 @@ class ZerosResult(NoTruthValue):
             if column.pieces[-1].mark == 1
         )
 
+    @property
+    def route(self) -> str:
+        """How the number of zeros is proved."""
+        return "columns of pieces, and the count law" if self.statement is not None else "the count law"
+
     def __str__(self) -> str:
+        lines = [f"proved: {self.by_count_law}", f"  route: {self.route} (proofs/count_law.md)"]
         if self.statement is not None:
-            lines = [f"proved: {self.statement}"]
             if self.meetings:
                 lines.append("  two zeros meet at τ = 0 and vanish at β = " + ", ".join(map(str, self.meetings)))
             if self.arrivals:
                 lines.append("  one comes in from τ = +∞ as β increases from " + ", ".join(map(str, self.arrivals)))
-            return "\n".join(lines)
-        left = ", ".join(f"[{a}, {b}]" for a, b in self.unfinished[:8])
-        return (
-            f"undecided: the number of zeros of dΘ/dτ for β in {self.beta}; {len(self.columns)} ranges settled, "
-            f"{len(self.unfinished)} left: β in {left}"
-        )
+        elif self.unfinished:
+            left = ", ".join(f"[{a}, {b}]" for a, b in self.unfinished[:_SHOWN])
+            more = f", and {len(self.unfinished) - _SHOWN} more" if len(self.unfinished) > _SHOWN else ""
+            lines.append(
+                f"undecided by columns: {len(self.columns)} ranges of β settled, {len(self.unfinished)} left: "
+                f"β in {left}{more}"
+            )
+        else:
+            lines.append(f"  no tubes: columns are sought for β <= {MAX_BETA}")
+        return "\n".join(lines)
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for ``json.dumps``; the tubes of every column included."""
         return {
             "beta": str(self.beta),
+            "by_count_law": self.by_count_law.to_json(),
+            "route": self.route,
             "statement": None if self.statement is None else self.statement.to_json(),
             "examined": self.examined,
             "meetings": list(self.meetings),
@@ -107,27 +124,30 @@ def zeros_on_range(
 ) -> ZerosResult:
     """The number of real zeros of dTheta/dtau for every beta of the range that is not an integer, certified.
 
-    ``budget`` counts examined ranges of beta. A ``journal`` file lets a killed run go on.
+    The count law gives the number; columns prove it again and hold the zeros in tubes, where the range ends at 200 or
+    before. ``budget`` counts examined ranges of beta. A ``journal`` file lets a killed run go on.
 
-    :raises ValueError: the range is not inside (0, 200], is one integer, or is infinite.
+    :raises ValueError: the range is not inside [0, inf), is one integer, or is unbounded; it has more than 1000 cells.
 
     >>> print(zeros_on_range("2..5/2"))
     proved: for every β in (2, 5/2) that is not an integer, dΘ/dτ has exactly N real zeros, all simple: N = 2 on (2, 3)
+      route: columns of pieces, and the count law (proofs/count_law.md)
       one comes in from τ = +∞ as β increases from 2
     """
     beta = beta if isinstance(beta, Range) else Range.parse(beta, "beta")
-    if beta.lower is None or beta.upper is None or beta.lower < 0 or beta.upper > MAX_BETA:
-        raise ValueError(f"beta: the range must lie inside [0, {MAX_BETA}]")
-    if beta.is_point and beta.lower.q == 1:
-        raise ValueError(f"beta: at the integer {beta.lower} dΘ/dτ is a polynomial; ask for a range or another value")
+    law = numbers_on(beta)
+    if beta.upper is None or beta.upper > MAX_BETA:
+        return ZerosResult(beta, law, (), (), None, 0)
     kept = Journal(journal, {"kind": "zeros", "beta": str(beta)}) if journal is not None else None
-    tree = Subdivision([*cells_of(beta)], budget, journal=kept)
+    tree = Subdivision([*cells_of(beta)], budget, journal=kept, cut=middle_from_integers)
     for step in tree.steps(_examine, executor or InProcessExecutor()):
         if progress is not None:
             progress(step)
     columns, left = tuple(tree.finished), tuple(tree.unfinished)
     statement = None if left else ZerosStatement(beta, _counts(columns))
-    return ZerosResult(beta, columns, left, statement, tree.examined)
+    if statement is not None and statement != law:
+        raise ArithmeticError("the columns and the count law disagree on the number of zeros; please report this")
+    return ZerosResult(beta, law, columns, left, statement, tree.examined)
 
 
 def _examine(lower: fmpq | None, upper: fmpq) -> Column | None:

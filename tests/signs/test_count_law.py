@@ -19,7 +19,13 @@ from strategies import near_integers, small_heights, to_fmpq
 
 from gspot_verified import evaluate, polynomial, theta
 from gspot_verified.balls import sign_of, working_bits
-from gspot_verified.signs.count_law import multiplicity_at_zero, negative_zeros, number_of_zeros, positive_zeros
+from gspot_verified.signs.count_law import (
+    multiplicity_at_zero,
+    negative_zeros,
+    number_of_zeros,
+    numbers_on,
+    positive_zeros,
+)
 
 Bracket = tuple[Fraction, Fraction]
 TAU = fmpq_poly([0, 1])
@@ -357,3 +363,31 @@ def test_before_and_after_an_integer(n: int) -> None:
     assert sign_at(Fraction(10 * n + 40), after) == -((-1) ** n)
     near_0 = [len(zeros_between(Fraction(-1, 10), Fraction(1, 10), beta)) for beta in (before, after)]
     assert near_0 == [r, {0: 0, 1: 1, 2: 0}[r]]
+
+
+@given(st.fractions(0, 40), st.fractions(0, 40))
+def test_numbers_on_a_range_are_those_of_its_cells(one: Fraction, two: Fraction) -> None:
+    lower, upper = min(one, two), max(one, two)
+    assume(lower < upper)
+    statement = numbers_on(f"{lower}..{upper}")
+    assert [m for m, _ in statement.counts] == list(range(math.floor(lower), math.ceil(upper)))
+    for m, number in statement.counts:
+        inside = (max(lower, Fraction(m)) + min(upper, Fraction(m + 1))) / 2
+        assert number == number_of_zeros(inside)
+
+
+@pytest.mark.parametrize(
+    ("beta", "message"),
+    [
+        ("-1..2", "must lie inside"), ("0..inf", "must lie inside"), ("7", "polynomial"), ("7..7", "empty"),
+        ("0..1001", "at most 1000"), ("1/2..1001", "at most 1000"),
+    ],
+)  # fmt: skip
+def test_ranges_without_numbers(beta: str, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        numbers_on(beta)
+
+
+def test_the_widest_range() -> None:
+    assert len(numbers_on("1..1001").counts) == 1000
+    assert numbers_on("7/2").counts == ((3, 1),)

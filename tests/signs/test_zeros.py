@@ -175,8 +175,72 @@ def test_an_ended_budget_is_undecided() -> None:
         assert result.statement is None
         assert result.examined == budget
         assert result.unfinished
-        assert str(result).startswith("undecided")
+        assert_tiles(result)
+        known, route, left = str(result).splitlines()
+        assert known == f"proved: {count_law.numbers_on('2..5')}"
+        assert route == "  route: the count law (proofs/count_law.md)"
+        assert left.startswith(f"undecided by columns: {len(result.columns)} ranges of β settled, ")
+        assert left.endswith(" and 4 more") == (len(result.unfinished) == 12)
         assert result.to_json()["statement"] is None
+        assert result.to_json()["by_count_law"]["counts"] == [[2, 2], [3, 1], [4, 2]]
+
+
+def assert_tiles(result: ZerosResult) -> None:
+    """Settled and unfinished ranges together are the whole range."""
+    parts = sorted([*((c.lower, c.upper) for c in result.columns), *result.unfinished])
+    assert (parts[0][0], parts[-1][1]) == (result.beta.lower, result.beta.upper)
+    assert all(before[1] == after[0] for before, after in pairwise(parts))
+
+
+@pytest.mark.parametrize("beta", ["300..302", "199..201", "403/2"])
+def test_above_the_reach_of_columns_the_count_law_answers(beta: str) -> None:
+    result = zeros_on_range(beta)
+    assert (result.statement, result.columns, result.unfinished, result.examined) == (None, (), (), 0)
+    assert result.by_count_law.counts
+    for m, count in result.by_count_law.counts:
+        assert count == count_law.number_of_zeros(m + fmpq(1, 2))
+    first, route, reach = str(result).splitlines()
+    assert first == f"proved: {result.by_count_law}"
+    assert route == "  route: the count law (proofs/count_law.md)"
+    assert reach == "  no tubes: columns are sought for β <= 200"
+    assert result.to_json()["route"] == "the count law"
+
+
+def test_columns_that_contradict_the_count_law_are_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    from gspot_verified.signs import zeros
+
+    monkeypatch.setattr(zeros, "_counts", lambda _: ((2, 1),))
+    with pytest.raises(ArithmeticError, match="disagree"):
+        zeros_on_range("2..5/2")
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper"),
+    [
+        # One zero is far out: all powers of b count in the tail.
+        (100 + Fraction(1, 2**60), 100 + Fraction(1, 2**59)),
+        (60 + Fraction(1, 2**42), 60 + Fraction(1, 2**41)),
+        # Two zeros are near 0: their distance needs narrow boxes.
+        (33 - Fraction(33, 2**15), 33 - Fraction(1, 2**10)),
+    ],
+)
+def test_one_column_next_to_a_large_integer(lower: Fraction, upper: Fraction) -> None:
+    result = zeros_on_range(f"{lower}..{upper}", budget=1)
+    assert_follows_the_law(result)
+    assert len(result.columns[0].tubes()) + result.columns[0].pieces[-1].mark == result.by_count_law.counts[0][1]
+
+
+@pytest.mark.parametrize(("integer", "exponent"), [(31, 60), (100, 300)])
+def test_up_to_a_large_integer_itself(integer: int, exponent: int) -> None:
+    result = zeros_on_range(f"{integer}..{integer + Fraction(1, 2**exponent)}", budget=1)
+    assert_follows_the_law(result)
+    assert result.arrivals == (integer,)
+
+
+def test_few_steps_lead_to_an_integer() -> None:
+    """Down to about 2^-60 above 31: cuts at the squares of the distance, then in the middle of logarithms."""
+    result = zeros_on_range(f"31..{31 + Fraction(1, 2**20)}", budget=25)
+    assert_follows_the_law(result)
 
 
 @pytest.mark.parametrize(
@@ -184,7 +248,7 @@ def test_an_ended_budget_is_undecided() -> None:
     [
         ("3", ValueError, "polynomial"), ("-1..2", ValueError, "must lie inside"),
         ("0..inf", ValueError, "must lie inside"),
-        ("1..201", ValueError, "must lie inside"), ("3..2", ValueError, "reversed"),
+        ("1..1002", ValueError, "at most 1000"), ("201", ValueError, "polynomial"), ("3..2", ValueError, "reversed"),
         ("nan", ValueError, "expected a number"),
         (2.5, TypeError, "expected a Range"), (None, TypeError, "expected a Range"),
     ],
