@@ -137,7 +137,8 @@ def test_what_a_verdict_says() -> None:
     assert (REFUTED.verdict.witness, REFUTED.verdict.detail) == ("finding 0", "finding 1")
     assert conclude("s", REFUTED.checks, "a witness").witness == "a witness"
     assert PROVED.verdict.detail == "check 0; check 1"
-    assert "one check alone" in OPEN.verdict.detail
+    assert OPEN.verdict.detail == "there is one check alone"
+    assert conclude("s", []).detail == "there is no check"
     points = toy((Rung.POINTS, True), (Rung.POINTS, True))
     assert "points alone" in points.verdict.detail
     both = toy((Rung.EXACT, True), (Rung.BALLS, False))
