@@ -11,6 +11,11 @@ DIRECTION = {"p": "alpha1 - alpha3", "b": "alpha2"}
 """The line α_2 p = (α_1 - α_3) b of the distinguished trajectory."""
 
 
+def _is_a_line() -> bool | None:
+    """Whether p does not vanish along it, in Cases I and II."""
+    return all_of(rising_signs(-in_case(name, DIRECTION["p"])) for name in ("1-case-I", "1-case-II"))
+
+
 def _is_eigenvector() -> bool:
     """Whether the line is an eigenvector of Gspot1, Gspot2 for the rate α_1, for all α's."""
     line = {name: ALGEBRA.read(text) for name, text in DIRECTION.items()}
@@ -44,12 +49,12 @@ def _strong_stable() -> Entry:
         Check(
             Rung.EXACT,
             "the line is an eigenvector for the rate α_1, and α_1 < α_3 < 0",
-            all_of([_is_eigenvector(), _is_strong()]) or None,
+            all_of([_is_a_line(), _is_eigenvector(), _is_strong()]) or None,
         ),
         Check(
             Rung.EXACT,
             "the distance from the line has the slower rate α_3, so that only on the line is the approach as e^(α_1 s)",
-            all_of([_leaves_the_line(), _is_strong()]) or None,
+            all_of([_is_a_line(), _leaves_the_line(), _is_strong()]) or None,
         ),
         note="Which trajectories are attracted in slip: entries 1-case-I and 1-case-II.",
     )
