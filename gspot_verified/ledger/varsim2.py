@@ -80,7 +80,7 @@ def sticks_by_the_exact_solution(nu: fmpq) -> bool | None:
 def floats_agree(chi: int, nu: fmpq) -> bool | None:
     """Whether a float run has the events of the figure, within 10^-4 of the certified times."""
     run = run_of(chi, nu)
-    seen = float_run(load_scene(SCENE, chi=chi, nu=nu, u=FIRST_SLIP, eps=EPSILON), *_FLOATS).events
+    seen = float_run(load_scene(SCENE, chi=chi, nu=nu, u=FIRST_SLIP, beta=BETA, eps=EPSILON), *_FLOATS).events
     expected = [name for name in RUNS[chi, nu] if name != IMPACT]
     certified = [event for event in run.events if event.name != IMPACT]
     if [event.name for event in seen] != expected or len(certified) != len(seen):
@@ -98,7 +98,8 @@ def _run(chi: int, nu: fmpq, second: Check, note: str) -> Entry:
         identifier(chi, nu),
         "fig:varsim2",
         r"\text{squares: slip-stick transitions, circles: lift-off}",
-        f"Fig. varsim2, χ = {chi}, ν = {nu} (ε = 1/1000, β = 1/2, u(0) = 70, up to t = 1): {', '.join(RUNS[chi, nu])}, "
+        f"Fig. varsim2, χ = {chi}, ν = {nu} (ε = {EPSILON}, β = {BETA}, u(0) = {FIRST_SLIP}, up to t = 1): "
+        f"{', '.join(RUNS[chi, nu])}, "
         "in this order, and no other event",
         Check(
             Rung.BALLS,
@@ -208,7 +209,8 @@ def _large_slip() -> Entry:
         "in slip does not depend on u",
         Check(
             Rung.BALLS,
-            "certified runs: ν = 1/4 with u(0) = 70, ν = 4 with u(0) = 200 and 1000, lift-off is the only event",
+            f"certified runs: ν = 1/4 with u(0) = {FIRST_SLIP}, ν = 4 with u(0) = {' and '.join(map(str, FASTER))}, "
+            "lift-off is the only event",
             all_of(
                 happens(run, (LIFT_OFF,))
                 for run in (run_of(1, fmpq(1, 4)), *(run_of(1, fmpq(4), slip) for slip in FASTER))
