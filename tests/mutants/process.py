@@ -103,7 +103,8 @@ class Plugin:
         self.reach = Reach()
 
     @pytest.hookimpl(trylast=True)
-    def pytest_configure(self) -> None:
+    def pytest_configure(self, config: pytest.Config) -> None:
+        config.addinivalue_line("markers", "xdist_group(name): of the plugin that is left out")
         quick = settings(phases=(Phase.explicit, Phase.generate), suppress_health_check=(HealthCheck.too_slow,))
         settings.register_profile("mutants", quick)
         settings.load_profile("mutants")
