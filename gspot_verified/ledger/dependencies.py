@@ -44,7 +44,7 @@ def dependencies(entry: Entry, identifiers: Sequence[str]) -> Dependencies:
 
 
 def _named(text: str, own: str, identifiers: Sequence[str]) -> tuple[str, ...]:
-    others = sorted((name for name in identifiers if name != own), key=len, reverse=True)
+    others = [name for name in identifiers if name != own]
     pattern = rf"(?<![\w-])(?:{'|'.join(map(re.escape, others))})(?![\w-])"
     return _each_once(re.findall(pattern, text)) if others else ()
 

@@ -23,10 +23,13 @@ def source():
     return PAPER.read_text(encoding="utf-8").splitlines()
 
 
-def test_rows_are_well_formed_and_in_order():
+def rows_of_the_file():
     text = resources.files("gspot_verified.ledger").joinpath("claims.toml").read_text(encoding="utf-8")
-    rows = tomllib.loads(text)["claims"]
-    for row in rows:
+    return tomllib.loads(text)["claims"]
+
+
+def test_rows_are_well_formed_and_in_order():
+    for row in rows_of_the_file():
         assert set(row) <= KEYS
         assert len({"entries", "premise", "not_checkable", "undecided"} & set(row)) == 1, row
         assert row.get("premise", True) is True
@@ -93,4 +96,6 @@ def test_the_counts_have_the_denominator():
     counts = standing_counts({})
     assert sum(counts.values()) == len(paper_claims()) > 200
     assert counts["proved"] == counts["refuted"] == 0
+    for word in ("premise", "not_checkable"):
+        assert counts[word.replace("_", " ")] == sum(word in row for row in rows_of_the_file()) > 0
     assert standing_counts(dict.fromkeys(ENTRIES, Outcome.PROVED))["proved"] > 100

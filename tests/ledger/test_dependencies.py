@@ -22,9 +22,13 @@ def test_pages_certificates_and_entries():
 
 
 def test_a_longer_identifier_is_not_a_shorter_one():
-    found = dependencies(entry("as in 4-order-b"), ["4-order", "4-order-b"])
-    assert found.entries == ("4-order-b",)
+    for names in (["4-order", "4-order-b"], ["4-order-b", "4-order"]):
+        assert dependencies(entry("as in 4-order-b"), names).entries == ("4-order-b",)
+        assert dependencies(entry("4-order, 4-order-b"), names).entries == ("4-order", "4-order-b")
+        assert dependencies(entry("not-4-order 4-orders"), names).entries == ()
 
 
 def test_no_other_entry():
-    assert dependencies(entry("x"), []).entries == ()
+    for text in ("x", "x, (y) - z"):
+        assert dependencies(entry(text), []).entries == ()
+        assert dependencies(entry(text), ["4-fast"]).entries == ()
