@@ -12,6 +12,7 @@ from flint import arb, fmpq
 
 from gspot_verified.ledger import cases
 from gspot_verified.signs.iwc import iwc
+from gspot_verified.signs.side import gamma_sign
 
 
 def answers(identifier: str) -> list[bool | None]:
@@ -30,6 +31,28 @@ def test_the_words_are_tried_with_the_first_derivative(monkeypatch: pytest.Monke
     assert answers("S-wording")[1] is None
     signs(-1, 1, 1)
     assert answers("S-wording")[1] is True
+
+
+def test_the_words_are_tried_where_the_check_says(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked, honest = set(), cases.evaluate
+
+    def evaluate(tau: int, beta: fmpq, derivative: int = 0) -> Any:
+        asked.add((tau, beta, derivative))
+        return honest(tau, beta, derivative=derivative)
+
+    monkeypatch.setattr(cases, "evaluate", evaluate)
+    check = cases.ENTRIES["S-wording"]().checks[1]
+    assert check.what == "Θ(-20, 3/10) and Θ(0, 3/10)"
+    assert check.finding == "Θ > 0 at τ = -20 and τ = 0, dΘ/dτ < 0 there and at τ = 20"
+    places = {(-20, 0), (0, 0), (-20, 1), (0, 1), (20, 1)}
+    assert asked == {(tau, fmpq(3, 10), derivative) for tau, derivative in places}
+
+
+def test_the_pieces_of_the_cover_are_shown() -> None:
+    finding = cases.ENTRIES["S-iwc"]().checks[1].finding
+    introduction, _, pieces = finding.partition(": ")
+    assert introduction == "pieces from τ = −∞ to +∞"
+    assert len(pieces.split(", ")) >= 3
 
 
 def test_the_systems_that_are_tried_are_those_of_case_iii(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -51,8 +74,15 @@ def test_the_systems_that_are_tried_are_those_of_case_iii(monkeypatch: pytest.Mo
 
 
 def test_a_small_deviation_leaves_the_mean_force(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cases, "evaluate", lambda *_, **__: SimpleNamespace(value=arb("1e-300")))
+    """Also where the deviation by itself has the stated sign."""
+
+    def evaluate(_: int, beta: fmpq, **__: int) -> Any:
+        return SimpleNamespace(value=arb("1e-300") * (gamma_sign(beta) or 0))
+
+    monkeypatch.setattr(cases, "evaluate", evaluate)
     assert answers("S-side")[1] is False
+    monkeypatch.setitem(cases.CORRECTED_FORCE["S-mean-force"], "force", "0*alpha2")
+    assert answers("S-side")[1] is True
 
 
 def test_one_bound_that_is_not_found_leaves_the_check_open(monkeypatch: pytest.MonkeyPatch) -> None:
