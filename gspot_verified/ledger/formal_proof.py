@@ -91,4 +91,4 @@ def _why_not(names: Sequence[str], coq: Path, record: Path) -> str:
 
 
 def _hashes(coq: Path) -> dict[str, str]:
-    return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in sorted(coq.glob("*.v"))}
+    return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in coq.glob("*.v")}

@@ -62,14 +62,14 @@ def _smoothness(beta: fmpq) -> Entry:
         f"ε^(-1/3), and diverges as ε → 0; the derivatives of lower order tend to 0 (the trivial solution taken off)",
         Check(
             Rung.BALLS,
-            "proofs/scaling_exponents.md, Theorem E3: the exponent of each derivative over ε², every ε <= 1/2500",
+            f"proofs/scaling_exponents.md, Theorem E3: the exponent of each derivative over ε², every ε <= {LARGEST}",
             all_of(
                 [*(as_printed(beta, order) for order in orders), _is_third(exponent_over_scale(beta, DIVERGES[beta]))]
             ),
         ),
         Check(
             Rung.POINTS,
-            "certified values at ε = 10^-3 and 10^-5",
+            f"certified values at ε = 10^-3 and 10^-5, ν = {NU}",
             all_of(grows(beta, order) for order in orders),
             "; ".join(values),
         ),

@@ -12,10 +12,11 @@ import pytest
 
 from gspot_verified import Outcome
 from gspot_verified.ledger.entry import Check, Entry, Rung, conclude
-from gspot_verified.ledger.formal_proof import AXIOMS, COQ, formal_proof, statement_of
+from gspot_verified.ledger.formal_proof import AXIOMS, COQ, RECORD, formal_proof, statement_of
 from gspot_verified.ledger.formal_routes import CARRIED, CONTRADICTED, with_formal_proof
 from gspot_verified.ledger.verify import PARTS
 
+REPOSITORY = Path(__file__).resolve().parents[2]
 NAMES = sorted(
     {name for names in CARRIED.values() for name in names} | {n for ns, _ in CONTRADICTED.values() for n in ns}
 )
@@ -127,6 +128,12 @@ def test_a_claim_that_is_contradicted(place: tuple[Path, Path], identifier: str)
     assert found.rung is Rung.FORMAL
     against = with_formal_proof(entry(identifier), *place)
     assert against.verdict.outcome is Outcome.UNDECIDED
+
+
+def test_the_record_is_where_make_prove_leaves_it() -> None:
+    assert COQ == REPOSITORY / "proofs" / "coq"
+    assert RECORD == REPOSITORY / "build" / "coq" / "record.json"
+    assert "build/coq/record.json" in (COQ / "prove.py").read_text(encoding="utf-8")
 
 
 def test_other_entries_stay_as_they_are(place: tuple[Path, Path]) -> None:
