@@ -13,12 +13,15 @@ import importlib
 import os
 import re
 from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 from flint import arb, ctx
 from hypothesis import settings
 
-from gspot_verified.ledger.entry import Entry
+if TYPE_CHECKING:
+    from gspot_verified.ledger.entry import Entry
 
 settings.register_profile("default", max_examples=60, deadline=None, derandomize=True, database=None)
 settings.register_profile("thorough", max_examples=1000, deadline=None, database=None, print_blob=True)
@@ -108,11 +111,18 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 @pytest.fixture(scope="session")
-def whole_ledger() -> list[Entry]:
+def ledger_cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where the results of ``whole_ledger`` are kept, for the command that would find them again."""
+    return tmp_path_factory.mktemp("ledger")
+
+
+@pytest.fixture(scope="session")
+def whole_ledger(ledger_cache: Path) -> list[Entry]:
     """The whole ledger, run once for all tests that read it."""
+    from gspot_verified.ledger.cache import Cache
     from gspot_verified.ledger.verify import verify_paper
 
-    return verify_paper()
+    return verify_paper(cache=Cache(ledger_cache))
 
 
 @pytest.fixture(autouse=True)
