@@ -290,10 +290,10 @@ def ball_text(value: arb, digits: int = 15) -> str:
     lower, upper = float_bounds(value)
     if math.isinf(lower) or math.isinf(upper) or max(-lower, upper) < _SMALLEST_SHOWN:
         return value.str(digits)
-    return f"[{_outward(lower, -1)}, {_outward(upper, 1)}]"
+    return f"[{rounded_text(lower, -1)}, {rounded_text(upper, 1)}]"
 
 
-def _outward(value: float, direction: int) -> str:
-    """Three significant digits, rounded down (direction -1) or up (1)."""
+def rounded_text(value: float, direction: int, digits: int = 3) -> str:
+    """So many significant digits, rounded down (direction -1) or up (1)."""
     rounding = decimal.ROUND_FLOOR if direction < 0 else decimal.ROUND_CEILING
-    return f"{decimal.Context(prec=3, rounding=rounding).create_decimal_from_float(value).normalize():g}"
+    return f"{decimal.Context(prec=digits, rounding=rounding).create_decimal_from_float(value).normalize():g}"

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import working_bits
+from gspot_verified.balls import float_bounds, rounded_text, working_bits
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase, Open
 from gspot_verified.scenes.certified_phases import CertifiedPhases
@@ -95,13 +95,14 @@ def _run(scene: Scene, samples: SegmentSamples | None) -> _Record:
 
 
 class _ImpactObserver:
-    """Looks at the end of each segment for a state from which the force grows for as long as the scene slips."""
+    """Looks at the end of each segment for a state from which the force grows for as long as the scene slips; until
+    then, for one from which it grows by some factor."""
 
     def __init__(self, phase: CertifiedPhase, began: arb, epsilon: fmpq, record: _Record) -> None:
         self._began, self._epsilon, self._record = began, epsilon, record
-        self._clock, self._seen = CLOCK in phase.names, False
         self._may_slip_for_ever = all(event.next_phase == FLIGHT for event in phase.system.events)
         self._sticks = phase.system.phase == STICK
+        self._known: Growth | None = None
         self._region: InvariantRegion | None = None
         if phase.system.phase != FLIGHT:
             try:
@@ -110,24 +111,31 @@ class _ImpactObserver:
                 self._region = None
 
     def __call__(self, segment: Step, states: Mapping[str, arb]) -> bool:
-        if self._region is None or self._seen:
+        limited = self._known is not None and self._known.until is not None
+        if self._region is None or (self._known is not None and not limited):
             return False
         found = self._region.growth(states)
-        if found is None:
+        if found is None or (limited and found.until is not None):
             return False
-        self._seen = True
+        self._known = found
         time = self._began + segment.end_time
-        self._record.events.append(_event(IMPACT, time, self._epsilon))
-        self._record.remarks.append(_words(found, self._sticks))
-        self._record.for_ever = found.until is None and self._may_slip_for_ever
+        if not limited:
+            self._record.events.append(_event(IMPACT, time, self._epsilon))
+        self._record.remarks.append(_words(found, self._sticks, time * self._epsilon if limited else None))
+        self._record.for_ever = found.until is None and found.within is None and self._may_slip_for_ever
         return self._record.for_ever
 
 
-def _words(growth: Growth, sticks: bool) -> str:
-    rate, motion = growth.rate.str(3, radius=False), "stick" if sticks else "slip"
-    if growth.until is None:
-        return f"λ_N grows at least like exp({rate} t/ε) for as long as the contact {motion}s"
-    return f"λ_N grows at least like exp({rate} t/ε) until it is {growth.until} times as large, or {motion} ends"
+def _words(growth: Growth, sticks: bool, since: arb | None) -> str:
+    rate, motion = rounded_text(float_bounds(growth.rate)[0], -1), "stick" if sticks else "slip"
+    begin = "" if since is None else f"from t = {rounded_text(float_bounds(since)[1], 1, 6)} after the start on "
+    grows = f"{begin}λ_N grows at least like exp({rate} t/ε)"
+    if growth.until is not None:
+        return f"{grows} until it is {growth.until} times as large, or {motion} ends"
+    lasting = f"{grows} for as long as the contact {motion}s"
+    if growth.within is None:
+        return lasting
+    return f"{lasting}, which ends within {rounded_text(float_bounds(growth.within)[1], 1)} ε"
 
 
 def _event(name: str, time: arb, epsilon: fmpq) -> RunEvent:

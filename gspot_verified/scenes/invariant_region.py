@@ -1,192 +1,150 @@
 """A set of states in contact from which lambda_N grows for as long as the scene slips: an impact without collision.
 
-Proof page: ``proofs/invariant_region.md``, Theorems R1 to R3.
+Proof page: ``proofs/invariant_region.md``, Theorems R1 to R6.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from flint import arb, fmpq
+from flint import arb
 
-from gspot_verified.balls import add_remainder, approximate
-from gspot_verified.expansion.box_program import BoxProgram
-from gspot_verified.expansion.derivative import ONE, ZERO, lie_derivative, partial_derivative, rewritten, substitute
-from gspot_verified.expansion.expressions import Expression, Variable, in_order
-from gspot_verified.expansion.straight_line import StraightLine
+from gspot_verified.balls import add_remainder, approximate, current_bits
+from gspot_verified.scenes.contact_form import ContactBounds, ContactForm
+from gspot_verified.scenes.growth_cone import Cone, ContactPoint, cones, likely_first
 from gspot_verified.scenes.scaled_system import ScaledSystem
 
 CLOCK = "T"
-_TRIES = 12
-_DOUBLINGS = (40, 30, 24, 20, 16, 13, 10, 8, 6, 4, 3)
+_DOUBLINGS = (3, 4, 6, 8, 10, 13, 16, 20, 24, 30, 40)
 _ROUNDS = 6
+_LONGER = 1.5
+_STOP_TRIES = 3
+_BOXES_TRIED = 6
 
 
 @dataclass(frozen=True)
 class Growth:
-    """From the state on lambda_N > 0 grows at least like e^(rate T), T = t/epsilon, as long as the scene slips; and
-    until it exceeds ``until`` times its value at the beginning (None: for ever)."""
+    """From the state on lambda_N > 0 grows at least like e^(rate T), T = t/epsilon: as long as the scene slips, which
+    it certainly does not any more after the time ``within`` (None: not known); or until lambda_N exceeds ``until``
+    times its value at the beginning (None: no such limit), if slip lasts so long."""
 
     rate: arb
     until: int | None
+    within: arb | None = None
+
+
+Impulse = Callable[[ContactBounds], arb | None]
+"""A bound on the integral of λ from bounds on a box; None: there is none."""
 
 
 class InvariantRegion:
-    """The growth cone of one phase in contact. Its structure is read off the equations, and checked.
+    """The growth cones of one phase in contact. Its structure is read off the equations, and checked.
 
-    The contact must be Y' = V, Z' = -kappa Z - gamma lambda, lambda = k (Z - Y) with constants, and no other rate may
-    depend on Z except through lambda.
-
-    :raises ValueError: the equations are not of this form.
+    :raises ValueError: the equations are not of the form of :class:`ContactForm`.
     """
 
     def __init__(self, system: ScaledSystem) -> None:
-        self.names = system.states
-        size = len(self.names)
-        self._size, force = size, system.shown("lambda_N")
-        Y, V, Z = (self.names.index(name) for name in "YVZ")
-        contact = Variable(size + 1)
-        table = rewritten(system.right_hand_side, lambda node: contact if node is force else None)
-        rates = [table[rate] for rate in system.right_hand_side]
-        self._k = _constant(partial_derivative(force, Z, size + 2))
-        self._kappa = -_constant(partial_derivative(rates[Z], Z, size + 2))
-        self._gamma = -_constant(partial_derivative(rates[Z], size + 1, size + 2))
-        sound = (
-            _constant(partial_derivative(force, Y, size + 2)) == -self._k
-            and _variables(force) == {Y, Z}
-            and _at_zero(force, size) == 0
-            and rates[Y] == Variable(V)
-            and _variables(rates[Z]) <= {Z, size + 1}
-            and _at_zero(rates[Z], size) == 0
-            and all(Z not in _variables(rate) for i, rate in enumerate(rates) if i != Z)
-            and self._k > 0
-            and self._kappa > 0
-            and self._gamma > 0
-        )
-        if not sound:
-            raise ValueError("the contact is not of the form that the invariant region covers")
-        acceleration = rates[V]
-        slope = partial_derivative(acceleration, size + 1, size + 2)
-        flow = [*rates, ONE, ZERO]
-        flow[Z] = ZERO  # the acceleration does not depend on Z
-        rest = lie_derivative(acceleration, flow)
-        without = [*(Variable(i) for i in range(size + 1)), ZERO]
-        self._slow = [i for i in range(size) if i not in (Y, V, Z)]
-        self._program = BoxProgram(
-            [
-                acceleration,
-                slope,
-                substitute(rest, without),
-                partial_derivative(rest, size + 1, size + 2),
-                *(substitute(rates[i], without) for i in self._slow),
-                *(partial_derivative(rates[i], size + 1, size + 2) for i in self._slow),
-            ],
-            size + 2,
-        )
-        self._for_ever = self._constants_for_ever(slope, rest, flow, without)
-
-    def _constants_for_ever(
-        self, slope: Expression, rest: Expression, flow: list[Expression], without: list[Expression]
-    ) -> bool:
-        """Whether q never decreases and H is a constant plus a constant times lambda (Theorem R2)."""
-        try:
-            drift = _constant(lie_derivative(slope, flow))
-            _constant(substitute(rest, without))
-            _constant(partial_derivative(rest, self._size + 1, self._size + 2))
-        except ValueError:
-            return False
-        return bool(drift <= 0)
+        self._form = ContactForm(system)
 
     def growth(self, state: Mapping[str, arb]) -> Growth | None:
         """What is certain of all states in the ball; None: nothing was shown."""
-        box = [state[name] for name in self.names]
-        Y, V, Z = (state[name] for name in "YVZ")
-        force = self._k * (Z - Y)
+        form = self._form
+        box = [state[name] for name in form.names]
+        force = form.k * (state["Z"] - state["Y"])
         box += [state.get(CLOCK, arb(0)), force]
-        acceleration, slope = self._program.values(box)[:2]
-        if not (slope < 0 and force > 0 and V <= 0 and acceleration <= 0):
+        if not (force > 0 and box[form.V] <= 0):
             return None
-        rate_of_force = -(self._kappa + self._gamma * self._k) * force - self._kappa * self._k * Y - self._k * V
-        S = -self._kappa * V - acceleration
-        for i in range(_TRIES):
-            a = arb(approximate(-slope) / 2 ** (1 + i / 2))
-            inside = rate_of_force >= a * force and self._k * S >= a * (self._total + a) * force
-            if not inside:
-                continue
-            if self._for_ever:
-                constant, factor = self._program.values(box)[2:4]
-                if self._holds(a, slope, constant, factor, force):
-                    return Growth(a, None)
-                continue
-            for doublings in _DOUBLINGS:
-                if self._holds_until(a, box, 2**doublings):
-                    return Growth(a, 2**doublings)
+        bounds = form.bounds(box)
+        if not bounds.are_finite():
+            return None
+        found = [cone for cone in cones(form, ContactPoint.of(form, box), bounds) if cone.is_kept(bounds)]
+        if form.constant_load:
+            return next((Growth(cone.rate, None) for cone in found if cone.is_kept_for_ever(bounds)), None)
+        found = likely_first(found, bounds)[:_BOXES_TRIED]
+        for cone in found:
+            for i in range(len(bounds.stops)):
+                within = self._until_stop(cone, box, bounds, i)
+                if within is not None:
+                    return Growth(cone.rate, None, within)
+        for cone in found:
+            times = self._most_times(cone, box)
+            if times is not None:
+                return Growth(cone.rate, times)
         return None
 
-    @property
-    def _total(self) -> fmpq:
-        return self._kappa + self._gamma * self._k
+    def _until_stop(self, cone: Cone, box: list[arb], bounds: ContactBounds, i: int) -> arb | None:
+        """Theorem R6: a time by which function i has certainly reached 0, with the cone kept until then."""
+        form, first, a = self._form, bounds.stops[i], cone.rate
+        if not (form.affine and first > 0 and bounds.stop_pushes[i] < 0):
+            return None
 
-    def _holds(self, a: arb, slope: arb, constant: arb, factor: arb, force: arb) -> bool:
-        """The inequality of Theorem R1 between a, q = -p and kappa."""
-        load = (factor + constant.max(arb(0)) / force).max(arb(0))
-        return bool(-self._k * slope >= a * (self._total + a) + self._k * load / a)
+        def impulse(over: ContactBounds) -> arb | None:
+            push, rate = over.stop_pushes[i], over.stop_rates[i]
+            if not (push < 0 and rate.is_finite()):
+                return None
+            return ((first + rate.max(arb(0)) * time) / -push).upper()
 
-    def _holds_until(self, a: arb, box: list[arb], times: int) -> bool:
-        """Theorem R3: a box of slow states that is not left before lambda has grown so many times."""
-        names = self.names
-        Y, V = names.index("Y"), names.index("V")
-        force = box[-1]
-        largest = arb((times * force).upper())
-        time = (arb(times).log() / a).upper()
-        tried = list(box)
-        tried[-2] = box[-2] + _from_zero(time)
-        tried[-1] = _from_zero(largest)
+        needed = a * first / -bounds.stop_pushes[i] / box[-1]
+        time = ((1 + needed).log() / a).upper()
+        for _ in range(_STOP_TRIES):
+            time = (time * _LONGER).upper()
+            largest = self._kept_until(cone, box, time, arb(0), impulse)
+            if largest is not None and box[-1] * ((a * time).exp() - 1) / a > largest:
+                return time
+        return None
+
+    def _most_times(self, cone: Cone, box: list[arb]) -> int | None:
+        """Theorem R5: how many times λ can be seen to grow, among some powers of 2."""
+        low, high = -1, len(_DOUBLINGS)
+        while high - low > 1:
+            middle = (low + high) // 2
+            if self._holds_until(cone, box, 2 ** _DOUBLINGS[middle]):
+                low = middle
+            else:
+                high = middle
+        return 2 ** _DOUBLINGS[low] if low >= 0 else None
+
+    def _holds_until(self, cone: Cone, box: list[arb], times: int) -> bool:
+        largest = (times * box[-1]).upper()
+        time = (arb(times).log() / cone.rate).upper()
+        impulse = (largest / cone.rate).upper()
+        return self._kept_until(cone, box, time, largest, lambda _: impulse) is not None
+
+    def _kept_until(self, cone: Cone, box: list[arb], time: arb, largest: arb, impulse: Impulse) -> arb | None:
+        """Section 5: a box that is not left for a time, with the cone kept on it, by the bound on ∫λ that is returned.
+
+        ``largest``: the range of λ, where it matters.
+        """
+        form = self._form
+        tried = [add_remainder(side, _little(side)) for side in box]
+        tried[-2:] = box[-2] + _from_zero(time), _from_zero(largest)
         for _ in range(_ROUNDS):
-            values = self._program.values(tried)
-            if not all(value.is_finite() for value in values):
-                return False
-            slope, constant, factor = values[1:4]
-            count = len(self._slow)
-            needed = list(tried)
-            for i, still, pushed in zip(self._slow, values[4 : 4 + count], values[4 + count :], strict=True):
-                needed[i] = add_remainder(box[i], (abs(still) * time + abs(pushed) * largest / a).upper())
-            push = (abs(slope) + abs(factor) / a) * largest + abs(constant) * time
-            start = self._program.values(box)[0]
-            speed = (-box[V] + (abs(start) + push) * time).upper()
-            needed[V] = -_from_zero(speed)
-            needed[Y] = box[Y] - _from_zero((speed * time).upper())
-            if all(_within(new, old) for new, old in zip(needed[:-2], tried[:-2], strict=True)):
-                return bool(slope < 0) and self._holds(a, slope, constant, factor, force)
-            tried[:-2] = [new + (new - new.mid()) / 4 for new in needed[:-2]]
-        return False
+            bounds = form.bounds(tried)
+            total = impulse(bounds) if bounds.are_finite() else None
+            if total is None or not total.is_finite():
+                return None
+            spent, pushed = _from_zero(time), _from_zero(total)
+            needed = list(box)
+            for i, rate, push in zip(form.slow, bounds.rates, bounds.pushes, strict=True):
+                needed[i] = box[i] + spent * rate + pushed * push
+            gained = (abs(bounds.still) * time + abs(bounds.slope) * total).upper()
+            needed[form.V] = box[form.V] - _from_zero(gained)
+            speed = (abs(box[form.V]) + gained).upper()
+            needed[form.Y] = box[form.Y] - _from_zero((speed * time).upper())
+            moving = [i for i in range(form.size) if i != form.Z]
+            if all(tried[i].contains_interior(needed[i]) for i in moving):
+                return total if cone.is_kept(bounds) else None
+            for i in moving:
+                tried[i] = add_remainder(needed[i], arb(approximate(needed[i].rad()) / 4) + _little(needed[i]))
+        return None
+
+
+def _little(side: arb) -> arb:
+    """A width that hardly matters: it makes room where a side is a point."""
+    return (1 + abs(side)) * arb((1, -current_bits() // 2))
 
 
 def _from_zero(end: arb) -> arb:
     """The numbers from 0 to ``end``."""
     return arb(0).union(end)
-
-
-def _within(inner: arb, outer: arb) -> bool:
-    return bool(outer.contains(inner))
-
-
-def _variables(expression: Expression) -> set[int]:
-    return {node.index for node in in_order([expression]) if isinstance(node, Variable)}
-
-
-def _at_zero(expression: Expression, size: int) -> fmpq:
-    return _constant(substitute(expression, [ZERO] * (size + 2)))
-
-
-def _constant(expression: Expression) -> fmpq:
-    """The rational that an expression is.
-
-    :raises ValueError: it is not seen to be one.
-    """
-    code = StraightLine()
-    found = code.number(code.value(expression))
-    if found is None:
-        raise ValueError("not a constant")
-    return found

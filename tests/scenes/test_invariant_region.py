@@ -1,4 +1,4 @@
-"""The region of growing force: Theorems R1 to R3 against runs, against the model's own sets, and what it must refuse.
+"""The region of growing force: Theorems R1 to R6 against runs, against the model's own sets, and what it must refuse.
 
 Page: proofs/invariant_region.md.
 """
@@ -6,16 +6,18 @@ Page: proofs/invariant_region.md.
 from __future__ import annotations
 
 import random
+from collections.abc import Mapping
 from dataclasses import replace
 
 import pytest
 from flint import arb, fmpq
 
-from gspot_verified.balls import working_bits
+from gspot_verified.balls import approximate, working_bits
 from gspot_verified.expansion.derivative import lie_derivative
 from gspot_verified.expansion.expressions import Constant, Expression, Variable
 from gspot_verified.integrator.norm_run import NormRun
-from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase
+from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase, PhaseEnd
+from gspot_verified.scenes.contact_form import ContactForm
 from gspot_verified.scenes.file import load_scene
 from gspot_verified.scenes.float_function import float_function
 from gspot_verified.scenes.invariant_region import Growth, InvariantRegion
@@ -159,3 +161,133 @@ def test_other_equations_are_refused() -> None:
     for shown in (Z + Y, Y - Z, (Z - Y) * (Z - Y), Z - Y + Constant(fmpq(1))):
         with pytest.raises(ValueError, match="not"):
             InvariantRegion(replace(system, read_out=(("lambda_N", shown),)))
+
+
+def with_surface(eps: str = "1e-4", velocity: int = -1, **settings: object) -> Scene:
+    """The oscillator on a surface that moves, so that slip can stop."""
+    scene = load_scene("oscillator", eps=eps, **settings)
+    effects = (*scene.effects, "tangential_motion", "stick", "belt")
+    return replace(scene, effects=effects, parameters={**scene.parameters, "belt_velocity": fmpq(velocity)})
+
+
+MECHANISMS = [
+    (with_surface(), {"phi": "-0.03", "phi_dot": "-1.2", "Y": "-48.4", "V": "-3.2", "Z": "-23.4"}),
+    (load_scene("oscillator", eps="1e-5"), {"phi": "-0.01", "phi_dot": "-1", "Y": "-52", "V": "-0.3", "Z": "-26"}),
+    (
+        load_scene("rod", eps="1e-4"),
+        {"theta": "0.02", "theta_dot": "1", "X_dot": "2", "Y": "-70", "V": "-5", "Z": "-34"},
+    ),
+    (
+        load_scene("extended", eps="1e-4"),
+        {"p": "-0.02", "b": "-0.1", "u": "0.5", "Y": "-47.9", "V": "-4.6", "Z": "-22.9"},
+    ),
+    (
+        load_scene("extended", eps="1e-4", alpha_3=2),
+        {"p": "-0.1", "b": "-1", "u": "3", "Y": "-60", "V": "-9", "Z": "-29"},
+    ),
+]
+
+
+@pytest.mark.parametrize(("scene", "values"), MECHANISMS, ids=range(len(MECHANISMS)))
+def test_a_mechanism_does_what_is_stated(scene: Scene, values: dict[str, str]) -> None:
+    """A validated run from the state: λ >= λ_0 exp(aT) until it is so many times as large, or until slip stops, which
+    it does in the time that is stated."""
+    system = scene.system("slip")
+    with working_bits(128):
+        start = state(system, **values)
+        found = certain(InvariantRegion(system).growth(start))
+        assert found.until is not None or found.within is not None
+        phase = CertifiedPhase(system)
+        first, largest = start["Z"] - start["Y"], arb(1)
+
+        def observer(segment: object, at: Mapping[str, arb]) -> bool:
+            nonlocal largest
+            largest = (at["Z"] - at["Y"]) / first
+            assert largest.is_finite()
+            if found.until is not None and not largest < found.until:
+                return True
+            assert largest > (found.rate * segment.end_time).exp()  # type: ignore[attr-defined]
+            return False
+
+        time = arb(5000) if found.within is None else found.within
+        end = phase.run(start, time, {}, observer)
+        assert isinstance(end, PhaseEnd)
+        if found.until is None:
+            assert end.event is not None
+            assert end.event.name in ("stick", "slip stops")
+        else:
+            assert largest > found.until / 2
+
+
+@pytest.mark.parametrize(
+    ("scene", "changed"),
+    [
+        (with_surface(), {"phi": "0.02"}),  # p > 0
+        (with_surface(), {"phi": "-0.29"}),  # p > 0 on the other side
+        (with_surface(), {"phi": "[-0.02 +/- 0.03]"}),  # p changes its sign
+        (with_surface(), {"phi_dot": "-3"}),  # u < 0: not a state of this phase, V' > 0
+        (with_surface(), {"Z": "-47"}),  # no contact
+        (with_surface(), {"V": "3"}),
+        (with_surface(), {"V": "-1"}),  # D < 0
+        (with_surface(), {"phi_dot": "-12"}),  # b turns positive
+        (with_surface(), {"phi_dot": "nan"}),
+        (with_surface(eps="1/10"), {}),  # the configuration moves on while the force grows
+    ],
+)
+def test_what_a_mechanism_is_not_told(scene: Scene, changed: dict[str, str]) -> None:
+    system = scene.system("slip")
+    with working_bits(128):
+        good = MECHANISMS[0][1]
+        assert InvariantRegion(with_surface().system("slip")).growth(state(system, **good)) is not None
+        assert InvariantRegion(system).growth(state(system, **{**good, **changed})) is None
+
+
+def test_slip_that_the_force_speeds_up_stops_nothing() -> None:
+    """Theorem R6 needs a slip velocity that falls with the force: with k^+ > 0 only so many times are promised."""
+    scene = load_scene("fig-varsim2", chi=1, eps="1e-6")
+    values = {"b": "-0.1", "p": "-0.2", "u": "0.01", "Y": "-6", "V": "-4", "Z": "-2"}
+    for k_plus, stops in (("-1", True), ("1", False), ("0", False)):
+        system = scene.with_settings(k_plus=k_plus).system("slip")
+        with working_bits(128):
+            found = certain(InvariantRegion(system).growth(state(system, **values)))
+        assert (found.within is not None) is stops
+        assert (found.until is None) is stops
+
+
+def test_a_promise_to_stop_is_kept_by_the_slip_velocity() -> None:
+    """The larger u, the later; so large that b turns p round before: no such promise."""
+    scene = load_scene("fig-varsim2", chi=1, eps="1e-4")
+    system, times = scene.system("slip"), []
+    with working_bits(128):
+        region = InvariantRegion(system)
+        for u in ("0.01", "0.1", "1", "100"):
+            found = region.growth(state(system, b="-0.1", p="-0.2", u=u, Y="-6", V="-4", Z="-2"))
+            times.append(None if found is None or found.within is None else float(found.within.mid()))
+    assert times[3] is None
+    known = [time for time in times[:3] if time is not None]
+    assert len(known) == 3
+    assert known == sorted(known)
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [load_scene("fig-varsim1", k_1=2, k_2="1/3", damping=5), load_scene("rod", eps="1e-2")],
+    ids=["model", "rod"],
+)
+def test_the_second_derivative_with_any_stiffness(scene: Scene) -> None:
+    """(2) of the page with κ = k_1/c, γ = 1/c, k = k_2: λ'' = -sλ' + k(κW + G), by floats."""
+    system, chance = scene.system("slip"), random.Random(3)
+    form = ContactForm(system)
+    values = scene.values()
+    assert (form.k, form.kappa, form.gamma) == (
+        values["k_2"], values["k_1"] / values["damping"], 1 / values["damping"],
+    )  # fmt: skip
+    field = [*system.right_hand_side, Constant(fmpq(1))]
+    rate = lie_derivative(system.shown("lambda_N"), field)
+    V = system.states.index("V")
+    shown = float_function([rate, lie_derivative(rate, field), system.right_hand_side[V]])
+    k, kappa, s = (approximate(x) for x in (form.k, form.kappa, form.s))
+    for _ in range(5):
+        point = [chance.uniform(-1, 1) for _ in range(len(system.states) + 1)]
+        D, D2, F = shown(point)
+        assert pytest.approx(-s * D + k * (-kappa * point[V] - F), rel=1e-9) == D2

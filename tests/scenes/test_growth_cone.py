@@ -1,0 +1,165 @@
+"""The cones of growing force: the formulas of their proofs, each inequality alone, runs that stay in them.
+
+Page: proofs/invariant_region.md.
+"""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.balls import working_bits
+from gspot_verified.compliant.normal_form import compliant_model, compliant_state
+from gspot_verified.compliant.side_rule import side_rule
+from gspot_verified.scenes.contact_form import ContactBounds, ContactForm
+from gspot_verified.scenes.file import load_scene
+from gspot_verified.scenes.growth_cone import ContactPoint, FastCone, SlowCone, cones
+from gspot_verified.scenes.invariant_region import InvariantRegion
+
+MODEL = ContactForm(load_scene("fig-varsim1").system("slip"))
+
+
+def rational(chance: random.Random) -> fmpq:
+    return fmpq(chance.randint(-50, 50), chance.randint(1, 20))
+
+
+def test_the_derivatives_of_the_proof() -> None:
+    """Theorem R4: f', g', j', m', n' along (2), at random rational states, q, H and constants."""
+    chance = random.Random(4)
+    for _ in range(50):
+        k, kappa, gamma, a, c, q, H = (rational(chance) for _ in range(7))
+        force, D, W, G = (rational(chance) for _ in range(4))
+        s = kappa + gamma * k
+        S, M = kappa * W + G, D + s * force
+        # (2)
+        force_, D_, W_, G_ = D, -s * D + k * S, G, q * D - H
+        S_, M_ = kappa * W_ + G_, D_ + s * force_
+        f, g, j, m = D - a * force, k * S - a * M, kappa * G - a * S, D - c * S
+        assert k * S == M_
+        assert D_ - a * force_ == g - s * f
+        assert k * S_ - a * M_ == k * (j + G_)
+        assert j + a * S + G_ == S_
+        assert kappa * G_ - a * S_ == (kappa - a) * G_ - a * j - a * a * S
+        right = -(s + c * q) * m + (k - c * (kappa + s) - c * c * q) * S + c * kappa * kappa * W + c * H
+        assert D_ - c * S_ == right
+
+
+def of(slope: str, constant: str = "0", factor: str = "0") -> ContactBounds:
+    return ContactBounds(arb(0), arb(slope), arb(constant), arb(factor), (), (), (), (), ())
+
+
+@pytest.mark.parametrize(
+    ("bounds", "kept"),
+    [
+        (of("-0.1"), True),
+        (of("-0.1", factor="0.002"), True),
+        (of("0.1"), False),  # p > 0
+        (of("[-0.1 +/- 0.2]"), False),  # p changes its sign
+        (of("-0.001"), False),  # q too small for a
+        (of("-0.1", factor="0.1"), False),  # H grows with the force: b falls short of it
+        (of("-0.1", constant="0.1"), False),  # H = 0.1 and the force is 1
+        (of("-0.1", constant="-100"), False),  # the force falls behind S
+        (of("-0.1", factor="-100"), False),
+        (of("-100"), False),
+        (of("nan"), False),
+        (of("-0.1", factor="nan"), False),
+        (of("-0.1", constant="inf"), False),
+    ],
+)
+def test_each_inequality_of_the_slow_cone(bounds: ContactBounds, kept: bool) -> None:
+    cone = SlowCone(MODEL, arb("0.08"), arb("0.2"), arb(1), arb(1))
+    assert cone.is_kept(bounds) is kept
+
+
+@pytest.mark.parametrize("a", ["0", "-0.1", "1", "2", "nan"])
+def test_a_rate_out_of_range(a: str) -> None:
+    """0 < a < kappa."""
+    assert not SlowCone(MODEL, arb(a), arb("0.2"), arb(1), arb(1)).is_kept(of("-50"))
+
+
+def test_growth_for_ever_needs_the_way_to_large_q() -> None:
+    """c = 0.332 serves q = 0.01, not q = 0.084 yet, where the cone of Theorem R1 takes over."""
+    bounds = of("-0.01", factor="0.0001")
+    good, late = (SlowCone(MODEL, arb("0.04"), arb(c), arb(1), arb(1)) for c in ("0.3", "0.332"))
+    assert good.is_kept(bounds)
+    assert good.is_kept_for_ever(bounds)
+    assert late.is_kept(bounds)
+    assert not late.is_kept_for_ever(bounds)
+
+
+def states(chance: random.Random) -> dict[str, arb]:
+    """Random states around the cones, p from -0.01 to -0.3."""
+    q, force = 10 ** chance.uniform(-2, -0.5), 10 ** chance.uniform(-1, 2)
+    a = q**0.5 * chance.uniform(0.1, 0.8)
+    D = a * force
+    S = (2 + a) * D * chance.uniform(0.7, 1.3)
+    G = a * S * chance.uniform(0.7, 2)
+    V = G - S
+    Y = -D - 2 * force - V
+    values = {"b": -G + q * force, "Y": Y, "V": V, "Z": Y + force, "T": (0.5 + q) * 1000}
+    return {name: arb(value) for name, value in values.items()}
+
+
+@pytest.mark.parametrize("beta", ["3/2", "7/2"])
+def test_the_exact_solution_agrees(beta: str) -> None:
+    """Growth for ever asks for K >= 0 (proofs/flight.md, section 6): a second route, which knows no cones."""
+    scene = load_scene("fig-varsim1", beta=beta, eps="1e-3")
+    system = scene.system("slip")
+    chance = random.Random(7)
+    seen = 0
+    slow = 0
+    with working_bits(128):
+        region = InvariantRegion(system)
+    model = compliant_model(beta, "1e-3")
+    for _ in range(60):
+        with working_bits(128):
+            state = states(chance)
+            found = region.growth(state)
+            if found is None:
+                continue
+            at = {name: fmpq(*map(int, fraction(state[name]))) for name in state}
+            form = ContactForm(system)
+            box = [state[name] for name in (*form.names, "T")] + [state["Z"] - state["Y"]]
+            bounds = form.bounds(box)
+            kept = [c for c in cones(form, ContactPoint.of(form, box), bounds) if c.is_kept_for_ever(bounds)]
+            slow += all(isinstance(cone, SlowCone) for cone in kept)
+        eps = scene.epsilon
+        p = fmpq(1, 2) - eps * at["T"]
+        exact = compliant_state(p, at["b"], at["Y"] * eps**2, at["V"] * eps, at["Z"] * eps**2)
+        side = side_rule(model, exact).side
+        assert side.is_finite()
+        assert not side < 0
+        seen += 1
+    assert seen > 10
+    assert slow > 3
+
+
+def fraction(value: arb) -> tuple[int, int]:
+    mantissa, exponent = value.mid().man_exp()
+    number = fmpq(int(mantissa)) * fmpq(2) ** int(exponent)
+    return int(number.p), int(number.q)
+
+
+def test_cones_hold_the_whole_ball() -> None:
+    """A ball of states that is not certainly in the cone yields none."""
+    chance = random.Random(2)
+    with working_bits(128):
+        for _ in range(40):
+            state = states(chance)
+            box = [state[name] for name in (*MODEL.names, "T")] + [state["Z"] - state["Y"]]
+            bounds = MODEL.bounds(box)
+            for cone in cones(MODEL, ContactPoint.of(MODEL, box), bounds):
+                at = ContactPoint.of(MODEL, box)
+                assert cone.rate * at.force <= at.D
+                if isinstance(cone, FastCone):
+                    assert cone.rate * (2 + cone.rate) * at.force <= at.S
+                else:
+                    assert isinstance(cone, SlowCone)
+                    assert cone.rate * (at.D + 2 * at.force) <= at.S
+                    assert cone.rate * at.S <= at.G
+                    assert cone.c * at.S <= at.D
+            wide = [*box[:-1], arb(box[-1].mid(), box[-1].mid())]
+            assert not list(cones(MODEL, replace(ContactPoint.of(MODEL, box), force=wide[-1]), bounds))
