@@ -112,6 +112,51 @@ def test_every_change_of_the_text_is_noticed(clause: str, mutated: str) -> None:
     assert fails(mutated)
 
 
+ENTIRE = clauses(statement("is_Theta_entire").partition(":=")[2])
+INTEGERS = (-1, 0, 1, 2, 3, 6, 7)
+
+
+def entire_value(clause: str, beta: fmpq) -> bool | None:
+    """Whether an initial value in the entire form is the one that the library computes; False when it certainly is not."""
+    left, right = clause.split("=")
+    order = {"theta 0": 0, "Derive theta 0": 1, "Derive_n theta 2 0": 2}[left.strip()]
+    functions = {
+        "b": beta,
+        "PI": arb.pi(),
+        "Rpower": Applied(2, lambda x, y: arb(x) ** arb(y)),
+        "recip_Gamma": Applied(1, lambda x: arb(x).rgamma()),
+    }
+    with working_bits(BITS):
+        value = evaluate(0, beta, derivative=order, digits=40).value
+        difference = value - arb(evaluate_term(right, functions, fmpq))
+        if not difference.is_finite():
+            return None
+        if not difference.contains(0):
+            return False
+        return True if difference.rad() < arb(2) ** -80 else None
+
+
+def entire_fails(clause: str) -> bool:
+    """With certainty at some β, or it cannot be read."""
+    try:
+        return any(entire_value(clause, beta) is False for _, beta in POINTS)
+    except (AssertionError, ValueError, TypeError, ZeroDivisionError, KeyError):
+        return True
+
+
+def test_the_entire_form_has_the_same_equation() -> None:
+    assert ENTIRE[:2] == DEFINITION[:2]
+    assert len(ENTIRE) == 5
+
+
+@pytest.mark.parametrize("clause", ENTIRE[2:])
+def test_the_entire_form_of_the_initial_values(clause: str) -> None:
+    assert all(entire_value(clause, beta) is True for _, beta in POINTS)
+    assert all(entire_value(clause, fmpq(n)) is True for n in INTEGERS)
+    right = clause.index("=") + 1
+    assert all(entire_fails(clause[:right] + mutated) for mutated in mutations(clause[right:]))
+
+
 def formula(name: str, pattern: str) -> str:
     """The one formula of the statement that follows the pattern, up to )%nat."""
     found = re.findall(pattern + r" = (?:\()(.*?)\)%nat", statement(name))

@@ -18,6 +18,8 @@ CARRIED: dict[str, tuple[str, ...]] = {
     "S-minus-infinity": ("left_end", "left_end_integer"),
     "S-plus-infinity": ("right_end",),
     "S-switching": ("gamma_sign",),
+    "S-side": ("leading_side_rule",),
+    "S-iwc-case-III": ("leading_force_positive", "least_value_exists"),
     "C-cases-I-II": ("force_deviation",),
     "C-iwc-case-III": ("force_above_leading_order", "IWC_below_threshold"),
     "C-lift-off": ("force_above_leading_order", "side_rule"),

@@ -224,3 +224,77 @@ split.
   + specialize (HL t Hl). assert (0 < - C1 * - Derive theta t) by (apply Rmult_lt_0_compat; lra). lra.
   + destruct (Rle_lt_dec t T) as [Hl'|Hl']. apply H; lra. specialize (HR' t ltac:(lra)). lra.
 Qed.
+
+(** ** The force at leading order, every beta *)
+
+Lemma leading_force_factor a1 a2 a3 eps C1 theta t : a3 < 0 -> exists q, 0 < q /\
+  q = / (- a3) * (Rpower (Rpower (- a1 / 2) (1 / 3)) (1 - a3 / a1) * Rpower eps ((2 * (a3 / a1) - 2) / 3)) /\
+  leading_force a1 a2 a3 eps C1 theta t
+    = a2 / (a3 - a1) + q * (C1 * Derive theta (Rpower (- a1 / 2) (1 / 3) * t * Rpower eps (- 2 / 3))).
+Proof.
+intros H3. eexists. refine (conj _ (conj eq_refl _)).
+- apply Rmult_lt_0_compat. apply Rinv_0_lt_compat; lra. apply Rmult_lt_0_compat; apply exp_pos.
+- unfold leading_force. unfold Rdiv at 2. replace (/ a3) with (- / (- a3)) by (field; lra). ring.
+Qed.
+
+Theorem leading_force_positive a1 a2 a3 eps C1 theta m tau0 t : a1 < 0 -> a3 < 0 -> 0 < eps -> 1 < a3 / a1 -> a2 < 0 ->
+  0 < m -> (forall tau, tau0 <= tau -> - m <= C1 * Derive theta tau) -> eps < threshold a1 a2 a3 m ->
+  tau0 <= Rpower (- a1 / 2) (1 / 3) * t * Rpower eps (- 2 / 3) -> 0 < leading_force a1 a2 a3 eps C1 theta t.
+Proof.
+intros H1 H3 He Hb H2 Hm Hl Hs Ht. specialize (Hl _ Ht).
+destruct (leading_force_factor a1 a2 a3 eps C1 theta t H3) as (q & Hq & Eq & ->).
+set (D := C1 * Derive theta _) in *. unfold threshold in Hs.
+set (beta := a3 / a1) in *. set (kappa := Rpower (- a1 / 2) (1 / 3)) in *.
+assert (Ea : a3 = beta * a1) by (unfold beta; field; lra).
+assert (H31 : a3 - a1 < 0) by nra.
+set (mean := a2 / (a3 - a1)) in *.
+assert (Hmean : 0 < mean).
+{ unfold mean. replace (a2 / (a3 - a1)) with ((- a2) / (- (a3 - a1))) by (field; lra). apply Rdiv_lt_0_compat; lra. }
+set (K := Rpower kappa (beta - 1)) in *. assert (HK : 0 < K) by apply exp_pos.
+set (A := - a3 * mean * K / m) in *.
+assert (HA : 0 < A).
+{ unfold A. apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. apply Rmult_lt_0_compat; lra. }
+assert (Hpow : Rpower eps ((2 * beta - 2) / 3) < A).
+{ apply Rlt_le_trans with (Rpower (Rpower A (3 / (2 * beta - 2))) ((2 * beta - 2) / 3)).
+  - unfold Rpower at 1 2. apply exp_increasing. apply Rmult_lt_compat_l. apply Rdiv_lt_0_compat; lra. apply ln_increasing; auto.
+  - rewrite Rpower_mult. replace (3 / (2 * beta - 2) * ((2 * beta - 2) / 3)) with 1 by (field; lra). rewrite Rpower_1; auto. lra. }
+set (E := Rpower eps ((2 * beta - 2) / 3)) in *.
+replace (1 - beta) with (- (beta - 1)) in Eq by ring. rewrite Rpower_Ropp in Eq. fold K in Eq.
+assert (U : q * m < mean).
+{ apply Rlt_le_trans with (/ (- a3) * (/ K * A) * m).
+  - apply Rmult_lt_compat_r; auto. rewrite Eq. apply Rmult_lt_compat_l. apply Rinv_0_lt_compat; lra.
+    apply Rmult_lt_compat_l; auto. apply Rinv_0_lt_compat, HK.
+  - right. unfold A. field. repeat split; lra. }
+assert (L : q * - m <= q * D) by (apply Rmult_le_compat_l; lra). lra.
+Qed.
+
+Theorem leading_side_rule a1 a2 a3 eps C1 theta : parameters a1 a3 eps -> is_Theta (a3 / a1) theta ->
+  (0 < C1 * Gamma (- (a3 / a1)) -> forall M, exists T, forall t, T <= t -> M <= leading_force a1 a2 a3 eps C1 theta t) /\
+  (C1 * Gamma (- (a3 / a1)) < 0 -> forall M, exists T, forall t, T <= t -> leading_force a1 a2 a3 eps C1 theta t <= M).
+Proof.
+intros (H1 & H3 & He & Hb) HT. set (b := a3 / a1) in *.
+assert (Hg := not_nat_Gamma b Hb). set (G := Gamma (- b)) in *.
+set (k := Rpower (- a1 / 2) (1 / 3)). assert (Hk : 0 < k) by apply exp_pos.
+set (e := Rpower eps (- 2 / 3)). assert (He' : 0 < e) by apply exp_pos.
+assert (Up : forall C, 0 < C * G -> forall M, exists T, forall t, T <= t -> M <= C * Derive theta (k * t * e)).
+{ intros C HC M. destruct (scaled_right b theta Hb HT 1 (G ^ 2 * M / (C * G))) as (T & H).
+  exists (T / (k * e)). intros t Ht.
+  assert (Hke : 0 < k * e) by (apply Rmult_lt_0_compat; auto).
+  assert (A : T <= k * t * e).
+  { apply (Rmult_le_compat_r (k * e)) in Ht; [|lra]. replace (T / (k * e) * (k * e)) with T in Ht by (field; split; lra). lra. }
+  specialize (H _ A). unfold scaled in H. change (Derive_n theta 1 (k * t * e)) with (Derive theta (k * t * e)) in H. fold G in H.
+  set (D := Derive theta (k * t * e)) in *.
+  apply (Rmult_le_compat_l (C * G)) in H; [|lra].
+  replace (C * G * (G ^ 2 * M / (C * G))) with (G ^ 2 * M) in H by (field; split; auto; intros ->; lra).
+  apply Rmult_le_reg_l with (G ^ 2). apply pow2_gt_0, Hg. replace (G ^ 2 * (C * D)) with (C * G * (G * D)) by ring. exact H. }
+set (mean := a2 / (a3 - a1)).
+split; intros HC M.
+- destruct (leading_force_factor a1 a2 a3 eps C1 theta 0 H3) as (q & Hq & Eq & _).
+  destruct (Up C1 HC ((M - mean) / q)) as (T & H). exists T. intros t Ht. specialize (H t Ht).
+  destruct (leading_force_factor a1 a2 a3 eps C1 theta t H3) as (q' & _ & Eq' & ->). rewrite <- Eq in Eq'. subst q'.
+  fold mean k e. apply (Rmult_le_compat_l q) in H; [|lra]. replace (q * ((M - mean) / q)) with (M - mean) in H by (field; lra). lra.
+- destruct (leading_force_factor a1 a2 a3 eps C1 theta 0 H3) as (q & Hq & Eq & _).
+  destruct (Up (- C1) ltac:(lra) ((mean - M) / q)) as (T & H). exists T. intros t Ht. specialize (H t Ht).
+  destruct (leading_force_factor a1 a2 a3 eps C1 theta t H3) as (q' & _ & Eq' & ->). rewrite <- Eq in Eq'. subst q'.
+  fold mean k e. apply (Rmult_le_compat_l q) in H; [|lra]. replace (q * ((mean - M) / q)) with (mean - M) in H by (field; lra). lra.
+Qed.

@@ -27,6 +27,15 @@ Fixpoint Gamma_aux (n : nat) (x : R) : R :=
 
 Definition Gamma (x : R) : R := Gamma_aux (Z.to_nat (up (- x))) x.
 
+(** 1/Gamma without poles: 1/Gamma(x) = x (1/Gamma(x + 1)) for x <= 0. *)
+Fixpoint recip_Gamma_aux (n : nat) (x : R) : R :=
+  match n with
+  | O => / GammaInt x
+  | S n => x * recip_Gamma_aux n (x + 1)
+  end.
+
+Definition recip_Gamma (x : R) : R := recip_Gamma_aux (Z.to_nat (up (- x))) x.
+
 (** b is none of 0, 1, 2, ..., the poles of Gamma(-b). *)
 Definition not_nat (b : R) : Prop := forall n : nat, b <> INR n.
 
@@ -72,6 +81,13 @@ Definition gamma_unique : Prop := forall G : R -> R,
   (forall x, (forall n : nat, x <> - INR n) -> G (x + 1) = x * G x) ->
   forall x, (forall n : nat, x <> - INR n) -> G x = Gamma x.
 
+Definition recip_gamma : Prop := forall x,
+  ((forall n : nat, x <> - INR n) -> recip_Gamma x = / Gamma x) /\ ((exists n : nat, x = - INR n) -> recip_Gamma x = 0).
+
+(** Gauss's multiplication formula for three factors. *)
+Definition gauss_multiplication : Prop := forall x, (forall n : nat, 3 * x <> - INR n) ->
+  Gamma x * Gamma (x + 1 / 3) * Gamma (x + 2 / 3) = 2 * PI * Rpower 3 (1 / 2 - 3 * x) * Gamma (3 * x).
+
 Definition theta_exists : Prop := forall b, exists theta, is_Theta b theta.
 
 Definition theta_unique : Prop := forall b theta phi, is_Theta b theta -> is_Theta b phi -> forall t, theta t = phi t.
@@ -115,6 +131,13 @@ Definition enveloping_series : Prop := forall b theta n N x, not_nat b -> b < IN
   let quotient := Derive_n theta n (- x) / (rising (- b) n * Rpower x (b - INR n)) in
   0 <= (-1) ^ N * (quotient - sum_first (fun k => (-1) ^ k * term k) N) <= term N.
 
+(** The same for every n (Theta itself is n = 0), as soon as b < n + 3N. (For n < b the terms need not be positive.) *)
+Definition enveloping_series_low : Prop := forall b theta n N x, not_nat b -> is_Theta b theta -> 0 < x ->
+  b < INR n + 3 * INR N ->
+  let term k := rising (INR n - b) (3 * k) / (3 ^ k * INR (fact k) * x ^ (3 * k)) in
+  let quotient := Derive_n theta n (- x) / (rising (- b) n * Rpower x (b - INR n)) in
+  0 <= (-1) ^ N * (quotient - sum_first (fun k => (-1) ^ k * term k) N) / term N <= 1.
+
 (** The sign of Gamma(-beta) on the cell (m, m + 1): it changes at every integer. *)
 Definition gamma_sign : Prop := forall (m : nat) b, INR m < b < INR m + 1 -> 0 < (-1) ^ (m + 1) * Gamma (- b).
 
@@ -124,6 +147,11 @@ Definition left_end : Prop := forall b theta, 0 < b -> not_nat b -> is_Theta b t
 
 Definition right_end : Prop := forall b theta n, not_nat b -> is_Theta b theta ->
   forall M, exists T, forall t, T <= t -> M <= Gamma (- b) * Derive_n theta n t.
+
+(** An explicit point, n < b < n + 1: Theta > 0 on (-oo, -x] if x^(3N) 3^N N! > |b (b - 1) ... (b - 3N + 1)|, N = floor(n/3) + 1. *)
+Definition left_end_explicit : Prop := forall (n : nat) b theta x, INR n < b < INR n + 1 -> is_Theta b theta -> 0 < x ->
+  let N := S (n / 3) in
+  Rabs (rising (- b) (3 * N)) < x ^ (3 * N) * 3 ^ N * INR (fact N) -> forall t, t <= - x -> 0 < theta t.
 
 (** n < beta < n + 1 and a point T, with s k = Gamma(-b) Theta^(k)(T) for k <= n. If none is negative, Theta has no zero on [T, oo);
     if they change sign once, from <= 0 to >= 0, it has exactly one there, and that is simple. *)
@@ -201,6 +229,19 @@ Definition zeros_continuous : Prop := forall (m : nat) b0 theta0 l0 eps, INR m <
 Definition Poly (n : nat) (t : R) : R :=
   sum_f_R0 (fun j => (-1) ^ (n + j) * INR (fact n) / (INR (fact (n - 3 * j)) * 3 ^ j * INR (fact j)) * t ^ (n - 3 * j))
     (n / 3).
+
+(** The initial values for every b, integers too: t01-t03 without a quotient of poles, by Gauss's formula. *)
+Definition is_Theta_entire (b : R) (theta : R -> R) : Prop :=
+  (forall k t, (k <= 3)%nat -> ex_derive_n theta k t) /\
+  (forall t, Derive_n theta 3 t - t * Derive theta t + b * theta t = 0) /\
+  theta 0 = 2 * PI * Rpower 3 (2 * b / 3 - 1 / 2) * recip_Gamma ((1 - b) / 3) * recip_Gamma ((2 - b) / 3) /\
+  Derive theta 0 = 2 * PI * Rpower 3 (2 * b / 3 - 1 / 2 + 1 / 3) * recip_Gamma (- b / 3) * recip_Gamma ((2 - b) / 3) /\
+  Derive_n theta 2 0 = 2 * PI * Rpower 3 (2 * b / 3 - 1 / 2 + 2 / 3) * recip_Gamma (- b / 3) * recip_Gamma ((1 - b) / 3).
+
+(** They single out Theta(., b) off the integers, and P_n at b = n. *)
+Definition entire_initial_values : Prop := forall b theta,
+  (not_nat b -> (is_Theta b theta <-> is_Theta_entire b theta)) /\
+  (forall n : nat, b = INR n -> ((forall t, theta t = Poly n t) <-> is_Theta_entire b theta)).
 
 (** It is the limit of Theta(t, b) as b -> n: "Theta(., n)". At b = n itself t01-t03 divide by a pole. *)
 Definition integer_limit : Prop := forall (n : nat) (Theta : R -> R -> R), (forall b, not_nat b -> is_Theta b (Theta b)) ->
@@ -368,6 +409,11 @@ Definition leading_force (a1 a2 a3 eps C1 : R) (theta : R -> R) (t : R) : R :=
   a2 / (a3 - a1)
     - C1 / a3 * Rpower kappa (1 - beta) * Rpower eps ((2 * beta - 2) / 3) * Derive theta (kappa * t * Rpower eps (- 2 / 3)).
 
+(** The side rule at leading order: the force tends to +oo or to -oo with the sign of C_1 Gamma(-beta). *)
+Definition leading_side_rule : Prop := forall a1 a2 a3 eps C1 theta, parameters a1 a3 eps -> is_Theta (a3 / a1) theta ->
+  (0 < C1 * Gamma (- (a3 / a1)) -> forall M, exists T, forall t, T <= t -> M <= leading_force a1 a2 a3 eps C1 theta t) /\
+  (C1 * Gamma (- (a3 / a1)) < 0 -> forall M, exists T, forall t, T <= t -> leading_force a1 a2 a3 eps C1 theta t <= M).
+
 (** 0 < beta < 5: at every time and every eps the force of the slow motion is above the one at leading order if
     C_1 Gamma(-beta) > 0, and below it if C_1 Gamma(-beta) < 0. *)
 Definition force_above_leading_order : Prop := forall a1 a2 a3 eps C1 theta p b y v z t, parameters a1 a3 eps ->
@@ -380,6 +426,12 @@ Definition threshold (a1 a2 a3 m : R) : R :=
   let beta := a3 / a1 in
   let kappa := Rpower (- a1 / 2) (1 / 3) in
   Rpower (- a3 * (a2 / (a3 - a1)) * Rpower kappa (beta - 1) / m) (3 / (2 * beta - 2)).
+
+(** At leading order, beta > 1, a2 < 0: for every eps < eps_0 the force is positive at all times from that of tau0 on. *)
+Definition leading_force_positive : Prop := forall a1 a2 a3 eps C1 theta m tau0 t, a1 < 0 -> a3 < 0 -> 0 < eps ->
+  1 < a3 / a1 -> a2 < 0 -> 0 < m -> (forall tau, tau0 <= tau -> - m <= C1 * Derive theta tau) ->
+  eps < threshold a1 a2 a3 m -> tau0 <= Rpower (- a1 / 2) (1 / 3) * t * Rpower eps (- 2 / 3) ->
+  0 < leading_force a1 a2 a3 eps C1 theta t.
 
 (** Case III (a2 < 0), 1 < beta < 5, C_1 on the side of impact without collision, eps <= eps_0: any motion of the mechanism (with
     compl2) from a state of the slow motion at a time t0 >= (that of tau0) keeps contact for ever; the force tends to +oo, y to -oo. *)

@@ -8,7 +8,8 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   EnvelopingSeries Family SignsAtZero SignPattern PositiveZeros CountLaw IntegerPolynomials PolynomialSum Ends
   RecurrenceTail FoldAndHinge ContinuityInBeta ZeroCurves ZerosAtInteger CompliantKernel CompliantIntegral
   CompliantSlow CompliantMechanism CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases
-  CompliantOpen CompliantSlowMotion LeftExpansion CompliantMonotone CompliantThreshold.
+  CompliantOpen CompliantSlowMotion LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication
+  EntireForm.
 From GSpot Require Import Statement.
 Import ListNotations.
 Open Scope R_scope.
@@ -23,6 +24,12 @@ Proof. exact Gamma_rec. Qed.
 
 Theorem gamma_unique : Statement.gamma_unique.
 Proof. exact Gamma_unique. Qed.
+
+Theorem recip_gamma : Statement.recip_gamma.
+Proof. exact reciprocal_gamma. Qed.
+
+Theorem gauss_multiplication : Statement.gauss_multiplication.
+Proof. exact EntireForm.gauss_multiplication. Qed.
 
 Theorem theta_exists : Statement.theta_exists.
 Proof. exact Theta_exists. Qed.
@@ -66,6 +73,9 @@ Qed.
 Theorem enveloping_series : Statement.enveloping_series.
 Proof. exact Theta_neg_series. Qed.
 
+Theorem enveloping_series_low : Statement.enveloping_series_low.
+Proof. intros b theta n N x Hb HT. exact (EnvelopingLow.enveloping_series_low b theta Hb HT n N x). Qed.
+
 Theorem gamma_sign : Statement.gamma_sign.
 Proof. exact Gamma_sign. Qed.
 
@@ -74,6 +84,9 @@ Proof. exact Ends.left_end. Qed.
 
 Theorem right_end : Statement.right_end.
 Proof. intros b theta n Hb H. exact (scaled_right b theta Hb H n). Qed.
+
+Theorem left_end_explicit : Statement.left_end_explicit.
+Proof. exact EnvelopingLow.left_end_explicit. Qed.
 
 Theorem tail_without_zero : Statement.tail_without_zero.
 Proof.
@@ -154,6 +167,9 @@ exists delta. split; auto. intros b theta l Hbb HT Zl. apply (H b l Hbb), (zeros
 Qed.
 
 (** ** Integer beta *)
+
+Theorem entire_initial_values : Statement.entire_initial_values.
+Proof. exact EntireForm.entire_initial_values. Qed.
 
 Theorem integer_limit : Statement.integer_limit.
 Proof.
@@ -258,11 +274,17 @@ Proof.
 intros a1 a2 a3 eps t1 p b y v z (H1 & H3 & He & Hb). exact (CompliantForward.case_II a1 a2 a3 eps H1 H3 He Hb t1 p b y v z).
 Qed.
 
+Theorem leading_side_rule : Statement.leading_side_rule.
+Proof. exact CompliantThreshold.leading_side_rule. Qed.
+
 Theorem force_above_leading_order : Statement.force_above_leading_order.
 Proof.
 intros a1 a2 a3 eps C1 theta p b y v z t Hp H5 HT HS.
 exact (CompliantThreshold.force_above_leading_order a1 a2 a3 eps C1 theta p b y v z Hp HT HS t H5).
 Qed.
+
+Theorem leading_force_positive : Statement.leading_force_positive.
+Proof. exact CompliantThreshold.leading_force_positive. Qed.
 
 Theorem IWC_below_threshold : Statement.IWC_below_threshold.
 Proof.
