@@ -117,16 +117,16 @@ INTEGERS = (-1, 0, 1, 2, 3, 6, 7)
 
 
 def entire_value(clause: str, beta: fmpq) -> bool | None:
-    """Whether an initial value in the entire form is the one that the library computes; False when it certainly is not."""
+    """Whether an initial value in the entire form is the one that the library computes; False: certainly not."""
     left, right = clause.split("=")
     order = {"theta 0": 0, "Derive theta 0": 1, "Derive_n theta 2 0": 2}[left.strip()]
-    functions = {
-        "b": beta,
-        "PI": arb.pi(),
-        "Rpower": Applied(2, lambda x, y: arb(x) ** arb(y)),
-        "recip_Gamma": Applied(1, lambda x: arb(x).rgamma()),
-    }
     with working_bits(BITS):
+        functions = {
+            "b": beta,
+            "PI": arb.pi(),
+            "Rpower": Applied(2, lambda x, y: arb(x) ** arb(y)),
+            "recip_Gamma": Applied(1, lambda x: arb(x).rgamma()),
+        }
         value = evaluate(0, beta, derivative=order, digits=40).value
         difference = value - arb(evaluate_term(right, functions, fmpq))
         if not difference.is_finite():
