@@ -17,12 +17,14 @@ from strategies import to_fmpq
 
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.box_program import BoxProgram
-from gspot_verified.mechanisms.all_g_spots import find_g_spots
-from gspot_verified.mechanisms.g_spot import GSpot, find_g_spot
+from gspot_verified.expansion.expressions import Variable
+from gspot_verified.mechanisms.all_g_spots import _singular, find_g_spots
+from gspot_verified.mechanisms.g_spot import DEFAULT_BITS, GSpot, find_g_spot
 from gspot_verified.mechanisms.g_spot_list import GSpots
 from gspot_verified.mechanisms.given import from_fields, lagrangian
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.spot_conditions import Stage
 from gspot_verified.verdict import Outcome, Reason
 
 CRITICAL = Fraction(4, 3)
@@ -325,6 +327,43 @@ def test_more_unknowns_than_conditions_give_a_patch_or_a_proof_of_absence() -> N
     free = find_g_spots(polynomial("w^2 + s^2 + r^2 - 1", "w - s^2", ("w", "s", "r"), fixed=False))
     assert free.patch is not None
     assert free.patch.dimension == 3
+
+
+def test_what_may_vanish_gives_no_patch() -> None:
+    """b = w (w^2 - 2) + 10^-180 is not 0 at the zeros of p = w^2 - 2, but no precision in use shows it."""
+    state = ["x", "u", "y", "v", "w", "s", "r"]
+    nearly = from_fields(
+        "nearly", state, ["u", 0, "v", "w*(w^2 - 2) + 1/10^60/10^60/10^60", 1, 1, 1], [0, 2, 0, "3 - w^2", 0, 0, 0],
+        [0, "3 - w^2", 0, 1, 0, 0, 0], "x", "y", 1, conditions=["s^2 + r^2 - 1", "x", "u - 1"],
+    )  # fmt: skip
+    found = find_g_spots(nearly, budget=100)
+    assert found.patch is None
+    assert found.verdict.outcome is Outcome.UNDECIDED
+
+
+def test_a_component_that_follows_from_a_free_one_is_not_called_inside() -> None:
+    """Contact with a slope: Y = sin(theta)/2 + X/10 with X free; for X in [0, 1] some spots leave Y < 1/2."""
+    rod = lagrangian(
+        "rod on a slope", ["X", "Y", "theta"], [[1, 0, 0], [0, 1, 0], [0, 0, "1/12"]], [0, -1, 0],
+        "X + cos(theta)/2", "Y - sin(theta)/2 - X/10", 2,
+    )  # fmt: skip
+    found = find_g_spots(rod, {"X": (0, 1), "Y": (0, "1/2")})
+    assert found.spots == found.boundary == ()
+    assert all("depends on a free one" in left.why for left in found.left)
+    assert len(found.left) == 4
+    free = find_g_spots(rod)
+    assert len(free.spots) == 4
+    assert all(spot.bits >= DEFAULT_BITS for spot in free.spots)
+
+
+def test_two_functions_have_no_fold_of_one() -> None:
+    square, line = Variable(0) * Variable(0), Variable(1)
+    box = [arb(0, "0.1"), arb(0, "0.1")]
+    assert _singular([square], Stage(("p",), (0,)), box).startswith("a fold: two zeros of p meet")
+    assert _singular([square * Variable(0)], Stage(("p",), (0,)), box).startswith(
+        "singular, or nearly: zeros of p meet"
+    )
+    assert _singular([square, line], Stage(("p", "b"), (0, 1)), box).startswith("singular, or nearly: zeros of p, b")
 
 
 def test_a_mass_matrix_that_is_not_positive_definite_is_said() -> None:

@@ -16,6 +16,7 @@ from strategies import ends, holds, to_fmpq
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.expressions import Constant, Cosine, Expression, Power, Product, Sine, Variable
+from gspot_verified.mechanisms import all_zeros
 from gspot_verified.mechanisms.all_zeros import Budget, Zeros, ZeroSearch
 
 X, Y = Variable(0), Variable(1)
@@ -147,3 +148,18 @@ def test_where_a_function_is_undefined_nothing_is_excluded() -> None:
     assert any(holds(box[0], -2) for box in found.left)
     assert any(holds(box[0], 0) for box in found.left)
     assert not any(holds(box[0], 1) for box in found.left)
+
+
+def test_a_curve_of_zeros_is_said_before_the_budget_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(all_zeros, "_MANY", 20)
+    found = search([Sine(X) - Sine(Y), X - Y], [arb(0, 1), arb(0, 1)])
+    assert found.stopped == "zeros may form a curve: more than 20 small boxes could not be settled"
+    assert len(found.left) >= 20
+
+
+def test_every_box_that_is_looked_at_counts() -> None:
+    """x = 1/3 is proved in the whole box [-1, 1], and x + 2 is excluded there; at a budget of 1 that is enough."""
+    for function, zeros in ((X - c(Fraction(1, 3)), 1), (X + c(2), 0)):
+        budget = Budget(1)
+        found = ZeroSearch(BoxProgram([function], 1), [arb(0)], [None]).run([arb(0, 1)], budget)
+        assert (len(found.zeros), found.left, found.stopped, budget.boxes) == (zeros, [], "", 0)

@@ -9,7 +9,7 @@ import pytest
 from flint import arb
 
 from gspot_verified.balls import working_bits
-from gspot_verified.mechanisms.krawczyk import krawczyk, strictly_inside
+from gspot_verified.mechanisms.krawczyk import krawczyk, krawczyk_operator, strictly_inside
 
 
 def square(box: list[arb]) -> list[arb]:
@@ -91,3 +91,12 @@ def test_strictly_inside() -> None:
     assert not strictly_inside(arb(0, 1), arb("nan"))
     assert not strictly_inside(arb(0, 1), arb(0, "inf"))  # no compact box: the proof takes the widths of its sides
     assert not strictly_inside(arb(0, "inf"), arb(0, 1))
+
+
+@pytest.mark.parametrize("nothing", [arb("nan"), arb(0, "inf")])
+def test_the_operator_gives_finite_boxes_only(nothing: arb) -> None:
+    one, box = [[arb(1)]], [arb(0, 1)]
+    assert krawczyk_operator([arb(0)], one, one, box) is not None
+    assert krawczyk_operator([nothing], one, one, box) is None
+    assert krawczyk_operator([arb(0)], [[nothing]], one, box) is None
+    assert krawczyk_operator([arb(0)], one, [[arb(0)]], box) is None
