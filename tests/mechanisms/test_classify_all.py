@@ -8,10 +8,11 @@ from dataclasses import replace
 import pytest
 from flint import fmpq
 
+from gspot_verified.expansion.expressions import Constant, Sine, Variable
 from gspot_verified.mechanisms.all_g_spots import find_g_spots
 from gspot_verified.mechanisms.classify import classify, classify_g_spot
-from gspot_verified.mechanisms.classify_all import classify_all
-from gspot_verified.mechanisms.given import lagrangian
+from gspot_verified.mechanisms.classify_all import _has_period, classify_all
+from gspot_verified.mechanisms.given import from_fields, lagrangian
 from gspot_verified.mechanisms.mechanism import Mechanism
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 
@@ -104,3 +105,31 @@ def test_what_has_not_the_period_of_the_conditions_is_named() -> None:
     assert further.vary == ()
     assert classify_all(rod_with_a_rotor("-sin(phi)")).vary == ()
     assert dict(classify_all(rod_with_a_rotor("0", "1 + phi^2")).vary) == {"phi": ("the mass matrix",)}
+
+
+def test_the_exact_one_is_named_also_where_something_is_left() -> None:
+    """p = w^2 (w - 1): a simple zero at the place given, and a double one, which cannot be settled."""
+    mu = "1 - w^2*(w - 1)"
+    made = from_fields(
+        "left", ["x", "u", "y", "v", "w", "s"], ["u", 0, "v", "s", 1, 1], [0, 2, 0, mu, 0, 0], [0, mu, 0, 1, 0, 0],
+        "x", "y", 1, place={"x": 0, "u": 1, "y": 0, "v": 0, "w": 1, "s": 0}, fixed=["x", "u"],
+    )  # fmt: skip
+    found = classify_all(made, {"w": (-1, 2)}, budget=300)
+    assert found.found.left
+    assert [spot.exact for spot in found.spots] == [True]
+    assert found.exit_code == 2
+
+
+def test_spots_at_the_boundary_are_shown() -> None:
+    found = classify_all(shipped_mechanism("model"))
+    moved = replace(found, found=replace(found.found, spots=(), boundary=found.found.spots), spots=())
+    assert "\nat the boundary of the region: x = 0, u = 1, y = 0, v = 0, p = 0, b = 0" in str(moved)
+    assert "boundary" not in str(found)
+
+
+def test_a_period_is_a_whole_multiple_of_the_functions_own() -> None:
+    half, double = Sine(Constant(fmpq(1, 2)) * Variable(0)), Sine(Constant(fmpq(2)) * Variable(0))
+    assert [_has_period([half], 0, fmpq(n)) for n in (1, 2, 3, 4)] == [False, True, False, True]
+    assert [_has_period([double], 0, fmpq(n, 4)) for n in (1, 2, 3, 4)] == [False, True, False, True]
+    assert _has_period([double], 1, fmpq(1, 7))
+    assert not _has_period([Variable(0)], 0, fmpq(1))

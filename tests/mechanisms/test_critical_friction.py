@@ -173,3 +173,34 @@ def test_a_mass_matrix_that_is_negative_definite_has_no_critical_friction(mass: 
     assert found.value is None
     assert found.is_below is None
     assert "C is not positive where B/C is largest" in found.reason
+
+
+def bent(x: str, y: str, inertia: int = 1) -> Mechanism:
+    """A body whose contact point moves on it: B = -x'(theta) y'(theta)/I, C = 1 + y'(theta)^2/I."""
+    return lagrangian(
+        "bent", ["X", "Y", "theta"], [[1, 0, 0], [0, 1, 0], [0, 0, inertia]], [0, -1, 0], f"X + {x}", f"Y - ({y})", 1
+    )
+
+
+def test_only_the_largest_of_several_maxima_is_named() -> None:
+    """x = cos, y = sin + sin(2 theta): B/C has maxima of different height, which the search proves."""
+    found = critical_friction(bent("cos(theta)", "sin(theta) + sin(2*theta)"))
+    slopes = [(math.cos(t) + 2 * math.cos(2 * t), math.sin(t)) for t in (2 * math.pi * k / 5000 for k in range(5000))]
+    assert found.value is not None
+    assert float(found.value) == pytest.approx(1 / max(f * s / (1 + f * f) for f, s in slopes), rel=1e-5)
+    assert len(found.places) == 1
+
+
+def test_where_the_largest_ratio_is_zero_nothing_is_said() -> None:
+    """x = cos, y = cos: B = -sin^2 touches 0, so p > 0 for every mu, but no ball shows it."""
+    found = critical_friction(bent("cos(theta)", "cos(theta)"))
+    assert found.value is None
+    assert found.reason == "B may vanish where B/C is largest"
+
+
+def test_a_ratio_that_is_not_bounded_is_said() -> None:
+    """I = -1: C = 1 - 4 cos(theta)^2 vanishes at pi/3, where B does not."""
+    found = critical_friction(bent("2*cos(theta)", "2*sin(theta)", -1), budget=10**6)
+    assert found.value is None
+    assert found.reason == "B/C is not bounded on a box that is left: C may vanish"
+    assert "budget" in critical_friction(bent("2*cos(theta)", "2*sin(theta)", -1), budget=10).reason

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -25,6 +26,11 @@ def test_a_mechanism_is_its_alphas() -> None:
 
 def test_numbers_as_before() -> None:
     assert iwc("7/3", digits=6).to_json() == iwc_of_alphas("7/3", digits=6).to_json()
+    whole: dict[str, Any] = {"alpha_1": -2, "alpha_3": -3, "digits": 3}
+    assert iwc(**whole).to_json() == iwc_of_alphas(**whole).to_json()
+    doubled = iwc("3/2", alpha_2=-2, digits=3)
+    assert doubled.leading.force.alpha_2 == -2
+    assert doubled.to_json() == iwc_of_alphas("3/2", alpha_2=-2, digits=3).to_json()
 
 
 @pytest.mark.parametrize(
@@ -85,6 +91,16 @@ def test_an_irrational_beta_above_1() -> None:
     assert near.largest_epsilon is not None
     assert result.leading.epsilon_0 is not None
     assert 0 < near.largest_epsilon - result.leading.epsilon_0 < fmpq(1, 10**6)
+
+
+def test_one_ball_among_rationals_is_enough_for_balls() -> None:
+    found = classify(load("oscillator"))
+    assert isinstance(found.alpha_2, fmpq)
+    result = iwc(replace(found, alpha_2=arb(found.alpha_2) + arb(0, 1e-9)), digits=6)
+    assert result.leading.verdict.outcome is Outcome.PROVED
+    assert "for all α1, α2, α3" in result.leading.verdict.statement
+    with pytest.raises(ValueError, match="alpha_1: expected one exact number, got a ball"):
+        iwc(alpha_1=arb(-1, 1e-9))
 
 
 def test_the_rod_in_case_ii_holds_everywhere() -> None:

@@ -149,3 +149,14 @@ def test_functions_that_grow_too_large_are_refused_soon(factors: int) -> None:
 
 def test_lie_derivative_of_a_constant() -> None:
     assert lie_derivative((1, 1), sympy.Integer(3), sympy.symbols("x y")) == 0
+
+
+def test_the_slip_velocity_stands_in_the_place_of_x() -> None:
+    """A disc that rolls: u = X' + 2 phi', so G_T holds (1, 0, 2/I) and A = 1 + 4/I."""
+    rows = [[1, 0, 0], [0, 1, 0], [0, 0, 5]]
+    disc = lagrangian("disc", ["X", "Y", "phi"], rows, [0, -1, 0], None, "Y", 1, slip_velocity="X_dot + 2*phi_dot")
+    found: Derived[Any] = derive(disc)
+    assert found.x is None
+    assert found.u == sympy.Symbol("X_dot") + 2 * sympy.Symbol("phi_dot")
+    assert list(found.G_T[3:]) == [1, 0, sympy.Rational(2, 5)]
+    assert found.A == sympy.Rational(9, 5)

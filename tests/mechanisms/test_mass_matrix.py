@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from flint import arb, fmpq
+from flint import arb, fmpq, fmpz_mat
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
 
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.rings import BALLS, RATIONALS
 from gspot_verified.mechanisms.given import from_fields, lagrangian
-from gspot_verified.mechanisms.mass_matrix import check_mass_matrix
+from gspot_verified.mechanisms.mass_matrix import check_mass_matrix, leading_minors
 from gspot_verified.mechanisms.mechanism import MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.to_system import shift
@@ -101,3 +103,26 @@ def test_friction_that_is_not_certain_is_refused(middle: str, radius: str, shown
         around = {name: arb(value) for name, value in HERE.items()} | {"X": arb(middle, radius)}
         with pytest.raises(MechanismError, match=f"mu must not be negative at the G-spot, it is {shown}"):
             check_mass_matrix(block(IDENTITY, "X"), around, BALLS)
+
+
+@settings(max_examples=40)
+@given(st.integers(1, 5).flatmap(lambda n: st.lists(st.integers(-9, 9), min_size=n * n, max_size=n * n)))
+def test_leading_minors_are_determinants(entries: list[int]) -> None:
+    size = round(len(entries) ** 0.5)
+    rows = [entries[i * size : (i + 1) * size] for i in range(size)]
+    expected = [fmpz_mat([row[:n] for row in rows[:n]]).det() for n in range(1, size + 1)]
+    assume(all(minor != 0 for minor in expected[:-1]))
+    assert list(leading_minors([list(map(fmpq, row)) for row in rows])) == expected
+
+
+def test_three_coordinates_that_are_coupled_in_pairs() -> None:
+    """[[2, 1, c], [1, 2, c], [c, c, 1]] has the determinant 3 - 2 c^2: definite up to c^2 = 3/2."""
+    for coupling, value in (("6/5", fmpq(3, 25)), ("5/4", fmpq(-1, 8))):
+        rows = [[2, 1, coupling], [1, 2, coupling], [coupling, coupling, 1]]
+        shifted = shift(lagrangian("three", ["X", "Y", "Z"], rows, [0, 0, 0], "X", "Y", 1))
+        at = dict.fromkeys(shifted.mechanism.state, fmpq(0))
+        if value > 0:
+            check_mass_matrix(shifted, at, RATIONALS)
+        else:
+            with pytest.raises(MechanismError, match=f"its leading minor of size 3 is {value}"):
+                check_mass_matrix(shifted, at, RATIONALS)
