@@ -159,4 +159,4 @@ def test_the_slip_velocity_stands_in_the_place_of_x() -> None:
     assert found.x is None
     assert found.u == sympy.Symbol("X_dot") + 2 * sympy.Symbol("phi_dot")
     assert list(found.G_T[3:]) == [1, 0, sympy.Rational(2, 5)]
-    assert found.A == sympy.Rational(9, 5)
+    assert sympy.Rational(9, 5) == found.A
