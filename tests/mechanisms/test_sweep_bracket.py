@@ -11,6 +11,7 @@ from flint import fmpq
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.expressions import Constant, Expression, Variable
+from gspot_verified.mechanisms import sweep_bracket
 from gspot_verified.mechanisms.sweep_bracket import Cut, bracket
 from gspot_verified.mechanisms.sweep_start import Origin, proved_tube
 from gspot_verified.mechanisms.tube import Equations, OnTube, Quantity
@@ -79,3 +80,24 @@ def test_ends_whose_signs_are_not_certain_are_refused() -> None:
 )
 def test_what_is_not_certainly_monotone_is_not_cut(quantity: Expression) -> None:
     assert cut(quantity) is None
+
+
+@pytest.mark.parametrize(
+    ("ends", "right"),
+    [
+        ((fmpq(3, 2), fmpq(7, 4)), True),
+        ((fmpq(13, 8), fmpq(7, 4)), False),
+        ((fmpq(5, 4), fmpq(3, 2)), False),
+        ((LOWER, fmpq(7, 4)), True),
+        ((fmpq(3, 2), UPPER), True),
+        ((LOWER, fmpq(3, 2)), False),
+        ((fmpq(13, 8), UPPER), False),
+    ],
+)
+def test_a_bracket_holds_the_zero_whatever_was_guessed(
+    ends: tuple[fmpq, fmpq], right: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The zero is 25/16, between 3/2 and 13/8. Where to look for it is a free choice."""
+    monkeypatch.setattr(sweep_bracket, "_ends", lambda *_: ends)
+    found = cut(X - number(fmpq(5, 4)))
+    assert found == (Cut(ends, (-1, 1), 1, -1, 1) if right else None)

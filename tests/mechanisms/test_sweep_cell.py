@@ -7,18 +7,20 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+import pytest
 from families import family
 from flint import fmpq
 
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.expressions import Variable
+from gspot_verified.mechanisms import sweep_cell
 from gspot_verified.mechanisms.parametric_system import parametric_system
 from gspot_verified.mechanisms.sweep_cell import Cell, Examination, Known
 from gspot_verified.mechanisms.sweep_findings import equations
 from gspot_verified.mechanisms.sweep_piece import Kind
 from gspot_verified.mechanisms.sweep_start import Origin, proved_tube
-from gspot_verified.mechanisms.tube import Equations, Tube
+from gspot_verified.mechanisms.tube import Equations, OnTube, Tube
 
 ROOT = Equations(BoxProgram([Variable(0) * Variable(0) - Variable(1)], 2), 1)
 
@@ -35,6 +37,7 @@ def test_signs_are_those_of_one_zero() -> None:
         known = Known().further(root(fmpq(1), fmpq(2), 1), "alpha_1", 1)
         assert known.signs == {"alpha_1": 1}
         assert known.concerns(root(fmpq(5, 4), fmpq(3, 2), 1))
+        assert known.concerns(root(fmpq(15, 8), fmpq(2), 1))
         assert not known.concerns(root(fmpq(5, 4), fmpq(3, 2), -1))
         assert Known().concerns(root(fmpq(5, 4), fmpq(3, 2), -1))
 
@@ -60,3 +63,20 @@ def test_pieces_cover_the_cell_up_to_a_fold_and_behind_it() -> None:
 
 def test_a_cell_without_an_origin_is_left() -> None:
     assert cell_pieces("q - k", fmpq(0), fmpq(1), None) == [(fmpq(0), fmpq(1), Kind.NO_TUBE)]
+
+
+@pytest.mark.parametrize("refused", [True, False])
+def test_a_bracket_over_which_no_tube_is_proved_is_left(refused: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """q = sqrt(k): alpha_3 passes alpha_1 at k = 9/16; the pieces cover the cell in both cases."""
+
+    def narrow(equations: Equations, lower: tuple[fmpq, ...], upper: tuple[fmpq, ...], near: Origin) -> OnTube | None:
+        return None if refused and upper[0] - lower[0] < fmpq(1, 10**6) else proved_tube(equations, lower, upper, near)
+
+    monkeypatch.setattr(sweep_cell, "proved_tube", narrow)
+    start = Origin((fmpq(9, 16),), (fmpq(0), fmpq(1), fmpq(0), fmpq(0), fmpq(3, 4), fmpq(0)), ((fmpq(0),),) * 6)
+    found = cell_pieces("q^2 - k", fmpq(1, 2), fmpq(11, 16), start)
+    here = {kind for lower, upper, kind in found if lower <= fmpq(9, 16) <= upper}
+    assert here == {Kind.NO_TUBE if refused else Kind.CROSSING}
+    assert (found[0][0], found[-1][1]) == (fmpq(1, 2), fmpq(11, 16))
+    for (_, end, _), (begin, _, _) in pairwise(found):
+        assert end == begin

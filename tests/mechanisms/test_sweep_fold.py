@@ -16,9 +16,11 @@ from gspot_verified.balls import working_bits
 from gspot_verified.mechanisms.parametric_system import parametric_system
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.sweep import sweep
-from gspot_verified.mechanisms.sweep_fold import _on_curve, _widened, turned
+from gspot_verified.mechanisms.sweep_findings import equations
+from gspot_verified.mechanisms.sweep_fold import _on_curve, _widened, fold_next_to, turned
 from gspot_verified.mechanisms.sweep_piece import Kind
 from gspot_verified.mechanisms.sweep_start import Origin, proved_tube
+from gspot_verified.mechanisms.tube import Tube
 
 ROD = "falling rod of Génot and Brogliato"
 
@@ -140,3 +142,18 @@ def test_a_spot_must_lie_on_the_curve_with_its_tangent() -> None:
         assert not _on_curve(tube, q, known(q * q, 2 * q, u=2))
         assert not _on_curve(tube, arb("0.2"), known(arb("0.04"), arb("0.4")))
         assert not _on_curve(tube, arb("nan"), known(q * q, 2 * q))
+
+
+def test_the_direction_of_the_curve_is_not_that_of_the_tubes_line() -> None:
+    """q = sqrt(k) on [1/8, 1/4] in a tube whose line does not rise at all: the curve rises, and folds at k = 0."""
+    system = parametric_system(family("q^2 - k", "1"), ["k"], ["x", "u"])
+    centre = tuple(map(arb, (0, 1, 0, 0, "0.4375", 0)))
+    wide = tuple(arb(0, "0.125") for _ in centre)
+    level = Tube((fmpq(1, 8),), (fmpq(1, 4),), centre, tuple((arb(0),) for _ in centre), wide, wide)
+    with working_bits(80):
+        fold = fold_next_to(system, equations(system), level, fmpq(1, 8), 8)
+        elsewhere = Tube(level.lower, level.upper, tuple(-value for value in centre), level.slopes, wide, wide)
+        assert fold_next_to(system, equations(system), elsewhere, fmpq(1, 8), 8) is None
+    assert fold is not None
+    assert fold.value.contains(0)
+    assert (fold.opens, fold.reach) == (1, fmpq(1, 8))

@@ -121,3 +121,13 @@ def test_where_two_roots_are_not_told_apart_the_place_holds_both(distance: int) 
             assert found.near is not None
             assert holds(found.near, 1)
             assert holds(found.near, 1 + gap)
+
+
+@pytest.mark.parametrize("middle", [arb(0), arb(0, "0.01")])
+@pytest.mark.parametrize("a", [1, -1])
+def test_without_a_linear_term_the_roots_are_opposite(middle: arb, a: int) -> None:
+    """a (s^2 - 4) with a linear coefficient that is 0, or may have either sign."""
+    found = quadratic_roots(arb(a), middle, arb(-4 * a))
+    assert found.open is None
+    assert [holds(point, root) for point, root in zip(found.points, (-2, 2), strict=True)] == [True, True]
+    assert ends(found.points[0])[1] < 0 < ends(found.points[1])[0]
