@@ -15,6 +15,7 @@ from gspot_verified.mechanisms.g_spot import GSpot
 from gspot_verified.mechanisms.mechanism import Mechanism, Place
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.sweep import sweep
+from gspot_verified.mechanisms.sweep_first import first_spot
 from gspot_verified.mechanisms.sweep_piece import Kind
 
 
@@ -46,6 +47,14 @@ def test_several_spots_must_be_chosen_from(rod: Mechanism) -> None:
     for number in (0, 5, True, "1"):
         with pytest.raises(ValueError, match=r"a number in 1\.\.4"):
             sweep(rod, {"mu": "1.4..2:3"}, spot=number)  # type: ignore[arg-type]
+
+
+def test_a_number_is_of_the_list_also_where_the_mechanism_names_a_place() -> None:
+    """At the place is the second of four; tan θ of the fourth is the larger root."""
+    mechanism = shipped_mechanism("genot_brogliato_rod", mu=2)
+    at_the_place, fourth = first_spot(mechanism, None), first_spot(mechanism, 4)
+    theta = mechanism.state.index("theta")
+    assert fourth.system.point[theta] > at_the_place.system.point[theta]
 
 
 def test_the_only_spot_need_not_be_chosen() -> None:
