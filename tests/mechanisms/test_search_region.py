@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 from flint import arb, fmpq
-from strategies import holds
+from strategies import ends, holds
 
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Constant, Cosine, Expression, Sine, Variable
@@ -66,6 +66,17 @@ def test_what_all_conditions_repeat_is_searched_once() -> None:
     assert holds(found.side(0), 10)
     assert holds(found.side(0), -10)
     assert found.side(0) < 11
+    with working_bits(4):  # where the enclosure of pi is wide
+        low, high = ends(found.side(1))
+    assert low < Fraction(-62832, 10000)
+    assert high > Fraction(62832, 10000)
+
+
+def test_an_interval_for_one_component_leaves_the_others_their_periods() -> None:
+    conditions: dict[str, Expression] = {"p": Sine(THETA) * Q - HALF, "b": Q - Sine(THETA)}
+    assert take_apart(conditions, 4).stages[0].variables == (0, 1)
+    _, words = region(conditions, {"q": (0, 1)})
+    assert words["theta"] == "every angle (all conditions have the period 2 pi)"
 
 
 def test_a_period_of_one_turn() -> None:
