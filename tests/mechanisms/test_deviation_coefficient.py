@@ -5,18 +5,25 @@ Page: proofs/approach.md.
 
 from __future__ import annotations
 
-from typing import Any
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any, cast
 
 import pytest
-from flint import arb
+from flint import arb, arb_poly
+from strategies import ends, holds
 
 from gspot_verified.balls import working_bits
+from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.integrate import Run
+from gspot_verified.mechanisms import deviation_coefficient
 from gspot_verified.mechanisms.approach import approach
 from gspot_verified.mechanisms.capture import Capture, capture
 from gspot_verified.mechanisms.deviation_coefficient import coefficient_above_one, coefficient_below_one
+from gspot_verified.mechanisms.distinguished import Distinguished, Region
 from gspot_verified.mechanisms.shipped import shipped_mechanism
-from gspot_verified.mechanisms.slip_flow import SlipFlow, SlipNumbers
+from gspot_verified.mechanisms.slip_flow import Numbers, SlipFlow, SlipNumbers
 from gspot_verified.mechanisms.slip_state import slip_state
 from gspot_verified.mechanisms.to_system import shift
 
@@ -81,3 +88,121 @@ def test_hypotheses_that_fail() -> None:
         assert inside is not None
         assert coefficient_above_one(own, model.by_p(), at, inside, inside.box, 5, arb(1) / 128) is None
         assert coefficient_below_one(own, at, inside, inside.box) is None
+
+
+STATES, PLACE, BOX = [arb(1)], [arb(2)], (arb(2, 3), arb(0, 1))
+
+
+class Made:
+    """Numbers as a test wants them: at the states (p = 1/4, b = -1/2, so λ = 2), at the place, and β's slopes."""
+
+    def __init__(self, star: tuple[int, int], slopes: list[arb]) -> None:
+        self.star, self.slopes = star, slopes
+        self.asked: list[list[arb]] = []
+
+    def on(self, box: Sequence[arb]) -> Numbers:
+        first, third = self.star if box is PLACE else (-9, -9)
+        return numbers_of(arb(first), arb(-9), arb(third))
+
+    def beta_slopes(self, box: Sequence[arb]) -> list[arb]:
+        self.asked.append(list(box))
+        return self.slopes
+
+
+def numbers_of(first: arb, second: arb, third: arb) -> Numbers:
+    F, G = (arb(1, 1), arb(-3, 2)), (arb(-2, 1), arb("0.5"))
+    return Numbers(arb("0.25"), arb("-0.5"), arb(5), first, second, third, F, G)
+
+
+def caught(first: arb, second: arb, third: arb) -> Capture:
+    """a_1 = 2, a_3 = 1/2, B = 1/8."""
+    return Capture(BOX, (), numbers_of(first, second, third), arb(1), arb("0.125"), arb(2), arb("0.5"))
+
+
+def test_theorem_a4_by_hand() -> None:
+    """α_1 in [-3, -2], α_2 in [-1, 1/2], α_3 in [-1, -1/2], f = 5, g = 3, Λ = 3/64; α_1* = -4, α_3* = -2.
+
+    d = 1, d' = 1 - (1/2)/2 = 3/4, A_2 = 1, λ_1 = 2: ω = 1/(2 · 3/4) + 3 · 3/64 (5/16 + 3 (1/8 + 1/16)/(1/2)).
+    """
+    made = Made((-4, -2), [arb(1) / 64, arb(-1) / 32])
+    held = caught(arb("-2.5", "0.5"), arb("-0.25", "0.75"), arb("-0.75", "0.25"))
+    omega = Fraction(2, 3) + Fraction(9, 64) * (Fraction(5, 16) + 6 * Fraction(3, 16))
+    with working_bits(80):
+        value = coefficient_below_one(cast(SlipNumbers, made), STATES, held, PLACE)
+    assert value is not None
+    assert made.asked == [list(BOX)]
+    middle = -0.5 * 4**0.5 * 0.25**-0.5
+    assert holds(value, Fraction(middle))
+    assert holds(value, Fraction(middle * math.exp(-omega)))
+    assert float(ends(value)[0]) == pytest.approx(middle * math.exp(omega), rel=1e-6)
+    assert ends(value)[0] <= Fraction(middle * math.exp(omega) * (1 - 1e-12))
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "third"),
+    [
+        (arb(-2), arb(-1), arb(-2)),  # the force does not grow
+        (arb(-2), arb(-1), arb(-2, "0.1")),
+        (arb(-2), arb(3), arb("-0.5")),  # d = 3/2, and α_2/λ_1 = 3/2
+        (arb("nan"), arb(-1), arb(-1)),
+    ],
+)
+def test_theorem_a4_needs_a_force_that_grows(first: arb, second: arb, third: arb) -> None:
+    assert (
+        coefficient_below_one(cast(SlipNumbers, Made((-2, -1), [arb(0)])), STATES, caught(first, second, third), PLACE)
+        is None
+    )
+
+
+def above(
+    monkeypatch: pytest.MonkeyPatch, exponent: arb, third: arb, middle: arb | None = None
+) -> tuple[arb | None, Made, list[list[arb]]]:
+    """Theorem A2 with σ_1 = 2, σ_2 = 3, r = 1/16, |S| = (1/2, 1/4), Λ = (1/8, 1/2), λ̄ = 3/2 at p_1, α* = (-4, -8)."""
+    regions: list[list[arb]] = []
+    made = Made((-4, -8), [arb("-0.125"), arb("0.5")])
+
+    class Given:
+        @staticmethod
+        def on(_: VectorField, box: list[arb]) -> Region:
+            regions.append(box)
+            return Region(tuple(box), (arb("-0.5"), arb("0.25")), arb(2), arb(3), arb(1) / 16, exponent)
+
+    trajectory = Distinguished((arb_poly([5, 8]), arb_poly([0])), arb_poly([1, 4]), arb(1), 3)
+    monkeypatch.setattr(deviation_coefficient, "Region", Given)
+    monkeypatch.setattr(deviation_coefficient, "taylor_in_p", lambda *_: trajectory)
+    monkeypatch.setattr(deviation_coefficient, "force_at", lambda *_: arb("1.5") if middle is None else middle)
+    field = cast(VectorField, None)
+    held = caught(arb(-2), arb(-1), third)
+    return coefficient_above_one(cast(SlipNumbers, made), field, STATES, held, PLACE, 3, arb(1)), made, regions
+
+
+def test_theorem_a2_by_hand(monkeypatch: pytest.MonkeyPatch) -> None:
+    """L = 1/16 + 1/8, c = 3 e^(1/2), ω = (3/16 + c/16)/4; e = 2 - 3/2 and C_1 = -4^2 e (1/4)^(-1) e^(±ω)."""
+    with working_bits(80):
+        value, made, ((*state, force),) = above(monkeypatch, arb(1), arb(-3))
+    assert value is not None
+    omega = (3 / 16 + 3 * math.exp(0.5) / 16) / 4
+    assert holds(value, -32)
+    assert holds(value, Fraction(-32 * math.exp(-omega)))
+    assert float(ends(value)[0]) == pytest.approx(-32 * math.exp(omega), rel=1e-6)
+    # D: the neighbourhood [-1, 5] × [-1, 1] with the trajectory's [5, 7] × 0, and the force between 2, 1 and [1, 2].
+    assert made.asked == [state]
+    for side, low, high in ((state[0], -1, 7), (state[1], -1, 1), (force, 1, 2)):
+        assert holds(side, low)
+        assert holds(side, high)
+
+
+def test_theorem_a2_needs_its_hypotheses(monkeypatch: pytest.MonkeyPatch) -> None:
+    """r c p_1 = 3 e^(1/2)/64 = 0.0773 must be less than β - 1, and α_3 less than α_1 = -2."""
+    for exponent, third, there in (
+        (arb("0.078"), arb(-3), True),
+        (arb("0.077"), arb(-3), False),
+        (arb("0.078", "0.001"), arb(-3), False),
+        (arb(1), arb(-2), False),
+        (arb(1), arb(-2, "0.1"), False),
+        (arb(1), arb(-1), False),
+    ):
+        with working_bits(80):
+            assert (above(monkeypatch, exponent, third)[0] is not None) is there
+    with working_bits(80):
+        assert above(monkeypatch, arb(1), arb(-3), arb("nan"))[0] is None
