@@ -9,6 +9,7 @@ from flint import fmpq
 
 from gspot_verified.expansion.recursion import Recursion
 from gspot_verified.expansion.symbols import RationalFunction, Symbols
+from gspot_verified.expansion.system import GSpotError
 from gspot_verified.mechanisms.shipped import shipped_mechanism, shipped_system
 from gspot_verified.mechanisms.symbolic import symbolic_system
 
@@ -65,3 +66,8 @@ def test_what_symbols_cannot_do_is_said() -> None:
         ring.power(x, fmpq(1, 2))
     assert ring.is_negative(ring.number(-1))
     assert not ring.is_negative(ring.number(0))
+
+
+def test_without_a_symbol_there_is_no_symbolic_system() -> None:
+    with pytest.raises(GSpotError, match="no parameter is a symbol; give one the value None"):
+        symbolic_system(shipped_mechanism("extended"))

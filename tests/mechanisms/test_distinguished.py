@@ -157,6 +157,8 @@ def test_theorem_a3_needs_its_hypotheses(change: dict[str, arb]) -> None:
     with working_bits(80):
         found, bad, *_ = by_hand(**change)
         assert force_at(FLAT, found, arb("0.25"), arb(1), bad) is None
+        wide = replace(bad, box=(arb(0, 10**6),) * 3)
+        assert force_at(FLAT, found, arb("0.25"), arb(1), wide) is None
 
 
 def test_the_widened_polynomials_lie_in_the_interior() -> None:

@@ -84,9 +84,32 @@ def test_the_same_function(expression: Expression, first: int, second: int) -> N
         assert after.overlaps(before)
 
 
+ATOMS = (x, y, Symbol("k"), ONE)
+part = st.tuples(st.integers(-3, 3), st.integers(0, len(ATOMS) - 1))
+
+
+@given(st.lists(st.tuples(st.integers(-3, 3), st.lists(part, max_size=5)), max_size=4))
+def test_sums_inside_of_sums_keep_every_term(groups: list[tuple[int, list[tuple[int, int]]]]) -> None:
+    """Sums of variables, symbols and numbers have one form: that of the coefficients counted by hand."""
+    inner = [
+        product_of(constant(k), sum_of(*(product_of(constant(c), ATOMS[i]) for c, i in parts))) for k, parts in groups
+    ]
+    total = [sum(k * c for k, parts in groups for c, i in parts if i == j) for j in range(len(ATOMS))]
+    assert sum_of(*inner) is sum_of(*(product_of(constant(c), atom) for c, atom in zip(total, ATOMS, strict=True)))
+    (again,) = simplified(Sum((ONE, *inner)))
+    assert again is sum_of(ONE, sum_of(*inner))
+
+
+def test_a_sum_of_twelve_inside_a_sum() -> None:
+    terms = [Symbol(f"k{i:02}") for i in range(12)]
+    assert sum_of(sum_of(*terms), y) is Sum((y, *terms))
+
+
 @pytest.mark.parametrize(
     ("made", "wanted"),
     [
+        (sum_of(sum_of(x, y), sum_of(y, ONE)), Sum((x, product_of(constant(2), y), ONE))),
+        (sum_of(product_of(constant(3), sum_of(x, ONE)), -x), Sum((product_of(constant(2), x), constant(3)))),
         (sum_of(x, y, -x), y),
         (sum_of(product_of(x, y), product_of(constant(-1), y, x)), ZERO),
         (product_of(x, power_of(x, fmpq(-1))), ONE),

@@ -101,3 +101,9 @@ def test_a_bracket_holds_the_zero_whatever_was_guessed(
     monkeypatch.setattr(sweep_bracket, "_ends", lambda *_: ends)
     found = cut(X - number(fmpq(5, 4)))
     assert found == (Cut(ends, (-1, 1), 1, -1, 1) if right else None)
+
+
+def test_where_nothing_was_guessed_nothing_is_cut(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sweep_bracket, "_ends", lambda *_: None)
+    assert cut(X - number(fmpq(5, 4))) is None
+    assert cut(X - number(fmpq(1, 2))) == Cut(None, (1,), 1)

@@ -9,13 +9,14 @@ from itertools import pairwise
 
 import pytest
 from families import family
-from flint import fmpq
+from flint import arb, fmpq
 
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.expressions import Variable
 from gspot_verified.mechanisms import sweep_cell
 from gspot_verified.mechanisms.parametric_system import parametric_system
+from gspot_verified.mechanisms.sweep_bracket import Cut
 from gspot_verified.mechanisms.sweep_cell import Cell, Examination, Known
 from gspot_verified.mechanisms.sweep_findings import equations
 from gspot_verified.mechanisms.sweep_piece import Kind
@@ -37,9 +38,19 @@ def test_signs_are_those_of_one_zero() -> None:
         known = Known().further(root(fmpq(1), fmpq(2), 1), "alpha_1", 1)
         assert known.signs == {"alpha_1": 1}
         assert known.concerns(root(fmpq(5, 4), fmpq(3, 2), 1))
-        assert known.concerns(root(fmpq(15, 8), fmpq(2), 1))
         assert not known.concerns(root(fmpq(5, 4), fmpq(3, 2), -1))
         assert Known().concerns(root(fmpq(5, 4), fmpq(3, 2), -1))
+
+
+def test_the_middle_of_the_part_is_asked_for() -> None:
+    """Level on [0, 8] within 1, and rising with slope 1 on [6, 8]: they meet at 7, not to the left of 0."""
+
+    def line(lower: int, upper: int, slope: int, width: str) -> Tube:
+        ball = (arb(0, width),)
+        return Tube((fmpq(lower),), (fmpq(upper),), (arb(0),), ((arb(slope),),), ball, ball)
+
+    assert Known(line(0, 8, 0, "1")).concerns(line(6, 8, 1, "0.5"))
+    assert not Known(line(0, 8, 0, "0.25")).concerns(line(6, 8, 1, "0.5"))
 
 
 def cell_pieces(p: str, lower: fmpq, upper: fmpq, origin: Origin | None) -> list[tuple[fmpq, fmpq, Kind]]:
@@ -80,3 +91,12 @@ def test_a_bracket_over_which_no_tube_is_proved_is_left(refused: bool, monkeypat
     assert (found[0][0], found[-1][1]) == (fmpq(1, 2), fmpq(11, 16))
     for (_, end, _), (begin, _, _) in pairwise(found):
         assert end == begin
+
+
+def test_a_quantity_with_one_sign_all_along_needs_no_bracket(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As alpha_3 - alpha_1 has on [9/16 + 1/64, 11/16]: its sign is known there, and no bracket is cut out."""
+    monkeypatch.setattr(sweep_cell, "bracket", lambda *_: Cut(None, (1,), 1))
+    start = Origin((fmpq(5, 8),), (fmpq(0), fmpq(1), fmpq(0), fmpq(0), fmpq(4, 5), fmpq(0)), ((fmpq(0),),) * 6)
+    found = cell_pieces("q^2 - k", fmpq(37, 64), fmpq(11, 16), start)
+    assert {kind for *_, kind in found} == {Kind.SETTLED}
+    assert (found[0][0], found[-1][1]) == (fmpq(37, 64), fmpq(11, 16))

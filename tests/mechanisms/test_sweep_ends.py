@@ -31,7 +31,10 @@ def piece(lower: int, upper: int, kind: Kind = Kind.SETTLED) -> SweepPiece:
     return SweepPiece(*box, kind, record=None if kind is Kind.NO_TUBE else TubeRecord.of(tube))
 
 
-LINE = [piece(0, 1, Kind.NO_TUBE), piece(1, 2, Kind.OPEN), piece(2, 3), piece(3, 4), piece(4, 5), piece(5, 6)]
+LINE = [
+    piece(-1, 0, Kind.OPEN), piece(0, 1, Kind.NO_TUBE), piece(1, 2, Kind.OPEN), piece(2, 3), piece(3, 4), piece(4, 5),
+    piece(5, 6), piece(6, 7),
+]  # fmt: skip
 
 
 def after(folds: dict[int, Fold], own: list[int], monkeypatch: pytest.MonkeyPatch) -> tuple[Plain, list[Fold]]:
@@ -40,7 +43,7 @@ def after(folds: dict[int, Fold], own: list[int], monkeypatch: pytest.MonkeyPatc
     def given(system: Any, _: Any, tube: Tube, end: fmpq, digits: int) -> Fold | None:
         assert (system, digits) == (SYSTEM, 7)
         assert end in (tube.lower[0], tube.upper[0])
-        assert tube.lower[0] == (min(own) if end == min(own) else max(own))
+        assert tube.lower[0] == LINE[min(own) if end == LINE[min(own)].lower[0] else max(own)].lower[0]
         return folds.get(int(end.p))
 
     monkeypatch.setattr(sweep_ends, "fold_next_to", given)
@@ -48,76 +51,76 @@ def after(folds: dict[int, Fold], own: list[int], monkeypatch: pytest.MonkeyPatc
     return [(one.lower[0], one.upper[0], one.kind) for one in pieces], found
 
 
-def fold(lower: str, upper: str, opens: int, reach: int) -> Fold:
-    value = Dyadic.from_ball(arb(lower).union(arb(upper)))
-    return Fold("k", value, opens, fmpq(reach), ())
+def fold(lower: int, upper: int, opens: int, reach: int) -> Fold:
+    """Between these quarters."""
+    return Fold("k", Dyadic(lower, upper, -2), opens, fmpq(reach), ())
 
 
 OWN: Plain = [(2, 3, Kind.SETTLED), (3, 4, Kind.SETTLED)]
-BEFORE: Plain = [(0, 1, Kind.NO_TUBE), (1, 2, Kind.OPEN)]
-AFTER: Plain = [(4, 5, Kind.SETTLED), (5, 6, Kind.SETTLED)]
+BEFORE: Plain = [(-1, 0, Kind.OPEN), (0, 1, Kind.NO_TUBE), (1, 2, Kind.OPEN)]
+AFTER: Plain = [(4, 5, Kind.SETTLED), (5, 6, Kind.SETTLED), (6, 7, Kind.SETTLED)]
 
 
 def test_no_fold_leaves_the_pieces_as_they_are(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert after({}, [2, 3], monkeypatch) == ([*BEFORE, *OWN, *AFTER], [])
-    assert after({2: fold("1.5", "1.75", 1, 2)}, [], monkeypatch) == ([*BEFORE, *OWN, *AFTER], [])
+    assert after({}, [3, 4], monkeypatch) == ([*BEFORE, *OWN, *AFTER], [])
+    assert after({2: fold(6, 7, 1, 2)}, [], monkeypatch) == ([*BEFORE, *OWN, *AFTER], [])
 
 
 def test_before_a_fold_that_opens_upwards_there_is_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     """The spots meet in [3/2, 7/4]: below 3/2 there is none of the two, between it and the tube they may or may not."""
-    known = fold("1.5", "1.75", 1, 2)
-    pieces, folds = after({2: known}, [2, 3], monkeypatch)
-    start = known.bounds()[0]
-    assert fmpq(149, 100) < start <= fmpq(3, 2)
-    assert pieces == [(0, start, Kind.BEYOND), (start, 2, Kind.FOLD), *OWN, *AFTER]
+    known = fold(6, 7, 1, 2)
+    pieces, folds = after({2: known}, [3, 4], monkeypatch)
+    assert pieces == [(-1, fmpq(3, 2), Kind.BEYOND), (fmpq(3, 2), 2, Kind.FOLD), *OWN, *AFTER]
     assert folds == [known]
 
 
 def test_behind_a_fold_that_opens_downwards_there_is_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    known = fold("4.25", "4.5", -1, 4)
-    pieces, folds = after({4: known}, [2, 3], monkeypatch)
-    end = known.bounds()[1]
-    assert fmpq(9, 2) <= end < fmpq(451, 100)
-    assert pieces == [*BEFORE, *OWN, (4, end, Kind.FOLD), (end, 6, Kind.BEYOND)]
+    known = fold(17, 18, -1, 4)
+    pieces, folds = after({4: known}, [3, 4], monkeypatch)
+    assert pieces == [*BEFORE, *OWN, (4, fmpq(9, 2), Kind.FOLD), (fmpq(9, 2), 7, Kind.BEYOND)]
     assert folds == [known]
 
 
 def test_both_ends(monkeypatch: pytest.MonkeyPatch) -> None:
-    low, high = fold("1.5", "1.75", 1, 2), fold("4.25", "4.5", -1, 4)
-    pieces, folds = after({2: low, 4: high}, [2, 3], monkeypatch)
+    low, high = fold(6, 7, 1, 2), fold(17, 18, -1, 4)
+    pieces, folds = after({2: low, 4: high}, [3, 4], monkeypatch)
     assert [kind for *_, kind in pieces] == [Kind.BEYOND, Kind.FOLD, Kind.SETTLED, Kind.SETTLED, Kind.FOLD, Kind.BEYOND]
     assert folds == [low, high]
 
 
 def test_a_fold_that_opens_to_the_other_side_is_another_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    wrong = {2: fold("1.5", "1.75", -1, 2), 4: fold("4.25", "4.5", 1, 4)}
-    assert after(wrong, [2, 3], monkeypatch) == ([*BEFORE, *OWN, *AFTER], [])
+    wrong = {2: fold(6, 7, -1, 2), 4: fold(17, 18, 1, 4)}
+    assert after(wrong, [3, 4], monkeypatch) == ([*BEFORE, *OWN, *AFTER], [])
 
 
-@pytest.mark.parametrize(("low", "high"), [("-1", "1"), ("0", "0.5"), ("-3", "-2")])
-def test_a_fold_at_the_end_of_the_line_leaves_no_piece_behind_it(
-    low: str, high: str, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(("low", "high"), [(-8, 3), (-4, 2), (-12, -8), (8, 9)])
+def test_a_fold_at_an_end_of_the_range_leaves_no_piece_behind_it(
+    low: int, high: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    pieces, _ = after({2: fold(low, high, 1, 2)}, [2, 3], monkeypatch)
-    assert pieces == [(0, 2, Kind.FOLD), *OWN, *AFTER]
+    """The range is [-1, 2]: the fold is said to be in it, and no piece is empty."""
+    pieces, _ = after({2: fold(low, high, 1, 2)}, [3, 4], monkeypatch)
+    assert pieces == [(-1, 2, Kind.FOLD), *OWN, *AFTER]
 
 
-def test_an_end_of_the_line_has_nothing_behind_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    folds = {0: fold("-0.5", "-0.25", 1, 0), 6: fold("6.25", "6.5", -1, 6)}
-    every = [(0, 1, Kind.NO_TUBE), (1, 2, Kind.OPEN), *OWN, *AFTER]
-    assert after(folds, [0, 1, 2, 3, 4, 5], monkeypatch) == (every, [])
+@pytest.mark.parametrize("opens", [1, -1])
+def test_an_end_of_the_line_has_nothing_behind_it(opens: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sweep_ends, "fold_next_to", lambda *_: fold(6, 7, opens, 2))
+    line = [piece(0, 1), piece(1, 2)]
+    assert with_folds(SYSTEM, equations(SYSTEM), line, [0, 1], 7) == (line, [])
 
 
 def test_a_piece_without_a_tube_has_no_fold_next_to_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(sweep_ends, "fold_next_to", lambda *_: fold("1.5", "1.75", 1, 2))
+    monkeypatch.setattr(sweep_ends, "fold_next_to", lambda *_: fold(6, 7, 1, 2))
     line = [piece(0, 1), piece(1, 2, Kind.NO_TUBE), piece(2, 3)]
     assert with_folds(SYSTEM, equations(SYSTEM), line, [1], 7) == (line, [])
 
 
 def test_neighbours_without_a_tube_are_one_piece() -> None:
-    none, kinds = Kind.NO_TUBE, [Kind.SETTLED, Kind.NO_TUBE, Kind.NO_TUBE, Kind.NO_TUBE, Kind.OPEN, Kind.OPEN]
-    found = without_gaps([*(piece(i, i + 1, kind) for i, kind in enumerate(kinds)), piece(6, 7, none)])
+    none, settled = Kind.NO_TUBE, Kind.SETTLED
+    kinds = [settled, none, none, none, Kind.OPEN, Kind.OPEN, none, none, settled, settled, none]
+    found = without_gaps([piece(i, i + 1, kind) for i, kind in enumerate(kinds)])
     assert [(one.lower[0], one.upper[0], one.kind) for one in found] == [
-        (0, 1, Kind.SETTLED), (1, 4, none), (4, 5, Kind.OPEN), (5, 6, Kind.OPEN), (6, 7, none),
+        (0, 1, settled), (1, 4, none), (4, 5, Kind.OPEN), (5, 6, Kind.OPEN), (6, 8, none), (8, 9, settled),
+        (9, 10, settled), (10, 11, none),
     ]  # fmt: skip
     assert json.loads(json.dumps([one.to_json() for one in found]))
