@@ -6,6 +6,7 @@ proofs/all_g_spots.md.
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -20,7 +21,7 @@ from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.expressions import Variable
 from gspot_verified.mechanisms.all_g_spots import _singular, find_g_spots
 from gspot_verified.mechanisms.g_spot import DEFAULT_BITS, GSpot, find_g_spot
-from gspot_verified.mechanisms.g_spot_list import GSpots
+from gspot_verified.mechanisms.g_spot_list import GSpots, Left, Patch
 from gspot_verified.mechanisms.given import from_fields, lagrangian
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
@@ -557,3 +558,31 @@ def test_an_interval_of_one_rational_point(end: Any) -> None:
     assert len(found.boundary) == (1 if end == "4/5" else 0)
     with pytest.raises(MechanismError, match="empty or reversed"):
         find_g_spots(shipped_mechanism("falling rod"), {"Y_dot": ("1/3", "33333333333333333333/100000000000000000000")})
+
+
+def test_what_is_left_open_is_not_called_complete() -> None:
+    """The list of four with a box left, with one spot at the boundary, and as it is; and how each is shown."""
+    found = find_g_spots(classical_rod(Fraction(7, 5)))
+    spot, left = found.spots[0], Left((("theta", "[0, 1]"), ("X", "0")), "the budget of boxes ended")
+    assert found.verdict.outcome is Outcome.PROVED
+    assert found.verdict.statement.endswith("exactly 4 G-spots in the region searched")
+    assert str(left) == "theta = [0, 1], X = 0: the budget of boxes ended"
+    for other, reason in (
+        (replace(found, left=(left,)), Reason.BUDGET),
+        (replace(found, left=(replace(left, why="singular"),)), Reason.HYPOTHESIS),
+        (replace(found, boundary=(spot,)), Reason.HYPOTHESIS),
+        (replace(found, spots=(), boundary=(spot,)), Reason.HYPOTHESIS),
+    ):
+        assert not other.complete
+        assert (other.verdict.outcome, other.verdict.reason) == (Outcome.UNDECIDED, reason)
+    lines = str(replace(found, left=(left,) * 23, boundary=(spot,))).splitlines()
+    assert sum(line == f"  left open: {left}" for line in lines) == 20
+    assert "  and 3 boxes more are left open" in lines
+    assert not any("more are left" in line for line in str(replace(found, left=(left,) * 20)).splitlines())
+    shown = [line.split(":")[0] for line in lines if line.startswith(("  G-spot", "  at the"))]
+    assert shown == [*(f"  G-spot {n}" for n in range(1, 5)), "  at the boundary of the region 1"]
+    patched = replace(found, patch=Patch(2, (("w", "[0, 1]"),), (("s", "[2, 3]"),)))
+    assert (patched.complete, patched.verdict.outcome) == (False, Outcome.PROVED)
+    assert "form a surface" in patched.verdict.statement
+    assert "  fix components (fixed, conditions) for isolated G-spots and a complete list" in str(patched)
+    assert "  for all w in [0, 1] exactly one with s in [2, 3]" in str(patched)

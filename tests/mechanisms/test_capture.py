@@ -77,7 +77,7 @@ def numbers(**given: arb) -> Numbers:
 def test_the_ways_by_hand() -> None:
     """-α_1 >= 2, -α_3 >= 3, |α_2| <= 4, |F| <= 5, |G| <= 7, p <= 3, |b| <= 6: time 3/2, ∫|b| (6 + 4 · 3/2)/3 = 4."""
     at = numbers(p=arb(2, 1), b=arb(-4, 2))
-    inside = numbers(alpha_1=arb(-3, 1), alpha_2=arb(-1, 3), alpha_3=arb(-5, 2), F=arb(2, 3), G=arb(-3, 4))
+    inside = numbers(alpha_1=arb(-3, 1), alpha_2=arb(-1, 3), alpha_3=arb(-5, 2), F=arb(-2, 3), G=arb(-3, 4))
     with working_bits(80):
         found = _reach(at, inside)
         assert found is not None

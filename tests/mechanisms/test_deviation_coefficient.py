@@ -11,8 +11,8 @@ from fractions import Fraction
 from typing import Any, cast
 
 import pytest
-from flint import arb, arb_poly
-from strategies import ends, holds
+from flint import arb, arb_poly, fmpq
+from strategies import ends, holds, to_fmpq
 
 from gspot_verified.balls import working_bits
 from gspot_verified.integrator.field import VectorField
@@ -96,13 +96,13 @@ STATES, PLACE, BOX = [arb(1)], [arb(2)], (arb(2, 3), arb(0, 1))
 class Made:
     """Numbers as a test wants them: at the states (p = 1/4, b = -1/2, so λ = 2), at the place, and β's slopes."""
 
-    def __init__(self, star: tuple[int, int], slopes: list[arb]) -> None:
+    def __init__(self, star: tuple[Fraction, Fraction], slopes: list[arb]) -> None:
         self.star, self.slopes = star, slopes
         self.asked: list[list[arb]] = []
 
     def on(self, box: Sequence[arb]) -> Numbers:
-        first, third = self.star if box is PLACE else (-9, -9)
-        return numbers_of(arb(first), arb(-9), arb(third))
+        first, third = self.star if box is PLACE else (Fraction(-7), Fraction(-7))
+        return numbers_of(arb(to_fmpq(first)), arb(-9), arb(to_fmpq(third)))
 
     def beta_slopes(self, box: Sequence[arb]) -> list[arb]:
         self.asked.append(list(box))
@@ -120,18 +120,18 @@ def caught(first: arb, second: arb, third: arb) -> Capture:
 
 
 def test_theorem_a4_by_hand() -> None:
-    """α_1 in [-3, -2], α_2 in [-1, 1/2], α_3 in [-1, -1/2], f = 5, g = 3, Λ = 3/64; α_1* = -4, α_3* = -2.
+    """α_1 in [-3, -2], α_2 in [-3/2, 1/2], α_3 in [-1, -1/2], f = 5, g = 3, Λ = 1/32 + 1/64; α_1* = -9, α_3* = -9/2.
 
-    d = 1, d' = 1 - (1/2)/2 = 3/4, A_2 = 1, λ_1 = 2: ω = 1/(2 · 3/4) + 3 · 3/64 (5/16 + 3 (1/8 + 1/16)/(1/2)).
+    d = 1, d' = 1 - (1/2)/2 = 3/4, A_2 = 3/2, λ_1 = 2: ω = 1/(3/4) (3/2)/2 + 3 · 3/64 (5/16 + 6 (1/8 + 3/32)).
     """
-    made = Made((-4, -2), [arb(1) / 64, arb(-1) / 32])
-    held = caught(arb("-2.5", "0.5"), arb("-0.25", "0.75"), arb("-0.75", "0.25"))
-    omega = Fraction(2, 3) + Fraction(9, 64) * (Fraction(5, 16) + 6 * Fraction(3, 16))
+    made = Made((Fraction(-9), Fraction(-9, 2)), [arb(fmpq(1, 64), fmpq(1, 64)), arb(fmpq(-1, 128), fmpq(1, 128))])
+    held = caught(arb("-2.5", "0.5"), arb("-0.5", 1), arb("-0.75", "0.25"))
+    omega = Fraction(1) + Fraction(9, 64) * (Fraction(5, 16) + 6 * Fraction(7, 32))
     with working_bits(80):
         value = coefficient_below_one(cast(SlipNumbers, made), STATES, held, PLACE)
     assert value is not None
     assert made.asked == [list(BOX)]
-    middle = -0.5 * 4**0.5 * 0.25**-0.5
+    middle = -0.5 * 9**0.5 * 0.25**-0.5
     assert holds(value, Fraction(middle))
     assert holds(value, Fraction(middle * math.exp(-omega)))
     assert float(ends(value)[0]) == pytest.approx(middle * math.exp(omega), rel=1e-6)
@@ -149,7 +149,9 @@ def test_theorem_a4_by_hand() -> None:
 )
 def test_theorem_a4_needs_a_force_that_grows(first: arb, second: arb, third: arb) -> None:
     assert (
-        coefficient_below_one(cast(SlipNumbers, Made((-2, -1), [arb(0)])), STATES, caught(first, second, third), PLACE)
+        coefficient_below_one(
+            cast(SlipNumbers, Made((Fraction(-2), Fraction(-1)), [arb(0)])), STATES, caught(first, second, third), PLACE
+        )
         is None
     )
 
@@ -159,7 +161,7 @@ def above(
 ) -> tuple[arb | None, Made, list[list[arb]]]:
     """Theorem A2 with σ_1 = 2, σ_2 = 3, r = 1/16, |S| = (1/2, 1/4), Λ = (1/8, 1/2), λ̄ = 3/2 at p_1, α* = (-4, -8)."""
     regions: list[list[arb]] = []
-    made = Made((-4, -8), [arb("-0.125"), arb("0.5")])
+    made = Made((Fraction(-4), Fraction(-8)), [arb("-0.125"), arb("0.5")])
 
     class Given:
         @staticmethod

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from datetime import date
+from fractions import Fraction
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -72,6 +73,7 @@ def test_the_good_text_is_read() -> None:
         ("format = 1", "format = true", 'key "format"'),
         ("format = 1", "format = 1\nextra = 2", 'unknown key "extra"'),
         ("m = 2", "m = 1e101", 'key "parameters.m": a number may have at most 100 digits and an exponent of 100'),
+        ("m = 2", "m = 1e-101", 'key "parameters.m": a number may have at most 100 digits and an exponent of 100'),
         ("m = 2", "m = 1e-99999999999", 'key "parameters.m": a number may have'),
         ("m = 2", f"m = 0.{'1' * 200}", 'key "parameters.m": a number may have at most 100 digits'),
         ("m = 2", "m = nan", 'key "parameters.m" must be a formula.*got float nan'),
@@ -187,6 +189,12 @@ def test_fixed_and_conditions_exclude_each_other() -> None:
     both = text.replace('fixed = ["x", "u"]', 'fixed = ["x", "u"]\nconditions = ["x", "u - 1"]')
     with pytest.raises(MechanismError, match="fixed or conditions, not both"):
         parse_mechanism(both)
+
+
+@pytest.mark.parametrize("number", ["1e100", "1e-100", "1.5e+00010"])
+def test_exponents_up_to_100_are_read(number: str) -> None:
+    values = parse_mechanism(GOOD.replace("m = 2", f"m = {number}")).parameter_values()
+    assert rational_value(values["m"]) == fmpq(Fraction(number).numerator, Fraction(number).denominator)
 
 
 def test_decimals_are_exact() -> None:

@@ -12,7 +12,7 @@ from flint import fmpq
 from gspot_verified.expansion.expressions import Constant, Variable
 from gspot_verified.expansion.regularisation import PAPER
 from gspot_verified.mechanisms.formula_reader import MAX_OPERATIONS, MAX_PARAMETERS, MAX_STATE, Contact, FormulaReader
-from gspot_verified.mechanisms.mechanism import Fields, Mechanism, MechanismError
+from gspot_verified.mechanisms.mechanism import Fields, Lagrangian, Mechanism, MechanismError
 from gspot_verified.mechanisms.rewriting import simplified
 from gspot_verified.mechanisms.simplify import constant, negative, sum_of
 from gspot_verified.mechanisms.symbol import Symbol, count_operations
@@ -145,6 +145,13 @@ def test_negative_slip_turns_x_or_the_slip_velocity_and_the_tangential_field(vel
     assert (turned.motion.F, turned.motion.G_N) == (forward.motion.F, forward.motion.G_N)
     with pytest.raises(MechanismError, match="slip must be 'positive' or 'negative', got 'left'"):
         made("left")
+
+
+def test_a_mass_matrix_has_no_tangential_field_to_turn() -> None:
+    motion = Lagrangian(("x",), ((constant(1),),), (constant(0),), None)
+    found = reader().mechanism(motion, Contact("x", "x", 1, None, "negative"), {})
+    assert found.mirrored
+    assert found.motion is motion
 
 
 @pytest.mark.parametrize("contact", [Contact(None, "v", 1), Contact("x", "v", 1, "v")])

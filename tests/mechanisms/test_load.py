@@ -62,3 +62,8 @@ def test_an_unknown_parameter() -> None:
 def test_what_is_no_name() -> None:
     with pytest.raises(TypeError, match="a path or a name, got int"):
         load(3)  # type: ignore[arg-type]
+
+
+def test_an_empty_name_is_no_folder() -> None:
+    with pytest.raises(MechanismError, match="there is no file ''"):
+        load("")

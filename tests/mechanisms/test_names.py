@@ -41,3 +41,9 @@ def test_no_function_is_a_name() -> None:
 def test_a_guess_is_near() -> None:
     assert nearest("thetta", ["phi", "theta", "omega"]) == "; did you mean 'theta'?"
     assert nearest("q", ["phi", "theta"]) == ""
+
+
+def test_only_a_text_is_a_name() -> None:
+    for other in (3, None, b"x"):
+        with pytest.raises(FormulaError, match="is no name"):
+            check_name(other)  # type: ignore[arg-type]

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 import pytest
 import sympy
 
+from gspot_verified.expansion.derivative import ONE
 from gspot_verified.mechanisms import oscillator_formulas
 from gspot_verified.mechanisms.lie_derivatives import derive, vanishes_identically
+from gspot_verified.mechanisms.mechanism import Lagrangian
 from gspot_verified.mechanisms.oscillator_formulas import (
     APPENDIX_B,
     compare_appendix_b,
+    compare_equations_of_motion,
     compare_section_6,
     printed_formula,
 )
@@ -30,6 +34,21 @@ def test_section_6() -> None:
     rows = compare_section_6()
     assert [row.label for row in rows if not row.holds] == ["G = M^-1(-Q_N + mu Q_T)"]
     assert len(rows) == 9
+    sign = next(row for row in rows if not row.holds)
+    assert sign.note == "L_G v is minus the printed p; right is G = M^-1(Q_N - mu Q_T)"
+    assert str(sign) == f"{sign.label} (lines 2145-2148): WRONG as printed; {sign.note}"
+
+
+@pytest.mark.parametrize("which", [0, 1])
+@pytest.mark.parametrize("part", ["forces", "mass_matrix"])
+def test_a_wrong_equation_of_motion_is_reported(which: int, part: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    mechanism = shipped_mechanism("frictional impact oscillator, all parameters")
+    assert isinstance(mechanism.motion, Lagrangian)
+    given: list[Any] = list(getattr(mechanism.motion, part))
+    given[which] = given[which] + ONE if part == "forces" else (given[which][0] + ONE, given[which][1])
+    wrong = replace(mechanism, motion=replace(mechanism.motion, **{part: tuple(given)}))
+    monkeypatch.setattr(oscillator_formulas, "_mechanism", lambda: wrong)
+    assert not compare_equations_of_motion().holds
 
 
 def acceleration(v: dict[str, Fraction], s: Fraction, c: Fraction, normal: Fraction) -> tuple[Fraction, Fraction]:

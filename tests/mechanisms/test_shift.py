@@ -45,6 +45,10 @@ def prepared(text: str, **parameters: Any) -> Any:
         ("sin(5*pi/2)", "1"),
         ("tan(pi)", "0"),
         ("sin(q + pi)", "-3/5*cos(q) - 4/5*sin(q)"),
+        ("sin(q + pi/2)", "4/5*cos(q) - 3/5*sin(q)"),
+        ("cos(q + pi/2)", "-3/5*cos(q) - 4/5*sin(q)"),
+        ("sin(pi/2 + pi + w)", "-cos(w)"),
+        ("sin(pi/2 + 5*pi/2 + w)", "-sin(w)"),
     ],
 )
 def test_references_and_quarter_turns(text: str, same: str) -> None:

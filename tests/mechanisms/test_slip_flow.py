@@ -6,6 +6,7 @@ Page: proofs/approach.md, section 1.
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 
 import pytest
 from flint import arb
@@ -64,3 +65,29 @@ def test_by_p_is_the_same_flow(name: str) -> None:
             change = -at.alpha_2 + (at.alpha_3 - at.alpha_1) * at.force
             assert (S_and_R[-1] - change / at.alpha_1).contains(0)
             assert S_and_R[-1].is_finite()
+
+
+def same(found: Sequence[arb], own: Sequence[arb]) -> None:
+    for one, other in zip(found, own, strict=True):
+        assert one.overlaps(other)
+        assert one.rad() < 1e-20
+        assert other.rad() < 1e-20
+
+
+def test_what_the_numbers_are_called() -> None:
+    """Each against the function of its name, and the gradients of p, b, y, v."""
+    with working_bits(100):
+        flow = SlipFlow.of(shift(shipped_mechanism("oscillator")))
+        numbers, size = SlipNumbers(flow), flow.dimension
+        point = [arb(k + 1) / 10 for k in range(size)]
+        at = numbers.on([*point, arb("nan")])
+        names = ("p", "b", "u", "alpha_1", "alpha_2", "alpha_3")
+        functions = [*flow.F, *flow.G, *(getattr(flow, name) for name in names)]
+        same([*at.F, *at.G, *(getattr(at, name) for name in names)], BoxProgram(functions, size).values(point))
+        assert len(at.F) == len(at.G) == size
+        conditions = BoxProgram([flow.p, flow.b, flow.y, flow.v], size)
+        same(numbers.conditions(point), conditions.values(point))
+        for row, own in zip(numbers.condition_rows(point), conditions.gradients(point)[1], strict=True):
+            same(row, own)
+        same(numbers.beta_slopes(point), BoxProgram([flow.alpha_3 / flow.alpha_1], size).gradients(point)[1][0])
+        assert (at.force * at.p + at.b).contains(0)

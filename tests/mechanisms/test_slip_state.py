@@ -6,6 +6,7 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified.balls import working_bits
+from gspot_verified.mechanisms.given import lagrangian
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.slip_state import StateError, slip_state
 from gspot_verified.mechanisms.to_system import shift
@@ -46,3 +47,37 @@ def test_balls_are_taken_whole() -> None:
         found = slip_state(shift(OSCILLATOR), {"phi": "phi_ref", "psi": "-2/5", "phi_dot": "-1", "psi_dot": "4/5"})
         assert found.solved == ()
         assert found.box[0].contains(0)
+
+
+@pytest.mark.parametrize(
+    ("change", "part"),
+    [
+        ({"Z": 1}, "constraint 1 must be 0 in the state, it is 1"),
+        ({"W": 1}, "constraint 2 must be 0"),
+        ({"Z_dot": 1}, "the rate of constraint 1 must be 0"),
+        ({"W_dot": 1}, "the rate of constraint 2 must be 0"),
+    ],
+)
+def test_a_state_off_a_constraint_is_none(change: dict[str, int], part: str) -> None:
+    """Z = X and W = 2 X, all at rest at 0, Y on the contact: given whole, or with Y and Y_dot to be solved for."""
+    identity = [[int(i == j) for j in range(4)] for i in range(4)]
+    tied = shift(
+        lagrangian(
+            "tied", ["X", "Y", "Z", "W"], identity, [0, 0, 0, 0], "X", "Y - X^2", 1, constraints=["Z - X", "W - 2*X"]
+        )
+    )
+    state = dict.fromkeys(tied.mechanism.state, 0)
+    short = {word: value for word, value in state.items() if word not in ("Y", "Y_dot")}
+    with working_bits(100):
+        assert slip_state(tied, state).solved == ()
+        assert slip_state(tied, short).solved == ("Y", "Y_dot")
+        for given in (state, short):
+            with pytest.raises(StateError, match=f"tied: {part}"):
+                slip_state(tied, given | change)
+
+
+def test_a_wide_state_has_a_wide_solution() -> None:
+    """phi in a ball: psi = cos(phi) - 1 and psi_dot = -sin(phi) phi_dot for each of its numbers."""
+    with working_bits(100):
+        found = slip_state(shift(OSCILLATOR), {"phi": "phi_ref", "phi_dot": "-1"})
+        assert found.box[1].overlaps(arb(-2) / 5)

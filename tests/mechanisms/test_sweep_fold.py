@@ -5,7 +5,9 @@ Page: proofs/sweep.md, section 6.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 import mpmath
 import pytest
@@ -13,6 +15,7 @@ from families import family
 from flint import arb, fmpq
 
 from gspot_verified.balls import working_bits
+from gspot_verified.mechanisms import sweep_fold
 from gspot_verified.mechanisms.parametric_system import parametric_system
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.sweep import sweep
@@ -20,7 +23,7 @@ from gspot_verified.mechanisms.sweep_findings import equations
 from gspot_verified.mechanisms.sweep_fold import _on_curve, _widened, fold_next_to, turned
 from gspot_verified.mechanisms.sweep_piece import Kind
 from gspot_verified.mechanisms.sweep_start import Origin, proved_tube
-from gspot_verified.mechanisms.tube import Tube
+from gspot_verified.mechanisms.tube import OnTube, Tube
 
 ROD = "falling rod of Génot and Brogliato"
 
@@ -144,15 +147,27 @@ def test_a_spot_must_lie_on_the_curve_with_its_tangent() -> None:
         assert not _on_curve(tube, arb("nan"), known(q * q, 2 * q))
 
 
-def test_the_direction_of_the_curve_is_not_that_of_the_tubes_line() -> None:
-    """q = sqrt(k) on [1/8, 1/4] in a tube whose line does not rise at all: the curve rises, and folds at k = 0."""
+def test_the_direction_of_the_curve_is_not_that_of_the_tubes_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    """q = sqrt(k) on [1/8, 1/4]: the curve folds at k = 0, however its derivative is split between line and rest."""
     system = parametric_system(family("q^2 - k", "1"), ["k"], ["x", "u"])
     centre = tuple(map(arb, (0, 1, 0, 0, "0.4375", 0)))
     wide = tuple(arb(0, "0.125") for _ in centre)
     level = Tube((fmpq(1, 8),), (fmpq(1, 4),), centre, tuple((arb(0),) for _ in centre), wide, wide)
+    elsewhere = replace(level, centre=tuple(-value for value in centre))
+    calls = []
+
+    def bent(*given: Any) -> OnTube | None:
+        calls.append(given)
+        on = proved_tube(*given)
+        if on is None or len(calls) > 1:
+            return on
+        slopes = tuple((slope - 1,) for (slope,) in on.tube.slopes)
+        return replace(on, tube=replace(on.tube, slopes=slopes), turning=[[turn + 1] for (turn,) in on.turning])
+
+    monkeypatch.setattr(sweep_fold, "proved_tube", bent)
     with working_bits(80):
         fold = fold_next_to(system, equations(system), level, fmpq(1, 8), 8)
-        elsewhere = Tube(level.lower, level.upper, tuple(-value for value in centre), level.slopes, wide, wide)
+        calls.clear()
         assert fold_next_to(system, equations(system), elsewhere, fmpq(1, 8), 8) is None
     assert fold is not None
     assert fold.value.contains(0)

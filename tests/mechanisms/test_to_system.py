@@ -13,6 +13,7 @@ from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Constant, Expression, Power, Variable, in_order
 from gspot_verified.expansion.power_series import SeriesOfFunctions
 from gspot_verified.expansion.rings import BALLS, RATIONALS
+from gspot_verified.expansion.symbols import Symbols
 from gspot_verified.expansion.terms import NumberTerms
 from gspot_verified.mechanisms.given import from_fields
 from gspot_verified.mechanisms.in_sympy import from_sympy, to_sympy
@@ -20,7 +21,7 @@ from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.names import FormulaError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.symbol import Symbol
-from gspot_verified.mechanisms.to_system import NotRationalError, Shifted, shift, to_system
+from gspot_verified.mechanisms.to_system import NotRationalError, Shifted, shift, stays, to_system
 
 q, w = sympy.symbols("q w")
 q_ref, w_ref = sympy.symbols("q_ref w_ref")
@@ -146,3 +147,29 @@ def test_each_function_of_the_system_is_the_one_of_its_name(name: str) -> None:
     for expression, function in pairs:
         found = series[expression][0]
         assert sympy.Rational(int(found.p), int(found.q)) == to_sympy(function, state).subs(numbers)
+
+
+def test_symbols_of_a_ring_and_further_variables_stand_for_parameters() -> None:
+    free = from_fields("test", ["q", "w"], ["w", "k"], [0, 0], [0, 1], 0, "q", 0, {"k": None})
+    shifted = shift(free, free=True)
+    ring = Symbols("k")
+    (symbolic,) = shifted.expressions([Symbol("k")], ring)
+    assert isinstance(symbolic, Constant)
+    assert symbolic.value == ring.symbol("k")
+    assert shifted.expressions([Symbol("k")], BALLS, {"k": Variable(2)}) == [Variable(2)]
+    for name in ("other", "k"):
+        with pytest.raises(MechanismError, match=f"test: {name} has no value"):
+            shifted.expressions([Symbol(name)], ring if name == "other" else BALLS)
+
+
+def test_a_component_stays_at_its_value() -> None:
+    def at(value: fmpq, place: fmpq) -> fmpq:
+        condition = stays(1, value, RATIONALS)
+        series = SeriesOfFunctions([condition], NumberTerms(RATIONALS), RATIONALS)
+        series.extend([fmpq(9), place])
+        found: fmpq = series[condition][0]
+        return found
+
+    assert stays(1, fmpq(0), RATIONALS) is Variable(1)
+    assert at(fmpq(2, 3), fmpq(2, 3)) == 0
+    assert at(fmpq(2, 3), fmpq(1)) == fmpq(1, 3)

@@ -212,6 +212,8 @@ def test_json(result: IwcResult) -> None:
         ("401/2", {}, ValueError, "beta: expected a number in"),
         ("7/3", {"c1": 0}, ValueError, "c1: .* canard"),
         ("7/3", {"epsilon": 0}, ValueError, "epsilon: expected a number > 0"),
+        ("7/3", {"epsilon": 0, "c1": 1}, ValueError, "epsilon: expected a number > 0"),
+        ("7/3", {"epsilon": 0, "c1": -1}, ValueError, "epsilon: expected a number > 0"),
         ("7/3", {"digits": 0}, ValueError, "digits"),
         ("7/3", {"tau_start": 10**7}, ValueError, "tau_start"),
         ("7/3", {"growth": True}, ValueError, "growth"),
