@@ -50,6 +50,8 @@ def test_both_routes_say_what_the_written_out_sums_say(texts: tuple[str, str, st
         ("n - k", "-40*k", "0*k", "n"),
         ("-40*k", "k", "0*k", "n"),
         ("n - k", "k", "k", "n"),
+        ("n - k", "0*k", "0*k", "n"),  # k in one index alone
+        ("0*k", "n - k", "0*k", "n"),
     ],
 )
 def test_other_sums_are_refused_by_geometric_series(texts: tuple[str, str, str, str]) -> None:
