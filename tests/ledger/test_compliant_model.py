@@ -91,3 +91,20 @@ def test_one_bound_that_is_not_found_leaves_the_check_open(monkeypatch: pytest.M
     entry = ledger.ENTRIES["C-iwc-case-III"]()
     assert [check.agrees for check in entry.checks] == [True, None]
     assert f"β = {missing}:" not in entry.checks[1].finding
+
+
+@pytest.mark.parametrize("missing", ["lower", "place"])
+def test_a_threshold_without_its_number_or_its_place_leaves_the_check_open(
+    monkeypatch: pytest.MonkeyPatch, missing: str
+) -> None:
+    honest = ledger.exact_threshold
+    beta = ledger.BETAS[1]
+
+    def threshold(force: Any, *arguments: Any) -> Any:
+        found = honest(force, *arguments)
+        return replace(found, **{missing: None}) if force.beta == beta else found
+
+    monkeypatch.setattr(ledger, "exact_threshold", threshold)
+    entry = ledger.ENTRIES["C-iwc-case-III"]()
+    assert [check.agrees for check in entry.checks] == [True, None]
+    assert f"β = {beta}:" not in entry.checks[1].finding
