@@ -79,7 +79,7 @@ def stays_and_ends(name: str) -> bool | None:
     highest = ALGEBRA.coefficient_of(top, "x", 1)
     if GROWS[name]:
         return rising_signs(highest)
-    mean = in_case(name, "alpha2") * -1  # u α_2/(α_3 - α_1), since α_3 - α_1 = -u
+    mean = -in_case(name, "alpha2")  # u α_2/(α_3 - α_1), since α_3 - α_1 = -u
     below = ALGEBRA.coefficient_of(bottom, "x", 1)
     return highest == mean * _SYMBOLS["q"] * below and in_case(name, "alpha3 - alpha1") == -_SYMBOLS["u"]
 

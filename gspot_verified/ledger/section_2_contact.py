@@ -5,7 +5,7 @@ from __future__ import annotations
 from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.ledger.identities import Algebra, rising_signs
 
-ALGEBRA = Algebra("z y eps k1 k2 d")
+ALGEBRA = Algebra("z y eps k1 k2 d x")
 _SYMBOLS = ALGEBRA.symbols
 RATE = {"contact": "-z - (z - y)", "flight": "-z"}
 """ε z' of compl1 with ε² λ_N = z - y, or λ_N = 0."""
@@ -20,11 +20,11 @@ SPRINGS = {"contact": "-k1*z - k2*(z - y)", "flight": "-k1*z"}
 def relaxes(phase: str) -> bool | None:
     """Whether the deviation d = z - rest obeys ε d' = -decay d, and the rest lies on the right side of z = y.
 
-    y = -1 in contact (z = y/2 > y), y = 1 in flight (z = 0 < y).
+    y = -x in contact (z = y/2 > y), y = x in flight (z = 0 < y), for every x > 0.
     """
     rest = ALGEBRA.read(REST[phase])
     rate = ALGEBRA.substitute(ALGEBRA.read(RATE[phase]), {"z": rest + _SYMBOLS["d"]})
-    place = ALGEBRA.constant(-1 if phase == "contact" else 1)
+    place = -_SYMBOLS["x"] if phase == "contact" else _SYMBOLS["x"]
     gap = ALGEBRA.substitute(rest - _SYMBOLS["y"], {"y": place})
     apart = gap if phase == "contact" else -gap
     return (rate + DECAY[phase] * _SYMBOLS["d"]).is_zero() and rising_signs(apart)

@@ -43,9 +43,11 @@ def test_other_rates(monkeypatch: pytest.MonkeyPatch, phase: str, decay: int) ->
         ("contact", "-2*z + 4*y", "2*y", False),  # at y = -1 a rest below y: the contact would be lost
         ("contact", "-2*z + 2*y", "y", False),
         ("contact", "-2*z + y", "1/2*y", True),
+        ("contact", "-2*z + y - 1/2", "1/2*y - 1/4", False),  # above y at y = -1, and below it at y = -1/4
         ("flight", "-z + 2*y", "2*y", False),  # at y = 1 a rest above y
         ("flight", "-z + y", "y", False),
         ("flight", "-z + 1/2*y", "1/2*y", True),
+        ("flight", "-z + 1/2", "1/2+0*y", False),
     ],
 )
 def test_a_rest_in_the_other_phase(
