@@ -52,7 +52,8 @@ def slope_of_the_force() -> fmpq_mpoly:
 def force_over_line(name: str) -> tuple[fmpq_mpoly, fmpq_mpoly]:
     """u q λ_N = -u q b/p as numerator and denominator: -u q (c + (b(0)/q - c) E), c (α_1 - α_3) = α_2."""
     drift = in_case(name, "alpha1 - alpha3")  # -u or u
-    line = in_case(name, "alpha2") * (1 if drift == _SYMBOLS["u"] else -1)  # u c
+    second = in_case(name, "alpha2")
+    line = second if drift == _SYMBOLS["u"] else -second  # u c
     start = ALGEBRA.read(START[name])  # u b(0)
     away = start - line * _SYMBOLS["q"]
     grown = 1 + _SYMBOLS["x"]
