@@ -13,6 +13,9 @@ from gspot_verified.cli.output import PICTURES, Outputs
 if TYPE_CHECKING:
     from gspot_verified.cost.curves import Curve
 
+_SUBJECTS = ("all", "theta", "sign", "expand", "force", "mechanism", "simulate")
+_NAMES = ", ".join(f'"{name}"' for name in _SUBJECTS[:-1]) + f' or "{_SUBJECTS[-1]}"'
+
 
 class Measured(Protocol):
     """What every benchmark gives."""
@@ -27,40 +30,64 @@ class Measured(Protocol):
         ...
 
 
-@app.command(epilog="Example: gspot-verified cost theta --picture cost.png")
+@app.command(epilog="Example: gspot-verified cost --output cost.json")
 def cost(
-    subject: Annotated[
-        str, typer.Argument(help='What to measure: "theta", "sign", "expand", "force", "mechanism", "simulate".')
-    ],
-    full: Annotated[bool, typer.Option("--full", help="Larger cases too: about 20, 10 or 2 minutes.")] = False,
+    subject: Annotated[str, typer.Argument(help=f"What to measure: {_NAMES}.")] = "all",
+    full: Annotated[bool, typer.Option("--full/--quick", help="Larger cases too: about 20, 10 or 2 minutes.")] = False,
     peers: Annotated[
         bool,
         typer.Option("--peers", help="theta: every cell beside what is installed (FLINT, mpmath, scipy, PARI, Sage)."),
     ] = False,
     picture: Annotated[
-        Path | None, typer.Option(help="Write time against digits, size or order as PNG, PDF or SVG.")
+        Path | None, typer.Option(help="One subject: time against digits, size or order as PNG, PDF or SVG.")
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option(help="all: write the measurement as JSON, for `report --cost`.")
     ] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Measure the cost of accuracy (theta), signs, expansions, the compliant force, mechanisms and runs of scenes.
+    """Measure what accuracy costs in time: all parts of the report's chapter, or one subject with its targets.
 
-    About half a minute each. The exit code is 0 whatever the times are: a benchmark decides nothing.
+    All parts take one to two minutes, one subject about half a minute. The exit code is 0 whatever the times are: a
+    benchmark decides nothing.
     """
-    from gspot_verified.report.cost_picture import DIGITS, LINKS, ORDERS, RANGES, RUNS, SMALLNESS, save_picture
-
     outputs = Outputs()
     outputs.file("--picture", picture, PICTURES)
+    outputs.file("--output", output, (".json",))
+    if subject not in _SUBJECTS:
+        raise ValueError(f"cost: expected {_NAMES}, got {subject!r}")
     if peers and (subject != "theta" or full or picture is not None):
         raise ValueError("--peers: for theta, without --full and --picture")
+    if subject == "all":
+        if picture is not None:
+            raise ValueError("--picture: for one subject; the pictures of all parts are in the report")
+        _all_parts(full, output, outputs, as_json)
+    if output is not None:
+        raise ValueError('--output: for "all"')
     result = _peers() if peers else _measure(subject, full)
     if picture is not None:
-        known = {"theta": DIGITS, "sign": RANGES, "expand": ORDERS, "force": SMALLNESS, "mechanism": LINKS}
-        labels = {**known, "simulate": RUNS}[subject]
-        outputs.write("--picture", picture, lambda: save_picture(result.curves, picture, labels))
+        from gspot_verified.report.cost_picture import save_measured
+
+        outputs.write("--picture", picture, lambda: save_measured(result.curves, picture, subject))
     if as_json:
         print_json(result.to_json())
     else:
         typer.echo(str(result))
+    outputs.leave(0)
+
+
+def _all_parts(full: bool, output: Path | None, outputs: Outputs, as_json: bool) -> None:
+    from gspot_verified.cost.chapter.file import save
+    from gspot_verified.cost.chapter.run import run
+    from gspot_verified.cost.chapter.text import measurement_text
+
+    measurement = run(full, progress)
+    if output is not None:
+        outputs.write("--output", output, lambda: save(measurement, output))
+    if as_json:
+        print_json(measurement.to_json())
+    else:
+        typer.echo(measurement_text(measurement))
     outputs.leave(0)
 
 
@@ -91,9 +118,6 @@ def _measure(subject: str, full: bool) -> Measured:
         from gspot_verified.cost import mechanism
 
         return mechanism.run(full, progress)
-    if subject == "simulate":
-        from gspot_verified.cost import simulate
+    from gspot_verified.cost import simulate
 
-        return simulate.run(full, progress)
-    names = '"theta", "sign", "expand", "force", "mechanism" or "simulate"'
-    raise ValueError(f"cost: expected {names}, got {subject!r}")
+    return simulate.run(full, progress)

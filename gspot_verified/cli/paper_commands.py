@@ -74,6 +74,9 @@ def verify(
 def report(
     source: Annotated[Path, typer.Argument(help="A report.json that `verify` wrote.")] = Path("report/report.json"),
     output: Annotated[Path, typer.Option(help="Directory of the pages.")] = Path("report"),
+    cost: Annotated[
+        Path | None, typer.Option(help="A measurement that `cost --output` wrote, for the page on cost.")
+    ] = None,
     check: Annotated[
         Path | None,
         typer.Option(help="Write nothing; check the certificates of this report again.", metavar="<folder>"),
@@ -86,14 +89,18 @@ def report(
     says what it said then; 1 when one is rejected, missing or says something else.
     """
     if check is not None:
+        if cost is not None:
+            raise ValueError("--check writes nothing, so --cost has no use with it")
         _check_again(check, as_json)
         return
     from gspot_verified.report.write import render_from_json
 
     if not source.is_file():
         raise ValueError(f"SOURCE: there is no file {source}")
+    if cost is not None and not cost.is_file():
+        raise ValueError(f"--cost: there is no file {cost}")
     Outputs().folder("--output", output)
-    page = render_from_json(source, output)
+    page = render_from_json(source, output, cost)
     if as_json:
         print_json({"page": str(page)})
     else:

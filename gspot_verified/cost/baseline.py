@@ -105,13 +105,18 @@ def mpmath_theta(
     options = {} if max_terms is None else {"maxterms": max_terms}
     with mpmath.workdps(digits + _GUARD_DIGITS):
         try:
-            value = _mpmath_sum(mpmath.mp, tau, shifted, options)
+            value = mpmath_sum(mpmath.mp, tau, shifted, options)
             return value * int(factor.p) / int(factor.q)
         except (mpmath.mp.NoConvergence, ValueError, ZeroDivisionError, OverflowError):
             return None
 
 
-def _mpmath_sum(mp: Any, tau: fmpq, beta: fmpq, options: dict[str, int]) -> Any:
+def mpmath_sum(mp: Any, tau: fmpq, beta: fmpq, options: dict[str, int]) -> Any:
+    """The three terms at the precision that ``mp`` has.
+
+    :raises ValueError: beta is an integer >= 0.
+    """
+
     def number(value: fmpq) -> Any:
         return mp.mpf(int(value.p)) / int(value.q)
 

@@ -20,10 +20,10 @@ _MPMATH_DIGITS = 1_000
 
 @dataclass(frozen=True, slots=True)
 class Curve:
-    """Median seconds at some numbers of digits."""
+    """Seconds at some numbers of digits, or at another number."""
 
     name: str
-    points: tuple[tuple[int, float], ...]
+    points: tuple[tuple[float, float], ...]
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for ``json.dumps``."""

@@ -33,23 +33,24 @@ def many_digits(digits: tuple[int, ...] = (10_000, 100_000)) -> Iterator[Row]:
     for count in digits:
         for tau in (fmpq(-50), fmpq(-(10**6)), fmpq(10**6)):
             beta = fmpq(1, 2)
-            levels = _chains_times_levels(tau, beta, count)
-            factor = fmpz(3) ** int(bits_for_digits(count) / math.log2(3))
+            number, product = products_of_the_series(tau, beta, count)
             times = measure({
-                "product": Contestant(_product(factor), None, 9),
+                "product": Contestant(product, None, 9),
                 "cold": Contestant(partial(theta, tau, beta, 0, count), clear_caches, 5),
             }, 1.0)  # fmt: skip
-            limit = _PRODUCTS_OF_A_LEVEL * levels * times["product"].best
-            note = f"limit: {_PRODUCTS_OF_A_LEVEL * levels:.0f} products of {seconds_text(times['product'].best)}"
+            limit = number * times["product"].best
+            note = f"limit: {number:.0f} products of {seconds_text(times['product'].best)}"
             figure = times["cold"].best / limit
             yield Row(
                 "limit", asked(tau, beta, count), _SPLITTING, figure, times["cold"].best, baseline=limit, note=note
             )
 
 
-def _product(factor: fmpz) -> Callable[[], fmpz]:
+def products_of_the_series(tau: fmpq, beta: fmpq, digits: int) -> tuple[float, Callable[[], fmpz]]:
+    """About how many products of that size the series needs, and a call that does one of them."""
+    factor = fmpz(3) ** int(bits_for_digits(digits) / math.log2(3))
     other = factor + 2  # not a square
-    return lambda: factor * other
+    return _PRODUCTS_OF_A_LEVEL * _chains_times_levels(tau, beta, digits), lambda: factor * other
 
 
 def _chains_times_levels(tau: fmpq, beta: fmpq, digits: int) -> float:

@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 BLUE, VERMILION, GREEN, PURPLE, ORANGE = "#0072b2", "#d55e00", "#009e73", "#b5548c", "#c98a00"
 COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE)
 STYLES: tuple[Any, ...] = ("-", (0, (5, 1.5)), (0, (1.2, 1.2)), (0, (6, 1.5, 1.2, 1.5)), (0, (9, 2)))
-INK, PAPER, _GRID = "#1c2024", "#fdfdfc", "#d9dcdf"
+INK, PAPER, GRID = "#1c2024", "#fdfdfc", "#d9dcdf"
 
 _ON_DARK = {
     BLUE: "#4aa8e0", VERMILION: "#f08a3c", GREEN: "#2bc79a", PURPLE: "#e08abc", ORANGE: "#e8b23a",
-    INK: "#dfe3e7", PAPER: "#16191d", _GRID: "#343a41",
+    INK: "#dfe3e7", PAPER: "#16191d", GRID: "#343a41",
 }  # fmt: skip
 
 _STYLE: dict[Any, Any] = {
@@ -39,7 +39,7 @@ _STYLE: dict[Any, Any] = {
     "axes.titlesize": 9.5,
     "axes.unicode_minus": True,
     "figure.facecolor": PAPER,
-    "grid.color": _GRID,
+    "grid.color": GRID,
     "grid.linewidth": 0.6,
     "xtick.color": INK,
     "ytick.color": INK,
@@ -129,7 +129,7 @@ def picture(figure: Figure, name: str, title: str, caption: str, alternative: st
         for kind in ("svg", "png", "pdf"):
             made[kind] = io.BytesIO()
             figure.savefig(made[kind], format=kind, dpi=_RESOLUTION, metadata=_METADATA[kind])
-    svg = _two_themes(made["svg"].getvalue().decode())
+    svg = two_themes(made["svg"].getvalue().decode())
     return Picture(name, title, _unbroken(caption), alternative, svg, made["png"].getvalue(), made["pdf"].getvalue())
 
 
@@ -181,7 +181,7 @@ def _unbroken(text: str) -> str:
     return re.sub(r" ([=<>]) ", "\N{NO-BREAK SPACE}\\1\N{NO-BREAK SPACE}", text).replace("1/Γ", "1/\N{WORD JOINER}Γ")
 
 
-def _two_themes(svg: str) -> str:
+def two_themes(svg: str) -> str:
     """The SVG with its colours as variables, which follow the reader's choice of light or dark."""
     names = {colour: f"--c{number}" for number, colour in enumerate(_ON_DARK)}
     for colour, name in names.items():

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from gspot_verified.cost.curves import Curve
-from gspot_verified.report.canvas import COLOURS, STYLES, Picture, canvas, picture, styled
+from gspot_verified.report.canvas import COLOURS, INK, PAPER, STYLES, Picture, canvas, picture, styled
 
 _MARKS = "os^Dv"
 
@@ -30,8 +30,65 @@ RANGES = Labels(
 )
 SMALLNESS = Labels("k, ε = 10^-k", "seconds per value", "The cost of a small ε: the slow solution")
 LINKS = Labels("links", "seconds", "The cost of reading a mechanism: legs of rods")
-RUNS = Labels("correct digits of the time of lift-off", "seconds", "What a certificate costs: fig. varsim1, ε = 1e-3")
+RUNS = Labels("right decimals of the time of lift-off", "seconds", "What a certificate costs: runs of scenes")
 ORDERS = Labels("order of δ", "seconds, one core", "The cost of exact expansions: Theorem 1")
+LABELS = {"theta": DIGITS, "sign": RANGES, "expand": ORDERS, "force": SMALLNESS, "mechanism": LINKS, "simulate": RUNS}
+_NO_BOUND, _AIM = ("scipy", "heyoka"), "aim"
+
+
+def save_measured(curves: Sequence[Curve], path: Path, subject: str) -> Path:
+    """The picture of one subject of ``gspot-verified cost``: runs of scenes by scene, the others in one field.
+
+    :raises ValueError: no curve has a point, or another suffix.
+    """
+    return runs_picture(curves).save(path) if subject == "simulate" else save_picture(curves, path, LABELS[subject])
+
+
+def runs_picture(curves: Sequence[Curve]) -> Picture:
+    """Time against decimals, a field for each scene and epsilon; names of curves are "route: scene".
+
+    :raises ValueError: no curve has a point.
+    """
+    if not any(curve.points for curve in curves):
+        raise ValueError("curves: there is no point to draw")
+    return styled(lambda: _draw_runs(curves))()
+
+
+def _draw_runs(curves: Sequence[Curve]) -> Picture:
+    scenes = list(dict.fromkeys(curve.name.partition(": ")[2] for curve in curves))
+    routes = list(dict.fromkeys(curve.name.partition(": ")[0] for curve in curves))
+    rows = -(-len(scenes) // 2)
+    figure = canvas(0.8 + 2.1 * rows)
+    fields = figure.subplots(rows, min(2, len(scenes)), sharex=True, sharey=True, squeeze=False)
+    for axes, scene in zip(fields.flat, scenes, strict=False):
+        for curve in (curve for curve in curves if curve.name.partition(": ")[2] == scene and curve.points):
+            route = curve.name.partition(": ")[0]
+            index = routes.index(route)
+            at, seconds = zip(*curve.points, strict=True)
+            if route == _AIM:
+                axes.semilogy(at, seconds, color=INK, linestyle=":", linewidth=1)
+                axes.annotate(
+                    f"aim {seconds[0]:g} s", (at[0], seconds[0]), (0, 3), textcoords="offset points", fontsize=8
+                )
+                continue
+            sure = not route.startswith(_NO_BOUND)
+            look: dict[str, Any] = {"color": COLOURS[index % len(COLOURS)], "marker": _MARKS[index % len(_MARKS)]}
+            look |= {"markersize": 4, "linestyle": "-" if sure else "--", "markerfacecolor": None if sure else PAPER}
+            axes.semilogy(at, seconds, **look)
+            axes.annotate(
+                route, (at[-1], seconds[-1]), (4, 5), textcoords="offset points", fontsize=8, ha="right",
+                color=look["color"],
+            )  # fmt: skip
+        axes.set_title(scene, loc="left")
+    for axes in list(fields.flat)[len(scenes) :]:
+        axes.set_axis_off()
+    figure.supxlabel(RUNS.horizontal, fontsize=9.5)
+    figure.supylabel("seconds of processor time", fontsize=9.5)
+    caption = (
+        "Times that were measured on one machine; nothing here is certified but the runs so named. Full lines: "
+        "certified brackets. Broken lines: no bound; they stand at the decimals that are right, which they do not know."
+    )
+    return picture(figure, "cost", RUNS.title, caption, "For each scene lines of time against right decimals.")
 
 
 def cost_picture(curves: Sequence[Curve], labels: Labels = DIGITS) -> Picture:

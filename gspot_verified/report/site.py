@@ -11,10 +11,13 @@ from importlib import resources
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
+from gspot_verified.cost.chapter.file import recorded
+from gspot_verified.cost.chapter.measurement import Measurement
 from gspot_verified.ledger.claims import Standing
 from gspot_verified.ledger.entry import Rung
 from gspot_verified.ledger.paper import printed_number
 from gspot_verified.report.code_page import code_address, code_page
+from gspot_verified.report.cost_page import shown_measurement
 from gspot_verified.report.data import checked
 from gspot_verified.report.dependency_graph import Node, graph_svg
 from gspot_verified.report.formulas import typeset
@@ -40,9 +43,10 @@ _COUNTEREXAMPLE = "single points: one certain counterexample is enough"
 _COUNTEREXAMPLE_SHORT = "a counterexample at points"  # points carry no other verdict
 
 
-def pages(report: dict[str, Any]) -> dict[str, str]:
+def pages(report: dict[str, Any], measurement: Measurement | None = None) -> dict[str, str]:
     """Every page, by the name of its file. Texts are escaped; no page loads anything from elsewhere.
 
+    :param measurement: what the page on cost shows; None: the one that comes with the package.
     :raises ValueError: the data is not a report of this schema.
     """
     report = checked(report)
@@ -79,6 +83,7 @@ def pages(report: dict[str, Any]) -> dict[str, str]:
         "certificates.html": _page("certificates", common),
         "graph.html": _page("graph", common, graph=_safe(_graph(entries, proofs))),
         "figures.html": _page("figures", common),
+        "cost.html": _page("cost", common, cost=shown_measurement(measurement or recorded())),
         "trusted.html": _page("trusted", common),
     }
 

@@ -9,8 +9,11 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+from gspot_verified.cost.chapter.file import load, recorded, written
+from gspot_verified.cost.chapter.measurement import Measurement
 from gspot_verified.ledger.entry import Entry
 from gspot_verified.report.certificates import checked_certificates
+from gspot_verified.report.cost_page import cost_figures
 from gspot_verified.report.data import report_data
 from gspot_verified.report.figures import pictures
 from gspot_verified.report.site import pages, style
@@ -32,7 +35,8 @@ def write_report(entries: Sequence[Entry], directory: Path, progress: Callable[[
     drawn = pictures(say)
     certificates = checked_certificates(progress=say)
     report = report_data(entries, drawn, certificates)
-    made = pages(report)
+    measurement = recorded()
+    made = pages(report, measurement)
     for folder in (directory, directory / "figures", directory / "certificates"):
         _make(folder)
     say("writing figures and certificates")
@@ -44,23 +48,28 @@ def write_report(entries: Sequence[Entry], directory: Path, progress: Callable[[
     say("writing report.json")
     _replace(directory / "report.json", _canonical(report))
     say("writing the pages")
+    _write_measurement(measurement, directory)
     return _write_pages(made, directory)
 
 
-def render_from_json(path: Path, directory: Path) -> Path:
+def render_from_json(path: Path, directory: Path, cost: Path | None = None) -> Path:
     """Write the pages into ``directory`` from a ``report.json``; returns the start. Nothing is computed again.
 
     Figures and certificates that lie beside the file are copied. Proof pages and code are shown where the versions
     that the report was made with are here.
 
+    :param cost: what ``gspot-verified cost --output`` wrote, for the page on cost; None: the ``cost.json`` beside the
+        file, or else the measurement that comes with the package.
     :raises ValueError: the file is not JSON, has another schema, or is malformed; the message names the file.
     :raises OSError: the file cannot be read.
     """
     if path.stat().st_size > _MAX_FILE_BYTES:
         raise ValueError(f"{path}: larger than {_MAX_FILE_BYTES} bytes, so it is not a report")
+    beside = path.parent / "cost.json"
+    measurement = load(cost or beside) if cost is not None or beside.is_file() else recorded()
     try:
         report = json.loads(path.read_text(encoding="utf-8"))
-        made = pages(report)
+        made = pages(report, measurement)
     except UnicodeDecodeError:
         raise ValueError(f"{path}: not UTF-8 text") from None
     except RecursionError:
@@ -75,7 +84,15 @@ def render_from_json(path: Path, directory: Path) -> Path:
         if source.is_file() and not (target.exists() and target.samefile(source)):
             _make(target.parent)
             _replace(target, source.read_bytes())
+    _write_measurement(measurement, directory)
     return _write_pages(made, directory)
+
+
+def _write_measurement(measurement: Measurement, directory: Path) -> None:
+    _replace(directory / "cost.json", written(measurement).encode())
+    _make(directory / "figures")
+    for name, svg in cost_figures(measurement).items():
+        _replace(directory / "figures" / f"{name}.svg", svg.encode())
 
 
 def _write_pages(made: dict[str, str], directory: Path) -> Path:

@@ -13,7 +13,7 @@ from gspot_verified.scenes.samples import RADIUS, Samples
 from gspot_verified.scenes.scaled_system import ScaledSystem
 from gspot_verified.scenes.scene import Scene
 
-_PER_STEP = 4
+SAMPLES_OF_A_STEP = 4
 
 
 class Step(Protocol):
@@ -53,8 +53,8 @@ class SegmentSamples:
         self._names = tuple(name for name, _ in system.read_out)
 
         def both(step: Step, states: Mapping[str, arb]) -> bool:
-            for k in range(0 if not self._rows else 1, _PER_STEP + 1):
-                tau = arb(k) / _PER_STEP
+            for k in range(0 if not self._rows else 1, SAMPLES_OF_A_STEP + 1):
+                tau = arb(k) / SAMPLES_OF_A_STEP
                 clock = began + step.time + tau * (step.end_time - step.time)
                 values = program.values([*step.states(tau)[:size], clock])
                 pairs = [midpoint_and_radius(value) for value in (clock * self._epsilon, *values)]

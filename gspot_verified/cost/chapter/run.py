@@ -1,0 +1,82 @@
+"""The run behind ``gspot-verified cost``: every part of the chapter, and what it was measured on."""
+
+from __future__ import annotations
+
+import datetime
+import importlib.metadata
+import os
+import platform
+import re
+import shutil
+import subprocess
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import flint
+
+from gspot_verified.cost.chapter.cheap_answers import answers
+from gspot_verified.cost.chapter.contest import FULL, QUICK
+from gspot_verified.cost.chapter.measurement import Measurement
+from gspot_verified.cost.chapter.parts import blueprints
+from gspot_verified.cost.measure import machine_load
+
+Progress = Callable[[str], None]
+_PACKAGES = ("gspot-verified", "python-flint", "mpmath", "numpy", "scipy", "sympy", "heyoka")
+_PROGRAMS = {"PARI/GP": ("gp", "--version-short"), "Sage": ("sage", "--version"), "Coq": ("coqc", "--version")}
+
+
+def run(full: bool = False, progress: Progress = lambda _: None) -> Measurement:
+    """Measure all parts: one to two minutes of processor time; with ``full`` a quarter of an hour or more.
+
+    ``progress`` is called with a line of text before each part.
+    """
+    start, before = time.perf_counter(), machine_load()
+    parts = []
+    for blueprint in blueprints(full):
+        progress(blueprint.title)
+        parts.append(blueprint.measured(FULL if full else QUICK))
+    progress("the same questions asked cheaply")
+    cheap = answers()
+    date = datetime.datetime.now(datetime.UTC).date().isoformat()
+    load = f"before: {before}; after: {machine_load()}"
+    seconds = time.perf_counter() - start
+    return Measurement(tuple(parts), cheap, date, machine(), tuple(sorted(versions().items())), load, full, seconds)
+
+
+def machine() -> str:
+    """Processor, its cores and the memory, where the system tells them; no name of a host."""
+    words = [_processor() or platform.machine(), f"{os.cpu_count() or 1} cores"]
+    try:
+        total = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+        words.append(f"{total / 2**30:.0f} GiB of memory")
+    except (AttributeError, ValueError, OSError):
+        pass
+    return ", ".join([*words, platform.system()])
+
+
+def _processor() -> str:
+    file = Path("/proc/cpuinfo")
+    if file.is_file():
+        match = re.search(r"^model name\s*:\s*(.+)$", file.read_text(encoding="utf-8", errors="replace"), re.MULTILINE)
+        if match:
+            return match[1].strip()
+    return platform.processor()
+
+
+def versions() -> dict[str, str]:
+    """What was measured, by name; a program that is not there is not named."""
+    found = {"Python": platform.python_version(), "FLINT": flint.__FLINT_VERSION__}
+    for name in _PACKAGES:
+        try:
+            found[name] = importlib.metadata.version(name)
+        except importlib.metadata.PackageNotFoundError:
+            continue
+    for name, (program, option) in _PROGRAMS.items():
+        if shutil.which(program) is None:
+            continue
+        done = subprocess.run([program, option], capture_output=True, text=True, check=False)
+        match = re.search(r"\d+(\.\d+)+", done.stdout)
+        if match:
+            found[name] = match[0]
+    return found

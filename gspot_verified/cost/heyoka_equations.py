@@ -1,0 +1,75 @@
+"""The equations of a scene for heyoka, Taylor's method without a bound, where it is installed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from flint import fmpq
+
+from gspot_verified.balls import approximate
+from gspot_verified.expansion.expressions import (
+    FUNCTION_NAMES,
+    Constant,
+    Expression,
+    Power,
+    Product,
+    Sum,
+    Variable,
+    in_order,
+)
+from gspot_verified.scenes.effects.lift_off import LIFT_OFF
+from gspot_verified.scenes.effects.terms import SLIP
+from gspot_verified.scenes.scene import Scene, SceneError
+
+
+def lift_off_call(scene: Scene, tolerance: float) -> Callable[[], fmpq | None]:
+    """A call that integrates slip until the force vanishes, and gives the time; None where that is not before the end.
+
+    The equations are compiled here, once, and not within the call.
+
+    :raises SceneError: the scene does not begin in slip.
+    """
+    import heyoka
+
+    if scene.first_phase() != SLIP:
+        raise SceneError(f"heyoka: the scene begins in {scene.first_phase()}, expected {SLIP}")
+    system = scene.system(SLIP)
+    names = heyoka.make_vars(*(f"x{i}" for i in range(len(system.states))))
+    force = next(event.function for event in system.events if event.name == LIFT_OFF)
+    *rates, vanishing = _translated([*system.right_hand_side, force], [*names, heyoka.time], heyoka)
+    start = [approximate(scene.scaled_initial()[name]) for name in system.states]
+    falling = heyoka.t_event(vanishing, direction=heyoka.event_direction.negative)
+    made = heyoka.taylor_adaptive(list(zip(names, rates, strict=True)), start, tol=tolerance, t_events=[falling])
+    end, small = approximate(scene.until / scene.epsilon), approximate(scene.epsilon)
+
+    def call() -> fmpq | None:
+        made.time = 0.0
+        made.state[:] = start
+        made.reset_cooldowns()
+        outcome = made.propagate_until(end)[0]
+        if outcome == heyoka.taylor_outcome.time_limit:
+            return None
+        return fmpq(*(made.time * small).as_integer_ratio())
+
+    return call
+
+
+def _translated(functions: Sequence[Expression], variables: Sequence[Any], heyoka: Any) -> list[Any]:
+    made: dict[Expression, Any] = {}
+    for node in in_order(functions):
+        parts = [made[part] for part in node.parts()]
+        match node:
+            case Variable(index):
+                made[node] = variables[index]
+            case Constant(value):
+                made[node] = heyoka.expression(approximate(value))
+            case Sum():
+                made[node] = heyoka.sum(parts)
+            case Product():
+                made[node] = parts[0] * parts[1]
+            case Power(_, exponent):
+                made[node] = parts[0] ** approximate(exponent)
+            case _:
+                made[node] = getattr(heyoka, FUNCTION_NAMES[type(node)])(parts[0])
+    return [made[function] for function in functions]

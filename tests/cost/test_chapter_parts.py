@@ -1,0 +1,76 @@
+"""Each part with few arguments: its routes give points, and those without a bound agree with the certified ones."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from flint import fmpq
+
+from gspot_verified.balls import approximate
+from gspot_verified.compliant.slow_solution import slow_value
+from gspot_verified.cost.baseline import right_digits
+from gspot_verified.cost.chapter import contest, slow_solution_digits
+from gspot_verified.cost.chapter.contest import QUICK, Contestant
+from gspot_verified.cost.chapter.measurement import Part
+from gspot_verified.cost.chapter.ode import ode_value, ode_zeros, right_decimals
+from gspot_verified.cost.chapter.parts import blueprints
+from gspot_verified.cost.chapter.run import machine, versions
+from gspot_verified.signs.brackets import zeros_at
+from gspot_verified.theta_function.theta import theta
+
+EFFORT = replace(QUICK, seconds=0.0, patience=60.0)
+SLOW = ("scenes", "formal", "checker")
+PARTS = {blueprint.key: blueprint for blueprint in blueprints(False)}
+
+
+def shortened(contestant: Contestant) -> Contestant:
+    return replace(contestant, arguments=contestant.arguments[-1:] if contestant.panel else contestant.arguments[:1])
+
+
+def measured(key: str, monkeypatch: pytest.MonkeyPatch) -> Part:
+    monkeypatch.setattr(contest, "memory_alone", lambda *_: 1024)
+    blueprint = PARTS[key]
+    few = tuple(map(shortened, blueprint.contestants()))
+    return replace(blueprint, contestants=lambda: few).measured(EFFORT)
+
+
+@pytest.mark.parametrize("key", [key for key in PARTS if key not in SLOW])
+def test_every_route_of_a_part_has_a_point(key: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    part = measured(key, monkeypatch)
+    for route in part.routes:
+        assert route.points or "not installed" in route.note, (route.panel, route.name, route.note)
+        assert all(point.memory == 1024 for point in route.points)
+    assert part.limit is not None
+    assert part.limit.seconds > 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("key", SLOW)
+def test_every_route_of_a_slow_part_has_a_point(key: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    part = measured(key, monkeypatch)
+    for route in part.routes:
+        assert route.points or "not installed" in route.note, (route.panel, route.name, route.note)
+
+
+def test_the_integrals_of_the_slow_solution_are_the_slow_solution() -> None:
+    for epsilon in (fmpq(1, 1000), fmpq(1, 10**12)):
+        known = slow_value(0, slow_solution_digits.B, epsilon, 0, 25).value
+        assert known.is_finite()
+        assert right_digits(slow_solution_digits.by_mpmath(epsilon, 20), known, 20) >= 19
+        assert (right_decimals(slow_solution_digits.by_scipy(epsilon, 1e-10), approximate(known)) or 0) > 8
+
+
+def test_the_solver_finds_values_and_zeros() -> None:
+    assert ode_value(fmpq(2), fmpq(1, 2), 1e-10) == pytest.approx(float(theta(2, "1/2").mid()), rel=1e-8)
+    zeros = ode_zeros(fmpq(5, 2), -5.0, 5.0, 1e-10)
+    assert len(zeros) == 2
+    for zero, (lower, upper) in zip(zeros, zeros_at("5/2", 12).brackets, strict=True):
+        assert zero == pytest.approx(approximate((lower + upper) / 2), rel=1e-8)
+
+
+def test_what_it_was_measured_on_is_named() -> None:
+    assert "core" in machine()
+    found = versions()
+    assert found["FLINT"].count(".") == 2
+    assert {"Python", "python-flint", "scipy", "gspot-verified"} <= set(found)
