@@ -14,7 +14,7 @@ from gspot_verified.cli.app import schema_of
 from gspot_verified.cost.chapter import run as chapter
 from gspot_verified.cost.chapter.blueprint import Blueprint
 from gspot_verified.cost.chapter.contest import Contestant
-from gspot_verified.cost.chapter.file import load, recorded
+from gspot_verified.cost.chapter.file import load, recorded, written
 from gspot_verified.cost.chapter.measurement import CERTIFIED
 
 
@@ -62,7 +62,7 @@ def test_the_json_satisfies_the_schema(capsys: pytest.CaptureFixture[str]) -> No
 
 
 def test_the_recorded_measurement_satisfies_the_schema() -> None:
-    assert errors({**recorded().to_json(), "schema": schema_of("cost")["$id"]}) == []
+    assert errors(json.loads(written(recorded()))) == []
 
 
 @pytest.mark.parametrize(

@@ -21,6 +21,7 @@ PLAIN = {
     "cost.benchmark.Benchmark": "times that were measured",
     "certificates.text.Statement": "what any statement has, not a class of results",
     "compliant.normal_form.CompliantModel": "four numbers of a model, which claim nothing",
+    "cost.chapter.measurement.Measurement": "times that were measured",
     "cost.curves.Curve": "times that were measured",
     "cost.theta.CostReport": "times that were measured",
     "cost.expand.ExpandCost": "times that were measured",

@@ -13,7 +13,7 @@ from gspot_verified.ledger.entry import Check, Rung, settled
 from gspot_verified.report.data import report_data
 from gspot_verified.report.site import pages, style
 
-IN_EVERY_FOLDER = {"style.css", "figures", "certificates"}
+IN_EVERY_FOLDER = {"style.css", "figures", "certificates", "cost.json"}
 
 
 @pytest.fixture(scope="module")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 CERTIFIED, NO_BOUND = "certified", "no bound"
@@ -24,10 +24,6 @@ class Point:
     repeats: int
     memory: int | None = None
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {name: getattr(self, name) for name in self.__slots__}
-
 
 @dataclass(frozen=True, slots=True)
 class Route:
@@ -45,10 +41,6 @@ class Route:
     note: str = ""
     panel: str = ""
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {**{name: getattr(self, name) for name in self.__slots__}, "points": [p.to_json() for p in self.points]}
-
 
 @dataclass(frozen=True, slots=True)
 class Share:
@@ -56,10 +48,6 @@ class Share:
 
     words: str
     part: float
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {"words": self.words, "part": self.part}
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,10 +63,6 @@ class Limit:
     def factor(self) -> float:
         """How many times the limit."""
         return self.took / self.seconds
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {name: getattr(self, name) for name in self.__slots__}
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,17 +84,6 @@ class Part:
     remarks: tuple[str, ...] = ()
     targets: tuple[tuple[str, float], ...] = ()
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {
-            **{name: getattr(self, name) for name in ("key", "title", "question", "axis", "symbol", "shares_of")},
-            "routes": [route.to_json() for route in self.routes],
-            "shares": [share.to_json() for share in self.shares],
-            "limit": None if self.limit is None else self.limit.to_json(),
-            "remarks": list(self.remarks),
-            "targets": [list(target) for target in self.targets],
-        }
-
 
 @dataclass(frozen=True, slots=True)
 class CheapAnswer:
@@ -127,10 +100,6 @@ class CheapAnswer:
     def wrong(self, answer: str) -> bool:
         """Whether an answer is given and is not the certified one."""
         return answer not in (self.certified, NO_ANSWER, NOT_ASKED)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {**{name: getattr(self, name) for name in self.__slots__}, "routes": list(self.routes)}
 
 
 NO_ANSWER, NOT_ASKED = "no answer", "not asked"
@@ -150,10 +119,5 @@ class Measurement:
     seconds: float
 
     def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {
-            **{name: getattr(self, name) for name in ("date", "machine", "load", "full", "seconds")},
-            "versions": dict(self.versions),
-            "parts": [part.to_json() for part in self.parts],
-            "answers": [answer.to_json() for answer in self.answers],
-        }
+        """Plain data for ``json.dumps``; all times in seconds."""
+        return {**asdict(self), "versions": dict(self.versions)}
