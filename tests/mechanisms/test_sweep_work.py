@@ -1,0 +1,104 @@
+"""The work of a sweep in portions: in order, each once, and kept in a journal that a second run reads again."""
+
+from __future__ import annotations
+
+import json
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import pytest
+from families import family
+from flint import fmpq
+
+from gspot_verified.mechanisms import sweep_work
+from gspot_verified.mechanisms.sweep_cell import Cell
+from gspot_verified.mechanisms.sweep_grid import Axis, Grid
+from gspot_verified.mechanisms.sweep_piece import Kind, SweepPiece
+from gspot_verified.mechanisms.sweep_work import Pieces, Question, examine, open_journal, portions, results
+from gspot_verified.signs.executors import InProcessExecutor
+
+QUESTION = Question(family("q - k", "0"), Grid((Axis("k", fmpq(-1), fmpq(1), 70),)), ("x", "u"), 8)
+CELLS = [Cell(*QUESTION.grid.ends(index), None) for index in QUESTION.grid.indices()]
+WORK = portions(CELLS)
+
+
+def test_portions_hold_every_cell_in_order() -> None:
+    assert [len(portion) for portion in WORK] == [32, 32, 6]
+    assert [cell for portion in WORK for cell in portion] == CELLS
+    assert portions([]) == []
+    assert QUESTION.parameters == ("k",)
+
+
+def test_cells_without_a_place_have_no_tube() -> None:
+    assert examine(QUESTION, CELLS[:2]) == [[SweepPiece(cell.lower, cell.upper, Kind.NO_TUBE)] for cell in CELLS[:2]]
+
+
+def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """How many cells each portion had that was examined."""
+    calls: list[int] = []
+
+    def own(question: Question, cells: list[Cell]) -> Pieces:
+        assert question is QUESTION
+        calls.append(len(cells))
+        return [[SweepPiece(cell.lower, cell.upper, Kind.OPEN, unsure=("beta - 2",))] for cell in cells]
+
+    monkeypatch.setattr(sweep_work, "examine", own)
+    return calls
+
+
+def flat(found: list[Pieces]) -> list[tuple[fmpq, ...]]:
+    return [piece.lower for portion in found for cell in portion for piece in cell]
+
+
+@pytest.mark.parametrize("threads", [False, True])
+def test_answers_come_in_order_and_are_not_computed_again(
+    threads: bool, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    calls = counted(monkeypatch)
+    path = tmp_path / "journal"
+    pool: Any = ThreadPoolExecutor(1) if threads else InProcessExecutor()
+    with pool:
+        first = list(results(QUESTION, WORK, pool, open_journal(path, QUESTION, ["0"], {})))
+        assert calls == [32, 32, 6]
+        assert flat(first) == [cell.lower for cell in CELLS]
+        lines = path.read_text().splitlines()
+        path.write_text("\n".join(lines[:3]) + "\n")  # killed before the last portion
+        assert list(results(QUESTION, WORK, pool, open_journal(path, QUESTION, ["0"], {}))) == first
+        assert calls == [32, 32, 6, 6]
+        assert path.read_text().splitlines() == lines
+        assert list(results(QUESTION, WORK, pool, None)) == first
+        assert calls == [32, 32, 6, 6, 32, 32, 6]
+
+
+def test_in_process_nothing_is_done_before_its_turn(monkeypatch: pytest.MonkeyPatch) -> None:
+    calls = counted(monkeypatch)
+    answers = results(QUESTION, WORK, InProcessExecutor(), None)
+    next(answers)
+    assert calls == [32]
+
+
+def test_a_journal_is_of_one_question(tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    assert open_journal(None, QUESTION, ["0"], {}) is None
+    open_journal(path, QUESTION, ["0"], {"x": "0"})
+    open_journal(path, QUESTION, ["0"], {"x": "0"})
+    header = json.loads(path.read_text().splitlines()[0])["journal"]
+    assert header["over"] == ["k=-1..1:70"]
+    assert (header["digits"], header["fixed"], header["start"], header["spot"]) == (8, ["x", "u"], ["0"], {"x": "0"})
+    other = Question(family("q - 2*k", "0"), QUESTION.grid, QUESTION.fixed, 8)
+    for question, start, spot in (
+        (other, ["0"], {"x": "0"}), (QUESTION, ["1"], {"x": "0"}), (QUESTION, ["0"], {"x": "1"}),
+        (Question(QUESTION.mechanism, QUESTION.grid, QUESTION.fixed, 9), ["0"], {"x": "0"}),
+    ):  # fmt: skip
+        with pytest.raises(ValueError, match="not a journal of this question"):
+            open_journal(path, question, start, spot)
+
+
+@pytest.mark.parametrize("line", ["[0, [[{}]]]", "[0]", '{"a": 1}', "[null, []]", "no JSON"])
+def test_a_line_that_cannot_be_read_is_said(line: str, tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    open_journal(path, QUESTION, ["0"], {})
+    path.write_text(path.read_text() + line + "\n")
+    with pytest.raises(ValueError, match="journal: a line of the journal cannot be read"):
+        list(results(QUESTION, WORK, InProcessExecutor(), open_journal(path, QUESTION, ["0"], {})))
