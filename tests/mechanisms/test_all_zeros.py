@@ -163,3 +163,11 @@ def test_every_box_that_is_looked_at_counts() -> None:
         budget = Budget(1)
         found = ZeroSearch(BoxProgram([function], 1), [arb(0)], [None]).run([arb(0, 1)], budget)
         assert (len(found.zeros), found.left, found.stopped, budget.boxes) == (zeros, [], "", 0)
+
+
+def test_a_box_without_zeros_is_excluded_by_the_operator() -> None:
+    """x + y = 3/2 and x - y = 3/2 meet at (3/2, 0): each vanishes in [-1, 1]^2, but not both."""
+    budget = Budget(1)
+    program = BoxProgram([X + Y - c(Fraction(3, 2)), X - Y - c(Fraction(3, 2))], 2)
+    found = ZeroSearch(program, [arb(0)] * 2, [None] * 2).run([arb(0, 1), arb(0, 1)], budget)
+    assert (found.zeros, found.left, found.stopped, budget.boxes) == ([], [], "", 0)

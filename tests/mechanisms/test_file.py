@@ -120,6 +120,7 @@ def test_the_good_text_is_read() -> None:
         ("X_dot = 1", "X_dot = 1\nZ = 3", "G-spot: 'Z' is no component"),
         ("X_dot = 1", 'X_dot = "Y"', "G-spot, X_dot: unknown name"),
         ("[g_spot]", "[g_spot]\nsearch = 1", 'key "g_spot.search" must be true or false'),
+        ("[g_spot]", "[g_spot]\nserach = true", 'unknown key "g_spot.serach"'),
         ("[g_spot]", '[g_spot]\nfixed = ["Z"]', "'Z' is no component"),
         ("[g_spot]", '[g_spot]\nfixed = "X"', 'key "g_spot.fixed" must be a list'),
         ("[g_spot]", "[angles.X]\nsine = 1\n[g_spot]", 'key "angles.X.cosine" is missing'),
@@ -150,6 +151,13 @@ def test_hostile_sizes() -> None:
         parse_mechanism(GOOD.replace('["X", "Y"]', f"[{names}]"))
     with pytest.raises(MechanismError, match="more than 2000 operations"):
         parse_mechanism(GOOD.replace('"-m"', '"' + "+".join(f"sin({i}*X)" for i in range(900)) + '"'))
+
+
+def test_a_text_may_have_as_many_characters_as_is_said() -> None:
+    whole = GOOD + "\n" * (MAX_BYTES - len(GOOD))
+    assert parse_mechanism(whole) == parse_mechanism(GOOD)
+    with pytest.raises(MechanismError, match=f"the text is longer than {MAX_BYTES} characters"):
+        parse_mechanism(whole + "\n")
 
 
 def test_files_that_cannot_be_read(tmp_path: Path) -> None:

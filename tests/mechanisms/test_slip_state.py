@@ -81,3 +81,19 @@ def test_a_wide_state_has_a_wide_solution() -> None:
     with working_bits(100):
         found = slip_state(shift(OSCILLATOR), {"phi": "phi_ref", "phi_dot": "-1"})
         assert found.box[1].overlaps(arb(-2) / 5)
+
+
+@pytest.mark.parametrize(("word", "name"), [("psi", "y"), ("psi_dot", "v")])
+@pytest.mark.parametrize("off", ["1/1000000", "-1"])
+def test_a_full_state_off_the_contact_is_none(word: str, name: str, off: str) -> None:
+    state = {"phi": "phi_ref", "psi": "-2/5", "phi_dot": "-1", "psi_dot": "4/5"}
+    moved = str(fmpq(*map(int, (state[word]).split("/"))) + fmpq(*map(int, off.split("/"))))
+    with working_bits(100), pytest.raises(StateError, match=f"not on the contact: {name} = .* must be 0"):
+        slip_state(shift(OSCILLATOR), state | {word: moved})
+
+
+@pytest.mark.parametrize("given", [("phi",), ("phi", "psi", "phi_dot"), ()])
+def test_two_components_or_none_may_be_missing(given: tuple[str, ...]) -> None:
+    state = {"phi": "phi_ref", "psi": "-2/5", "phi_dot": "-1"}
+    with pytest.raises(StateError, match=r"give all components of the state, or all but the two .* missing: p"):
+        slip_state(shift(OSCILLATOR), {word: state[word] for word in given})
