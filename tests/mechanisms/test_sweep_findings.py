@@ -12,15 +12,20 @@ from fractions import Fraction
 import pytest
 import sympy
 from families import three_alphas
-from flint import fmpq
+from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from gspot_verified.balls import working_bits
+from gspot_verified.expansion.box_program import BoxProgram
+from gspot_verified.expansion.expressions import Variable
 from gspot_verified.mechanisms.classify import classify
 from gspot_verified.mechanisms.sweep import sweep
-from gspot_verified.mechanisms.sweep_findings import case_of_signs
+from gspot_verified.mechanisms.sweep_findings import Findings, case_of_signs
 from gspot_verified.mechanisms.sweep_piece import Kind
 from gspot_verified.mechanisms.sweep_result import Crossing
+from gspot_verified.mechanisms.sweep_start import Origin, proved_tube
+from gspot_verified.mechanisms.tube import Equations
 
 K = sympy.Symbol("k")
 COEFFICIENTS = st.lists(st.fractions(-3, 3, max_denominator=4), min_size=1, max_size=4)
@@ -194,3 +199,36 @@ def test_where_no_mass_matrix_gives_the_fields_nothing_is_settled() -> None:
             assert piece.unsure == ("the mass matrix is positive definite",)
     assert result.at(k="9/10").case == "III"
     assert result.verdict.exit_code == 2
+
+
+@pytest.mark.parametrize("kind", list(Kind))
+@pytest.mark.parametrize(
+    ("first", "third", "beta", "force"),
+    [
+        (arb(-1), arb(-3), Fraction(3), Fraction(2)),
+        (arb(-3), arb(-1), Fraction(1, 3), Fraction(-2)),
+        (arb(-1), arb(-1, "0.1"), Fraction(1), None),
+        (arb(0, 1), arb(-3), None, Fraction(4, 3)),
+        (arb(-1, "0.25"), arb(-3), Fraction(3), Fraction(2)),
+    ],
+)
+def test_a_piece_says_what_holds_on_all_of_it(
+    kind: Kind, first: arb, third: arb, beta: Fraction | None, force: Fraction | None
+) -> None:
+    """α_2 = -4: the mean force α_2/(α_3 - α_1) where that difference has a sign; Case and side where settled."""
+    square = Equations(BoxProgram([Variable(0) * Variable(0) - Variable(1)], 2), 1)
+    with working_bits(80):
+        on = proved_tube(square, (fmpq(1),), (fmpq(5, 4),), Origin((fmpq(1),), (fmpq(1),), ((fmpq(1, 2),),)))
+        assert on is not None
+        numbers = {
+            "alpha_1": first, "alpha_2": arb(-4), "alpha_3": third, "alpha_3 - alpha_1": third - first,
+            "beta": third / first, "slip_velocity": arb(5),
+        }  # fmt: skip
+        piece = Findings(numbers, "III", 1, -1, ()).piece(on, kind)
+    assert piece.answer == (("III", 1, -1) if kind is Kind.SETTLED else (None, None, None))
+    for name, value in (("beta", beta), ("mean_force", force), ("slip_velocity", Fraction(5))):
+        found = piece.number(name)
+        assert (found is None) == (value is None)
+        assert found is None or value is None or found.contains(value)
+    assert (piece.lower, piece.upper, piece.kind, piece.passing) == (on.tube.lower, on.tube.upper, kind, None)
+    assert piece.tube() is not None
