@@ -52,7 +52,7 @@ def test_a_smaller_sample_replaces_no_larger_one() -> None:
 
 
 def test_the_committed_table_reads() -> None:
-    """Each row is of a file that stands: whole, or a sample of at least 30, of 10 outside of the ledger."""
+    """Each row is of a file that stands: whole, or a sample of at least 15, of 10 outside of the ledger."""
     for file, row in read_judged(ROOT / "tests" / "mutants" / "judged.toml").items():
         assert (ROOT / file).is_file()
         assert row.sample is None or row.sample >= (15 if file.startswith("gspot_verified/ledger/") else 10)
