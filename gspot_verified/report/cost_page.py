@@ -66,7 +66,7 @@ def _part(part: Part, has_figure: bool) -> dict[str, Any]:
         "routes": [_route(route) for route in part.routes],
         "crossovers": [crossover_text(item, part) for item in crossovers(part)],
         "shares_of": part.shares_of,
-        "shares": [(share.words, f"{100 * share.part:.0f} %") for share in part.shares],
+        "shares": [(share.words, f"{100 * share.part:.0f}\N{NO-BREAK SPACE}%") for share in part.shares],
         "limit": limit_text(part),
         "remarks": part.remarks,
     }

@@ -91,7 +91,8 @@ def test_a_part_without_points_has_no_figure() -> None:
 
 def test_targets_are_drawn_in_their_panel() -> None:
     svg = cost_chart(replace(part(route("a", panel="x"), route("a", panel="y")), targets=(("y", 0.15),)))
-    assert svg.count("aim, certified: 0.15 s") == 1
+    assert svg.count("y, dotted: the aim of 0.15 s for certified runs") == 1
+    assert svg.count("stroke-dasharray:2 3") == 1
 
 
 def test_names_do_not_overlap() -> None:

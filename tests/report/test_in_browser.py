@@ -112,6 +112,7 @@ def test_every_page(folder, width):
         assert not page["wide"], f"{name} is wider than its window"
     assert len(found["figures.html"]["images"]) == 7
     assert len(found["index.html"]["images"]) == 1
+    assert len(found["cost.html"]["images"]) == 10
     for section in ("section-4.html", "section-5.html", "appendix-a.html"):
         assert found[section]["math"] > 20
         assert found[section]["formulas"] > 20

@@ -39,7 +39,7 @@ def _contestants() -> tuple[Contestant, ...]:
     return (
         Contestant(
             "this library, exact", CERTIFIED, _ORDERS, _exact, _MORE, exponent=4.5,
-            theory="n orders, n products each, n/6 coefficients of about n^1.5 bits: n^4.5 with fast products",
+            theory="n orders, n products each, n/6 coefficients of about n^(3/2) bits: n^(9/2) with fast products",
         ),
         Contestant(
             "this library, in balls", CERTIFIED, _ORDERS, _in_balls, _MORE, exponent=4.0,
@@ -61,7 +61,7 @@ def _limit(full: bool) -> Limit:
             for k in range(n + 1):
                 terms[k] * terms[n - k]
 
-    words = "one product of series at every order, Σ b_k b_(n−k), each product alone"
+    words = "one product of series at every order n, all b_j b_k with j + k = n"
     return Limit(f"order {order}", words, best_time(products, 1, fresh=False), best_time(_exact(order), 1))
 
 
