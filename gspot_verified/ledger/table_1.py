@@ -22,18 +22,24 @@ from gspot_verified.theta_function.evaluate import evaluate
 SECTION = "Section 3"
 BETAS = (fmpq(1, 2), fmpq(3, 2), fmpq(5, 2))
 NU = fmpq(2)
+
+
+def _row(*texts: str) -> dict[fmpq, str]:
+    return dict(zip(BETAS, texts, strict=True))
+
+
 LINES = {"b": 892, "v": 893, "y": 894, "t": 895}
 MEASURED: dict[str, dict[fmpq, str]] = {
-    "b": dict(zip(BETAS, ("0.3326", "0.9982", "1.6635"), strict=True)),
-    "v": dict(zip(BETAS, ("0.9983", "1.6652", "2.3396"), strict=True)),
-    "y": dict(zip(BETAS, ("1.6538", "2.3384", "2.9808"), strict=True)),
-    "t": dict(zip(BETAS, ("0.6650", "0.6656", "0.6659"), strict=True)),
+    "b": _row("0.3326", "0.9982", "1.6635"),
+    "v": _row("0.9983", "1.6652", "2.3396"),
+    "y": _row("1.6538", "2.3384", "2.9808"),
+    "t": _row("0.6650", "0.6656", "0.6659"),
 }
 THEORETICAL: dict[str, dict[fmpq, str]] = {
-    "b": dict(zip(BETAS, ("0.3333", "1.0", "1.6667"), strict=True)),
-    "v": dict(zip(BETAS, ("1.0", "1.6667", "2.3333"), strict=True)),
-    "y": dict(zip(BETAS, ("1.6667", "2.3333", "3.000"), strict=True)),
-    "t": dict(zip(BETAS, ("0.6667", "0.6667", "0.6667"), strict=True)),
+    "b": _row("0.3333", "1.0", "1.6667"),
+    "v": _row("1.0", "1.6667", "2.3333"),
+    "y": _row("1.6667", "2.3333", "3.000"),
+    "t": _row("0.6667", "0.6667", "0.6667"),
 }
 FORMULAS = {"b": "2*beta/3", "v": "(2*beta+2)/3", "y": "(2*beta+4)/3", "t": "2/3"}
 DECADES = (1000, 10, 4)
