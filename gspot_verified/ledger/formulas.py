@@ -155,7 +155,7 @@ def _form(node: ast.expr) -> ClosedForm:
         case ast.Constant(value=int(value)):
             return rational(value)
         case ast.Name(id=name):
-            return rational(ALGEBRA.symbols[name]) if name not in ("i", "e") else power(name, ALGEBRA.constant(1))
+            return power(name, ALGEBRA.constant(1))
         case ast.UnaryOp(op=ast.USub(), operand=operand):
             return rational(-1) * _form(operand)
         case ast.BinOp(left=left, op=ast.Mult(), right=right):

@@ -136,6 +136,12 @@ def test_texts_are_put_in_at_once_and_as_whole_names() -> None:
     assert put("a.b + a", a="c") == "(c).b + (c)"
 
 
+def test_any_power_of_one_is_one() -> None:
+    for exponent in ("beta", "k", "(1/2)", "0"):
+        assert closed_form(f"1^{exponent}").is_one()
+    assert not closed_form("2^beta").is_one()
+
+
 def test_a_quotient_is_one_when_both_are_equal() -> None:
     zero, two = rational(0), rational(2)
     assert quotient(zero, zero).is_one()
