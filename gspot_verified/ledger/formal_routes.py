@@ -14,6 +14,8 @@ from gspot_verified.ledger.formal_proof import COQ, RECORD, formal_proof
 
 CARRIED: dict[str, tuple[str, ...]] = {
     "2-trivial": ("corrected_trivial",),
+    "4-deviation": ("deviation_recover",),
+    "4-deviation-recover": ("deviation_recover",),
     "S-iwc": ("IWC",),
     "S-minus-infinity": ("left_end", "left_end_integer"),
     "S-plus-infinity": ("right_end",),

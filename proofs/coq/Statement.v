@@ -175,6 +175,14 @@ Definition recurrence_tail : Prop := forall b t0 s B (c : nat -> R) (I N : nat),
   q < 1 -> sum_first (fun i => a (I + 3 + i)%nat) N
     <= 3 * Rmax (a I) (Rmax (a (I + 1)%nat) (a (I + 2)%nat)) * q / (1 - q).
 
+(** At t0 = 0, for the derivative of order d: v_k = k!/(k-d)! |c_k| X^(k-d) is small from K on. *)
+Definition derivative_tail : Prop := forall b X B (c : nat -> R) (d K N : nat), 0 <= X -> 1 <= B -> Rabs b <= B -> (d <= K)%nat ->
+  (forall k, (INR k + 1) * (INR k + 2) * (INR k + 3) * c (k + 3)%nat = (INR k - b) * c k) ->
+  let v k := INR (fact k) / INR (fact (k - d)) * Rabs (c k) * X ^ (k - d) in
+  let y := INR (K - d) in
+  let q := (y + INR d + B) * X ^ 3 / ((y + 1) * (y + 2) * (y + 3)) in
+  q < 1 -> sum_first (fun i => v (K + i)%nat) N <= (v K + v (K + 1)%nat + v (K + 2)%nat) / (1 - q).
+
 (** ** Impact without collision at leading order: 0 < beta < 1 *)
 
 (** The conjecture of the paper (Sec. 4.5 and conclusion): dTheta/dtau < 0 on the whole line. *)
@@ -222,6 +230,18 @@ Definition zeros_continuous : Prop := forall (m : nat) b0 theta0 l0 eps, INR m <
   exists delta, 0 < delta /\ forall b theta l, Rabs (b - b0) < delta ->
     is_Theta b theta -> zeros_of (Derive theta) l ->
     length l = length l0 /\ forall i, (i < length l0)%nat -> Rabs (nth i l 0 - nth i l0 0) < eps.
+
+(** Off the integers Theta has a derivative in b, and that is continuous in (t, b). *)
+Definition differentiable_in_beta : Prop := forall b t (Theta : R -> R -> R), not_nat b ->
+  (forall b, not_nat b -> is_Theta b (Theta b)) ->
+  ex_derive (fun b => Theta b t) b /\ continuous (fun p : R * R => Derive (fun b => Theta b (fst p)) (snd p)) (t, b).
+
+(** So inside a cell the i-th zero z(beta) has a continuous derivative, - (d/dbeta dTheta/dtau)/(d^2 Theta/dtau^2) at the zero. *)
+Definition zeros_differentiable : Prop := forall (m i : nat) (Theta : R -> R -> R) (l : R -> list R), (i < m mod 3 + m / 3)%nat ->
+  (forall b, INR m < b < INR m + 1 -> is_Theta b (Theta b) /\ zeros_of (Derive (Theta b)) (l b)) ->
+  let z b := nth i (l b) 0 in
+  forall b, INR m < b < INR m + 1 ->
+    is_derive z b (- Derive (fun b' => Derive (Theta b') (z b)) b / Derive_n (Theta b) 2 (z b)) /\ continuous (Derive z) b.
 
 (** ** Integer beta *)
 
@@ -345,6 +365,25 @@ Definition slow_at_left (eps : R) (f : R -> R) : Prop :=
 Definition slow_motions_are_all : Prop := forall a1 a2 a3 eps p b y v z, parameters a1 a3 eps ->
   (forall t, p t = a1 * t) -> (forall t, model_at a1 a2 a3 eps linear_force p b y v z t) ->
   (slow_at_left eps b <-> exists C, slow_motion a1 a2 a3 eps C p b y v z).
+
+(** modelSysDev for the deviation of b from its trivial part, and modelSysDevRecoverY, V, Z, LN for the other deviations. *)
+Definition deviation_form (a1 a2 a3 eps : R) (b y v z : R -> R) : Prop :=
+  let h t := b t - a2 / (a1 - a3) * a1 * t in
+  (forall k t, (k <= 4)%nat -> ex_derive_n h k t) /\
+  forall t,
+    a3 * h t - a1 * t * Derive h t + eps * ((a3 - a1) * Derive h t - a1 * t * Derive_n h 2 t)
+      - 2 * eps ^ 2 * Derive_n h 3 t - eps ^ 3 * Derive_n h 4 t = 0 /\
+    a3 * (y t - 2 * (eps ^ 2 * a2 / (a1 - a3)))
+      = eps ^ 2 * (a3 * h t - a1 * t * Derive h t + 2 * Derive h t) - eps ^ 3 * Derive_n h 2 t - eps ^ 4 * Derive_n h 3 t /\
+    a3 * v t = - eps * (a3 * h t - a1 * t * Derive h t) + 2 * eps ^ 2 * Derive_n h 2 t + eps ^ 3 * Derive_n h 3 t /\
+    a3 * (z t - eps ^ 2 * a2 / (a1 - a3))
+      = eps ^ 2 * (a3 * h t - a1 * t * Derive h t + Derive h t) - eps ^ 3 * Derive_n h 2 t - eps ^ 4 * Derive_n h 3 t /\
+    a3 * (linear_force eps (y t) (z t) - a2 / (a3 - a1)) = - Derive h t.
+
+(** With p = a1 t they say the same as the equations in contact. *)
+Definition deviation_recover : Prop := forall a1 a2 a3 eps p b y v z, a3 <> 0 -> a1 <> a3 -> 0 < eps ->
+  (forall t, p t = a1 * t) ->
+  ((forall t, model_at a1 a2 a3 eps linear_force p b y v z t) <-> deviation_form a1 a2 a3 eps b y v z).
 
 (** The side rule at every eps, for every non-integer beta: on the slow manifold the force tends to +oo or to -oo
     with the sign of C Gamma(-beta). *)

@@ -9,7 +9,8 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   RecurrenceTail FoldAndHinge ContinuityInBeta ZeroCurves ZerosAtInteger CompliantKernel CompliantIntegral
   CompliantSlow CompliantMechanism CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases
   CompliantOpen CompliantSlowMotion LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication
-  EntireForm.
+  EntireForm ExponentDerivative DifferentiableInBeta ZeroSlopes DerivativeTail
+  CompliantDeviation.
 From GSpot Require Import Statement.
 Import ListNotations.
 Open Scope R_scope.
@@ -123,6 +124,9 @@ Qed.
 Theorem recurrence_tail : Statement.recurrence_tail.
 Proof. intros b t0 s B c I N Hs HB Hb Hc a q Hq. exact (RecurrenceTail.recurrence_tail b t0 s B c I Hs HB Hb Hc Hq N). Qed.
 
+Theorem derivative_tail : Statement.derivative_tail.
+Proof. intros b X B c d K N HX HB Hb HK Hc v y q Hq. exact (DerivativeTail.derivative_tail b X B c d HX HB Hb Hc K N HK Hq). Qed.
+
 (** ** Impact without collision at leading order *)
 
 Theorem IWC : Statement.IWC.
@@ -164,6 +168,34 @@ Proof.
 intros m b0 theta0 l0 eps Hb H0 Z0 He.
 destruct (ZeroCurves.zeros_continuous m b0 l0 eps Hb (zeros_of_Th b0 theta0 l0 H0 Z0) He) as (delta & Hd & H).
 exists delta. split; auto. intros b theta l Hbb HT Zl. apply (H b l Hbb), (zeros_of_Th b theta l HT Zl).
+Qed.
+
+Theorem differentiable_in_beta : Statement.differentiable_in_beta.
+Proof.
+intros b t Theta Hb HT.
+assert (E : forall y u, not_nat y -> Theta y u = Th y u) by (intros y u Hy; apply Th_is, HT, Hy).
+assert (EL : forall y u, not_nat y -> locally y (fun b => Theta b u = Th b u)).
+{ intros y u Hy. eapply filter_imp; [|apply (not_nat_open y Hy)]. intros x Hx. apply E, Hx. }
+split.
+- apply (ex_derive_ext_loc (fun b => Th b t)); [|apply Th_ex_derive, Hb].
+  eapply filter_imp; [|apply (EL b t Hb)]. intros x Hx. symmetry. exact Hx.
+- apply (joint_ext_loc Th_slope (fun t b => Derive (fun b => Theta b t) b)); [|apply Th_slope_joint, Hb].
+  eapply filter_imp; [|apply (not_nat_open b Hb)]. intros y Hy u. unfold Th_slope. symmetry. apply Derive_ext_loc, EL, Hy.
+Qed.
+
+Theorem zeros_differentiable : Statement.zeros_differentiable.
+Proof.
+intros m i Theta l Hi H z b Hb.
+assert (Hl : forall b, INR m < b < INR m + 1 -> zero_list b (l b)).
+{ intros y Hy. destruct (H y Hy) as [HT Zl]. exact (zeros_of_Th y (Theta y) (l y) HT Zl). }
+assert (D := z_derive m i l Hi Hl b Hb). split; [|exact (z_slope_continuous m i l Hi Hl b Hb)].
+assert (E2 : Derive_n (Theta b) 2 (z b) = Derive_n (Th b) 2 (z b)).
+{ apply Derive_n_ext. intros s. apply (Th_is b (Theta b)), H, Hb. }
+assert (E1 : Derive (fun b' => Derive (Theta b') (z b)) b = slope_in_b (z b) b).
+{ rewrite (Derive_ext_loc _ (fun b' => Derive (Th b') (z b))).
+  - apply is_derive_unique, slope_in_b_derive, (cell_is_not_nat m b Hb).
+  - eapply filter_imp; [|apply (cell_open m b Hb)]. intros y Hy. apply Derive_ext. intros s. apply (Th_is y (Theta y)), H, Hy. }
+rewrite E1, E2. exact D.
 Qed.
 
 (** ** Integer beta *)
@@ -246,6 +278,9 @@ Qed.
 
 Theorem slow_motions_are_all : Statement.slow_motions_are_all.
 Proof. intros a1 a2 a3 eps p b y v z Hp. exact (CompliantSlowMotion.slow_motions_are_all a1 a2 a3 eps Hp p b y v z). Qed.
+
+Theorem deviation_recover : Statement.deviation_recover.
+Proof. exact CompliantDeviation.deviation_recover. Qed.
 
 Theorem side_rule : Statement.side_rule.
 Proof. intros a1 a2 a3 eps C p b y v z Hp. exact (CompliantSlowMotion.side_rule a1 a2 a3 eps Hp C p b y v z). Qed.
