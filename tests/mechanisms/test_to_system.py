@@ -20,6 +20,7 @@ from gspot_verified.mechanisms.in_sympy import from_sympy, to_sympy
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.names import FormulaError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.simplify import constant, exponential_of, product_of
 from gspot_verified.mechanisms.symbol import Symbol
 from gspot_verified.mechanisms.to_system import NotRationalError, Shifted, shift, stays, to_system
 
@@ -173,3 +174,9 @@ def test_a_component_stays_at_its_value() -> None:
     assert stays(1, fmpq(0), RATIONALS) is Variable(1)
     assert at(fmpq(2, 3), fmpq(2, 3)) == 0
     assert at(fmpq(2, 3), fmpq(1)) == fmpq(1, 3)
+
+
+def test_what_has_no_form_in_the_other_language_is_said() -> None:
+    assert from_sympy(sympy.E * q, {"q": Variable(0)}) is product_of(exponential_of(constant(1)), Variable(0))
+    with pytest.raises(TypeError, match="no sympy form of Constant"):
+        to_sympy(Constant(arb(1)))
