@@ -19,7 +19,6 @@ Matrix = NDArray[np.float64]
 _CLOSE = 0.3
 _EXCESS = 0.3
 _SWEEPS = 3
-_DEPENDENCY = 4.0
 _ZERO = 1e-7
 _LARGEST_CONDITION = 1e12
 
@@ -106,10 +105,12 @@ def spectral_basis(rows: Sequence[Sequence[float]], limit: float) -> tuple[Matri
     return np.concatenate(parts, axis=1), slow
 
 
-def pieces_along(jacobian: NDArray[np.float64], h: float, most: int) -> list[tuple[float, float, AdaptedBasis]]:
+def pieces_along(
+    jacobian: NDArray[np.float64], h: float, most: int, dependency: float
+) -> list[tuple[float, float, AdaptedBasis]]:
     """Pieces of [0, 1] with a basis for each, short enough for errors e' = hJ(τ)e to grow little beyond what they must.
 
-    ``jacobian``: the coefficients of J by powers of τ.
+    ``jacobian``: the coefficients of J by powers of τ; ``dependency``: how many times wider than J its enclosure is.
     """
     found: list[tuple[float, float, AdaptedBasis]] = []
     waiting = [(0.0, 1.0)]
@@ -117,7 +118,7 @@ def pieces_along(jacobian: NDArray[np.float64], h: float, most: int) -> list[tup
         a, b = waiting.pop()
         middle = _at(jacobian, (a + b) / 2)
         basis = adapted_basis([[float(entry) for entry in row] for row in middle])
-        ends = [middle + _DEPENDENCY * (_at(jacobian, end) - middle) for end in (a, b)]
+        ends = [middle + dependency * (_at(jacobian, end) - middle) for end in (a, b)]
         excess = max(_growth(basis, end) for end in ends) - max(basis.rate, 0.0)
         if excess * h > _EXCESS and len(found) + len(waiting) < most:
             waiting += [((a + b) / 2, b), (a, (a + b) / 2)]

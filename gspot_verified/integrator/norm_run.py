@@ -13,10 +13,11 @@ from flint import arb, arb_mat, arb_poly
 
 from gspot_verified.balls import approximate
 from gspot_verified.integrator.adapted_basis import AdaptedBasis, adapted_basis, pieces_along
+from gspot_verified.integrator.choice import log2_of
 from gspot_verified.integrator.fast_decay import FastDecay
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.norm_step import Basis, NormPlan, NormStep, StateSet, norm_step
-from gspot_verified.integrator.slow_curve import slow_curve
+from gspot_verified.integrator.slow_curve import SlowCurve, slow_curve
 from gspot_verified.integrator.taylor_curve import TaylorCurve, cauchy_plan, rounded
 
 MAX_STEPS = 200_000
@@ -26,6 +27,8 @@ _MARGIN_BITS, _LEAST_MARGIN_BITS = 24, 6
 _NARROW = 2.0**-60
 _MOST_PIECES = 256
 _SLOW_TRIES = 3
+_DEPENDENCIES = (4.0, 16.0, 64.0)
+_GROWTH_BITS = 6.0
 _LARGEST_EXPONENT = 600.0
 
 
@@ -117,15 +120,24 @@ class NormRun:
                 found = slow_curve(self.field, self.set.middle, length, self._curve.order, bits)
                 if not self._decay.accepts(found, bits) or found is None:
                     continue
-                pieces = pieces_along(found.jacobian, length, _MOST_PIECES)
-                plan = self._plan_of(found.solution, arb(length), pieces)
-                step = norm_step(self.field, found.solution, self.set, arb(length), plan)
+                step = self._along(found, length)
             except (ValueError, ZeroDivisionError, np.linalg.LinAlgError):
                 step = None
             if step is not None:
                 return step
             self._decay.failed()
         return None
+
+    def _along(self, found: SlowCurve, length: float) -> NormStep | None:
+        """The step along a slow curve, in shorter pieces where the enclosures of J on longer ones let errors grow."""
+        before = max(*(log2_of(side.rad()) for side in self.set.enclosure()), found.start)
+        for dependency in _DEPENDENCIES:
+            pieces = pieces_along(found.jacobian, length, _MOST_PIECES, dependency)
+            plan = self._plan_of(found.solution, arb(length), pieces)
+            step = norm_step(self.field, found.solution, self.set, arb(length), plan)
+            if step is None or max(map(log2_of, step.tube)) < before + _GROWTH_BITS:
+                break
+        return step
 
     def _plan(self, solution: Sequence[arb_poly], h: arb, pieces: int) -> NormPlan:
         bases = []

@@ -5,12 +5,12 @@ Proof pages: ``proofs/norm_step.md``, ``proofs/validated_step.md`` (Theorem V5).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from flint import arb, fmpq
 
-from gspot_verified.expansion.derivative import lie_derivative
+from gspot_verified.expansion.derivative import ZERO, lie_derivative
 from gspot_verified.expansion.expressions import Constant, Expression, in_order
 from gspot_verified.integrator.event import Crossing, Unclear, Watch
 from gspot_verified.integrator.field import VectorField
@@ -57,6 +57,7 @@ class CertifiedPhase:
             rates.append(Constant(fmpq(1)))
             self.names = (*system.states, CLOCK)
         self.field = VectorField(rates)
+        self._resting = [name for name, rate in zip(self.names, rates, strict=True) if rate is ZERO]
 
     def run(
         self, start: Mapping[str, arb], time: arb, at_zero: Mapping[str, int | None], observer: Observer
@@ -79,9 +80,9 @@ class CertifiedPhase:
         for segment in run:
             found = [watch.along(segment) for watch in watches]
             if any(found):
-                return self._first(watches, found, segment)
+                return self._first(watches, found, segment, start)
             quiet = all(watch.excluded(segment) for watch in watches)
-            at_end = dict(zip(self.names, segment.states(arb(1)), strict=True))
+            at_end = self._named(segment.states(arb(1)), start)
             if quiet and observer(segment, at_end):
                 return PhaseEnd(None, segment.end_time, at_end)
         if run.reason is not None:
@@ -89,6 +90,11 @@ class CertifiedPhase:
         if not quiet:
             return Open("an event may fall on the end of the time", run.time)
         return PhaseEnd(None, run.time, at_end)
+
+    def _named(self, states: Sequence[arb], start: Mapping[str, arb]) -> dict[str, arb]:
+        """The states by name; one whose rate is 0 has its first value, without rounding errors."""
+        found = dict(zip(self.names, states, strict=True))
+        return found | {name: start[name] for name in self._resting}
 
     def _order(self, event: PhaseEvent, box: list[arb]) -> int | None:
         """Which derivative of the event's function takes it away from 0 at the start; None: it is not certain."""
@@ -103,7 +109,11 @@ class CertifiedPhase:
         return None
 
     def _first(
-        self, watches: list[Watch], found: list[Crossing | Unclear | None], segment: NormSegment
+        self,
+        watches: list[Watch],
+        found: list[Crossing | Unclear | None],
+        segment: NormSegment,
+        start: Mapping[str, arb],
     ) -> PhaseEnd | Open:
         """The event that certainly comes first in this segment."""
         crossings = [hit for hit in found if isinstance(hit, Crossing)]
@@ -118,7 +128,7 @@ class CertifiedPhase:
             if too_early or not watch.value(list(first.states)) < 0:
                 return Open(f"simultaneous {first.name} and {watch.name}: their order is not certain", first.time)
         event = next(event for event in self.system.events if event.name == first.name)
-        return PhaseEnd(event, first.time, dict(zip(self.names, first.states, strict=True)))
+        return PhaseEnd(event, first.time, self._named(first.states, start))
 
     def _why(self, segment: NormSegment) -> str:
         if self._is_wide(segment):

@@ -87,8 +87,8 @@ def test_pieces_follow_a_turning_basis() -> None:
 
     constant = np.array([[[0.0, 1.0], [-1.0, -0.1]]])
     changing = np.concatenate([constant, [[[0.0, 0.0], [0.5, 0.0]]]])
-    assert len(pieces_along(constant, 500.0, 64)) == 1
-    pieces = pieces_along(changing, 500.0, 64)
+    assert len(pieces_along(constant, 500.0, 64, 4.0)) == 1
+    pieces = pieces_along(changing, 500.0, 64, 4.0)
     assert 2 <= len(pieces) <= 65
     ends = [0.0]
     for a, b, _ in pieces:

@@ -15,11 +15,16 @@ from flint import arb, fmpq
 from gspot_verified.balls import approximate, sign_of, working_bits
 from gspot_verified.compliant.normal_form import compliant_model, compliant_state
 from gspot_verified.compliant.side_rule import side_rule
+from gspot_verified.integrator.norm_run import NormRun
+from gspot_verified.integrator.norm_step import StateSet
+from gspot_verified.integrator.slow_curve import slow_curve
 from gspot_verified.scenes.certified_integration import integrated_run
 from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase, Open, PhaseEnd
 from gspot_verified.scenes.certified_run import EXACT, INTEGRATOR, certified_run
 from gspot_verified.scenes.file import load_scene
 from gspot_verified.scenes.float_run import float_run
+from gspot_verified.scenes.invariant_region import InvariantRegion
+from gspot_verified.scenes.numbers import scene_number
 from gspot_verified.scenes.run import FLIGHT_THEN_IMPACT, IMPACT, OPEN, SceneRun, agreement
 from gspot_verified.scenes.scene import Scene, SceneError
 from gspot_verified.verdict import Outcome
@@ -164,6 +169,35 @@ def test_without_an_end_of_slip_growth_is_limited() -> None:
     assert "for as long" not in run.verdict.detail
 
 
+def test_touch_down_of_a_contact_that_did_not_slip() -> None:
+    """From stick into flight with a = 0: u stays exactly 0, so at the touch-down friction holds the contact, as
+    k^+ < 0 < k^-. It was undecided: u had the rounding errors of the flight."""
+    scene = load_scene("fig-varsim2", chi=0, nu="1/4", u=1, eps="1/100")
+    run = integrated_run(scene, bits=(192,))
+    assert run.verdict.outcome is Outcome.PROVED
+    assert names(run) == ["stick", "lift-off", "touch-down"]
+    assert agreement(float_run(scene), run) is True
+    with working_bits(128):
+        phase = CertifiedPhase(scene.system("flight"))
+        start = {name: arb(1) / 3 for name in phase.names} | {"u": arb(0)}
+        found = phase.run({**start, "Y": arb(2)}, arb(1), {}, lambda *_: False)
+        assert isinstance(found, PhaseEnd)
+        assert found.states["u"].is_zero()
+        assert not found.states["b"].is_exact()
+
+
+@pytest.mark.parametrize("u", ["1/1000", "-1/1000"])
+def test_touch_down_with_slip(u: str) -> None:
+    """A flight with u other than 0 ends in slip in that direction, not in stick."""
+    start: dict[str, fmpq | str] = {"p": fmpq(1, 2), "b": fmpq(-1), "y": fmpq(1, 10**5), "v": fmpq(0), "z": fmpq(0)}
+    effects = load_scene("fig-varsim2").effects
+    settings = load_scene("fig-varsim2").parameters
+    scene = Scene("test", effects, fmpq(1, 1000), fmpq(1, 50), settings, {**start, "u": scene_number(u, "u")})
+    run = integrated_run(scene, bits=(192,))
+    assert names(run)[:2] == ["touch-down", "stick"]
+    assert run.events[0].upper < run.events[1].lower
+
+
 def test_on_a_canard_nothing_is_decided() -> None:
     """Exactly on the trivial solution the set of states outgrows it, and the run says so: no event, no impact."""
     run = integrated_run(load_scene("fig-varsim1", nu=1), bits=(128,))
@@ -242,6 +276,59 @@ def test_a_grazing_lift_off_is_undecided() -> None:
         pytest.fail("no grazing start was found")
     assert "grazing" in run.verdict.detail
     assert high - low < fmpq(1, 10**8)
+
+
+@pytest.mark.parametrize(("nu", "event"), [("2", "lift-off"), ("1/2", IMPACT)])
+def test_epsilon_1e_10_near_the_g_spot(nu: str, event: str) -> None:
+    """p = 1e-6 at ε = 1e-10, a factor 2 from the canard: the sides of larger ε (K is out of reach), and floats."""
+    scene = load_scene("fig-varsim1", eps="1e-10", p="1e-6", nu=nu, until="3e-6")
+    run = integrated_run(scene)
+    assert run.verdict.outcome is Outcome.PROVED
+    assert names(run)[0] == event
+    seen = [each for each in float_run(scene).events if each.name == "lift-off"]
+    assert len(seen) == (event == "lift-off")
+    if seen:
+        assert abs(seen[0].lower - run.events[0].lower) < fmpq(1, 10**10)
+
+
+def test_a_force_of_1e30_in_an_impact() -> None:
+    """The integrator follows an impact without collision to λ_N > 10^30, in narrow balls, and the growth from there on
+    is for ever."""
+    scene = load_scene("fig-varsim1")
+    with working_bits(192):
+        phase = CertifiedPhase(scene.system("slip"))
+        names_of = dict.fromkeys(phase.names, arb(0))
+        start = {**names_of, "b": arb(-0.1), "Y": arb(-6), "V": arb(-4), "Z": arb(-2), CLOCK: arb(700)}
+        found = phase.run(start, arb(1000), {}, lambda _, at: bool(at["Z"] - at["Y"] > 1e30))
+        assert isinstance(found, PhaseEnd)
+        assert found.event is None
+        force = found.states["Z"] - found.states["Y"]
+        assert force > 1e30
+        assert force.rad() < force * arb("1e-12")
+        growth = InvariantRegion(phase.system).growth(found.states)
+    assert growth is not None
+    assert growth.until is None
+    assert growth.rate > 0.1
+
+
+def test_long_steps_of_a_mechanism_do_not_widen_the_set() -> None:
+    """The oscillator at ε = 1e-6 on its slow manifold: enclosures of J on long pieces let errors grow by 2^30 in a step
+    that shorter pieces hold; found by the growth itself."""
+    scene = load_scene("oscillator", eps="1e-6")
+    with working_bits(192):
+        phase = CertifiedPhase(scene.system("slip"))
+        near = {"phi": "0.0914", "phi_dot": "-0.9072", "Y": "-2.18456", "V": "0", "Z": "-1.09228"}
+        run = NormRun(phase.field, [arb(near[name]).mid() for name in phase.names], arb(10**5))
+        order, bits = run._curve.order, run._curve.fraction_bits(run.set.middle)
+        settled = slow_curve(phase.field, run.set.middle, 1000.0, order, bits)
+        assert settled is not None
+        middle = run._curve.exact([p(arb(0)) for p in settled.solution])
+        run.set = StateSet(middle, run.set.basis, tuple(arb((1, -140)) for _ in middle))
+        curve = slow_curve(phase.field, middle, 6496.0, order, bits)
+        assert curve is not None
+        step = run._along(curve, 6496.0)
+        assert step is not None
+        assert all(radius < arb(2) ** -112 for radius in step.tube)
 
 
 def test_what_is_refused() -> None:
