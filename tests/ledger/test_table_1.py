@@ -127,7 +127,15 @@ def test_every_printed_limit_is_asked_for() -> None:
 
 
 def test_every_series_below_tiny(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest, asked = ledger.regression_error, []
+
+    def regression_error(beta: fmpq, name: str, largest: fmpq) -> arb:
+        asked.append((beta, name, largest))
+        return honest(beta, name, largest)
+
+    monkeypatch.setattr(ledger, "regression_error", regression_error)
     assert ledger.every_series_gives("b") is True
+    assert asked == [(beta, "b", fmpq(1, 10**15)) for beta in BETAS]
     monkeypatch.setattr(ledger, "regression_error", lambda *_: arb("0.001"))
     assert ledger.every_series_gives("b") is None
     monkeypatch.setattr(ledger, "regression_error", lambda *_: arb(0))
