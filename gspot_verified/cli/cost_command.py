@@ -48,8 +48,8 @@ def cost(
 ) -> None:
     """Measure what accuracy costs in time: all parts of the report's chapter, or one subject with its targets.
 
-    All parts take one to two minutes, one subject about half a minute. The exit code is 0 whatever the times are: a
-    benchmark decides nothing.
+    All parts take two to three minutes, one subject half a minute to a minute. The exit code is 0 whatever the times
+    are: a benchmark decides nothing.
     """
     outputs = Outputs()
     outputs.file("--picture", picture, PICTURES)

@@ -33,6 +33,8 @@ LINKS = Labels("links", "seconds", "The cost of reading a mechanism: legs of rod
 RUNS = Labels("right decimals of the time of lift-off", "seconds", "What a certificate costs: runs of scenes")
 ORDERS = Labels("order of δ", "seconds, one core", "The cost of exact expansions: Theorem 1")
 LABELS = {"theta": DIGITS, "sign": RANGES, "expand": ORDERS, "force": SMALLNESS, "mechanism": LINKS, "simulate": RUNS}
+_BESIDE = ((4, 5, "right"), (-7, 1, "right"), (8, -3, "left"))
+"""Above the last point, left of it, right of it: certified runs lie right of scipy's, heyoka's far below."""
 _NO_BOUND, _AIM = ("scipy", "heyoka"), "aim"
 
 
@@ -67,18 +69,13 @@ def _draw_runs(curves: Sequence[Curve]) -> Picture:
             at, seconds = zip(*curve.points, strict=True)
             if route == _AIM:
                 axes.semilogy(at, seconds, color=INK, linestyle=":", linewidth=1)
-                axes.annotate(
-                    f"aim {seconds[0]:g} s", (at[0], seconds[0]), (0, 3), textcoords="offset points", fontsize=8
-                )
+                _name(axes, f"aim {seconds[0]:g} s", (at[-1], seconds[-1]), (0, -9, "right"), INK)
                 continue
             sure = not route.startswith(_NO_BOUND)
             look: dict[str, Any] = {"color": COLOURS[index % len(COLOURS)], "marker": _MARKS[index % len(_MARKS)]}
             look |= {"markersize": 4, "linestyle": "-" if sure else "--", "markerfacecolor": None if sure else PAPER}
             axes.semilogy(at, seconds, **look)
-            axes.annotate(
-                route, (at[-1], seconds[-1]), (4, 5), textcoords="offset points", fontsize=8, ha="right",
-                color=look["color"],
-            )  # fmt: skip
+            _name(axes, route, (at[-1], seconds[-1]), _BESIDE[index % len(_BESIDE)], look["color"])
         axes.set_title(scene, loc="left")
     for axes in list(fields.flat)[len(scenes) :]:
         axes.set_axis_off()
@@ -107,6 +104,12 @@ def save_picture(curves: Sequence[Curve], path: Path, labels: Labels = DIGITS) -
     :raises ValueError: no curve has a point, or another suffix.
     """
     return cost_picture(curves, labels).save(path)
+
+
+def _name(axes: Any, words: str, at: tuple[float, float], beside: tuple[int, int, str], colour: str) -> None:
+    """``beside``: the distance from the point, and the side of the words that is there."""
+    look = {"fontsize": 8, "ha": beside[2], "color": colour}
+    axes.annotate(words, at, beside[:2], textcoords="offset points", **look)
 
 
 def _draw(curves: Sequence[Curve], labels: Labels) -> Picture:
