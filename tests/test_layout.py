@@ -19,6 +19,7 @@ MAX_LINES = 300
 ROWS = (
     ("cli",),
     ("report",),
+    ("stability",),
     ("ledger", "cost"),
     ("testing",),
     ("scenes",),

@@ -38,6 +38,7 @@ FORMS = (
     "expand",
     "sweep",
     "check",
+    "stability",
 )
 SCHEMAS = sorted(
     path.name.removesuffix(".json") for path in resources.files("gspot_verified.cli").joinpath("schemas").iterdir()
@@ -96,6 +97,7 @@ RUNS = [
     ("sweep", "genot_brogliato_rod", "--over", "mu=1.3..1.4:1"),
     ("check", str(ROOT / "proofs" / "iwc_0_1.cert")),
     ("check", str(ROOT / "README.md")),
+    ("stability", "side", "spots-meet", "certificate"),
 ]
 
 

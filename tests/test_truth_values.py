@@ -33,6 +33,7 @@ PLAIN = {
     "ledger.consequences.Consequence": "a reading of the paper, in words",
     "ledger.dependencies.Dependencies": "names",
     "report.canvas.Picture": "a drawing",
+    "stability.family.Family": "words, and the levels of a question",
     "cost.sign.SignCost": "times that were measured",
     "cost.expand.Size": "times that were measured",
     "expansion.time_series.TimeSeries": "coefficients; what is claimed of them is in the trajectory's accuracy",

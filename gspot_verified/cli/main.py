@@ -27,6 +27,7 @@ from gspot_verified.cli import (
     paper_commands,
     sign_commands,
     simulate_command,
+    stability_command,
     sweep_command,
     theta_commands,
 )
@@ -54,6 +55,7 @@ COMMANDS = (
     sweep_command,
     paper_commands,
     cost_command,
+    stability_command,
 )
 """The modules whose import adds their commands to the application."""
 

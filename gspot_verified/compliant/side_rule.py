@@ -6,7 +6,7 @@ G-spot.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from flint import acb, arb, fmpq
@@ -25,6 +25,7 @@ _ATTEMPTS = 4
 _GUARD_BITS = 16
 # The bound for all epsilon up to 1/64 of the rate of decay: the fast part is below e^-64 beyond it.
 _BOUND_FACTOR = 64
+_LINEAR = ("b", "V", "Y", "Z")
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,17 +104,31 @@ def side_rule(model: CompliantModel, state: CompliantState, digits: int = 15) ->
     'proved'
     """
     hats = deviation(model, state)
+    size = _size(hats)
+    unit = replace(hats, **{name: getattr(hats, name) / size for name in _LINEAR})
     goal = bits_for_digits(digits) + _GUARD_BITS
     slow: arb | None = None
     fast: acb | None = None
     for attempt in range(_ATTEMPTS):
+        bits = goal * 2**attempt
         if hats.p > 0:
-            slow, fast, side = coefficients(hats, goal * 2**attempt)
+            slow, fast, side = coefficients(unit, bits)
         else:
-            side = side_of_deviation(hats, goal * 2**attempt)
+            side = side_of_deviation(unit, bits)
+        with working_bits(bits + _GUARD_BITS):
+            slow = None if slow is None else slow * size
+            fast = None if fast is None else fast * arb(size)
+            side = side * size
         if sign_of(side) not in (None, 0):
             break
     return SideRule(hats, slow, fast, side, _verdict(side))
+
+
+def _size(state: Deviation) -> fmpq:
+    """A power of two next to the largest of the hats, or 1. C, c_+ and K are linear in them (``proofs/
+    first_integrals.md``, section 1); the quadratures have an absolute floor, which a small state would fall below."""
+    largest = max(abs(getattr(state, name)) for name in _LINEAR)
+    return fmpq(2) ** (int(largest.p).bit_length() - int(largest.q).bit_length()) if largest else fmpq(1)
 
 
 def coefficients(state: Deviation, bits: int) -> tuple[arb, acb, arb]:

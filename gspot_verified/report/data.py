@@ -15,10 +15,11 @@ from gspot_verified.ledger.dependencies import dependencies
 from gspot_verified.ledger.entry import Entry, Rung, counts, rung_counts
 from gspot_verified.report.canvas import Picture
 from gspot_verified.report.certificates import CheckedCertificate
+from gspot_verified.report.hard_cases import NONE, check_hard_cases
 from gspot_verified.report.proof_page import proof_pages
 from gspot_verified.verdict import Outcome, Reason
 
-SCHEMA = 5
+SCHEMA = 6
 
 _OUTCOMES = [outcome.value for outcome in Outcome]
 _STANDINGS = [standing.value for standing in Standing]
@@ -50,7 +51,10 @@ def _installed(name: str) -> str:
 
 
 def report_data(
-    entries: Sequence[Entry], pictures: Sequence[Picture], certificates: Sequence[CheckedCertificate] = ()
+    entries: Sequence[Entry],
+    pictures: Sequence[Picture],
+    certificates: Sequence[CheckedCertificate] = (),
+    hard: dict[str, Any] = NONE,
 ) -> dict[str, Any]:
     """What the pages show, as plain data for ``json.dumps``; figures, certificates, proof pages are files beside it.
 
@@ -70,6 +74,7 @@ def report_data(
                 {**entry.to_json(), "dependencies": dependencies(entry, identifiers).to_json()} for entry in entries
             ],
             "figures": [picture.to_json() for picture in pictures],
+            "hard_cases": hard,
             "certificates": [certificate.to_json() for certificate in certificates],
             "proofs": proof_pages(),
             "versions": versions(),
@@ -85,7 +90,7 @@ def checked(report: object) -> dict[str, Any]:
     >>> checked({"schema": 1})
     Traceback (most recent call last):
     ...
-    ValueError: report: this version reads schema 5, the file has schema 1
+    ValueError: report: this version reads schema 6, the file has schema 1
     """
     found = _mapping(report, "report")
     if type(found.get("schema")) is not int or found["schema"] != SCHEMA:
@@ -104,6 +109,7 @@ def checked(report: object) -> dict[str, Any]:
     standings = {name: sum(claim["standing"] == name for claim in found["claims"]) for name in _STANDINGS}
     if found.get("standings") != standings:
         raise ValueError(f"standings: the file says {found.get('standings')}, its claims give {standings}")
+    check_hard_cases(found.get("hard_cases"))
     for number, picture in enumerate(_sequence(found, "figures", "report")):
         _texts(_mapping(picture, f"figures[{number}]"), _PICTURE_TEXTS, f"figures[{number}]")
         _file_name(picture["name"], f"figures[{number}].name")

@@ -84,6 +84,7 @@ def pages(report: dict[str, Any], measurement: Measurement | None = None) -> dic
         "graph.html": _page("graph", common, graph=_safe(_graph(entries, proofs))),
         "figures.html": _page("figures", common),
         "cost.html": _page("cost", common, cost=shown_measurement(measurement or recorded())),
+        "hard.html": _page("hard", common, hard=report["hard_cases"]),
         "trusted.html": _page("trusted", common),
     }
 

@@ -16,6 +16,7 @@ from gspot_verified.report.certificates import checked_certificates
 from gspot_verified.report.cost_page import cost_figures
 from gspot_verified.report.data import report_data
 from gspot_verified.report.figures import pictures
+from gspot_verified.report.hard_cases import hard_cases
 from gspot_verified.report.site import pages, style
 
 _MAX_FILE_BYTES = 200_000_000
@@ -34,7 +35,7 @@ def write_report(entries: Sequence[Entry], directory: Path, progress: Callable[[
     say = progress or (lambda _: None)
     drawn = pictures(say)
     certificates = checked_certificates(progress=say)
-    report = report_data(entries, drawn, certificates)
+    report = report_data(entries, drawn, certificates, hard_cases(say))
     measurement = recorded()
     made = pages(report, measurement)
     for folder in (directory, directory / "figures", directory / "certificates"):

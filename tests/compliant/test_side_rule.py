@@ -181,3 +181,23 @@ def test_precision_does_not_change_the_answer() -> None:
         for one, other in zip(coarse, fine, strict=True):
             assert one.is_finite()
             assert acb(one).overlaps(acb(other))
+
+
+@pytest.mark.parametrize("exponent", [-4000, -400, 400])
+@pytest.mark.parametrize("p", [fmpq(1, 2), fmpq(0)])
+def test_the_size_of_a_state_does_not_matter(exponent: int, p: fmpq) -> None:
+    """The coefficients are linear in it, and their relative accuracy does not depend on it."""
+    model = compliant_model("5/2", "1/100", alpha_2=0)
+    values = (fmpq(-1), fmpq(-1, 7000), fmpq(1, 9), fmpq(-1, 9000))
+    size = fmpq(10) ** exponent
+    plain = side_rule(model, compliant_state(p, *values))
+    scaled = side_rule(model, compliant_state(p, *(value * size for value in values)))
+    assert scaled.verdict == plain.verdict
+    assert plain.verdict.outcome is Outcome.PROVED
+    with working_bits(200):
+        assert scaled.side.is_finite()
+        assert (scaled.side / size).overlaps(plain.side)
+        assert scaled.side.rel_accuracy_bits() > 45
+        assert (scaled.slow is None) is (p == 0)
+        if scaled.slow is not None and plain.slow is not None:
+            assert (scaled.slow / size).overlaps(plain.slow)

@@ -6,6 +6,7 @@ from gspot_verified.dyadic import Dyadic
 from gspot_verified.ledger.entry import Check, Entry, Rung, conclude
 from gspot_verified.report.certificates import CheckedCertificate
 from gspot_verified.report.figures import pictures as draw
+from gspot_verified.stability.catalogue import run
 from gspot_verified.verdict import Reason, Verdict
 
 
@@ -20,6 +21,14 @@ def certificates():
         CheckedCertificate("iwc_0_1.cert", 64 * "a", True, "VERIFIED dΘ/dτ < 0", b"one"),
         CheckedCertificate("bad.cert", 64 * "b", False, "REJECTED <b>cover</b>", b"two"),
     ]
+
+
+@pytest.fixture(scope="session")
+def hard():
+    """Two families of hard cases, one with a row that is undecided."""
+    found = run(["side", "spots-meet"]).to_json()
+    assert found["summary"]["decided"] < found["summary"]["rows"]
+    return found
 
 
 @pytest.fixture(scope="session")

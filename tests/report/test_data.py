@@ -19,6 +19,7 @@ def test_counts_and_keys(report, entries):
         "counts",
         "entries",
         "figures",
+        "hard_cases",
         "page_alone",
         "proofs",
         "rungs",
@@ -57,11 +58,11 @@ def set_in(report, path, value):
 @pytest.mark.parametrize(
     ("path", "value", "message"),
     [
-        (["schema"], 1, "reads schema 5"),
+        (["schema"], 1, "reads schema 6"),
         (["standings", "premise"], 1, "standings: the file says"),
         (["entries", 0, "from_cache"], None, r"entries\[0\].from_cache: expected true or false"),
-        (["schema"], True, "reads schema 5"),
-        (["schema"], "1", "reads schema 5"),
+        (["schema"], True, "reads schema 6"),
+        (["schema"], "1", "reads schema 6"),
         (["counts"], {"proved": 3, "refuted": 1, "undecided": 0}, "its entries give"),
         (["counts"], {"proved": True, "refuted": 1, "undecided": 2}, "its entries give"),
         (["counts"], None, "counts: expected an object"),

@@ -89,10 +89,11 @@ def examined(folder, width):
 
 
 @pytest.fixture(scope="module")
-def folder(pictures, certificates, tmp_path_factory):
+def folder(pictures, certificates, hard, tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(write, "pictures", lambda _: pictures)
         patch.setattr(write, "checked_certificates", lambda **_: certificates)
+        patch.setattr(write, "hard_cases", lambda _: hard)
         folder = tmp_path_factory.mktemp("browser") / "report"
         write.write_report(verify_paper(), folder)
         return folder
@@ -116,5 +117,7 @@ def test_every_page(folder, width):
     for section in ("section-4.html", "section-5.html", "appendix-a.html"):
         assert found[section]["math"] > 20
         assert found[section]["formulas"] > 20
+    assert found["hard.html"]["math"] >= 2
+    assert found["hard.html"]["formulas"] > 20
     assert found["statements.html"]["rows"] > 100
     assert 1 <= found["statements.html"]["searched"] < 10

@@ -17,8 +17,8 @@ IN_EVERY_FOLDER = {"style.css", "figures", "certificates", "cost.json"}
 
 
 @pytest.fixture(scope="module")
-def site(entries, pictures, certificates):
-    return pages(json.loads(json.dumps(report_data(entries, pictures, certificates))))
+def site(entries, pictures, certificates, hard):
+    return pages(json.loads(json.dumps(report_data(entries, pictures, certificates, hard))))
 
 
 def article(page, identifier):
@@ -262,3 +262,24 @@ def luminance(colour):
     parts = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
     linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
     return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def test_hard_cases_have_a_row_each_and_say_what_is_undecided(site, hard):
+    page = site["hard.html"]
+    rows = [row for family in hard["families"] for row in family["rows"]]
+    assert page.count('<th scope="row">') == len(rows) + len(hard["families"])
+    assert page.count("<math ") >= len(hard["families"])
+    assert page.count('class="badge undecided"') == 2  # in its row, and in the table of all families
+    wrong = sum(row["double_right"] is False for row in rows)
+    assert wrong > 0
+    assert page.count(">wrong</strong>") == wrong + sum(
+        f["rows"][-1]["double_right"] is False for f in hard["families"]
+    )
+    summary = hard["summary"]
+    assert f"<strong>{summary['rows']}</strong> cases {summary['decided']}" in page
+    assert r"\frac" not in page
+
+
+def test_a_report_without_hard_cases_says_so(entries, pictures, certificates):
+    made = pages(json.loads(json.dumps(report_data(entries, pictures, certificates))))
+    assert "This report was made without them." in made["hard.html"]

@@ -9,10 +9,11 @@ from gspot_verified.report import write
 
 
 @pytest.fixture(scope="module")
-def written(entries, pictures, certificates, tmp_path_factory):
+def written(entries, pictures, certificates, hard, tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(write, "pictures", lambda _: pictures)
         patch.setattr(write, "checked_certificates", lambda **_: certificates)
+        patch.setattr(write, "hard_cases", lambda _: hard)
         directory = tmp_path_factory.mktemp("out") / "report"
         said = []
         assert write.write_report(entries, directory, said.append) == directory / "index.html"
@@ -21,9 +22,10 @@ def written(entries, pictures, certificates, tmp_path_factory):
 
 
 @pytest.fixture
-def drawn(monkeypatch, pictures, certificates):
+def drawn(monkeypatch, pictures, certificates, hard):
     monkeypatch.setattr(write, "pictures", lambda _: pictures)
     monkeypatch.setattr(write, "checked_certificates", lambda **_: certificates)
+    monkeypatch.setattr(write, "hard_cases", lambda _: hard)
 
 
 def test_files(written, pictures, certificates):
@@ -69,9 +71,9 @@ def test_pages_can_be_written_again_in_place(written, tmp_path):
         (b"", "report.json: Expecting value"),
         (b"{", "report.json: "),
         (b"[]", "report.json: report: expected an object, got list"),
-        (b'{"schema": 7}', "reads schema 5, the file has schema 7"),
+        (b'{"schema": 7}', "reads schema 6, the file has schema 7"),
         (b"\xff\xfe", "report.json: not UTF-8 text"),
-        (b'{"schema": 5}', "expected a list under 'entries'"),
+        (b'{"schema": 6}', "expected a list under 'entries'"),
         (b"[" * 200_000, "report.json: nested too deeply"),
     ],
 )
