@@ -8,6 +8,7 @@ import sys
 import time
 from importlib import metadata
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -46,6 +47,31 @@ def test_what_python_compiled_is_not(sources: Path) -> None:
     first = keys.content_key([sources])
     (sources / "inner" / "__pycache__" / "code.pyc").write_bytes(b"compiled again")
     assert keys.content_key([sources]) == first
+
+
+def test_a_file_is_a_source_and_compiled_files_are_none_wherever_they_are(sources: Path) -> None:
+    (sources / "code.pyc").write_bytes(b"compiled")
+    (sources / "inner" / "__pycache__" / "notes.txt").write_text("of Python")
+    kept = [sources / "code.py", sources / "inner" / "data.toml"]
+    assert list(keys.source_files([sources])) == kept
+    assert list(keys.source_files([kept[1], sources, sources / "missing"])) == [kept[1], *kept]
+
+
+def test_a_distribution_without_a_list_of_files_has_its_metadata() -> None:
+    def row(texts: dict[str, str]) -> list[object]:
+        found = SimpleNamespace(metadata={"Name": "toy"}, version="1.0", files=None, read_text=texts.get)
+        return keys._distribution(found)  # type: ignore[arg-type]
+
+    rows = [row({}), row({"METADATA": "m"}), row({"METADATA": "n"}), row({"METADATA": "m", "RECORD": "r"})]
+    rows.append(row({"RECORD": "r"}))
+    assert all(found[:2] == ["toy", "1.0"] for found in rows)
+    assert len({str(found) for found in rows[:4]}) == 4
+    assert rows[3] == rows[4]
+
+
+def test_the_checker_is_where_an_installation_puts_it() -> None:
+    assert Path(sys.prefix) / "share" / "gspot_verified" / "check.py" == keys.CHECKER
+    assert '"share/gspot_verified" = ["proofs/check.py"]' in (keys.PACKAGE.parent / "pyproject.toml").read_text()
 
 
 def test_the_package_and_its_proofs_are_sources() -> None:
