@@ -33,7 +33,9 @@ class Measured(Protocol):
 @app.command(epilog="Example: gspot-verified cost --output cost.json")
 def cost(
     subject: Annotated[str, typer.Argument(help=f"What to measure: {_NAMES}.")] = "all",
-    full: Annotated[bool, typer.Option("--full/--quick", help="Larger cases too: about 20, 10 or 2 minutes.")] = False,
+    full: Annotated[
+        bool, typer.Option("--full/--quick", help="Larger cases too: 2 to 20 minutes; all parts: about half an hour.")
+    ] = False,
     peers: Annotated[
         bool,
         typer.Option("--peers", help="theta: every cell beside what is installed (FLINT, mpmath, scipy, PARI, Sage)."),

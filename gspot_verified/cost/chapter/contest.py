@@ -66,11 +66,10 @@ class Effort:
     full: bool
     patience: float
     seconds: float
-    memory_of_all: bool
 
 
-QUICK = Effort(False, 1.0, 0.2, False)
-FULL = Effort(True, 60.0, 1.5, True)
+QUICK = Effort(False, 1.0, 0.2)
+FULL = Effort(True, 60.0, 1.5)
 
 
 @dataclass(slots=True)
@@ -108,7 +107,7 @@ def compete(key: str, contestants: tuple[Contestant, ...], effort: Effort) -> tu
         Route(
             c.name,
             c.kind,
-            tuple(_point(key, r, effort.memory_of_all or r is records[c.own_name][-1]) for r in records[c.own_name]),
+            tuple(_point(key, r, r is records[c.own_name][-1]) for r in records[c.own_name]),
             c.exponent,
             c.theory,
             notes[c.own_name],

@@ -27,7 +27,7 @@ _PROGRAMS = {"PARI/GP": ("gp", "--version-short"), "Sage": ("sage", "--version")
 
 
 def run(full: bool = False, progress: Progress = lambda _: None) -> Measurement:
-    """Measure all parts: two to three minutes of processor time; with ``full`` a quarter of an hour or more.
+    """Measure all parts: two to three minutes of processor time; with ``full`` about half an hour.
 
     ``progress`` is called with a line of text before each part.
     """
