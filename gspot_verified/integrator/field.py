@@ -50,6 +50,7 @@ class VectorField:
         self._rows = [[self._code.slope(name, i) for i in range(self.dimension)] for name in self._roots]
         self._constants: dict[int, list[arb]] = {}
         self._compiled: dict[str, Callable[..., Any]] = {}
+        self._degrees: dict[tuple[int, ...], list[int | None]] = {}
 
     def on_box(self, box: Sequence[arb]) -> tuple[list[arb], list[list[arb]]]:
         """Enclosures of f and of its Jacobian matrix at every point of the box."""
@@ -82,6 +83,12 @@ class VectorField:
 
     def degrees(self, degrees: Sequence[int]) -> list[int | None]:
         """Bounds on the degrees of f along polynomials of these degrees; None where f is no polynomial."""
+        known = self._degrees.get(tuple(degrees))
+        if known is None:
+            known = self._degrees[tuple(degrees)] = self._degrees_of_code(degrees)
+        return list(known)
+
+    def _degrees_of_code(self, degrees: Sequence[int]) -> list[int | None]:
         found: dict[str, int | None] = {}
         for name in self._code.needed(self._roots):
             operation, operands = self._code.definition(name)
