@@ -71,6 +71,20 @@ def test_answers_come_in_order_and_are_not_computed_again(
         assert calls == [32, 32, 6, 6, 32, 32, 6]
 
 
+def test_another_executor_is_given_every_portion(monkeypatch: pytest.MonkeyPatch) -> None:
+    counted(monkeypatch)
+    given: list[int] = []
+
+    class Counting(ThreadPoolExecutor):
+        def submit(self, function: Any, /, *args: Any, **kwargs: Any) -> Any:
+            given.append(len(args[1]))
+            return super().submit(function, *args, **kwargs)
+
+    with Counting(1) as pool:
+        assert flat(list(results(QUESTION, WORK, pool, None))) == [cell.lower for cell in CELLS]
+    assert given == [32, 32, 6]
+
+
 def test_in_process_nothing_is_done_before_its_turn(monkeypatch: pytest.MonkeyPatch) -> None:
     calls = counted(monkeypatch)
     answers = results(QUESTION, WORK, InProcessExecutor(), None)
@@ -85,6 +99,7 @@ def test_a_journal_is_of_one_question(tmp_path: Path) -> None:
     open_journal(path, QUESTION, ["0"], {"x": "0"})
     header = json.loads(path.read_text().splitlines()[0])["journal"]
     assert header["over"] == ["k=-1..1:70"]
+    assert header["kind"] == "sweep 1"
     assert (header["digits"], header["fixed"], header["start"], header["spot"]) == (8, ["x", "u"], ["0"], {"x": "0"})
     other = Question(family("q - 2*k", "0"), QUESTION.grid, QUESTION.fixed, 8)
     for question, start, spot in (
