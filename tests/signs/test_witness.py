@@ -49,3 +49,26 @@ def test_out_of_reach_no_sign_is_said() -> None:
     assert sign_at(fmpq(10) ** 13, fmpq(1, 2)) is None
     assert sign_at(fmpq(1), fmpq(10**5) + fmpq(1, 2)) is None
     assert sign_at(fmpq(1, 3**3000), fmpq(1, 2)) is None
+
+
+@pytest.mark.parametrize(
+    ("tau", "beta"),
+    [
+        (Range(fmpq(1), fmpq(2), True, True), Range(fmpq(1, 2), fmpq(3, 4), True, True)),
+        (Range(fmpq(1), None, True, False), Range(fmpq(1, 2), fmpq(3, 4), True, True)),
+        (Range(None, fmpq(-1), False, True), Range(fmpq(1, 2), fmpq(3, 4), True, True)),
+        (Range(None, None, False, False), Range(fmpq(1, 2), fmpq(3, 4), True, True)),
+    ],
+)
+def test_a_witness_is_found_where_the_sign_is_the_other_one(tau: Range, beta: Range) -> None:
+    """dTheta/dtau < 0 for 0 < beta < 1."""
+    found = find_witness(tau, beta, 1)
+    assert found is not None
+    assert tau.contains(found[0])
+    assert beta.contains(found[1])
+    assert sign_at(*found) == -1
+    assert find_witness(tau, beta, -1) is None
+
+
+def test_far_to_the_left_no_sign_is_said() -> None:
+    assert sign_at(-(fmpq(10) ** 13), fmpq(1, 2)) is None
