@@ -6,12 +6,14 @@ import json
 import signal
 import subprocess
 import sys
+import tempfile
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from gspot_verified.ledger import cache as cache_module
 from gspot_verified.ledger import verify
 from gspot_verified.ledger.cache import Cache, default_folder
 from gspot_verified.ledger.entry import Check, Entry, Rung, conclude, settled
@@ -139,6 +141,47 @@ def test_a_folder_that_cannot_be_written_loses_nothing(tmp_path: Path) -> None:
 
 def test_a_clone_keeps_its_results_in_itself() -> None:
     assert default_folder() == Path(verify.__file__).resolve().parents[2] / "build" / "ledger"
+
+
+def test_without_a_clone_results_lie_in_the_user_s_caches(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cache_module, "PACKAGE", tmp_path / "site-packages" / "gspot_verified")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "caches"))
+    assert default_folder() == tmp_path / "caches" / "gspot-verified" / "ledger"
+    for unset in (lambda: monkeypatch.setenv("XDG_CACHE_HOME", ""), lambda: monkeypatch.delenv("XDG_CACHE_HOME")):
+        unset()
+        assert default_folder() == Path.home() / ".cache" / "gspot-verified" / "ledger"
+
+
+def test_a_change_in_the_moment_of_the_start_closes_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cache_module, "process_start", lambda: 5.0)
+    for change, said in ((4.5, False), (5.0, True), (5.5, True)):
+        monkeypatch.setattr(cache_module, "newest_change", lambda _, change=change: change)
+        assert bool(Cache(tmp_path, sources=()).closed) is said
+
+
+def test_a_draft_that_cannot_be_put_in_its_place_is_removed_and_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    cache = Cache(tmp_path, sources=())
+
+    def full(_: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("os.fsync", full)
+    cache.keep(PROVED)
+    assert "cannot be kept: [Errno 28]" in cache.closed
+    assert [path for path in tmp_path.rglob("*") if path.is_file()] == []
+    # Whatever stopped it is passed on, also where the draft is gone already.
+    draft = Path(tempfile.mkdtemp(dir=tmp_path)) / "result.json"
+
+    def gone(_: int) -> None:
+        for path in draft.parent.iterdir():
+            path.unlink()
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("os.fsync", gone)
+    with pytest.raises(KeyboardInterrupt):
+        cache_module._write(draft, "text")
 
 
 @pytest.fixture

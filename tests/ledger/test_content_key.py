@@ -121,6 +121,7 @@ def test_changes_are_seen_under_an_old_date(sources: Path) -> None:
 
 
 def test_the_start_of_the_process() -> None:
+    """By the kernel's own count: what has run since the process began is less than the age that is found."""
     script = (
         "import time; a = time.time(); time.sleep(0.5)\n"
         "from gspot_verified.ledger.content_key import process_start\nprint(a - process_start())"
@@ -128,3 +129,28 @@ def test_the_start_of_the_process() -> None:
     run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     assert float(run.stdout) > -0.05
     assert keys.process_start() < time.time()
+
+
+def test_the_start_is_read_from_the_kernel(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A process whose name holds blanks and brackets, begun 40 ticks after the machine, 100 s ago."""
+    ticks = os.sysconf("SC_CLK_TCK")
+    fields = ["S", *map(str, range(4, 22)), str(40 * ticks), "23"]
+    stat = tmp_path / "stat"
+    stat.write_text("17 (a) b) " + " ".join(fields))
+    monkeypatch.setattr(keys, "Path", lambda name: stat if name == "/proc/self/stat" else Path(name))
+    monkeypatch.setattr(
+        keys, "time", SimpleNamespace(time=lambda: 1000.0, clock_gettime=lambda _: 140.0, CLOCK_BOOTTIME=7)
+    )
+    monkeypatch.setattr(keys, "_IMPORTED", 950.0)
+    assert keys.process_start() == 900.0
+    monkeypatch.setattr(keys, "_IMPORTED", 850.0)
+    assert keys.process_start() == 850.0
+    for text in ("", "17 (a) S 4 5", "17 (a) " + " ".join(["x"] * 25)):
+        stat.write_text(text)
+        assert keys.process_start() == 850.0
+    stat.unlink()
+    assert keys.process_start() == 850.0
+
+
+def test_the_key_does_not_hang_on_the_order_of_its_parts() -> None:
+    assert keys._canonical({"b": 1, "a": [1, {"d": 2, "c": 3}]}) == '{"a":[1,{"c":3,"d":2}],"b":1}'
