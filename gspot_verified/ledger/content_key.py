@@ -56,13 +56,13 @@ def distributions() -> list[list[Any]]:
 
 
 def source_files(sources: Iterable[Path] = SOURCES) -> Iterator[Path]:
-    """Every file of the folders, in order, but for what Python compiled; and the files themselves."""
+    """Every file of the folders, but for what Python compiled; and the files themselves."""
     for place in sources:
         if place.is_file():
             yield place
         for folder, names, files in os.walk(place):
-            names[:] = sorted(name for name in names if name != "__pycache__")
-            yield from (Path(folder) / name for name in sorted(files) if not name.endswith(".pyc"))
+            names[:] = [name for name in names if name != "__pycache__"]
+            yield from (Path(folder) / name for name in files if not name.endswith(".pyc"))
 
 
 def newest_change(sources: Sequence[Path] = SOURCES) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import signal
 import subprocess
 import sys
@@ -104,6 +105,22 @@ def test_a_file_that_is_none_is_not_read(tmp_path: Path, text: str) -> None:
     assert cache.recall("a") is not None
 
 
+def test_the_file_of_another_entry_is_not_read(tmp_path: Path) -> None:
+    cache = Cache(tmp_path, sources=())
+    cache.keep(PROVED)
+    cache.keep(REFUTED)
+    cache._file("b").replace(cache._file("a"))
+    assert cache.recall("a") is None
+
+
+def test_all_of_a_result_is_on_the_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    synced = []
+    monkeypatch.setattr("os.fsync", lambda descriptor: synced.append(os.fstat(descriptor).st_size))
+    Cache(tmp_path, sources=()).keep(PROVED)
+    [kept] = kept_files(tmp_path)
+    assert synced == [kept.stat().st_size]
+
+
 def test_the_verdict_is_drawn_from_the_checks_again(tmp_path: Path) -> None:
     """A file that says "proved" over checks that do not, with a right hash, is not read."""
     cache = Cache(tmp_path, sources=())
@@ -167,9 +184,11 @@ def test_a_draft_that_cannot_be_put_in_its_place_is_removed_and_said(
     def full(_: int) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("os.fsync", full)
-    cache.keep(PROVED)
+    with monkeypatch.context() as patch:
+        patch.setattr("os.fsync", full)
+        cache.keep(PROVED)
     assert "cannot be kept: [Errno 28]" in cache.closed
+    cache.keep(REFUTED)  # it stays closed
     assert [path for path in tmp_path.rglob("*") if path.is_file()] == []
     # Whatever stopped it is passed on, also where the draft is gone already.
     draft = Path(tempfile.mkdtemp(dir=tmp_path)) / "result.json"

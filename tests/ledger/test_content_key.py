@@ -67,6 +67,8 @@ def test_a_distribution_without_a_list_of_files_has_its_metadata() -> None:
     assert all(found[:2] == ["toy", "1.0"] for found in rows)
     assert len({str(found) for found in rows[:4]}) == 4
     assert rows[3] == rows[4]
+    nameless = SimpleNamespace(metadata={"Name": None}, version="1.0", files=None, read_text={}.get)
+    assert keys._distribution(nameless)[0] == ""  # type: ignore[arg-type]
 
 
 def test_the_checker_is_where_an_installation_puts_it() -> None:
@@ -75,8 +77,10 @@ def test_the_checker_is_where_an_installation_puts_it() -> None:
 
 
 def test_the_package_and_its_proofs_are_sources() -> None:
-    files = {path.relative_to(keys.PACKAGE.parent).as_posix() for path in keys.source_files()}
+    paths = [path for path in keys.source_files() if path != keys.CHECKER]
+    files = {path.relative_to(keys.PACKAGE.parent).as_posix() for path in paths}
     assert {"gspot_verified/balls.py", "gspot_verified/ledger/claims.toml", "proofs/check.py", "proofs/iwc.md"} <= files
+    assert all(name.startswith(("gspot_verified/", "proofs/")) for name in files)
     assert {"proofs/iwc_0_1.cert", "proofs/coq/Statement.v", "gspot_verified/ledger/paper_source.json"} <= files
 
 
@@ -95,7 +99,7 @@ def test_a_changed_file_of_a_distribution_is_in_the_key(tmp_path: Path, monkeypa
     info = tmp_path / "toy-1.0.dist-info"
     info.mkdir()
     (info / "METADATA").write_text("Metadata-Version: 2.1\nName: toy\nVersion: 1.0\n")
-    (info / "RECORD").write_text("toy.py,sha256=0,2\ntoy-1.0.dist-info/METADATA,,\n")
+    (info / "RECORD").write_text("toy.py,sha256=0,2\ntoy.pyc,,\ntoy-1.0.dist-info/METADATA,,\n")
     monkeypatch.setattr(metadata, "distributions", lambda: metadata.Distribution.discover(path=[str(tmp_path)]))
 
     def key() -> str:
@@ -103,6 +107,8 @@ def test_a_changed_file_of_a_distribution_is_in_the_key(tmp_path: Path, monkeypa
         return keys.content_key([])
 
     found = [key()]
+    (tmp_path / "toy.pyc").write_bytes(b"compiled")
+    assert key() == found[0]
     os.utime(tmp_path / "toy.py", (1, 1))
     found.append(key())
     (info / "RECORD").write_text("toy.py,sha256=1,2\n")
@@ -118,6 +124,12 @@ def test_changes_are_seen_under_an_old_date(sources: Path) -> None:
     os.utime(sources / "code.py", (1, 1))
     assert keys.newest_change([sources]) > before
     assert keys.newest_change([]) == 0
+
+
+def test_the_newest_of_all_changes_counts(sources: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    files = [SimpleNamespace(stat=lambda time=time: SimpleNamespace(st_ctime=time)) for time in (2.0, 5.0, 3.0)]
+    monkeypatch.setattr(keys, "source_files", lambda _: iter(files))
+    assert keys.newest_change([sources]) == 5.0
 
 
 def test_the_start_of_the_process() -> None:
