@@ -5,9 +5,10 @@ from __future__ import annotations
 import enum
 import html
 from dataclasses import dataclass
-from typing import Any, ClassVar, NoReturn
+from typing import TYPE_CHECKING, Any, ClassVar, NoReturn
 
-from gspot_verified.dyadic import Dyadic
+if TYPE_CHECKING:
+    from gspot_verified.dyadic import Dyadic
 
 
 class Outcome(enum.Enum):

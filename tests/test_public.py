@@ -11,8 +11,11 @@ from pathlib import Path
 import pytest
 
 import gspot_verified
+from gspot_verified.cli.app import app
+from gspot_verified.cli.main import COMMANDS
 
 ROOT = Path(__file__).resolve().parents[1]
+PROOFS = ROOT / "proofs"
 
 
 def in_a_fresh_process(script: str) -> str:
@@ -55,6 +58,35 @@ def test_the_import_loads_no_arithmetic() -> None:
 def test_help_loads_no_arithmetic() -> None:
     script = "import sys; from gspot_verified.cli import main; main(['--help']); print('flint' in sys.modules)"
     assert in_a_fresh_process(script).endswith("\nFalse\n")
+
+
+HEAVY = {"pydantic", "rich", "numpy", "scipy", "sympy", "mpmath", "matplotlib", "jinja2", "asyncio", "multiprocessing"}
+
+
+@pytest.mark.parametrize(
+    ("command", "further"),
+    [
+        (("theta", "1", "1/2", "--digits", "20"), set()),
+        (("side", "1/2", "4"), set()),
+        (("sign", "--tau", "1", "--beta", "1/2"), set()),
+        (("check", str(PROOFS / "iwc_0_1.cert")), {"flint"}),
+        (("classify", "rod"), set()),
+    ],
+)  # fmt: skip
+def test_a_short_command_loads_what_it_uses(command: tuple[str, ...], further: set[str]) -> None:
+    """A third of a second of processor time is a module too many."""
+    script = f"import sys; from gspot_verified.cli import main; assert not main({command!r}); print(*sys.modules)"
+    loaded = set(in_a_fresh_process(script).splitlines()[-1].split())
+    assert not loaded & (HEAVY | further)
+    own = {name.removeprefix("gspot_verified.cli.") for name in loaded if name.endswith(("_command", "_commands"))}
+    assert own == {COMMANDS[command[0]]}
+
+
+def test_each_command_is_where_it_is_sought() -> None:
+    for module in {*COMMANDS.values()}:
+        importlib.import_module(f"gspot_verified.cli.{module}")
+    found = {info.callback.__name__: info.callback.__module__ for info in app.registered_commands if info.callback}
+    assert found == {name: f"gspot_verified.cli.{module}" for name, module in COMMANDS.items()}
 
 
 def test_one_way_in() -> None:

@@ -12,27 +12,13 @@ import os
 import signal
 import sys
 from collections.abc import Sequence
+from importlib import import_module
 
 import typer
 
-from gspot_verified.cli import (
-    approach_command,
-    cost_command,
-    events_command,
-    failures_command,
-    figure_command,
-    force_command,
-    iwc_command,
-    mechanism_commands,
-    paper_commands,
-    sign_commands,
-    simulate_command,
-    stability_command,
-    sweep_command,
-    theta_commands,
-)
 from gspot_verified.cli.app import app, signs_of_life
 from gspot_verified.cli.output import NOT_WRITTEN
+from gspot_verified.cli.parameters import read_when_needed
 
 USAGE = 64
 INTERNAL = 70
@@ -41,32 +27,47 @@ CLOSED_PIPE = 141
 
 _CANNOT_WRITE = {errno.ENOSPC, errno.EIO, errno.EDQUOT, errno.EFBIG, errno.EROFS}
 
-COMMANDS = (
-    theta_commands,
-    sign_commands,
-    iwc_command,
-    force_command,
-    figure_command,
-    events_command,
-    simulate_command,
-    failures_command,
-    mechanism_commands,
-    approach_command,
-    sweep_command,
-    paper_commands,
-    cost_command,
-    stability_command,
-)
-"""The modules whose import adds their commands to the application."""
+COMMANDS = {
+    "theta": "theta_commands",
+    "side": "theta_commands",
+    "sign": "sign_commands",
+    "zeros": "sign_commands",
+    "check": "sign_commands",
+    "iwc": "iwc_command",
+    "force": "force_command",
+    "figure": "figure_command",
+    "events": "events_command",
+    "simulate": "simulate_command",
+    "scenes": "simulate_command",
+    "failures": "failures_command",
+    "classify": "mechanism_commands",
+    "expand": "mechanism_commands",
+    "approach": "approach_command",
+    "sweep": "sweep_command",
+    "verify": "paper_commands",
+    "report": "paper_commands",
+    "cost": "cost_command",
+    "stability": "stability_command",
+}
+"""The commands in the order of the help, and the modules whose import adds them to the application."""
+
+
+def _load(arguments: Sequence[str]) -> None:
+    """Import the module of the command that is asked for, or all modules."""
+    command = next((word for word in arguments if not word.startswith("-")), "")
+    for module in dict.fromkeys([COMMANDS[command]] if command in COMMANDS else COMMANDS.values()):
+        import_module(f"gspot_verified.cli.{module}")
+    app.registered_commands.sort(key=lambda info: [*COMMANDS].index(getattr(info.callback, "__name__", "")))
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code; bad input is a message on stderr and 64."""
+    words = sys.argv[1:] if arguments is None else list(arguments)
     try:
         with signs_of_life():
-            code = app(
-                prog_name="gspot-verified", args=None if arguments is None else list(arguments), standalone_mode=False
-            )
+            _load(words)
+            command = read_when_needed(typer.main.get_command(app))
+            code = command(prog_name="gspot-verified", args=words, standalone_mode=False)
     except (ValueError, TypeError, OSError) as error:
         typer.echo(f"error: {error}", err=True)
         full = isinstance(error, OSError) and error.errno in _CANNOT_WRITE
