@@ -12,7 +12,7 @@ import pytest
 
 import gspot_verified
 from gspot_verified.cli.app import app
-from gspot_verified.cli.main import COMMANDS
+from gspot_verified.cli.main import COMMANDS, load_commands
 
 ROOT = Path(__file__).resolve().parents[1]
 PROOFS = ROOT / "proofs"
@@ -83,8 +83,7 @@ def test_a_short_command_loads_what_it_uses(command: tuple[str, ...], further: s
 
 
 def test_each_command_is_where_it_is_sought() -> None:
-    for module in {*COMMANDS.values()}:
-        importlib.import_module(f"gspot_verified.cli.{module}")
+    load_commands()
     found = {info.callback.__name__: info.callback.__module__ for info in app.registered_commands if info.callback}
     assert found == {name: f"gspot_verified.cli.{module}" for name, module in COMMANDS.items()}
 

@@ -15,6 +15,7 @@ from jsonschema import Draft202012Validator
 
 from gspot_verified.cli import main
 from gspot_verified.cli.app import app, schema_of
+from gspot_verified.cli.main import load_commands
 from gspot_verified.cost.curves import Curve
 from gspot_verified.cost.rows import Row, Target
 from gspot_verified.cost.theta import CostReport
@@ -113,6 +114,7 @@ def errors(command: str, data: object) -> list[str]:
 
 
 def test_every_command_that_prints_json_has_a_schema() -> None:
+    load_commands()
     found = set()
     for command in app.registered_commands:
         assert command.callback is not None

@@ -52,8 +52,8 @@ COMMANDS = {
 """The commands in the order of the help, and the modules whose import adds them to the application."""
 
 
-def _load(arguments: Sequence[str]) -> None:
-    """Import the module of the command that is asked for, or all modules."""
+def load_commands(arguments: Sequence[str] = ()) -> None:
+    """Import the module of the command that the arguments ask for, or all modules."""
     command = next((word for word in arguments if not word.startswith("-")), "")
     for module in dict.fromkeys([COMMANDS[command]] if command in COMMANDS else COMMANDS.values()):
         import_module(f"gspot_verified.cli.{module}")
@@ -65,7 +65,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     words = sys.argv[1:] if arguments is None else list(arguments)
     try:
         with signs_of_life():
-            _load(words)
+            load_commands(words)
             command = read_when_needed(typer.main.get_command(app))
             code = command(prog_name="gspot-verified", args=words, standalone_mode=False)
     except (ValueError, TypeError, OSError) as error:
