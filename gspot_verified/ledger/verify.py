@@ -42,6 +42,7 @@ from gspot_verified.ledger import (
     section_5_theorem,
     section_6,
     section_6_runs,
+    section_6_theta,
     strong_direction,
     table_1,
     varsim1,
@@ -92,6 +93,7 @@ PARTS: dict[str, Builders] = {
     "Section 5, the side for all small ε": section_5_side.ENTRIES,
     "Section 6 and Appendix B, the oscillator": section_6.ENTRIES,
     "Section 6, Cases and simulations": section_6_runs.ENTRIES,
+    "Section 6, the expansion and Θ": section_6_theta.ENTRIES,
     "Appendix A": appendix_a.ENTRIES,
 }
 
