@@ -62,8 +62,8 @@ def ratios() -> tuple[arb, ...]:
         equations = DeviationEquations(expansion(ORDER), DELTA)
         power, place = 2 * (BETA - 1), equations.y - 1  # b stands before y
         begin = slow_deviation(equations, BETA, c_1, FIRST)
-        radii = [add_remainder(ball(0), value.rad()).upper() for value in begin]
-        found = track(equations, power, FIRST, LAST, [value.mid() for value in begin], radii, ball(0))
+        radii = [add_remainder(arb(0), value.rad()).upper() for value in begin]
+        found = track(equations, power, FIRST, LAST, [value.mid() for value in begin], radii, arb(0))
         if not found.is_whole:
             return ()
         return tuple(
@@ -91,7 +91,7 @@ def scaled_theta(t: fmpq) -> float:
     small, beta = approximate(EPSILON), approximate(BETA)
     tau = exact(fmpq(*(kappa * approximate(t) * small ** (-2 / 3)).as_integer_ratio()), "tau")
     size = approximate(amount() or fmpq(0)) * kappa**-beta * small ** (2 * beta / 3)
-    return size * approximate(theta(tau, BETA, digits=15))
+    return float(size * approximate(theta(tau, BETA, digits=15)))
 
 
 def order_15(t: fmpq) -> float:
@@ -111,7 +111,7 @@ def steps(run: SceneRun) -> Iterator[tuple[fmpq, float]]:
 
 
 def floats_fit() -> bool | None:
-    """Whether the float run's b - b̄ is within FLOAT_FIT of the scaled Θ, of its largest value so far, up to t = 0.0011."""
+    """Whether the float run's b - b̄ differs from the scaled Θ by less than FLOAT_FIT of Θ's largest value so far."""
     largest, answers = 0.0, list[bool]()
     inside = [(t, b) for t, b in steps(simulated(START)) if 0 < t <= FLOAT_UNTIL]
     for t, b in inside:
@@ -128,9 +128,9 @@ def _fit() -> Entry:
         "6-theta-fit",
         "lines 2256 to 2259",
         r"\hat b\ \text{and the scaled}\ \Theta\ \text{fit each other very well for positive times}",
-        f"The oscillator, for every ε <= {DELTA**3} at once: a deviation from the expansion of order {ORDER} that is the "
-        f"slow one with the C_1 of the second start at t = {FIRST} ε^(2/3) has a b that differs by less than 2 % from "
-        f"C_1 κ^-β ε^(2β/3) Θ(τ), at the 17 places t/ε^(2/3) = -1 + 2k/17 up to {LAST}",
+        f"The oscillator, for every ε <= {DELTA**3} at once: a deviation from the expansion of order {ORDER} that is "
+        f"the slow one with the C_1 of the second start at t = {FIRST} ε^(2/3) has a b that differs by less than 2 % "
+        f"from C_1 κ^-β ε^(2β/3) Θ(τ), at the 17 places t/ε^(2/3) = -1 + 2k/17 up to {LAST}",
         Check(Rung.BALLS, "proofs/uniform.md, Theorem U1: the deviation is followed, with its error", fits(), widest()),
         Check(
             Rung.POINTS,
@@ -177,8 +177,8 @@ def _order_15() -> Entry:
         "6-order-15",
         "lines 2236 to 2238",
         r"M=15:\ \text{indistinguishable for } p>0",
-        "ε = 10^-6, 0 <= p <= 1/100: the b of the expansion of order 15 differs by less than 10^-5 from that of order 31, "
-        "with |b| up to 0.04: in a drawing the order does not show",
+        "ε = 10^-6, 0 <= p <= 1/100: the b of the expansion of order 15 differs by less than 10^-5 from that of order "
+        "31, with |b| up to 0.04: in a drawing the order does not show",
         Check(
             Rung.EXACT,
             "the coefficients of the difference, as a polynomial in t and ε, in exact rationals",
@@ -187,8 +187,8 @@ def _order_15() -> Entry:
         ),
         Check(
             Rung.POINTS,
-            f"a float run ({FLOATS[0]}) from the state of order 15 at p = 1/100 (scene oscillator-canard): its b is that "
-            "near to order 15 for p > 0",
+            f"a float run ({FLOATS[0]}) from the state of order 15 at p = 1/100 (scene oscillator-canard): its b is "
+            "that near to order 15 for p > 0",
             floats_stay_near(),
         ),
         note="Nothing is said of the distance between the series, which need not converge, and a solution; next to the "

@@ -43,6 +43,7 @@ from gspot_verified.ledger import (
     section_6,
     section_6_runs,
     section_6_theta,
+    section_7,
     strong_direction,
     table_1,
     varsim1,
@@ -94,6 +95,7 @@ PARTS: dict[str, Builders] = {
     "Section 6 and Appendix B, the oscillator": section_6.ENTRIES,
     "Section 6, Cases and simulations": section_6_runs.ENTRIES,
     "Section 6, the expansion and Θ": section_6_theta.ENTRIES,
+    "Section 7, after the first flight": section_7.ENTRIES,
     "Appendix A": appendix_a.ENTRIES,
 }
 

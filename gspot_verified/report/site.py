@@ -36,6 +36,7 @@ SECTIONS = {
     "Section 4": "Asymptotic analysis of the motivating example",
     "Section 5": "Asymptotic analysis of a general system",
     "Section 6": "Application to a frictional impact oscillator, and Appendix B",
+    "Section 7": "Conclusion",
     "Appendix A": "Generalised hypergeometric functions",
 }
 _ANSWERS = {True: "agrees", False: "fails", None: "could not tell"}

@@ -16,7 +16,7 @@ from gspot_verified.ledger.verify import PARTS
 from gspot_verified.verdict import Outcome
 
 _CACHED = type(lru_cache(len))
-LONG = {"after_lift_off", "section_3_sentences", "section_6_runs", "section_6_theta", "varsim2"}
+LONG = {"after_lift_off", "section_3_sentences", "section_6_runs", "section_6_theta", "section_7", "varsim2"}
 """Modules whose entries run a simulation for each change: one change an entry always, the others are slow tests."""
 PENDING: set[str] = set()
 """Modules of the ledger whose table is not complete yet."""
