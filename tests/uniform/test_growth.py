@@ -7,6 +7,7 @@ Page: proofs/uniform.md.
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import replace
 from typing import Any
 
@@ -19,6 +20,10 @@ from gspot_verified.balls import ball, working_bits
 from gspot_verified.expansion.trajectory import Trajectory, expand_system
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.scenes.file import load_scene
+from gspot_verified.scenes.float_run import float_run
+from gspot_verified.scenes.run import IMPACT
+from gspot_verified.scenes.scene import Scene
 from gspot_verified.signs.side import gamma_sign
 from gspot_verified.testing import extended_example
 from gspot_verified.uniform.bound import BITS
@@ -77,13 +82,49 @@ def test_the_extended_system_takes_the_proved_side(beta: str, largest: fmpq, c_1
         assert bool(forces[decided[0]] < 0) is (found.side == "lift-off")
 
 
-def test_the_oscillator_of_the_paper() -> None:
-    """Every epsilon <= 10^-6, the paper's among them; C_1 > 0 lifts off, as Gamma(-7/3) < 0."""
-    trajectory = expand(shipped_mechanism("oscillator"), 10)
-    found = uniform_side(trajectory, 1, "1/100")
-    assert (found.side, found.epsilon) == ("lift-off", fmpq(1, 10**6))
-    assert json.loads(json.dumps(found.to_json()))["side"] == "lift-off"
-    assert "contact is lost" in str(found)
+@pytest.mark.parametrize(("c_1", "side"), [(1, "lift-off"), (-1, "impact")])
+def test_the_oscillator_of_the_paper(c_1: int, side: str) -> None:
+    """Every epsilon <= 10^-6, the paper's among them; C_1 > 0 lifts off, as Gamma(-7/3) < 0.
+
+    Float runs of the oscillator on its contact, from a state of the family, take that side before the latest s.
+    """
+    found = uniform_side(expand(shipped_mechanism("oscillator"), 10), c_1, "1/100")
+    assert (found.side, found.epsilon) == (side, fmpq(1, 10**6))
+    assert json.loads(json.dumps(found.to_json()))["side"] == side
+    assert ("contact is lost" in str(found)) is (side == "lift-off")
+    for delta in (found.delta, found.delta / 2):
+        run = float_run(state_of_the_family(found, delta), "LSODA", 1e-9)
+        assert run.events[0].name == {"lift-off": "lift-off", "impact": IMPACT}[side]
+        assert found.entered is not None
+        last = ends(found.latest(delta))[1]
+        assert found.entered < run.events[0].lower / delta**2 + found.start < fmpq(*last.as_integer_ratio())
+
+
+def state_of_the_family(found: UniformSide, delta: fmpq) -> Scene:
+    """The oscillator at the middle of the family, in its own units; that it lies in the family is asserted."""
+    names = [*(f"xi_{i}" for i in range(1, 5)), *"pbyv"]
+    moves = dict(zip(names, found.deviation, strict=True))
+    moves["z"] = moves["y"] / 2
+    with working_bits(BITS):
+        values = found.trajectory.evaluate(found.start, delta, 20)
+        size = ball(delta) ** ball(2 * (found.beta - 1))
+        units = {name: ball(delta) ** {"y": 6, "z": 6, "v": 4}.get(name, 2) for name in moves}
+        middles = {name: (values[name] + size * moves[name]) * units[name] for name in moves}
+        at = {name: fmpq(*float(value.mid()).as_integer_ratio()) for name, value in middles.items()}
+        unit = float((size * units["p"]).mid()) * float(int(found.within.p) / int(found.within.q))
+    phi, phi_dot = math.acos(0.6) + number(at["xi_1"]), -1 + number(at["xi_3"])
+    # psi and psi_dot follow from y and v
+    assert abs(number(at["y"]) - 1 + math.cos(phi) - (-0.4 + number(at["xi_2"]))) < unit
+    assert abs(number(at["v"]) - math.sin(phi) * phi_dot - (0.8 + number(at["xi_4"]))) < unit
+    scene = load_scene(
+        "oscillator", eps=delta**3, until=30 * delta**2, phi=f"phi_ref + {at['xi_1']}", phi_dot=at["xi_3"] - 1,
+        **{name: at[name] for name in "yvz"},
+    )  # fmt: skip
+    first = float_run(scene.with_settings(until=delta**4), "LSODA", 1e-9).samples
+    assert first is not None
+    for name in "pb":
+        assert abs(float(first.columns[name][0]) - number(at[name])) < unit
+    return replace(scene, stop_at_force=fmpq(10))
 
 
 def test_smaller_epsilon_takes_longer() -> None:
@@ -150,6 +191,7 @@ CHANGES: dict[str, Any] = {
     "G1": lambda cone: replace(cone, c=cone.a),
     "G2": lambda cone: replace(cone, a=cone.a / 4),
     "G3": lambda cone: replace(cone, B=cone.C),
+    "G4": lambda cone: replace(cone, C=3 * cone.C / 10),
     "G5 state": lambda cone: replace(cone, A=(*cone.A[:5], cone.A[5] / 20)),
     "G5 p": lambda cone: replace(cone, A_p=cone.A_p / 100),
     "G6, G7 box": lambda cone: replace(cone, top=cone.top * 10**6),
@@ -164,6 +206,17 @@ def test_a_cone_that_violates_a_hypothesis_proves_nothing(
     with working_bits(BITS):
         assert grows(equations, entry, fmpq(1), cone) is not None
         assert grows(equations, entry, fmpq(1), CHANGES[change](cone)) is None
+
+
+def test_the_cone_that_violates_g4_satisfies_the_conditions_on_c_before_it(
+    accepted: tuple[DeviationEquations, Entry, Cone],
+) -> None:
+    """(G0) and (G3), the others that name C: so (G4) is what rejects it."""
+    _, entry, cone = accepted
+    with working_bits(BITS):
+        smaller = CHANGES["G4"](cone).C
+        assert smaller * entry.V - entry.N > 0
+        assert smaller < cone.C
 
 
 def test_an_entry_that_violates_a_hypothesis_proves_nothing(accepted: tuple[DeviationEquations, Entry, Cone]) -> None:
