@@ -30,7 +30,7 @@ def verify(
     ] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Check the paper, Sections 1 to 6 and Appendices A and B, claim by claim, and write the report.
+    """Check the paper, Sections 1 to 7 and Appendices A and B, claim by claim, and write the report.
 
     With claims: these entries, and those that their checks name; no report. A result is kept under the hash of all
     sources, proofs and versions, so that a run that was killed goes on, and shown as kept. Exit code 1 when a printed
