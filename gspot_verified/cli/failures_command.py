@@ -27,7 +27,7 @@ def failures(
 
     Starts of Fig. varsim1 with β from 5/2 to 15/2 and ε from 10^-3 to 10^-6, a factor 2 from the canard and close to
     it. A float run says "contact is lost" or "contact lasts" by its first event; only starts with a certified answer
-    count. Nothing is stored: the whole set with all solvers and tolerances takes hours.
+    count. Nothing is stored: the whole set with all solvers and tolerances takes some ten minutes.
     Exit code 0 when every start is decided, else 2.
     """
     from gspot_verified.scenes.hard_sides import count_failures, hard_sides

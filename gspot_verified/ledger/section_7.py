@@ -32,9 +32,9 @@ class Case:
 RUNS: dict[Case, tuple[str, ...]] = {
     Case(1, fmpq(1, 100), fmpq(6, 5)): (LIFT_OFF, TOUCH_DOWN, LIFT_OFF),
     Case(1, fmpq(1, 1000), fmpq(13, 20)): (LIFT_OFF, TOUCH_DOWN, LIFT_OFF),
-    Case(0, fmpq(1, 100), fmpq(11, 10)): (LIFT_OFF, TOUCH_DOWN, IMPACT, STICK, LIFT_OFF),
+    Case(0, fmpq(1, 100), fmpq(11, 10)): (LIFT_OFF, TOUCH_DOWN, STICK, LIFT_OFF),
 }
-"""All events up to that time; an impact without collision where it is a statement."""
+"""All events up to that time, but for impacts without collision: whether one is shown is another question."""
 FLOATS = ("LSODA", 1e-10)
 FLOAT_NEAR = fmpq(1, 10**4)
 
@@ -48,8 +48,8 @@ def run_of(case: Case) -> SceneRun:
 
 def happens(case: Case) -> bool | None:
     """Whether a certified run has exactly the events of RUNS."""
-    run = run_of(case)
-    return tuple(event.name for event in run.events) == RUNS[case] if run.verdict.outcome is Outcome.PROVED else None
+    found = tuple(event.name for event in run_of(case).events if event.name != IMPACT)
+    return found == RUNS[case] if run_of(case).verdict.outcome is Outcome.PROVED else None
 
 
 def floats_agree(case: Case) -> bool | None:
@@ -78,8 +78,8 @@ def _again() -> Entry:
         "lines 2287 to 2291",
         r"\text{would this impact again lead to further lift off?}",
         "It may: the extended system of fig. varsim2 with β = 5/2, ν = 1/4, u(0) = 70 loses contact a second time, for "
-        "χ = 1 (ε = 1/100, 1/1000) without stick before it, for χ = 0 (ε = 1/100) after an impact without collision "
-        "and stick; no other event up to t = 6/5, 13/20 and 11/10",
+        "χ = 1 (ε = 1/100, 1/1000) without stick before it, for χ = 0 (ε = 1/100) after stick; up to t = 6/5, 13/20 "
+        "and 11/10 there is no other event, but for impacts without collision",
         Check(
             Rung.BALLS,
             "certified runs of the extended system by the validated integrator",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from flint import fmpq
 
@@ -59,6 +61,31 @@ def test_floats_of_every_tolerance_are_on_the_wrong_side_somewhere() -> None:
         assert certified_side(scene).side == LOST
         wrong |= {tolerance for method in ("LSODA", "BDF") if float_side(scene, method, tolerance) == LASTS}
     assert len(wrong) >= 2
+
+
+def test_a_tight_tolerance_is_wrong_where_the_page_says_so() -> None:
+    """A part of the table of docs/where_floats_fail.md; how many of three depends on scipy."""
+    chosen = hard_sides.hard_sides().restricted(
+        epsilons=["1/100000"], betas=["11/2"], solvers=["LSODA"], tolerances=["1e-10", "1e-12"]
+    )
+    found = hard_sides.count_failures(chosen)
+    assert [count.decided for count in found.counts] == [3, 3]
+    assert sum(count.wrong + count.silent for count in found.counts) >= 1
+    assert {start.nu: row.side for start, row in found.certified.items()} == {
+        fmpq(1, 2): LASTS, fmpq(2): LOST, fmpq(1001, 1000): LOST,
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(("eps", "beta", "column"), [("1e-4", "11/2", 6), ("1e-5", "5/2", 3), ("1e-5", "15/2", 8)])
+def test_the_page_prints_k_as_it_is(eps: str, beta: str, column: int) -> None:
+    page = (Path(__file__).resolve().parents[2] / "docs" / "where_floats_fail.md").read_text(encoding="utf-8")
+    digits = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹−", "-0123456789-")
+    rows = [row.translate(digits) for row in page.splitlines() if "**K**" in row]
+    (cell,) = (row.split("|")[column].strip() for row in rows if row.startswith(f"| 10{eps[2:]} "))
+    mantissa, exponent = cell.split("·10")
+    found = certified_side(start(beta, "2", eps)).rule.side
+    assert found.is_finite()
+    assert abs(float(found.mid()) / float(f"{mantissa}e{exponent}") - 1) < 0.005
 
 
 def test_a_scene_that_the_exact_solution_does_not_cover_is_refused() -> None:
