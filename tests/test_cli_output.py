@@ -236,7 +236,9 @@ def test_a_closed_pipe_ends_the_program_as_it_ends_others() -> None:
         assert process.stderr is not None
         assert process.stdout.read(3)
         process.stdout.close()
-        assert process.stderr.read() == b""
+        # On a machine that is busy the command may say that it is at work, and nothing else.
+        said = process.stderr.read().decode().splitlines()
+    assert [line for line in said if "at work for" not in line] == []
     assert process.returncode == -signal.SIGPIPE
 
 

@@ -138,7 +138,7 @@ def _elastic() -> Entry:
         "c → 0, c → ∞, k_2 → 0 or k_1 → ∞, the other constants fixed",
         Q2.carries(
             Check(
-                Rung.PAGE,
+                Rung.EXACT,
                 "Theorem Q2: bounds on 1 - e², one of which tends to 0 in each limit",
                 all_of(loss_vanishes(powers) for powers in ELASTIC.values()),
             )
@@ -177,7 +177,7 @@ def _inelastic() -> Entry:
         "p > 0 fixed",
         Q3.carries(
             Check(
-                Rung.PAGE,
+                Rung.EXACT,
                 "Theorem Q3: e is at most ζ + (1 + ρ) sqrt(ρ)/ζ, with ζ = c sqrt(p/k_2), sqrt(ρ)/ζ = sqrt(k_1/p)/c",
                 bound_vanishes(),
             )

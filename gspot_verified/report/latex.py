@@ -115,7 +115,8 @@ def latex_html(source: str, number: Callable[[str], str | None]) -> str:
     text = re.sub(r"\\item\[([^\]]*)\]", r"\\item \1", text)  # the title may hold formulas
     if r"\multicolumn" in text and not _TABULAR.search(text):
         return _table(text, number)  # lines from inside a table
-    if not _FORMULA.search(text) and re.search(r"[_^]|&\s*=", text):
+    words = re.sub(r"\\(?:ref|eqref|cite)\{[^}]*\}", "", text)  # names may hold an underscore
+    if not _FORMULA.search(words) and re.search(r"[_^]|&\s*=", words):
         return f"<p>{_display(text)}</p>"  # lines from inside an alignment
     parts = _TABULAR.split(text)
     return "\n".join(

@@ -518,6 +518,7 @@ def test_what_is_said_of_each_end() -> None:
     assert "\n  the G-spot: x = " in text
     assert f"\n  Case {found.case}, beta = " in text
     assert "\n  C1 = " in text
+    assert "\n  after the time t = " in text
     assert "\n  alpha_1 = " in text
     assert "side" not in str(event)
     assert "\n  y and v from y = 0 and v = 0\n" in str(event)

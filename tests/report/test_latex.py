@@ -17,6 +17,12 @@ def passages():
     return sorted({q["latex"] for citation in _data()["citations"].values() for q in citation["quotations"]})
 
 
+def test_the_name_of_a_label_is_no_formula():
+    shown = latex_html(r"By \eqref{eq:dTheta_sign} it lifts off.", lambda _: None)
+    assert "<math" not in shown
+    assert "it lifts off." in shown
+
+
 def test_all_quotations_are_set():
     for source in passages():
         shown = latex_html(source, number)

@@ -68,8 +68,8 @@ def panel_words(panel: str) -> str:
 def place_text(place: float) -> str:
     """A place in up to four digits.
 
-    >>> place_text(15.0), place_text(12.9), place_text(1e6)
-    ('15', '12.9', '1 000 000')
+    >>> place_text(15.0), place_text(12.9), place_text(1e6).split()
+    ('15', '12.9', ['1', '000', '000'])
     """
     text = f"{place:,.0f}" if place >= 1000 or place == int(place) else f"{place:.3g}"
     return text.replace(",", "\N{NARROW NO-BREAK SPACE}")
