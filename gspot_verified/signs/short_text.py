@@ -8,7 +8,8 @@ import math
 from flint import fmpq
 
 _SHOWN_BITS = 512
-_CONTEXT = decimal.Context(prec=200, Emax=10**6, Emin=-(10**6))
+_CONTEXT = decimal.Context(prec=decimal.MAX_PREC, Emax=decimal.MAX_EMAX, Emin=decimal.MIN_EMIN)
+"""Nothing is rounded in it."""
 
 
 def short_text(value: fmpq) -> str:
@@ -19,11 +20,11 @@ def short_text(value: fmpq) -> str:
     """
     denominator = int(value.q)
     twos = (denominator & -denominator).bit_length() - 1
-    fives = round((denominator >> twos).bit_length() * math.log(2, 5))
-    fives = next((n for n in (fives - 1, fives, fives + 1) if n >= 0 and 5**n == denominator >> twos), -1)
+    odd = denominator >> twos
+    fives = round(odd.bit_length() * math.log(2, 5))  # 5^n has more than n log2(5) bits, at most one more
     places = max(twos, fives)
     mantissa = int(value.p) * 10**places // denominator
-    if fives < 0 or mantissa.bit_length() > _SHOWN_BITS:
+    if 5**fives != odd or mantissa.bit_length() > _SHOWN_BITS:
         return str(value)
     number = _CONTEXT.normalize(_CONTEXT.scaleb(decimal.Decimal(mantissa), -places))
     return f"{number:f}" if -7 <= number.adjusted() <= 20 else f"{number:g}"
