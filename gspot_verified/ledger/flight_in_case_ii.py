@@ -17,6 +17,9 @@ _SYMBOLS = ALGEBRA.symbols
 FLIGHT = {"b": "b + alpha2*u", "v": "v + b*u + alpha2*u^2/2", "y": "-m + v*u + b*u^2/2 + alpha2*u^3/6", "z": "-m*w"}
 AT_LIFT_OFF = {"v": "m*rate + d"}
 """λ_N falls there: z' = m/ε < v, by d > 0."""
+BEGIN = {"u": ALGEBRA.constant(0), "w": ALGEBRA.constant(1)}
+TANGENT = "1 - rate*u"
+"""Of w at lift-off."""
 BETAS = (fmpq(1, 4), fmpq(1, 2), fmpq(9, 10))
 CASE_II = {"alpha_2": fmpq(1)}
 NU, EPSILON = fmpq(1, 4), fmpq(1, 100)
@@ -42,16 +45,22 @@ def gap() -> fmpq_mpoly:
 
 def opens_convexly() -> bool:
     """(y - z)'' > 0, y - z = 0 and (y - z)' > 0 at lift-off (w = 1 there)."""
-    first = {"u": ALGEBRA.constant(0), "w": ALGEBRA.constant(1)}
-    at_lift_off = (ALGEBRA.substitute(value, first) for value in (gap(), along(gap())))
-    nothing, slope = at_lift_off
+    nothing, slope = (ALGEBRA.substitute(value, BEGIN) for value in (gap(), along(gap())))
     return nothing.is_zero() and rising_signs(slope) and rising_signs(along(along(gap())))
 
 
+def is_above_its_tangent() -> bool:
+    """e^(-x) >= 1 - x: w - TANGENT is convex, and 0 at lift-off with its slope."""
+    above = _SYMBOLS["w"] - ALGEBRA.read(TANGENT)
+    begins = [ALGEBRA.substitute(value, BEGIN).is_zero() for value in (above, along(above))]
+    return all(begins) and rising_signs(along(along(above)))
+
+
 def is_a_sum_of_positive_terms() -> bool | None:
-    """y - z with w = 1 - u/ε + s, where s >= 0 as e^(-x) >= 1 - x: every coefficient is positive."""
-    image = {"w": 1 - _SYMBOLS["rate"] * _SYMBOLS["u"] + _SYMBOLS["s"]}
-    return True if is_free_motion() and rising_signs(ALGEBRA.substitute(gap(), image)) else None
+    """y - z with w = 1 - u/ε + s, where s >= 0: every coefficient is positive."""
+    image = {"w": ALGEBRA.read(TANGENT) + _SYMBOLS["s"]}
+    holds = is_free_motion() and is_above_its_tangent() and rising_signs(ALGEBRA.substitute(gap(), image))
+    return True if holds else None
 
 
 def motion_increases() -> bool | None:
@@ -88,8 +97,8 @@ def _persists() -> Entry:
         ),
         Check(
             Rung.POINTS,
-            "certified runs with α_2 = 1, ε = 1/100, ν = 1/4, β = 1/4, 1/2, 9/10: lift-off, and no other event until "
-            "t = 1",
+            f"certified runs with α_2 = {CASE_II['alpha_2']}, ε = {EPSILON}, ν = {NU}, β = "
+            f"{', '.join(map(str, BETAS))}: lift-off, and no other event until t = 1",
             runs_do_not_touch_down(),
         ),
         note="These runs lift off before p = 0, where b has passed through 0: 3-case-II. With b < 0 at lift-off the "

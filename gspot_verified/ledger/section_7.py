@@ -53,7 +53,7 @@ def happens(case: Case) -> bool | None:
 
 
 def floats_agree(case: Case) -> bool | None:
-    """Whether a float run has the same events, but for the impact, within 10^-4 of the certified times."""
+    """Whether a float run has the same events, but for the impact, within FLOAT_NEAR of the certified times."""
     scene = load_scene("fig-varsim2", beta=BETA, nu=NU, chi=case.coupling, eps=case.epsilon, until=case.until)
     certified = [event for event in run_of(case).events if event.name != IMPACT]
     return near(float_run(scene, *FLOATS).events, certified)
@@ -64,6 +64,10 @@ def near(first: tuple[RunEvent, ...], second: list[RunEvent]) -> bool:
     if [event.name for event in first] != [event.name for event in second]:
         return False
     return all(abs(a.lower - b.lower) < FLOAT_NEAR for a, b in zip(first, second, strict=True))
+
+
+def _told(case: Case) -> str:
+    return f"χ = {case.coupling}, ε = {case.epsilon}, up to t = {case.until}: {', '.join(RUNS[case])}"
 
 
 def _times(case: Case) -> str:
@@ -77,9 +81,8 @@ def _again() -> Entry:
         "7-lift-off-again",
         "lines 2287 to 2291",
         r"\text{would this impact again lead to further lift off?}",
-        "It may: the extended system of fig. varsim2 with β = 5/2, ν = 1/4, u(0) = 70 loses contact a second time, for "
-        "χ = 1 (ε = 1/100, 1/1000) without stick before it, for χ = 0 (ε = 1/100) after stick; up to t = 6/5, 13/20 "
-        "and 11/10 there is no other event, but for impacts without collision",
+        f"It may: the extended system of fig. varsim2 with β = {BETA}, ν = {NU}, u(0) = 70 loses contact a second time. "
+        f"All events, but for impacts without collision: {'; '.join(map(_told, RUNS))}",
         Check(
             Rung.BALLS,
             "certified runs of the extended system by the validated integrator",
@@ -88,7 +91,7 @@ def _again() -> Entry:
         ),
         Check(
             Rung.POINTS,
-            f"float runs ({FLOATS[0]}) have these events within 10^-4 of these times",
+            f"float runs ({FLOATS[0]}) have these events within {FLOAT_NEAR} of these times",
             all_of(floats_agree(case) for case in RUNS),
         ),
         note="In the model system contact is not lost again (3-after-lift-off). More runs, longer ones, and what is "
