@@ -35,10 +35,12 @@ LARGEST_LOSS = fmpq(1, 6)
 """1 - e² at the larger n is below this, and below that at the smaller one."""
 INELASTIC: dict[str, int] = {"k_1": -1, "k_2": 1}
 """The signs of the powers of n in k_1 → 0, k_2 → ∞."""
-LOSSY = ((fmpq(1, 256), fmpq(1, 4)), (fmpq(1, 4096), fmpq(1, 8)))
-"""ρ and ζ for c = p = 1, k_1 = 1/k_2 = 1/16 and 1/64."""
+LOSSY = (fmpq(1, 16), fmpq(1, 64))
+"""k_1 = 1/k_2 at which the coefficient is enclosed, with c = p = 1: ρ = k_1², ζ² = k_1."""
 ONE_CONTACT = (fmpq(1), fmpq(10**4))
 """Two values of p, with k_1 = k_2 = c = 1: ρ = 1, ζ² = p."""
+HEIGHT = fmpq(3, 4)
+"""Between 8/11 and -sin 4 (Theorem Q2)."""
 APART = (fmpq(3, 4), fmpq(9, 10))
 """e is below the first one and above the second one there."""
 
@@ -89,9 +91,9 @@ def creeps() -> bool:
 
 
 def numbers() -> bool | None:
-    """sin 4 < -3/4 and 8/11 < 3/4: the contact has ended by then."""
+    """sin 4 < -HEIGHT and 8/11 < HEIGHT: the contact has ended by then."""
     with working_bits(64):
-        return all_of([certainly_less(arb(4).sin(), arb(fmpq(-3, 4))), fmpq(8, 11) < fmpq(3, 4)])
+        return all_of([certainly_less(arb(4).sin(), arb(-HEIGHT)), fmpq(8, 11) < HEIGHT])
 
 
 COMMON = (energy_falls, one_turn)
@@ -159,10 +161,19 @@ def bound_vanishes() -> bool | None:
     return True if all(exponent < 0 for exponent in exponents) else None
 
 
+def root(p: fmpq) -> fmpq:
+    """The rational square root.
+
+    :raises DomainError: there is none.
+    """
+    return fmpq(p.p.sqrt(), p.q.sqrt())
+
+
 def is_lossy() -> bool | None:
     """Whether e falls along LOSSY and obeys the bound of Theorem Q3."""
-    first, second = (coefficient(*place) for place in LOSSY)
-    bounds = [inelastic_bound(*place) for place in LOSSY]
+    places = [(k**2, root(k)) for k in LOSSY]
+    first, second = (coefficient(*place) for place in places)
+    bounds = [inelastic_bound(*place) for place in places]
     below = [certainly_less(first, bounds[0]), certainly_less(second, bounds[1])]
     return all_of([certainly_less(second, first), *below])
 
@@ -184,9 +195,10 @@ def _inelastic() -> Entry:
         ),
         Check(
             Rung.POINTS,
-            "certified values for c = p = 1, k_1 = 1/k_2 = 1/16 and 1/64: e falls, and obeys the bound",
+            f"certified values for c = p = 1, k_1 = 1/k_2 = {' and '.join(map(str, LOSSY))}: e falls, and obeys the "
+            "bound",
             is_lossy(),
-            ", ".join(ball_text(coefficient(*place), 4) for place in LOSSY),
+            ", ".join(ball_text(coefficient(k**2, root(k)), 4) for k in LOSSY),
         ),
     )
 
@@ -195,17 +207,6 @@ def coefficients() -> tuple[arb, arb]:
     """e of the contact with k_1 = k_2 = c = 1 for the two p."""
     first, second = (coefficient(fmpq(1), root(p)) for p in ONE_CONTACT)
     return first, second
-
-
-def root(p: fmpq) -> fmpq:
-    """The rational square root.
-
-    :raises ValueError: there is none.
-    """
-    found = fmpq(p.p.sqrt(), p.q.sqrt())
-    if found**2 != p:
-        raise ValueError(f"{p} is no square")
-    return found
 
 
 def they_differ() -> bool | None:
@@ -230,8 +231,8 @@ def _not_fixed() -> Entry:
         "2-restitution-not-fixed",
         "lines 568 to 570",
         r"k_1,\ k_2,\ c\ \text{fixed}\ \not\Rightarrow\ e\ \text{fixed}",
-        "k_1 = k_2 = c = 1: e < 3/4 for p = 1 and e > 9/10 for p = 10^4, and p depends on the mechanism, on its "
-        "configuration and on the direction of slip",
+        f"k_1 = k_2 = c = 1: e < {APART[0]} for p = {ONE_CONTACT[0]} and e > {APART[1]} for p = {ONE_CONTACT[1]}, and "
+        "p depends on the mechanism, on its configuration and on the direction of slip",
         Check(
             Rung.BALLS,
             "e for both p, by the exact motion",

@@ -24,7 +24,7 @@ from gspot_verified.uniform.side import UniformSide, uniform_side
 from gspot_verified.verdict import Outcome
 
 LIFT_OFF = "lift-off"
-BETA, ORDER = fmpq(3, 2), 8
+BETA, COUPLING, ORDER = fmpq(3, 2), 1, 8
 LARGEST_DELTA, WITHIN, FORCE = fmpq(1, 50), fmpq(1, 1000), 10
 AMOUNTS = (fmpq(-1), fmpq(1))
 """C_1."""
@@ -40,7 +40,7 @@ _BITS = 128
 @lru_cache(maxsize=4)
 def side_of(amount: fmpq) -> UniformSide:
     """What becomes of the family with this C_1, for every δ up to the largest one."""
-    trajectory = expand_system(extended_example(chi=1, alpha=(-1, -1, f"-{BETA}")), ORDER)
+    trajectory = expand_system(extended_example(chi=COUPLING, alpha=(-1, -1, f"-{BETA}")), ORDER)
     return uniform_side(trajectory, amount, LARGEST_DELTA, within=WITHIN, force=FORCE)
 
 
@@ -69,7 +69,7 @@ def member(amount: fmpq, delta: fmpq) -> Scene:
         start = {
             name: middle((values[name] + size * moved[name]) * ball(delta) ** DELTA_FACTORS[name]) for name in moved
         }
-    scene = load_scene("fig-varsim2", beta=BETA, chi=1, eps=delta**3, until=_UNTIL * delta**2, **start)
+    scene = load_scene("fig-varsim2", beta=BETA, chi=COUPLING, eps=delta**3, until=_UNTIL * delta**2, **start)
     return replace(scene, stop_at_force=fmpq(FORCE))
 
 
@@ -98,9 +98,10 @@ def _side() -> Entry:
         "5-side",
         "lines 2087 to 2092",
         r"\text{the same conditions (dTheta\_sign) determine whether lift-off or IWC occur}",
-        f"The extended example, χ = 1, β = 3/2, for every ε <= {LARGEST_DELTA**3} at once: all states within "
-        f"{WITHIN} ε^(1/3) of the expansion of order {ORDER} and the slow deviation with C_1 at t = -ε^(2/3), scaled, "
-        f"lose contact for C_1 = -1; for C_1 = 1 λ_N grows past {FORCE} times the mean force, with p < 0",
+        f"The extended example, χ = {COUPLING}, β = {BETA}, for every ε <= {LARGEST_DELTA**3} at once: all states "
+        f"within {WITHIN} ε^({2 * (BETA - 1) / 3}) of the expansion of order {ORDER} and the slow deviation with C_1 "
+        f"at t = -ε^(2/3), scaled, lose contact for C_1 = -1; for C_1 = 1 λ_N grows past {FORCE} times the mean force, "
+        "with p < 0",
         Check(
             Rung.BALLS,
             "proofs/uniform.md, Theorem U2: a tube around the expansion, then a cone",
@@ -109,7 +110,8 @@ def _side() -> Entry:
         ),
         Check(
             Rung.POINTS,
-            f"float runs ({FLOATS[0]}) of the middle of each family at ε = {LARGEST_DELTA**3} and at a 64th of it",
+            f"float runs ({FLOATS[0]}) of the middle of each family at ε = "
+            f"{' and '.join(str((LARGEST_DELTA * part) ** 3) for part in SMALLER)}",
             all_of(float_runs_agree(amount) for amount in AMOUNTS),
         ),
         note="At leading order in ε, for every β: S-side and S-iwc. Contact may be lost after such an impact, too.",

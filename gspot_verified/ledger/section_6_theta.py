@@ -10,7 +10,7 @@ from functools import lru_cache
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import add_remainder, approximate, ball, ball_text, certainly_less, exact, working_bits
+from gspot_verified.balls import add_remainder, approximate, certainly_less, exact, working_bits
 from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.ledger.section_6_runs import BETA, EPSILON, FLOATS, SECTION, number, simulated, slip
@@ -33,10 +33,10 @@ FIRST, LAST = fmpq(-1), fmpq(1)
 FIT, FLOAT_FIT = fmpq(1, 50), fmpq(1, 25)
 """The deviation and the scaled Θ differ by less than this part of Θ; that of the float run, of the largest Θ so far."""
 FLOAT_UNTIL = fmpq(11, 10_000)
-DRAWN = fmpq(-221, 10_000)
-"""t at which p is a little more than 1/100."""
-DIFFERENCE = fmpq(1, 10**5)
-"""Of b, orders 15 and 31, on DRAWN <= t <= 0."""
+DRAWN, HIGHEST = fmpq(-221, 10_000), fmpq(1, 100)
+"""t, and what p is a little more than there."""
+DIFFERENCE, HEIGHT = fmpq(1, 10**5), 1000
+"""Of b, orders 15 and 31, on DRAWN <= t <= 0; how many times larger |b| is at DRAWN."""
 _EVERY = 40
 
 
@@ -53,11 +53,11 @@ def amount() -> fmpq | None:
 
 
 @lru_cache(maxsize=4)
-def ratios() -> tuple[arb, ...]:
+def ratios() -> dict[fmpq, arb]:
     """b - b̄ over the scaled Θ at the ends of the pieces of s, for all δ up to DELTA; empty: it was not followed."""
     c_1 = amount()
     if c_1 is None:
-        return ()
+        return {}
     with working_bits(BITS):
         equations = DeviationEquations(expansion(ORDER), DELTA)
         power, place = 2 * (BETA - 1), equations.y - 1  # b stands before y
@@ -65,24 +65,29 @@ def ratios() -> tuple[arb, ...]:
         radii = [add_remainder(arb(0), value.rad()).upper() for value in begin]
         found = track(equations, power, FIRST, LAST, [value.mid() for value in begin], radii, arb(0))
         if not found.is_whole:
-            return ()
-        return tuple(
-            piece.end_deviations[place] / slow_deviation(equations, BETA, c_1, piece.end)[place]
+            return {}
+        return {
+            piece.end: piece.end_deviations[place] / slow_deviation(equations, BETA, c_1, piece.end)[place]
             for piece in found.pieces
-        )
+        }
 
 
 def fits() -> bool | None:
     """Whether each ratio is within FIT of 1."""
     with working_bits(BITS):
-        return all_of(certainly_less(abs(ratio - 1), arb(FIT)) or None for ratio in ratios())
+        return all_of(certainly_less(abs(ratio - 1), arb(FIT)) or None for ratio in ratios().values())
 
 
 def widest() -> str:
     """The largest distance from 1."""
     with working_bits(BITS):
-        found = [approximate(abs(ratio - 1).upper()) for ratio in ratios()]
+        found = [approximate(abs(ratio - 1).upper()) for ratio in ratios().values()]
     return f"at most {max(found):.2g} at {len(found)} places of s" if found else "it was not followed"
+
+
+def _places() -> str:
+    found = list(map(str, ratios()))
+    return f"{', '.join(found[:2])}, ..., {found[-1]}" if found else "none"
 
 
 def scaled_theta(t: fmpq) -> float:
@@ -129,13 +134,13 @@ def _fit() -> Entry:
         "lines 2256 to 2259",
         r"\hat b\ \text{and the scaled}\ \Theta\ \text{fit each other very well for positive times}",
         f"The oscillator, for every ε <= {DELTA**3} at once: a deviation from the expansion of order {ORDER} that is "
-        f"the slow one with the C_1 of the second start at t = {FIRST} ε^(2/3) has a b that differs by less than 2 % "
-        f"from C_1 κ^-β ε^(2β/3) Θ(τ), at the 17 places t/ε^(2/3) = -1 + 2k/17 up to {LAST}",
+        f"the slow one with the C_1 of the second start, to 4 decimals, at t = {FIRST} ε^(2/3) has a b that differs by "
+        f"less than {100 * FIT} % from C_1 κ^-β ε^(2β/3) Θ(τ), at t/ε^(2/3) = {_places()}",
         Check(Rung.BALLS, "proofs/uniform.md, Theorem U1: the deviation is followed, with its error", fits(), widest()),
         Check(
             Rung.POINTS,
-            f"a float run of the second start at ε = 10^-6 ({FLOATS[0]}), up to t = 0.0011: within 4 % of the largest "
-            "value so far",
+            f"a float run of the second start at ε = {EPSILON} ({FLOATS[0]}), up to t = {approximate(FLOAT_UNTIL)}: "
+            f"within {100 * FLOAT_FIT} % of the largest value so far",
             floats_fit(),
             "" if c_1 is None else f"C_1 = {approximate(c_1)}",
         ),
@@ -144,23 +149,21 @@ def _fit() -> Entry:
     )
 
 
-def difference() -> arb:
-    """A bound on |b of order 31 - b of order 15| for DRAWN <= t <= 0 at ε = 10^-6: its coefficients' moduli."""
+def difference() -> fmpq:
+    """A bound on |b of order 31 - b of order 15| for DRAWN <= t <= 0 at ε = EPSILON: its coefficients' moduli."""
     low, high = expansion(ORDER).in_time().b, expansion(HIGHER).in_time().b
-    with working_bits(BITS):
-        total = arb(0)
-        for (k, m), value in high.items():
-            left = value - low.get((k, m), fmpq(0))
-            total += abs(ball(left)) * abs(ball(DRAWN)) ** k * ball(EPSILON) ** m
-        return total.upper()
+    return sum(
+        (abs(value - low.get((k, m), fmpq(0))) * abs(DRAWN) ** k * EPSILON**m for (k, m), value in high.items()),
+        fmpq(0),
+    )
 
 
 def covers_the_drawing() -> bool | None:
-    """Whether p of order 31 is above 1/100 at DRAWN, and |b| of order 15 above 1000 times DIFFERENCE there."""
+    """Whether p of order 31 is above HIGHEST at DRAWN, and |b| of order 15 above HEIGHT times DIFFERENCE there."""
     found, drawn = (expansion(order).evaluate_in_time(DRAWN, EPSILON, 25) for order in (HIGHER, ORDER))
     with working_bits(BITS):
         return all_of(
-            [certainly_less(arb(fmpq(1, 100)), found["p"]), certainly_less(arb(1000 * DIFFERENCE), abs(drawn["b"]))]
+            [certainly_less(arb(HIGHEST), found["p"]), certainly_less(arb(HEIGHT * DIFFERENCE), abs(drawn["b"]))]
         )
 
 
@@ -177,13 +180,14 @@ def _order_15() -> Entry:
         "6-order-15",
         "lines 2236 to 2238",
         r"M=15:\ \text{indistinguishable for } p>0",
-        "ε = 10^-6, 0 <= p <= 1/100: the b of the expansion of order 15 differs by less than 10^-5 from that of order "
-        "31, with |b| up to 0.04: in a drawing the order does not show",
+        f"ε = {EPSILON}, 0 <= p <= {HIGHEST}: the b of the expansion of order {ORDER} differs by less than "
+        f"{DIFFERENCE} from that of order {HIGHER}, with |b| above {HEIGHT * DIFFERENCE} at the end: in a drawing the "
+        "order does not show",
         Check(
             Rung.EXACT,
             "the coefficients of the difference, as a polynomial in t and ε, in exact rationals",
-            all_of([certainly_less(difference(), arb(DIFFERENCE)), covers_the_drawing()]),
-            f"at most {ball_text(difference(), 3)}",
+            all_of([difference() < DIFFERENCE, covers_the_drawing()]),
+            f"at most {approximate(difference()):.3g}",
         ),
         Check(
             Rung.POINTS,

@@ -36,3 +36,19 @@ def test_what_is_run_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(ledger, "runs_do_not_touch_down", lambda: True)
     runs = ledger.ENTRIES["3-flight-persists"]().checks[-1].what
     assert "with α_2 = 1, ε = 1/100, ν = 1/4, β = 1/4, 1/2, 9/10: lift-off" in runs
+
+
+@pytest.mark.parametrize("wrong", ["-m + v*u - b*u^2/2", "-m + v*u + b*u^2/2 - alpha2*u^3/6"])
+def test_a_distance_that_bends_back_is_not_positive(monkeypatch: pytest.MonkeyPatch, wrong: str) -> None:
+    monkeypatch.setattr(ledger, "is_free_motion", lambda: True)
+    assert ledger.opens_convexly()
+    assert ledger.is_a_sum_of_positive_terms()
+    monkeypatch.setitem(ledger.FLIGHT, "y", wrong)
+    assert not ledger.opens_convexly()
+    assert ledger.is_a_sum_of_positive_terms() is None
+
+
+@pytest.mark.parametrize("wrong", ["-2*m + v*u + b*u^2/2", "-m - v*u + b*u^2/2"])
+def test_a_distance_begins_at_0_with_a_positive_slope(monkeypatch: pytest.MonkeyPatch, wrong: str) -> None:
+    monkeypatch.setitem(ledger.FLIGHT, "y", wrong)
+    assert not ledger.opens_convexly()
