@@ -21,6 +21,7 @@ from flint import arb, ctx
 from hypothesis import settings
 
 if TYPE_CHECKING:
+    from gspot_verified.ledger.cache import Cache
     from gspot_verified.ledger.entry import Entry
 
 settings.register_profile("default", max_examples=60, deadline=None, derandomize=True, database=None)
@@ -36,7 +37,7 @@ SABOTAGED_MODULES = {
     ),
 }
 _MAX_EXPONENT = 10_000
-SHARED = {"whole_ledger", "pictures"}
+SHARED = {"ledger_cache", "pictures"}
 """Fixtures of the session that take long."""
 
 AddRemainder = Callable[[arb, arb], arb]
@@ -103,6 +104,7 @@ def shrinking(honest: AddRemainder, exponent: int) -> AddRemainder:
     return shrunk
 
 
+@pytest.hookimpl(tryfirst=True)  # xdist reads the marks in a hook of the same name
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Tests that share a costly fixture run in one worker (``--dist loadgroup``), so that it is made once."""
     for item in items:
@@ -111,18 +113,19 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 @pytest.fixture(scope="session")
-def ledger_cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Where the results of ``whole_ledger`` are kept, for the command that would find them again."""
-    return tmp_path_factory.mktemp("ledger")
+def ledger_cache(tmp_path_factory: pytest.TempPathFactory) -> Cache:
+    """Where the session keeps the results of the ledger, so that each entry is found once."""
+    from gspot_verified.ledger.cache import Cache
+
+    return Cache(tmp_path_factory.mktemp("ledger"))
 
 
 @pytest.fixture(scope="session")
-def whole_ledger(ledger_cache: Path) -> list[Entry]:
+def whole_ledger(ledger_cache: Cache) -> list[Entry]:
     """The whole ledger, run once for all tests that read it."""
-    from gspot_verified.ledger.cache import Cache
     from gspot_verified.ledger.verify import verify_paper
 
-    return verify_paper(cache=Cache(ledger_cache))
+    return verify_paper(cache=ledger_cache)
 
 
 @pytest.fixture(autouse=True)

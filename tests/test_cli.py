@@ -12,6 +12,7 @@ import pytest
 
 from gspot_verified.cli import main
 from gspot_verified.dyadic import Dyadic
+from gspot_verified.ledger.cache import Cache
 from gspot_verified.ledger.entry import Entry
 from gspot_verified.report.hard_cases import NONE
 
@@ -88,12 +89,12 @@ def test_verify_and_report(
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
     tmp_path: Path,
-    ledger_cache: Path,
+    ledger_cache: Cache,
     whole_ledger: list[Entry],
 ) -> None:
     # The catalogue of hard cases has tests of its own, one for each row.
     monkeypatch.setattr("gspot_verified.report.write.hard_cases", lambda _: NONE)
-    code, output, errors = run(capsys, "verify", "--output", str(tmp_path), "--cache", str(ledger_cache))
+    code, output, errors = run(capsys, "verify", "--output", str(tmp_path), "--cache", str(ledger_cache.folder))
     assert code == 1  # the paper has misprints
     assert "refuted" in output
     assert "corrected:" in output

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator
-from functools import cache, lru_cache, partial
+from functools import lru_cache, partial
 from types import SimpleNamespace
 
 import pytest
 from ledger.bite import KINDS, Bite, NotApplicable, Teeth, missing_kinds, raised, replaced, scaled, unseen_at
+from ledger.refuted import REFUTED
 from ledger.tables import TABLES, table
 
 from gspot_verified.ledger.entry import Check, Entry, Rung, settled
@@ -16,15 +17,19 @@ from gspot_verified.ledger.verify import PARTS
 from gspot_verified.verdict import Outcome
 
 _CACHED = type(lru_cache(len))
-LONG = {"after_lift_off", "section_3_sentences", "section_6_runs", "section_6_theta", "section_7", "varsim2"}
-"""Modules whose entries run a simulation for each change: one change an entry always, the others are slow tests."""
+LONG = {
+    *("after_lift_off", "section_3_sentences", "section_5_side", "section_6_runs", "section_6_theta", "section_7"),
+    *("table_1", "varsim1", "varsim2"),
+}
+"""Modules whose entries run a simulation for each change: one wrong formula an entry always, the others and the steps
+are slow tests."""
 PENDING: set[str] = set()
 """Modules of the ledger whose table is not complete yet."""
 
 
-@cache
-def honest_outcome(name: str, identifier: str) -> Outcome:
-    return table(name).ENTRIES[identifier]().verdict.outcome
+def honest_outcome(identifier: str) -> Outcome:
+    """What ``test_ledger.py`` finds of the entry as it stands."""
+    return Outcome.REFUTED if identifier in REFUTED else Outcome.PROVED
 
 
 def bites() -> Iterator[tuple[str, str, Bite]]:
@@ -64,8 +69,7 @@ def outcome_after(bite: Bite, build: Callable[[], Entry]) -> Outcome:
     [pytest.param(*row, id=f"{row[1]}: {row[2].kind}, {row[2].name}", marks=marks(*row)) for row in bites()],
 )
 def test_a_wrong_formula_changes_the_verdict(name: str, identifier: str, bite: Bite) -> None:
-    honest = honest_outcome(name, identifier)
-    assert outcome_after(bite, table(name).ENTRIES[identifier]) is not honest
+    assert outcome_after(bite, table(name).ENTRIES[identifier]) is not honest_outcome(identifier)
 
 
 @pytest.mark.parametrize("name", [name for name in TABLES if name not in PENDING])
