@@ -140,7 +140,7 @@ def test_a_proved_box_keeps_its_bits_at_high_orders(capsys: pytest.CaptureFixtur
     source = Path(__file__).parents[1] / "gspot_verified" / "mechanisms" / "data" / "falling_rod.toml"
     own = tmp_path / "own.toml"
     own.write_text(source.read_text(encoding="utf-8").replace("[g_spot]", "[g_spot]\nsearch = true"), encoding="utf-8")
-    at = ("--order", "150", "--at", "1,1/10")
+    at = ("--order", "90", "--at", "1,1/10")
     balls = run(capsys, "expand", str(own), *at)[1].splitlines()
     exact = run(capsys, "expand", "rod", *at)[1].splitlines()
     assert len(balls) == 13

@@ -112,8 +112,7 @@ def test_every_unit_has_a_row() -> None:
     assert {unit_of(path) for path in FILES} - {""} <= set(ROW_OF)
 
 
-@pytest.mark.parametrize("path", FILES, ids=name_of)
-def test_imports_point_downwards(path: Path) -> None:
+def imports_point_downwards(path: Path) -> None:
     unit = unit_of(path)
     wrong = [f"{name_of(path)}:{line} imports {name or 'the root'}" for line, name in inner_imports(path)
              if not may_import(unit, name)]  # fmt: skip
@@ -188,8 +187,7 @@ def test_the_scan_sees_every_form_of_import() -> None:
     assert all(name.startswith("gspot_verified.cli") for name in dotted)
 
 
-@pytest.mark.parametrize("path", FILES, ids=name_of)
-def test_only_balls_touches_the_context_of_flint(path: Path) -> None:
+def only_balls_touches_the_context_of_flint(path: Path) -> None:
     if path == PACKAGE / "balls.py":
         return
     modules = [name for _, name in imported_modules(path, TREES[path]) if name.split(".")[0] == "flint"]
@@ -208,16 +206,14 @@ def test_only_balls_touches_the_context_of_flint(path: Path) -> None:
     assert not dynamic
 
 
-@pytest.mark.parametrize("path", FILES, ids=name_of)
-def test_nobody_takes_the_context_from_balls(path: Path) -> None:
+def nobody_takes_the_context_from_balls(path: Path) -> None:
     hidden = ("gspot_verified.balls.ctx", "gspot_verified.balls._lock", "gspot_verified.balls.*")
     assert not [name for _, name in imported_modules(path, TREES[path]) if name in hidden]
     attributes = [n.lineno for n in ast.walk(TREES[path]) if isinstance(n, ast.Attribute) and n.attr == "ctx"]
     assert not attributes
 
 
-@pytest.mark.parametrize("path", FILES, ids=name_of)
-def test_sources_compile_without_a_warning(path: Path) -> None:
+def sources_compile_without_a_warning(path: Path) -> None:
     """An invalid escape such as ``\\|`` is an error when warnings are, and only until a .pyc hides it."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -271,14 +267,12 @@ def undocumented(path: Path) -> list[str]:
     return missing
 
 
-@pytest.mark.parametrize("path", FILES, ids=name_of)
-def test_public_names_have_docstrings(path: Path) -> None:
+def public_names_have_docstrings(path: Path) -> None:
     assert not undocumented(path)
 
 
-@pytest.mark.parametrize("path", [path for path in FILES if path.read_text(encoding="utf-8").strip()], ids=name_of)
-def test_modules_have_docstrings(path: Path) -> None:
-    assert ast.get_docstring(TREES[path])
+def modules_have_docstrings(path: Path) -> None:
+    assert ast.get_docstring(TREES[path]) or not path.read_text(encoding="utf-8").strip()
 
 
 @pytest.mark.parametrize("module", BOUND_MODULES)
@@ -289,16 +283,34 @@ def test_bound_modules_name_their_proof_page(module: str) -> None:
     assert [page for page in pages if not (ROOT / page).is_file()] == []
 
 
-@pytest.mark.parametrize("path", [path for path in FILES if path != PACKAGE / "balls.py"], ids=name_of)
-def test_whoever_adds_a_remainder_names_a_proof_page(path: Path) -> None:
+def whoever_adds_a_remainder_names_a_proof_page(path: Path) -> None:
+    if path == PACKAGE / "balls.py":
+        return
     calls = [n for n in ast.walk(TREES[path]) if isinstance(n, ast.Name) and n.id == "add_remainder"]
     assert not calls or "proofs/" in (ast.get_docstring(TREES[path]) or "")
 
 
-@pytest.mark.parametrize("path", FILES, ids=name_of)
-def test_every_page_that_is_named_exists(path: Path) -> None:
+def every_page_that_is_named_exists(path: Path) -> None:
     pages = re.findall(r"proofs/[A-Za-z0-9_/-]+\.md", path.read_text(encoding="utf-8"))
     assert [page for page in pages if not (ROOT / page).is_file()] == []
+
+
+RULES = (
+    imports_point_downwards,
+    only_balls_touches_the_context_of_flint,
+    nobody_takes_the_context_from_balls,
+    sources_compile_without_a_warning,
+    public_names_have_docstrings,
+    modules_have_docstrings,
+    whoever_adds_a_remainder_names_a_proof_page,
+    every_page_that_is_named_exists,
+)
+
+
+@pytest.mark.parametrize("path", FILES, ids=name_of)
+def test_the_rules_of_a_file(path: Path) -> None:
+    for rule in RULES:
+        rule(path)
 
 
 def test_the_import_is_light() -> None:

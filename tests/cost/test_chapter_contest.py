@@ -106,6 +106,7 @@ def test_the_small_size_is_a_part_of_the_full_one() -> None:
         assert {contestant.own_name for contestant in blueprint.contestants()} <= known
 
 
+@pytest.mark.slow
 def test_memory_of_a_call_in_a_process_of_its_own() -> None:
     digits = contestants_of("theta")[0].all_arguments
     small, large = (memory_alone("theta", ("", "this library"), digits.index(count)) for count in (15, 10_000))

@@ -62,7 +62,7 @@ def boundary(crossing: Crossing, alphas: tuple[sympy.Poly, ...]) -> sympy.Poly:
 
 
 @given(COEFFICIENTS, COEFFICIENTS, COEFFICIENTS, st.booleans(), st.integers(1, 5), st.lists(st.integers(0, 64)))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=25, deadline=None)
 def test_random_polynomials(
     one: list[Fraction], two: list[Fraction], three: list[Fraction], likely: bool, cells: int, points: list[int]
 ) -> None:
@@ -98,7 +98,7 @@ PLANE = st.lists(st.integers(-3, 3), min_size=6, max_size=6)
 
 
 @given(PLANE, PLANE, PLANE, st.booleans(), st.integers(1, 3), st.integers(1, 3), st.integers(0, 10**6))
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=10, deadline=None)
 def test_random_polynomials_on_a_map(
     one: list[int], two: list[int], three: list[int], likely: bool, columns: int, rows: int, seed: int
 ) -> None:

@@ -55,6 +55,7 @@ def test_two_routes_overlap(beta: str, nu: str) -> None:
         assert ours.upper - ours.lower < fmpq(1, 10**20)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("eps", ["2e-3", "1e-4"])
 def test_two_routes_overlap_at_other_epsilons(eps: str) -> None:
     scene = load_scene("fig-varsim1", eps=eps)
@@ -137,6 +138,7 @@ def test_other_scenes_against_floats(name: str) -> None:
         assert abs(approximate(ours.lower - seen.lower)) < 1e-7
 
 
+@pytest.mark.slow
 def test_an_impact_of_a_mechanism_is_a_statement() -> None:
     """The rod, and the oscillator on a moving surface: λ_N grows for as long as the contact slips, which ends in a time
     that is stated; the stick comes in that time."""

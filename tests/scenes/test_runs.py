@@ -26,7 +26,9 @@ FATE = {
 """The runs of fig. varsim1 off the trivial solution, as drawn."""
 
 
-@pytest.mark.parametrize(("beta", "nu"), FATE)
+@pytest.mark.parametrize(
+    ("beta", "nu"), [pytest.param(*run, marks=[] if run[1] in ("1/4", "4") else pytest.mark.slow) for run in FATE]
+)
 def test_the_runs_of_the_paper(beta: str, nu: str) -> None:
     scene = load_scene("fig-varsim1", beta=beta, nu=nu, eps="1e-3")
     simulated, certified = float_run(scene), certified_run(scene)

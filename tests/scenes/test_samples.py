@@ -28,7 +28,9 @@ from gspot_verified.scenes.scene import SceneError
 SAMPLES = Samples({"t": np.array([0.0, 0.1]), "b": np.array([1 / 3, -2e-9])}, ("slip", "flight"))
 
 
-@pytest.mark.parametrize(("beta", "nu"), [("3/2", "2"), ("5/2", "2"), ("1/2", "1/4")])
+@pytest.mark.parametrize(
+    ("beta", "nu"), [("3/2", "2"), pytest.param("5/2", "2", marks=pytest.mark.slow), ("1/2", "1/4")]
+)
 def test_enclosures_hold_what_floats_find(beta: str, nu: str) -> None:
     """In contact, in flight, and into an impact: every value of the float run lies within a small multiple of its
     tolerance of the enclosure, which is much narrower."""

@@ -54,7 +54,7 @@ def test_where_the_fast_part_is_large_the_power_series_decides(
 
 def test_floats_of_every_tolerance_are_on_the_wrong_side_somewhere() -> None:
     """A factor 2 from the canard: the certified side is settled by K < 0; which float runs fail depends on scipy."""
-    runs = (("15/2", "1e-5", 1e-13), ("15/2", "1e-4", 1e-6), ("13/2", "1e-5", 1e-10), ("13/2", "1e-5", 1e-6))
+    runs = (("15/2", "1e-4", 1e-6), ("13/2", "1e-5", 1e-10))
     wrong = set()
     for beta, eps, tolerance in runs:
         scene = start(beta, "2" if beta == "15/2" else "1/2", eps)
@@ -63,6 +63,7 @@ def test_floats_of_every_tolerance_are_on_the_wrong_side_somewhere() -> None:
     assert len(wrong) >= 2
 
 
+@pytest.mark.slow
 def test_a_tight_tolerance_is_wrong_where_the_page_says_so() -> None:
     """A part of the table of docs/where_floats_fail.md; how many of three depends on scipy."""
     chosen = hard_sides.hard_sides().restricted(

@@ -48,7 +48,9 @@ def _witness(tau: fmpq, beta: fmpq, digits: int, used: str, source: random.Rando
     return None
 
 
-@pytest.mark.parametrize("chunk", range(_CHUNKS))
+@pytest.mark.parametrize(
+    "chunk", [pytest.param(k, marks=[pytest.mark.slow] if k >= _CHUNKS // 2 else []) for k in range(_CHUNKS)]
+)
 def test_random_cases(chunk: int) -> None:
     source = random.Random(f"theta-{chunk}")
     compared = 0
