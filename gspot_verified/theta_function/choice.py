@@ -82,7 +82,8 @@ def taylor_length(size: float, beta: float, drop: float) -> int:
     """Terms until they fall below e^-drop, and long enough for the ratio test; a multiple of 3."""
     scale: float = size**1.5
     # |a_k| size^k is near exp(-(2/3) k (ln(k/scale) - 1)) for k well above |beta|.
-    target = 1.5 * (max(drop, 1.0) + abs(beta))
+    # It has no solution below -scale: e^-drop may be far above 1, but not above the largest term.
+    target = 1.5 * max(drop + abs(beta), -0.6 * scale)
     k = math.e * scale + target / 4
     for _ in range(3):
         # Newton's step for k (ln(k/scale) - 1) = target.

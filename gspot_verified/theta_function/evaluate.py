@@ -39,6 +39,8 @@ _EXACT_POLYNOMIAL_BITS = 100_000
 # Where every route failed at a lower goal, rounding may have hidden a hypothesis: once more with this many bits.
 _LEAST_SECOND_GOAL = 128
 _ROOM = 64
+# A value with no more bits than these above the goal is handed out as it is.
+_FEW_MORE_BITS = 32
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,6 +127,13 @@ def evaluate(
     return Evaluation(value, digits, reached, route, bits, reason)
 
 
+def enclosure(tau: ExactInput, beta: ExactInput, derivative: int, digits: int) -> arb:
+    """The value of :func:`evaluate` alone, in fewer steps; the same arguments and errors."""
+    goal = bits_for_digits(digits)
+    point, parameter = checked_arguments(tau, beta, derivative)
+    return _enclose(point, parameter, derivative, goal, None)[0]
+
+
 _Found = tuple[arb, str, int, Reason | None]
 """An enclosure, its route, the bits that were asked of the route, and why it is wider than asked (if it is)."""
 
@@ -148,7 +157,7 @@ def _enclose(tau: Exact, beta: Exact, derivative: int, goal: int, max_bits: int 
     if derivative:
         with working_bits(goal + 32):
             value = value * factor
-    elif bits <= goal + 24 and route == "taylor":
+    elif bits <= goal + _FEW_MORE_BITS and route == "taylor":
         return found
     return shrink_to_bits(value, goal + 16), route, bits, reason
 

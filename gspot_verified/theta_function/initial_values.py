@@ -20,6 +20,9 @@ _HALF = fmpq(1, 2)
 _THIRD = fmpq(1, 3)
 _TWO_THIRDS = fmpq(2, 3)
 _REDUCED_FROM_BITS = 2_000
+# Below these bits Python's steps count; up to this denominator no argument of 1/Gamma is nearer to a zero than 1/1000.
+_FEW_BITS = 600
+_FAR_FROM_POLES = 333
 
 
 def initial_values(beta: Exact, bits: int) -> InitialValues:
@@ -45,6 +48,9 @@ def initial_values(beta: Exact, bits: int) -> InitialValues:
 
 @lru_cache(maxsize=64)
 def _cached(p: int, q: int, bits: int) -> InitialValues:
+    if bits <= _FEW_BITS and 1 < q <= _FAR_FROM_POLES:
+        with working_bits(bits):
+            return _few_bits(p, q)
     beta = fmpq(p, q)
     if bits > _REDUCED_FROM_BITS and pays(beta):
         with working_bits(bits):
@@ -58,10 +64,21 @@ def _entire_form(beta: Exact, bits: int) -> InitialValues:
         first = reciprocal_gamma(-third, bits)
         second = reciprocal_gamma(_THIRD - third, bits)
         other = reciprocal_gamma(_TWO_THIRDS - third, bits)
-        cube_root = three.root(3)
         constant = 2 * arb.pi() * positive_power(three, 2 * third - _HALF)
-        outer, inner = constant * other, cube_root * first
-        return outer * second, outer * inner, constant * cube_root * inner * second
+        return _products(first, second, other, constant, three.root(3))
+
+
+def _few_bits(p: int, q: int) -> InitialValues:
+    """The entire form at p/q at the current precision, with fewer steps: no argument of 1/Gamma is next to a zero."""
+    below, log = 3 * q, arb(3).log()
+    first, second, other = ((arb(j * q - p) / below).rgamma() for j in range(3))
+    constant = 2 * arb.pi() * (log * (4 * p - below) / (2 * below)).exp()
+    return _products(first, second, other, constant, (log / 3).exp())
+
+
+def _products(first: arb, second: arb, other: arb, constant: arb, cube_root: arb) -> InitialValues:
+    outer, inner = constant * other, cube_root * first
+    return outer * second, outer * inner, constant * cube_root * inner * second
 
 
 def paper_initial_values(beta: Exact, bits: int) -> InitialValues:

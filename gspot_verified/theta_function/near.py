@@ -19,6 +19,7 @@ _FARTHEST_LEFT = 12
 _LARGEST_BETA = 8
 _MOST_BITS = 800
 _LONGEST_HEIGHT = 40
+_LONGEST_TAU = 128
 _GUARD = 8
 _LN2 = math.log(2)
 
@@ -35,7 +36,14 @@ def near_value(tau: fmpq, beta: fmpq, goal: int) -> tuple[arb, int] | None:
     if not -_FARTHEST_LEFT * below <= above <= _FARTHEST_RIGHT * below:
         return None
     length, bits = _plan(above / below, p / q, goal)
-    return (chain_sum if first_visit(beta) else taylor_sum)(tau, beta, length, bits), bits
+    return one_value(tau, beta, length, bits), bits
+
+
+def one_value(tau: fmpq, beta: fmpq, length: int, bits: int) -> arb:
+    """An enclosure of Theta(tau, beta) from ``length`` Taylor terms: by chains at the first visit to beta."""
+    if first_visit(beta) and tau.height_bits() <= _LONGEST_TAU:
+        return chain_sum(tau, beta, length, bits)
+    return taylor_sum(tau, beta, length, bits)
 
 
 def first_visit(beta: fmpq) -> bool:

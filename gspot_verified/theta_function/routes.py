@@ -23,10 +23,9 @@ from gspot_verified.balls import (
     working_bits,
 )
 from gspot_verified.theta_function import choice
-from gspot_verified.theta_function.chains import chain_sum
 from gspot_verified.theta_function.finite_part import near_integers
 from gspot_verified.theta_function.laplace import laplace_sum
-from gspot_verified.theta_function.near import first_visit
+from gspot_verified.theta_function.near import one_value
 from gspot_verified.theta_function.negative import negative_split_sum, negative_sum
 from gspot_verified.theta_function.positive import positive_sum
 from gspot_verified.theta_function.splitting import splitting_sum
@@ -35,13 +34,14 @@ from gspot_verified.theta_function.taylor import taylor_sum
 MAX_TAU = 10**12
 MAX_BETA = 10**4
 MAX_DERIVATIVE = 1_000
+_SHORT_TAU_BITS, _SHORT_BETA_BITS = MAX_TAU.bit_length(), MAX_BETA.bit_length()
 MAX_HEIGHT_BITS = 50_000
 
 # What a route may use, so that an answer comes within minutes and a few GiB, or not at all.
 _MAX_TAYLOR_BITS = 2**34
 _MAX_WIDE_TAYLOR_BITS = 2**29
 _BITS_OF_A_BALL = 1_000
-_LONG_SERIES = 3_000
+_LONG_SERIES = 1_000
 _MAX_NEAR_INTEGERS = 16
 MAX_SPLITTING_BITS = 2**33
 MAX_TERM_BITS = 2**36
@@ -73,13 +73,18 @@ def checked_arguments(tau: ExactInput, beta: ExactInput, derivative: int) -> tup
     if not 0 <= derivative <= MAX_DERIVATIVE:
         raise ValueError(f"derivative must lie in 0..{MAX_DERIVATIVE}, got {derivative}")
     point, parameter = exact(tau, "tau"), exact(beta, "beta")
-    if not _within(point, MAX_TAU):
-        raise ValueError(f"tau: the library covers |tau| <= {MAX_TAU}")
-    if not _within(parameter, MAX_BETA):
-        raise ValueError(f"beta: the library covers |beta| <= {MAX_BETA}")
-    _check_height(point, "tau")
-    _check_height(parameter, "beta")
+    # Short numerators need no closer look.
+    if not (isinstance(point, fmpq) and point.height_bits() < _SHORT_TAU_BITS):
+        _check(point, MAX_TAU, "tau")
+    if not (isinstance(parameter, fmpq) and parameter.height_bits() < _SHORT_BETA_BITS):
+        _check(parameter, MAX_BETA, "beta")
     return point, parameter
+
+
+def _check(value: Exact, limit: int, name: str) -> None:
+    if not _within(value, limit):
+        raise ValueError(f"{name}: the library covers |{name}| <= {limit}")
+    _check_height(value, name)
 
 
 def _check_height(value: Exact, name: str) -> None:
@@ -115,8 +120,8 @@ def taylor(tau: Exact, beta: Exact, goal: int) -> arb:
     if plan.length * (plan.bits + _BITS_OF_A_BALL) > limit or not _gamma_is_affordable(beta, plan.bits):
         return nonfinite()
     few = goal < choice.SPLITTING_FROM_BITS and plan.length < _LONG_SERIES
-    if few and isinstance(tau, fmpq) and isinstance(beta, fmpq) and first_visit(beta):
-        return chain_sum(tau, beta, plan.length, plan.bits)
+    if few and isinstance(tau, fmpq) and isinstance(beta, fmpq):
+        return one_value(tau, beta, plan.length, plan.bits)
     return taylor_sum(tau, beta, plan.length, plan.bits)
 
 

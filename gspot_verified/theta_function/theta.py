@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, cast, overload
 
 from gspot_verified.balls import ExactInput
-from gspot_verified.theta_function.evaluate import evaluate
+from gspot_verified.theta_function.evaluate import enclosure
 
 if TYPE_CHECKING:
     from flint import arb
@@ -52,4 +52,4 @@ def theta(
         from gspot_verified.theta_function.arrays import theta_array
 
         return theta_array(tau, beta, derivative, digits)
-    return evaluate(cast("ExactInput", tau), cast("ExactInput", beta), derivative, digits).value
+    return enclosure(cast("ExactInput", tau), cast("ExactInput", beta), derivative, digits)

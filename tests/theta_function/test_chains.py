@@ -15,7 +15,7 @@ from strategies import ends, near_integers, small_heights, to_fmpq, to_fraction
 from witness import contains_witness, theta_witness
 
 from gspot_verified.balls import relative_bits, working_bits
-from gspot_verified.theta_function.chains import chain_sum
+from gspot_verified.theta_function.chains import _chains, chain_sum
 from gspot_verified.theta_function.initial_values import initial_values
 from gspot_verified.theta_function.integer import polynomial_value
 from gspot_verified.theta_function.taylor import taylor_sum
@@ -55,6 +55,33 @@ def test_the_bound_is_that_of_the_page() -> None:
         radius = chain_sum(tau, beta, length, 200).rad()
         assert omitted == 0
         assert abs(radius / page - 1) < arb(2) ** -20
+
+
+@given(
+    st.fractions(-6, 6, max_denominator=9),
+    st.fractions(-20, 20, max_denominator=9),
+    st.integers(1, 40),
+    st.integers(0, 12),
+)
+def test_the_bound_on_rounding_and_rest_holds_for_short_integers(
+    tau: Fraction, beta: Fraction, terms: int, scale: int
+) -> None:
+    length = 3 * terms
+    cube = tau**3
+    sums, bounds = _chains(-beta.numerator, beta.denominator, cube.numerator, beta.denominator * cube.denominator,
+                           length, scale)  # fmt: skip
+    small = (1 + abs(beta) / length) * abs(cube) / ((length + 1) * (length + 2)) <= Fraction(1, 2)
+    for j in range(3):
+        term, total = Fraction(2) ** scale, Fraction(0)
+        for k in range(j, length + j, 3):
+            total += term
+            term *= (k - beta) * cube / ((k + 1) * (k + 2) * (k + 3))
+        assert abs(total - sums[j]) <= bounds[j] - 2 * abs(term)  # what rounding did
+        if small:
+            for k in range(length + j, length + j + 90, 3):
+                total += term
+                term *= (k - beta) * cube / ((k + 1) * (k + 2) * (k + 3))
+            assert abs(total - sums[j]) <= bounds[j]
 
 
 def test_long_series_and_the_hypothesis() -> None:
