@@ -196,3 +196,130 @@ def test_refused(beta: str, epsilon: object, message: str) -> None:
 def test_where_the_bound_is_too_weak() -> None:
     with pytest.raises(NotProvable, match="next to β = "):
         slow_zeros_certificate("9/2..37/8", 30)
+
+
+class Parts(check.ColumnCheck):  # type: ignore[misc, name-defined]
+    """A column on which F(t1), F'(t1), F'(t2) are given: (value, what b adds, error), once for each accuracy."""
+
+    def __init__(self, beta: tuple[Fraction, Fraction], *given: list[tuple[Fraction, Fraction, Fraction]]) -> None:
+        super().__init__(check.Column(*beta, 3, []), check.Limits(), 10**9)
+        self.given, self.asked = given, []
+
+    def parts(self, box: Any, order: int, bits: int) -> Any:
+        """In the units of the checker: a derivative is known times a power of 2."""
+        low, high, tau, same = box
+        assert (low, high, tau) == (self.column.start - 1, self.column.end - 1, same)
+        self.asked.append((tau, order, bits))
+        accuracies = list(dict.fromkeys(bits for *_, bits in self.asked))
+        values = self.given[min(len(accuracies), len(self.given)) - 1]
+        scale = check.scale_at(tau) ** order
+        middle, in_b, error = (part * scale for part in values[(len(self.asked) - 1) % 3])
+        return middle, Fraction(99), in_b, error
+
+
+NUMBERS = st.fractions(Fraction(-2), Fraction(2), max_denominator=8)
+SIZES = st.sampled_from([Fraction(0), Fraction(1, 8), Fraction(1)])
+
+
+@given(
+    st.lists(st.tuples(NUMBERS, SIZES), min_size=3, max_size=3),
+    st.fractions(Fraction(4), Fraction(5), max_denominator=8),
+    st.fractions(Fraction(0), Fraction(1, 2), max_denominator=8),
+    st.fractions(Fraction(1, 2), Fraction(6), max_denominator=4),
+    st.fractions(Fraction(5, 4), Fraction(4), max_denominator=4),
+    st.fractions(Fraction(1, 4), Fraction(3), max_denominator=8),
+)
+def test_the_bound_is_the_largest_value_of_all_balls(
+    balls: list[tuple[Fraction, Fraction]],
+    beta: Fraction,
+    width: Fraction,
+    t1: Fraction,
+    ratio: Fraction,
+    eta: Fraction,
+) -> None:
+    """Decided as by the greatest of F(t1) + η/(8γ) [μ^(β-2) F'(t2) - F'(t1)], γ = (1 - μ³)/3, over all corners."""
+    column = Parts((beta, beta + width), [(value, size, Fraction(0)) for value, size in balls])
+    mu = float(1 / ratio)
+    weight = float(eta) / (8 * (1 - mu**3) / 3)
+    (f, g, h) = ([float(value - size), float(value + size)] for value, size in balls)
+    corners = [mu ** (float(b) - 2) * y for y in h for b in (beta, beta + width)]
+    largest = max(f) + weight * (max(corners) - min(g))
+    if abs(largest) > 1e-9:
+        assert column.dips(t1, t1 * ratio, eta) is (largest < 0)
+        assert {(tau, order) for tau, order, _ in column.asked} == {(t1, 0), (t1, 1), (t1 * ratio, 1)}
+
+
+def test_errors_ask_for_more_bits_and_widths_do_not() -> None:
+    """F(t1) = -1 with a slack of 3: of errors, until they are small; of the range of b, never."""
+    beta, nothing = (Fraction(9, 2), Fraction(9, 2)), (Fraction(0), Fraction(0), Fraction(0))
+
+    def bits_of(*slacks: tuple[Fraction, Fraction]) -> tuple[bool, list[int]]:
+        column = Parts(beta, *([(Fraction(-1), *slack), nothing, nothing] for slack in slacks))
+        answer = column.dips(Fraction(1), Fraction(2), Fraction(1))
+        return answer, list(dict.fromkeys(bits for *_, bits in column.asked))
+
+    wide, vague, sharp = (Fraction(3), Fraction(0)), (Fraction(0), Fraction(3)), (Fraction(0), Fraction(0))
+    assert bits_of(sharp) == (True, [64])
+    assert bits_of(wide) == (False, [64])
+    assert bits_of(vague, vague, sharp) == (True, [64, 96, 144])
+    assert bits_of(vague, wide) == (False, [64, 96])
+    assert bits_of((Fraction(9, 4), Fraction(3, 4))) == bits_of(vague)
+    assert bits_of((Fraction(19, 8), Fraction(5, 8))) == bits_of(wide)
+    answer, tried = bits_of(vague)
+    limit = check.Limits().bits
+    assert answer is False
+    assert tried[-1] < limit <= tried[-1] * 3 // 2
+
+
+@pytest.mark.parametrize(
+    ("point", "unit"), [("0", 1), ("1/9", 1), ("7/4", 1), ("2", 2), ("-7/2", 2), ("-4", 4), ("63", 32)]
+)
+def test_the_unit_of_a_point(point: str, unit: int) -> None:
+    """The largest power of 2 that is at most |τ|, and 1 near 0."""
+    assert check.scale_at(Fraction(point)) == unit
+
+
+class Dips(check.ColumnCheck):  # type: ignore[misc, name-defined]
+    """A column on which every bound holds."""
+
+    def dips(self, first: Fraction, second: Fraction, eta: Fraction) -> bool:
+        assert [first, second] == list(self.column.pieces[0].points)
+        return bool(eta)
+
+
+@pytest.mark.parametrize(
+    ("beta", "first", "second", "message"),
+    [
+        (("9/2", "73/16"), "1/2", "2/3", ""),
+        (("9/2", "73/16"), "1/2", "3/5", "2 t1³ ≤ t2³"),
+        (("9/2", "73/16"), "5", "63/10", ""),
+        (("9/2", "73/16"), "5", "31/5", "2 t1³ ≤ t2³"),
+        (("18001/4096", "18001/4096"), "3/2", "2", ""),
+        (("18001/4097", "73/16"), "3/2", "2", "denominator beyond 4096"),
+        (("9/2", "19001/4097"), "3/2", "2", "denominator beyond 4096"),
+        (("9/2", "73/16"), "100000", "200000", "limit tau"),
+    ],
+)
+def test_what_a_dip_must_be(beta: tuple[str, str], first: str, second: str, message: str) -> None:
+    column = check.Column(*map(Fraction, beta), 3, [check.read_piece(["dip", first, second])])
+    asked = Dips(column, check.Limits(), 10**9)
+    if message:
+        with pytest.raises(check.Rejected, match=message):
+            check.dip_holds(asked, Fraction(1))
+    else:
+        check.dip_holds(asked, Fraction(1))
+        with pytest.raises(check.Rejected, match="is not confirmed"):
+            check.dip_holds(asked, Fraction(0))
+
+
+@pytest.mark.parametrize(
+    ("epsilon", "eta", "accepted"),
+    [("1/4", "1/2", True), ("1", "1/2", False), ("2", "1", True), ("3", "1", False), ("9", "171/100", True)],
+)
+def test_epsilon_is_at_most_2_eta_cubed(epsilon: str, eta: str, accepted: bool) -> None:
+    data = mutated(lines(GOOD.text()), state(epsilon=epsilon, eta=eta))
+    if accepted:
+        assert f"every ε in (0, {epsilon}]" in check.check_text(data)
+    else:
+        with pytest.raises(check.Rejected, match="2 η³ is less than ε"):
+            check.check_text(data)
