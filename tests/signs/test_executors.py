@@ -65,6 +65,12 @@ def test_bad_numbers_of_workers(workers: Any) -> None:
         pass
 
 
+def test_the_largest_number_of_workers() -> None:
+    """A pool that is not asked for anything starts none of them."""
+    with executor(1024) as pool:
+        assert not isinstance(pool, InProcessExecutor)
+
+
 @pytest.fixture
 def cluster(request: pytest.FixtureRequest) -> Iterator[Any]:
     request.getfixturevalue("importable")
