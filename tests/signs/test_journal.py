@@ -136,7 +136,8 @@ def test_a_journal_of_another_question_is_refused(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "line",
     [
-        "nonsense", "null", "[]", "5", '["1","2"]', '["1","2",5]', '["1","2",{}]', '[["1"],"2",null]', '[1,2,null]', '["1",2,null]',
+        "nonsense", "null", "[]", "5", '["1","2"]', '["1","2",5]', '["1","2",{}]', '[["1"],"2",null]', '[1,2,null]',
+        '["1",2,null]',
         '["1","2",{"witness":["1"]}]', '["1","2",{"witness":["nan","2"]}]', '["1","2",{"column":["1","2"]}]',
         '["1","2",{"column":["1","2"],"pieces":[["spell",null,null,0]]}]',
         '["1","2",{"column":["1","3"],"pieces":[["laplace",null,null,0]]}]',
