@@ -5,6 +5,7 @@ Page: proofs/fold.md.
 
 from __future__ import annotations
 
+from itertools import pairwise
 from types import SimpleNamespace
 
 import pytest
@@ -72,3 +73,25 @@ def test_signs_are_those_of_points(derivative: int) -> None:
                 value = evaluate(tau, b, derivative=derivative, digits=5).value
                 assert value > 0 if sign > 0 else value < 0
     assert found > 25
+
+
+@pytest.mark.parametrize("n", range(6))
+def test_changes_are_those_of_the_derivatives(n: int) -> None:
+    """F, F', ..., F^(n) by evaluation, then (-1)^(n+1)."""
+    b = n + fmpq(1, 4)
+    models = ColumnModels(b - fmpq(1, 64), b + fmpq(1, 64), fmpq(8))
+    known = 0
+    for tau in range(9):
+        values = [evaluate(tau, b, derivative=k, digits=5).value for k in range(n + 1)]
+        signs = [*(1 if value > 0 else -1 for value in values), (-1) ** (n + 1)]
+        found = models.changes(fmpq(tau), n)
+        known += found is not None
+        assert found in (None, sum(one != other for one, other in pairwise(signs)))
+    assert known > 3
+
+
+def test_the_sign_at_the_centre() -> None:
+    models = ColumnModels(fmpq(9, 4), fmpq(37, 16), fmpq(6))
+    for k in range(-12, 13):
+        value = evaluate(fmpq(k, 2), fmpq(73, 32), digits=5).value
+        assert models.sign_at_centre(fmpq(k, 2)) == (1 if value > 0 else -1)

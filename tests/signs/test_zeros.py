@@ -3,6 +3,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
@@ -20,6 +21,7 @@ from gspot_verified.balls import sign_of
 from gspot_verified.certificates.text import certificate_text, write_certificate
 from gspot_verified.signs import count_law
 from gspot_verified.signs.brackets import Brackets, decimal_text, zeros_at
+from gspot_verified.signs.pieces import Kind
 from gspot_verified.signs.slope_at import UndecidedError
 from gspot_verified.signs.zeros import ZerosResult, zeros_on_range
 from gspot_verified.theta_function.evaluate import evaluate
@@ -135,6 +137,18 @@ def test_a_large_beta() -> None:
     found = zeros_at("81/2", 5)
     assert len(found.brackets) == 14
     assert_brackets(found, 5)
+
+
+@pytest.mark.parametrize(("beta", "meetings"), [("1..2", ()), ("5/2..7/2", (3,)), ("11/2..6", (6,))])
+def test_where_two_zeros_meet(beta: str, meetings: tuple[int, ...]) -> None:
+    steps: list[Any] = []
+    found = zeros_on_range(beta, progress=steps.append)
+    assert found.meetings == meetings
+    assert [step.examined for step in steps] == list(range(1, found.examined + 1))
+    line = f"  two zeros meet at τ = 0 and vanish at β = {meetings[0] if meetings else ''}"
+    assert (line in str(found).splitlines()) is bool(meetings)
+    flat = (replace(c, pieces=tuple(piece for piece in c.pieces if piece.kind is not Kind.FOLD)) for c in found.columns)
+    assert not replace(found, columns=tuple(flat)).meetings
 
 
 def test_tubes_contain_the_brackets() -> None:
