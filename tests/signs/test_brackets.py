@@ -12,6 +12,7 @@ from gspot_verified.signs import brackets
 from gspot_verified.signs.brackets import _one_each, decimal_text
 from gspot_verified.signs.pieces import number_of_zeros as number_of_zeros_of_column
 from gspot_verified.signs.slope_at import SlopeAt, UndecidedError
+from gspot_verified.signs.zero_column import zero_column
 
 NEAR = fmpq(1, 10**8)
 
@@ -99,3 +100,14 @@ def test_the_slope_at_points(digits: int) -> None:
     lower, upper = zeros_at(fmpq(31, 4), 20).brackets[0]
     guess = slope.newton(lower + fmpq(1, 1000), 20)
     assert abs(guess - arb(upper)) < 1e-4
+
+
+def test_a_last_zero_that_is_not_met_is_left_open() -> None:
+    class Slope:
+        def sign(self, tau: fmpq) -> int:
+            return -1 if tau > 0 else 1
+
+    column = zero_column(fmpq(3), 3 + fmpq(1, 10**40))
+    assert column is not None
+    with pytest.raises(UndecidedError, match="too far out"):
+        brackets._tail_tube(Slope(), column)  # type: ignore[arg-type]

@@ -126,6 +126,23 @@ def test_case_ii_holds_everywhere() -> None:
     assert found.verdict.statement.endswith("λ_N > 0 for every real τ and every ε > 0")
 
 
+def test_between_cases_i_and_ii_the_mean_force_is_0() -> None:
+    found = iwc_over_balls(-3, 0, around(Fraction(-1), WIDE))
+    assert found.verdict.outcome is Outcome.PROVED
+    assert (found.every_epsilon, found.whole_line) == (True, True)
+
+
+@pytest.mark.parametrize(("epsilon", "known"), [("999/1000", True), (1, False), (2, False)])
+def test_the_ratio_of_a_lift_off_needs_an_epsilon_below_1(epsilon: str | int, known: bool) -> None:
+    balls = (-1, -1, around(Fraction(-3, 2), NARROW))
+    impact = iwc_over_balls(*balls).force
+    assert impact is not None
+    found = iwc_over_balls(*balls, c1=-impact.direction, tau_start=-1, epsilon=epsilon)
+    assert found.verdict.outcome is Outcome.PROVED
+    assert found.lift_off is not None
+    assert (found.lift_off.ratio is not None) is known
+
+
 @pytest.mark.parametrize(
     ("alphas", "charge", "detail"),
     [
@@ -145,6 +162,7 @@ def test_undecided_with_the_reason(alphas: tuple[arb | int, ...], charge: int | 
         assert (found.verdict.outcome, found.verdict.reason) == (Outcome.UNDECIDED, Reason.WIDE_INPUT)
     assert detail in found.verdict.detail
     assert found.epsilon_0 is None
+    assert not (found.whole_line and found.minimum is None)
     assert found.verdict.statement in str(found)
     assert found.to_json()["verdict"]["outcome"] == found.verdict.outcome.value
 

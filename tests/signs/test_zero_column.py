@@ -112,3 +112,10 @@ def test_pieces_of_a_fold_column() -> None:
     for column in kinds.values():
         assert column is not None
         assert [piece.kind for piece in column.pieces].count(Kind.FOLD) == 1
+
+
+@pytest.mark.parametrize(("lower", "upper"), [(fmpq(95, 32), fmpq(3)), (fmpq(3), fmpq(49, 16))])
+def test_no_column_at_a_fold_whose_hypotheses_fail(monkeypatch: pytest.MonkeyPatch, lower: fmpq, upper: fmpq) -> None:
+    assert zero_column(lower, upper) is not None
+    monkeypatch.setattr(ColumnModels, "fold", lambda *_: False)
+    assert zero_column(lower, upper) is None
