@@ -11,7 +11,7 @@ from strategies import to_fmpq
 
 from gspot_verified.signs.pieces import Column, Kind
 from gspot_verified.signs.ranges import Range
-from gspot_verified.signs.sign_column import SignQuestion, sign_column
+from gspot_verified.signs.sign_column import SignQuestion, _SignSearch, sign_column
 
 
 def ask(tau: str, beta: str, sign: int, by_theorem: bool = False) -> SignQuestion:
@@ -148,3 +148,27 @@ def test_a_hinge_needs_the_sign_at_zero(tau: str, beta: str, sign: int) -> None:
     found = sign_column(question, lower, upper)
     # A point against it, or nothing: never a column.
     assert found is None or (isinstance(found, tuple) and sign_of_f(found[0], found[1] - 1) == -sign)
+
+
+@pytest.mark.parametrize(
+    ("tau", "beta", "sign", "place", "direction"),
+    [("-inf..0", "31/16..2", 1, (fmpq(-1, 2), fmpq(0)), -1), ("0..1", "[2..33/16]", -1, (fmpq(0), fmpq(1, 2)), -1)],
+)
+def test_a_hinge_needs_the_direction(
+    monkeypatch: pytest.MonkeyPatch, tau: str, beta: str, sign: int, place: tuple[fmpq, fmpq], direction: int
+) -> None:
+    """F falls to F(0, b) = 0 from the left, or from it to the right; else it does not have the sign."""
+    question = ask(tau, beta, sign)
+    assert question.beta.lower is not None
+    assert question.beta.upper is not None
+    search = _SignSearch(question, question.beta.lower, question.beta.upper)
+    for answer in (1, -1, 0, None):
+        monkeypatch.setattr(search.models, "sign", lambda *_, answer=answer: answer)
+        assert search._hinge(*place) is (answer == direction)
+    assert not search._hinge(fmpq(-1, 2), fmpq(1, 2))
+
+
+def test_what_lies_between_0_and_the_range_does_not_count() -> None:
+    """F falls through a zero next to 0 and is negative from there."""
+    column_of("1/2..3/2", "1.98..1.99", -1)
+    assert isinstance(sign_column(ask("0..3/2", "1.98..1.99", -1), fmpq(198, 100), fmpq(199, 100)), tuple)
