@@ -169,6 +169,6 @@ def test_a_hinge_needs_the_direction(
 
 
 def test_what_lies_between_0_and_the_range_does_not_count() -> None:
-    """F falls through a zero next to 0 and is negative from there."""
-    column_of("1/2..3/2", "1.98..1.99", -1)
-    assert isinstance(sign_column(ask("0..3/2", "1.98..1.99", -1), fmpq(198, 100), fmpq(199, 100)), tuple)
+    """Around beta = 4.8 F has a zero at 0.16 and the next one at 2.4."""
+    column_of("1/4..3/2", "4.79..4.8", -1)
+    assert isinstance(sign_column(ask("0..3/2", "4.79..4.8", -1), fmpq(479, 100), fmpq(48, 10)), tuple)
