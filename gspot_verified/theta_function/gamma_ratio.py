@@ -23,7 +23,7 @@ _NUMERATOR = (
     (797040, 0, 0, 0, 0),
 )
 # How the work is cut; any choice is correct.
-_LEAF = 8
+_LEAF = 4
 _REDUCED_FROM = 32
 _SHARE = 0.085
 _BITS_PER_TERM = 10
@@ -35,13 +35,22 @@ _Polynomials = tuple[fmpz_poly, fmpz_poly, fmpz_poly]
 def gamma_ratio(y: fmpq, bits: int) -> arb:
     """An enclosure of Gamma(y + 1/3)/Gamma(y) with about ``bits`` relative bits, for a rational y, 0 < y <= 1.
 
-    The tail after M terms is at most 4 (6M + 1) |E(M)|; it enters as the ball that the blocks are applied to.
-
     :raises ValueError: y outside (0, 1].
 
     >>> ratio = gamma_ratio(fmpq(2, 9), 128)
     >>> ratio.overlaps(arb.gamma_fmpq(fmpq(5, 9)) / arb.gamma_fmpq(fmpq(2, 9)))
     True
+    """
+    with working_bits(bits + 40):
+        return scaled_gamma_ratio(y, bits) / arb.gamma_fmpq(fmpq(2, 3))
+
+
+def scaled_gamma_ratio(y: fmpq, bits: int) -> arb:
+    """The sum of the series alone: an enclosure of Gamma(2/3) Gamma(y + 1/3)/Gamma(y).
+
+    The tail after M terms is at most 4 (6M + 1) |E(M)|; it enters as the ball that the blocks are applied to.
+
+    :raises ValueError: y outside (0, 1].
     """
     if not 0 < y <= 1:
         raise ValueError(f"y must lie in (0, 1], got {y}")
@@ -58,7 +67,7 @@ def gamma_ratio(y: fmpq, bits: int) -> arb:
         with working_bits(max(64, bits + 40 - _BITS_PER_TERM * _LEAF * first)):
             rest = (t + p * rest) / q
     with working_bits(bits + 40):
-        return rest * scale / arb.gamma_fmpq(fmpq(2, 3))
+        return rest * scale
 
 
 def _step_polynomials(y: fmpq) -> tuple[_Polynomials, fmpq]:

@@ -341,9 +341,9 @@ def test_tail_of_the_gamma_ratio_is_the_one_of_the_page(monkeypatch: pytest.Monk
         numerator = sum(c * Fraction(n) ** i * p**j for i, row in enumerate(rows) for j, c in enumerate(row))
         page = 9 * numerator / (4 * (12 * n + 5) * d)
         assert Fraction(int(scale.p), int(scale.q)) * int(above(n)) / int(below(n)) == page
-    blocks = (bits + 24) // 80 + 1
+    terms = 4 * ((bits + 24) // 40 + 1)  # ten bits a term, whole leaves of four
     (bound,) = bounds
-    page = 4 * (6 * 8 * blocks + 1) / abs(_m(scale))
+    page = 4 * (6 * terms + 1) / abs(_m(scale))
     assert page * (1 - mpf("1e-15")) <= _m(ends(abs(bound))[1]) <= page * (1 + mpf("1e-12"))
 
 
@@ -367,7 +367,7 @@ def test_ratio_exactly_one_at_rationals_that_are_rounded(tau: Fraction) -> None:
 
 @pytest.mark.parametrize("bits", [16_000, 23_000, 33_000, 47_000])
 def test_gamma_ratio_where_common_factors_are_removed_twice(bits: int) -> None:
-    """Only from 15,000 bits on are there blocks of 128 terms, whose halves were divided before."""
+    """Blocks of 128 terms and more: their halves were divided before."""
     y = fmpq(2, 9)
     ratio = gamma_ratio_module.gamma_ratio(y, bits)
     with working_bits(bits + 100):
