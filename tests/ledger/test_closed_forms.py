@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from functools import reduce
+
 import pytest
-from flint import arb, fmpq
+from flint import acb, arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -26,6 +28,60 @@ _POSITIVE = st.builds(fmpq, st.integers(1, 40), st.integers(1, 9))
 
 def number(text: str, **values: fmpq) -> arb:
     return evaluate_text(text, values, 256).real
+
+
+def value_of(form: ClosedForm, **values: fmpq) -> acb:
+    """A closed form in balls, part by part."""
+
+    def at(part: object) -> fmpq:
+        return rational_value(str(part), **values)
+
+    with working_bits(256):
+        above, below = (
+            evaluate_text(str(part), values, 256) for part in (form.factor.numerator, form.factor.denominator)
+        )
+        found = above / below * acb(at(form.phase)).exp_pi_i()
+        for base, exponent in form.powers.items():
+            number = {"pi": arb.pi(), "e": arb(1).exp()}.get(base)
+            found *= (arb(at(base)) if number is None else number) ** arb(at(exponent))
+        for argument, times in form.gammas.items():
+            found *= acb(at(argument)).gamma() ** times
+        for argument, times in form.sines.items():
+            found *= acb(at(argument)).sin_pi() ** times
+        return found
+
+
+PARTS = (
+    "2", "beta", "3^beta", "12^(beta/2)", "eps^(beta/3-1)", "kappa^(1/2)", "(-1)^k", "(-1)^(3*k+1)", "i", "i^(3*k)",
+    "e^(i*pi*beta)", "e^(5*i*pi/2)", "e^(u/2)", "Gamma(1/4)", "Gamma(1/3)", "Gamma(2/3)", "Gamma(1/6)", "Gamma(5/6)",
+    "Gamma(-9/4)", "Gamma(7/2)", "Gamma(beta)", "Gamma(-beta/3)", "Gamma(1/3-beta/3-k)", "Gamma(beta/3+2*k+1/2)",
+    "fac(k)", "Gamma(u+1/2)",
+)  # fmt: skip
+
+
+@given(st.lists(st.tuples(st.sampled_from(PARTS), st.integers(-3, 3)), min_size=1, max_size=3), st.integers(0, 3))
+def test_a_form_has_the_value_of_its_text(parts: list[tuple[str, int]], k: int) -> None:
+    values = {"beta": fmpq(17, 7), "k": fmpq(k), "eps": fmpq(1, 3), "kappa": fmpq(5, 4), "u": fmpq(3, 5)}
+    text = "*".join(f"({part})^({times})" for part, times in parts)
+    form = reduce(ClosedForm.__mul__, (closed_form(part) ** times for part, times in parts))
+    expected, found = evaluate_text(text, values, 256), value_of(form, **values)
+    with working_bits(256):
+        assert expected.is_finite()
+        assert abs(found / expected - 1) < arb("1e-50")
+    assert form.is_rational() is not (form.powers or form.gammas or form.sines or not form.phase.is_zero())
+    assert (closed_form(text) / form).is_one()
+
+
+def test_what_is_not_rational() -> None:
+    one = rational(1).factor
+    parts = ({"powers": {"3": ALGEBRA.read("beta")}}, {"phase": ALGEBRA.read("beta")}, {"gammas": {"u": 1}})
+    for part in (*parts, {"sines": {"u": 1}}):
+        form = ClosedForm(one, **part)  # type: ignore[arg-type]
+        assert not form.is_rational()
+        assert not form.is_one()
+    assert ClosedForm(one, gammas={"u": 1}).is_positive()
+    assert not ClosedForm(one, sines={"u": 1}).is_positive()
+    assert not ClosedForm(one, phase=ALGEBRA.read("u")).is_positive()
 
 
 @st.composite
@@ -125,13 +181,17 @@ def test_sums_and_their_errors() -> None:
         "Gamma(beta)+1",
         "(1+beta)^beta",
         "alpha1^beta",
+        "alpha1^(1/2)",
         "beta if 1 else 2",
         "sin(beta)",
     ):
         with pytest.raises(ValueError, match=r".+"):
             closed_form(wrong)
-    with pytest.raises(ValueError, match="pole"):
-        gamma(ALGEBRA.constant(-2))
+    assert (closed_form("0*eps^beta") + rational(1)).is_one()
+    assert (rational(1) + closed_form("0*eps^beta")).is_one()
+    for pole in (0, -1, -2):
+        with pytest.raises(ValueError, match="pole"):
+            gamma(ALGEBRA.constant(pole))
     with pytest.raises(ZeroDivisionError):
         rational(0).inverse()
     with pytest.raises(ValueError, match="one power"):
