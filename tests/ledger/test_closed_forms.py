@@ -54,7 +54,7 @@ def value_of(form: ClosedForm, **values: fmpq) -> acb:
 PARTS = (
     "2", "beta", "3^beta", "12^(beta/2)", "eps^(beta/3-1)", "kappa^(1/2)", "(-1)^k", "(-1)^(3*k+1)", "i", "i^(3*k)",
     "e^(i*pi*beta)", "e^(5*i*pi/2)", "e^(u/2)", "Gamma(1/4)", "Gamma(1/3)", "Gamma(2/3)", "Gamma(1/6)", "Gamma(5/6)",
-    "Gamma(-9/4)", "Gamma(7/2)", "Gamma(beta)", "Gamma(-beta/3)", "Gamma(1/3-beta/3-k)", "Gamma(beta/3+2*k+1/2)",
+    "Gamma(-9/4)", "Gamma(7/2)", "Gamma(8/3)", "Gamma(-1/3)", "Gamma(1)", "Gamma(4)", "Gamma(beta)", "Gamma(-beta/3)", "Gamma(1/3-beta/3-k)", "Gamma(beta/3+2*k+1/2)",
     "fac(k)", "Gamma(u+1/2)",
 )  # fmt: skip
 
@@ -82,6 +82,21 @@ def test_what_is_not_rational() -> None:
     assert ClosedForm(one, gammas={"u": 1}).is_positive()
     assert not ClosedForm(one, sines={"u": 1}).is_positive()
     assert not ClosedForm(one, phase=ALGEBRA.read("u")).is_positive()
+    assert not ClosedForm(one, powers={"alpha1": ALGEBRA.read("beta")}).is_positive()
+
+
+@pytest.mark.parametrize(
+    ("text", "same"),
+    [
+        ("i^4", 1), ("i^2", -1), ("i^(-2)", -1), ("i^10", -1), ("e^(7*i*pi)", -1), ("e^(-6*i*pi)", 1), ("Gamma(1)", 1),
+        ("Gamma(2)", 1), ("Gamma(5)", 24), ("fac(3)", 6), ("(-1)^(4*k+6)", 1),
+    ],
+)  # fmt: skip
+def test_numbers_are_brought_to_a_number_at_once(text: str, same: int) -> None:
+    form = closed_form(text)
+    assert form.is_rational()
+    assert form.factor == same
+    assert (rational(0) ** 0).is_one()
 
 
 @st.composite
