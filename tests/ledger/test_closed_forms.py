@@ -54,8 +54,8 @@ def value_of(form: ClosedForm, **values: fmpq) -> acb:
 PARTS = (
     "2", "beta", "3^beta", "12^(beta/2)", "eps^(beta/3-1)", "kappa^(1/2)", "(-1)^k", "(-1)^(3*k+1)", "i", "i^(3*k)",
     "e^(i*pi*beta)", "e^(5*i*pi/2)", "e^(u/2)", "Gamma(1/4)", "Gamma(1/3)", "Gamma(2/3)", "Gamma(1/6)", "Gamma(5/6)",
-    "Gamma(-9/4)", "Gamma(7/2)", "Gamma(8/3)", "Gamma(-1/3)", "Gamma(1)", "Gamma(4)", "Gamma(beta)", "Gamma(-beta/3)", "Gamma(1/3-beta/3-k)", "Gamma(beta/3+2*k+1/2)",
-    "fac(k)", "Gamma(u+1/2)",
+    "Gamma(-9/4)", "Gamma(7/2)", "Gamma(8/3)", "Gamma(-1/3)", "Gamma(1)", "Gamma(4)", "Gamma(beta)", "Gamma(-beta/3)",
+    "Gamma(1/3-beta/3-k)", "Gamma(beta/3+2*k+1/2)", "fac(k)", "Gamma(u+1/2)",
 )  # fmt: skip
 
 
