@@ -5,11 +5,9 @@ Pages: proofs/approach.md, proofs/validated_step.md.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from fractions import Fraction
 from importlib.resources import files
-from itertools import pairwise
 from typing import Any
 
 import mpmath
@@ -20,7 +18,7 @@ from hypothesis import strategies as st
 from strategies import to_fmpq
 
 from gspot_verified.balls import working_bits
-from gspot_verified.mechanisms.approach import _Attempt, approach
+from gspot_verified.mechanisms.approach import approach
 from gspot_verified.mechanisms.approach_result import IMPACT, LIFT_OFF, Approach
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.file import parse_mechanism
@@ -456,50 +454,3 @@ def test_a_full_state_on_the_contact() -> None:
     found = approach(MODEL, {"x": 0, "u": 9, "y": 0, "v": 0, "p": "1/2", "b": -2})
     assert found.solved == ()
     assert found.end == "G-spot"
-
-
-# The result
-
-
-def test_the_path_and_the_json() -> None:
-    found = from_model(MODEL, "1/2", "-2")
-    path = found.path
-    assert len({len(getattr(path, name)) for name in ("time", "states", "p", "b", "u", "force")}) == 1
-    with working_bits(160):
-        for time, p, b, force in zip(path.time, path.p, path.b, path.force, strict=True):
-            assert finite(p + time).contains(fmpq(1, 2)) or (p + time).overlaps(arb(fmpq(1, 2)))
-            exact = -2 * p - arb(2) * p * p.sqrt() / arb(fmpq(1, 2)).sqrt() if p > 0 else b
-            assert b.overlaps(exact)
-            assert not force.is_finite() or force > 0
-        # p falls with rate 1 all the way: the time left is at most the last p, and nearly that.
-        assert all(one < other for one, other in pairwise(path.time[:-1]))
-        left = finite(found.time) - path.time[-1].mid()
-        assert left.contains(0)
-        assert left.contains(path.p[-1].mid() * arb("0.999"))
-        assert left.rad() < path.p[-1]
-    data = json.loads(json.dumps(found.to_json()))
-    assert data["side"] == LIFT_OFF
-    assert data["end"] == "G-spot"
-    assert len(data["path"]["p"]) == len(path.p)
-    with pytest.raises(TypeError, match="no truth value"):
-        bool(found)
-
-
-@pytest.mark.parametrize("place", [fmpq(k, 16) for k in range(17)])
-def test_the_hypotheses_are_asked_for_on_every_part_of_a_segment(place: fmpq) -> None:
-    """Where one fails in a single point of [0, 1], it is seen; and nothing is asked outside of the segment."""
-    asked: list[arb] = []
-
-    class Hypotheses:
-        def doubt(self, box: list[arb]) -> str | None:
-            asked.extend(box)
-            return "here" if box[0].contains(place) else None
-
-    class Segment:
-        def states(self, tau: arb) -> list[arb]:
-            return [tau]
-
-    attempt: Any = object.__new__(_Attempt)
-    attempt.hypotheses = Hypotheses()
-    assert attempt._doubt(Segment()) == "here"
-    assert all(side.contains(place) or (side >= 0 and side <= 1) for side in asked)
