@@ -20,11 +20,11 @@ verify: $(READY)
 	@$(BIN)/gspot-verified verify --output report $(VERIFY); code=$$?; [ $$code -le 1 ] || exit $$code
 
 test: $(READY)
-	$(BIN)/pytest -n 2 --dist loadgroup -m "not slow"
+	$(BIN)/pytest -n 2 --dist worksteal -m "not slow"
 	@$(PYTHON) proofs/coq/prove.py --state
 
 test-all: $(READY)
-	$(BIN)/pytest -n 2 --dist loadgroup
+	$(BIN)/pytest -n 2 --dist worksteal
 
 # Coq alone: no virtual environment. Installs nothing.
 prove:

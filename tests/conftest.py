@@ -36,9 +36,6 @@ SABOTAGED_MODULES = {
     ),
 }
 _MAX_EXPONENT = 10_000
-SHARED = {"ledger_cache", "pictures"}
-"""Fixtures of the session that take long."""
-
 AddRemainder = Callable[[arb, arb], arb]
 
 
@@ -103,20 +100,18 @@ def shrinking(honest: AddRemainder, exponent: int) -> AddRemainder:
     return shrunk
 
 
-@pytest.hookimpl(tryfirst=True)  # xdist reads the marks in a hook of the same name
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Tests that share a costly fixture run in one worker (``--dist loadgroup``), so that it is made once."""
-    for item in items:
-        for name in SHARED.intersection(getattr(item, "fixturenames", ())):
-            item.add_marker(pytest.mark.xdist_group(name))
+    """Tests of the whole ledger come last: its entries are then in the cache, from the tests of single entries."""
+    items.sort(key=lambda item: "whole_ledger" in getattr(item, "fixturenames", ()))
 
 
 @pytest.fixture(scope="session")
 def ledger_cache(tmp_path_factory: pytest.TempPathFactory) -> Cache:
-    """Where the session keeps the results of the ledger, so that each entry is found once."""
+    """Where all workers of the run keep results of the ledger, so that each entry is found once."""
     from gspot_verified.ledger.cache import Cache
 
-    return Cache(tmp_path_factory.mktemp("ledger"))
+    own = tmp_path_factory.getbasetemp()
+    return Cache((own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "ledger")
 
 
 @pytest.fixture(scope="session")
