@@ -11,6 +11,9 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
+# The tests start many processes of their own: compiled files, also where the environment asks for none, make those quick.
+export PYTHONDONTWRITEBYTECODE :=
+
 .PHONY: verify test test-all prove docs lint mutants clean
 
 # Results are kept in build/ledger, under the hash of everything that they depend on; a fresh clone has none. VERIFY=--full runs all again.

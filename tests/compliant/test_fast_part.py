@@ -98,8 +98,8 @@ def test_saddles() -> None:
                 assert abs(2 + least + 2 * top.real) < arb(10) ** -20
 
 
-@pytest.mark.parametrize("p", [fmpq(1, 10), fmpq(1, 2), fmpq(3)])
-@pytest.mark.parametrize("beta", [fmpq(1, 2), fmpq(5, 2), fmpq(13, 2)])
+@pytest.mark.parametrize("p", [fmpq(1, 10), pytest.param(fmpq(1, 2), marks=pytest.mark.slow), fmpq(3)])
+@pytest.mark.parametrize("beta", [fmpq(1, 2), pytest.param(fmpq(5, 2), marks=pytest.mark.slow), fmpq(13, 2)])
 def test_bounds_of_the_oscillating_solution(beta: fmpq, p: fmpq) -> None:
     largest = p * p / 10
     with working_bits(64):

@@ -51,7 +51,7 @@ def test_the_force_stays_above_the_margin(beta: fmpq) -> None:
             continue
         largest = paper_run(beta, nu).epsilon_0
         margin = margin_up_to(beta, nu, largest)
-        for epsilon in (largest, largest / 3):
+        for epsilon in (largest, largest / 3)[: 2 if nu == FACTORS[0] else 1]:
             model, state = run(beta, nu, epsilon)
             for place in (START, START / 2, fmpq(0), -epsilon if fate == "impact" else START / 10):
                 value = compliant_force(model, state, -place, digits=6).force

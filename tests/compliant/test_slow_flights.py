@@ -58,7 +58,7 @@ def test_arguments_outside_the_theorem_are_refused(arguments: tuple[object, ...]
         one_flight(*arguments)  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("beta", [fmpq(3, 2), fmpq(5, 2)])
+@pytest.mark.parametrize("beta", [fmpq(3, 2), pytest.param(fmpq(5, 2), marks=pytest.mark.slow)])
 def test_the_identity_and_the_bounds_of_lemma_1(beta: fmpq) -> None:
     epsilon, time = fmpq(1, 50), fmpq(12)
     with mpmath.workdps(40):

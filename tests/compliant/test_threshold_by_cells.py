@@ -15,7 +15,10 @@ from gspot_verified.signs.iwc import iwc
 START = fmpq(-10)
 
 
-@pytest.mark.parametrize(("beta", "expected", "digits"), [("13/2", "0.07892", 5), ("21/4", "0.0133693", 7)])
+@pytest.mark.parametrize(
+    ("beta", "expected", "digits"),
+    [pytest.param("13/2", "0.07892", 5, marks=pytest.mark.slow), ("21/4", "0.0133693", 7)],
+)
 def test_known_thresholds(beta: str, expected: str, digits: int) -> None:
     """13/2 to the digits known from a scan; 21/4 below the leading order, .0133697."""
     leading = iwc(beta)

@@ -88,7 +88,15 @@ def test_the_second_zero_is_not_taken_for_the_first() -> None:
     assert not positive_by_series(deviation(model, state), model.mean_force, fmpq(60))
 
 
-@pytest.mark.parametrize("until", ["-499999/1000000", "-49/100", "-1/4", "1/10000"])
+@pytest.mark.parametrize(
+    "until",
+    [
+        "-499999/1000000",
+        pytest.param("-49/100", marks=pytest.mark.slow),
+        pytest.param("-1/4", marks=pytest.mark.slow),
+        "1/10000",
+    ],
+)
 def test_the_first_instants_at_small_epsilon(until: str) -> None:
     """The bound of the fast part is too large at the start, p > 0: the series joins the two."""
     model = compliant_model("5/2", "1e-6")

@@ -33,6 +33,7 @@ def test_the_first_attempt_of_the_baseline_is_kept() -> None:
     assert "first attempt" not in cases._times(fmpq(1), fmpq(1, 2), 20, repeats=1)[0]
 
 
+@pytest.mark.slow
 def test_far_rows_have_figures_and_targets(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cases, "FAR_BITS", 1_000)
     rows = list(cases.far_tau())

@@ -35,7 +35,9 @@ STARTS: list[tuple[str, dict[str, Any]]] = [
 ]
 
 
-@pytest.mark.parametrize(("name", "state"), STARTS)
+@pytest.mark.parametrize(
+    ("name", "state"), [pytest.param(*start, marks=pytest.mark.slow if start is STARTS[2] else []) for start in STARTS]
+)
 def test_early_bounds_contain_the_late_value(name: str, state: dict[str, Any]) -> None:
     mechanism = shipped_mechanism(name)
     accurate = approach(mechanism, state).coefficient

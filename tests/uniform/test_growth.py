@@ -56,7 +56,7 @@ def run(found: UniformSide, delta: fmpq, places: list[float]) -> list[dict[str, 
 
 
 @pytest.mark.parametrize(("beta", "largest"), [("3/2", fmpq(1, 50)), ("5/2", fmpq(1, 100))])
-@pytest.mark.parametrize("c_1", [1, -1])
+@pytest.mark.parametrize("c_1", [pytest.param(1, marks=pytest.mark.slow), -1])
 def test_the_extended_system_takes_the_proved_side(beta: str, largest: fmpq, c_1: int) -> None:
     found = uniform_side(extended(beta), c_1, largest)
     assert found.verdict.outcome is Outcome.PROVED
