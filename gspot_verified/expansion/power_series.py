@@ -11,6 +11,7 @@ from typing import Any, Protocol
 
 from flint import fmpq
 
+from gspot_verified.expansion.convolution import Convolution, Weights
 from gspot_verified.expansion.expressions import (
     Constant,
     Cosine,
@@ -25,6 +26,7 @@ from gspot_verified.expansion.expressions import (
     in_order,
 )
 from gspot_verified.expansion.rings import Ring
+from gspot_verified.expansion.series import Series
 
 
 class Terms(Protocol):
@@ -42,8 +44,8 @@ class Terms(Protocol):
         """A term times a number of the ring."""
         ...
 
-    def sum_of_products(self, order: int, summands: Sequence[tuple[Any, Any, Any]]) -> Any:
-        """The sum of the products of a number (None for 1) and two terms, as the term of this order."""
+    def convolution(self, left: Series, right: Series, weights: Weights | None = None) -> Convolution:
+        """The terms of the product of two series."""
         ...
 
     def is_zero(self, term: Any) -> bool:
@@ -53,16 +55,6 @@ class Terms(Protocol):
     def at_start(self, term: Any) -> Any:
         """The number that a term of order 0 is."""
         ...
-
-
-class Series:
-    """The terms of one function, by order, and the orders whose terms do not vanish."""
-
-    __slots__ = ("orders", "terms")
-
-    def __init__(self) -> None:
-        self.terms: list[Any] = []
-        self.orders: list[int] = []
 
 
 Rule = Callable[[int], Any]
@@ -84,8 +76,9 @@ class SeriesOfFunctions:
         ]
         companions += [Power(e.argument, fmpq(-1)) for e in in_order(roots) if isinstance(e, Logarithm)]
         for node in in_order([*roots, *companions]):
-            made[node] = Series()
+            made[node] = Series(terms.is_zero)
         self._steps: list[tuple[Series, Rule]] = []
+        self._convolutions: list[Convolution] = []
         for node, series in made.items():
             rule = self._rule(node, series, made)
             self._steps.append((series, rule))
@@ -95,28 +88,25 @@ class SeriesOfFunctions:
         """The terms found so far; the list grows with each order."""
         return self._roots[root].terms
 
-    def orders(self, root: Expression) -> list[int]:
-        """The orders whose terms do not vanish; the list grows with each order."""
-        return self._roots[root].orders
+    def series(self, root: Expression) -> Series:
+        """The terms found so far as a series, which grows with each order."""
+        return self._roots[root]
 
     def extend(self, state: Sequence[Any]) -> None:
         """Add the next order, ``state`` being the terms of that order of the components of the state."""
         self._state = state
         n = self._order
         for series, rule in self._steps:
-            term = rule(n)
-            series.terms.append(term)
-            if not self._terms.is_zero(term):
-                series.orders.append(n)
+            series.append(rule(n))
         self._order += 1
 
     def drop_last(self) -> None:
         """Forget the last order."""
         self._order -= 1
         for series, _ in self._steps:
-            series.terms.pop()
-            if series.orders and series.orders[-1] == self._order:
-                series.orders.pop()
+            series.drop_last()
+        for convolution in self._convolutions:
+            convolution.forget(self._order)
 
     def _rule(self, node: Expression, own: Series, made: dict[Expression, Series]) -> Rule:
         match node:
@@ -128,7 +118,7 @@ class SeriesOfFunctions:
                 series = [made[part] for part in parts]
                 return lambda n: self._sum(series, n)
             case Product(left, right):
-                return self._product(made[left], made[right])
+                return self._convolution(made[left], made[right])
             case Power(base, exponent) if node.is_natural:
                 return self._natural_power(made[base], int(exponent.p))
             case Power(base, exponent):
@@ -150,17 +140,13 @@ class SeriesOfFunctions:
     def _sum(self, parts: list[Series], n: int) -> Any:
         total = self._terms.zero(n)
         for part in parts:
-            # Its last order is n when the term of order n does not vanish.
-            if part.orders and part.orders[-1] == n:
-                total = total + part.terms[n]
+            if n in part.nonzero:
+                total = total + part.nonzero[n]
         return total
 
-    def _product(self, left: Series, right: Series) -> Rule:
-        def term(n: int) -> Any:
-            pairs = ((left.terms[k], right.terms[n - k]) for k in left.orders)
-            return self._terms.sum_of_products(n, [(None, f, g) for f, g in pairs if not self._terms.is_zero(g)])
-
-        return term
+    def _convolution(self, left: Series, right: Series, weights: Weights | None = None) -> Convolution:
+        self._convolutions.append(self._terms.convolution(left, right, weights))
+        return self._convolutions[-1]
 
     def _natural_power(self, base: Series, exponent: int) -> Rule:
         """A product of equal factors, which may vanish at the point; the partial products are series of their own."""
@@ -168,39 +154,30 @@ class SeriesOfFunctions:
             return lambda n: self._terms.zero(n) if n else self._terms.constant(1)
         power = base
         for _ in range(exponent - 1):
-            longer = Series()
-            self._steps.append((longer, self._product(power, base)))
+            longer = Series(self._terms.is_zero)
+            self._steps.append((longer, self._convolution(power, base)))
             power = longer
         return lambda n: power.terms[n]
 
     def _power(self, base: Series, own: Series, exponent: fmpq) -> Rule:
         """f = u^r: u f' = r u' f gives n u_0 f_n = sum over k >= 1 of (r k - (n - k)) u_k f_(n-k)."""
+        known = self._convolution(base, own, (exponent, fmpq(-1)))  # f_n is not known yet: k >= 1
 
         def term(n: int) -> Any:
             start = self._terms.at_start(base.terms[0])
             if n == 0:
                 return self._terms.constant(self._numbers.power(start, exponent))
-            summands = [
-                (self._numbers.number(exponent * k - (n - k)), base.terms[k], own.terms[n - k])
-                for k in base.orders
-                if k and not self._terms.is_zero(own.terms[n - k])
-            ]
-            total = self._terms.sum_of_products(n, summands)
-            return self._terms.scale(total, self._numbers.number(fmpq(1, n)) / start)
+            return self._terms.scale(known(n), self._numbers.number(fmpq(1, n)) / start)
 
         return term
 
     def _rotated(self, argument: Series, other: Series, sign: int, value: Callable[[Any], Any]) -> Rule:
-        """f' = sign u' g, so n f_n = sign sum over k >= 1 of k u_k g_(n-k); f_0 is ``value`` of u_0."""
+        """f' = sign u' g, so n f_n = sign sum over k of k u_k g_(n-k); f_0 is ``value`` of u_0."""
+        known = self._convolution(argument, other, (fmpq(sign), fmpq(0)))
 
         def term(n: int) -> Any:
             if n == 0:
                 return self._terms.constant(value(self._terms.at_start(argument.terms[0])))
-            summands = [
-                (self._numbers.number(fmpq(sign * k, n)), argument.terms[k], other.terms[n - k])
-                for k in argument.orders
-                if k and not self._terms.is_zero(other.terms[n - k])
-            ]
-            return self._terms.sum_of_products(n, summands)
+            return self._terms.scale(known(n), self._numbers.number(fmpq(1, n)))
 
         return term

@@ -9,9 +9,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from gspot_verified.expansion.linear import inverse
+from gspot_verified.expansion.linear import inverse, solve_from_above
 from gspot_verified.expansion.power_series import SeriesOfFunctions
-from gspot_verified.expansion.spaces import SpacePolynomial, sum_of_products
+from gspot_verified.expansion.series import Series
+from gspot_verified.expansion.spaces import SpacePolynomial
 from gspot_verified.expansion.system import GSpotError, System
 from gspot_verified.expansion.terms import NumberTerms, PolynomialTerms
 
@@ -38,12 +39,12 @@ class Recursion:
 
     system: System
     alpha: tuple[Any, Any, Any] = field(init=False)
-    p: list[SpacePolynomial] = field(default_factory=list)
+    p: list[SpacePolynomial] = field(init=False)
     b: list[SpacePolynomial] = field(default_factory=list)
     y: list[SpacePolynomial] = field(default_factory=list)
     v: list[SpacePolynomial] = field(default_factory=list)
     z: list[SpacePolynomial] = field(default_factory=list)
-    lambda_n: list[SpacePolynomial] = field(default_factory=list)
+    lambda_n: list[SpacePolynomial] = field(init=False)
     xi: list[list[SpacePolynomial]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -51,15 +52,17 @@ class Recursion:
         self.alpha = system.check()
         self._inverse = self._inverse_jacobian()
         functions = (*system.F, *system.G, system.alpha_1, system.alpha_2, system.alpha_3)
-        self._functions = SeriesOfFunctions(functions, PolynomialTerms(system.ring), system.ring)
+        terms = PolynomialTerms(system.ring)
+        self._functions = SeriesOfFunctions(functions, terms, system.ring)
         self._conditions = SeriesOfFunctions(system.conditions, NumberTerms(system.ring), system.ring)
         # The lists of terms, which grow with each order.
         self._drift = [self._functions[function] for function in system.F]
-        self._control = [self._functions[function] for function in system.G]
-        self._control_orders = [self._functions.orders(function) for function in system.G]
-        self._alpha_1, self._alpha_2, self._alpha_3 = (
-            self._functions[function] for function in (system.alpha_1, system.alpha_2, system.alpha_3)
-        )
+        self._alpha_1, self._alpha_2 = self._functions[system.alpha_1], self._functions[system.alpha_2]
+        self._p, self._force = Series(terms.is_zero), Series(terms.is_zero)
+        self.p, self.lambda_n = self._p.terms, self._force.terms
+        self._p_force = terms.convolution(self._p, self._force)
+        self._alpha_3_force = terms.convolution(self._functions.series(system.alpha_3), self._force)
+        self._control_force = [terms.convolution(self._functions.series(g), self._force) for g in system.G]
         self._at_start = [self._conditions[condition] for condition in system.conditions]
         zero = system.ring.number(0)
         self._conditions.extend(list(system.point))
@@ -100,25 +103,19 @@ class Recursion:
 
     def _step_1(self, n: int) -> None:
         """p_n' = alpha_1n, p_n(0) = 0."""
-        self.p.append(self._alpha_1[n].integral().in_space(space_of("p", n)))
+        self._p.append(self._alpha_1[n].integral().in_space(space_of("p", n)))
 
     def _step_2_right_sides(self, n: int) -> tuple[SpacePolynomial, SpacePolynomial]:
-        """r_(b,n) of specialBn and r_n of third-order_b."""
+        """r_(b,n) of specialBn and r_n of third-order_b; the products lack the term with lambda_n, not known yet."""
         alpha_1, _, alpha_3 = self.alpha
-        r_b = self._alpha_2[n] - self._convolved(self._alpha_3, self.lambda_n, n)
-        r_v = self._convolved(self.p, self.lambda_n, n)
+        r_b = self._alpha_2[n] - self._alpha_3_force(n)
+        r_v = self._p_force(n)
         s = SpacePolynomial.from_list(1, [0, 1], self.system.ring)
         compliance, delay = self._compliance
         before = self.z[n - 1] if n else self._zero("z", 0)
         right = r_b.derivative().derivative().scale(compliance)
         right = right + before.derivative().derivative().derivative().scale(alpha_3 * delay)
         return r_b, right + (s * r_b).scale(alpha_1) + r_v.scale(alpha_3)
-
-    def _convolved(self, function: list[SpacePolynomial], force: list[SpacePolynomial], n: int) -> SpacePolynomial:
-        """The sum over k < n of function_(n-k) lambda_k."""
-        pairs = ((function[n - k], force[k]) for k in range(n))
-        summands = [(None, f, g) for f, g in pairs if not f.is_zero() and not g.is_zero()]
-        return sum_of_products(-1, summands, self.system.ring)
 
     def _step_2_solve(self, right: SpacePolynomial) -> SpacePolynomial:
         """h b''' + alpha_1 s b' - alpha_3 b = r, from the highest power down; h = 2 in the paper.
@@ -130,22 +127,18 @@ class Recursion:
         compliance, _ = self._compliance
         order = len(self.p) - 1
         space = space_of("b", order)
-        values = right.in_space(space).cubic.coeffs()
-        found: list[Any] = []
-        above = ring.number(0)
         # Every exponent of the space: where the factor is 0 the coefficient is free even when the right side is 0.
-        for k in range(space, -1, -3):
-            i = k // 3
-            factor = ring.number(k) * alpha_1 - alpha_3
+        exponents = range(space % 3, space + 1, 3)
+        factors = [ring.number(k) * alpha_1 - alpha_3 for k in exponents]
+        for k, factor in zip(exponents, factors, strict=True):
             if not ring.is_nonzero(factor):
                 raise ObstructedOrderError(
                     f"{self.system.name}: beta = alpha_3/alpha_1 is, or may be, the integer {k}: the coefficient of "
                     f"s^{k} at order {order} of delta is obstructed, there is no unique expansion"
                 )
-            value = values[i] if i < len(values) else ring.number(0)
-            above = (value - ring.number((k + 1) * (k + 2) * (k + 3)) * compliance * above) / factor
-            found.append(above)
-        return SpacePolynomial(space, ring.polynomial(found[::-1]), ring)
+        couplings = [ring.number((k + 1) * (k + 2) * (k + 3)) * compliance for k in exponents]
+        found = solve_from_above(right.in_space(space).cubic, factors, couplings, ring)
+        return SpacePolynomial(space, found, ring)
 
     def _step_3(self, n: int, r_b: SpacePolynomial) -> None:
         """y_n, v_n, z_n, lambda_n from b_n."""
@@ -155,7 +148,7 @@ class Recursion:
         before = self.z[n - 1].derivative().scale(delay) if n else SpacePolynomial.zero(0, ring)
         force = (r_b - self.b[n].derivative()).scale(ring.number(1) / alpha_3)
         y = force.scale(-compliance) - before
-        self.lambda_n.append(force.in_space(space_of("lambda", n)))
+        self._force.append(force.in_space(space_of("lambda", n)))
         self.y.append(y.in_space(space_of("y", n)))
         self.v.append(y.derivative().in_space(space_of("v", n)))
         first_spring = ring.number(1 / self.system.regularisation.k_1)
@@ -163,11 +156,9 @@ class Recursion:
 
     def _step_4(self, n: int) -> None:
         """xi_n: integrate F_n + sum of G_(n-k) lambda_k; the constants from the conditions at s = 0."""
-        slopes = []
-        for drift, control, orders in zip(self._drift, self._control, self._control_orders, strict=True):
-            pairs = ((control[k], self.lambda_n[n - k]) for k in orders)
-            summands = [(None, f, g) for f, g in pairs if not g.is_zero()]
-            slopes.append(drift[n] + sum_of_products(-1, summands, self.system.ring))
+        slopes = [
+            drift[n] + control_force(n) for drift, control_force in zip(self._drift, self._control_force, strict=True)
+        ]
         constants = self._constants(n)
         space = space_of("xi", n)
         ring = self.system.ring

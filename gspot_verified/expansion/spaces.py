@@ -5,13 +5,12 @@ Paper, Sec. 5 (before th:1). For n < 0 the space holds only zero.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import reduce
 from typing import Any
 
-from flint import fmpq_poly, fmpz, fmpz_poly
+from flint import fmpz, fmpz_poly
 
-from gspot_verified.expansion.rings import RATIONALS, Rationals, Ring
+from gspot_verified.expansion.cubic_calculus import derivative, integral
+from gspot_verified.expansion.rings import RATIONALS, Ring
 
 
 class SpacePolynomial:
@@ -112,23 +111,15 @@ class SpacePolynomial:
 
     def derivative(self) -> SpacePolynomial:
         """d/ds: P_n to P_(n-1)."""
-        values = self.cubic.coeffs()
-        first = self.n % 3
-        terms = [value * self.ring.number(first + 3 * i) for i, value in enumerate(values)]
-        return SpacePolynomial(self.n - 1, self.ring.polynomial(terms if first else terms[1:]), self.ring)
+        return SpacePolynomial(self.n - 1, derivative(self.cubic, self.n % 3, self.ring), self.ring)
 
     def integral(self) -> SpacePolynomial:
         """The integral from 0: P_n to P_(n+1)."""
-        values = self.cubic.coeffs()
-        first = self.n % 3
-        terms = [value / self.ring.number(first + 3 * i + 1) for i, value in enumerate(values)]
-        shift = [self.ring.number(0)] if first == 2 and terms else []
-        return SpacePolynomial(self.n + 1, self.ring.polynomial(shift + terms), self.ring)
+        return SpacePolynomial(self.n + 1, integral(self.cubic, self.n % 3, self.ring), self.ring)
 
     def at_zero(self) -> Any:
         """The value at s = 0."""
-        values = self.cubic.coeffs()
-        return values[0] if values and self.n % 3 == 0 else self.ring.number(0)
+        return self.cubic.coeffs()[0] if self.n % 3 == 0 and not self.is_zero() else self.ring.number(0)
 
     def __call__(self, s: Any) -> Any:
         """The value at s, a number of the ring (or a ball)."""
@@ -148,46 +139,3 @@ class SpacePolynomial:
 
     def __repr__(self) -> str:
         return f"SpacePolynomial.from_list({self.n}, {self.coefficients()})"
-
-
-Summand = tuple[Any, SpacePolynomial, SpacePolynomial]
-"""A number of the ring, or None for 1, and two factors: the three are multiplied."""
-
-_PAYS = 4
-"""From so many summands on one denominator for all costs less than a reduced fraction for each."""
-
-
-def sum_of_products(n: int, summands: Sequence[Summand], ring: Ring) -> SpacePolynomial:
-    """The sum of the products, an element of P_n, or of the largest space of a summand.
-
-    Over the rationals the products are of integers, and one fraction is reduced at the end.
-
-    :raises ValueError: two summands have no common space.
-    """
-    products = [(factor, left, right) for factor, left, right in summands if not (left.is_zero() or right.is_zero())]
-    if len(products) < _PAYS or not isinstance(ring, Rationals):
-        total = SpacePolynomial.zero(n, ring)
-        for factor, left, right in products:
-            product = left * right
-            total = total + (product if factor is None else product.scale(factor))
-        return total
-    spaces = [left.n + right.n for _, left, right in products]
-    if any((space - spaces[0]) % 3 for space in spaces):
-        raise ValueError(f"elements of P_{min(spaces)} and P_{max(spaces)} have no common space")
-    fractions = [_integer_product(*product) for product in products]
-    common = reduce(fmpz.lcm, (denominator for _, denominator in fractions))
-    numerator = fmpz_poly([])
-    for above, below in fractions:
-        numerator += above * (common // below)
-    return SpacePolynomial(max(spaces), fmpq_poly(numerator, common), ring)
-
-
-def _integer_product(factor: Any, left: SpacePolynomial, right: SpacePolynomial) -> tuple[fmpz_poly, fmpz]:
-    """Numerator and denominator of one product, not reduced, as a polynomial in s^3."""
-    (above, below), (other, divisor) = left.integers(), right.integers()
-    product, denominator = above * other, below * divisor
-    if factor is not None:
-        product, denominator = product * factor.p, denominator * factor.q
-    if left.n % 3 + right.n % 3 >= 3:
-        product = product.left_shift(1)
-    return product, denominator

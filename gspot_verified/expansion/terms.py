@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
-from gspot_verified.expansion.rings import Ring
-from gspot_verified.expansion.spaces import SpacePolynomial, Summand, sum_of_products
+from gspot_verified.expansion.block_convolution import BlockConvolution
+from gspot_verified.expansion.convolution import Convolution, TermByTerm, Weights
+from gspot_verified.expansion.rings import Rationals, Ring
+from gspot_verified.expansion.series import Series
+from gspot_verified.expansion.spaces import SpacePolynomial
 
 
 def function_space(n: int) -> int:
@@ -40,9 +42,11 @@ class PolynomialTerms:
         """A multiple."""
         return term.scale(factor)
 
-    def sum_of_products(self, order: int, summands: Sequence[Summand]) -> SpacePolynomial:
-        """The sum of the products (number or None) * term * term, the term of this order."""
-        return sum_of_products(function_space(order), summands, self._ring)
+    def convolution(self, left: Series, right: Series, weights: Weights | None = None) -> Convolution:
+        """The terms of the product of two series; over the rationals by blocks of orders."""
+        if isinstance(self._ring, Rationals):
+            return BlockConvolution(left, right, weights)
+        return TermByTerm(left, right, self, self._ring, weights)
 
     def is_zero(self, term: SpacePolynomial) -> bool:
         """Whether every coefficient is zero."""
@@ -72,13 +76,9 @@ class NumberTerms:
         """The product."""
         return term * factor
 
-    def sum_of_products(self, order: int, summands: Sequence[tuple[Any, Any, Any]]) -> Any:
-        """The sum of the products (number or None) * term * term, whatever the order."""
-        del order
-        total = self._ring.number(0)
-        for factor, left, right in summands:
-            total = total + (left * right if factor is None else left * right * factor)
-        return total
+    def convolution(self, left: Series, right: Series, weights: Weights | None = None) -> Convolution:
+        """The terms of the product of two series."""
+        return TermByTerm(left, right, self, self._ring, weights)
 
     def is_zero(self, term: Any) -> bool:
         """Whether it is certainly zero."""

@@ -5,14 +5,14 @@ A shift (e, o) says: the term of order n = 2 nu is in P_(nu + e), that of order 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from flint import fmpq, fmpq_poly
 
+from gspot_verified.expansion.convolution import TermByTerm, Weights
 from gspot_verified.expansion.expressions import Constant, Exponential, Expression, Power, Product, Sine, Sum, Variable
 from gspot_verified.expansion.power_series import SeriesOfFunctions
 from gspot_verified.expansion.recursion import Recursion
 from gspot_verified.expansion.rings import RATIONALS
+from gspot_verified.expansion.series import Series
 from gspot_verified.expansion.spaces import SpacePolynomial
 from gspot_verified.expansion.system import System
 from gspot_verified.expansion.terms import PolynomialTerms
@@ -139,11 +139,8 @@ class _Plain:
     def scale(self, term: fmpq_poly, factor: fmpq) -> fmpq_poly:
         return term * factor
 
-    def sum_of_products(self, _: int, summands: Sequence[tuple[fmpq | None, fmpq_poly, fmpq_poly]]) -> fmpq_poly:
-        total = fmpq_poly([])
-        for factor, left, right in summands:
-            total += left * right if factor is None else left * right * factor
-        return total
+    def convolution(self, left: Series, right: Series, weights: Weights | None = None) -> TermByTerm:
+        return TermByTerm(left, right, self, RATIONALS, weights)
 
     def is_zero(self, term: fmpq_poly) -> bool:
         return bool(term.is_zero())

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import pytest
-from flint import arb, fmpq
+from flint import arb, arb_poly, fmpq, fmpq_poly
+from hypothesis import given
+from hypothesis import strategies as st
+from strategies import holds, to_fraction
 
-from gspot_verified.expansion.linear import inverse
+from gspot_verified.expansion.linear import inverse, solve_from_above
 from gspot_verified.expansion.rings import BALLS, RATIONALS
 from gspot_verified.expansion.symbols import Symbols
 
@@ -110,3 +113,34 @@ def test_logarithms() -> None:
     for value in (arb(0), arb(-1), arb(1, 2)):
         with pytest.raises(ValueError, match="may not be positive"):
             BALLS.logarithm(value)
+
+
+numbers = st.fractions(-9, 9, max_denominator=12).map(lambda value: fmpq(value.numerator, value.denominator))
+nonzero = numbers.filter(lambda value: value != 0)
+
+
+@given(st.lists(st.tuples(nonzero, numbers), min_size=1, max_size=6), st.lists(numbers, max_size=6))
+def test_two_diagonals(diagonals: list[tuple[fmpq, fmpq]], right: list[fmpq]) -> None:
+    """Exact and in balls, with the equations as the judge."""
+    size = len(diagonals)
+    right = right[:size]
+    diagonal, above = (list(values) for values in zip(*diagonals, strict=True))
+    found = solve_from_above(fmpq_poly(right), diagonal, above, RATIONALS)
+    assert found.length() <= size
+    for i in range(size):
+        rest = above[i] * found[i + 1] if i + 1 < size else 0
+        assert diagonal[i] * found[i] + rest == (right[i] if i < len(right) else 0)
+    balls = [[arb(value) for value in values] for values in (right, diagonal, above)]
+    enclosed = solve_from_above(arb_poly(balls[0]), balls[1], balls[2], BALLS)
+    for i in range(size):
+        assert enclosed[i].is_finite()
+        assert holds(enclosed[i], to_fraction(found[i]))
+
+
+def test_two_diagonals_with_symbols() -> None:
+    ring = Symbols("chi")
+    chi, one = ring.symbol("chi"), ring.number(1)
+    found = solve_from_above(ring.polynomial([one]), [chi, chi + one], [one, chi], ring)
+    assert found.coeffs() == [one / chi]
+    found = solve_from_above(ring.polynomial([one, chi]), [chi, chi], [one, chi], ring)
+    assert found.coeffs() == [ring.number(0), one]

@@ -13,8 +13,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gspot_verified.expansion.recursion import space_of
-from gspot_verified.expansion.rings import BALLS, RATIONALS
-from gspot_verified.expansion.spaces import SpacePolynomial, sum_of_products
+from gspot_verified.expansion.rings import BALLS
+from gspot_verified.expansion.spaces import SpacePolynomial
 from gspot_verified.expansion.terms import function_space
 
 values = st.integers(-5, 5).map(fmpq)
@@ -126,35 +126,3 @@ def test_the_spaces_of_the_theorem(nu: int) -> None:
 
 def test_fractions_are_taken() -> None:
     assert SpacePolynomial.from_list(1, [0, fmpq(Fraction(2).numerator)])(fmpq(3)) == 6
-
-
-@given(
-    st.lists(
-        st.tuples(st.one_of(st.none(), st.fractions(-3, 3, max_denominator=7)), elements(), elements()), max_size=9
-    ),
-    st.integers(0, 2),
-)
-def test_a_sum_of_products_is_the_sum_of_the_products(
-    given_summands: list[tuple[Fraction | None, SpacePolynomial, SpacePolynomial]], kind: int
-) -> None:
-    """Few summands go one by one, many over one denominator."""
-    summands = [
-        (None if factor is None else fmpq(factor.numerator, factor.denominator), left.scale(fmpq(1, 7)), right)
-        for factor, left, right in given_summands
-        if (left.n + right.n) % 3 == kind
-    ]
-    total = sum_of_products(kind, summands, RATIONALS)
-    expected = fmpq_poly([])
-    for factor, left, right in summands:
-        expected += plain(left) * plain(right) * (fmpq(1) if factor is None else factor)
-    assert plain(total) == expected
-    assert total.is_zero() or (total.n - kind) % 3 == 0
-    again = sum_of_products(total.n, [(None, total, SpacePolynomial.from_list(0, [1]))] * 5, RATIONALS)
-    assert plain(again) == 5 * expected
-
-
-@pytest.mark.parametrize("count", [1, 5])
-def test_products_without_a_common_space_have_no_sum(count: int) -> None:
-    one, s = SpacePolynomial.from_list(0, [1]), SpacePolynomial.from_list(1, [0, 1])
-    with pytest.raises(ValueError, match="no common space"):
-        sum_of_products(0, [(None, one, one)] * count + [(None, one, s)], RATIONALS)

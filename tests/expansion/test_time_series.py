@@ -31,6 +31,11 @@ def test_both_routes_agree(order: int, chi: int | str) -> None:
     assert compare_routes(first, second).outcome is Outcome.PROVED
 
 
+def test_both_routes_agree_where_products_go_by_blocks() -> None:
+    system = extended_example(1)
+    assert expand_system(system, 95).in_time() == time_series(system, 95)
+
+
 def residuals(series: TimeSeries, chi: fmpq) -> dict[str, dict[tuple[int, int], fmpq]]:
     """genSysP to genSysLN for the extended example, coefficient by coefficient, by plain dictionaries."""
 
