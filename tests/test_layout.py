@@ -50,6 +50,7 @@ BOUND_MODULES = (
     "box",
     "local_series",
     "carried_series",
+    "recurrence",
     "majorant",
     "mean_value",
 )

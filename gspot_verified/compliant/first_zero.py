@@ -16,8 +16,8 @@ from gspot_verified.compliant.compliant_force import ContactMotion, contact_moti
 from gspot_verified.compliant.force_range import ForceRange
 from gspot_verified.compliant.normal_form import CompliantModel, CompliantState
 from gspot_verified.compliant.zero_by_series import MOST_WORK, positive_by_series, zero_by_series
-from gspot_verified.signs.brackets import decimal_text
 from gspot_verified.signs.contact_force import rational
+from gspot_verified.signs.short_text import decimal_text
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
 
 MAX_DIGITS = 100

@@ -18,12 +18,11 @@ from gspot_verified.compliant.delay import lead, uniform_constant
 from gspot_verified.compliant.profile import SLOW, Profile, in_range
 from gspot_verified.compliant.to_the_left import positive_to_the_left
 from gspot_verified.dyadic import Dyadic
-from gspot_verified.signs.brackets import decimal_text
 from gspot_verified.signs.contact_force import ContactForce
 from gspot_verified.signs.lift_off import LiftOff
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.refutation import refutation
-from gspot_verified.signs.short_text import short_text
+from gspot_verified.signs.short_text import decimal_text, short_text
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
 
 _CONSTANT_DIGITS = 4

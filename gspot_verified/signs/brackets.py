@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from fractions import Fraction
 from itertools import pairwise
 from typing import Any, ClassVar
 
@@ -17,6 +16,7 @@ from flint import fmpq, fmpz
 from gspot_verified.balls import ExactInput, bits_for_digits, exact, working_bits
 from gspot_verified.signs import count_law
 from gspot_verified.signs.pieces import Column, Kind, cell_of, number_of_zeros
+from gspot_verified.signs.short_text import decimal_text
 from gspot_verified.signs.slope_at import SlopeAt, UndecidedError
 from gspot_verified.signs.statements import BracketsStatement
 from gspot_verified.signs.tails import left_threshold
@@ -28,6 +28,7 @@ MAX_DIGITS = 2_000
 _MANY = 50
 _NEAR_FOLD = fmpq(1, 64)
 _FIRST_DIGITS = 12
+_MOST_STEPS = 12
 _MAX_TAIL = fmpq(10**9)
 
 
@@ -202,11 +203,37 @@ def _refine(slope: SlopeAt, lower: fmpq, upper: fmpq, digits: int) -> tuple[fmpq
     before, after = slope.sign(lower), slope.sign(upper)
     if before == after:
         raise ArithmeticError("the ends of a tube have one sign; please report this")
+    first = digits if slope.is_carried else min(digits, _FIRST_DIGITS)
+    cell = _cell_by_newton(slope, lower, upper, before, first)
+    if cell is not None and first == digits:
+        return cell
     start = min(digits, _FIRST_DIGITS)
-    lower, upper = _bisect(slope, lower, upper, before, start)
+    lower, upper = cell or _bisect(slope, lower, upper, before, start)
     if digits > start:
         lower, upper = _newton(slope, lower, upper, before, digits)
     return _on_decimal_grid(slope, lower, upper, before, digits)
+
+
+def _cell_by_newton(slope: SlopeAt, lower: fmpq, upper: fmpq, before: int, digits: int) -> tuple[fmpq, fmpq] | None:
+    """A cell of the grid of ``digits`` decimals inside (lower, upper) with certain opposite signs, or None.
+
+    Newton's method from the middle, on rationals: it only says where to look.
+    """
+    scale, tau = 10**digits, (lower + upper) / 2
+    near = fmpq(1, 100 * scale)
+    for _ in range(_MOST_STEPS):
+        step = slope.newton(tau, digits + 4)
+        guess = exact(step.mid(), "guess") if step.is_finite() else None
+        if not isinstance(guess, fmpq) or not lower < guess < upper:
+            return None
+        last, tau = tau, fmpq(math.floor(guess * (10**4 * scale)), 10**4 * scale)
+        if abs(tau - last) <= near:
+            break
+    for k in dict.fromkeys((math.floor((tau - near) * scale), math.floor((tau + near) * scale))):
+        cell = fmpq(k, scale), fmpq(k + 1, scale)
+        if lower <= cell[0] and cell[1] <= upper and _brackets(slope, *cell, before):
+            return cell
+    return None
 
 
 def _bisect(slope: SlopeAt, lower: fmpq, upper: fmpq, before: int, digits: int) -> tuple[fmpq, fmpq]:
@@ -259,21 +286,3 @@ def _on_decimal_grid(slope: SlopeAt, lower: fmpq, upper: fmpq, before: int, digi
         if _brackets(slope, *cell, before):
             return cell
     return lower, upper
-
-
-def decimal_text(lower: fmpq, upper: fmpq) -> str:
-    """``lower..upper`` in decimals when both are decimal fractions, else as rationals.
-
-    >>> decimal_text(fmpq(-1, 4), fmpq(1, 2)), decimal_text(fmpq(1, 3), fmpq(1, 2))
-    ('-0.25..0.50', '1/3..1/2')
-    """
-    places = next((k for k in range(MAX_DIGITS + 1) if 10**k % math.lcm(int(lower.q), int(upper.q)) == 0), None)
-    if places is None:
-        return f"{lower}..{upper}"
-    return "..".join(_decimal(Fraction(int(end.p), int(end.q)), places) for end in (lower, upper))
-
-
-def _decimal(value: Fraction, places: int) -> str:
-    digits = f"{abs(int(value * 10**places)):0{places + 1}d}"
-    text = f"{digits[:-places]}.{digits[-places:]}" if places else digits
-    return f"-{text}" if value < 0 else text

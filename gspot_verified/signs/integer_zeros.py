@@ -11,8 +11,9 @@ from typing import Any, ClassVar
 
 from flint import fmpq, fmpz
 
-from gspot_verified.signs.brackets import MAX_DIGITS, check_parameter, decimal_text
+from gspot_verified.signs.brackets import MAX_DIGITS, check_parameter
 from gspot_verified.signs.count_law import multiplicity_at_zero, positive_zeros
+from gspot_verified.signs.short_text import decimal_text
 from gspot_verified.signs.witness import sign_at
 from gspot_verified.verdict import NoTruthValue
 

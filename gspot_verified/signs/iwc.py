@@ -14,12 +14,11 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import ExactInput, ball_text, working_bits
 from gspot_verified.dyadic import Dyadic
-from gspot_verified.signs.brackets import decimal_text
 from gspot_verified.signs.contact_force import LEAST_TENS, ContactForce, contact_force, rational, rounded_down
 from gspot_verified.signs.force_refutation import force_refutation
 from gspot_verified.signs.lift_off import LEADING, LiftOff, growth_table, lift_off
 from gspot_verified.signs.ranges import Range
-from gspot_verified.signs.short_text import short_text
+from gspot_verified.signs.short_text import decimal_text, short_text
 from gspot_verified.signs.stretches import Bracket, Stretches, minimum, stretches
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
 

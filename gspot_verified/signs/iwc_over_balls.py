@@ -13,14 +13,13 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import ExactInput, ball_text, working_bits
 from gspot_verified.dyadic import Dyadic
-from gspot_verified.signs.brackets import decimal_text
 from gspot_verified.signs.contact_force import LEAST_TENS, rational, rounded_down
 from gspot_verified.signs.force_over_balls import ForceOverBalls, OpenHypothesis, force_over_balls
 from gspot_verified.signs.iwc import CAVEAT, MAX_DIGITS, MAX_START, PAPER_EPSILON, force_statement
 from gspot_verified.signs.lift_off import LEADING, LiftOff
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.refutation import Refutation, refutation
-from gspot_verified.signs.short_text import short_text
+from gspot_verified.signs.short_text import decimal_text, short_text
 from gspot_verified.signs.slope_at import UndecidedError
 from gspot_verified.signs.stretches import Bracket, NotAbove, Stretches, first_crossing, minimum
 from gspot_verified.signs.stretches_over_ball import SlopeOverBall, stretches_over_ball

@@ -12,11 +12,10 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import ball_text, working_bits
 from gspot_verified.dyadic import Dyadic
-from gspot_verified.signs.brackets import decimal_text
 from gspot_verified.signs.contact_force import ContactForce
 from gspot_verified.signs.force_refutation import force_refutation
 from gspot_verified.signs.ranges import Range
-from gspot_verified.signs.short_text import short_text
+from gspot_verified.signs.short_text import decimal_text, short_text
 from gspot_verified.signs.stretches import NotAbove, first_crossing, stretches
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
 

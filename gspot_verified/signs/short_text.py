@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import decimal
 import math
+from fractions import Fraction
 
 from flint import fmpq
 
 _SHOWN_BITS = 512
+_MOST_PLACES = 2_000
 _CONTEXT = decimal.Context(prec=decimal.MAX_PREC, Emax=decimal.MAX_EMAX, Emin=decimal.MIN_EMIN)
 """Nothing is rounded in it."""
 
@@ -28,3 +30,21 @@ def short_text(value: fmpq) -> str:
         return str(value)
     number = _CONTEXT.normalize(_CONTEXT.scaleb(decimal.Decimal(mantissa), -places))
     return f"{number:f}" if -7 <= number.adjusted() <= 20 else f"{number:g}"
+
+
+def decimal_text(lower: fmpq, upper: fmpq) -> str:
+    """``lower..upper`` in decimals when both are decimal fractions, else as rationals.
+
+    >>> decimal_text(fmpq(-1, 4), fmpq(1, 2)), decimal_text(fmpq(1, 3), fmpq(1, 2))
+    ('-0.25..0.50', '1/3..1/2')
+    """
+    places = next((k for k in range(_MOST_PLACES + 1) if 10**k % math.lcm(int(lower.q), int(upper.q)) == 0), None)
+    if places is None:
+        return f"{lower}..{upper}"
+    return "..".join(_decimal(Fraction(int(end.p), int(end.q)), places) for end in (lower, upper))
+
+
+def _decimal(value: Fraction, places: int) -> str:
+    digits = f"{abs(int(value * 10**places)):0{places + 1}d}"
+    text = f"{digits[:-places]}.{digits[-places:]}" if places else digits
+    return f"-{text}" if value < 0 else text

@@ -30,6 +30,11 @@ class SlopeAt:
         if digits <= _MOST_CARRIED_DIGITS:
             self._carried = CarriedTheta(beta - 1, fmpq(0), reach, bits_for_digits(digits) + _SPARE_BITS)
 
+    @property
+    def is_carried(self) -> bool:
+        """Whether all digits that are wanted come from the series near 0, where a value costs little."""
+        return self._carried is not None
+
     def sign(self, tau: fmpq) -> int:
         """1 or -1, certainly.
 

@@ -5,13 +5,14 @@ Heuristics only: where the series stand, their lengths and their precision. Any 
 
 from __future__ import annotations
 
-from flint import arb_mat, fmpq
+from flint import fmpq
 
 from gspot_verified.balls import approximate, working_bits
 from gspot_verified.theta_function.box_choice import bits_carried, degree_carried, length_of_series
 from gspot_verified.theta_function.carried_series import (
     ParameterRange,
     Polynomials,
+    Table,
     initial_polynomials,
     local_series,
     table,
@@ -31,7 +32,7 @@ class CarriedTheta:
         self._size = size
         with working_bits(self.bits):
             self._values = {0: initial_polynomials(self.range_of_b, self.bits)}
-        self._tables: dict[int, arb_mat] = {}
+        self._tables: dict[int, Table] = {}
 
     def values(self, tau: fmpq) -> Polynomials:
         """F, F' and F''/2 at tau."""
@@ -51,7 +52,7 @@ class CarriedTheta:
             self._values[k + direction] = values_at(self._table(k), _STEP, fmpq(direction))
         return self._values[index]
 
-    def _table(self, index: int) -> arb_mat:
+    def _table(self, index: int) -> Table:
         if index not in self._tables:
             point = index * _STEP
             length = length_of_series(approximate(abs(point)), 1.0, self._size, self.bits)

@@ -14,6 +14,7 @@ from flint import arb, arb_mat, arb_poly, fmpq
 
 from gspot_verified.balls import current_bits, nonfinite
 from gspot_verified.theta_function.parameter_series import initial_models
+from gspot_verified.theta_function.recurrence import continued
 
 Polynomials = tuple[arb_poly, arb_poly, arb_poly]
 """F, F' and F''/2 at a point, as functions of eta."""
@@ -62,17 +63,13 @@ def local_series(start: Sequence[arb_poly], b: ParameterRange, point: fmpq, scal
 def coefficients(start: Sequence[arb_poly], b: ParameterRange, point: fmpq, scale: fmpq, length: int) -> list[arb_poly]:
     """The first ``length`` >= 3 coefficients a_k alone, whatever is left out; page, section 2."""
     unit = arb(scale)
-    zero, one, two = start[0], start[1] * unit, start[2] * (unit * unit)
-    a = [zero, one, two]
+    first = [start[0], start[1] * unit, start[2] * (unit * unit)]
     middle = arb(point) * unit * unit
-    degree = b.degree
-    for k, factor in enumerate(_factors(b.centre, b.radius, scale, length - 3, current_bits())):
-        following = zero * factor + one * (middle / ((k + 2) * (k + 3)))
-        if factor.degree():
-            following = folded(following, degree)
-        zero, one, two = one, two, following
-        a.append(following)
-    return a
+    factors = _factors(b.centre, b.radius, scale, length - 3, current_bits())
+    if b.degree == 1 and not b.radius:
+        numbers = continued([value[0] for value in first], [factor[0] for factor in factors], middle)
+        return [arb_poly([value]) for value in numbers]
+    return continued(first, factors, middle, lambda function: folded(function, b.degree))
 
 
 @lru_cache(maxsize=64)
@@ -109,19 +106,29 @@ def enclosure(ranges: Sequence[arb], derivative: int) -> arb:
     return arb_poly(terms)(_UNIT)
 
 
-def table(series: Sequence[arb_poly], degree: int) -> arb_mat:
-    """The coefficients of a series as the rows of a matrix, for :func:`values_at`."""
+Table = arb_mat | arb_poly
+"""A series as :func:`values_at` takes it: rows a_k of a matrix, or, for one power of eta, one polynomial in u."""
+
+
+def table(series: Sequence[arb_poly], degree: int) -> Table:
+    """The coefficients of a series for :func:`values_at`."""
+    if degree == 1:
+        return arb_poly([a[0] for a in series])
     rows = [[*a.coeffs(), *[arb(0)] * (degree - a.length())] for a in series]
     return arb_mat(rows)
 
 
-def values_at(series: arb_mat, scale: fmpq, u: fmpq) -> Polynomials:
+def values_at(series: Table, scale: fmpq, u: fmpq) -> Polynomials:
     """F, F' and F''/2 at point + scale u, |u| <= 1, from the table of :func:`local_series`; page, section 4.
 
     :raises ValueError: |u| > 1.
     """
     if abs(u) > 1:
         raise ValueError("u must lie in [-1, 1]")
+    if isinstance(series, arb_poly):
+        at, unit, slope = arb(u), arb(scale), series.derivative()
+        curvature = slope.derivative()(at) / (2 * unit * unit)
+        return arb_poly([series(at)]), arb_poly([slope(at) / unit]), arb_poly([curvature])
     found = _weights(scale, u, series.nrows(), current_bits()) * series
     values, columns = found.entries(), series.ncols()
     return (

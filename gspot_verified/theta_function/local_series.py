@@ -10,6 +10,7 @@ from typing import NamedTuple
 from flint import arb, arb_poly, fmpq
 
 from gspot_verified.balls import add_remainder, nonfinite, working_bits
+from gspot_verified.theta_function.recurrence import continued
 
 REACH = 1 + fmpq(1, 1024)
 """The series holds on |s| <= REACH, a little more than the panel |s| <= 1."""
@@ -67,10 +68,9 @@ def local_series(
     with working_bits(bits):
         square, cube = half_width * half_width, half_width**3
         linear, constant, cubed = arb(centre * square), arb(beta * cube), arb(cube)
-        terms = [values[0], values[1] * half_width, values[2] * (square / 2)]
-        for k in range(length):
-            above = linear * (k + 1) * terms[k + 1] + (cubed * k - constant) * terms[k]
-            terms.append(above / ((k + 1) * (k + 2) * (k + 3)))
+        start = [values[0], values[1] * half_width, values[2] * (square / 2)]
+        factors = [(cubed * k - constant) / ((k + 1) * (k + 2) * (k + 3)) for k in range(length)]
+        terms = continued(start, factors, linear)
         with working_bits(_BITS_OF_A_BOUND):
             first, second, third = (abs(value) for value in terms[length:])
             largest = first.max(second).max(third) * arb(REACH) ** (length + 2)

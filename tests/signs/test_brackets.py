@@ -9,8 +9,9 @@ from flint import arb, fmpq
 
 from gspot_verified import evaluate, number_of_zeros, zeros_at
 from gspot_verified.signs import brackets
-from gspot_verified.signs.brackets import _one_each, decimal_text
+from gspot_verified.signs.brackets import _one_each
 from gspot_verified.signs.pieces import number_of_zeros as number_of_zeros_of_column
+from gspot_verified.signs.short_text import decimal_text
 from gspot_verified.signs.slope_at import SlopeAt, UndecidedError
 from gspot_verified.signs.zero_column import zero_column
 
@@ -81,6 +82,16 @@ def test_fewer_changes_of_sign_than_zeros_are_not_taken() -> None:
     """Next to an integer one zero is far out, beyond the grid."""
     assert brackets._changes(SlopeAt(2 + fmpq(1, 10**40), fmpq(8), 9)) == []
     assert len(brackets._changes(SlopeAt(fmpq(7, 3), fmpq(9), 9))) == 2
+
+
+@pytest.mark.parametrize("beta", [fmpq(7, 3), fmpq(6_001, 1_000), fmpq(-1, 100) + 9])
+@pytest.mark.parametrize("digits", [1, 15, 60])
+def test_newtons_method_and_bisection_find_the_same_cells(
+    beta: fmpq, digits: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    quick = zeros_at(beta, digits)
+    monkeypatch.setattr(brackets, "_cell_by_newton", lambda *_: None)
+    assert zeros_at(beta, digits) == quick
 
 
 def test_a_column_with_another_number_of_zeros_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:

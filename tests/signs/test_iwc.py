@@ -19,9 +19,9 @@ from strategies import to_fmpq
 from gspot_verified import Outcome, zeros_at
 from gspot_verified.balls import ball_text, working_bits
 from gspot_verified.dyadic import Dyadic
-from gspot_verified.signs.brackets import decimal_text
 from gspot_verified.signs.contact_force import contact_force
 from gspot_verified.signs.iwc import PAPER_EPSILON, IwcResult, _exponential, _log_bounds, at_epsilon, iwc
+from gspot_verified.signs.short_text import decimal_text
 from gspot_verified.signs.stretches import Bracket, stretches
 
 NOT_INTEGER = st.fractions(Fraction(11, 10), 8, max_denominator=12).filter(lambda beta: beta.denominator > 1)

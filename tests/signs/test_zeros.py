@@ -20,8 +20,9 @@ from witness import theta_witness
 from gspot_verified.balls import sign_of
 from gspot_verified.certificates.text import certificate_text, write_certificate
 from gspot_verified.signs import count_law
-from gspot_verified.signs.brackets import Brackets, decimal_text, zeros_at
+from gspot_verified.signs.brackets import Brackets, zeros_at
 from gspot_verified.signs.pieces import Kind
+from gspot_verified.signs.short_text import decimal_text
 from gspot_verified.signs.slope_at import UndecidedError
 from gspot_verified.signs.zeros import ZerosResult, zeros_on_range
 from gspot_verified.theta_function.evaluate import evaluate
