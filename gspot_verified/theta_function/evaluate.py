@@ -142,11 +142,13 @@ def _enclose(tau: Exact, beta: Exact, derivative: int, goal: int, max_bits: int 
     if derivative and isinstance(beta, fmpq) and beta.q == 1 and 0 <= beta.p < derivative:
         return arb(0), "polynomial", 0, None
     shifted, factor = shifted_parameter(beta, derivative, goal) if derivative else (beta, fmpq(1))
-    found = _exact_polynomial(tau, shifted, goal)
-    if found is None and max_bits is None and isinstance(tau, fmpq) and isinstance(shifted, fmpq):
+    found: _Found | None = None
+    if max_bits is None and isinstance(tau, fmpq) and isinstance(shifted, fmpq):
         near = near_value(tau, shifted, goal + 2)
         if near is not None and relative_bits(near[0]) >= goal + 2:
             found = near[0], "taylor", near[1], None
+    if found is None:
+        found = _exact_polynomial(tau, shifted, goal)
     if found is None:
         worth = min(goal + 2, _bits_of_input(tau, shifted))
         found = _of_inputs(tau, shifted, worth, max_bits)

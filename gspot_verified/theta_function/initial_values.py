@@ -71,7 +71,7 @@ def _entire_form(beta: Exact, bits: int) -> InitialValues:
 def _few_bits(p: int, q: int) -> InitialValues:
     """The entire form at p/q at the current precision, with fewer steps: no argument of 1/Gamma is next to a zero."""
     below, log = 3 * q, arb(3).log()
-    first, second, other = ((arb(j * q - p) / below).rgamma() for j in range(3))
+    first, second, other = (arb(-p) / below).rgamma(), (arb(q - p) / below).rgamma(), (arb(2 * q - p) / below).rgamma()
     constant = 2 * arb.pi() * (log * (4 * p - below) / (2 * below)).exp()
     return _products(first, second, other, constant, (log / 3).exp())
 

@@ -27,10 +27,14 @@ _LN2 = math.log(2)
 def near_value(tau: fmpq, beta: fmpq, goal: int) -> tuple[arb, int] | None:
     """An enclosure of Theta(tau, beta) planned for ``goal`` bits, and the working bits; None: not this case.
 
+    An integer beta is not: its polynomial gives the exact value.
+
     At the first visit to a beta the series is summed for this tau alone, from the second on its polynomial is kept.
     """
+    if goal > _MOST_BITS:
+        return None
     p, q = int(beta.p), int(beta.q)
-    if goal > _MOST_BITS or abs(p) > _LARGEST_BETA * q or p.bit_length() + q.bit_length() > _LONGEST_HEIGHT:
+    if q == 1 or abs(p) > _LARGEST_BETA * q or p.bit_length() + q.bit_length() > _LONGEST_HEIGHT:
         return None
     above, below = int(tau.p), int(tau.q)
     if not -_FARTHEST_LEFT * below <= above <= _FARTHEST_RIGHT * below:
