@@ -23,7 +23,7 @@ def expand_in_balls(
 ) -> Trajectory:
     """The terms as balls, computed with ``bits`` working bits, whatever the numbers of the system.
 
-    Exact coefficients of order n have about n^1.5 bits; balls have as many at every order, so that high orders cost a
+    Exact coefficients of order n have about n^2 bits; balls have as many at every order, so that high orders cost a
     small part of the time. ``accuracy.certain_bits`` says what is left of the bits.
 
     :raises TypeError: ``order`` is not an int, or the numbers of the system are symbols.

@@ -38,12 +38,12 @@ def _in_balls(order: int) -> Call:
 def _contestants() -> tuple[Contestant, ...]:
     return (
         Contestant(
-            "this library, exact", CERTIFIED, _ORDERS, _exact, _MORE, exponent=4.5,
-            theory="n orders, n products each, n/6 coefficients of about n^(3/2) bits: n^(9/2) with fast products",
+            "this library, exact", CERTIFIED, _ORDERS, _exact, _MORE, exponent=5.0,
+            theory="n/18 products for each of n/18 blocks, coefficients of about n^2 bits: n^5 with fast products",
         ),
         Contestant(
             "this library, in balls", CERTIFIED, _ORDERS, _in_balls, _MORE, exponent=4.0,
-            theory="the same products with a number of bits that grows like n",
+            theory="n orders, n products each, with a number of bits that grows like n",
         ),
         Contestant(
             "sympy, exact", CERTIFIED, _SYMPY, lambda order: partial(sympy_extended, order), _SYMPY_MORE,
