@@ -137,7 +137,7 @@ def test_the_list(capsys: pytest.CaptureFixture[str]) -> None:
         (("fig-varsim1", "--eps", "-1e-3"), "epsilon must be > 0"),
         (("fig-varsim1", "--set", "chi=1"), "no setting 'chi'"),
         (("fig-varsim1", "--set", "nu"), "expected name=value"),
-        (("fig-varsim1", "--journal", "a.journal"), "give --float or --compare"),
+        (("fig-varsim2", "--budget", "0"), "budget must be >= 1, got 0"),
         (("fig-varsim1", "--picture", "a.jpg"), "allowed: .png, .pdf, .svg"),
         (("fig-varsim1", "--float", "--points", "1", "--csv", "a.csv"), "points: expected 2..1000000, got 1"),
         (("oscillator", "--nu", "1"), "no setting 'nu'"),

@@ -37,6 +37,8 @@ PLAIN = {
     "cost.sign.SignCost": "times that were measured",
     "cost.expand.Size": "times that were measured",
     "expansion.time_series.TimeSeries": "coefficients; what is claimed of them is in the trajectory's accuracy",
+    "integrator.chosen_step.ChosenStep": "what heuristics chose, which claims nothing",
+    "integrator.fast_decay.DecayState": "numbers that a heuristic goes on from",
     "cost.measure.Timing": "times that were measured",
     "expansion.trajectory.Trajectory": "coefficients; what is claimed of them is in .accuracy",
 }

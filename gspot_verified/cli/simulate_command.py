@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, print_json, warn
+from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
 from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
@@ -50,16 +50,18 @@ def simulate(
     npz: Annotated[Path | None, typer.Option(help="The same as numpy arrays.")] = None,
     picture: Annotated[Path | None, typer.Option(help="Draw λ_N, y and b: PNG, PDF or SVG by the suffix.")] = None,
     journal: Annotated[
-        Path | None, typer.Option(help="Keep the float run's progress here; the same command goes on after a kill.")
+        Path | None, typer.Option(help="Keep what is done here; the same command goes on after a kill.")
     ] = None,
+    budget: Annotated[int, typer.Option(help="How many steps the integrator may make at each precision.")] = 20_000,
     as_json: JsonFlag = False,
 ) -> None:
     """What a scene does: lift-off, touch-down, stick, impact without collision; certified, or simulated with --float.
 
     Events are listed up to --until, all of them; a run also ends where an impact without collision lasts for ever. The
     exact solution answers for all times, whatever --until is: it is used for the linear model scene where it decides.
-    Samples of a certified run are enclosures: a column of midpoints and one of radii. Exit code 0 when the certified
-    run is proved, 2 when something is undecided: a float run always is.
+    --journal keeps what the integrator chose for each step, and proves all of it again when it goes on; with --compare
+    the float run has FILE.float. Samples of a certified run are enclosures: a column of midpoints and one of radii.
+    Exit code 0 when the certified run is proved, 2 when something is undecided: a float run always is.
     """
     from gspot_verified.scenes.certified_run import certified_run
     from gspot_verified.scenes.file import load_scene
@@ -68,19 +70,20 @@ def simulate(
 
     if floats and compare:
         raise ValueError("give --float or --compare, not both")
-    if journal is not None and not (floats or compare):
-        raise ValueError("--journal keeps a float run: give --float or --compare")
     outputs = Outputs()
     outputs.file("--csv", csv, (".csv",))
     outputs.file("--npz", npz, (".npz",))
     outputs.file("--picture", picture, PICTURES)
     outputs.file("--journal", journal)
+    of_floats = journal.with_name(f"{journal.name}.float") if journal is not None and compare else journal
+    if of_floats != journal:
+        outputs.file("--journal with --compare", of_floats)
     loaded = load_scene(scene).with_settings(**_given(settings or [], beta=beta, nu=nu, eps=eps, until=until))
     sampled = None
     if picture is not None or ((csv is not None or npz is not None) and not compare):
         sampled = points or (_PICTURE_POINTS if csv is None and npz is None else _FILE_POINTS)
-    certified = None if floats else certified_run(loaded, digits, route, sampled)
-    simulated = float_run(loaded, method, tolerance, points, journal) if floats or compare else None
+    certified = None if floats else certified_run(loaded, digits, route, sampled, journal, budget, progress)
+    simulated = float_run(loaded, method, tolerance, points, of_floats) if floats or compare else None
     runs = [run for run in (certified, simulated) if run is not None]
     agree = None if certified is None or simulated is None else agreement(simulated, certified)
     if as_json:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
 
 from gspot_verified.integrator.slow_curve import FAST, SlowCurve
 
@@ -19,6 +21,34 @@ _GAIN_AT_CONSTANT_RATES = 64.0
 _RESOLVED = 5.0
 
 
+@dataclass(frozen=True, slots=True)
+class DecayState:
+    """What a :class:`FastDecay` has learned: eigenvalues, how far each part has decayed, lengths."""
+
+    values: tuple[complex, ...]
+    decayed: tuple[float, ...]
+    scale: float
+    length: float
+    limit: float
+
+    def to_json(self) -> list[Any]:
+        """Plain data; floats as Python writes them, so that they are read back unchanged."""
+        pairs = [[value.real, value.imag] for value in self.values]
+        return [pairs, list(self.decayed), self.scale, self.length, self.limit]
+
+    @classmethod
+    def from_json(cls, data: Any) -> DecayState:
+        """What was written.
+
+        :raises ValueError: it is not of this form.
+        """
+        pairs, decayed, *lengths = data
+        numbers = [*(part for pair in pairs for part in pair), *decayed, *lengths]
+        if not all(type(x) is float for x in numbers) or len(lengths) != 3 or len(pairs) != len(decayed):
+            raise ValueError("not the state of a decay")
+        return cls(tuple(complex(*pair) for pair in pairs), tuple(decayed), *lengths)
+
+
 class FastDecay:
     """Follows the eigenvalues from step to step: how far each has decayed, how fast all of them change."""
 
@@ -29,9 +59,20 @@ class FastDecay:
         self._length = 0.0
         self._limit = math.inf
 
+    @property
+    def state(self) -> DecayState:
+        """All that it has learned."""
+        return DecayState(tuple(self._last), tuple(self._decayed), self._scale, self._length, self._limit)
+
+    @state.setter
+    def state(self, known: DecayState) -> None:
+        """Go on from what was learned before."""
+        self._last, self._decayed = list(known.values), list(known.decayed)
+        self._scale, self._length, self._limit = known.scale, known.length, known.limit
+
     def passed(self, values: Sequence[complex], h: float) -> None:
         """A step of length h with these eigenvalues."""
-        now = sorted(values, key=lambda value: (-abs(value), value.imag))
+        now = sorted(map(complex, values), key=lambda value: (-abs(value), value.imag))
         if len(self._last) != len(now):
             self._last, self._decayed = now, [0.0] * len(now)
             return

@@ -14,6 +14,7 @@ from flint import arb, arb_mat, arb_poly
 from gspot_verified.balls import approximate
 from gspot_verified.integrator.adapted_basis import AdaptedBasis, adapted_basis, pieces_along
 from gspot_verified.integrator.choice import log2_of
+from gspot_verified.integrator.chosen_step import ChosenStep, Steps
 from gspot_verified.integrator.fast_decay import FastDecay
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.norm_step import Basis, NormPlan, NormStep, StateSet, norm_step
@@ -52,17 +53,20 @@ class NormSegment:
 class NormRun:
     """Segments from an initial box; iterate over it. ``reason`` says why the iteration ended early, if it did.
 
+    ``steps``: what an interrupted run has chosen, to be proved again, and who is told of each step that is proved.
+
     :raises ValueError: a box of another dimension, or a component that is not finite.
     """
 
     def __init__(
-        self, field: VectorField, box: Sequence[arb], time: arb | None = None, max_steps: int = MAX_STEPS
+        self, field: VectorField, box: Sequence[arb], time: arb | None = None, steps: Steps | None = None
     ) -> None:
         if len(box) != field.dimension:
             raise ValueError(f"box: expected {field.dimension} components, got {len(box)}")
         if not all(side.is_finite() for side in box):
             raise ValueError("box: every component must be finite")
-        self.field, self.end, self.max_steps = field, time, max_steps
+        self.field, self.end = field, time
+        self.steps = Steps(MAX_STEPS) if steps is None else steps
         self.time = arb(0)
         self.reason: str | None = None
         """Why the iteration ended before the time, if it did."""
@@ -71,19 +75,42 @@ class NormRun:
         self.set = self._of_box(box)
 
     def __iter__(self) -> Iterator[NormSegment]:
-        for _ in range(self.max_steps):
+        while self.steps.left > 0:
             left = None if self.end is None else self.end - self.time
-            step = self._slow_step(left) or self._step(left)
+            step = self._known_step(left) or self._slow_step(left) or self._step(left)
             if step is None:
                 self.reason = "no step could be proved: the solution, or the right-hand side, may cease to exist here"
                 return
             segment = NormSegment(self.time, step)
             self.set = step.end(self._curve.exact([p(arb(1)) for p in step.solution]))
             self.time = segment.end_time
+            h = None if step.h is left else step.h
+            chosen = ChosenStep(step.solution, h, self._plan_in_use, self._curve.length, self._decay.state)
+            self.steps.proved(chosen, self.time)
             yield segment
             if step.h is left:
                 return
-        self.reason = f"the budget of {self.max_steps} steps ended"
+        self.reason = f"the budget of {self.steps.budget} steps ended"
+
+    def _known_step(self, left: arb | None) -> NormStep | None:
+        """A step that was chosen before, proved here; None: nothing is known, or it cannot be proved."""
+        chosen = self.steps.known()
+        if chosen is None or len(chosen.solution) != self.field.dimension:
+            return None
+        h = left if chosen.h is None else chosen.h
+        if h is None or not (h is left or left is None or h < left):
+            return None
+        try:
+            step = self._proved(chosen.solution, h, chosen.plan)
+        except (ValueError, ZeroDivisionError):
+            return None
+        if step is not None:
+            self._curve.length, self._decay.state = chosen.length, chosen.decay
+        return step
+
+    def _proved(self, solution: Sequence[arb_poly], h: arb, plan: NormPlan) -> NormStep | None:
+        self._plan_in_use = plan
+        return norm_step(self.field, solution, self.set, h, plan)
 
     def _of_box(self, box: Sequence[arb]) -> StateSet:
         size = len(box)
@@ -98,8 +125,7 @@ class NormRun:
             try:
                 h, solution = self._curve.advance(self.set.middle, left, halving)
                 for pieces in _PIECES:
-                    plan = self._plan(solution, h, pieces)
-                    step = norm_step(self.field, solution, self.set, h, plan)
+                    step = self._proved(solution, h, self._plan(solution, h, pieces))
                     if step is not None:
                         return step
             except (ValueError, ZeroDivisionError, np.linalg.LinAlgError):
@@ -134,7 +160,7 @@ class NormRun:
         for dependency in _DEPENDENCIES:
             pieces = pieces_along(found.jacobian, length, _MOST_PIECES, dependency)
             plan = self._plan_of(found.solution, arb(length), pieces)
-            step = norm_step(self.field, found.solution, self.set, arb(length), plan)
+            step = self._proved(found.solution, arb(length), plan)
             if step is None or max(map(log2_of, step.tube)) < before + _GROWTH_BITS:
                 break
         return step

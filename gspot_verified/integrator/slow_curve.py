@@ -83,30 +83,31 @@ def slow_curve(field: VectorField, middle: Sequence[arb], h: float, order: int, 
 
 
 class _Solver:
-    """δ' - h J(τ) δ = r in coefficients, with the slow coordinates of δ(0) given and the fast ones free."""
+    """δ' - h J(τ) δ = r in coefficients, with the slow coordinates of δ(0) given and the fast ones free.
+
+    The unknowns stand by degree, the start of the slow coordinates before all equations: so the entries fill a band as
+    wide as the degree of J. LAPACK's routines for bands are faster than a full LU, and leave other cores alone.
+    """
 
     def __init__(self, jacobian: NDArray[np.float64], basis: Matrix, slow: NDArray[np.bool_], h: float) -> None:
-        from scipy.linalg import lu_factor
-
         length, size, _ = jacobian.shape
         self._basis, self._inverse, self._slow = basis, np.linalg.inv(basis), slow
         turned = h * np.einsum("ij,kjl,lm->kim", self._inverse, jacobian, basis)
         table = np.zeros((length, size, length, size))
         each = np.arange(length)
-        for j in np.flatnonzero(np.abs(turned).max(axis=(1, 2)) > _NEGLIGIBLE * np.abs(turned).max()):
+        seen = np.flatnonzero(np.abs(turned).max(axis=(1, 2)) > _NEGLIGIBLE * np.abs(turned).max())
+        for j in seen:
             table[each[j:], :, each[: length - j], :] -= turned[j]
-        for k in range(length - 1):
-            table[k, :, k + 1, :] += (k + 1) * np.eye(size)
-        table[-1, slow] = 0
-        table[-1, slow, 0, :] = np.eye(size)[slow]
-        flat = table.reshape(length * size, length * size)
+        table[each[:-1], :, each[1:], :] += each[1:, None, None] * np.eye(size)
+        self._kept = np.concatenate([np.ones((length - 1) * size, dtype=bool), np.logical_not(slow)])
+        flat = np.concatenate([np.eye(size, length * size)[slow], table.reshape(length * size, -1)[self._kept]])
         self._scale = 1 / np.abs(flat).max(axis=1)
-        self._factors = lu_factor(flat * self._scale[:, None])
+        given = int(slow.sum())
+        below = min(int(seen.max(initial=0)) * size + size - 1 + given, length * size - 1)
+        self._band = _Band(flat * self._scale[:, None], below, size - given)
 
     def moves(self, residuals: list[list[arb]], gap: list[arb], level: float, order: int) -> Matrix:
         """The corrections of the coefficients, by degree and component, in units of 2^level."""
-        from scipy.linalg import lu_solve
-
         unit = arb((1, -round(level)))
         size = len(gap)
         right = np.zeros((order + 1, size))
@@ -115,9 +116,35 @@ class _Solver:
                 right[k, i] = approximate(value * unit)
         right = np.dot(right, self._inverse.T)
         start = np.dot(self._inverse, np.array([approximate(value * unit) for value in gap]))
-        right[-1, self._slow] = start[self._slow]
-        solved = lu_solve(self._factors, right.ravel() * self._scale).reshape(order + 1, size)
-        found: Matrix = np.dot(solved, self._basis.T)
+        ordered = np.concatenate([start[self._slow], right.ravel()[self._kept]])
+        found: Matrix = np.dot(self._band.solve(ordered * self._scale).reshape(order + 1, size), self._basis.T)
+        return found
+
+
+class _Band:
+    """The factors of a matrix with entries in so many diagonals below and above the main one.
+
+    :raises numpy.linalg.LinAlgError: the matrix is singular.
+    """
+
+    def __init__(self, matrix: Matrix, below: int, above: int) -> None:
+        from scipy.linalg.lapack import dgbtrf
+
+        self._widths = below, above
+        stored = np.zeros((2 * below + above + 1, len(matrix)))
+        for offset in range(-above, below + 1):
+            entries = np.diagonal(matrix, -offset)
+            first = max(-offset, 0)
+            stored[below + above + offset, first : first + len(entries)] = entries
+        self._factors, self._pivots, failure = dgbtrf(stored, below, above)
+        if failure:
+            raise np.linalg.LinAlgError("singular")
+
+    def solve(self, right: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The solution for one right-hand side."""
+        from scipy.linalg.lapack import dgbtrs
+
+        found: NDArray[np.float64] = dgbtrs(self._factors, *self._widths, right, self._pivots)[0]
         return found
 
 

@@ -36,8 +36,13 @@ class TaylorCurve:
 
     @property
     def length(self) -> float:
-        """Of the last step."""
+        """Of the last step; the next one starts from it."""
         return self._guess
+
+    @length.setter
+    def length(self, known: float) -> None:
+        """Start the next step from this length."""
+        self._guess = known
 
     def fraction_bits(self, state: Sequence[arb]) -> int:
         """How many bits after the point leave the largest component exact at the precision in force."""
@@ -78,7 +83,7 @@ class TaylorCurve:
 
     def _change(self, table: list[list[int]]) -> float:
         """By how much the length may change for last terms near the rounding errors and sums that are not too large."""
-        sizes = [max(abs(row[k]) for row in table).bit_length() for k in range(self.order + 1)]
+        sizes = [max(map(int.bit_length, column)) for column in zip(*table, strict=True)]
         last = max((k for k in range(self.order + 1) if sizes[k] > _NOISE_BITS), default=0)
         tail = float(sizes[-1])
         if last < self.order - 2:

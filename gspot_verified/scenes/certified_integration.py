@@ -5,24 +5,32 @@ Proof pages: ``proofs/norm_step.md``, ``proofs/validated_step.md``, ``proofs/inv
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import float_bounds, rounded_text, working_bits
+from gspot_verified.balls import approximate, float_bounds, rounded_text, working_bits
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase, Open
 from gspot_verified.scenes.certified_phases import CertifiedPhases
+from gspot_verified.scenes.contact_form import NotOfThisForm
 from gspot_verified.scenes.effects.terms import FLIGHT, STICK
 from gspot_verified.scenes.invariant_region import Growth, InvariantRegion
 from gspot_verified.scenes.run import CERTIFIED, IMPACT, OPEN, RunEvent, SceneRun, fate_of
+from gspot_verified.scenes.run_journal import question
+from gspot_verified.scenes.run_steps import Progress, RunSteps
 from gspot_verified.scenes.scene import Scene, SceneError
 from gspot_verified.scenes.segment_samples import Observer, SegmentSamples, Step
+from gspot_verified.scenes.step_journal import FORMAT, StepJournal
 from gspot_verified.verdict import Reason, Verdict
 
 MAX_EVENTS = 200
+MAX_STEPS = 20_000
 BITS = (192, 320, 576)
+SMALL = fmpq(1, 10**6)
+"""From here on down 192 bits are too few for a mechanism: its runs begin at 320. The model system has enough."""
 MAX_DIGITS = 80
 _DIGIT_BITS = 3.33
 _SPARE_DIGITS = 5
@@ -39,7 +47,13 @@ class _Record:
 
 
 def integrated_run(
-    scene: Scene, digits: int = 15, bits: tuple[int, ...] | None = None, sampled: bool = False
+    scene: Scene,
+    digits: int = 15,
+    bits: tuple[int, ...] | None = None,
+    sampled: bool = False,
+    journal: Path | None = None,
+    budget: int = MAX_STEPS,
+    progress: Progress = lambda _: None,
 ) -> SceneRun:
     """The events until ``scene.until``, or until an impact without collision is shown to last for ever; or undecided,
     with the events that are certain and the reason.
@@ -47,26 +61,58 @@ def integrated_run(
     :param digits: 1..80, decimals of the times of the events in the unit epsilon.
     :param bits: working precisions to try, one after the other.
     :param sampled: keep enclosures of the trajectory at some times of each step.
-    :raises SceneError: digits out of range.
+    :param journal: a file that keeps what was chosen for each step; a run that was interrupted goes on from there, to
+        the same result. All of it is proved again, so that a journal that was changed cannot make the result wrong.
+        Where it cannot be written (a full disk) the run goes on without it, and ``notes`` says so.
+    :param budget: how many steps may be made at each precision; where it ends the run is undecided, and says where.
+    :raises SceneError: digits or budget out of range.
+    :raises ValueError: the journal is that of another run, or a line of it is damaged.
+    :raises OSError: the journal cannot be opened.
     """
     if not 1 <= digits <= MAX_DIGITS:
         raise SceneError(f"digits must lie in 1..{MAX_DIGITS}, got {digits}")
+    if budget < 1:
+        raise SceneError(f"budget must be >= 1, got {budget}")
     extra = round(max(0, digits - 15) * _DIGIT_BITS)
+    first = 1 if scene.mechanism is not None and scene.epsilon <= SMALL else 0
+    precisions = bits or tuple(value + extra for value in BITS[first:])
+    kept = None if journal is None else StepJournal(journal, question(scene, _asked(digits, precisions)))
     record, samples = _Record(), None
-    for precision in bits or tuple(value + extra for value in BITS):
+    for precision in precisions if kept is None else _not_left_behind(precisions, kept):
+        steps = RunSteps(budget, precision, approximate(scene.epsilon), kept, progress)
         with working_bits(precision):
             samples = SegmentSamples(scene) if sampled else None
-            record = _run(scene, samples)
-        if record.open is None and all(_narrow(event, scene.epsilon, digits) for event in record.events):
+            record = _run(scene, samples, steps)
+        narrow = all(_narrow(event, scene.epsilon, digits) for event in record.events)
+        if narrow if record.open is None else _is_budget(record.open):
             break
-    return replace(_result(scene, record), samples=None if samples is None else samples.samples())
+    found = replace(_result(scene, record), samples=None if samples is None else samples.samples())
+    return found if kept is None or not kept.failure else replace(found, notes=(kept.failure,))
+
+
+def _asked(digits: int, precisions: Sequence[int]) -> dict[str, object]:
+    """What a journal's first line says beside the scene. Another version may choose other steps, and is refused."""
+    from gspot_verified import __version__
+
+    return {"certified": FORMAT, "digits": digits, "bits": list(precisions), "version": __version__}
+
+
+def _not_left_behind(precisions: Sequence[int], kept: StepJournal) -> Sequence[int]:
+    """From the last precision on that a journal holds steps of: those before it were not enough. It need not be true:
+    which precisions are tried is a choice."""
+    reached = [precisions.index(line["bits"]) for line in kept.lines if line.get("bits") in precisions]
+    return precisions[max(reached, default=0) :]
+
+
+def _is_budget(reached: Open) -> bool:
+    return "budget" in reached.reason
 
 
 def _narrow(event: RunEvent, epsilon: fmpq, digits: int) -> bool:
     return bool(event.upper - event.lower <= epsilon * fmpq(1, 10 ** (digits + _SPARE_DIGITS)))
 
 
-def _run(scene: Scene, samples: SegmentSamples | None) -> _Record:
+def _run(scene: Scene, samples: SegmentSamples | None, steps: RunSteps) -> _Record:
     """The whole run at the precision in force."""
     record, phases = _Record(), CertifiedPhases(scene)
     start = {name: arb(value) for name, value in scene.scaled_initial().items()} | {CLOCK: arb(0)}
@@ -80,7 +126,8 @@ def _run(scene: Scene, samples: SegmentSamples | None) -> _Record:
         observer: Observer = _ImpactObserver(phase, began, scene.epsilon, record)
         if samples is not None:
             observer = samples.beside(observer, phase.system, began)
-        found = phase.run(start, (end - began).upper(), now.at_zero, observer)
+        steps.begins(now.phase, began)
+        found = phase.run(start, (end - began).upper(), now.at_zero, observer, steps)
         if isinstance(found, Open):
             record.open = Open(found.reason, began + found.time)
             return record
@@ -107,7 +154,7 @@ class _ImpactObserver:
         if phase.system.phase != FLIGHT:
             try:
                 self._region = InvariantRegion(phase.system)
-            except ValueError:
+            except NotOfThisForm:
                 self._region = None
 
     def __call__(self, segment: Step, states: Mapping[str, arb]) -> bool:
@@ -155,5 +202,5 @@ def _result(scene: Scene, record: _Record) -> SceneRun:
     known = f"certain before it: {fate_of(names)}"
     at = (record.open.time * scene.epsilon).str(10)
     detail = "; ".join(filter(None, (f"{record.open.reason} (t = {at} after the start)", known, remarks)))
-    reason = Reason.BUDGET if "budget" in record.open.reason else Reason.HYPOTHESIS
+    reason = Reason.BUDGET if _is_budget(record.open) else Reason.HYPOTHESIS
     return SceneRun(CERTIFIED, OPEN, events, Verdict.undecided("the events of the run", reason, detail))

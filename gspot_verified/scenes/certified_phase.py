@@ -12,6 +12,7 @@ from flint import arb, fmpq
 
 from gspot_verified.expansion.derivative import ZERO, lie_derivative
 from gspot_verified.expansion.expressions import Constant, Expression, in_order
+from gspot_verified.integrator.chosen_step import Steps
 from gspot_verified.integrator.event import Crossing, Unclear, Watch
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.norm_run import NormRun, NormSegment
@@ -60,12 +61,17 @@ class CertifiedPhase:
         self._resting = [name for name, rate in zip(self.names, rates, strict=True) if rate is ZERO]
 
     def run(
-        self, start: Mapping[str, arb], time: arb, at_zero: Mapping[str, int | None], observer: Observer
+        self,
+        start: Mapping[str, arb],
+        time: arb,
+        at_zero: Mapping[str, int | None],
+        observer: Observer,
+        steps: Steps | None = None,
     ) -> PhaseEnd | Open:
         """The phase from the states at its start, for a time.
 
         ``at_zero``: the events whose functions vanish there, and the first of their derivatives that does not, where
-        it is known.
+        it is known. ``steps``: what an interrupted run has chosen, to be proved again.
         """
         box = [start[name] for name in self.names]
         watches = []
@@ -76,7 +82,7 @@ class CertifiedPhase:
             if order is None:
                 return Open(f"the phase begins where {event.name} cannot be told from the start", arb(0))
             watches.append(Watch(event.name, -event.function, self.field, order))
-        run = NormRun(self.field, box, time)
+        run = NormRun(self.field, box, time, steps)
         for segment in run:
             found = [watch.along(segment) for watch in watches]
             if any(found):

@@ -5,15 +5,18 @@ Proof pages: ``proofs/flight.md``, section 8; those of ``certified_integration.p
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from flint import fmpq
 
 from gspot_verified.compliant.normal_form import compliant_model, compliant_state
 from gspot_verified.compliant.run import IMPACT as LASTING
 from gspot_verified.compliant.run import ONE_FLIGHT, Run, compliant_run
 from gspot_verified.compliant.run import TRIVIAL as CONSTANT
-from gspot_verified.scenes.certified_integration import integrated_run
+from gspot_verified.scenes.certified_integration import MAX_STEPS, integrated_run
 from gspot_verified.scenes.certified_samples import certified_samples
 from gspot_verified.scenes.run import CERTIFIED, FLIGHT_THEN_IMPACT, IMPACT, OPEN, TRIVIAL, RunEvent, SceneRun
+from gspot_verified.scenes.run_steps import Progress
 from gspot_verified.scenes.scene import Scene, SceneError
 from gspot_verified.verdict import Outcome
 
@@ -23,7 +26,15 @@ LINEAR = {"compliant_contact", "lift_off"}
 EXACT, INTEGRATOR = "exact", "integrator"
 
 
-def certified_run(scene: Scene, digits: int = 15, route: str | None = None, points: int | None = None) -> SceneRun:
+def certified_run(
+    scene: Scene,
+    digits: int = 15,
+    route: str | None = None,
+    points: int | None = None,
+    journal: Path | None = None,
+    budget: int = MAX_STEPS,
+    progress: Progress = lambda _: None,
+) -> SceneRun:
     """The events of the run with certified brackets, and its end as a statement for all times; or undecided.
 
     :param digits: 1..80, decimals of the lift-off time in the unit of the G-spot (exact), of the times of all events
@@ -32,6 +43,7 @@ def certified_run(scene: Scene, digits: int = 15, route: str | None = None, poin
         None: the exact solution where it covers the scene and decides, else the integrator.
     :param points: enclosures of the trajectory: by the exact solution at so many equal steps of time, by the integrator
         at the ends of its own steps; None: none.
+    :param journal, budget: of the integrator, as :func:`integrated_run` has them; the exact solution needs none.
     :raises SceneError: an unknown route, or the exact solution does not cover the scene.
 
     >>> from gspot_verified.scenes.file import load_scene
@@ -40,16 +52,14 @@ def certified_run(scene: Scene, digits: int = 15, route: str | None = None, poin
     """
     if route not in (None, EXACT, INTEGRATOR):
         raise SceneError(f"route: expected {EXACT} or {INTEGRATOR}, got {route!r}")
-    if route == INTEGRATOR:
-        return integrated_run(scene, digits, sampled=points is not None)
-    reason = not_covered(scene)
+    reason = not_covered(scene) if route != INTEGRATOR else ""
     if reason is None:
         run = _exact_run(scene, digits, points)
         if route == EXACT or run.fate != OPEN:
             return run
     elif route == EXACT:
         raise SceneError(reason)
-    return integrated_run(scene, digits, sampled=points is not None)
+    return integrated_run(scene, digits, None, points is not None, journal, budget, progress)
 
 
 def _exact_run(scene: Scene, digits: int, points: int | None) -> SceneRun:

@@ -18,6 +18,10 @@ from gspot_verified.scenes.effects.terms import FLIGHT
 from gspot_verified.scenes.scaled_system import ScaledSystem
 
 
+class NotOfThisForm(ValueError):
+    """The equations are not of the form that the theorems on growing force cover: no impact is shown by them."""
+
+
 @dataclass(frozen=True)
 class ContactBounds:
     """Enclosures over a box of states, clock and force λ: F = dV/dT and H, each at λ = 0 and its derivative by λ; the
@@ -46,7 +50,7 @@ class ContactForm:
     The contact must be Y' = V, Z' = -kappa Z - gamma lambda, lambda = k (Z - Y) with constants, and every other rate a
     function of lambda and of the states without Z. ``slow``: the components other than Y, V, Z.
 
-    :raises ValueError: the equations are not of this form.
+    :raises NotOfThisForm: the equations are not of this form.
     """
 
     def __init__(self, system: ScaledSystem) -> None:
@@ -59,7 +63,7 @@ class ContactForm:
         closing = [_constant(partial_derivative(system.right_hand_side[Z], i, size + 1)) for i in range(size + 1)]
         self.k = slopes[Z]
         if not (self.k > 0 and slopes == _at(size + 1, {Z: self.k, Y: -self.k}) and _at_zero(force, size) == 0):
-            raise ValueError("the force is not of the form that the invariant region covers")
+            raise NotOfThisForm("the force is not of the form that the invariant region covers")
         # Z' = -κZ - γk (Z - Y)
         self.gamma = closing[Y] / self.k
         self.kappa = -closing[Z] - closing[Y]
@@ -74,7 +78,7 @@ class ContactForm:
         roots = [rate for i, rate in enumerate(system.right_hand_side) if i != Z] + stops
         table = _with_force(roots, Y, Z, self.k, size + 1)
         if not sound or any(Z in _variables(table[root]) for root in roots):
-            raise ValueError("the contact is not of the form that the invariant region covers")
+            raise NotOfThisForm("the contact is not of the form that the invariant region covers")
         rates = [ZERO if i == Z else table[rate] for i, rate in enumerate(system.right_hand_side)]
         self._compile(rates, [table[stop] for stop in stops])
 
@@ -104,13 +108,8 @@ class ContactForm:
         self, slope: Expression, flow: Sequence[Expression], still: Expression, push: Expression
     ) -> bool:
         """Whether q = -∂F/∂λ rises at a constant rate >= 0, and H is a constant plus a constant times λ."""
-        try:
-            drift = _constant(lie_derivative(slope, flow))
-            _constant(still)
-            _constant(push)
-        except ValueError:
-            return False
-        return bool(drift <= 0)
+        drift = _rational(lie_derivative(slope, flow))
+        return drift is not None and bool(drift <= 0) and None not in (_rational(still), _rational(push))
 
     def acceleration(self, box: Sequence[arb]) -> arb:
         """F on a box of states, clock and λ."""
@@ -175,10 +174,15 @@ def _at_zero(expression: Expression, size: int) -> fmpq:
 def _constant(expression: Expression) -> fmpq:
     """The rational that an expression is.
 
-    :raises ValueError: it is not seen to be one.
+    :raises NotOfThisForm: it is not seen to be one.
     """
-    code = StraightLine()
-    found = code.number(code.value(expression))
+    found = _rational(expression)
     if found is None:
-        raise ValueError("not a constant")
+        raise NotOfThisForm("a coefficient of the contact is not a constant")
     return found
+
+
+def _rational(expression: Expression) -> fmpq | None:
+    """The rational that an expression is seen to be; None: it is not."""
+    code = StraightLine()
+    return code.number(code.value(expression))

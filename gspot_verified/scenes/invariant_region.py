@@ -41,7 +41,7 @@ Impulse = Callable[[ContactBounds], arb | None]
 class InvariantRegion:
     """The growth cones of one phase in contact. Its structure is read off the equations, and checked.
 
-    :raises ValueError: the equations are not of the form of :class:`ContactForm`.
+    :raises NotOfThisForm: the equations are not of the form of :class:`ContactForm`.
     """
 
     def __init__(self, system: ScaledSystem) -> None:
@@ -90,20 +90,24 @@ class InvariantRegion:
         for _ in range(_STOP_TRIES):
             time = (time * _LONGER).upper()
             largest = self._kept_until(cone, box, time, arb(0), impulse)
-            if largest is not None and box[-1] * ((a * time).exp() - 1) / a > largest:
+            if largest is None:  # nor is it for longer
+                return None
+            if box[-1] * ((a * time).exp() - 1) / a > largest:
                 return time
         return None
 
     def _most_times(self, cone: Cone, box: list[arb]) -> int | None:
         """Theorem R5: how many times λ can be seen to grow, among some powers of 2."""
-        low, high = -1, len(_DOUBLINGS)
+        if not self._holds_until(cone, box, 2 ** _DOUBLINGS[0]):
+            return None
+        low, high = 0, len(_DOUBLINGS)
         while high - low > 1:
             middle = (low + high) // 2
             if self._holds_until(cone, box, 2 ** _DOUBLINGS[middle]):
                 low = middle
             else:
                 high = middle
-        return 2 ** _DOUBLINGS[low] if low >= 0 else None
+        return 1 << _DOUBLINGS[low]
 
     def _holds_until(self, cone: Cone, box: list[arb], times: int) -> bool:
         largest = (times * box[-1]).upper()

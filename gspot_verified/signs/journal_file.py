@@ -24,7 +24,9 @@ class JournalFile:
         whole = data[: data.rfind(b"\n") + 1]
         lines = whole.decode(errors="replace").split("\n")[:-1]
         if lines[0] != header if lines else not header.encode().startswith(data):
-            raise ValueError(f"{path} is not a journal of this question; choose another file or remove it")
+            other = _differences(lines[0], question) if lines else ""
+            raise ValueError(f"{path} is not a journal of this question{other}; choose another file or remove it")
+        self._header = header
         self.lines = lines[1:]
         with path.open("r+b" if data else "wb") as file:
             file.truncate(len(whole))
@@ -34,4 +36,23 @@ class JournalFile:
     def add(self, data: Any) -> None:
         """Keep one line; it is in the file when this returns."""
         with self.path.open("a", encoding="utf-8") as file:
-            file.write(json.dumps(data) + "\n")
+            line = json.dumps(data)
+            file.write(f"{line}\n")
+        self.lines.append(line)
+
+    def cut(self, count: int) -> None:
+        """Drop all lines but the first ones."""
+        del self.lines[count:]
+        with self.path.open("r+b") as file:
+            file.truncate(sum(len(line.encode()) + 1 for line in (self._header, *self.lines)))
+
+
+def _differences(header: str, question: dict[str, Any]) -> str:
+    """In which parts the question of another journal differs, in words; nothing where the file is no journal."""
+    try:
+        other = json.loads(header)["journal"]
+        known = json.loads(json.dumps(question))
+        parts = sorted(key for key in {*other, *known} if other.get(key) != known.get(key))
+    except (ValueError, TypeError, KeyError, AttributeError):
+        return ""
+    return f" (it differs in: {', '.join(parts)[:200]})"

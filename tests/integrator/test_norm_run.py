@@ -10,6 +10,7 @@ from flint import arb, arb_mat, fmpq
 
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Constant, Cosine, Exponential, Expression, Power, Sine, Variable
+from gspot_verified.integrator.chosen_step import Steps
 from gspot_verified.integrator.event import Crossing, Watch
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.integrate import integrate
@@ -84,7 +85,7 @@ def test_two_integrators_overlap(functions: list[Expression], start: list[fmpq],
 @pytest.mark.parametrize("time", ["1", "2", "1.0000000001"])
 def test_blow_up_is_never_passed(time: str) -> None:
     with working_bits(96):
-        run = NormRun(VectorField([x * x]), [arb(1)], arb(time), max_steps=150)
+        run = NormRun(VectorField([x * x]), [arb(1)], arb(time), steps=Steps(150))
         for segment in run:
             assert segment.end_time < 1
         assert run.reason is not None
@@ -93,7 +94,7 @@ def test_blow_up_is_never_passed(time: str) -> None:
 
 def test_a_square_root_that_ends() -> None:
     with working_bits(96):
-        run = NormRun(VectorField([-Power(x, fmpq(1, 2))]), [arb(1)], arb(3), max_steps=150)
+        run = NormRun(VectorField([-Power(x, fmpq(1, 2))]), [arb(1)], arb(3), steps=Steps(150))
         assert all(segment.end_time < 2 + arb(2) ** -20 for segment in run)
         assert run.reason is not None
 
@@ -106,7 +107,7 @@ def test_boxes_that_are_refused(box: list[arb]) -> None:
 
 def test_a_budget_that_ends() -> None:
     with working_bits(96):
-        run = NormRun(OSCILLATOR, [arb(1), arb(0)], arb(1000), max_steps=3)
+        run = NormRun(OSCILLATOR, [arb(1), arb(0)], arb(1000), steps=Steps(3))
         assert len(list(run)) == 3
         assert run.reason == "the budget of 3 steps ended"
 

@@ -5,6 +5,7 @@ Page: proofs/norm_step.md.
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from flint import arb, fmpq
 
@@ -14,7 +15,7 @@ from gspot_verified.integrator.adapted_basis import pieces_along, spectral_basis
 from gspot_verified.integrator.choice import supersolution
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.norm_run import NormRun
-from gspot_verified.integrator.slow_curve import slow_curve
+from gspot_verified.integrator.slow_curve import _Band, slow_curve
 
 x, y, z = Variable(0), Variable(1), Variable(2)
 SMALL = fmpq(1, 10**5)
@@ -83,8 +84,6 @@ def test_an_oscillation_that_does_not_die_is_kept() -> None:
 
 def test_pieces_follow_a_turning_basis() -> None:
     """An oscillator whose frequency changes: short pieces where the damping is weak, one piece without change."""
-    import numpy as np
-
     constant = np.array([[[0.0, 1.0], [-1.0, -0.1]]])
     changing = np.concatenate([constant, [[[0.0, 0.0], [0.5, 0.0]]]])
     assert len(pieces_along(constant, 500.0, 64, 4.0)) == 1
@@ -113,3 +112,18 @@ def test_a_supersolution() -> None:
     for j in range(2):
         assert sum(rows[j][k] * found[k] for k in range(2)) <= 0.26 * found[j]
     assert all(value > 0 for value in supersolution([[float("nan")]], [1.0], [0.0]))
+
+
+@pytest.mark.parametrize(("below", "above"), [(0, 0), (3, 1), (1, 4), (11, 11)])
+def test_a_band_is_solved_as_a_full_matrix_is(below: int, above: int) -> None:
+    """With small entries on the diagonal, so that rows must be exchanged."""
+    draw = np.random.default_rng(7)
+    full = np.triu(np.tril(draw.normal(size=(12, 12)), above), -below)
+    full[np.diag_indices(12)] *= 1e-3
+    right = draw.normal(size=12)
+    assert np.allclose(_Band(full, below, above).solve(right), np.linalg.solve(full, right), rtol=1e-8)
+
+
+def test_a_singular_band_is_refused() -> None:
+    with pytest.raises(np.linalg.LinAlgError):
+        _Band(np.zeros((3, 3)), 1, 1)
