@@ -112,6 +112,20 @@ def test_a_journal_that_cannot_be_written(
     assert (again, same) == (2, output)
 
 
+def test_a_certified_run_goes_on(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """Out of budget, then on from the journal to the answer of a run without one; the float run has its own file."""
+    kept = tmp_path / "run.journal"
+    words = ("simulate", "fig-varsim2", "--eps", "1/10", "--set", "chi=0", "--until", "3/2")
+    _, whole, _ = run(capsys, *words)
+    code, output, _ = run(capsys, *words, "--journal", str(kept), "--budget", "3")
+    assert code == 2
+    assert "the budget of 3 steps ended (t = " in output
+    assert len(kept.read_text().splitlines()) == 4
+    assert run(capsys, *words, "--journal", str(kept)) == (0, whole, "")
+    run(capsys, *words, "--journal", str(kept), "--compare")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["run.journal", "run.journal.float"]
+
+
 def test_a_contradiction_is_said(capsys: pytest.CaptureFixture[str]) -> None:
     """On the canard: what floats find depends on their rounding, and is said where it is wrong."""
     code, output, errors = run(capsys, "simulate", "fig-varsim1", "--nu", "1", "--compare", "--json")

@@ -21,6 +21,7 @@ from gspot_verified.integrator.slow_curve import slow_curve
 from gspot_verified.scenes.certified_integration import integrated_run
 from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase, Open, PhaseEnd
 from gspot_verified.scenes.certified_run import EXACT, INTEGRATOR, certified_run
+from gspot_verified.scenes.contact_form import NotOfThisForm
 from gspot_verified.scenes.file import load_scene
 from gspot_verified.scenes.float_run import float_run
 from gspot_verified.scenes.invariant_region import InvariantRegion
@@ -331,6 +332,22 @@ def test_long_steps_of_a_mechanism_do_not_widen_the_set() -> None:
         step = run._along(curve, 6496.0)
         assert step is not None
         assert all(radius < arb(2) ** -112 for radius in step.tube)
+
+
+def test_only_a_named_reason_leaves_the_impact_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Equations of another form have no impact by these theorems; any other error is one, and was swallowed."""
+    scene, place = load_scene("fig-varsim1", eps="1/10", until="1/2"), "gspot_verified.scenes.certified_integration"
+
+    def fails(error: ValueError) -> SceneRun:
+        def region(_: object) -> InvariantRegion:
+            raise error
+
+        monkeypatch.setattr(f"{place}.InvariantRegion", region)
+        return integrated_run(scene, bits=(96,))
+
+    assert fails(NotOfThisForm("another contact")).verdict.outcome is Outcome.PROVED
+    with pytest.raises(ValueError, match="a defect"):
+        fails(ValueError("a defect"))
 
 
 def test_what_is_refused() -> None:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -62,6 +64,31 @@ def test_killed_between_any_two_steps(whole: Whole, tmp_path: Path) -> None:
         kept.write_bytes(b"".join(lines[:count]) + torn)
         assert resumed(kept) == run
         assert kept.read_bytes() == b"".join(lines)
+
+
+def test_killed_by_the_system(whole: Whole, tmp_path: Path) -> None:
+    """kill -9 after the third step, in a process of its own: what was done is there, and the run goes on from it."""
+    run, lines = whole
+    kept = tmp_path / "journal"
+    program = """
+import os, signal, sys
+from gspot_verified.signs.journal_file import JournalFile
+write, written = JournalFile.add, []
+def killed(journal, data):
+    write(journal, data)
+    written.append(data)
+    if len(written) == 3:
+        os.kill(os.getpid(), signal.SIGKILL)
+JournalFile.add = killed
+from gspot_verified.scenes.certified_integration import integrated_run
+from gspot_verified.scenes.file import load_scene
+from pathlib import Path
+integrated_run(load_scene("fig-varsim1", eps="1/20", until="1"), bits=(128,), journal=Path(sys.argv[1]))
+"""
+    ended = subprocess.run([sys.executable, "-c", program, str(kept)], check=False)
+    assert ended.returncode == -9
+    assert kept.read_bytes() == b"".join(lines[:4])
+    assert resumed(kept) == run
 
 
 def shrunk(data: dict[str, Any]) -> None:

@@ -17,7 +17,7 @@ from gspot_verified.expansion.derivative import lie_derivative
 from gspot_verified.expansion.expressions import Constant, Expression, Variable
 from gspot_verified.integrator.norm_run import NormRun
 from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase, PhaseEnd
-from gspot_verified.scenes.contact_form import ContactForm
+from gspot_verified.scenes.contact_form import ContactForm, NotOfThisForm
 from gspot_verified.scenes.file import load_scene
 from gspot_verified.scenes.float_function import float_function
 from gspot_verified.scenes.invariant_region import Growth, InvariantRegion
@@ -156,10 +156,10 @@ def test_other_equations_are_refused() -> None:
         [rates[0], rates[1], rates[2], -rates[3]],
     ]
     for changed in others:
-        with pytest.raises(ValueError, match="not"):
+        with pytest.raises(NotOfThisForm, match="not"):
             InvariantRegion(replace(system, right_hand_side=tuple(changed)))
     for shown in (Z + Y, Y - Z, (Z - Y) * (Z - Y), Z - Y + Constant(fmpq(1))):
-        with pytest.raises(ValueError, match="not"):
+        with pytest.raises(NotOfThisForm, match="not"):
             InvariantRegion(replace(system, read_out=(("lambda_N", shown),)))
 
 
