@@ -11,15 +11,18 @@ from dataclasses import replace
 import pytest
 from flint import arb, fmpq
 
-from gspot_verified.balls import working_bits
+from gspot_verified.balls import approximate, working_bits
 from gspot_verified.compliant.normal_form import compliant_model, compliant_state
 from gspot_verified.compliant.side_rule import side_rule
 from gspot_verified.scenes.contact_form import ContactBounds, ContactForm
 from gspot_verified.scenes.file import load_scene
+from gspot_verified.scenes.float_function import float_function
 from gspot_verified.scenes.growth_cone import ContactPoint, FastCone, SlowCone, cones
 from gspot_verified.scenes.invariant_region import InvariantRegion
 
 MODEL = ContactForm(load_scene("fig-varsim1").system("slip"))
+STIFF_SCENE = load_scene("fig-varsim1", k_1=2, k_2="1/3", damping=5)
+STIFF = ContactForm(STIFF_SCENE.system("slip"))
 
 
 def rational(chance: random.Random) -> fmpq:
@@ -143,23 +146,83 @@ def fraction(value: arb) -> tuple[int, int]:
     return int(number.p), int(number.q)
 
 
-def test_cones_hold_the_whole_ball() -> None:
-    """A ball of states that is not certainly in the cone yields none."""
-    chance = random.Random(2)
+def contact_state(form: ContactForm, chance: random.Random) -> list[arb]:
+    """The states, the clock and λ of a point around the cones, for any stiffness."""
+    k, kappa, s = form.k, form.kappa, form.s
+    q, force = (arb(10 ** chance.uniform(*ends)) for ends in ((-2, -0.5), (-1, 2)))
+    a = (k * q).sqrt() * arb(chance.uniform(0.1, 0.5))
+    D = a * force
+    S = (s + a) * D / k * arb(chance.uniform(0.8, 1.6))
+    G = a * S / kappa * arb(chance.uniform(0.8, 3))
+    V = (G - S) / kappa
+    Y = -(D + s * force + k * V) / (kappa * k)
+    values = {"b": -G + q * force, "Y": Y, "V": V, "Z": Y + force / k, "T": (arb("0.5") + q) * 1000}
+    return [*(values[name] for name in (*form.names, "T")), force]
+
+
+@pytest.mark.parametrize("form", [MODEL, STIFF], ids=["paper", "stiff"])
+def test_cones_hold_the_whole_ball(form: ContactForm) -> None:
+    """Each inequality of Theorems R1 and R4. A ball of states that is not certainly in the cone yields none."""
+    chance, kinds = random.Random(2), set[type]()
+    k, kappa, s = form.k, form.kappa, form.s
     with working_bits(128):
-        for _ in range(40):
-            state = states(chance)
-            box = [state[name] for name in (*MODEL.names, "T")] + [state["Z"] - state["Y"]]
-            bounds = MODEL.bounds(box)
-            for cone in cones(MODEL, ContactPoint.of(MODEL, box), bounds):
-                at = ContactPoint.of(MODEL, box)
+        for _ in range(60):
+            box = contact_state(form, chance)
+            bounds, at = form.bounds(box), ContactPoint.of(form, box)
+            for cone in cones(form, at, bounds):
+                kinds.add(type(cone))
                 assert cone.rate * at.force <= at.D
                 if isinstance(cone, FastCone):
-                    assert cone.rate * (2 + cone.rate) * at.force <= at.S
+                    assert cone.rate * (s + cone.rate) * at.force <= k * at.S
                 else:
                     assert isinstance(cone, SlowCone)
-                    assert cone.rate * (at.D + 2 * at.force) <= at.S
-                    assert cone.rate * at.S <= at.G
+                    assert cone.rate * (at.D + s * at.force) <= k * at.S
+                    assert cone.rate * at.S <= kappa * at.G
                     assert cone.c * at.S <= at.D
-            wide = [*box[:-1], arb(box[-1].mid(), box[-1].mid())]
-            assert not list(cones(MODEL, replace(ContactPoint.of(MODEL, box), force=wide[-1]), bounds))
+            wide = arb(box[-1].mid(), box[-1].mid())
+            assert not list(cones(form, replace(at, force=wide), bounds))
+            assert not list(cones(form, replace(at, W=arb(-1)), bounds))
+            assert not list(cones(form, replace(at, G=arb(-1)), bounds))
+            assert not list(cones(form, at, replace(bounds, slope=-bounds.slope)))
+    assert kinds == {FastCone, SlowCone}
+
+
+@pytest.mark.parametrize("form", [MODEL, STIFF], ids=["paper", "stiff"])
+def test_the_point_of_a_cone(form: ContactForm) -> None:
+    """λ' = k (Z' - Y'), with the equations of the scene."""
+    system = (STIFF_SCENE if form is STIFF else load_scene("fig-varsim1")).system("slip")
+    with working_bits(128):
+        box = contact_state(form, random.Random(5))
+        at = ContactPoint.of(form, box)
+        rates = float_function(system.right_hand_side)([approximate(value) for value in box[:-1]])
+    by_name = dict(zip(system.states, rates, strict=True))
+    k, kappa = approximate(form.k), approximate(form.kappa)
+    assert pytest.approx(k * (by_name["Z"] - by_name["Y"])) == approximate(at.D)
+    assert pytest.approx(-by_name["Y"]) == approximate(at.W)
+    assert pytest.approx(-by_name["V"]) == approximate(at.G)
+    assert pytest.approx(-kappa * by_name["Y"] - by_name["V"]) == approximate(at.S)
+
+
+@pytest.mark.parametrize(
+    ("slope", "constant", "factor", "kept"),
+    [
+        ("-0.2101", "0", "0", True),
+        ("-0.2099", "0", "0", False),
+        ("0.2101", "0", "0", False),
+        ("[-0.3 +/- 0.1]", "0", "0", False),
+        ("-0.2301", "0", "0.002", True),
+        ("-0.2299", "0", "0.002", False),
+        ("-0.2301", "0.001", "0", True),
+        ("-0.2299", "0.001", "0", False),
+        ("-0.2101", "-5", "0", True),
+        ("-0.2101", "0", "-5", True),
+        ("-0.2301", "-5", "0.002", True),
+        ("-0.2299", "-5", "0.002", False),
+        ("nan", "0", "0", False),
+    ],
+)
+def test_the_inequality_of_the_fast_cone(slope: str, constant: str, factor: str, kept: bool) -> None:
+    """q >= a (2 + a) + h/a, with a = 1/10 and h = factor + constant/λ_0, λ_0 = 1/2, but not below 0."""
+    cone = FastCone(MODEL, arb("0.1"), arb("0.5"))
+    assert cone.is_kept(of(slope, constant, factor)) is kept
+    assert cone.is_kept_for_ever(of(slope, constant, factor)) is kept
