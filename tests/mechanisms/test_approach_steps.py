@@ -6,6 +6,7 @@ Whole approaches against closed forms: test_approach.py.
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from itertools import pairwise
 from types import SimpleNamespace
 from typing import Any
@@ -88,6 +89,21 @@ def test_the_path_begins_at_the_start_and_has_each_part_of_a_segment_once() -> N
     assert all(len(states) == 2 and states[1] == 10 * time for time, states in attempt.rows)
     assert finite(attempt.least_slip) <= 30
     assert finite(attempt.least_slip) > 29
+
+
+@pytest.mark.parametrize("u", [arb(5), arb(100)])
+def test_the_least_slip_includes_the_end_of_the_path(monkeypatch: pytest.MonkeyPatch, u: arb) -> None:
+    """What is known of u from the last segment to the G-spot counts; and so does what was before."""
+    unchanged = module.capture
+
+    def capture(*given: Any) -> Any:
+        found = unchanged(*given)
+        return None if found is None else replace(found, numbers=replace(found.numbers, u=u))
+
+    monkeypatch.setattr(module, "capture", capture)
+    found = from_model("1/1000", "-1/250", "50")
+    assert found.end == "G-spot"
+    assert finite(found.least_slip) <= u.min(arb(50))
 
 
 def test_lift_off_is_first_where_stick_is_excluded() -> None:
