@@ -19,7 +19,8 @@ _FARTHEST_LEFT = 12
 _LARGEST_BETA = 8
 _MOST_BITS = 800
 _LONGEST_HEIGHT = 40
-_LONGEST_TAU = 128
+# Bits of the integers that one term of a chain brings in.
+_LONGEST_FACTOR = 300
 _GUARD = 8
 _LN2 = math.log(2)
 
@@ -44,8 +45,8 @@ def near_value(tau: fmpq, beta: fmpq, goal: int) -> tuple[arb, int] | None:
 
 
 def one_value(tau: fmpq, beta: fmpq, length: int, bits: int) -> arb:
-    """An enclosure of Theta(tau, beta) from ``length`` Taylor terms: by chains at the first visit to beta."""
-    if first_visit(beta) and tau.height_bits() <= _LONGEST_TAU:
+    """An enclosure of Theta(tau, beta) from ``length`` Taylor terms: by chains at the first visit to a short beta."""
+    if first_visit(beta) and 3 * tau.height_bits() + beta.height_bits() <= _LONGEST_FACTOR:
         return chain_sum(tau, beta, length, bits)
     return taylor_sum(tau, beta, length, bits)
 
