@@ -2,22 +2,14 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Sequence
 from typing import Any
 
 from flint import fmpq
 
 from gspot_verified.balls import approximate
-from gspot_verified.expansion.expressions import (
-    FUNCTION_NAMES,
-    Constant,
-    Expression,
-    Power,
-    Product,
-    Sum,
-    Variable,
-    in_order,
-)
+from gspot_verified.expansion.translation import Target, translated
 from gspot_verified.scenes.effects.lift_off import LIFT_OFF
 from gspot_verified.scenes.effects.terms import SLIP
 from gspot_verified.scenes.scene import Scene, SceneError
@@ -37,7 +29,7 @@ def lift_off_call(scene: Scene, tolerance: float) -> Callable[[], fmpq | None]:
     system = scene.system(SLIP)
     names = heyoka.make_vars(*(f"x{i}" for i in range(len(system.states))))
     force = next(event.function for event in system.events if event.name == LIFT_OFF)
-    *rates, vanishing = _translated([*system.right_hand_side, force], [*names, heyoka.time], heyoka)
+    *rates, vanishing = translated([*system.right_hand_side, force], _in_heyoka([*names, heyoka.time], heyoka))
     start = [approximate(scene.scaled_initial()[name]) for name in system.states]
     falling = heyoka.t_event(vanishing, direction=heyoka.event_direction.negative)
     made = heyoka.taylor_adaptive(list(zip(names, rates, strict=True)), start, tol=tolerance, t_events=[falling])
@@ -55,21 +47,12 @@ def lift_off_call(scene: Scene, tolerance: float) -> Callable[[], fmpq | None]:
     return call
 
 
-def _translated(functions: Sequence[Expression], variables: Sequence[Any], heyoka: Any) -> list[Any]:
-    made: dict[Expression, Any] = {}
-    for node in in_order(functions):
-        parts = [made[part] for part in node.parts()]
-        match node:
-            case Variable(index):
-                made[node] = variables[index]
-            case Constant(value):
-                made[node] = heyoka.expression(approximate(value))
-            case Sum():
-                made[node] = heyoka.sum(parts)
-            case Product():
-                made[node] = parts[0] * parts[1]
-            case Power(_, exponent):
-                made[node] = parts[0] ** approximate(exponent)
-            case _:
-                made[node] = getattr(heyoka, FUNCTION_NAMES[type(node)])(parts[0])
-    return [made[function] for function in functions]
+def _in_heyoka(variables: Sequence[Any], heyoka: Any) -> Target:
+    return Target(
+        variable=lambda index: variables[index],
+        constant=lambda value: heyoka.expression(approximate(value)),
+        sum=heyoka.sum,
+        product=operator.mul,
+        power=lambda base, exponent: base ** approximate(exponent),
+        function=lambda name, part: getattr(heyoka, name)(part),
+    )

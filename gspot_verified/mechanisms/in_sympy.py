@@ -7,16 +7,8 @@ from typing import Any
 
 from flint import fmpq
 
-from gspot_verified.expansion.expressions import (
-    FUNCTION_NAMES,
-    Constant,
-    Expression,
-    Power,
-    Product,
-    Sum,
-    Variable,
-    in_order,
-)
+from gspot_verified.expansion.expressions import Constant, Expression
+from gspot_verified.expansion.translation import Target, translated
 from gspot_verified.mechanisms.formula import parse_formula
 from gspot_verified.mechanisms.names import FormulaError
 from gspot_verified.mechanisms.simplify import (
@@ -35,35 +27,39 @@ from gspot_verified.mechanisms.symbol import PI, Symbol
 def to_sympy(expression: Expression, state: Sequence[str] = ()) -> Any:
     """The expression in sympy; ``state`` names the components of the state.
 
-    >>> from gspot_verified.expansion.expressions import Sine
+    >>> from gspot_verified.expansion.expressions import Sine, Variable
     >>> to_sympy(Symbol("m") * Variable(0) + Sine(Variable(1)), ("x", "y"))
     m*x + sin(y)
     """
-    made: dict[Expression, Any] = {}
-    for node in in_order([expression]):
-        made[node] = _one_in_sympy(node, made, state)
-    return made[expression]
-
-
-def _one_in_sympy(node: Expression, made: Mapping[Expression, Any], state: Sequence[str]) -> Any:
     import sympy
 
-    match node:
-        case Constant(fmpq() as value):
-            return sympy.Rational(int(value.p), int(value.q))
-        case Variable(index):
-            return sympy.Symbol(state[index])
-        case Symbol(name):
-            return sympy.pi if name == PI else sympy.Symbol(name)
-        case Sum(terms):
-            return sympy.Add(*(made[part] for part in terms))
-        case Product(left, right):
-            return sympy.Mul(made[left], made[right])
-        case Power(base, exponent):
-            return made[base] ** sympy.Rational(int(exponent.p), int(exponent.q))
-    if type(node) in FUNCTION_NAMES:
-        return getattr(sympy, FUNCTION_NAMES[type(node)])(*(made[part] for part in node.parts()))
-    raise TypeError(f"no sympy form of {type(node).__name__}")
+    def rational(value: fmpq) -> Any:
+        return sympy.Rational(int(value.p), int(value.q))
+
+    def constant_of(value: Any) -> Any:
+        return rational(value) if isinstance(value, fmpq) else _symbol(Constant(value))
+
+    found = translated(
+        [expression],
+        Target(
+            variable=lambda index: sympy.Symbol(state[index]),
+            constant=constant_of,
+            sum=lambda parts: sympy.Add(*parts),
+            product=sympy.Mul,
+            power=lambda base, exponent: base ** rational(exponent),
+            function=lambda name, part: getattr(sympy, name)(part),
+            other=_symbol,
+        ),
+    )
+    return found[0]
+
+
+def _symbol(node: Expression) -> Any:
+    import sympy
+
+    if not isinstance(node, Symbol):
+        raise TypeError(f"no sympy form of {type(node).__name__}")
+    return sympy.pi if node.name == PI else sympy.Symbol(node.name)
 
 
 def from_sympy(value: Any, names: Mapping[str, Expression]) -> Expression:
@@ -72,6 +68,7 @@ def from_sympy(value: Any, names: Mapping[str, Expression]) -> Expression:
     :raises FormulaError: an unknown symbol, a number that is not exact, or a function that formulas do not have.
 
     >>> import sympy
+    >>> from gspot_verified.expansion.expressions import Variable
     >>> from_sympy(sympy.Symbol("x") / 2, {"x": Variable(0)})
     Product(left=Constant(value=1/2), right=Variable(index=0))
     """

@@ -6,16 +6,8 @@ import math
 from collections.abc import Callable, Sequence
 
 from gspot_verified.balls import approximate
-from gspot_verified.expansion.expressions import (
-    FUNCTION_NAMES,
-    Constant,
-    Expression,
-    Power,
-    Product,
-    Sum,
-    Variable,
-    in_order,
-)
+from gspot_verified.expansion.expressions import Expression
+from gspot_verified.expansion.translation import Target, translated
 
 FloatFunction = Callable[[Sequence[float]], list[float]]
 
@@ -25,35 +17,29 @@ def float_function(functions: Sequence[Expression]) -> FloatFunction:
 
     :raises TypeError: a constant that is no number.
 
-    >>> from gspot_verified.expansion.expressions import Sine
+    >>> from gspot_verified.expansion.expressions import Sine, Variable
     >>> x = Variable(0)
     >>> float_function([x * x, Sine(x)])([0.0])
     [0.0, 0.0]
     """
-    names: dict[Expression, str] = {}
     lines = ["def run(x):"]
-    for node in in_order(functions):
-        names[node] = f"v{len(names)}"
-        lines.append(f"    {names[node]} = {_line(node, [names[part] for part in node.parts()])}")
-    lines.append(f"    return [{', '.join(names[function] for function in functions)}]")
+
+    def named(text: str) -> str:
+        name = f"v{len(lines)}"
+        lines.append(f"    {name} = {text}")
+        return name
+
+    target = Target(
+        variable=lambda index: named(f"x[{index}]"),
+        constant=lambda value: named(repr(approximate(value))),
+        sum=lambda parts: named(" + ".join(parts)),
+        product=lambda left, right: named(f"{left} * {right}"),
+        power=lambda base, exponent: named(f"{base} ** {approximate(exponent)!r}"),
+        function=lambda name, part: named(f"math.{name}({part})"),
+    )
+    results = translated(functions, target)
+    lines.append(f"    return [{', '.join(results)}]")
     space: dict[str, object] = {"math": math}
     exec("\n".join(lines), space)
     made: FloatFunction = space["run"]  # type: ignore[assignment]
     return made
-
-
-def _line(node: Expression, parts: Sequence[str]) -> str:
-    match node:
-        case Variable(index):
-            return f"x[{index}]"
-        case Constant(value):
-            return repr(approximate(value))
-        case Sum():
-            return " + ".join(parts)
-        case Product():
-            return " * ".join(parts)
-        case Power(_, exponent):
-            return f"{parts[0]} ** {approximate(exponent)!r}"
-    if type(node) in FUNCTION_NAMES:
-        return f"math.{FUNCTION_NAMES[type(node)]}({parts[0]})"
-    raise TypeError(f"no float function of a {type(node).__name__}")
