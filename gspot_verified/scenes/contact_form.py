@@ -107,9 +107,13 @@ class ContactForm:
     def _has_constant_load(
         self, slope: Expression, flow: Sequence[Expression], still: Expression, push: Expression
     ) -> bool:
-        """Whether q = -∂F/∂λ rises at a constant rate >= 0, and H is a constant plus a constant times λ."""
+        """Whether q = -∂F/∂λ rises at a constant rate >= 0, and H is a constant plus a constant times λ.
+
+        ``flow`` lets λ stand still: q must not depend on λ.
+        """
         drift = _rational(lie_derivative(slope, flow))
-        return drift is not None and bool(drift <= 0) and None not in (_rational(still), _rational(push))
+        rises = self.affine and drift is not None and bool(drift <= 0)
+        return rises and None not in (_rational(still), _rational(push))
 
     def acceleration(self, box: Sequence[arb]) -> arb:
         """F on a box of states, clock and λ."""

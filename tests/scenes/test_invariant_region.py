@@ -143,6 +143,20 @@ def test_stick_is_no_growth() -> None:
         assert InvariantRegion(system).growth(state(system, b="-0.1", p="-0.2", Y="-6", V="-4", Z="-2")) is None
 
 
+def test_growth_for_ever_needs_an_acceleration_affine_in_the_force() -> None:
+    """V' = -1/10 - λ/5 + λ²/1000: q = 1/5 - λ/500 falls as λ grows, V' > 0 for λ > 201, and λ falls again."""
+    system = SCENES[0].system("slip")
+    Y, Z = Variable(1), Variable(3)
+    zero, constant, slope, square = (Constant(fmpq(n, 1000)) for n in (0, -100, -200, 1))
+    for curved in (False, True):
+        push = slope * (Z - Y) + square * (Z - Y) * (Z - Y) if curved else slope * (Z - Y)
+        rates = (zero, system.right_hand_side[1], constant + push, system.right_hand_side[3])
+        with working_bits(128):
+            found = certain(InvariantRegion(replace(system, right_hand_side=rates)).growth(deep(SCENES[0])))
+        assert (found.until is None) is not curved
+        assert found.until is None or found.until * 4 < 201
+
+
 def test_other_equations_are_refused() -> None:
     system = SCENES[0].system("slip")
     b, Y, V, Z = (Variable(i) for i in range(4))
