@@ -15,11 +15,21 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from gspot_verified.ledger.content_key import PACKAGE, SOURCES, content_key, newest_change, process_start
+from gspot_verified.ledger.content_key import (
+    PACKAGE,
+    SOURCES,
+    content_key,
+    newest_change,
+    process_start,
+    source_files,
+    source_state,
+)
 from gspot_verified.ledger.entry import Check, Entry, Rung, conclude
+from gspot_verified.ledger.stale_bytecode import stale_bytecode
 from gspot_verified.verdict import Outcome
 
 FORMAT = "gspot-verified ledger cache 1"
+_CHANGED = "a source file was changed after the program had begun"
 _TEXTS = ("identifier", "label", "section", "source", "statement", "corrected", "note", "code")
 
 
@@ -33,19 +43,19 @@ def default_folder() -> Path:
 class Cache:
     """The results of one state of the sources, below ``folder``; ``read`` False makes every result be found again.
 
-    Neither reads nor keeps anything (``closed`` says why) where a source was changed after this process began: what
-    runs may then be older than what lies on the disk. That is asked again before each result is kept. It keeps nothing
-    more once a file cannot be written.
+    Neither reads nor keeps anything (``closed`` says why) where a source was changed after this process began, or
+    Python would run an older compiled file: what runs may then be older than what lies on the disk. Before each result
+    is kept the sources must be as they were at first. It keeps nothing more once a file cannot be written.
     """
 
     def __init__(self, folder: Path, read: bool = True, sources: Sequence[Path] = SOURCES) -> None:
         self._sources = sources
-        self._start = process_start()
+        self._state = source_state(sources)
         self.key = content_key(sources)
         self.folder = folder
         self._read = read
         self._place = folder / self.key
-        self.closed = self._changed()
+        self.closed = _CHANGED if newest_change(sources) >= process_start() else _stale(sources)
 
     def recall(self, identifier: str) -> Entry | None:
         """The entry as it was kept; None where there is none, or its file is not whole."""
@@ -59,7 +69,8 @@ class Cache:
 
     def keep(self, entry: Entry) -> None:
         """Keep a proved or refuted entry; it is on the disk when this returns. An undecided one is tried again."""
-        self.closed = self.closed or self._changed()
+        if not self.closed and source_state(self._sources) != self._state:
+            self.closed = _CHANGED
         if self.closed or entry.verdict.outcome is Outcome.UNDECIDED:
             return
         data = _data(entry)
@@ -73,9 +84,10 @@ class Cache:
     def _file(self, identifier: str) -> Path:
         return self._place / f"{hashlib.sha256(identifier.encode()).hexdigest()[:32]}.json"
 
-    def _changed(self) -> str:
-        changed = newest_change(self._sources) >= self._start
-        return "a source file was changed after the program had begun" if changed else ""
+
+def _stale(sources: Sequence[Path]) -> str:
+    found = stale_bytecode(source_files(sources))
+    return "" if found is None else f"Python runs an older form of {found.name}: remove {found.parent / '__pycache__'}"
 
 
 def _write(place: Path, text: str) -> None:

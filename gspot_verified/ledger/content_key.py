@@ -2,12 +2,13 @@
 
 The key is strict: a change of a comment makes another key. Two runs with one key ran the same bytes of this package and
 of ``proofs/``, under the same interpreter, beside distributions of the same versions, lists of contents, sizes and
-times of change.
+times of change, with the modules that compute taken from the same places.
 """
 
 from __future__ import annotations
 
 import hashlib
+import importlib.util
 import json
 import os
 import platform
@@ -24,6 +25,10 @@ PROOFS = PACKAGE.parent / "proofs"
 CHECKER = Path(sys.prefix) / "share" / "gspot_verified" / "check.py"
 """Where an installation puts the checker; the source tree has it in ``proofs/``."""
 SOURCES = (PACKAGE, PROOFS, CHECKER)
+MODULES = ("hypothesis", "mpmath", "numpy", "scipy", "sympy")
+"""What results are computed with, beside FLINT. Python may find one where no distribution put it."""
+LIBRARY_PATHS = ("LD_LIBRARY_PATH", "LD_PRELOAD", "DYLD_LIBRARY_PATH", "DYLD_INSERT_LIBRARIES")
+"""Variables of the environment that may bring another FLINT."""
 _IMPORTED = time.time()
 
 
@@ -43,6 +48,8 @@ def ingredients(sources: Sequence[Path] = SOURCES) -> dict[str, Any]:
     return {
         "sources": {str(path): hashlib.sha256(path.read_bytes()).hexdigest() for path in source_files(sources)},
         "distributions": distributions(),
+        "modules": {name: list(module_files(name)) for name in (flint.__name__, *MODULES)},
+        "libraries": [os.environ.get(name, "") for name in LIBRARY_PATHS],
         "FLINT": flint.__FLINT_VERSION__,
         "python": [sys.version, sys.executable, *map(str, sys.flags)],
         "machine": [platform.platform(), platform.machine(), sys.byteorder],
@@ -55,12 +62,23 @@ def distributions() -> list[list[Any]]:
     return sorted(_distribution(found) for found in metadata.distributions())
 
 
+@lru_cache(maxsize=len(MODULES) + 1)
+def module_files(name: str) -> tuple[str, str]:
+    """Where Python finds a module, and the hash of the sizes and times of change of its files; empty: nowhere."""
+    found = importlib.util.find_spec(name)
+    if found is None:
+        return "", ""
+    places = [Path(place) for place in found.submodule_search_locations or (found.origin or "",)]
+    files = sorted(map(str, source_files(places)))
+    return found.origin or "", _hash(_canonical([(file, _stamp(file)) for file in files]))
+
+
 def source_files(sources: Iterable[Path] = SOURCES) -> Iterator[Path]:
-    """Every file of the folders, but for what Python compiled; and the files themselves."""
+    """Every file of the folders, also behind links, but for what Python compiled; and the files themselves."""
     for place in sources:
         if place.is_file():
             yield place
-        for folder, names, files in os.walk(place):
+        for folder, names, files in os.walk(place, followlinks=True):
             names[:] = [name for name in names if name != "__pycache__"]
             yield from (Path(folder) / name for name in files if not name.endswith(".pyc"))
 
@@ -68,6 +86,13 @@ def source_files(sources: Iterable[Path] = SOURCES) -> Iterator[Path]:
 def newest_change(sources: Sequence[Path] = SOURCES) -> float:
     """When a file of the sources was last changed, or put in its place; a copy with an old date does not hide it."""
     return max((path.stat().st_ctime for path in source_files(sources)), default=0.0)
+
+
+def source_state(sources: Sequence[Path] = SOURCES) -> str:
+    """A hash that another file in its place, a change, a new file and a removed one alter, whatever the clock says."""
+    found = ((str(path), path.stat()) for path in source_files(sources))
+    stamps = [(name, at.st_dev, at.st_ino, at.st_size, at.st_mtime_ns, at.st_ctime_ns) for name, at in found]
+    return _hash(_canonical(sorted(stamps)))
 
 
 def process_start() -> float:

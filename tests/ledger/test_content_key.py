@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import ast
 import os
+import shutil
 import subprocess
 import sys
 import time
@@ -117,6 +119,69 @@ def test_a_changed_file_of_a_distribution_is_in_the_key(tmp_path: Path, monkeypa
     found.append(key())
     keys.distributions.cache_clear()
     assert len(set(found)) == 4
+
+
+def test_a_module_that_no_distribution_brought_is_in_the_key(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Found first on the path of modules, without metadata: a copy by hand, or a folder that is edited in place."""
+    monkeypatch.setattr(keys, "MODULES", ("toy",))
+
+    def part() -> str:
+        keys.module_files.cache_clear()
+        return str(keys.ingredients([])["modules"])
+
+    (tmp_path / "toy").mkdir()
+    (tmp_path / "toy" / "__init__.py").write_text("")
+    found = [part()]
+    monkeypatch.syspath_prepend(str(tmp_path))
+    found.append(part())
+    for text in ("1", "22"):
+        (tmp_path / "toy" / "inner.py").write_text(text)
+        found.append(part())
+    assert part() == found[-1]
+    keys.module_files.cache_clear()
+    assert len(set(found)) == 4
+
+
+def test_other_libraries_are_in_the_key(sources: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    first = keys.ingredients([sources])
+    monkeypatch.setenv("LD_PRELOAD", "/opt/libflint.so")
+    other = keys.ingredients([sources])
+    assert {name for name in first if first[name] != other[name]} == {"libraries"}
+
+
+def test_what_computes_is_in_the_key() -> None:
+    """Every module of others that the package imports, but for what shows results or is asked for by other commands."""
+    shown = {"distributed", "jinja2", "latex2mathml", "markdown_it", "markupsafe", "matplotlib", "pygments", "typer"}
+    rivals = {"heyoka", "ore_algebra", "sage"}
+    found = set()
+    for file in keys.PACKAGE.rglob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            names = [node.module or ""] if isinstance(node, ast.ImportFrom) else []
+            names += [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+            found |= {name.partition(".")[0] for name in names}
+    assert found - set(sys.stdlib_module_names) - shown - rivals == {"gspot_verified", "flint", *keys.MODULES}
+
+
+def test_a_file_behind_a_link_is_a_source(sources: Path, tmp_path: Path) -> None:
+    (tmp_path / "far").mkdir()
+    (tmp_path / "far" / "code.py").write_text("1")
+    (sources / "linked").symlink_to(tmp_path / "far")
+    assert sources / "linked" / "code.py" in keys.source_files([sources])
+
+
+def test_a_change_is_seen_whatever_the_clock_says(sources: Path, tmp_path: Path) -> None:
+    """A clock that was set back, a folder that was put in the place of another, a file that was removed."""
+    states = [keys.source_state([sources])]
+    assert keys.source_state([sources]) == states[0]
+    shutil.copytree(sources, tmp_path / "copy", copy_function=shutil.copy2)
+    sources.rename(tmp_path / "old")
+    (tmp_path / "copy").rename(sources)
+    states.append(keys.source_state([sources]))
+    os.utime(sources / "code.py", (1, 1))
+    states.append(keys.source_state([sources]))
+    (sources / "code.py").unlink()
+    states.append(keys.source_state([sources]))
+    assert len(set(states)) == 4
 
 
 def test_changes_are_seen_under_an_old_date(sources: Path, tmp_path: Path) -> None:
