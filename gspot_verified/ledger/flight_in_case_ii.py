@@ -98,7 +98,7 @@ def _persists() -> Entry:
         Check(
             Rung.POINTS,
             f"certified runs with α_2 = {CASE_II['alpha_2']}, ε = {EPSILON}, ν = {NU}, β = "
-            f"{', '.join(map(str, BETAS))}: lift-off, and no other event until t = 1",
+            f"{', '.join(map(str, BETAS))}: lift-off, and no other change of phase until t = 1",
             runs_do_not_touch_down(),
         ),
         note="These runs lift off before p = 0, where b has passed through 0: 3-case-II. With b < 0 at lift-off the "

@@ -100,7 +100,7 @@ def _run(chi: int, nu: fmpq, second: Check, note: str) -> Entry:
         r"\text{squares: slip-stick transitions, circles: lift-off}",
         f"Fig. varsim2, χ = {chi}, ν = {nu} (ε = {EPSILON}, β = {BETA}, u(0) = {FIRST_SLIP}, up to t = 1): "
         f"{', '.join(RUNS[chi, nu])}, "
-        "in this order, and no other event",
+        "in this order, and no other change of phase",
         Check(
             Rung.BALLS,
             "certified run of the extended system by the validated integrator",

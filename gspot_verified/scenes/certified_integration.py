@@ -18,7 +18,7 @@ from gspot_verified.scenes.certified_phases import CertifiedPhases
 from gspot_verified.scenes.contact_form import NotOfThisForm
 from gspot_verified.scenes.effects.terms import FLIGHT, STICK
 from gspot_verified.scenes.invariant_region import Growth, InvariantRegion
-from gspot_verified.scenes.run import CERTIFIED, IMPACT, OPEN, RunEvent, SceneRun, fate_of
+from gspot_verified.scenes.run import CERTIFIED, IMPACT, NO_EVENT, OPEN, RunEvent, SceneRun, fate_of
 from gspot_verified.scenes.run_journal import question
 from gspot_verified.scenes.run_steps import Progress, RunSteps
 from gspot_verified.scenes.scene import Scene, SceneError
@@ -185,6 +185,15 @@ def _words(growth: Growth, sticks: bool, since: arb | None) -> str:
     return f"{lasting}, which ends within {rounded_text(float_bounds(growth.within)[1], 1)} ε"
 
 
+def _statement(fate: str, span: str) -> str:
+    """What is proved. An impact without collision that no cone shows is not excluded, so "no event" would be too much.
+
+    >>> _statement("lift-off", " until t = 1 after the start")
+    'lift-off until t = 1 after the start, and no other change of phase'
+    """
+    return f"no change of phase{span}" if fate == NO_EVENT else f"{fate}{span}, and no other change of phase"
+
+
 def _event(name: str, time: arb, epsilon: fmpq) -> RunEvent:
     bounds = Dyadic.from_ball(time * epsilon)
     unit = fmpq(2) ** bounds.exponent
@@ -198,7 +207,7 @@ def _result(scene: Scene, record: _Record) -> SceneRun:
     if record.open is None:
         fate = fate_of(names)
         span = "" if record.for_ever else f" until t = {scene.until} after the start"
-        return SceneRun(CERTIFIED, fate, events, Verdict.proved(f"{fate}{span}, and no other event", remarks))
+        return SceneRun(CERTIFIED, fate, events, Verdict.proved(_statement(fate, span), remarks))
     known = f"certain before it: {fate_of(names)}"
     at = (record.open.time * scene.epsilon).str(10)
     detail = "; ".join(filter(None, (f"{record.open.reason} (t = {at} after the start)", known, remarks)))

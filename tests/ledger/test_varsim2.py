@@ -160,7 +160,7 @@ def test_both_directions_of_coupling_have_their_own_second_route(asked: list[Any
         assert ("exact solution" in entry.checks[1].what) is (chi == 0)
         assert entry.statement == (
             f"Fig. varsim2, χ = {chi}, ν = {nu} (ε = 1/1000, β = 1/2, u(0) = 70, up to t = 1): {', '.join(events)}, "
-            "in this order, and no other event"
+            "in this order, and no other change of phase"
         )
 
 
