@@ -217,6 +217,12 @@ class Parts(check.ColumnCheck):  # type: ignore[misc, name-defined]
         return middle, Fraction(99), in_b, error
 
 
+def at_the_edge(*values: str, slacks: tuple[int, int, int] = (0, 0, 0)) -> tuple[Any, ...]:
+    """β in [4, 9/2], μ = 4/5, η = 3: one unit of F'(t2) moves the bound by 1.32 to 1.48, one of F'(t1) by 2.3."""
+    balls = [(Fraction(value), Fraction(slack)) for value, slack in zip(values, slacks, strict=True)]
+    return balls, Fraction(4), Fraction(1, 2), Fraction(1), Fraction(5, 4), Fraction(3)
+
+
 NUMBERS = st.fractions(Fraction(-2), Fraction(2), max_denominator=8)
 SIZES = st.sampled_from([Fraction(0), Fraction(1, 8), Fraction(1)])
 
@@ -229,6 +235,13 @@ SIZES = st.sampled_from([Fraction(0), Fraction(1, 8), Fraction(1)])
     st.fractions(Fraction(5, 4), Fraction(4), max_denominator=4),
     st.fractions(Fraction(1, 4), Fraction(3), max_denominator=8),
 )
+@example(*at_the_edge("-1", "0", "0", slacks=(0, 0, 1)))
+@example(*at_the_edge("-1", "0", "0", slacks=(0, 1, 0)))
+@example(*at_the_edge("-1", "0", "0", slacks=(1, 0, 0)))
+@example(*at_the_edge("-7/5", "0", "1"))
+@example(*at_the_edge("7/5", "0", "-1"))
+@example(*at_the_edge("-3/2", "0", "1"))
+@example(*at_the_edge("5/4", "0", "-1"))
 def test_the_bound_is_the_largest_value_of_all_balls(
     balls: list[tuple[Fraction, Fraction]],
     beta: Fraction,
