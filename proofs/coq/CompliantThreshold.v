@@ -50,6 +50,49 @@ rewrite E. field. split; lra.
 Qed.
 End Scale.
 
+(** ** The force at leading order, every beta *)
+
+Lemma leading_force_factor a1 a2 a3 eps C1 theta t : a3 < 0 -> exists q, 0 < q /\
+  q = / (- a3) * (Rpower (Rpower (- a1 / 2) (1 / 3)) (1 - a3 / a1) * Rpower eps ((2 * (a3 / a1) - 2) / 3)) /\
+  leading_force a1 a2 a3 eps C1 theta t
+    = a2 / (a3 - a1) + q * (C1 * Derive theta (Rpower (- a1 / 2) (1 / 3) * t * Rpower eps (- 2 / 3))).
+Proof.
+intros H3. eexists. refine (conj _ (conj eq_refl _)).
+- apply Rmult_lt_0_compat. apply Rinv_0_lt_compat; lra. apply Rmult_lt_0_compat; apply exp_pos.
+- unfold leading_force. unfold Rdiv at 2. replace (/ a3) with (- / (- a3)) by (field; lra). ring.
+Qed.
+
+(** Below the threshold that factor times m is less than the mean force. *)
+Lemma threshold_factor a1 a2 a3 eps m : a1 < 0 -> a3 < 0 -> 0 < eps -> 1 < a3 / a1 -> a2 < 0 -> 0 < m ->
+  let q := / (- a3) * (Rpower (Rpower (- a1 / 2) (1 / 3)) (1 - a3 / a1) * Rpower eps ((2 * (a3 / a1) - 2) / 3)) in
+  (eps <= threshold a1 a2 a3 m -> q * m <= a2 / (a3 - a1)) /\ (eps < threshold a1 a2 a3 m -> q * m < a2 / (a3 - a1)).
+Proof.
+intros H1 H3 He Hb H2 Hm q. unfold threshold.
+set (beta := a3 / a1) in *. set (kappa := Rpower (- a1 / 2) (1 / 3)) in *.
+assert (Ea : a3 = beta * a1) by (unfold beta; field; lra).
+assert (H31 : a3 - a1 < 0) by nra.
+set (mean := a2 / (a3 - a1)) in *.
+assert (Hmean : 0 < mean).
+{ unfold mean. replace (a2 / (a3 - a1)) with ((- a2) / (- (a3 - a1))) by (field; lra). apply Rdiv_lt_0_compat; lra. }
+set (K := Rpower kappa (beta - 1)). assert (HK : 0 < K) by apply exp_pos.
+set (A := - a3 * mean * K / m).
+assert (HA : 0 < A).
+{ unfold A. apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. apply Rmult_lt_0_compat; lra. }
+assert (EA : Rpower (Rpower A (3 / (2 * beta - 2))) ((2 * beta - 2) / 3) = A).
+{ rewrite Rpower_mult. replace (3 / (2 * beta - 2) * ((2 * beta - 2) / 3)) with 1 by (field; lra). apply Rpower_1, HA. }
+assert (Em : mean = / (- a3) * (/ K * A) * m) by (unfold A; field; repeat split; lra).
+assert (Hq : 0 < / (- a3) * / K * m).
+{ apply Rmult_lt_0_compat; auto. apply Rmult_lt_0_compat; apply Rinv_0_lt_compat; lra. }
+unfold q. replace (1 - beta) with (- (beta - 1)) by ring. rewrite Rpower_Ropp. fold K.
+set (E := Rpower eps ((2 * beta - 2) / 3)).
+assert (Hp : 0 < (2 * beta - 2) / 3) by (apply Rdiv_lt_0_compat; lra).
+rewrite Em. replace (/ (- a3) * (/ K * E) * m) with (/ (- a3) * / K * m * E) by ring.
+replace (/ (- a3) * (/ K * A) * m) with (/ (- a3) * / K * m * A) by ring.
+split; intros H.
+- apply Rmult_le_compat_l; [lra|]. rewrite <- EA. apply Rle_Rpower_l; [lra|split; auto].
+- apply Rmult_lt_compat_l; [lra|]. rewrite <- EA. apply exp_increasing, Rmult_lt_compat_l; auto. apply ln_increasing; auto.
+Qed.
+
 Section Force.
 Variables (a1 a2 a3 eps C1 : R) (theta P B Y V Z : R -> R).
 Hypothesis Hpar : parameters a1 a3 eps.
@@ -106,34 +149,9 @@ Lemma leading_force_nonnegative m t : 1 < a3 / a1 -> a2 < 0 -> 0 < m -> eps <= t
   - m <= C1 * Derive theta (Rpower (- a1 / 2) (1 / 3) * t * Rpower eps (- 2 / 3)) ->
   0 <= leading_force a1 a2 a3 eps C1 theta t.
 Proof.
-intros Hb1 H2 Hm Heps HD. unfold leading_force, threshold in *.
-set (beta := a3 / a1) in *. set (kappa := Rpower (- a1 / 2) (1 / 3)) in *.
-set (D := Derive theta _) in *.
-assert (Ea : a3 = beta * a1) by (unfold beta; field; lra).
-assert (H31 : a3 - a1 < 0) by nra.
-set (mean := a2 / (a3 - a1)) in *.
-assert (Hmean : 0 < mean).
-{ unfold mean. replace (a2 / (a3 - a1)) with ((- a2) / (- (a3 - a1))) by (field; lra). apply Rdiv_lt_0_compat; lra. }
-set (K := Rpower kappa (beta - 1)) in *. assert (HK : 0 < K) by apply exp_pos.
-set (A := - a3 * mean * K / m) in *.
-assert (HA : 0 < A).
-{ unfold A. apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. apply Rmult_lt_0_compat; lra. }
-assert (Hpow : Rpower eps ((2 * beta - 2) / 3) <= A).
-{ apply Rle_trans with (Rpower (Rpower A (3 / (2 * beta - 2))) ((2 * beta - 2) / 3)).
-  - apply Rle_Rpower_l; [|split; auto]. apply Rlt_le, Rdiv_lt_0_compat; lra.
-  - rewrite Rpower_mult. replace (3 / (2 * beta - 2) * ((2 * beta - 2) / 3)) with 1 by (field; lra). rewrite Rpower_1; auto. lra. }
-set (E := Rpower eps ((2 * beta - 2) / 3)) in *. assert (HE : 0 < E) by apply exp_pos.
-replace (1 - beta) with (- (beta - 1)) by ring. rewrite Rpower_Ropp. fold K.
-assert (HQ : 0 < / (- a3) * / K * E).
-{ apply Rmult_lt_0_compat; auto. apply Rmult_lt_0_compat; apply Rinv_0_lt_compat; lra. }
-replace (mean - C1 / a3 * / K * E * D) with (mean + (/ (- a3) * / K * E) * (C1 * D)) by (field; lra).
-assert (L : (/ (- a3) * / K * E) * - m <= (/ (- a3) * / K * E) * (C1 * D)) by (apply Rmult_le_compat_l; lra).
-assert (U : (/ (- a3) * / K * E) * m <= mean).
-{ apply Rle_trans with (/ (- a3) * / K * A * m).
-  - apply Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; auto.
-    apply Rlt_le, Rmult_lt_0_compat; apply Rinv_0_lt_compat; lra.
-  - right. unfold A. field. repeat split; lra. }
-lra.
+intros Hb1 H2 Hm Heps HD. destruct (leading_force_factor a1 a2 a3 eps C1 theta t H3) as (q & Hq & Eq & ->).
+assert (U := proj1 (threshold_factor a1 a2 a3 eps m H1 H3 He Hb1 H2 Hm) Heps). cbv zeta in U. rewrite <- Eq in U.
+assert (L := Rmult_le_compat_l q _ _ (Rlt_le _ _ Hq) HD). lra.
 Qed.
 
 Section Threshold.
@@ -225,47 +243,15 @@ split.
   + destruct (Rle_lt_dec t T) as [Hl'|Hl']. apply H; lra. specialize (HR' t ltac:(lra)). lra.
 Qed.
 
-(** ** The force at leading order, every beta *)
-
-Lemma leading_force_factor a1 a2 a3 eps C1 theta t : a3 < 0 -> exists q, 0 < q /\
-  q = / (- a3) * (Rpower (Rpower (- a1 / 2) (1 / 3)) (1 - a3 / a1) * Rpower eps ((2 * (a3 / a1) - 2) / 3)) /\
-  leading_force a1 a2 a3 eps C1 theta t
-    = a2 / (a3 - a1) + q * (C1 * Derive theta (Rpower (- a1 / 2) (1 / 3) * t * Rpower eps (- 2 / 3))).
-Proof.
-intros H3. eexists. refine (conj _ (conj eq_refl _)).
-- apply Rmult_lt_0_compat. apply Rinv_0_lt_compat; lra. apply Rmult_lt_0_compat; apply exp_pos.
-- unfold leading_force. unfold Rdiv at 2. replace (/ a3) with (- / (- a3)) by (field; lra). ring.
-Qed.
+(** ** The force at leading order below the threshold, and its side *)
 
 Theorem leading_force_positive a1 a2 a3 eps C1 theta m tau0 t : a1 < 0 -> a3 < 0 -> 0 < eps -> 1 < a3 / a1 -> a2 < 0 ->
   0 < m -> (forall tau, tau0 <= tau -> - m <= C1 * Derive theta tau) -> eps < threshold a1 a2 a3 m ->
   tau0 <= Rpower (- a1 / 2) (1 / 3) * t * Rpower eps (- 2 / 3) -> 0 < leading_force a1 a2 a3 eps C1 theta t.
 Proof.
-intros H1 H3 He Hb H2 Hm Hl Hs Ht. specialize (Hl _ Ht).
-destruct (leading_force_factor a1 a2 a3 eps C1 theta t H3) as (q & Hq & Eq & ->).
-set (D := C1 * Derive theta _) in *. unfold threshold in Hs.
-set (beta := a3 / a1) in *. set (kappa := Rpower (- a1 / 2) (1 / 3)) in *.
-assert (Ea : a3 = beta * a1) by (unfold beta; field; lra).
-assert (H31 : a3 - a1 < 0) by nra.
-set (mean := a2 / (a3 - a1)) in *.
-assert (Hmean : 0 < mean).
-{ unfold mean. replace (a2 / (a3 - a1)) with ((- a2) / (- (a3 - a1))) by (field; lra). apply Rdiv_lt_0_compat; lra. }
-set (K := Rpower kappa (beta - 1)) in *. assert (HK : 0 < K) by apply exp_pos.
-set (A := - a3 * mean * K / m) in *.
-assert (HA : 0 < A).
-{ unfold A. apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. apply Rmult_lt_0_compat; lra. }
-assert (Hpow : Rpower eps ((2 * beta - 2) / 3) < A).
-{ apply Rlt_le_trans with (Rpower (Rpower A (3 / (2 * beta - 2))) ((2 * beta - 2) / 3)).
-  - unfold Rpower at 1 2. apply exp_increasing. apply Rmult_lt_compat_l. apply Rdiv_lt_0_compat; lra. apply ln_increasing; auto.
-  - rewrite Rpower_mult. replace (3 / (2 * beta - 2) * ((2 * beta - 2) / 3)) with 1 by (field; lra). rewrite Rpower_1; auto. lra. }
-set (E := Rpower eps ((2 * beta - 2) / 3)) in *.
-replace (1 - beta) with (- (beta - 1)) in Eq by ring. rewrite Rpower_Ropp in Eq. fold K in Eq.
-assert (U : q * m < mean).
-{ apply Rlt_le_trans with (/ (- a3) * (/ K * A) * m).
-  - apply Rmult_lt_compat_r; auto. rewrite Eq. apply Rmult_lt_compat_l. apply Rinv_0_lt_compat; lra.
-    apply Rmult_lt_compat_l; auto. apply Rinv_0_lt_compat, HK.
-  - right. unfold A. field. repeat split; lra. }
-assert (L : q * - m <= q * D) by (apply Rmult_le_compat_l; lra). lra.
+intros H1 H3 He Hb H2 Hm Hl Hs Ht. destruct (leading_force_factor a1 a2 a3 eps C1 theta t H3) as (q & Hq & Eq & ->).
+assert (U := proj2 (threshold_factor a1 a2 a3 eps m H1 H3 He Hb H2 Hm) Hs). cbv zeta in U. rewrite <- Eq in U.
+assert (L := Rmult_le_compat_l q _ _ (Rlt_le _ _ Hq) (Hl _ Ht)). lra.
 Qed.
 
 Theorem leading_side_rule a1 a2 a3 eps C1 theta : parameters a1 a3 eps -> is_Theta (a3 / a1) theta ->

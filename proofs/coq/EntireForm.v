@@ -11,25 +11,12 @@ From GSpot Require Import Statement Calculus GammaFunction LaplaceIntegral WellP
 Open Scope R_scope.
 
 Lemma recip_pos x : 0 < x -> recip_Gamma x = / Gamma x.
-Proof.
-intros Hx. rewrite Gamma_GammaInt by auto. unfold recip_Gamma.
-replace (Z.to_nat (up (- x))) with O; auto.
-destruct (archimed (- x)) as [H1 H2].
-assert (H : (up (- x) < 1)%Z) by (apply lt_IZR; lra).
-symmetry. destruct (up (- x)); simpl; auto; lia.
-Qed.
+Proof. intros Hx. rewrite Gamma_GammaInt by auto. unfold recip_Gamma. rewrite steps_up_zero by auto. reflexivity. Qed.
 
 Lemma recip_rec x : recip_Gamma x = x * recip_Gamma (x + 1).
 Proof.
 destruct (Rle_lt_dec x 0) as [H|H].
-- unfold recip_Gamma.
-  destruct (archimed (- x)) as [H1 H2].
-  assert (Hp : (0 < up (- x))%Z) by (apply lt_IZR; lra).
-  assert (Hup : up (- x) = (1 + up (- (x + 1)))%Z).
-  { rewrite <- (tech_up (- x) (1 + up (- (x + 1)))%Z); auto;
-    rewrite plus_IZR; destruct (archimed (- (x + 1))); lra. }
-  rewrite Hup.
-  replace (Z.to_nat (1 + up (- (x + 1)))) with (S (Z.to_nat (up (- (x + 1))))) by lia. reflexivity.
+- unfold recip_Gamma. rewrite (steps_up_next x H). reflexivity.
 - rewrite !recip_pos, Gamma_rec by lra. assert (G := Gamma_pos x H). field. lra.
 Qed.
 

@@ -192,28 +192,32 @@ replace ((2 + 3 * x) * (Rabs (C * GammaInt (x + 1) - x * C * GammaInt x) / (2 + 
 lra.
 Qed.
 
-Lemma Gamma_GammaInt x : 0 < x -> Gamma x = GammaInt x.
+(** The number of steps up to a positive argument, by which Gamma and 1/Gamma recur. *)
+Lemma steps_up_zero x : 0 < x -> Z.to_nat (up (- x)) = 0%nat.
 Proof.
-intros Hx; unfold Gamma.
-replace (Z.to_nat (up (- x))) with O; auto.
-destruct (archimed (- x)) as [H1 H2].
+intros Hx. destruct (archimed (- x)) as [H1 H2].
 assert (H : (up (- x) < 1)%Z) by (apply lt_IZR; lra).
-symmetry. destruct (up (- x)); simpl; auto; lia.
+destruct (up (- x)); simpl; auto; lia.
 Qed.
+
+Lemma steps_up_next x : x <= 0 -> Z.to_nat (up (- x)) = S (Z.to_nat (up (- (x + 1)))).
+Proof.
+intros Hx. destruct (archimed (- x)) as [H1 H2].
+assert (Hp : (0 < up (- x))%Z) by (apply lt_IZR; lra).
+assert (Hup : up (- x) = (1 + up (- (x + 1)))%Z).
+{ rewrite <- (tech_up (- x) (1 + up (- (x + 1)))%Z); auto;
+  rewrite plus_IZR; destruct (archimed (- (x + 1))); lra. }
+lia.
+Qed.
+
+Lemma Gamma_GammaInt x : 0 < x -> Gamma x = GammaInt x.
+Proof. intros Hx. unfold Gamma. rewrite steps_up_zero by auto. reflexivity. Qed.
 
 Lemma Gamma_rec x : x <> 0 -> Gamma (x + 1) = x * Gamma x.
 Proof.
 intros Hx.
 destruct (Rle_lt_dec x 0) as [H|H].
-- unfold Gamma.
-  destruct (archimed (- x)) as [H1 H2].
-  assert (Hp : (0 < up (- x))%Z) by (apply lt_IZR; lra).
-  assert (Hup : up (- x) = (1 + up (- (x + 1)))%Z).
-  { rewrite <- (tech_up (- x) (1 + up (- (x + 1)))%Z); auto;
-    rewrite plus_IZR; destruct (archimed (- (x + 1))); lra. }
-  rewrite Hup.
-  replace (Z.to_nat (1 + up (- (x + 1)))) with (S (Z.to_nat (up (- (x + 1))))) by lia.
-  simpl. field; auto.
+- unfold Gamma. rewrite (steps_up_next x H). simpl. field; auto.
 - rewrite !Gamma_GammaInt by lra. apply GammaInt_rec, H.
 Qed.
 
