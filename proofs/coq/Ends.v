@@ -154,6 +154,44 @@ Qed.
 
 End Ends.
 
+Theorem tail_without_zero (n : nat) b theta T : INR n < b < INR n + 1 -> is_Theta b theta ->
+  let s k := Gamma (- b) * Derive_n theta k T in
+  (forall k, (k <= n)%nat -> 0 <= s k) -> s 0%nat <> 0 -> forall t, T <= t -> 0 < Gamma (- b) * theta t.
+Proof.
+intros Hbn H s Hs H0 t Ht.
+assert (Hb : not_nat b) by (apply (cell_not_nat (S n)); unfold cell; rewrite S_INR; lra).
+destruct (Rle_lt_or_eq_dec T t Ht) as [Hlt|<-].
+- exact (tail_positive b theta Hb H n T Hbn Hs 0%nat ltac:(lia) t Hlt).
+- assert (A := Hs 0%nat ltac:(lia)). destruct (Rle_lt_or_eq_dec _ _ A) as [B|B]; [exact B|]. exfalso. apply H0. auto.
+Qed.
+
+Theorem tail_with_one_zero (n j : nat) b theta T : INR n < b < INR n + 1 -> is_Theta b theta ->
+  let s k := Gamma (- b) * Derive_n theta k T in
+  (1 <= j <= n + 1)%nat -> (forall k, (k < j)%nat -> s k <= 0) -> (forall k, (j <= k <= n)%nat -> 0 <= s k) -> s 0%nat <> 0 ->
+  exists z, T < z /\ theta z = 0 /\ Derive theta z <> 0 /\
+    (forall t, T <= t < z -> Gamma (- b) * theta t < 0) /\ (forall t, z < t -> 0 < Gamma (- b) * theta t).
+Proof.
+intros Hbn H s Hj Hlo Hhi H0.
+assert (Hb : not_nat b) by (apply (cell_not_nat (S n)); unfold cell; rewrite S_INR; lra).
+assert (Hg := not_nat_Gamma b Hb).
+assert (S0 : s 0%nat < 0).
+{ assert (A := Hlo 0%nat ltac:(lia)). destruct (Rle_lt_or_eq_dec _ _ A) as [B|B]; [exact B|]. contradiction. }
+destruct (tail_one_zero b theta Hb H n j T Hbn ltac:(lia) Hlo Hhi) as [P|(z & Hz & Ez & Dz & Hn & Hp)].
+- exfalso. assert (C : locally T (fun t => 0 < - scaled b theta 0 t)).
+  { apply (continuous_pos (fun t => - scaled b theta 0 t)).
+    - exists (- scaled b theta 1 T). apply (is_derive_opp (scaled b theta 0)), (scaled_derive b theta Hb H 0).
+    - unfold s in S0. unfold scaled. lra. }
+  destruct C as [d Hd]. assert (Hdp := cond_pos d).
+  assert (A := P (T + d / 2) ltac:(lra)).
+  assert (B : 0 < - scaled b theta 0 (T + d / 2)).
+  { apply Hd. unfold ball; simpl; unfold AbsRing_ball, abs, minus, plus, opp; simpl. rewrite Rabs_pos_eq; lra. }
+  lra.
+- exists z. refine (conj Hz (conj _ (conj _ (conj _ Hp)))).
+  + apply Rmult_integral in Ez. destruct Ez as [E|E]; [contradiction|exact E].
+  + intros E. unfold scaled in Dz. change (Derive_n theta 1 z) with (Derive theta z) in Dz. rewrite E in Dz. lra.
+  + intros t [Ht1 Ht2]. destruct (Rle_lt_or_eq_dec T t Ht1) as [A|<-]; [exact (Hn t (conj A Ht2))|exact S0].
+Qed.
+
 (** dTheta/dtau < 0 far to the left *)
 Theorem left_end b theta : 0 < b -> not_nat b -> is_Theta b theta -> exists T, forall t, t <= T -> Derive theta t < 0.
 Proof.

@@ -10,7 +10,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   CompliantSlow CompliantMechanism CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases
   CompliantOpen CompliantSlowMotion LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication
   EntireForm ExponentDerivative DifferentiableInBeta ZeroSlopes DerivativeTail
-  CompliantDeviation.
+  CompliantDeviation CertificateWalk CertificateFamily CertificatePieces CertificateForce.
 From GSpot Require Import Statement.
 Import ListNotations.
 Open Scope R_scope.
@@ -90,36 +90,10 @@ Theorem left_end_explicit : Statement.left_end_explicit.
 Proof. exact EnvelopingLow.left_end_explicit. Qed.
 
 Theorem tail_without_zero : Statement.tail_without_zero.
-Proof.
-intros n b theta T Hbn H s Hs H0 t Ht.
-assert (Hb : not_nat b) by (apply (cell_not_nat (S n)); unfold cell; rewrite S_INR; lra).
-destruct (Rle_lt_or_eq_dec T t Ht) as [Hlt|<-].
-- exact (tail_positive b theta Hb H n T Hbn Hs 0%nat ltac:(lia) t Hlt).
-- assert (A := Hs 0%nat ltac:(lia)). destruct (Rle_lt_or_eq_dec _ _ A) as [B|B]; [exact B|]. exfalso. apply H0. auto.
-Qed.
+Proof. exact Ends.tail_without_zero. Qed.
 
 Theorem tail_with_one_zero : Statement.tail_with_one_zero.
-Proof.
-intros n j b theta T Hbn H s Hj Hlo Hhi H0.
-assert (Hb : not_nat b) by (apply (cell_not_nat (S n)); unfold cell; rewrite S_INR; lra).
-assert (Hg := not_nat_Gamma b Hb).
-assert (S0 : s 0%nat < 0).
-{ assert (A := Hlo 0%nat ltac:(lia)). destruct (Rle_lt_or_eq_dec _ _ A) as [B|B]; [exact B|]. contradiction. }
-destruct (tail_one_zero b theta Hb H n j T Hbn ltac:(lia) Hlo Hhi) as [P|(z & Hz & Ez & Dz & Hn & Hp)].
-- exfalso. assert (C : locally T (fun t => 0 < - scaled b theta 0 t)).
-  { apply (continuous_pos (fun t => - scaled b theta 0 t)).
-    - exists (- scaled b theta 1 T). apply (is_derive_opp (scaled b theta 0)), (scaled_derive b theta Hb H 0).
-    - unfold s in S0. unfold scaled. lra. }
-  destruct C as [d Hd]. assert (Hdp := cond_pos d).
-  assert (A := P (T + d / 2) ltac:(lra)).
-  assert (B : 0 < - scaled b theta 0 (T + d / 2)).
-  { apply Hd. unfold ball; simpl; unfold AbsRing_ball, abs, minus, plus, opp; simpl. rewrite Rabs_pos_eq; lra. }
-  lra.
-- exists z. refine (conj Hz (conj _ (conj _ (conj _ Hp)))).
-  + apply Rmult_integral in Ez. destruct Ez as [E|E]; [contradiction|exact E].
-  + intros E. unfold scaled in Dz. change (Derive_n theta 1 z) with (Derive theta z) in Dz. rewrite E in Dz. lra.
-  + intros t [Ht1 Ht2]. destruct (Rle_lt_or_eq_dec T t Ht1) as [A|<-]; [exact (Hn t (conj A Ht2))|exact S0].
-Qed.
+Proof. exact Ends.tail_with_one_zero. Qed.
 
 Theorem recurrence_tail : Statement.recurrence_tail.
 Proof. intros b t0 s B c I N Hs HB Hb Hc a q Hq. exact (RecurrenceTail.recurrence_tail b t0 s B c I Hs HB Hb Hc Hq N). Qed.
@@ -425,3 +399,20 @@ assert (E : forall k, Gamma (- b) * G k = scaled_J eta (- b - 1) k t).
   apply scaled_slow; auto. }
 rewrite Rmult_minus_distr_l, !E. unfold scaled in H. lra.
 Qed.
+
+(** ** Certificates *)
+
+Theorem sign_certificate : Statement.sign_certificate.
+Proof. exact CertificatePieces.sign_certificate. Qed.
+
+Theorem zeros_certificate : Statement.zeros_certificate.
+Proof. exact CertificatePieces.zeros_certificate. Qed.
+
+Theorem brackets_certificate : Statement.brackets_certificate.
+Proof. exact CertificatePieces.brackets_certificate. Qed.
+
+Theorem force_certificate : Statement.force_certificate.
+Proof. exact CertificateForce.force_certificate. Qed.
+
+Theorem lift_off_certificate : Statement.lift_off_certificate.
+Proof. exact CertificateForce.lift_off_certificate. Qed.
