@@ -13,6 +13,8 @@ READY := $(VENV)/.ready
 
 # The tests start many processes of their own: compiled files, also where the environment asks for none, make those quick.
 export PYTHONDONTWRITEBYTECODE :=
+# One worker a core: threads of linear algebra within a worker only wait for each other.
+test test-all: export OPENBLAS_NUM_THREADS := 1
 
 .PHONY: verify test test-all prove docs lint mutants clean
 
