@@ -583,6 +583,13 @@ Definition above_leading_order : Prop := forall b n eta theta F t, not_nat b -> 
   let G k := Rpower eta (b - INR k) * Derive_n F k (t / eta) in
   0 < Gamma (- b) * (G n - Derive_n theta n t) <= eta / 8 * (Gamma (- b) * G (n + 4)%nat).
 
+(** Theorem C with a polynomial part: what is left of Gamma(-b) G^(n) beyond Theta and two terms increases with eta from 0, if n > b - 6. *)
+Definition monotone_next_order : Prop := forall b n eta eta' theta F F' t, not_nat b -> b < INR n + 6 -> 0 < eta < eta' ->
+  is_Theta b theta -> is_slow (2 * eta ^ 3) b F -> is_slow (2 * eta' ^ 3) b F' ->
+  let excess eta F := Gamma (- b) * (Rpower eta (b - INR n) * Derive_n F n (t / eta) - Derive_n theta n t
+    - eta / 8 * Derive_n theta (n + 4) t + eta ^ 2 / 10 * Derive_n theta (n + 5) t) in
+  0 < excess eta F < excess eta' F'.
+
 (** ** What the pieces of a certificate prove together (proofs/certificate.md, version 1) *)
 
 (** F b is Theta(., b), for integers b too. *)

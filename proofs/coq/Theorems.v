@@ -10,7 +10,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   CompliantSlow CompliantMechanism CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases
   CompliantOpen CompliantSlowMotion LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication
   EntireForm ExponentDerivative DifferentiableInBeta ZeroSlopes DerivativeTail
-  CompliantDeviation CertificateWalk CertificateFamily CertificatePieces CertificateForce.
+  CompliantDeviation CompliantNextOrder CertificateWalk CertificateFamily CertificatePieces CertificateForce.
 From GSpot Require Import Statement.
 Import ListNotations.
 Open Scope R_scope.
@@ -398,6 +398,15 @@ assert (E : forall k, Gamma (- b) * G k = scaled_J eta (- b - 1) k t).
 { intros k. unfold G. rewrite (Derive_n_ext F (Fe (2 * eta ^ 3) b)) by (apply is_slow_Fe; auto; apply two_cube; lra).
   apply scaled_slow; auto. }
 rewrite Rmult_minus_distr_l, !E. unfold scaled in H. lra.
+Qed.
+
+Theorem monotone_next_order : Statement.monotone_next_order.
+Proof.
+intros b n eta eta' theta F F' t Hb Hn He HT HF HF' ex.
+assert (E : forall e G, 0 < e -> is_slow (2 * e ^ 3) b G -> ex e G = excess e (scaled b theta) (scaled_J e (- b - 1)) n t).
+{ intros e G He0 HG. unfold ex, excess, scaled. rewrite <- (scaled_slow b n e t He0 Hb).
+  rewrite (Derive_n_ext G (Fe (2 * e ^ 3) b)) by (apply is_slow_Fe; auto; apply two_cube; lra). ring. }
+rewrite (E eta F), (E eta' F') by (auto; lra). split; [apply excess_above|apply excess_increases]; auto; lra.
 Qed.
 
 (** ** Certificates *)
