@@ -16,7 +16,10 @@ from gspot_verified.ledger import (
     flight_in_case_ii,
     general_system,
     lagrangian,
+    section_1_alpha_signs,
     section_1_cases,
+    section_1_mass_matrix,
+    section_1_negative_p,
     section_1_rigid,
     section_2_contact,
     section_2_restitution,
@@ -38,6 +41,7 @@ from gspot_verified.ledger import (
     section_5_outer,
     section_5_recursion,
     section_5_side,
+    section_5_smoothest,
     section_5_spaces,
     section_5_theorem,
     section_6,
@@ -56,7 +60,10 @@ from gspot_verified.ledger.formal_routes import with_formal_proof
 from gspot_verified.verdict import Outcome
 
 PARTS: dict[str, Builders] = {
+    "Section 1, the mass matrix": section_1_mass_matrix.ENTRIES,
     "Section 1, rigid slip": section_1_rigid.ENTRIES,
+    "Section 1, negative p": section_1_negative_p.ENTRIES,
+    "Section 1, signs of the α's": section_1_alpha_signs.ENTRIES,
     "Section 1, Cases I, II and III": section_1_cases.ENTRIES,
     "Section 1, the ratio β": section_4_slow.RATIO_ENTRIES,
     "Section 2, the general system": general_system.ENTRIES,
@@ -85,6 +92,7 @@ PARTS: dict[str, Builders] = {
     "Section 4.5, the compliant model itself": compliant_model.ENTRIES,
     "Section 5, the count of conditions": section_5_count.ENTRIES,
     "Section 5, the recursion": section_5_recursion.ENTRIES,
+    "Section 5, the smoothest graph": section_5_smoothest.ENTRIES,
     "Section 5, Theorem 1": section_5_theorem.ENTRIES,
     "Section 5, the spaces of Theorem 1": section_5_spaces.ENTRIES,
     "Section 5, the example": example.ENTRIES,

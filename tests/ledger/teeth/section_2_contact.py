@@ -1,8 +1,8 @@
-"""Wrong relaxations of the surface (Sec. 2)."""
+"""Wrong relaxations and deformations of the surface (Sec. 2)."""
 
 from __future__ import annotations
 
-from ledger.bite import Bite, Teeth, replaced, unseen_at
+from ledger.bite import GENERIC, Bite, Teeth, raised, replaced, scaled, unseen_at
 
 from gspot_verified.ledger import section_2_contact as ledger
 
@@ -15,5 +15,13 @@ TEETH: Teeth = {
         Bite("hidden factor", ledger.RATE, "contact", unseen_at("y", (-1, 1))),
         Bite("hypothesis", ledger.RATE, "flight", lambda _: ledger.RATE["contact"]),
         Bite("order", ledger.DECAY, "contact", lambda honest: honest + 1),
+    ),
+    "2-deformation": (
+        Bite("factor", ledger.GIVEN, "z", scaled),
+        Bite("factor", ledger.BALANCE, "y", replaced("k2*", f"{GENERIC}*k2*")),
+        Bite("hidden factor", ledger, "UNDER_FORCE", unseen_at("eps", (0, 1))),
+        Bite("hypothesis", ledger.CONSTANTS, "k1", lambda _: 0),
+        Bite("hypothesis", ledger.CONSTANTS, "c", lambda _: 0),
+        Bite("order", ledger.GIVEN, "y", raised("eps")),
     ),
 }
