@@ -31,7 +31,8 @@ from gspot_verified.scenes.scene import Scene, SceneError
 from gspot_verified.verdict import Outcome
 
 RUNS = [
-    ("1/2", "1/4"), ("1/2", "4"), ("3/2", "1/4"), ("3/2", "2"), ("3/2", "4"), ("5/2", "1/2"), ("5/2", "2"),
+    ("1/2", "1/4"), ("3/2", "1/4"), ("3/2", "2"), ("5/2", "1/2"),
+    *(pytest.param(*run, marks=pytest.mark.slow) for run in (("1/2", "4"), ("3/2", "4"), ("5/2", "2"))),
 ]  # fmt: skip
 
 
@@ -71,9 +72,9 @@ def test_two_routes_overlap_at_other_epsilons(eps: str) -> None:
     ("chi", "nu", "expected"),
     [
         (0, "1/4", [IMPACT, "stick", "lift-off"]),
-        (0, "4", [IMPACT, "stick", "lift-off"]),
+        pytest.param(0, "4", [IMPACT, "stick", "lift-off"], marks=pytest.mark.slow),
         (1, "1/4", ["lift-off"]),
-        (1, "4", ["stick", "lift-off"]),
+        pytest.param(1, "4", ["stick", "lift-off"], marks=pytest.mark.slow),
     ],
 )
 def test_the_runs_of_varsim2(chi: int, nu: str, expected: list[str]) -> None:
@@ -281,7 +282,7 @@ def test_a_grazing_lift_off_is_undecided() -> None:
     assert high - low < fmpq(1, 10**8)
 
 
-@pytest.mark.parametrize(("nu", "event"), [("2", "lift-off"), ("1/2", IMPACT)])
+@pytest.mark.parametrize(("nu", "event"), [("2", "lift-off"), pytest.param("1/2", IMPACT, marks=pytest.mark.slow)])
 def test_epsilon_1e_10_near_the_g_spot(nu: str, event: str) -> None:
     """p = 1e-6 at ε = 1e-10, a factor 2 from the canard: the sides of larger ε (K is out of reach), and floats."""
     scene = load_scene("fig-varsim1", eps="1e-10", p="1e-6", nu=nu, until="3e-6")
