@@ -38,10 +38,11 @@ _SPARE_DIGITS = 5
 
 @dataclass
 class _Record:
-    """What a run at one precision has shown."""
+    """What a run at one precision has shown; ``multiples``: how far each impact is shown to grow, None: no limit."""
 
     events: list[RunEvent] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
+    multiples: list[int | None] = field(default_factory=list)
     open: Open | None = None
     for_ever: bool = False
 
@@ -168,6 +169,8 @@ class _ImpactObserver:
         time = self._began + segment.end_time
         if not limited:
             self._record.events.append(_event(IMPACT, time, self._epsilon))
+            self._record.multiples.append(None)
+        self._record.multiples[-1] = found.until
         self._record.remarks.append(_words(found, self._sticks, time * self._epsilon if limited else None))
         self._record.for_ever = found.until is None and found.within is None and self._may_slip_for_ever
         return self._record.for_ever
@@ -185,13 +188,20 @@ def _words(growth: Growth, sticks: bool, since: arb | None) -> str:
     return f"{lasting}, which ends within {rounded_text(float_bounds(growth.within)[1], 1)} ε"
 
 
-def _statement(fate: str, span: str) -> str:
-    """What is proved. An impact without collision that no cone shows is not excluded, so "no event" would be too much.
+def _statement(fate: str, span: str, multiples: Sequence[int | None] = ()) -> str:
+    """What is proved. An impact without collision that no cone shows is not excluded, so "no event" would be too much;
+    and where a cone shows the growth of λ_N up to a multiple only, the multiple is part of the statement.
 
     >>> _statement("lift-off", " until t = 1 after the start")
     'lift-off until t = 1 after the start, and no other change of phase'
+    >>> _statement("impact without collision", "", (8, None))
+    'impact without collision (λ_N grows 8-fold, or slip or stick ends), and no other change of phase'
     """
-    return f"no change of phase{span}" if fate == NO_EVENT else f"{fate}{span}, and no other change of phase"
+    if fate == NO_EVENT:
+        return f"no change of phase{span}"
+    known = [multiple for multiple in multiples if multiple is not None]
+    limit = f" (λ_N grows {min(known)}-fold, or slip or stick ends)" if known else ""
+    return f"{fate}{limit}{span}, and no other change of phase"
 
 
 def _event(name: str, time: arb, epsilon: fmpq) -> RunEvent:
@@ -207,7 +217,7 @@ def _result(scene: Scene, record: _Record) -> SceneRun:
     if record.open is None:
         fate = fate_of(names)
         span = "" if record.for_ever else f" until t = {scene.until} after the start"
-        return SceneRun(CERTIFIED, fate, events, Verdict.proved(_statement(fate, span), remarks))
+        return SceneRun(CERTIFIED, fate, events, Verdict.proved(_statement(fate, span, record.multiples), remarks))
     known = f"certain before it: {fate_of(names)}"
     at = (record.open.time * scene.epsilon).str(10)
     detail = "; ".join(filter(None, (f"{record.open.reason} (t = {at} after the start)", known, remarks)))
