@@ -44,7 +44,8 @@ def cost(
         Path | None, typer.Option(help="One subject: time against digits, size or order as PNG, PDF or SVG.")
     ] = None,
     output: Annotated[
-        Path | None, typer.Option(help="all: write the measurement as JSON, for `report --cost`.")
+        Path | None,
+        typer.Option(help="all: write the measurement as JSON, for `report --cost`; goes on where it was interrupted."),
     ] = None,
     as_json: JsonFlag = False,
 ) -> None:
@@ -80,12 +81,14 @@ def cost(
 
 def _all_parts(full: bool, output: Path | None, outputs: Outputs, as_json: bool) -> None:
     from gspot_verified.cost.chapter.file import save
-    from gspot_verified.cost.chapter.run import run
+    from gspot_verified.cost.chapter.kept_parts import KeptParts
+    from gspot_verified.cost.chapter.run import question, run
     from gspot_verified.cost.chapter.text import measurement_text
 
-    measurement = run(full, progress)
-    if output is not None:
-        outputs.write("--output", output, lambda: save(measurement, output))
+    kept = None if output is None else KeptParts(output.with_name(f"{output.name}.parts"), question(full))
+    measurement = run(full, progress, kept)
+    if output is not None and outputs.write("--output", output, lambda: save(measurement, output)) and kept is not None:
+        kept.remove()
     if as_json:
         print_json(measurement.to_json())
     else:

@@ -13,7 +13,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any, get_args, get_origin, get_type_hints
 
-from gspot_verified.cost.chapter.measurement import KINDS, Measurement
+from gspot_verified.cost.chapter.measurement import KINDS, Measurement, Part
 
 SCHEMA = "gspot-verified/cost/2"
 """Also the schema of ``gspot-verified cost --json``."""
@@ -92,6 +92,16 @@ def parsed(text: str) -> Measurement:
     return found
 
 
+def part_of(data: object) -> Part:
+    """One part from its plain data.
+
+    :raises ValueError: it is not of that form, or out of range; the message names the place.
+    """
+    found: Part = _object(Part, data, "part")
+    _check_part(found)
+    return found
+
+
 def _no_constant(name: str) -> float:
     raise ValueError(f"{name} is not a number")
 
@@ -103,16 +113,20 @@ def _check(measurement: Measurement) -> None:
     if len(set(keys)) != len(keys) or not all(map(_KEY.fullmatch, keys)):
         raise ValueError(f"parts: expected different keys of small letters and -, got {keys}")
     for part in measurement.parts:
-        if any(not 0 <= share.part <= 1 for share in part.shares):
-            raise ValueError(f"{part.key}: a share is not in 0..1")
-        if part.limit is not None and not (part.limit.seconds > 0 and part.limit.took > 0):
-            raise ValueError(f"{part.key}: the limit is not positive")
-        for route in part.routes:
-            if route.kind not in KINDS:
-                raise ValueError(f"{part.key}: {route.name}: expected one of {', '.join(KINDS)}, got {route.kind!r}")
-            for point in route.points:
-                if not (point.place > 0 and 0 < point.best <= point.median and point.repeats > 0):
-                    raise ValueError(f"{part.key}: {route.name}: {point} is no measurement")
+        _check_part(part)
+
+
+def _check_part(part: Part) -> None:
+    if any(not 0 <= share.part <= 1 for share in part.shares):
+        raise ValueError(f"{part.key}: a share is not in 0..1")
+    if part.limit is not None and not (part.limit.seconds > 0 and part.limit.took > 0):
+        raise ValueError(f"{part.key}: the limit is not positive")
+    for route in part.routes:
+        if route.kind not in KINDS:
+            raise ValueError(f"{part.key}: {route.name}: expected one of {', '.join(KINDS)}, got {route.kind!r}")
+        for point in route.points:
+            if not (point.place > 0 and 0 < point.best <= point.median and point.repeats > 0):
+                raise ValueError(f"{part.key}: {route.name}: {point} is no measurement")
 
 
 @cache

@@ -17,6 +17,8 @@ import flint
 
 from gspot_verified.cost.chapter.cheap_answers import answers
 from gspot_verified.cost.chapter.contest import FULL, QUICK
+from gspot_verified.cost.chapter.file import SCHEMA
+from gspot_verified.cost.chapter.kept_parts import KeptParts
 from gspot_verified.cost.chapter.measurement import Measurement
 from gspot_verified.cost.chapter.parts import blueprints
 from gspot_verified.cost.measure import machine_load
@@ -26,22 +28,33 @@ _PACKAGES = ("gspot-verified", "python-flint", "mpmath", "numpy", "scipy", "symp
 _PROGRAMS = {"PARI/GP": ("gp", "--version-short"), "Sage": ("sage", "--version"), "Coq": ("coqc", "--version")}
 
 
-def run(full: bool = False, progress: Progress = lambda _: None) -> Measurement:
-    """Measure all parts: two to three minutes of processor time; with ``full`` about half an hour.
+def run(full: bool = False, progress: Progress = lambda _: None, kept: KeptParts | None = None) -> Measurement:
+    """Measure all parts: two to three minutes of processor time; with ``full`` more than half an hour.
 
-    ``progress`` is called with a line of text before each part.
+    ``progress`` is called with a line of text before each part. Parts in ``kept`` are not measured again; new ones are
+    put there.
     """
     start, before = time.perf_counter(), machine_load()
     parts = []
     for blueprint in blueprints(full):
-        progress(blueprint.title)
-        parts.append(blueprint.measured(FULL if full else QUICK))
+        part = None if kept is None else kept.find(blueprint.key)
+        if part is None:
+            progress(blueprint.title)
+            part = blueprint.measured(FULL if full else QUICK)
+            if kept is not None:
+                kept.keep(part)
+        parts.append(part)
     progress("the same questions asked cheaply")
     cheap = answers()
     date = datetime.datetime.now(datetime.UTC).date().isoformat()
     load = f"before: {before}; after: {machine_load()}"
     seconds = time.perf_counter() - start
     return Measurement(tuple(parts), cheap, date, machine(), tuple(sorted(versions().items())), load, full, seconds)
+
+
+def question(full: bool) -> dict[str, object]:
+    """What parts that were measured at different times must have in common, beside the sources."""
+    return {"cost": SCHEMA, "full": full, "machine": machine(), "versions": versions()}
 
 
 def machine() -> str:
