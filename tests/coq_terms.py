@@ -1,4 +1,4 @@
-"""Arithmetic in the Coq files, read and evaluated: what proofs/coq/Statement.v states, as numbers.
+"""Arithmetic in the Coq files, read and evaluated: what the files of statements in proofs/coq/ state, as numbers.
 
 A term is read as Coq reads it: application binds tightest, then ^, then a leading minus, then * and /, then + and -
 (for natural numbers / and mod are those of integers, and n mod m stands on the level of * and /).
@@ -11,7 +11,9 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-STATEMENT = Path(__file__).resolve().parents[1] / "proofs" / "coq" / "Statement.v"
+COQ = Path(__file__).resolve().parents[1] / "proofs" / "coq"
+STATEMENTS = [COQ / f"{name}.v" for name in ("Statement", "StatementCompliant", "StatementCertificate")]
+"""In the order in which each one uses those before it."""
 TOKEN = re.compile(r"\s*(?:(\d+)|([A-Za-z_][\w']*(?:\.[A-Za-z_]\w*)*)|(.))")
 
 Names = Mapping[str, Any]
@@ -27,11 +29,11 @@ class Applied:
 
 
 def statement(name: str, text: str | None = None) -> str:
-    """The body of the definition of this name in Statement.v, without comments, on one line."""
-    text = STATEMENT.read_text(encoding="utf-8") if text is None else text
+    """The body of the definition of this name in the files of statements, without comments, on one line."""
+    text = "\n".join(file.read_text(encoding="utf-8") for file in STATEMENTS) if text is None else text
     text = re.sub(r"\(\*.*?\*\)", "", text, flags=re.DOTALL)
     found = re.search(rf"^(?:Definition|Fixpoint) {re.escape(name)}\b(.*?)\.\n(?=\n|$)", text, re.MULTILINE | re.DOTALL)
-    assert found, f"Statement.v defines no {name}"
+    assert found, f"no file of statements defines {name}"
     return " ".join(found[1].split())
 
 

@@ -1,4 +1,4 @@
-"""What Statement.v says of the pieces of a certificate is what proofs/check.py checks of them.
+"""What StatementCertificate.v says of the pieces of a certificate is what proofs/check.py checks of them.
 
 The formulas are read out of the text and compared with the checker at rational points; Coq itself runs the walk.
 """
@@ -16,7 +16,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from coq_terms import STATEMENT, Applied, evaluate_term, mutations, statement
+from coq_terms import STATEMENTS, Applied, evaluate_term, mutations, statement
 from must_reject import mutate
 
 check = mutate.checker()
@@ -154,7 +154,9 @@ def counted(cell: int, pieces: list[tuple[str, object, int]]) -> int | None:
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed: the walk of Statement.v is not run")
+@pytest.mark.skipif(
+    shutil.which("coqc") is None, reason="Coq is not installed: the walk of StatementCertificate.v is not run"
+)
 def test_the_walk_through_the_pieces(tmp_path: Path) -> None:
     choice = random.Random(13)
     cases = [
@@ -164,14 +166,16 @@ def test_the_walk_through_the_pieces(tmp_path: Path) -> None:
     expected = [counted(*case) for case in cases]
     assert {number for number in expected if number is not None} >= {0, 1, 2, 3}
     lists = ";\n".join(f"({cell}, [{'; '.join(text for text, _, _ in pieces)}])" for cell, pieces in cases)
-    shutil.copyfile(STATEMENT, tmp_path / "Statement.v")
+    for file in STATEMENTS:
+        shutil.copyfile(file, tmp_path / file.name)
     (tmp_path / "Walk.v").write_text(
         "From Coq Require Import Reals List.\nFrom Coquelicot Require Import Coquelicot.\n"
-        "From GSpot Require Import Statement.\nImport ListNotations.\nOpen Scope nat_scope.\nSet Printing Width 100.\n"
+        "From GSpot Require Import StatementCertificate.\nImport ListNotations.\nOpen Scope nat_scope.\n"
+        "Set Printing Width 100.\n"
         "Eval lazy in map (fun case => zeros_counted (Column m_infty 0%R (fst case) []) None None (snd case))\n"
         f"[{lists}].\n"
     )
-    for name in ("Statement.v", "Walk.v"):
+    for name in (*(file.name for file in STATEMENTS), "Walk.v"):
         done = subprocess.run(
             ["coqc", "-q", "-R", ".", "GSpot", name],
             cwd=tmp_path,

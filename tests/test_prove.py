@@ -55,9 +55,17 @@ def test_each_statement_has_a_theorem_and_a_line_of_axioms(prove: ModuleType) ->
     names = prove.statements()
     assert {"IWC", "count_law", "count_law_integer", "zeros_continuous", "IWC_compliant", "case_II"} <= set(names)
     theorems = (prove.HERE / "Theorems.v").read_text(encoding="utf-8")
-    assert [name for name in names if f"Theorem {name} : Statement.{name}.\n" not in theorems] == []
+    assert [name for name, file in names.items() if f"Theorem {name} : {file}.{name}.\n" not in theorems] == []
+    assert {*names.values()} == {*prove.STATED_IN}
     assert sorted(prove.listed()) == sorted(names)
     assert all(set(axioms) <= prove.AXIOMS for axioms in prove.listed().values())
+
+
+def test_a_name_that_two_files_state_is_refused(prove: ModuleType) -> None:
+    with (prove.HERE / "StatementCertificate.v").open("a") as file:
+        file.write("\nDefinition IWC : Prop := True.\n")
+    with pytest.raises(ValueError, match=r"Statement\.v and StatementCertificate\.v both state IWC"):
+        prove.statements()
 
 
 def test_the_table_of_the_checker_names_every_page_and_only_statements(prove: ModuleType) -> None:
@@ -84,7 +92,7 @@ def test_the_pages_name_statements_and_lemmas_that_exist(prove: ModuleType) -> N
     noted = 0
     for page in COQ.parent.glob("*.md"):
         text = page.read_text(encoding="utf-8")
-        for line in re.findall(r"^Formal proof \(`proofs/coq/Statement.v`\): (.*)$", text, re.MULTILINE):
+        for line in re.findall(r"^Formal proof \(`proofs/coq/`\): (.*)$", text, re.MULTILINE):
             noted += 1
             assert set(re.findall(r"`(\w+)`", line)) <= set(prove.statements()), page.name
     assert noted >= 8

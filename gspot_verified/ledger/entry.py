@@ -138,7 +138,7 @@ class Entry(NoTruthValue):
         """Each route to the claim: what it rests on, what it is, and whether it was run here."""
         found = [(check.rung.short, check.what, True) for check in self.checks]
         if self.formal is not None and not self.formal.run:
-            found.append((Rung.FORMAL.short, ", ".join(name for name, _ in self.formal.theorems), False))
+            found.append((Rung.FORMAL.short, ", ".join(name for name, _, _ in self.formal.theorems), False))
         return tuple(found)
 
     @property

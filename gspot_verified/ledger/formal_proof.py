@@ -15,6 +15,8 @@ from gspot_verified.verdict import NoTruthValue
 ROOT = Path(__file__).resolve().parents[2]
 COQ = ROOT / "proofs" / "coq"
 """The folder of the repository; an installed package has none."""
+STATED_IN = ("Statement.v", "StatementCompliant.v", "StatementCertificate.v")
+"""The files of statements: about Theta, about the mechanism at every epsilon, about certificates."""
 RECORD = ROOT / "build" / "coq" / "record.json"
 """What ``make prove`` leaves when every theorem is proved: the hash of each source and the axioms of each theorem."""
 AXIOMS = frozenset(
@@ -30,46 +32,47 @@ AXIOMS = frozenset(
 
 @dataclass(frozen=True, slots=True)
 class FormalProof(NoTruthValue):
-    """Theorems that are the claim of an entry: their names with their texts, and whether they were proved here."""
+    """Theorems that are the claim of an entry: their names, texts and files, and whether they were proved here."""
 
     ask = ".run is True or False"
 
-    theorems: tuple[tuple[str, str], ...]
+    theorems: tuple[tuple[str, str, str], ...]
+    """Of each its name, its statement and the file that states it; no text and no file where proofs/coq/ is not."""
     run: bool
     state: str
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for ``json.dumps``."""
-        theorems = [{"name": name, "statement": statement} for name, statement in self.theorems]
+        theorems = [{"name": name, "statement": text, "file": file} for name, text, file in self.theorems]
         return {"theorems": theorems, "run": self.run, "state": self.state}
 
 
 def formal_proof(names: Sequence[str], coq: Path = COQ, record: Path = RECORD) -> FormalProof:
-    """The theorems of these names with their texts in Statement.v, proved here or not.
+    """The theorems of these names with their texts in the files of statements, proved here or not.
 
     They count as proved only if the record names each of them, with no other axiom than those of the classical reals,
     and holds the hash of every source as it is now.
 
-    :raises ValueError: Statement.v is there and does not state one of them.
+    :raises ValueError: Statement.v is there, and one of them is not stated.
     """
     if not (coq / "Statement.v").is_file():
-        return FormalProof(tuple((name, "") for name in names), False, "not run here: proofs/coq/ is not here")
-    theorems = tuple((name, statement_of(name, coq)) for name in names)
+        return FormalProof(tuple((name, "", "") for name in names), False, "not run here: proofs/coq/ is not here")
+    theorems = tuple((name, *statement_of(name, coq)) for name in names)
     why = _why_not(names, coq, record)
     return FormalProof(theorems, not why, f"not run here: {why}" if why else "run here, by make prove")
 
 
-def statement_of(name: str, coq: Path = COQ) -> str:
-    """The definition of a statement as it stands in Statement.v, with the comment before it.
+def statement_of(name: str, coq: Path = COQ) -> tuple[str, str]:
+    """The definition of a statement, with the comment before it, and the file where it stands.
 
-    :raises ValueError: it is not there.
+    :raises ValueError: no file states it.
     """
-    text = (coq / "Statement.v").read_text(encoding="utf-8")
     comment = r"(?:^\(\*\*(?:(?!\*\)).)*\*\)\n)?"
-    found = re.search(rf"{comment}^Definition {re.escape(name)} : Prop :=.*?\.$(?=\n\n|\n?\Z)", text, re.M | re.S)
-    if found is None:
-        raise ValueError(f"Statement.v states no {name}")
-    return found[0]
+    pattern = re.compile(rf"{comment}^Definition {re.escape(name)} : Prop :=.*?\.$(?=\n\n|\n?\Z)", re.M | re.S)
+    for file in STATED_IN:
+        if found := pattern.search((coq / file).read_text(encoding="utf-8")):
+            return found[0], file
+    raise ValueError(f"{', '.join(STATED_IN)}: no {name} is stated")
 
 
 def _why_not(names: Sequence[str], coq: Path, record: Path) -> str:

@@ -1,4 +1,4 @@
-"""Which theorem of ``proofs/coq/Statement.v`` is the whole claim of which entry, or contradicts it.
+"""Which theorem of ``proofs/coq/`` is the whole claim of which entry, or contradicts it.
 
 A theorem stands here only if it carries the claim for all its arguments. The check is added where ``make prove`` has
 run on these sources; elsewhere the entry names the route and says that it was not run.
@@ -44,6 +44,6 @@ def with_formal_proof(entry: Entry, coq: Path = COQ, record: Path = RECORD) -> E
     proof = formal_proof(names, coq, record)
     if not proof.run:
         return replace(entry, formal=proof)
-    what = f"proofs/coq/Statement.v: {', '.join(names)}"
+    what = "; ".join(f"proofs/coq/{file}: {name}" for name, _, file in proof.theorems)
     checks = (*entry.checks, Check(Rung.FORMAL, what, contradicted is None, finding))
     return replace(entry, checks=checks, verdict=conclude(entry.statement, checks), formal=proof)

@@ -199,7 +199,9 @@ def _check_formal(entry: dict[str, Any], where: str) -> None:
     if formal is not None:
         _texts(_mapping(formal, f"{where}.formal"), ("state",), f"{where}.formal")
         for theorem in _sequence(formal, "theorems", f"{where}.formal"):
-            _texts(_mapping(theorem, f"{where}.formal.theorems"), ("name", "statement"), f"{where}.formal.theorems")
+            _texts(
+                _mapping(theorem, f"{where}.formal.theorems"), ("name", "statement", "file"), f"{where}.formal.theorems"
+            )
     if run is not (formal is not None and formal.get("run") is True):
         raise ValueError(f"{where}.formal: it does not go with the checks")
 

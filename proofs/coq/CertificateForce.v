@@ -6,7 +6,7 @@
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus GammaFunction Family Ends CompliantThreshold CertificateWalk CertificateFamily CertificatePieces.
+From GSpot Require Import Statement StatementCompliant StatementCertificate Calculus GammaFunction Family Ends CompliantThreshold CertificateWalk CertificateFamily CertificatePieces.
 Import ListNotations.
 Open Scope R_scope.
 

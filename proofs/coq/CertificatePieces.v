@@ -5,7 +5,7 @@
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus LaplaceIntegral WellPosed Family SignsAtZero IntegerPolynomials PolynomialSum Ends
+From GSpot Require Import Statement StatementCertificate Calculus LaplaceIntegral WellPosed Family SignsAtZero IntegerPolynomials PolynomialSum Ends
   FoldAndHinge ZeroCurves EnvelopingLow CertificateWalk CertificateFamily.
 Import ListNotations.
 Open Scope R_scope.

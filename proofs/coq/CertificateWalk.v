@@ -6,7 +6,7 @@
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus SignPattern ZerosAtInteger.
+From GSpot Require Import Statement StatementCertificate Calculus SignPattern ZerosAtInteger.
 Import ListNotations.
 Open Scope R_scope.
 

@@ -5,7 +5,7 @@
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus CompliantMechanism.
+From GSpot Require Import Statement StatementCompliant Calculus CompliantMechanism.
 Open Scope R_scope.
 
 Section Deviation.

@@ -5,7 +5,7 @@
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus Gronwall GammaFunction LaplaceIntegral Family CompliantKernel
+From GSpot Require Import Statement StatementCompliant Calculus Gronwall GammaFunction LaplaceIntegral Family CompliantKernel
   CompliantIntegral CompliantSlow CompliantMechanism CompliantCone CompliantUnique CompliantContact.
 Open Scope R_scope.
 

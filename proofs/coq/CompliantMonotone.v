@@ -6,7 +6,7 @@
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus TruncatedIntegral TruncationLimit GammaFunction LaplaceIntegral
+From GSpot Require Import Statement StatementCompliant Calculus TruncatedIntegral TruncationLimit GammaFunction LaplaceIntegral
   ImproperIntegral Family Ends CompliantKernel CompliantIntegral CompliantSlow CompliantLimit LeftExpansion.
 Open Scope R_scope.
 

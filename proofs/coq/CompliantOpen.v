@@ -5,7 +5,7 @@
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus LaplaceIntegral Family CompliantKernel CompliantIntegral CompliantSlow
+From GSpot Require Import Statement StatementCompliant Calculus LaplaceIntegral Family CompliantKernel CompliantIntegral CompliantSlow
   CompliantMechanism.
 Open Scope R_scope.
 

@@ -8,7 +8,7 @@
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus GammaFunction LaplaceIntegral WellPosed Family Ends CompliantKernel CompliantIntegral
+From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral WellPosed Family Ends CompliantKernel CompliantIntegral
   CompliantSlow CompliantMechanism CompliantForward CompliantSlowMotion CompliantMonotone.
 Open Scope R_scope.
 

@@ -1,6 +1,6 @@
 (** * The theorems
 
-    Each statement of [Statement.v] is proved here under its own name, from the files named for the steps. *)
+    Each statement of [Statement.v], [StatementCompliant.v] and [StatementCertificate.v] is proved here under its own name, from the files named for the steps. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
@@ -11,7 +11,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   CompliantOpen CompliantSlowMotion LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication
   EntireForm ExponentDerivative DifferentiableInBeta ZeroSlopes DerivativeTail
   CompliantDeviation CompliantNextOrder CertificateWalk CertificateFamily CertificatePieces CertificateForce.
-From GSpot Require Import Statement.
+From GSpot Require Import Statement StatementCompliant StatementCertificate.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -242,69 +242,69 @@ Proof. exact FoldAndHinge.hinge. Qed.
 
 (** ** The compliant model *)
 
-Theorem slow_motion_exists : Statement.slow_motion_exists.
+Theorem slow_motion_exists : StatementCompliant.slow_motion_exists.
 Proof. intros a1 a2 a3 eps C Hp. do 5 eexists. apply (slow_motion_sol a1 a2 a3 eps Hp C). Qed.
 
-Theorem slow_motion_unique : Statement.slow_motion_unique.
+Theorem slow_motion_unique : StatementCompliant.slow_motion_unique.
 Proof.
 intros a1 a2 a3 eps C p b y v z p' b' y' v' z' Hp. exact (CompliantSlowMotion.slow_motion_unique a1 a2 a3 eps Hp C p b y v z p' b' y' v' z').
 Qed.
 
-Theorem slow_motions_are_all : Statement.slow_motions_are_all.
+Theorem slow_motions_are_all : StatementCompliant.slow_motions_are_all.
 Proof. intros a1 a2 a3 eps p b y v z Hp. exact (CompliantSlowMotion.slow_motions_are_all a1 a2 a3 eps Hp p b y v z). Qed.
 
-Theorem deviation_recover : Statement.deviation_recover.
+Theorem deviation_recover : StatementCompliant.deviation_recover.
 Proof. exact CompliantDeviation.deviation_recover. Qed.
 
-Theorem side_rule : Statement.side_rule.
+Theorem side_rule : StatementCompliant.side_rule.
 Proof. intros a1 a2 a3 eps C p b y v z Hp. exact (CompliantSlowMotion.side_rule a1 a2 a3 eps Hp C p b y v z). Qed.
 
-Theorem force_deviation : Statement.force_deviation.
+Theorem force_deviation : StatementCompliant.force_deviation.
 Proof. intros a1 a2 a3 eps C p b y v z Hp HS. exact (CompliantSlowMotion.force_deviation a1 a2 a3 eps Hp C p b y v z HS). Qed.
 
-Theorem IWC_compliant : Statement.IWC_compliant.
+Theorem IWC_compliant : StatementCompliant.IWC_compliant.
 Proof.
 intros a1 a2 a3 eps C t0 P B Y V Z p b y v z Hp HC HS.
 exact (CompliantSlowMotion.IWC_compliant a1 a2 a3 eps Hp C P B Y V Z HS t0 p b y v z HC).
 Qed.
 
-Theorem lift_off_compliant : Statement.lift_off_compliant.
+Theorem lift_off_compliant : StatementCompliant.lift_off_compliant.
 Proof.
 intros a1 a2 a3 eps C t0 p b y v z Hp HC HS. exact (CompliantSlowMotion.lift_off_compliant a1 a2 a3 eps Hp C p b y v z HS t0 HC).
 Qed.
 
-Theorem case_I : Statement.case_I.
+Theorem case_I : StatementCompliant.case_I.
 Proof.
 intros a1 a2 a3 eps C p b y v z Hp H1 H2 HC HS. exact (slow_case_I a1 a2 a3 eps Hp C p b y v z HS H1 H2 HC).
 Qed.
 
-Theorem case_II : Statement.case_II.
+Theorem case_II : StatementCompliant.case_II.
 Proof.
 intros a1 a2 a3 eps t1 p b y v z (H1 & H3 & He & Hb). exact (CompliantForward.case_II a1 a2 a3 eps H1 H3 He Hb t1 p b y v z).
 Qed.
 
-Theorem leading_side_rule : Statement.leading_side_rule.
+Theorem leading_side_rule : StatementCompliant.leading_side_rule.
 Proof. exact CompliantThreshold.leading_side_rule. Qed.
 
-Theorem force_above_leading_order : Statement.force_above_leading_order.
+Theorem force_above_leading_order : StatementCompliant.force_above_leading_order.
 Proof.
 intros a1 a2 a3 eps C1 theta p b y v z t Hp H5 HT HS.
 exact (CompliantThreshold.force_above_leading_order a1 a2 a3 eps C1 theta p b y v z Hp HT HS t H5).
 Qed.
 
-Theorem leading_force_positive : Statement.leading_force_positive.
+Theorem leading_force_positive : StatementCompliant.leading_force_positive.
 Proof. exact CompliantThreshold.leading_force_positive. Qed.
 
-Theorem IWC_below_threshold : Statement.IWC_below_threshold.
+Theorem IWC_below_threshold : StatementCompliant.IWC_below_threshold.
 Proof.
 intros a1 a2 a3 eps C1 theta m tau0 t0 P B Y V Z p b y v z Hp Hb H2 HC HT Hm Hl Hs HS Ht.
 exact (CompliantThreshold.IWC_below_threshold a1 a2 a3 eps C1 theta P B Y V Z Hp HT HS m tau0 t0 Hb H2 HC Hm Hl Hs Ht p b y v z).
 Qed.
 
-Theorem least_value_exists : Statement.least_value_exists.
+Theorem least_value_exists : StatementCompliant.least_value_exists.
 Proof. exact CompliantThreshold.least_value_exists. Qed.
 
-Theorem IWC_open : Statement.IWC_open.
+Theorem IWC_open : StatementCompliant.IWC_open.
 Proof.
 intros a1 a2 a3 eps t0 p b y v z H1 H13 He Ht0 Hp Hm Hc D0 D1 D2 D3.
 assert (HP : Pos a1 a2 a3 eps b y v z t0).
@@ -314,19 +314,19 @@ split.
 - exact (IWC_open_force a1 a2 a3 eps H1 H13 He p b y v z t0 Ht0 Hp Hm HP).
 Qed.
 
-Theorem open_set_holds_slow_motions : Statement.open_set_holds_slow_motions.
+Theorem open_set_holds_slow_motions : StatementCompliant.open_set_holds_slow_motions.
 Proof. intros a1 a2 a3 eps C t p b y v z Hp H13 HC HS. exact (slow_in_open_set a1 a2 a3 eps Hp C p b y v z HS t H13 HC). Qed.
 
-Theorem contact_tail : Statement.contact_tail.
+Theorem contact_tail : StatementCompliant.contact_tail.
 Proof. intros a1 a2 a3 eps C n t0 p b y v z Hp HS. exact (CompliantSlowMotion.contact_tail a1 a2 a3 eps Hp C p b y v z HS n t0). Qed.
 
-Theorem force_zeros : Statement.force_zeros.
+Theorem force_zeros : StatementCompliant.force_zeros.
 Proof. intros a1 a2 a3 eps C n l p b y v z Hp HS. exact (slow_force_zeros a1 a2 a3 eps Hp C p b y v z HS n l). Qed.
 
-Theorem printed_trivial_is_wrong : Statement.printed_trivial_is_wrong.
+Theorem printed_trivial_is_wrong : StatementCompliant.printed_trivial_is_wrong.
 Proof. exact printed_trivial_wrong. Qed.
 
-Theorem corrected_trivial : Statement.corrected_trivial.
+Theorem corrected_trivial : StatementCompliant.corrected_trivial.
 Proof.
 intros a1 a2 a3 eps t He H13.
 assert (E : linear_force eps (2 * (eps ^ 2 * a2 / (a1 - a3))) (eps ^ 2 * a2 / (a1 - a3)) = - a2 / (a1 - a3)).
@@ -343,35 +343,35 @@ Qed.
 
 (** ** The deviation in the time T *)
 
-Theorem slow_exists : Statement.slow_exists.
+Theorem slow_exists : StatementCompliant.slow_exists.
 Proof. intros e b He Hb. exists (Fe e b). exact (conj (Fe_ode e He b Hb) (Fe_asymptotics e He b Hb)). Qed.
 
 (** Any slow solution is the named one. *)
 Lemma is_slow_Fe e b F : 0 < e -> not_nat b -> is_slow e b F -> forall t, F t = Fe e b t.
 Proof. intros He Hb [H L]. exact (slow_characterized e b He Hb F H L). Qed.
 
-Theorem slow_unique : Statement.slow_unique.
+Theorem slow_unique : StatementCompliant.slow_unique.
 Proof. intros e b F G He Hb HF HG t. rewrite (is_slow_Fe e b F), (is_slow_Fe e b G); auto. Qed.
 
-Theorem slow_integral : Statement.slow_integral.
+Theorem slow_integral : StatementCompliant.slow_integral.
 Proof.
 intros e b n F He Hb Hn HF t. rewrite (Derive_n_ext F (Fe e b)) by (apply is_slow_Fe; auto).
 exact (Fe_representation e He b n Hb Hn t).
 Qed.
 
-Theorem IWC_every_eps : Statement.IWC_every_eps.
+Theorem IWC_every_eps : StatementCompliant.IWC_every_eps.
 Proof.
 intros e b F He Hb HF n t Hn. rewrite (Derive_n_ext F (Fe e b)) by (apply is_slow_Fe; auto using not_nat_01).
 exact (IWC_eps e He b Hb n t Hn).
 Qed.
 
-Theorem slow_zeros : Statement.slow_zeros.
+Theorem slow_zeros : StatementCompliant.slow_zeros.
 Proof.
 intros e b n F l He Hb Hn HF HS H0. apply (Fe_zeros e b n l He Hb Hn HS).
 intros t Ht. rewrite <- (is_slow_Fe e b F); auto.
 Qed.
 
-Theorem leading_order_limit : Statement.leading_order_limit.
+Theorem leading_order_limit : StatementCompliant.leading_order_limit.
 Proof.
 intros b n eta theta F t w Hb Hn He HT HF Hw.
 assert (He2 : 0 < 2 * eta ^ 3) by (generalize (pow_lt eta 3 He); lra).
@@ -381,7 +381,7 @@ assert (E : W (INR n - b + 3) t = w).
 rewrite <- E. exact (Fe_limit b n eta t theta Hb Hn HT He).
 Qed.
 
-Theorem monotone_in_eta : Statement.monotone_in_eta.
+Theorem monotone_in_eta : StatementCompliant.monotone_in_eta.
 Proof.
 intros b n eta eta' F F' t Hb Hn He HF HF'.
 assert (H := CompliantMonotone.monotone_in_eta b n eta eta' t Hb Hn He).
@@ -390,7 +390,7 @@ rewrite (Derive_n_ext F (Fe (2 * eta ^ 3) b)) by (apply is_slow_Fe; auto; apply 
 rewrite (Derive_n_ext F' (Fe (2 * eta' ^ 3) b)) by (apply is_slow_Fe; auto; apply two_cube; lra). exact H.
 Qed.
 
-Theorem above_leading_order : Statement.above_leading_order.
+Theorem above_leading_order : StatementCompliant.above_leading_order.
 Proof.
 intros b n eta theta F t Hb Hn He HT HF G.
 assert (H := CompliantMonotone.above_leading_order b n eta theta t Hb Hn He HT).
@@ -400,7 +400,7 @@ assert (E : forall k, Gamma (- b) * G k = scaled_J eta (- b - 1) k t).
 rewrite Rmult_minus_distr_l, !E. unfold scaled in H. lra.
 Qed.
 
-Theorem monotone_next_order : Statement.monotone_next_order.
+Theorem monotone_next_order : StatementCompliant.monotone_next_order.
 Proof.
 intros b n eta eta' theta F F' t Hb Hn He HT HF HF' ex.
 assert (E : forall e G, 0 < e -> is_slow (2 * e ^ 3) b G -> ex e G = excess e (scaled b theta) (scaled_J e (- b - 1)) n t).
@@ -411,17 +411,17 @@ Qed.
 
 (** ** Certificates *)
 
-Theorem sign_certificate : Statement.sign_certificate.
+Theorem sign_certificate : StatementCertificate.sign_certificate.
 Proof. exact CertificatePieces.sign_certificate. Qed.
 
-Theorem zeros_certificate : Statement.zeros_certificate.
+Theorem zeros_certificate : StatementCertificate.zeros_certificate.
 Proof. exact CertificatePieces.zeros_certificate. Qed.
 
-Theorem brackets_certificate : Statement.brackets_certificate.
+Theorem brackets_certificate : StatementCertificate.brackets_certificate.
 Proof. exact CertificatePieces.brackets_certificate. Qed.
 
-Theorem force_certificate : Statement.force_certificate.
+Theorem force_certificate : StatementCertificate.force_certificate.
 Proof. exact CertificateForce.force_certificate. Qed.
 
-Theorem lift_off_certificate : Statement.lift_off_certificate.
+Theorem lift_off_certificate : StatementCertificate.lift_off_certificate.
 Proof. exact CertificateForce.lift_off_certificate. Qed.

@@ -4,8 +4,9 @@
     python3 proofs/coq/prove.py                 what `make prove` runs
     python3 proofs/coq/prove.py --check-kernel  also coqchk, the independent checker of the compiled proofs (minutes)
 
-Every statement of Statement.v, that is every `Definition name : Prop := ...`, must be proved in Theorems.v under its
-name; its axioms must be those that assumptions.txt lists for it, no more and no fewer.
+Every statement of Statement.v, StatementCompliant.v and StatementCertificate.v, that is every `Definition name : Prop
+:= ...`, must be proved in Theorems.v under its name; its axioms must be those that assumptions.txt lists for it, no
+more and no fewer.
 The record, build/coq/record.json, holds the hash of each source. It is written last, and an old one is removed first.
 Imports nothing beyond the standard library; installs nothing.
 
@@ -31,6 +32,8 @@ RECORD = "record.json"
 LIMIT = 1200
 """Seconds until a step is given up, on a loaded machine; the whole takes one to two minutes on two free cores."""
 LIBRARY = "GSpot"
+STATED_IN = ("Statement", "StatementCompliant", "StatementCertificate")
+"""The files of statements: about Theta, about the mechanism at every eps, about certificates."""
 AXIOMS = {
     "ClassicalDedekindReals.sig_not_dec",
     "ClassicalDedekindReals.sig_forall_dec",
@@ -65,10 +68,19 @@ def without_comments(text: str) -> str:
     return "".join(kept)
 
 
-def statements() -> list[str]:
-    """The names that Statement.v states: the definitions of type Prop without arguments."""
-    text = without_comments((HERE / "Statement.v").read_text(encoding="utf-8"))
-    return re.findall(r"^Definition (\w+) : Prop :=", text, re.MULTILINE)
+def statements() -> dict[str, str]:
+    """The file that states each theorem, by name: the definitions of type Prop without arguments.
+
+    :raises ValueError: two files state one name.
+    """
+    found: dict[str, str] = {}
+    for file in STATED_IN:
+        text = without_comments((HERE / f"{file}.v").read_text(encoding="utf-8"))
+        for name in re.findall(r"^Definition (\w+) : Prop :=", text, re.MULTILINE):
+            if name in found:
+                raise ValueError(f"{found[name]}.v and {file}.v both state {name}")
+            found[name] = file
+    return found
 
 
 def unproved() -> list[str]:
@@ -117,21 +129,21 @@ def compile_all(jobs: int) -> str:
     return ""
 
 
-def assumptions(names: list[str], jobs: int) -> dict[str, list[str]]:
+def assumptions(stated: dict[str, str], jobs: int) -> dict[str, list[str]]:
     """The axioms of each theorem, by Coq's `Print Assumptions`; each proof is held against its statement again.
 
     :raises RuntimeError: a statement without a theorem of its name and type, or an answer that is not understood.
     """
     with ThreadPoolExecutor(jobs) as pool:
-        parts = pool.map(assumptions_of, range(jobs), [names[start::jobs] for start in range(jobs)])
+        parts = pool.map(assumptions_of, range(jobs), [list(stated.items())[start::jobs] for start in range(jobs)])
     return {name: axioms for part in parts for name, axioms in part.items()}
 
 
-def assumptions_of(number: int, names: list[str]) -> dict[str, list[str]]:
+def assumptions_of(number: int, stated: list[tuple[str, str]]) -> dict[str, list[str]]:
     """One share of :func:`assumptions`, in a file of its own."""
-    lines = [f"From {LIBRARY} Require Statement Theorems."]
-    for name in names:
-        lines += [f"Definition check_{name} : Statement.{name} := Theorems.{name}.",
+    lines = [f"From {LIBRARY} Require {' '.join(STATED_IN)} Theorems."]
+    for name, file in stated:
+        lines += [f"Definition check_{name} : {file}.{name} := Theorems.{name}.",
                   f'Goal True. idtac "theorem {name}". Abort.', f"Print Assumptions check_{name}."]  # fmt: skip
     (BUILD / f"audit_{number}.v").write_text("\n".join(lines) + "\n", encoding="utf-8")
     done = run(["coqc", "-R", ".", LIBRARY, f"audit_{number}.v"])
@@ -211,10 +223,10 @@ def prove(jobs: int, kernel: bool) -> int:
     before = hashes()
     if errors := compile_all(jobs):
         return failed("A file does not compile", [errors])
-    names = statements()
     try:
+        names = statements()
         found = assumptions(names, jobs)
-    except RuntimeError as error:
+    except (RuntimeError, ValueError) as error:
         return failed("A statement is not proved", [str(error)])
     for name in names:
         print(f"{name}: {', '.join(axiom.split('.')[-1] for axiom in found[name]) or 'no axiom'}")

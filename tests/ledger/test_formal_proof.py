@@ -42,8 +42,8 @@ def test_the_sources_that_were_proved(place: tuple[Path, Path]) -> None:
     found = formal_proof(["IWC"], *place)
     assert found.run
     assert found.state == "run here, by make prove"
-    [(name, statement)] = found.theorems
-    assert name == "IWC"
+    [(name, statement, file)] = found.theorems
+    assert (name, file) == ("IWC", "Statement.v")
     assert statement.endswith("forall b theta, 0 < b < 1 -> is_Theta b theta -> forall t, Derive theta t < 0.")
 
 
@@ -101,11 +101,11 @@ def not_run(coq: Path, record: Path) -> None:
 def test_without_the_folder(tmp_path: Path) -> None:
     found = formal_proof(["IWC"], tmp_path / "coq", tmp_path / "record.json")
     assert not found.run
-    assert found.theorems == (("IWC", ""),)
+    assert found.theorems == (("IWC", "", ""),)
 
 
 def test_an_unknown_theorem_is_an_error(place: tuple[Path, Path]) -> None:
-    with pytest.raises(ValueError, match="states no IWC_side"):
+    with pytest.raises(ValueError, match="no IWC_side is stated"):
         formal_proof(["IWC_side"], *place)  # a definition with arguments, no statement
 
 
@@ -143,4 +143,5 @@ def test_other_entries_stay_as_they_are(place: tuple[Path, Path]) -> None:
 def test_the_entries_and_the_statements_exist() -> None:
     known = {identifier for part in PARTS.values() for identifier in part}
     assert {*CARRIED, *CONTRADICTED} <= known
-    assert all(statement_of(name) for name in NAMES)
+    assert {statement_of(name)[1] for name in NAMES} == {"Statement.v", "StatementCompliant.v"}
+    assert statement_of("sign_certificate")[1] == "StatementCertificate.v"

@@ -1,0 +1,275 @@
+(** * What is proved about the mechanism at every eps > 0: definitions and statements
+
+    This file holds no proof; it is read after [Statement.v], whose words it uses. Each statement is proved in
+    [Theorems.v] under the same name. Labels such as modelsys1 are those of the paper. *)
+
+From Coq Require Import Reals List Sorted.
+From Coquelicot Require Import Coquelicot.
+From GSpot Require Import Statement.
+Import ListNotations.
+Open Scope R_scope.
+
+(** ** The compliant model at every eps > 0 *)
+
+(** The contact force compl2: lambda = (z - y)/eps^2 while y < z, otherwise 0; and the same without the condition. *)
+Definition contact_force (eps y z : R) : R := if Rlt_dec y z then (z - y) / eps ^ 2 else 0.
+Definition linear_force (eps y z : R) : R := (z - y) / eps ^ 2.
+
+(** The equations modelsys1-modelsys5 at time t, for a law of force. *)
+Definition model_at (a1 a2 a3 eps : R) (force : R -> R -> R -> R) (p b y v z : R -> R) (t : R) : Prop :=
+  is_derive p t a1 /\
+  is_derive b t (a2 - a3 * force eps (y t) (z t)) /\
+  is_derive y t (v t) /\
+  is_derive v t (b t + p t * force eps (y t) (z t)) /\
+  is_derive (fun s => eps * z s) t (- z t - eps ^ 2 * force eps (y t) (z t)).
+
+(** What all statements below suppose. beta = a3/a1; the G-spot is passed at t = 0. *)
+Definition parameters (a1 a3 eps : R) : Prop := a1 < 0 /\ a3 < 0 /\ 0 < eps /\ not_nat (a3 / a1).
+
+(** A motion on the slow manifold with coefficient C: it solves the contact equations for all t, p = a1 t, and
+    b - (its trivial part) ~ C (-t/eps)^beta as t -> -oo. *)
+Definition slow_motion (a1 a2 a3 eps C : R) (p b y v z : R -> R) : Prop :=
+  (forall t, p t = a1 * t) /\
+  (forall t, model_at a1 a2 a3 eps linear_force p b y v z t) /\
+  is_lim (fun x => (b (- x) - a2 / (a1 - a3) * a1 * - x) / Rpower (x / eps) (a3 / a1)) p_infty C.
+
+(** For each C there is exactly one. *)
+Definition slow_motion_exists : Prop := forall a1 a2 a3 eps C, parameters a1 a3 eps ->
+  exists p b y v z, slow_motion a1 a2 a3 eps C p b y v z.
+
+Definition slow_motion_unique : Prop := forall a1 a2 a3 eps C p b y v z p' b' y' v' z', parameters a1 a3 eps ->
+  slow_motion a1 a2 a3 eps C p b y v z -> slow_motion a1 a2 a3 eps C p' b' y' v' z' ->
+  forall t, p t = p' t /\ b t = b' t /\ y t = y' t /\ v t = v' t /\ z t = z' t.
+
+(** Growth below that of the fast modes, for instance polynomial growth. *)
+Definition slow_at_left (eps : R) (f : R -> R) : Prop :=
+  exists A T, forall t, t <= T -> Rabs (f t) <= A * exp (- t / (16 * eps)).
+
+(** They are the motions in contact whose b does not grow exponentially at t -> -oo. *)
+Definition slow_motions_are_all : Prop := forall a1 a2 a3 eps p b y v z, parameters a1 a3 eps ->
+  (forall t, p t = a1 * t) -> (forall t, model_at a1 a2 a3 eps linear_force p b y v z t) ->
+  (slow_at_left eps b <-> exists C, slow_motion a1 a2 a3 eps C p b y v z).
+
+(** modelSysDev for the deviation of b from its trivial part, and modelSysDevRecoverY, V, Z, LN for the other deviations. *)
+Definition deviation_form (a1 a2 a3 eps : R) (b y v z : R -> R) : Prop :=
+  let h t := b t - a2 / (a1 - a3) * a1 * t in
+  (forall k t, (k <= 4)%nat -> ex_derive_n h k t) /\
+  forall t,
+    a3 * h t - a1 * t * Derive h t + eps * ((a3 - a1) * Derive h t - a1 * t * Derive_n h 2 t)
+      - 2 * eps ^ 2 * Derive_n h 3 t - eps ^ 3 * Derive_n h 4 t = 0 /\
+    a3 * (y t - 2 * (eps ^ 2 * a2 / (a1 - a3)))
+      = eps ^ 2 * (a3 * h t - a1 * t * Derive h t + 2 * Derive h t) - eps ^ 3 * Derive_n h 2 t - eps ^ 4 * Derive_n h 3 t /\
+    a3 * v t = - eps * (a3 * h t - a1 * t * Derive h t) + 2 * eps ^ 2 * Derive_n h 2 t + eps ^ 3 * Derive_n h 3 t /\
+    a3 * (z t - eps ^ 2 * a2 / (a1 - a3))
+      = eps ^ 2 * (a3 * h t - a1 * t * Derive h t + Derive h t) - eps ^ 3 * Derive_n h 2 t - eps ^ 4 * Derive_n h 3 t /\
+    a3 * (linear_force eps (y t) (z t) - a2 / (a3 - a1)) = - Derive h t.
+
+(** With p = a1 t they say the same as the equations in contact. *)
+Definition deviation_recover : Prop := forall a1 a2 a3 eps p b y v z, a3 <> 0 -> a1 <> a3 -> 0 < eps ->
+  (forall t, p t = a1 * t) ->
+  ((forall t, model_at a1 a2 a3 eps linear_force p b y v z t) <-> deviation_form a1 a2 a3 eps b y v z).
+
+(** The side rule at every eps, for every non-integer beta: on the slow manifold the force tends to +oo or to -oo
+    with the sign of C Gamma(-beta). *)
+Definition side_rule : Prop := forall a1 a2 a3 eps C p b y v z, parameters a1 a3 eps ->
+  slow_motion a1 a2 a3 eps C p b y v z ->
+  (0 < C * Gamma (- (a3 / a1)) -> forall M, exists T, forall t, T <= t -> M <= linear_force eps (y t) (z t)) /\
+  (C * Gamma (- (a3 / a1)) < 0 -> forall M, exists T, forall t, T <= t -> linear_force eps (y t) (z t) <= M).
+
+(** 0 < beta < 1 and C < 0: the force less its mean is positive, and increases from 0 to +oo. *)
+Definition force_deviation : Prop := forall a1 a2 a3 eps C p b y v z, parameters a1 a3 eps ->
+  slow_motion a1 a2 a3 eps C p b y v z -> a3 / a1 < 1 -> C < 0 ->
+  let deviation t := linear_force eps (y t) (z t) - a2 / (a3 - a1) in
+  (forall t, 0 < deviation t) /\ (forall s t, s < t -> deviation s < deviation t) /\
+  (forall d, 0 < d -> exists T, forall t, t <= T -> deviation t < d) /\
+  (forall M, exists T, forall t, T <= t -> M <= deviation t).
+
+(** Impact without collision: the side of C for which the force increases; 0 < beta < 2. *)
+Definition IWC_side (beta C : R) : Prop := (beta < 1 /\ C < 0) \/ (1 < beta < 2 /\ 0 < C).
+
+(** Any motion of the mechanism (with compl2) from a state of a slow motion with y <= z keeps contact for ever after;
+    the force increases strictly and tends to +oo, and y to -oo. *)
+Definition IWC_compliant : Prop := forall a1 a2 a3 eps C t0 P B Y V Z p b y v z, parameters a1 a3 eps ->
+  IWC_side (a3 / a1) C -> slow_motion a1 a2 a3 eps C P B Y V Z ->
+  (forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force p b y v z t) ->
+  p t0 = P t0 -> b t0 = B t0 -> y t0 = Y t0 -> v t0 = V t0 -> z t0 = Z t0 -> y t0 <= z t0 ->
+  (forall t, t0 < t -> y t < z t) /\
+  (forall s t, t0 <= s -> s < t -> contact_force eps (y s) (z s) < contact_force eps (y t) (z t)) /\
+  (forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)) /\
+  (forall M, exists T, forall t, T <= t -> y t <= M).
+
+(** On the other side the force of a slow motion decreases strictly and vanishes exactly once: lift-off. *)
+Definition lift_off_compliant : Prop := forall a1 a2 a3 eps C t0 p b y v z, parameters a1 a3 eps ->
+  IWC_side (a3 / a1) (- C) -> slow_motion a1 a2 a3 eps C p b y v z -> y t0 < z t0 ->
+  (forall s t, s < t -> linear_force eps (y t) (z t) < linear_force eps (y s) (z s)) /\
+  exists t1, t0 < t1 /\ y t1 = z t1 /\ (forall t, t < t1 -> y t < z t) /\ (forall t, t1 < t -> z t < y t).
+
+(** Case I (0 < beta < 1, a2 < 0), C < 0: the force of the slow motion is negative up to one instant and positive after;
+    from that instant on it is a motion of the mechanism. *)
+Definition case_I : Prop := forall a1 a2 a3 eps C p b y v z, parameters a1 a3 eps ->
+  a3 / a1 < 1 -> a2 < 0 -> C < 0 -> slow_motion a1 a2 a3 eps C p b y v z ->
+  exists t0, (forall t, t < t0 -> z t < y t) /\ (forall t, t0 < t -> y t < z t) /\
+    forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force p b y v z t.
+
+(** Case II (0 < beta < 1, a2 > 0), any motion of the mechanism on R that is in contact for t < t1 and whose b does not
+    grow exponentially at t -> -oo: the trivial one; or impact without collision; or lift-off. *)
+Definition case_II : Prop := forall a1 a2 a3 eps t1 p b y v z, parameters a1 a3 eps ->
+  a3 / a1 < 1 -> 0 < a2 -> (forall t, p t = a1 * t) ->
+  (forall t, model_at a1 a2 a3 eps contact_force p b y v z t) -> (forall t, t < t1 -> y t < z t) ->
+  slow_at_left eps b ->
+  let lambda t := contact_force eps (y t) (z t) in
+  let mean := a2 / (a3 - a1) in
+  ((forall t, y t < z t) /\ forall t, lambda t = mean) \/
+  ((forall t, y t < z t) /\ (forall t, mean < lambda t) /\ (forall s t, s < t -> lambda s < lambda t) /\
+     (forall M, exists T, forall t, T <= t -> M <= lambda t) /\ (forall M, exists T, forall t, T <= t -> y t <= M)) \/
+  (exists t2, (forall t, t < t2 -> y t < z t) /\ y t2 = z t2 /\ (forall t, t < t2 -> lambda t < mean) /\
+     forall s t, s < t -> t <= t2 -> lambda t < lambda s).
+
+(** The force at leading order, for b - (its trivial part) ~ C_1 (-t)^beta at t -> -oo. *)
+Definition leading_force (a1 a2 a3 eps C1 : R) (theta : R -> R) (t : R) : R :=
+  let beta := a3 / a1 in
+  let kappa := Rpower (- a1 / 2) (1 / 3) in
+  a2 / (a3 - a1)
+    - C1 / a3 * Rpower kappa (1 - beta) * Rpower eps ((2 * beta - 2) / 3) * Derive theta (kappa * t * Rpower eps (- 2 / 3)).
+
+(** The side rule at leading order: the force tends to +oo or to -oo with the sign of C_1 Gamma(-beta). *)
+Definition leading_side_rule : Prop := forall a1 a2 a3 eps C1 theta, parameters a1 a3 eps -> is_Theta (a3 / a1) theta ->
+  (0 < C1 * Gamma (- (a3 / a1)) -> forall M, exists T, forall t, T <= t -> M <= leading_force a1 a2 a3 eps C1 theta t) /\
+  (C1 * Gamma (- (a3 / a1)) < 0 -> forall M, exists T, forall t, T <= t -> leading_force a1 a2 a3 eps C1 theta t <= M).
+
+(** 0 < beta < 5: at every time and every eps the force of the slow motion is above the one at leading order if
+    C_1 Gamma(-beta) > 0, and below it if C_1 Gamma(-beta) < 0. *)
+Definition force_above_leading_order : Prop := forall a1 a2 a3 eps C1 theta p b y v z t, parameters a1 a3 eps ->
+  a3 / a1 < 5 -> is_Theta (a3 / a1) theta -> slow_motion a1 a2 a3 eps (C1 * Rpower eps (a3 / a1)) p b y v z ->
+  (0 < C1 * Gamma (- (a3 / a1)) -> leading_force a1 a2 a3 eps C1 theta t < linear_force eps (y t) (z t)) /\
+  (C1 * Gamma (- (a3 / a1)) < 0 -> linear_force eps (y t) (z t) < leading_force a1 a2 a3 eps C1 theta t).
+
+(** eps_0 = ((mean force) |a3| kappa^(beta-1) / m)^(3/(2 beta - 2)), -m a lower bound of C_1 dTheta/dtau. *)
+Definition threshold (a1 a2 a3 m : R) : R :=
+  let beta := a3 / a1 in
+  let kappa := Rpower (- a1 / 2) (1 / 3) in
+  Rpower (- a3 * (a2 / (a3 - a1)) * Rpower kappa (beta - 1) / m) (3 / (2 * beta - 2)).
+
+(** At leading order, beta > 1, a2 < 0: for every eps < eps_0 the force is positive at all times from that of tau0 on. *)
+Definition leading_force_positive : Prop := forall a1 a2 a3 eps C1 theta m tau0 t, a1 < 0 -> a3 < 0 -> 0 < eps ->
+  1 < a3 / a1 -> a2 < 0 -> 0 < m -> (forall tau, tau0 <= tau -> - m <= C1 * Derive theta tau) ->
+  eps < threshold a1 a2 a3 m -> tau0 <= Rpower (- a1 / 2) (1 / 3) * t * Rpower eps (- 2 / 3) ->
+  0 < leading_force a1 a2 a3 eps C1 theta t.
+
+(** Case III (a2 < 0), 1 < beta < 5, C_1 on the side of impact without collision, eps <= eps_0: any motion of the mechanism (with
+    compl2) from a state of the slow motion at a time t0 >= (that of tau0) keeps contact for ever; the force tends to +oo, y to -oo. *)
+Definition IWC_below_threshold : Prop := forall a1 a2 a3 eps C1 theta m tau0 t0 P B Y V Z p b y v z, parameters a1 a3 eps ->
+  1 < a3 / a1 < 5 -> a2 < 0 -> 0 < C1 * Gamma (- (a3 / a1)) -> is_Theta (a3 / a1) theta ->
+  0 < m -> (forall tau, tau0 <= tau -> - m <= C1 * Derive theta tau) -> eps <= threshold a1 a2 a3 m ->
+  slow_motion a1 a2 a3 eps (C1 * Rpower eps (a3 / a1)) P B Y V Z ->
+  tau0 <= Rpower (- a1 / 2) (1 / 3) * t0 * Rpower eps (- 2 / 3) ->
+  (forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force p b y v z t) ->
+  p t0 = P t0 -> b t0 = B t0 -> y t0 = Y t0 -> v t0 = V t0 -> z t0 = Z t0 ->
+  (forall t, t0 <= t -> y t < z t) /\
+  (forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)) /\
+  (forall M, exists T, forall t, T <= t -> y t <= M).
+
+(** Such a bound exists on every half-line [tau0, oo), and for C_1 < 0 on the whole line. *)
+Definition least_value_exists : Prop := forall b theta C1, 0 < b -> not_nat b -> is_Theta b theta -> 0 < C1 * Gamma (- b) ->
+  (forall tau0, exists m, 0 < m /\ forall tau, tau0 <= tau -> - m <= C1 * Derive theta tau) /\
+  (C1 < 0 -> exists m, 0 < m /\ forall tau, - m <= C1 * Derive theta tau).
+
+(** The force less its mean, and its first three derivatives in contact, as functions of the state. *)
+Definition force_excess (a1 a2 a3 eps : R) (y z : R) : R := (z - y) / eps ^ 2 - a2 / (a3 - a1).
+Definition force_excess1 (eps : R) (y v z : R) : R := ((y - 2 * z) / eps - v) / eps ^ 2.
+Definition force_excess2 (eps : R) (p b y v z : R) : R :=
+  ((v - 2 * ((y - 2 * z) / eps)) / eps - (b + p * ((z - y) / eps ^ 2))) / eps ^ 2.
+Definition force_excess3 (a1 a2 a3 eps : R) (p b y v z : R) : R :=
+  ((b + p * ((z - y) / eps ^ 2) - 2 * ((v - 2 * ((y - 2 * z) / eps)) / eps)) / eps
+   - (a2 - a3 * ((z - y) / eps ^ 2) + a1 * ((z - y) / eps ^ 2) + p * force_excess1 eps y v z)) / eps ^ 2.
+
+(** beta < 1, after the G-spot: an open set of states, off the slow manifold too, from which contact is never
+    lost and the force increases for ever. *)
+Definition IWC_open : Prop := forall a1 a2 a3 eps t0 p b y v z, a1 < 0 -> a1 < a3 -> 0 < eps -> 0 <= t0 ->
+  (forall t, t0 <= t -> p t = a1 * t) ->
+  (forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force p b y v z t) ->
+  y t0 < z t0 -> 0 < force_excess a1 a2 a3 eps (y t0) (z t0) -> 0 < force_excess1 eps (y t0) (v t0) (z t0) ->
+  0 < force_excess2 eps (p t0) (b t0) (y t0) (v t0) (z t0) -> 0 < force_excess3 a1 a2 a3 eps (p t0) (b t0) (y t0) (v t0) (z t0) ->
+  (forall t, t0 <= t -> y t < z t) /\
+  forall s t, t0 <= s -> s < t -> contact_force eps (y s) (z s) < contact_force eps (y t) (z t).
+
+(** It is not empty: for 0 < beta < 1 it holds every slow motion with C < 0, while that is in contact. *)
+Definition open_set_holds_slow_motions : Prop := forall a1 a2 a3 eps C t p b y v z, parameters a1 a3 eps ->
+  a1 < a3 -> C < 0 -> slow_motion a1 a2 a3 eps C p b y v z -> y t < z t ->
+  0 < force_excess a1 a2 a3 eps (y t) (z t) /\ 0 < force_excess1 eps (y t) (v t) (z t) /\
+  0 < force_excess2 eps (p t) (b t) (y t) (v t) (z t) /\ 0 < force_excess3 a1 a2 a3 eps (p t) (b t) (y t) (v t) (z t).
+
+(** Every non-integer beta < n + 2, C on the side of impact without collision: once the force of a slow motion and its first n
+    derivatives are >= 0 at one time, contact is kept ever after. On either side the force vanishes at most n + 1 times. *)
+Definition contact_tail : Prop := forall a1 a2 a3 eps C n t0 p b y v z, parameters a1 a3 eps ->
+  slow_motion a1 a2 a3 eps C p b y v z -> a3 / a1 < INR (n + 2) -> 0 < C * Gamma (- (a3 / a1)) ->
+  (forall k, (k <= n)%nat -> 0 <= Derive_n (fun t => linear_force eps (y t) (z t)) k t0) ->
+  forall t, t0 < t -> y t < z t.
+
+Definition force_zeros : Prop := forall a1 a2 a3 eps C n l p b y v z, parameters a1 a3 eps ->
+  slow_motion a1 a2 a3 eps C p b y v z -> a3 / a1 < INR (n + 2) -> C <> 0 ->
+  StronglySorted Rlt l -> (forall t, In t l -> y t = z t) -> (length l <= n + 1)%nat.
+
+(** The trivial solution as printed, modelSysDistZY with z = y/2 = - eps^2 a2/(a1 - a3), solves the contact equations at
+    no time; with + in place of - it solves them (it is the slow motion with C = 0). *)
+Definition printed_trivial_is_wrong : Prop := forall a1 a2 a3 eps t, 0 < eps -> a1 <> a3 -> a2 <> 0 -> a3 <> 0 ->
+  ~ model_at a1 a2 a3 eps linear_force (fun t => a1 * t) (fun t => a2 / (a1 - a3) * a1 * t)
+      (fun _ => 2 * (- eps ^ 2 * a2 / (a1 - a3))) (fun _ => 0) (fun _ => - eps ^ 2 * a2 / (a1 - a3)) t.
+
+Definition corrected_trivial : Prop := forall a1 a2 a3 eps t, 0 < eps -> a1 <> a3 ->
+  model_at a1 a2 a3 eps linear_force (fun t => a1 * t) (fun t => a2 / (a1 - a3) * a1 * t)
+    (fun _ => 2 * (eps ^ 2 * a2 / (a1 - a3))) (fun _ => 0) (fun _ => eps ^ 2 * a2 / (a1 - a3)) t.
+
+(** ** The deviation in the time T = t/eps, and the limit eps -> 0 *)
+
+(** The equation modelSysDev of b in T, normalized to a1 = -1 (e is then -a1 eps), and its slow solution F. *)
+Definition deviation_equation (e b : R) (f : R -> R) : Prop :=
+  (forall k t, (k <= 4)%nat -> ex_derive_n f k t) /\
+  forall t, - b * f t + t * Derive f t + (1 - b) * Derive f t + t * Derive_n f 2 t
+    - 2 / e * Derive_n f 3 t - 1 / e * Derive_n f 4 t = 0.
+
+Definition is_slow (e b : R) (F : R -> R) : Prop :=
+  deviation_equation e b F /\ is_lim (fun x => F (- x) / Rpower x b) p_infty 1.
+
+Definition slow_exists : Prop := forall e b, 0 < e -> not_nat b -> exists F, is_slow e b F.
+
+Definition slow_unique : Prop := forall e b F G, 0 < e -> not_nat b -> is_slow e b F -> is_slow e b G ->
+  forall t, F t = G t.
+
+(** Gamma(-b) F^(n) = int_0^oo r^(n-b-1) e^(psi(r)/e + rT) dr, n > b, with psi = r - r^2/2 - r^3/3 - ln(1 + r). *)
+Definition slow_integral : Prop := forall e b n F, 0 < e -> not_nat b -> b < INR n -> is_slow e b F -> forall t,
+  is_RInt_gen (fun r => Rpower r (INR n - b - 1) * exp ((r - r ^ 2 / 2 - r ^ 3 / 3 - ln (1 + r)) / e + r * t))
+    (at_right 0) (Rbar_locally p_infty) (Gamma (- b) * Derive_n F n t).
+
+(** 0 < beta < 1, every eps: all derivatives of the slow solution are negative on the whole line. *)
+Definition IWC_every_eps : Prop := forall e b F, 0 < e -> 0 < b < 1 -> is_slow e b F ->
+  forall n t, (1 <= n)%nat -> Derive_n F n t < 0.
+
+(** F has at most n real zeros if b < n. *)
+Definition slow_zeros : Prop := forall e b n F l, 0 < e -> not_nat b -> b < INR n -> is_slow e b F ->
+  StronglySorted Rlt l -> (forall t, In t l -> F t = 0) -> (length l <= n)%nat.
+
+(** eps -> 0 (e = 2 eta^3, T = t/eta): eta^(b-n) F^(n)(t/eta) -> Theta^(n)(t), with an error of known sign. *)
+Definition leading_order_limit : Prop := forall b n eta theta F t w, not_nat b -> b < INR n -> 0 < eta ->
+  is_Theta b theta -> is_slow (2 * eta ^ 3) b F ->
+  is_RInt_gen (fun r => Rpower r (INR n - b + 3) * exp (r * t - r ^ 3 / 6)) (at_right 0) (Rbar_locally p_infty) w ->
+  0 <= Gamma (- b) * (Rpower eta (b - INR n) * Derive_n F n (t / eta) - Derive_n theta n t) <= eta / 8 * w.
+
+(** Every eps at once: with G(t; eta) = eta^b F(t/eta) the number Gamma(-b) G^(n)(t; eta) increases strictly with eta, at every t, if n > b - 4. *)
+Definition monotone_in_eta : Prop := forall b n eta eta' F F' t, not_nat b -> b < INR n + 4 -> 0 < eta < eta' ->
+  is_slow (2 * eta ^ 3) b F -> is_slow (2 * eta' ^ 3) b F' ->
+  Gamma (- b) * (Rpower eta (b - INR n) * Derive_n F n (t / eta))
+    < Gamma (- b) * (Rpower eta' (b - INR n) * Derive_n F' n (t / eta')).
+
+(** It lies above Gamma(-b) Theta^(n)(t), by at most (eta/8) Gamma(-b) G^(n+4)(t; eta). *)
+Definition above_leading_order : Prop := forall b n eta theta F t, not_nat b -> b < INR n + 4 -> 0 < eta ->
+  is_Theta b theta -> is_slow (2 * eta ^ 3) b F ->
+  let G k := Rpower eta (b - INR k) * Derive_n F k (t / eta) in
+  0 < Gamma (- b) * (G n - Derive_n theta n t) <= eta / 8 * (Gamma (- b) * G (n + 4)%nat).
+
+(** Theorem C with a polynomial part: what is left of Gamma(-b) G^(n) beyond Theta and two terms increases with eta from 0, if n > b - 6. *)
+Definition monotone_next_order : Prop := forall b n eta eta' theta F F' t, not_nat b -> b < INR n + 6 -> 0 < eta < eta' ->
+  is_Theta b theta -> is_slow (2 * eta ^ 3) b F -> is_slow (2 * eta' ^ 3) b F' ->
+  let excess eta F := Gamma (- b) * (Rpower eta (b - INR n) * Derive_n F n (t / eta) - Derive_n theta n t
+    - eta / 8 * Derive_n theta (n + 4) t + eta ^ 2 / 10 * Derive_n theta (n + 5) t) in
+  0 < excess eta F < excess eta' F'.
