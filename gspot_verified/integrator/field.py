@@ -14,6 +14,7 @@ from gspot_verified.balls import current_bits, nonfinite
 from gspot_verified.expansion.box_program import logarithm, power, root, square
 from gspot_verified.expansion.expressions import Expression
 from gspot_verified.expansion.straight_line import StraightLine
+from gspot_verified.integrator.no_series import NoSeriesError
 
 _REAL: dict[str, Any] = {
     "one": arb(1), "zero": arb(0), "square": square, "root": root, "power": power, "logarithm": logarithm,
@@ -108,15 +109,23 @@ class VectorField:
         """The power series of f along a curve; its terms enclose the Taylor coefficients.
 
         The length is the one in force (:class:`balls.series_length`).
+
+        :raises NoSeriesError: a divisor may vanish at the start.
         """
-        values = self._run("series", _SERIES, state, False)
+        values = self._series("series", state, False)
         return [as_series(value, state[0].prec) for value in values]
 
     def series_with_jacobian(self, state: Sequence[arb_series]) -> tuple[list[arb_series], list[list[arb_series]]]:
         """The same, and the series of the entries of the Jacobian matrix."""
-        values, rows = self._run("series and Jacobian", _SERIES, state, True)
+        values, rows = self._series("series and Jacobian", state, True)
         length = state[0].prec
         return [as_series(v, length) for v in values], [[as_series(entry, length) for entry in row] for row in rows]
+
+    def _series(self, kind: str, state: Sequence[arb_series], jacobian: bool) -> Any:
+        try:
+            return self._run(kind, _SERIES, state, jacobian)
+        except (ValueError, ZeroDivisionError) as error:  # what python-flint says of a divisor that may begin with 0
+            raise NoSeriesError(str(error)) from error
 
     def _run(self, kind: str, space: dict[str, Any], state: Sequence[Any], jacobian: bool) -> Any:
         program = self._compiled.get(kind)
@@ -155,11 +164,11 @@ class VectorField:
 def as_series(value: Any, length: int) -> arb_series:
     """A number or a series as a series of this length.
 
-    :raises ValueError: the series is shorter.
+    :raises NoSeriesError: the series is shorter.
     """
     found = value if isinstance(value, arb_series) else arb_series([value], length)
     if found.prec < length:
-        raise ValueError(f"a series of length {found.prec} where {length} terms are needed")
+        raise NoSeriesError(f"a series of length {found.prec} where {length} terms are needed")
     return found
 
 

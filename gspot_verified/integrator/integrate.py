@@ -25,6 +25,7 @@ from gspot_verified.integrator.choice import (
 )
 from gspot_verified.integrator.error_set import ErrorSet
 from gspot_verified.integrator.field import VectorField
+from gspot_verified.integrator.no_series import NoSeriesError
 from gspot_verified.integrator.step import Step, certified_step
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
 
@@ -86,7 +87,7 @@ class Run:
         try:
             solution, flow = taylor(self.field, middle, order)
             speed, rows = self.field.on_box(middle)
-        except ValueError:  # a divisor whose value at the midpoint may be 0
+        except NoSeriesError:
             return None
         if not all(c.is_finite() for row in solution for c in row):
             return None
@@ -102,7 +103,7 @@ class Run:
             plan = plan_for(weights, middle, deviations, speed, h, norm, order)
             try:
                 step = certified_step(self.field, curve, deviations, h, plan)
-            except ValueError:
+            except NoSeriesError:
                 step = None
             after = None if step is None else self.set.after(step)
             if step is not None and after is not None:

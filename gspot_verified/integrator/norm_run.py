@@ -17,6 +17,7 @@ from gspot_verified.integrator.choice import log2_of
 from gspot_verified.integrator.chosen_step import ChosenStep, Steps
 from gspot_verified.integrator.fast_decay import FastDecay
 from gspot_verified.integrator.field import VectorField
+from gspot_verified.integrator.no_series import NoSeriesError
 from gspot_verified.integrator.norm_step import Basis, NormPlan, NormStep, StateSet, norm_step
 from gspot_verified.integrator.slow_curve import SlowCurve, slow_curve
 from gspot_verified.integrator.taylor_curve import TaylorCurve, cauchy_plan, rounded
@@ -102,7 +103,7 @@ class NormRun:
             return None
         try:
             step = self._proved(chosen.solution, h, chosen.plan)
-        except (ValueError, ZeroDivisionError):
+        except NoSeriesError:
             return None
         if step is not None:
             self._curve.length, self._decay.state = chosen.length, chosen.decay
@@ -128,7 +129,7 @@ class NormRun:
                     step = self._proved(solution, h, self._plan(solution, h, pieces))
                     if step is not None:
                         return step
-            except (ValueError, ZeroDivisionError, np.linalg.LinAlgError):
+            except (NoSeriesError, np.linalg.LinAlgError):
                 continue
         return None
 
@@ -147,7 +148,7 @@ class NormRun:
                 if not self._decay.accepts(found, bits) or found is None:
                     continue
                 step = self._along(found, length)
-            except (ValueError, ZeroDivisionError, np.linalg.LinAlgError):
+            except (NoSeriesError, np.linalg.LinAlgError):
                 step = None
             if step is not None:
                 return step

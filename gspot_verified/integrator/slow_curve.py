@@ -6,6 +6,7 @@ set is, the fast ones are free, so that no decaying part is resolved. Correction
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -41,6 +42,9 @@ def slow_curve(field: VectorField, middle: Sequence[arb], h: float, order: int, 
     """The polynomials of degree ``order`` from near exact states, or None when Newton's method stalls.
 
     ``bits``: after the point.
+
+    :raises NoSeriesError: the field has no Taylor series along a curve that was tried.
+    :raises numpy.linalg.LinAlgError: a linear system has no solution in floats.
     """
     size, unit = len(middle), arb((1, -bits))
     values, rows = field.on_box(middle)
@@ -68,6 +72,8 @@ def slow_curve(field: VectorField, middle: Sequence[arb], h: float, order: int, 
         ]
         gap = [(a - row[0]) * unit for a, row in zip(start, x, strict=True)]
         level = max(max(map(log2_of, row), default=-1e9) for row in residuals)
+        if not math.isfinite(level):
+            return None
         if count > 1 and level > last - _GAIN_BITS:
             break
         last = level
@@ -107,7 +113,10 @@ class _Solver:
         self._band = _Band(flat * self._scale[:, None], below, size - given)
 
     def moves(self, residuals: list[list[arb]], gap: list[arb], level: float, order: int) -> Matrix:
-        """The corrections of the coefficients, by degree and component, in units of 2^level."""
+        """The corrections of the coefficients, by degree and component, in units of 2^level.
+
+        :raises numpy.linalg.LinAlgError: one is not finite.
+        """
         unit = arb((1, -round(level)))
         size = len(gap)
         right = np.zeros((order + 1, size))
@@ -118,6 +127,8 @@ class _Solver:
         start = np.dot(self._inverse, np.array([approximate(value * unit) for value in gap]))
         ordered = np.concatenate([start[self._slow], right.ravel()[self._kept]])
         found: Matrix = np.dot(self._band.solve(ordered * self._scale).reshape(order + 1, size), self._basis.T)
+        if not np.isfinite(found).all():
+            raise np.linalg.LinAlgError("a correction is not finite")
         return found
 
 

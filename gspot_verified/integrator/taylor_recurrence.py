@@ -15,6 +15,7 @@ from flint import arb, fmpq
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Expression
 from gspot_verified.expansion.straight_line import StraightLine
+from gspot_verified.integrator.no_series import NoSeriesError
 
 _GUARD_BITS = 16
 
@@ -41,14 +42,19 @@ class TaylorRecurrence:
     def coefficients(self, start: Sequence[int], step: int, order: int, fraction_bits: int) -> Coefficients:
         """x_k h^k for k = 0..order, by component, from the start x_0 and the length h.
 
-        :raises ZeroDivisionError: a divisor vanishes at the start.
-        :raises ValueError: the base of a root, a power or a logarithm is not positive there.
+        :raises NoSeriesError: a divisor vanishes at the start, the base of a root, a power or a logarithm is not
+            positive there, or the state is so large that no bits are left after the point.
         """
+        if fraction_bits < 0:
+            raise NoSeriesError("no bits are left after the point")
         known = self._constants.get(fraction_bits)
         if known is None:
             known = [fixed(value, fraction_bits) for value in self._code.constants]
             self._constants[fraction_bits] = known
-        found: Coefficients = self._program(list(start), known, order, step, fraction_bits)
+        try:
+            found: Coefficients = self._program(list(start), known, order, step, fraction_bits)
+        except (ZeroDivisionError, ValueError) as error:  # a divisor, or the argument of an integer square root
+            raise NoSeriesError(f"at the start: {error}") from error
         return found
 
     def _compiled(self) -> Callable[..., Any]:
@@ -112,9 +118,14 @@ class TaylorRecurrence:
 
 
 def fixed(value: arb | fmpq, fraction_bits: int) -> int:
-    """An integer next to value * 2^fraction_bits."""
+    """An integer next to value * 2^fraction_bits.
+
+    :raises NoSeriesError: the value is not finite.
+    """
     if isinstance(value, fmpq):
         return (int(value.p) << fraction_bits) // int(value.q)
+    if not value.is_finite():
+        raise NoSeriesError("a value is not finite")
     mantissa, exponent = value.mid().man_exp()
     shift = int(exponent) + fraction_bits
     return int(mantissa) << shift if shift >= 0 else int(mantissa) >> -shift
@@ -150,7 +161,7 @@ def _first(operation: str, base: Any, fraction_bits: int, *more: Any) -> int:
     with working_bits(2 * fraction_bits + abs(base).bit_length() + _GUARD_BITS):
         start = arb(base) * arb((1, -fraction_bits))
         if not (operation in ("sin", "cos", "exp") or start > 0):
-            raise ValueError(f"no {operation} of {start.str(5)}")
+            raise NoSeriesError(f"no {operation} of {start.str(5)}")
         match operation:
             case "power":
                 found = (start.log() * more[0] / more[1]).exp()

@@ -172,6 +172,15 @@ def test_a_square_root_that_ends() -> None:
         assert ended(VectorField([-Power(x, fmpq(1, 2))]), [arb(1)], arb(1))[0].contains(arb(1) / 4)
 
 
+@pytest.mark.parametrize("function", [Power(x, fmpq(-1)), Power(x, fmpq(1, 2))])
+def test_a_start_without_a_series(function: Expression) -> None:
+    """x' = 1/x and x' = sqrt(x) from 0: nothing is proved, and nothing is raised."""
+    with working_bits(64):
+        found = integrate(VectorField([function]), [arb(0)], arb(1))
+        assert found.end is None
+        assert found.verdict.outcome is Outcome.UNDECIDED
+
+
 @pytest.mark.parametrize("box", [[arb("nan"), arb(0)], [arb(0), arb("inf")], [arb(0)], [arb(0)] * 3])
 def test_boxes_that_are_refused(box: list[arb]) -> None:
     with pytest.raises(ValueError, match="box: "):

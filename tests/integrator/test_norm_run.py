@@ -99,6 +99,23 @@ def test_a_square_root_that_ends() -> None:
         assert run.reason is not None
 
 
+@pytest.mark.parametrize("function", [Power(x, fmpq(-1)), Power(x, fmpq(1, 2))])
+def test_a_start_without_a_series(function: Expression) -> None:
+    with working_bits(96):
+        run = NormRun(VectorField([function]), [arb(0)], arb(1))
+        assert list(run) == []
+        assert run.reason is not None
+
+
+def test_a_state_too_large_for_the_precision() -> None:
+    """Components of 2^200 leave no bits after the point: a reason, and no other error than that of the series."""
+    with working_bits(96):
+        run = NormRun(OSCILLATOR, [arb(2) ** 200, arb(0)], arb(1))
+        assert list(run) == []
+        assert run.reason is not None
+        assert run.reason.startswith("no step could be proved")
+
+
 @pytest.mark.parametrize("box", [[arb("nan"), arb(0)], [arb(0), arb("inf")], [arb(0)], [arb(0)] * 3])
 def test_boxes_that_are_refused(box: list[arb]) -> None:
     with pytest.raises(ValueError, match="box: "):

@@ -18,7 +18,8 @@ from gspot_verified.expansion.expressions import (
 )
 from gspot_verified.integrator.approximation import taylor
 from gspot_verified.integrator.field import VectorField
-from gspot_verified.integrator.taylor_recurrence import TaylorRecurrence
+from gspot_verified.integrator.no_series import NoSeriesError
+from gspot_verified.integrator.taylor_recurrence import TaylorRecurrence, fixed
 
 x, y = Variable(0), Variable(1)
 BITS = 200
@@ -49,5 +50,17 @@ def test_against_newtons_method(functions: list[Expression], step: fmpq) -> None
 @pytest.mark.parametrize("function", [Logarithm(x), Power(x, fmpq(1, 3)), Power(x, fmpq(1, 2)), Power(x, fmpq(-1))])
 def test_no_value_at_the_start(function: Expression) -> None:
     start = 0 if function == Power(x, fmpq(-1)) else -(1 << 40)
-    with pytest.raises((ValueError, ZeroDivisionError)):
+    with pytest.raises(NoSeriesError):
         TaylorRecurrence([function]).coefficients([start], 1 << 40, 4, 40)
+
+
+def test_a_state_too_large_for_the_precision_has_no_series() -> None:
+    recurrence = TaylorRecurrence([Variable(0)])
+    with pytest.raises(NoSeriesError, match="no bits are left"):
+        recurrence.coefficients([1], 1, 4, -1)
+
+
+def test_what_is_not_finite_has_no_series() -> None:
+    assert fixed(arb(3), 4) == 48
+    with pytest.raises(NoSeriesError, match="not finite"):
+        fixed(arb("nan"), 4)
