@@ -71,6 +71,8 @@ class NormRun:
         self.time = arb(0)
         self.reason: str | None = None
         """Why the iteration ended before the time, if it did."""
+        self.budget_ended = False
+        """Whether it ended because of the number of steps."""
         self._curve = TaylorCurve(field)
         self._decay = FastDecay()
         self.set = self._of_box(box)
@@ -91,7 +93,7 @@ class NormRun:
             yield segment
             if step.h is left:
                 return
-        self.reason = f"the budget of {self.steps.budget} steps ended"
+        self.reason, self.budget_ended = f"the budget of {self.steps.budget} steps ended", True
 
     def _known_step(self, left: arb | None) -> NormStep | None:
         """A step that was chosen before, proved here; None: nothing is known, or it cannot be proved."""

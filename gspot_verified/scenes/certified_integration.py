@@ -85,7 +85,7 @@ def integrated_run(
             samples = SegmentSamples(scene) if sampled else None
             record = _run(scene, samples, steps)
         narrow = all(_narrow(event, scene.epsilon, digits) for event in record.events)
-        if narrow if record.open is None else _is_budget(record.open):
+        if narrow if record.open is None else record.open.budget:
             break
     found = replace(_result(scene, record), samples=None if samples is None else samples.samples())
     return found if kept is None or not kept.failure else replace(found, notes=(kept.failure,))
@@ -103,10 +103,6 @@ def _not_left_behind(precisions: Sequence[int], kept: StepJournal) -> Sequence[i
     which precisions are tried is a choice."""
     reached = [precisions.index(line["bits"]) for line in kept.lines if line.get("bits") in precisions]
     return precisions[max(reached, default=0) :]
-
-
-def _is_budget(reached: Open) -> bool:
-    return "budget" in reached.reason
 
 
 def _narrow(event: RunEvent, epsilon: fmpq, digits: int) -> bool:
@@ -130,7 +126,7 @@ def _run(scene: Scene, samples: SegmentSamples | None, steps: RunSteps) -> _Reco
         steps.begins(now.phase, began)
         found = phase.run(start, (end - began).upper(), now.at_zero, observer, steps)
         if isinstance(found, Open):
-            record.open = Open(found.reason, began + found.time)
+            record.open = replace(found, time=began + found.time)
             return record
         start = {**start, **found.states, CLOCK: began + found.time}
         if found.event is None:
@@ -138,7 +134,7 @@ def _run(scene: Scene, samples: SegmentSamples | None, steps: RunSteps) -> _Reco
         following = phases.after(now.phase, found.event, start)
         record.events.append(_event(following.event, start[CLOCK], scene.epsilon))
         now = following.phase
-    record.open = Open(f"the budget of {MAX_EVENTS} events ended", start[CLOCK])
+    record.open = Open(f"the budget of {MAX_EVENTS} events ended", start[CLOCK], budget=True)
     return record
 
 
@@ -221,5 +217,5 @@ def _result(scene: Scene, record: _Record) -> SceneRun:
     known = f"certain before it: {fate_of(names)}"
     at = (record.open.time * scene.epsilon).str(10)
     detail = "; ".join(filter(None, (f"{record.open.reason} (t = {at} after the start)", known, remarks)))
-    reason = Reason.BUDGET if _is_budget(record.open) else Reason.HYPOTHESIS
+    reason = Reason.BUDGET if record.open.budget else Reason.HYPOTHESIS
     return SceneRun(CERTIFIED, OPEN, events, Verdict.undecided("the events of the run", reason, detail))

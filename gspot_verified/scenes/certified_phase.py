@@ -36,10 +36,13 @@ class PhaseEnd:
 
 @dataclass(frozen=True)
 class Open:
-    """Why the phase could not be followed further, and from when on; ``more_bits`` may help."""
+    """Why the phase could not be followed further, and from when on. ``budget``: because a number of steps or events
+    was reached, so that more of them may decide it; other reasons may need a higher precision.
+    """
 
     reason: str
     time: arb
+    budget: bool = False
 
 
 Observer = Callable[[NormSegment, Mapping[str, arb]], bool]
@@ -92,7 +95,7 @@ class CertifiedPhase:
             if quiet and observer(segment, at_end):
                 return PhaseEnd(None, segment.end_time, at_end)
         if run.reason is not None:
-            return Open(f"{run.reason}{self._width(run)}", run.time)
+            return Open(f"{run.reason}{self._width(run)}", run.time, run.budget_ended)
         if not quiet:
             return Open("an event may fall on the end of the time", run.time)
         return PhaseEnd(None, run.time, at_end)
