@@ -166,6 +166,65 @@ Definition tail_with_one_zero : Prop := forall (n j : nat) b theta T, INR n < b 
   exists z, T < z /\ theta z = 0 /\ Derive theta z <> 0 /\
     (forall t, T <= t < z -> Gamma (- b) * theta t < 0) /\ (forall t, z < t -> 0 < Gamma (- b) * theta t).
 
+(** ** Zeros with multiplicity *)
+
+(** How often the sign changes in a list, zeros left out. *)
+Fixpoint first_nonzero (l : list R) : R :=
+  match l with
+  | [] => 0
+  | x :: rest => if Req_EM_T x 0 then first_nonzero rest else x
+  end.
+
+Fixpoint variations (l : list R) : nat :=
+  match l with
+  | [] => 0
+  | x :: rest => (if Rlt_dec (x * first_nonzero rest) 0 then 1 else 0) + variations rest
+  end.
+
+(** f(t), f'(t), ..., f^(n)(t). *)
+Definition derivatives (f : R -> R) (n : nat) (t : R) : list R := map (fun k => Derive_n f k t) (seq 0 (S n)).
+
+(** f has the order m at z: the derivatives of order < m vanish there, the m-th does not (m = 0: no zero). *)
+Definition zero_order (f : R -> R) (z : R) (m : nat) : Prop :=
+  (forall k, (k < m)%nat -> Derive_n f k z = 0) /\ Derive_n f m z <> 0.
+
+(** l lists the zeros of f at a place, in increasing order, each as often as its order says. *)
+Definition zeros_with_multiplicity (f : R -> R) (place : R -> Prop) (l : list R) : Prop :=
+  StronglySorted Rle l /\ (forall z, In z l -> place z) /\
+  forall z, place z -> zero_order f z (count_occ Req_EM_T l z).
+
+(** There is at most one such list. It holds every zero, it is at least as long as a list of different zeros, and if all zeros are simple
+    it is the list of the zeros. *)
+Definition list_with_multiplicity : Prop := forall f place l, zeros_with_multiplicity f place l ->
+  (forall l', zeros_with_multiplicity f place l' -> l' = l) /\
+  (forall z, In z l <-> place z /\ f z = 0) /\
+  forall zeros, StronglySorted Rlt zeros ->
+    ((forall z, In z zeros -> place z /\ f z = 0) -> (length zeros <= length l)%nat) /\
+    ((forall z, In z zeros <-> place z /\ f z = 0) -> (forall z, In z zeros -> Derive f z <> 0) -> l = zeros).
+
+(** The theorem of Budan and Fourier, for a function whose n-th derivative has one sign (that of s) on [T, T']: with multiplicity it has in
+    (T, T'] as many zeros as the derivatives lose changes of sign from T to T', less an even number. *)
+Definition budan_fourier : Prop := forall f n s T T', T <= T' ->
+  (forall k t, (k <= n)%nat -> T <= t <= T' -> ex_derive_n f k t) -> (forall t, T <= t <= T' -> 0 < s * Derive_n f n t) ->
+  exists l j, zeros_with_multiplicity f (fun t => T < t <= T') l /\
+    variations (derivatives f n T) = (variations (derivatives f n T') + length l + 2 * j)%nat.
+
+(** n < beta < n + 1, v the changes of sign in s_0, ..., s_n, +, where s_k = Gamma(-b) Theta^(k)(T): with multiplicity Theta has v zeros in (T, oo)
+    less an even number, and n + 1 - v in (-oo, T] less an even number. *)
+Definition tail_zeros : Prop := forall (n : nat) b theta T, INR n < b < INR n + 1 -> is_Theta b theta ->
+  let v := variations (map (fun k => Gamma (- b) * Derive_n theta k T) (seq 0 (S n)) ++ [1]) in
+  (exists l j, zeros_with_multiplicity theta (fun t => T < t) l /\ v = (length l + 2 * j)%nat) /\
+  (exists l j, zeros_with_multiplicity theta (fun t => t <= T) l /\ (n + 1 = v + length l + 2 * j)%nat).
+
+(** So v = 0 means no zero beyond T, v = 1 exactly one, which is simple; and there are at most v different ones. *)
+Definition tail_few_zeros : Prop := forall (n : nat) b theta T, INR n < b < INR n + 1 -> is_Theta b theta ->
+  let v := variations (map (fun k => Gamma (- b) * Derive_n theta k T) (seq 0 (S n)) ++ [1]) in
+  (v = 0%nat -> forall t, T < t -> theta t <> 0) /\
+  (v = 1%nat -> exists z, T < z /\ theta z = 0 /\ Derive theta z <> 0 /\ forall t, T < t -> theta t = 0 -> t = z) /\
+  forall zeros, StronglySorted Rlt zeros -> (forall t, In t zeros -> T < t /\ theta t = 0) -> (length zeros <= v)%nat.
+
+(** ** Tails of Taylor series *)
+
 (** The coefficients c of any solution at any point t0: a_k = |c_k| s^k is small from I + 3 on. *)
 Definition recurrence_tail : Prop := forall b t0 s B (c : nat -> R) (I N : nat), 0 < s -> 1 <= B -> Rabs b <= B ->
   (forall k, (INR k + 1) * (INR k + 2) * (INR k + 3) * c (k + 3)%nat

@@ -249,6 +249,13 @@ Definition IWC_every_eps : Prop := forall e b F, 0 < e -> 0 < b < 1 -> is_slow e
 Definition slow_zeros : Prop := forall e b n F l, 0 < e -> not_nat b -> b < INR n -> is_slow e b F ->
   StronglySorted Rlt l -> (forall t, In t l -> F t = 0) -> (length l <= n)%nat.
 
+(** The theorem of Budan and Fourier for F, n < b < n + 1, s_k = Gamma(-b) F^(k)(T), as for Theta: v zeros beyond T less an even number, n + 1 - v up to T
+    less an even number, with multiplicity. *)
+Definition slow_tail_zeros : Prop := forall e (n : nat) b F T, 0 < e -> INR n < b < INR n + 1 -> is_slow e b F ->
+  let v := variations (map (fun k => Gamma (- b) * Derive_n F k T) (seq 0 (S n)) ++ [1]) in
+  (exists l j, zeros_with_multiplicity F (fun t => T < t) l /\ v = (length l + 2 * j)%nat) /\
+  (exists l j, zeros_with_multiplicity F (fun t => t <= T) l /\ (n + 1 = v + length l + 2 * j)%nat).
+
 (** eps -> 0 (e = 2 eta^3, T = t/eta): eta^(b-n) F^(n)(t/eta) -> Theta^(n)(t), with an error of known sign. *)
 Definition leading_order_limit : Prop := forall b n eta theta F t w, not_nat b -> b < INR n -> 0 < eta ->
   is_Theta b theta -> is_slow (2 * eta ^ 3) b F ->

@@ -10,7 +10,8 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   CompliantSlow CompliantMechanism CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases
   CompliantOpen CompliantSlowMotion LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication
   EntireForm ExponentDerivative DifferentiableInBeta ZeroSlopes DerivativeTail
-  CompliantDeviation CompliantNextOrder CertificateWalk CertificateFamily CertificatePieces CertificateForce.
+  CompliantDeviation CompliantNextOrder CertificateWalk CertificateFamily CertificatePieces CertificateForce
+  BudanFourier BudanTails.
 From GSpot Require Import Statement StatementCompliant StatementCertificate.
 Import ListNotations.
 Open Scope R_scope.
@@ -94,6 +95,18 @@ Proof. exact Ends.tail_without_zero. Qed.
 
 Theorem tail_with_one_zero : Statement.tail_with_one_zero.
 Proof. exact Ends.tail_with_one_zero. Qed.
+
+Theorem list_with_multiplicity : Statement.list_with_multiplicity.
+Proof. exact BudanTails.list_with_multiplicity. Qed.
+
+Theorem budan_fourier : Statement.budan_fourier.
+Proof. exact BudanFourier.budan_fourier. Qed.
+
+Theorem tail_zeros : Statement.tail_zeros.
+Proof. exact BudanTails.tail_zeros. Qed.
+
+Theorem tail_few_zeros : Statement.tail_few_zeros.
+Proof. exact BudanTails.tail_few_zeros. Qed.
 
 Theorem recurrence_tail : Statement.recurrence_tail.
 Proof. intros b t0 s B c I N Hs HB Hb Hc a q Hq. exact (RecurrenceTail.recurrence_tail b t0 s B c I Hs HB Hb Hc Hq N). Qed.
@@ -369,6 +382,12 @@ Theorem slow_zeros : StatementCompliant.slow_zeros.
 Proof.
 intros e b n F l He Hb Hn HF HS H0. apply (Fe_zeros e b n l He Hb Hn HS).
 intros t Ht. rewrite <- (is_slow_Fe e b F); auto.
+Qed.
+
+Theorem slow_tail_zeros : StatementCompliant.slow_tail_zeros.
+Proof.
+intros e n b F T He Hb HF. apply (BudanTails.slow_tail_zeros e); auto.
+apply is_slow_Fe; auto. exact (interval_not_nat n b Hb).
 Qed.
 
 Theorem leading_order_limit : StatementCompliant.leading_order_limit.
