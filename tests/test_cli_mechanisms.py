@@ -29,15 +29,12 @@ def test_expand_prints_the_paper_s_example(capsys: pytest.CaptureFixture[str]) -
     assert [0, 4, "6672/5"] in json.loads(out)["contact"]["z"]
 
 
-def test_expand_in_balls_when_they_are_asked_for_or_enough(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_expand_in_balls_when_they_are_asked_for(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys, "expand", "extended", "--order", "8", "--bits", "90")
     assert code == 0
     assert "certain bits" in out
     exact = run(capsys, "expand", "extended", "--order", "8", "--at", "1,1/10", "--json")[1]
-    monkeypatch.setattr("gspot_verified.cli.mechanism_commands._BALLS_FROM_ORDER", 8)
-    balls = run(capsys, "expand", "extended", "--order", "8", "--at", "1,1/10", "--json")[1]
+    balls = run(capsys, "expand", "extended", "--order", "8", "--at", "1,1/10", "--bits", "90", "--json")[1]
     assert json.loads(exact)["accuracy"] is None
     assert json.loads(balls)["accuracy"]["reached"]
     for group in ("state", "contact"):

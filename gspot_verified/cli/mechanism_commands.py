@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from gspot_verified.expansion.trajectory import Trajectory
 
 
-_BALLS_FROM_ORDER = 100
 _COUNTED = {2: "two", 3: "three"}
 
 
@@ -133,9 +132,8 @@ def expand(
 ) -> None:
     """The distinguished trajectory of Theorem 1 as an expansion with exact coefficients.
 
-    Coefficients are balls of the asked digits where the G-spot is not rational, and with --bits. From order 100 on
-    --at alone computes with balls, if their values have the asked digits. Exit code 2 when digits are not reached, and
-    when --uniform or --side is undecided.
+    Coefficients are balls of the asked digits where the G-spot is not rational, and with --bits. Exit code 2 when
+    digits are not reached, and when --uniform or --side is undecided.
     """
     from gspot_verified.expansion.accuracy import AccuracyWarning
     from gspot_verified.mechanisms.expand import expand as expand_mechanism
@@ -148,9 +146,7 @@ def expand(
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", AccuracyWarning)  # said below, on stderr and by the exit code
         subject = load_with_settings(name, chosen)
-        numbers_only = at is not None and not (residual or uniform or side or picture)
-        found = _in_balls(subject, order, digits, at, in_time) if numbers_only and bits is None else None
-        trajectory = found or expand_mechanism(subject, order, digits, _orders, bits)
+        trajectory = expand_mechanism(subject, order, digits, _orders, bits)
     if trajectory.pulls:
         warn("the mean force is negative: this trajectory would have to pull on the surface, no contact does that")
     data = trajectory.to_json()
@@ -209,20 +205,6 @@ def _values_at(trajectory: Trajectory, at: str, in_time: bool, digits: int) -> t
     both = {key: {"value": ball_text(ball, digits), "enclosure": exact_text(ball)} for key, ball in found.items()}
     place = {"t": first, "epsilon": second} if in_time else {"s": first, "delta": second}
     return {**place, "values_of": VALUES_OF, **in_two(both, names)}, "\n".join([*lines, VALUES_OF])
-
-
-def _in_balls(subject: Any, order: int, digits: int, at: str | None, in_time: bool) -> Trajectory | None:
-    """A high order for numbers: its terms in balls; None where the values would not have the asked digits."""
-    from gspot_verified.balls import bits_for_digits, relative_bits
-    from gspot_verified.expansion.trajectory import first_bits
-    from gspot_verified.mechanisms.expand import expand as expand_mechanism
-
-    if order < _BALLS_FROM_ORDER or at is None or any(value is None for _, value in subject.parameters):
-        return None
-    trajectory = expand_mechanism(subject, order, digits, _orders, 2 * first_bits(order, digits))
-    first, second = _numbers(at, "--at", "1,1/10")
-    values = (trajectory.evaluate_in_time if in_time else trajectory.evaluate)(first, second, digits)
-    return trajectory if min(map(relative_bits, values.values())) >= bits_for_digits(digits) else None
 
 
 def _orders(done: int, of: int) -> None:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import ExactInput, ball, bits_for_digits, exact, working_bits
+from gspot_verified.balls import ExactInput, bits_for_digits, exact, working_bits
 from gspot_verified.expansion.accuracy import Accuracy, certain_bits, until_accurate
 from gspot_verified.expansion.legend import DELTA_FACTORS, SCALES, in_two, latex_left_side, left_side
 from gspot_verified.expansion.recursion import Recursion
@@ -24,6 +24,7 @@ from gspot_verified.expansion.text import (
     times_power,
 )
 from gspot_verified.expansion.time_series import Table, TimeSeries
+from gspot_verified.expansion.values import scaled_value, value_in_time
 
 MAX_ORDER = 2000
 _GUARD_BITS = 30
@@ -99,9 +100,8 @@ class Trajectory:
         """
         place, scale = exact(s, "s"), exact(delta, "delta")
         self._needs_numbers()
-        with working_bits(self._bits(digits)):
-            at, step = (_number(value, self._is_rational) for value in (place, scale))
-            return {name: _ball(_horner([t(at) for t in terms], step)) for name, terms in self.terms().items()}
+        bits, rational = self._bits(digits), self._is_rational
+        return {name: scaled_value(terms, (place, scale), bits, rational) for name, terms in self.terms().items()}
 
     def evaluate_in_time(self, t: ExactInput, epsilon: ExactInput, digits: int = 15) -> dict[str, arb]:
         """Balls around the unscaled variables of the truncated expansion at (t, epsilon); xi minus xi*.
@@ -110,9 +110,9 @@ class Trajectory:
         """
         time, small = exact(t, "t"), exact(epsilon, "epsilon")
         self._needs_numbers()
-        with working_bits(self._bits(digits)):
-            at, step = (_number(value, self._is_rational) for value in (time, small))
-            return {name: _ball(_bivariate(table, at, step)) for name, table in self.in_time().tables().items()}
+        bits, rational = self._bits(digits), self._is_rational
+        tables = self.in_time().tables()
+        return {name: value_in_time(table, (time, small), bits, rational) for name, table in tables.items()}
 
     def _bits(self, digits: int) -> int:
         """Working bits of a value: no fewer than the coefficients have."""
@@ -235,30 +235,3 @@ def certain_bits_of(trajectory: Trajectory) -> int | None:
         return None
     rows = list(trajectory.terms().values())
     return certain_bits([value for row in rows for value in row[n].coefficients()] for n in range(trajectory.order))
-
-
-def _number(value: Any, keep: bool) -> Any:
-    return value if keep or isinstance(value, arb) else ball(value)
-
-
-def _ball(value: Any) -> arb:
-    return ball(value)
-
-
-def _horner(values: Sequence[Any], at: Any) -> Any:
-    total = values[-1]
-    for value in reversed(values[:-1]):
-        total = total * at + value
-    return total
-
-
-def _bivariate(table: Table, t: Any, epsilon: Any) -> Any:
-    layers: dict[int, list[Any]] = {}
-    for (k, m), value in table.items():
-        row = layers.setdefault(m, [])
-        row += [0] * (k + 1 - len(row))
-        row[k] = value
-    total: Any = fmpq(0)
-    for m in range(max(layers, default=-1), -1, -1):
-        total = total * epsilon + (_horner(layers[m], t) if m in layers else 0)
-    return total
