@@ -384,3 +384,35 @@ Definition fold : Prop := forall (n : nat) t1 t2 lo hi (F : R -> R -> R), (n mod
 Definition hinge : Prop := forall (f : R -> R) s t1 t2, t1 <= 0 <= t2 -> (forall t, ex_derive f t) -> 0 <= s * f 0 ->
   ((forall t, t1 <= t <= 0 -> 0 < - (s * Derive f t)) -> forall t, t1 <= t < 0 -> 0 < s * f t) /\
   ((forall t, 0 <= t <= t2 -> 0 < s * Derive f t) -> forall t, 0 < t <= t2 -> 0 < s * f t).
+
+(** ** Power series in beta *)
+
+(** 1/Gamma is an entire function: one power series, for all x. *)
+Definition recip_gamma_entire : Prop := exists a : nat -> R, forall x, is_pseries a x (recip_Gamma x).
+
+(** So is Theta(t, .) for every t, integers included. *)
+Definition entire_in_beta : Prop := forall t, exists a : nat -> R, forall b theta, is_Theta_entire b theta -> is_pseries a b (theta t).
+
+(** And Theta is an entire function of both: the sum over j of (sum over k of a_jk b^k) t^j, where |a_jk| r^(j+k) is bounded for every r. *)
+Definition entire_in_both : Prop := exists a : nat -> nat -> R,
+  (forall r, exists M, forall j k, Rabs (a j k) * r ^ (j + k) <= M) /\
+  forall b theta t, is_Theta_entire b theta -> is_pseries (fun j => PSeries (a j) b) t (theta t).
+
+(** f is the sum of a power series around x0. *)
+Definition analytic_at (f : R -> R) (x0 : R) : Prop := exists (a : nat -> R) r, 0 < r /\
+  forall x, Rabs (x - x0) < r -> is_pseries a (x - x0) (f x).
+
+(** The Theta of t01-t03 is analytic in b off the integers. *)
+Definition analytic_in_beta : Prop := forall b t (Theta : R -> R -> R), not_nat b ->
+  (forall b, not_nat b -> is_Theta b (Theta b)) -> analytic_at (fun b => Theta b t) b.
+
+(** Through every simple zero of dTheta/dtau, at an integer b0 too, passes one curve t = z(b) of zeros; it is analytic. *)
+Definition zero_curve : Prop := forall (Theta : R -> R -> R) t0 b0, (forall b, is_Theta_entire b (Theta b)) ->
+  Derive (Theta b0) t0 = 0 -> Derive_n (Theta b0) 2 t0 <> 0 ->
+  exists z eps, 0 < eps /\ analytic_at z b0 /\ z b0 = t0 /\
+    forall b t, Rabs (b - b0) < eps -> Rabs (t - t0) < eps -> (Derive (Theta b) t = 0 <-> t = z b).
+
+(** Inside a cell the i-th zero is an analytic function of beta. *)
+Definition zeros_analytic : Prop := forall (m i : nat) (Theta : R -> R -> R) (l : R -> list R), (i < m mod 3 + m / 3)%nat ->
+  (forall b, INR m < b < INR m + 1 -> is_Theta b (Theta b) /\ zeros_of (Derive (Theta b)) (l b)) ->
+  forall b, INR m < b < INR m + 1 -> analytic_at (fun b => nth i (l b) 0) b.

@@ -11,7 +11,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   CompliantOpen CompliantSlowMotion LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication
   EntireForm ExponentDerivative DifferentiableInBeta ZeroSlopes DerivativeTail
   CompliantDeviation CompliantNextOrder CertificateWalk CertificateFamily CertificatePieces CertificateForce
-  BudanFourier BudanTails.
+  BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros.
 From GSpot Require Import Statement StatementCompliant StatementCertificate.
 Import ListNotations.
 Open Scope R_scope.
@@ -252,6 +252,29 @@ Proof. exact FoldAndHinge.fold. Qed.
 
 Theorem hinge : Statement.hinge.
 Proof. exact FoldAndHinge.hinge. Qed.
+
+(** ** Power series in beta *)
+
+Theorem recip_gamma_entire : Statement.recip_gamma_entire.
+Proof. exact GammaEntire.recip_gamma_entire. Qed.
+
+Theorem entire_in_beta : Statement.entire_in_beta.
+Proof. exact ThetaEntire.entire_in_beta. Qed.
+
+Theorem entire_in_both : Statement.entire_in_both.
+Proof. exact ThetaEntire.entire_in_both. Qed.
+
+Theorem analytic_in_beta : Statement.analytic_in_beta.
+Proof. intros b t Theta Hb H. exact (AnalyticZeros.analytic_in_beta b t Theta Hb H). Qed.
+
+Theorem zero_curve : Statement.zero_curve.
+Proof. exact AnalyticZeros.zero_curve. Qed.
+
+Theorem zeros_analytic : Statement.zeros_analytic.
+Proof.
+intros m i Theta l Hi H. apply (AnalyticZeros.zeros_analytic m i l Hi).
+intros b Hb. destruct (H b Hb) as [HT Zl]. exact (zeros_of_Th b (Theta b) (l b) HT Zl).
+Qed.
 
 (** ** The compliant model *)
 
