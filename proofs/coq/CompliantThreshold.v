@@ -9,7 +9,7 @@
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
 From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral WellPosed Family Ends CompliantKernel CompliantIntegral
-  CompliantSlow CompliantMechanism CompliantForward CompliantSlowMotion CompliantMonotone.
+  CompliantSlow CompliantMechanism CompliantDependence CompliantForward CompliantSlowMotion CompliantMonotone.
 Open Scope R_scope.
 
 (** The scale: 2 eta^3 = - a1 eps, eta/eps = kappa eps^(-2/3). *)

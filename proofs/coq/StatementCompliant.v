@@ -199,6 +199,36 @@ Definition open_set_holds_slow_motions : Prop := forall a1 a2 a3 eps C t p b y v
   0 < force_excess a1 a2 a3 eps (y t) (z t) /\ 0 < force_excess1 eps (y t) (v t) (z t) /\
   0 < force_excess2 eps (p t) (b t) (y t) (v t) (z t) /\ 0 < force_excess3 a1 a2 a3 eps (p t) (b t) (y t) (v t) (z t).
 
+(** Every beta, p <= - (6 - 2 a3 eps): an open set of states from which contact is never lost, the force increases to +oo and y tends to -oo. *)
+Definition late_cone (a1 a2 a3 eps p b y v z : R) : Prop :=
+  let d := b - a2 / (a1 - a3) * p in
+  let d0 := force_excess a1 a2 a3 eps y z in let d1 := force_excess1 eps y v z in let d2 := force_excess2 eps p b y v z in
+  0 < d /\ d < - a3 * eps * d0 /\ d0 < eps * d1 /\ eps * d1 + 2 * d0 < eps ^ 2 * d2.
+
+Definition IWC_late : Prop := forall a1 a2 a3 eps t0 p b y v z, a1 < 0 -> a3 < 0 -> a1 <> a3 -> 0 < eps ->
+  (forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force p b y v z t) ->
+  p t0 <= - (6 - 2 * a3 * eps) -> y t0 < z t0 -> late_cone a1 a2 a3 eps (p t0) (b t0) (y t0) (v t0) (z t0) ->
+  (forall t, t0 <= t -> y t < z t) /\
+  (forall s t, t0 <= s -> s < t -> contact_force eps (y s) (z s) < contact_force eps (y t) (z t)) /\
+  (forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)) /\
+  (forall M, exists T, forall t, T <= t -> y t <= M).
+
+(** The slow motions on the side of impact without collision come into it. *)
+Definition late_cone_holds_slow_motions : Prop := forall a1 a2 a3 eps C p b y v z, parameters a1 a3 eps ->
+  0 < C * Gamma (- (a3 / a1)) -> slow_motion a1 a2 a3 eps C p b y v z ->
+  exists T, forall t, T <= t -> p t <= - (6 - 2 * a3 * eps) /\ y t < z t /\ late_cone a1 a2 a3 eps (p t) (b t) (y t) (v t) (z t).
+
+(** Impact without collision is stable, from before the G-spot (t0 < 0, p > 0) as from after it. If a slow motion on that side is in contact from t0 on, so
+    is every motion of the mechanism whose state at t0 is near that of the slow motion, fast modes or not; its force tends to +oo, and y to -oo. *)
+Definition IWC_stable : Prop := forall a1 a2 a3 eps C t0 P B Y V Z, parameters a1 a3 eps ->
+  0 < C * Gamma (- (a3 / a1)) -> slow_motion a1 a2 a3 eps C P B Y V Z -> (forall t, t0 <= t -> Y t < Z t) ->
+  exists delta, 0 < delta /\ forall p b y v z, (forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force p b y v z t) ->
+  Rabs (p t0 - P t0) < delta -> Rabs (b t0 - B t0) < delta -> Rabs (y t0 - Y t0) < delta ->
+  Rabs (v t0 - V t0) < delta -> Rabs (z t0 - Z t0) < delta ->
+  (forall t, t0 <= t -> y t < z t) /\
+  (forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)) /\
+  (forall M, exists T, forall t, T <= t -> y t <= M).
+
 (** Every non-integer beta < n + 2, C on the side of impact without collision: once the force of a slow motion and its first n
     derivatives are >= 0 at one time, contact is kept ever after. On either side the force vanishes at most n + 1 times. *)
 Definition contact_tail : Prop := forall a1 a2 a3 eps C n t0 p b y v z, parameters a1 a3 eps ->

@@ -8,7 +8,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   EnvelopingSeries Family SignsAtZero SignPattern PositiveZeros CountLaw IntegerPolynomials PolynomialSum Ends
   RecurrenceTail FoldAndHinge ContinuityInBeta ZeroCurves ZerosAtInteger CompliantKernel CompliantIntegral
   CompliantSlow CompliantMechanism CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases
-  CompliantOpen CompliantSlowMotion LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication
+  CompliantOpen CompliantSlowMotion CompliantLateCone CompliantStable LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication
   EntireForm ExponentDerivative DifferentiableInBeta ZeroSlopes DerivativeTail
   CompliantDeviation CompliantNextOrder CertificateWalk CertificateFamily CertificatePieces CertificateForce
   BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros.
@@ -352,6 +352,15 @@ Qed.
 
 Theorem open_set_holds_slow_motions : StatementCompliant.open_set_holds_slow_motions.
 Proof. intros a1 a2 a3 eps C t p b y v z Hp H13 HC HS. exact (slow_in_open_set a1 a2 a3 eps Hp C p b y v z HS t H13 HC). Qed.
+
+Theorem IWC_late : StatementCompliant.IWC_late.
+Proof. exact late_IWC. Qed.
+
+Theorem late_cone_holds_slow_motions : StatementCompliant.late_cone_holds_slow_motions.
+Proof. intros a1 a2 a3 eps C p b y v z Hp HC HS. exact (slow_comes_into_cone a1 a2 a3 eps C p b y v z Hp HC HS). Qed.
+
+Theorem IWC_stable : StatementCompliant.IWC_stable.
+Proof. intros a1 a2 a3 eps C t0 P B Y V Z Hp HC HS Hc. exact (stable a1 a2 a3 eps C t0 P B Y V Z Hp HC HS Hc). Qed.
 
 Theorem contact_tail : StatementCompliant.contact_tail.
 Proof. intros a1 a2 a3 eps C n t0 p b y v z Hp HS. exact (CompliantSlowMotion.contact_tail a1 a2 a3 eps Hp C p b y v z HS n t0). Qed.
