@@ -304,7 +304,43 @@ Definition above_leading_order : Prop := forall b n eta theta F t, not_nat b -> 
   let G k := Rpower eta (b - INR k) * Derive_n F k (t / eta) in
   0 < Gamma (- b) * (G n - Derive_n theta n t) <= eta / 8 * (Gamma (- b) * G (n + 4)%nat).
 
-(** Theorem C with a polynomial part: what is left of Gamma(-b) G^(n) beyond Theta and two terms increases with eta from 0, if n > b - 6. *)
+(** The series of the weight in eta. With (1 + eta r) dh/dr = eta r^3/2, h = 0 at r = 0, e^h is sum_k eta^k sum_(m <= k) c_(k,m) r^(k+3m), where
+    (k + 3m) c_(k,m) = c_(k-1,m-1)/2 - (k - 1 + 3m) c_(k-1,m), c_(0,0) = 1, c_(k,0) = c_(0,m) = 0 for k, m > 0. *)
+Fixpoint series_coefficient (k m : nat) : R :=
+  match k, m with
+  | O, O => 1
+  | S j, S i => (series_coefficient j i / 2 - (INR j + 3 * INR m) * series_coefficient j m) / (INR k + 3 * INR m)
+  | _, _ => 0
+  end.
+
+(** They are the right ones, N >= 1: the error of the first N orders is at most eta^N sum_m |c_(N,m)| r^(N+3m) e^h. *)
+Definition weight_series : Prop := forall (N : nat) eta r, (1 <= N)%nat -> 0 < eta -> 0 < r ->
+  let x := eta * r in
+  let weight := exp ((x - x ^ 2 / 2 - x ^ 3 / 3 - ln (1 + x)) / (2 * eta ^ 3) + r ^ 3 / 3) in
+  let order k := eta ^ k * sum_first (fun m => series_coefficient k m * r ^ (k + 3 * m)) (S k) in
+  Rabs (weight - sum_first order N) <= eta ^ N * sum_first (fun m => Rabs (series_coefficient N m) * r ^ (N + 3 * m)) (S N) * weight.
+
+(** Theorem B, N >= 1 and n > b - N - 3: G^(n) is its first N orders in eta, on the derivatives of Theta, up to
+    (eta^N/|Gamma(-b)|) sum_m |c_(N,m)| Gamma(-b) G^(n+N+3m), where Gamma(-b) G^(n+N+3m) > 0. *)
+Definition series_in_eta : Prop := forall b (n N : nat) eta theta F t, not_nat b -> (1 <= N)%nat -> b < INR n + INR N + 3 -> 0 < eta ->
+  is_Theta b theta -> is_slow (2 * eta ^ 3) b F ->
+  let G k := Rpower eta (b - INR k) * Derive_n F k (t / eta) in
+  let order k := eta ^ k * sum_first (fun m => series_coefficient k m * Derive_n theta (n + k + 3 * m) t) (S k) in
+  Rabs (Gamma (- b) * (G n - sum_first order N))
+    <= eta ^ N * sum_first (fun m => Rabs (series_coefficient N m) * (Gamma (- b) * G (n + N + 3 * m)%nat)) (S N).
+
+(** Theorem C with any polynomial part: for m = 1, ..., M let K_m - m be odd. What is left of Gamma(-b) G^(n) beyond Theta^(n) and the terms
+    c_(k,m) eta^k Theta^(n+k+3m), k <= K_m, increases strictly with eta from 0, at every t, if n > b - 4 (M + 1) and n > b - (K_m + 1 + 3m). *)
+Definition monotone_beyond_polynomial : Prop := forall b n M (K : nat -> nat) eta eta' theta F F' t, not_nat b -> 0 < eta < eta' ->
+  b < INR n + 4 * (INR M + 1) ->
+  (forall m, (1 <= m <= M)%nat -> Nat.Odd (K m - m) /\ b < INR n + INR (K m) + 1 + 3 * INR m) ->
+  is_Theta b theta -> is_slow (2 * eta ^ 3) b F -> is_slow (2 * eta' ^ 3) b F' ->
+  let part eta m := sum_first (fun k => series_coefficient k m * eta ^ k * Derive_n theta (n + k + 3 * m) t) (S (K m)) in
+  let excess eta F := Gamma (- b) * (Rpower eta (b - INR n) * Derive_n F n (t / eta) - Derive_n theta n t
+    - sum_first (fun i => part eta (S i)) M) in
+  0 < excess eta F < excess eta' F'.
+
+(** Its simplest case beyond P = 0, M = 1 and K_1 = 2: P has two terms, n > b - 6. *)
 Definition monotone_next_order : Prop := forall b n eta eta' theta F F' t, not_nat b -> b < INR n + 6 -> 0 < eta < eta' ->
   is_Theta b theta -> is_slow (2 * eta ^ 3) b F -> is_slow (2 * eta' ^ 3) b F' ->
   let excess eta F := Gamma (- b) * (Rpower eta (b - INR n) * Derive_n F n (t / eta) - Derive_n theta n t

@@ -10,7 +10,8 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   CompliantSlow CompliantMechanism CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases
   CompliantOpen CompliantSlowMotion CompliantLateCone CompliantStable LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication
   EntireForm ExponentDerivative DifferentiableInBeta ZeroSlopes DerivativeTail
-  CompliantDeviation CompliantNextOrder CertificateWalk CertificateFamily CertificatePieces CertificateForce
+  CompliantDeviation EtaSeries ExponentPowers CompliantSeries CompliantPolynomial
+  CertificateWalk CertificateFamily CertificatePieces CertificateForce
   BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros.
 From GSpot Require Import Statement StatementCompliant StatementCertificate.
 Import ListNotations.
@@ -451,13 +452,61 @@ assert (E : forall k, Gamma (- b) * G k = scaled_J eta (- b - 1) k t).
 rewrite Rmult_minus_distr_l, !E. unfold scaled in H. lra.
 Qed.
 
+Theorem weight_series : StatementCompliant.weight_series.
+Proof.
+intros N eta r HN He Hr x weight order. assert (H := series_remainder eta N r HN He Hr).
+change (Rabs (weight - sum_first order N) <= remainder_bound eta N (fun i => r ^ i * weight)) in H.
+eapply Rle_trans; [exact H|]. right. unfold remainder_bound. rewrite Rmult_assoc, (Rmult_comm (sum_first _ _)), <- (sum_first_scal weight). f_equal.
+apply sum_first_ext. intros m. ring.
+Qed.
+
+(** Gamma(-b) eta^(b-n) F^(n)(t/eta) for any slow solution F. *)
+Lemma scaled_is_slow b n eta F t : 0 < eta -> not_nat b -> is_slow (2 * eta ^ 3) b F ->
+  Gamma (- b) * (Rpower eta (b - INR n) * Derive_n F n (t / eta)) = scaled_J eta (- b - 1) n t.
+Proof.
+intros He Hb HF. rewrite (Derive_n_ext F (Fe (2 * eta ^ 3) b)) by (apply is_slow_Fe; auto; apply two_cube; lra). apply scaled_slow; auto.
+Qed.
+
+Theorem series_in_eta : StatementCompliant.series_in_eta.
+Proof.
+intros b n N eta theta F t Hb HN Hn He HT HF G order.
+assert (H := series_with_remainder b theta eta Hb HT He N HN n t Hn).
+assert (E : forall k, Gamma (- b) * G k = scaled_J eta (- b - 1) k t) by (intros k; apply scaled_is_slow; auto).
+rewrite Rmult_minus_distr_l, E, <- sum_first_scal.
+replace (sum_first (fun k => Gamma (- b) * order k) N) with (eta_series eta N (fun i => scaled b theta (n + i) t)).
+2: { apply sum_first_ext. intros k. unfold order. rewrite <- Rmult_assoc, (Rmult_comm (Gamma _)), Rmult_assoc, <- (sum_first_scal (Gamma _)). f_equal.
+     apply sum_first_ext. intros m. unfold scaled. rewrite <- (Nat.add_assoc n). ring. }
+eapply Rle_trans; [exact H|]. right. unfold series_bound, remainder_bound. f_equal.
+apply sum_first_ext. intros m. rewrite E, <- Nat.add_assoc. reflexivity.
+Qed.
+
+Theorem monotone_beyond_polynomial : StatementCompliant.monotone_beyond_polynomial.
+Proof.
+intros b n M K eta eta' theta F F' t Hb He H4 HK HT HF HF' part ex.
+assert (E : forall e G, 0 < e -> is_slow (2 * e ^ 3) b G -> ex e G = polynomial_excess M K b theta e n t).
+{ intros e G He0 HG. unfold ex, polynomial_excess, polynomial_series. rewrite <- (scaled_is_slow b n e G t He0 Hb HG), sum_first_head.
+  rewrite (sum_first_head _ (K 0%nat)), (sum_first_zero (fun k => series_coefficient (S k) 0 * _ * _)).
+  2: { intros k. rewrite coefficient_0. ring. }
+  rewrite (sum_first_ext (fun i => sum_first (fun k => series_coefficient k (S i) * e ^ k * scaled b theta (n + (k + 3 * S i)) t) (S (K (S i))))
+    (fun i => Gamma (- b) * part e (S i)) M), sum_first_scal.
+  2: { intros i. unfold part. rewrite <- sum_first_scal. apply sum_first_ext. intros k.
+       unfold scaled. replace (n + k + 3 * S i)%nat with (n + (k + 3 * S i))%nat by lia. ring. }
+  change (series_coefficient 0 0) with 1. replace (n + (0 + 3 * 0))%nat with n by lia. unfold scaled. simpl pow. ring. }
+rewrite (E eta F), (E eta' F') by (auto; lra).
+assert (H4' : b < INR n + 4 * INR (S M)) by (rewrite S_INR; lra).
+split; [apply polynomial_excess_positive|apply polynomial_excess_increases]; auto; try lra; intros m Hm; apply HK, Hm.
+Qed.
+
 Theorem monotone_next_order : StatementCompliant.monotone_next_order.
 Proof.
 intros b n eta eta' theta F F' t Hb Hn He HT HF HF' ex.
-assert (E : forall e G, 0 < e -> is_slow (2 * e ^ 3) b G -> ex e G = excess e (scaled b theta) (scaled_J e (- b - 1)) n t).
-{ intros e G He0 HG. unfold ex, excess, scaled. rewrite <- (scaled_slow b n e t He0 Hb).
-  rewrite (Derive_n_ext G (Fe (2 * e ^ 3) b)) by (apply is_slow_Fe; auto; apply two_cube; lra). ring. }
-rewrite (E eta F), (E eta' F') by (auto; lra). split; [apply excess_above|apply excess_increases]; auto; lra.
+assert (H := monotone_beyond_polynomial b n 1%nat (fun _ => 2%nat) eta eta' theta F F' t Hb He ltac:(simpl; lra)
+  ltac:(intros m Hm; replace m with 1%nat by lia; split; [exists 0%nat; reflexivity|simpl; lra]) HT HF HF'). cbv zeta in H.
+assert (E : forall e G, Gamma (- b) * (Rpower e (b - INR n) * Derive_n G n (t / e) - Derive_n theta n t
+  - sum_first (fun i => sum_first (fun k => series_coefficient k (S i) * e ^ k * Derive_n theta (n + k + 3 * S i) t) 3) 1) = ex e G).
+{ intros e G. unfold ex. cbn [sum_first Nat.mul Nat.add]. replace (n + 1 + 3)%nat with (n + 4)%nat by lia. replace (n + 2 + 3)%nat with (n + 5)%nat by lia.
+  unfold series_coefficient. simpl (INR _). simpl pow. field. }
+rewrite <- (E eta F), <- (E eta' F'). exact H.
 Qed.
 
 (** ** Certificates *)
