@@ -29,18 +29,6 @@ intros Hb H. apply (analytic_ext_loc (family_sum theta_coefficient t)).
 - destruct (sum_in_beta_entire t b 1 Rlt_0_1) as [M HM]. apply (norm_analytic 1 M); auto. exact Rlt_0_1.
 Qed.
 
-Lemma Derive_family b theta : is_Theta_entire b theta -> forall t, Derive theta t = family_sum (derived theta_coefficient) t b.
-Proof.
-intros H t. rewrite (Derive_ext theta (fun t => family_sum theta_coefficient t b)) by (apply entire_series, H).
-apply is_derive_unique, family_derive, theta_family_entire.
-Qed.
-
-Lemma Derive2_family b theta : is_Theta_entire b theta -> forall t, Derive_n theta 2 t = family_sum (derived (derived theta_coefficient)) t b.
-Proof.
-intros H t. simpl. rewrite (Derive_ext _ (fun t => family_sum (derived theta_coefficient) t b)) by (apply Derive_family, H).
-apply is_derive_unique, family_derive, derived_entire, theta_family_entire.
-Qed.
-
 Theorem zero_curve (Theta : R -> R -> R) t0 b0 : (forall b, is_Theta_entire b (Theta b)) -> Derive (Theta b0) t0 = 0 -> Derive_n (Theta b0) 2 t0 <> 0 ->
   exists z eps, 0 < eps /\ analytic_at z b0 /\ z b0 = t0 /\
     forall b t, Rabs (b - b0) < eps -> Rabs (t - t0) < eps -> (Derive (Theta b) t = 0 <-> t = z b).
@@ -82,7 +70,7 @@ Proof.
 intros Hi Hl b0 Hb.
 assert (ET : forall b, INR m < b < INR m + 1 -> forall t, Th b t = entire_Theta b t).
 { intros b Hb' t. assert (N := cell_is_not_nat m b Hb').
-  apply (entire_series b (Th b)). apply entire_initial_values; auto. apply Th_correct. }
+  exact (Th_family b t N). }
 assert (Z := z_zero m i l Hi Hl b0 Hb). assert (S := z_simple m i l Hi Hl b0 Hb).
 rewrite (Derive_ext _ _ _ (ET b0 Hb)) in Z. rewrite (Derive_n_ext _ _ 2 _ (ET b0 Hb)) in S.
 destruct (zero_curve entire_Theta _ b0 entire_Theta_correct Z S) as (z & eps & He & Az & _ & Hz).

@@ -7,7 +7,7 @@
 From Coq Require Import Reals Psatz Lra Lia ZArith List Classical.
 From Coquelicot Require Import Coquelicot.
 From GSpot Require Import Statement StatementCertificate Calculus LaplaceIntegral WellPosed Family SignsAtZero IntegerPolynomials PolynomialSum Ends
-  ContinuityInBeta EntireForm ExponentDerivative DifferentiableInBeta.
+  ContinuityInBeta EntireForm DifferentiableInBeta.
 From GSpot Require Import CertificateWalk.
 Import ListNotations.
 Open Scope R_scope.

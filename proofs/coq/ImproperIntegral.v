@@ -1,7 +1,6 @@
 (** * Improper integrals on (0, oo)
 
-    Equality and inequalities of integrands, substitution r = x rho, int r^(s-1) e^(-xr) dr = Gamma(s) x^(-s), and:
-    int r^c w(r) dr is convex in c, hence continuous. *)
+    Equality and inequalities of integrands, substitution r = x rho, int r^(s-1) e^(-xr) dr = Gamma(s) x^(-s). *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -127,103 +126,4 @@ intros Hfg Hf Hg.
 assert (H := is_RInt_gen_minus _ _ _ _ Hg Hf).
 assert (H0 := improper_pos _ _ (fun r Hr => proj1 (Rminus_le_0 _ _) (Hfg r Hr)) H).
 apply Rminus_le_0. exact H0.
-Qed.
-
-Lemma integral_convex (w G : R -> R) :
-  (forall r, 0 < r -> 0 <= w r) ->
-  (forall c, -1 < c -> is_RInt_gen (fun r => Rpower r c * w r) (at_right 0) (Rbar_locally p_infty) (G c)) ->
-  forall l a b, 0 <= l <= 1 -> -1 < a -> -1 < b -> G (l * a + (1 - l) * b) <= l * G a + (1 - l) * G b.
-Proof.
-intros Hw HG l a b Hl Ha Hb.
-assert (Hab : -1 < l * a + (1 - l) * b).
-{ assert (0 <= l * (a - -1)) by (apply Rmult_le_pos; lra).
-  assert (0 <= (1 - l) * (b - -1)) by (apply Rmult_le_pos; lra).
-  destruct (Rle_lt_dec l (1 / 2)).
-  - assert (0 < (1 - l) * (b - -1)) by (apply Rmult_lt_0_compat; lra). lra.
-  - assert (0 < l * (a - -1)) by (apply Rmult_lt_0_compat; lra). lra. }
-apply (improper_le (fun r => Rpower r (l * a + (1 - l) * b) * w r)
-  (fun r => plus (scal l (Rpower r a * w r)) (scal (1 - l) (Rpower r b * w r)))).
-- intros r Hr. unfold plus, scal; simpl; unfold mult; simpl.
-  replace (l * (Rpower r a * w r) + (1 - l) * (Rpower r b * w r))
-    with ((l * Rpower r a + (1 - l) * Rpower r b) * w r) by ring.
-  apply Rmult_le_compat_r; auto. unfold Rpower.
-  replace ((l * a + (1 - l) * b) * ln r) with (l * (a * ln r) + (1 - l) * (b * ln r)) by ring.
-  apply exp_convex, Hl.
-- apply HG, Hab.
-- assert (H1 := is_RInt_gen_scal _ l _ (HG a Ha)).
-  assert (H2 := is_RInt_gen_scal _ (1 - l) _ (HG b Hb)).
-  exact (is_RInt_gen_plus _ _ _ _ H1 H2).
-Qed.
-
-Lemma convex_continuous (G : R -> R) (lo : R) :
-  (forall l a b, 0 <= l <= 1 -> lo < a -> lo < b -> G (l * a + (1 - l) * b) <= l * G a + (1 - l) * G b) ->
-  forall c, lo < c -> is_lim G c (G c).
-Proof.
-intros HC c Hc.
-set (d := (c - lo) / 2). assert (Hd : 0 < d) by (unfold d; lra).
-set (B := Rabs (G (c + d) - G c) + Rabs (G c - G (c - d)) + 1).
-assert (HB1 := Rabs_pos (G (c + d) - G c)). assert (HB2 := Rabs_pos (G c - G (c - d))).
-assert (HB : 0 < B) by (unfold B; lra).
-(* both sides at once: e = d or e = -d *)
-assert (Hside : forall e l, (e = d \/ e = - d) -> 0 <= l <= 1 -> Rabs (G (c + l * e) - G c) <= l * B).
-{ intros e l He Hl.
-  assert (Hed : - d <= e <= d) by (destruct He; lra).
-  assert (Hle : - d <= l * e <= d) by nra.
-  assert (U := HC l (c + e) c Hl ltac:(unfold d in *; lra) Hc).
-  replace (l * (c + e) + (1 - l) * c) with (c + l * e) in U by ring.
-  assert (Hk : 0 <= / (1 + l) <= 1).
-  { split. apply Rlt_le, Rinv_0_lt_compat; lra. rewrite <- Rinv_1. apply Rinv_le_contravar; lra. }
-  assert (L := HC (/ (1 + l)) (c + l * e) (c - e) Hk ltac:(unfold d in *; lra) ltac:(unfold d in *; lra)).
-  replace (/ (1 + l) * (c + l * e) + (1 - / (1 + l)) * (c - e)) with c in L by (field; lra).
-  apply (Rmult_le_compat_l (1 + l)) in L; [|lra].
-  replace ((1 + l) * (/ (1 + l) * G (c + l * e) + (1 - / (1 + l)) * G (c - e)))
-    with (G (c + l * e) + l * G (c - e)) in L by (field; lra).
-  assert (Hp : G (c + e) - G c <= B /\ - (G (c - e) - G c) >= - B).
-  { assert (A1 := Rle_abs (G (c + d) - G c)). assert (A2 := Rle_abs (- (G (c + d) - G c))).
-    assert (A3 := Rle_abs (G c - G (c - d))). assert (A4 := Rle_abs (- (G c - G (c - d)))).
-    rewrite Rabs_Ropp in A2, A4.
-    destruct He as [->| ->].
-    - unfold B. split; lra.
-    - replace (c + - d) with (c - d) by ring. replace (c - - d) with (c + d) by ring. unfold B. split; lra. }
-  destruct Hp as [P1 P2].
-  assert (Q1 : l * (G (c + e) - G c) <= l * B) by (apply Rmult_le_compat_l; lra).
-  assert (Q2 : l * (G (c - e) - G c) <= l * B) by (apply Rmult_le_compat_l; lra).
-  apply Rabs_le. lra. }
-apply is_lim_spec. intros eps.
-assert (Heps := cond_pos eps).
-assert (Hdel : 0 < Rmin d (d * eps / B)).
-{ apply Rmin_pos; auto. apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. }
-enough (Hmain : forall y : R, Rabs (y + - c) < Rmin d (d * eps / B) -> Rabs (G y - G c) < eps)
-  by (exists (mkposreal _ Hdel); intros y Hy _; apply (Hmain y Hy)).
-intros y Hy.
-assert (Hy1 := Rlt_le_trans _ _ _ Hy (Rmin_l _ _)). assert (Hy2 := Rlt_le_trans _ _ _ Hy (Rmin_r _ _)).
-set (l := Rabs (y + - c) / d).
-assert (Hl : 0 <= l <= 1).
-{ unfold l. split. apply Rmult_le_pos. apply Rabs_pos. apply Rlt_le, Rinv_0_lt_compat, Hd.
-  apply Rmult_le_reg_r with d; auto. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
-assert (HlB : l * B < eps).
-{ unfold l. apply Rmult_lt_reg_r with (d / B). apply Rdiv_lt_0_compat; auto.
-  replace (Rabs (y + - c) / d * B * (d / B)) with (Rabs (y + - c)) by (field; lra).
-  replace (eps * (d / B)) with (d * eps / B) by (field; lra). exact Hy2. }
-destruct (Rle_lt_dec 0 (y + - c)) as [Hs|Hs].
-- assert (E : y = c + l * d) by (unfold l; rewrite Rabs_pos_eq by auto; field; lra).
-  rewrite E. eapply Rle_lt_trans; [apply (Hside d l); auto|exact HlB].
-- assert (E : y = c + l * - d) by (unfold l; rewrite Rabs_left by auto; field; lra).
-  rewrite E. eapply Rle_lt_trans; [apply (Hside (- d) l); auto|exact HlB].
-Qed.
-
-Lemma is_lim_shift (f : R -> R) (x a l : R) : is_lim f (x - a) l -> is_lim (fun y => f (y - a)) x l.
-Proof.
-intros H. apply is_lim_spec. apply is_lim_spec in H. intros eps.
-destruct (H eps) as [d Hd]. exists d. intros y Hy Hne. apply Hd; [|lra].
-unfold ball in *; simpl in *; unfold AbsRing_ball, abs, minus, plus, opp in *; simpl in *.
-replace (y - a + - (x - a)) with (y + - x) by ring. exact Hy.
-Qed.
-
-Lemma is_lim_reflect (f : R -> R) (x l : R) : is_lim f (- x) l -> is_lim (fun y => f (- y)) x l.
-Proof.
-intros H. apply is_lim_spec. apply is_lim_spec in H. intros eps.
-destruct (H eps) as [d Hd]. exists d. intros y Hy Hne. apply Hd; [|lra].
-unfold ball in *; simpl in *; unfold AbsRing_ball, abs, minus, plus, opp in *; simpl in *.
-replace (- y + - - x) with (- (y + - x)) by ring. rewrite Rabs_Ropp. exact Hy.
 Qed.

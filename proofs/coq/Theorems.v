@@ -9,7 +9,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   RecurrenceTail FoldAndHinge ContinuityInBeta ZeroCurves ZerosAtInteger CompliantKernel CompliantIntegral
   CompliantSlow CompliantMechanism CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases
   CompliantOpen CompliantSlowMotion CompliantLateCone CompliantStable LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication
-  EntireForm ExponentDerivative DifferentiableInBeta ZeroSlopes DerivativeTail
+  EntireForm DifferentiableInBeta ZeroSlopes DerivativeTail
   CompliantDeviation EtaSeries ExponentPowers CompliantSeries CompliantPolynomial
   CertificateWalk CertificateFamily CertificatePieces CertificateForce
   BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros.

@@ -164,6 +164,18 @@ assert (H' : (theta t - PSeries c t) ^ 2 <= 0).
 assert (A := pow2_ge_0 (theta t - PSeries c t)). change (theta t = PSeries c t). nra.
 Qed.
 
+Lemma Derive_family b theta : is_Theta_entire b theta -> forall t, Derive theta t = family_sum (derived theta_coefficient) t b.
+Proof.
+intros H t. rewrite (Derive_ext theta (fun t => family_sum theta_coefficient t b)) by (apply entire_series, H).
+apply is_derive_unique, family_derive, theta_family_entire.
+Qed.
+
+Lemma Derive2_family b theta : is_Theta_entire b theta -> forall t, Derive_n theta 2 t = family_sum (derived (derived theta_coefficient)) t b.
+Proof.
+intros H t. simpl. rewrite (Derive_ext _ (fun t => family_sum (derived theta_coefficient) t b)) by (apply Derive_family, H).
+apply is_derive_unique, family_derive, derived_entire, theta_family_entire.
+Qed.
+
 Theorem entire_in_both : exists a : nat -> nat -> R,
   (forall r, exists M, forall j k, Rabs (a j k) * r ^ (j + k) <= M) /\
   forall b theta t, is_Theta_entire b theta -> is_pseries (fun j => PSeries (a j) b) t (theta t).

@@ -5,8 +5,8 @@
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus LaplaceIntegral WellPosed Family CountLaw ContinuityInBeta ZeroCurves ExponentDerivative
-  DifferentiableInBeta.
+From GSpot Require Import Statement Calculus LaplaceIntegral WellPosed Family CountLaw ContinuityInBeta ZeroCurves PowerSeriesNorm NormLimit
+  GammaEntire ThetaEntire DifferentiableInBeta.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -85,46 +85,29 @@ Qed.
 
 (** ** dTheta/dtau *)
 
-Definition slope_in_b (t b : R) : R := - Th (b - 1) t - b * Th_slope t (b - 1).
+Definition slope_in_b : R -> R -> R := family_sum (beta_derived (derived theta_coefficient)).
 
-Lemma Derive_Th b t : not_nat b -> Derive (Th b) t = - b * Th (b - 1) t.
-Proof. intros Hb. apply is_derive_unique, Th_derive, Hb. Qed.
+Lemma Derive_Th b t : not_nat b -> Derive (Th b) t = family_sum (derived theta_coefficient) t b.
+Proof. intros Hb. apply Derive_family, Th_entire, Hb. Qed.
 
-Lemma Derive2_Th b t : not_nat b -> Derive_n (Th b) 2 t = b * (b - 1) * Th (b - 2) t.
-Proof.
-intros Hb. simpl. rewrite (Derive_ext _ (fun t => - b * Th (b - 1) t)) by (intros; apply Derive_Th, Hb).
-rewrite Derive_scal, (is_derive_unique _ _ _ (Th_derive (b - 1) t (not_nat_pred b Hb))).
-replace (b - 1 - 1) with (b - 2) by ring. ring.
-Qed.
+Lemma Derive2_Th b t : not_nat b -> Derive_n (Th b) 2 t = family_sum (derived (derived theta_coefficient)) t b.
+Proof. intros Hb. apply Derive2_family, Th_entire, Hb. Qed.
 
 Lemma slope_in_b_derive b t : not_nat b -> is_derive (fun b => Derive (Th b) t) b (slope_in_b t b).
 Proof.
-intros Hb. apply (is_derive_ext_loc (fun b => - b * Th (b - 1) t)).
-{ eapply filter_imp; [|apply (not_nat_open b Hb)]. intros y Hy. symmetry. apply Derive_Th, Hy. }
-apply (is_derive_val _ _ (-1 * Th (b - 1) t + - b * Th_slope t (b - 1))); [|unfold slope_in_b; ring].
-apply (is_derive_mult_R (fun b => - b) (fun b => Th (b - 1) t)). auto_derive; auto; ring.
-assert (E := Derive_correct _ _ (Th_ex_derive (b - 1) (not_nat_pred b Hb) t)). fold (Th_slope t (b - 1)) in E.
-apply (is_derive_val _ _ (1 * Th_slope t (b - 1))); [|ring].
-apply (is_derive_comp (fun b => Th b t) (fun b => b - 1) b (Th_slope t (b - 1)) 1). exact E. auto_derive; auto; ring.
+intros Hb. apply (is_derive_ext_loc (fun b => family_sum (derived theta_coefficient) t b)).
+- eapply filter_imp; [|apply (not_nat_open b Hb)]. intros y Hy. symmetry. apply Derive_Th, Hy.
+- apply family_beta_derive, derived_entire, theta_family_entire.
 Qed.
 
-Lemma slope_in_b_joint b t : not_nat b -> joint slope_in_b t b.
-Proof.
-intros Hb. apply (joint_ext_loc (fun t b => -1 * Th (b - 1) t + - b * Th_slope t (b - 1))).
-{ exists (mkposreal 1 Rlt_0_1). intros y _ u. unfold slope_in_b. ring. }
-apply joint_plus; apply joint_mult.
-- apply (joint_snd (fun _ => -1)), continuous_const.
-- apply (joint_shift (fun t b => Th b t)), Th_joint, not_nat_pred, Hb.
-- apply (joint_poly (fun b => - b)). auto_derive; auto.
-- apply (joint_shift Th_slope), Th_slope_joint, not_nat_pred, Hb.
-Qed.
+Lemma slope_in_b_joint b t : joint slope_in_b t b.
+Proof. apply family_joint, beta_derived_entire, derived_entire, theta_family_entire. Qed.
 
 Lemma Derive2_joint b t : not_nat b -> joint (fun t b => Derive_n (Th b) 2 t) t b.
 Proof.
-intros Hb. apply (joint_ext_loc (fun t b => b * (b - 1) * Th (b - 2) t)).
-{ eapply filter_imp; [|apply (not_nat_open b Hb)]. intros y Hy u. symmetry. apply Derive2_Th, Hy. }
-apply joint_mult. apply (joint_poly (fun b => b * (b - 1))). auto_derive; auto.
-apply (joint_shift (fun t b => Th b t)), Th_joint. intros k Hk. apply (Hb (k + 2)%nat). rewrite plus_INR. simpl. lra.
+intros Hb. apply (joint_ext_loc (family_sum (derived (derived theta_coefficient)))).
+- eapply filter_imp; [|apply (not_nat_open b Hb)]. intros y Hy u. symmetry. apply Derive2_Th, Hy.
+- apply family_joint, derived_entire, derived_entire, theta_family_entire.
 Qed.
 
 (** ** The zeros in a cell *)
@@ -191,7 +174,7 @@ apply (continuous_ext_loc _ (fun b => -1 * slope_in_b (z b) b * / Derive_n (Th b
 assert (Cz := z_continuous b Hb).
 apply (continuous_mult (fun b => -1 * slope_in_b (z b) b) (fun b => / Derive_n (Th b) 2 (z b))).
 - apply (continuous_mult (fun _ => -1) (fun b => slope_in_b (z b) b)). apply continuous_const.
-  apply (joint_along slope_in_b z b Cz), slope_in_b_joint, Hn.
+  apply (joint_along slope_in_b z b Cz), slope_in_b_joint.
 - apply continuous_Rinv_comp; [|apply z_simple, Hb].
   apply (joint_along (fun t b => Derive_n (Th b) 2 t) z b Cz), Derive2_joint, Hn.
 Qed.
