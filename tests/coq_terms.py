@@ -12,7 +12,9 @@ from pathlib import Path
 from typing import Any
 
 COQ = Path(__file__).resolve().parents[1] / "proofs" / "coq"
-STATEMENTS = [COQ / f"{name}.v" for name in ("Statement", "StatementCompliant", "StatementCertificate")]
+STATEMENTS = [
+    COQ / f"{name}.v" for name in ("Statement", "StatementCompliant", "StatementCertificate", "StatementChecker")
+]
 """In the order in which each one uses those before it."""
 TOKEN = re.compile(r"\s*(?:(\d+)|([A-Za-z_][\w']*(?:\.[A-Za-z_]\w*)*)|(.))")
 

@@ -17,6 +17,8 @@ COQ = Path(__file__).resolve().parents[1] / "proofs" / "coq"
 def prove(tmp_path: Path) -> ModuleType:
     """The script as a module, on a copy of the sources and with a build directory of its own."""
     shutil.copytree(COQ, tmp_path / "coq")
+    for certificate in COQ.parent.glob("*.cert"):
+        shutil.copy(certificate, tmp_path)
     spec = importlib.util.spec_from_file_location("prove", tmp_path / "coq" / "prove.py")
     assert spec
     assert spec.loader
@@ -38,6 +40,14 @@ def test_a_proof_left_out_is_found(prove: ModuleType, word: str) -> None:
     with (prove.HERE / "Calculus.v").open("a") as file:
         file.write(f"\n{word}\n")
     assert len(prove.unproved()) == 1
+
+
+def test_a_text_that_is_not_the_file_is_found(prove: ModuleType) -> None:
+    assert prove.other_texts() == []
+    (prove.HERE.parent / "iwc_0_1.cert").write_text("another\n")
+    assert prove.other_texts() == ["CertificateIWC.v: iwc_0_1.cert"]
+    (prove.HERE / "zeros_1_2.cert").unlink()
+    assert prove.other_texts() == ["CertificateIWC.v: iwc_0_1.cert", "CertificateZeros.v: zeros_1_2.cert"]
 
 
 def test_comments_may_say_the_words(prove: ModuleType) -> None:

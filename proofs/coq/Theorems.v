@@ -1,6 +1,6 @@
 (** * The theorems
 
-    Each statement of [Statement.v], [StatementCompliant.v] and [StatementCertificate.v] is proved here under its own name, from the files named for the steps. *)
+    Each statement of [Statement.v], [StatementCompliant.v], [StatementCertificate.v] and [StatementChecker.v] is proved here under its own name, from the files named for the steps. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
@@ -12,8 +12,8 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   EntireForm DifferentiableInBeta ZeroSlopes DerivativeTail
   CompliantDeviation EtaSeries ExponentPowers CompliantSeries CompliantPolynomial
   CertificateWalk CertificateFamily CertificatePieces CertificateForce
-  BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros.
-From GSpot Require Import Statement StatementCompliant StatementCertificate.
+  BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerRuns.
+From GSpot Require Import Statement StatementCompliant StatementCertificate StatementChecker.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -525,3 +525,14 @@ Proof. exact CertificateForce.force_certificate. Qed.
 
 Theorem lift_off_certificate : StatementCertificate.lift_off_certificate.
 Proof. exact CertificateForce.lift_off_certificate. Qed.
+
+(** ** The checker in Coq *)
+
+Theorem certificate_checker : StatementChecker.certificate_checker.
+Proof. exact accepted_is_true. Qed.
+
+Theorem iwc_0_1_checked : StatementChecker.iwc_0_1_checked.
+Proof. exact CheckerRuns.iwc_0_1_checked. Qed.
+
+Theorem zeros_1_2_checked : StatementChecker.zeros_1_2_checked.
+Proof. exact CheckerRuns.zeros_1_2_checked. Qed.

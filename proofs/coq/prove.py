@@ -4,9 +4,9 @@
     python3 proofs/coq/prove.py                 what `make prove` runs
     python3 proofs/coq/prove.py --check-kernel  also coqchk, the independent checker of the compiled proofs (minutes)
 
-Every statement of Statement.v, StatementCompliant.v and StatementCertificate.v, that is every `Definition name : Prop
-:= ...`, must be proved in Theorems.v under its name; its axioms must be those that assumptions.txt lists for it, no
-more and no fewer.
+Every statement of Statement.v, StatementCompliant.v, StatementCertificate.v and StatementChecker.v, that is every
+`Definition name : Prop := ...`, must be proved in Theorems.v under its name; its axioms must be those that
+assumptions.txt lists for it, no more and no fewer. The certificates that the proofs hold as text must be the files.
 The record, build/coq/record.json, holds the hash of each source. It is written last, and an old one is removed first.
 Imports nothing beyond the standard library; installs nothing.
 
@@ -32,8 +32,8 @@ RECORD = "record.json"
 LIMIT = 1200
 """Seconds until a step is given up, on a loaded machine; the whole takes one to two minutes on two free cores."""
 LIBRARY = "GSpot"
-STATED_IN = ("Statement", "StatementCompliant", "StatementCertificate")
-"""The files of statements: about Theta, about the mechanism at every eps, about certificates."""
+STATED_IN = ("Statement", "StatementCompliant", "StatementCertificate", "StatementChecker")
+"""The files of statements: about Theta, the mechanism at every eps, certificates, and their checker in Coq."""
 AXIOMS = {
     "ClassicalDedekindReals.sig_not_dec",
     "ClassicalDedekindReals.sig_forall_dec",
@@ -93,6 +93,18 @@ def unproved() -> list[str]:
         ]
     listed = {path.name for path in sources()}
     return found + [f"{path.name} is not in _CoqProject" for path in HERE.glob("*.v") if path.name not in listed]
+
+
+def other_texts() -> list[str]:
+    """Where a text that the proofs hold as the bytes of a certificate is not that of the file of its name."""
+    found = []
+    for path in sources():
+        text = path.read_text(encoding="utf-8")
+        for name, doubled in re.findall(r'^Definition (\w+)_file : string := "((?:[^"]|"")*)"', text, re.MULTILINE):
+            files = [folder / f"{name}.cert" for folder in (HERE, HERE.parent)]
+            if doubled.replace('""', '"') not in [file.read_text(encoding="utf-8") for file in files if file.is_file()]:
+                found.append(f"{path.name}: {name}.cert")
+    return found
 
 
 def hashes() -> dict[str, str]:
@@ -187,7 +199,7 @@ def differences(found: dict[str, list[str]], expected: dict[str, list[str]]) -> 
 
 def check_kernel() -> str:
     """coqchk on everything that Theorems.v uses, the standard library too; what it says, empty when it accepts."""
-    done = run(["coqchk", "-silent", "-o", "-R", ".", LIBRARY, f"{LIBRARY}.Theorems"])
+    done = run(["coqchk", "-silent", "-o", "-bytecode-compiler", "yes", "-R", ".", LIBRARY, f"{LIBRARY}.Theorems"])
     text = done.stdout + done.stderr
     return text if done.returncode or not kernel_accepts(text) else ""
 
@@ -216,6 +228,8 @@ def prove(jobs: int, kernel: bool) -> int:
     (BUILD / RECORD).unlink(missing_ok=True)
     if wrong := unproved():
         return failed("A proof is left out", wrong)
+    if wrong := other_texts():
+        return failed("A text is not that of the file", wrong)
     if what := missing():
         print(MISSING.format(what=what))
         return 2
