@@ -416,3 +416,65 @@ Definition zero_curve : Prop := forall (Theta : R -> R -> R) t0 b0, (forall b, i
 Definition zeros_analytic : Prop := forall (m i : nat) (Theta : R -> R -> R) (l : R -> list R), (i < m mod 3 + m / 3)%nat ->
   (forall b, INR m < b < INR m + 1 -> is_Theta b (Theta b) /\ zeros_of (Derive (Theta b)) (l b)) ->
   forall b, INR m < b < INR m + 1 -> analytic_at (fun b => nth i (l b) 0) b.
+
+(** ** Taylor models on boxes: b = b0 + r eta, t = t0 + s u, |eta| <= 1, |u| <= 1 (proofs/box.md) *)
+
+(** The polynomial with the coefficients m, the sum of their sizes, and a polynomial with an error as a model of f(eta). *)
+Fixpoint polynomial (m : list R) (x : R) : R :=
+  match m with
+  | [] => 0
+  | a :: rest => a + x * polynomial rest x
+  end.
+
+Definition total_size (m : list R) : R := fold_right (fun a sum => Rabs a + sum) 0 m.
+
+Definition is_model (model : list R * R) (f : R -> R) : Prop :=
+  forall eta, Rabs eta <= 1 -> Rabs (f eta - polynomial (fst model) eta) <= snd model.
+
+(** The coefficients of (g - r eta)(m_0 + m_1 eta + ...); [before] is 0. *)
+Fixpoint times_linear (g r before : R) (m : list R) : list R :=
+  match m with
+  | [] => [- (r * before)]
+  | a :: rest => (g * a - r * before) :: times_linear g r a rest
+  end.
+
+(** From a model of a_k to one of a_(k+3) = (k - b) a_k/((k + 1)(k + 2)(k + 3)); the last coefficient goes into the error. *)
+Definition next_model (b0 r : R) (k : nat) (model : list R * R) : list R * R :=
+  let divisor := (INR k + 1) * (INR k + 2) * (INR k + 3) in
+  let product := map (fun a => a / divisor) (times_linear (INR k - b0) r 0 (fst model)) in
+  (removelast product, (Rabs (INR k - b0) + r) * snd model / divisor + Rabs (last product 0)).
+
+(** Section 4: the sum of i!/(i-d)! f_i u^(i-d), d <= i < I, is s^d Theta^(d)(t0 + s u) up to s^d (W_d + E_d + V_d), where W is s^d W_d, if q < 1;
+    at u = 0 without W_d. p_k, e_k, S_k are the P_k, e_k, S_k of the page at one eta. *)
+Definition falling (d i : nat) : R := INR (fact i) / INR (fact (i - d)).
+
+Definition shifted (t0 s : R) (c : nat -> R) (K i : nat) : R :=
+  sum_first (fun j => Binomial.C (i + j) i * t0 ^ j * s ^ i * c (i + j)%nat) (K - i).
+
+Definition box_estimate (B t0 s : R) (p e S : nat -> R) (d I K : nat) (u value : R) : Prop :=
+  let X := Rabs t0 + s in
+  let W := sum_first (fun j => falling d (I + j) * shifted (Rabs t0) s S K (I + j)) (K - I) in
+  let E := sum_first (fun j => falling d (d + j) * X ^ j * e (d + j)%nat) (K - d) in
+  let y := INR (K - d) in
+  let q := (INR K + B) * X ^ 3 / ((y + 1) * (y + 2) * (y + 3)) in
+  let v k := falling d k * S k * X ^ (k - d) in
+  let V := (v K + v (K + 1)%nat + v (K + 2)%nat) / (1 - q) in
+  let difference := s ^ d * value - sum_first (fun j => falling d (d + j) * shifted t0 s p K (d + j) * u ^ j) (I - d) in
+  q < 1 -> Rabs difference <= W + s ^ d * (E + V) /\ (u = 0 -> (d < I)%nat -> Rabs difference <= s ^ d * (E + V)).
+
+(** At one b: a_k = Theta^(k)(0)/k! is p_k up to e_k for k < K; S bounds |p_k|, and |a_k| for three more. *)
+Definition box_remainder : Prop := forall b theta t0 s B (p e S : nat -> R) (d I K : nat) u, is_Theta_entire b theta ->
+  0 <= s -> 1 <= B -> Rabs b <= B -> (d <= I)%nat -> (d <= K)%nat -> Rabs u <= 1 ->
+  let a k := Derive_n theta k 0 / INR (fact k) in
+  (forall k, (k < K)%nat -> Rabs (a k - p k) <= e k /\ Rabs (p k) <= S k) ->
+  (forall k, (K <= k < K + 3)%nat -> Rabs (a k) <= S k) ->
+  box_estimate B t0 s p e S d I K u (Derive_n theta d (t0 + s * u)).
+
+(** Sections 3 and 4 together, real b: models of Theta, Theta', Theta''/2 at t = 0 give those on the box, S_k = (total size of P_k) + e_k. *)
+Definition box_model : Prop := forall b0 r (Theta : R -> R -> R) (model : nat -> list R * R) t0 s B (d I K : nat) u eta,
+  (forall eta, is_Theta_entire (b0 + r * eta) (Theta eta)) ->
+  (forall k, (k < 3)%nat -> is_model (model k) (fun eta => Derive_n (Theta eta) k 0 / INR (fact k))) ->
+  (forall k, model (k + 3)%nat = next_model b0 r k (model k)) ->
+  0 <= r -> 0 <= s -> 1 <= B -> Rabs b0 + r <= B -> (d <= I)%nat -> (d <= K)%nat -> Rabs u <= 1 -> Rabs eta <= 1 ->
+  box_estimate B t0 s (fun k => polynomial (fst (model k)) eta) (fun k => snd (model k))
+    (fun k => total_size (fst (model k)) + snd (model k)) d I K u (Derive_n (Theta eta) d (t0 + s * u)).

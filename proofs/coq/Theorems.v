@@ -13,6 +13,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   CompliantDeviation EtaSeries ExponentPowers CompliantSeries CompliantPolynomial
   CertificateWalk CertificateFamily CertificatePieces CertificateForce
   BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerRuns.
+From GSpot Require BoxModel.
 From GSpot Require Import Statement StatementCompliant StatementCertificate StatementChecker.
 Import ListNotations.
 Open Scope R_scope.
@@ -276,6 +277,14 @@ Proof.
 intros m i Theta l Hi H. apply (AnalyticZeros.zeros_analytic m i l Hi).
 intros b Hb. destruct (H b Hb) as [HT Zl]. exact (zeros_of_Th b (Theta b) (l b) HT Zl).
 Qed.
+
+(** ** Taylor models on boxes *)
+
+Theorem box_remainder : Statement.box_remainder.
+Proof. exact BoxModel.box_remainder. Qed.
+
+Theorem box_model : Statement.box_model.
+Proof. exact BoxModel.box_model. Qed.
 
 (** ** The compliant model *)
 
