@@ -13,7 +13,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   CompliantDeviation EtaSeries ExponentPowers CompliantSeries CompliantPolynomial
   CertificateWalk CertificateFamily CertificatePieces CertificateForce
   BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerRuns.
-From GSpot Require BoxModel.
+From GSpot Require BoxModel RoundedStep CarriedModel SignOnBox.
 From GSpot Require Import Statement StatementCompliant StatementCertificate StatementChecker.
 Import ListNotations.
 Open Scope R_scope.
@@ -285,6 +285,33 @@ Proof. exact BoxModel.box_remainder. Qed.
 
 Theorem box_model : Statement.box_model.
 Proof. exact BoxModel.box_model. Qed.
+
+(** ** Models carried from one point to the next *)
+
+Theorem solution_with_values : Statement.solution_with_values.
+Proof. exact CarriedModel.solution_with_values. Qed.
+
+Theorem rounded_step : Statement.rounded_step.
+Proof. exact RoundedStep.rounded_step. Qed.
+
+Theorem three_tails : Statement.three_tails.
+Proof.
+intros b t0 s B c n d N Hs HB Hb Hd Hn Hc q Hq. exact (CarriedModel.three_tails b t0 s B c n d N Hs HB Hb Hd Hn Hc Hq).
+Qed.
+
+Theorem moved_series : Statement.moved_series.
+Proof.
+intros b t0 s B f n d p e S w u delta H Hs HB Hb Hd Hn q Hq Hu.
+exact (CarriedModel.moved_series b t0 s B f n d p e S w u delta H Hs HB Hb Hd Hn Hq Hu).
+Qed.
+
+Theorem carried_errors : Statement.carried_errors.
+Proof. exact CarriedModel.carried_errors. Qed.
+
+Theorem box_value : Statement.box_value.
+Proof.
+intros b t0 s B f n d m e u eta H Hs HB Hb Hd Hn q Hq Hu He. exact (SignOnBox.box_value b t0 s B f n d m e u eta H Hs HB Hb Hd Hn Hq Hu He).
+Qed.
 
 (** ** The compliant model *)
 
