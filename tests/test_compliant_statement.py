@@ -131,3 +131,14 @@ def test_the_polynomial_of_the_library_is_one_of_theorem_c(b: fmpq) -> None:
     assert let("monotone_beyond_polynomial", "part eta m").startswith(
         "sum_first (fun k => series_coefficient k m * eta ^ k * Derive_n theta (n + k + 3 * m) t) (S (K m))"
     )
+    assert (
+        "sum_first (fun k => series_coefficient k m * eta ^ k * Derive_n theta (k + 3 * m) tau) (S (K m))"
+        in statement("corrected_theta")
+    )
+    # The force is the first derivative: what n = 0 asks of M and K at beta = b + 1 is what Theorem C asks at b.
+    enough = re.findall(r"beta < (.*?)(?: /\\|$)", statement("enough_terms"))
+    assert evaluate_term(enough[0], names) == evaluate_term(whole, names) + 1
+    assert all(
+        evaluate_term(enough[1], names | {"m": m}) == evaluate_term(each.removesuffix(")"), names | {"m": m}) + 1
+        for m in last
+    )

@@ -144,6 +144,47 @@ intros H5. destruct (force_difference t H5) as (q & Hq & E). split; intros HC.
 - assert (0 < - (C1 * G) * q) by (apply Rmult_lt_0_compat; auto; lra). lra.
 Qed.
 
+(** *** A motion of the mechanism from a state of a slow motion whose force is positive from t0 on *)
+Section Kept.
+Variable t0 : R.
+Hypothesis HC : 0 < C1 * G.
+Hypothesis force_positive : forall t, t0 <= t -> 0 < linear_force eps (Y t) (Z t).
+
+Theorem contact_kept p b y v z :
+  (forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force p b y v z t) ->
+  p t0 = P t0 -> b t0 = B t0 -> y t0 = Y t0 -> v t0 = V t0 -> z t0 = Z t0 ->
+  (forall t, t0 <= t -> y t < z t) /\
+  (forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)) /\
+  (forall M, exists T, forall t, T <= t -> y t <= M).
+Proof.
+intros H Ip Ib Iy Iv Iz.
+destruct HS as (_ & Hm0 & _).
+assert (Hmod : forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force P B Y V Z t).
+{ intros t Ht. assert (E : contact_force eps (Y t) (Z t) = linear_force eps (Y t) (Z t)).
+  { apply contact_force_in_contact; auto. apply Rlt_le, force_positive, Ht. }
+  specialize (Hm0 t). unfold model_at in *. rewrite E. exact Hm0. }
+assert (E : forall t, t0 <= t -> y t = Y t /\ z t = Z t).
+{ intros t Ht.
+  destruct (forward_unique a1 a2 a3 eps He p b y v z P B Y V Z t0 t (fun s Hs => H s (proj1 Hs)) (fun s Hs => Hmod s (proj1 Hs))
+    Ip Ib Iy Iv Iz t ltac:(lra)) as (_ & _ & E1 & _ & E2). auto. }
+assert (Hcon : forall t, t0 <= t -> y t < z t).
+{ intros t Ht. destruct (E t Ht) as (-> & ->). apply (linear_force_pos eps); [|apply force_positive, Ht]; exact He. }
+assert (Hinf : forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)).
+{ assert (HC' : 0 < C1 * Rpower eps (a3 / a1) * G).
+  { replace (C1 * Rpower eps (a3 / a1) * G) with (Rpower eps (a3 / a1) * (C1 * G)) by ring.
+    apply Rmult_lt_0_compat; auto. apply exp_pos. }
+  intros M. destruct (proj1 (side_rule a1 a2 a3 eps Hpar _ P B Y V Z HS) HC' M) as (T & HT').
+  exists (Rmax T t0). intros t Ht. assert (M1 := Rmax_l T t0). assert (M2 := Rmax_r T t0).
+  destruct (E t ltac:(lra)) as (-> & ->). rewrite contact_force_in_contact; auto.
+  - apply HT'. lra.
+  - apply Rlt_le, force_positive. lra. }
+refine (conj Hcon (conj Hinf _)).
+apply (penetrate eps t0 y z (fun t => contact_force eps (y t) (z t)) He); auto.
+- intros t Ht. apply (H t Ht).
+- intros t Ht. apply Hcon. lra.
+Qed.
+End Kept.
+
 (** *** The bound for eps *)
 Lemma leading_force_nonnegative m t : 1 < a3 / a1 -> a2 < 0 -> 0 < m -> eps <= threshold a1 a2 a3 m ->
   - m <= C1 * Derive theta (Rpower (- a1 / 2) (1 / 3) * t * Rpower eps (- 2 / 3)) ->
@@ -177,33 +218,7 @@ Theorem IWC_below_threshold p b y v z :
   (forall t, t0 <= t -> y t < z t) /\
   (forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)) /\
   (forall M, exists T, forall t, T <= t -> y t <= M).
-Proof.
-intros H Ip Ib Iy Iv Iz.
-destruct HS as (_ & Hm0 & _).
-assert (Hmod : forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force P B Y V Z t).
-{ intros t Ht. assert (E : contact_force eps (Y t) (Z t) = linear_force eps (Y t) (Z t)).
-  { apply contact_force_in_contact; auto. apply Rlt_le, force_positive, Ht. }
-  specialize (Hm0 t). unfold model_at in *. rewrite E. exact Hm0. }
-assert (E : forall t, t0 <= t -> y t = Y t /\ z t = Z t).
-{ intros t Ht.
-  destruct (forward_unique a1 a2 a3 eps He p b y v z P B Y V Z t0 t (fun s Hs => H s (proj1 Hs)) (fun s Hs => Hmod s (proj1 Hs))
-    Ip Ib Iy Iv Iz t ltac:(lra)) as (_ & _ & E1 & _ & E2). auto. }
-assert (Hcon : forall t, t0 <= t -> y t < z t).
-{ intros t Ht. destruct (E t Ht) as (-> & ->). apply (linear_force_pos eps); auto. apply force_positive, Ht. }
-assert (Hinf : forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)).
-{ assert (HC' : 0 < C1 * Rpower eps (a3 / a1) * G).
-  { replace (C1 * Rpower eps (a3 / a1) * G) with (Rpower eps (a3 / a1) * (C1 * G)) by ring.
-    apply Rmult_lt_0_compat; auto. apply exp_pos. }
-  intros M. destruct (proj1 (side_rule a1 a2 a3 eps Hpar _ P B Y V Z HS) HC' M) as (T & HT').
-  exists (Rmax T t0). intros t Ht. assert (M1 := Rmax_l T t0). assert (M2 := Rmax_r T t0).
-  destruct (E t ltac:(lra)) as (-> & ->). rewrite contact_force_in_contact; auto.
-  - apply HT'. lra.
-  - apply Rlt_le, force_positive. lra. }
-refine (conj Hcon (conj Hinf _)).
-apply (penetrate eps t0 y z (fun t => contact_force eps (y t) (z t)) He); auto.
-- intros t Ht. apply (H t Ht).
-- intros t Ht. apply Hcon. lra.
-Qed.
+Proof. apply (contact_kept t0 HC force_positive). Qed.
 End Threshold.
 End Force.
 

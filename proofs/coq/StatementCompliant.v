@@ -346,3 +346,37 @@ Definition monotone_next_order : Prop := forall b n eta eta' theta F F' t, not_n
   let excess eta F := Gamma (- b) * (Rpower eta (b - INR n) * Derive_n F n (t / eta) - Derive_n theta n t
     - eta / 8 * Derive_n theta (n + 4) t + eta ^ 2 / 10 * Derive_n theta (n + 5) t) in
   0 < excess eta F < excess eta' F'.
+
+(** Theta with these terms, and the force at leading order with it in place of Theta, at the scale eta = (- a1 eps/2)^(1/3). *)
+Definition corrected_theta (eta : R) (M : nat) (K : nat -> nat) (theta : R -> R) (tau : R) : R :=
+  theta tau + sum_first (fun i => let m := S i in
+    sum_first (fun k => series_coefficient k m * eta ^ k * Derive_n theta (k + 3 * m) tau) (S (K m))) M.
+
+Definition corrected_force (a1 a2 a3 eps C1 : R) (M : nat) (K : nat -> nat) (theta : R -> R) : R -> R :=
+  leading_force a1 a2 a3 eps C1 (corrected_theta (Rpower (- a1 / 2) (1 / 3) * Rpower eps (1 / 3)) M K theta).
+
+(** M and K hold enough terms for the derivative of order n of the force at this beta. *)
+Definition enough_terms (beta : R) (n M : nat) (K : nat -> nat) : Prop := beta < INR n + 4 * (INR M + 1) + 1 /\
+  forall m, (1 <= m <= M)%nat -> Nat.Odd (K m - m) /\ beta < INR n + INR (K m) + 2 + 3 * INR m.
+
+(** At every time and every eps the force of the slow motion, with its derivatives, is above the corrected one if C_1 Gamma(-beta) > 0, and below it
+    if C_1 Gamma(-beta) < 0. (M = 0, n = 0: [force_above_leading_order]; beta < 9: M = 1, K_1 = 4.) *)
+Definition force_above_corrected_force : Prop := forall a1 a2 a3 eps C1 M K theta p b y v z n t, parameters a1 a3 eps ->
+  enough_terms (a3 / a1) n M K -> is_Theta (a3 / a1) theta -> slow_motion a1 a2 a3 eps (C1 * Rpower eps (a3 / a1)) p b y v z ->
+  let force t := linear_force eps (y t) (z t) in
+  let corrected := corrected_force a1 a2 a3 eps C1 M K theta in
+  (0 < C1 * Gamma (- (a3 / a1)) -> Derive_n corrected n t < Derive_n force n t) /\
+  (C1 * Gamma (- (a3 / a1)) < 0 -> Derive_n force n t < Derive_n corrected n t).
+
+(** Every non-integer beta < n + 2 and every eps, C_1 on the side of impact without collision: if the corrected force is >= 0 on [t0, t1], and its first n
+    derivatives are at t1, any motion of the mechanism from a state of the slow motion at t0 keeps contact for ever; the force tends to +oo, y to -oo. *)
+Definition IWC_by_corrected_force : Prop := forall a1 a2 a3 eps C1 M K theta n t0 t1 P B Y V Z p b y v z, parameters a1 a3 eps ->
+  a3 / a1 < INR n + 2 -> enough_terms (a3 / a1) 0 M K -> 0 < C1 * Gamma (- (a3 / a1)) -> is_Theta (a3 / a1) theta ->
+  slow_motion a1 a2 a3 eps (C1 * Rpower eps (a3 / a1)) P B Y V Z -> t0 <= t1 ->
+  let corrected := corrected_force a1 a2 a3 eps C1 M K theta in
+  (forall t, t0 <= t <= t1 -> 0 <= corrected t) -> (forall k, (k <= n)%nat -> 0 <= Derive_n corrected k t1) ->
+  (forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force p b y v z t) ->
+  p t0 = P t0 -> b t0 = B t0 -> y t0 = Y t0 -> v t0 = V t0 -> z t0 = Z t0 ->
+  (forall t, t0 <= t -> y t < z t) /\
+  (forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)) /\
+  (forall M, exists T, forall t, T <= t -> y t <= M).

@@ -10,7 +10,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   CompliantSlow CompliantMechanism CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases
   CompliantOpen CompliantSlowMotion CompliantLateCone CompliantStable LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication
   EntireForm DifferentiableInBeta ZeroSlopes DerivativeTail
-  CompliantDeviation EtaSeries ExponentPowers CompliantSeries CompliantPolynomial
+  CompliantDeviation EtaSeries ExponentPowers CompliantSeries CompliantPolynomial CompliantCorrection
   CertificateWalk CertificateFamily CertificatePieces CertificateForce
   BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerRuns.
 From GSpot Require BoxModel RoundedStep CarriedModel SignOnBox.
@@ -543,6 +543,18 @@ assert (E : forall e G, Gamma (- b) * (Rpower e (b - INR n) * Derive_n G n (t / 
 { intros e G. unfold ex. cbn [sum_first Nat.mul Nat.add]. replace (n + 1 + 3)%nat with (n + 4)%nat by lia. replace (n + 2 + 3)%nat with (n + 5)%nat by lia.
   unfold series_coefficient. simpl (INR _). simpl pow. field. }
 rewrite <- (E eta F), <- (E eta' F'). exact H.
+Qed.
+
+Theorem force_above_corrected_force : StatementCompliant.force_above_corrected_force.
+Proof.
+intros a1 a2 a3 eps C1 M K theta p b y v z n t Hp HE HT HS force corrected.
+exact (CompliantCorrection.force_above_corrected_force a1 a2 a3 eps C1 theta p b y v z M K Hp HT HS n t HE).
+Qed.
+
+Theorem IWC_by_corrected_force : StatementCompliant.IWC_by_corrected_force.
+Proof.
+intros a1 a2 a3 eps C1 M K theta n t0 t1 P B Y V Z p b y v z Hp Hn HE HC HT HS.
+exact (CompliantCorrection.IWC_by_corrected_force a1 a2 a3 eps C1 theta P B Y V Z M K Hp HT HS n t0 t1 p b y v z Hn HE HC).
 Qed.
 
 (** ** Certificates *)
