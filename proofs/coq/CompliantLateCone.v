@@ -8,7 +8,7 @@
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
 From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel CompliantIntegral CompliantSlow
-  CompliantMechanism CompliantDominance.
+  CompliantMechanism CompliantExcess CompliantDominance.
 Open Scope R_scope.
 
 Section Cone.
@@ -22,28 +22,22 @@ Variable t0 : R.
 Hypothesis Hp : p t0 <= - (6 - 2 * a3 * eps).
 Hypothesis H : forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force p b y v z t.
 
-Let w (t : R) : R := b t - a2 / (a1 - a3) * p t.
-Let d0 (t : R) : R := force_excess a1 a2 a3 eps (y t) (z t).
-Let d1 (t : R) : R := force_excess1 eps (y t) (v t) (z t).
-Let d2 (t : R) : R := force_excess2 eps (p t) (b t) (y t) (v t) (z t).
+Let w (t : R) : R := deviation a1 a2 a3 p b t.
+Let d0 (t : R) : R := excess a1 a2 a3 eps y z t.
+Let d1 (t : R) : R := excess1 eps y v z t.
+Let d2 (t : R) : R := excess2 eps p b y v z t.
 Let f (t : R) : R := - a3 * eps * d0 t - w t.
 Let h (t : R) : R := eps * d1 t - d0 t.
 Let k (t : R) : R := eps ^ 2 * d2 t - eps * d1 t - 2 * d0 t.
 
-Lemma state_ex t : t0 <= t -> ex_derive p t /\ ex_derive b t /\ ex_derive y t /\ ex_derive v t /\ ex_derive z t.
-Proof.
-intros Ht. destruct (H t Ht) as (Dp & Db & Dy & Dv & Dz).
-refine (conj (ex_intro _ _ Dp) (conj (ex_intro _ _ Db) (conj (ex_intro _ _ Dy) (conj (ex_intro _ _ Dv) _)))).
-exists (/ eps * (- z t - eps ^ 2 * contact_force eps (y t) (z t))).
-apply (is_derive_ext (fun s => / eps * (eps * z s))).
-{ intros s. change (/ eps * (eps * z s) = z s). field; lra. }
-apply (is_derive_scal (fun s => eps * z s)), Dz.
-Qed.
+Lemma late_state_ex t : t0 <= t -> ex_derive p t /\ ex_derive b t /\ ex_derive y t /\ ex_derive v t /\ ex_derive z t.
+Proof. intros Ht. exact (state_ex a1 a2 a3 eps Heps p b y v z contact_force t (H t Ht)). Qed.
 
 Lemma cone_ex t : t0 <= t -> ex_derive w t /\ ex_derive f t /\ ex_derive h t /\ ex_derive k t.
 Proof.
-intros Ht. destruct (state_ex t Ht) as (Xp & Xb & Xy & Xv & Xz).
-unfold w, f, h, k, w, d0, d1, d2, force_excess, force_excess1, force_excess2. repeat split; auto_derive; repeat split; auto.
+intros Ht. destruct (late_state_ex t Ht) as (Xp & Xb & Xy & Xv & Xz).
+unfold w, f, h, k, w, d0, d1, d2, deviation, excess, excess1, excess2, force_excess, force_excess1, force_excess2.
+repeat split; auto_derive; repeat split; auto.
 Qed.
 
 Lemma late_p t : t0 <= t -> p t <= - (6 - 2 * a3 * eps).
@@ -56,29 +50,30 @@ Lemma cone_derive t : t0 <= t -> y t < z t ->
   is_derive d0 t (d1 t) /\ is_derive w t ((f t + w t) / eps) /\ is_derive f t (- a3 * h t) /\ is_derive h t ((k t + 2 * d0 t) / eps) /\
   is_derive k t ((- 3 * k t + (- p t - 5) * (h t + d0 t) + (- p t - 6 + eps * (a3 - a1)) * d0 t - w t) / eps).
 Proof.
-intros Ht Hc. destruct (H t Ht) as (Dp & Db & Dy & Dv & Dz).
-assert (El : contact_force eps (y t) (z t) = (z t - y t) / eps ^ 2).
-{ unfold contact_force. destruct (Rlt_dec (y t) (z t)); auto; lra. }
-rewrite El in Db, Dv, Dz.
-assert (Dz' : is_derive z t ((y t - 2 * z t) / eps)).
-{ apply (is_derive_ext (fun s => / eps * (eps * z s))).
-  { intros s. change (/ eps * (eps * z s) = z s). field; lra. }
-  replace ((y t - 2 * z t) / eps) with (/ eps * (- z t - eps ^ 2 * ((z t - y t) / eps ^ 2))) by (field; lra).
-  apply (is_derive_scal (fun s => eps * z s)), Dz. }
-destruct (state_ex t Ht) as (Xp & Xb & Xy & Xv & Xz).
-assert (Ep := is_derive_unique _ _ _ Dp). assert (Eb := is_derive_unique _ _ _ Db). assert (Ey := is_derive_unique _ _ _ Dy).
-assert (Ev := is_derive_unique _ _ _ Dv). assert (Ez := is_derive_unique _ _ _ Dz').
-refine (conj _ (conj _ (conj _ (conj _ _))));
-  unfold w, f, h, k, w, d0, d1, d2, force_excess, force_excess1, force_excess2; auto_derive; repeat split; auto;
-  change (fun x => y x) with y; change (fun x => z x) with z; change (fun x => v x) with v; change (fun x => b x) with b;
-  change (fun x => p x) with p; rewrite ?Ep, ?Ey, ?Ez, ?Ev, ?Eb; field; repeat split; lra.
+intros Ht Hc.
+destruct (excess_derive a1 a2 a3 eps Ha13 Heps p b y v z t (in_contact a1 a2 a3 eps p b y v z t (H t Ht) Hc)) as (Dw & D0 & D1 & D2).
+fold (w t) (d0 t) (d1 t) (d2 t) in *.
+assert (L : forall (f1 f2 : R -> R) c1 c2 l1 l2, is_derive f1 t l1 -> is_derive f2 t l2 -> is_derive (fun t => c1 * f1 t - c2 * f2 t) t (c1 * l1 - c2 * l2)).
+{ intros f1 f2 c1 c2 l1 l2 E1 E2. apply (is_derive_minus (fun t => c1 * f1 t) (fun t => c2 * f2 t)).
+  apply (is_derive_scal f1), E1. apply (is_derive_scal f2), E2. }
+refine (conj D0 (conj _ (conj _ (conj _ _)))).
+- apply (is_derive_val _ _ _ _ Dw). unfold f. field. lra.
+- apply (is_derive_ext (fun t => (- a3 * eps) * d0 t - 1 * w t)).
+  { intros x. match goal with |- ?l = ?r => change (@eq R l r) end. unfold f. ring. }
+  apply (is_derive_val _ _ _ _ (L d0 w _ _ _ _ D0 Dw)). unfold h. ring.
+- apply (is_derive_ext (fun t => eps * d1 t - 1 * d0 t)).
+  { intros x. match goal with |- ?l = ?r => change (@eq R l r) end. unfold h. ring. }
+  apply (is_derive_val _ _ _ _ (L d1 d0 _ _ _ _ D1 D0)). unfold k. field. lra.
+- apply (is_derive_ext (fun t => eps ^ 2 * d2 t - 1 * (eps * d1 t - (- 2) * d0 t))).
+  { intros x. match goal with |- ?l = ?r => change (@eq R l r) end. unfold k. ring. }
+  apply (is_derive_val _ _ _ _ (L d2 (fun t => eps * d1 t - (- 2) * d0 t) _ _ _ _ D2 (L d1 d0 _ _ _ _ D1 D0))). unfold k, h. field. lra.
 Qed.
 
 Definition In_cone (t : R) : Prop := y t < z t /\ late_cone a1 a2 a3 eps (p t) (b t) (y t) (v t) (z t).
 
 Lemma in_cone t : In_cone t <-> y t < z t /\ 0 < w t /\ 0 < f t /\ 0 < h t /\ 0 < k t.
 Proof.
-unfold In_cone, late_cone, w, f, h, k, w, d0, d1, d2. cbv zeta. split; intros (A & B & C & D & E); repeat split; lra.
+unfold In_cone, late_cone, f, h, k, w, d0, d1, d2, deviation, excess, excess1, excess2. cbv zeta. split; intros (A & B & C & D & E); repeat split; lra.
 Qed.
 
 Lemma cone_signs t : 0 < w t -> 0 < f t -> 0 < d0 t.
@@ -90,7 +85,7 @@ Theorem late_contact : In_cone t0 -> forall t, t0 <= t -> In_cone t.
 Proof.
 intros HP0. apply real_induction; auto.
 - intros t Ht HP. assert (HPt := HP t ltac:(lra)). apply in_cone in HPt. destruct HPt as (P & P0 & P1 & P2 & P3).
-  destruct (cone_ex t Ht) as (X0 & X1 & X2 & X3). destruct (state_ex t Ht) as (_ & _ & Xy & _ & Xz).
+  destruct (cone_ex t Ht) as (X0 & X1 & X2 & X3). destruct (late_state_ex t Ht) as (_ & _ & Xy & _ & Xz).
   assert (L : locally t (fun s => 0 < z s - y s)).
   { apply (continuous_pos (fun s => z s - y s)); [|lra]. auto_derive; auto. }
   assert (LL := filter_and _ _ L (filter_and _ _ (continuous_pos _ t X0 P0) (filter_and _ _ (continuous_pos _ t X1 P1)
@@ -142,16 +137,16 @@ intros HP0. apply real_induction; auto.
   apply in_cone. refine (conj _ (conj _ (conj _ (conj _ K3)))); try lra.
   assert (G4 : d0 t0 <= d0 t).
   { apply (G d0 (fun s => d1 s)).
-    - destruct (state_ex t (Rlt_le _ _ Ht)) as (_ & _ & Xy & _ & Xz). unfold d0, force_excess. auto_derive. auto.
+    - destruct (late_state_ex t (Rlt_le _ _ Ht)) as (_ & _ & Xy & _ & Xz). unfold d0, excess, force_excess. auto_derive. auto.
     - intros s Hs. destruct (HQ s Hs) as (P & P0 & P1 & P2 & P3 & P4).
       destruct (cone_derive s ltac:(lra) P) as (D & _). split; [exact D|].
       unfold h in P2. apply Rlt_le, (pos_of_prod_pos eps); auto. lra. }
-  unfold d0, force_excess in G4. assert (He : 0 < / eps ^ 2) by (apply Rinv_0_lt_compat, pow_lt, Heps).
+  unfold d0, excess, force_excess in G4. assert (He : 0 < / eps ^ 2) by (apply Rinv_0_lt_compat, pow_lt, Heps).
   unfold Rdiv in G4. nra.
 Qed.
 
 Lemma force_contact t : y t < z t -> contact_force eps (y t) (z t) = d0 t + a2 / (a3 - a1).
-Proof. intros Hc. unfold contact_force, d0, force_excess. destruct (Rlt_dec (y t) (z t)); [ring|lra]. Qed.
+Proof. intros Hc. unfold contact_force, d0, excess, force_excess. destruct (Rlt_dec (y t) (z t)); [ring|lra]. Qed.
 
 (** In the cone the force increases, at least in proportion to the time. *)
 Theorem late_force : In_cone t0 ->

@@ -1,7 +1,7 @@
 (** * The compliant model: impact without collision is stable
 
-    A slow motion in contact from t0 on, on the side C Gamma(-beta) > 0, is inside the cone of [CompliantLateCone] at some time T. Up to T motions that start near it
-    stay near it ([motions_close]), so in contact; at T they are in the cone, which is open; after T they stay there. *)
+    A motion in contact from t0 on that comes into the cone of [CompliantLateCone], as a slow motion on the side C Gamma(-beta) > 0 does, is in it at some time T. Up to T
+    motions that start near it stay near it ([motions_close]), so in contact; at T they are in the cone, which is open; after T they stay there. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -116,23 +116,15 @@ Lemma abs_le_sq x r : Rabs x <= r -> x ^ 2 <= r ^ 2.
 Proof. intros H. rewrite <- (pow2_abs x). apply pow_incr. split; auto using Rabs_pos. Qed.
 
 Section Stable.
-Variables (a1 a2 a3 eps C t0 : R) (P B Y V Z : R -> R).
-Hypothesis Hpar : parameters a1 a3 eps.
-Hypothesis HC : 0 < C * Gamma (- (a3 / a1)).
-Hypothesis HS : slow_motion a1 a2 a3 eps C P B Y V Z.
+Variables (a1 a2 a3 eps t0 : R) (P B Y V Z : R -> R).
+Hypothesis Ha1 : a1 < 0.
+Hypothesis Ha3 : a3 < 0.
+Hypothesis Ha13 : a1 <> a3.
+Hypothesis He : 0 < eps.
+Hypothesis HP : forall t, t0 <= t -> P t = a1 * t.
+Hypothesis reference_model : forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force P B Y V Z t.
 Hypothesis Hcontact : forall t, t0 <= t -> Y t < Z t.
-Let Ha1 := par1 a1 a3 eps Hpar.
-Let Ha3 := par3 a1 a3 eps Hpar.
-Let He := par_eps a1 a3 eps Hpar.
-Let Hb := par_beta a1 a3 eps Hpar.
-
-Lemma slow_model t : t0 <= t -> model_at a1 a2 a3 eps contact_force P B Y V Z t.
-Proof.
-intros Ht. destruct HS as (_ & Hm & _). specialize (Hm t).
-assert (E : contact_force eps (Y t) (Z t) = linear_force eps (Y t) (Z t)).
-{ apply contact_force_in_contact; auto. apply Rlt_le, linear_force_pos; auto. }
-unfold model_at in *. rewrite E. exact Hm.
-Qed.
+Hypothesis Hcone : exists T, forall t, T <= t -> late_cone a1 a2 a3 eps (P t) (B t) (Y t) (V t) (Z t).
 
 (** Until any time te: motions that start within delta stay within r. *)
 Lemma near_until te r : t0 <= te -> 0 < r <= 1 -> exists delta, 0 < delta /\ forall p b y v z,
@@ -143,7 +135,7 @@ Lemma near_until te r : t0 <= te -> 0 < r <= 1 -> exists delta, 0 < delta /\ for
 Proof.
 intros Hte Hr.
 destruct (continuous_bounds (fun t => (Z t - Y t) / eps ^ 2) t0 te Hte) as (m & M & Hm & HM & HB).
-{ intros t Ht. destruct (slow_model t (proj1 Ht)) as (_ & _ & Dy & _ & Dz).
+{ intros t Ht. destruct (reference_model t (proj1 Ht)) as (_ & _ & Dy & _ & Dz).
   assert (Xz : ex_derive Z t).
   { exists (/ eps * (- Z t - eps ^ 2 * contact_force eps (Y t) (Z t))). apply (is_derive_ext (fun s => / eps * (eps * Z s))).
     { intros s. match goal with |- ?x = ?y => change (@eq R x y) end. field; lra. }
@@ -173,11 +165,11 @@ exists delta. split; auto. intros p b y v z H Ip Ib Iy Iv Iz.
 assert (Ep : forall t, t0 <= t -> p t - P t = p t0 - P t0).
 { intros t Ht. destruct (Rle_lt_or_eq_dec _ _ Ht) as [Hlt|<-]; auto. symmetry.
   apply (eq_is_derive (fun s => p s - P s) t0 t); auto. intros s Hs.
-  eapply is_derive_val. apply (is_derive_minus p P s a1 a1). apply (H s); lra. apply (slow_model s); lra.
+  eapply is_derive_val. apply (is_derive_minus p P s a1 a1). apply (H s); lra. apply (reference_model s); lra.
   unfold minus, plus, opp, zero; simpl. ring. }
 assert (Bp : forall t, t0 <= t <= te -> Rabs (p t) <= Pm).
 { intros t Ht. replace (p t) with ((p t - P t) + P t) by ring. rewrite (Ep t) by lra.
-  destruct HS as (HP & _). rewrite (HP t). eapply Rle_trans. apply Rabs_triang. rewrite Rabs_mult. unfold Pm.
+  rewrite (HP t) by lra. eapply Rle_trans. apply Rabs_triang. rewrite Rabs_mult. unfold Pm.
   assert (Rabs t <= Rabs t0 + Rabs te).
   { generalize (Rabs_pos t0) (Rabs_pos te) (Rle_abs te) (Rle_abs (- t0)). rewrite Rabs_Ropp. intros.
     apply Rabs_le. lra. }
@@ -189,7 +181,7 @@ assert (Heta : forall t, t0 <= t <= te -> ((p t - P t) * contact_force eps (Y t)
   { unfold contact_force. destruct (Rlt_dec (Y t) (Z t)) as [_|N]; auto. exfalso. apply N, Hcontact. lra. }
   rewrite E, (Rabs_pos_eq ((Z t - Y t) / eps ^ 2)) by lra. apply Rmult_le_compat; try lra. apply Rabs_pos. }
 assert (Mc := motions_close a1 a2 a3 eps He p b y v z P B Y V Z t0 te Pm eta (fun t Ht => H t (proj1 Ht))
-  (fun t Ht => slow_model t (proj1 Ht)) Bp Heta).
+  (fun t Ht => reference_model t (proj1 Ht)) Bp Heta).
 cbv beta zeta in Mc. fold K in Mc.
 assert (E0 : (b t0 - B t0) ^ 2 + (y t0 - Y t0) ^ 2 + (v t0 - V t0) ^ 2 + (z t0 - Z t0) ^ 2 + eta <= (4 + M ^ 2) * delta ^ 2).
 { assert (S1 := abs_le_sq _ _ (Rlt_le _ _ Ib)). assert (S2 := abs_le_sq _ _ (Rlt_le _ _ Iy)).
@@ -219,19 +211,18 @@ Theorem stable : exists delta, 0 < delta /\ forall p b y v z,
   (forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)) /\
   (forall M, exists T, forall t, T <= t -> y t <= M).
 Proof.
-assert (Ha13 := a13 a1 a3 Ha1 Hb).
-destruct (slow_comes_into_cone a1 a2 a3 eps C P B Y V Z Hpar HC HS) as (T1 & Hcone).
+destruct Hcone as (T1 & HT1).
 set (te := Rmax (Rmax t0 T1) ((6 - 2 * a3 * eps + 1) / - a1)).
 assert (M1 := Rmax_l (Rmax t0 T1) ((6 - 2 * a3 * eps + 1) / - a1)). assert (M2 := Rmax_r (Rmax t0 T1) ((6 - 2 * a3 * eps + 1) / - a1)).
 assert (M3 := Rmax_l t0 T1). assert (M4 := Rmax_r t0 T1). fold te in M1, M2.
-destruct (Hcone te ltac:(lra)) as (_ & _ & HCt).
+assert (HCt := HT1 te ltac:(lra)).
 assert (HPt : P te <= - (6 - 2 * a3 * eps + 1)).
-{ destruct HS as (HP & _). rewrite HP. apply Ropp_le_cancel. rewrite Ropp_involutive.
+{ rewrite HP by lra. apply Ropp_le_cancel. rewrite Ropp_involutive.
   replace (6 - 2 * a3 * eps + 1) with (- a1 * ((6 - 2 * a3 * eps + 1) / - a1)) by (field; lra).
   replace (- (a1 * te)) with (- a1 * te) by ring. apply Rmult_le_compat_l; lra. }
 destruct (late_cone_open a1 a2 a3 eps _ _ _ _ _ Ha13 He HCt) as (r1 & Hr1 & Hopen).
 destruct (continuous_bounds (fun t => Z t - Y t) t0 te ltac:(lra)) as (m & M & Hm & HM & HB).
-{ intros t Ht. destruct (slow_model t (proj1 Ht)) as (_ & _ & Dy & _ & Dz).
+{ intros t Ht. destruct (reference_model t (proj1 Ht)) as (_ & _ & Dy & _ & Dz).
   assert (Xz : ex_derive Z t).
   { exists (/ eps * (- Z t - eps ^ 2 * contact_force eps (Y t) (Z t))). apply (is_derive_ext (fun s => / eps * (eps * Z s))).
     { intros s. match goal with |- ?x = ?y => change (@eq R x y) end. field; lra. }
@@ -254,3 +245,22 @@ refine (conj _ (conj Hinf Hy)). intros t Ht. destruct (Rle_lt_dec t te) as [Hl|H
 Qed.
 
 End Stable.
+
+(** The case of a slow motion. *)
+Theorem stable_slow a1 a2 a3 eps C t0 P B Y V Z : parameters a1 a3 eps -> 0 < C * Gamma (- (a3 / a1)) ->
+  slow_motion a1 a2 a3 eps C P B Y V Z -> (forall t, t0 <= t -> Y t < Z t) ->
+  exists delta, 0 < delta /\ forall p b y v z, (forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force p b y v z t) ->
+  Rabs (p t0 - P t0) < delta -> Rabs (b t0 - B t0) < delta -> Rabs (y t0 - Y t0) < delta ->
+  Rabs (v t0 - V t0) < delta -> Rabs (z t0 - Z t0) < delta ->
+  (forall t, t0 <= t -> y t < z t) /\
+  (forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)) /\
+  (forall M, exists T, forall t, T <= t -> y t <= M).
+Proof.
+intros Hpar HC HS Hc. assert (Ha1 := par1 a1 a3 eps Hpar). assert (He := par_eps a1 a3 eps Hpar).
+destruct (slow_comes_into_cone a1 a2 a3 eps C P B Y V Z Hpar HC HS) as (T & HT). destruct HS as (HP & Hm & _).
+apply (stable a1 a2 a3 eps t0 P B Y V Z Ha1 (par3 a1 a3 eps Hpar) (a13 a1 a3 Ha1 (par_beta a1 a3 eps Hpar)) He (fun t _ => HP t)); auto.
+- intros t Ht. assert (E : contact_force eps (Y t) (Z t) = linear_force eps (Y t) (Z t)).
+  { apply contact_force_in_contact; auto. apply Rlt_le, linear_force_pos; auto. }
+  specialize (Hm t). unfold model_at in *. rewrite E. exact Hm.
+- exists T. intros t Ht. apply HT, Ht.
+Qed.

@@ -229,6 +229,49 @@ Definition IWC_stable : Prop := forall a1 a2 a3 eps C t0 P B Y V Z, parameters a
   (forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)) /\
   (forall M, exists T, forall t, T <= t -> y t <= M).
 
+(** Any motion in contact, on the slow manifold or not: the number K that the quotient of its force, less the mean, by that of the slow motion with C = 1 tends to. *)
+Definition side_number (a1 a2 a3 eps : R) (y z : R -> R) (K : R) : Prop := forall P B Y V Z, slow_motion a1 a2 a3 eps 1 P B Y V Z ->
+  is_lim (fun t => force_excess a1 a2 a3 eps (y t) (z t) / force_excess a1 a2 a3 eps (Y t) (Z t)) p_infty K.
+
+(** The exact side rule. There is such a number for every state; with K Gamma(-beta) > 0 the force tends to +oo, with K Gamma(-beta) < 0 to -oo, faster than every
+    exponential; with K = 0 it grows more slowly than every exponential. *)
+Definition side_rule_every_state : Prop := forall a1 a2 a3 eps t0 p b y v z, parameters a1 a3 eps ->
+  (forall t, t0 <= t -> p t = a1 * t /\ model_at a1 a2 a3 eps linear_force p b y v z t) ->
+  let excess t := force_excess a1 a2 a3 eps (y t) (z t) in
+  exists K, side_number a1 a2 a3 eps y z K /\
+  (0 < K * Gamma (- (a3 / a1)) -> forall g, exists T, forall t, T <= t -> exp (g * t) <= excess t) /\
+  (K * Gamma (- (a3 / a1)) < 0 -> forall g, exists T, forall t, T <= t -> excess t <= - exp (g * t)) /\
+  (K = 0 -> forall g, 0 < g -> exists A T, forall t, T <= t -> Rabs (excess t) <= A * exp (g * t)).
+
+(** On the slow manifold it is C; and it is a linear function of the state at t0, less that of the trivial motion. So K = 0 is a hyperplane. *)
+Definition side_number_slow : Prop := forall a1 a2 a3 eps C p b y v z, parameters a1 a3 eps ->
+  slow_motion a1 a2 a3 eps C p b y v z -> side_number a1 a2 a3 eps y z C.
+
+Definition side_number_linear : Prop := forall a1 a2 a3 eps t0 k k' K K' p b y v z p' b' y' v' z' p'' b'' y'' v'' z'', parameters a1 a3 eps ->
+  (forall t, t0 <= t -> p t = a1 * t /\ model_at a1 a2 a3 eps linear_force p b y v z t) ->
+  (forall t, t0 <= t -> p' t = a1 * t /\ model_at a1 a2 a3 eps linear_force p' b' y' v' z' t) ->
+  (forall t, t0 <= t -> p'' t = a1 * t /\ model_at a1 a2 a3 eps linear_force p'' b'' y'' v'' z'' t) ->
+  let B := a2 / (a1 - a3) * (a1 * t0) in let Z := eps ^ 2 * a2 / (a1 - a3) in let Y := 2 * Z in
+  b'' t0 - B = k * (b t0 - B) + k' * (b' t0 - B) -> y'' t0 - Y = k * (y t0 - Y) + k' * (y' t0 - Y) ->
+  v'' t0 = k * v t0 + k' * v' t0 -> z'' t0 - Z = k * (z t0 - Z) + k' * (z' t0 - Z) ->
+  side_number a1 a2 a3 eps y z K -> side_number a1 a2 a3 eps y' z' K' -> side_number a1 a2 a3 eps y'' z'' (k * K + k' * K').
+
+(** A motion of the mechanism whose contact lasts for ever has K Gamma(-beta) >= 0. *)
+Definition lasting_contact : Prop := forall a1 a2 a3 eps t0 K p b y v z, parameters a1 a3 eps ->
+  (forall t, t0 <= t -> p t = a1 * t /\ model_at a1 a2 a3 eps contact_force p b y v z t /\ y t < z t) ->
+  side_number a1 a2 a3 eps y z K -> 0 <= K * Gamma (- (a3 / a1)).
+
+(** [IWC_stable] for every motion, fast modes or not: a contact that lasts for ever with K Gamma(-beta) > 0 is stable. *)
+Definition IWC_stable_every_state : Prop := forall a1 a2 a3 eps K t0 P B Y V Z, parameters a1 a3 eps ->
+  (forall t, t0 <= t -> P t = a1 * t /\ model_at a1 a2 a3 eps contact_force P B Y V Z t /\ Y t < Z t) ->
+  side_number a1 a2 a3 eps Y Z K -> 0 < K * Gamma (- (a3 / a1)) ->
+  exists delta, 0 < delta /\ forall p b y v z, (forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force p b y v z t) ->
+  Rabs (p t0 - P t0) < delta -> Rabs (b t0 - B t0) < delta -> Rabs (y t0 - Y t0) < delta ->
+  Rabs (v t0 - V t0) < delta -> Rabs (z t0 - Z t0) < delta ->
+  (forall t, t0 <= t -> y t < z t) /\
+  (forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)) /\
+  (forall M, exists T, forall t, T <= t -> y t <= M).
+
 (** Every non-integer beta < n + 2, C on the side of impact without collision: once the force of a slow motion and its first n
     derivatives are >= 0 at one time, contact is kept ever after. On either side the force vanishes at most n + 1 times. *)
 Definition contact_tail : Prop := forall a1 a2 a3 eps C n t0 p b y v z, parameters a1 a3 eps ->

@@ -8,7 +8,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   EnvelopingSeries Family SignsAtZero SignPattern PositiveZeros CountLaw IntegerPolynomials PolynomialSum Ends
   RecurrenceTail FoldAndHinge ContinuityInBeta ZeroCurves ZerosAtInteger CompliantKernel CompliantIntegral
   CompliantSlow CompliantMechanism CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases
-  CompliantOpen CompliantSlowMotion CompliantLateCone CompliantStable LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication
+  CompliantOpen CompliantSlowMotion CompliantLateCone CompliantStable CompliantEveryState LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication
   EntireForm DifferentiableInBeta ZeroSlopes DerivativeTail
   CompliantDeviation EtaSeries ExponentPowers CompliantSeries CompliantPolynomial CompliantCorrection
   CertificateWalk CertificateFamily CertificatePieces CertificateForce
@@ -397,7 +397,25 @@ Theorem late_cone_holds_slow_motions : StatementCompliant.late_cone_holds_slow_m
 Proof. intros a1 a2 a3 eps C p b y v z Hp HC HS. exact (slow_comes_into_cone a1 a2 a3 eps C p b y v z Hp HC HS). Qed.
 
 Theorem IWC_stable : StatementCompliant.IWC_stable.
-Proof. intros a1 a2 a3 eps C t0 P B Y V Z Hp HC HS Hc. exact (stable a1 a2 a3 eps C t0 P B Y V Z Hp HC HS Hc). Qed.
+Proof. intros a1 a2 a3 eps C t0 P B Y V Z Hp HC HS Hc. exact (stable_slow a1 a2 a3 eps C t0 P B Y V Z Hp HC HS Hc). Qed.
+
+Theorem side_rule_every_state : StatementCompliant.side_rule_every_state.
+Proof. intros a1 a2 a3 eps t0 p b y v z Hp H. exact (every_state_rule a1 a2 a3 eps Hp t0 p b y v z H). Qed.
+
+Theorem side_number_slow : StatementCompliant.side_number_slow.
+Proof. intros a1 a2 a3 eps C p b y v z Hp. exact (slow_number a1 a2 a3 eps Hp C p b y v z). Qed.
+
+Theorem side_number_linear : StatementCompliant.side_number_linear.
+Proof.
+intros a1 a2 a3 eps t0 k k' K K' p b y v z p' b' y' v' z' p'' b'' y'' v'' z'' Hp.
+exact (number_linear a1 a2 a3 eps Hp t0 k k' K K' p b y v z p' b' y' v' z' p'' b'' y'' v'' z'').
+Qed.
+
+Theorem lasting_contact : StatementCompliant.lasting_contact.
+Proof. intros a1 a2 a3 eps t0 K p b y v z Hp. exact (lasting a1 a2 a3 eps Hp t0 K p b y v z). Qed.
+
+Theorem IWC_stable_every_state : StatementCompliant.IWC_stable_every_state.
+Proof. intros a1 a2 a3 eps K t0 P B Y V Z Hp. exact (stable_every a1 a2 a3 eps Hp K t0 P B Y V Z). Qed.
 
 Theorem contact_tail : StatementCompliant.contact_tail.
 Proof. intros a1 a2 a3 eps C n t0 p b y v z Hp HS. exact (CompliantSlowMotion.contact_tail a1 a2 a3 eps Hp C p b y v z HS n t0). Qed.
