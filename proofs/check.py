@@ -1008,7 +1008,7 @@ class Checker:
             beta.text + (" that is not an integer" if beta.start < beta.end else "") + f", every ε in (0, {epsilon}]"
         )
         zeros = "λ minus its mean has exactly two real zeros, both simple"
-        return f"{where}, on the slow manifold of the compliant model with C_1 ≠ 0 {zeros}"
+        return f"{where}, on the slow manifold of the compliant model with α_1 = -1, C_1 ≠ 0 {zeros}"
 
     def of_system(self, alpha: Any, c1: Any) -> str:
         """The system of a statement in words."""

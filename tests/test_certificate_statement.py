@@ -116,6 +116,76 @@ def test_the_piece_left() -> None:
     assert not any(left_as_checked(COUNT, ENDS, mutated) for mutated in mutations(BOUND))
 
 
+DIP = statement("dip_checked").partition(":= ")[2]
+BOUND_BY_THETA = DIP.rpartition("-> ")[2].removesuffix(" < 0").replace("Derive (F b)", "Derive b")
+RATIO = between(DIP, "let mu := ", " in")
+PLACES = [(Fraction(4), Fraction(5)), (Fraction(5), Fraction(63, 10)), (Fraction(1, 7), Fraction(1))]
+
+
+def dip_as_checked(ratio: str, bound: str) -> bool:
+    """Where the bound is just below 0 the checker answers yes, just above it no: one b, chosen values of F and F'."""
+    for (first, second), b, eta in product(PLACES[1:], (3, 4), (Fraction(5, 3), Fraction(1, 4))):
+        slopes = {first: Fraction(-3, 2), second: Fraction(7, 5)}
+        names = {"t1": first, "t2": second, "b": b, "eta0": eta}
+        names |= {"Rpower": Applied(2, lambda x, y: x**y), "Derive": Applied(2, lambda _, t, s=slopes: s[t])}
+        try:
+            names["mu"] = evaluate_term(ratio, names)
+            rest = evaluate_term(bound, names | {"F": Applied(2, lambda *_: 0)})
+            for side in (-1, 1):
+                values = {(first, 0): side * Fraction(1, 10**6) - rest} | {(t, 1): s for t, s in slopes.items()}
+                negative = evaluate_term(bound, names | {"F": Applied(2, lambda _, t, v=values: v[t, 0])}) < 0
+                column = check.Column(Fraction(b + 1), Fraction(b + 1), 3, [])
+                stub = SimpleNamespace(column=column, meter=METER, limits=check.Limits(), bits=64)
+                stub.parts = lambda box, order, _, v=values: (
+                    v[box[2], order] * check.scale_at(box[2]) ** order,
+                    0,
+                    0,
+                    0,
+                )
+                if (negative, check.ColumnCheck.dips(stub, first, second, eta)) != (side < 0, side < 0):
+                    return False
+        except (AssertionError, KeyError, ZeroDivisionError, TypeError):
+            return False
+    return True
+
+
+def test_the_piece_dip() -> None:
+    assert dip_as_checked(RATIO, BOUND_BY_THETA)
+    assert [mutated for mutated in mutations(RATIO) if dip_as_checked(mutated, BOUND_BY_THETA)] == []
+    assert [mutated for mutated in mutations(BOUND_BY_THETA) if dip_as_checked(RATIO, mutated)] == []
+
+
+def refused_place(first: Fraction, second: Fraction) -> bool:
+    """Whether the checker refuses a dip for its place, when what it computes from F holds."""
+    column = check.Column(Fraction(4), Fraction(5), 3, [check.Piece(first, second, "dip", [first, second], 0)])
+    stub = SimpleNamespace(column=column, begin=lambda *_: None, limits=check.Limits(), dips=lambda *_: True)
+    try:
+        check.dip_holds(stub, Fraction(1))
+    except check.Rejected:
+        return True
+    return False
+
+
+def refused_because(beta: str, epsilon: str, eta: str) -> str:
+    """What the checker says of a statement without columns: it looks at the numbers first."""
+    said = {"beta": beta, "epsilon": epsilon, "eta": eta, "kind": "slow_zeros"}
+    with pytest.raises(check.Rejected) as refused:
+        check.Checker(said, [], check.Limits(), 10**12, 1).check_slow_zeros()
+    return str(refused.value)
+
+
+def test_the_place_of_a_dip_its_eta_and_the_range() -> None:
+    supposed = statement("slow_zeros_certificate").split(" -> ")
+    assert DIP.split(" /\\ ")[:2] == ["0 < t1 < t2", "2 * t1 ^ 3 <= t2 ^ 3"]
+    for first, second in [*PLACES, (Fraction(-1), Fraction(1))]:
+        assert refused_place(first, second) is not (0 < first < second and 2 * first**3 <= second**3)
+    assert supposed[2:5] == ["4 <= x <= 5)", "0 < eta0", "eps0 <= 2 * eta0 ^ 3"]
+    assert "columns" in refused_because("[4, 5]", "27/4", "3/2")
+    assert refused_because("[4, 5]", "271/40", "3/2") == "2 η³ is less than ε"
+    assert "inside [4, 5]" in refused_because("[39/10, 5]", "27/4", "3/2")
+    assert "inside [4, 5]" in refused_because("[4, 51/10]", "27/4", "3/2")
+
+
 def random_piece(cell: int, direction: int, choice: random.Random) -> tuple[str, object, int]:
     """A piece as Coq writes it, as the checker reads it, and the sign that it has when its hypotheses hold."""
     kind = choice.choice([*["sign"] * 6, *["monotone"] * 8, "left", "fold", "hinge", "right"])

@@ -94,7 +94,8 @@ def zeros(
     How many is known for every β by the count law, at once; columns show it again and give tubes, for β <= 200. Exit
     code 2: a range of β is left without tubes.
 
-    With --eps: of the contact force's deviation λ − λ̄ on the slow manifold of the compliant model, at that ε.
+    With --eps: of the contact force's deviation λ − λ̄ on the slow manifold of the compliant model at that ε,
+    with α1 = -1.
     """
     from gspot_verified.certificates.text import write_certificate
     from gspot_verified.signs.count_law import numbers_on

@@ -24,7 +24,7 @@ from gspot_verified.verdict import NoTruthValue, Reason, Verdict
 
 MAX_BETA = 40
 MAX_DIGITS = 100
-SYSTEM = "λ − λ̄ on the slow manifold of the compliant model"
+SYSTEM = "λ − λ̄ on the slow manifold of the compliant model with α₁ = −1"
 _MORE_ORDERS = 10
 _FIRST_BITS = 80
 _TRIES = 3

@@ -113,9 +113,9 @@ def _caption(result: ZeroMap, folds: list[int]) -> str:
     columns = sum(len(row.columns) for row in result.rows)
     drawn = [f"{n} certified points of the fold from β = {m}" for m, n in zip(MEETINGS, folds, strict=True) if n]
     return (
-        "The number of real zeros of λ − λ̄ on the slow manifold of the compliant model. Certified: the colours, for "
-        f"every β that is not an integer and every ε, for β < {THEOREM_UP_TO} by theorem, beyond by {columns} columns "
-        f"in {len(result.rows)} rows of ε; in a grey box there is at most one fold at each ε. "
+        "The number of real zeros of λ − λ̄ on the slow manifold of the compliant model with α₁ = −1. Certified: the "
+        f"colours, for every β that is not an integer and every ε, for β < {THEOREM_UP_TO} by theorem, beyond by "
+        f"{columns} columns in {len(result.rows)} rows of ε; in a grey box there is at most one fold at each ε. "
         + (f"The curves join {' and '.join(drawn)}; between them they are drawn. " if drawn else "")
         + (f"White: {left} ranges of β not settled." if left else "")
     )

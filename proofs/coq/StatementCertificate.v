@@ -221,3 +221,20 @@ Definition lift_off_certificate : Prop := forall F a1 a2 a3 C1 eps1 level h n m 
   level <= signed (Nat.even m) (F (a3 / a1 - 1) tau1) ->
   forall eps p b y v z t, eps1 <= eps -> slow_motion a1 a2 a3 eps (C1 * Rpower eps (a3 / a1)) p b y v z ->
     Rpower (- a1 / 2) (1 / 3) * t * Rpower eps (- 2 / 3) = tau1 -> linear_force eps (y t) (z t) < 0.
+
+(** Version 3, the number of zeros of the force less its mean, 4 < beta < 5: each column, beta in [low, high], is one piece dip (t1, t2). *)
+Definition dip_checked (F : R -> R -> R) (eta0 : R) (low high t1 t2 : R) : Prop :=
+  0 < t1 < t2 /\ 2 * t1 ^ 3 <= t2 ^ 3 /\
+  let mu := t1 / t2 in
+  forall b, low <= b + 1 <= high ->
+    F b t1 + 3 * eta0 / (8 * (1 - mu ^ 3)) * (Rpower mu (b - 1) * Derive (F b) t2 - Derive (F b) t1) < 0.
+
+(** For every beta of the range, neither 4 nor 5, and every eps up to eps_0 (of the normal form a1 = -1: in general -a1 eps) the force of a slow
+    motion with C <> 0 is equal to its mean exactly twice; both zeros of the difference are simple. *)
+Definition slow_zeros_certificate : Prop := forall F beta columns eps0 eta0, theta_family F ->
+  (forall x, in_range beta x -> 4 <= x <= 5) -> 0 < eta0 -> eps0 <= 2 * eta0 ^ 3 ->
+  cover (map (fun c => match c with (low, high, _, _) => (Finite low, Finite high) end) columns) (range_from beta) (range_to beta) ->
+  (forall low high t1 t2, In (low, high, t1, t2) columns -> dip_checked F eta0 low high t1 t2) ->
+  forall a1 a2 a3 eps C p b y v z, parameters a1 a3 eps -> in_range beta (a3 / a1) -> - a1 * eps <= eps0 -> C <> 0 ->
+    slow_motion a1 a2 a3 eps C p b y v z ->
+    exists s t, s < t /\ simple_zeros (fun t => linear_force eps (y t) (z t) - a2 / (a3 - a1)) [s; t].

@@ -423,3 +423,32 @@ Definition IWC_by_corrected_force : Prop := forall a1 a2 a3 eps C1 M K theta n t
   (forall t, t0 <= t -> y t < z t) /\
   (forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)) /\
   (forall M, exists T, forall t, T <= t -> y t <= M).
+
+(** ** Theorem D: the number of zeros at every eps > 0 (proofs/finite_epsilon_zeros.md, section 4) *)
+
+(** l is the list of all real zeros of f, in increasing order, and all are simple. *)
+Definition simple_zeros (f : R -> R) (l : list R) : Prop := zeros_of f l /\ forall t, In t l -> Derive f t <> 0.
+
+(** Left of 0 and for b < 3, Gamma(-b) F lies below Gamma(-b) times its leading term. *)
+Definition slow_below_power : Prop := forall e b F x, 0 < e -> not_nat b -> b < 3 -> is_slow e b F -> 0 < x ->
+  Gamma (- b) * F (- x) < Gamma (- b) * Rpower x b.
+
+(** For 0 < b < 3, at every e, F has one zero, two zeros, one zero, all simple: positive; on both sides of 0; positive. *)
+Definition slow_law : Prop := forall e b F, 0 < e -> is_slow e b F ->
+  (0 < b < 1 -> exists t, 0 < t /\ simple_zeros F [t]) /\
+  (1 < b < 2 -> exists s t, s < 0 < t /\ simple_zeros F [s; t]) /\
+  (2 < b < 3 -> exists t, 0 < t /\ simple_zeros F [t]).
+
+(** The same of the mechanism, 1 < beta < 4: on a slow motion with C <> 0, how often the force is equal to its mean. *)
+Definition force_law : Prop := forall a1 a2 a3 eps C p b y v z, parameters a1 a3 eps ->
+  slow_motion a1 a2 a3 eps C p b y v z -> C <> 0 ->
+  let deviation t := linear_force eps (y t) (z t) - a2 / (a3 - a1) in
+  (1 < a3 / a1 < 2 -> exists t, 0 < t /\ simple_zeros deviation [t]) /\
+  (2 < a3 / a1 < 3 -> exists s t, s < 0 < t /\ simple_zeros deviation [s; t]) /\
+  (3 < a3 / a1 < 4 -> exists t, 0 < t /\ simple_zeros deviation [t]).
+
+(** A bound by Theta alone, for every eta up to eta0: Gamma(-b) G(t; eta), b < 4. *)
+Definition slow_upper_bound : Prop := forall b eta eta0 mu theta F t, not_nat b -> b < 4 -> 0 < eta <= eta0 -> 0 < mu -> 2 * mu ^ 3 <= 1 ->
+  is_Theta b theta -> is_slow (2 * eta ^ 3) b F ->
+  Gamma (- b) * (Rpower eta b * F (t / eta))
+    <= Gamma (- b) * (theta t + 3 * eta0 / (8 * (1 - mu ^ 3)) * (Rpower mu (b - 1) * Derive theta (t / mu) - Derive theta t)).

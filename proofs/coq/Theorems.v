@@ -8,7 +8,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   EnvelopingSeries Family SignsAtZero SignPattern PositiveZeros CountLaw IntegerPolynomials PolynomialSum Ends
   RecurrenceTail FoldAndHinge ContinuityInBeta ZeroCurves ZerosAtInteger CompliantKernel CompliantIntegral
   CompliantSlow CompliantMechanism CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases
-  CompliantOpen CompliantSlowMotion CompliantLateCone CompliantStable CompliantEveryState LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication EntireForm DifferentiableInBeta ZeroSlopes DerivativeTail CompliantDeviation EtaSeries ExponentPowers CompliantSeries CompliantPolynomial CompliantCorrection CertificateWalk CertificateFamily CertificatePieces CertificateForce BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerRuns. CheckerRuns CompliantEveryState.
+  CompliantOpen CompliantSlowMotion CompliantLateCone CompliantStable CompliantEveryState LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication EntireForm DifferentiableInBeta ZeroSlopes DerivativeTail CompliantDeviation EtaSeries ExponentPowers CompliantSeries CompliantPolynomial CompliantCorrection CertificateWalk CertificateFamily CertificatePieces CertificateForce BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerRuns. CheckerRuns CompliantEveryState. CompliantPower CompliantLaw CompliantUpper CertificateSlow.
 From GSpot Require BoxModel RoundedStep CarriedModel SignOnBox.
 From GSpot Require Import Statement StatementCompliant StatementCertificate StatementChecker.
 Import ListNotations.
@@ -571,6 +571,46 @@ intros a1 a2 a3 eps C1 M K theta n t0 t1 P B Y V Z p b y v z Hp Hn HE HC HT HS.
 exact (CompliantCorrection.IWC_by_corrected_force a1 a2 a3 eps C1 theta P B Y V Z M K Hp HT HS n t0 t1 p b y v z Hn HE HC).
 Qed.
 
+(** ** Theorem D *)
+
+Lemma simple_zeros_ext (f g : R -> R) l : (forall t, f t = g t) -> simple_zeros g l -> simple_zeros f l.
+Proof.
+intros E ((S & Z) & N). split; [split|]; auto.
+- intros t. rewrite E. apply Z.
+- intros t Ht. rewrite (Derive_ext f g t E). apply N, Ht.
+Qed.
+
+Theorem slow_below_power : StatementCompliant.slow_below_power.
+Proof.
+intros e b F x He Hb H3 HF Hx. rewrite (is_slow_Fe e b F) by auto.
+assert (H := CompliantPower.slow_below_power e He b x Hb H3 Hx). lra.
+Qed.
+
+Theorem slow_law : StatementCompliant.slow_law.
+Proof.
+intros e b F He HF.
+assert (Z : forall (m : nat) l, INR m < b < INR m + 1 -> line_pattern (Fe e b) (slope e b) 1 l -> simple_zeros F l).
+{ intros m l Hm P. destruct (Gamma_cell m b Hm) as [Hb _]. apply (simple_zeros_ext F (Fe e b)); [apply is_slow_Fe; auto|].
+  apply (pattern_simple _ (slope e b) 1); auto. intros t. apply slow_derive; auto. }
+refine (conj _ (conj _ _)); intros H.
+- destruct (zeros_0 e He b H) as (t & Ht & P). exists t. split; [exact Ht|]. apply (Z 0%nat); [simpl; lra|exact P].
+- destruct (zeros_1 e He b H) as (s & t & Ht & P). exists s, t. split; [exact Ht|]. apply (Z 1%nat); [simpl; lra|exact P].
+- destruct (zeros_2 e He b H) as (t & Ht & P). exists t. split; [exact Ht|]. apply (Z 2%nat); [simpl; lra|exact P].
+Qed.
+
+Theorem force_law : StatementCompliant.force_law.
+Proof. intros a1 a2 a3 eps C p b y v z Hp HS HC. exact (CompliantLaw.force_law a1 a2 a3 eps C p b y v z Hp HS HC). Qed.
+
+Theorem slow_upper_bound : StatementCompliant.slow_upper_bound.
+Proof.
+intros b eta eta0 mu theta F t Hb H4 He Hmu Hmu3 HT HF.
+assert (H := CompliantUpper.slow_upper_bound eta0 mu Hmu Hmu3 b theta Hb HT eta 0 t He ltac:(simpl; lra)).
+rewrite <- (scaled_slow b 0 eta t) in H by (auto; lra). unfold stretched, scaled, slope_weight in H.
+replace (- (- b - 1 + INR 0 + 2)) with (b - 1) in H by (simpl; ring). replace (b - INR 0) with b in H by (simpl; ring). cbn [Derive_n] in H.
+change (Derive (fun x => theta x)) with (Derive theta) in H.
+rewrite (is_slow_Fe (2 * eta ^ 3) b F) by (auto; apply two_cube; lra). lra.
+Qed.
+
 (** ** Certificates *)
 
 Theorem sign_certificate : StatementCertificate.sign_certificate.
@@ -598,3 +638,6 @@ Proof. exact CheckerRuns.iwc_0_1_checked. Qed.
 
 Theorem zeros_1_2_checked : StatementChecker.zeros_1_2_checked.
 Proof. exact CheckerRuns.zeros_1_2_checked. Qed.
+
+Theorem slow_zeros_certificate : StatementCertificate.slow_zeros_certificate.
+Proof. exact CertificateSlow.slow_zeros_certificate. Qed.

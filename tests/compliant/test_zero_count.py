@@ -99,8 +99,8 @@ def test_texts_and_data() -> None:
     found = slow_zeros("5.95", "1/10")
     assert found.verdict.outcome is Outcome.PROVED
     assert str(found).startswith(
-        "proved: the number of real zeros of λ − λ̄ on the slow manifold of the compliant model, β = 119/20, ε = 1/10: "
-        "1 (for Θ (ε → 0): 3)\n  T = [7.394"
+        "proved: the number of real zeros of λ − λ̄ on the slow manifold of the compliant model with α₁ = −1, "
+        "β = 119/20, ε = 1/10: 1 (for Θ (ε → 0): 3)\n  T = [7.394"
     )
     data = found.to_json()
     assert (data["number"], data["number_for_theta"], data["route"], len(data["zeros"])) == (1, 3, "pieces", 1)
