@@ -447,6 +447,30 @@ Definition force_law : Prop := forall a1 a2 a3 eps C p b y v z, parameters a1 a3
   (2 < a3 / a1 < 3 -> exists s t, s < 0 < t /\ simple_zeros deviation [s; t]) /\
   (3 < a3 / a1 < 4 -> exists t, 0 < t /\ simple_zeros deviation [t]).
 
+(** 3 < b < 4: F decreases up to a point m > 0 and increases from there, from +oo to +oo. By the sign of F m it has two simple zeros,
+    one of multiplicity two, or none. *)
+Definition slow_valley : Prop := forall e b F, 0 < e -> 3 < b < 4 -> is_slow e b F ->
+  exists m, 0 < m /\ (forall s t, s < t -> t <= m -> F t < F s) /\ (forall s t, m <= s -> s < t -> F s < F t) /\
+    is_lim F m_infty p_infty /\ is_lim F p_infty p_infty /\
+    (F m < 0 -> exists s t, s < m < t /\ simple_zeros F [s; t]) /\
+    (F m = 0 -> zeros_of F [m] /\ Derive_n F 2 m <> 0) /\ (0 < F m -> forall t, 0 < F t).
+
+(** There is an e_c in (0, oo]: two zeros, both simple, for e < e_c; one, of multiplicity two, at e_c; none for e > e_c. *)
+Definition critical_eps : Prop := forall b, 3 < b < 4 -> exists ec : Rbar, Rbar_lt 0 ec /\
+  forall e F, 0 < e -> is_slow e b F ->
+    (Rbar_lt e ec -> exists s t, s < t /\ simple_zeros F [s; t]) /\
+    (Finite e = ec -> exists t, zeros_of F [t] /\ Derive F t = 0 /\ Derive_n F 2 t <> 0) /\
+    (Rbar_lt ec e -> forall t, 0 < F t).
+
+(** The same of the mechanism, 4 < beta < 5: the force of a slow motion with C <> 0 is equal to its mean at two times if -a1 eps < e_c, at one time if
+    -a1 eps = e_c, and never if -a1 eps > e_c; e_c depends on beta alone. *)
+Definition force_critical_eps : Prop := forall beta, 4 < beta < 5 -> exists ec : Rbar, Rbar_lt 0 ec /\
+  forall a1 a2 a3 eps C p b y v z, parameters a1 a3 eps -> a3 / a1 = beta -> slow_motion a1 a2 a3 eps C p b y v z -> C <> 0 ->
+    let deviation t := linear_force eps (y t) (z t) - a2 / (a3 - a1) in
+    (Rbar_lt (- a1 * eps) ec -> exists s t, s < t /\ simple_zeros deviation [s; t]) /\
+    (Finite (- a1 * eps) = ec -> exists t, zeros_of deviation [t]) /\
+    (Rbar_lt ec (- a1 * eps) -> forall t, deviation t <> 0).
+
 (** A bound by Theta alone, for every eta up to eta0: Gamma(-b) G(t; eta), b < 4. *)
 Definition slow_upper_bound : Prop := forall b eta eta0 mu theta F t, not_nat b -> b < 4 -> 0 < eta <= eta0 -> 0 < mu -> 2 * mu ^ 3 <= 1 ->
   is_Theta b theta -> is_slow (2 * eta ^ 3) b F ->

@@ -8,7 +8,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   EnvelopingSeries Family SignsAtZero SignPattern PositiveZeros CountLaw IntegerPolynomials PolynomialSum Ends
   RecurrenceTail FoldAndHinge ContinuityInBeta ZeroCurves ZerosAtInteger CompliantKernel CompliantIntegral
   CompliantSlow CompliantMechanism CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases
-  CompliantOpen CompliantSlowMotion CompliantLateCone CompliantStable CompliantEveryState LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication EntireForm DifferentiableInBeta ZeroSlopes DerivativeTail CompliantDeviation EtaSeries ExponentPowers CompliantSeries CompliantPolynomial CompliantCorrection CertificateWalk CertificateFamily CertificatePieces CertificateForce BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerRuns. CheckerRuns CompliantEveryState. CompliantPower CompliantLaw CompliantUpper CertificateSlow.
+  CompliantOpen CompliantSlowMotion CompliantLateCone CompliantStable CompliantEveryState LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication EntireForm DifferentiableInBeta ZeroSlopes DerivativeTail CompliantDeviation EtaSeries ExponentPowers CompliantSeries CompliantPolynomial CompliantCorrection CertificateWalk CertificateFamily CertificatePieces CertificateForce BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerRuns. CheckerRuns CompliantEveryState. CompliantPower CompliantLaw CompliantUpper CertificateSlow. CertificateSlow CompliantCritical.
 From GSpot Require BoxModel RoundedStep CarriedModel SignOnBox.
 From GSpot Require Import Statement StatementCompliant StatementCertificate StatementChecker.
 Import ListNotations.
@@ -600,6 +600,37 @@ Qed.
 
 Theorem force_law : StatementCompliant.force_law.
 Proof. intros a1 a2 a3 eps C p b y v z Hp HS HC. exact (CompliantLaw.force_law a1 a2 a3 eps C p b y v z Hp HS HC). Qed.
+
+Lemma zeros_of_ext (f g : R -> R) l : (forall t, f t = g t) -> zeros_of g l -> zeros_of f l.
+Proof. intros E (S & Z). split; auto. intros t. rewrite E. apply Z. Qed.
+
+Theorem slow_valley : StatementCompliant.slow_valley.
+Proof.
+intros e b F He H34 HF. assert (Hb := proj1 (Gamma_cell 3 b ltac:(simpl; lra))). assert (E := is_slow_Fe e b F He Hb HF).
+destruct (CompliantCritical.slow_valley b H34 e He) as (m & Hm & L & U & Left & Right & Neg & Touch & Pos).
+exists m. rewrite E. refine (conj Hm (conj _ (conj _ (conj _ (conj _ (conj _ (conj _ _))))))).
+- intros s t Hst Ht. rewrite !E. auto.
+- intros s t Hs Hst. rewrite !E. auto.
+- apply (is_lim_ext (Fe e b)); auto.
+- apply (is_lim_ext (Fe e b)); auto.
+- intros N. destruct (Neg N) as (s & t & Hst & Z). exists s, t. split; auto. exact (simple_zeros_ext F _ _ E Z).
+- intros Em. destruct (Touch Em) as [Z D]. split; [exact (zeros_of_ext F _ _ E Z)|]. rewrite (Derive_n_ext F (Fe e b)) by exact E. exact D.
+- intros P t. rewrite E. auto.
+Qed.
+
+Theorem critical_eps : StatementCompliant.critical_eps.
+Proof.
+intros b H34. assert (Hb := proj1 (Gamma_cell 3 b ltac:(simpl; lra))). destruct (CompliantCritical.critical_eps b H34) as (ec & Hec & H).
+exists ec. split; auto. intros e F He HF. assert (E := is_slow_Fe e b F He Hb HF). destruct (H e He) as (Two & One & None).
+refine (conj _ (conj _ _)).
+- intros Hlt. destruct (Two Hlt) as (s & t & Hst & Z). exists s, t. split; auto. exact (simple_zeros_ext F _ _ E Z).
+- intros Eq. destruct (One Eq) as (t & Z & D1 & D2). exists t. split; [exact (zeros_of_ext F _ _ E Z)|].
+  rewrite (Derive_ext F (Fe e b)), (Derive_n_ext F (Fe e b)) by exact E. auto.
+- intros Hlt t. rewrite E. auto.
+Qed.
+
+Theorem force_critical_eps : StatementCompliant.force_critical_eps.
+Proof. exact CompliantCritical.force_critical_eps. Qed.
 
 Theorem slow_upper_bound : StatementCompliant.slow_upper_bound.
 Proof.
