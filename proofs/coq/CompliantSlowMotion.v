@@ -7,8 +7,9 @@
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
 From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel CompliantIntegral
-  CompliantSlow CompliantMechanism CompliantCone CompliantUnique CompliantContact CompliantForward CompliantZeros
-  CompliantCases CompliantOpen.
+  CompliantSlow CompliantMechanism CompliantCone CompliantUnique CompliantContact CompliantDependence CompliantMotion
+  CompliantForward
+  CompliantZeros CompliantCases CompliantOpen.
 Open Scope R_scope.
 
 Section SlowMotion.
@@ -159,6 +160,26 @@ Proof.
 intros HC Hm Ep Eb Ey Ev Ez Hyz.
 destruct (slow_motion_is_sol C P B Y V Z HS t0) as (F1 & F2 & F3 & F4 & F5 & _).
 apply (IWC_forward a1 a2 a3 eps H1 H3 He Hb C t0 p b y v z HC Hm); congruence || auto.
+Qed.
+
+(** The motion of the mechanism from such a state: it exists, and is the slow motion itself from t0 on. *)
+Theorem IWC_motion t0 : IWC_side (a3 / a1) C -> Y t0 <= Z t0 -> exists p b y v z,
+  (forall t, model_at a1 a2 a3 eps contact_force p b y v z t) /\
+  forall t, t0 <= t -> p t = P t /\ b t = B t /\ y t = Y t /\ v t = V t /\ z t = Z t.
+Proof.
+intros HC Hyz.
+assert (HM : forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force P B Y V Z t).
+{ destruct (IWC_model a1 a2 a3 eps C H1 H3 He Hb HC) as (_ & _ & Hc).
+  assert (S0 : 0 <= sol_l a1 a2 a3 eps C t0).
+  { apply Rnot_lt_le. intros Hl. apply slow_apart in Hl. lra. }
+  destruct (Hc t0 S0) as (Hpos & _).
+  intros t Ht. destruct HS as (_ & Hm & _). specialize (Hm t). unfold model_at in *.
+  rewrite contact_force_in_contact; auto. rewrite slow_force.
+  destruct (Rle_lt_or_eq_dec _ _ Ht) as [Hl|<-]; [apply Rlt_le, Hpos, Hl|exact S0]. }
+destruct (CompliantMotion.motion_exists a1 a2 a3 eps He contact_force (contact_lipschitz eps He) t0 (P t0) (B t0) (Y t0) (V t0) (Z t0))
+  as (p & b & y & v & z & Hm & Ep & Eb & Ey & Ev & Ez).
+exists p, b, y, v, z. split; auto. intros t Ht.
+apply (forward_unique a1 a2 a3 eps He p b y v z P B Y V Z t0 t); auto; try lra. intros s Hs. apply HM. lra.
 Qed.
 
 Theorem lift_off_compliant t0 : IWC_side (a3 / a1) (- C) -> Y t0 < Z t0 ->

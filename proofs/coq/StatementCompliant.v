@@ -23,6 +23,16 @@ Definition model_at (a1 a2 a3 eps : R) (force : R -> R -> R -> R) (p b y v z : R
   is_derive v t (b t + p t * force eps (y t) (z t)) /\
   is_derive (fun s => eps * z s) t (- z t - eps ^ 2 * force eps (y t) (z t)).
 
+(** Through every state at every time there is exactly one motion of the mechanism (with compl2), and it goes on for ever in both directions. *)
+Definition motion_exists : Prop := forall a1 a2 a3 eps t0 p0 b0 y0 v0 z0, 0 < eps -> exists p b y v z,
+  (forall t, model_at a1 a2 a3 eps contact_force p b y v z t) /\ p t0 = p0 /\ b t0 = b0 /\ y t0 = y0 /\ v t0 = v0 /\ z t0 = z0.
+
+Definition motion_unique : Prop := forall a1 a2 a3 eps lo t0 hi p b y v z p' b' y' v' z', 0 < eps -> lo <= t0 <= hi ->
+  (forall t, lo <= t <= hi -> model_at a1 a2 a3 eps contact_force p b y v z t) ->
+  (forall t, lo <= t <= hi -> model_at a1 a2 a3 eps contact_force p' b' y' v' z' t) ->
+  p t0 = p' t0 -> b t0 = b' t0 -> y t0 = y' t0 -> v t0 = v' t0 -> z t0 = z' t0 ->
+  forall t, lo <= t <= hi -> p t = p' t /\ b t = b' t /\ y t = y' t /\ v t = v' t /\ z t = z' t.
+
 (** What all statements below suppose. beta = a3/a1; the G-spot is passed at t = 0. *)
 Definition parameters (a1 a3 eps : R) : Prop := a1 < 0 /\ a3 < 0 /\ 0 < eps /\ not_nat (a3 / a1).
 
@@ -97,6 +107,12 @@ Definition IWC_compliant : Prop := forall a1 a2 a3 eps C t0 P B Y V Z p b y v z,
   (forall s t, t0 <= s -> s < t -> contact_force eps (y s) (z s) < contact_force eps (y t) (z t)) /\
   (forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)) /\
   (forall M, exists T, forall t, T <= t -> y t <= M).
+
+(** There is such a motion of the mechanism, and from t0 on it is the slow motion itself. *)
+Definition IWC_motion_exists : Prop := forall a1 a2 a3 eps C t0 P B Y V Z, parameters a1 a3 eps ->
+  IWC_side (a3 / a1) C -> slow_motion a1 a2 a3 eps C P B Y V Z -> Y t0 <= Z t0 -> exists p b y v z,
+  (forall t, model_at a1 a2 a3 eps contact_force p b y v z t) /\
+  forall t, t0 <= t -> p t = P t /\ b t = B t /\ y t = Y t /\ v t = V t /\ z t = Z t.
 
 (** On the other side the force of a slow motion decreases strictly and vanishes exactly once: lift-off. *)
 Definition lift_off_compliant : Prop := forall a1 a2 a3 eps C t0 p b y v z, parameters a1 a3 eps ->

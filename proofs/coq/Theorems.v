@@ -8,7 +8,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   EnvelopingSeries Family SignsAtZero SignPattern PositiveZeros CountLaw IntegerPolynomials PolynomialSum Ends
   RecurrenceTail FoldAndHinge ContinuityInBeta ZeroCurves ZerosAtInteger CompliantKernel CompliantIntegral
   CompliantSlow CompliantMechanism CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases
-  CompliantOpen CompliantSlowMotion CompliantLateCone CompliantStable CompliantEveryState LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication EntireForm DifferentiableInBeta ZeroSlopes DerivativeTail CompliantDeviation EtaSeries ExponentPowers CompliantSeries CompliantPolynomial CompliantCorrection CertificateWalk CertificateFamily CertificatePieces CertificateForce BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerRuns. CheckerRuns CompliantEveryState. CompliantPower CompliantLaw CompliantUpper CertificateSlow. CertificateSlow CompliantCritical.
+  CompliantOpen CompliantSlowMotion CompliantLateCone CompliantStable CompliantEveryState LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication EntireForm DifferentiableInBeta ZeroSlopes DerivativeTail CompliantDeviation EtaSeries ExponentPowers CompliantSeries CompliantPolynomial CompliantCorrection CertificateWalk CertificateFamily CertificatePieces CertificateForce BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerRuns. CheckerRuns CompliantEveryState. CompliantPower CompliantLaw CompliantUpper CertificateSlow. CertificateSlow CompliantCritical. CompliantCritical InitialValueProblem CompliantMotion.
 From GSpot Require BoxModel RoundedStep CarriedModel SignOnBox.
 From GSpot Require Import Statement StatementCompliant StatementCertificate StatementChecker.
 Import ListNotations.
@@ -311,6 +311,19 @@ Qed.
 
 (** ** The compliant model *)
 
+Theorem motion_exists : StatementCompliant.motion_exists.
+Proof.
+intros a1 a2 a3 eps t0 p0 b0 y0 v0 z0 He.
+exact (CompliantMotion.motion_exists a1 a2 a3 eps He contact_force (contact_lipschitz eps He) t0 p0 b0 y0 v0 z0).
+Qed.
+
+Theorem motion_unique : StatementCompliant.motion_unique.
+Proof.
+intros a1 a2 a3 eps lo t0 hi p b y v z p' b' y' v' z' He H0 H H' Ep Eb Ey Ev Ez t Ht.
+apply (CompliantMotion.motion_unique a1 a2 a3 eps He contact_force (contact_lipschitz eps He)) with (t0 := t0); auto;
+  intros s Hs; [apply H|apply H']; revert Hs; unfold segment, Rmin, Rmax; destruct Rle_dec; lra.
+Qed.
+
 Theorem slow_motion_exists : StatementCompliant.slow_motion_exists.
 Proof. intros a1 a2 a3 eps C Hp. do 5 eexists. apply (slow_motion_sol a1 a2 a3 eps Hp C). Qed.
 
@@ -335,6 +348,11 @@ Theorem IWC_compliant : StatementCompliant.IWC_compliant.
 Proof.
 intros a1 a2 a3 eps C t0 P B Y V Z p b y v z Hp HC HS.
 exact (CompliantSlowMotion.IWC_compliant a1 a2 a3 eps Hp C P B Y V Z HS t0 p b y v z HC).
+Qed.
+
+Theorem IWC_motion_exists : StatementCompliant.IWC_motion_exists.
+Proof.
+intros a1 a2 a3 eps C t0 P B Y V Z Hp HC HS. exact (CompliantSlowMotion.IWC_motion a1 a2 a3 eps Hp C P B Y V Z HS t0 HC).
 Qed.
 
 Theorem lift_off_compliant : StatementCompliant.lift_off_compliant.
