@@ -16,6 +16,7 @@ CARRIED: dict[str, tuple[str, ...]] = {
     "2-trivial": ("corrected_trivial",),
     "4-deviation": ("deviation_recover",),
     "4-deviation-recover": ("deviation_recover",),
+    "3-flight-persists": ("flight_persists",),
     "S-iwc": ("IWC",),
     "S-minus-infinity": ("left_end", "left_end_integer"),
     "S-plus-infinity": ("right_end",),

@@ -8,8 +8,7 @@ From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
 From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel CompliantIntegral
   CompliantSlow CompliantMechanism CompliantCone CompliantUnique CompliantContact CompliantDependence CompliantMotion
-  CompliantForward
-  CompliantZeros CompliantCases CompliantOpen.
+  CompliantForward CompliantZeros CompliantCases CompliantOpen.
 Open Scope R_scope.
 
 Section SlowMotion.

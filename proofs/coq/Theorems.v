@@ -1,6 +1,7 @@
 (** * The theorems
 
-    Each statement of [Statement.v], [StatementCompliant.v], [StatementCertificate.v] and [StatementChecker.v] is proved here under its own name, from the files named for the steps. *)
+    Each statement of [Statement.v], [StatementCompliant.v], [StatementFlight.v], [StatementCertificate.v] and [StatementChecker.v]
+    is proved here under its own name, from the files named for the steps. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
@@ -8,9 +9,9 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   EnvelopingSeries Family SignsAtZero SignPattern PositiveZeros CountLaw IntegerPolynomials PolynomialSum Ends
   RecurrenceTail FoldAndHinge ContinuityInBeta ZeroCurves ZerosAtInteger CompliantKernel CompliantIntegral
   CompliantSlow CompliantMechanism CompliantUnique CompliantForward CompliantZeros CompliantLimit CompliantCases
-  CompliantOpen CompliantSlowMotion CompliantLateCone CompliantStable CompliantEveryState LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication EntireForm DifferentiableInBeta ZeroSlopes DerivativeTail CompliantDeviation EtaSeries ExponentPowers CompliantSeries CompliantPolynomial CompliantCorrection CertificateWalk CertificateFamily CertificatePieces CertificateForce BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerRuns. CheckerRuns CompliantEveryState. CompliantPower CompliantLaw CompliantUpper CertificateSlow. CertificateSlow CompliantCritical. CompliantCritical InitialValueProblem CompliantMotion.
+  CompliantOpen CompliantSlowMotion CompliantLateCone CompliantStable CompliantEveryState LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow GammaMultiplication EntireForm DifferentiableInBeta ZeroSlopes DerivativeTail CompliantDeviation EtaSeries ExponentPowers CompliantSeries CompliantPolynomial CompliantCorrection CertificateWalk CertificateFamily CertificatePieces CertificateForce BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerRuns. CheckerRuns CompliantEveryState. CompliantPower CompliantLaw CompliantUpper CertificateSlow. CertificateSlow CompliantCritical. CompliantCritical InitialValueProblem CompliantMotion. CompliantMotion CompliantFlight CompliantSlowFlight CompliantTouchDown CompliantGrowth CompliantGrowthSet.
 From GSpot Require BoxModel RoundedStep CarriedModel SignOnBox.
-From GSpot Require Import Statement StatementCompliant StatementCertificate StatementChecker.
+From GSpot Require Import Statement StatementCompliant StatementFlight StatementCertificate StatementChecker.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -658,6 +659,85 @@ rewrite <- (scaled_slow b 0 eta t) in H by (auto; lra). unfold stretched, scaled
 replace (- (- b - 1 + INR 0 + 2)) with (b - 1) in H by (simpl; ring). replace (b - INR 0) with b in H by (simpl; ring). cbn [Derive_n] in H.
 change (Derive (fun x => theta x)) with (Derive theta) in H.
 rewrite (is_slow_Fe (2 * eta ^ 3) b F) by (auto; apply two_cube; lra). lra.
+Qed.
+
+(** ** Flights *)
+
+Theorem z_stays_nonpositive : StatementFlight.z_stays_nonpositive.
+Proof.
+intros a1 a2 a3 eps t0 p b y v z He Hm Hz t Ht. exact (CompliantFlight.z_stays_nonpositive a1 a2 a3 eps p b y v z t0 t He Hm Hz Ht).
+Qed.
+
+Theorem flight_ends : StatementFlight.flight_ends.
+Proof.
+intros a1 a2 a3 eps t0 p b y v z He Hm (E0 & Hup) Hz H2.
+destruct (CompliantFlight.flight_ends a1 a2 a3 eps He p b y v z t0 Hm E0 Hup Hz H2) as (t1 & d & H01 & Hd & Hfly & E1 & Hdown & Hafter & F).
+exists t1. refine (conj H01 (conj Hfly (conj _ (conj E1 (conj Hdown (ex_intro _ d (conj Hd Hafter))))))).
+intros t Ht. destruct (F t Ht) as (Fb & Fy & Fv & Fz). exact (conj Fb (conj Fv (conj Fy Fz))).
+Qed.
+
+Theorem flight_never_ends : StatementFlight.flight_never_ends.
+Proof.
+intros a1 a2 a3 eps t0 p b y v z He Hm (E0 & Hup) Hz H2 Hb t Ht.
+destruct (CompliantFlight.flight_never_ends a1 a2 a3 eps He p b y v z t0 Hm E0 Hup Hz H2 Hb t Ht) as (N & Fb & Fy & Fv & Fz).
+exact (conj N (conj Fb (conj Fv (conj Fy Fz)))).
+Qed.
+
+Theorem flight_persists : StatementFlight.flight_persists.
+Proof.
+intros a1 a2 a3 eps t0 p b y v z He Hm (E0 & Hup) Hz H2 Hb.
+exact (CompliantFlight.flight_persists a1 a2 a3 eps He p b y v z t0 Hm E0 Hup Hz H2 Hb).
+Qed.
+
+Theorem slow_flight : StatementFlight.slow_flight.
+Proof.
+intros a1 a2 a3 eps C t0 P B Y V Z p b y v z Hp Hbeta HC H2 HS Hyz Hm Ep Eb Ey Ev Ez.
+destruct (CompliantSlowFlight.slow_flight a1 a2 a3 eps C Hp P B Y V Z HS t0 p b y v z Hbeta HC H2 Hyz Hm Ep Eb Ey Ev Ez)
+  as (t1 & t2 & d & H12 & Hd & Hc & E1 & Hup & Hz & Hfly & E2 & Hdown & Hafter).
+exists t1, t2. exact (conj H12 (conj Hc (conj (conj E1 Hup) (conj Hz (conj Hfly (conj E2 (conj Hdown (ex_intro _ d (conj Hd Hafter))))))))).
+Qed.
+
+(** ** Contacts that last for ever *)
+
+Theorem growth_below_one : StatementFlight.growth_below_one.
+Proof.
+intros a1 a2 a3 eps t0 p b y v z H1 H13 H2 He Hm Hp Hyz Hv HG HD.
+apply (CompliantGrowth.contact_lasts a1 a2 a3 eps t0 p b y v z He Hm). intros P B Y V Z Hlin HP HB HY HV HZ.
+apply (CompliantGrowth.below_one a1 a2 a3 eps He P B Y V Z Hlin H1 t0 H13 H2).
+- unfold CompliantGrowth.q. lra.
+- unfold CompliantGrowth.L, linear_force. rewrite HY, HZ. apply Rmult_le_pos. lra. apply Rlt_le, Rinv_0_lt_compat, pow_lt, He.
+- unfold CompliantGrowth.W. rewrite HV. apply Rmult_le_pos. lra. apply Rlt_le, Rinv_0_lt_compat, He.
+- unfold CompliantGrowth.G. rewrite HP, HB, HY, HZ. exact HG.
+- unfold CompliantGrowth.D. rewrite HY, HV, HZ. exact HD.
+Qed.
+
+Theorem growth_above_one : StatementFlight.growth_above_one.
+Proof.
+intros a1 a2 a3 eps a t0 p b y v z H1 H31 H2 He Ha Hm lambda G D Hq HL Hv HG HaL HS HD.
+assert (HK : 0 <= CompliantGrowth.kappa a1 a3 eps) by (unfold CompliantGrowth.kappa; apply Rmult_le_pos; lra).
+apply (CompliantGrowth.contact_lasts a1 a2 a3 eps t0 p b y v z He Hm). intros P B Y V Z Hlin HP HB HY HV HZ.
+apply (CompliantGrowthSet.growth_set a1 a2 a3 eps He P B Y V Z Hlin H1 H2 HK a Ha t0).
+- unfold CompliantGrowth.q, CompliantGrowthSet.enough, CompliantGrowth.kappa. rewrite HP. exact Hq.
+- assert (HW : 0 <= - v t0 / eps) by (apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat, He]).
+  unfold CompliantGrowth.S, CompliantGrowth.L, CompliantGrowth.W, CompliantGrowth.G, CompliantGrowth.D.
+  rewrite HP, HB, HY, HV, HZ. fold lambda G D. repeat split; assumption.
+Qed.
+
+Theorem late_touch_down_below_one : StatementFlight.late_touch_down_below_one.
+Proof.
+intros a1 a2 a3 eps t0 t1 p b y v z H1 H13 H2 He Hm Hlift Hz Hf Hu Hp.
+apply (CompliantGrowth.contact_lasts a1 a2 a3 eps t1 p b y v z He). { intros t Ht. apply Hm. destruct Hf. lra. }
+intros P B Y V Z Hlin HP HB HY HV HZ.
+apply (late_below_one a1 a2 a3 eps t0 t1 p b y v z H1 H2 He Hm Hlift Hz Hf P B Y V Z Hlin HP HB HY HV HZ H13); auto.
+apply Rmult_le_reg_r with eps; auto. replace ((t1 - t0) / eps * eps) with (t1 - t0) by (field; lra). exact Hu.
+Qed.
+
+Theorem late_touch_down : StatementFlight.late_touch_down.
+Proof.
+intros a1 a2 a3 eps t0 t1 p b y v z H1 H31 H2 He Hm Hlift Hz Hf u kappa Hu Hp Hq.
+apply (CompliantGrowth.contact_lasts a1 a2 a3 eps t1 p b y v z He). { intros t Ht. apply Hm. destruct Hf. lra. }
+intros P B Y V Z Hlin HP HB HY HV HZ.
+exact (late_above_one a1 a2 a3 eps t0 t1 p b y v z H1 H2 He Hm Hlift Hz Hf P B Y V Z Hlin HP HB HY HV HZ H31 Hu Hp Hq).
 Qed.
 
 (** ** Certificates *)

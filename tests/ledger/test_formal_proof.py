@@ -143,5 +143,5 @@ def test_other_entries_stay_as_they_are(place: tuple[Path, Path]) -> None:
 def test_the_entries_and_the_statements_exist() -> None:
     known = {identifier for part in PARTS.values() for identifier in part}
     assert {*CARRIED, *CONTRADICTED} <= known
-    assert {statement_of(name)[1] for name in NAMES} == {"Statement.v", "StatementCompliant.v"}
+    assert {statement_of(name)[1] for name in NAMES} == {"Statement.v", "StatementCompliant.v", "StatementFlight.v"}
     assert statement_of("sign_certificate")[1] == "StatementCertificate.v"
