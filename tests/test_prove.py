@@ -68,6 +68,8 @@ def test_each_statement_has_a_theorem_and_a_line_of_axioms(prove: ModuleType) ->
     assert [name for name, file in names.items() if f"Theorem {name} : {file}.{name}.\n" not in theorems] == []
     assert {*names.values()} == {*prove.STATED_IN}
     assert sorted(prove.listed()) == sorted(names)
+    listed = (prove.HERE / "assumptions.txt").read_text(encoding="utf-8").splitlines()
+    assert len([line for line in listed if ":" in line and not line.startswith("#")]) == len(names)
     assert all(set(axioms) <= prove.AXIOMS for axioms in prove.listed().values())
 
 

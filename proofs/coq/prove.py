@@ -6,7 +6,8 @@
 
 Every statement of Statement.v, StatementCompliant.v, StatementFlight.v, StatementCertificate.v and StatementChecker.v,
 that is every `Definition name : Prop := ...`, must be proved in Theorems.v under its name; its axioms must be those
-that assumptions.txt lists for it, no more and no fewer. The certificates that the proofs hold as text must be the files.
+that assumptions.txt lists for it, no more and no fewer. The certificates that the proofs hold as text must be the
+files.
 The record, build/coq/record.json, holds the hash of each source. It is written last, and an old one is removed first.
 Imports nothing beyond the standard library; installs nothing.
 
