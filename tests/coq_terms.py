@@ -14,7 +14,14 @@ from typing import Any
 COQ = Path(__file__).resolve().parents[1] / "proofs" / "coq"
 STATEMENTS = [
     COQ / f"{name}.v"
-    for name in ("Statement", "StatementCompliant", "StatementFlight", "StatementCertificate", "StatementChecker")
+    for name in (
+        "Statement",
+        "StatementModels",
+        "StatementCompliant",
+        "StatementFlight",
+        "StatementCertificate",
+        "StatementChecker",
+    )
 ]
 """In the order in which each one uses those before it."""
 TOKEN = re.compile(r"\s*(?:(\d+)|([A-Za-z_][\w']*(?:\.[A-Za-z_]\w*)*)|(.))")

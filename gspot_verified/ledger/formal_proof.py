@@ -17,12 +17,13 @@ COQ = ROOT / "proofs" / "coq"
 """The folder of the repository; an installed package has none."""
 STATED_IN = (
     "Statement.v",
+    "StatementModels.v",
     "StatementCompliant.v",
     "StatementFlight.v",
     "StatementCertificate.v",
     "StatementChecker.v",
 )
-"""The files of statements: on Theta, the mechanism at every epsilon, after lift-off, certificates, their checker."""
+"""The files of statements: Theta, boxes, the mechanism at every epsilon, after lift-off, certificates, a checker."""
 RECORD = ROOT / "build" / "coq" / "record.json"
 """What ``make prove`` leaves when every theorem is proved: the hash of each source and the axioms of each theorem."""
 AXIOMS = frozenset(

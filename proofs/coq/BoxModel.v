@@ -6,7 +6,7 @@
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus Gronwall WellPosed EntireForm DerivativeTail CoefficientModels.
+From GSpot Require Import Statement StatementModels Calculus Gronwall WellPosed EntireForm DerivativeTail CoefficientModels.
 Open Scope R_scope.
 
 (** ** Finite sums *)

@@ -6,7 +6,7 @@
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus Gronwall RecurrenceTail SolutionSeries DerivativeTail BoxModel.
+From GSpot Require Import Statement StatementModels Calculus Gronwall RecurrenceTail SolutionSeries DerivativeTail BoxModel.
 Open Scope R_scope.
 
 (** ** Solutions and their coefficients *)

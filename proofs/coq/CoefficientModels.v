@@ -5,7 +5,7 @@
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement.
+From GSpot Require Import Statement StatementModels.
 Open Scope R_scope.
 
 Lemma polynomial_size m x : Rabs x <= 1 -> Rabs (polynomial m x) <= total_size m.

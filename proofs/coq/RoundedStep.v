@@ -5,7 +5,7 @@
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement DerivativeTail BoxModel.
+From GSpot Require Import Statement StatementModels DerivativeTail BoxModel.
 Open Scope R_scope.
 
 Lemma polynomial_sum m x : polynomial m x = sum_first (fun j => nth j m 0 * x ^ j) (length m).

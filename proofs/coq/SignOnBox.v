@@ -5,7 +5,7 @@
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement RecurrenceTail DerivativeTail BoxModel CarriedModel.
+From GSpot Require Import Statement StatementModels RecurrenceTail DerivativeTail BoxModel CarriedModel.
 Open Scope R_scope.
 
 Lemma half_size_bound m eta : Rabs eta <= 1 / 2 -> Rabs (polynomial m eta) <= half_size m.

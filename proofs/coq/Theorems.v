@@ -1,6 +1,6 @@
 (** * The theorems
 
-    Each statement of [Statement.v], [StatementCompliant.v], [StatementFlight.v], [StatementCertificate.v] and [StatementChecker.v]
+    Each statement of [Statement.v], [StatementModels.v], [StatementCompliant.v], [StatementFlight.v], [StatementCertificate.v] and [StatementChecker.v]
     is proved here under its own name, from the files named for the steps. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
@@ -16,7 +16,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   CompliantCritical CertificateWalk CertificateFamily CertificatePieces CertificateForce CertificateSlow
   BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerRuns.
 From GSpot Require CompliantGrowth CompliantGrowthSet BoxModel RoundedStep CarriedModel SignOnBox.
-From GSpot Require Import Statement StatementCompliant StatementFlight StatementCertificate StatementChecker.
+From GSpot Require Import Statement StatementModels StatementCompliant StatementFlight StatementCertificate StatementChecker.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -112,10 +112,10 @@ Proof. exact BudanTails.tail_zeros. Qed.
 Theorem tail_few_zeros : Statement.tail_few_zeros.
 Proof. exact BudanTails.tail_few_zeros. Qed.
 
-Theorem recurrence_tail : Statement.recurrence_tail.
+Theorem recurrence_tail : StatementModels.recurrence_tail.
 Proof. intros b t0 s B c I N Hs HB Hb Hc a q Hq. exact (RecurrenceTail.recurrence_tail b t0 s B c I Hs HB Hb Hc Hq N). Qed.
 
-Theorem derivative_tail : Statement.derivative_tail.
+Theorem derivative_tail : StatementModels.derivative_tail.
 Proof. intros b X B c d K N HX HB Hb HK Hc v y q Hq. exact (DerivativeTail.derivative_tail b X B c d HX HB Hb Hc K N HK Hq). Qed.
 
 (** ** Impact without collision at leading order *)
@@ -282,35 +282,35 @@ Qed.
 
 (** ** Taylor models on boxes *)
 
-Theorem box_remainder : Statement.box_remainder.
+Theorem box_remainder : StatementModels.box_remainder.
 Proof. exact BoxModel.box_remainder. Qed.
 
-Theorem box_model : Statement.box_model.
+Theorem box_model : StatementModels.box_model.
 Proof. exact BoxModel.box_model. Qed.
 
 (** ** Models carried from one point to the next *)
 
-Theorem solution_with_values : Statement.solution_with_values.
+Theorem solution_with_values : StatementModels.solution_with_values.
 Proof. exact CarriedModel.solution_with_values. Qed.
 
-Theorem rounded_step : Statement.rounded_step.
+Theorem rounded_step : StatementModels.rounded_step.
 Proof. exact RoundedStep.rounded_step. Qed.
 
-Theorem three_tails : Statement.three_tails.
+Theorem three_tails : StatementModels.three_tails.
 Proof.
 intros b t0 s B c n d N Hs HB Hb Hd Hn Hc q Hq. exact (CarriedModel.three_tails b t0 s B c n d N Hs HB Hb Hd Hn Hc Hq).
 Qed.
 
-Theorem moved_series : Statement.moved_series.
+Theorem moved_series : StatementModels.moved_series.
 Proof.
 intros b t0 s B f n d p e S w u delta H Hs HB Hb Hd Hn q Hq Hu.
 exact (CarriedModel.moved_series b t0 s B f n d p e S w u delta H Hs HB Hb Hd Hn Hq Hu).
 Qed.
 
-Theorem carried_errors : Statement.carried_errors.
+Theorem carried_errors : StatementModels.carried_errors.
 Proof. exact CarriedModel.carried_errors. Qed.
 
-Theorem box_value : Statement.box_value.
+Theorem box_value : StatementModels.box_value.
 Proof.
 intros b t0 s B f n d m e u eta H Hs HB Hb Hd Hn q Hq Hu He. exact (SignOnBox.box_value b t0 s B f n d m e u eta H Hs HB Hb Hd Hn Hq Hu He).
 Qed.

@@ -4,10 +4,9 @@
     python3 proofs/coq/prove.py                 what `make prove` runs
     python3 proofs/coq/prove.py --check-kernel  also coqchk, the independent checker of the compiled proofs (minutes)
 
-Every statement of Statement.v, StatementCompliant.v, StatementFlight.v, StatementCertificate.v and StatementChecker.v,
-that is every `Definition name : Prop := ...`, must be proved in Theorems.v under its name; its axioms must be those
-that assumptions.txt lists for it, no more and no fewer. The certificates that the proofs hold as text must be the
-files.
+Every statement of the files Statement*.v, that is every `Definition name : Prop := ...`, must be proved in Theorems.v
+under its name; its axioms must be those that assumptions.txt lists for it, no more and no fewer. The certificates that
+the proofs hold as text must be the files.
 The record, build/coq/record.json, holds the hash of each source. It is written last, and an old one is removed first.
 Imports nothing beyond the standard library; installs nothing.
 
@@ -33,8 +32,15 @@ RECORD = "record.json"
 LIMIT = 1200
 """Seconds until a step is given up, on a loaded machine; the whole takes one to two minutes on two free cores."""
 LIBRARY = "GSpot"
-STATED_IN = ("Statement", "StatementCompliant", "StatementFlight", "StatementCertificate", "StatementChecker")
-"""The files of statements: on Theta, the mechanism at every eps, after lift-off, certificates, their checker."""
+STATED_IN = (
+    "Statement",
+    "StatementModels",
+    "StatementCompliant",
+    "StatementFlight",
+    "StatementCertificate",
+    "StatementChecker",
+)
+"""The files of statements: Theta, boxes, the mechanism at every eps, after lift-off, certificates, a checker."""
 AXIOMS = {
     "ClassicalDedekindReals.sig_not_dec",
     "ClassicalDedekindReals.sig_forall_dec",
