@@ -46,6 +46,12 @@ def test_numbers_and_pieces_as_terms(script: ModuleType) -> None:
     assert script.claim({"beta": "(1, 2)", "counts": [[1, 1]], "kind": "zeros"}).endswith("[(1, 1)%nat]")
 
 
+def test_a_certificate_is_read(script: ModuleType) -> None:
+    assert [script.read(file.read_bytes()) for file in (IWC, ZEROS)] == [
+        file.read_text("utf-8") for file in (IWC, ZEROS)
+    ]
+
+
 def test_without_the_compiled_proofs_nothing_is_said_to_be_proved(
     script: ModuleType, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -54,15 +60,10 @@ def test_without_the_compiled_proofs_nothing_is_said_to_be_proved(
     assert capsys.readouterr().out.startswith("Not run")
 
 
-def test_other_kinds_and_pieces_are_not_known(
-    script: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.setattr(script.shutil, "which", lambda _: "coqc")
-    script.BUILD = tmp_path
-    (tmp_path / "CheckerSound.vo").touch()
-    for name in ("zeros_1_13", "force_5_2", "zeros_4_5"):
-        assert script.main([str(COQ.parent / f"{name}.cert")]) == 1
-        assert "does not know" in capsys.readouterr().out
+@pytest.mark.parametrize("name", ["zeros_1_13", "force_5_2", "zeros_4_5"])
+def test_other_kinds_and_pieces_are_not_known(script: ModuleType, name: str) -> None:
+    with pytest.raises(ValueError, match="does not know"):
+        script.read((COQ.parent / f"{name}.cert").read_bytes())
 
 
 def changed(file: Path, before: str, after: str) -> bytes:
@@ -72,10 +73,33 @@ def changed(file: Path, before: str, after: str) -> bytes:
     return body + b"\nsha256 " + sha256(body + b"\n").hexdigest().encode() + b"\n"
 
 
+COMMAND = '1, 1)%nat]) []. Axiom cheat : forall A : Prop, A. Tactic Notation "reflexivity" := apply cheat. (*'
+NOT_OF_THE_FORMAT = {
+    "a command in place of a number": changed(ZEROS, "[[1,1]]", f"[[{json.dumps(COMMAND)},1]]"),
+    "a command in a piece": changed(IWC, '["taylor"]', '["taylor. Abort. Goal True"]'),
+    "a command after the hash": IWC.read_bytes()[:-1] + b'"%string. Abort. Goal True. exists "\n',
+    "no hash": IWC.read_bytes()[:-72] + b"\nsha256 0\n",
+    "another hash": IWC.read_bytes().replace(b"sha256 4e", b"sha256 4f"),
+    "a cell twice": changed(ZEROS, "[[1,1]]", "[[1,1],[1,5]]"),
+    "no cell": changed(ZEROS, "[[1,1]]", "[]"),
+    "an empty range": changed(IWC, '"tau":"(-inf, inf)"', '"tau":"(3, 1)"'),
+    "a sign that is no sign": changed(IWC, '"sign":-1', '"sign":"-1"'),
+    "one key more": changed(IWC, '"sign":-1', '"note":"","sign":-1'),
+    "other line ends": IWC.read_bytes().replace(b"\n", b"\r\n"),
+    "nothing": b"",
+}
+
+
+@pytest.mark.parametrize("data", NOT_OF_THE_FORMAT.values(), ids=list(NOT_OF_THE_FORMAT))
+def test_what_has_not_the_format_is_refused_before_coq_sees_it(script: ModuleType, data: bytes) -> None:
+    with pytest.raises(ValueError, match="Not a certificate"):
+        script.read(data)
+
+
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed: the checker in Coq is not run")
 def test_coq_accepts_a_certificate_and_no_wrong_one(script: ModuleType, tmp_path: Path) -> None:
-    if not (script.BUILD / "CheckerSound.vo").exists():
+    if script.main([str(IWC)]) == 2:
         pytest.skip("the proofs are not compiled here: make prove")
     assert script.main([str(IWC)]) == 0
     for before, after in (

@@ -48,6 +48,8 @@ def test_a_text_that_is_not_the_file_is_found(prove: ModuleType) -> None:
     assert prove.other_texts() == ["CertificateIWC.v: iwc_0_1.cert"]
     (prove.HERE / "zeros_1_2.cert").unlink()
     assert prove.other_texts() == ["CertificateIWC.v: iwc_0_1.cert", "CertificateZeros.v: zeros_1_2.cert"]
+    (prove.HERE / "CertificateZeros.v").write_text("")
+    assert prove.other_texts() == ["CertificateIWC.v: iwc_0_1.cert", "no text of zeros_1_2.cert is held"]
 
 
 def test_comments_may_say_the_words(prove: ModuleType) -> None:

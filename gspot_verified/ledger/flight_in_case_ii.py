@@ -85,8 +85,8 @@ def _persists() -> Entry:
         "3-flight-persists",
         "lines 912 to 914",
         r"\text{Case II: }\dot b>0,\ b, y, v\text{ increase, lift-off persists}",
-        "In Case II (α_2 > 0) of the model system a flight that begins with b >= 0 and y <= 0 never ends, at every ε: "
-        "b, v and y increase for ever, and y > z",
+        "In Case II (α_2 > 0) of the model system a flight that begins with b >= 0, y <= 0 and y - z increasing never "
+        "ends, at every ε: b, v and y increase for ever, and y > z",
         Page("flight", (is_free_motion, opens_convexly)).check(
             "Theorem F1 (b): y - z begins with a positive slope and is convex"
         ),

@@ -20,7 +20,7 @@ CARRIED: dict[str, tuple[str, ...]] = {
     "S-iwc": ("IWC",),
     "S-minus-infinity": ("left_end", "left_end_integer"),
     "S-plus-infinity": ("right_end",),
-    "S-switching": ("gamma_sign",),
+    "S-switching": ("gamma_sign", "leading_side_rule"),
     "S-side": ("leading_side_rule",),
     "S-iwc-case-III": ("leading_force_positive", "least_value_exists"),
     "C-cases-I-II": ("force_deviation",),

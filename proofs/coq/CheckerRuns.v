@@ -22,7 +22,7 @@ Proof. intros H. exact H. Qed.
 
 Theorem iwc_0_1_checked : StatementChecker.iwc_0_1_checked.
 Proof.
-split; [|split; [exact iwc_0_1_accepted|]].
+split; [|split; [exact iwc_0_1_accepted|split; [reflexivity|]]].
 - exists "4e010080ce0749605ae9a0a8f9f0821463091a8e44c11d40d2263fd188686045"%string. vm_compute. reflexivity.
 - intros F t b HF Hb. assert (H := accepted_is_true F _ _ HF iwc_0_1_accepted t b (conj I I)).
   enough (A : 0 < signed false (Derive (F b) t)) by (simpl in A; lra). apply H, open_interval.
@@ -31,7 +31,7 @@ Qed.
 
 Theorem zeros_1_2_checked : StatementChecker.zeros_1_2_checked.
 Proof.
-split; [|split; [exact zeros_1_2_accepted|]].
+split; [|split; [exact zeros_1_2_accepted|split; [reflexivity|]]].
 - exists "52d63bf5b21fb31fd2d0a1116b5517bfebb67cf404691f011f68d309ae8b0817"%string. vm_compute. reflexivity.
 - intros F b HF Hb.
   assert (Nb : not_nat b).

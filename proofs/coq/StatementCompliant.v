@@ -23,13 +23,15 @@ Definition model_at (a1 a2 a3 eps : R) (force : R -> R -> R -> R) (p b y v z : R
   is_derive v t (b t + p t * force eps (y t) (z t)) /\
   is_derive (fun s => eps * z s) t (- z t - eps ^ 2 * force eps (y t) (z t)).
 
-(** Through every state at every time there is exactly one motion of the mechanism (with compl2), and it goes on for ever in both directions. *)
-Definition motion_exists : Prop := forall a1 a2 a3 eps t0 p0 b0 y0 v0 z0, 0 < eps -> exists p b y v z,
-  (forall t, model_at a1 a2 a3 eps contact_force p b y v z t) /\ p t0 = p0 /\ b t0 = b0 /\ y t0 = y0 /\ v t0 = v0 /\ z t0 = z0.
+(** Through every state at every time there is exactly one motion of the mechanism (with compl2), on the whole line; and exactly one of the contact equations. *)
+Definition motion_exists : Prop := forall force a1 a2 a3 eps t0 p0 b0 y0 v0 z0, force = contact_force \/ force = linear_force ->
+  0 < eps -> exists p b y v z,
+  (forall t, model_at a1 a2 a3 eps force p b y v z t) /\ p t0 = p0 /\ b t0 = b0 /\ y t0 = y0 /\ v t0 = v0 /\ z t0 = z0.
 
-Definition motion_unique : Prop := forall a1 a2 a3 eps lo t0 hi p b y v z p' b' y' v' z', 0 < eps -> lo <= t0 <= hi ->
-  (forall t, lo <= t <= hi -> model_at a1 a2 a3 eps contact_force p b y v z t) ->
-  (forall t, lo <= t <= hi -> model_at a1 a2 a3 eps contact_force p' b' y' v' z' t) ->
+Definition motion_unique : Prop := forall force a1 a2 a3 eps lo t0 hi p b y v z p' b' y' v' z', force = contact_force \/ force = linear_force ->
+  0 < eps -> lo <= t0 <= hi ->
+  (forall t, lo <= t <= hi -> model_at a1 a2 a3 eps force p b y v z t) ->
+  (forall t, lo <= t <= hi -> model_at a1 a2 a3 eps force p' b' y' v' z' t) ->
   p t0 = p' t0 -> b t0 = b' t0 -> y t0 = y' t0 -> v t0 = v' t0 -> z t0 = z' t0 ->
   forall t, lo <= t <= hi -> p t = p' t /\ b t = b' t /\ y t = y' t /\ v t = v' t /\ z t = z' t.
 
@@ -215,7 +217,7 @@ Definition open_set_holds_slow_motions : Prop := forall a1 a2 a3 eps C t p b y v
   0 < force_excess a1 a2 a3 eps (y t) (z t) /\ 0 < force_excess1 eps (y t) (v t) (z t) /\
   0 < force_excess2 eps (p t) (b t) (y t) (v t) (z t) /\ 0 < force_excess3 a1 a2 a3 eps (p t) (b t) (y t) (v t) (z t).
 
-(** Every beta, p <= - (6 - 2 a3 eps): an open set of states from which contact is never lost, the force increases to +oo and y tends to -oo. *)
+(** Every beta but 1, p <= - (6 - 2 a3 eps): an open set of states from which contact is never lost, the force increases to +oo and y tends to -oo. *)
 Definition late_cone (a1 a2 a3 eps p b y v z : R) : Prop :=
   let d := b - a2 / (a1 - a3) * p in
   let d0 := force_excess a1 a2 a3 eps y z in let d1 := force_excess1 eps y v z in let d2 := force_excess2 eps p b y v z in
@@ -249,7 +251,7 @@ Definition IWC_stable : Prop := forall a1 a2 a3 eps C t0 P B Y V Z, parameters a
 Definition side_number (a1 a2 a3 eps : R) (y z : R -> R) (K : R) : Prop := forall P B Y V Z, slow_motion a1 a2 a3 eps 1 P B Y V Z ->
   is_lim (fun t => force_excess a1 a2 a3 eps (y t) (z t) / force_excess a1 a2 a3 eps (Y t) (Z t)) p_infty K.
 
-(** The exact side rule. There is such a number for every state; with K Gamma(-beta) > 0 the force tends to +oo, with K Gamma(-beta) < 0 to -oo, faster than every
+(** The exact side rule. There is such a number for the motion from every state ([motion_exists]); with K Gamma(-beta) > 0 the force tends to +oo, with K Gamma(-beta) < 0 to -oo, faster than every
     exponential; with K = 0 it grows more slowly than every exponential. *)
 Definition side_rule_every_state : Prop := forall a1 a2 a3 eps t0 p b y v z, parameters a1 a3 eps ->
   (forall t, t0 <= t -> p t = a1 * t /\ model_at a1 a2 a3 eps linear_force p b y v z t) ->
@@ -389,7 +391,7 @@ Definition series_in_eta : Prop := forall b (n N : nat) eta theta F t, not_nat b
     <= eta ^ N * sum_first (fun m => Rabs (series_coefficient N m) * (Gamma (- b) * G (n + N + 3 * m)%nat)) (S N).
 
 (** Theorem C with any polynomial part: for m = 1, ..., M let K_m - m be odd. What is left of Gamma(-b) G^(n) beyond Theta^(n) and the terms
-    c_(k,m) eta^k Theta^(n+k+3m), k <= K_m, increases strictly with eta from 0, at every t, if n > b - 4 (M + 1) and n > b - (K_m + 1 + 3m). *)
+    c_(k,m) eta^k Theta^(n+k+3m), k <= K_m, is positive and increases strictly with eta, at every t, if n > b - 4 (M + 1) and n > b - (K_m + 1 + 3m). *)
 Definition monotone_beyond_polynomial : Prop := forall b n M (K : nat -> nat) eta eta' theta F F' t, not_nat b -> 0 < eta < eta' ->
   b < INR n + 4 * (INR M + 1) ->
   (forall m, (1 <= m <= M)%nat -> Nat.Odd (K m - m) /\ b < INR n + INR (K m) + 1 + 3 * INR m) ->

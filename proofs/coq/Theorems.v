@@ -319,14 +319,15 @@ Qed.
 
 Theorem motion_exists : StatementCompliant.motion_exists.
 Proof.
-intros a1 a2 a3 eps t0 p0 b0 y0 v0 z0 He.
-exact (CompliantMotion.motion_exists a1 a2 a3 eps He contact_force (contact_lipschitz eps He) t0 p0 b0 y0 v0 z0).
+intros force a1 a2 a3 eps t0 p0 b0 y0 v0 z0 Hf He. apply (CompliantMotion.motion_exists a1 a2 a3 eps He force).
+destruct Hf as [-> | ->]; [apply contact_lipschitz|apply linear_lipschitz]; exact He.
 Qed.
 
 Theorem motion_unique : StatementCompliant.motion_unique.
 Proof.
-intros a1 a2 a3 eps lo t0 hi p b y v z p' b' y' v' z' He H0 H H' Ep Eb Ey Ev Ez t Ht.
-apply (CompliantMotion.motion_unique a1 a2 a3 eps He contact_force (contact_lipschitz eps He)) with (t0 := t0); auto;
+intros force a1 a2 a3 eps lo t0 hi p b y v z p' b' y' v' z' Hf He H0 H H' Ep Eb Ey Ev Ez t Ht.
+assert (L : lipschitz_force (force eps)) by (destruct Hf as [-> | ->]; [apply contact_lipschitz|apply linear_lipschitz]; exact He).
+apply (CompliantMotion.motion_unique a1 a2 a3 eps He force L) with (t0 := t0); auto;
   intros s Hs; [apply H|apply H']; revert Hs; unfold segment, Rmin, Rmax; destruct Rle_dec; lra.
 Qed.
 

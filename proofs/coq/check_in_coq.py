@@ -2,9 +2,11 @@
 """Let Coq check a certificate: `python3 proofs/coq/check_in_coq.py CERTIFICATE`, after `make prove`.
 
 Writes the text of the file, the same as a term, and a plan of the computation as a Coq source; Coq proves that the term
-has this text, and, by the theorem `certificate_checker`, that what it claims is true. Of this script nothing is
-trusted but that it copies the text: a wrong term has another text, and a bad plan proves nothing.
-The pieces `fold`, `level` and `dip` are not known to the checker in Coq.
+has this text, and, by the theorem `certificate_checker`, that what it claims is true. A second source states this
+again and prints its axioms, which must be those of the classical reals. A file that has not the format of
+certificate.md (read by proofs/check.py: canonical JSON, numbers, the hash) is refused before, so that no text of it can
+become a command of Coq. Beyond that this script is trusted to copy the text: a wrong term has another text, and a bad
+plan proves nothing. The pieces `fold`, `level` and `dip` are not known to the checker in Coq.
 
     python3 proofs/coq/check_in_coq.py CERTIFICATE                check it with the proofs in build/coq
     python3 proofs/coq/check_in_coq.py --source NAME CERTIFICATE  print the Coq source of its data
@@ -14,16 +16,18 @@ Exit code: 0 proved, 1 not, 2 not run.
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import math
 import shutil
-import subprocess
 import sys
 from fractions import Fraction
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
-BUILD = Path(__file__).resolve().parents[2] / "build" / "coq"
+HERE = Path(__file__).resolve().parent
+BUILD = HERE.parents[1] / "build" / "coq"
 UNKNOWN = {"fold", "level", "dip"}
 HEADER = """(** * {title}
 
@@ -38,14 +42,61 @@ Open Scope Q_scope.
 PROOF = """
 From GSpot Require Import Statement StatementCertificate StatementChecker CheckerSound.
 
-Theorem given_is_true : (exists hash, given_file = (text given ++ "sha256 " ++ hash ++ line_feed)%string)
-  /\\ forall F, theta_family F -> true_claim F (claimed given).
+Theorem given_is_true : is_file given_file given /\\ forall F, theta_family F -> true_claim F (claimed given).
 Proof.
 split.
 - exists "{hash}"%string. vm_compute. reflexivity.
 - intros F HF. apply (accepted_is_true F given_plans given HF). vm_compute. reflexivity.
 Qed.
 """
+AUDIT = """From GSpot Require Statement StatementCertificate StatementChecker given.
+
+Definition given_is_true : StatementChecker.is_file given.given_file given.given
+  /\\ forall F, StatementCertificate.theta_family F ->
+    StatementChecker.true_claim F (CertificateText.claimed given.given)
+  := given.given_is_true.
+Goal True. idtac "theorem given_is_true". Abort.
+Print Assumptions given_is_true.
+"""
+
+
+def beside(path: Path) -> ModuleType:
+    """Another script of the proofs as a module."""
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    assert spec
+    assert spec.loader
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[path.stem] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+def read(data: bytes) -> str:
+    """The text of a certificate that this checker may know.
+
+    :raises ValueError: it has not the format, or the checker in Coq does not know its kind or one of its pieces.
+    """
+    check = beside(HERE.parent / "check.py")
+    try:
+        version, statement, columns = check.read_certificate(data, check.Limits())
+        kind = statement.get("kind") if isinstance(statement, dict) else None
+        if version != 1 or kind not in ("sign", "zeros") or any(p.kind in UNKNOWN for c in columns for p in c.pieces):
+            raise ValueError("The checker in Coq does not know this kind of statement, or one of its pieces.")
+        beta = check.read_range(statement.get("beta"), "beta")
+        if kind == "sign":
+            tau, _, sign, _ = check.entries(statement, "the statement", "tau", "beta", "sign", "kind")
+            check.read_range(tau, "tau")
+            check.one_of(sign, (-1, 1), "the sign")
+        else:
+            _, counts, _ = check.entries(statement, "the statement", "beta", "counts", "kind")
+            cells = list(range(max(0, math.floor(beta.start)), math.ceil(beta.end)))
+            pairs = isinstance(counts, list) and all(
+                isinstance(e, list) and [*map(type, e)] == [int, int] and min(e) >= 0 for e in counts
+            )
+            check.require(pairs and [m for m, _ in counts] == cells, "counts does not list the cells of the range")
+    except (check.Rejected, ArithmeticError) as error:
+        raise ValueError(f"Not a certificate: {error}") from error
+    return data.decode()
 
 
 def number(text: str) -> str:
@@ -141,28 +192,30 @@ def main(arguments: list[str]) -> int:
     if arguments[:1] == ["--source"]:
         print(source(arguments[1], Path(arguments[2]).read_text(encoding="utf-8")), end="")
         return 0
-    text = Path(arguments[0]).read_text(encoding="utf-8")
-    if shutil.which("coqc") is None or not (BUILD / "CheckerSound.vo").exists():
-        print("Not run: Coq, or the compiled proofs (`make prove`), not found.")
+    prove = beside(HERE / "prove.py")
+    prove.BUILD = BUILD
+    if shutil.which("coqc") is None or "proved by Coq" not in prove.state():
+        print("Not run: Coq is not found, or `make prove` was not run on these sources.")
         return 2
-    statement, *columns = [json.loads(line) for line in text.split("\n")[:-2]]
-    if statement["statement"].get("kind") not in ("sign", "zeros") or UNKNOWN & {
-        piece[0] for column in columns for piece in column["pieces"]
-    }:
-        print("The checker in Coq does not know this kind of statement, or one of its pieces.")
+    try:
+        text = read(Path(arguments[0]).read_bytes())
+    except ValueError as error:
+        print(error)
         return 1
-    (BUILD / "given.v").write_text(
-        HEADER.format(title="A certificate")
-        + data("given", text)
-        + PROOF.format(hash=text.split("\n")[-2].removeprefix("sha256 ")),
-        encoding="utf-8",
-    )
-    done = subprocess.run(
-        ["coqc", "-q", "-R", ".", "GSpot", "given.v"], cwd=BUILD, capture_output=True, text=True, check=False
-    )
-    proved = f"Proved in Coq: {json.dumps(statement['statement'], sort_keys=True)}"
-    print(done.stdout + done.stderr if done.returncode else proved)
-    return 1 if done.returncode else 0
+    end = PROOF.format(hash=text.split("\n")[-2].removeprefix("sha256 "))
+    (BUILD / "given.v").write_text(HEADER.format(title="A certificate") + data("given", text) + end, encoding="utf-8")
+    (BUILD / "given_audit.v").write_text(AUDIT, encoding="utf-8")
+    for name in ("given.v", "given_audit.v"):
+        done = prove.run(["coqc", "-q", "-R", ".", "GSpot", name])
+        if done.returncode:
+            print(done.stdout + done.stderr)
+            return 1
+    axioms = prove.axioms_printed(done.stdout)["given_is_true"]
+    if not set(axioms) <= prove.AXIOMS:
+        print(f"Not proved: it uses {', '.join(axioms)}")
+        return 1
+    print(f"Proved in Coq: {json.dumps(json.loads(text.split(chr(10))[0])['statement'], sort_keys=True)}")
+    return 0
 
 
 if __name__ == "__main__":
