@@ -30,7 +30,7 @@ HERE = Path(__file__).resolve().parent
 BUILD = HERE.parents[1] / "build" / "coq"
 RECORD = "record.json"
 LIMIT = 1200
-"""Seconds until a step is given up, on a loaded machine; the whole takes one to two minutes on two free cores."""
+"""Seconds until a step is given up, on a loaded machine; the whole takes three to four minutes on two free cores."""
 LIBRARY = "GSpot"
 CERTIFICATES = {"iwc_0_1": HERE.parent / "iwc_0_1.cert", "zeros_1_2": HERE / "zeros_1_2.cert"}
 """The files whose bytes the proofs hold."""
