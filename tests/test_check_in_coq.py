@@ -52,6 +52,14 @@ def test_a_certificate_is_read(script: ModuleType) -> None:
     ]
 
 
+@pytest.mark.parametrize("arguments", [[], ["one", "two"], ["/no/such/file"], [str(COQ)]])
+def test_without_one_file_nothing_is_run(
+    script: ModuleType, arguments: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert script.main(arguments) == 2
+    assert capsys.readouterr().out.startswith("Not run: ")
+
+
 def test_without_the_compiled_proofs_nothing_is_said_to_be_proved(
     script: ModuleType, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -192,13 +192,21 @@ def main(arguments: list[str]) -> int:
     if arguments[:1] == ["--source"]:
         print(source(arguments[1], Path(arguments[2]).read_text(encoding="utf-8")), end="")
         return 0
+    if len(arguments) != 1:
+        print("Not run: expected one file, python3 proofs/coq/check_in_coq.py CERTIFICATE")
+        return 2
+    try:
+        given = Path(arguments[0]).read_bytes()
+    except OSError as error:
+        print(f"Not run: {error}")
+        return 2
     prove = beside(HERE / "prove.py")
     prove.BUILD = BUILD
     if shutil.which("coqc") is None or "proved by Coq" not in prove.state():
         print("Not run: Coq is not found, or `make prove` was not run on these sources.")
         return 2
     try:
-        text = read(Path(arguments[0]).read_bytes())
+        text = read(given)
     except ValueError as error:
         print(error)
         return 1
