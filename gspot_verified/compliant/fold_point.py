@@ -8,6 +8,7 @@ Proof page: ``proofs/finite_epsilon_zeros.md``, section 6.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import reduce
 
 from flint import arb, fmpq
 
@@ -98,8 +99,8 @@ def _negative_minimum(b: fmpq, epsilon: fmpq, place: fmpq) -> tuple[fmpq, bool]:
 
 def _convexity(signs: SlowSigns, begin: fmpq, end: fmpq) -> arb:
     """A positive lower bound of G''/2 on the interval and for all b of the box."""
-    least = [signs.coefficients(a, b, 3)[2].lower() for a, b in fold_parts(begin, end)]
-    return min(least, key=lambda value: float(value))
+    first, *others = [signs.coefficients(a, b, 3)[2].lower() for a, b in fold_parts(begin, end)]
+    return reduce(arb.min, others, first)
 
 
 def _narrowed(
@@ -109,7 +110,7 @@ def _narrowed(
         return _is_positive(beta - 1, epsilon, tau, convexity, bits_for_digits(digits) + _SPARE_BITS)
 
     lower, upper = b[0] + 1, b[1] + 1
-    if beyond(lower) is not False or beyond(upper) is not True:
+    if not convexity > 0 or beyond(lower) is not False or beyond(upper) is not True:
         return None
     ends = narrowed(beyond, lower, upper, digits)
     return FoldPoint(epsilon, *ends, (lower, upper), tau)

@@ -8,8 +8,9 @@ from __future__ import annotations
 import pytest
 from flint import arb, fmpq
 
-from gspot_verified.balls import exact
-from gspot_verified.compliant.fold_point import fold_point
+from gspot_verified.balls import exact, working_bits
+from gspot_verified.compliant.fold_column import fold_parts
+from gspot_verified.compliant.fold_point import _convexity, fold_point
 from gspot_verified.compliant.zero_count import slow_zeros
 
 
@@ -81,3 +82,25 @@ def test_refused(epsilon: object, digits: int, message: str) -> None:
 def test_only_the_curves_from_6_and_9() -> None:
     with pytest.raises(ValueError, match="meeting"):
         fold_point(1, 8, meeting=12)
+
+
+class _Curvatures:
+    """Gives one value of G''/2 for each interval, one after the other."""
+
+    def __init__(self, values: list[arb]) -> None:
+        self._values = iter(values)
+
+    def coefficients(self, *_: object) -> list[arb]:
+        return [arb(0), arb(0), next(self._values)]
+
+
+@pytest.mark.parametrize("least", [0, 1, 2])
+def test_the_convexity_is_below_all_parts(least: int) -> None:
+    """Curvatures that floats do not tell apart: the bound is below each of them."""
+    begin, end = fmpq(1, 100), fmpq(2, 100)
+    with working_bits(128):
+        values = [1 + arb((1, -90))] * len(fold_parts(begin, end))
+        values[least] = arb(1)
+        found = _convexity(_Curvatures(values), begin, end)  # type: ignore[arg-type]
+        assert found > 0
+        assert all(found <= value for value in values)
