@@ -102,8 +102,10 @@ def norm_step(
     field: VectorField, solution: Sequence[arb_poly], start: StateSet, h: arb, plan: NormPlan
 ) -> NormStep | None:
     """The step of length h > 0 along polynomials in τ, or None when a hypothesis could not be verified."""
+    if not (h > 0 and _fits(plan, field.dimension) and _divides(start.basis, field.dimension)):
+        return None
     defect = _defect(field, solution, h, plan)
-    if defect is None or not h > 0:
+    if defect is None:
         return None
     before, radii = start.basis, arb_mat([[r] for r in start.radii])
     jump = arb_mat([[m - p(arb(0))] for m, p in zip(start.middle, solution, strict=True)])
@@ -145,6 +147,19 @@ def norm_step(
     step = NormStep(tuple(solution), h, tuple(tube), before, tuple(radii.entries()))
     finite = all(value.is_finite() for value in (*step.enclosure(), *step.radii))
     return step if finite else None
+
+
+def _fits(plan: NormPlan, size: int) -> bool:
+    """Whether the pieces fill [0, 1], each with a basis and a margin, and Cauchy's disc is larger than the unit one."""
+    ends = plan.ends
+    fill = len(ends) > 1 and ends[0] == 0 and ends[-1] == 1 and all(a < b for a, b in pairwise(ends))
+    each = len(ends) - 1 == len(plan.bases) == len(plan.margins)
+    return fill and each and plan.disc > 1 and all(_divides(basis, size) for basis in plan.bases)
+
+
+def _divides(basis: Basis, size: int) -> bool:
+    """Whether the blocks are all of so many columns."""
+    return basis.S.nrows() == size == sum(basis.blocks) and all(block > 0 for block in basis.blocks)
 
 
 def lengths(values: Sequence[arb], basis: Basis) -> list[arb]:

@@ -80,6 +80,8 @@ def certified_step(field: VectorField, curve: Curve, radius: Sequence[arb], h: a
     w = plan.weights
     if not (h > 0 and all(weight > 0 for weight in w) and plan.disc > 1 and plan.tube > 0):
         return None
+    if not all(p(arb(0)) == int(i == j) for i, row in enumerate(curve.flow) for j, p in enumerate(row)):
+        return None
     bounds = _cauchy_bounds(field, curve, plan)
     if bounds is None:
         return None

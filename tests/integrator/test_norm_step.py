@@ -131,6 +131,13 @@ def test_a_tail_is_no_polynomial() -> None:
         plan(Basis(arb_mat([[1, arb("nan")], [1, 1]]), (2,))),
         replace(plan(), margins=(arb(1),)),
         replace(plan(), margins=(arb("nan"),)),
+        replace(plan(), margins=()),
+        replace(plan(), disc=1),
+        replace(plan(), ends=(arb(0), arb((1, -1)))),
+        replace(plan(), ends=(arb((1, -1)), arb(1))),
+        replace(plan(), ends=(arb(0), arb(1), arb((1, -1)), arb(1)), bases=(ROUND,) * 3, margins=(arb(64),) * 3),
+        replace(plan(), bases=(Basis(ROUND.S, (1,)),)),
+        replace(plan(), bases=()),
     ],
 )
 def test_hypotheses_that_fail(changed: NormPlan) -> None:
@@ -138,6 +145,12 @@ def test_hypotheses_that_fail(changed: NormPlan) -> None:
         start = point(1, 0, radius="0.125")
         assert norm_step(OSCILLATOR, circle(12, fmpq(1, 2)), start, arb((1, -1)), plan()) is not None
         assert norm_step(OSCILLATOR, circle(12, fmpq(1, 2)), start, arb((1, -1)), changed) is None
+
+
+def test_a_set_whose_blocks_leave_a_column_out() -> None:
+    with working_bits(100):
+        start = replace(point(1, 0, radius="0.125"), basis=Basis(ROUND.S, (1,)))
+        assert norm_step(OSCILLATOR, circle(12, fmpq(1, 2)), start, arb((1, -1)), plan()) is None
 
 
 @pytest.mark.parametrize("h", ["0", "-0.5", "nan"])

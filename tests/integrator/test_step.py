@@ -120,6 +120,14 @@ def test_hypotheses_that_fail(changes: dict[str, object]) -> None:
         assert certified_step(OSCILLATOR, curve, [arb(0)] * 2, arb((1, -1)), plan(**changes)) is None  # type: ignore[arg-type]
 
 
+def test_the_derivatives_begin_with_the_identity() -> None:
+    with working_bits(100):
+        good = taylor_curve(12, Fraction(1, 2))
+        for entry in (arb_poly([2]), good.flow[0][0] + arb_poly([arb(0, "1e-30")])):
+            wrong = Curve(good.solution, ((entry, good.flow[0][1]), good.flow[1]))
+            assert certified_step(OSCILLATOR, wrong, [arb(0)] * 2, arb((1, -1)), plan("0.5")) is None
+
+
 @pytest.mark.parametrize("h", ["0", "-0.5", "nan"])
 def test_a_length_that_is_not_certainly_positive(h: str) -> None:
     with working_bits(100):
