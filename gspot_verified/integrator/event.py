@@ -1,12 +1,12 @@
-"""The first time at which a function of the state rises through zero, in a bracket, with the sign of its derivative.
+"""The first time at which a function of the state rises through zero, in a bracket, and which of several is first.
 
-Proof page: ``proofs/validated_step.md``, Theorem V5.
+Proof page: ``proofs/validated_step.md``, Theorems V5 and V6; ``proofs/norm_step.md``, Theorem N3.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Protocol
 
@@ -18,7 +18,7 @@ from gspot_verified.expansion.derivative import lie_derivative
 from gspot_verified.expansion.expressions import Expression
 from gspot_verified.integrator.field import VectorField
 
-_DEPTH = 26
+_LEAST_DEPTH, _BITS_PER_HALVING = 26, 3
 _MAX_PIECES = 2000
 
 
@@ -46,21 +46,50 @@ class Segment(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class Crossing:
-    """Every solution of the run has g < 0 before the bracket, g > 0 at its end, and exactly one zero of g in it.
+class Moment:
+    """One time of a run: τ in [0, 1] of a segment."""
 
-    ``time`` is the bracket, ``states`` encloses the states in it, ``rate`` > 0 the derivative of g at the zero.
+    segment: Segment
+    tau: arb
+
+    @property
+    def time(self) -> arb:
+        """The time; as uncertain as the length of its step."""
+        return self.segment.time + self.tau * self.segment.step.h
+
+    def states(self) -> list[arb]:
+        """The states at this time."""
+        return self.segment.states(self.tau)
+
+    def certainly_by(self, other: Moment) -> bool:
+        """Whether it is certainly not after another moment of the same run, whatever the lengths of the steps are."""
+        if self.segment is other.segment:
+            return bool(self.tau <= other.tau)
+        return bool(self.segment.time < other.segment.time)  # τ <= 1: not after the begin of the other's segment
+
+
+@dataclass(frozen=True, slots=True)
+class Crossing:
+    """Every solution of the run has g < 0 up to ``begin``, g > 0 at ``end``, and exactly one zero of g up to ``end``.
+
+    ``states`` encloses the states at all times from ``begin`` to ``end``, ``rate`` > 0 the derivative of g.
     """
 
     name: str
-    time: arb
+    begin: Moment
+    end: Moment
     states: tuple[arb, ...]
     rate: arb
+
+    @property
+    def time(self) -> arb:
+        """The time of the zero."""
+        return self.begin.time.union(self.end.time)
 
 
 @dataclass(frozen=True, slots=True)
 class Unclear:
-    """The function could not be followed: it is not certain whether it has a zero."""
+    """The function could not be followed from ``time`` on: it is not certain whether it has a zero."""
 
     name: str
     time: arb
@@ -72,11 +101,16 @@ class _Piece:
     left: arb
     right: arb
 
+    @property
+    def begin(self) -> Moment:
+        return Moment(self.segment, self.left)
+
+    @property
+    def end(self) -> Moment:
+        return Moment(self.segment, self.right)
+
     def box(self) -> list[arb]:
         return self.segment.states(self.left.union(self.right))
-
-    def time(self, tau: arb) -> arb:
-        return self.segment.time + tau * self.segment.step.h
 
 
 class Kind(Enum):
@@ -104,7 +138,8 @@ class Watch:
         self.name = name
         derivatives = [function, lie_derivative(function, field.functions)]
         self._program = BoxProgram(derivatives, field.dimension)
-        self._rising: _Piece | None = None
+        self._stretch: list[_Piece] = []  # g rises on them all, and g < 0 at the begin of the first
+        self._followed: Moment | None = None
         self._leaving = from_zero > 0
         if from_zero == 2:
             derivatives.append(lie_derivative(derivatives[1], field.functions))
@@ -117,29 +152,34 @@ class Watch:
     def along(self, segment: Segment) -> Crossing | Unclear | None:
         """What happens on the next segment: nothing (g < 0 is proved, or it still rises), a crossing, or unclear."""
         for count, (piece, kind) in enumerate(self._pieces(segment, arb(0), arb(1), 0)):
+            self._followed = piece.begin
             if kind is None or count == _MAX_PIECES:
-                return Unclear(self.name, piece.time(piece.left))
+                return Unclear(self.name, piece.begin.time)
             if kind is Kind.NEGATIVE:
-                self._rising, self._leaving = None, False
+                self._stretch, self._leaving = [], False
             elif kind is Kind.FALLING:
-                self._leaving = not self.value(segment.states(piece.right)) < 0
-            elif self._leaving:
-                return Unclear(self.name, piece.time(piece.left))
+                self._leaving = not self._negative(piece.end)
             else:
-                if self.value(segment.states(piece.left)) < 0:
-                    self._rising = piece  # g rises, so what lies before has no zero
-                elif self._rising is None:
-                    return Unclear(self.name, piece.time(piece.left))
-                if self._rising is not None and self.value(segment.states(piece.right)) > 0:
-                    return self._bracket(self._rising, piece)
+                if self._negative(piece.begin):
+                    self._stretch, self._leaving = [], False  # g rises, so what lies before has no zero
+                elif not self._stretch:
+                    return Unclear(self.name, piece.begin.time)
+                self._stretch.append(piece)
+                if self.value(piece.end.states()) > 0:
+                    self._followed = piece.end
+                    return self._bracket(self._stretch)
+        self._followed = Moment(segment, arb(1))
         return None
 
-    def excluded(self, segment: Segment) -> bool:
-        """Whether g has certainly no zero up to the end of a segment on which :meth:`along` found nothing.
+    def excluded(self, moment: Moment) -> bool:
+        """Whether g has certainly no zero after the start and up to a moment of the run.
 
-        Where g still rises at the end, only a certain sign there excludes a zero on the way.
+        g must have been followed up to there, and where it rises only a certain sign excludes a zero on the way.
         """
-        return bool(self.value(segment.states(arb(1))) < 0)
+        return self._followed is not None and moment.certainly_by(self._followed) and self._negative(moment)
+
+    def _negative(self, moment: Moment) -> bool:
+        return bool(self.value(moment.states()) < 0)
 
     def _pieces(self, segment: Segment, left: arb, right: arb, depth: int) -> Iterator[tuple[_Piece, Kind | None]]:
         """Pieces in order, each with what is certain on it, or None; FALLING only as long as g leaves 0."""
@@ -151,32 +191,61 @@ class Watch:
             yield piece, Kind.RISING
         elif self._leaving and self._first.mean_values(piece.box())[0] < 0:
             yield piece, Kind.FALLING
-        elif depth == _DEPTH:
+        elif depth >= max(_LEAST_DEPTH, current_bits() // _BITS_PER_HALVING):
             yield piece, None
         else:
             middle = (left + right) / 2
             yield from self._pieces(segment, left, middle, depth + 1)
             yield from self._pieces(segment, middle, right, depth + 1)
 
-    def _bracket(self, start: _Piece, end: _Piece) -> Crossing:
-        left, right = start.left, end.right
-        states = start.box()
-        if start is end:
-            left = self._last(start, left, right, -1)
-            right = self._last(start, left, right, 1)
-            states = start.segment.states(left.union(right))
-        else:
-            states = [a.union(b) for a, b in zip(states, end.box(), strict=True)]
-        time = start.time(left).union(end.time(right))
-        return Crossing(self.name, time, tuple(states), self._program.mean_values(states)[1])
+    def _bracket(self, stretch: Sequence[_Piece]) -> Crossing | Unclear:
+        """The zero on pieces on which g rises, from g < 0 to g > 0."""
+        start, end = stretch[0], stretch[-1]
+        left = self._last(start, start.left, start.right, -1)
+        right = self._last(end, end.left, end.right, 1)
+        parts = list(stretch)
+        parts[0] = replace(parts[0], left=left)
+        parts[-1] = replace(parts[-1], right=right)
+        boxes = [part.box() for part in parts]
+        rate = _hull([self._program.mean_values(box)[1] for box in boxes])
+        if not rate > 0:
+            return Unclear(self.name, parts[0].begin.time)
+        states = tuple(_hull(sides) for sides in zip(*boxes, strict=True))
+        return Crossing(self.name, parts[0].begin, parts[-1].end, states, rate)
 
     def _last(self, piece: _Piece, left: arb, right: arb, sign: int) -> arb:
         """By bisection: the last point where g < 0 is certain (sign -1), or the first one where g > 0 is."""
         for _ in range(current_bits()):
             middle = (left + right) / 2
+            if not middle.is_exact():  # as fine as τ can be told apart
+                break
             certain = self.value(piece.segment.states(middle)) * sign > 0
             if sign < 0:
                 left, right = (middle, right) if certain else (left, middle)
             else:
                 left, right = (left, middle) if certain else (middle, right)
         return left if sign < 0 else right
+
+
+def first_crossing(watches: Sequence[Watch], found: Sequence[Crossing | Unclear | None]) -> Crossing | None:
+    """Of what :meth:`Watch.along` found on one segment the crossing before which no other function has a zero; None:
+    that is not certain of any.
+    """
+    for hit in found:
+        if isinstance(hit, Crossing) and not rivals(hit, watches, found):
+            return hit
+    return None
+
+
+def rivals(hit: Crossing, watches: Sequence[Watch], found: Sequence[Crossing | Unclear | None]) -> list[str]:
+    """The names of the other functions that may have a zero up to the end of a crossing."""
+    pairs = zip(watches, found, strict=True)
+    return [watch.name for watch, other in pairs if other is not hit and not watch.excluded(hit.end)]
+
+
+def _hull(parts: Sequence[arb]) -> arb:
+    """A ball around all parts."""
+    hull = parts[0]
+    for part in parts[1:]:
+        hull = hull.union(part)
+    return hull

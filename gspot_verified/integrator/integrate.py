@@ -98,7 +98,8 @@ class Run:
             size = length / 2**halving
             h = arb(size)
             if left is not None and not 2 * h < left:  # what is left must stay certainly positive
-                h = (left / 2).mid() if h < left else left
+                half = (left / 2).mid()
+                h = half if h < left and half < left else left  # a wide ball of times is not passed
             curve = scaled_curve(solution, flow, middle, h)
             plan = plan_for(weights, middle, deviations, speed, h, norm, order)
             try:

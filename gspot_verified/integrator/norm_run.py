@@ -73,13 +73,14 @@ class NormRun:
         """Why the iteration ended before the time, if it did."""
         self.budget_ended = False
         """Whether it ended because of the number of steps."""
+        self._left = time
         self._curve = TaylorCurve(field)
         self._decay = FastDecay()
         self.set = self._of_box(box)
 
     def __iter__(self) -> Iterator[NormSegment]:
         while self.steps.left > 0:
-            left = None if self.end is None else self.end - self.time
+            left = self._left = None if self.end is None else self.end - self.time
             step = self._known_step(left) or self._slow_step(left) or self._step(left)
             if step is None:
                 self.reason = "no step could be proved: the solution, or the right-hand side, may cease to exist here"
@@ -101,7 +102,7 @@ class NormRun:
         if chosen is None or len(chosen.solution) != self.field.dimension:
             return None
         h = left if chosen.h is None else chosen.h
-        if h is None or not (h is left or left is None or h < left):
+        if h is None:
             return None
         try:
             step = self._proved(chosen.solution, h, chosen.plan)
@@ -112,6 +113,9 @@ class NormRun:
         return step
 
     def _proved(self, solution: Sequence[arb_poly], h: arb, plan: NormPlan) -> NormStep | None:
+        """The step, where it can be proved and certainly does not pass the end, which may be a wide ball."""
+        if not (self._left is None or h is self._left or h < self._left):
+            return None
         self._plan_in_use = plan
         return norm_step(self.field, solution, self.set, h, plan)
 

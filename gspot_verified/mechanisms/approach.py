@@ -12,7 +12,7 @@ from flint import arb, fmpq
 from gspot_verified.balls import ExactInput, approximate, ball, ball_text, exact, sign_of, working_bits
 from gspot_verified.expansion.expressions import Constant
 from gspot_verified.expansion.rings import BALLS
-from gspot_verified.integrator.event import Crossing, Unclear, Watch
+from gspot_verified.integrator.event import Crossing, Unclear, Watch, first_crossing
 from gspot_verified.integrator.integrate import Run, Segment
 from gspot_verified.mechanisms.approach_result import IMPACT, LIFT_OFF, Approach, SlipPath
 from gspot_verified.mechanisms.capture import Capture, capture
@@ -130,12 +130,9 @@ class _Attempt:
             if doubt is not None:
                 return self._open(doubt)
             if caught is None:
-                found_by = [(watch, watch.along(segment)) for watch in watches]
-                events = [event for _, event in found_by if event is not None]
-                if events:
-                    if not all(event is not None or watch.excluded(segment) for watch, event in found_by):
-                        return self._open(_TOO_CLOSE)
-                    return self._event(events, segment)
+                events = [watch.along(segment) for watch in watches]
+                if any(event is not None for event in events):
+                    return self._event(watches, events, segment)
             self._remember(segment)
             states = segment.after.enclosure()
             found = capture(self.numbers, states, self.surface)
@@ -246,15 +243,13 @@ class _Attempt:
             return LIFT_OFF, f"Case {case}, {word}"
         return (IMPACT, f"Case {case}, {word}") if sign == impact else (None, f"Case {case}, {word}")
 
-    def _event(self, events: list[Crossing | Unclear], segment: Segment) -> Approach:
-        crossings = [event for event in events if isinstance(event, Crossing)]
-        if len(crossings) < len(events):
-            unclear = next(event for event in events if isinstance(event, Unclear))
+    def _event(self, watches: list[Watch], events: list[Crossing | Unclear | None], segment: Segment) -> Approach:
+        event = first_crossing(watches, events)
+        if event is None:
+            unclear = next((each for each in events if isinstance(each, Unclear)), None)
+            if unclear is None:
+                return self._open(_TOO_CLOSE)
             return self._open(f"{unclear.name} may be grazing: it is not certain whether it happens")
-        crossings.sort(key=lambda event: float(event.time.mid()))
-        if len(crossings) > 1 and not crossings[0].time < crossings[1].time:
-            return self._open(_TOO_CLOSE)
-        event = crossings[0]
         self._note_slip(segment)
         if self.surface is not None:  # until the event u is above it, whatever follows on the segment
             self.least_slip = None if self.least_slip is None else self.least_slip.max(self.surface.lower())

@@ -124,7 +124,7 @@ def _run(scene: Scene, samples: SegmentSamples | None, steps: RunSteps) -> _Reco
         if samples is not None:
             observer = samples.beside(observer, phase.system, began)
         steps.begins(now.phase, began)
-        found = phase.run(start, (end - began).upper(), now.at_zero, observer, steps)
+        found = phase.run(start, end - began, now.at_zero, observer, steps)
         if isinstance(found, Open):
             record.open = replace(found, time=began + found.time)
             return record

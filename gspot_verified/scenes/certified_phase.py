@@ -1,6 +1,6 @@
 """One phase of a certified run: which event ends it, in a bracket, and that no other event came before.
 
-Proof pages: ``proofs/norm_step.md``, ``proofs/validated_step.md`` (Theorem V5).
+Proof pages: ``proofs/norm_step.md``, ``proofs/validated_step.md`` (Theorems V5 and V6).
 """
 
 from __future__ import annotations
@@ -13,13 +13,14 @@ from flint import arb, fmpq
 from gspot_verified.expansion.derivative import ZERO, lie_derivative
 from gspot_verified.expansion.expressions import Constant, Expression, in_order
 from gspot_verified.integrator.chosen_step import Steps
-from gspot_verified.integrator.event import Crossing, Unclear, Watch
+from gspot_verified.integrator.event import Crossing, Moment, Unclear, Watch, first_crossing, rivals
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.norm_run import NormRun, NormSegment
 from gspot_verified.scenes.scaled_system import PhaseEvent, ScaledSystem
 
 CLOCK = "T"
 _WIDE = 2.0**-20
+_AT_THE_END = "an event may fall on the end of the time"
 
 
 @dataclass(frozen=True)
@@ -73,9 +74,12 @@ class CertifiedPhase:
     ) -> PhaseEnd | Open:
         """The phase from the states at its start, for a time.
 
-        ``at_zero``: the events whose functions vanish there, and the first of their derivatives that does not, where
-        it is known. ``steps``: what an interrupted run has chosen, to be proved again.
+        ``time``: how long the phase lasts at most; where it is a ball, what is said holds for each time in it.
+        ``at_zero``: the events whose functions vanish at the start, and the first of their derivatives that does not,
+        where it is known. ``steps``: what an interrupted run has chosen, to be proved again.
         """
+        if not time > 0:
+            return Open(_AT_THE_END, arb(0))
         box = [start[name] for name in self.names]
         watches = []
         for event in self.system.events:
@@ -88,16 +92,16 @@ class CertifiedPhase:
         run = NormRun(self.field, box, time, steps)
         for segment in run:
             found = [watch.along(segment) for watch in watches]
-            if any(found):
-                return self._first(watches, found, segment, start)
-            quiet = all(watch.excluded(segment) for watch in watches)
+            if any(hit is not None for hit in found):
+                return self._ended(watches, found, segment, start)
+            quiet = all(watch.excluded(Moment(segment, arb(1))) for watch in watches)
             at_end = self._named(segment.states(arb(1)), start)
             if quiet and observer(segment, at_end):
                 return PhaseEnd(None, segment.end_time, at_end)
         if run.reason is not None:
             return Open(f"{run.reason}{self._width(run)}", run.time, run.budget_ended)
         if not quiet:
-            return Open("an event may fall on the end of the time", run.time)
+            return Open(_AT_THE_END, run.time)
         return PhaseEnd(None, run.time, at_end)
 
     def _named(self, states: Sequence[arb], start: Mapping[str, arb]) -> dict[str, arb]:
@@ -117,7 +121,7 @@ class CertifiedPhase:
                 return None
         return None
 
-    def _first(
+    def _ended(
         self,
         watches: list[Watch],
         found: list[Crossing | Unclear | None],
@@ -125,19 +129,16 @@ class CertifiedPhase:
         start: Mapping[str, arb],
     ) -> PhaseEnd | Open:
         """The event that certainly comes first in this segment."""
-        crossings = [hit for hit in found if isinstance(hit, Crossing)]
-        first = min(crossings, key=lambda hit: float(hit.time.mid()), default=None)
-        if first is None:
-            unclear = next(hit for hit in found if isinstance(hit, Unclear))
-            return Open(f"{unclear.name}: {self._why(segment)}", unclear.time)
-        for watch, hit in zip(watches, found, strict=True):
-            if hit is first:
-                continue
-            too_early = isinstance(hit, Unclear) and not hit.time > first.time
-            if too_early or not watch.value(list(first.states)) < 0:
-                return Open(f"simultaneous {first.name} and {watch.name}: their order is not certain", first.time)
-        event = next(event for event in self.system.events if event.name == first.name)
-        return PhaseEnd(event, first.time, self._named(first.states, start))
+        first = first_crossing(watches, found)
+        if first is not None:
+            event = next(event for event, hit in zip(self.system.events, found, strict=True) if hit is first)
+            return PhaseEnd(event, first.time, self._named(first.states, start))
+        for hit in found:
+            if isinstance(hit, Crossing):
+                others = " and ".join(rivals(hit, watches, found))
+                return Open(f"simultaneous {hit.name} and {others}: their order is not certain", hit.time)
+        unclear = next(hit for hit in found if isinstance(hit, Unclear))
+        return Open(f"{unclear.name}: {self._why(segment)}", unclear.time)
 
     def _why(self, segment: NormSegment) -> str:
         if self._is_wide(segment):

@@ -13,6 +13,7 @@ from gspot_verified.expansion.expressions import Constant, Expression, Variable
 from gspot_verified.integrator.event import Crossing, Unclear, Watch
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.integrate import Run
+from gspot_verified.integrator.norm_run import NormRun
 
 x, y = Variable(0), Variable(1)
 OSCILLATOR = VectorField([y, -x])
@@ -131,3 +132,33 @@ def test_from_zero() -> None:
         assert all(watch.along(segment) is None for segment in run)
         with pytest.raises(ValueError, match="from_zero"):
             Watch("event", x, OSCILLATOR, from_zero=3)
+
+
+def test_a_crossing_holds_every_state_of_its_bracket() -> None:
+    """x = cos t, y = sin t, s = s_0 + 21/20 t + sin t: s always rises, so a wide start gives one long stretch on which
+    x and y turn; its first and its last piece alone hold few of the states."""
+    s = Variable(2)
+    field = VectorField([-y, x, number(21, 20) + x])
+    with working_bits(64):
+        box = [arb(1), arb(0), arb(-4, "2.5")]
+        watch = Watch("s", s, field)
+        found = next(filter(None, map(watch.along, NormRun(field, box, arb(20)))))
+        assert isinstance(found, Crossing)
+        assert found.rate.is_finite()
+        assert found.rate > 0
+        begin, end = found.time.lower(), found.time.upper()
+        assert end - begin > 4
+        seen = 0
+        for k in range(41):
+            first = arb(-4) + arb("2.5") * (k - 20) / 20
+            for j in range(41):
+                t = begin + (end - begin) * j / 40
+                if j in (0, 40):  # the bracket's ends, rounded outward, may lie outside of it
+                    continue
+                state = (t.cos(), t.sin(), first + arb(fmpq(21, 20)) * t + t.sin())
+                for side, value in zip(found.states, state, strict=True):
+                    assert side.is_finite()
+                    assert side.contains(value)
+                assert found.rate.contains(arb(fmpq(21, 20)) + t.cos())
+                seen += 1
+        assert seen == 41 * 39
