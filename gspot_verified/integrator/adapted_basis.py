@@ -21,6 +21,7 @@ _EXCESS = 0.3
 _SWEEPS = 3
 _ZERO = 1e-7
 _LARGEST_CONDITION = 1e12
+_LARGEST_SCALE = 2.0**14
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +75,11 @@ def adapted_basis(rows: Sequence[Sequence[float]]) -> AdaptedBasis:
 
 
 def _balance(matrix: Matrix) -> NDArray[np.float64]:
-    """Powers of 2 as units of the components, for rows and columns of like size."""
+    """Powers of 2 as units of the components, for rows and columns of like size.
+
+    Limited: an entry of J may be as small as a part that has died out, and a tube that is narrow in one unit of 10^-80
+    is as wide as nothing can be proved of in the others.
+    """
     size = len(matrix)
     scales = np.ones(size)
     work = np.abs(matrix) * (1 - np.eye(size))
@@ -87,7 +92,8 @@ def _balance(matrix: Matrix) -> NDArray[np.float64]:
                 scales[i] *= factor
                 work[i] /= factor
                 work[:, i] *= factor
-    return scales
+    limited: Matrix = np.clip(scales, 1 / _LARGEST_SCALE, _LARGEST_SCALE)
+    return limited
 
 
 def spectral_basis(rows: Sequence[Sequence[float]], limit: float) -> tuple[Matrix, NDArray[np.bool_]] | None:

@@ -10,6 +10,7 @@ from flint import arb, arb_mat, fmpq
 
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Constant, Cosine, Exponential, Expression, Power, Sine, Variable
+from gspot_verified.integrator.adapted_basis import adapted_basis
 from gspot_verified.integrator.chosen_step import Steps
 from gspot_verified.integrator.event import Crossing, Watch
 from gspot_verified.integrator.field import VectorField
@@ -139,3 +140,20 @@ def test_the_zero_of_the_cosine(bits: int) -> None:
         assert found.time.contains(arb.pi() / 2)
         assert found.time.rad() < arb(2) ** (50 - bits)
         assert found.rate.contains(1)
+
+
+def test_a_coupling_that_dies_out_does_not_stretch_the_basis() -> None:
+    """x' = z y - x, y' = x - y, z' = -z: rows and columns of J become as unequal as z = e^-t is small. Units that make
+    them equal would let the tube of one component, common to all blocks, be as large as 1/z in another one."""
+    with working_bits(192):
+        run = NormRun(VectorField([z * y - x, x - y, -z]), [arb(1)] * 3, arb(60))
+        segments = list(run)
+        assert run.reason is None
+        assert len(segments) < 40
+        end = run.set.enclosure()
+        assert all(side.rad() < 1e-40 for side in end)
+        assert end[2].contains(arb(-60).exp())
+    for tiny in (1e-20, 1e-80, 1e-300):
+        for rows in ([[-1.0, tiny], [1.0, -2.0]], [[-1.0, tiny], [0.0, -2.0]]):
+            sizes = [max(map(abs, row)) for row in adapted_basis(rows).rows]
+            assert 2.0**-20 < min(sizes) <= max(sizes) < 2.0**20
