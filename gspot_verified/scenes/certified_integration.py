@@ -5,6 +5,7 @@ Proof pages: ``proofs/norm_step.md``, ``proofs/validated_step.md``, ``proofs/inv
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -46,6 +47,10 @@ class _Record:
     open: Open | None = None
     for_ever: bool = False
 
+    def reach(self) -> tuple[bool, int, float]:
+        """How much is shown, for a choice between records: all of the run, or so many events and this time."""
+        return self.open is None, len(self.events), math.inf if self.open is None else approximate(self.open.time)
+
 
 def integrated_run(
     scene: Scene,
@@ -57,7 +62,7 @@ def integrated_run(
     progress: Progress = lambda _: None,
 ) -> SceneRun:
     """The events until ``scene.until``, or until an impact without collision is shown to last for ever; or undecided,
-    with the events that are certain and the reason.
+    with the events that are certain and the reason. Where more bits show less, what fewer bits have shown is kept.
 
     :param digits: 1..80, decimals of the times of the events in the unit epsilon.
     :param bits: working precisions to try, one after the other.
@@ -78,17 +83,31 @@ def integrated_run(
     first = 1 if scene.mechanism is not None and scene.epsilon <= SMALL else 0
     precisions = bits or tuple(value + extra for value in BITS[first:])
     kept = None if journal is None else StepJournal(journal, question(scene, _asked(digits, precisions)))
-    record, samples = _Record(), None
-    for precision in precisions if kept is None else _not_left_behind(precisions, kept):
+    left = precisions if kept is None else _not_left_behind(precisions, kept)
+    record, samples = _best(scene, digits, left, sampled, kept, budget, progress)
+    if record.open is not None and len(left) < len(precisions):  # one that was left behind may have shown more
+        record, samples = _best(scene, digits, precisions, sampled, kept, budget, progress)
+    found = replace(_result(scene, record), samples=None if samples is None else samples.samples())
+    return found if kept is None or not kept.failure else replace(found, notes=(kept.failure,))
+
+
+def _best(
+    scene: Scene, digits: int, precisions: Sequence[int], sampled: bool, kept: StepJournal | None, budget: int,
+    progress: Progress,
+) -> tuple[_Record, SegmentSamples | None]:  # fmt: skip
+    """The record that shows most, of those at the precisions that are tried one after the other."""
+    best: tuple[_Record, SegmentSamples | None] = _Record(), None
+    for count, precision in enumerate(precisions):
         steps = RunSteps(budget, precision, approximate(scene.epsilon), kept, progress)
         with working_bits(precision):
             samples = SegmentSamples(scene) if sampled else None
             record = _run(scene, samples, steps)
+        if count == 0 or record.reach() >= best[0].reach():
+            best = record, samples
         narrow = all(_narrow(event, scene.epsilon, digits) for event in record.events)
         if narrow if record.open is None else record.open.budget:
             break
-    found = replace(_result(scene, record), samples=None if samples is None else samples.samples())
-    return found if kept is None or not kept.failure else replace(found, notes=(kept.failure,))
+    return best
 
 
 def _asked(digits: int, precisions: Sequence[int]) -> dict[str, object]:

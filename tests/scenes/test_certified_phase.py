@@ -20,6 +20,7 @@ from gspot_verified.scenes.certified_phase import CertifiedPhase, Open, PhaseEnd
 from gspot_verified.scenes.file import load_scene
 from gspot_verified.scenes.run import OPEN
 from gspot_verified.scenes.scaled_system import PhaseEvent, ScaledSystem
+from gspot_verified.scenes.scene import Scene
 from gspot_verified.verdict import Outcome
 
 CLOSE = Path(__file__).with_name("close_events.toml")
@@ -226,3 +227,20 @@ def test_wide_sets_whose_brackets_overlap() -> None:
                     time = (arb("0.5") / arb(start)).acos()
                     assert found.time.contains(time)
                     assert found.states["y"].contains(-arb(start) * time.sin())
+
+
+def test_the_record_that_shows_most_is_kept(tmp_path: Path) -> None:
+    """Flights that bounce: 80 bits show fewer of them than 96. What more bits have shown stays, in either order, and
+    where the run goes on from a journal that holds both."""
+    start: dict[str, fmpq | str] = {"p": fmpq(15, 8), "b": fmpq(-29, 16), "u": fmpq(7, 2), "y": fmpq(1, 1000),
+                                    "v": fmpq(-3, 8), "z": fmpq(0)}  # fmt: skip
+    effects = ("compliant_contact", "lift_off", "tangential_motion", "stick")
+    parameters = {"alpha_1": fmpq(-3, 4), "alpha_2": fmpq(-5, 4), "beta": fmpq(2)}
+    scene = Scene("bouncing", effects, fmpq(1, 10**6), fmpq(2), parameters, start)
+    few, many = (integrated_run(scene, bits=(bits,)) for bits in (80, 96))
+    assert many.fate == few.fate == OPEN
+    assert 1 < len(few.events) < len(many.events)
+    assert integrated_run(scene, bits=(80, 96)) == integrated_run(scene, bits=(96, 80)) == many
+    kept = tmp_path / "journal"
+    assert integrated_run(scene, bits=(96, 80), journal=kept) == many
+    assert integrated_run(scene, bits=(96, 80), journal=kept) == many
