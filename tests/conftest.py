@@ -34,6 +34,7 @@ SABOTAGED_MODULES = {
     **dict.fromkeys(
         ("grid", "slow_integral", "epsilon_series", "slow_coefficient", "fast_coefficient", "side_rule"), "compliant"
     ),
+    **dict.fromkeys(("step", "norm_step"), "integrator"),
 }
 _MAX_EXPONENT = 10_000
 AddRemainder = Callable[[arb, arb], arb]

@@ -18,6 +18,7 @@ _THETA = (
     "tests/theta_function/test_box.py::test_bounds_that_are_attained",
 )
 _COMPLIANT = ("tests/compliant/test_sharpness.py",)
+_INTEGRATOR = ("tests/integrator/test_sharpness.py",)
 
 
 def _slow(sabotage: str) -> object:
@@ -36,6 +37,7 @@ def _run(files: tuple[str, ...], *options: str) -> int:
 def test_green_without_sabotage() -> None:
     assert _run(_THETA) == 0
     assert _run(_COMPLIANT) == 0
+    assert _run(_INTEGRATOR) == 0
 
 
 # The first six bounds are attained to 2^-20 relative; the others are wider than the error, by less than 2^20.
@@ -60,3 +62,8 @@ def test_red_with_a_shrunk_radius(sabotage: str) -> None:
 )  # fmt: skip
 def test_red_with_a_shrunk_radius_of_the_compliant_model(sabotage: str) -> None:
     assert _run(_COMPLIANT, "--sabotage", sabotage) == 1
+
+
+@pytest.mark.parametrize("sabotage", ["step:20", "norm_step:20"])  # attained to 2^-20 relative
+def test_red_with_a_shrunk_radius_of_the_integrator(sabotage: str) -> None:
+    assert _run(_INTEGRATOR, "--sabotage", sabotage) == 1
