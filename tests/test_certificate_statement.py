@@ -136,12 +136,7 @@ def dip_as_checked(ratio: str, bound: str) -> bool:
                 negative = evaluate_term(bound, names | {"F": Applied(2, lambda _, t, v=values: v[t, 0])}) < 0
                 column = check.Column(Fraction(b + 1), Fraction(b + 1), 3, [])
                 stub = SimpleNamespace(column=column, meter=METER, limits=check.Limits(), bits=64)
-                stub.parts = lambda box, order, _, v=values: (
-                    v[box[2], order] * check.scale_at(box[2]) ** order,
-                    0,
-                    0,
-                    0,
-                )
+                stub.parts = lambda box, order, _, v=values: check.Enclosed(v[box[2], order], 0, 0, 0, (4, 20), 1)
                 if (negative, check.ColumnCheck.dips(stub, first, second, eta)) != (side < 0, side < 0):
                     return False
         except (AssertionError, KeyError, ZeroDivisionError, TypeError):

@@ -18,7 +18,7 @@ from pathlib import Path
 
 import mpmath
 import pytest
-from hypothesis import example, given
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from must_reject import mutate
 from must_reject.mutate import GOOD, lines_of, text_of
@@ -453,9 +453,124 @@ def test_models_are_rounded_into_their_error(m: list[int], error: int, factor: F
 def test_boxes_are_rounded_outward(low: Fraction, width: Fraction, bits: int) -> None:
     start, end, wider = check.outward(low, low + width, bits)
     assert start <= low <= low + width <= end
+    if not width:
+        assert (start, end, wider) == (low, low, False), "a point is not rounded"
+        return
     assert max(start.denominator, end.denominator) <= 2**bits
     assert wider == (end - start > 2 * width)
     assert end - start <= width + Fraction(2, 2**bits)
+
+
+LONG_POINTS = st.builds(
+    lambda tau, k: tau + Fraction(k, 10**40 + 9), st.fractions(-3, 12, max_denominator=9), st.integers(0, 5)
+)
+
+
+@settings(max_examples=12)
+@given(
+    LONG_POINTS,
+    st.sampled_from(["5/2", "-1/3", "22/7"]),
+    st.sampled_from(["0", "1/1000", "1/100000000000000000000000000"]),
+)
+@example(Fraction(17, 10) + Fraction(3, 10**31), "7/2", "0")
+@example(Fraction(17, 10) + Fraction(3, 10**31), "7/2", "1/10000000000000000000000000000000")
+def test_parts_are_in_the_unit_and_the_scale_that_they_tell(tau: Fraction, parameter: str, width: str) -> None:
+    """F^(k)/k! by the middle, the scale and what is not known, against 1F2; at points and on boxes, short and long."""
+    b, checker = Fraction(parameter), on_a_column()
+    box = (b, b, tau, tau + Fraction(width))
+    for order in (0, 1, 2):
+        part = checker.parts(box, order, 64)
+        x, p = part.unit
+        with mpmath.workdps(60):
+            exact = coefficient(number(tau), number(b), order) * mpmath.mpf(2) ** p / mpmath.power(x, number(b))
+            distance = abs(exact * number(part.scale) - part.middle)
+            slack = part.in_tau + part.in_b + part.error
+            assert distance <= slack
+            assert width != "0" or (part.in_tau == 0 and slack * 2**20 < 2**p * part.scale)
+
+
+@settings(max_examples=12)
+@given(LONG_POINTS, st.integers(0, 5))
+def test_the_coefficients_at_a_long_point_are_those_at_this_point(tau: Fraction, order: int) -> None:
+    """No tail is left out at a point, so the lemma for orders up to 2 is not asked; b is as long."""
+    b = Fraction(22, 7) + Fraction(1, 10**35)
+    part = on_a_column().parts((b, b, tau, tau), order, 64)
+    x, p = part.unit
+    with mpmath.workdps(60):
+        exact = coefficient(number(tau), number(b), order) * mpmath.mpf(2) ** p / mpmath.power(x, number(b))
+        assert abs(exact * number(part.scale) - part.middle) <= part.error
+
+
+def test_on_a_box_no_order_beyond_2_is_known() -> None:
+    box = (Fraction(5, 2), Fraction(5, 2), Fraction(1), Fraction(9, 8))
+    assert on_a_column().parts(box, 2, 64).error
+    with pytest.raises(check.Rejected, match="orders up to 2"):
+        on_a_column().parts(box, 3, 64)
+
+
+@pytest.mark.parametrize(
+    ("point", "unit"), [("0", 1), ("1/9", 1), ("7/4", 1), ("2", 2), ("-7/2", 2), ("-4", 4), ("-63", 32)]
+)
+def test_the_scale_of_a_point(point: str, unit: int) -> None:
+    """The largest power of 2 that is at most |τ|, and 1 near 0, to the power of the order."""
+    b, tau = Fraction(5, 2), Fraction(point)
+    assert [on_a_column().parts((b, b, tau, tau), k, 64).scale for k in (-1, 0, 1, 3)] == [1, 1, unit, unit**3]
+
+
+@pytest.mark.parametrize("n", [2, 5, 9])
+def test_a_tail_at_a_long_point(n: int) -> None:
+    """All orders up to n are needed, at a point whose denominator is beyond every accuracy that is tried."""
+    beta, point = n + Fraction(3, 2), str(n + 3 + Fraction(1, 10**2000))
+    statement = {"beta": f"[{beta}, {beta}]", "kind": "sign", "sign": (-1) ** n, "tau": f"[{point}, inf)"}
+    data = text_of(lines_of(statement, ([str(beta)] * 2, [["right", point, 0]])))
+    assert check.check_text(data).startswith("dΘ/dτ " + "><"[n % 2])
+    statement["sign"] *= -1
+    with pytest.raises(check.Rejected, match="gives dΘ/dτ the sign"):
+        check.check_text(text_of(lines_of(statement, ([str(beta)] * 2, [["right", point, 0]]))))
+
+
+FAILURES = [
+    IndexError, KeyError, RecursionError, ZeroDivisionError, OverflowError, MemoryError, AssertionError, RuntimeError,
+    AttributeError, TypeError, UnicodeError, OSError, NotImplementedError,
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("failure", FAILURES)
+def test_whatever_breaks_is_no_proof(
+    failure: type[Exception], tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One line that says so, and not the status of a certificate that is verified."""
+    good = tmp_path / "good"
+    good.write_bytes(text_of(GOOD["right"]))
+
+    def breaks(*_: object) -> None:
+        raise failure("two\nlines")
+
+    monkeypatch.setattr(check.ColumnCheck, "parts", breaks)
+    for workers in ("1", "2"):
+        assert check.main([str(good), "--workers", workers]) == 1
+        written = capsys.readouterr()
+        assert (written.out, written.err) == ("", f"REJECTED the check failed with {failure.__name__}\n")
+
+
+def test_a_worker_that_is_killed_is_no_proof(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(check.ColumnCheck, "parts", lambda *_: os._exit(0))
+    with pytest.raises(check.Rejected, match="the check failed with BrokenProcessPool"):
+        check.check_text(text_of(GOOD["right"]), workers=2)
+
+
+def test_a_file_too_large_for_the_memory_is_no_proof(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    good = tmp_path / "good"
+    good.write_bytes(text_of(GOOD["right"]))
+
+    def breaks(*_: object) -> bytes:
+        raise MemoryError
+
+    monkeypatch.setattr(check, "read_file", breaks)
+    assert check.main([str(good)]) == 64
+    assert capsys.readouterr().err.startswith("usage")
 
 
 @pytest.mark.parametrize("wrong", range(4))

@@ -185,11 +185,7 @@ def test_the_other_side_is_refused() -> None:
 def test_sizes_are_compared_exactly(value: int, b: Fraction, level: Fraction, sign: int) -> None:
     limits = check.Limits()
     column = check.ColumnCheck(check.Column(b + 1, b + 1, 0, []), limits, 10**12)
-
-    class Scale:
-        x, p = 4, 20
-
-    assert column.compared(value << 20, Scale, b, level) == sign
+    assert column.compared(value << 20, (4, 20), b, level) == sign
 
 
 @pytest.mark.parametrize(("epsilon", "sign"), [("47/100", -1), ("12/25", 1)])
@@ -212,21 +208,25 @@ def test_a_piece_of_the_other_sign_does_not_bound_the_force() -> None:
 
 
 class Known(check.ColumnCheck):
-    """Middle 10, 3 from tau, 2 from b, error 1, in units of 1."""
+    """Middle 10, 3 from tau, 2 from b, error 1, in units of x^b/2^p."""
 
-    def parts(self, *_: Any) -> tuple[int, int, int, int]:
-        return 10, 3, 2, 1
+    unit = (1, 0)
 
-    def local(self, *_: Any) -> Any:
-        return type("Unit", (), {"x": 1, "p": 0})
+    def parts(self, *_: Any) -> check.Enclosed:
+        return check.Enclosed(10, 3, 2, 1, self.unit, Fraction(1))
 
 
-def test_every_part_of_the_width_counts() -> None:
-    limits = check.Limits()
+@pytest.mark.parametrize(
+    ("unit", "value"), [((1, 0), 1), ((9, 0), 27), ((1, 3), Fraction(1, 8)), ((16, 10), Fraction(1, 16))]
+)
+def test_every_part_of_the_width_counts(unit: tuple[int, int], value: Fraction) -> None:
+    """At b = 3/2 the unit x^b/2^p is the one that comes with the parts; a part in 10^9 is seen."""
+    limits, little = check.Limits(), Fraction(1, 10**9)
     column = Known(check.Column(Fraction(5, 2), Fraction(5, 2), 0, []), limits, 10**12)
+    column.unit = unit
     box = (Fraction(3, 2), Fraction(3, 2), Fraction(0), Fraction(1))
-    assert column.within(box, Fraction(16), 0)
-    assert not column.within(box, Fraction(15), 0)
-    assert column.beyond(Fraction(3, 2), Fraction(0), Fraction(7), 1)
-    assert not column.beyond(Fraction(3, 2), Fraction(0), Fraction(8), 1)
-    assert not column.beyond(Fraction(3, 2), Fraction(0), Fraction(1), -1)
+    assert column.within(box, 16 * value, 0)
+    assert not column.within(box, 16 * value - little, 0)
+    assert column.beyond(Fraction(3, 2), Fraction(0), 4 * value, 1)
+    assert not column.beyond(Fraction(3, 2), Fraction(0), 4 * value + little, 1)
+    assert not column.beyond(Fraction(3, 2), Fraction(0), little, -1)

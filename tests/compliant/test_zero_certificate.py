@@ -199,22 +199,28 @@ def test_where_the_bound_is_too_weak() -> None:
 
 
 class Parts(check.ColumnCheck):  # type: ignore[misc, name-defined]
-    """A column on which F(t1), F'(t1), F'(t2) are given: (value, what b adds, error), once for each accuracy."""
+    """A column on which F(t1), F'(t1), F'(t2) are given: (value, what b adds, error), once for each accuracy.
+
+    Each comes in a scale of its own, which only what is given tells.
+    """
+
+    scales = Fraction(1), Fraction(3, 7), Fraction(10**9)
+    units = (4, 20), (4, 20), (4, 20)
 
     def __init__(self, beta: tuple[Fraction, Fraction], *given: list[tuple[Fraction, Fraction, Fraction]]) -> None:
         super().__init__(check.Column(*beta, 3, []), check.Limits(), 10**9)
         self.given, self.asked = given, []
 
     def parts(self, box: Any, order: int, bits: int) -> Any:
-        """In the units of the checker: a derivative is known times a power of 2."""
         low, high, tau, same = box
         assert (low, high, tau) == (self.column.start - 1, self.column.end - 1, same)
         self.asked.append((tau, order, bits))
         accuracies = list(dict.fromkeys(bits for *_, bits in self.asked))
         values = self.given[min(len(accuracies), len(self.given)) - 1]
-        scale = check.scale_at(tau) ** order
-        middle, in_b, error = (part * scale for part in values[(len(self.asked) - 1) % 3])
-        return middle, Fraction(99), in_b, error
+        place = (len(self.asked) - 1) % 3
+        scale = self.scales[place]
+        middle, in_b, error = (part * scale for part in values[place])
+        return check.Enclosed(middle, Fraction(0), in_b, error, self.units[place], scale)
 
 
 def at_the_edge(*values: str, slacks: tuple[int, int, int] = (0, 0, 0)) -> tuple[Any, ...]:
@@ -285,12 +291,14 @@ def test_errors_ask_for_more_bits_and_widths_do_not() -> None:
     assert tried[-1] < limit <= tried[-1] * 3 // 2
 
 
-@pytest.mark.parametrize(
-    ("point", "unit"), [("0", 1), ("1/9", 1), ("7/4", 1), ("2", 2), ("-7/2", 2), ("-4", 4), ("63", 32)]
-)
-def test_the_unit_of_a_point(point: str, unit: int) -> None:
-    """The largest power of 2 that is at most |τ|, and 1 near 0."""
-    assert check.scale_at(Fraction(point)) == unit
+def test_what_is_known_in_different_units_is_not_added() -> None:
+    nothing = (Fraction(0), Fraction(0), Fraction(0))
+    for units in ([(4, 20), (4, 20), (4, 21)], [(4, 20), (6, 20), (4, 20)]):
+        column = Parts((Fraction(9, 2), Fraction(9, 2)), [(Fraction(-1), *nothing[1:]), nothing, nothing])
+        assert column.dips(Fraction(1), Fraction(2), Fraction(1))
+        column.units = units
+        with pytest.raises(check.Rejected, match="different units"):
+            column.dips(Fraction(1), Fraction(2), Fraction(1))
 
 
 class Dips(check.ColumnCheck):  # type: ignore[misc, name-defined]
