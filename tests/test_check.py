@@ -217,6 +217,89 @@ def test_the_tail_lemma_at_its_limit() -> None:
     assert not check.tail_falls(0, 0, -1, 1)
 
 
+@pytest.mark.parametrize(("low", "high"), [("7/3", "7/3"), ("-7/2", "-7/2"), ("2", "3"), ("5", "5"), ("2", "17/8")])
+def test_the_tail_lemma_is_asked_for_three_sums_at_once(low: str, high: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """B ≥ sup|b| + 2, because F'' has b - 2 in the place of b; i = n - 5, the least index of the three."""
+    asked: list[tuple[int, int, int, int]] = []
+    falls, model = check.tail_falls, local(low, high, 60)
+    start = model.values(Fraction(-3), Fraction(3, 2))
+    monkeypatch.setattr(check, "tail_falls", lambda *question: asked.append(question) or falls(*question))
+    largest = Fraction(abs(model.centre) + model.radius, model.unit)
+    series = model.expand(Fraction(-3), Fraction(3, 2), start)
+    assert {(square, cube) for square, cube, _, _ in asked} == {(7, 4)}  # |τ| s² = 27/4, s³ = 27/8
+    assert [i for _, _, i, _ in asked] == list(range(-4, len(series) - 4))
+    assert all(largest + 2 <= b <= largest + 3 for *_, b in asked)
+
+
+class Known:
+    """In the place of F on a disc: a series that is given, and what was asked for."""
+
+    x, p = 6, 20
+
+    def __init__(self, series: list[check.Model]) -> None:
+        self.series, self.asked = series, []
+
+    def values(self, point: Fraction, s: Fraction) -> list[check.Model]:
+        self.asked.append((point, s))
+        return self.series[:3]
+
+    def expand(self, *question: object) -> list[check.Model]:
+        assert question == (*self.asked[-1], self.series[:3])
+        return self.series
+
+    def recurrence(self, *question: object) -> list[check.Model]:
+        assert question == (*self.asked[-1], self.series[:3])
+        return self.series
+
+    def in_b(self, a: check.Model) -> check.Model:
+        return check.Model([7 * m for m in a.m], 7 * a.error)
+
+
+BIG = st.integers(-(10**12), 10**12)
+BIG_MODELS = st.builds(check.Model, st.lists(BIG, min_size=3, max_size=3), st.integers(0, 10**12))
+NARROW, WIDE, EXACT = Fraction(1, 3 * 2**80), Fraction(1, 3), Fraction(1, 2)
+
+
+@given(
+    st.lists(BIG_MODELS, min_size=5, max_size=7), st.sampled_from([-1, 0, 1, 2]),
+    st.sampled_from([Fraction(0), NARROW, WIDE, EXACT]), st.sampled_from([Fraction(0), NARROW, WIDE, EXACT]),
+)  # fmt: skip
+def test_the_sum_over_a_box_is_the_least_bound_of_its_terms(
+    series: list[check.Model], order: int, in_b: Fraction, in_tau: Fraction
+) -> None:
+    """Σ C(k, i)|m_kj| 2^-j over all terms but the first, and Σ C(k, i) e_k: less than 1 more for each number."""
+    checker, known = on_a_column(), Known(series)
+    low, start = Fraction(5, 2), Fraction(9, 7)
+    checker.local = lambda *_: known  # type: ignore[method-assign]
+    part = checker.parts((low, low + in_b, start, start + in_tau), order, 64)
+    i, factor = max(order, 0), 7 if order < 0 else 1
+    terms = series[i:] if in_tau else series[i : i + 1]
+    ((middle, s),) = known.asked
+    assert abs(middle - start - in_tau / 2) <= Fraction(1, 2**64)
+    assert middle == start or in_tau
+    assert s == 1 if not in_tau else in_tau <= 2 * s <= in_tau + Fraction(2, 2**64)
+    assert part.middle == factor * series[i].m[0]
+    assert (part.unit, part.scale) == ((6, 20), s**i)
+    error = factor * sum(math.comb(k, i) * a.error for k, a in enumerate(terms, i))
+    by_tau = factor * sum(
+        math.comb(k, i) * Fraction(abs(m), 2**j) for k, a in enumerate(terms[1:], i + 1) for j, m in enumerate(a.m)
+    )
+    by_b = factor * sum(Fraction(abs(m), 2**j) for j, m in enumerate(series[i].m) if j)
+    # What the width adds is an error where the box is wider by rounding only.
+    exact = [0, 0, error]
+    exact[2 if in_tau == NARROW else 0] += by_tau
+    exact[2 if in_b == NARROW else 1] += by_b
+    for found, least in zip((part.in_tau, part.in_b, part.error), exact, strict=True):
+        assert least <= found <= least + 3 * sum(math.comb(k, i) for k in range(i, i + len(terms)))
+
+
+def test_the_left_tail_at_its_limit() -> None:
+    """At b = 1/2 3x³ = |b(b - 1)(b - 2)| for x = 1/2: that is not enough, a little more is."""
+    half = Fraction(1, 2)
+    assert not on_a_column().left_holds(half, half, 0, half)
+    assert on_a_column().left_holds(half, half, 0, half * (1 + Fraction(1, 2**20)))
+
+
 @given(
     st.integers(0, 10**6), st.integers(0, 9), st.fractions(-9, 9, max_denominator=50),
     st.fractions(0, 3, max_denominator=50), st.integers(1, 9),

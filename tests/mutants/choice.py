@@ -9,7 +9,7 @@ _LEDGER = "gspot_verified/ledger/"
 _OF_THE_PARTS = tuple(f"tests/ledger/test_{name}.py" for name in ("verdicts", "teeth", "steps"))
 _ALSO = {
     "proofs/check.py": (
-        *("must_reject/test_must_reject.py", "must_reject/test_hostile.py"),
+        *(f"must_reject/test_{name}.py" for name in ("must_reject", "forged", "hostile")),
         *("compliant/test_force_certificate.py", "compliant/test_zero_certificate.py"),
     )
 }
