@@ -405,6 +405,7 @@ class Local:
                 sums[i] = list(map(int.__add__, sums[i], part.m))
                 errors[i] += part.error
             term = self.linear(twice, 3 * k + 2, -3 * (k + 1) * x)
+            self.meter.spend((3 * digits(self.unit * x) + digits(bound)) ** 2, 0)
             before, bound = bound, next_bound(bound, k, self.centre, self.radius, self.unit, x)
             # N = k + 1: 3N ≥ B + 1/2. The rest is small enough, or it is the least.
             if 3 * k + 2 > self.reach and (bound <= 1 or bound >= before):
@@ -963,8 +964,7 @@ class Checker:
     def check_one_column(self, beta: Fraction) -> None:
         """One column, the point β of the statement: F is compared in units of x^b at the one b of the column."""
         check_cover(self.columns, beta, beta, "columns")
-        point = len(self.columns) == 1 and self.columns[0].start == self.columns[0].end
-        require(point, "there is not one column, the point β")
+        require([one[:2] for one in self.columns] == [(beta, beta)], "there is not one column, the point β")
 
     def check_force(self) -> str:
         """The contact force on the slow manifold stays positive, for every ε up to one."""
