@@ -610,12 +610,11 @@ class ColumnCheck:
         """|F| ≤ level on a box at one b ≥ 0."""
         bits = max(bits, self.bits)
         middle, in_tau, in_b, error, unit, _ = self.parts(box, 0, bits)
-        total = abs(middle) + error
-        if self.compared(total + in_tau + in_b, unit, box[0], level) <= 0:
+        if self.compared(abs(middle) + in_tau + in_b + error, unit, box[0], level) <= 0:
             return True
         if 4 * error >= max(abs(middle), in_tau + in_b):
             return bits < self.limits.bits and self.within(box, level, splits, bits * 3 // 2)
-        if not splits or self.compared(max(total - 2 * error, 0), unit, box[0], level) > 0:
+        if not splits or self.compared(max(abs(middle) - error, 0), unit, box[0], level) > 0:
             return False
         tau = (box[2] + box[3]) / 2
         halves = ((*box[:2], box[2], tau), (*box[:2], tau, box[3]))
@@ -645,11 +644,13 @@ class ColumnCheck:
             require(len({part.unit for part in parts}) == 1, "F and F' are known in different units of x^b/2^p")
             value, slope, largest = (part.middle / part.scale for part in parts)
             slacks = [(part.in_tau + part.in_b + part.error) / part.scale for part in parts]
-            largest += slacks[2]
-            largest *= most if largest > 0 else least
-            if value + slacks[0] + weight * (largest - slope + slacks[1]) < 0:
+            largest = (largest + slacks[2]) * (most if largest + slacks[2] > 0 else least)
+            bound, doubt = value + weight * (largest - slope), slacks[0] + weight * slacks[1]
+            if bound + doubt < 0:
                 return True
-            if 4 * sum(part.error / part.scale for part in parts) < sum(slacks):
+            # Too wide in b, or far above 0: a higher accuracy would not help.
+            wide = 4 * sum(part.error / part.scale for part in parts) < sum(slacks)
+            if wide or bound > doubt + 2 * weight * slacks[2]:
                 return False
             bits = bits * 3 // 2
         return False
@@ -994,9 +995,8 @@ class Checker:
 
     def check_slow_zeros(self) -> str:
         """Two zeros of the slow solution for every β of a range inside [4, 5] and every ε up to one."""
-        beta_text, epsilon_text, eta_text, _ = entries(
-            self.statement, "the statement", "beta", "epsilon", "eta", "kind"
-        )
+        names = ("beta", "epsilon", "eta", "kind")
+        beta_text, epsilon_text, eta_text, _ = entries(self.statement, "the statement", *names)
         beta, epsilon, eta = read_range(beta_text, "β"), rational(epsilon_text), rational(eta_text)
         require(beta.start >= 4 and beta.end <= 5, "the range of β is not inside [4, 5]")
         require(beta.start < beta.end or beta.end.denominator > 1, "the range of β is one integer")

@@ -284,6 +284,10 @@ def test_errors_ask_for_more_bits_and_widths_do_not() -> None:
     assert bits_of(vague, wide) == (False, [64, 96])
     assert bits_of((Fraction(9, 4), Fraction(3, 4))) == bits_of(vague)
     assert bits_of((Fraction(19, 8), Fraction(5, 8))) == bits_of(wide)
+    far = [(Fraction(9), *vague), nothing, nothing]
+    column = Parts(beta, far)
+    assert not column.dips(Fraction(1), Fraction(2), Fraction(1))
+    assert {bits for *_, bits in column.asked} == {64}, "9 with a slack of 3 is not below 0 at any accuracy"
     assert not Parts(beta, [nothing, nothing, nothing]).dips(Fraction(1), Fraction(2), Fraction(1))  # 0 is not below 0
     answer, tried = bits_of(vague)
     limit = check.Limits().bits

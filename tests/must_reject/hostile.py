@@ -76,6 +76,12 @@ def right_tail(beta: str, tau: str, value: int) -> bytes:
     return sign(f"({beta}, {end})", f"({tau}, inf)", ([beta, end], [["right", tau, value]]))
 
 
+def deep_right(deep: int) -> bytes:
+    """All coefficients of a cell at one point; it and β have long denominators and are used as they are."""
+    beta, tau = str(Fraction(21, 2) + Fraction(1, deep)), str(20 + Fraction(1, deep))
+    return sign(f"[{beta}, {beta}]", f"[{tau}, inf)", ([beta, beta], [["right", tau, 0]]))
+
+
 def exact_zero() -> bytes:
     """A piece on both sides of the zero τ = 0 at β = 2: no accuracy is enough."""
     return sign("[2, 2]", "(-1, 1)", (["2", "2"], [["sign", "-1", "1", 1]]))

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 import pytest
 from must_reject import hostile, mutate
+from must_reject.hostile import DEEP
 from must_reject.mutate import GOOD, text_of
 
 check = mutate.checker()
@@ -72,6 +73,12 @@ def test_a_true_statement_far_out_is_verified() -> None:
 def test_long_denominators_cost_no_more_than_short_ones(name: str, spent: list[int]) -> None:
     assert answer(hostile.SHORT[name], check.Limits()).startswith("dΘ/dτ <")
     assert sum(spent) < 10 * BUDGET
+
+
+def test_a_point_with_a_long_denominator_is_used_as_it_is(spent: list[int]) -> None:
+    """Ten orders at one point with 2,000 digits: what its length costs, no more."""
+    assert answer(hostile.deep_right(DEEP), check.Limits()).startswith("dΘ/dτ < 0")
+    assert sum(spent) < BUDGET
 
 
 def test_work_grows_with_the_length_of_the_numbers(spent: list[int]) -> None:
