@@ -13,8 +13,9 @@ import random
 import subprocess
 import sys
 from fractions import Fraction
-from itertools import islice, pairwise
+from itertools import combinations, islice, pairwise
 from pathlib import Path
+from types import SimpleNamespace
 
 import mpmath
 import pytest
@@ -229,6 +230,70 @@ def test_the_tail_lemma_is_asked_for_three_sums_at_once(low: str, high: str, mon
     assert {(square, cube) for square, cube, _, _ in asked} == {(7, 4)}  # |τ| s² = 27/4, s³ = 27/8
     assert [i for _, _, i, _ in asked] == list(range(-4, len(series) - 4))
     assert all(largest + 2 <= b <= largest + 3 for *_, b in asked)
+
+
+def test_an_operation_costs_200_products() -> None:
+    meter = check.Meter(LIMITS, 10_000)
+    meter.spend(1, 2)
+    assert meter.left == 10_000 - 401
+    meter.spend(9_599, 0)
+    with pytest.raises(check.Rejected, match="the limit work"):
+        meter.spend(1, 0)
+
+
+def test_what_is_kept_for_one_disc_is_counted() -> None:
+    """Three models for each anchor, and the series at the last two anchors: 4 bytes for 30 bits, at least."""
+    model = local("2", "17/8", 60)
+    assert model.bytes() >= sum(value.bytes() for values in model.anchors for value in values) > 300
+    before = model.bytes()
+    model.values(Fraction(0), Fraction(1))
+    kept = [a for series, _ in model.kept_series.values() for one in series for a in one]
+    anchors = [value for values in model.anchors for value in values]
+    assert model.bytes() == sum(a.bytes() for a in [*kept, *anchors]) > before
+    assert all(a.bytes() >= sum(length_of(*a.m, a.error)) * 4 for a in kept)
+
+
+def test_discs_that_are_not_used_make_room(monkeypatch: pytest.MonkeyPatch) -> None:
+    """All that are kept take at most half of the memory; the one that is asked for is the last to go."""
+    sizes = iter([200_000, 250_000, 100_000, 600_000])
+
+    def disc(*_: object) -> SimpleNamespace:
+        size = next(sizes)
+        return SimpleNamespace(bytes=lambda: size)
+
+    monkeypatch.setattr(check, "Local", disc)
+    checker, zero = on_a_column(limits=LIMITS._replace(memory=1)), Fraction(0)
+    one, _ = (checker.local(zero, zero, bits, zero) for bits in (64, 96))
+    assert checker.local(zero, zero, 64, zero) is one
+    three = checker.local(zero, zero, 144, zero)
+    assert list(checker.locals.values()) == [one, three]
+    four = checker.local(zero, zero, 216, zero)
+    assert list(checker.locals.values()) == [four]
+
+
+@given(st.sampled_from(["b", "tau", "both"]), st.integers(1, 4))
+def test_the_parts_of_a_box_that_is_cut_are_the_whole(wide: str, splits: int) -> None:
+    """Only boxes of one part in 2^splits are certain; those that were confirmed lie side by side and cover the box."""
+    box, confirmed = (Fraction(2), Fraction(3), Fraction(-1), Fraction(3)), []
+
+    def parts(part: tuple[Fraction, ...], *_: int) -> check.Enclosed:
+        sizes = (part[1] - part[0], (part[3] - part[2]) / 4)
+        small = sizes[0] * sizes[1] <= Fraction(1, 2**splits)
+        if small:
+            confirmed.append(part)
+        in_b, in_tau = ((9, 1), (1, 9), (round(64 * sizes[0]), round(64 * sizes[1])))[["b", "tau", "both"].index(wide)]
+        return check.Enclosed(7, 0 if small else in_tau, 0 if small else in_b, 0, (4, 20), 1)
+
+    checker = on_a_column()
+    checker.parts = parts  # type: ignore[method-assign]
+    assert checker.sign(box, 0, splits) == 1
+    assert len(confirmed) == 2**splits
+    area = sum((high - low) * (end - start) for low, high, start, end in confirmed)
+    assert area == 4, "they cover the box, since no two of them overlap"
+    for one, other in combinations(confirmed, 2):
+        assert one[1] <= other[0] or other[1] <= one[0] or one[3] <= other[2] or other[3] <= one[2]
+    assert all(2 <= low < high <= 3 and -1 <= start < end <= 3 for low, high, start, end in confirmed)
+    assert checker.sign(box, 0, splits - 1) == 0
 
 
 class Known:

@@ -230,3 +230,56 @@ def test_every_part_of_the_width_counts(unit: tuple[int, int], value: Fraction) 
     assert column.beyond(Fraction(3, 2), Fraction(0), 4 * value, 1)
     assert not column.beyond(Fraction(3, 2), Fraction(0), 4 * value + little, 1)
     assert not column.beyond(Fraction(3, 2), Fraction(0), little, -1)
+
+
+class Asked(check.ColumnCheck):
+    """What parts answers, one after the other, the last one for ever."""
+
+    def parts(self, *question: Any) -> check.Enclosed:
+        self.asked.append(question)
+        return check.Enclosed(*self.answers[min(len(self.asked), len(self.answers)) - 1], (1, 0), Fraction(1))
+
+
+def within(level: str, splits: int, *answers: tuple[int, int, int, int]) -> tuple[bool, int]:
+    """Whether |F| ≤ level is confirmed on [0, 1] at b = 3/2, and how many boxes were looked at."""
+    column = Asked(check.Column(Fraction(5, 2), Fraction(5, 2), 0, []), check.Limits(), 10**12)
+    column.answers, column.asked = answers, []
+    box = (Fraction(3, 2), Fraction(3, 2), Fraction(0), Fraction(1))
+    return column.within(box, Fraction(level), splits), len(column.asked)
+
+
+@pytest.mark.parametrize("splits", range(5))
+def test_a_level_is_tried_on_halves_as_often_as_is_allowed(splits: int) -> None:
+    """Of a box that stays open the first half is looked at, and so on; no other after it has failed."""
+    assert within("20", splits, (10, 30, 0, 1)) == (False, splits + 1)
+    assert within("20", splits, (10, 30, 0, 1), (10, 9, 0, 1)) == ((True, 3) if splits else (False, 1))
+
+
+def test_a_level_that_a_sharper_ball_may_keep_is_tried_again() -> None:
+    """-1 ± (2 + 30): that it is beyond 1/2 is open, so the halves are looked at; an error asks for more bits."""
+    assert within("1/2", 1, (1, 30, 0, 2), (0, 0, 0, 0)) == (True, 3)
+    assert within("1/2", 1, (-1, 30, 0, 2), (0, 0, 0, 0)) == (True, 3)
+    assert within("8", 1, (10, 30, 0, 1), (0, 0, 0, 0)) == (False, 1)
+    assert within("5", 0, (1, 0, 0, 10), (1, 0, 0, 3)) == (True, 2)
+    answer, tried = within("5", 0, (1, 0, 0, 10))
+    assert not answer
+    assert 5 < tried < 20
+
+
+def test_the_comparison_with_the_mean_force_is_paid_before_it_is_done() -> None:
+    """(...)^(3n) (2 ε²/-α_1)^h with β - 1 = h/n = 3/2."""
+    system = check.System([Fraction(-1), Fraction(-1), Fraction(-5, 2)], Fraction(-1), Fraction(5, 2))
+    for epsilon, level, least in (
+        (Fraction(1, 10**900), Fraction(1), 3 * check.digits(10**1800)),
+        (Fraction(1), Fraction(1, 10**900), 6 * check.digits(10**900)),
+    ):
+        meter = check.Meter(check.Limits(), 10**12)
+        system.compared(epsilon, level, meter)
+        assert least**2 <= 10**12 - meter.left <= (least + 99) ** 2 + 10**4
+
+
+@pytest.mark.parametrize("entries", [{"level": "0"}, {"level": "-1"}, {"epsilon": "0"}, {"epsilon": "-1"}])
+@pytest.mark.parametrize("text", [FORCE, LIFT_OFF])
+def test_what_must_be_positive(text: str, entries: dict[str, str]) -> None:
+    with pytest.raises(check.Rejected, match="ε or the level is not positive"):
+        check.check_text(mutated(lines(text), state(**entries)))

@@ -48,6 +48,18 @@ CONTENT: list[tuple[str, str, Mutation, str]] = [
     ("column outside", "right", state(beta="[1, 5/4)"), "the columns do not cover the whole range"),
     ("column beyond", "negative beta", state(beta="(-inf, -3)"), "one of the columns lies outside the range"),
     ("single point", "iwc", lambda lines: lines.insert(2, {"beta": ["1/2"] * 2, "pieces": [["laplace"]]}), "point"),
+    (
+        "single point at the end",
+        "iwc",
+        lambda lines: lines.append({"beta": ["1", "1"], "pieces": [["laplace"]]}),
+        "point",
+    ),
+    (
+        "single point at the start",
+        "iwc",
+        lambda lines: lines.insert(1, {"beta": ["0", "0"], "pieces": [["laplace"]]}),
+        "point",
+    ),
     # Shape.
     ("crosses an integer", "right", column_ends(1, "3/4", "3/2"), "crosses an integer"),
     ("column reversed", "right", column_ends(1, "3/2", "5/4"), "ends before it begins"),
@@ -175,6 +187,7 @@ CONTENT: list[tuple[str, str, Mutation, str]] = [
     ("brackets overlap", "brackets", state(brackets=[["-1", "1"], ["1/2", "3"]]), "not in order or overlap"),
     ("bracket reversed", "brackets", state(brackets=[["0", "-1"], ["2", "3"]]), "not in order or overlap"),
     ("bracket empty", "brackets", state(brackets=[["0", "0"], ["2", "3"]]), "not in order or overlap"),
+    ("bracket is a number", "brackets", state(brackets=[["-1", "0"], 7]), "are not a list of pairs"),
     ("bracket of three", "brackets", state(brackets=[["0", "1", "2"]]), "are not a list of pairs"),
     # Range of the checker.
     ("beta too large", "right", lambda lines: _far(lines, "1000"), "the limit beta=200"),
