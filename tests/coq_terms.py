@@ -6,8 +6,10 @@ A term is read as Coq reads it: application binds tightest, then ^, then a leadi
 
 from __future__ import annotations
 
+import importlib.util
 import re
 from collections.abc import Callable, Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +32,22 @@ Names = Mapping[str, Any]
 """What a name stands for: a number, or a function with the number of its arguments as attribute of :class:`Applied`."""
 
 
+def without_comments(text: str) -> str:
+    """The text as the script that compiles the proofs reads it."""
+    spec = importlib.util.spec_from_file_location("source_rules_of_the_statements", COQ / "source_rules.py")
+    assert spec
+    assert spec.loader
+    rules = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(rules)
+    return str(rules.code(text))
+
+
+@cache
+def stated() -> str:
+    """The files of statements without comments."""
+    return without_comments("\n".join(file.read_text(encoding="utf-8") for file in STATEMENTS))
+
+
 class Applied:
     """A function of Coq with a fixed number of arguments, which are terms."""
 
@@ -39,12 +57,12 @@ class Applied:
 
 
 def statement(name: str, text: str | None = None) -> str:
-    """The body of the definition of this name in the files of statements, without comments, on one line."""
-    text = "\n".join(file.read_text(encoding="utf-8") for file in STATEMENTS) if text is None else text
-    text = re.sub(r"\(\*.*?\*\)", "", text, flags=re.DOTALL)
-    found = re.search(rf"^(?:Definition|Fixpoint) {re.escape(name)}\b(.*?)\.\n(?=\n|$)", text, re.MULTILINE | re.DOTALL)
-    assert found, f"no file of statements defines {name}"
-    return " ".join(found[1].split())
+    """The body of the one definition of this name in the files of statements, without comments, on one line."""
+    text = stated() if text is None else without_comments(text)
+    pattern = rf"^(?:Definition|Fixpoint) {re.escape(name)}(?![\w'])(.*?)\.\n(?=\n|$)"
+    found = re.findall(pattern, text, re.MULTILINE | re.DOTALL)
+    assert len(found) == 1, f"{len(found)} definitions of {name} in the files of statements"
+    return " ".join(found[0].split())
 
 
 class Reader:

@@ -4,7 +4,13 @@ from __future__ import annotations
 
 import importlib.util
 import json
+import re
 import shutil
+import subprocess
+import sys
+import threading
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from hashlib import sha256
 from pathlib import Path
 from types import ModuleType
@@ -17,8 +23,9 @@ IWC, ZEROS = COQ.parent / "iwc_0_1.cert", COQ / "zeros_1_2.cert"
 
 
 @pytest.fixture
-def script() -> ModuleType:
+def script(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
     """The script as a module."""
+    monkeypatch.syspath_prepend(str(COQ))
     spec = importlib.util.spec_from_file_location("check_in_coq", COQ / "check_in_coq.py")
     assert spec
     assert spec.loader
@@ -38,6 +45,7 @@ def test_both_checkers_know_the_certificate_of_zeros() -> None:
 
 
 def test_numbers_and_pieces_as_terms(script: ModuleType) -> None:
+    script = script.beside(COQ / "certificate_source.py")
     assert [script.number(text) for text in ("0", "-81/64", "3")] == ["(0 # 1)", "((-81) # 64)", "(3 # 1)"]
     assert script.entry(["sign", "-1", "1/2", -1]) == "Sign ((-1) # 1) (1 # 2) false"
     assert script.entry(["right", "3/2", 1]) == "Right (3 # 2) 1"
@@ -78,7 +86,7 @@ def changed(file: Path, before: str, after: str) -> bytes:
     """A certificate with another text and the right hash."""
     body = file.read_bytes()[:-72].replace(before.encode(), after.encode())
     assert body != file.read_bytes()[:-72]
-    return body + b"\nsha256 " + sha256(body + b"\n").hexdigest().encode() + b"\n"
+    return body + b"sha256 " + sha256(body).hexdigest().encode() + b"\n"
 
 
 COMMAND = '1, 1)%nat]) []. Axiom cheat : forall A : Prop, A. Tactic Notation "reflexivity" := apply cheat. (*'
@@ -104,12 +112,135 @@ def test_what_has_not_the_format_is_refused_before_coq_sees_it(script: ModuleTyp
         script.read(data)
 
 
+OUT_OF_RANGE = {
+    "a range of beta": changed(ZEROS, '"beta":"(1, 2)"', '"beta":"(1, 300000000)"'),
+    "a number of zeros": changed(ZEROS, "[[1,1]]", "[[1,10000000000]]"),
+    "a column": changed(IWC, '"beta":["3/4","1"]', '"beta":["300000000","300000001"]'),
+    "a point": changed(IWC, '["left","-81/64"]', '["left","-300000000"]'),
+    "a long file": b"x" * 600_000,
+}
+
+
+@pytest.mark.parametrize("given", OUT_OF_RANGE.values(), ids=list(OUT_OF_RANGE))
+def test_large_numbers_are_refused_before_any_work(
+    script: ModuleType,
+    given: bytes,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr(script, "proved", lambda *_: pytest.fail("Coq was started"))
+    few = lambda *ends: range(*ends) if max(ends) < 300 else pytest.fail("the cells were counted")  # noqa: E731
+    monkeypatch.setattr(script, "range", few, raising=False)
+    (tmp_path / "large.cert").write_bytes(given)
+    assert script.main([str(tmp_path / "large.cert")]) == 1
+    assert capsys.readouterr().out.startswith("Out of range: the checker in Coq reads ")
+
+
+@pytest.mark.parametrize("beta", ["(1, inf)", "(-inf, 2)", "(1/2, 10000000000000000000000000000)"])
+def test_an_infinite_range_has_no_cells(script: ModuleType, beta: str) -> None:
+    with pytest.raises(ValueError, match=r"not bounded|Out of range"):
+        script.read(changed(ZEROS, '"beta":"(1, 2)"', f'"beta":"{beta}"'))
+
+
+CLAIM = '{""beta"":""(0, 1)"",""kind"":""sign"",""sign"":-1,""tau"":""(-inf, inf)""}'
+CLASSIC = "Axioms:\nClassical_Prop.classic : forall P : Prop, P \\/ ~ P\n"
+
+
+def answer(text: str, claim: str = CLAIM, axioms: str = CLASSIC) -> str:
+    """What Coq prints for the second source."""
+    doubled = text.replace('"', '""')
+    return f'     = "{doubled}"%string\n     : string\n     = "{claim}"%string\n     : string\n{axioms}'
+
+
+def run_by(
+    printed: Callable[[list[str], Path], str], script: ModuleType, monkeypatch: pytest.MonkeyPatch
+) -> list[Path]:
+    """Coq is replaced by a function; the folders in which it is run."""
+    folders = []
+
+    def run(command: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
+        folders.append(folder)
+        return subprocess.CompletedProcess(command, 0, printed(command, folder), "")
+
+    monkeypatch.setattr(script, "run", run)
+    return folders
+
+
+def test_the_claim_is_the_one_that_coq_printed(script: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
+    text = script.read(IWC.read_bytes())
+    folders = run_by(lambda *_: answer(text), script, monkeypatch)
+    assert script.proved(text, COQ) == CLAIM.replace('""', '"')
+    assert script.proved(text, COQ) == CLAIM.replace('""', '"')
+    assert folders[0] == folders[1] != folders[2]
+    assert not any(folder.exists() for folder in folders)
+
+
+OTHER_ANSWERS = {
+    "another claim": lambda text: answer(text, CLAIM.replace("-1", "1")),
+    "another text": lambda text: answer(text.replace('"sign":-1', '"sign":1')),
+    "the text and the claim of another file": lambda _: answer(ZEROS.read_text("utf-8"), CLAIM),
+    "one string only": lambda text: answer(text).split("     = ")[1],
+    "a term that is not evaluated": lambda text: answer(text).replace(
+        f'"{CLAIM}"%string', "claim_text (claimed given)"
+    ),
+    "something before": lambda text: "theorem given_is_true\n" + answer(text),
+    "another axiom": lambda text: answer(text, axioms="Axioms:\ncheat : False\n"),
+    "an axiom of the same name": lambda text: answer(text, axioms="Axioms:\nClassical_Prop.classic : False\n"),
+    "a switch": lambda text: answer(text, axioms="Axioms:\nf is assumed to be guarded.\n"),
+    "no axioms": lambda text: answer(text, axioms=""),
+    "two answers": lambda text: answer(text, axioms=CLASSIC + CLASSIC),
+    "nothing": lambda _: "",
+}
+
+
+@pytest.mark.parametrize("printed", OTHER_ANSWERS.values(), ids=list(OTHER_ANSWERS))
+def test_another_answer_of_coq_is_no_proof(
+    script: ModuleType, printed: Callable[[str], str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = script.read(IWC.read_bytes())
+    run_by(lambda *_: printed(text), script, monkeypatch)
+    with pytest.raises(RuntimeError):
+        script.proved(text, COQ)
+
+
+def test_two_runs_at_once_have_each_their_own_sources(script: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each run waits, after it has written its first source, for the other one to write its own."""
+    false = script.read(changed(IWC, '"sign":-1', '"sign":1'))
+    true = script.read(IWC.read_bytes())
+    both = threading.Barrier(2)
+
+    def printed(command: list[str], folder: Path) -> str:
+        if command[-1] == "given.v":
+            both.wait(60)
+            return ""
+        held = re.search(r'given_file : string := "((?:[^"]|"")*)"', (folder / "given.v").read_text("utf-8"))
+        assert held
+        text = held[1].replace('""', '"')
+        return answer(text, json.dumps(json.loads(text.split("\n")[0])["statement"]).replace('"', '""'))
+
+    run_by(printed, script, monkeypatch)
+    with ThreadPoolExecutor(2) as pool:
+        claims = [json.loads(claim) for claim in pool.map(script.proved, (false, true), (COQ, COQ))]
+    assert [claim["sign"] for claim in claims] == [1, -1]
+
+
+def compiled_here(script: ModuleType) -> bool:
+    """Whether Coq and the compiled proofs of these sources are here."""
+    prove = script.beside(COQ / "prove.py")
+    return shutil.which("coqc") is not None and "proved by Coq" in prove.state()
+
+
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed: the checker in Coq is not run")
-def test_coq_accepts_a_certificate_and_no_wrong_one(script: ModuleType, tmp_path: Path) -> None:
-    if script.main([str(IWC)]) == 2:
+def test_coq_accepts_a_certificate_and_no_wrong_one(
+    script: ModuleType, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    if not compiled_here(script):
         pytest.skip("the proofs are not compiled here: make prove")
     assert script.main([str(IWC)]) == 0
+    said = capsys.readouterr().out
+    assert said == 'Proved in Coq: {"beta":"(0, 1)","kind":"sign","sign":-1,"tau":"(-inf, inf)"}\n'
     for before, after in (
         ('"sign":-1', '"sign":1'),
         ('["left","-81/64"]', '["left","-1/64"]'),
@@ -117,3 +248,24 @@ def test_coq_accepts_a_certificate_and_no_wrong_one(script: ModuleType, tmp_path
     ):
         (tmp_path / "wrong.cert").write_bytes(changed(IWC, before, after))
         assert script.main([str(tmp_path / "wrong.cert")]) == 1, json.dumps(after)
+    assert "Proved" not in capsys.readouterr().out
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed: the checker in Coq is not run")
+def test_two_commands_at_once_one_of_them_with_a_false_certificate(script: ModuleType, tmp_path: Path) -> None:
+    if not compiled_here(script):
+        pytest.skip("the proofs are not compiled here: make prove")
+    (tmp_path / "false.cert").write_bytes(changed(IWC, '"sign":-1', '"sign":1'))
+    runs = [
+        subprocess.Popen(
+            [sys.executable, str(COQ / "check_in_coq.py"), str(file)],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        for file in (tmp_path / "false.cert", IWC, tmp_path / "false.cert")
+    ]
+    answers = [run.communicate(timeout=600)[0] for run in runs]
+    assert [run.returncode for run in runs] == [1, 0, 1]
+    assert ["Proved in Coq" in answer for answer in answers] == [False, True, False]

@@ -6,8 +6,10 @@
 
 Every statement of the files Statement*.v, that is every `Definition name : Prop := ...`, must be proved in Theorems.v
 under its name; its axioms must be those that assumptions.txt lists for it, no more and no fewer. The certificates that
-the proofs hold as text must be the files.
-The record, build/coq/record.json, holds the hash of each source. It is written last, and an old one is removed first.
+the proofs hold as text must be the files. A source that says more than source_rules.py lists is refused.
+All is compiled anew, in a folder of its own, without the caller's environment (coq_run.py): nothing made before is
+believed. When all is proved the folder becomes build/coq, with the record, record.json: the hash of each source, of
+_CoqProject and of each compiled file, and the axioms of each theorem. An old record is removed first.
 Imports nothing beyond the standard library; installs nothing.
 
 Exit code: 0 proved, 1 a proof or a list of axioms fails, 2 not run, since Coq or Coquelicot is missing.
@@ -20,20 +22,29 @@ import hashlib
 import json
 import re
 import shutil
-import subprocess
 import sys
+import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 HERE = Path(__file__).resolve().parent
+if str(HERE) not in sys.path:  # python3 -I
+    sys.path.insert(0, str(HERE))
+
+from certificate_source import source  # noqa: E402
+from coq_output import AXIOMS, WIDE, axioms_printed, kernel_accepts, strange_references  # noqa: E402
+from coq_run import run  # noqa: E402
+from source_rules import LIBRARY, code, project_files, refusals  # noqa: E402
+
 BUILD = HERE.parents[1] / "build" / "coq"
 RECORD = "record.json"
-LIMIT = 1200
-"""Seconds until a step is given up, on a loaded machine; the whole takes three to four minutes on two free cores."""
-LIBRARY = "GSpot"
-CERTIFICATES = {"iwc_0_1": HERE.parent / "iwc_0_1.cert", "zeros_1_2": HERE / "zeros_1_2.cert"}
-"""The files whose bytes the proofs hold."""
+PROJECT = "_CoqProject"
+KERNEL_LIMIT = 900
+"""Seconds until coqchk is given up; it takes 80 to 100 s on a free core."""
+CERTIFICATES = {"CertificateIWC.v": HERE.parent / "iwc_0_1.cert", "CertificateZeros.v": HERE / "zeros_1_2.cert"}
+"""The sources that are written from the bytes of a file (certificate_source.py)."""
 STATED_IN = (
     "Statement",
     "StatementModels",
@@ -43,83 +54,84 @@ STATED_IN = (
     "StatementChecker",
 )
 """The files of statements: Theta, boxes, the mechanism at every eps, after lift-off, certificates, a checker."""
-AXIOMS = {
-    "ClassicalDedekindReals.sig_not_dec",
-    "ClassicalDedekindReals.sig_forall_dec",
-    "FunctionalExtensionality.functional_extensionality_dep",
-    "Classical_Prop.classic",
+READ = (*STATED_IN, "CertificateText")
+"""Who wants to know what is proved reads these."""
+BELIEVED = {
+    "CheckerCertificate": {"accepts"},
+    "CertificateIWC": {"iwc_0_1", "iwc_0_1_file", "iwc_0_1_plans"},
+    "CertificateZeros": {"zeros_1_2", "zeros_1_2_file", "zeros_1_2_plans"},
 }
-"""Those of Coq's classical reals, on which Coquelicot stands; no other may be used."""
-UNPROVED = re.compile(
-    r"\b(Admitted|admit|give_up|Axioms?|Parameters?|Conjecture|Unset|bypass_check|Declare|Extraction|Primitive)\b"
-)
+"""What a statement may name beside: the checker whose soundness is stated, and the text of files."""
+STATED = re.compile(r"^[ ]*Definition (\w+) : Prop :=", re.MULTILINE)
 MISSING = """The formal proofs were not run: {what} not found. They need Coq 8.16 and Coquelicot 3. On Debian or Ubuntu:
     apt-get install --no-install-recommends coq libcoq-coquelicot libcoq-mathcomp-ssreflect make
 Nothing else in this project needs them."""
 
 
-def sources() -> list[Path]:
-    """The files of the development, in the order of _CoqProject."""
-    names = re.findall(r"^(\w+\.v)$", (HERE / "_CoqProject").read_text(encoding="utf-8"), re.MULTILINE)
-    return [HERE / name for name in names]
+class Refused(RuntimeError):
+    """The proofs do not pass; the first line says what fails."""
 
 
-def without_comments(text: str) -> str:
-    """The text with every comment taken out, nested ones too."""
-    depth, kept = 0, []
-    for piece in re.split(r"(\(\*|\*\))", text):
-        if piece == "(*":
-            depth += 1
-        elif piece == "*)":
-            depth -= 1
-        elif depth == 0:
-            kept.append(piece)
-    return "".join(kept)
+def read_sources() -> dict[str, bytes]:
+    """_CoqProject and the files that it lists, in its order.
+
+    :raises ValueError: it has not its one form, a source is not listed, or a listed one is no file of this folder.
+    """
+    project = (HERE / PROJECT).read_bytes()
+    names = project_files(project.decode())
+    present = {path.name for path in HERE.glob("*.v")}
+    wrong = [f"{name} is not in {PROJECT}" for name in sorted(present - {*names})]
+    wrong += [f"{name} is not a file here" for name in names if (HERE / name).is_symlink() or name not in present]
+    if wrong:
+        raise ValueError("\n".join(wrong))
+    return {PROJECT: project} | {name: (HERE / name).read_bytes() for name in names}
 
 
-def statements() -> dict[str, str]:
+def unproved(texts: dict[str, bytes]) -> list[str]:
+    """Where a source says more than it may: leaves a proof out, adds an axiom, switches a check off, and so on."""
+    names = [name for name in texts if name != PROJECT]
+    return [f"{name}: {what}" for name in names for what in refusals(texts[name].decode(), names)]
+
+
+def other_texts(texts: dict[str, bytes]) -> list[str]:
+    """The sources that are not what is written from the bytes of a certificate."""
+    found = []
+    for name, path in CERTIFICATES.items():
+        try:
+            same = texts[name] == source(path.stem, path.read_bytes().decode()).encode()
+        except (OSError, ValueError, LookupError, TypeError):  # no file, or no certificate
+            same = False
+        if not same:
+            found.append(f"{name}: {path.name}")
+    return found
+
+
+def statements(texts: dict[str, bytes]) -> dict[str, str]:
     """The file that states each theorem, by name: the definitions of type Prop without arguments.
 
-    :raises ValueError: two files state one name.
+    :raises ValueError: two files state one name, or a comment holds what looks like a statement.
     """
     found: dict[str, str] = {}
     for file in STATED_IN:
-        text = without_comments((HERE / f"{file}.v").read_text(encoding="utf-8"))
-        for name in re.findall(r"^Definition (\w+) : Prop :=", text, re.MULTILINE):
+        text = texts[f"{file}.v"].decode()
+        names = STATED.findall(code(text))
+        if names != STATED.findall(text):
+            raise ValueError(f"{file}.v: a comment looks like a statement")
+        for name in names:
             if name in found:
                 raise ValueError(f"{found[name]}.v and {file}.v both state {name}")
             found[name] = file
     return found
 
 
-def unproved() -> list[str]:
-    """Where a source leaves a proof out or adds an axiom, by the words that do it."""
-    found = []
-    for path in sources():
-        found += [
-            f"{path.name}: {match[0]}"
-            for match in UNPROVED.finditer(without_comments(path.read_text(encoding="utf-8")))
-        ]
-    listed = {path.name for path in sources()}
-    return found + [f"{path.name} is not in _CoqProject" for path in HERE.glob("*.v") if path.name not in listed]
+def digests(texts: dict[str, bytes]) -> dict[str, str]:
+    """SHA-256 of each."""
+    return {name: hashlib.sha256(text).hexdigest() for name, text in texts.items()}
 
 
-def other_texts() -> list[str]:
-    """Where a text that the proofs hold as the bytes of a certificate is not that of the file of its name."""
-    found, held = [], []
-    for path in sources():
-        text = path.read_text(encoding="utf-8")
-        for name, doubled in re.findall(r'^Definition (\w+)_file : string := "((?:[^"]|"")*)"', text, re.MULTILINE):
-            held.append(name)
-            file = CERTIFICATES.get(name)
-            if file is None or not file.is_file() or doubled.replace('""', '"').encode() != file.read_bytes():
-                found.append(f"{path.name}: {name}.cert")
-    return found + [f"no text of {name}.cert is held" for name in CERTIFICATES if name not in held]
-
-
-def hashes() -> dict[str, str]:
-    """SHA-256 of each source."""
-    return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in sources()}
+def compiled(names: list[str], folder: Path) -> dict[str, bytes]:
+    """The compiled file of each source."""
+    return {f"{name}o": (folder / f"{name}o").read_bytes() for name in names}
 
 
 def missing() -> str:
@@ -127,66 +139,49 @@ def missing() -> str:
     tools = [tool for tool in ("coqc", "coq_makefile", "make") if shutil.which(tool) is None]
     if tools:
         return ", ".join(tools)
-    probe = "From Coquelicot Require Import Coquelicot.\n"
-    BUILD.mkdir(parents=True, exist_ok=True)
-    (BUILD / "probe.v").write_text(probe, encoding="utf-8")
-    return "" if run(["coqc", "probe.v"]).returncode == 0 else "Coquelicot"
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "probe.v").write_text("From Coquelicot Require Import Coquelicot.\n", encoding="utf-8")
+        return "Coquelicot" if run(["coqc", "-q", "probe.v"], Path(folder)).returncode else ""
 
 
-def run(command: list[str]) -> subprocess.CompletedProcess[str]:
-    """The command in the build directory, its output as text."""
-    return subprocess.run(command, cwd=BUILD, capture_output=True, text=True, timeout=LIMIT, check=False)
+def compile_all(texts: dict[str, bytes], folder: Path, jobs: int) -> None:
+    """Compile in an empty folder.
 
-
-def compile_all(jobs: int) -> str:
-    """Compile in the build directory; the errors, empty when there are none."""
-    for path in [*sources(), HERE / "_CoqProject"]:
-        target = BUILD / path.name
-        if not target.exists() or target.read_bytes() != path.read_bytes():
-            shutil.copyfile(path, target)
-    for command in (["coq_makefile", "-f", "_CoqProject", "-o", "Makefile"], ["make", f"-j{jobs}"]):
-        done = run(command)
+    :raises Refused: a file does not compile.
+    """
+    for name, text in texts.items():
+        (folder / name).write_bytes(text)
+    for command in (["coq_makefile", "-f", PROJECT, "-o", "Makefile"], ["make", f"-j{jobs}"]):
+        done = run(command, folder)
         if done.returncode:
-            return done.stdout + done.stderr
-    return ""
+            raise Refused(f"A file does not compile:\n{done.stdout}{done.stderr}")
+    without = [name for name in texts if name != PROJECT and not (folder / f"{name}o").is_file()]
+    if without:
+        raise Refused(f"Not compiled: {', '.join(without)}")
 
 
-def assumptions(stated: dict[str, str], jobs: int) -> dict[str, list[str]]:
+def assumptions(stated: dict[str, str], folder: Path, jobs: int) -> dict[str, list[str]]:
     """The axioms of each theorem, by Coq's `Print Assumptions`; each proof is held against its statement again.
 
     :raises RuntimeError: a statement without a theorem of its name and type, or an answer that is not understood.
     """
+    shares = [dict(list(stated.items())[start::jobs]) for start in range(jobs)]
     with ThreadPoolExecutor(jobs) as pool:
-        parts = pool.map(assumptions_of, range(jobs), [list(stated.items())[start::jobs] for start in range(jobs)])
+        parts = pool.map(assumptions_of, range(jobs), shares, [folder] * jobs)
     return {name: axioms for part in parts for name, axioms in part.items()}
 
 
-def assumptions_of(number: int, stated: list[tuple[str, str]]) -> dict[str, list[str]]:
+def assumptions_of(number: int, stated: dict[str, str], folder: Path) -> dict[str, list[str]]:
     """One share of :func:`assumptions`, in a file of its own."""
     lines = [f"From {LIBRARY} Require {' '.join(STATED_IN)} Theorems."]
-    for name, file in stated:
-        lines += [f"Definition check_{name} : {file}.{name} := Theorems.{name}.",
-                  f'Goal True. idtac "theorem {name}". Abort.', f"Print Assumptions check_{name}."]  # fmt: skip
-    (BUILD / f"audit_{number}.v").write_text("\n".join(lines) + "\n", encoding="utf-8")
-    done = run(["coqc", "-R", ".", LIBRARY, f"audit_{number}.v"])
+    for name, file in stated.items():
+        proof = f"{LIBRARY}.{file}.{name} := {LIBRARY}.Theorems.{name}"
+        lines += [f"Definition check_{name} : {proof}.", f"Print Assumptions check_{name}."]
+    (folder / f"audit_{number}.v").write_text(WIDE + "\n".join(lines) + "\n", encoding="utf-8")
+    done = run(["coqc", "-q", "-R", ".", LIBRARY, f"audit_{number}.v"], folder)
     if done.returncode:
-        raise RuntimeError(done.stdout + done.stderr)
-    return axioms_printed(done.stdout)
-
-
-def axioms_printed(text: str) -> dict[str, list[str]]:
-    """The axioms in what Coq printed, by theorem.
-
-    :raises RuntimeError: an answer that is not understood.
-    """
-    found = {}
-    for part in text.split("theorem ")[1:]:
-        name, _, answer = part.partition("\n")
-        heading, _, body = answer.strip().partition("\n")
-        if heading not in ("Axioms:", "Closed under the global context"):
-            raise RuntimeError(f"{name}: {answer}")
-        found[name] = sorted(re.findall(r"^([\w.']+)\s+:", body, re.MULTILINE))
-    return found
+        raise Refused(f"A statement is not proved:\n{done.stdout}{done.stderr}")
+    return axioms_printed(done.stdout, list(stated))
 
 
 def listed() -> dict[str, list[str]]:
@@ -207,19 +202,15 @@ def differences(found: dict[str, list[str]], expected: dict[str, list[str]]) -> 
                     for name, axioms in found.items() for axiom in axioms if axiom not in AXIOMS]  # fmt: skip
 
 
-def check_kernel() -> str:
-    """coqchk on everything that Theorems.v uses, the standard library too; what it says, empty when it accepts."""
-    done = run(["coqchk", "-silent", "-o", "-bytecode-compiler", "yes", "-R", ".", LIBRARY, f"{LIBRARY}.Theorems"])
-    text = done.stdout + done.stderr
-    return text if done.returncode or not kernel_accepts(text) else ""
+def check_kernel(folder: Path) -> None:
+    """coqchk on everything that Theorems.v uses, the standard library too.
 
-
-def kernel_accepts(summary: str) -> bool:
-    """Whether coqchk's summary names no axiom but the four, and nothing that it takes on trust."""
-    used = re.search(r"^\* Axioms:\n((?: +[\w.]+\n)+)", summary, re.MULTILINE)
-    trusted = re.findall(r"^\* (?:Constants|Inductives).*: (.*)$", summary, re.MULTILINE)
-    known = {f"Coq.{place}.{axiom}" for place in ("Logic", "Reals") for axiom in AXIOMS}
-    return used is not None and set(used[1].split()) <= known and len(trusted) == 3 and set(trusted) == {"<none>"}
+    :raises Refused: it does not accept, or its summary is not understood.
+    """
+    command = ["coqchk", "-silent", "-o", "-bytecode-compiler", "yes", "-R", ".", LIBRARY, f"{LIBRARY}.Theorems"]
+    done = run(command, folder, KERNEL_LIMIT)
+    if done.returncode or not kernel_accepts(done.stdout):
+        raise Refused(f"coqchk does not accept the proofs:\n{done.stdout}{done.stderr}")
 
 
 def state() -> str:
@@ -228,52 +219,84 @@ def state() -> str:
         record = json.loads((BUILD / RECORD).read_text(encoding="utf-8"))
     except FileNotFoundError:
         return "The formal proofs were not run here; `make prove` runs them."
-    if record["sources"] != hashes():
+    except (OSError, ValueError):
+        record = {}
+    try:
+        texts = read_sources()
+        names = [name for name in texts if name != PROJECT]
+        known = known_run(texts, listed())
+        same = all(record[key] == value for key, value in known.items())
+        built = record["compiled"] == digests(compiled(names, BUILD))
+        number, version = len(record["theorems"]), str(record["coq"])
+    except (OSError, ValueError, LookupError, TypeError):
+        same = built = False
+    if not same:
         return "The formal proofs were run on other sources than these; `make prove` runs them again."
-    return f"The formal proofs: {len(record['theorems'])} theorems proved by Coq {record['coq']} from these sources."
+    if not built:
+        return "The compiled proofs are not those of the record; `make prove` makes them again."
+    return f"The formal proofs: {number} theorems proved by Coq {version} from these sources."
+
+
+def known_run(texts: dict[str, bytes], theorems: dict[str, list[str]]) -> dict[str, Any]:
+    """What a record of these sources holds, but for what Coq made of them."""
+    hashes = digests(texts)
+    return {"project": hashes.pop(PROJECT), "sources": hashes, "theorems": theorems}
+
+
+def prove_in(folder: Path, texts: dict[str, bytes], jobs: int, kernel: bool) -> dict[str, Any]:
+    """The whole job in an empty folder: the record.
+
+    :raises RuntimeError: something is not proved, or a step takes too long.
+    :raises ValueError: a name is stated twice.
+    """
+    compile_all(texts, folder, jobs)
+    for file in STATED_IN:
+        if strange := strange_references((folder / f"{file}.glob").read_text(encoding="utf-8"), READ, BELIEVED):
+            raise Refused("\n".join([f"{file}.v speaks of what nobody reads:", *strange]))
+    names = statements(texts)
+    found = assumptions(names, folder, jobs)
+    for name in names:
+        print(f"{name}: {', '.join(axiom.split('.')[-1] for axiom in found[name]) or 'no axiom'}")
+    if wrong := differences(found, listed()):
+        raise Refused("\n".join(["The axioms differ from assumptions.txt:", *wrong]))
+    if kernel:
+        check_kernel(folder)
+    if read_sources() != texts:
+        raise Refused("A source changed while it was compiled")
+    version = run(["coqc", "--print-version"], folder).stdout.split()[0]
+    built = digests(compiled([name for name in texts if name != PROJECT], folder))
+    return known_run(texts, found) | {"coq": version, "kernel": kernel, "compiled": built}
 
 
 def prove(jobs: int, kernel: bool) -> int:
     """The whole job; the exit code."""
     (BUILD / RECORD).unlink(missing_ok=True)
-    if wrong := unproved():
-        return failed("A proof is left out", wrong)
-    if wrong := other_texts():
-        return failed("A text is not that of the file", wrong)
-    if what := missing():
-        print(MISSING.format(what=what))
-        return 2
     began = time.monotonic()
-    before = hashes()
-    if errors := compile_all(jobs):
-        return failed("A file does not compile", [errors])
     try:
-        names = statements()
-        found = assumptions(names, jobs)
-    except (RuntimeError, ValueError) as error:
-        return failed("A statement is not proved", [str(error)])
-    for name in names:
-        print(f"{name}: {', '.join(axiom.split('.')[-1] for axiom in found[name]) or 'no axiom'}")
-    if wrong := differences(found, listed()):
-        return failed("The axioms differ from assumptions.txt", wrong)
-    if kernel and (text := check_kernel()):
-        return failed("coqchk does not accept the proofs", [text])
-    if hashes() != before:
-        return failed("A source changed while it was compiled", [])
-    version = run(["coqc", "--print-version"]).stdout.split()[0]
-    record = {"coq": version, "sources": before, "theorems": found, "kernel": kernel}
-    (BUILD / "record.part").write_text(json.dumps(record, indent=1, sort_keys=True) + "\n", encoding="utf-8")
-    (BUILD / "record.part").replace(BUILD / RECORD)
+        texts = read_sources()
+        if wrong := unproved(texts):
+            raise Refused("\n".join(["A source says what it may not:", *wrong]))
+        if wrong := other_texts(texts):
+            raise Refused("\n".join(["A text is not that of the file:", *wrong]))
+        if what := missing():
+            print(MISSING.format(what=what))
+            return 2
+        BUILD.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(prefix="coq-", dir=BUILD.parent) as place:
+            folder = Path(place, "coq")
+            folder.mkdir()
+            record = prove_in(folder, texts, jobs, kernel)
+            (folder / RECORD).write_text(json.dumps(record, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+            if BUILD.exists():
+                BUILD.rename(Path(place, "old"))
+            folder.rename(BUILD)
+    except (RuntimeError, ValueError, OSError) as error:
+        print(error, file=sys.stderr)
+        return 1
     seconds = time.monotonic() - began
-    print(f"{len(names)} theorems proved by Coq {version} in {seconds:.0f} s, on the axioms named.")
+    print(f"{len(record['theorems'])} theorems proved by Coq {record['coq']} in {seconds:.0f} s, on the axioms named.")
     print(f"Record: {BUILD / RECORD}")
     return 0
-
-
-def failed(heading: str, details: list[str]) -> int:
-    """Say why on standard error; the exit code 1."""
-    print("\n".join([f"{heading}:", *details]), file=sys.stderr)
-    return 1
 
 
 if __name__ == "__main__":
