@@ -21,19 +21,19 @@ test test-all: export OPENBLAS_NUM_THREADS := 1
 # Results are kept in build/ledger, under the hash of everything that they depend on; a fresh clone has none. VERIFY=--full runs all again.
 # Exit code 1 means that a printed statement of the paper is refuted: that is a result, not a failure of the run.
 verify: $(READY)
-	@$(PYTHON) proofs/coq/prove.py --state
+	@$(PYTHON) -I proofs/coq/prove.py --state
 	@$(BIN)/gspot-verified verify --output report $(VERIFY); code=$$?; [ $$code -le 1 ] || exit $$code
 
 test: $(READY)
 	$(BIN)/pytest -n 2 --dist worksteal -m "not slow"
-	@$(PYTHON) proofs/coq/prove.py --state
+	@$(PYTHON) -I proofs/coq/prove.py --state
 
 test-all: $(READY)
 	$(BIN)/pytest -n 2 --dist worksteal
 
 # Coq alone: no virtual environment. Installs nothing.
 prove:
-	@$(PYTHON) proofs/coq/prove.py
+	@$(PYTHON) -I proofs/coq/prove.py
 
 docs: $(READY)
 	$(BIN)/python -m sphinx -W -q -b html docs build/docs

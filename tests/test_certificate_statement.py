@@ -231,7 +231,8 @@ def test_the_walk_through_the_pieces(tmp_path: Path) -> None:
     expected = [counted(*case) for case in cases]
     assert {number for number in expected if number is not None} >= {0, 1, 2, 3}
     lists = ";\n".join(f"({cell}, [{'; '.join(text for text, _, _ in pieces)}])" for cell, pieces in cases)
-    for file in STATEMENTS:
+    needed = [file for file in STATEMENTS if file.stem != "StatementChecker"]  # which needs the checker itself
+    for file in needed:
         shutil.copyfile(file, tmp_path / file.name)
     (tmp_path / "Walk.v").write_text(
         "From Coq Require Import Reals List.\nFrom Coquelicot Require Import Coquelicot.\n"
@@ -240,7 +241,7 @@ def test_the_walk_through_the_pieces(tmp_path: Path) -> None:
         "Eval lazy in map (fun case => zeros_counted (Column m_infty 0%R (fst case) []) None None (snd case))\n"
         f"[{lists}].\n"
     )
-    for name in (*(file.name for file in STATEMENTS), "Walk.v"):
+    for name in (*(file.name for file in needed), "Walk.v"):
         done = subprocess.run(
             ["coqc", "-q", "-R", ".", "GSpot", name],
             cwd=tmp_path,

@@ -170,10 +170,25 @@ def run_by(
 def test_the_claim_is_the_one_that_coq_printed(script: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
     text = script.read(IWC.read_bytes())
     folders = run_by(lambda *_: answer(text), script, monkeypatch)
-    assert script.proved(text, COQ) == CLAIM.replace('""', '"')
-    assert script.proved(text, COQ) == CLAIM.replace('""', '"')
+    assert script.proved(text, {}) == CLAIM.replace('""', '"')
+    assert script.proved(text, {}) == CLAIM.replace('""', '"')
     assert folders[0] == folders[1] != folders[2]
     assert not any(folder.exists() for folder in folders)
+
+
+def test_coq_sees_the_compiled_proofs_of_the_record_and_no_other_file(
+    script: ModuleType, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An orphan, a file of another kind or a folder beside them in build/coq would be found by Coq too."""
+    text, seen = script.read(IWC.read_bytes()), []
+
+    def printed(_: list[str], folder: Path) -> str:
+        seen.append({path.name: path.read_bytes() for path in (folder.parent / "proofs").iterdir()})
+        return answer(text)
+
+    run_by(printed, script, monkeypatch)
+    script.proved(text, {"Checker.vo": b"one", "Statement.vo": b"two"})
+    assert seen == [{"Checker.vo": b"one", "Statement.vo": b"two"}] * 2
 
 
 OTHER_ANSWERS = {
@@ -201,7 +216,7 @@ def test_another_answer_of_coq_is_no_proof(
     text = script.read(IWC.read_bytes())
     run_by(lambda *_: printed(text), script, monkeypatch)
     with pytest.raises(RuntimeError):
-        script.proved(text, COQ)
+        script.proved(text, {})
 
 
 def test_two_runs_at_once_have_each_their_own_sources(script: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -217,11 +232,12 @@ def test_two_runs_at_once_have_each_their_own_sources(script: ModuleType, monkey
         held = re.search(r'given_file : string := "((?:[^"]|"")*)"', (folder / "given.v").read_text("utf-8"))
         assert held
         text = held[1].replace('""', '"')
-        return answer(text, json.dumps(json.loads(text.split("\n")[0])["statement"]).replace('"', '""'))
+        statement = json.dumps(json.loads(text.split("\n")[0])["statement"], separators=(",", ":"))
+        return answer(text, statement.replace('"', '""'))
 
     run_by(printed, script, monkeypatch)
     with ThreadPoolExecutor(2) as pool:
-        claims = [json.loads(claim) for claim in pool.map(script.proved, (false, true), (COQ, COQ))]
+        claims = [json.loads(claim) for claim in pool.map(script.proved, (false, true), ({}, {}))]
     assert [claim["sign"] for claim in claims] == [1, -1]
 
 

@@ -5,7 +5,7 @@ Writes the text of the file, the same as a term, and a plan of the computation a
 Coq proves that the term has this text, and, by the theorem `certificate_checker`, that what it claims is true. A second
 source states this again and lets Coq print the text, the claim and the axioms. The text must be that of the file, the
 axioms those of the classical reals; the claim that is shown is the one that Coq printed. Each run has a folder of its
-own, which is removed; the compiled proofs must be those of the record of `make prove`.
+own, which is removed, with a copy of the compiled proofs, which must be those of the record of `make prove`.
 A file that has not the format of certificate.md (read by proofs/check.py: canonical JSON, numbers, the hash) is refused
 before, so that no text of it can become a command of Coq; so is one with larger numbers than LARGEST,
 or longer than LONGEST.
@@ -20,7 +20,6 @@ Exit code: 0 proved, 1 not, 2 not run.
 from __future__ import annotations
 
 import importlib.util
-import json
 import math
 import re
 import shutil
@@ -139,23 +138,27 @@ def claim_printed(output: str, text: str) -> tuple[str, str]:
     if first is None or second is None:
         raise RuntimeError(f"What Coq prints is not understood:\n{output:.500}")
     held, claim = (found[1].replace('""', '"') for found in (first, second))
-    if held != text or json.loads(claim) != json.loads(text.partition("\n")[0])["statement"]:
+    if held != text or not text.partition("\n")[0].endswith(f',"statement":{claim},"version":1}}'):
         raise RuntimeError("Coq was given another text than that of the file.")
     return claim, output[second.end() :]
 
 
-def proved(text: str, build: Path) -> str:
-    """The claim of a certificate, as Coq printed it after it has accepted the proof.
+def proved(text: str, library: dict[str, bytes]) -> str:
+    """The claim of a certificate, as Coq printed it after it has accepted the proof; ``library``: the compiled proofs.
 
     :raises RuntimeError: Coq does not accept it, or what it prints is not understood, or an axiom is not allowed.
     """
     end = PROOF.format(hash=text.split("\n")[-2].removeprefix("sha256 "))
+    sources = {"given.v": HEADER.format(title="A certificate") + data("given", text) + end, "audit.v": AUDIT}
     with tempfile.TemporaryDirectory(prefix="check_in_coq-") as place:
-        folder = Path(place)
-        sources = {"given.v": HEADER.format(title="A certificate") + data("given", text) + end, "audit.v": AUDIT}
+        folder, proofs = Path(place, "given"), Path(place, "proofs")
+        folder.mkdir()
+        proofs.mkdir()
+        for name, compiled in library.items():
+            (proofs / name).write_bytes(compiled)
         for name, lines in sources.items():
             (folder / name).write_text(lines, encoding="utf-8")
-            done = run(["coqc", "-q", "-R", str(build), LIBRARY, "-R", ".", "Given", name], folder)
+            done = run(["coqc", "-q", "-R", "../proofs", LIBRARY, "-R", ".", "Given", name], folder)
             if done.returncode:
                 raise RuntimeError(done.stdout + done.stderr)
     claim, rest = claim_printed(done.stdout, text)
@@ -172,7 +175,8 @@ def main(arguments: list[str]) -> int:
         print("Not run: expected one file, python3 proofs/coq/check_in_coq.py CERTIFICATE")
         return 2
     try:
-        given = Path(arguments[0]).read_bytes()
+        with Path(arguments[0]).open("rb") as file:
+            given = file.read(LONGEST + 1)
     except OSError as error:
         print(f"Not run: {error}")
         return 2
@@ -183,11 +187,16 @@ def main(arguments: list[str]) -> int:
         return 1
     prove = beside(HERE / "prove.py")
     prove.BUILD = BUILD
-    if shutil.which("coqc") is None or "proved by Coq" not in prove.state():
-        print("Not run: Coq is not found, or `make prove` was not run on these sources.")
+    try:
+        _, library = prove.recorded()
+    except RuntimeError as error:
+        print(f"Not run: {error}")
+        return 2
+    if shutil.which("coqc") is None:
+        print("Not run: Coq is not found.")
         return 2
     try:
-        print(f"Proved in Coq: {proved(text, BUILD)}")
+        print(f"Proved in Coq: {proved(text, library)}")
     except (RuntimeError, ValueError) as error:
         print(error)
         return 1

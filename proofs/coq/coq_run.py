@@ -10,7 +10,7 @@ import signal
 import subprocess
 from pathlib import Path
 
-LIMIT = 1200
+LIMIT = 2400
 """Seconds until a step is given up, on a loaded machine; the whole takes three to four minutes on two free cores."""
 
 

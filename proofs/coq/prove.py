@@ -8,8 +8,8 @@ Every statement of the files Statement*.v, that is every `Definition name : Prop
 under its name; its axioms must be those that assumptions.txt lists for it, no more and no fewer. The certificates that
 the proofs hold as text must be the files. A source that says more than source_rules.py lists is refused.
 All is compiled anew, in a folder of its own, without the caller's environment (coq_run.py): nothing made before is
-believed. When all is proved the folder becomes build/coq, with the record, record.json: the hash of each source, of
-_CoqProject and of each compiled file, and the axioms of each theorem. An old record is removed first.
+believed. When all is proved the folder becomes build/coq, with the record, build/coq/record.json: the hash of each
+source, of _CoqProject and of each compiled file, and the axioms of each theorem. An old record is removed first.
 Imports nothing beyond the standard library; installs nothing.
 
 Exit code: 0 proved, 1 a proof or a list of axioms fails, 2 not run, since Coq or Coquelicot is missing.
@@ -22,10 +22,10 @@ import hashlib
 import json
 import re
 import shutil
+import signal
 import sys
 import tempfile
 import time
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -33,16 +33,15 @@ HERE = Path(__file__).resolve().parent
 if str(HERE) not in sys.path:  # python3 -I
     sys.path.insert(0, str(HERE))
 
+from audit import Refused, assumptions, check_kernel, differences  # noqa: E402
 from certificate_source import source  # noqa: E402
-from coq_output import AXIOMS, WIDE, axioms_printed, kernel_accepts, strange_references  # noqa: E402
+from coq_output import strange_references  # noqa: E402
 from coq_run import run  # noqa: E402
-from source_rules import LIBRARY, code, project_files, refusals  # noqa: E402
+from source_rules import code, project_files, refusals  # noqa: E402
 
 BUILD = HERE.parents[1] / "build" / "coq"
 RECORD = "record.json"
 PROJECT = "_CoqProject"
-KERNEL_LIMIT = 900
-"""Seconds until coqchk is given up; it takes 80 to 100 s on a free core."""
 CERTIFICATES = {"CertificateIWC.v": HERE.parent / "iwc_0_1.cert", "CertificateZeros.v": HERE / "zeros_1_2.cert"}
 """The sources that are written from the bytes of a file (certificate_source.py)."""
 STATED_IN = (
@@ -66,10 +65,6 @@ STATED = re.compile(r"^[ ]*Definition (\w+) : Prop :=", re.MULTILINE)
 MISSING = """The formal proofs were not run: {what} not found. They need Coq 8.16 and Coquelicot 3. On Debian or Ubuntu:
     apt-get install --no-install-recommends coq libcoq-coquelicot libcoq-mathcomp-ssreflect make
 Nothing else in this project needs them."""
-
-
-class Refused(RuntimeError):
-    """The proofs do not pass; the first line says what fails."""
 
 
 def read_sources() -> dict[str, bytes]:
@@ -160,30 +155,6 @@ def compile_all(texts: dict[str, bytes], folder: Path, jobs: int) -> None:
         raise Refused(f"Not compiled: {', '.join(without)}")
 
 
-def assumptions(stated: dict[str, str], folder: Path, jobs: int) -> dict[str, list[str]]:
-    """The axioms of each theorem, by Coq's `Print Assumptions`; each proof is held against its statement again.
-
-    :raises RuntimeError: a statement without a theorem of its name and type, or an answer that is not understood.
-    """
-    shares = [dict(list(stated.items())[start::jobs]) for start in range(jobs)]
-    with ThreadPoolExecutor(jobs) as pool:
-        parts = pool.map(assumptions_of, range(jobs), shares, [folder] * jobs)
-    return {name: axioms for part in parts for name, axioms in part.items()}
-
-
-def assumptions_of(number: int, stated: dict[str, str], folder: Path) -> dict[str, list[str]]:
-    """One share of :func:`assumptions`, in a file of its own."""
-    lines = [f"From {LIBRARY} Require {' '.join(STATED_IN)} Theorems."]
-    for name, file in stated.items():
-        proof = f"{LIBRARY}.{file}.{name} := {LIBRARY}.Theorems.{name}"
-        lines += [f"Definition check_{name} : {proof}.", f"Print Assumptions check_{name}."]
-    (folder / f"audit_{number}.v").write_text(WIDE + "\n".join(lines) + "\n", encoding="utf-8")
-    done = run(["coqc", "-q", "-R", ".", LIBRARY, f"audit_{number}.v"], folder)
-    if done.returncode:
-        raise Refused(f"A statement is not proved:\n{done.stdout}{done.stderr}")
-    return axioms_printed(done.stdout, list(stated))
-
-
 def listed() -> dict[str, list[str]]:
     """What assumptions.txt lists for each theorem."""
     lines = (HERE / "assumptions.txt").read_text(encoding="utf-8").splitlines()
@@ -191,50 +162,40 @@ def listed() -> dict[str, list[str]]:
     return {name: sorted(axioms.split()) for name, _, axioms in rows}
 
 
-def differences(found: dict[str, list[str]], expected: dict[str, list[str]]) -> list[str]:
-    """How the axioms found differ from the list, and which are none of the four allowed."""
-    wrong = [
-        f"{name} uses {', '.join(found.get(name, ['none']))}, listed {', '.join(expected.get(name, ['none']))}"
-        for name in sorted({*found, *expected})
-        if found.get(name) != expected.get(name)
-    ]
-    return wrong + [f"{name}: not an axiom of the classical reals: {axiom}"
-                    for name, axioms in found.items() for axiom in axioms if axiom not in AXIOMS]  # fmt: skip
+def recorded() -> tuple[dict[str, Any], dict[str, bytes]]:
+    """The record of a run on these sources, and the compiled files of which it holds the hashes.
 
-
-def check_kernel(folder: Path) -> None:
-    """coqchk on everything that Theorems.v uses, the standard library too.
-
-    :raises Refused: it does not accept, or its summary is not understood.
+    :raises Refused: there is none, it is of other sources, or the compiled files are others; the text says which.
     """
-    command = ["coqchk", "-silent", "-o", "-bytecode-compiler", "yes", "-R", ".", LIBRARY, f"{LIBRARY}.Theorems"]
-    done = run(command, folder, KERNEL_LIMIT)
-    if done.returncode or not kernel_accepts(done.stdout):
-        raise Refused(f"coqchk does not accept the proofs:\n{done.stdout}{done.stderr}")
+    try:
+        record = json.loads((BUILD / RECORD).read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise Refused("The formal proofs were not run here; `make prove` runs them.") from None
+    except (OSError, ValueError):
+        record = None
+    try:
+        texts = read_sources()
+        same = all(record[key] == value for key, value in known_run(texts, listed()).items()) and record["coq"]
+    except (OSError, ValueError, LookupError, TypeError):
+        same = False
+    if not same:
+        raise Refused("The formal proofs were run on other sources than these; `make prove` runs them again.")
+    try:
+        files = compiled([name for name in texts if name != PROJECT], BUILD)
+    except OSError:
+        files = {}
+    if record.get("compiled") != digests(files):
+        raise Refused("The compiled proofs are not those of the record; `make prove` makes them again.")
+    return record, files
 
 
 def state() -> str:
     """Whether the formal proofs were run on these sources, in words."""
     try:
-        record = json.loads((BUILD / RECORD).read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        return "The formal proofs were not run here; `make prove` runs them."
-    except (OSError, ValueError):
-        record = {}
-    try:
-        texts = read_sources()
-        names = [name for name in texts if name != PROJECT]
-        known = known_run(texts, listed())
-        same = all(record[key] == value for key, value in known.items())
-        built = record["compiled"] == digests(compiled(names, BUILD))
-        number, version = len(record["theorems"]), str(record["coq"])
-    except (OSError, ValueError, LookupError, TypeError):
-        same = built = False
-    if not same:
-        return "The formal proofs were run on other sources than these; `make prove` runs them again."
-    if not built:
-        return "The compiled proofs are not those of the record; `make prove` makes them again."
-    return f"The formal proofs: {number} theorems proved by Coq {version} from these sources."
+        record, _ = recorded()
+    except Refused as error:
+        return str(error)
+    return f"The formal proofs: {len(record['theorems'])} theorems proved by Coq {record['coq']} from these sources."
 
 
 def known_run(texts: dict[str, bytes], theorems: dict[str, list[str]]) -> dict[str, Any]:
@@ -300,6 +261,7 @@ def prove(jobs: int, kernel: bool) -> int:
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that what was started ends too
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--jobs", type=int, default=2, help="files compiled at once (2)")
     parser.add_argument("--check-kernel", action="store_true", help="also run coqchk on the compiled proofs")
