@@ -309,11 +309,6 @@ def test_neither_the_environment_nor_what_was_made_before_is_believed(
     small: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     hostile(small, tmp_path / "home", monkeypatch)
-    assert small.prove(1, kernel=False) == 0
-    said = capsys.readouterr().out
-    assert said.startswith("claim: no axiom\n1 theorems proved by Coq")
-    assert not (small.BUILD / "Orphan.vo").exists()
-    assert "1 theorems proved" in small.state()
     write(small, FALSE)
     assert small.prove(1, kernel=False) == 1
     said = capsys.readouterr()
@@ -321,6 +316,17 @@ def test_neither_the_environment_nor_what_was_made_before_is_believed(
     assert "does not compile" in said.err
     assert small.state() == "The formal proofs were not run here; `make prove` runs them."
     assert [path.name for path in small.BUILD.parent.glob("coq-*")] == []
+
+
+@WITHOUT_COQ
+def test_what_is_true_is_proved_in_any_environment(
+    small: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    hostile(small, tmp_path / "home", monkeypatch)
+    assert small.prove(1, kernel=False) == 0
+    assert capsys.readouterr().out.startswith("claim: no axiom\n1 theorems proved by Coq")
+    assert not (small.BUILD / "Orphan.vo").exists()
+    assert "1 theorems proved" in small.state()
 
 
 BELIEVED_TOO_MUCH = {
@@ -351,6 +357,22 @@ BELIEVED_TOO_MUCH = {
             "Theorems.v": PROOF.replace("reflexivity", "exact I"),
         },
         "GSpot.Lemmas: same",
+    ),
+    "another type behind a name": (
+        {
+            "Lemmas.v": "Notation nat := (unit).\n",
+            "Statement.v": "From GSpot Require Import Lemmas.\n\nDefinition claim : Prop := forall m n : nat, m = n.\n",
+            "Theorems.v": PROOF.replace("intros n. reflexivity", "intros [] []. reflexivity"),
+        },
+        "GSpot.Lemmas: nat",
+    ),
+    "another constructor of this name": (
+        {
+            "Lemmas.v": "Inductive one := S.\n",
+            "Statement.v": "From GSpot Require Import Lemmas.\n\nDefinition claim : Prop := forall n, n = S.\n",
+            "Theorems.v": PROOF.replace("intros n. reflexivity", "intros []. reflexivity"),
+        },
+        "GSpot.Lemmas: S",
     ),
     "another definition of a name of Coq": (
         {

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import random
+import shutil
+import subprocess
 from pathlib import Path
 from types import ModuleType
 
@@ -116,6 +119,60 @@ def test_a_command_is_found_wherever_coq_finds_it(rules: ModuleType, text: str) 
 @pytest.mark.parametrize("command", COMMANDS)
 def test_what_is_not_listed_is_refused(rules: ModuleType, command: str) -> None:
     assert len(rules.refusals(f"Definition a := 1.\n{command}.\n", FILES)) == 1
+
+
+SIGNS = (
+    "(",
+    "*",
+    ")",
+    '"',
+    '""',
+    ".",
+    " ",
+    "\n",
+    "(*",
+    "*)",
+    "a",
+    '"(*"',
+    '"*)"',
+    ". ",
+    "**)",
+    "(**)",
+    "(*)",
+    "-",
+    "{",
+)
+CHEAT = "\nAxiom cheat : False.\n"
+
+
+def random_source(choice: random.Random) -> str:
+    """Comments, strings and sentences with signs in disorder, and an axiom somewhere among them."""
+    place, pieces = choice.randrange(3), []
+    for i in range(3):
+        inner = "".join(choice.choices(SIGNS, k=choice.randint(0, 2)))
+        if i == place:
+            inner += CHEAT * (choice.random() < 0.7) + "".join(choice.choices(SIGNS, k=choice.randint(0, 2)))
+        forms = (
+            f"(* {inner} *)",
+            f'Lemma l{i} : True. Proof. idtac "{inner}". exact I. Qed.',
+            f"Definition d{i} := I.",
+        )
+        pieces.append(choice.choice(forms) + CHEAT * (i == place and choice.random() < 0.6))
+    return "\n".join(pieces) + "\n"
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed: its own reading is not compared")
+def test_coq_sees_no_axiom_that_the_rules_do_not_see(rules: ModuleType, tmp_path: Path) -> None:
+    choice, seen = random.Random(7), 0
+    for _ in range(60):
+        text = random_source(choice)
+        (tmp_path / "file.v").write_text(f"{text}Definition last := cheat.\n")
+        command = ["coqc", "-q", "file.v"]
+        if subprocess.run(command, cwd=tmp_path, capture_output=True, check=False).returncode == 0:
+            seen += 1
+            assert rules.refusals(text, FILES) != []
+    assert seen >= 3
 
 
 def test_what_needs_a_section_is_refused_after_its_end(rules: ModuleType) -> None:
