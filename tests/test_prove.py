@@ -6,8 +6,11 @@ What a source may say is tested in test_source_rules.py, what the programs of Co
 from __future__ import annotations
 
 import importlib.util
+import py_compile
 import re
 import shutil
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
@@ -208,6 +211,22 @@ def test_without_coq_nothing_is_said_to_be_proved(
     assert "apt-get install" in capsys.readouterr().out
     assert not (prove.BUILD / prove.RECORD).exists()
     assert prove.state() == "The formal proofs were not run here; `make prove` runs them."
+
+
+@pytest.mark.parametrize("script", ["prove.py", "check_in_coq.py"])
+@pytest.mark.parametrize("options", [[], ["-I"]])
+def test_no_compiled_file_of_python_is_believed(tmp_path: Path, script: str, options: list[str]) -> None:
+    """A file in __pycache__ that Python takes without looking at its source."""
+    shutil.copytree(COQ, tmp_path / "coq", ignore=shutil.ignore_patterns("*.v", "__pycache__"))
+    (tmp_path / "forged.py").write_text("print('The formal proofs: 130 theorems proved'); raise SystemExit(0)\n")
+    for name in ("source_rules", "coq_output"):
+        cached = importlib.util.cache_from_source(str(tmp_path / "coq" / f"{name}.py"))
+        mode = py_compile.PycInvalidationMode.UNCHECKED_HASH
+        py_compile.compile(str(tmp_path / "forged.py"), cached, invalidation_mode=mode)
+    command = [sys.executable, *options, str(tmp_path / "coq" / script), *(["--state"] if script == "prove.py" else [])]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert "not run" in done.stdout.lower()
+    assert "proved" not in done.stdout
 
 
 def recorded(prove: ModuleType) -> dict[str, object]:

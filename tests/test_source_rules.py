@@ -107,7 +107,8 @@ COMMANDS = [
     "Unset Universe Polymorphism", "Universe u", "Constraint u < v", "Proof using a", "Proof with auto",
     "Goal False", "Save a", "Drop", "Quit", "Reset a", "Back 1", "Comments a", "Ltac2 a := b", "Elpi a",
     "Eval lazy in a",
-    "Compute a", "Check a", "Search a", "Locate a", "native_compute", "exact (ltac:(native_compute))",
+    "Compute a", "Check a", "Search a", "Locate a", "native_compute", "exact (a <<: b)", "native_cast_no_check a",
+    "exact (ltac:(native_compute))",
 ]  # fmt: skip
 
 

@@ -21,6 +21,7 @@ from __future__ import annotations
 
 import importlib.util
 import math
+import os
 import re
 import shutil
 import sys
@@ -32,6 +33,8 @@ from types import ModuleType
 HERE = Path(__file__).resolve().parent
 if str(HERE) not in sys.path:  # python3 -I
     sys.path.insert(0, str(HERE))
+if __name__ == "__main__":  # no compiled file of Python is believed either
+    sys.dont_write_bytecode, sys.pycache_prefix = True, os.devnull
 
 from certificate_source import HEADER, data, source  # noqa: E402
 from coq_output import WIDE, axioms_printed  # noqa: E402

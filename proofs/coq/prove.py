@@ -20,6 +20,7 @@ from __future__ import annotations
 import argparse
 import hashlib
 import json
+import os
 import re
 import shutil
 import signal
@@ -32,6 +33,8 @@ from typing import Any
 HERE = Path(__file__).resolve().parent
 if str(HERE) not in sys.path:  # python3 -I
     sys.path.insert(0, str(HERE))
+if __name__ == "__main__":  # no compiled file of Python is believed either
+    sys.dont_write_bytecode, sys.pycache_prefix = True, os.devnull
 
 from audit import Refused, assumptions, check_kernel, differences  # noqa: E402
 from certificate_source import source  # noqa: E402

@@ -32,9 +32,9 @@ START = re.compile(r"(?:[\s{}+*-]|\d+\s*:\s*\{)*")
 """Bullets and braces: sentences without a full stop."""
 FORBIDDEN = re.compile(
     r"\b(?:Admitted|admit|give_up|Axioms?|Parameters?|Conjecture|Unset|bypass_check|Declare|Extraction|Primitive"
-    r"|native_compute|native_cast_no_check|where)\b|:>"
+    r"|native_compute|native_cast_no_check|where)\b|:>|<<:"
 )
-"""Words of no use within a sentence, and those with which one would leave out a proof or declare a notation."""
+"""Signs that leave out a proof, use the native compiler, or declare a notation or a coercion within a sentence."""
 
 
 def project_files(text: str) -> list[str]:
