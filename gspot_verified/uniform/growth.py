@@ -96,7 +96,7 @@ def ranges_of(equations: DeviationEquations, entry: Entry, power: fmpq, cone: Co
     """The bars, or None where they are not finite."""
     m, delta, order = equations.dimension, equations.delta, equations.trajectory.order
     least = entry.Y.lower() * delta ** ball(power)
-    if not (least > 0 and entry.V > 0 and cone.top > least and cone.a > 0):
+    if not (entry.place >= 0 and least > 0 and entry.V > 0 and cone.top > least and cone.a > 0):
         return None
     last = (ball(entry.place) + (cone.top / least).log() / cone.a).upper()
     state = []

@@ -1,0 +1,219 @@
+"""One piece of Theorem U1 (proofs/uniform.md): inequality (c) a second time in exact fractions, for equations whose
+matrices are given numbers; and what the frame may be.
+
+A run cannot see a term of (c) that is left out while the guesses are wide.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from flint import arb, arb_mat, fmpq, fmpq_mat
+from hypothesis import given
+from hypothesis import strategies as st
+from strategies import ends, to_fraction
+
+from gspot_verified.balls import working_bits
+from gspot_verified.uniform import piece as module
+from gspot_verified.uniform.equations import Coupling
+from gspot_verified.uniform.frames import Frame, identity
+from gspot_verified.uniform.piece import Deviations, Piece, Rules, advance
+
+BITS = 128
+SIZE = 5  # xi_1, p, b, y, v
+DELTA, KAPPA, LAG, DAMPER, RATE = fmpq(1, 16), fmpq(1, 2), fmpq(3, 4), fmpq(5, 4), fmpq(2)
+ORDER, POWER = 4, fmpq(2)
+START, END = fmpq(-1), fmpq(-15, 16)
+LIMIT = [[0, 0, 0, 2, 0], [0, 0, 0, 0, 0], [0, 0, 0, -1, 0], [0, 0, 0, 0, 1], [0, 3, 1, 1, 0]]  # at s = -1
+SLOPE = [[0] * 5, [0] * 5, [0] * 5, [0] * 5, [0, 0, 0, -1, 0]]
+REST = [[1, 0, 0, 2, 0], [3, 0, 0, 0, 0], [4, 0, 0, -1, 0], [0, 0, 0, 0, 0], [0, 5, 0, 1, 0]]  # over 64
+FAST = [2, 0, -3, 0, 1]
+RESIDUAL, RESIDUAL_Z = [1, 2, 3, 4, 5], 6
+TURNED = [[2, 0, 0, 1, 0], [0, 1, 0, 0, 0], [0, 0, 4, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 2, 1]]
+CENTRE = [1, 0, -2, 3, -1]
+RADII = [fmpq(1, 8), fmpq(1, 16), fmpq(1, 8), fmpq(1, 4), fmpq(1, 32)]
+
+
+class Given:
+    """Equations with given numbers, which remember what they were asked."""
+
+    delta, kappa, lag, damper, rate = (arb(value) for value in (DELTA, KAPPA, LAG, DAMPER, RATE))
+    size, y, v = SIZE, 3, 4
+    trajectory = SimpleNamespace(order=ORDER)
+
+    def __init__(self) -> None:
+        self.tubes: list[list[arb]] = []
+        self.reaches: list[fmpq] = []
+
+    def limit(self, s: arb) -> arb_mat:
+        return arb_mat(LIMIT) + arb_mat(SLOPE) * (s + 1)
+
+    def limit_slope(self) -> arb_mat:
+        return arb_mat(SLOPE)
+
+    def coupling(self, s: arb, tube: Sequence[arb]) -> Coupling:
+        assert s.contains(arb(START))
+        assert s.contains(arb(END))
+        self.tubes.append(list(tube))
+        return Coupling(arb_mat(REST) * arb(fmpq(1, 64)), arb_mat([[value] for value in FAST]), arb(7))
+
+    def residual(self, reach: fmpq) -> tuple[list[arb], arb]:
+        self.reaches.append(reach)
+        return [arb(value) for value in RESIDUAL], arb(RESIDUAL_Z)
+
+
+def state(initial: fmpq, elapsed: fmpq, forced: fmpq) -> Deviations:
+    radii, turned = tuple(map(arb, RADII)), arb_mat(TURNED)
+    return Deviations(tuple(map(arb, CENTRE)), radii, turned, arb(initial), elapsed, arb(forced))
+
+
+def advanced(monkeypatch: pytest.MonkeyPatch, start: Deviations) -> tuple[Piece, Given]:
+    """One piece in the frame Y = 1, so that W = Q and nothing is wider than the page has it; Q' = Q."""
+    equations: Any = Given()
+    monkeypatch.setattr(module, "turned_frame", lambda columns, _: columns.mid())
+    monkeypatch.setattr(module, "frame_at", lambda _, __, turned: Frame((identity(SIZE),), turned))
+    with working_bits(BITS):
+        found = advance(Rules(equations, POWER), start, START, END)
+    assert found is not None
+    return found, equations
+
+
+def sizes(matrix: fmpq_mat) -> fmpq_mat:
+    return fmpq_mat(matrix.nrows(), matrix.ncols(), [abs(value) for value in matrix.entries()])
+
+
+def column(values: Sequence[Any]) -> fmpq_mat:
+    return fmpq_mat(len(values), 1, [fmpq(value) for value in values])
+
+
+def is_bound(value: arb, page: fmpq | Fraction, slack: float = 1e-7) -> bool:
+    assert value.is_finite()
+    top, wanted = ends(value)[1], to_fraction(page) if isinstance(page, fmpq) else page
+    return wanted * (1 - Fraction(1, 10**9)) <= top <= wanted * (1 + Fraction(slack))
+
+
+CASES = [
+    (fmpq(0), fmpq(0), fmpq(0)),  # nothing fast but what is fed
+    (fmpq(0), fmpq(0), fmpq(9)),  # what was fed before is more
+    (fmpq(3), fmpq(0), fmpq(0)),  # a burst
+    (fmpq(3), fmpq(1, 32), fmpq(0)),  # what is left of it
+]
+
+
+@pytest.mark.parametrize(("initial", "elapsed", "forced"), CASES)
+def test_the_end_of_a_piece_is_the_left_side_of_the_inequality(
+    initial: fmpq, elapsed: fmpq, forced: fmpq, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found, equations = advanced(monkeypatch, state(initial, elapsed, forced))
+    turned = fmpq_mat(TURNED)
+    inverse = turned.inv()
+    middle = (turned * column(CENTRE)).entries()
+    largest = []  # |T|, and w+ of it
+    radii = []
+    for value, centre in zip(found.deviations, middle, strict=True):
+        lower, upper = (fmpq(end.numerator, end.denominator) for end in ends(value))
+        assert abs((lower + upper) / 2 - centre) < fmpq(1, 10**9)
+        radii.append((upper - lower) / 2)
+        largest.append(max(abs(lower), abs(upper)))
+    guess = sizes(turned).solve(column(radii))
+    length, shrunk = END - START, DELTA ** (ORDER - 2)
+    fed = (DELTA * LAG * (largest[4] + shrunk * RESIDUAL[3]) + DAMPER * shrunk * RESIDUAL_Z) / RATE
+    everything = max(forced, fed)
+    burst = to_fraction(initial) * Fraction(math.exp(-float(int(RATE.p) * int(elapsed.p) * 16) / int(elapsed.q)))
+    # A at s = -1 and at the end: it is linear in s.
+    drift = fmpq_mat(LIMIT) + fmpq_mat(REST) / 64
+    matrices = [sizes(inverse * (drift + fmpq_mat(SLOPE) * part) * turned) for part in (fmpq(0), length)]
+    widest = fmpq_mat(SIZE, SIZE, [max(pair) for pair in zip(*(one.entries() for one in matrices), strict=True)])
+    moved = widest * (guess + sizes(column(CENTRE)))
+    weight, rest = sizes(inverse * column(FAST)), sizes(inverse) * column(RESIDUAL) * shrunk
+    for i, bound in enumerate(found.at_end.radii):
+        page = RADII[i] + length * (moved[i, 0] + weight[i, 0] * everything + rest[i, 0])
+        whole = to_fraction(page) + to_fraction(weight[i, 0]) * burst * to_fraction(DELTA / RATE)
+        assert is_bound(bound, whole), i
+        assert ends(bound)[1] < to_fraction(guess[i, 0])
+    left = to_fraction(initial) * Fraction(math.exp(-32 * float(int((elapsed + length).p)) / int((elapsed + length).q)))
+    assert is_bound(found.fast, burst + to_fraction(everything))
+    assert is_bound(found.end_fast, left + to_fraction(everything))
+    assert is_bound(found.at_end.forced, everything)
+    assert (found.at_end.initial, found.at_end.elapsed) == (arb(initial), elapsed + length)
+    low, high = (to_fraction(-KAPPA) * end for end in reversed(ends(found.deviations[3])))
+    fast = ends(found.fast)[1]
+    assert is_bound(found.force + 100, 100 + high + fast, 1e-9)
+    assert is_bound(100 - found.force, 100 - low + fast, 1e-9)
+    assert equations.reaches == [fmpq(1)]
+    for passed, size in zip(equations.tubes[-1], largest, strict=True):
+        assert is_bound(abs(passed), to_fraction(size * DELTA**2))
+
+
+def test_no_piece_without_a_bound(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where the guesses do not end, the frame is singular, or the functions have no bound."""
+    assert advanced(monkeypatch, state(fmpq(0), fmpq(0), fmpq(0)))[0].end == END
+    start = state(fmpq(0), fmpq(0), fmpq(0))
+
+    def found(equations: Any, now: Deviations = start, end: fmpq = END) -> Piece | None:
+        with working_bits(BITS):
+            return advance(Rules(equations, POWER), now, START, end)
+
+    assert found(Given()) is not None
+    assert found(Given(), end=fmpq(5)) is None
+    singular = Deviations(start.centre, start.radii, arb_mat(SIZE, SIZE), start.initial, start.elapsed, start.forced)
+    assert found(Given(), singular) is None
+    for name in ("matrix", "fast"):
+
+        class Unbounded(Given):
+            def coupling(self, s: arb, tube: Sequence[arb]) -> Coupling:
+                whole = super().coupling(s, tube)
+                lost = {"matrix": whole.matrix, "fast": whole.fast, name: getattr(whole, name) * arb("nan")}
+                return Coupling(lost["matrix"], lost["fast"], whole.force)
+
+        assert found(Unbounded()) is None
+
+
+NUMBERS = st.integers(-4, 4)
+
+
+@given(st.lists(NUMBERS, min_size=75, max_size=75), st.fractions(0, 1, max_denominator=8))
+def test_the_defect_of_any_frame(entries: list[int], time: Fraction) -> None:
+    """A_0(s) Y - Y' at s = -1 + time, Y a polynomial of degree 2."""
+    flow = [entries[25 * k : 25 * k + 25] for k in range(3)]
+    place = fmpq(time.numerator, time.denominator)
+    one, two, three = (fmpq_mat(SIZE, SIZE, part) for part in flow)
+    limit = fmpq_mat(LIMIT) + fmpq_mat(SLOPE) * place
+    page = limit * (one + two * place + three * place**2) - (two + three * (2 * place))
+    equations: Any = Given()
+    frame = Frame(tuple(arb_mat(SIZE, SIZE, part) for part in flow), identity(SIZE))
+    with working_bits(BITS):
+        found = module._defect(equations, frame, START, arb(place))
+    for ball, value in zip(found.entries(), page.entries(), strict=True):
+        assert ball.is_finite()
+        assert ends(ball)[0] <= to_fraction(value) <= ends(ball)[1]
+        assert ends(ball)[1] - ends(ball)[0] < Fraction(1, 2**90)
+
+
+def test_the_next_piece_holds_the_set_in_its_own_directions(monkeypatch: pytest.MonkeyPatch) -> None:
+    """gamma' is the midpoint of Q'^-1 W gamma, w' = |Q'^-1 W| w and its radius; W has a width here."""
+    columns = arb_mat(SIZE, SIZE, [arb(value, (1, -6)) for row in TURNED for value in row])
+    own = [[1, 0, 0, 0, 0], [1, 2, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 3, 0], [0, -1, 0, 0, 1]]
+    monkeypatch.setattr(module, "turned_frame", lambda *_: arb_mat(own))
+    now = state(fmpq(3), fmpq(1, 32), fmpq(9))
+    with working_bits(BITS):
+        found = module._turned(now, columns)
+    assert found is not None
+    assert (found.initial, found.elapsed, found.forced) == (now.initial, now.elapsed, now.forced)
+    inverse = fmpq_mat(own).inv()
+    middle = inverse * fmpq_mat(TURNED) * column(CENTRE)
+    wide = fmpq(1, 64) * sizes(inverse) * fmpq_mat(SIZE, SIZE, [1] * SIZE**2)  # what the width of W adds
+    widest = sizes(inverse * fmpq_mat(TURNED)) + wide
+    page = widest * column(RADII) + wide * sizes(column(CENTRE))
+    for centre, bound, value, wanted in zip(found.centre, found.radii, middle.entries(), page.entries(), strict=True):
+        assert centre.is_exact()
+        assert abs(ends(centre)[0] - to_fraction(value)) < Fraction(1, 10**9)
+        assert is_bound(bound, wanted)
+    with working_bits(BITS):
+        monkeypatch.setattr(module, "turned_frame", lambda *_: arb_mat(SIZE, SIZE))
+        assert module._turned(now, columns) is None
