@@ -8,6 +8,8 @@ from __future__ import annotations
 import functools
 from dataclasses import replace
 from fractions import Fraction
+from types import SimpleNamespace
+from typing import Any
 
 import mpmath
 import pytest
@@ -22,7 +24,7 @@ from gspot_verified.expansion.trajectory import Trajectory, expand_system
 from gspot_verified.testing import extended_example
 from gspot_verified.uniform.equations import DeviationEquations
 from gspot_verified.uniform.growth import Cone, Entry, Ranges, entry_of, ranges_of
-from gspot_verified.uniform.track import Track, track
+from gspot_verified.uniform.track import Track
 
 BITS = 128
 DELTA = Fraction(1, 64)
@@ -71,7 +73,7 @@ def is_bound(value: arb, page: Fraction) -> bool:
     return page <= top * (1 + SLACK / 10**8) and top <= page * (1 + SLACK) + Fraction(1, 2**100)
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def found() -> Ranges:
     with working_bits(BITS):
         equations = DeviationEquations(trajectory(), to_fmpq(DELTA))
@@ -135,8 +137,11 @@ def test_no_bars_without_their_hypotheses() -> None:
         assert finite(entry())
         assert finite(entry(fmpq(0)))
         assert not finite(entry(fmpq(-1, 2**20)))
-        assert not finite(replace(entry(), Y=arb(1, 1)))
-        assert not finite(replace(entry(), V=arb(1, 1)))
+        for none in (arb(0), arb(1, 1), arb(-1)):
+            assert not finite(replace(entry(), Y=none))
+            assert not finite(replace(entry(), V=none))
+        assert finite(replace(entry(), V=arb((1, -4))))
+        assert not finite(entry(), replace(CONE, A=(*CONE.A[:5], arb("inf"))))
         assert not finite(entry(), replace(CONE, a=arb(0)))
         assert not finite(entry(), replace(CONE, a=arb(-1)))
         reached = arb((7, -3)) * arb((1, -9))  # Y_1 delta^mu
@@ -144,48 +149,60 @@ def test_no_bars_without_their_hypotheses() -> None:
         assert finite(entry(), replace(CONE, top=reached * (1 + arb((1, -20)))))
 
 
-@functools.cache
-def followed(sign: int) -> Track:
+def ended(sign: int, place: fmpq, e_y: arb) -> Track:
+    """A run whose last piece ends at ``place`` with given deviations: wide, and about no zero."""
+    e = (arb(3, (1, -2)), *[arb(0)] * 4, arb(-5), arb(-7, (1, -3)), arb(2, (1, -4)), e_y, arb(-2 * sign, (1, -3)))
+    piece: Any = SimpleNamespace(start=fmpq(-1), end=place, end_deviations=e, end_fast=arb(11))
+    first: Any = SimpleNamespace(start=fmpq(-2))
     with working_bits(BITS):
-        equations = DeviationEquations(trajectory(), fmpq(1, 200))
-        centre = [arb(0)] * 8 + [arb(sign), arb((sign, -1))]
-        return track(equations, fmpq(1), fmpq(0), fmpq(1), centre, [arb((1, -4))] * 10, arb((1, -4)))
+        return Track(DeviationEquations(trajectory(), fmpq(1, 64)), fmpq(2), place, (first, piece))
 
 
 @pytest.mark.parametrize("sign", [1, -1])
-def test_the_entry_holds_the_deviation_at_the_end_of_its_piece(sign: int) -> None:
-    """Y, V, N, q at every corner of the set, for large and small delta."""
-    found = followed(sign)
-    assert found.is_whole
-    piece = found.pieces[-1]
+@pytest.mark.parametrize("place", [fmpq(3, 2), fmpq(4)])
+def test_the_entry_holds_the_deviation_at_the_end_of_its_piece(sign: int, place: fmpq) -> None:
+    """Y, V, N, q at every corner of the set, for every delta up to delta_0; and they are no wider than that."""
+    run = ended(sign, place, arb(-4 * sign, (1, -2)))
     with working_bits(BITS):
-        one = entry_of(found, len(found.pieces) - 1)
+        one = entry_of(run, 1)
     assert one is not None
-    assert (one.side, one.begin, one.place) == (-sign, fmpq(0), fmpq(1))
-    corners = [ends(value) for value in piece.end_deviations]
-    kappa, (p, b, y, v) = Fraction(1, 2), corners[6:]
-    for delta in (Fraction(1, 200), Fraction(1, 10**6)):
+    assert (one.side, one.begin, one.place, one.fast) == (sign, fmpq(-2), place, arb(11))
+    for ball, middle, radius in ((one.Y, 4, Fraction(1, 4)), (one.V, 2, Fraction(1, 8))):
+        assert is_bound(ball - middle, radius)
+        assert is_bound(ball, middle + radius)
+    assert all(map(is_bound, (*one.state, one.p), map(Fraction, (3.25, 0, 0, 0, 0, 5, 7.125))))
+    s = to_fraction(place)
+    places, products = [], []
+    for delta in (Fraction(0), Fraction(1, 1000), DELTA / 2, DELTA):
         hat = sum(
-            (to_fraction(value) * delta**n for n, term in enumerate(trajectory().p) for value in term.coefficients()),
+            (
+                to_fraction(value) * s**k * delta**n
+                for n, term in enumerate(trajectory().p)
+                for k, value in enumerate(term.coefficients())
+            ),
             Fraction(0),
-        )  # at s = 1
-        for e_p in p:
-            q = -(hat + delta * e_p)
-            assert ends(one.q)[0] <= q <= ends(one.q)[1]
-            for e_y, e_b in ((e_y, e_b) for e_y in y for e_b in b):
-                N = kappa * q * sign * e_y + sign * e_b
-                assert ends(one.N)[0] <= N <= ends(one.N)[1]
-    for ball, values in ((one.Y, y), (one.V, v)):
-        assert all(ends(ball)[0] <= sign * value <= ends(ball)[1] for value in values)
-    for bound, values in zip((*one.state, one.p), corners[:7], strict=True):
-        assert all(abs(value) <= ends(bound)[1] for value in values)
-    assert one.fast == piece.end_fast
-    width = float(ends(one.N)[1] - ends(one.N)[0])
-    assert width < 1.1 * float((b[1] - b[0]) + (y[1] - y[0])) + 0.1
+        )
+        for e_p in (Fraction(-57, 8), Fraction(-55, 8)):
+            q = -(hat + delta**2 * e_p)
+            places.append(q)
+            products += [
+                q * Y / 2 - sign * e_b
+                for Y in (Fraction(15, 4), Fraction(17, 4))
+                for e_b in (Fraction(31, 16), Fraction(33, 16))
+            ]
+    for ball, values in ((one.q, places), (one.N, products)):
+        lower, upper = ends(ball)
+        assert min(values) - Fraction(1, 100) <= lower <= min(values)
+        assert max(values) <= upper <= max(values) + Fraction(1, 100)
 
 
-def test_a_deviation_without_a_certain_sign_is_no_entry() -> None:
-    found = followed(1)
-    piece = found.pieces[-1]
-    unclear = replace(piece, end_deviations=(*piece.end_deviations[:8], arb(0, 1), piece.end_deviations[9]))
-    assert entry_of(replace(found, pieces=(unclear,)), 0) is None
+@pytest.mark.parametrize("e_y", [arb(0, 1), arb(1, 1), arb(-1, 1), arb(0)])
+def test_a_deviation_without_a_certain_sign_is_no_entry(e_y: arb) -> None:
+    assert entry_of(ended(1, fmpq(4), e_y), 1) is None
+
+
+def test_a_deviation_near_0_has_a_sign() -> None:
+    for sign in (1, -1):
+        one = entry_of(ended(sign, fmpq(4), arb(-sign, (1, -1)) / 8), 1)
+        assert one is not None
+        assert one.side == sign
