@@ -24,7 +24,7 @@ _TRIES = 3
 def zero_places(beta: fmpq, epsilon: fmpq, column: Column, digits: int) -> list[arb]:
     """One ball of T for each zero that the pieces show, in order.
 
-    In tau = (epsilon/2)^(1/3) T its width is at most 10^-digits; more where a sign stayed open. The zero in the right
+    In tau = (epsilon/2)^(1/3) T its width is at most 10^-digits; more, up to the whole piece, where a sign stayed open. The zero in the right
     tail is left out when it is beyond tau = 10^6.
     """
     brackets = list(column.tubes())
@@ -32,8 +32,8 @@ def zero_places(beta: fmpq, epsilon: fmpq, column: Column, digits: int) -> list[
     if last.kind is Kind.RIGHT and last.mark == 1 and last.lower is not None:
         final = -1 if cell_of(beta, beta) % 2 == 0 else 1
         lower, upper = last.lower, max(2 * last.lower, fmpq(1))
-        while upper <= _MAX_TAIL and _sign(beta, epsilon, upper, digits) != final:
-            lower, upper = upper, 2 * upper
+        while upper <= _MAX_TAIL and (sign := _sign(beta, epsilon, upper, digits)) != final:
+            lower, upper = (upper if sign else lower), 2 * upper  # where it stays open the zero may be on either side
         brackets += [(lower, upper)] if upper <= _MAX_TAIL else []
     return [_place(beta, epsilon, lower, upper, digits) for lower, upper in brackets]
 
@@ -43,7 +43,7 @@ def _place(beta: fmpq, epsilon: fmpq, lower: fmpq, upper: fmpq, digits: int) -> 
 
     def beyond(tau: fmpq) -> bool | None:
         sign = _sign(beta, epsilon, tau, digits)
-        return sign == after if sign else None
+        return sign == after if sign and after else None
 
     left, right = narrowed(beyond, lower, upper, digits)
     with working_bits(bits_for_digits(digits) + _SPARE_BITS):

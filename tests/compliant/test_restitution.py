@@ -9,13 +9,14 @@ import math
 
 import numpy as np
 import pytest
-from flint import arb, fmpq
+from flint import arb, arb_mat, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 from strategies import ends
 
 from gspot_verified.balls import working_bits
+from gspot_verified.compliant import restitution as module
 from gspot_verified.compliant.restitution import elastic_loss, inelastic_bound, restitution
 
 PLACES = [(1, 1), (1, 100), (30, 1), (1, fmpq(1, 20)), (fmpq(1, 100), fmpq(1, 3)), (fmpq(1, 256), fmpq(1, 4)), (3, 7)]
@@ -78,6 +79,35 @@ def test_every_part_of_theorem_q2_is_used_where_it_is_the_best() -> None:
         assert soft == 2  # neither (b) nor (c) applies
         assert elastic_loss(fmpq(1), fmpq(1, 100)) < arb("0.03")
         assert elastic_loss(fmpq(10**6), fmpq(10)) <= arb(2) / 10**6
+
+
+def test_the_range_of_a_step_is_taylors_formula() -> None:
+    """x' = x from 1: e^t at one time to the last digit of the remainder, and all of [1, e] over [0, 1]."""
+    one = arb_mat([[1]])
+    with working_bits(200):
+        whole = arb_mat([[arb(0).union(arb(1)).exp()]])
+        at_end = module._range(one, one, one, whole, arb(1))
+        assert at_end.contains(arb(1).exp())
+        assert at_end.rad() < arb(2) / math.factorial(module._TERMS)
+        assert not module._range(one, one, one, one, arb(1)).contains(arb(1).exp())
+        over = module._range(one, one, one, whole, arb(0).union(arb(1)))
+        assert over.contains(arb(1))
+        assert over.contains(arb(1).exp())
+
+
+def test_a_step_on_which_nothing_is_known_ends_the_search(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The first zero is proved to be the first; and the remainder is taken over the whole step, its beginning too."""
+    honest, steps = module._range, [0]
+
+    def doubtful(row: arb_mat, matrix: arb_mat, state: arb_mat, along: arb_mat, time: arb) -> arb:
+        assert all(x.contains(y) for x, y in zip(along.entries(), state.entries(), strict=True))
+        assert time.contains(0)
+        steps[0] += 1
+        return arb(0, 1) if 10 < steps[0] < 16 else honest(row, matrix, state, along, time)
+
+    assert restitution(fmpq(1), fmpq(1)).is_finite()
+    monkeypatch.setattr(module, "_range", doubtful)
+    assert not restitution(fmpq(1), fmpq(1)).is_finite()
 
 
 @pytest.mark.parametrize(("rho", "zeta"), [(0, 1), (1, 0), (-1, 1), (1, -1)])
