@@ -164,7 +164,7 @@ def grows(equations: DeviationEquations, entry: Entry, power: fmpq, cone: Cone) 
     square = delta * delta
     nu = found.alpha_3.abs_upper() * phi + square * _dot(found.push, cone.A) / a + found.eta[equations.b]
     stretch = found.alpha_1 - found.alpha_3
-    against, along = stretch.abs_upper(), (-stretch).max(arb(0)).upper()
+    against, along = stretch.max(arb(0)).upper(), (-stretch).max(arb(0)).upper()
     sigma = mu / (a * found.last)
     conditions = [
         # (G0) the cone at s_1

@@ -20,15 +20,15 @@ from gspot_verified.uniform import growth
 from gspot_verified.uniform.growth import Cone, Entry, Ranges, grows
 
 BITS = 256
-WIDTH = 10  # Y, V, N, q, alpha_1, alpha_3 and the force are known up to 2^-10
-HALF = Fraction(1, 2**WIDTH)
 NEAR = Fraction(1, 2**20)
 
 
 @dataclass(frozen=True)
 class Numbers:
-    """What Theorem U2 speaks of, for a state of two components; a number with a width is the middle."""
+    """What Theorem U2 speaks of, for a state of two components; Y, V, N, q, alpha_1, alpha_3 and the force are known up
+    to ``spread``, a power of two or 0."""
 
+    spread: Fraction = Fraction(1, 2**10)
     kappa: Fraction = Fraction(1, 2)
     lag: Fraction = Fraction(1, 2)
     damper: Fraction = Fraction(3, 4)
@@ -79,10 +79,10 @@ class Numbers:
 
 def hypotheses(n: Numbers) -> dict[str, Fraction]:
     """Each inequality of the page, left side minus right side; those that follow from others are left out."""
-    Y_1, V_1, q_1 = n.Y - HALF, n.V - HALF, n.q - HALF
-    alpha_1, alpha_3, force = abs(n.alpha_1) + HALF, abs(n.alpha_3) + HALF, abs(n.force) + HALF
-    k_plus, k_minus = n.alpha_1 - n.alpha_3 + 2 * HALF, n.alpha_3 - n.alpha_1 + 2 * HALF
-    q_last = n.q + HALF + alpha_1 * (n.last - n.place)
+    Y_1, V_1, q_1 = n.Y - n.spread, n.V - n.spread, n.q - n.spread
+    alpha_1, alpha_3, force = abs(n.alpha_1) + n.spread, abs(n.alpha_3) + n.spread, abs(n.force) + n.spread
+    k_plus, k_minus = (max(0, sign * (n.alpha_1 - n.alpha_3) + 2 * n.spread) for sign in (1, -1))
+    q_last = n.q + n.spread + alpha_1 * (n.last - n.place)
     phi = max(n.fast / V_1, (n.delta * n.lag * (1 + n.eta_y) + n.damper * n.eta_z) / n.rate)
     pi = q_last * phi + force * n.A_p / n.a + n.eta_v
     nu = alpha_3 * phi + n.delta**2 * (n.push_1 * n.A_1 + n.push_2 * n.A_2) / n.a + n.eta_b
@@ -92,21 +92,21 @@ def hypotheses(n: Numbers) -> dict[str, Fraction]:
     bent = n.delta**2 * (n.bend_1 * n.A_1 + n.bend_2 * n.A_2) / n.a + n.eta_p
     sigma = n.mu / (n.a * n.last)
     return {
-        "G0 aY < V": V_1 - n.a * (n.Y + HALF),
-        "G0 V < BY": n.B * Y_1 - (n.V + HALF),
-        "G0 cV < N": n.N - HALF - n.c * (n.V + HALF),
-        "G0 N < CV": n.C * V_1 - (n.N + HALF),
+        "G0 aY < V": V_1 - n.a * (n.Y + n.spread),
+        "G0 V < BY": n.B * Y_1 - (n.V + n.spread),
+        "G0 cV < N": n.N - n.spread - n.c * (n.V + n.spread),
+        "G0 N < CV": n.C * V_1 - (n.N + n.spread),
         "G1": n.c - n.a - pi,
         "G2": n.kappa * (q_1 - k_plus / n.a) - nu - n.c * (n.c + q_1 * phi + force * n.A_p / n.a + n.eta_v),
         "G3": n.B - n.C - pi,
-        "G4": n.C * (n.C - pi) - n.kappa * (q_last + max(k_minus, Fraction(0)) / n.a) - nu,
+        "G4": n.C * (n.C - pi) - n.kappa * (q_last + k_minus / n.a) - nu,
         "G5 e_1": n.A_1 * Y_1 - n.state_1,
         "G5 e_2": n.A_2 * Y_1 - n.state_2,
         "G5 e_p": n.A_p * Y_1 - n.p,
         "G5 A_1": n.A_1 - first,
         "G5 A_2": n.A_2 - second,
         "G5 A_p": n.A_p - bent,
-        "G6": -(n.alpha_1 + HALF),
+        "G6": -(n.alpha_1 + n.spread),
         "G7 sigma": 1 - sigma,
         "G7 order": n.order - n.mu - 1 - (Fraction(n.order, 2) + 1) * sigma,
         "G7 q": q_last - alpha_1 * n.mu / n.a,
@@ -121,13 +121,12 @@ def point(value: Fraction) -> arb:
     return found
 
 
-def wide(value: Fraction) -> arb:
-    """The ball value +- 2^-10, exactly."""
-    return arb(point(value), (1, -WIDTH))
-
-
 def concluded(n: Numbers, monkeypatch: pytest.MonkeyPatch) -> arb | None:
     """What :func:`grows` says, the bars being those of ``n``."""
+
+    def wide(value: Fraction) -> arb:
+        return arb(point(value), (1, 1 - n.spread.denominator.bit_length())) if n.spread else point(value)
+
     equations: Any = SimpleNamespace(
         dimension=2, p=2, b=3, y=4, v=5, trajectory=SimpleNamespace(order=n.order), delta=point(n.delta),
         kappa=point(n.kappa), lag=point(n.lag), damper=point(n.damper), rate=point(n.rate),
@@ -159,6 +158,7 @@ EDGES: list[tuple[str, Numbers, str, Fraction]] = [
     ("G0 aY < V", BASE, "Y", Fraction(3)),
     ("G0 V < BY", BASE, "Y", Fraction(1, 8)),
     ("G0 cV < N", BASE, "N", Fraction(1, 2)),
+    ("G0 cV < N", replace(BASE, V=Fraction(2), N=Fraction(5, 2)), "N", Fraction(1, 2)),
     ("G0 N < CV", BASE, "N", Fraction(4)),
     ("G1", BASE, "a", Fraction(3, 4)),
     ("G1", BASE, "fast", Fraction(1)),
@@ -179,6 +179,7 @@ EDGES: list[tuple[str, Numbers, str, Fraction]] = [
     ("G2", BASE, "eta_b", Fraction(3)),
     ("G2", replace(BASE, N=Fraction(9, 4), c=Fraction(5, 4)), "eta_v", Fraction(2)),
     ("G2", replace(BASE, N=Fraction(9, 4), c=Fraction(5, 4)), "force", Fraction(100)),
+    ("G2", replace(BASE, alpha_1=Fraction(-2), alpha_3=Fraction(-1)), "q", Fraction(1)),
     ("G3", BASE, "B", Fraction(2)),
     ("G4", BASE, "C", Fraction(2)),
     ("G4", BASE, "last", Fraction(20)),
@@ -234,10 +235,59 @@ def test_each_hypothesis_decides_at_its_equality(
         assert concluded(beyond, monkeypatch) is None
 
 
+POINT = replace(BASE, spread=Fraction(0))
+# With exact numbers: the hypothesis, what it is met with, and a number in which it is linear.
+EQUALITIES: list[tuple[str, Numbers, str]] = [
+    ("G0 aY < V", POINT, "Y"),
+    ("G0 V < BY", POINT, "Y"),
+    ("G0 cV < N", POINT, "N"),
+    ("G0 N < CV", POINT, "N"),
+    ("G1", POINT, "eta_v"),
+    ("G2", POINT, "eta_b"),
+    ("G3", POINT, "B"),
+    ("G4", replace(POINT, q=Fraction(6), C=Fraction(21, 8)), "eta_b"),
+    ("G5 e_1", POINT, "state_1"),
+    ("G5 e_2", POINT, "state_2"),
+    ("G5 e_p", POINT, "p"),
+    ("G5 A_1", POINT, "eta_1"),
+    ("G5 A_2", POINT, "eta_2"),
+    ("G5 A_p", POINT, "eta_p"),
+    ("G6", replace(POINT, q=Fraction(6), C=Fraction(7, 2)), "alpha_1"),
+    ("G7 sigma", POINT, "mu"),
+    ("G7 order", replace(POINT, order=6, last=Fraction(8)), "mu"),
+    ("G7 q", replace(POINT, place=Fraction(5), last=Fraction(9), order=40, alpha_1=Fraction(-1)), "mu"),
+    ("G7 fast", POINT, "begin"),
+    ("G7 force", replace(POINT, B=Fraction(64), fast=Fraction(7, 1024)), "fast"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "start", "field"), EQUALITIES, ids=[one[0] for one in EQUALITIES])
+def test_no_hypothesis_holds_with_equality(
+    name: str, start: Numbers, field: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    place, margin, far = getattr(start, field), hypotheses(start)[name], Fraction(1, 2**40)
+    slope = (hypotheses(replace(start, **{field: place + far}))[name] - margin) / far
+    equal = replace(start, **{field: place - margin / slope})
+    assert margin > 0
+    assert [(key, value) for key, value in hypotheses(equal).items() if value <= 0] == [(name, 0)]
+    with working_bits(BITS):
+        assert concluded(start, monkeypatch) is not None
+        assert concluded(equal, monkeypatch) is None
+
+
+def test_phi_is_rounded_upwards() -> None:
+    equations: Any = SimpleNamespace(delta=arb(fmpq(1, 3)), lag=arb(1), y=0, damper=arb(1), rate=arb(3))
+    for bits in range(2, 40):
+        with working_bits(bits):
+            found: Any = SimpleNamespace(eta=[arb(0)], eta_z=arb(fmpq(1, 7)))
+            entry: Any = SimpleNamespace(fast=arb(0), V=arb(1))
+            assert ends(growth.phi_of(equations, entry, found))[1] >= Fraction(10, 63)
+
+
 @pytest.mark.parametrize("n", [BASE, FAST])
 def test_the_force_that_is_reached_is_the_one_of_the_page(n: Numbers, monkeypatch: pytest.MonkeyPatch) -> None:
     n = replace(n, c=Fraction(7, 8), N=Fraction(3, 2))
-    phi = max(n.fast / (n.V - HALF), (n.delta * n.lag * (1 + n.eta_y) + n.damper * n.eta_z) / n.rate)
+    phi = max(n.fast / (n.V - n.spread), (n.delta * n.lag * (1 + n.eta_y) + n.damper * n.eta_z) / n.rate)
     page = (n.kappa - phi * n.B) * n.top
     with working_bits(BITS):
         found = concluded(n, monkeypatch)

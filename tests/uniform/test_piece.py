@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 from flint import arb, arb_mat, fmpq, fmpq_mat
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import ends, to_fraction
 
@@ -49,6 +49,7 @@ class Given:
     def __init__(self) -> None:
         self.tubes: list[list[arb]] = []
         self.reaches: list[fmpq] = []
+        self.places: list[arb] = []
 
     def limit(self, s: arb) -> arb_mat:
         return arb_mat(LIMIT) + arb_mat(SLOPE) * (s + 1)
@@ -57,19 +58,18 @@ class Given:
         return arb_mat(SLOPE)
 
     def coupling(self, s: arb, tube: Sequence[arb]) -> Coupling:
-        assert s.contains(arb(START))
-        assert s.contains(arb(END))
+        self.places.append(s)
         self.tubes.append(list(tube))
-        return Coupling(arb_mat(REST) * arb(fmpq(1, 64)), arb_mat([[value] for value in FAST]), arb(7))
+        return Coupling(arb_mat(REST) * arb(fmpq(1, 64)), arb_mat([[arb(value, (1, -3))] for value in FAST]), arb(7))
 
     def residual(self, reach: fmpq) -> tuple[list[arb], arb]:
         self.reaches.append(reach)
         return [arb(value) for value in RESIDUAL], arb(RESIDUAL_Z)
 
 
-def state(initial: fmpq, elapsed: fmpq, forced: fmpq) -> Deviations:
-    radii, turned = tuple(map(arb, RADII)), arb_mat(TURNED)
-    return Deviations(tuple(map(arb, CENTRE)), radii, turned, arb(initial), elapsed, arb(forced))
+def state(initial: fmpq, elapsed: fmpq, forced: fmpq, sign: int = 1) -> Deviations:
+    radii, turned, centre = tuple(map(arb, RADII)), arb_mat(TURNED), tuple(arb(sign * value) for value in CENTRE)
+    return Deviations(centre, radii, turned, arb(initial), elapsed, arb(forced))
 
 
 def advanced(monkeypatch: pytest.MonkeyPatch, start: Deviations) -> tuple[Piece, Given]:
@@ -105,14 +105,15 @@ CASES = [
 ]
 
 
+@pytest.mark.parametrize("sign", [1, -1])
 @pytest.mark.parametrize(("initial", "elapsed", "forced"), CASES)
 def test_the_end_of_a_piece_is_the_left_side_of_the_inequality(
-    initial: fmpq, elapsed: fmpq, forced: fmpq, monkeypatch: pytest.MonkeyPatch
+    initial: fmpq, elapsed: fmpq, forced: fmpq, sign: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    found, equations = advanced(monkeypatch, state(initial, elapsed, forced))
+    found, equations = advanced(monkeypatch, state(initial, elapsed, forced, sign))
     turned = fmpq_mat(TURNED)
     inverse = turned.inv()
-    middle = (turned * column(CENTRE)).entries()
+    middle = (turned * column(CENTRE) * fmpq(sign)).entries()
     largest = []  # |T|, and w+ of it
     radii = []
     for value, centre in zip(found.deviations, middle, strict=True):
@@ -130,7 +131,9 @@ def test_the_end_of_a_piece_is_the_left_side_of_the_inequality(
     matrices = [sizes(inverse * (drift + fmpq_mat(SLOPE) * part) * turned) for part in (fmpq(0), length)]
     widest = fmpq_mat(SIZE, SIZE, [max(pair) for pair in zip(*(one.entries() for one in matrices), strict=True)])
     moved = widest * (guess + sizes(column(CENTRE)))
-    weight, rest = sizes(inverse * column(FAST)), sizes(inverse) * column(RESIDUAL) * shrunk
+    weight = sizes(inverse * column(FAST)) + sizes(inverse) * column([fmpq(1, 8)] * SIZE)
+    rest = sizes(inverse) * column(RESIDUAL) * shrunk
+    assert all(s.contains(arb(START)) and s.contains(arb(END)) for s in equations.places)
     for i, bound in enumerate(found.at_end.radii):
         page = RADII[i] + length * (moved[i, 0] + weight[i, 0] * everything + rest[i, 0])
         whole = to_fraction(page) + to_fraction(weight[i, 0]) * burst * to_fraction(DELTA / RATE)
@@ -148,6 +151,114 @@ def test_the_end_of_a_piece_is_the_left_side_of_the_inequality(
     assert equations.reaches == [fmpq(1)]
     for passed, size in zip(equations.tubes[-1], largest, strict=True):
         assert is_bound(abs(passed), to_fraction(size * DELTA**2))
+
+
+@pytest.mark.parametrize("bits", [6, 7, 8, 9, 10])
+def test_all_is_rounded_upwards(bits: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """At a few bits, with the guess 64 for each coordinate: the first and the last part of (c), and the bounds of f."""
+    monkeypatch.setattr(module, "frame_at", lambda _, __, turned: Frame((identity(SIZE),), turned))
+    monkeypatch.setattr(module, "turned_frame", lambda columns, _: columns.mid())
+    monkeypatch.setattr(module, "larger", lambda _: arb(64))
+    equations: Any = Given()
+    with working_bits(bits):
+        found = advance(Rules(equations, POWER), state(fmpq(3), fmpq(0), fmpq(1, 3)), START, END)
+    assert found is not None
+    turned = fmpq_mat(TURNED)
+    inverse, length, shrunk = turned.inv(), END - START, DELTA ** (ORDER - 2)
+    largest = (sizes(turned * column(CENTRE)) + sizes(turned) * column([64] * SIZE)).entries()
+    fed = (DELTA * LAG * (largest[4] + shrunk * RESIDUAL[3]) + DAMPER * shrunk * RESIDUAL_Z) / RATE
+    assert fed > fmpq(1, 3)
+    weight = sizes(inverse * column(FAST)) + sizes(inverse) * column([fmpq(1, 8)] * SIZE)
+    moved = sizes(inverse * (fmpq_mat(LIMIT) + fmpq_mat(REST) / 64) * turned) * (
+        column([64] * SIZE) + sizes(column(CENTRE))
+    )
+    rest = sizes(inverse) * column(RESIDUAL) * shrunk
+    for i, bound in enumerate(found.at_end.radii):
+        page = RADII[i] + weight[i, 0] * 3 * DELTA / RATE + length * (moved[i, 0] + weight[i, 0] * fed + rest[i, 0])
+        assert ends(bound)[1] >= to_fraction(page)
+    assert ends(found.at_end.forced)[1] >= to_fraction(fed)
+    assert ends(found.fast)[1] >= to_fraction(fed) + 3
+    assert ends(found.end_fast)[1] >= to_fraction(fed) + Fraction(math.exp(-2)) * 3
+
+
+def test_the_inequality_is_strict(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without a linear part the left side of (c) is one number: a guess that is equal to it does not do."""
+
+    class Still(Given):
+        def limit(self, s: arb) -> arb_mat:  # noqa: ARG002
+            return arb_mat(SIZE, SIZE)
+
+        def limit_slope(self) -> arb_mat:
+            return arb_mat(SIZE, SIZE)
+
+        def coupling(self, s: arb, tube: Sequence[arb]) -> Coupling:
+            return Coupling(arb_mat(SIZE, SIZE), super().coupling(s, tube).fast, arb(7))
+
+    start = Deviations((arb(0),) * SIZE, (arb(1),) * SIZE, identity(SIZE), arb(0), fmpq(0), arb(64))
+    left = [
+        1 + (END - START) * ((abs(value) + fmpq(1, 8)) * 64 + rest * DELTA**2)
+        for value, rest in zip(FAST, RESIDUAL, strict=True)
+    ]
+    monkeypatch.setattr(module, "frame_at", lambda _, __, turned: Frame((identity(SIZE),), turned))
+    for more in (fmpq(0), fmpq(1, 2**12)):
+        guesses = [arb(value + more) for value in left] * 50
+        monkeypatch.setattr(module, "larger", lambda _, left=guesses: left.pop(0))
+        equations: Any = Still()
+        with working_bits(BITS):
+            found = advance(Rules(equations, POWER), start, START, END)
+        assert (found is not None) is bool(more)
+
+
+def test_a_frame_that_moves(monkeypatch: pytest.MonkeyPatch) -> None:
+    """W(s) = Y(s - s_k) Q: the enclosures hold W(s) u for all s of the piece, and at its end."""
+    slope = [[0, 1, 2, 0, 0], [1, 0, 0, 0, 3], [0, 0, 0, -2, 0], [1, 0, 4, 0, 0], [0, 0, 1, 0, 0]]
+    flow = (identity(SIZE), arb_mat(slope))
+    monkeypatch.setattr(module, "frame_at", lambda _, __, turned: Frame(flow, turned))
+    seen: list[arb_mat] = []
+
+    def kept(columns: arb_mat, _: Any) -> arb_mat:
+        seen.append(columns)
+        return columns.mid()
+
+    monkeypatch.setattr(module, "turned_frame", kept)
+    equations: Any = Given()
+    with working_bits(BITS):
+        found = advance(Rules(equations, POWER), state(fmpq(0), fmpq(0), fmpq(0)), START, END)
+    assert found is not None
+
+    def columns_at(time: fmpq) -> fmpq_mat:
+        return (fmpq_mat(SIZE, SIZE, [int(i == j) for i in range(SIZE) for j in range(SIZE)])
+                + fmpq_mat(slope) * time) * fmpq_mat(TURNED)  # fmt: skip
+
+    last = columns_at(END - START)
+    for ball, value in zip(seen[0].entries(), last.entries(), strict=True):
+        assert abs(ends(ball)[0] - to_fraction(value)) < Fraction(1, 2**90)
+    radii = column([fmpq(end.numerator, end.denominator) for end in (ends(value)[1] for value in found.at_end.radii)])
+    for time, balls in (
+        (fmpq(0), found.deviations),
+        ((END - START) / 3, found.deviations),
+        (END - START, found.deviations),
+        (END - START, found.end_deviations),
+    ):
+        basis = columns_at(time)
+        centre, spread = basis * column(CENTRE), sizes(basis) * radii * (1 - fmpq(1, 10**8))
+        for i, ball in enumerate(balls):
+            lower, upper = ends(ball)
+            assert lower <= to_fraction(centre[i, 0] - spread[i, 0])
+            assert upper >= to_fraction(centre[i, 0] + spread[i, 0])
+            wanted = to_fraction(spread[i, 0]) * (1 + Fraction(1, 10**6))
+            assert balls is found.deviations or upper - lower <= 2 * wanted
+
+
+@pytest.mark.parametrize(
+    ("start", "end", "reach"),
+    [(fmpq(-1), fmpq(-1, 2), fmpq(1)), (fmpq(1), fmpq(9, 8), fmpq(9, 8)), (fmpq(-1, 8), fmpq(0), fmpq(1, 8))],
+)
+def test_the_residual_is_bounded_on_the_whole_piece(start: fmpq, end: fmpq, reach: fmpq) -> None:
+    equations: Any = Given()
+    with working_bits(BITS):
+        advance(Rules(equations, POWER), state(fmpq(0), fmpq(0), fmpq(0)), start, end)
+    assert equations.reaches == [reach]
 
 
 def test_no_piece_without_a_bound(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -177,6 +288,7 @@ def test_no_piece_without_a_bound(monkeypatch: pytest.MonkeyPatch) -> None:
 NUMBERS = st.integers(-4, 4)
 
 
+@settings(max_examples=15)
 @given(st.lists(NUMBERS, min_size=75, max_size=75), st.fractions(0, 1, max_denominator=8))
 def test_the_defect_of_any_frame(entries: list[int], time: Fraction) -> None:
     """A_0(s) Y - Y' at s = -1 + time, Y a polynomial of degree 2."""
@@ -215,5 +327,6 @@ def test_the_next_piece_holds_the_set_in_its_own_directions(monkeypatch: pytest.
         assert abs(ends(centre)[0] - to_fraction(value)) < Fraction(1, 10**9)
         assert is_bound(bound, wanted)
     with working_bits(BITS):
+        assert module._turned(now, columns * arb("nan")) is None
         monkeypatch.setattr(module, "turned_frame", lambda *_: arb_mat(SIZE, SIZE))
         assert module._turned(now, columns) is None
