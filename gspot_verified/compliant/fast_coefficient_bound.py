@@ -22,8 +22,9 @@ _STEPS = 60
 
 @dataclass(frozen=True, slots=True)
 class Weight:
-    """s^power k(s) in the integrals of c_+ and c_Q: ``polynomial`` is (1 + s) k(s) as a function of s and 1 + s,
-    |polynomial| <= size max(1, |s|)^3."""
+    """s^power k(s) in the integrals of c_+ and c_Q: ``polynomial`` is (1 + s) k(s) as a function of s and 1 + s.
+
+    |k| <= size |s|^3 where |s| and |1 + s| are at least 1, and |polynomial| <= 2 size where |1 + s| <= 1/4."""
 
     power: arb
     polynomial: Callable[[acb, acb], acb]

@@ -159,3 +159,30 @@ def test_a_long_interval_before_the_g_spot_needs_few_cuts() -> None:
         if -begin <= 16 * -end:
             break
     assert parts < 10
+
+
+@pytest.mark.parametrize(("beta", "nu", "p"), [("3/2", "2", "1/2"), ("3/2", "2", "-1/4")])
+def test_the_first_zero_does_not_depend_on_the_units(beta: str, nu: str, p: str) -> None:
+    """alpha_1 = -2 with sigma = 1/2: the same motion, times in halves, by exact_solution.md, section 1."""
+    numerator, _, denominator = beta.partition("/")
+    power, sigma, small = fmpq(int(numerator), int(denominator)), fmpq(1, 2), fmpq(1, 10**6)
+    model = compliant_model(alpha_1=-2, alpha_2=-8, alpha_3=-2 * power, epsilon=small * sigma)
+    normal = compliant_model(alpha_1=-1, alpha_2=-1, alpha_3=-power, epsilon=small)
+    state = paper_run(beta, nu, "1e-6")[1]
+    if p == "-1/4":
+        mean = normal.mean_force
+        state = compliant_state(p, mean * fmpq(1, 8), -2 * small**2 * mean, small * mean, -fmpq(7, 4) * small**2 * mean)
+    scaled = compliant_state(state.p, state.b / sigma**2, state.y, state.v / sigma, state.z)
+    one, two = first_zero(normal, state, 8), first_zero(model, scaled, 8)
+    assert one.verdict.outcome is two.verdict.outcome is Outcome.PROVED
+    assert one.lower is not None
+    assert one.upper is not None
+    assert two.lower is not None
+    assert two.upper is not None
+    assert two.start == one.start * sigma
+    assert max(one.lower * sigma, two.lower) <= min(one.upper * sigma, two.upper)
+    assert two.upper - two.lower < fmpq(1, 10**8)
+    if p == "-1/4":
+        before = two.start + (two.lower - two.start) * fmpq(99, 100)
+        assert contact_lasts(model, scaled, before).outcome is Outcome.PROVED
+        assert contact_lasts(model, scaled, two.upper).outcome is Outcome.UNDECIDED

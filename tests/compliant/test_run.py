@@ -133,3 +133,24 @@ def test_text_and_json() -> None:
     data = json.loads(json.dumps(run.to_json()))
     assert [event["event"] for event in data["events"]] == ["lift-off", "touch-down"]
     assert data["verdict"]["outcome"] == "proved"
+
+
+@pytest.mark.parametrize(("beta", "nu", "verdict"), [("3/2", "2", ONE_FLIGHT), ("5/2", "4", IMPACT)])
+def test_a_run_does_not_depend_on_the_units(beta: str, nu: str, verdict: str) -> None:
+    """alpha_1 = -2, sigma = 1/2: times in halves, v twice, by exact_solution.md, section 1."""
+    sigma, normal = fmpq(1, 2), compliant_model(beta, "1e-6")
+    model = compliant_model(alpha_1=-2, alpha_2=-8, alpha_3=2 * normal.alpha_3, epsilon=normal.epsilon * sigma)
+    state = paper_state(normal, nu)
+    scaled = compliant_state(state.p, state.b / sigma**2, state.y, state.v / sigma, state.z)
+    one, two = compliant_run(normal, state), compliant_run(model, scaled)
+    assert one.verdict.statement == two.verdict.statement == verdict
+    assert [event.name for event in one.events] == [event.name for event in two.events]
+    for first, second in zip(one.events, two.events, strict=True):
+        assert second.lower <= second.upper
+        if verdict == ONE_FLIGHT:
+            assert max(first.lower * sigma, second.lower) <= min(first.upper * sigma, second.upper)
+            with working_bits(200):
+                assert first.velocity.is_finite()
+                assert second.velocity.is_finite()
+                assert (first.velocity / sigma).overlaps(second.velocity)
+                assert abs(second.velocity).rad() < abs(second.velocity).lower() / 10**6

@@ -186,20 +186,23 @@ def test_no_bars_without_their_hypotheses() -> None:
         assert finite(entry(), replace(CONE, top=reached * (1 + arb((1, -20)))))
 
 
-def ended(sign: int, place: fmpq, e_y: arb) -> Track:
-    """A run whose last piece ends at ``place`` with given deviations: wide, and about no zero."""
+def ended(sign: int, place: fmpq, e_y: arb, power: int = 2) -> Track:
+    """A run whose last piece ends at ``place`` with given deviations: wide, and about no zero; p_1 = 1/2."""
     e = (arb(3, (1, -2)), *[arb(0)] * 4, arb(-5), arb(-7, (1, -3)), arb(2, (1, -4)), e_y, arb(-2 * sign, (1, -3)))
     piece: Any = SimpleNamespace(start=fmpq(-1), end=place, end_deviations=e, end_fast=arb(11))
     first: Any = SimpleNamespace(start=fmpq(-2))
     with working_bits(BITS):
-        return Track(DeviationEquations(trajectory(), fmpq(1, 4)), fmpq(2), place, (first, piece))
+        equations = DeviationEquations(trajectory(), fmpq(1, 4))
+        equations._terms["p"][1] = arb_poly([fmpq(1, 2)])
+        return Track(equations, fmpq(power), place, (first, piece))
 
 
 @pytest.mark.parametrize("sign", [1, -1])
 @pytest.mark.parametrize("place", [fmpq(3, 2), fmpq(4)])
-def test_the_entry_holds_the_deviation_at_the_end_of_its_piece(sign: int, place: fmpq) -> None:
+@pytest.mark.parametrize("power", [2, 8])
+def test_the_entry_holds_the_deviation_at_the_end_of_its_piece(sign: int, place: fmpq, power: int) -> None:
     """Y, V, N, q at every corner of the set, for every delta up to delta_0; and they are no wider than that."""
-    run = ended(sign, place, arb(-4 * sign, (1, -2)))
+    run = ended(sign, place, arb(-4 * sign, (1, -2)), power)
     with working_bits(BITS):
         one = entry_of(run, 1)
     assert one is not None
@@ -218,10 +221,10 @@ def test_the_entry_holds_the_deviation_at_the_end_of_its_piece(sign: int, place:
                 for n, term in enumerate(trajectory().p)
                 for k, value in enumerate(term.coefficients())
             ),
-            Fraction(0),
+            delta / 2,
         )
         for e_p in (Fraction(-57, 8), Fraction(-55, 8)):
-            q = -(hat + delta**2 * e_p)
+            q = -(hat + delta**power * e_p)
             places.append(q)
             products += [
                 q * Y / 2 - sign * e_b

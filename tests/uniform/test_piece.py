@@ -177,7 +177,7 @@ def test_all_is_rounded_upwards(bits: int, monkeypatch: pytest.MonkeyPatch) -> N
         page = RADII[i] + weight[i, 0] * 3 * DELTA / RATE + length * (moved[i, 0] + weight[i, 0] * fed + rest[i, 0])
         assert ends(bound)[1] >= to_fraction(page)
     assert ends(found.at_end.forced)[1] >= to_fraction(fed)
-    assert ends(found.fast)[1] >= to_fraction(fed) + 3
+    assert ends(found.fast)[1] >= ends(found.at_end.forced)[1] + 3
     assert ends(found.end_fast)[1] >= to_fraction(fed) + Fraction(math.exp(-2)) * 3
 
 
@@ -192,13 +192,13 @@ def test_the_inequality_is_strict(monkeypatch: pytest.MonkeyPatch) -> None:
             return arb_mat(SIZE, SIZE)
 
         def coupling(self, s: arb, tube: Sequence[arb]) -> Coupling:
-            return Coupling(arb_mat(SIZE, SIZE), super().coupling(s, tube).fast, arb(7))
+            return Coupling(arb_mat(SIZE, SIZE), arb_mat([[value] for value in FAST]), super().coupling(s, tube).force)
+
+        def residual(self, reach: fmpq) -> tuple[list[arb], arb]:  # noqa: ARG002
+            return [arb(0)] * SIZE, arb(0)
 
     start = Deviations((arb(0),) * SIZE, (arb(1),) * SIZE, identity(SIZE), arb(0), fmpq(0), arb(64))
-    left = [
-        1 + (END - START) * ((abs(value) + fmpq(1, 8)) * 64 + rest * DELTA**2)
-        for value, rest in zip(FAST, RESIDUAL, strict=True)
-    ]
+    left = [1 + (END - START) * abs(value) * 64 for value in FAST]
     monkeypatch.setattr(module, "frame_at", lambda _, __, turned: Frame((identity(SIZE),), turned))
     for more in (fmpq(0), fmpq(1, 2**12)):
         guesses = [arb(value + more) for value in left] * 50
@@ -272,6 +272,9 @@ def test_no_piece_without_a_bound(monkeypatch: pytest.MonkeyPatch) -> None:
 
     assert found(Given()) is not None
     assert found(Given(), end=fmpq(5)) is None
+    with monkeypatch.context() as patch:
+        patch.setattr(module, "turned_frame", lambda *_: arb_mat(SIZE, SIZE))
+        assert found(Given()) is None
     singular = Deviations(start.centre, start.radii, arb_mat(SIZE, SIZE), start.initial, start.elapsed, start.forced)
     assert found(Given(), singular) is None
     for name in ("matrix", "fast"):
@@ -328,5 +331,14 @@ def test_the_next_piece_holds_the_set_in_its_own_directions(monkeypatch: pytest.
         assert is_bound(bound, wanted)
     with working_bits(BITS):
         assert module._turned(now, columns * arb("nan")) is None
+    exact = inverse * fmpq_mat(TURNED)
+    for bits in range(4, 16):
+        with working_bits(bits):
+            rough = module._turned(now, arb_mat(TURNED))
+        assert rough is not None
+        for i, (centre, bound) in enumerate(zip(rough.centre, rough.radii, strict=True)):
+            away = abs(to_fraction((exact * column(CENTRE))[i, 0]) - ends(centre)[0])
+            assert ends(bound)[1] >= to_fraction((sizes(exact) * column(RADII))[i, 0]) + away
+    with working_bits(BITS):
         monkeypatch.setattr(module, "turned_frame", lambda *_: arb_mat(SIZE, SIZE))
         assert module._turned(now, columns) is None
