@@ -35,6 +35,7 @@ SABOTAGED_MODULES = {
         ("grid", "slow_integral", "epsilon_series", "slow_coefficient", "fast_coefficient", "side_rule"), "compliant"
     ),
     **dict.fromkeys(("step", "norm_step"), "integrator"),
+    **dict.fromkeys(("growth", "piece"), "uniform"),
 }
 _MAX_EXPONENT = 10_000
 AddRemainder = Callable[[arb, arb], arb]

@@ -19,6 +19,7 @@ _THETA = (
 )
 _COMPLIANT = ("tests/compliant/test_sharpness.py",)
 _INTEGRATOR = ("tests/integrator/test_sharpness.py",)
+_UNIFORM = ("tests/uniform/test_piece.py", "tests/uniform/test_growth_ranges.py")
 
 
 def _slow(sabotage: str) -> object:
@@ -38,6 +39,7 @@ def test_green_without_sabotage() -> None:
     assert _run(_THETA) == 0
     assert _run(_COMPLIANT) == 0
     assert _run(_INTEGRATOR) == 0
+    assert _run(_UNIFORM) == 0
 
 
 # The first six bounds are attained to 2^-20 relative; the others are wider than the error, by less than 2^20.
@@ -67,3 +69,9 @@ def test_red_with_a_shrunk_radius_of_the_compliant_model(sabotage: str) -> None:
 @pytest.mark.parametrize("sabotage", ["step:20", "norm_step:20"])  # attained to 2^-20 relative
 def test_red_with_a_shrunk_radius_of_the_integrator(sabotage: str) -> None:
     assert _run(_INTEGRATOR, "--sabotage", sabotage) == 1
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("sabotage", ["growth:20", "piece:20"])
+def test_red_with_a_shrunk_radius_of_a_deviation(sabotage: str) -> None:
+    assert _run(_UNIFORM, "--sabotage", sabotage) == 1

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from flint import arb, arb_mat, arb_poly, fmpq
 
-from gspot_verified.balls import add_remainder, ball
+from gspot_verified.balls import add_remainder, ball, nonfinite
 from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.residual import residual_bounds
 from gspot_verified.expansion.trajectory import Trajectory
@@ -126,8 +126,11 @@ class DeviationEquations:
         return self._functions.gradients(state)
 
     def residual_below(self, reach: arb) -> tuple[list[arb], arb]:
-        """As :meth:`residual`, for a ball."""
-        return self.residual(fmpq((reach.upper() * _LEVELS).ceil().unique_fmpz() or 1, _LEVELS))
+        """As :meth:`residual`, for a ball; not finite where the ball is not."""
+        levels = (reach.upper() * _LEVELS).ceil().unique_fmpz()
+        if levels is None:
+            return [nonfinite()] * self.size, nonfinite()
+        return self.residual(fmpq(max(levels, 1), _LEVELS))
 
     def residual(self, reach: fmpq) -> tuple[list[arb], arb]:
         """Bounds on |R| delta^-M for |s| <= reach: those of e, and that of the equation of z."""

@@ -126,7 +126,13 @@ def test_the_hypotheses_of_theorem_f4() -> None:
     assert not in_slow_set(replace(one, alpha_2=-pull - TINY), a, c)
     assert in_slow_set(replace(one, alpha_2=fmpq(0)), a, c)
     assert not in_slow_set(replace(one, alpha_2=TINY), a, c)
-    assert not holds(force=fmpq(0), D=fmpq(0), W=fmpq(0), G=fmpq(0))  # S > 0
+    nothing = state(**{**good, "force": fmpq(0), "D": fmpq(0), "W": fmpq(0), "G": fmpq(0)})
+    assert not in_slow_set(replace(nothing, alpha_2=fmpq(0)), a, c)  # S > 0
+    # At a large kappa the signs of 1 - a and c would make up for q < kappa/a.
+    large = replace(state(**{**good, "force": fmpq(0), "D": fmpq(4)}), epsilon=fmpq(10**4), alpha_2=fmpq(0))
+    for rate, lag in ((fmpq(3, 2), fmpq(1, 100)), (fmpq(1, 2), fmpq(-1, 100)), (fmpq(1, 2), fmpq(1, 100))):
+        assert (1 - rate) * lag * (5 - 5000 / rate) >= rate**2 or (rate < 1 and lag > 0)
+        assert not in_slow_set(large, rate, lag)
     for rate, lag in ((fmpq(0), c), (fmpq(1), c), (a, fmpq(0)), (-a, c), (a, -c)):
         assert not holds(rate, lag, q=fmpq(10**6))
     assert not holds(beta=fmpq(1))

@@ -11,13 +11,15 @@ from typing import Any
 
 import pytest
 from flint import arb, arb_mat, fmpq
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import ends, to_fmpq, to_fraction
+from uniform_systems import varying_example
 from uniform_witness import extended_motion
 
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.regularisation import Regularisation
+from gspot_verified.expansion.residual import residual_bounds
 from gspot_verified.expansion.trajectory import Trajectory, expand_system
 from gspot_verified.testing import extended_example
 from gspot_verified.uniform.equations import Coupling, DeviationEquations
@@ -101,6 +103,114 @@ def test_lemma_1_on_the_extended_system(s: Fraction, part: int, moves: list[Frac
     assert contains(equations.lag, lag)
     assert contains(equations.kappa, kappa)
     assert contains(equations.damper, k_2 / c)
+
+
+def varying(delta: fmpq) -> DeviationEquations:
+    with working_bits(128):
+        return DeviationEquations(expand_system(varying_example(fmpq(3, 2)), 6), delta)
+
+
+@given(st.integers(0, 4), st.lists(SMALL, min_size=10, max_size=10), st.lists(SMALL, min_size=10, max_size=10))
+@settings(max_examples=25)
+def test_the_coefficients_hold_those_at_every_smaller_delta(
+    part: int, sizes: list[Fraction], moves: list[Fraction]
+) -> None:
+    """A at delta = part/4 delta_0 and at a state of the tube, from the formulas of the page by hand."""
+    largest, s = fmpq(1, 8), Fraction(-1, 2)
+    delta = to_fraction(largest) * part / 4
+    equations = varying(largest)
+    tube = [abs(size) for size in sizes]
+    inside = {name: move * size for name, move, size in zip(NAMES, moves, tube, strict=True)}
+    hat = {
+        name: sum(
+            (
+                to_fraction(c) * s**k * delta**n
+                for n, term in enumerate(terms)
+                for k, c in enumerate(term.coefficients())
+            ),
+            Fraction(0),
+        )
+        for name, terms in equations.trajectory.terms().items()
+    }
+    x = [delta**2 * (hat[f"xi_{i + 1}"] + inside[f"xi_{i + 1}"]) for i in range(6)]
+    force, p = hat["lambda_n"], hat["p"] + inside["p"]
+    kappa, chi, alpha_3 = Fraction(1, 2), Fraction(3, 2), Fraction(-3, 2) + 3 * x[3]
+    page = [[Fraction(0)] * 10 for _ in range(10)]
+    control = [0, -1, 0, x[4], 0, -alpha_3]
+    slopes = {
+        (0, 1): 1, (2, 3): 1, (3, 5): 1, (3, 4): force, (4, 5): chi, (4, 3): 2 * x[3], (5, 0): 2, (5, 3): 5 - 3 * force,
+        (6, 5): chi, (6, 3): 2 * x[3], (7, 0): 2, (7, 3): 5 - 3 * force,
+    }  # fmt: skip
+    for (i, j), slope in slopes.items():
+        page[i][j] = delta**2 * slope
+    for i, value in enumerate(control):
+        page[i][8] = -kappa * value
+    page[7][8], page[8][9], page[9][7], page[9][6], page[9][8] = kappa * alpha_3, Fraction(1), Fraction(1), force, -kappa * p
+    with working_bits(128):
+        found = equations.coupling(arb(to_fmpq(s)), [arb(to_fmpq(size)) for size in tube])
+        matrix = (equations.limit(arb(to_fmpq(s))) + found.matrix).table()
+    for i in range(10):
+        for j in range(10):
+            assert contains(matrix[i][j], page[i][j]), (i, j)
+            if not page[i][j] and not slopes.get((i, j)) and j not in (8,):
+                assert matrix[i][j].contains(0)
+                assert matrix[i][j].rad() < 1
+    fast = [*control, 0, -alpha_3, 0, p]
+    assert all(contains(ball, Fraction(value)) for ball, value in zip(found.fast.entries(), fast, strict=True))
+    assert contains(found.force, force)
+    for i, j in slopes:  # no wider than delta_0^2 times what the slope can be
+        assert matrix[i][j].abs_upper() < 12 * arb(largest) ** 2
+
+
+@pytest.mark.parametrize("first", [0, 1, 2, 3])
+@pytest.mark.parametrize("name", ["xi_4", "p", "lambda_n", "b"])
+def test_the_norm_is_the_sum_over_monomials(name: str, first: int) -> None:
+    equations, reach = varying(fmpq(1, 8)), fmpq(5, 2)
+    page = sum(
+        (
+            abs(to_fraction(c)) * Fraction(5, 2) ** k * Fraction(1, 8) ** n
+            for n, term in enumerate(equations.trajectory.terms()[name])
+            for k, c in enumerate(term.coefficients())
+            if n >= first
+        ),
+        Fraction(0),
+    )
+    with working_bits(128):
+        found = equations.norm(name, arb(reach), first)
+    assert page <= ends(found)[1] <= page * (1 + Fraction(1, 10**20))
+    if first == 0:
+        with working_bits(128):
+            assert equations.norm(name, arb(reach)) == found
+    with working_bits(8):
+        assert ends(equations.norm(name, arb(reach), first))[1] >= page
+
+
+def test_a_residual_is_taken_on_the_next_quarter(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Never on a shorter interval of s; and each is computed once."""
+    equations, asked = varying(fmpq(1, 8)), list[fmpq]()
+    whole = residual_bounds
+
+    def counted(of: Trajectory, s: fmpq, delta: fmpq) -> Any:
+        asked.append(s)
+        return whole(of, s, delta)
+
+    monkeypatch.setattr("gspot_verified.uniform.equations.residual_bounds", counted)
+    with working_bits(128):
+        for reach in (fmpq(1), fmpq(3, 4) + fmpq(1, 2**40), fmpq(1, 2), fmpq(1, 100)):
+            equations.residual(reach)
+        assert asked == [fmpq(1), fmpq(1, 2), fmpq(1, 4)]
+        wide = arb(1, (1, -2))
+        assert equations.residual_below(wide) == equations.residual(fmpq(5, 4))
+        assert asked[3:] == [fmpq(5, 4)]
+        equations.residual_below(arb(0))
+        assert min(asked) > 0
+        for none in (arb("inf"), arb("nan"), arb(0, "inf")):
+            bounds, of_z = equations.residual_below(none)
+            assert len(bounds) == equations.size
+            assert not any(value.is_finite() for value in (*bounds, of_z))
+    bounds, of_z = equations.residual(fmpq(1))
+    constants = whole(equations.trajectory, fmpq(1), fmpq(1, 8)).constants
+    assert [*bounds, of_z] == [constants[name] for name in (*NAMES, "z")]
 
 
 # Sets that do not shrink: mu = 0, about a deviation of size 1

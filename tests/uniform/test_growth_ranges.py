@@ -15,13 +15,11 @@ import mpmath
 import pytest
 from flint import arb, arb_poly, fmpq
 from strategies import ends, to_fmpq, to_fraction
+from uniform_systems import varying_example
 
 from gspot_verified.balls import working_bits
-from gspot_verified.expansion.derivative import plus, times
-from gspot_verified.expansion.expressions import Constant, Variable
 from gspot_verified.expansion.residual import residual_bounds
 from gspot_verified.expansion.trajectory import Trajectory, expand_system
-from gspot_verified.testing import extended_example
 from gspot_verified.uniform.equations import DeviationEquations
 from gspot_verified.uniform.growth import Cone, Entry, Ranges, entry_of, ranges_of
 from gspot_verified.uniform.track import Track
@@ -35,14 +33,7 @@ SLACK = Fraction(1, 10**7)  # a radius has 30 bits
 
 @functools.cache
 def trajectory() -> Trajectory:
-    system = extended_example(chi=to_fmpq(CHI))
-    x = [Variable(i) for i in range(6)]
-    first = plus(system.alpha_1, times(x[3], x[3]))
-    second = plus(plus(Constant(fmpq(-1)), times(Constant(fmpq(2)), x[0])), times(Constant(fmpq(5)), x[3]))
-    rising = times(Constant(fmpq(3)), x[3])
-    third, control = plus(Constant(fmpq(-3, 2)), rising), plus(Constant(fmpq(3, 2)), times(Constant(fmpq(-1)), rising))
-    drifts, controls = (*system.F[:4], first, second), (*system.G[:5], control)
-    return expand_system(replace(system, F=drifts, G=controls, alpha_1=first, alpha_2=second, alpha_3=third), 6)
+    return expand_system(varying_example(to_fmpq(CHI)), 6)
 
 
 def entry(place: fmpq = fmpq(2)) -> Entry:

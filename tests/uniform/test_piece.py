@@ -153,6 +153,9 @@ def test_the_end_of_a_piece_is_the_left_side_of_the_inequality(
         assert is_bound(abs(passed), to_fraction(size * DELTA**2))
 
 
+INITIAL = fmpq(40007, 8192)  # more digits than there are bits
+
+
 @pytest.mark.parametrize("bits", [6, 7, 8, 9, 10])
 def test_all_is_rounded_upwards(bits: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """At a few bits, with the guess 64 for each coordinate: the first and the last part of (c), and the bounds of f."""
@@ -161,7 +164,7 @@ def test_all_is_rounded_upwards(bits: int, monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setattr(module, "larger", lambda _: arb(64))
     equations: Any = Given()
     with working_bits(bits):
-        found = advance(Rules(equations, POWER), state(fmpq(3), fmpq(0), fmpq(1, 3)), START, END)
+        found = advance(Rules(equations, POWER), state(INITIAL, fmpq(0), fmpq(1, 3)), START, END)
     assert found is not None
     turned = fmpq_mat(TURNED)
     inverse, length, shrunk = turned.inv(), END - START, DELTA ** (ORDER - 2)
@@ -174,11 +177,11 @@ def test_all_is_rounded_upwards(bits: int, monkeypatch: pytest.MonkeyPatch) -> N
     )
     rest = sizes(inverse) * column(RESIDUAL) * shrunk
     for i, bound in enumerate(found.at_end.radii):
-        page = RADII[i] + weight[i, 0] * 3 * DELTA / RATE + length * (moved[i, 0] + weight[i, 0] * fed + rest[i, 0])
+        page = RADII[i] + weight[i, 0] * INITIAL * DELTA / RATE + length * (moved[i, 0] + weight[i, 0] * fed + rest[i, 0])
         assert ends(bound)[1] >= to_fraction(page)
     assert ends(found.at_end.forced)[1] >= to_fraction(fed)
-    assert ends(found.fast)[1] >= ends(found.at_end.forced)[1] + 3
-    assert ends(found.end_fast)[1] >= to_fraction(fed) + Fraction(math.exp(-2)) * 3
+    assert ends(found.fast)[1] >= ends(found.at_end.forced)[1] + to_fraction(INITIAL)
+    assert ends(found.end_fast)[1] >= to_fraction(fed) + Fraction(math.exp(-2)) * to_fraction(INITIAL)
 
 
 def test_the_inequality_is_strict(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -339,6 +342,11 @@ def test_the_next_piece_holds_the_set_in_its_own_directions(monkeypatch: pytest.
         for i, (centre, bound) in enumerate(zip(rough.centre, rough.radii, strict=True)):
             away = abs(to_fraction((exact * column(CENTRE))[i, 0]) - ends(centre)[0])
             assert ends(bound)[1] >= to_fraction((sizes(exact) * column(RADII))[i, 0]) + away
+    with monkeypatch.context() as patch, working_bits(8):
+        patch.setattr(module, "_row_sums", lambda *_: [arb(fmpq(5, 4))] * SIZE)
+        rough = module._turned(now, arb_mat(TURNED))  # a third in the fourth row: its centre is not exact
+    assert rough is not None
+    assert ends(rough.radii[3])[1] > Fraction(5, 4)
     with working_bits(BITS):
         monkeypatch.setattr(module, "turned_frame", lambda *_: arb_mat(SIZE, SIZE))
         assert module._turned(now, columns) is None
