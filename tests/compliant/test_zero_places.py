@@ -70,23 +70,34 @@ def test_an_open_sign_widens_a_ball_and_loses_no_zero(monkeypatch: pytest.Monkey
             assert place.contains(true.mid())
 
 
-def test_a_zero_in_the_right_tail_is_not_jumped_over(monkeypatch: pytest.MonkeyPatch) -> None:
+# beta, the sign far to the left and right of the one zero that is left to the tail, where the tail begins
+TAILS = [("3/2", fmpq(-1)), ("5/2", fmpq(0)), ("2.001", fmpq(2))]
+
+
+@pytest.mark.parametrize(("beta", "start"), TAILS)
+@pytest.mark.parametrize("open_sign", [False, True])
+def test_a_zero_in_the_right_tail_is_not_jumped_over(
+    beta: str, start: fmpq, open_sign: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """The search goes outward by powers of two; a sign that stays open behind the zero must not move it on."""
-    found = slow_zeros("3/2", "1/1000", digits=6)
+    found = slow_zeros(beta, "1/10", digits=6)
     assert found.column is not None
-    assert found.column.pieces[-1].mark == 0
-    start = fmpq(-1)  # the same zero, left to the tail
-    column = Column(found.beta, found.beta, (Piece(Kind.LEFT, None, start), Piece(Kind.RIGHT, start, None, 1)))
-    honest = module._sign
-    (true,) = zero_places(found.beta, found.epsilon, column, 6)
+    before = Piece(Kind.SIGN, start - 1, start, 1)
+    pieces = (Piece(Kind.LEFT, None, start - 1), before, Piece(Kind.RIGHT, start, None, 1))
+    column = Column(found.beta, found.beta, pieces)
     with working_bits(100):
-        zero = sum(ends(true * scale(found.epsilon)), Fraction(0)) / 2
-    first = fmpq(1)
+        zero = sum(ends(found.places[-1] * scale(found.epsilon)), Fraction(0)) / 2
+    assert to_fraction(start) < zero
+    first = max(2 * start, fmpq(1))
     while to_fraction(first) < zero:
         first *= 2
-    monkeypatch.setattr(module, "_sign", opened(honest, lambda tau: tau == first))
-    (place,) = zero_places(found.beta, found.epsilon, column, 6)
-    assert place.contains(true.mid())
+    if open_sign:
+        monkeypatch.setattr(module, "_sign", opened(module._sign, lambda tau: tau == first))
+    (place,) = zero_places(found.beta, found.epsilon, column, 20)
+    assert place.contains(found.places[-1].mid()) or place.overlaps(found.places[-1])
+    with working_bits(100):
+        assert (place * scale(found.epsilon)).rad() < arb(10) ** -20
+    assert changes_sign(place, found.beta, found.epsilon)
 
 
 def test_the_places_of_a_polynomial_are_its_real_zeros_in_order() -> None:
@@ -97,4 +108,5 @@ def test_the_places_of_a_polynomial_are_its_real_zeros_in_order() -> None:
     assert square.contains(0)
     low, high = polynomial_places(4, fmpq(1), 20)
     assert low < high
+    assert all(ball.rad() < arb(10) ** -20 for ball in (cube, low, high))
     assert polynomial_places(4, fmpq(40), 20) == []
