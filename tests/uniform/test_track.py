@@ -77,4 +77,4 @@ def test_the_deviation_of_z() -> None:
         assert abs(z.mid() - page) < arb(10) ** -9
         assert abs(z.rad() - piece.force.rad() / 3 - piece.deviations[8].rad()) < arb(10) ** -6
         for lost in (arb("nan"), arb("inf")):
-            assert found.z_deviation(replace(piece, force=lost)).str() == lost.str()
+            assert not found.z_deviation(replace(piece, force=lost)).is_finite()
