@@ -24,8 +24,8 @@ _TRIES = 3
 def zero_places(beta: fmpq, epsilon: fmpq, column: Column, digits: int) -> list[arb]:
     """One ball of T for each zero that the pieces show, in order.
 
-    In tau = (epsilon/2)^(1/3) T its width is at most 10^-digits; more, up to the whole piece, where a sign stayed open. The zero in the right
-    tail is left out when it is beyond tau = 10^6.
+    In tau = (epsilon/2)^(1/3) T its width is at most 10^-digits; more where a sign stayed open, up to the whole piece.
+    The zero in the right tail is left out when it is beyond tau = 10^6.
     """
     brackets = list(column.tubes())
     last = column.pieces[-1]

@@ -130,7 +130,7 @@ class DeviationEquations:
         levels = (reach.upper() * _LEVELS).ceil().unique_fmpz()
         if levels is None:
             return [nonfinite()] * self.size, nonfinite()
-        return self.residual(fmpq(max(levels, 1), _LEVELS))
+        return self.residual(fmpq(levels if levels > 0 else 1, _LEVELS))
 
     def residual(self, reach: fmpq) -> tuple[list[arb], arb]:
         """Bounds on |R| delta^-M for |s| <= reach: those of e, and that of the equation of z."""

@@ -127,8 +127,8 @@ def test_the_end_towards_infinity(power: fmpq, p: fmpq) -> None:
 def test_the_end_towards_infinity_has_its_hypotheses() -> None:
     """D > 0, D/epsilon > n/R, |1 + s| >= 1, |s| >= 1, and Re E <= M."""
 
-    def finite(corner: acb, reach: fmpq, p: fmpq, height: arb, largest: fmpq, power: fmpq = fmpq(1)) -> bool:
-        value = module._beyond(weight(power), corner, acb(-1), arb(reach), p, height, arb(largest))
+    def finite(corner: acb, reach: fmpq, p: fmpq, height: arb, largest: fmpq, power: int = 1) -> bool:
+        value = module._beyond(weight(fmpq(power)), corner, acb(-1), arb(reach), p, height, arb(largest))
         return bool(value.is_finite())
 
     tiny, high, one = fmpq(1, 2**40), arb(10**4), acb(-1)
@@ -139,8 +139,8 @@ def test_the_end_towards_infinity_has_its_hypotheses() -> None:
         assert not finite(one, fmpq(5), fmpq(-6) - tiny, high, fmpq(1, 10**20))
         assert finite(one, fmpq(5), fmpq(0), high, fmpq(30, 4) - tiny)  # n = 4
         assert not finite(one, fmpq(5), fmpq(0), high, fmpq(30, 4) + tiny)
-        assert finite(one, fmpq(5), fmpq(0), high, fmpq(30, 3) - tiny, fmpq(-9))
-        assert not finite(one, fmpq(5), fmpq(0), high, fmpq(30, 3) + tiny, fmpq(-9))
+        assert finite(one, fmpq(5), fmpq(0), high, fmpq(30, 3) - tiny, -9)
+        assert not finite(one, fmpq(5), fmpq(0), high, fmpq(30, 3) + tiny, -9)
         edge = arb(5).log() - 6 * (fmpq(-1) - 3 + 12)  # Re E at s = -6
         assert finite(one, fmpq(5), fmpq(0), edge + tiny, fmpq(1))
         assert not finite(one, fmpq(5), fmpq(0), edge - tiny, fmpq(1))

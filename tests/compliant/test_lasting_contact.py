@@ -14,7 +14,6 @@ from gspot_verified.compliant.growth_set import in_fast_set, in_monotone_set, in
 from gspot_verified.compliant.lasting_contact import lasting_contact
 from gspot_verified.verdict import Outcome
 
-
 SMALL = fmpq(1, 128)
 
 

@@ -60,7 +60,7 @@ def test_an_open_sign_widens_a_ball_and_loses_no_zero(monkeypatch: pytest.Monkey
     last = column.pieces[-1]
     assert last.kind is Kind.RIGHT
     cases: list[Callable[[fmpq], bool]] = [lambda tau: tau in [end for tube in tubes for end in tube]]
-    cases += [lambda tau: True, lambda tau: to_fraction(tau) > zeros[-1]]
+    cases += [lambda _: True, lambda tau: to_fraction(tau) > zeros[-1]]
     cases += [lambda tau, z=z: abs(to_fraction(tau) - z) < 1 for z in zeros]  # type: ignore[misc]
     for where in cases:
         monkeypatch.setattr(module, "_sign", opened(honest, where))

@@ -36,7 +36,10 @@ def trajectory() -> Trajectory:
     return expand_system(varying_example(to_fmpq(CHI)), 6)
 
 
-def entry(place: fmpq = fmpq(2)) -> Entry:
+START = fmpq(2)
+
+
+def entry(place: fmpq = START) -> Entry:
     return Entry(
         1, fmpq(-1), place, arb(1, (1, -3)), arb(2, (1, -3)), arb(2), arb(4), (arb(1),) * 6, arb(1), arb((1, -3))
     )
@@ -95,7 +98,11 @@ def test_the_bars_are_those_of_the_page(found: Ranges) -> None:
             assert is_bound(found.drift[i][j], Fraction(drift.get((i, j), 0))), (i, j)
     control = (Fraction(0), Fraction(1), Fraction(0), radii[4], Fraction(0), Fraction(3, 2) + 3 * radii[3])
     push = map(Fraction, (2, 0, 0, turned, 0, 0))
-    for values, pages in ((found.control, control), (found.bend, (bend.get(j, 0) for j in range(6))), (found.push, push)):
+    for values, pages in (
+        (found.control, control),
+        (found.bend, (bend.get(j, 0) for j in range(6))),
+        (found.push, push),
+    ):
         assert all(is_bound(value, Fraction(page)) for value, page in zip(values, pages, strict=True))
     every = [*found.control, *found.bend, *found.push, *(value for row in found.drift for value in row)]
     assert all(ends(value)[0] >= 0 for value in every)  # so that nothing cancels in a sum of them

@@ -1,4 +1,4 @@
-"""The slow deviation of proofs/uniform.md, Corollary 2, by the series of Theta; and that it solves the limit's equation."""
+"""The slow deviation of proofs/uniform.md, Corollary 2: by the series of Theta, and it solves the limit's equation."""
 
 from __future__ import annotations
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import itertools
 from dataclasses import replace
 from typing import Any
 
@@ -53,7 +54,7 @@ def test_the_pieces_are_a_chain_from_the_start_to_the_end(monkeypatch: pytest.Mo
     first = calls[0][1]
     assert (first.centre, first.radii, first.initial) == (tuple(CENTRE), tuple(RADII), arb(5))
     assert (first.elapsed, first.forced, first.turned) == (fmpq(0), arb(0), identity(10))
-    for before, after in zip(calls, calls[1:], strict=False):
+    for before, after in itertools.pairwise(calls):
         assert before[3] == after[2] > before[2]
         assert after[1] is before[4].at_end
     assert [call[4] for call in calls] == list(found.pieces)
