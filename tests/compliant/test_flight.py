@@ -121,3 +121,10 @@ def test_a_wide_state_gives_a_wide_bracket_that_holds_the_narrow_one() -> None:
     assert wide.lower < narrow.lower
     assert narrow.upper < wide.upper
     assert wide.upper - wide.lower > fmpq(1, 10**7)
+
+
+def test_a_touch_down_at_which_the_gap_may_stand_still_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
+    """h' < 0 is asked for on the whole bracket: not <= 0."""
+    for rate, outcome in ((arb(0), Outcome.UNDECIDED), (-arb((1, -60)), Outcome.PROVED)):
+        monkeypatch.setattr(Flight, "gap_rate", lambda _, u, later=rate: arb(1) if u == 0 else later)
+        assert flight_end(STATE, 60).verdict.outcome is outcome

@@ -12,6 +12,7 @@ from flint import arb, fmpq
 from witness import contains_witness, to_fraction
 
 from gspot_verified.balls import working_bits
+from gspot_verified.compliant import lift_off_state as module
 from gspot_verified.compliant.compliant_force import compliant_force
 from gspot_verified.compliant.flight import ContactState
 from gspot_verified.compliant.lift_off_state import contact_state, lift_off_state
@@ -84,3 +85,29 @@ def test_a_long_bracket_and_no_information_are_not_finite() -> None:
     assert not lift_off_state(replace(STATE, V=arb("nan")), fmpq(1, 100), 120).V.is_finite()
     with working_bits(60):
         assert lift_off_state(STATE, fmpq(1, 10), 60).V.is_finite()
+
+
+def test_the_equations_of_the_contact_phase() -> None:
+    """b' = epsilon (alpha_2 + beta lambda), V' = b + p lambda, Y' = V, Z' = -Z - lambda, lambda = Z - Y: by hand."""
+    state = replace(STATE, alpha_2=fmpq(-3), epsilon=fmpq(1, 4))
+    found = module._rates(state, *(arb(value) for value in (-2, 7, 5, 3, 11)))
+    assert [value.str() for value in found] == [arb(value).str() for value in (fmpq(9, 4), -9, 5, -19)]
+
+
+@pytest.mark.parametrize("index", range(4))
+@pytest.mark.parametrize("sign", [1, -1])
+def test_no_variable_may_leave_the_box(index: int, sign: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The radius is twice the way at the starting rate: a rate on the box that is three times as large is too much."""
+    for factor, holds in ((fmpq(19, 10), True), (fmpq(3), False)):
+        rates = [[arb(1)] * 4, [sign * arb(factor if k == index else 1) for k in range(4)]]
+        monkeypatch.setattr(module, "_rates", lambda *_, left=rates: left.pop(0))
+        found = lift_off_state(STATE, fmpq(1, 16), 120)
+        assert all(getattr(found, name).is_finite() is holds for name in NAMES)
+
+
+def test_the_box_is_around_the_state_and_p_runs_through_the_bracket() -> None:
+    found = lift_off_state(STATE, fmpq(1, 16), 120)
+    for name, value in (("b", fmpq(3, 8)), ("V", fmpq(5, 8)), ("Y", fmpq(-3, 8)), ("p", fmpq(-1, 4))):
+        assert getattr(found, name).contains(arb(value))
+    assert found.p.contains(arb(fmpq(-1, 4) - fmpq(1, 160)))
+    assert found.p.rad() < arb(fmpq(1, 300))

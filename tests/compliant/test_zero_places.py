@@ -70,17 +70,22 @@ def test_an_open_sign_widens_a_ball_and_loses_no_zero(monkeypatch: pytest.Monkey
             assert place.contains(true.mid())
 
 
-# beta, the sign far to the left and right of the one zero that is left to the tail, where the tail begins
-TAILS = [("3/2", fmpq(-1)), ("5/2", fmpq(0)), ("2.001", fmpq(2))]
+# beta, epsilon, and where a tail may begin that holds the last zero; in the last case the sign at 1 is that of infinity
+TAILS = [
+    ("3/2", "1/10", fmpq(-1)),
+    ("5/2", "1/10", fmpq(0)),
+    ("2.001", "1/10", fmpq(2)),
+    ("5.2", "1/1000", fmpq(2)),
+]
 
 
-@pytest.mark.parametrize(("beta", "start"), TAILS)
+@pytest.mark.parametrize(("beta", "epsilon", "start"), TAILS)
 @pytest.mark.parametrize("open_sign", [False, True])
 def test_a_zero_in_the_right_tail_is_not_jumped_over(
-    beta: str, start: fmpq, open_sign: bool, monkeypatch: pytest.MonkeyPatch
+    beta: str, epsilon: str, start: fmpq, open_sign: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The search goes outward by powers of two; a sign that stays open behind the zero must not move it on."""
-    found = slow_zeros(beta, "1/10", digits=6)
+    found = slow_zeros(beta, epsilon, digits=6)
     assert found.column is not None
     before = Piece(Kind.SIGN, start - 1, start, 1)
     pieces = (Piece(Kind.LEFT, None, start - 1), before, Piece(Kind.RIGHT, start, None, 1))
