@@ -1,4 +1,7 @@
-"""The state at lift-off: units, the a-priori enclosure against the motion, brackets that are too long."""
+"""The state at lift-off: units, the a-priori enclosure against the motion, brackets that are too long.
+
+Page: proofs/flight.md.
+"""
 
 from __future__ import annotations
 

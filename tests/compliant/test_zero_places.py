@@ -1,4 +1,7 @@
-"""Enclosures of the zeros of the slow solution: each holds its zero, also where a sign stays open."""
+"""Enclosures of the zeros of the slow solution: each holds its zero, also where a sign stays open.
+
+Page: proofs/finite_epsilon_zeros.md.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""A run is a chain of pieces that cover the interval, each from the state in which the one before ended."""
+"""A run is a chain of pieces that cover the interval, each from the state in which the one before ended.
+
+Page: proofs/uniform.md.
+"""
 
 from __future__ import annotations
 
