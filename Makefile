@@ -4,6 +4,7 @@
 # make prove    the formal proofs of proofs/coq/, for which Coq and Coquelicot must be there (it says how to get them)
 # make docs     the documentation site, build/docs/index.html; it is read without a network
 # make lint     formatting, lint, types
+# make attack   questions to the package against independent references: MINUTES=30, OPTIONS="--seed 7 --kind theta" (tests/attack/README.md)
 # make mutants  mutation testing: FILES="gspot_verified/dyadic.py ...", OPTIONS="--sample 20" (tests/mutants/README.md)
 
 PYTHON ?= python3
@@ -16,7 +17,7 @@ export PYTHONDONTWRITEBYTECODE :=
 # One worker a core: threads of linear algebra within a worker only wait for each other.
 test test-all: export OPENBLAS_NUM_THREADS := 1
 
-.PHONY: verify test test-all prove docs lint mutants clean
+.PHONY: verify test test-all prove docs lint mutants attack clean
 
 # Results are kept in build/ledger, under the hash of everything that they depend on; a fresh clone has none. VERIFY=--full runs all again.
 # Exit code 1 means that a printed statement of the paper is refuted: that is a result, not a failure of the run.
@@ -47,6 +48,11 @@ FILES ?= gspot_verified/dyadic.py gspot_verified/verdict.py
 
 mutants: $(READY)
 	PYTHONPATH=tests $(BIN)/python -m mutants $(FILES) $(OPTIONS)
+
+MINUTES ?= 5
+
+attack: $(READY)
+	PYTHONPATH=tests $(BIN)/python -m attack --minutes $(MINUTES) $(OPTIONS)
 
 $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed: make PYTHON=python3.12 ...")'

@@ -1,0 +1,153 @@
+"""Power series in time, coefficient after coefficient, in fixed-point integers: what the plain Taylor method needs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+
+BITS = 256
+"""Bits after the point; a product is rounded down to them."""
+ORDER = 36
+_GOAL = -150
+
+
+class Series:
+    """A power series that computes each coefficient when it is first asked for."""
+
+    def __init__(self, rule: Callable[[int], int]) -> None:
+        self._rule = rule
+        self._known: list[int] = []
+
+    def __getitem__(self, k: int) -> int:
+        while len(self._known) <= k:
+            self._known.append(self._rule(len(self._known)))
+        return self._known[k]
+
+    def __add__(self, other: Series | int | Fraction) -> Series:
+        right = series(other)
+        return Series(lambda k: self[k] + right[k])
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Series:
+        return Series(lambda k: -self[k])
+
+    def __sub__(self, other: Series | int | Fraction) -> Series:
+        right = series(other)
+        return Series(lambda k: self[k] - right[k])
+
+    def __rsub__(self, other: Series | int | Fraction) -> Series:
+        return series(other) - self
+
+    def __mul__(self, other: Series | int | Fraction) -> Series:
+        if not isinstance(other, Series):
+            factor = Fraction(other)
+            return Series(lambda k: self[k] * factor.numerator // factor.denominator)
+        return Series(lambda k: sum(self[j] * other[k - j] for j in range(k + 1)) >> BITS)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Series | int | Fraction) -> Series:
+        if not isinstance(other, Series):
+            return self * (1 / Fraction(other))
+        found = Series(lambda k: 0)
+        found._rule = lambda k: (
+            ((self[k] << BITS) - sum(other[j] * found[k - j] for j in range(1, k + 1))) // other[0]
+        )  # fmt: skip
+        return found
+
+    def __rtruediv__(self, other: int | Fraction) -> Series:
+        return series(other) / self
+
+    def __pow__(self, power: int) -> Series:
+        if power < 0:
+            return series(1) / self**-power
+        found = series(1)
+        for _ in range(power):
+            found = found * self
+        return found
+
+
+def series(value: Series | int | Fraction) -> Series:
+    """A constant as a series; a series as it is."""
+    if isinstance(value, Series):
+        return value
+    first = fixed(Fraction(value))
+    return Series(lambda k: 0 if k else first)
+
+
+def sine_and_cosine(angle: Series) -> tuple[Series, Series]:
+    """By s' = a' c, c' = -a' s; the first coefficients by their own power series."""
+    first = _sine_and_cosine(angle[0])
+    sine, cosine = Series(lambda k: 0), Series(lambda k: 0)
+
+    def rate(other: Series, k: int) -> int:
+        return (sum(j * angle[j] * other[k - j] for j in range(1, k + 1)) >> BITS) // k
+
+    sine._rule = lambda k: rate(cosine, k) if k else first[0]
+    cosine._rule = lambda k: -rate(sine, k) if k else first[1]
+    return sine, cosine
+
+
+def _sine_and_cosine(angle: int) -> tuple[int, int]:
+    term, total, k = 1 << BITS, [0, 0], 0
+    while term:
+        total[k % 2] += term if k % 4 < 2 else -term
+        k += 1
+        term = (term * angle >> BITS) // k if term * angle >= 0 else -((-term * angle >> BITS) // k)
+    return total[1], total[0]
+
+
+def fixed(value: Fraction) -> int:
+    """The fixed-point integer next below."""
+    return (value.numerator << BITS) // value.denominator
+
+
+def number(value: int) -> Fraction:
+    """What a fixed-point integer stands for."""
+    return Fraction(value, 1 << BITS)
+
+
+Rates = Callable[[Sequence[Series]], Sequence[Series]]
+
+
+def solution(rates: Rates, start: Sequence[int]) -> list[Series]:
+    """The series of the states of an ODE from their values."""
+    states = [Series(lambda k: 0) for _ in start]
+    found = rates(states)
+    for state, first, rate in zip(states, start, found, strict=True):
+        state._rule = _integral(first, series(rate))
+    return states
+
+
+def _integral(first: int, rate: Series) -> Callable[[int], int]:
+    return lambda k: rate[k - 1] // k if k else first
+
+
+def value(of: Series, time: int) -> int:
+    """The sum of the first terms at a fixed-point time."""
+    total = 0
+    for k in range(ORDER, -1, -1):
+        total = (total * time >> BITS) + of[k]
+    return total
+
+
+def slope(of: Series, time: int) -> int:
+    """The same of the derivative."""
+    total = 0
+    for k in range(ORDER, 0, -1):
+        total = (total * time >> BITS) + k * of[k]
+    return total
+
+
+def good_step(states: Sequence[Series], largest: int) -> int:
+    """A step after which the last terms are below 2^-150 of the states or of 1."""
+    step = largest
+    for state in states:
+        size = max(abs(state[0]), 1 << BITS).bit_length()
+        for k in (ORDER - 1, ORDER):
+            # |c_k| h^k < size 2^goal, in logarithms.
+            excess = abs(state[k]).bit_length() - size - _GOAL
+            limit = BITS - max(0, excess) / k
+            step = min(step, int(2.0 ** (limit - BITS + 64)) << (BITS - 64)) if excess > 0 else step
+    return step

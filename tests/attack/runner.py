@@ -1,0 +1,207 @@
+"""Asks questions for some time, each within its own limit, and counts what came of them.
+
+Question number n of a kind is drawn from Random("seed/kind/n"), so that each can be asked again alone.
+"""
+
+from __future__ import annotations
+
+import importlib
+import json
+import os
+import random
+import select
+import signal
+import time
+import traceback
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from types import FrameType
+from typing import NoReturn
+
+from attack.answers import Answer, Attack, Tally, undecided, wrong
+
+KINDS = (
+    "theta",
+    "signs",
+    "motion",
+    "crossings",
+    "mechanisms",
+    "side",
+    "certificates",
+    "journals",
+    "kept",
+)  # fmt: skip
+"""Modules of this folder, each with ``attack(random)``; cheap before dear."""
+
+LIMIT = 60
+"""Seconds of one question; after as many again without an answer its process is ended."""
+_SHARE = 4.0
+_SHOWN = 4_000
+
+Draw = Callable[[random.Random], Attack]
+
+
+class TooLong(BaseException):
+    """The question's own time is over. No Exception: nothing below may take it for one of its own."""
+
+
+@dataclass
+class Record:
+    """What came of the questions of one kind."""
+
+    counts: Counter[Tally] = field(default_factory=Counter)
+    why: Counter[str] = field(default_factory=Counter)
+    found: list[str] = field(default_factory=list)
+    number: int = 0
+    seconds: float = 0.0
+
+    def add(self, kind: str, seed: str, question: str, answer: Answer) -> str | None:
+        """Count it; the text of a wrong one."""
+        self.counts[answer.tally] += 1
+        if answer.tally is Tally.UNDECIDED:
+            self.why[answer.detail.splitlines()[0][:90] if answer.detail else ""] += 1
+        text = None
+        if answer.tally is Tally.WRONG:
+            repeat = f"--kind {kind} --seed {seed} --number {self.number}"
+            text = f"WRONG {kind} ({repeat})\n  {question}\n  {answer.detail}"
+            self.found.append(text)
+        self.number += 1
+        return text
+
+
+def draw_of(kind: str) -> Draw:
+    """The kind's ``attack``."""
+    found: Draw = importlib.import_module(f"attack.{kind}").attack
+    return found
+
+
+def drawn(draw: Draw, kind: str, seed: str, number: int) -> Attack:
+    """Question ``number`` of a kind."""
+    return draw(random.Random(f"{seed}/{kind}/{number}"))
+
+
+def answered(draw: Draw, kind: str, seed: str, number: int, limit: float = LIMIT) -> tuple[str, Answer]:
+    """The question and its answer. An error that no attack expects is a wrong answer; so is one that never comes."""
+    question = "(while the question was drawn)"
+    before = signal.signal(signal.SIGALRM, _too_long)
+    signal.setitimer(signal.ITIMER_REAL, limit)
+    try:
+        posed = drawn(draw, kind, seed, number)
+        question = posed.question
+        return question, posed.ask()
+    except TooLong:
+        return question, undecided(f"no answer within {limit:g} s")
+    except Exception:
+        return question, wrong(f"raised\n{traceback.format_exc()[-_SHOWN:]}")
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def _too_long(signum: int, frame: FrameType | None) -> NoReturn:  # noqa: ARG001
+    raise TooLong
+
+
+def attacked(
+    kinds: Mapping[str, Draw],
+    seed: str,
+    seconds: float,
+    records: dict[str, Record],
+    limit: float = LIMIT,
+    tell: Callable[[str], None] = print,
+) -> None:
+    """Ask until the time is over, the kind that has used the least time next. Whatever ends it, ``records`` are full.
+
+    A batch runs in a forked process, so that a crash or a hang inside a library costs one question.
+    """
+    until = time.monotonic() + seconds
+    while (left := until - time.monotonic()) > 0:
+        kind = min(kinds, key=lambda name: records[name].seconds)
+        record, begun = records[kind], time.monotonic()
+        for question, answer in _batch(kinds[kind], kind, seed, record.number, min(_SHARE, left), limit, until):
+            text = record.add(kind, seed, question, answer)
+            if text is not None:
+                tell(text)
+        record.seconds += time.monotonic() - begun
+
+
+def _batch(
+    draw: Draw, kind: str, seed: str, number: int, seconds: float, limit: float, until: float
+) -> Iterator[tuple[str, Answer]]:
+    reading, writing = os.pipe()
+    child = os.fork()
+    if child == 0:
+        _asks(draw, kind, seed, number, seconds, limit, writing)
+    os.close(writing)
+    try:
+        yield from _heard(reading, child, limit, until)
+    finally:
+        os.close(reading)
+        if os.waitpid(child, os.WNOHANG) == (0, 0):
+            os.kill(child, signal.SIGKILL)
+            os.waitpid(child, 0)
+
+
+def _heard(reading: int, child: int, limit: float, until: float) -> Iterator[tuple[str, Answer]]:
+    data, question = b"", "(while the question was drawn)"
+    while True:
+        left = until - time.monotonic()
+        ready, _, _ = select.select([reading], [], [], max(0.0, min(2 * limit, left)))
+        if not ready and left < 2 * limit:
+            return  # the whole time is over: the question that is open counts as not asked
+        if not ready:
+            yield question, wrong(f"hangs: no answer within {2 * limit:g} s, and it cannot be interrupted")
+            return
+        part = os.read(reading, 1 << 16)
+        if not part:
+            _, status = os.waitpid(child, 0) if data or question else (0, 0)
+            if status:
+                yield question, wrong(f"the process ended with status {status}")
+            return
+        *lines, data = (data + part).split(b"\n")
+        for line in lines:
+            question, tally, detail = json.loads(line)
+            if tally is not None:
+                yield question, Answer(Tally(tally), detail)
+
+
+def _asks(draw: Draw, kind: str, seed: str, number: int, seconds: float, limit: float, writing: int) -> NoReturn:
+    """In the child: questions from ``number`` on, at least one; each is told before it is asked, and its answer after."""
+    code = 1
+    try:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        begun = time.monotonic()
+        while True:
+            number_now = number
+
+            def telling(rng: random.Random) -> Attack:
+                posed = draw(rng)
+                _tell(writing, posed.question, None, "")
+                return posed
+
+            question, answer = answered(telling, kind, seed, number_now, limit)
+            _tell(writing, question, answer.tally.value, answer.detail)
+            number += 1
+            if time.monotonic() - begun > seconds:
+                code = 0
+                break
+    finally:
+        os._exit(code)
+
+
+def _tell(writing: int, question: str, tally: str | None, detail: str) -> None:
+    line = json.dumps([question, tally, detail]).encode() + b"\n"
+    while line:
+        line = line[os.write(writing, line) :]
+
+
+def table(records: Mapping[str, Record]) -> str:
+    """The three tallies of each kind, and why questions stayed undecided."""
+    lines = [f"{'kind':<14}{'agreed':>9}{'undecided':>11}{'WRONG':>7}{'seconds':>9}"]
+    for kind, record in records.items():
+        counts = [record.counts[tally] for tally in Tally]
+        lines.append(f"{kind:<14}{counts[0]:>9}{counts[1]:>11}{counts[2]:>7}{record.seconds:>9.0f}")
+    for kind, record in records.items():
+        lines += [f"undecided, {kind}: {count} x {why}" for why, count in record.why.most_common(5)]
+    return "\n".join(lines)
