@@ -19,6 +19,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--seed", help="which questions (default: a random one, which is printed)")
     parser.add_argument("--kind", action="append", choices=KINDS, help="only this kind; may be given more than once")
     parser.add_argument("--number", type=int, help="only this question of one kind; needs --kind and --seed")
+    parser.add_argument("--most", type=int, help="so many questions of each kind, and no more")
     parser.add_argument("--limit", type=float, default=LIMIT, help=f"seconds of one question (default {LIMIT})")
     options = parser.parse_args(arguments)
     kinds = options.kind or [*KINDS]
@@ -34,7 +35,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     records = {kind: Record() for kind in kinds}
     try:
         draws = {kind: draw_of(kind) for kind in kinds}
-        attacked(draws, seed, 60 * options.minutes, records, options.limit, lambda text: print(text, flush=True))
+        seconds, tell = 60 * options.minutes, lambda text: print(text, flush=True)
+        attacked(draws, seed, seconds, records, options.limit, tell, options.most)
     except KeyboardInterrupt:
         print("interrupted; so far:")
     print(table(records), flush=True)

@@ -1,5 +1,5 @@
-"""Events on sets of states: each start in the set has its crossing inside the bracket, and all of its states there are in
-the box that is handed on; the field turns, so that a set is wide in a new direction at each time."""
+"""Events on sets of states: each start in the set has its crossing inside the bracket, and all of its states there are
+in the box that is handed on; the field turns, so that a set is wide in a new direction at each time."""
 
 from __future__ import annotations
 
@@ -106,10 +106,10 @@ def _crossing(found: Crossing, speed: Fraction, pull: Fraction, tilt: Fraction, 
             time = low + (high - low) * k / 20
             for name, ball, state in zip("xys", found.states, _states(speed, pull, start, time), strict=True):
                 if not holds(ball, state, _OFF):
-                    return wrong(
-                        f"{name} = {mpmath.nstr(state, 15)} at t = {mpmath.nstr(time, 15)} of the bracket {found.time}, from "
-                        f"{start}, is not in the box {ball} that is handed on"
-                    )  # fmt: skip
+                    shown = (
+                        f"{name} = {mpmath.nstr(state, 15)} at t = {mpmath.nstr(time, 15)} of the bracket {found.time}"
+                    )
+                    return wrong(f"{shown}, from {start}, is not in the box {ball} that is handed on")
     if not found.rate > 0:
         return wrong(f"a crossing whose rate {found.rate} is not certainly > 0")
     return AGREED

@@ -1,4 +1,4 @@
-"""Journals made by hand: columns that nobody found, steps that nobody proved. They must be refused, or change nothing."""
+"""Journals made by hand: columns that nobody found, steps that nobody proved. Refused, or they change nothing."""
 
 from __future__ import annotations
 
@@ -23,8 +23,10 @@ from gspot_verified.scenes.file import parse_scene
 from gspot_verified.scenes.scene import SceneError
 
 _SIGNS = (
-    ("-1..1", "[5/2..11/4]", 1), ("-inf..1", "[5/2..11/4]", -1), ("-1..3", "[3/2..7/4]", -1), ("0..inf", "[9/4..5/2]", 1),
-    ("-inf..inf", "[5/4..3/2]", -1), ("-2..2", "[7/2..15/4]", 1), ("-inf..0", "[1/4..1/2]", 1), ("1..4", "[31/10..33/10]", -1),
+    ("-1..1", "[5/2..11/4]", 1), ("-inf..1", "[5/2..11/4]", -1), ("-1..3", "[3/2..7/4]", -1),
+    ("0..inf", "[9/4..5/2]", 1),
+    ("-inf..inf", "[5/4..3/2]", -1), ("-2..2", "[7/2..15/4]", 1), ("-inf..0", "[1/4..1/2]", 1),
+    ("1..4", "[31/10..33/10]", -1),
 )  # fmt: skip
 
 

@@ -33,7 +33,8 @@ def attack(random: Random) -> Attack:
         "g": _eighth(random, -0.2, 1.5), "c": random.choice((Fraction(0), _eighth(random, -0.3, 0.3))),
         "s": random.choice((Fraction(0), _eighth(random, -0.3, 0.3))),
         "tau": _eighth(random, -2, 2), "l": abs(_eighth(random, 0.3, 1.5)) + Fraction(1, 8),
-        "k": random.choice((Fraction(0), _eighth(random, 0, 2))), "d": random.choice((Fraction(0), _eighth(random, 0, 2))),
+        "k": random.choice((Fraction(0), _eighth(random, 0, 2))),
+        "d": random.choice((Fraction(0), _eighth(random, 0, 2))),
         "q": random.choice((Fraction(0), _eighth(random, -1, 1))), "w": random.choice((0, 1, 2, 3)),
         "push": random.choice((Fraction(0), _eighth(random, -1, 1))),
     }  # fmt: skip

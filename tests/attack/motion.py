@@ -1,12 +1,13 @@
-"""Certified runs of the model scenes against the plain Taylor method: the order of events, their brackets, no event that
-was left out, the trajectory; also where two events nearly or exactly coincide, where a run ends at an event, and where
-it starts on the surface of one."""
+"""Certified runs of the model scenes against the plain Taylor method: the order of events, their brackets, no event
+that was left out, the trajectory; also where two events nearly or exactly coincide, where a run ends at an event, and
+where it starts on the surface of one."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import pairwise
 from random import Random
 
 from attack.answers import AGREED, Answer, Attack, undecided, wrong
@@ -123,7 +124,9 @@ def attack(random: Random) -> Attack:
     bend = random.choice((_plain, _plain, _ends_at_an_event, _coinciding, _ends_after_two))
     pick, near = (
         random.random(),
-        random.choice((Fraction(0), Fraction(1, 10**9), Fraction(-1, 10**9), Fraction(1, 10**25))),
+        random.choice(
+            (Fraction(0), Fraction(1, 10**9), Fraction(-1, 10**9), Fraction(1, 10**25), -Fraction(1, 10**33))
+        ),
     )
     bent: list[Question] = []
 
@@ -281,6 +284,6 @@ def _growth(asked: Question, found: SceneRun, motion: Motion) -> str:
         end = min([*later, Fraction(motion.end, 1 << 256), begin + 20])
         forces = [states[4] - states[2] for k in range(21) for states in [motion.at(begin + (end - begin) * k / 21)[1]]]
         limited = "-fold" in str(found.verdict) or "times as large" in str(found.verdict)
-        if not limited and any(after <= before for before, after in zip(forces, forces[1:], strict=False)):
+        if not limited and any(after <= before for before, after in pairwise(forces)):
             return f"the force does not grow after the impact: {[float(x) for x in forces]}"
     return ""

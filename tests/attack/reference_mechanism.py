@@ -1,5 +1,5 @@
-"""The contact equations of a mechanism from its energies, by sympy: M, the contact's rows, A, B, C, a, b, p and the three
-alphas of the paper (Sec. 1), and all G-spots by sampling, exact roots in the velocities, and random starts of Newton."""
+"""The contact equations of a mechanism from its energies, by sympy: M, the contact's rows, A, B, C, a, b, p and the
+alphas of the paper (Sec. 1); all G-spots by sampling, exact roots in the velocities, random starts of Newton."""
 
 from __future__ import annotations
 
@@ -129,7 +129,7 @@ def _roots_on_circle(quick: Callable[[float], float], exact: Callable[[Any], Any
 
 
 def _velocities(function: Callable[[Any], Any]) -> tuple[list[mpmath.mpf], bool]:
-    """The real zeros of a polynomial of degree at most 2, from its values at -1, 0, 1 (and 2, to see that it is one)."""
+    """The real zeros of a polynomial of degree at most 2 from its values at -1, 0, 1, and 2 to see that it is one."""
     low, middle, high, more = (function(mpmath.mpf(w)) for w in (-1, 0, 1, 2))
     first, second = (high - low) / 2, (high + low) / 2 - middle
     if abs(middle + 2 * first + 4 * second - more) > mpmath.mpf(10) ** -25 * (1 + abs(more)):

@@ -1,7 +1,7 @@
-"""A mechanism with compliant contact, phase after phase, by the plain Taylor method: nothing is bounded, all is precise.
+"""The model with compliant contact, phase after phase, by the plain Taylor method: nothing is bounded, all is precise.
 
-Written from the equations of the paper, Sec. 2: in slip forwards lambda_T = -mu lambda_N, backwards +mu lambda_N, in
-stick what keeps the slip velocity; contact opens where lambda_N falls through 0 and closes where y = z again.
+Written from the equations of the paper, Sec. 2: in slip forwards lambda_N is lambda^+, backwards lambda^-, in stick it
+is shared so that the slip velocity stays; contact opens where lambda_N falls through 0 and closes where y = z again.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from attack.reference_series import BITS, Series, fixed, good_step, number, seri
 SLIP, STICK, REVERSE, FLIGHT = "slip", "stick", "reverse slip", "flight"
 _POINTS = 24
 _TINY = 1 << (BITS - 120)
-"""Below 2^-120 a number is taken for 0: the method's own error is far below, and no honest question is decided there."""
+"""Below 2^-120 a number is taken for 0: the method's own error is far below."""
 
 
 class Unsure(Exception):
@@ -209,7 +209,7 @@ class Model:
 
     def first(self, start: Sequence[Fraction]) -> str:
         """The phase at the start."""
-        _, b, Y, V, Z, u = start
+        _, b, Y, V, Z, _ = start
         rate = self["k_1"] / self["damping"]
         signs = (Z - Y, -rate * Z - V, rate * rate * Z - b)
         gap = next((value for value in signs if value), Fraction(0))

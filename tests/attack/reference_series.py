@@ -11,6 +11,10 @@ ORDER = 36
 _GOAL = -150
 
 
+def _nothing(_: int) -> int:
+    return 0
+
+
 class Series:
     """A power series that computes each coefficient when it is first asked for."""
 
@@ -47,25 +51,8 @@ class Series:
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Series | int | Fraction) -> Series:
-        if not isinstance(other, Series):
-            return self * (1 / Fraction(other))
-        found = Series(lambda k: 0)
-        found._rule = lambda k: (
-            ((self[k] << BITS) - sum(other[j] * found[k - j] for j in range(1, k + 1))) // other[0]
-        )  # fmt: skip
-        return found
-
-    def __rtruediv__(self, other: int | Fraction) -> Series:
-        return series(other) / self
-
-    def __pow__(self, power: int) -> Series:
-        if power < 0:
-            return series(1) / self**-power
-        found = series(1)
-        for _ in range(power):
-            found = found * self
-        return found
+    def __truediv__(self, other: int | Fraction) -> Series:
+        return self * (1 / Fraction(other))
 
 
 def series(value: Series | int | Fraction) -> Series:
@@ -74,28 +61,6 @@ def series(value: Series | int | Fraction) -> Series:
         return value
     first = fixed(Fraction(value))
     return Series(lambda k: 0 if k else first)
-
-
-def sine_and_cosine(angle: Series) -> tuple[Series, Series]:
-    """By s' = a' c, c' = -a' s; the first coefficients by their own power series."""
-    first = _sine_and_cosine(angle[0])
-    sine, cosine = Series(lambda k: 0), Series(lambda k: 0)
-
-    def rate(other: Series, k: int) -> int:
-        return (sum(j * angle[j] * other[k - j] for j in range(1, k + 1)) >> BITS) // k
-
-    sine._rule = lambda k: rate(cosine, k) if k else first[0]
-    cosine._rule = lambda k: -rate(sine, k) if k else first[1]
-    return sine, cosine
-
-
-def _sine_and_cosine(angle: int) -> tuple[int, int]:
-    term, total, k = 1 << BITS, [0, 0], 0
-    while term:
-        total[k % 2] += term if k % 4 < 2 else -term
-        k += 1
-        term = (term * angle >> BITS) // k if term * angle >= 0 else -((-term * angle >> BITS) // k)
-    return total[1], total[0]
 
 
 def fixed(value: Fraction) -> int:
@@ -113,7 +78,7 @@ Rates = Callable[[Sequence[Series]], Sequence[Series]]
 
 def solution(rates: Rates, start: Sequence[int]) -> list[Series]:
     """The series of the states of an ODE from their values."""
-    states = [Series(lambda k: 0) for _ in start]
+    states = [Series(_nothing) for _ in start]
     found = rates(states)
     for state, first, rate in zip(states, start, found, strict=True):
         state._rule = _integral(first, series(rate))

@@ -39,7 +39,8 @@ def first_coefficients(beta: Fraction) -> list[mpmath.mpf]:
 
 def by_series(tau: Fraction, beta: Fraction, derivative: int = 0, digits: int = 80) -> Number:
     """The power series of the ODE at 0, with as many bits as its cancellation asks for."""
-    wanted = int(digits * 3.33) + _GUARD
+    # Next to a pole of Gamma as many bits go as beta has.
+    wanted = int(digits * 3.33) + _GUARD + beta.denominator.bit_length()
     bits = wanted + 2 * int(abs(tau) ** 1.5) + int(abs(beta)).bit_length() * 8
     while True:
         with mpmath.workprec(bits):

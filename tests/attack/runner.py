@@ -8,7 +8,6 @@ from __future__ import annotations
 import importlib
 import json
 import os
-import random
 import select
 import signal
 import time
@@ -16,6 +15,7 @@ import traceback
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from random import Random
 from types import FrameType
 from typing import NoReturn
 
@@ -28,6 +28,7 @@ KINDS = (
     "crossings",
     "mechanisms",
     "side",
+    "expansions",
     "certificates",
     "journals",
     "kept",
@@ -38,8 +39,9 @@ LIMIT = 60
 """Seconds of one question; after as many again without an answer its process is ended."""
 _SHARE = 4.0
 _SHOWN = 4_000
+_END = "end"
 
-Draw = Callable[[random.Random], Attack]
+Draw = Callable[[Random], Attack]
 
 
 class TooLong(BaseException):
@@ -78,7 +80,7 @@ def draw_of(kind: str) -> Draw:
 
 def drawn(draw: Draw, kind: str, seed: str, number: int) -> Attack:
     """Question ``number`` of a kind."""
-    return draw(random.Random(f"{seed}/{kind}/{number}"))
+    return draw(Random(f"{seed}/{kind}/{number}"))
 
 
 def answered(draw: Draw, kind: str, seed: str, number: int, limit: float = LIMIT) -> tuple[str, Answer]:
@@ -110,16 +112,22 @@ def attacked(
     records: dict[str, Record],
     limit: float = LIMIT,
     tell: Callable[[str], None] = print,
+    most: int | None = None,
 ) -> None:
     """Ask until the time is over, the kind that has used the least time next. Whatever ends it, ``records`` are full.
 
-    A batch runs in a forked process, so that a crash or a hang inside a library costs one question.
+    A batch runs in a forked process, so that a crash or a hang inside a library costs one question. ``most``: so many
+    questions of each kind, and no more.
     """
     until = time.monotonic() + seconds
     while (left := until - time.monotonic()) > 0:
-        kind = min(kinds, key=lambda name: records[name].seconds)
+        open_ones = [name for name in kinds if most is None or records[name].number < most]
+        if not open_ones:
+            return
+        kind = min(open_ones, key=lambda name: records[name].seconds)
         record, begun = records[kind], time.monotonic()
-        for question, answer in _batch(kinds[kind], kind, seed, record.number, min(_SHARE, left), limit, until):
+        share = 0.0 if most is not None else min(_SHARE, left)
+        for question, answer in _batch(kinds[kind], kind, seed, record.number, share, limit, until):
             text = record.add(kind, seed, question, answer)
             if text is not None:
                 tell(text)
@@ -135,15 +143,14 @@ def _batch(
         _asks(draw, kind, seed, number, seconds, limit, writing)
     os.close(writing)
     try:
-        yield from _heard(reading, child, limit, until)
+        yield from _heard(reading, limit, until)
     finally:
         os.close(reading)
-        if os.waitpid(child, os.WNOHANG) == (0, 0):
-            os.kill(child, signal.SIGKILL)
-            os.waitpid(child, 0)
+        os.kill(child, signal.SIGKILL)  # not reaped yet, so the number is still the child's
+        os.waitpid(child, 0)
 
 
-def _heard(reading: int, child: int, limit: float, until: float) -> Iterator[tuple[str, Answer]]:
+def _heard(reading: int, limit: float, until: float) -> Iterator[tuple[str, Answer]]:
     data, question = b"", "(while the question was drawn)"
     while True:
         left = until - time.monotonic()
@@ -155,39 +162,38 @@ def _heard(reading: int, child: int, limit: float, until: float) -> Iterator[tup
             return
         part = os.read(reading, 1 << 16)
         if not part:
-            _, status = os.waitpid(child, 0) if data or question else (0, 0)
-            if status:
-                yield question, wrong(f"the process ended with status {status}")
+            yield question, wrong("the process ended in the midst of the question")
             return
         *lines, data = (data + part).split(b"\n")
         for line in lines:
             question, tally, detail = json.loads(line)
+            if tally == _END:
+                return
             if tally is not None:
                 yield question, Answer(Tally(tally), detail)
 
 
 def _asks(draw: Draw, kind: str, seed: str, number: int, seconds: float, limit: float, writing: int) -> NoReturn:
-    """In the child: questions from ``number`` on, at least one; each is told before it is asked, and its answer after."""
-    code = 1
+    """In the child: questions from ``number`` on, at least one; each is told before it is asked, its answer after."""
+
+    def telling(random: Random) -> Attack:
+        posed = draw(random)
+        _tell(writing, posed.question, None, "")
+        return posed
+
     try:
         signal.signal(signal.SIGINT, signal.SIG_IGN)
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
         begun = time.monotonic()
         while True:
-            number_now = number
-
-            def telling(rng: random.Random) -> Attack:
-                posed = draw(rng)
-                _tell(writing, posed.question, None, "")
-                return posed
-
-            question, answer = answered(telling, kind, seed, number_now, limit)
+            question, answer = answered(telling, kind, seed, number, limit)
             _tell(writing, question, answer.tally.value, answer.detail)
             number += 1
             if time.monotonic() - begun > seconds:
-                code = 0
+                _tell(writing, "", _END, "")
                 break
     finally:
-        os._exit(code)
+        os._exit(0)
 
 
 def _tell(writing: int, question: str, tally: str | None, detail: str) -> None:

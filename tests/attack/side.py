@@ -1,5 +1,5 @@
-"""K, the exact side of a state at finite epsilon, against the growing solution of the linear contact; the number of zeros
-of the slow solution against its changes of sign."""
+"""K, the exact side of a state at finite epsilon, against the growing solution of the linear contact; the number of
+zeros of the slow solution against its changes of sign."""
 
 from __future__ import annotations
 
@@ -27,7 +27,8 @@ def attack(random: Random) -> Attack:
 def _beta(random: Random) -> Fraction:
     whole = Fraction(random.randint(2, 6))
     found = random.choice((
-        Fraction(random.randint(3, 60), 8), whole, whole + random.choice((-1, 1)) * Fraction(1, 10 ** random.randint(2, 12)),
+        Fraction(random.randint(3, 60), 8), whole,
+        whole + random.choice((-1, 1)) * Fraction(1, 10 ** random.randint(2, 12)),
         Fraction(random.randint(10**8, 6 * 10**8), 10**8 + 7),
     ))  # fmt: skip
     return found + Fraction(1, 3) if found == 1 else found

@@ -1,4 +1,4 @@
-"""Signs of dTheta/dtau on ranges, numbers of zeros, brackets: against samples of the power series and changes of sign."""
+"""Signs of dTheta/dtau on ranges, numbers of zeros, brackets: against samples of the power series."""
 
 from __future__ import annotations
 

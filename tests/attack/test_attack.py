@@ -1,0 +1,166 @@
+"""A fixed slice of the questions; that each kind notices a package that lies; what the references may import."""
+
+from __future__ import annotations
+
+import ast
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from attack import certificates, crossings, expansions, journals, kept, mechanisms, motion, side, signs, theta
+from attack.answers import AGREED, Answer, Attack, Tally, undecided, worst, wrong
+from attack.runner import KINDS, answered, draw_of
+from flint import arb
+
+from gspot_verified import Outcome
+from gspot_verified.integrator.event import Crossing, Watch
+
+FOLDER = Path(__file__).parent
+SLICE = {
+    "theta": range(8),
+    "signs": range(3),
+    "motion": range(4),
+    "crossings": range(2),
+    "mechanisms": range(2),
+    "side": range(2),
+    "expansions": range(4),
+    "certificates": range(12),
+    "journals": range(3),
+    "kept": range(8),
+}
+
+
+@pytest.mark.parametrize(("kind", "number"), [(kind, number) for kind, numbers in SLICE.items() for number in numbers])
+def test_the_package_agrees_with_the_references(kind: str, number: int) -> None:
+    question, answer = answered(draw_of(kind), kind, "slice", number)
+    assert answer.tally is not Tally.WRONG, f"{question}\n{answer.detail}"
+
+
+def test_every_kind_has_its_part_in_the_slice() -> None:
+    assert tuple(SLICE) == KINDS
+
+
+# The references.
+
+
+def imported(path: Path) -> set[str]:
+    found: set[str] = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0
+            found |= {f"{node.module}.{alias.name}" for alias in node.names}
+    return found
+
+
+REFERENCES = sorted(FOLDER.glob("reference_*.py"))
+ALLOWED = {"mpmath", "sympy", "scipy"} | set(sys.stdlib_module_names) - {"importlib"}
+
+
+def forbidden(names: set[str]) -> set[str]:
+    return {
+        name for name in names if name.split(".")[0] not in ALLOWED and not name.startswith("attack.reference_")
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("path", REFERENCES, ids=lambda path: path.stem)
+def test_references_import_nothing_of_the_package(path: Path) -> None:
+    assert forbidden(imported(path)) == set()
+    assert "__import__" not in path.read_text(encoding="utf-8")
+
+
+def test_the_rule_on_imports_itself() -> None:
+    assert len(REFERENCES) >= 4
+    names = {
+        "gspot_verified.theta",
+        "flint.arb",
+        "witness",
+        "attack.signs.slope",
+        "importlib",
+        "attack.reference_theta.mp",
+    }
+    assert forbidden(names) == names - {"attack.reference_theta.mp"}
+
+
+# Each kind notices a package that lies.
+
+
+def first_wrong(kind: str, most: int) -> int | None:
+    """The number of the first question, of the first ``most``, whose answer is wrong."""
+    draw = draw_of(kind)
+    return next((n for n in range(most) if answered(draw, kind, "teeth", n)[1].tally is Tally.WRONG), None)
+
+
+def shifted(ball: arb) -> arb:
+    return ball + 3 * ball.rad() + abs(ball) * arb(2) ** -40 + arb(2) ** -2000
+
+
+def lying(module: Any, name: str, change: Callable[[Any], Any]) -> Callable[[pytest.MonkeyPatch], None]:
+    """What a function of the package returns, changed."""
+    true = getattr(module, name)
+    return lambda patch: patch.setattr(module, name, lambda *a, **k: change(true(*a, **k)))
+
+
+def without_its_last(found: Any) -> Any:
+    return replace(found, events=found.events[:-1], verdict=replace(found.verdict, outcome=Outcome.PROVED, reason=None))
+
+
+class NarrowWatch(Watch):
+    """Hands on the middle of the box alone."""
+
+    def along(self, segment: Any) -> Any:
+        found = super().along(segment)
+        return replace(found, states=tuple(s.mid() for s in found.states)) if isinstance(found, Crossing) else found
+
+
+def believing(data: bytes, limits: Any) -> str:  # noqa: ARG001
+    return "whatever is stated"
+
+
+LIES: dict[str, tuple[Callable[[pytest.MonkeyPatch], None], int]] = {
+    "theta": (lying(theta, "evaluate", lambda e: replace(e, value=shifted(e.value), reached=False)), 6),
+    "signs": (lying(signs, "number_of_zeros", lambda n: n + 1), 6),
+    "motion": (lying(motion, "certified_run", without_its_last), 8),
+    "crossings": (lambda patch: patch.setattr(crossings, "Watch", NarrowWatch), 4),
+    "mechanisms": (lying(mechanisms, "classify_all", lambda f: replace(f, spots=f.spots[:-1])), 8),
+    "side": (lying(side, "side_rule", lambda r: replace(r, side=-r.side)), 3),
+    "expansions": (lying(expansions, "expand_system", lambda t: replace(t, b=(*t.b[:2], *t.p[2:]))), 3),
+    "certificates": (
+        lambda patch: patch.setattr(certificates, "checker", lambda: SimpleNamespace(
+            check_text=believing, Limits=lambda: None, Rejected=ValueError)), 8,
+    ),
+    "journals": (lying(journals, "zeros_on_range", lambda z: replace(z, columns=())), 12),
+    "kept": (lying(kept, "formal_proof", lambda f: replace(f, run=True)), 6),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_lie_is_noticed(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    lie, most = LIES[kind]
+    lie(monkeypatch)
+    assert first_wrong(kind, most) is not None
+
+
+# Answers.
+
+
+def test_wrong_comes_before_undecided_before_agreed() -> None:
+    assert worst([AGREED, undecided("why"), wrong("so")]).tally is Tally.WRONG
+    assert worst([AGREED, undecided("why")]) == undecided("why")
+    assert worst([AGREED]) == AGREED
+    assert worst([]).tally is Tally.UNDECIDED
+
+
+def test_an_error_that_nobody_expects_is_wrong() -> None:
+    def ask() -> Answer:
+        raise ZeroDivisionError("by nobody")
+
+    question, answer = answered(lambda _: Attack("1/0", ask), "any", "0", 0)
+    assert question == "1/0"
+    assert answer.tally is Tally.WRONG
+    assert "by nobody" in answer.detail
