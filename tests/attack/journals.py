@@ -12,6 +12,8 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
+import mpmath
+from attack import reference_theta
 from attack.answers import AGREED, Answer, Attack, undecided, wrong
 from attack.certificates import untrue
 from attack.motion import Question, judged, question
@@ -48,12 +50,17 @@ def _sliver(random: Random) -> tuple[str, str, int]:
 
 def _last_zero(beta: Fraction) -> Fraction:
     """The last change of sign below 9, to 10^-85."""
-    left, right = sign_changes(beta, Fraction(-4), Fraction(9), Fraction(1, 4))[-1]
-    first = slope(left, beta, 100)
-    while right - left > Fraction(1, 10**85):
-        middle = Fraction(round((left + right) * 2**319), 2**320)
-        left, right = (middle, right) if slope(middle, beta, 100) == first else (left, middle)
-    return left
+    ends = sign_changes(beta, Fraction(-4), Fraction(9), Fraction(1, 4))[-1]
+
+    def value(tau: mpmath.mpf) -> mpmath.mpf:
+        return reference_theta.by_series(Fraction(*mpmath.libmp.to_rational(tau._mpf_)), beta, 1, 100)[0]
+
+    with mpmath.workdps(120):
+        root = mpmath.findroot(value, tuple(map(reference_theta.mp, ends)), solver="anderson", tol=1e-180)
+        zero = Fraction(int(root * 10**90), 10**90)
+    off = Fraction(1, 10**86)
+    assert slope(zero - off, beta, 100) == -(slope(zero + off, beta, 100) or 0)
+    return zero
 
 
 def _pieces(random: Random, low: str, high: str) -> list[list[Any]]:
