@@ -29,9 +29,18 @@ _SEARCH_FROM, _SEARCH_TO = fmpq(-6), fmpq(8)
 
 
 def fold_column(
-    lower: fmpq, upper: fmpq, n: int, epsilon_lower: fmpq, epsilon_upper: fmpq, least: fmpq
+    lower: fmpq,
+    upper: fmpq,
+    n: int,
+    epsilon_lower: fmpq,
+    epsilon_upper: fmpq,
+    least: fmpq,
+    along: Column | None = None,
 ) -> Column | None:
-    """A column with one piece FOLD over beta in [lower, upper], n + 1 <= beta <= n + 2, and the epsilon, or None."""
+    """A column with one piece FOLD over beta in [lower, upper], n + 1 <= beta <= n + 2, and the epsilon, or None.
+
+    ``along``: pieces to try first, of which nothing is taken but where to cut.
+    """
     epsilons = (max(epsilon_lower, epsilon_upper / 1000), epsilon_upper)
     minima = [nearest_minimum(b, epsilon) for b in (lower - 1, upper - 1) for epsilon in epsilons]
     places = [place for place, _ in minima if place is not None]
@@ -49,11 +58,11 @@ def fold_column(
         if not is_fold(signs, slopes, begin, end):
             continue
         for tail in tails(lower, n):
-            right = right_end(signs, n, tail, MAP_REACH)
+            right = right_end(signs, n, tail, MAP_REACH, along)
             if right is None or right < end:
                 continue
-            before = cover(signs, min(left, begin), begin, least) if left < begin else ()
-            after = cover(signs, end, right, least) if before is not None else None
+            before = cover(signs, min(left, begin), begin, least, along) if left < begin else ()
+            after = cover(signs, end, right, least, along) if before is not None else None
             if before is None or after is None:
                 continue
             pieces = (

@@ -17,18 +17,25 @@ _FIRST_REACH = 8
 
 
 def slow_zero_column(
-    signs: SlowSigns, lower: fmpq, upper: fmpq, n: int, least: fmpq, reach: int = MAX_REACH
+    signs: SlowSigns,
+    lower: fmpq,
+    upper: fmpq,
+    n: int,
+    least: fmpq,
+    reach: int = MAX_REACH,
+    along: Column | None = None,
 ) -> Column | None:
     """A column of certain pieces over beta in [lower, upper], n + 1 <= beta <= n + 2, or None.
 
-    ``least``: the narrowest piece; ``reach``: how far from 0 the tails may begin.
+    ``least``: the narrowest piece; ``reach``: how far from 0 the tails may begin. ``along``: pieces to try first, of
+    which nothing is taken but where to cut.
     """
     left = left_end(signs, n, reach)
     if left is None:
         return None
     for tail in tails(lower, n):
-        right = right_end(signs, n, tail, reach)
-        middle = cover(signs, left, right, least) if right is not None and left < right else None
+        right = right_end(signs, n, tail, reach, along)
+        middle = cover(signs, left, right, least, along) if right is not None and left < right else None
         if right is not None and middle is not None:
             pieces = (Piece(Kind.LEFT, None, left), *middle, Piece(Kind.RIGHT, right, None, tail))
             column = Column(lower, upper, pieces)
@@ -53,8 +60,10 @@ def left_end(signs: SlowSigns, n: int, reach: int) -> fmpq | None:
     return None
 
 
-def right_end(signs: SlowSigns, n: int, tail: int, reach: int) -> fmpq | None:
+def right_end(signs: SlowSigns, n: int, tail: int, reach: int, along: Column | None = None) -> fmpq | None:
     """A grid point beyond which G_b has ``tail`` = 0 or 1 zeros, or None."""
+    if along is not None:
+        return right_tail(signs, n, fmpq(reach), tail, along)
     end = _FIRST_REACH
     while end <= reach:
         right = right_tail(signs, n, fmpq(end), tail)

@@ -21,8 +21,8 @@ from gspot_verified.compliant.slow_patch import SlowPatch
 from gspot_verified.compliant.slow_zero_column import MAP_REACH, slow_zero_column
 from gspot_verified.compliant.zero_count import SYSTEM
 from gspot_verified.signs.executors import InProcessExecutor
-from gspot_verified.signs.journal import Journal
-from gspot_verified.signs.pieces import Column, cell_of
+from gspot_verified.signs.journal import opened
+from gspot_verified.signs.pieces import Column, Kind, cell_of
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.subdivision import Progress, Subdivision
 from gspot_verified.verdict import NoTruthValue, Reason, Verdict
@@ -158,26 +158,35 @@ def zero_map(
     rows, examined = [], 0
     for number, (lower, upper) in enumerate(_rows(*epsilons)):
         question = {"kind": "zeros at finite epsilon", "beta": str(betas), "epsilon": f"{lower}..{upper}"}
-        kept = None if journal is None else Journal(journal.with_name(f"{journal.name}.{number}"), question)
-        tree = Subdivision(_columns(*betas), budget, max_depth=8, journal=kept)
-        for step in tree.steps(
-            partial(examine, epsilon_lower=lower, epsilon_upper=upper), executor or InProcessExecutor()
-        ):
-            if progress is not None:
-                progress(step)
+        of_row = None if journal is None else journal.with_name(f"{journal.name}.{number}")
+        with opened(of_row, question) as kept:
+            tree = Subdivision(_columns(*betas), budget, max_depth=8, journal=kept)
+            for step in tree.steps(
+                partial(examine, epsilon_lower=lower, epsilon_upper=upper), executor or InProcessExecutor()
+            ):
+                if progress is not None:
+                    progress(step)
         rows.append(Row(lower, upper, tuple(tree.finished), tuple(tree.unfinished)))
         examined += tree.examined
     return ZeroMap(betas, epsilons, tuple(rows), examined)
 
 
-def examine(lower: fmpq | None, upper: fmpq, epsilon_lower: fmpq, epsilon_upper: fmpq) -> Column | None:
-    """A column over beta in [lower, upper], inside one cell, for all the epsilon, or None."""
+def examine(
+    lower: fmpq | None, upper: fmpq, along: Column | None = None, *, epsilon_lower: fmpq, epsilon_upper: fmpq
+) -> Column | None:
+    """A column over beta in [lower, upper], inside one cell, for all the epsilon, or None.
+
+    ``along``: pieces to try first. Nothing is taken from them but where to cut.
+    """
     assert lower is not None
     n = cell_of(lower, upper)
     patch = _patch(n, epsilon_lower, epsilon_upper)
-    column = slow_zero_column(patch.signs(lower - 1, upper - 1), lower, upper, n, _LEAST_PIECE, MAP_REACH)
+    column = None
+    if along is None or all(piece.kind is not Kind.FOLD for piece in along.pieces):
+        signs = patch.signs(lower - 1, upper - 1)
+        column = slow_zero_column(signs, lower, upper, n, _LEAST_PIECE, MAP_REACH, along)
     if column is None and upper - lower <= min(_COLUMN, WIDEST):
-        return fold_column(lower, upper, n, epsilon_lower, epsilon_upper, _LEAST_PIECE)
+        return fold_column(lower, upper, n, epsilon_lower, epsilon_upper, _LEAST_PIECE, along)
     return column
 
 

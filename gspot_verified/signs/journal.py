@@ -1,10 +1,15 @@
-"""A journal of examinations, one line each, so that long work goes on after a kill."""
+"""A journal of examinations, one line each, so that long work goes on after a kill.
+
+What it recalls is a choice and no proof: which ranges to cut, and along which pieces to prove a column again.
+"""
 
 from __future__ import annotations
 
 import json
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
-from typing import Any
+from types import TracebackType
+from typing import Any, Self
 
 from flint import fmpq
 
@@ -16,32 +21,49 @@ Answer = Column | tuple[fmpq, fmpq] | None
 
 
 class Journal:
-    """Examinations of one question, kept in a file.
+    """Examinations of one question, kept in a file; of several of one range the last one.
 
-    :raises ValueError: the file belongs to another question, or is no journal.
+    :raises ValueError: the file belongs to another question or other sources, is no journal, or another run uses it.
     """
 
     def __init__(self, path: Path, question: dict[str, Any]) -> None:
         self._known: dict[tuple[str, str], Answer] = {}
         self._file = JournalFile(path, question)
-        for line in self._file.lines:
-            lower, upper, answer = _read(line, path)
-            self._known[lower, upper] = answer
+        try:
+            for line in self._file.lines:
+                lower, upper, answer = _read(line, path)
+                self._known[lower, upper] = answer
+        except ValueError:
+            self._file.close()
+            raise
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        self._file.close()
 
     def knows(self, lower: fmpq | None, upper: fmpq) -> bool:
         """Whether the range was examined before."""
         return (str(lower), str(upper)) in self._known
 
     def recall(self, lower: fmpq | None, upper: fmpq) -> Answer:
-        """What was found for a range that is known."""
+        """What the file says was found for a range that is known. Whoever could write the file could write this."""
         return self._known[str(lower), str(upper)]
 
     def add(self, lower: fmpq | None, upper: fmpq, answer: Answer) -> None:
         """Keep one examination; it is in the file when this returns."""
-        if self.knows(lower, upper):
+        if self.knows(lower, upper) and self.recall(lower, upper) == answer:
             return
         self._known[str(lower), str(upper)] = answer
         self._file.add([str(lower), str(upper), _to_json(answer)])
+
+
+def opened(path: Path | None, question: dict[str, Any]) -> AbstractContextManager[Journal | None]:
+    """The journal in the file, to be closed by ``with``; None where there is no file."""
+    return nullcontext() if path is None else Journal(path, question)
 
 
 def _to_json(answer: Answer) -> Any:
@@ -70,11 +92,13 @@ def _read(line: str, path: Path) -> tuple[str, str, Answer]:
             )
             left, right = data["column"]
             answer = Column(None if left is None else _rational(left), _rational(right), pieces)
+            if not pieces:
+                raise ValueError("a column has pieces")
             if (str(answer.lower), str(answer.upper)) != (lower, upper):
                 raise ValueError("the column is not over the range that was examined")
         if not (isinstance(lower, str) and isinstance(upper, str)):
             raise ValueError("the ends of a range must be texts")
-    except (ValueError, TypeError, KeyError) as error:
+    except (ValueError, TypeError, KeyError, RecursionError) as error:
         raise ValueError(f"{path}: a line of the journal cannot be read: {error}") from None
     return lower, upper, answer
 

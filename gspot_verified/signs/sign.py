@@ -17,7 +17,7 @@ from flint import fmpq
 from gspot_verified.balls import ball, working_bits
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.signs.executors import InProcessExecutor
-from gspot_verified.signs.journal import Journal
+from gspot_verified.signs.journal import opened
 from gspot_verified.signs.pieces import Column
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.refutation import refutation
@@ -89,7 +89,8 @@ def sign_on_ranges(
     """Whether dTheta/dtau has the sign ``sign`` (1 or -1) at every tau and beta of the two ranges.
 
     Ranges as in :meth:`Range.parse`. ``budget`` counts examined ranges of beta. ``by_theorem``: take the Laplace
-    integral for beta <= 1 instead of numbers. A ``journal`` file lets a killed run go on.
+    integral for beta <= 1 instead of numbers. A ``journal`` file lets a killed run go on; every column that it recalls
+    is proved again.
 
     :raises ValueError: an argument is out of range.
 
@@ -121,11 +122,11 @@ def sign_on_ranges(
     # dTheta/dtau = -beta F; a range with beta = 0 inside was refuted above, so beta has one sign.
     wanted = sign if beta.upper <= 0 else -sign
     question = SignQuestion(tau, beta, wanted, by_theorem)
-    kept = Journal(journal, {**statement.to_json(), "by_theorem": by_theorem}) if journal is not None else None
-    tree = Subdivision(_cells(beta), budget, journal=kept)
-    for step in tree.steps(partial(sign_column, question), executor or InProcessExecutor()):
-        if progress is not None:
-            progress(step)
+    with opened(journal, {**statement.to_json(), "by_theorem": by_theorem}) as kept:
+        tree = Subdivision(_cells(beta), budget, journal=kept)
+        for step in tree.steps(partial(sign_column, question), executor or InProcessExecutor()):
+            if progress is not None:
+                progress(step)
     if tree.witness is not None:
         return _refuted(statement, tree.witness, tree.examined)
     if tree.unfinished:

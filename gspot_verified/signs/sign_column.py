@@ -10,7 +10,14 @@ from gspot_verified.signs.column_models import ColumnModels
 from gspot_verified.signs.pieces import Column, Kind, Piece, cell_of, fold_integer
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.tails import left_threshold
-from gspot_verified.signs.zero_column import FOLD_HALF_WIDTHS, LEAST_LEFT_OF_FOLD, grid, reach_of_cell, right_tail
+from gspot_verified.signs.zero_column import (
+    FOLD_HALF_WIDTHS,
+    LEAST_LEFT_OF_FOLD,
+    grid,
+    grid_along,
+    reach_of_cell,
+    right_tail,
+)
 
 MAX_REACH = 60
 """Pieces between the tails are sought for |tau| up to here."""
@@ -34,14 +41,17 @@ class SignQuestion:
     by_theorem: bool = False
 
 
-def sign_column(question: SignQuestion, lower: fmpq | None, upper: fmpq) -> Found:
-    """The answer over beta in [lower, upper], a part of the closure of the question's range."""
+def sign_column(question: SignQuestion, lower: fmpq | None, upper: fmpq, along: Column | None = None) -> Found:
+    """The answer over beta in [lower, upper], a part of the closure of the question's range.
+
+    ``along``: pieces to try first. Nothing is taken from them but where to cut.
+    """
     if lower is None or (upper <= 1 and (question.by_theorem or lower < 0 or upper == 0)):
         point = fmpq(-1) if lower is None else (lower + upper) / 2
         if question.sign < 0:
             return (_inner(question.tau), point if lower is not None else upper - 1)
         return Column(lower, upper, (Piece(Kind.LAPLACE, None, None),))
-    return _SignSearch(question, lower, upper).run()
+    return _SignSearch(question, lower, upper, along).run()
 
 
 def _inner(tau: Range) -> fmpq:
@@ -54,8 +64,9 @@ def _inner(tau: Range) -> fmpq:
 class _SignSearch:
     """The search in one column; ``witness`` is set when a wrong sign was met."""
 
-    def __init__(self, question: SignQuestion, lower: fmpq, upper: fmpq) -> None:
+    def __init__(self, question: SignQuestion, lower: fmpq, upper: fmpq, along: Column | None) -> None:
         self.question = question
+        self.along = along
         self.tau = question.tau
         self.sign = question.sign
         self.lower, self.upper = lower, upper
@@ -103,7 +114,7 @@ class _SignSearch:
     def _right(self) -> tuple[fmpq, Piece | None]:
         if self.upper <= 1:
             return fmpq(0), Piece(Kind.TAYLOR, fmpq(0), None)
-        right = right_tail(self.models, self.n, self.reach, 0)
+        right = right_tail(self.models, self.n, self.reach, 0, self.along)
         return (fmpq(0), None) if right is None else (right, Piece(Kind.RIGHT, right, None, 0))
 
     def _tail_sign(self) -> int:
@@ -173,7 +184,7 @@ class _SignSearch:
         return not (self.tau.contains(fmpq(0)) and any(self.question.beta.contains(fmpq(b + 1)) for b in zeros_at_0))
 
     def _cover(self, begin: fmpq, end: fmpq) -> tuple[Piece, ...] | None:
-        waiting = grid(begin, end)
+        waiting = grid(begin, end) if self.along is None else grid_along(begin, end, self.along)
         found: list[Piece] = []
         least = min(_LEAST_WIDTH, (end - begin) / 64)
         while waiting:

@@ -19,8 +19,9 @@ from gspot_verified.signs.executors import InProcessExecutor
 from gspot_verified.signs.journal import Journal
 from gspot_verified.signs.pieces import Column
 
-Examine = Callable[[fmpq | None, fmpq], "Column | tuple[fmpq, fmpq] | None"]
-"""Takes the ends of a range; gives a column, or a witness (tau, beta), or nothing. It must pickle."""
+Examine = Callable[..., "Column | tuple[fmpq, fmpq] | None"]
+"""Takes the ends of a range, and perhaps a column along which to try first; gives a column, or a witness (tau, beta),
+or nothing. It must pickle."""
 
 
 class State(enum.Enum):
@@ -61,8 +62,9 @@ class Subdivision:
     """Cut ranges of beta in two until ``examine`` settles each one, within ``budget`` examinations.
 
     ``nodes`` is the whole tree; ``finished`` and ``unfinished`` are read off it at any time. A ``journal`` keeps each
-    examination in a file: a new subdivision with the same journal goes on where a killed one stopped. ``cut`` chooses
-    a point inside a range.
+    examination in a file: a new subdivision with the same journal goes on where a killed one stopped. Only choices are
+    taken from it: where it says that a range was not settled the range is cut, a column is proved again along its
+    pieces, and everything else is examined anew. ``cut`` chooses a point inside a range.
     """
 
     cells: list[tuple[fmpq | None, fmpq]]
@@ -110,13 +112,21 @@ class Subdivision:
     def _answer(
         self, examine: Examine, executor: Executor, node: Node
     ) -> Callable[[], Column | tuple[fmpq, fmpq] | None]:
+        work = partial(examine, node.lower, node.upper)
         if self.journal is not None and self.journal.knows(node.lower, node.upper):
             known = self.journal.recall(node.lower, node.upper)
-            return lambda: known
+            if known is None and not self._is_last(node):
+                return lambda: None
+            if isinstance(known, Column):
+                work = partial(proved_again, examine, known)
         if isinstance(executor, InProcessExecutor):
             # Not before its turn: what is recorded is then all that was done, also after a kill.
-            return partial(examine, node.lower, node.upper)
-        return executor.submit(examine, node.lower, node.upper).result
+            return work
+        return executor.submit(work).result
+
+    def _is_last(self, node: Node) -> bool:
+        """Whether the range is not cut, so that it stays undecided where it is not settled."""
+        return node.depth >= self.max_depth or node.lower is None or node.lower == node.upper
 
     def _record(self, index: int, answer: Column | tuple[fmpq, fmpq] | None) -> None:
         node = self.nodes[index]
@@ -127,7 +137,7 @@ class Subdivision:
             self.nodes[index] = replace(node, state=State.SETTLED, column=answer)
         elif answer is not None:
             self.nodes[index] = replace(node, state=State.REFUTED, witness=answer)
-        elif node.depth >= self.max_depth or node.lower is None or node.lower == node.upper:
+        elif node.lower is None or self._is_last(node):
             self.nodes[index] = replace(node, state=State.STUCK)
         else:
             self.nodes[index] = replace(node, state=State.SPLIT)
@@ -138,3 +148,9 @@ class Subdivision:
     def _progress(self, index: int) -> Progress:
         states = [node.state for node in self.nodes]
         return Progress(self.nodes[index], self.examined, states.count(State.SETTLED), states.count(State.OPEN))
+
+
+def proved_again(examine: Examine, known: Column) -> Column | tuple[fmpq, fmpq] | None:
+    """The range's examination along the pieces of a column; without them where that column does not come out."""
+    found = examine(known.lower, known.upper, known)
+    return found if found == known else examine(known.lower, known.upper)

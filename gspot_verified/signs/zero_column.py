@@ -20,6 +20,7 @@ LEAST_LEFT_OF_FOLD = fmpq(-1)
 _NARROW = fmpq(1, 16)
 _LEAST_WIDTH = fmpq(1, 2**7)
 _POINT_WIDTH = fmpq(1, 2**120)
+_LONGEST_CUT = 512
 
 
 class CertainSigns(Protocol):
@@ -32,8 +33,10 @@ class CertainSigns(Protocol):
         """The number v of ``proofs/tails.md`` at tau, or None."""
 
 
-def zero_column(lower: fmpq, upper: fmpq) -> Column | None:
+def zero_column(lower: fmpq, upper: fmpq, along: Column | None = None) -> Column | None:
     """A column of certain pieces over beta in [lower, upper], or None when the range is too wide for one.
+
+    ``along``: pieces to try first. Nothing is taken from them but where to cut.
 
     :raises ValueError: the range crosses an integer.
     """
@@ -49,8 +52,8 @@ def zero_column(lower: fmpq, upper: fmpq) -> Column | None:
     least = _least_width(lower, upper, n)
     # One zero may stay in the tail only if the range is narrow: a wide one is cut, to bracket that zero too.
     for changes in (0, 1) if upper - lower <= _NARROW else (0,):
-        right = right_tail(models, n, reach, changes)
-        middle = _middle(models, left, right, has_fold, least) if right is not None else None
+        right = right_tail(models, n, reach, changes, along)
+        middle = _middle(models, left, right, has_fold, least, along) if right is not None else None
         if right is not None and middle is not None:
             pieces = (Piece(Kind.LEFT, None, left), *middle, Piece(Kind.RIGHT, right, None, changes))
             column = Column(lower, upper, pieces)
@@ -76,9 +79,14 @@ def reach_of_cell(n: int) -> fmpq:
     return fmpq(math.ceil(2 * (n + 1) ** (2 / 3)) + 4)
 
 
-def right_tail(models: CertainSigns, n: int, reach: fmpq, changes: int) -> fmpq | None:
-    """The least T of the grid beyond which F has ``changes`` = 0 or 1 zeros, certainly."""
+def right_tail(models: CertainSigns, n: int, reach: fmpq, changes: int, along: Column | None = None) -> fmpq | None:
+    """The least T of the grid beyond which F has ``changes`` = 0 or 1 zeros, certainly; ``along``: that of its tail, if
+    it is such a T."""
     last = int((reach / _STEP).floor())
+    if along is not None and along.pieces[-1].kind is Kind.RIGHT:
+        place, mark = along.pieces[-1].lower, along.pieces[-1].mark
+        within = place is not None and (place / _STEP).q == 1 and _STEP <= place <= last * _STEP
+        return place if place is not None and within and mark == changes == models.changes(place, n) else None
     if changes:
         found = (k * _STEP for k in range(1, last + 1) if models.changes(k * _STEP, n) == 1)
         return next(found, None)
@@ -95,22 +103,26 @@ def right_tail(models: CertainSigns, n: int, reach: fmpq, changes: int) -> fmpq 
     return high * _STEP
 
 
-def _middle(models: ColumnModels, left: fmpq, right: fmpq, has_fold: bool, least: fmpq) -> tuple[Piece, ...] | None:
+def _middle(
+    models: ColumnModels, left: fmpq, right: fmpq, has_fold: bool, least: fmpq, along: Column | None
+) -> tuple[Piece, ...] | None:
     if not has_fold:
-        return cover(models, left, right, least)
+        return cover(models, left, right, least, along)
     for half_width in FOLD_HALF_WIDTHS:
         if -half_width > left and half_width < right and models.fold(-half_width, half_width):
-            before = cover(models, left, -half_width, least)
-            after = cover(models, half_width, right, least) if before is not None else None
+            before = cover(models, left, -half_width, least, along)
+            after = cover(models, half_width, right, least, along) if before is not None else None
             if before is None or after is None:
                 return None
             return (*before, Piece(Kind.FOLD, -half_width, half_width), *after)
     return None
 
 
-def cover(models: CertainSigns, left: fmpq, right: fmpq, least: fmpq) -> tuple[Piece, ...] | None:
+def cover(
+    models: CertainSigns, left: fmpq, right: fmpq, least: fmpq, along: Column | None = None
+) -> tuple[Piece, ...] | None:
     """Pieces SIGN and MONOTONE from left to right, by bisection; None as soon as one box is narrower than ``least``."""
-    waiting = grid(left, right)
+    waiting = grid(left, right) if along is None else grid_along(left, right, along)
     found: list[Piece] = []
     while waiting:
         lower, upper = waiting.pop()
@@ -135,3 +147,13 @@ def grid(left: fmpq, right: fmpq, step: fmpq = _STEP) -> list[tuple[fmpq, fmpq]]
         k += 1
     points.append(right)
     return [(a, b) for a, b in pairwise(points) if a < b][::-1]
+
+
+def grid_along(left: fmpq, right: fmpq, along: Column) -> list[tuple[fmpq, fmpq]]:
+    """[left, right] cut at the multiples of the step and at the ends of a column's pieces, the last interval first.
+
+    Ends with long numerators or denominators are left out: a journal may hold anything.
+    """
+    ends = {end for piece in along.pieces for end in (piece.lower, piece.upper) if end is not None}
+    near = {end for end in ends if left < end < right and end.height_bits() <= _LONGEST_CUT}
+    return list(pairwise(sorted({left, right, *near, *(end for cell in grid(left, right) for end in cell)})))[::-1]

@@ -17,7 +17,7 @@ from flint import fmpq
 from gspot_verified.signs.count_law import numbers_on
 from gspot_verified.signs.cuts import middle_from_integers
 from gspot_verified.signs.executors import InProcessExecutor
-from gspot_verified.signs.journal import Journal
+from gspot_verified.signs.journal import opened
 from gspot_verified.signs.pieces import Column, Kind, fold_integer, number_of_zeros
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.statements import ZerosStatement, cells_of
@@ -125,7 +125,8 @@ def zeros_on_range(
     """The number of real zeros of dTheta/dtau for every beta of the range that is not an integer, certified.
 
     The count law gives the number; columns prove it again and hold the zeros in tubes, where the range ends at 200 or
-    before. ``budget`` counts examined ranges of beta. A ``journal`` file lets a killed run go on.
+    before. ``budget`` counts examined ranges of beta. A ``journal`` file lets a killed run go on;
+    every column that it recalls is proved again.
 
     :raises ValueError: the range is not inside [0, inf), is one integer, or is unbounded; it has more than 1000 cells.
 
@@ -138,11 +139,11 @@ def zeros_on_range(
     law = numbers_on(beta)
     if beta.upper is None or beta.upper > MAX_BETA:
         return ZerosResult(beta, law, (), (), None, 0)
-    kept = Journal(journal, {"kind": "zeros", "beta": str(beta)}) if journal is not None else None
-    tree = Subdivision([*cells_of(beta)], budget, journal=kept, cut=middle_from_integers)
-    for step in tree.steps(_examine, executor or InProcessExecutor()):
-        if progress is not None:
-            progress(step)
+    with opened(journal, {"kind": "zeros", "beta": str(beta)}) as kept:
+        tree = Subdivision([*cells_of(beta)], budget, journal=kept, cut=middle_from_integers)
+        for step in tree.steps(_examine, executor or InProcessExecutor()):
+            if progress is not None:
+                progress(step)
     columns, left = tuple(tree.finished), tuple(tree.unfinished)
     statement = None if left else ZerosStatement(beta, _counts(columns))
     if statement is not None and statement != law:
@@ -150,9 +151,9 @@ def zeros_on_range(
     return ZerosResult(beta, law, columns, left, statement, tree.examined)
 
 
-def _examine(lower: fmpq | None, upper: fmpq) -> Column | None:
+def _examine(lower: fmpq | None, upper: fmpq, along: Column | None = None) -> Column | None:
     assert lower is not None
-    return zero_column(lower, upper)
+    return zero_column(lower, upper, along)
 
 
 def _counts(columns: tuple[Column, ...]) -> tuple[tuple[int, int], ...]:

@@ -8,9 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from gspot_verified.cost.chapter import kept_parts, run
+from gspot_verified.cost.chapter import run
 from gspot_verified.cost.chapter.kept_parts import KeptParts
 from gspot_verified.cost.chapter.measurement import Measurement, Part
+from gspot_verified.signs import journal_file
 
 QUESTION: dict[str, object] = {"cost": "toy"}
 
@@ -70,8 +71,8 @@ def test_parts_of_another_run_are_refused(
     KeptParts(path, QUESTION).remove()
     assert not path.exists()
     KeptParts(path, QUESTION)
-    monkeypatch.setattr(kept_parts, "sources", lambda: "other code")
-    with pytest.raises(ValueError, match="differs in: sources"):
+    monkeypatch.setattr(journal_file, "source_key", lambda: "other code")
+    with pytest.raises(ValueError, match="differs in: the sources"):
         KeptParts(path, QUESTION)
 
 

@@ -51,9 +51,10 @@ def test_resume_after_a_kill(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     calls = []
     honest = zeros.zero_column
 
-    def counted(lower: fmpq, upper: fmpq) -> Column | None:
-        calls.append((lower, upper))
-        return honest(lower, upper)
+    def counted(lower: fmpq, upper: fmpq, along: Column | None = None) -> Column | None:
+        if along is None:
+            calls.append((lower, upper))
+        return honest(lower, upper, along)
 
     monkeypatch.setattr(zeros, "zero_column", counted)
     resumed = zeros_on_range("1..5", journal=path)
@@ -79,9 +80,9 @@ ANSWERS: list[tuple[fmpq | None, fmpq, Answer]] = [
 
 
 def filled(path: Path) -> None:
-    journal = Journal(path, QUESTION)
-    for lower, upper, answer in ANSWERS:
-        journal.add(lower, upper, answer)
+    with Journal(path, QUESTION) as journal:
+        for lower, upper, answer in ANSWERS:
+            journal.add(lower, upper, answer)
 
 
 def test_answers_come_back(tmp_path: Path) -> None:
@@ -141,6 +142,7 @@ def test_a_journal_of_another_question_is_refused(tmp_path: Path) -> None:
         '["1","2",{"witness":["1"]}]', '["1","2",{"witness":["nan","2"]}]', '["1","2",{"column":["1","2"]}]',
         '["1","2",{"column":["1","2"],"pieces":[["spell",null,null,0]]}]',
         '["1","2",{"column":["1","3"],"pieces":[["laplace",null,null,0]]}]',
+        '["1","2",{"column":["1","2"],"pieces":[]}]',
         '["1","2",{"column":[null,"2"],"pieces":[["laplace",null,null,0]]}]', "",
     ],
 )  # fmt: skip

@@ -17,6 +17,9 @@ def test_what_is_added_is_there_again(tmp_path: Path) -> None:
     first = JournalFile(path, QUESTION)
     assert first.lines == []
     first.add([1, {"a": "1/3"}])
+    with pytest.raises(ValueError, match="another run uses this journal"):
+        JournalFile(path, QUESTION)
+    first.close()
     assert [json.loads(line) for line in JournalFile(path, QUESTION).lines] == [[1, {"a": "1/3"}]]
 
 
@@ -27,10 +30,12 @@ def test_a_line_that_was_cut_short_is_dropped_and_written_again(tmp_path: Path, 
     journal.add([1, "first"])
     whole = path.read_bytes()
     journal.add([2, "other"])
+    journal.close()
     path.write_bytes(path.read_bytes()[:-cut])
     again = JournalFile(path, QUESTION)
     assert path.read_bytes() == whole
     again.add([3, "third"])
+    again.close()
     assert [json.loads(line) for line in JournalFile(path, QUESTION).lines] == [[1, "first"], [3, "third"]]
 
 
@@ -50,3 +55,23 @@ def test_other_files_are_left_alone(tmp_path: Path, content: bytes) -> None:
     with pytest.raises(ValueError, match="not a journal of this question"):
         JournalFile(path, QUESTION)
     assert path.read_bytes() == content
+
+
+def test_lines_are_cut_off_the_end(tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    with JournalFile(path, QUESTION) as journal:
+        for number in range(4):
+            journal.add([number, "ä"])
+        journal.cut(2)
+        journal.add([9])
+    with JournalFile(path, QUESTION) as journal:
+        assert [json.loads(line) for line in journal.lines] == [[0, "ä"], [1, "ä"], [9]]
+
+
+def test_a_refused_file_is_not_held(tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    JournalFile(path, QUESTION).close()
+    with pytest.raises(ValueError, match="differs in: kind") as refused:
+        JournalFile(path, {**QUESTION, "kind": "other"})
+    JournalFile(path, QUESTION).close()
+    assert refused.value.__traceback__ is not None  # which holds the frames of the refused one

@@ -20,8 +20,10 @@ from hypothesis import strategies as st
 from gspot_verified.balls import sign_of
 from gspot_verified.certificates.text import write_certificate
 from gspot_verified.signs.executors import InProcessExecutor
+from gspot_verified.signs.pieces import Column
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.sign import SignResult, _cells, sign_on_ranges
+from gspot_verified.signs.sign_column import SignQuestion, sign_column
 from gspot_verified.signs.subdivision import Progress
 from gspot_verified.signs.witness import find_witness, sign_at
 from gspot_verified.theta_function.evaluate import evaluate
@@ -367,11 +369,15 @@ def test_the_journal_the_executor_and_the_progress_are_used(tmp_path: Path, monk
     with pytest.raises(ValueError, match="not a journal of this question"):
         sign_on_ranges(*arguments, journal=tmp_path / "j", by_theorem=True)
 
-    def again(*_: Any) -> None:
-        raise AssertionError("it was examined before")
+    along: list[Column] = []
+
+    def again(question: SignQuestion, lower: fmpq, upper: fmpq, known: Column) -> Any:
+        along.append(known)
+        return sign_column(question, lower, upper, known)
 
     monkeypatch.setattr("gspot_verified.signs.sign.sign_column", again)
     assert sign_on_ranges(*arguments, journal=tmp_path / "j").columns == first.columns
+    assert tuple(along) == first.columns
 
 
 def test_no_proof_is_sought_for_a_range_without_an_end(monkeypatch: pytest.MonkeyPatch) -> None:

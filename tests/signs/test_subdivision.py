@@ -221,19 +221,34 @@ def test_an_executor_of_its_own_gets_a_whole_batch_before_the_first_result() -> 
 def test_a_journal_answers_for_what_is_known_and_keeps_the_rest(tmp_path: Path) -> None:
     calls: list[fmpq] = []
 
-    def examine(lower: fmpq | None, upper: fmpq) -> Column | None:
-        calls.append(upper)
+    again: list[fmpq] = []
+
+    def examine(lower: fmpq | None, upper: fmpq, along: Column | None = None) -> Column | None:
+        (calls if along is None else again).append(upper)
         return narrower_than(fmpq(1, 4))(lower, upper)
 
     def run(budget: int) -> Subdivision:
-        tree = Subdivision(list(CELLS), budget, journal=Journal(tmp_path / "j", {"question": 1}))
-        for _ in tree.steps(examine, InProcessExecutor()):
-            pass
+        with Journal(tmp_path / "j", {"question": 1}) as journal:
+            tree = Subdivision(list(CELLS), budget, journal=journal)
+            for _ in tree.steps(examine, InProcessExecutor()):
+                pass
         return tree
 
     assert run(4).examined == len(calls) == 4
     whole = run(1000)
     assert len(calls) == whole.examined > 4
     assert whole.unfinished == []
-    again = run(1000)
-    assert (again.nodes, len(calls)) == (whole.nodes, whole.examined)
+    again.clear()
+    second = run(1000)
+    assert (second.nodes, len(calls)) == (whole.nodes, whole.examined)
+    assert len(again) == len(whole.finished)
+
+
+def test_a_column_that_does_not_come_out_again_is_sought_anew(tmp_path: Path) -> None:
+    with Journal(tmp_path / "j", {"question": 1}) as journal:
+        journal.add(fmpq(1), fmpq(2), Column(fmpq(1), fmpq(2), (Piece(Kind.SIGN, fmpq(0), fmpq(1), 1),)))
+        journal.add(fmpq(2), fmpq(5, 2), (fmpq(0), fmpq(2)))
+        tree = Subdivision([(fmpq(1), fmpq(2)), (fmpq(2), fmpq(5, 2))], 10, journal=journal)
+        for _ in tree.steps(lambda lower, upper, *_: Column(lower, upper, LAPLACE), InProcessExecutor()):
+            pass
+    assert [column.pieces for column in tree.finished] == [LAPLACE, LAPLACE]

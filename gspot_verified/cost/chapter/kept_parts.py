@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 from dataclasses import asdict
 from pathlib import Path
@@ -11,8 +10,6 @@ from typing import Any
 from gspot_verified.cost.chapter.file import part_of
 from gspot_verified.cost.chapter.measurement import Part
 from gspot_verified.signs.journal_file import JournalFile
-
-_PACKAGE = Path(__file__).resolve().parents[2]
 
 
 class KeptParts:
@@ -23,7 +20,7 @@ class KeptParts:
     """
 
     def __init__(self, path: Path, question: dict[str, Any]) -> None:
-        self._journal = JournalFile(path, {**question, "sources": sources()})
+        self._journal = JournalFile(path, question)
         self._parts: dict[str, Part] = {}
         for number, line in enumerate(self._journal.lines, 2):
             try:
@@ -44,11 +41,4 @@ class KeptParts:
     def remove(self) -> None:
         """Remove the file: the whole measurement is written."""
         self._journal.path.unlink(missing_ok=True)
-
-
-def sources() -> str:
-    """A hash of the package's code: times of other code are not those of this one."""
-    found = hashlib.sha256()
-    for path in sorted(_PACKAGE.rglob("*.py")):
-        found.update(f"{path.relative_to(_PACKAGE).as_posix()}\0".encode() + path.read_bytes())
-    return found.hexdigest()
+        self._journal.close()
