@@ -56,7 +56,8 @@ def sweep(
     and said. ``start``: parameter values of the range at which the spot is proved first (the mechanism's own, or the
     nearest, if left out). ``spot``: its number in the list of all G-spots there (left out: that at the mechanism's
     place). ``digits``: of the brackets in which Case or side change. ``journal``: a killed sweep goes on
-    from this file. ``executor``: where cells are examined; the result is the same for every one.
+    from this file; what it recalls is proved again. ``executor``: where cells are examined; the result is the
+    same for every one.
 
     :raises GSpotError: there is no G-spot, or a degenerate one, at the start.
     :raises MechanismError: no such parameter, or the mechanism is not complete.
@@ -82,13 +83,13 @@ in the brackets where one quantity passes zero or the spot vanishes
         point = [_ball(value) for value in first.system.point]
     system = parametric_system(mechanism, names, first.fixed)
     conditions = BoxProgram(system.conditions, system.dimension + len(names))
-    kept = open_journal(journal, question, place, first.values())
     work = portions(cells(conditions, question.grid, place, point))
     found: list[list[SweepPiece]] = []
-    for pieces in results(question, work, executor or InProcessExecutor(), kept):
-        found += pieces
-        if progress is not None:
-            progress(len(found), sum(map(len, work)))
+    with open_journal(journal, question, place, first.values()) as kept:
+        for pieces in results(question, work, executor or InProcessExecutor(), kept):
+            found += pieces
+            if progress is not None:
+                progress(len(found), sum(map(len, work)))
     return _assembled(question, system, place, first.values(), point, found)
 
 

@@ -19,6 +19,8 @@ _LEAST = fmpq(1, 2**20)
 
 Pick = Callable[[OnTube], Quantity]
 """The quantity in question, next to a tube."""
+Find = Callable[[Equations, tuple[fmpq, ...], tuple[fmpq, ...], Origin], OnTube | None]
+"""What :func:`proved_tube` does."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,43 +38,46 @@ class Cut:
     after: int | None = None
 
 
-def bracket(equations: Equations, on: OnTube, pick: Pick, digits: int) -> Cut | None:
-    """Cut a piece at the zero of a quantity whose derivative has a certain sign on it; None where it has not."""
+def bracket(equations: Equations, on: OnTube, pick: Pick, digits: int, find: Find = proved_tube) -> Cut | None:
+    """Cut a piece at the zero of a quantity whose derivative has a certain sign on it; None where it has not.
+
+    ``find``: how tubes are proved.
+    """
     (lower,), (upper,) = on.tube.lower, on.tube.upper
     (slope,) = on.slopes(pick(on))
     direction = sign_of(slope)
     if direction not in (1, -1) or lower == upper:
         return None
-    before, after = (_sign(equations, on, pick, end) for end in (lower, upper))
+    before, after = (_sign(equations, on, pick, end, find) for end in (lower, upper))
     if before == direction or after == -direction:  # it moves away from 0
         return Cut(None, (direction if before == direction else -direction,), direction)
-    ends = _ends(equations, on, pick, digits)
+    ends = _ends(equations, on, pick, digits, find)
     if ends is None:
         return None
     start, end = ends
-    before = before if start == lower else _sign(equations, on, pick, start)
-    after = after if end == upper else _sign(equations, on, pick, end)
+    before = before if start == lower else _sign(equations, on, pick, start, find)
+    after = after if end == upper else _sign(equations, on, pick, end, find)
     # Where the bracket ends inside the piece the sign there must be certain: it holds up to the piece's end.
     if (start > lower and before != -direction) or (end < upper and after != direction):
         return None
     return Cut((start, end), (-direction, direction), direction, before or None, after or None)
 
 
-def _sign(equations: Equations, on: OnTube, pick: Pick, place: fmpq) -> int | None:
+def _sign(equations: Equations, on: OnTube, pick: Pick, place: fmpq, find: Find) -> int | None:
     """The quantity's sign at one parameter value, by a tube over that value alone that lies in the given one."""
-    at = proved_tube(equations, (place,), (place,), Origin.of(on))
+    at = find(equations, (place,), (place,), Origin.of(on))
     if at is None or not on.tube.holds_at((place,), at.tube.zero_at((place,))):
         return None
     return sign_of(at.value(pick(at)))
 
 
-def _ends(equations: Equations, on: OnTube, pick: Pick, digits: int) -> tuple[fmpq, fmpq] | None:
+def _ends(equations: Equations, on: OnTube, pick: Pick, digits: int, find: Find) -> tuple[fmpq, fmpq] | None:
     """A short interval around the zero that Newton's method finds. A heuristic: the signs at its ends decide."""
     (lower,), (upper,) = on.tube.lower, on.tube.upper
     place = (lower + upper) / 2
     origin = Origin.of(on)
     for _ in range(_STEPS):
-        at = proved_tube(equations, (place,), (place,), origin)
+        at = find(equations, (place,), (place,), origin)
         if at is None:
             return None
         own = pick(at)

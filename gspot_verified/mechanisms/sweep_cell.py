@@ -18,6 +18,7 @@ from gspot_verified.mechanisms.sweep_bracket import Cut, bracket
 from gspot_verified.mechanisms.sweep_findings import HYPOTHESES, SEVERAL, TOO_LARGE, findings, quantity
 from gspot_verified.mechanisms.sweep_piece import Kind, Passing, SweepPiece
 from gspot_verified.mechanisms.sweep_start import Origin, proved_tube
+from gspot_verified.mechanisms.sweep_trace import Choice, TubeTrace
 from gspot_verified.mechanisms.tube import Equations, OnTube, Tube
 
 BITS = 80
@@ -69,9 +70,15 @@ class Examination:
     sides: list[fmpq] = field(default_factory=list)
     left: int = _BUDGET
     """Boxes that may still be examined; on a line, where no tube is found, they are divided all the same."""
+    trace: TubeTrace = field(default_factory=TubeTrace)
+    """The tubes of the last cell, as choices."""
 
-    def pieces(self, cell: Cell) -> list[SweepPiece]:
-        """Pieces that cover the cell, in the order of their lower ends."""
+    def pieces(self, cell: Cell, known: Sequence[Choice] = ()) -> list[SweepPiece]:
+        """Pieces that cover the cell, in the order of their lower ends.
+
+        ``known``: the tubes of an earlier examination; each is proved again.
+        """
+        self.trace = TubeTrace(known)
         if cell.origin is None:
             return [SweepPiece(cell.lower, cell.upper, Kind.NO_TUBE)]
         # The widths of the last tube are a good guess at those of the next.
@@ -88,7 +95,7 @@ class Examination:
         last = depth >= (_DEPTH_OF_A_LINE if line else _DEPTH_OF_A_MAP) or self.left <= 0
         deep = depth >= _DEPTH_OF_A_LINE if line else depth >= _DEPTH_OF_A_TUBE or self.left <= 0
         origin = min(self.origins, key=lambda known_origin: known_origin.distance(lower, upper))
-        on = proved_tube(self.equations, lower, upper, origin)
+        on = self._tube(self.equations, lower, upper, origin)
         self.left -= 1
         if on is None or not known.concerns(on.tube):
             return (
@@ -103,7 +110,7 @@ class Examination:
         boundary = found.unsure[0] if len(found.unsure) == 1 and found.unsure[0] not in _NOT_A_BOUNDARY else None
         if boundary is not None:
             if line:
-                cut = bracket(self.equations, on, partial(quantity, name=boundary), self.digits)
+                cut = bracket(self.equations, on, partial(quantity, name=boundary), self.digits, self._tube)
                 if cut is not None:
                     return self._cut(on, boundary, cut, depth, known)
             elif last:
@@ -114,6 +121,11 @@ class Examination:
             return [found.piece(on, Kind.OPEN)]
         steepest = _steepest(on, found.unsure)
         return self._halves(box, depth, known, self._longest(box) if steepest is None else steepest)
+
+    def _tube(
+        self, equations: Equations, lower: tuple[fmpq, ...], upper: tuple[fmpq, ...], origin: Origin
+    ) -> OnTube | None:
+        return self.trace.tube(equations, lower, upper, partial(proved_tube, equations, lower, upper, origin))
 
     def _halves(self, box: Box, depth: int, known: Known, side: int) -> list[SweepPiece]:
         """The two halves, that next to what is known first; on a line nothing is sought behind a place without tube."""
@@ -149,7 +161,7 @@ class Examination:
                 parts += self._examine(((start,), (end,)), depth + 1, known.further(on.tube, boundary, sign))
         if cut.ends is not None:
             (start, end), inside = cut.ends, Known(on.tube)
-            between = proved_tube(self.equations, (start,), (end,), Origin.of(on))
+            between = self._tube(self.equations, (start,), (end,), Origin.of(on))
             if between is None or not inside.concerns(between.tube):
                 return [*parts, SweepPiece((start,), (end,), Kind.NO_TUBE)]
             passing = Passing(boundary, 0, cut.direction, cut.before, cut.after)

@@ -13,7 +13,6 @@ from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import exact
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.mechanisms.tube import Tube
 from gspot_verified.verdict import NoTruthValue
@@ -145,38 +144,12 @@ class SweepPiece(NoTruthValue):
             else [[str(side) for side in part] for part in (record.centre, record.slopes, record.within, record.found)],
         }
 
-    @classmethod
-    def from_json(cls, data: dict[str, Any]) -> SweepPiece:
-        """The piece whose ``to_json`` is ``data``.
-
-        :raises ValueError: it is none (or KeyError, TypeError).
-        """
-        tube = data["tube"]
-        return cls(
-            tuple(_rational(end) for end in data["lower"]),
-            tuple(_rational(end) for end in data["upper"]),
-            Kind(data["kind"]),
-            data["case"],
-            data["lift_off_sign_of_C1"],
-            data["impact_sign_of_C1"],
-            tuple(data["unsure"]),
-            None if data["passing"] is None else Passing(*data["passing"]),
-            tuple(None if number is None else Dyadic.parse(number) for number in data["numbers"]),
-            None if tube is None else TubeRecord(*(tuple(Dyadic.parse(side) for side in part) for part in tube)),
-        )
-
 
 def _not_wider(side: arb) -> arb:
     """A ball inside of the given one whose radius has few enough bits not to be rounded up on its way back."""
     mantissa, exponent = side.rad().man_exp()
     cut = max(mantissa.bit_length() - _RADIUS_BITS, 0)
     return arb(side.mid().man_exp(), (mantissa >> cut, exponent + cut))
-
-
-def _rational(text: str) -> fmpq:
-    value = exact(text, "piece")
-    assert isinstance(value, fmpq)
-    return value
 
 
 def interval(value: arb | None) -> Dyadic | None:

@@ -291,13 +291,6 @@ def test_a_journal_goes_on_after_a_kill(tmp_path: Path) -> None:
         sweep(mechanism, {"mu": "1.3..2:99"}, journal=path)
 
 
-def test_pieces_survive_json() -> None:
-    result = sweep(shipped_mechanism(ROD), {"mu": "1.3..1.6:5"})
-    assert {Kind.SETTLED, Kind.CROSSING, Kind.FOLD, Kind.BEYOND} == {piece.kind for piece in result.pieces}
-    for piece in result.pieces:
-        assert SweepPiece.from_json(piece.to_json()) == piece
-
-
 def test_csv_has_a_line_for_each_piece_with_outward_bounds() -> None:
     result = sweep(shipped_mechanism("oscillator"), {"beta": "9/4..11/4:3"})
     head, *lines = result.to_csv().splitlines()

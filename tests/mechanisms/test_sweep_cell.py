@@ -81,7 +81,9 @@ def test_a_bracket_over_which_no_tube_is_proved_is_left(refused: bool, monkeypat
     """q = sqrt(k): alpha_3 passes alpha_1 at k = 9/16; the pieces cover the cell in both cases."""
 
     def narrow(equations: Equations, lower: tuple[fmpq, ...], upper: tuple[fmpq, ...], near: Origin) -> OnTube | None:
-        return None if refused and upper[0] - lower[0] < fmpq(1, 10**6) else proved_tube(equations, lower, upper, near)
+        return (
+            None if refused and 0 < upper[0] - lower[0] < fmpq(1, 10**6) else proved_tube(equations, lower, upper, near)
+        )
 
     monkeypatch.setattr(sweep_cell, "proved_tube", narrow)
     start = Origin((fmpq(9, 16),), (fmpq(0), fmpq(1), fmpq(0), fmpq(0), fmpq(3, 4), fmpq(0)), ((fmpq(0),),) * 6)

