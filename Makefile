@@ -20,6 +20,7 @@ test test-all: export OPENBLAS_NUM_THREADS := 1
 .PHONY: verify test test-all prove docs lint mutants attack clean
 
 # Results are kept in build/ledger, under the hash of everything that they depend on; a fresh clone has none. VERIFY=--full runs all again.
+# Of formal proofs nothing is kept: they count where VERIFY=--formal has them run now, by prove.py.
 # Exit code 1 means that a printed statement of the paper is refuted: that is a result, not a failure of the run.
 verify: $(READY)
 	@$(PYTHON) -I proofs/coq/prove.py --state

@@ -17,6 +17,7 @@ from importlib import import_module
 import typer
 
 from gspot_verified.cli.app import app, signs_of_life
+from gspot_verified.cli.isolation import isolate
 from gspot_verified.cli.output import NOT_WRITTEN
 from gspot_verified.cli.parameters import read_when_needed
 
@@ -93,6 +94,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def run() -> None:
     """The console script."""
+    isolate(sys.argv[1:])
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")  # Greek letters on a stream that has none

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
 from gspot_verified.cli.output import Outputs
+
+if TYPE_CHECKING:
+    from gspot_verified.ledger.formal_proof import ProofRun
 
 
 @app.command(
@@ -21,6 +24,9 @@ def verify(
     ] = None,
     output: Annotated[Path | None, typer.Option(help="Directory of the report; report if not given.")] = None,
     full: Annotated[bool, typer.Option("--full", help="Run every check again; take nothing from the cache.")] = False,
+    formal: Annotated[
+        bool, typer.Option("--formal", help="Run the formal proofs of proofs/coq/ too, with Coq: minutes.")
+    ] = False,
     alone: Annotated[
         bool, typer.Option("--alone", help="With claims: leave out the entries that their checks name.")
     ] = False,
@@ -33,7 +39,8 @@ def verify(
     """Check the paper, Sections 1 to 7 and Appendices A and B, claim by claim, and write the report.
 
     With claims: these entries, and those that their checks name; no report. A result is kept under the hash of all
-    sources, proofs and versions, so that a run that was killed goes on, and shown as kept. Exit code 1 when a printed
+    sources, proofs and versions, so that a run that was killed goes on, and shown as kept. Of formal proofs nothing is
+    kept: they count where --formal runs them. Exit code 1 when a printed
     statement is refuted (the paper has misprints), 2 when one is undecided; of the named ones if some are named.
     """
     from gspot_verified.cli.ledger_output import claims_data, paper_data, print_claims, print_paper
@@ -50,14 +57,15 @@ def verify(
     if not claims:
         outputs.folder("--output", folder)
     kept = Cache(cache or default_folder(), read=not full)
+    proofs = _formal_proofs() if formal else None
     if claims:
-        named, further = verify_claims(claims, progress, kept, alone)
+        named, further = verify_claims(claims, progress, kept, alone, proofs)
         if as_json:
             print_json(claims_data(named, further))
         else:
             print_claims(named, further)
     else:
-        named = verify_paper(progress, kept)
+        named = verify_paper(progress, kept, proofs)
         written = outputs.write("--output", folder, lambda: write_report(named, folder, progress))
         if as_json:
             print_json(paper_data(named))
@@ -68,6 +76,16 @@ def verify(
     if kept.closed:
         warn(f"the cache was not used to the end: {kept.closed}")
     outputs.leave(exit_code(named))
+
+
+def _formal_proofs() -> ProofRun:
+    from gspot_verified.ledger.formal_proof import run_proofs
+
+    progress("the formal proofs of proofs/coq/, by Coq")
+    found = run_proofs()
+    if found.failure:
+        warn(f"the formal proofs do not count: {found.failure}")
+    return found
 
 
 @app.command(epilog="Example: gspot-verified report report/report.json --output report")

@@ -1,8 +1,8 @@
 """What the result of a check can depend on, as one hash: code, data, proofs, Python, every installed distribution.
 
 The key is strict: a change of a comment makes another key. Two runs with one key ran the same bytes of this package and
-of ``proofs/``, under the same interpreter, beside distributions of the same versions, lists of contents, sizes and
-times of change, with the modules that compute taken from the same places.
+of ``proofs/``, under the same interpreter, which began with the same files, beside distributions of the same versions,
+lists of contents, sizes and times of change, with the modules that compute taken from the same places.
 """
 
 from __future__ import annotations
@@ -51,9 +51,23 @@ def ingredients(sources: Sequence[Path] = SOURCES) -> dict[str, Any]:
         "modules": {name: list(module_files(name)) for name in (flint.__name__, *MODULES)},
         "libraries": [os.environ.get(name, "") for name in LIBRARY_PATHS],
         "FLINT": flint.__FLINT_VERSION__,
+        "startup": startup(),
         "python": [sys.version, sys.executable, *map(str, sys.flags)],
         "machine": [platform.platform(), platform.machine(), sys.byteorder],
     }
+
+
+@lru_cache(maxsize=1)
+def startup() -> list[list[str]]:
+    """What acts on Python before any program: the hashes of ``.pth`` files, ``sitecustomize`` and ``usercustomize``.
+
+    ``verify`` runs without the last two (``cli/isolation.py``); other programs may have them.
+    """
+    paths = [file for folder in sys.path for file in sorted(Path(folder).glob("*.pth"))]
+    for name in ("sitecustomize", "usercustomize"):
+        place = getattr(sys.modules.get(name), "__file__", None)
+        paths += [Path(place)] if place else []
+    return [[str(path), hashlib.sha256(path.read_bytes()).hexdigest()] for path in paths]
 
 
 @lru_cache(maxsize=1)

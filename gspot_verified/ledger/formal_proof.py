@@ -1,11 +1,12 @@
-"""The formal proofs of ``proofs/coq/``: what a theorem states, and whether ``make prove`` has run on these sources."""
+"""The formal proofs of ``proofs/coq/``: what a theorem states, and whether this program has them proved now."""
 
 from __future__ import annotations
 
-import hashlib
-import json
+import os
 import re
-from collections.abc import Mapping, Sequence
+import subprocess
+import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -24,17 +25,20 @@ STATED_IN = (
     "StatementChecker.v",
 )
 """The files of statements: Theta, boxes, the mechanism at every epsilon, after lift-off, certificates, a checker."""
-RECORD = ROOT / "build" / "coq" / "record.json"
-"""What ``make prove`` leaves when every theorem is proved: the hash of each source and the axioms of each theorem."""
-AXIOMS = frozenset(
-    {
-        "ClassicalDedekindReals.sig_not_dec",
-        "ClassicalDedekindReals.sig_forall_dec",
-        "FunctionalExtensionality.functional_extensionality_dep",
-        "Classical_Prop.classic",
-    }
-)
-"""Those of Coq's classical reals; a theorem that uses another one is not taken."""
+_KEPT = ("PATH", "HOME", "TMPDIR", "LANG", "LC_ALL")
+"""What the proofs see of the environment."""
+_PROVED = re.compile(r"^(\w+): (?:no axiom|[\w, ]+)$", re.MULTILINE)
+NOT_ASKED = "verify --formal runs proofs/coq/prove.py, and only what it proves then counts"
+
+
+@dataclass(frozen=True, slots=True)
+class ProofRun(NoTruthValue):
+    """What one run of ``proofs/coq/prove.py`` by this program showed: the theorems; or why it showed none."""
+
+    ask = ".failure is empty where the proofs passed"
+
+    theorems: frozenset[str] = frozenset()
+    failure: str = NOT_ASKED
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,19 +58,35 @@ class FormalProof(NoTruthValue):
         return {"theorems": theorems, "run": self.run, "state": self.state}
 
 
-def formal_proof(names: Sequence[str], coq: Path = COQ, record: Path = RECORD) -> FormalProof:
-    """The theorems of these names with their texts in the files of statements, proved here or not.
+def run_proofs(coq: Path = COQ) -> ProofRun:
+    """Compile the formal proofs and look at their axioms now, by ``prove.py``: minutes.
 
-    They count as proved only if the record names each of them, with no other axiom than those of the classical reals,
-    and holds the hash of every source as it is now.
+    A record or a compiled file that lies on the disk is no evidence: who can write one can write a false one. So this
+    run is the evidence, and it is that of the process that asked for it.
+    """
+    script = coq / "prove.py"
+    if not script.is_file():
+        return ProofRun(failure="proofs/coq/ is not here")
+    environment = {name: os.environ[name] for name in _KEPT if name in os.environ}
+    command = [sys.executable, "-IS", str(script)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
+    if done.returncode:
+        said = (done.stdout + done.stderr).strip().splitlines()
+        return ProofRun(failure=f"prove.py ended with {done.returncode}: {said[0] if said else 'it said nothing'}")
+    return ProofRun(frozenset(_PROVED.findall(done.stdout)), "")
+
+
+def formal_proof(names: Sequence[str], proofs: ProofRun, coq: Path = COQ) -> FormalProof:
+    """The theorems of these names with their texts in the files of statements, proved in this run or not.
 
     :raises ValueError: Statement.v is there, and one of them is not stated.
     """
     if not (coq / "Statement.v").is_file():
         return FormalProof(tuple((name, "", "") for name in names), False, "not run here: proofs/coq/ is not here")
     theorems = tuple((name, *statement_of(name, coq)) for name in names)
-    why = _why_not(names, coq, record)
-    return FormalProof(theorems, not why, f"not run here: {why}" if why else "run here, by make prove")
+    missing = [name for name in names if name not in proofs.theorems]
+    why = proofs.failure or (f"prove.py did not prove {', '.join(missing)}" if missing else "")
+    return FormalProof(theorems, not why, f"not run here: {why}" if why else "run here, by proofs/coq/prove.py")
 
 
 def statement_of(name: str, coq: Path = COQ) -> tuple[str, str]:
@@ -80,25 +100,3 @@ def statement_of(name: str, coq: Path = COQ) -> tuple[str, str]:
         if found := pattern.search((coq / file).read_text(encoding="utf-8")):
             return found[0], file
     raise ValueError(f"{', '.join(STATED_IN)}: no {name} is stated")
-
-
-def _why_not(names: Sequence[str], coq: Path, record: Path) -> str:
-    """Why the record does not show that the theorems are proved; empty when it does."""
-    try:
-        found = json.loads(record.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        return "make prove was not run"
-    except (OSError, ValueError):
-        return "the record of make prove cannot be read"
-    if not isinstance(found, Mapping) or found.get("sources") != _hashes(coq):
-        return "make prove was run on other sources"
-    proved = found.get("theorems")
-    for name in names:
-        axioms = proved.get(name) if isinstance(proved, Mapping) else None
-        if not isinstance(axioms, list) or not set(map(str, axioms)) <= AXIOMS:
-            return f"the record of make prove does not hold {name}"
-    return ""
-
-
-def _hashes(coq: Path) -> dict[str, str]:
-    return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in coq.glob("*.v")}

@@ -1,7 +1,7 @@
 """Which theorem of ``proofs/coq/`` is the whole claim of which entry, or contradicts it.
 
-A theorem stands here only if it carries the claim for all its arguments. The check is added where ``make prove`` has
-run on these sources; elsewhere the entry names the route and says that it was not run.
+A theorem stands here only if it carries the claim for all its arguments. The check is added where this run had the
+proofs compiled and looked at (``verify --formal``); elsewhere the entry names the route and says that it was not run.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from gspot_verified.ledger.entry import Check, Entry, Rung, conclude
-from gspot_verified.ledger.formal_proof import COQ, RECORD, formal_proof
+from gspot_verified.ledger.formal_proof import COQ, ProofRun, formal_proof
 
 CARRIED: dict[str, tuple[str, ...]] = {
     "2-trivial": ("corrected_trivial",),
@@ -36,13 +36,13 @@ CONTRADICTED: dict[str, tuple[tuple[str, ...], str]] = {
 }
 
 
-def with_formal_proof(entry: Entry, coq: Path = COQ, record: Path = RECORD) -> Entry:
+def with_formal_proof(entry: Entry, proofs: ProofRun, coq: Path = COQ) -> Entry:
     """The entry with its formal proof, and with the check that this is where it was run; others as they are."""
     contradicted = CONTRADICTED.get(entry.identifier)
     names, finding = contradicted or (CARRIED.get(entry.identifier, ()), "")
     if not names:
         return entry
-    proof = formal_proof(names, coq, record)
+    proof = formal_proof(names, proofs, coq)
     if not proof.run:
         return replace(entry, formal=proof)
     what = "; ".join(f"proofs/coq/{file}: {name}" for name, _, file in proof.theorems)

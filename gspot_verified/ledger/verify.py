@@ -56,6 +56,7 @@ from gspot_verified.ledger import (
 from gspot_verified.ledger.cache import Cache
 from gspot_verified.ledger.dependencies import dependencies
 from gspot_verified.ledger.entry import Builders, Entry
+from gspot_verified.ledger.formal_proof import ProofRun
 from gspot_verified.ledger.formal_routes import with_formal_proof
 from gspot_verified.verdict import Outcome
 
@@ -108,16 +109,19 @@ PARTS: dict[str, Builders] = {
 }
 
 
-def verify_paper(progress: Callable[[str], None] | None = None, cache: Cache | None = None) -> list[Entry]:
+def verify_paper(
+    progress: Callable[[str], None] | None = None, cache: Cache | None = None, proofs: ProofRun | None = None
+) -> list[Entry]:
     """The entries of every part; ``progress`` is told each part's name as it begins.
 
     With a cache, results of the same sources are taken from it, and new ones are kept there, each as it is found.
+    ``proofs``: the formal proofs that :func:`run_proofs` has run; without them no entry has the rung "formal".
     """
     found: list[Entry] = []
     for part, builders in PARTS.items():
         if progress is not None:
             progress(part)
-        found += [_made(identifier, build, cache) for identifier, build in builders.items()]
+        found += [_made(identifier, build, cache, proofs) for identifier, build in builders.items()]
     return found
 
 
@@ -126,6 +130,7 @@ def verify_claims(
     progress: Callable[[str], None] | None = None,
     cache: Cache | None = None,
     alone: bool = False,
+    proofs: ProofRun | None = None,
 ) -> tuple[list[Entry], list[Entry]]:
     """The named entries, in their order, and then those that their checks name, those that theirs name, and so on.
 
@@ -149,21 +154,21 @@ def verify_claims(
             continue
         if progress is not None:
             progress(identifier)
-        found[identifier] = _made(identifier, builders[identifier], cache)
+        found[identifier] = _made(identifier, builders[identifier], cache, proofs)
         if not alone:
             waiting += dependencies(found[identifier], list(builders)).entries[::-1]
     named = [found[identifier] for identifier in asked]
     return named, [entry for identifier, entry in found.items() if identifier not in asked]
 
 
-def _made(identifier: str, build: Callable[[], Entry], cache: Cache | None) -> Entry:
-    """The entry, from the cache or by its checks. Whether a formal proof was run is looked up each time."""
+def _made(identifier: str, build: Callable[[], Entry], cache: Cache | None, proofs: ProofRun | None) -> Entry:
+    """The entry, from the cache or by its checks. Formal proofs are never kept: they are run now, or were not."""
     entry = cache.recall(identifier) if cache is not None else None
     if entry is None:
         entry = replace(build(), code=code_of(build))
         if cache is not None and entry.identifier == identifier:
             cache.keep(entry)
-    return with_formal_proof(entry)
+    return with_formal_proof(entry, proofs or ProofRun())
 
 
 def code_of(build: Callable[[], Entry]) -> str:
