@@ -63,7 +63,8 @@ class TaylorRecurrence:
         values = [name for name in names if name not in states]
         lines = [f"{name}, l{name} = [x[{i}]], 0" for i, name in enumerate(states)]
         lines += [f"{name}, l{name} = [], 0" for name in values]
-        lines += [f"c{i} = c[{i}]" for i in range(len(self._code.constants))]
+        for i in range(len(self._code.constants)):
+            lines += [f"c{i} = c[{i}]", f"series_c{i}, lseries_c{i} = [c{i}] + [0] * order, 0"]
         lines.append("for k in range(order):")
         for name in values:
             lines.append(f"    t = {self._coefficient(name)}")
@@ -83,6 +84,8 @@ class TaylorRecurrence:
         """Python text for the coefficient k of a value."""
         operation, operands = self._code.definition(name)
         u = operands[0]
+        if operation not in ("sum", "minus", "product") and u[0] == "c":
+            u = f"series_{u}"
         match operation:
             case "sum":
                 return " ".join(f"{'+' if sign == 1 else '-'} {_term(part)}" for sign, part in operands)

@@ -9,6 +9,7 @@ import numpy as np
 from flint import arb, fmpq
 
 from gspot_verified.balls import ExactInput, bits_for_digits, exact, float_bounds
+from gspot_verified.dyadic import Dyadic
 from gspot_verified.theta_function.batch import DOUBLE_DIGITS, ball_batch, float_batch
 from gspot_verified.theta_function.evaluate import evaluate
 from gspot_verified.theta_function.float_balls import FloatArray, FloatBalls
@@ -29,6 +30,7 @@ def theta_array(
     input. beta may be an array, too; the two are broadcast. derivative, digits and the errors are those of
     :func:`gspot_verified.theta_function.theta.theta`; the relative accuracy is 10^-digits.
 
+    :raises TypeError: an array is masked: the mask would be lost.
     :raises ValueError: an entry is NaN, infinite, or outside the domain.
 
     >>> lower, upper = bounds(theta_array(np.linspace(-2.0, 2.0, 5), "1/2"))
@@ -59,17 +61,19 @@ def theta_of_floats(
 ) -> FloatBalls:
     """d^k Theta/dtau^k at doubles, each of which stands for its exact binary value: midpoints and radii as doubles.
 
-    The exact value lies within the radius, always; the radius is at most 10^-15 of the value. It is infinite where
-    Theta overflows a double. Every rounding error of the double arithmetic is bounded (``proofs/float_horner.md``).
+    The exact value lies within the radius, always; the radius is at most 10^-15 of the value, or 2^-899 where that is
+    more: next to the least doubles accuracy is lost. It is infinite where Theta overflows a double. Every rounding
+    error of the double arithmetic is bounded (``proofs/float_horner.md``).
 
     :param beta: one exact input, or an array of them (floats: exact binary values), broadcast against ``tau``.
-    :raises TypeError: ``tau`` has other entries than doubles.
+    :raises TypeError: ``tau`` has other entries than doubles, or an array is masked.
     :raises ValueError: an entry is NaN, infinite, or outside the domain.
 
     >>> found = theta_of_floats(np.array([0.5, -1.25]), "7/3")
     >>> bool((found.radius <= 1e-15 * abs(found.midpoint)).all())
     True
     """
+    _without_mask(tau, "tau")
     points = np.asarray(tau)
     if points.dtype != np.float64:
         raise TypeError(f"tau: expected an array of doubles (float64), got {points.dtype}")
@@ -87,10 +91,20 @@ def theta_of_floats(
 
 def _as_array(value: ExactInput | np.ndarray[Any, Any], name: str) -> np.ndarray[Any, Any]:
     if isinstance(value, np.ndarray):
+        _without_mask(value, name)
         return value
     single = np.empty((), dtype=object)
     single[()] = exact(value, name)
     return single
+
+
+def _without_mask(value: object, name: str) -> None:
+    """Passes for anything but a masked array.
+
+    :raises TypeError: it is one.
+    """
+    if isinstance(value, np.ma.MaskedArray):
+        raise TypeError(f"{name}: a masked array is not taken, its mask would be lost: pass .compressed() or .filled()")
 
 
 def _by_beta(betas: np.ndarray[Any, Any]) -> Iterator[tuple[Any, Any]]:
@@ -110,9 +124,11 @@ def _by_beta(betas: np.ndarray[Any, Any]) -> Iterator[tuple[Any, Any]]:
         return
     found: dict[Any, list[int]] = {}
     for index, entry in enumerate(flat):
+        if isinstance(entry, arb):  # no hash unless it is exact
+            entry = Dyadic.from_ball(entry) if entry.is_finite() else ("not finite", index)
         found.setdefault(entry, []).append(index)
-    for entry, where in found.items():
-        yield exact(_exact_entry(entry, "beta"), "beta"), np.array(where)
+    for where in found.values():
+        yield exact(_exact_entry(flat[where[0]], "beta"), "beta"), np.array(where)
 
 
 def _check(points: FloatArray, beta: Any, derivative: int) -> None:

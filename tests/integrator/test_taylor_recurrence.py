@@ -22,12 +22,15 @@ from gspot_verified.integrator.no_series import NoSeriesError
 from gspot_verified.integrator.taylor_recurrence import TaylorRecurrence, fixed
 
 x, y = Variable(0), Variable(1)
+THIRD = Constant(fmpq(1, 3))
 BITS = 200
 FIELDS: list[list[Expression]] = [
     [Power(x, fmpq(1, 2)) * y, Power(y, fmpq(-1))],
     [Exponential(-y) * Sine(x) + Logarithm(x), Cosine(y + x) * Power(x, fmpq(5, 3))],
     [x * x * y - Constant(fmpq(7, 3)) * x, -(x * y) + Power(x, fmpq(-2))],
     [Constant(fmpq(1)), Constant(fmpq(1, 3)) * y + x],
+    [Sine(THIRD) * x + Exponential(THIRD), Cosine(THIRD) + Logarithm(THIRD) * y],
+    [Power(THIRD, fmpq(1, 2)) * y, Power(THIRD, fmpq(5, 3)) * x + Power(THIRD, fmpq(-1)) + Power(THIRD, fmpq(2))],
 ]
 
 

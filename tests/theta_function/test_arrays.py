@@ -154,3 +154,34 @@ def test_bad_arrays() -> None:
         theta_of_floats(np.array([1.0]), arb(0, 1))
     with pytest.raises(ValueError, match="digits"):
         theta_array(np.array([1.0]), "1/2", digits=0)
+
+
+def test_a_masked_array_is_refused() -> None:
+    masked, plain = np.ma.masked_array([0.5, 1.0], [True, False]), np.array([0.5, 1.0])
+    for tau, beta in ((masked, "1/2"), (plain, masked)):
+        with pytest.raises(TypeError, match="a masked array is not taken"):
+            theta_array(tau, beta)
+        with pytest.raises(TypeError, match="a masked array is not taken"):
+            theta_of_floats(tau, beta)
+
+
+def test_an_array_of_balls_for_beta() -> None:
+    """Balls without a hash: equal ones share their work, others do not; one that is not finite is refused."""
+    wide, same, other = arb("0.3"), arb("0.3"), arb("0.7")
+    found = theta_array(np.array([0.5, 0.5, 0.5, 0.5]), np.array([wide, same, other, 2], dtype=object))
+    for value, beta in zip(found, ("0.3", "0.3", "0.7", 2), strict=True):
+        assert value.is_finite()
+        assert value.contains(theta("1/2", beta, digits=30).mid())
+    with pytest.raises(ValueError, match="beta"):
+        theta_array(np.array([0.5]), np.array([arb("nan")], dtype=object))
+
+
+@pytest.mark.parametrize("tau", [5e-324, 1e-310, 1e-300, 1e-271, 1e-250])
+@pytest.mark.parametrize(("beta", "derivative"), [(2, 0), (2, 1), ("1e-290", 1), ("1e-320", 1), ("1e-260", 2)])
+def test_next_to_the_least_doubles_the_promise_holds(tau: float, beta: object, derivative: int) -> None:
+    found = theta_of_floats(np.array([tau, -1.5]), beta, derivative)
+    for point, middle, radius in zip((tau, -1.5), found.midpoint.tolist(), found.radius.tolist(), strict=True):
+        truth = theta(fmpq(*point.as_integer_ratio()), beta, derivative, digits=40)
+        assert truth.is_finite()
+        assert abs(truth - arb(middle)) <= arb(radius) or truth == middle
+        assert radius <= max(1e-15 * abs(middle), 2.0**-899)
