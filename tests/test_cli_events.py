@@ -33,7 +33,7 @@ def test_the_same_from_a_state_as_json(capsys: pytest.CaptureFixture[str]) -> No
 
 
 def test_an_open_question_leaves_with_2(capsys: pytest.CaptureFixture[str]) -> None:
-    code, output, _ = run(capsys, "events", "--beta", "3/2", "--eps", "1/10", "--nu", "2", "--alpha2", "1")
+    code, output, _ = run(capsys, "events", "--beta", "5/2", "--eps", "1e-4", "--nu", "2", "--alpha2", "1")
     assert code == 2
     assert output.startswith("undecided")
 
@@ -54,3 +54,16 @@ def test_bad_input(capsys: pytest.CaptureFixture[str], words: tuple[str, ...]) -
     assert code == 64
     assert output == ""
     assert errors.startswith("error: ")
+
+
+def test_the_budget_is_named_and_an_option_raises_it(capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("events", "--beta", "3/2", "--nu", "2", "--eps", "1/100")
+    code, output, _ = run(capsys, *words)
+    assert code == 0
+    assert output.startswith("proved: exactly one flight, then contact for ever")
+    code, output, _ = run(capsys, *words, "--budget", "10")
+    assert code == 2
+    assert "the power series found no bracket within its budget of 10 (its work, rate times time)" in output
+    code, _, errors = run(capsys, *words, "--budget", "0")
+    assert code == 64
+    assert "budget must be an int and lie in 1..10000" in errors

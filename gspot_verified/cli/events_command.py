@@ -21,6 +21,10 @@ def events(
         str | None, typer.Option(help="The initial state in contact, before the G-spot: p,b,y,v,z.")
     ] = None,
     digits: Annotated[int, typer.Option(help="Decimals of the lift-off time, in units of the G-spot, 1..80.")] = 15,
+    budget: Annotated[
+        int,
+        typer.Option(help="Work of the power series (rate times time), where the bound of the fast part is too wide."),
+    ] = 3_000,
     as_json: JsonFlag = False,
 ) -> None:
     """What the compliant model does from a state: lift-off, flight, touch-down, an impact without collision: certified.
@@ -39,7 +43,7 @@ def events(
         start = state_from_text(state)
     else:
         raise ValueError("give --nu or --state, one of them")
-    result = compliant_run(model, start, digits)
+    result = compliant_run(model, start, digits, budget)
     if as_json:
         print_json(result.to_json())
     else:

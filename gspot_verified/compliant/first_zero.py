@@ -62,12 +62,13 @@ class FirstZero(NoTruthValue):
         }
 
 
-def contact_lasts(model: CompliantModel, state: CompliantState, until: ExactInput) -> Verdict:
+def contact_lasts(model: CompliantModel, state: CompliantState, until: ExactInput, budget: int = MOST_WORK) -> Verdict:
     """Whether the contact force is > 0 from the initial state up to the time ``until`` (p = alpha_1 t): contact lasts.
 
     Proved, or undecided: a refutation is the business of :func:`first_zero`.
 
-    From a state with p <= 0 about 1 000 units epsilon/|alpha_1| of time are in reach.
+    From a state with p <= 0 about 1 000 units epsilon/|alpha_1| of time are in reach; more with a larger ``budget``,
+    the work of the power series (rate times time).
 
     :raises ValueError: ``until`` is before the state.
     """
@@ -77,35 +78,39 @@ def contact_lasts(model: CompliantModel, state: CompliantState, until: ExactInpu
     if model.alpha_1 * end > motion.state.p:
         raise ValueError(f"until: {end} is before the initial state")
     text = f"in the compliant model, from this initial state, λ_N > 0 up to t = {end}"
-    if _lasts(motion, -model.alpha_1 * end / model.scaled_epsilon):
+    if _lasts(motion, -model.alpha_1 * end / model.scaled_epsilon, budget):
         return Verdict.proved(text)
     if not motion.state.p > 0:
-        detail = f"not shown by the power series, whose work is limited to {MOST_WORK}"
+        detail = f"not shown by the power series within its budget of {budget} (its work, rate times time)"
         return Verdict.undecided(text, Reason.BUDGET, detail)
-    return Verdict.undecided(text, Reason.BUDGET, "the force is too small, or its fast part too large for the bound")
+    return Verdict.undecided(
+        text, Reason.HYPOTHESIS, "the force is too small, or its fast part too large for the bound"
+    )
 
 
-def _lasts(motion: ContactMotion, end: fmpq) -> bool:
+def _lasts(motion: ContactMotion, end: fmpq, budget: int) -> bool:
     """lambda > 0 from the state up to T = ``end``; the first instants by the power series where the bound fails."""
     state = motion.state
     assert state is not None
     mean = motion.model.mean_force * motion.model.sigma**2
     if not state.p > 0:
-        return positive_by_series(state, mean, end - state.time)
+        return positive_by_series(state, mean, end - state.time, budget)
     force = _force_range(motion)
     if _positive(force, state.time, end):
         return True
     head = state.time + min(_FIRST_INSTANTS, end - state.time)
-    return positive_by_series(state, mean, head - state.time) and (head == end or _positive(force, head, end))
+    return positive_by_series(state, mean, head - state.time, budget) and (head == end or _positive(force, head, end))
 
 
-def first_zero(model: CompliantModel, state: CompliantState, digits: int = 25) -> FirstZero:
+def first_zero(model: CompliantModel, state: CompliantState, digits: int = 25, budget: int = MOST_WORK) -> FirstZero:
     """The time at which the contact force first vanishes, in a bracket of 10^-digits times (epsilon/2)^(-1/3) epsilon.
 
     The unit of the bracket is that of tau = (epsilon/2)^(1/3) t/epsilon, in which the G-spot has width 1. From a state
-    with p <= 0 about 1 000 units epsilon/|alpha_1| of time are looked at.
+    with p <= 0 about 1 000 units epsilon/|alpha_1| of time are looked at, and from others where the bound of the fast
+    part does not say enough.
 
     :param digits: 1..100.
+    :param budget: the work of the power series, rate times time; the rate is 3 or more for each unit of time.
     :raises ValueError: digits out of range.
 
     >>> from gspot_verified.compliant.normal_form import compliant_model, compliant_state
@@ -122,39 +127,49 @@ def first_zero(model: CompliantModel, state: CompliantState, digits: int = 25) -
     assert motion.state is not None
     start = state.p / model.alpha_1
     text = "in the compliant model, from this initial state, the contact force has its first zero in the bracket"
-    failed = FirstZero(model, start, Verdict.undecided(text, Reason.BUDGET, "no bracket was found"))
-    if not state.p > 0:
-        found = _after_the_g_spot(motion, start, text, digits)
-        return failed if found is None else found
+    found = _by_force_range(motion, start, text, digits, budget) if state.p > 0 else None
+    if found is None:
+        found = _by_series(motion, start, text, digits, budget)
+    if found is not None:
+        return found
+    before = "the bound of the fast part does not show it, and " if state.p > 0 else ""
+    detail = f"{before}the power series found no bracket within its budget of {budget} (its work, rate times time)"
+    return FirstZero(model, start, Verdict.undecided(text, Reason.BUDGET, detail))
+
+
+def _by_force_range(motion: ContactMotion, start: fmpq, text: str, digits: int, budget: int) -> FirstZero | None:
+    """The bracket from a state with p > 0, by the slow part and a bound of the fast one."""
+    model, state = motion.model, motion.state
+    assert state is not None
     force = _force_range(motion)
-    rough = _rough_zero(force, motion.state.time)
+    rough = _rough_zero(force, state.time)
     if rough is None:
-        return failed
+        return None
     unit = _unit(motion)
     for margin in _MARGINS:
         before, after = rough - margin * unit, rough + margin * unit
         if before < 0 < after:
             continue
-        if not (force.slope(before, after) < 0 and _lasts(motion, before)):
+        if not (force.slope(before, after) < 0 and _lasts(motion, before, budget)):
             continue
         second = model.scaled_epsilon / -model.alpha_1
         bracket = _bracket(motion, rough, unit / fmpq(10) ** digits, digits)
         if bracket is None:
-            return failed
+            return None
         lower, upper = _outward(bracket[0] * second, bracket[1] * second)
         if not (before * second <= lower and upper <= after * second):
-            return failed
+            return None
         return FirstZero(model, start, Verdict.proved(text, "λ_N > 0 before it, dλ_N/dt < 0 at it"), lower, upper)
-    return failed
+    return None
 
 
-def _after_the_g_spot(motion: ContactMotion, start: fmpq, text: str, digits: int) -> FirstZero | None:
-    """The bracket from a state with p <= 0, by the power series."""
+def _by_series(motion: ContactMotion, start: fmpq, text: str, digits: int, budget: int) -> FirstZero | None:
+    """The bracket from any state, by the power series."""
     model, state = motion.model, motion.state
     assert state is not None
     mean = model.mean_force * model.sigma**2
     width = _unit(motion) / fmpq(10) ** digits
-    bracket = zero_by_series(state, mean, width, 2 * bits_for_digits(digits) + _START_BITS)
+    bracket = zero_by_series(state, mean, width, 2 * bits_for_digits(digits) + _START_BITS, budget)
     if bracket is None:
         return None
     second = model.scaled_epsilon / -model.alpha_1

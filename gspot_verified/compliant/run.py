@@ -13,6 +13,7 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import ball_text, bits_for_digits, sign_of, working_bits
 from gspot_verified.compliant.compliant_force import compliant_force
+from gspot_verified.compliant.contact_series import MAX_WORK
 from gspot_verified.compliant.first_zero import contact_lasts, first_zero
 from gspot_verified.compliant.flight import ContactState
 from gspot_verified.compliant.lasting_contact import lasting_contact
@@ -22,6 +23,7 @@ from gspot_verified.compliant.run_plan import later_times
 from gspot_verified.compliant.side_later import side
 from gspot_verified.compliant.side_rule import side_rule
 from gspot_verified.compliant.touch_down import flight_end
+from gspot_verified.compliant.zero_by_series import MOST_WORK
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
 
@@ -100,13 +102,15 @@ class Run(NoTruthValue):
         }
 
 
-def compliant_run(model: CompliantModel, state: CompliantState, digits: int = 15) -> Run:
+def compliant_run(model: CompliantModel, state: CompliantState, digits: int = 15, budget: int = MOST_WORK) -> Run:
     """What the model does from a state in contact with p > 0, at this epsilon: proved, or undecided from some event on.
 
     Contact for ever is proved by an invariant set, not by a large force.
 
     :param digits: 1..80, decimals of the lift-off time in the unit of tau = (2 epsilon^2)^(-1/3) t.
-    :raises ValueError: p <= 0; digits out of range.
+    :param budget: the work of the power series, rate times time, that show the force before lift-off where the bound of
+        its fast part does not.
+    :raises ValueError: p <= 0; digits or budget out of range.
 
     >>> from gspot_verified.compliant.normal_form import compliant_model, compliant_state
     >>> model = compliant_model("3/2", "1e-6")
@@ -116,6 +120,8 @@ def compliant_run(model: CompliantModel, state: CompliantState, digits: int = 15
     """
     if not 1 <= digits <= MAX_DIGITS:
         raise ValueError(f"digits must lie in 1..{MAX_DIGITS}, got {digits}")
+    if type(budget) is not int or not 1 <= budget <= MAX_WORK:
+        raise ValueError(f"budget must be an int and lie in 1..{MAX_WORK}, got {budget}")
     if _trivial(model, state):
         return Run(model, state, (), Verdict.proved(TRIVIAL, f"λ_N = {model.mean_force}; K = 0, the canard"))
     if not state.p > 0:
@@ -123,13 +129,14 @@ def compliant_run(model: CompliantModel, state: CompliantState, digits: int = 15
     rule = side_rule(model, state)
     bits = bits_for_digits(digits + _SPARE_DIGITS)
     if sign_of(rule.side) == 1:
-        lasting = _lasting_from(model, state, digits + _SPARE_DIGITS, bits)
+        lasting = _lasting_from(model, state, digits + _SPARE_DIGITS, bits, budget)
         if lasting is not None:
             return Run(model, state, (lasting,), Verdict.proved(IMPACT))
-    zero = first_zero(model, state, digits)
+    zero = first_zero(model, state, digits, budget)
     if zero.lower is None or zero.upper is None:
-        detail = "neither the loss of contact nor its lasting for ever was shown"
-        return Run(model, state, (), Verdict.undecided("how the first contact ends", Reason.BUDGET, detail))
+        detail = f"neither the loss of contact nor its lasting for ever was shown: {zero.verdict.detail}"
+        reason = zero.verdict.reason or Reason.HYPOTHESIS
+        return Run(model, state, (), Verdict.undecided("how the first contact ends", reason, detail))
     return _after_lift_off(model, state, zero.lower, zero.upper, bits)
 
 
@@ -139,14 +146,14 @@ def _trivial(model: CompliantModel, state: CompliantState) -> bool:
     return bool(hats.b == 0 and hats.V == 0 and hats.Y == 0 and hats.Z == 0 and model.mean_force > 0)
 
 
-def _lasting_from(model: CompliantModel, state: CompliantState, digits: int, bits: int) -> Event | None:
+def _lasting_from(model: CompliantModel, state: CompliantState, digits: int, bits: int, budget: int) -> Event | None:
     """The first of some times from which on the contact lasts for ever, after lambda > 0 up to it."""
     for time in later_times(model):
         there = contact_state(compliant_force(model, state, time, digits), bits)
         verdict = lasting_contact(there, bits)
         if verdict.outcome is not Outcome.PROVED:
             continue
-        if contact_lasts(model, state, time).outcome is not Outcome.PROVED:
+        if contact_lasts(model, state, time, budget).outcome is not Outcome.PROVED:
             return None
         strength = f"λ_N > 0 before it; from then on {verdict.detail}"
         return Event("contact for ever from", time, time, _velocity(model, there), strength, there)

@@ -15,9 +15,9 @@ from gspot_verified.compliant.contact_series import SeriesCell, series_cells, se
 from gspot_verified.compliant.normal_form import Deviation
 
 MOST_WORK = 3_000
-"""Rate times duration up to which a stretch is looked at."""
+"""Rate times duration up to which a stretch is looked at, unless a caller says otherwise."""
 
-_STRETCHES = (30, 300, MOST_WORK)
+_STRETCHES = (30, 300)
 _WORK_OF_A_CELL = 3
 _LEAST_PIECE = fmpq(1, 2**24)
 _BITS = 128
@@ -64,22 +64,24 @@ def _range(polynomial: arb_poly, rest: arb, left: fmpq, right: fmpq) -> arb:
     return add_remainder(total, rest)
 
 
-def positive_by_series(state: Deviation, mean: fmpq, duration: fmpq) -> bool:
+def positive_by_series(state: Deviation, mean: fmpq, duration: fmpq, work: int = MOST_WORK) -> bool:
     """lambda > 0 from the state up to the time ``duration`` in T after it, certainly; False where it is not shown."""
-    if series_work(state, duration) > MOST_WORK:
+    if series_work(state, duration) > work:
         return False
     if duration == 0:
         return bool(state.force + mean > 0)
     return next(_not_positive(state, mean, duration, _BITS), None) is None
 
 
-def zero_by_series(state: Deviation, mean: fmpq, width: fmpq, bits: int) -> tuple[fmpq, fmpq] | None:
+def zero_by_series(
+    state: Deviation, mean: fmpq, width: fmpq, bits: int, most_work: int = MOST_WORK
+) -> tuple[fmpq, fmpq] | None:
     """Two times since the state, in T, ``width`` or less apart: the first zero of lambda lies between them.
 
     lambda > 0 from the state up to it, and its slope is < 0 there. ``bits``: the accuracy of lambda that this asks for.
     None where no such bracket is found.
     """
-    for work in _STRETCHES:
+    for work in (*(stretch for stretch in _STRETCHES if stretch < most_work), most_work):
         duration = _duration(state, work)
         for piece in _not_positive(state, mean, duration, bits, gives_up=True):
             return _bracket(piece, width / piece.cell.width, bits)

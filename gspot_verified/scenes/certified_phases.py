@@ -48,7 +48,8 @@ class CertifiedPhases:
     def first(self, start: Mapping[str, arb]) -> Next | Open:
         """The phase at the start of the scene."""
         phase = self._scene.first_phase()
-        touching = bool((start["Z"] - start["Y"]).is_zero())
+        exact = self._scene.scaled_initial()  # the balls of ``start`` need not be points
+        touching = exact["Z"] == exact["Y"]
         return self._resting(start, touching) if phase == STICK else self._begins(phase, touching, at_rest=False)
 
     def after(self, phase: str, event: PhaseEvent, states: dict[str, arb]) -> Following:

@@ -105,18 +105,28 @@ def test_a_flight_that_never_ends() -> None:
     assert run.events[0].upper < 0
 
 
-@pytest.mark.parametrize(("beta", "epsilon", "known"), [("5/2", "1e-4", ["lift-off"]), ("3/2", "1/10", [])])
-def test_what_is_not_shown_is_undecided(beta: str, epsilon: str, known: list[str]) -> None:
-    model = compliant_model(beta, epsilon, alpha_2=1)
+def test_what_is_not_shown_is_undecided() -> None:
+    model = compliant_model("5/2", "1e-4", alpha_2=1)
     run = compliant_run(model, paper_state(model, 2))
     assert run.verdict.outcome is Outcome.UNDECIDED
-    assert [event.name for event in run.events] == known
+    assert [event.name for event in run.events] == ["lift-off"]
+
+
+def test_a_budget_that_ends_is_named() -> None:
+    model = compliant_model("3/2", "1/10", alpha_2=1)
+    short = compliant_run(model, paper_state(model, 2), budget=2)
+    assert short.verdict.outcome is Outcome.UNDECIDED
+    assert short.events == ()
+    assert "its budget of 2 (its work, rate times time)" in short.verdict.detail
+    assert compliant_run(model, paper_state(model, 2)).events
 
 
 def test_bad_input() -> None:
     model = compliant_model("3/2", "1/1000")
     with pytest.raises(ValueError, match="digits"):
         compliant_run(model, paper_state(model, 2), 0)
+    with pytest.raises(ValueError, match="budget"):
+        compliant_run(model, paper_state(model, 2), budget=0)
     with pytest.raises(ValueError, match="p: expected"):
         compliant_run(model, compliant_state("-1/2", 1, -1, 0, 0))
     with pytest.raises(ValueError, match="nu"):

@@ -16,10 +16,12 @@ from hypothesis import strategies as st
 from strategies import ends, to_fmpq
 
 from gspot_verified.balls import working_bits
+from gspot_verified.compliant import first_zero as first_zero_module
 from gspot_verified.compliant.compliant_force import compliant_force
 from gspot_verified.compliant.contact_series import series_cells
 from gspot_verified.compliant.first_zero import contact_lasts, first_zero
 from gspot_verified.compliant.normal_form import compliant_model, compliant_state, deviation
+from gspot_verified.compliant.paper_state import paper_state
 from gspot_verified.compliant.zero_by_series import _Piece, _range, positive_by_series, zero_by_series
 from gspot_verified.verdict import Outcome
 
@@ -72,7 +74,7 @@ def test_a_force_that_grows_has_no_bracket_and_lasts() -> None:
     assert contact_lasts(model, state, "1/5").outcome is Outcome.PROVED
     beyond = contact_lasts(model, state, 10)
     assert beyond.outcome is Outcome.UNDECIDED
-    assert "the power series, whose work is limited to 3000" in beyond.detail
+    assert "the power series within its budget of 3000" in beyond.detail
 
 
 def test_the_second_zero_is_not_taken_for_the_first() -> None:
@@ -144,3 +146,39 @@ def test_without_a_certain_sign_at_an_end_there_is_no_bracket() -> None:
     hats = deviation(model, state)
     assert zero_by_series(hats, model.mean_force, fmpq(1, 10**6), 80) is not None
     assert zero_by_series(hats, model.mean_force, fmpq(1, 10**400), 80) is None
+
+
+@pytest.mark.slow
+def test_before_the_g_spot_both_routes_to_the_first_zero_agree() -> None:
+    """The slow part with a bound of the fast one, and the power series: brackets of one zero."""
+    model = compliant_model("3/2", "1/1000")
+    state = paper_state(model, 2)
+    arguments = first_zero_module.contact_motion(model, state), state.p / model.alpha_1, "the first zero", 12
+    by_range = first_zero_module._by_force_range(*arguments, 3_000)
+    by_series = first_zero_module._by_series(*arguments, 1_800)
+    assert by_range is not None
+    assert by_series is not None
+    for found in (by_range, by_series):
+        assert found.lower is not None
+        assert found.upper is not None
+        assert found.lower < found.upper
+    assert by_range.lower is not None
+    assert by_range.upper is not None
+    assert by_series.lower is not None
+    assert by_series.upper is not None
+    assert by_range.lower < by_series.upper
+    assert by_series.lower < by_range.upper
+
+
+def test_a_state_far_from_the_slow_manifold_has_its_first_zero_by_the_series() -> None:
+    """p > 0, and the bound of the fast part shows nothing; the force by the equations has the signs."""
+    model = compliant_model("5/2", "1/20")
+    small = model.epsilon
+    state = compliant_state("4/5", "-8/5", -fmpq(16, 5) * small**2, 0, -fmpq(8, 5) * small**2)
+    found = first_zero(model, state, digits=12)
+    assert found.lower is not None
+    assert found.upper is not None
+    assert force_by_equations(model, state, found.lower) > 0 > force_by_equations(model, state, found.upper)
+    short = first_zero(model, state, digits=12, budget=3)
+    assert short.verdict.outcome is Outcome.UNDECIDED
+    assert "its budget of 3 " in short.verdict.detail

@@ -382,3 +382,12 @@ def test_a_budget_says_so() -> None:
         names_of = dict.fromkeys(phase.names, arb(0))
         found = phase.run({**names_of, "Y": arb(0), "Z": arb(1), "b": arb("1e200")}, arb(10), {}, lambda *_: False)
         assert isinstance(found, Open)
+
+
+@pytest.mark.parametrize("place", ["-1/256", "-1/300"])
+def test_a_start_at_the_surface_is_one_whether_or_not_binary_digits_hold_it(place: str) -> None:
+    """y = z at the start, exactly: the balls of -1/300 cannot show it."""
+    scene = load_scene("fig-varsim1", eps="1/10", until="1/10", y=place, z=place, v=0, b=-2, nu=None)
+    found = integrated_run(scene)
+    assert found.verdict.outcome is Outcome.PROVED
+    assert found.events == ()
