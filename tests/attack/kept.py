@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import shutil
 import tempfile
 from pathlib import Path
 from random import Random
@@ -16,7 +17,7 @@ from attack.answers import AGREED, Answer, Attack, wrong
 
 from gspot_verified.ledger.cache import FORMAT, Cache
 from gspot_verified.ledger.entry import Check, Entry, Rung, conclude
-from gspot_verified.ledger.formal_proof import AXIOMS, COQ, formal_proof
+from gspot_verified.ledger.formal_proof import COQ, ProofRun, formal_proof, run_proofs
 from gspot_verified.verdict import Outcome
 
 _SOURCES = Path(__file__).parent
@@ -114,16 +115,20 @@ def _full(random: Random) -> Attack:
 def _record(random: Random) -> Attack:
     """A record written by hand for the sources as they are, without any run of Coq."""
     name = random.choice(("theta_unique", "theta_ode", "is_Theta"))
-    axioms = random.choice((sorted(AXIOMS), [], ["Attack.everything_is_true"]))
+    axioms = random.choice((["Classical_Prop.classic"], [], ["Attack.everything_is_true"]))
+    failing = random.choice((True, False))
 
     def ask() -> Answer:
         names = _theorems()
         chosen = names[hash_of(name) % len(names)]
         with tempfile.TemporaryDirectory() as folder:
-            place = Path(folder) / "record.json"
-            sources = {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in COQ.glob("*.v")}
-            place.write_text(json.dumps({"sources": sources, "theorems": {chosen: axioms}}))
-            found = formal_proof([chosen], record=place)
+            coq, build = Path(folder) / "proofs" / "coq", Path(folder) / "build" / "coq"
+            shutil.copytree(COQ, coq)
+            build.mkdir(parents=True)
+            sources = {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in coq.glob("*.v")}
+            (build / "record.json").write_text(json.dumps({"sources": sources, "theorems": {chosen: axioms}}))
+            (coq / "prove.py").write_text(f"print('{chosen}: no axiom')\nraise SystemExit(1)\n")
+            found = formal_proof([chosen], run_proofs(coq) if failing else ProofRun(), coq)
             return wrong(f"a record made by hand: {found.state} for {chosen}") if found.run else AGREED
 
     return Attack(f"formal_proof with a record made by hand, axioms {axioms}", ask)
