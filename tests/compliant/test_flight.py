@@ -128,3 +128,10 @@ def test_a_touch_down_at_which_the_gap_may_stand_still_is_undecided(monkeypatch:
     for rate, outcome in ((arb(0), Outcome.UNDECIDED), (-arb((1, -60)), Outcome.PROVED)):
         monkeypatch.setattr(Flight, "gap_rate", lambda _, u, later=rate: arb(1) if u == 0 else later)
         assert flight_end(STATE, 60).verdict.outcome is outcome
+
+
+def test_the_rate_of_the_force_in_contact() -> None:
+    """lambda' = Z' - Y' = -(Y + lambda) - lambda - V, as long as the contact lasts."""
+    state = replace(STATE, V=arb(3), Y=arb(-7), force=arb(5))
+    assert state.force_rate == -(-7 + 5) - 5 - 3
+    assert replace(STATE, V=arb(-3), Y=arb(7), force=arb(11)).force_rate == -(7 + 11) - 11 + 3

@@ -6,9 +6,12 @@ from __future__ import annotations
 import mpmath
 import pytest
 from flint import arb, fmpq
+from hypothesis import given
+from hypothesis import strategies as st
 from witness import contains_witness, to_fraction
 
 from gspot_verified.balls import working_bits
+from gspot_verified.compliant import slow_flights as module
 from gspot_verified.compliant.flight import ContactState
 from gspot_verified.compliant.lasting_contact import lasting_contact
 from gspot_verified.compliant.slow_flights import one_flight
@@ -116,3 +119,67 @@ def test_flights_of_slow_trajectories_at_one_epsilon(beta: str, tau: int, epsilo
         assert end.lower is not None
         assert 4 * end.lower * kappa > 3 * q
         assert lasting_contact(end.state).outcome is Outcome.PROVED
+
+
+TINY = fmpq(1, 2**40)
+
+
+def in_range(largest: fmpq, tau: fmpq, latest: fmpq) -> bool:
+    found: object = module._in_range(fmpq(3, 2), largest, tau, latest)
+    return found is not None and found is not False
+
+
+def test_the_bounds_on_kappa_and_q() -> None:
+    """(6) and q >= 4 kappa^(2/3), at their equalities; beta = 3/2, so kappa = epsilon/2."""
+    with working_bits(128):
+        assert in_range(fmpq(1, 4), fmpq(2), fmpq(1, 100))
+        assert not in_range(fmpq(1, 4), 2 - TINY, fmpq(1, 100))
+        assert in_range(fmpq(27, 32), fmpq(2), fmpq(1, 10**6))
+        assert not in_range(fmpq(27, 32) + TINY, fmpq(2), fmpq(1, 10**6))
+        with mpmath.workdps(30):
+            for kappa in (mpmath.mpf(1) / 8, mpmath.mpf(1) / 3):
+                end = mpmath.findroot(
+                    lambda q, k=kappa: mpmath.mpf(27) / 2 * q + mpmath.sqrt(18 * k * mpmath.sqrt(q)) + 2 * k - 4, 0.1
+                )
+                place = fmpq(int(end * 10**15), 10**15)
+                largest = fmpq(1, 4) if kappa == mpmath.mpf(1) / 8 else fmpq(2, 3)
+                assert in_range(largest, fmpq(2), place - fmpq(1, 10**6))
+                assert not in_range(largest, fmpq(2), place + fmpq(1, 10**6))
+
+
+def test_the_moments_are_those_of_the_page() -> None:
+    """x_j at eta = 0 by quadrature where the integral converges, and at the largest eta by the slow solution."""
+    beta, largest, tau = fmpq(3, 2), fmpq(1, 50), fmpq(2)
+    with working_bits(128):
+        found = module._moments(beta, largest, tau)
+        eta = (arb(largest) / 2).root(3)
+        for j in range(4):
+            page = module.slow_value(tau / eta, beta - 1 - j, largest, digits=25).value
+            page = page * eta ** arb(beta - 1 - j) * arb(j - beta + 1).gamma()
+            assert found.most[j].overlaps(page)
+            assert found.most[j].rad() < arb(10) ** -12
+            assert found.least[j] < found.most[j]
+    with mpmath.workdps(30):
+        for j in (1, 2, 3):
+            value = mpmath.quad(
+                lambda r, n=j: r ** (n - mpmath.mpf(3) / 2) * mpmath.exp(-(r**3) / 3 + 2 * r),
+                [0, mpmath.mpf(1) / 10**6, mpmath.mpf(1) / 100, 1, 2, 4, 8],
+            )
+            assert contains_witness(found.least[j], to_fraction(value), 8)
+
+
+NUMBERS = st.lists(st.integers(-20, 20), min_size=4, max_size=4)
+
+
+@given(NUMBERS, NUMBERS, st.sampled_from([fmpq(5, 2), fmpq(5, 4)]))
+def test_the_least_margin_is_that_of_the_eight(low: list[int], high: list[int], beta: fmpq) -> None:
+    """x_0, x_1 and the differences in (7) at tau = 2, so that Q sqrt(2 tau) = 3; 2 beta - 3 counts where it is > 0."""
+    last = fmpq(2) if beta == fmpq(5, 2) else fmpq(0)
+    every = [
+        fmpq(low[0]), fmpq(low[1]), fmpq(low[2] - high[0]), 2 * low[1] - (2 * beta - 1) * high[0],
+        2 * low[2] - (2 * beta - 2) * high[1], 2 * low[3] - last * high[2], fmpq(3 * low[1] - high[2]),
+        fmpq(3 * low[0] - high[1]),
+    ]  # fmt: skip
+    with working_bits(128):
+        found = module._least_margin(beta, fmpq(2), module._Moments(tuple(map(arb, low)), tuple(map(arb, high))))
+        assert abs(found - min(every)) < arb(10) ** -30
