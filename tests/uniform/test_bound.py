@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 from fractions import Fraction
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -20,7 +21,7 @@ from gspot_verified.expansion.trajectory import Trajectory, expand_system
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.testing import extended_example
-from gspot_verified.uniform.bound import UniformBound, uniform_bound
+from gspot_verified.uniform.bound import UniformBound, _contact, uniform_bound
 from gspot_verified.uniform.equations import DeviationEquations
 from gspot_verified.verdict import Outcome
 
@@ -168,3 +169,38 @@ def test_symbols_and_a_missing_damper() -> None:
         uniform_bound(expand(symbolic, 3), 0, 1, "1/20")
     with pytest.raises(ValueError, match="delta must lie in"):
         uniform_bound(expand_system(extended_example(chi=0), 2), 0, 1, "1/20").at(0, "1/10")
+
+
+def test_contact_is_concluded_from_the_least_force_at_every_delta() -> None:
+    """lambda-hat + delta^M times the deviation, delta in (0, 1]: on each piece, and only for a whole run."""
+
+    def outcome(*pieces: tuple[float, float], whole: bool = True) -> Outcome:
+        equations = SimpleNamespace(small=arb(0).union(arb(1)), trajectory=SimpleNamespace(order=2))
+        rows = tuple(SimpleNamespace(mean=arb(mean), force=arb(force)) for mean, force in pieces)
+        found: Any = SimpleNamespace(is_whole=whole, pieces=rows, equations=equations)
+        return _contact(found, fmpq(1)).outcome
+
+    assert outcome((1, 1.5)) is outcome((1, -0.5)) is outcome((1, 1.5), (3, -2)) is Outcome.PROVED
+    for pieces in ([(1, -2)], [(-1, 2)], [(1, 1.5), (1, -1.5)], [(1, -1.5), (1, 1.5)]):
+        assert outcome(*pieces) is Outcome.UNDECIDED
+    assert outcome((1, 1.5), whole=False) is Outcome.UNDECIDED
+
+
+def test_one_piece_its_constants_and_the_places_that_are_refused() -> None:
+    trajectory = expand_system(extended_example(chi=1), 4)
+    found = uniform_bound(trajectory, 0, "1/50", "1/50")
+    assert len(found.stretches) == 1
+    assert found.within == 1
+    assert set(found.constants) == set(found.stretches[0].constants) == set(trajectory.terms())
+    table = found.to_json()
+    assert table["contact"].keys() == table["stretches"][0]["contact"].keys() != set()
+    for place, delta in ((arb(0, 1), "1/60"), (0, arb(1, 1) / 100)):
+        with pytest.raises(ValueError, match="must be rational"):
+            found.at(place, delta)
+
+
+def test_where_a_run_fails_is_said() -> None:
+    found = uniform_bound(expand_system(extended_example(chi=1), 8), -3, 3, "1/5")
+    assert found.verdict.outcome is Outcome.UNDECIDED
+    reached = found.stretches[-1].end if found.stretches else found.start
+    assert f"fails from s = {reached} on" in found.verdict.detail
