@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from flint import arb, fmpq
 
+from gspot_verified.compliant import cells_of_epsilon
 from gspot_verified.compliant.cells_of_epsilon import above_on_cell, falling_to_the_left
 from gspot_verified.compliant.profile import Profile
 from gspot_verified.compliant.threshold import slow_force
@@ -76,3 +77,14 @@ def test_refused() -> None:
         threshold_by_cells(contact_force("13/2", c1=1), START, fmpq(1, 10))
     with pytest.raises(ValueError, match="beta"):
         threshold_by_cells(contact_force("27/2"), START, fmpq(1, 10))
+
+
+def test_a_half_line_that_begins_where_f_rises_is_judged_by_its_first_point(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No interval is left to be cut there; and without a point beyond which f rises nothing is said."""
+    beta, roots, start = fmpq(21, 4), (fmpq(1, 10), fmpq(11, 100)), fmpq(20)
+    value = Profile.at_root(beta, roots[0]).value(start, 15)
+    assert above_on_cell(beta, start, roots, value.lower() / 2)
+    assert not above_on_cell(beta, start, roots, value.upper())
+    assert above_on_cell(beta, start, (roots[0], roots[0]), value.lower() * (1 - arb(10) ** -12))
+    monkeypatch.setattr(cells_of_epsilon, "_rising_from", lambda *_: None)
+    assert not above_on_cell(beta, start, roots, value.lower() / 2)
