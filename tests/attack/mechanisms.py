@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 from random import Random
 from typing import Any
@@ -60,8 +61,6 @@ def _formulas(values: dict[str, Any]) -> dict[str, str]:
 
 
 def _put(text: str, name: str, value: str) -> str:
-    import re
-
     return re.sub(rf"(?<![A-Za-z_]){name}(?![A-Za-z_])", value, text)
 
 

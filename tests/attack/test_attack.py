@@ -7,6 +7,7 @@ import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from random import Random
 from types import SimpleNamespace
 from typing import Any
 
@@ -18,6 +19,8 @@ from flint import arb
 
 from gspot_verified import Outcome
 from gspot_verified.integrator.event import Crossing, Watch
+from gspot_verified.ledger.cache import Cache
+from gspot_verified.ledger.entry import Entry
 
 FOLDER = Path(__file__).parent
 SLICE = {
@@ -122,6 +125,13 @@ class NarrowWatch(Watch):
         return replace(found, states=tuple(s.mid() for s in found.states)) if isinstance(found, Crossing) else found
 
 
+class CredulousCache(Cache):
+    """Recalls whatever lies in its folder."""
+
+    def recall(self, identifier: str) -> Entry | None:  # noqa: ARG002
+        return kept._true_entry(Random(0))
+
+
 def believing(data: bytes, limits: Any) -> str:  # noqa: ARG001
     return "whatever is stated"
 
@@ -139,7 +149,7 @@ LIES: dict[str, tuple[Callable[[pytest.MonkeyPatch], None], int]] = {
             check_text=believing, Limits=lambda: None, Rejected=ValueError)), 8,
     ),
     "journals": (lying(journals, "sign_on_ranges", proved), 12),
-    "kept": (lying(kept, "formal_proof", lambda f: replace(f, run=True)), 6),
+    "kept": (lambda patch: patch.setattr(kept, "Cache", CredulousCache), 6),
 }  # fmt: skip
 
 
