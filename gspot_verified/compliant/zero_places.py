@@ -5,11 +5,12 @@ Proof page: ``proofs/finite_epsilon_zeros.md``, sections 2 and 3.
 
 from __future__ import annotations
 
+from functools import cmp_to_key
 from typing import Any
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import bits_for_digits, sign_of, working_bits
+from gspot_verified.balls import bits_for_digits, hull, sign_of, working_bits
 from gspot_verified.compliant.force_polynomial import force_polynomial
 from gspot_verified.compliant.grid import scale
 from gspot_verified.compliant.slow_jet import slow_jet
@@ -47,7 +48,7 @@ def _place(beta: fmpq, epsilon: fmpq, lower: fmpq, upper: fmpq, digits: int) -> 
 
     left, right = narrowed(beyond, lower, upper, digits)
     with working_bits(bits_for_digits(digits) + _SPARE_BITS):
-        return arb(left).union(arb(right)) / scale(epsilon)
+        return hull([arb(left), arb(right)]) / scale(epsilon)
 
 
 def _sign(beta: fmpq, epsilon: fmpq, tau: fmpq, digits: int) -> int | None:
@@ -64,4 +65,15 @@ def polynomial_places(n: int, epsilon: fmpq, digits: int) -> list[arb]:
         pairs: Any = force_polynomial(n, epsilon).complex_roots()  # (root, multiplicity); its annotation is wrong
         roots = [root for root, _ in pairs]
         # Zeros of a real polynomial that are real are returned with the imaginary part 0.
-        return sorted((root.real for root in roots if root.imag.is_zero()), key=lambda ball: float(ball.mid()))
+        return sorted((root.real for root in roots if root.imag.is_zero()), key=cmp_to_key(_order))
+
+
+def _order(left: arb, right: arb) -> int:
+    """-1 or 1 for two isolated zeros, by a certain comparison.
+
+    :raises ArithmeticError: they overlap.
+    """
+    sign = sign_of(left - right)
+    if not sign:
+        raise ArithmeticError("two zeros of a polynomial were not isolated; please report this")
+    return sign

@@ -13,6 +13,10 @@ from gspot_verified.expansion.cubic_calculus import derivative, integral
 from gspot_verified.expansion.rings import RATIONALS, Ring
 
 
+class NoCommonSpace(ValueError):
+    """A sum of elements of spaces P_m and P_n with no common space."""
+
+
 class SpacePolynomial:
     """An element of P_n: s^(n mod 3) times a polynomial in s^3, of degree at most n in s.
 
@@ -86,7 +90,7 @@ class SpacePolynomial:
         if other.is_zero():
             return self
         if (self.n - other.n) % 3:
-            raise ValueError(f"elements of P_{self.n} and P_{other.n} have no common space")
+            raise NoCommonSpace(f"elements of P_{self.n} and P_{other.n} have no common space")
         return SpacePolynomial(max(self.n, other.n), self.cubic + other.cubic, self.ring)
 
     def __neg__(self) -> SpacePolynomial:

@@ -13,7 +13,7 @@ from gspot_verified.expansion.power_series import SeriesOfFunctions
 from gspot_verified.expansion.recursion import Recursion
 from gspot_verified.expansion.rings import RATIONALS
 from gspot_verified.expansion.series import Series
-from gspot_verified.expansion.spaces import SpacePolynomial
+from gspot_verified.expansion.spaces import NoCommonSpace, SpacePolynomial
 from gspot_verified.expansion.system import System
 from gspot_verified.expansion.terms import PolynomialTerms
 from gspot_verified.ledger.identities import Algebra
@@ -180,7 +180,7 @@ def lemma_on_functions(orders: int = 10) -> bool:
     probe = [_terms(orders, seed) for seed in (1, 2)]
     try:
         found = _series(functions, probe, orders)
-    except ValueError:  # terms of one order in different spaces
+    except NoCommonSpace:  # of terms of one order
         return False
     for f, slope in zip(functions, slopes, strict=True):
         for n in range(orders):

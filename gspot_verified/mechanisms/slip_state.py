@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import reduce
 
 from flint import arb, arb_mat
 
@@ -156,7 +157,7 @@ def _solved(mechanism: Mechanism, program: BoxProgram, box: list[arb], missing: 
         small = arb(2) ** (8 - current_bits())
         if all(abs(change.mid()) <= small * (1 + abs(value)) for change, value in zip(move, pair, strict=True)):
             break
-    width = max((side.rad() for side in box), key=float, default=arb(0))
+    width = reduce(arb.max, (side.rad() for side in box), arb(0))
     radius = 16 * width + arb(2) ** (16 - current_bits())
     for _ in range(_INFLATIONS):
         found = krawczyk(values, rows, [add_remainder(value, radius * (1 + abs(value))) for value in pair])

@@ -19,13 +19,12 @@ FloatArray = np.ndarray[Any, np.dtype[np.float64]]
 IndexArray = np.ndarray[Any, np.dtype[np.intp]]
 
 _UNIT = 2.0**-53
-_REACH = 1.0 + 2.0**-10
+_REACH = int(REACH.p) / int(REACH.q)  # exact: 1 + 2^-10
 _ACCEPTED = 1.0 + 2.0**-11
 _SMALLEST = 2.0**-900
 _UNDERFLOW = 2.0**-880
 _ROUNDED_UP = 1.0 + 2.0**-30
 _BLOCK = 4_096
-assert float(REACH.p) / float(REACH.q) == _REACH
 
 
 class FloatPolynomial(NamedTuple):

@@ -7,9 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
-from flint import arb, fmpq
+from flint import acb, arb, fmpq
 from strategies import ends, to_fraction
 
 from gspot_verified.balls import working_bits
@@ -118,3 +120,23 @@ def test_the_places_of_a_polynomial_are_its_real_zeros_in_order() -> None:
     assert low < high
     assert all(ball.rad() < arb(10) ** -20 for ball in (cube, low, high))
     assert polynomial_places(4, fmpq(40), 20) == []
+
+
+def polynomial_with(*roots: arb) -> Any:
+    """What has these roots and one that is not real."""
+    return lambda *_: SimpleNamespace(complex_roots=lambda: [*((acb(root), 1) for root in roots), (acb(0, 1), 1)])
+
+
+def test_zeros_come_in_order_also_where_floats_see_no_difference(monkeypatch: pytest.MonkeyPatch) -> None:
+    with working_bits(200):
+        roots = [arb(2), 1 + arb((1, -80)), arb(1)]
+    monkeypatch.setattr(module, "force_polynomial", polynomial_with(*roots))
+    found = polynomial_places(3, fmpq(1), 40)
+    assert len(found) == 3
+    assert found[0] < found[1] < found[2]
+
+
+def test_zeros_that_are_not_apart_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "force_polynomial", polynomial_with(arb(1), arb(1, "0.1")))
+    with pytest.raises(ArithmeticError, match="not isolated"):
+        polynomial_places(3, fmpq(1), 5)
