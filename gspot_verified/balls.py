@@ -5,10 +5,9 @@ This module is the one owner of flint's global context. The rules it keeps:
 - the working precision is set only by :class:`working_bits`, which restores it on every way out;
 - an input is an exact rational (``fmpq``) or a finite ball (``arb``); a float is refused;
 - a comparison answers True or False only when it is certain, and ``None`` otherwise;
-- every error bound enters a ball through :func:`add_remainder`.
+- every error bound enters a ball through :func:`add_remainder`, balls are joined by :func:`hull`.
 
-flint's precision is one number for the whole process. Use processes, not threads, for parallel work:
-:class:`working_bits` holds a lock, so threads that come through here wait for each other and stay correct.
+flint's precision is one number for the whole process: work in parallel in processes. Threads wait for each other here.
 """
 
 from __future__ import annotations
@@ -18,7 +17,9 @@ import math
 import operator
 import re
 import threading
+from collections.abc import Iterable
 from fractions import Fraction
+from functools import reduce
 from numbers import Integral
 
 from flint import arb, ctx, fmpq, fmpz
@@ -197,8 +198,7 @@ def is_exact(value: Exact) -> bool:
 def add_remainder(value: arb, bound: arb) -> arb:
     """``value`` widened by ``|bound|``: contains v + r for every v in ``value`` and |r| <= |bound|.
 
-    Every truncation error of the library enters a ball here. A bound that is not finite gives a ball that is not
-    finite, so no finite answer can come from an unbounded remainder.
+    Every truncation error of the library enters a ball here. A bound that is not finite gives such a ball.
     """
     return value + arb(0, bound.abs_upper())
 
@@ -215,29 +215,31 @@ def sign_of(value: arb) -> int | None:
         return 1
     if value < 0:
         return -1
-    if value.is_zero():
-        return 0
-    return None
+    return 0 if value.is_zero() else None
 
 
 def certainly_less(left: arb, right: arb) -> bool | None:
     """Whether left < right: True or False when that is so for every pair of numbers in the balls, else ``None``."""
-    if left < right:
-        return True
-    return False if left >= right else None
+    return True if left < right else False if left >= right else None
 
 
 def certainly_at_most(left: arb, right: arb) -> bool | None:
     """Whether left <= right: True or False when that is so for every pair of numbers in the balls, else ``None``."""
-    if left <= right:
-        return True
-    return False if left > right else None
+    return True if left <= right else False if left > right else None
+
+
+def hull(parts: Iterable[arb]) -> arb:
+    """A ball that contains all parts and what lies between them: the one way to join balls, so that none is left out.
+
+    >>> hull(arb(n) for n in (1, 5, 2)).contains(5)
+    True
+    """
+    return reduce(arb.union, parts)
 
 
 def relative_bits(value: arb) -> int:
-    """How many bits of ``value`` are certain; 0 or less when the ball contains zero or is not finite.
-
-    Very large for an exact ball. The radius is at most 2^-n of the largest number in the ball when this is n.
+    """How many bits of ``value`` are certain; 0 or less when the ball contains zero or is not finite, else n when the
+    radius is at most 2^-n of the largest number in the ball: very large for an exact one.
     """
     if not value.is_finite():
         return -MAX_WORKING_BITS
@@ -285,10 +287,8 @@ def ball_text(value: arb, digits: int = 15) -> str:
     """
     if not value.is_finite():
         return "[no information]"
-    if relative_bits(value) >= 5:
-        return value.str(digits)
     lower, upper = float_bounds(value)
-    if math.isinf(lower) or math.isinf(upper) or max(-lower, upper) < _SMALLEST_SHOWN:
+    if relative_bits(value) >= 5 or math.isinf(lower) or math.isinf(upper) or max(-lower, upper) < _SMALLEST_SHOWN:
         return value.str(digits)
     return f"[{rounded_text(lower, -1)}, {rounded_text(upper, 1)}]"
 

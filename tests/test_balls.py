@@ -48,6 +48,7 @@ from gspot_verified.balls import (
     current_bits,
     exact,
     float_bounds,
+    hull,
     is_exact,
     nonfinite,
     relative_bits,
@@ -840,3 +841,21 @@ def test_ends_that_no_float_shows_are_written_as_midpoint_and_radius(value: arb)
         assert "inf" not in text.lower()
         assert arb(text).contains(value)
         assert arb(text).rad() < 8 * value.rad()
+
+
+def test_a_hull_holds_every_part_and_what_lies_between() -> None:
+    parts = [arb(1), arb(-3), arb(5, "0.5"), arb(2)]
+    for turned in (parts, parts[::-1]):
+        found = hull(iter(turned))
+        assert found.is_finite()
+        assert all(found.contains(part) for part in (*parts, arb(4)))
+    assert not hull([arb(1), arb(2)]).contains(arb(5))
+
+
+def test_a_hull_with_a_part_of_which_nothing_is_known_says_nothing() -> None:
+    assert not hull([arb(1), arb.nan(), arb(2)]).is_finite()
+
+
+def test_a_hull_of_no_parts_is_refused() -> None:
+    with pytest.raises(TypeError, match="empty"):
+        hull([])

@@ -9,7 +9,7 @@ from functools import lru_cache
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import approximate, sign_of, working_bits
+from gspot_verified.balls import approximate, hull, sign_of, working_bits
 from gspot_verified.compliant.compliant_force import ContactMotion, compliant_force, contact_motion
 from gspot_verified.compliant.normal_form import CompliantModel, CompliantState, compliant_model
 from gspot_verified.compliant.paper_state import paper_state
@@ -57,7 +57,7 @@ def crossing(beta: fmpq, nu: fmpq, epsilon: fmpq, scaled_guess: fmpq) -> arb | N
     if signs != {1, -1}:
         return None
     with working_bits(_BITS):
-        return arb(first).union(arb(last))
+        return hull([arb(first), arb(last)])
 
 
 def _run(beta: fmpq, nu: fmpq, epsilon: fmpq) -> tuple[CompliantModel, CompliantState]:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from flint import acb, arb, fmpq
 
-from gspot_verified.balls import nonfinite, working_bits
+from gspot_verified.balls import hull, nonfinite, working_bits
 from gspot_verified.compliant.fast_coefficient import FastPath, saddle
 from gspot_verified.compliant.kernel import Kernel, kernel
 from gspot_verified.compliant.normal_form import Deviation
@@ -117,4 +117,4 @@ def _parts(far: arb, near: arb) -> Iterator[tuple[arb, arb]]:
     ``near``."""
     for k in range(_PARTS):
         begin, end = (near + (far - near) * fmpq(j**2, _PARTS**2) for j in (k, k + 1))
-        yield begin.union(end), ((begin + end) / 2).mid()
+        yield hull([begin, end]), ((begin + end) / 2).mid()

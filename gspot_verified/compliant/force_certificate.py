@@ -12,7 +12,7 @@ from pathlib import Path
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import approximate, sign_of, working_bits
+from gspot_verified.balls import approximate, hull, sign_of, working_bits
 from gspot_verified.certificates.text import certificate_text, write_certificate
 from gspot_verified.compliant.force_statements import ForceStatement, LiftOffStatement
 from gspot_verified.signs.column_models import ColumnModels
@@ -157,7 +157,7 @@ def _middle(b: fmpq, sign: int, level: fmpq, start: fmpq, end: fmpq) -> list[Pie
 
 def _kind(b: fmpq, sign: int, level: fmpq, lower: fmpq, upper: fmpq) -> Kind | None:
     with working_bits(128):
-        place = arb(lower).union(arb(upper))
+        place = hull([arb(lower), arb(upper)])
     value = evaluate(place, b, digits=_DIGITS).value
     if sign_of(sign * value) == 1:
         return Kind.SIGN

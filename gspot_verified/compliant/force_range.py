@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import approximate, nonfinite, working_bits
+from gspot_verified.balls import approximate, hull, nonfinite, working_bits
 from gspot_verified.compliant.compliant_force import ContactMotion
 from gspot_verified.compliant.fast_part import fast_bound_at
 from gspot_verified.compliant.slow_solution import slow_value
@@ -30,8 +30,8 @@ def slow_range(beta: fmpq, epsilon: fmpq, first: fmpq, last: fmpq, order: int) -
         degree += 1
     ends = [slow_value(place, beta, epsilon, order + degree, _DIGITS).value for place in (first, last)]
     with working_bits(_BITS + int((last - first).height_bits())):
-        total = ends[0].union(ends[1])
-        step = arb(0).union(arb(last - first))
+        total = hull([ends[0], ends[1]])
+        step = hull([arb(0), arb(last - first)])
         for k in range(degree - 1, -1, -1):
             total = slow_value(first, beta, epsilon, order + k, _DIGITS).value + total * step / (k + 1)
         return total
@@ -52,13 +52,13 @@ class ForceRange:
         """An enclosure of lambda over [first, last]."""
         bound = self._fast(first, last)
         with working_bits(_BITS + self._bits()):
-            return self._slow(first, last, 1) + self.mean() + arb(0).union(bound).union(-bound)
+            return self._slow(first, last, 1) + self.mean() + hull([arb(0), bound, -bound])
 
     def slope(self, first: fmpq, last: fmpq) -> arb:
         """An enclosure of d lambda/dT over [first, last]: lambda' = -lambda - Z - V in the hats of the fast part."""
         bound = self._fast(first, last, ("force", "Z", "V"))
         with working_bits(_BITS + self._bits()):
-            return self._slow(first, last, 2) + arb(0).union(bound).union(-bound)
+            return self._slow(first, last, 2) + hull([arb(0), bound, -bound])
 
     def near(self, place: fmpq) -> float:
         """About lambda at T without its fast part; a heuristic."""

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import add_remainder, nonfinite, working_bits
+from gspot_verified.balls import add_remainder, hull, nonfinite, working_bits
 from gspot_verified.compliant.flight import ContactState
 from gspot_verified.compliant.force_result import CompliantForce
 
@@ -37,7 +37,7 @@ def lift_off_state(before: ContactState, duration: fmpq, bits: int) -> ContactSt
     with working_bits(bits):
         first = (before.b, before.V, before.Y, before.Y + before.force)
         first_p, last_p = before.p, before.p - before.epsilon * duration
-        p = first_p.union(last_p)
+        p = hull([first_p, last_p])
         # Twice the way at the starting rates, and a little: any radius is right that passes the check.
         radii = [
             (2 * duration * abs(rate) + abs(x) * arb(2) ** -bits + arb(2) ** -bits * arb(duration)).abs_upper()

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import working_bits
+from gspot_verified.balls import hull, working_bits
 from gspot_verified.compliant.epsilon_series import series_coefficients, theta_derivatives
 from gspot_verified.compliant.profile import Profile
 
@@ -61,7 +61,7 @@ def leading_enclosures(beta: fmpq, lower: fmpq, upper: fmpq, count: int) -> list
     with working_bits(_BITS):
         wide = arb(0, (upper - lower) / 2)
         for k in range(count - 1, -1, -1):
-            found[k] = left[k].union(right[k]) if k > beta - 1 else middle[k] + wide * found[k + 1]
+            found[k] = hull([left[k], right[k]]) if k > beta - 1 else middle[k] + wide * found[k + 1]
     return found
 
 
@@ -74,7 +74,7 @@ def drift(beta: fmpq, derivative: int, roots: tuple[fmpq, fmpq], enclosures: Seq
     terms = lower_terms(beta - 1 - derivative)
     with working_bits(_BITS):
         width = arb(roots[1] - roots[0])
-        between = arb(roots[0]).union(arb(roots[1]))
+        between = hull([arb(roots[0]), arb(roots[1])])
         slope = arb(0)
         for power, order, coefficient in terms:
             slope += coefficient * power * between ** (power - 1) * enclosures[order + derivative]

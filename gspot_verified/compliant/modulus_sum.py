@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from flint import acb, arb, fmpq
 
-from gspot_verified.balls import nonfinite
+from gspot_verified.balls import hull, nonfinite
 
 _PARTS = 128
 
@@ -38,7 +38,7 @@ def modulus_sum(piece: Piece, top: arb, largest: arb) -> list[arb]:
     totals: list[arb] = []
     for k in range(_PARTS):
         begin, end = (piece.length * fmpq(j * j, _PARTS**2) for j in (k, k + 1))
-        whole, width = begin.union(end), end - begin
+        whole, width = hull([begin, end]), end - begin
         excess = _excess(piece, top, begin, end, whole)
         weight = (excess / largest).exp() * width if excess <= 0 else nonfinite()
         parts = [(weight * front).abs_upper() for front in piece.fronts(whole)]
@@ -53,7 +53,7 @@ def _excess(piece: Piece, top: arb, begin: arb, end: arb, whole: arb) -> arb:
     found = (piece.exponent(middle).real - top + abs(piece.slope(whole).real) * reach).upper()
     if piece.curvature is not None:
         # x = 0 is the saddle, top its value: Re E - top <= sup Re E'' x^2/2, E'' over [0, end].
-        bend = piece.curvature(arb(0).union(end)).real.upper()
+        bend = piece.curvature(hull([arb(0), end])).real.upper()
         if bend < 0:
             found = found.min((bend * begin * begin / 2).upper()) if found.is_finite() else bend * begin * begin / 2
     return found

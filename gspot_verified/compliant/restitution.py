@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from flint import arb, arb_mat, fmpq
 
-from gspot_verified.balls import ball, nonfinite, working_bits
+from gspot_verified.balls import ball, hull, nonfinite, working_bits
 
 BITS = 1024
 _STEP = fmpq(1, 64)
@@ -27,7 +27,7 @@ def restitution(rho: fmpq, zeta: fmpq) -> arb:
         raise ValueError(f"rho and zeta must be positive, got {rho} and {zeta}")
     with working_bits(BITS):
         step = ball(min(_STEP, zeta / (8 * (1 + rho))))
-        rate, during = fmpq(1) / zeta, step.union(arb(0))
+        rate, during = fmpq(1) / zeta, hull([step, arb(0)])
         matrix = arb_mat([[0, 1, 0], [-1, 0, 1], [rate, 0, -(rho + 1) * rate]])
         moved, within = (matrix * step).exp(), (matrix * during).exp()
         force = arb_mat([[-1, 0, 1]])
@@ -37,7 +37,7 @@ def restitution(rho: fmpq, zeta: fmpq) -> arb:
             first, last = (force * state)[0, 0], (force * after)[0, 0]
             slope = _range(force * matrix, matrix, state, along, during)
             if slope < 0 and last < 0:
-                return state[1, 0] + during * first.union(arb(0))
+                return state[1, 0] + during * hull([first, arb(0)])
             positive = slope > 0 or (slope < 0 and last > 0) or _range(force, matrix, state, along, during) > 0
             if not positive:
                 break

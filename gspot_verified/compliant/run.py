@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import ball_text, bits_for_digits, sign_of, working_bits
+from gspot_verified.balls import ball_text, bits_for_digits, hull, sign_of, working_bits
 from gspot_verified.compliant.compliant_force import compliant_force
 from gspot_verified.compliant.contact_series import MAX_WORK
 from gspot_verified.compliant.first_zero import contact_lasts, first_zero
@@ -86,7 +86,7 @@ class Run(NoTruthValue):
         lines = [str(self.verdict)]
         for event in self.events:
             with working_bits(_TEXT_BITS):
-                since = arb(event.lower - self.start).union(arb(event.upper - self.start))
+                since = hull([arb(event.lower - self.start), arb(event.upper - self.start)])
                 shown = since.str(_SHOWN_DIGITS)
             lines.append(f"  {event.name}: {shown} after the start, v = {ball_text(event.velocity, _SHOWN_DIGITS)}")
             lines.append(f"    {event.strength}")

@@ -10,7 +10,7 @@ from typing import ClassVar
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import ball_text, sign_of, working_bits
+from gspot_verified.balls import ball_text, hull, sign_of, working_bits
 from gspot_verified.compliant.flight import ContactState, Flight
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
 
@@ -54,7 +54,7 @@ def flight_end(start: ContactState, bits: int) -> FlightEnd:
         if bracket is None:
             return FlightEnd(Verdict.undecided("the bracket of the touch-down", Reason.WIDE_INPUT))
         lower, upper = bracket
-        place = arb(lower).union(arb(upper))
+        place = hull([arb(lower), arb(upper)])
         if not flight.gap_rate(place) < 0:
             return FlightEnd(Verdict.undecided("the bracket of the touch-down", Reason.WIDE_INPUT, "h' < 0 is open"))
         text = "exactly one touch-down, with h' < 0"

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from flint import arb, arb_poly, fmpq
 
-from gspot_verified.balls import add_remainder, sign_of, working_bits
+from gspot_verified.balls import add_remainder, hull, sign_of, working_bits
 from gspot_verified.compliant.contact_series import SeriesCell, series_cells, series_rate, series_work
 from gspot_verified.compliant.normal_form import Deviation
 
@@ -60,7 +60,7 @@ def _range(polynomial: arb_poly, rest: arb, left: fmpq, right: fmpq) -> arb:
     shifted = polynomial(arb_poly([left, right - left])).coeffs()
     total = shifted[0] if shifted else arb(0)
     for coefficient in shifted[1:]:
-        total += arb(0).union(coefficient)
+        total += hull([arb(0), coefficient])
     return add_remainder(total, rest)
 
 

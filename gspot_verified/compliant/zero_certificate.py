@@ -13,7 +13,7 @@ from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import ExactInput, working_bits
+from gspot_verified.balls import ExactInput, hull, working_bits
 from gspot_verified.certificates.text import certificate_text, write_certificate
 from gspot_verified.compliant.force_certificate import NotProvable
 from gspot_verified.compliant.slow_patch import rational_scale
@@ -114,7 +114,7 @@ def _place(lower: fmpq, upper: fmpq, eta: fmpq) -> fmpq | None:
     middle = (lower + upper) / 2
     best = min(_PLACES, key=lambda tau: float(_bound(tau, arb(middle), eta)))
     with working_bits(_BITS):
-        box = arb(lower).union(arb(upper))
+        box = hull([arb(lower), arb(upper)])
     return best if _bound(best, box, eta) < 0 else None
 
 

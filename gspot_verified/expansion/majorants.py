@@ -13,7 +13,7 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import nonfinite
+from gspot_verified.balls import hull, nonfinite
 from gspot_verified.expansion.expressions import (
     Constant,
     Cosine,
@@ -128,7 +128,7 @@ def _power_change(start: arb, change: arb, exponent: fmpq) -> arb:
         return nonfinite()
     size = arb(abs(exponent))
     both = least ** arb(exponent)
-    both = both.union(start.abs_upper() ** arb(exponent))
+    both = hull([both, start.abs_upper() ** arb(exponent)])
     return both.abs_upper() * ((-size * (1 - x).log()).expm1())
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import ball_text, working_bits
+from gspot_verified.balls import ball_text, hull, working_bits
 from gspot_verified.ledger.formulas import rational_value
 from gspot_verified.ledger.section_4_5 import PRINTED as FORCE
 from gspot_verified.signs.stretches import narrowed
@@ -63,7 +63,7 @@ def _bracket(beta: fmpq, exponent: int, before: arb | None) -> GrowthBracket:
     if bracketed:
         lower, upper = narrowed(lambda tau: _above(tau, beta, goal), lower, upper, 3)
     with working_bits(128):
-        ratio = arb(lower).union(arb(upper)) / law
+        ratio = hull([arb(lower), arb(upper)]) / law
         closer = bracketed and (before is None or bool(abs(ratio - 1) < abs(before - 1)))
     return GrowthBracket(beta, exponent, lower, upper, ratio, closer)
 

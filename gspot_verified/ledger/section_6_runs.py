@@ -10,7 +10,7 @@ from functools import lru_cache, partial
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import approximate, ball_text, sign_of, working_bits
+from gspot_verified.balls import approximate, ball_text, hull, sign_of, working_bits
 from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.ledger.identities import Algebra, rising_signs
 from gspot_verified.mechanisms.approach import approach
@@ -126,7 +126,7 @@ def leading_bracket() -> tuple[arb, arb] | None:
         with working_bits(96):
             # τ = κ t/ε^(2/3), κ³ = -α_1/2
             unit = (arb(EPSILON) ** 2 * 2 / -arb(alpha_1)).root(3)
-            times.append(unit * arb(found.lower).union(arb(found.upper)))
+            times.append(unit * hull([arb(found.lower), arb(found.upper)]))
     return times[0], times[1]
 
 
@@ -170,7 +170,7 @@ def _time() -> Entry:
             Rung.BALLS,
             "proofs/iwc.md, section 4, at both ends of the ball of C_1; proofs/approach.md for C_1",
             None if bracket is None else is_just_after(*bracket),
-            "" if bracket is None else f"t = {ball_text(bracket[0].union(bracket[1]), 8)}",
+            "" if bracket is None else f"t = {ball_text(hull([bracket[0], bracket[1]]), 8)}",
         ),
         Check(
             Rung.POINTS,

@@ -11,7 +11,7 @@ from functools import partial
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import ball_text, certainly_less, sign_of, working_bits
+from gspot_verified.balls import ball_text, certainly_less, hull, sign_of, working_bits
 from gspot_verified.compliant.at_the_g_spot import crossing, deviations
 from gspot_verified.compliant.scaling_exponents import limit_exponent, regression_error, regression_slope
 from gspot_verified.ledger.entry import Builders, Check, Entry, Rung, all_of, settled
@@ -238,7 +238,7 @@ def _simple_zero(beta: fmpq, place: fmpq) -> bool | None:
     first, last = place - _NEAR, place + _NEAR
     signs = [sign_of(evaluate(tau, beta).value) for tau in (first, last)]
     with working_bits(_BITS):
-        slope = evaluate(arb(first).union(arb(last)), beta, derivative=1).value
+        slope = evaluate(hull([arb(first), arb(last)]), beta, derivative=1).value
     if None in signs or sign_of(slope) is None:
         return None
     return set(signs) == {-1, 1} and sign_of(slope) != 0 and not first <= 0 <= last

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from flint import arb, arb_mat
 
-from gspot_verified.balls import current_bits, working_bits
+from gspot_verified.balls import current_bits, hull, working_bits
 from gspot_verified.expansion.box_program import BoxProgram, common
 from gspot_verified.mechanisms.krawczyk import krawczyk, krawczyk_operator
 
@@ -265,7 +265,7 @@ def clusters(boxes: Sequence[Box]) -> list[Box]:
     for box in boxes:
         while (other := next((old for old in joined if _meet(old, box)), None)) is not None:
             joined.remove(other)
-            box = tuple(x.union(y) for x, y in zip(box, other, strict=True))
+            box = tuple(hull([x, y]) for x, y in zip(box, other, strict=True))
         joined.append(box)
     return joined
 

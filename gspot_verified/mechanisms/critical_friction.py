@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 from flint import arb
 
-from gspot_verified.balls import ball_text, working_bits
+from gspot_verified.balls import ball_text, hull, working_bits
 from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.derivative import partial_derivative, substitute
 from gspot_verified.expansion.expressions import Expression, Variable
@@ -156,7 +156,7 @@ class _Maximum:
         lower = reduce(arb.max, [value.lower() for value, _ in candidates[: len(boxes)]])
         upper = reduce(arb.max, [value.upper() for value, _ in candidates])
         attained = [box for value, box in candidates if value.upper() >= lower]
-        return self._from(lower.union(upper), attained)
+        return self._from(hull([lower, upper]), attained)
 
     def _stationary(self) -> list[Expression]:
         """What vanishes at every place where B/C is largest: its gradient; with a constraint the minors with it."""

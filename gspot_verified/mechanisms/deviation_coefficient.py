@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from flint import arb
 
-from gspot_verified.balls import add_remainder
+from gspot_verified.balls import add_remainder, hull
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.mechanisms.capture import Capture
 from gspot_verified.mechanisms.distinguished import Region, force_at, taylor_in_p
@@ -42,11 +42,13 @@ def coefficient_above_one(
     if trajectory is None or not goal.is_finite():
         return None
     # The region: where the trajectory itself stays, and the polynomial; twice as wide as needed.
-    whole = arb(0).union(at.p.upper())
+    whole = hull([arb(0), at.p.upper()])
     sides = []
-    for polynomial, side in zip((*trajectory.state, trajectory.force), (*found.box, at.force.union(goal)), strict=True):
-        hull = side.union(polynomial(whole))
-        sides.append(add_remainder(hull, hull.rad()))
+    for polynomial, side in zip(
+        (*trajectory.state, trajectory.force), (*found.box, hull([at.force, goal])), strict=True
+    ):
+        around = hull([side, polynomial(whole)])
+        sides.append(add_remainder(around, around.rad()))
     region = Region.on(field, sides)
     if region is None:
         return None

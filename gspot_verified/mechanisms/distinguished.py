@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from flint import acb, arb, arb_poly, arb_series
 
-from gspot_verified.balls import add_remainder, series_length
+from gspot_verified.balls import add_remainder, hull, series_length
 from gspot_verified.integrator.field import VectorField
 
 
@@ -108,7 +108,7 @@ def force_at(field: VectorField, found: Distinguished, p: arb, disc: arb, region
         return None
     H = (region.S_force * d_R * last / ((n + 2) * gap) + d_S / (n + 1)) / free
     E = (region.R_state * H + d_R) / gap
-    whole = arb(0).union(last)
+    whole = hull([arb(0), last])
     power = last ** (n + 1)
     widths = (*[H] * len(found.state), E)
     for polynomial, side, width in zip((*found.state, found.force), region.box, widths, strict=True):

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import Exact, ExactInput, ball, ball_text, certainly_less, exact
+from gspot_verified.balls import Exact, ExactInput, ball, ball_text, certainly_less, exact, hull
 from gspot_verified.expansion.expressions import Expression
 from gspot_verified.expansion.periods import period_factor
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
@@ -70,7 +70,7 @@ class Region:
             self._bounded.add(index)
             self._intervals[index] = (arb(-DEFAULT_BOUND), arb(DEFAULT_BOUND))
         lower, upper = self._intervals[index]
-        return lower.union(upper)
+        return hull([lower, upper])
 
     def given(self, index: int) -> arb | None:
         """A ball around the given interval of a component; None where none is given."""

@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import ExactInput, ball_text, working_bits
+from gspot_verified.balls import ExactInput, ball_text, hull, working_bits
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.signs.contact_force import LEAST_TENS, ContactForce, contact_force, rational, rounded_down
 from gspot_verified.signs.force_refutation import force_refutation
@@ -190,7 +190,7 @@ def _exponential(lower: arb, upper: arb) -> arb | None:
     if not (lower > 3 * LEAST_TENS and upper < -3 * LEAST_TENS):
         return None
     with working_bits(int(max(lower.bits(), upper.bits())) + 64):
-        return lower.exp().union(upper.exp())
+        return hull([lower.exp(), upper.exp()])
 
 
 def at_epsilon(force: ContactForce, found: Stretches, epsilon: fmpq, lower: arb) -> Verdict:

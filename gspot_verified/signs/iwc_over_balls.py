@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import ExactInput, ball_text, working_bits
+from gspot_verified.balls import ExactInput, ball_text, hull, working_bits
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.signs.contact_force import LEAST_TENS, rational, rounded_down
 from gspot_verified.signs.force_over_balls import ForceOverBalls, OpenHypothesis, force_over_balls
@@ -152,7 +152,7 @@ def _impact(force: ForceOverBalls, found: Stretches, epsilon: fmpq | None, digit
     size = None
     if lower > 3 * LEAST_TENS and upper < -3 * LEAST_TENS:
         with working_bits(int(max(lower.bits(), upper.bits())) + 64):
-            size = lower.exp().union(upper.exp())
+            size = hull([lower.exp(), upper.exp()])
     epsilon_0 = rounded_down(lower, digits)
     if epsilon is not None:
         verdict = _at_epsilon(force, found, epsilon, lower)
@@ -214,6 +214,6 @@ def _lift_off(force: ForceOverBalls, found: Stretches, epsilon: fmpq, digits: in
     ratio = None
     if force.beta > 1 and epsilon < 1:
         with working_bits(128):
-            ratio = arb(lower).union(arb(upper)) / ((force.beta - 1) * -arb(epsilon).log()) ** arb(fmpq(2, 3))
+            ratio = hull([arb(lower), arb(upper)]) / ((force.beta - 1) * -arb(epsilon).log()) ** arb(fmpq(2, 3))
     time = LiftOff(epsilon, lower, upper, number, ratio, found.whole_line, verdict)
     return IwcOverBalls(force, start, found.whole_line, verdict, lift_off=time)

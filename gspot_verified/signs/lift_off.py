@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import ball_text, working_bits
+from gspot_verified.balls import ball_text, hull, working_bits
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.signs.contact_force import ContactForce
 from gspot_verified.signs.force_refutation import force_refutation
@@ -96,7 +96,7 @@ def lift_off(force: ContactForce, epsilon: fmpq, start: fmpq, digits: int = 15) 
     if force.beta > 1 and epsilon < 1:
         with working_bits(128):
             law = (arb(force.beta - 1) * -arb(epsilon).log()) ** arb(fmpq(2, 3))
-            ratio = arb(lower).union(arb(upper)) / law
+            ratio = hull([arb(lower), arb(upper)]) / law
     return LiftOff(epsilon, lower, upper, number, ratio, found.whole_line, Verdict.proved(text, count))
 
 

@@ -14,7 +14,7 @@ from typing import Any, ClassVar
 
 from flint import fmpq
 
-from gspot_verified.balls import ball, working_bits
+from gspot_verified.balls import ball, hull, working_bits
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.signs.executors import InProcessExecutor
 from gspot_verified.signs.journal import opened
@@ -192,4 +192,4 @@ def _end(value: fmpq | None, infinite: str) -> str:
 
 def _dyadic(lower: fmpq, upper: fmpq) -> Dyadic:
     with working_bits(128):
-        return Dyadic.from_ball(ball(lower).union(ball(upper)))
+        return Dyadic.from_ball(hull([ball(lower), ball(upper)]))

@@ -14,7 +14,7 @@ from itertools import pairwise
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import Exact, bits_for_digits, sign_of, working_bits
+from gspot_verified.balls import Exact, bits_for_digits, hull, sign_of, working_bits
 from gspot_verified.signs.brackets import zeros_at
 from gspot_verified.signs.side import gamma_sign
 from gspot_verified.theta_function.evaluate import evaluate
@@ -81,7 +81,7 @@ def stretches(beta: fmpq, sign: int, start: fmpq, digits: int = 15) -> Stretches
 
 def _bracket(beta: fmpq, sign: int, lower: fmpq, upper: fmpq, digits: int) -> Bracket:
     with working_bits(2 * bits_for_digits(digits) + 128):
-        place = arb(lower).union(arb(upper))
+        place = hull([arb(lower), arb(upper)])
     # On a bracket of width w around a critical point the values differ by O(w^2).
     slope = evaluate(lower if lower == upper else place, beta, derivative=1, digits=2 * digits + _SPARE_DIGITS).value
     with working_bits(2 * bits_for_digits(digits) + 128):
@@ -103,7 +103,7 @@ def minimum(found: Stretches) -> Bracket:
         for piece in found.critical:
             lower, upper = lower.min(piece.value.lower()), upper.min(piece.value.upper())
         possible = [piece for piece in pieces if not piece.value.lower() > upper]
-        return Bracket(possible[0].lower, possible[-1].upper, lower.union(upper))
+        return Bracket(possible[0].lower, possible[-1].upper, hull([lower, upper]))
 
 
 @dataclass(frozen=True, slots=True)

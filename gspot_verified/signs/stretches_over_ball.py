@@ -11,7 +11,7 @@ from itertools import pairwise
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import approximate, ball, bits_for_digits, exact, nonfinite, sign_of, working_bits
+from gspot_verified.balls import approximate, ball, bits_for_digits, exact, hull, nonfinite, sign_of, working_bits
 from gspot_verified.signs.brackets import zeros_at
 from gspot_verified.signs.count_law import number_of_zeros
 from gspot_verified.signs.slope_at import UndecidedError
@@ -54,7 +54,7 @@ class SlopeOverBall:
         place: fmpq | arb = lower
         if lower < upper:
             with working_bits(bits_for_digits(self.digits) + 128):
-                place = ball(lower).union(ball(upper))
+                place = hull([ball(lower), ball(upper)])
         return evaluate(place, self.beta, derivative=derivative, digits=self.digits).value
 
 

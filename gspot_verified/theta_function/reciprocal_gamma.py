@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from flint import arb, arb_series
 
-from gspot_verified.balls import Exact, series_length
+from gspot_verified.balls import Exact, hull, series_length
 
 _MAX_HALVINGS = 12
 # Nearer to a zero than 1/1000 the reflection is used.
@@ -42,9 +42,8 @@ def _of_ball(z: arb, halvings: int) -> arb:
     if value.is_finite() or halvings == 0:
         return value
     middle, quarter = z.mid(), z.rad() / 2
-    return _of_ball(arb(middle - quarter, quarter), halvings - 1).union(
-        _of_ball(arb(middle + quarter, quarter), halvings - 1)
-    )
+    halves = arb(middle - quarter, quarter), arb(middle + quarter, quarter)
+    return hull(_of_ball(half, halvings - 1) for half in halves)
 
 
 def reciprocal_gamma_series(argument: arb, slope: arb, length: int) -> list[arb]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from flint import arb, arb_mat, arb_poly, fmpq
 
-from gspot_verified.balls import add_remainder, ball, nonfinite
+from gspot_verified.balls import add_remainder, ball, hull, nonfinite
 from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.residual import residual_bounds
 from gspot_verified.expansion.trajectory import Trajectory
@@ -41,7 +41,7 @@ class DeviationEquations:
             raise ValueError("the contact has no damper (c = 0): there is no fast equation")
         self.trajectory, self.delta = trajectory, ball(delta)
         self._exact_delta = delta
-        self.small = self.delta.union(arb(0))
+        self.small = hull([self.delta, arb(0)])
         self.dimension = len(system.point)
         self.size = self.dimension + 4
         self.p, self.b, self.y, self.v = range(self.dimension, self.size)

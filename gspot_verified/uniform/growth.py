@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import add_remainder, ball
+from gspot_verified.balls import add_remainder, ball, hull
 from gspot_verified.uniform.equations import DeviationEquations
 from gspot_verified.uniform.track import Track
 
@@ -75,7 +75,7 @@ def entry_of(track: Track, index: int) -> Entry | None:
     if side == 0:
         return None
     place = ball(piece.end)
-    scale = (equations.delta ** ball(track.power)).union(arb(0))
+    scale = hull([equations.delta ** ball(track.power), arb(0)])
     q = -(equations.alpha_1 * place + equations.expansion("p", place, 1) + scale * e[equations.p])
     Y, V = -side * e[equations.y], -side * e[equations.v]
     return Entry(

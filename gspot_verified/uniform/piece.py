@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from flint import arb, arb_mat, fmpq
 
-from gspot_verified.balls import add_remainder, ball
+from gspot_verified.balls import add_remainder, ball, hull
 from gspot_verified.uniform.equations import DeviationEquations
 from gspot_verified.uniform.frames import Frame, frame_at, larger, matrix_value, turned_frame
 
@@ -78,7 +78,7 @@ def advance(rules: Rules, state: Deviations, start: fmpq, end: fmpq) -> Piece | 
     """The piece, or None when the inequality could not be satisfied."""
     equations, length = rules.equations, ball(end - start)
     frame = frame_at(equations, start, state.turned)
-    time = length.union(arb(0))
+    time = hull([length, arb(0)])
     s = ball(start) + time
     flow = frame.at(time)
     try:

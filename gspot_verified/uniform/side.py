@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import ExactInput, add_remainder, approximate, ball, ball_text, exact, working_bits
+from gspot_verified.balls import ExactInput, add_remainder, approximate, ball, ball_text, exact, hull, working_bits
 from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.uniform.bound import BITS, check_interval, rational
 from gspot_verified.uniform.cone_choice import cones
@@ -167,7 +167,7 @@ def uniform_side(
 def _first_end(found: Track, factor: fmpq) -> tuple[Entry, Cone, arb] | None:
     """The first end of a piece at which Theorem U2 applies, contact being kept until then; and the force reached."""
     equations = found.equations
-    scale = (equations.delta ** ball(found.power)).union(arb(0))
+    scale = hull([equations.delta ** ball(found.power), arb(0)])
     for index, piece in enumerate(found.pieces):
         if not piece.mean + scale * piece.force > 0:
             return None
