@@ -3,7 +3,7 @@
 # make test-all the same with the slow tests
 # make prove    the formal proofs of proofs/coq/, for which Coq and Coquelicot must be there (it says how to get them)
 # make docs     the documentation site, build/docs/index.html; it is read without a network
-# make lint     formatting, lint, types
+# make lint     formatting, lint, types, and what a file that concludes may not write (tests/rigour/README.md)
 # make attack   questions to the package against independent references: MINUTES=30, OPTIONS="--seed 7 --kind theta" (tests/attack/README.md)
 # make mutants  mutation testing: FILES="gspot_verified/dyadic.py ...", OPTIONS="--sample 20" (tests/mutants/README.md)
 
@@ -44,6 +44,7 @@ lint: $(READY)
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/mypy
+	PYTHONPATH=tests $(BIN)/python -m rigour
 
 FILES ?= gspot_verified/dyadic.py gspot_verified/verdict.py
 
