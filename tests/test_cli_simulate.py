@@ -72,6 +72,7 @@ def test_what_is_left_out_is_said(capsys: pytest.CaptureFixture[str]) -> None:
     assert code == 2
     assert "oscillator, ε = 1/50, from phi - phi_ref = 1/10, phi_dot = -9/10, y = 0, v = 0, z = 0\n" in output
     assert "  without tangential_motion: the slip velocity stays positive: the contact never sticks\n" in output
+    assert "  without tangential_motion, the slip velocity is positive in contact: assumed from t = 0 " in output
     assert "chi" not in output
 
 
@@ -176,3 +177,35 @@ def test_bad_input(capsys: pytest.CaptureFixture[str], words: tuple[str, ...], m
     assert output == ""
     assert errors.startswith("error: ")
     assert message in errors
+
+
+HOSTILE = Path(__file__).parent / "scenes" / "hostile"
+
+
+@pytest.mark.parametrize("name", ["left_out_effect", "g_touch", "c_notang_neg", "pulls"])
+def test_an_absence_that_is_wrong_has_exit_code_1(capsys: pytest.CaptureFixture[str], name: str) -> None:
+    """Each was "certified ... proved", with exit code 0."""
+    code, output, _ = run(capsys, "simulate", str(HOSTILE / f"{name}.toml"))
+    assert code == 1
+    assert "\n  refuted: the motion without " in output
+    assert "proved" not in output
+    assert ": violated at t = " in output
+
+
+def test_assumptions_as_json(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    (tmp_path / "block.toml").write_text((HOSTILE / "block.toml").read_text())
+    text = (HOSTILE / "c_notang_neg.toml").read_text().replace("until = 2", 'until = "1/10"')
+    found = {}
+    for start in ("X_dot = -1", "X_dot = 1", ""):
+        (tmp_path / "scene.toml").write_text(text.replace("X_dot = -1", start))
+        code, output, _ = run(capsys, "simulate", str(tmp_path / "scene.toml"), "--json")
+        data = json.loads(output)["runs"][0]
+        (each,) = data["assumptions"]
+        assert (each["effect"], each["assumes"]) == ("tangential_motion", "the slip velocity is positive in contact")
+        assert (each["time"] is None) is (each["standing"] == "checked")
+        found[start] = (code, each["standing"], "provided that" in data["verdict"]["statement"])
+    assert found == {
+        "X_dot = -1": (1, "violated", False),
+        "X_dot = 1": (0, "checked", False),
+        "": (0, "assumed", True),
+    }

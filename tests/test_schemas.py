@@ -70,6 +70,8 @@ RUNS = [
     ("force", "--beta", "13/2", "--eps", "1e-3", "--t", "1e-3", STATE, "--certify"),
     ("events", "--beta", "3/2", "--eps", "1e-6", "--nu", "2"),
     ("simulate", "fig-varsim1", "--compare"),
+    ("simulate", str(ROOT / "tests" / "scenes" / "hostile" / "c_notang_neg.toml")),
+    ("simulate", str(ROOT / "tests" / "scenes" / "hostile" / "c_notang_neg.toml"), "--float"),
     ("simulate", "fig-varsim1", "--nu", "1"),
     ("simulate", "fig-varsim2", "--float", "--set", "chi=0"),
     ("simulate", "rod", "--float", "--set", "until=1/100"),

@@ -61,7 +61,9 @@ def simulate(
     exact solution answers for all times, whatever --until is: it is used for the linear model scene where it decides.
     --journal keeps what the integrator chose for each step, and proves all of it again when it goes on; with --compare
     the float run has FILE.float. Samples of a certified run are enclosures: a column of midpoints and one of radii.
-    Exit code 0 when the certified run is proved, 2 when something is undecided: a float run always is.
+    What the effects that are left out assume of the motion is checked along the run: where it fails, the run is refuted
+    as a statement on the motion with them; where it is not certain, the statement says "provided that". Exit code 0
+    when the certified run is proved, 1 when it is refuted, 2 when something is undecided: a float run always is.
     """
     from gspot_verified.scenes.certified_run import certified_run
     from gspot_verified.scenes.file import load_scene

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from flint import arb, fmpq
 
 from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.expressions import Expression
 from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase, Open
-from gspot_verified.scenes.effects.stick import SLIP_STOPS, SLIPS, STICKS
+from gspot_verified.scenes.effects.effect import Effect
+from gspot_verified.scenes.effects.stick import SLIPS, STICKS
+from gspot_verified.scenes.effects.tangential_motion import SLIP_STOPS
 from gspot_verified.scenes.effects.terms import FLIGHT, REVERSE, SLIP, STICK
-from gspot_verified.scenes.scaled_system import CONTACT, PhaseEvent
+from gspot_verified.scenes.scaled_system import CONTACT, PhaseEvent, ScaledSystem
 from gspot_verified.scenes.scene import Scene
 
 
@@ -34,16 +36,37 @@ class Following:
 
 
 class CertifiedPhases:
-    """The phases of one scene at the precision in force, compiled when they are first asked for."""
+    """The phases of one scene at the precision in force, compiled when they are first asked for.
 
-    def __init__(self, scene: Scene) -> None:
-        self._scene = scene
+    ``followed``: effects that are left out, what their conditions need is integrated; ``watched``: those of them whose
+    conditions end a phase where they end to hold.
+    """
+
+    def __init__(self, scene: Scene, followed: Sequence[Effect] = (), watched: Sequence[Effect] = ()) -> None:
+        self._scene, self._followed = scene, tuple(followed)
+        self._watched = {effect.name for effect in watched}
+        self._whole: dict[str, ScaledSystem] = {}
         self._compiled: dict[str, CertifiedPhase] = {}
 
     def __getitem__(self, phase: str) -> CertifiedPhase:
         if phase not in self._compiled:
-            self._compiled[phase] = CertifiedPhase(self._scene.system(phase))
+            self._compiled[phase] = CertifiedPhase(self._system(phase))
         return self._compiled[phase]
+
+    def _all_events(self, phase: str) -> ScaledSystem:
+        if phase not in self._whole:
+            self._whole[phase] = self._scene.system(phase, self._followed)
+        return self._whole[phase]
+
+    def _system(self, phase: str) -> ScaledSystem:
+        whole = self._all_events(phase)
+        kept = (event for event in whole.events if not event.left_out or event.left_out in self._watched)
+        return replace(whole, events=tuple(kept))
+
+    def conditions(self, phase: str, states: Mapping[str, arb]) -> list[tuple[PhaseEvent, arb]]:
+        """The conditions that are followed in a phase, with enclosures of their functions in one set of states."""
+        events = [event for event in self._all_events(phase).events if event.left_out]
+        return [(event, self._value(phase, event.function, states)) for event in events]
 
     def first(self, start: Mapping[str, arb]) -> Next | Open:
         """The phase at the start of the scene."""
@@ -73,8 +96,7 @@ class CertifiedPhases:
         assert phase == FLIGHT
         if STICK not in self._scene.phases():
             return self._begins(SLIP, touching=True, at_rest=False)
-        system = self._scene.system(SLIP)
-        slip = self._value(SLIP, system.shown("u"), states) - self._belt
+        slip = self._value(SLIP, self[SLIP].system.shown("u"), states) - self._belt
         if slip > 0:
             return self._begins(SLIP, touching=True, at_rest=False)
         if slip < 0 and REVERSE in self._scene.phases():
@@ -87,7 +109,7 @@ class CertifiedPhases:
         """Contact without slip velocity: it sticks where friction certainly holds it."""
         guards = {
             event.next_phase: self._value(STICK, event.function, states)
-            for event in self._scene.system(STICK).events
+            for event in self[STICK].system.events
             if event.next_phase not in (FLIGHT, CONTACT)
         }
         if all(guard > 0 for guard in guards.values()):
@@ -102,7 +124,7 @@ class CertifiedPhases:
     def _begins(self, phase: str, touching: bool, at_rest: bool, order: int | None = None) -> Next:
         """The phase, with lift-off or touch-down at zero where y = z, and the end of slip where the contact rests."""
         found: dict[str, int | None] = {}
-        for event in self._scene.system(phase).events:
+        for event in self[phase].system.events:
             opens = phase == FLIGHT or event.next_phase == FLIGHT
             stops = phase in (SLIP, REVERSE) and event.next_phase in (STICK, CONTACT)
             if opens and touching:

@@ -11,7 +11,9 @@ from typing import Any
 from flint import fmpq
 
 from gspot_verified.balls import approximate
-from gspot_verified.scenes.effects.stick import SLIP_STOPS, SLIPS, STICKS
+from gspot_verified.scenes.assumption import ASSUMED, Assumption, provided
+from gspot_verified.scenes.effects.stick import SLIPS, STICKS
+from gspot_verified.scenes.effects.tangential_motion import SLIP_STOPS
 from gspot_verified.scenes.effects.terms import REVERSE, SLIP, STICK
 from gspot_verified.scenes.float_phase import FloatPhase
 from gspot_verified.scenes.run import SIMULATED, RunEvent, SceneRun, fate_of
@@ -92,7 +94,19 @@ def float_run(
     )
     fate = fate_of([event.name for event in events])
     detail = f"simulated with floats ({method}, relative tolerance {tolerance:g}): no error is bounded"
-    return SceneRun(SIMULATED, fate, events, Verdict.undecided(fate, Reason.HYPOTHESIS, detail), samples, tuple(notes))
+    assumptions = unchecked(scene)
+    verdict = Verdict.undecided(f"{fate}{provided(assumptions)}", Reason.HYPOTHESIS, detail)
+    return SceneRun(SIMULATED, fate, events, verdict, samples, tuple(notes), assumptions)
+
+
+def unchecked(scene: Scene) -> tuple[Assumption, ...]:
+    """What the effects that are left out assume of the motion, all of it only assumed."""
+    start, why = fmpq(0), "a run with floats checks nothing"
+    return tuple(
+        Assumption(effect.name, effect.condition.text, ASSUMED, start, start, why)
+        for effect in scene.conditional()
+        if effect.condition is not None
+    )
 
 
 def _kept_piece(data: Any, path: Path) -> Piece:

@@ -31,7 +31,7 @@ from gspot_verified.scenes.effects.catalogue import EXCLUSIONS
 from gspot_verified.scenes.effects.mechanism_terms import Functions, MechanismTerms
 from gspot_verified.scenes.effects.terms import PHASES, Terms
 from gspot_verified.scenes.motion import SceneError
-from gspot_verified.scenes.normal_coordinate import NormalCoordinate
+from gspot_verified.scenes.normal_coordinate import NormalCoordinate, free_slope
 from gspot_verified.signs.contact_force import rational
 
 _BITS = 160
@@ -50,6 +50,8 @@ class MechanismMotion:
     :raises SceneError: the mechanism has no free translation along the normal, has constraints, or names that clash.
     :raises MechanismError: the mechanism is not complete.
     """
+
+    is_model = False
 
     def __init__(
         self, mechanism: Mechanism, sees: Sequence[str], epsilon: fmpq, start: Mapping[str, fmpq | str]
@@ -115,6 +117,17 @@ class MechanismMotion:
                     self._functions[name] for name in (*(f"{part} {i}" for part in _FIELDS), "mu")
                 )
         return sorted(found)
+
+    @property
+    def depends_on_place(self) -> bool:
+        """False where x has a constant slope, not 0, in a component on which no function of the mechanism depends: then
+        a translation of it changes x and no equation."""
+        x = self._shifted.functions.x
+        if x is None:
+            return True
+        used = variable_indices(function for name, function in self._functions.items() if name != "x")
+        bound = {*used, *self._known, self._normal.place, self._normal.velocity}
+        return not any(free_slope(x, i, self._size) for i in range(self._size) if i not in bound)
 
     def states(self, phase: str) -> tuple[str, ...]:
         """The components that are kept: the same in all phases."""

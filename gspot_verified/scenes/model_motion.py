@@ -17,6 +17,10 @@ from gspot_verified.scenes.motion import SceneError
 class ModelMotion:
     """``start``: p, b or nu (b = -nu p |alpha_2/(alpha_3 - alpha_1)|), y, v, z or none of them; u, x if integrated."""
 
+    is_model = True
+    depends_on_place = False
+    """No equation of the paper's systems has x on its right."""
+
     def __init__(self, effects: Sequence[Effect], epsilon: fmpq, start: Mapping[str, fmpq]) -> None:
         self._effects, self._epsilon, self._start = tuple(effects), epsilon, start
         self.parameters: Mapping[str, fmpq] = {

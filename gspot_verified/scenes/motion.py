@@ -21,6 +21,14 @@ class Motion(Protocol):
     parameters: Mapping[str, fmpq]
     """Numbers that the equations need and the scene may change, with their values."""
 
+    is_model: bool
+    """Whether this is the model system, or the extended example."""
+
+    @property
+    def depends_on_place(self) -> bool:
+        """False: no equation depends on the place of the contact along the surface; True: one may."""
+        ...
+
     def states(self, phase: str) -> tuple[str, ...]:
         """The states that are integrated in one phase."""
         ...

@@ -34,8 +34,8 @@ class NormalCoordinate:
         :raises SceneError: there is none: the contact has no free translation along its normal.
         """
         size = len(state)
-        found = [(i, slope) for i in range(size) if (slope := _slope(y, i, size)) is not None]
-        rates = [(j, slope) for j in range(size) if (slope := _slope(v, j, size)) is not None]
+        found = [(i, slope) for i in range(size) if (slope := free_slope(y, i, size)) is not None]
+        rates = [(j, slope) for j in range(size) if (slope := free_slope(v, j, size)) is not None]
         used = variable_indices([y])
         pair = next(((i, j) for i in found for j in rates if i[0] != j[0] and j[0] not in used), None)
         if pair is None:
@@ -56,7 +56,7 @@ class NormalCoordinate:
         return {place: first, velocity: product_of(constant(1 / self.rate_slope), minus(v, rate_rest))}
 
 
-def _slope(function: Expression, index: int, size: int) -> fmpq | None:
+def free_slope(function: Expression, index: int, size: int) -> fmpq | None:
     """The derivative, where it is a rational number other than 0."""
     (slope,) = simplified(partial_derivative(function, index, size))
     value = rational_value(slope)

@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 from flint import arb, fmpq
 
 from gspot_verified.balls import approximate, working_bits
+from gspot_verified.scenes.assumption import Assumption
 from gspot_verified.scenes.effects.lift_off import LIFT_OFF, TOUCH_DOWN
 from gspot_verified.scenes.samples import Samples
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Verdict
@@ -17,6 +18,7 @@ SIMULATED, CERTIFIED = "simulated", "certified"
 IMPACT = "impact without collision"
 TRIVIAL = "trivial solution"
 OPEN = "open"
+REFUTED = "an effect that is left out matters"
 NO_EVENT = "no event"
 FLIGHT_THEN_IMPACT = f"{LIFT_OFF}, {TOUCH_DOWN}, {IMPACT}"
 _SHOWN_BITS, _SHOWN_DIGITS = 400, 30
@@ -44,7 +46,8 @@ class RunEvent:
 class SceneRun(NoTruthValue):
     """The events of one run in order; ``fate``: what they amount to; ``strength``: simulated or certified.
 
-    ``notes``: what went wrong beside the run, as a journal that could not be written.
+    ``notes``: what went wrong beside the run, as a journal that could not be written. ``assumptions``: what the effects
+    that are left out assume of the motion, and how that stands; what the model system has by definition is not in it.
     """
 
     ask: ClassVar[str] = ASK_VERDICT
@@ -55,11 +58,12 @@ class SceneRun(NoTruthValue):
     verdict: Verdict
     samples: Samples | None = None
     notes: tuple[str, ...] = ()
+    assumptions: tuple[Assumption, ...] = ()
 
     def __str__(self) -> str:
         lines = [f"{self.strength}: {self.fate}", *(f"  {line}" for line in str(self.verdict).splitlines())]
         lines += [f"  {event.name}: t = {event.shown(self.strength)} after the start" for event in self.events]
-        return "\n".join(lines)
+        return "\n".join(lines + [f"  {assumption}" for assumption in self.assumptions])
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for ``json.dumps``; exact rationals as text, times of a float run as floats."""
@@ -68,6 +72,7 @@ class SceneRun(NoTruthValue):
             "fate": self.fate,
             "events": [self._event(event) for event in self.events],
             "verdict": self.verdict.to_json(),
+            "assumptions": [assumption.to_json() for assumption in self.assumptions],
         }
 
     def _event(self, event: RunEvent) -> dict[str, Any]:
@@ -87,8 +92,8 @@ def fate_of(names: Sequence[str]) -> str:
 
 def agreement(simulated: SceneRun, certified: SceneRun) -> bool | None:
     """Whether both end alike; False: a simulated event contradicts what is certified; None: nothing is certified, or
-    the float run ends before the certified one does."""
-    if certified.fate == OPEN:
+    refuted, or the float run ends before the certified one does."""
+    if certified.fate in (OPEN, REFUTED):
         return None
     if simulated.fate == certified.fate:
         return True

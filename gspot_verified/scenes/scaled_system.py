@@ -14,11 +14,15 @@ CONTACT = "contact"
 
 @dataclass(frozen=True)
 class PhaseEvent:
-    """Where a phase ends: ``function`` vanishes, falling; ``next_phase`` follows, or CONTACT."""
+    """Where a phase ends: ``function`` vanishes, falling; ``next_phase`` follows, or CONTACT.
+
+    ``left_out``: the effect that brings this event and is left out: there its absence is wrong, and the run ends.
+    """
 
     name: str
     function: Expression
     next_phase: str
+    left_out: str = ""
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -70,23 +70,48 @@ class Scene:
     @cached_property
     def motion(self) -> Motion:
         """The equations of what moves."""
-        used = self.used()
+        return self._motion_with(self.used())
+
+    def _motion_with(self, effects: Sequence[Effect]) -> Motion:
         if self.mechanism is None:
-            return ModelMotion(
-                used, self.epsilon, {name: scene_number(v, f"start: {name}") for name, v in self.start.items()}
-            )
-        return MechanismMotion(self.mechanism, [name for each in used for name in each.sees], self.epsilon, self.start)
+            start = {name: scene_number(value, f"start: {name}") for name, value in self.start.items()}
+            return ModelMotion(effects, self.epsilon, start)
+        sees = [name for each in effects for name in each.sees]
+        return MechanismMotion(self.mechanism, sees, self.epsilon, self.start)
 
     def used(self) -> tuple[Effect, ...]:
         """The effects, in the order of the catalogue."""
         return tuple(effect for name, effect in EFFECTS.items() if name in self.effects)
 
-    def assumes(self) -> dict[str, str]:
-        """For each effect that is left out, what that assumes; nothing of those that have no place in this scene."""
+    def left_out(self) -> tuple[Effect, ...]:
+        """The effects that are left out; none of those that have no place in this scene."""
         others = [effect for name, effect in EFFECTS.items() if name not in self.effects]
-        if self.mechanism is not None:
-            others = [effect for effect in others if effect.not_with_mechanism is None]
-        return {effect.name: effect.left_out for effect in others}
+        return tuple(effect for effect in others if self.mechanism is None or effect.not_with_mechanism is None)
+
+    def assumes(self) -> dict[str, str]:
+        """For each effect that is left out, what that means for this scene."""
+        return {effect.name: effect.left_out_of(self.motion) or effect.left_out for effect in self.left_out()}
+
+    def conditional(self) -> tuple[Effect, ...]:
+        """The effects whose absence assumes something of the motion; where two belong together, the one that the other
+        needs."""
+        return tuple(
+            effect
+            for effect in self.left_out()
+            if effect.condition is not None
+            and (effect.condition.of_model or self.mechanism is not None)
+            and all(name in self.effects for name in effect.needs)
+        )
+
+    def not_followed(self, effect: Effect) -> str | None:
+        """Why the condition of an effect that is left out cannot be followed along a run; None: it can."""
+        if effect.sees and self.has_unknown_surface_velocity:
+            return "the velocity of the surface is not given"
+        try:
+            self.scaled_initial((effect,))
+        except SceneError as error:
+            return str(error)
+        return None
 
     def defaults(self) -> dict[str, fmpq]:
         """The parameters of this scene's effects, and of the model, with their default values."""
@@ -94,30 +119,48 @@ class Scene:
         return {**found, **self.motion.parameters}
 
     def values(self) -> dict[str, fmpq]:
-        """The parameters with the values that they have."""
-        return {**self.defaults(), **self.parameters}
+        """The parameters with the values that they have; the velocity of the surface is in it where it is known."""
+        found = {**self.defaults(), **self.parameters}
+        if self.has_unknown_surface_velocity:
+            del found["belt_velocity"]
+        return found
+
+    @property
+    def has_unknown_surface_velocity(self) -> bool:
+        """Whether the surface moves, at a velocity that is not given: below that of the contact point, as is said."""
+        return {"belt"} == {"belt", "tangential_motion"} & {*self.effects} and "belt_velocity" not in self.parameters
 
     def phases(self) -> tuple[str, ...]:
         """The phases that the effects open."""
         opened = {SLIP, *(phase for effect in self.used() for phase in effect.opens)}
         return tuple(phase for phase in PHASES if phase in opened)
 
-    def system(self, phase: str) -> ScaledSystem:
+    def system(self, phase: str, watched: Sequence[Effect] = ()) -> ScaledSystem:
         """The equations of one phase; effects that are left out are not in them.
 
-        :raises SceneError: this scene has no such phase.
+        ``watched``: effects that are left out, whose conditions are to be followed: with what these need to be known,
+        and with the events at which they end to hold.
+
+        :raises SceneError: this scene has no such phase, or its start does not give what a condition needs.
         """
         if phase not in self.phases():
             raise SceneError(f"no phase {phase!r} in this scene; there are: {', '.join(self.phases())}")
         used = self.used()
         own = [effect.states for effect in used if effect.states is not None and phase in effect.states.phases]
-        moving = self.motion.states(phase)
+        motion = self._motion_watching(tuple(watched))
+        moving = motion.states(phase)
         first = moving if self.mechanism is not None else moving[:1]
         states = (*first, *(name for part in own for name in part.names), *moving[len(first) :])
-        terms = self.motion.terms(phase, states, self.values())
-        rates = self.motion.rates(terms) | {name: rate for part in own for name, rate in part.rates(terms).items()}
-        events = tuple(event for effect in used for event in effect.events(terms))
-        shown = self._read_out(terms)
+        terms = motion.terms(phase, states, self.values())
+        rates = motion.rates(terms) | {name: rate for part in own for name, rate in part.rates(terms).items()}
+        ends = [
+            replace(event, left_out=effect.name)
+            for effect in watched
+            if effect.condition is not None
+            for event in effect.condition.events(terms)
+        ]
+        events = (*(event for effect in used for event in effect.events(terms)), *ends)
+        shown = self._read_out(terms, motion)
         # The rates alone: what is shown and watched must not change them.
         shorter = compact([rates[state] for state in states])
         roots = [*shorter.values(), *(event.function for event in events), *shown.values()]
@@ -130,8 +173,21 @@ class Scene:
             tuple((name, made[function]) for name, function in shown.items()),
         )
 
-    def _read_out(self, terms: Terms) -> dict[str, Expression]:
-        epsilon, own = self.epsilon, self.motion.shown(terms)
+    def _motion_watching(self, watched: tuple[Effect, ...]) -> Motion:
+        """What moves, with what the conditions of these effects need to know of it."""
+        if self.mechanism is None or not any(effect.sees for effect in watched):
+            return self.motion
+        names = tuple(effect.name for effect in watched)
+        if names not in self._watching:
+            self._watching[names] = self._motion_with((*self.used(), *watched))
+        return self._watching[names]
+
+    @cached_property
+    def _watching(self) -> dict[tuple[str, ...], Motion]:
+        return {}
+
+    def _read_out(self, terms: Terms, motion: Motion) -> dict[str, Expression]:
+        epsilon, own = self.epsilon, motion.shown(terms)
         return {
             "p": own["p"],
             "b": own["b"],
@@ -147,9 +203,10 @@ class Scene:
         components that are integrated and y, v, z."""
         return self.motion.start(self.values())
 
-    def scaled_initial(self) -> dict[str, fmpq]:
-        """The same with Y, V, Z: the value at T = 0 of every state that is integrated in some phase."""
-        found, small = self.initial(), self.epsilon
+    def scaled_initial(self, watched: Sequence[Effect] = ()) -> dict[str, fmpq]:
+        """The same with Y, V, Z: the value at T = 0 of every state that is integrated in some phase; ``watched`` as in
+        :meth:`system`."""
+        found, small = self._motion_watching(tuple(watched)).start(self.values()), self.epsilon
         return found | {"Y": found["y"] / small**2, "V": found["v"] / small, "Z": found["z"] / small**2}
 
     def first_phase(self) -> str:
@@ -210,7 +267,7 @@ def _check_effects(names: tuple[str, ...], beside_mechanism: bool) -> None:
         if names.count(name) > 1:
             raise SceneError(f"effect {name!r} is named twice")
         effect = EFFECTS[name]
-        for other in effect.needs:
+        for other in effect.needs if beside_mechanism else (*effect.needs, *effect.needs_in_model):
             if other not in names:
                 raise SceneError(f"effect {name!r} needs {other!r}")
         if beside_mechanism and effect.not_with_mechanism is not None:

@@ -226,3 +226,70 @@ def test_the_inequality_of_the_fast_cone(slope: str, constant: str, factor: str,
     cone = FastCone(MODEL, arb("0.1"), arb("0.5"))
     assert cone.is_kept(of(slope, constant, factor)) is kept
     assert cone.is_kept_for_ever(of(slope, constant, factor)) is kept
+
+
+@pytest.mark.parametrize(
+    ("bounds", "kept"),
+    [
+        (of("-0.1", constant="-1.979"), True),
+        (of("-0.1", constant="-1.981"), False),
+        (of("-0.1", factor="-0.789"), True),
+        (of("-0.1", factor="-0.793"), False),
+        (of("-9.9"), True),
+        (of("-10.1"), False),
+    ],
+)
+def test_the_second_inequality_of_the_slow_cone_is_sharp(bounds: ContactBounds, kept: bool) -> None:
+    """(k - c (κ + s) - c² q - c² h'/a) S >= c A with k = κ = 1, s = 2, c = 1/5, a = 0.08, S = 1. With q = 1/10 the
+    bracket is 0.396 - h'/2, so A <= 1.98, or h' <= 0.792 where A = 0; with h' = A = 0 it is 0.4 - q/25."""
+    assert SlowCone(MODEL, arb("0.08"), arb("0.2"), arb(1), arb(1)).is_kept(bounds) is kept
+
+
+@pytest.mark.parametrize(("S", "kept"), [("0.506", True), ("0.504", False)])
+def test_the_lift_is_measured_by_S(S: str, kept: bool) -> None:
+    """0.396 S >= c A with A = 1: S >= 0.50505."""
+    assert SlowCone(MODEL, arb("0.08"), arb("0.2"), arb(1), arb(S)).is_kept(of("-0.1", constant="-1")) is kept
+
+
+@pytest.mark.parametrize(("slope", "kept"), [("-0.0349", True), ("-0.0347", False)])
+def test_the_first_inequality_of_the_slow_cone_is_sharp(slope: str, kept: bool) -> None:
+    """(κ - a) c q >= a²: q >= 0.0064/0.184 = 0.034783."""
+    assert SlowCone(MODEL, arb("0.08"), arb("0.2"), arb(1), arb(1)).is_kept(of(slope)) is kept
+
+
+@pytest.mark.parametrize(
+    ("factor", "constant", "kept"),
+    [("0.00521", "0", True), ("0.00522", "0", False), ("0", "0.0104", True), ("0", "0.0105", False)],
+)
+def test_the_load_of_the_slow_cone_is_sharp(factor: str, constant: str, kept: bool) -> None:
+    """(κ - a) c (q - h/a) >= a² with q = 1/10: h <= 0.0052174; h = factor + constant/λ_0 with λ_0 = 2."""
+    assert SlowCone(MODEL, arb("0.08"), arb("0.2"), arb(2), arb(1)).is_kept(of("-0.1", constant, factor)) is kept
+
+
+def test_equality_is_enough() -> None:
+    """Both inequalities of (4) as equalities, in numbers that balls hold: a = 1/2, c = 1/4, k = κ = 1, s = 2."""
+    a, c = arb(1) / 2, arb(1) / 4
+    # q = 2: (κ - a) c q = a² = 1/4, and (1/4 - q/16) S = c A = 1/4 with S = 2, A = 1.
+    assert SlowCone(MODEL, a, c, arb(1), arb(2)).is_kept(of("-2", constant="-1"))
+    # q = 4: the bracket is 0, and so is A.
+    assert SlowCone(MODEL, a, c, arb(1), arb(2)).is_kept(of("-4"))
+
+
+def test_no_cone_where_the_force_does_not_act() -> None:
+    with working_bits(128):
+        box = contact_state(MODEL, random.Random(2))
+        bounds, at = MODEL.bounds(box), ContactPoint.of(MODEL, box)
+        assert list(cones(MODEL, at, replace(bounds, slope=arb(0)))) == []
+
+
+def test_the_stiffness_counts_where_the_ball_is_wide() -> None:
+    """k S >= a M for all of the ball: with k = 1/3, S between 2 and 198 percent of its midpoint is too wide."""
+    found = 0
+    with working_bits(128):
+        for seed in range(20):
+            box = contact_state(STIFF, random.Random(seed))
+            bounds, at = STIFF.bounds(box), ContactPoint.of(STIFF, box)
+            wide = replace(at, S=arb(at.S.mid(), at.S.mid() * 0.98), G=at.G * 100)
+            found += any(isinstance(cone, SlowCone) for cone in cones(STIFF, replace(at, G=at.G * 100), bounds))
+            assert not any(isinstance(cone, SlowCone) for cone in cones(STIFF, wide, bounds))
+    assert found == 20

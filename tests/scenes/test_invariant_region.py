@@ -180,7 +180,7 @@ def test_other_equations_are_refused() -> None:
 def with_surface(eps: str = "1e-4", velocity: int = -1, **settings: object) -> Scene:
     """The oscillator on a surface that moves, so that slip can stop."""
     scene = load_scene("oscillator", eps=eps, **settings)
-    effects = (*scene.effects, "tangential_motion", "stick", "belt")
+    effects = (*scene.effects, "tangential_motion", "stick")
     return replace(scene, effects=effects, parameters={**scene.parameters, "belt_velocity": fmpq(velocity)})
 
 

@@ -1,4 +1,4 @@
-"""What an effect is: states, parameters, equations, events, and what leaving it out assumes."""
+"""What an effect is: states, parameters, equations, events, and what leaving it out assumes of the true motion."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from flint import fmpq
 from gspot_verified.expansion.expressions import Expression
 from gspot_verified.scenes.effects.model_terms import ModelTerms
 from gspot_verified.scenes.effects.terms import PHASES, Terms
+from gspot_verified.scenes.motion import Motion
 from gspot_verified.scenes.scaled_system import PhaseEvent
 
 
@@ -35,12 +36,29 @@ class ModelStates:
 
 
 @dataclass(frozen=True)
+class Condition:
+    """What must hold along the true motion where an effect is left out.
+
+    ``events``: where it ends to hold, as events of the full scene: their functions stay positive as long as it holds. A
+    motion without the effect is that of the full scene up to the first of them. ``of_model``: whether that is asked of
+    the model system, too; otherwise the model has it by definition.
+    """
+
+    text: str
+    events: Callable[[Terms], tuple[PhaseEvent, ...]]
+    of_model: bool = True
+
+
+@dataclass(frozen=True)
 class Effect:
     """One effect. ``parameters`` and ``model_parameters`` hold defaults.
 
     ``sees``: functions that it needs to know (u, x): of a mechanism those components are integrated on which they
-    depend. ``opens``: the phases that exist because of it; ``needs``: effects without which it means nothing;
-    ``not_with_mechanism``: why it has no place beside a mechanism; ``left_out``: one line.
+    depend. ``opens``: the phases that exist because of it; ``needs``: effects without which it means nothing,
+    ``needs_in_model``: in the model system; ``not_with_mechanism``: why it has no place beside a mechanism.
+
+    ``left_out``: one line on what its absence means; ``left_out_of``: the same for one motion, where that is another
+    line; ``condition``: what its absence assumes of the motion, None: nothing.
     """
 
     name: str
@@ -53,4 +71,7 @@ class Effect:
     sees: tuple[str, ...] = ()
     opens: tuple[str, ...] = ()
     needs: tuple[str, ...] = ()
+    needs_in_model: tuple[str, ...] = ()
     not_with_mechanism: str | None = None
+    left_out_of: Callable[[Motion], str | None] = lambda _: None
+    condition: Condition | None = None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from flint import fmpq
 
-from gspot_verified.scenes.effects.effect import Effect
+from gspot_verified.scenes.effects.effect import Condition, Effect
 from gspot_verified.scenes.effects.terms import FLIGHT, Terms, scaled
 from gspot_verified.scenes.scaled_system import CONTACT, PhaseEvent
 
@@ -21,6 +21,7 @@ def events(terms: Terms) -> tuple[PhaseEvent, ...]:
 EFFECT = Effect(
     "lift_off",
     "the contact is never lost: the surface may pull",
+    condition=Condition("λ_N is positive in contact", events),
     events=events,
     needs=("compliant_contact",),
     opens=(FLIGHT,),

@@ -5,13 +5,13 @@ from __future__ import annotations
 
 from flint import fmpq
 
-from gspot_verified.scenes.effects.effect import Effect
+from gspot_verified.scenes.effects.effect import Condition, Effect
+from gspot_verified.scenes.effects.tangential_motion import POSITIVE_SLIP, SLIP_STOPS, slip_stops
 from gspot_verified.scenes.effects.terms import REVERSE, SLIP, STICK, Terms, scaled
 from gspot_verified.scenes.scaled_system import CONTACT, PhaseEvent
 
 STICKS = "stick"
 SLIPS = {SLIP: "slip forwards", REVERSE: "slip backwards"}
-SLIP_STOPS = "slip stops"
 
 
 def events(terms: Terms) -> tuple[PhaseEvent, ...]:
@@ -30,6 +30,7 @@ def events(terms: Terms) -> tuple[PhaseEvent, ...]:
 EFFECT = Effect(
     "stick",
     "slip goes on in the same direction where the slip velocity passes through 0",
+    condition=Condition(POSITIVE_SLIP, slip_stops),
     model_parameters={"k_minus": fmpq(2), "p_minus": fmpq(1)},
     events=events,
     needs=("tangential_motion",),

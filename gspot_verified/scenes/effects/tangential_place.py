@@ -1,4 +1,8 @@
-"""The place x of the contact point along the surface (paper, eq. xdot)."""
+"""The place x of the contact point along the surface (paper, eq. xdot).
+
+Nothing is lost where it is left out: what the equations need of the place is integrated in any case. That nothing
+depends on it is said where it is seen in the equations.
+"""
 
 from __future__ import annotations
 
@@ -13,9 +17,12 @@ def rates(terms: ModelTerms) -> dict[str, Expression]:
     return {"x": scaled(terms.epsilon, terms.u)}
 
 
+_CYCLIC = "nothing depends on where along the surface the contact is: x is cyclic"
+_DEPENDS = "x is not shown; the equations may depend on where along the surface the contact is, and this is integrated"
 EFFECT = Effect(
     "tangential_place",
-    "nothing depends on where along the surface the contact is: x is cyclic",
+    "x is not shown: it is cyclic, or what the equations need of it is integrated",
+    left_out_of=lambda motion: _DEPENDS if motion.depends_on_place else _CYCLIC,
     model_states=ModelStates(("x",), rates),
     sees=("x",),
     needs=("tangential_motion",),

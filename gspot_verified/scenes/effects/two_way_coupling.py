@@ -19,7 +19,7 @@ def rates(terms: ModelTerms) -> dict[str, Expression]:
 
 EFFECT = Effect(
     "two_way_coupling",
-    "the normal motion does not act back: p = p_0 + alpha_1 t is known and not integrated",
+    "the normal motion does not act back: p = p_0 + alpha_1 t is known and not integrated (paper, eq. modelsys1)",
     model_states=ModelStates(("p",), rates),
     model_parameters={"chi": fmpq(1)},
     not_with_mechanism="chi belongs to the model system; the equations of a mechanism say how p moves",

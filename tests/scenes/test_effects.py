@@ -1,0 +1,188 @@
+"""Each effect by itself: its equations at points against the formulas of the paper, its events, and its condition."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+from flint import fmpq
+
+from gspot_verified.balls import approximate
+from gspot_verified.mechanisms.given import lagrangian
+from gspot_verified.scenes.effects import (
+    belt,
+    compliant_contact,
+    lift_off,
+    model,
+    stick,
+    tangential_motion,
+    tangential_place,
+    two_way_coupling,
+)
+from gspot_verified.scenes.effects.catalogue import EFFECTS, EXCLUSIONS
+from gspot_verified.scenes.effects.mechanism_terms import MechanismTerms
+from gspot_verified.scenes.effects.terms import FLIGHT, PHASES, REVERSE, SLIP, STICK
+from gspot_verified.scenes.float_function import float_function
+from gspot_verified.scenes.scaled_system import CONTACT, ScaledSystem
+from gspot_verified.scenes.scene import Scene
+
+EVERYTHING = (
+    "compliant_contact",
+    "lift_off",
+    "tangential_motion",
+    "tangential_place",
+    "stick",
+    "belt",
+    "two_way_coupling",
+)
+PARAMETERS = {
+    name: fmpq(*value)
+    for name, value in {
+        "k_1": (2, 1), "k_2": (3, 1), "damping": (5, 1), "alpha_1": (-7, 2), "alpha_2": (11, 3), "beta": (5, 4),
+        "chi": (13, 5), "a": (1, 7), "k_plus": (-3, 2), "k_minus": (5, 3), "p_minus": (7, 4), "belt_velocity": (1, 3),
+    }.items()
+}  # fmt: skip
+EPSILON = fmpq(1, 8)
+START = {"p": fmpq(1, 2), "b": fmpq(-1), "u": fmpq(2), "x": fmpq(0), "y": fmpq(-1, 100), "v": fmpq(0), "z": fmpq(0)}
+WHOLE = Scene("whole", EVERYTHING, EPSILON, fmpq(1), PARAMETERS, START)
+
+
+def paper(phase: str, at: dict[str, float]) -> dict[str, float]:
+    """Eqs. newex1 to newex5, udot, xdot and cdot in T = t/ε, with any stiffness; λ_N as given."""
+    w = {name: approximate(value) for name, value in PARAMETERS.items()}
+    eps = approximate(EPSILON)
+    force = 0.0 if phase == FLIGHT else w["k_2"] * (at["Z"] - at["Y"])
+    c = {SLIP: 1.0, REVERSE: 0.0, FLIGHT: 0.0}.get(phase)
+    if c is None:
+        c = (w["k_minus"] + w["a"] / force) / (w["k_minus"] - w["k_plus"])
+    forward, backward = c * force, (1 - c) * force
+    u = w["belt_velocity"] if phase == STICK else at["u"]
+    alpha_3 = w["beta"] * w["alpha_1"]
+    return {
+        "b": eps * (w["alpha_2"] - alpha_3 * forward),
+        "Y": at["V"],
+        "V": at["b"] + at["p"] * forward + w["p_minus"] * backward,
+        "Z": (-w["k_1"] * at["Z"] - force) / w["damping"],
+        "u": eps * (w["a"] + w["k_plus"] * forward + w["k_minus"] * backward),
+        "x": eps * u,
+        "p": eps * (w["alpha_1"] + w["chi"] * at["b"]),
+    }
+
+
+def points(system: ScaledSystem, count: int = 5) -> list[dict[str, float]]:
+    chance = random.Random(3)
+    found = [{name: chance.uniform(-2, 2) for name in system.states} for _ in range(count)]
+    return [{**at, "Z": at["Y"] + abs(at["Z"]) + 1} for at in found]
+
+
+@pytest.mark.parametrize("phase", PHASES)
+def test_the_equations_are_those_of_the_paper(phase: str) -> None:
+    system = WHOLE.system(phase)
+    rates = float_function(system.right_hand_side)
+    for at in points(system):
+        expected = paper(phase, at)
+        for name, rate in zip(system.states, rates([at[name] for name in system.states]), strict=True):
+            assert rate == pytest.approx(expected[name], rel=1e-12, abs=1e-12), name
+
+
+@pytest.mark.parametrize(
+    ("phase", "names"),
+    [
+        (SLIP, [("lift-off", FLIGHT), ("slip stops", CONTACT)]),
+        (REVERSE, [("lift-off", FLIGHT), ("slip stops", CONTACT)]),
+        (STICK, [("lift-off", FLIGHT), ("slip forwards", SLIP)]),
+        (FLIGHT, [("touch-down", CONTACT)]),
+    ],
+)
+def test_the_events_are_where_the_phases_end(phase: str, names: list[tuple[str, str]]) -> None:
+    """λ_N in contact, Y - Z in flight; |u - u_belt| in slip; in stick (a > 0) λ⁺ >= 0 may end: -k⁺ λ_N - a."""
+    system = WHOLE.system(phase)
+    assert [(event.name, event.next_phase) for event in system.events] == names
+    shown = float_function([event.function for event in system.events])
+    w = {name: approximate(value) for name, value in PARAMETERS.items()}
+    for at in points(system):
+        force = w["k_2"] * (at["Z"] - at["Y"])
+        values = dict(zip([name for name, _ in names], shown([at[name] for name in system.states]), strict=True))
+        if phase == FLIGHT:
+            assert values == {"touch-down": pytest.approx(-force)}
+            continue
+        assert values["lift-off"] == pytest.approx(force)
+        if phase == STICK:
+            assert values["slip forwards"] == pytest.approx(-w["k_plus"] * force - w["a"])
+        else:
+            assert values["slip stops"] == pytest.approx((at["u"] - w["belt_velocity"]) * (1 if phase == SLIP else -1))
+
+
+def test_the_conditions_are_events_of_the_full_scene() -> None:
+    """The function of each condition is that of the event which the effect adds."""
+    for name, phases in (("stick", (SLIP,)), ("lift_off", (SLIP, STICK, REVERSE))):
+        effects = [each for each in EVERYTHING if each not in ({name} | ({"belt"} if name == "stick" else set()))]
+        own = {
+            key: value
+            for key, value in PARAMETERS.items()
+            if name != "stick" or key not in ("k_minus", "p_minus", "belt_velocity")
+        }
+        part = Scene("part", tuple(effects), EPSILON, fmpq(1), own, START)
+        still = Scene("full", EVERYTHING, EPSILON, fmpq(1), {**PARAMETERS, "belt_velocity": fmpq(0)}, START)
+        for phase in part.phases():
+            found = [event for event in part.system(phase, [EFFECTS[name]]).events if event.left_out]
+            assert bool(found) is (phase in phases)
+            for event in found:
+                assert event.left_out == name
+                (same,) = (each for each in still.system(phase).events if each.name == event.name)
+                values = [
+                    float_function([each.function])([0.5, -3.0, 1.5, -1.0, 2.5, 0.25, 0.125]) for each in (event, same)
+                ]
+                assert values[0] == values[1]
+                assert event.next_phase == same.next_phase
+
+
+def test_which_effect_stands_where() -> None:
+    modules = (compliant_contact, lift_off, tangential_motion, tangential_place, stick, belt, two_way_coupling)
+    assert list(EFFECTS) == [module.EFFECT.name for module in modules] == list(EVERYTHING)
+    assert {name: (effect.needs, effect.needs_in_model) for name, effect in EFFECTS.items()} == {
+        "compliant_contact": ((), ()),
+        "lift_off": (("compliant_contact",), ()),
+        "tangential_motion": ((), ()),
+        "tangential_place": (("tangential_motion",), ()),
+        "stick": (("tangential_motion",), ()),
+        "belt": ((), ("stick",)),
+        "two_way_coupling": ((), ()),
+    }
+    assert {name for name, effect in EFFECTS.items() if effect.opens} == {"lift_off", "stick"}
+    assert [name for name, effect in EFFECTS.items() if effect.not_with_mechanism] == ["two_way_coupling"]
+    assert {second for first, second in EXCLUSIONS if first == "mechanism"} == {
+        *("two_way_coupling", "nu", "constraints", "a contact without free translation"),
+    }
+
+
+def test_the_defaults_are_those_of_the_paper() -> None:
+    """Eq. newex6, k_1 = k_2 = c = 1, α_1 = α_2 = -1, β = 3/2, χ = 1, a surface at rest."""
+    defaults = dict(model.PARAMETERS)
+    for effect in EFFECTS.values():
+        defaults |= {**effect.parameters, **effect.model_parameters}
+    assert defaults == {
+        "alpha_1": -1, "alpha_2": -1, "beta": fmpq(3, 2), "k_1": 1, "k_2": 1, "damping": 1, "a": 0, "k_plus": -1,
+        "k_minus": 2, "p_minus": 1, "belt_velocity": 0, "chi": 1,
+    }  # fmt: skip
+
+
+BLOCK = lagrangian("block", ["X", "H"], [[1, "1/2"], ["1/2", 1]], [3, -4], "X", "H", "1/4")
+
+
+@pytest.mark.parametrize(("phase", "share"), [(SLIP, -0.25), (REVERSE, 0.25), (STICK, None)])
+def test_the_friction_of_a_mechanism(phase: str, share: float | None) -> None:
+    """M⁻¹ = (4, -2; -2, 4)/3: A = C = 4/3, B = -2/3, a = 20/3, b = -22/3. Slip has -μ λ_N, reverse slip μ λ_N; in stick
+    du/dt = a + A λ_T + B λ_N = 0."""
+    effects = ("compliant_contact", "tangential_motion", "stick")
+    made = Scene("block", effects, EPSILON, fmpq(1), {}, {"X_dot": "1"}, None, BLOCK)
+    system = made.system(phase)
+    terms = made.motion.terms(phase, system.states, made.values())
+    assert isinstance(terms, MechanismTerms)
+    at = [{"Y": -3.0, "Z": -1.0}.get(name, 0.5) for name in system.states]
+    friction, acceleration, u_rate = float_function(
+        [terms.friction, terms.acceleration, system.right_hand_side[system.states.index("X_dot")]]
+    )([*at, 0.0])
+    assert friction == pytest.approx(2 * share if share is not None else -(20 / 3 - 4 / 3) / (4 / 3))
+    assert acceleration == pytest.approx(-22 / 3 + 4 / 3 * 2 - 2 / 3 * friction)
+    assert u_rate == pytest.approx(approximate(EPSILON) * (20 / 3 - 2 / 3 * 2 + 4 / 3 * friction), abs=1e-12)
