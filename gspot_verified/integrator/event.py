@@ -62,10 +62,8 @@ class Moment:
         return self.segment.states(self.tau)
 
     def certainly_by(self, other: Moment) -> bool:
-        """Whether it is certainly not after another moment of the same run, whatever the lengths of the steps are."""
-        if self.segment is other.segment:
-            return bool(self.tau <= other.tau)
-        return bool(self.segment.time < other.segment.time)  # τ <= 1: not after the begin of the other's segment
+        """Whether both are of one segment, and it is certainly not after the other, whatever the step's length is."""
+        return self.segment is other.segment and bool(self.tau <= other.tau)
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,7 +145,7 @@ class Watch:
 
     def value(self, states: list[arb]) -> arb:
         """An enclosure of g."""
-        return self._program.values(states)[0]
+        return self._program.mean_values(states)[0]
 
     def along(self, segment: Segment) -> Crossing | Unclear | None:
         """What happens on the next segment: nothing (g < 0 is proved, or it still rises), a crossing, or unclear."""
@@ -172,7 +170,7 @@ class Watch:
         return None
 
     def excluded(self, moment: Moment) -> bool:
-        """Whether g has certainly no zero after the start and up to a moment of the run.
+        """Whether g has certainly no zero after the start and up to a moment of the segment that was followed last.
 
         g must have been followed up to there, and where it rises only a certain sign excludes a zero on the way.
         """

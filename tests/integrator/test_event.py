@@ -162,3 +162,78 @@ def test_a_crossing_holds_every_state_of_its_bracket() -> None:
                 assert found.rate.contains(arb(fmpq(21, 20)) + t.cos())
                 seen += 1
         assert seen == 41 * 39
+
+
+class Scripted:
+    """A segment from 0 to 1 with given boxes of (x, y): at single times, and on intervals of time."""
+
+    def __init__(self, points: dict[str, arb], pieces: dict[tuple[str, str], tuple[arb, arb]]) -> None:
+        self.time = arb(0)
+        self.step = self
+        self.h = arb(1)
+        self._points = [(arb(fmpq(*map(int, at.split("/")))), value) for at, value in points.items()]
+        self._pieces = [(*(arb(fmpq(*map(int, end.split("/")))) for end in ends), box) for ends, box in pieces.items()]
+
+    def states(self, tau: arb) -> list[arb]:
+        for at, value in self._points:
+            if tau == at:
+                return [value, arb(1)]
+        for a, b, box in self._pieces:
+            if a - arb((1, -20)) <= tau.lower() and tau.upper() <= b + arb((1, -20)):
+                return list(box)
+        return [arb(0, 10), arb(0, 10)]
+
+
+NEGATIVE, OPEN = (arb(-2), arb(0, 1)), arb(0, 1)
+RISING = (arb(0, 3), arb(1, "0.5"))
+
+
+def scripted(points: dict[str, arb], pieces: dict[tuple[str, str], tuple[arb, arb]]) -> Crossing | Unclear | None:
+    with working_bits(64):
+        watch = Watch("x", x, VectorField([y, number(0)]))
+        return watch.along(Scripted(points, pieces))  # type: ignore[arg-type]
+
+
+def test_a_bracket_begins_at_the_last_negative_point() -> None:
+    pieces = {("0/1", "1/2"): RISING, ("1/2", "1/1"): RISING}
+    found = scripted({"0/1": arb(-2), "1/2": arb(-1), "1/1": arb(1)}, pieces)
+    assert isinstance(found, Crossing)
+    assert arb("0.5") <= found.begin.tau <= found.end.tau <= 1
+    found = scripted({"0/1": arb(-2), "1/2": OPEN, "1/1": arb(1)}, pieces)
+    assert isinstance(found, Crossing)
+    assert found.begin.tau < arb("0.5")
+
+
+def test_a_stretch_ends_where_g_is_negative() -> None:
+    """Rising, negative, then rising from a point where g has no certain sign: what rose before does not count."""
+    pieces = {("0/1", "1/4"): RISING, ("1/4", "1/2"): NEGATIVE, ("1/2", "1/1"): RISING}
+    known = {"0/1": arb(-2), "1/4": OPEN, "1/1": arb(1)}
+    assert isinstance(scripted({**known, "1/2": OPEN}, pieces), Unclear)
+    found = scripted({**known, "1/2": arb(-1)}, pieces)
+    assert isinstance(found, Crossing)
+    assert found.begin.tau >= arb("0.5")
+
+
+@pytest.mark.parametrize(("exponent", "clear"), [(20, True), (60, False)])
+def test_the_rate_of_a_crossing_is_positive_or_it_is_unclear(exponent: int, clear: bool) -> None:
+    """Rates 1 and 2^60 on one stretch: no ball holds both without 0, and then nothing is said."""
+    fast = (arb(0, 3), arb((1, exponent)))
+    pieces = {("0/1", "1/2"): (arb(0, 3), arb(1)), ("1/2", "1/1"): fast}
+    found = scripted({"0/1": arb(-2), "1/2": OPEN, "1/1": arb(1)}, pieces)
+    assert isinstance(found, Crossing) is clear
+    if isinstance(found, Crossing):
+        assert found.rate > 0
+        assert found.rate.contains(1)
+        assert found.rate.contains(arb((1, exponent)))
+
+
+def test_a_wide_set_leaves_zero_on_several_pieces() -> None:
+    """g = x^2 - 2 x with x' = 1 from 0, in a set of width 0.6: g falls while x < 1, and is certainly negative when all
+    of the set has passed 0, after more than a step; it comes back at x = 2."""
+    field = VectorField([number(1)])
+    with working_bits(64):
+        watch = Watch("g", x * x - x * number(2), field, from_zero=1)
+        found = next(filter(None, map(watch.along, NormRun(field, [arb(0, "0.3")], arb(3)))))
+        assert isinstance(found, Crossing)
+        for start in (-0.29, 0, 0.29):
+            assert found.time.contains(2 - arb(start))

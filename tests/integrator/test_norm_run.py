@@ -157,3 +157,19 @@ def test_a_coupling_that_dies_out_does_not_stretch_the_basis() -> None:
         for rows in ([[-1.0, tiny], [1.0, -2.0]], [[-1.0, tiny], [0.0, -2.0]]):
             sizes = [max(map(abs, row)) for row in adapted_basis(rows).rows]
             assert 2.0**-20 < min(sizes) <= max(sizes) < 2.0**20
+
+
+@pytest.mark.parametrize("radius", ["0", "1", "9"])
+def test_an_uncertain_end_is_not_passed(radius: str) -> None:
+    """Every step but the last ends certainly before the end; the last one has the length that is left, as a ball."""
+    end = arb(10, radius)
+    with working_bits(100):
+        run = NormRun(OSCILLATOR, [arb(1), arb(0)], end)
+        segments = list(run)
+        assert segments
+        whole = run.reason is None
+        for segment in segments[:-1] if whole else segments:
+            assert segment.end_time < end
+        if whole:
+            assert segments[-1].end_time.contains(end)
+        assert whole or radius == "9"

@@ -170,7 +170,9 @@ def test_another_midpoint_costs_its_distance() -> None:
     """The set about an exact point 2^-10 away holds the end of the solution, and hardly more."""
     moved = arb((1, -10))
     with working_bits(128):
-        step = certain(by_norms(GROWTH, exponential(40), arb(0), arb(1)))
+        quarter = Basis(arb_mat([[arb((1, -2))]]), (1,))
+        plan = NormPlan((arb(0), arb(1)), (quarter,), (arb(64),), 2, 60)
+        step = certain(norm_step(GROWTH, [exponential(40)], StateSet((arb(1),), LINE, (arb(0),)), arb(1), plan))
         end = step.solution[0](arb(1)).mid()
         for sign in (-1, 1):
             side = step.end([end + sign * moved]).enclosure()[0]

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import random
 from pathlib import Path
+from typing import Any
 
 import pytest
 from flint import arb, fmpq
@@ -16,7 +17,7 @@ from hypothesis import strategies as st
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Constant, Expression, Variable
 from gspot_verified.scenes.certified_integration import integrated_run
-from gspot_verified.scenes.certified_phase import CertifiedPhase, Open, PhaseEnd
+from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase, Open, PhaseEnd
 from gspot_verified.scenes.file import load_scene
 from gspot_verified.scenes.run import OPEN
 from gspot_verified.scenes.scaled_system import PhaseEvent, ScaledSystem
@@ -159,7 +160,9 @@ def test_a_time_that_is_a_wide_ball() -> None:
         assert name_of(ended({"event": above(cosine("1.06"))}, time)) is None
         assert name_of(ended({"event": above(cosine("0.9"))}, time)) == "event"
         for time in (arb(0), arb(-1), arb(0, 1), arb("nan")):
-            assert isinstance(ended({"event": above(fmpq(1, 2))}, time), Open)
+            found = ended({"event": above(fmpq(1, 2))}, time)
+            assert isinstance(found, Open)
+            assert "the end of the time" in found.reason
 
 
 def cosine(time: str) -> fmpq:
@@ -244,3 +247,24 @@ def test_the_record_that_shows_most_is_kept(tmp_path: Path) -> None:
     kept = tmp_path / "journal"
     assert integrated_run(scene, bits=(96, 80), journal=kept) == many
     assert integrated_run(scene, bits=(96, 80), journal=kept) == many
+
+
+def test_no_phase_lasts_beyond_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A phase that begins at an uncertain time lasts for an uncertain time: what is left for each of its beginnings."""
+    scene = load_scene("fig-varsim1", eps="1/20", until="1")
+    run, seen = CertifiedPhase.run, []
+
+    def spied(phase: CertifiedPhase, start: dict[str, arb], time: arb, *others: Any) -> PhaseEnd | Open:
+        seen.append((start[CLOCK], time))
+        return run(phase, start, time, *others)
+
+    monkeypatch.setattr(CertifiedPhase, "run", spied)
+    assert [event.name for event in integrated_run(scene, bits=(128,)).events] == ["lift-off"]
+    assert len(seen) == 2
+    with working_bits(256):
+        for began, time in seen:
+            left = arb(scene.until / scene.epsilon) - began
+            assert time.contains(left.lower())
+            assert time.contains(left.upper())
+            assert time.lower() <= left.lower()
+    assert seen[1][0].rad() > 0
