@@ -13,6 +13,7 @@ from random import Random
 from attack.answers import AGREED, Answer, Attack, undecided, wrong
 from attack.balls_as_numbers import to_fraction
 from attack.reference_motion import Model, Motion, Unsure, moved
+from attack.reference_series import BITS
 
 from gspot_verified import Outcome
 from gspot_verified.scenes.certified_run import certified_run
@@ -26,6 +27,7 @@ DEFAULTS = {
 }  # fmt: skip
 _STATES = ("p", "b", "Y", "V", "Z", "u")
 _LONGEST = 80
+_CHANGES = ("lift-off", "touch-down", "stick", "slip forwards", "slip backwards")
 
 
 @dataclass(frozen=True)
@@ -145,7 +147,7 @@ def _plain(first: Question, pick: float, near: Fraction) -> Question:  # noqa: A
     return first
 
 
-def _short(value: Fraction, places: int = 60) -> Fraction:
+def _short(value: Fraction, places: int = 30) -> Fraction:
     return Fraction(round(value * 10**places), 10**places)
 
 
@@ -203,7 +205,7 @@ def _compared(asked: Question, found: SceneRun, motion: Motion) -> Answer:
     shown = f"{found}\n  reference: {[(name, float(T * asked.epsilon)) for name, T in motion.events]}"
     if found.verdict.outcome is Outcome.REFUTED:
         return _left_out(asked, motion, shown)
-    own = [event for event in found.events if event.name != IMPACT]
+    own = [event for event in found.events if event.name in _CHANGES]
     for event, (name, time) in zip(own, motion.events, strict=False):
         if event.name != name:
             return wrong(f"{event.name} where the reference has {name}\n{shown}")
@@ -224,7 +226,7 @@ def _compared(asked: Question, found: SceneRun, motion: Motion) -> Answer:
     return AGREED if proved else undecided(f"{found.verdict.reason}: {found.verdict.detail.split('(t =')[0][:60]}")
 
 
-_OFF = Fraction(1, 10**30)
+_OFF = Fraction(1, 10**40)
 
 
 def _left_out(asked: Question, motion: Motion, shown: str) -> Answer:
@@ -236,7 +238,7 @@ def _left_out(asked: Question, motion: Motion, shown: str) -> Answer:
 
 
 def _some_states(motion: Motion) -> list[list[Fraction]]:
-    step = Fraction(motion.end, 1 << 256) / 200
+    step = Fraction(motion.end, 1 << BITS) / 200
     return [motion.at(k * step)[1] for k in range(201)]
 
 
@@ -251,7 +253,7 @@ def _trajectory(found: SceneRun, motion: Motion, epsilon: Fraction) -> str:
         if spread is None or not spread[row] < 1e-14:
             continue
         time = Fraction(times[row]) / epsilon
-        if time > Fraction(motion.end, 1 << 256):
+        if time > Fraction(motion.end, 1 << BITS):
             break
         phase, states = motion.at(time)
         if phase != found.samples.phases[row]:
@@ -278,10 +280,10 @@ def _growth(asked: Question, found: SceneRun, motion: Motion) -> str:
         if event.name != IMPACT:
             continue
         begin = to_fraction(event.upper) / asked.epsilon
-        if begin >= Fraction(motion.end, 1 << 256):
+        if begin >= Fraction(motion.end, 1 << BITS):
             continue
         later = [T for _, T in motion.events if begin < T]
-        end = min([*later, Fraction(motion.end, 1 << 256), begin + 20])
+        end = min([*later, Fraction(motion.end, 1 << BITS), begin + 20])
         forces = [states[4] - states[2] for k in range(21) for states in [motion.at(begin + (end - begin) * k / 21)[1]]]
         limited = "-fold" in str(found.verdict) or "times as large" in str(found.verdict)
         if not limited and any(after <= before for before, after in pairwise(forces)):

@@ -14,8 +14,8 @@ from attack.reference_series import BITS, Series, fixed, good_step, number, seri
 
 SLIP, STICK, REVERSE, FLIGHT = "slip", "stick", "reverse slip", "flight"
 _POINTS = 24
-_TINY = 1 << (BITS - 120)
-"""Below 2^-120 a number is taken for 0: the method's own error is far below."""
+_TINY = 1 << (BITS - 140)
+"""Below 2^-140 a number is taken for 0: the method's own error is far below."""
 
 
 class Unsure(Exception):
@@ -86,6 +86,8 @@ def moved(
         shown, phase, following = after(phase, name, reached)
         found.events.append((shown, number(now)))
         states, fresh = [fixed(x) for x in following], True
+    if any(abs(fixed(time) - end) < _TINY for _, time in found.events):
+        raise Unsure("an event at the end of the time")
     found.end = now
     return found
 

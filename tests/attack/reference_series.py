@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
-BITS = 256
+BITS = 288
 """Bits after the point; a product is rounded down to them."""
-ORDER = 36
-_GOAL = -150
+ORDER = 44
+_GOAL = -200
 
 
 def _nothing(_: int) -> int:
@@ -106,7 +106,7 @@ def slope(of: Series, time: int) -> int:
 
 
 def good_step(states: Sequence[Series], largest: int) -> int:
-    """A step after which the last terms are below 2^-150 of the states or of 1."""
+    """A step after which the last terms are below 2^-200 of the states or of 1."""
     step = largest
     for state in states:
         size = max(abs(state[0]), 1 << BITS).bit_length()
