@@ -348,6 +348,21 @@ def test_what_is_true_is_proved_in_any_environment(
     assert "1 theorems proved" in small.state()
 
 
+@pytest.mark.slow
+@WITHOUT_COQ
+def test_the_kernel_checker_on_a_small_development(small: ModuleType) -> None:
+    """Without axioms it is accepted; what the kernel takes on trust is not, even if nothing else is asked."""
+    names, folder = list(small.read_sources()), small.BUILD
+    small.compile_all(small.read_sources(), folder, 1)
+    small.check_kernel(folder)
+    write(small, FALSE | GUARD)
+    shutil.rmtree(folder)
+    folder.mkdir()
+    small.compile_all({name: (small.HERE / name).read_bytes() for name in names}, folder, 1)
+    with pytest.raises(RuntimeError, match="coqchk does not accept the proofs"):
+        small.check_kernel(folder)
+
+
 BELIEVED_TOO_MUCH = {
     "recursion without end": (FALSE | GUARD, "is assumed to be guarded"),
     "a variable outside of a section": (

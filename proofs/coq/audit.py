@@ -62,5 +62,5 @@ def check_kernel(folder: Path) -> None:
     """
     command = ["coqchk", "-silent", "-o", "-bytecode-compiler", "yes", "-R", ".", LIBRARY, f"{LIBRARY}.Theorems"]
     done = run(command, folder, KERNEL_LIMIT)
-    if done.returncode or not kernel_accepts(done.stdout):
+    if done.returncode or not kernel_accepts(done.stdout + done.stderr):
         raise Refused(f"coqchk does not accept the proofs:\n{done.stdout}{done.stderr}")
