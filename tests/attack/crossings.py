@@ -14,7 +14,7 @@ from flint import arb
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.derivative import plus, times
 from gspot_verified.expansion.expressions import Constant, Expression, Variable
-from gspot_verified.integrator.event import Crossing, Watch
+from gspot_verified.integrator.event import Crossing, Moment, Watch
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.integrate import Run
 from gspot_verified.integrator.norm_run import NormRun
@@ -68,7 +68,7 @@ def _judged(
             found = watch.along(segment)
             if found is not None:
                 break
-            passed = segment.time + segment.step.h if watch.excluded(segment) else passed
+            passed = segment.time + segment.step.h if watch.excluded(Moment(segment, arb(1))) else passed
     with mpmath.workdps(60):
         if isinstance(found, Crossing):
             return _crossing(found, speed, pull, tilt, starts)
