@@ -94,6 +94,16 @@ def _g(speed: Fraction, pull: Fraction, tilt: Fraction, start: list[Fraction], t
     return s + tilt.numerator * y / tilt.denominator
 
 
+def _zero(
+    speed: Fraction, pull: Fraction, tilt: Fraction, start: list[Fraction], low: mpmath.mpf, high: mpmath.mpf
+) -> mpmath.mpf:
+    """By bisection."""
+    for _ in range(220):
+        middle = (low + high) / 2
+        low, high = (low, middle) if _g(speed, pull, tilt, start, middle) > 0 else (middle, high)
+    return low
+
+
 def _crossing(found: Crossing, speed: Fraction, pull: Fraction, tilt: Fraction, starts: list[list[Fraction]]) -> Answer:
     middle, radius = exactly(found.time.mid()), exactly(found.time.rad())
     low, high = middle - radius, middle + radius
@@ -102,8 +112,10 @@ def _crossing(found: Crossing, speed: Fraction, pull: Fraction, tilt: Fraction, 
             return wrong(f"no crossing in the bracket {found.time} from {start}")
         if any(_g(speed, pull, tilt, start, low * k / 400) > _OFF for k in range(400)):
             return wrong(f"a crossing before the bracket {found.time} from {start}")
-        for k in range(21):
-            time = low + (high - low) * k / 20
+        # The box is that of the moments from begin to end, whose times are balls: the zero, and what lies between.
+        first, last = exactly(found.begin.time.upper()), exactly(found.end.time.lower())
+        between = [first + (last - first) * k / 20 for k in range(21)] if first < last else []
+        for time in [_zero(speed, pull, tilt, start, low, high), *between]:
             for name, ball, state in zip("xys", found.states, _states(speed, pull, start, time), strict=True):
                 if not holds(ball, state, _OFF):
                     shown = (
