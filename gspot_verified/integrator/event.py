@@ -12,7 +12,7 @@ from typing import Protocol
 
 from flint import arb
 
-from gspot_verified.balls import current_bits
+from gspot_verified.balls import current_bits, hull
 from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.derivative import lie_derivative
 from gspot_verified.expansion.expressions import Expression
@@ -82,7 +82,7 @@ class Crossing:
     @property
     def time(self) -> arb:
         """The time of the zero."""
-        return self.begin.time.union(self.end.time)
+        return hull((self.begin.time, self.end.time))
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,7 +108,7 @@ class _Piece:
         return Moment(self.segment, self.right)
 
     def box(self) -> list[arb]:
-        return self.segment.states(self.left.union(self.right))
+        return self.segment.states(hull((self.left, self.right)))
 
 
 class Kind(Enum):
@@ -205,10 +205,10 @@ class Watch:
         parts[0] = replace(parts[0], left=left)
         parts[-1] = replace(parts[-1], right=right)
         boxes = [part.box() for part in parts]
-        rate = _hull([self._program.mean_values(box)[1] for box in boxes])
+        rate = hull(self._program.mean_values(box)[1] for box in boxes)
         if not rate > 0:
             return Unclear(self.name, parts[0].begin.time)
-        states = tuple(_hull(sides) for sides in zip(*boxes, strict=True))
+        states = tuple(hull(sides) for sides in zip(*boxes, strict=True))
         return Crossing(self.name, parts[0].begin, parts[-1].end, states, rate)
 
     def _last(self, piece: _Piece, left: arb, right: arb, sign: int) -> arb:
@@ -239,11 +239,3 @@ def rivals(hit: Crossing, watches: Sequence[Watch], found: Sequence[Crossing | U
     """The names of the other functions that may have a zero up to the end of a crossing."""
     pairs = zip(watches, found, strict=True)
     return [watch.name for watch, other in pairs if other is not hit and not watch.excluded(hit.end)]
-
-
-def _hull(parts: Sequence[arb]) -> arb:
-    """A ball around all parts."""
-    hull = parts[0]
-    for part in parts[1:]:
-        hull = hull.union(part)
-    return hull
