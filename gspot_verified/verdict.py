@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import enum
 import html
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar, NoReturn
+
+from gspot_verified.evidence import Evidence, argued
 
 if TYPE_CHECKING:
     from gspot_verified.dyadic import Dyadic
@@ -62,14 +64,16 @@ _EXIT_CODES = {Outcome.PROVED: 0, Outcome.REFUTED: 1, Outcome.UNDECIDED: 2}
 class Verdict:
     """The outcome for one statement.
 
-    ``witness`` says where a refuted statement fails, ``reason`` why an undecided one is open, ``remaining`` which
-    boxes (tuples of intervals) are left.
+    ``evidence`` is what was compared for a proved one; ``witness`` says where a refuted statement fails, ``reason`` why
+    an undecided one is open, ``remaining`` which boxes (tuples of intervals) are left.
 
-    :raises ValueError: refuted without a witness, or undecided without a reason.
+    :raises ValueError: proved without evidence, refuted without a witness, or undecided without a reason.
 
-    >>> str(Verdict.proved("1 < 2"))
-    'proved: 1 < 2'
-    >>> bool(Verdict.proved("1 < 2"))
+    >>> from gspot_verified.evidence import less
+    >>> found = Verdict.proved("1 < 2", less(1, 2))
+    >>> str(found), str(found.evidence)
+    ('proved: 1 < 2', '1 < 2')
+    >>> bool(found)
     Traceback (most recent call last):
     ...
     TypeError: a verdict has three outcomes; compare .outcome with Outcome.PROVED, REFUTED or UNDECIDED
@@ -81,17 +85,28 @@ class Verdict:
     reason: Reason | None = None
     detail: str = ""
     remaining: tuple[tuple[Dyadic, ...], ...] = ()
+    evidence: Evidence | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
+        if self.outcome is Outcome.PROVED and not isinstance(self.evidence, Evidence):
+            raise ValueError("a proved statement needs evidence: values that were compared (gspot_verified.evidence)")
         if self.outcome is Outcome.REFUTED and not self.witness:
             raise ValueError("a refuted statement needs a witness")
         if self.outcome is Outcome.UNDECIDED and self.reason is None:
             raise ValueError("an undecided statement needs a reason")
 
     @classmethod
-    def proved(cls, statement: str, detail: str = "") -> Verdict:
-        """The statement holds."""
-        return cls(Outcome.PROVED, statement, detail=detail)
+    def proved(cls, statement: str, evidence: Evidence | None, detail: str = "") -> Verdict:
+        """The statement holds by the evidence.
+
+        :raises ValueError: there is none.
+        """
+        return cls(Outcome.PROVED, statement, detail=detail, evidence=evidence)
+
+    @classmethod
+    def argued(cls, statement: str, detail: str = "") -> Verdict:
+        """The statement holds by the program around the call, and not by values: where tests/rigour allows that."""
+        return cls(Outcome.PROVED, statement, detail=detail, evidence=argued(statement))
 
     @classmethod
     def refuted(cls, statement: str, witness: str, detail: str = "") -> Verdict:

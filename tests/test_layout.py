@@ -31,7 +31,7 @@ ROWS = (
     ("certificates",),
     ("signs",),
     ("theta_function",),
-    ("balls", "dyadic", "verdict"),
+    ("balls", "dyadic", "evidence", "verdict"),
 )
 ROW_OF = {unit: row for row, units in enumerate(ROWS) for unit in units}
 GROUND = len(ROWS) - 1

@@ -5,19 +5,23 @@ from __future__ import annotations
 import dataclasses
 import json
 import pickle
+from typing import Any
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from gspot_verified.dyadic import Dyadic
+from gspot_verified.evidence import less
 from gspot_verified.verdict import Outcome, Reason, Verdict
 
 BOXES = ((Dyadic(-1, 3, -2), Dyadic(5, 5)), (Dyadic(0, 1, 0), Dyadic(1, 2, 70)))
 
+ONE_TWO = less(1, 2)
+
 VERDICTS = (
-    Verdict.proved("a < b"),
-    Verdict.proved("a < b", "by balls"),
+    Verdict.proved("a < b", ONE_TWO),
+    Verdict.proved("a < b", ONE_TWO, "by balls"),
     Verdict.refuted("a < b", "a = 2, b = 1"),
     Verdict.refuted("a < b", "a = 2, b = 1", "two derivations"),
     *(Verdict.undecided("a < b", reason, "so far", BOXES) for reason in Reason),
@@ -47,6 +51,23 @@ def test_refuted_needs_a_witness(witness: str | None) -> None:
         Verdict.refuted("a < b", witness)  # type: ignore[arg-type]
 
 
+@pytest.mark.parametrize("evidence", [None, "a < b", True, 1])
+def test_proved_needs_evidence(evidence: Any) -> None:
+    with pytest.raises(ValueError, match="evidence"):
+        Verdict(Outcome.PROVED, "a < b", evidence=evidence)
+    with pytest.raises(ValueError, match="evidence"):
+        Verdict.proved("a < b", evidence)
+    with pytest.raises(ValueError, match="evidence"):
+        dataclasses.replace(Verdict.undecided("a < b", Reason.BUDGET), outcome=Outcome.PROVED)
+
+
+def test_the_evidence_of_a_verdict() -> None:
+    assert str(Verdict.proved("a < b", ONE_TWO).evidence) == "1 < 2"
+    assert str(pickle.loads(pickle.dumps(Verdict.proved("a < b", ONE_TWO))).evidence) == "1 < 2"
+    assert str(Verdict.argued("a < b").evidence) == "argued: a < b"
+    assert Verdict.refuted("a < b", "a = 2").evidence is None
+
+
 def test_undecided_needs_a_reason() -> None:
     with pytest.raises(ValueError, match="reason"):
         Verdict(Outcome.UNDECIDED, "a < b")
@@ -56,13 +77,13 @@ def test_undecided_needs_a_reason() -> None:
 
 def test_no_route_around_the_checks() -> None:
     with pytest.raises(ValueError, match="witness"):
-        dataclasses.replace(Verdict.proved("a < b"), outcome=Outcome.REFUTED)
+        dataclasses.replace(Verdict.proved("a < b", ONE_TWO), outcome=Outcome.REFUTED)
     with pytest.raises(ValueError, match="reason"):
-        dataclasses.replace(Verdict.proved("a < b"), outcome=Outcome.UNDECIDED)
+        dataclasses.replace(Verdict.proved("a < b", ONE_TWO), outcome=Outcome.UNDECIDED)
 
 
 def test_exit_codes() -> None:
-    assert Verdict.proved("s").exit_code == 0
+    assert Verdict.proved("s", ONE_TWO).exit_code == 0
     assert Verdict.refuted("s", "w").exit_code == 1
     assert {Verdict.undecided("s", reason).exit_code for reason in Reason} == {2}
     assert len({verdict.exit_code for verdict in VERDICTS}) == 3
@@ -105,6 +126,7 @@ def test_json_round_trip(verdict: Verdict) -> None:
         Reason[data["reason"].upper()] if data["reason"] else None,
         data["detail"],
         tuple(tuple(Dyadic.parse(side) for side in box) for box in data["remaining"]),
+        verdict.evidence,  # it is no part of the text
     )
     assert rebuilt == verdict
 
@@ -138,7 +160,7 @@ def test_text_says_everything() -> None:
     assert "half way" in text
     assert "2 box(es) left" in text
     assert "proved" not in text
-    assert str(Verdict.proved("a < b")) == "proved: a < b"
+    assert str(Verdict.proved("a < b", ONE_TWO)) == "proved: a < b"
 
 
 def test_html_is_escaped() -> None:

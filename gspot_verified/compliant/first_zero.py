@@ -79,7 +79,7 @@ def contact_lasts(model: CompliantModel, state: CompliantState, until: ExactInpu
         raise ValueError(f"until: {end} is before the initial state")
     text = f"in the compliant model, from this initial state, λ_N > 0 up to t = {end}"
     if _lasts(motion, -model.alpha_1 * end / model.scaled_epsilon, budget):
-        return Verdict.proved(text)
+        return Verdict.argued(text)
     if not motion.state.p > 0:
         detail = f"not shown by the power series within its budget of {budget} (its work, rate times time)"
         return Verdict.undecided(text, Reason.BUDGET, detail)
@@ -159,7 +159,7 @@ def _by_force_range(motion: ContactMotion, start: fmpq, text: str, digits: int, 
         lower, upper = _outward(bracket[0] * second, bracket[1] * second)
         if not (before * second <= lower and upper <= after * second):
             return None
-        return FirstZero(model, start, Verdict.proved(text, "λ_N > 0 before it, dλ_N/dt < 0 at it"), lower, upper)
+        return FirstZero(model, start, Verdict.argued(text, "λ_N > 0 before it, dλ_N/dt < 0 at it"), lower, upper)
     return None
 
 
@@ -174,7 +174,7 @@ def _by_series(motion: ContactMotion, start: fmpq, text: str, digits: int, budge
         return None
     second = model.scaled_epsilon / -model.alpha_1
     lower, upper = _outward(start + bracket[0] * second, start + bracket[1] * second)
-    proved = Verdict.proved(text, "λ_N > 0 before it, dλ_N/dt < 0 at it")
+    proved = Verdict.argued(text, "λ_N > 0 before it, dλ_N/dt < 0 at it")
     return FirstZero(model, start, proved, max(lower, start), upper)
 
 

@@ -10,6 +10,9 @@ from dataclasses import dataclass
 from flint import arb, fmpq
 
 from gspot_verified.compliant.flight import ContactState
+from gspot_verified.evidence import Evidence, at_most, every, less, theorem
+
+_PAGE = "proofs/flight.md"
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,38 +41,39 @@ def excess(state: ContactState) -> fmpq:
     return state.epsilon * (state.beta - 1)
 
 
-def in_monotone_set(state: ContactState) -> bool:
+def in_monotone_set(state: ContactState) -> Evidence | None:
     """Theorem F2 of the page, beta <= 1: everything has one sign."""
     x = slopes(state)
-    signs = _not_negative(x.q, x.force, x.W, x.G) and x.D > 0
-    return bool(excess(state) <= 0 and state.pull >= 0 and signs)
+    signs = _not_negative(x.q, x.force, x.W, x.G)
+    return theorem(_PAGE, at_most(excess(state), 0), at_most(0, state.pull), signs, less(0, x.D))
 
 
-def in_fast_set(state: ContactState, a: fmpq) -> bool:
+def in_fast_set(state: ContactState, a: fmpq) -> Evidence | None:
     """Theorem F3 of the page: q >= kappa/a + 2a + a^2, and lambda grows at least like e^(aT)."""
     kappa = excess(state)
-    if not (a > 0 and kappa > 0 and state.pull >= 0):
-        return False
+    if a <= 0:
+        return None
     x = slopes(state)
-    wide = x.q >= kappa / a + 2 * a + a * a
+    wide = at_most(kappa / a + 2 * a + a * a, x.q)
     signs = _not_negative(x.force, x.W, x.G, x.D - a * x.force, x.S - a * (2 + a) * x.force)
-    return bool(wide and signs and (x.force > 0 or x.D > 0))
+    return theorem(_PAGE, less(0, kappa), at_most(0, state.pull), wide, signs, less(0, x.force) or less(0, x.D))
 
 
-def in_slow_set(state: ContactState, a: fmpq, c: fmpq) -> bool:
+def in_slow_set(state: ContactState, a: fmpq, c: fmpq) -> Evidence | None:
     """Theorem F4 of the page: the set that holds until q is large enough for the fast set, and leads into it."""
     kappa = excess(state)
-    if not (0 < a < 1 and c > 0 and kappa > 0 and state.pull >= 0):
-        return False
+    if a <= 0:
+        return None
     x = slopes(state)
     last = kappa / a + 2 * a + a * a
-    signs = _not_negative(x.force, x.W) and x.S > 0
+    numbers = every([less(a, 1), less(0, c), less(0, kappa), at_most(0, state.pull)])
+    signs = every([less(0, x.q), less(0, x.S), _not_negative(x.force, x.W)])
     order = _not_negative(x.D - a * x.force, x.S - a * (x.D + 2 * x.force), x.G - a * x.S, x.D - c * x.S)
-    turning = (1 - a) * c * (x.q - kappa / a) >= a * a
-    lag = (1 - 3 * c - c * c * last) * x.S >= arb(c * state.pull)
-    return bool(x.q > 0 and signs and order and turning and lag)
+    turning = at_most(a * a, (1 - a) * c * (x.q - kappa / a))
+    lag = at_most(arb(c * state.pull), (1 - 3 * c - c * c * last) * x.S)
+    return theorem(_PAGE, numbers, signs, order, turning, lag)
 
 
-def _not_negative(*values: arb) -> bool:
-    """Whether every number in every ball is >= 0; a ball without information is not."""
-    return all(value >= 0 for value in values)
+def _not_negative(*values: arb) -> Evidence | None:
+    """That every number in every ball is >= 0; None for a ball without information."""
+    return every(at_most(0, value) for value in values)

@@ -13,12 +13,13 @@ from gspot_verified.compliant.profile import SLOW, in_range
 from gspot_verified.compliant.slow_lift_off import SlowLiftOff, slow_lift_off
 from gspot_verified.compliant.slow_manifold import ABOVE, SlowManifold, impact
 from gspot_verified.compliant.threshold import MAX_BETA_OF_THEOREM
+from gspot_verified.evidence import less, theorem
 from gspot_verified.signs.contact_force import rational
 from gspot_verified.signs.iwc import CAVEAT, IwcResult, force_statement
 from gspot_verified.signs.iwc import iwc as leading_order
 from gspot_verified.signs.iwc_over_balls import FOR_ALL, IwcOverBalls
 from gspot_verified.signs.iwc_over_balls import iwc_over_balls as leading_order_over_balls
-from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Verdict
+from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Verdict
 
 BALLS_CAVEAT = f"{CAVEAT}; the bounds for the compliant model are made for one rational β, and the alphas are balls"
 
@@ -132,12 +133,14 @@ def iwc_over_balls(
         alpha_1, alpha_2, alpha_3, c1=c1, tau_start=tau_start, epsilon=epsilon, digits=digits
     )
     force = leading.force
-    covered = force is not None and force.takes_impact and force.beta < MAX_BETA_OF_THEOREM
-    if not covered or leading.verdict.outcome is not Outcome.PROVED:
+    if force is None or not force.takes_impact:
+        return CompliantIwc(leading)
+    above = theorem("proofs/monotone.md", less(force.beta, MAX_BETA_OF_THEOREM), leading.verdict.evidence)
+    if above is None:
         return CompliantIwc(leading)
     everywhere = leading.every_epsilon and leading.whole_line
     start = None if everywhere else leading.start
     at = None if epsilon is None else rational(epsilon, "epsilon")
     bound = None if leading.every_epsilon else leading.epsilon_0
     text = force_statement(start, at, bound, f"{SLOW}, {FOR_ALL}")
-    return CompliantIwc(leading, SlowManifold(Verdict.proved(text, ABOVE), start, leading.whole_line))
+    return CompliantIwc(leading, SlowManifold(Verdict.proved(text, above, ABOVE), start, leading.whole_line))

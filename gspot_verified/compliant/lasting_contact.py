@@ -5,10 +5,11 @@ Proof page: ``proofs/flight.md``, section 3.
 
 from __future__ import annotations
 
-from gspot_verified.balls import ball_text, working_bits
+from gspot_verified.balls import approximate, ball_text, working_bits
 from gspot_verified.compliant.flight import ContactState
 from gspot_verified.compliant.growth_choice import LAGS, growth_rates
 from gspot_verified.compliant.growth_set import in_fast_set, in_monotone_set, in_slow_set
+from gspot_verified.evidence import every, less
 from gspot_verified.verdict import Reason, Verdict
 
 TEXT = "the contact lasts for ever, λ and −v grow without bound: an impact without collision"
@@ -20,15 +21,17 @@ def lasting_contact(state: ContactState, bits: int = 128) -> Verdict:
     Undecided says nothing about the contact: the sets are sufficient, not necessary.
     """
     with working_bits(bits):
-        if not state.p < 0:
+        beyond = less(state.p, 0)
+        if beyond is None:
             return Verdict.undecided(TEXT, Reason.HYPOTHESIS, f"p = {ball_text(state.p)} < 0 is not certain")
-        if in_monotone_set(state):
-            return Verdict.proved(TEXT, "every derivative of λ in question has one sign (β < 1)")
+        if (inside := in_monotone_set(state)) is not None:
+            detail = "every derivative of λ in question has one sign (β < 1)"
+            return Verdict.proved(TEXT, every([beyond, inside]), detail)
         for rate in growth_rates(state):
-            if in_fast_set(state, rate):
-                return Verdict.proved(TEXT, f"invariant set with rate a = {float(rate.p) / float(rate.q):.4g}")
+            shown = f"a = {approximate(rate):.4g}"
+            if (inside := in_fast_set(state, rate)) is not None:
+                return Verdict.proved(TEXT, every([beyond, inside]), f"invariant set with rate {shown}")
             for lag in LAGS:
-                if in_slow_set(state, rate, lag):
-                    shown = f"a = {float(rate.p) / float(rate.q):.4g}, c = {lag}"
-                    return Verdict.proved(TEXT, f"invariant set with {shown}")
+                if (inside := in_slow_set(state, rate, lag)) is not None:
+                    return Verdict.proved(TEXT, every([beyond, inside]), f"invariant set with {shown}, c = {lag}")
         return Verdict.undecided(TEXT, Reason.HYPOTHESIS, "the state was found in none of the invariant sets")

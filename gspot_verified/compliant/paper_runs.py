@@ -23,6 +23,7 @@ from gspot_verified.compliant.fast_path_bound import decaying_bounds, oscillatin
 from gspot_verified.compliant.grid import scale
 from gspot_verified.compliant.late_bound import late_bounds
 from gspot_verified.compliant.slow_solution import slow_value
+from gspot_verified.evidence import equal, every, less
 from gspot_verified.theta_function.evaluate import evaluate
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
 
@@ -86,21 +87,21 @@ def paper_run(beta: fmpq, nu: fmpq) -> PaperRun:
     """
     if not (0 < beta < 3 and beta.q > 1 and nu > 0):
         raise ValueError(f"beta, nu: expected a beta in (0, 3) that is no integer and nu > 0, got {beta}, {nu}")
-    if beta > 1 and nu == 1:
+    if (trivial := every([less(1, beta), equal(nu, 1)])) is not None:
         return PaperRun(
             beta,
             nu,
             "trivial",
             None,
-            Verdict.proved(f"β = {beta}, ν = 1: λ_N is the mean force for ever, at every ε > 0"),
+            Verdict.proved(f"β = {beta}, ν = 1: λ_N is the mean force for ever, at every ε > 0", trivial),
         )
     fate = fate_by_side(beta, nu)
     for largest in CANDIDATES:
         margin = margin_up_to(beta, nu, largest)
-        if margin is not None and margin > 0:
+        if margin is not None and (positive := less(0, margin)) is not None:
             text = f"in the compliant model, β = {beta}, ν = {nu}, every ε in (0, {largest}]: {_FATES[fate]}"
             detail = f"λ_N is at least {ball_text(margin, 5)} times |mean force| {_WHERE[fate]}"
-            return PaperRun(beta, nu, fate, largest, Verdict.proved(text, detail), margin)
+            return PaperRun(beta, nu, fate, largest, Verdict.proved(text, positive, detail), margin)
     text = f"in the compliant model, β = {beta}, ν = {nu}, some ε0: {_FATES[fate]}"
     return PaperRun(beta, nu, fate, None, Verdict.undecided(text, Reason.BUDGET, "no ε0 >= 1/1000 was found"))
 

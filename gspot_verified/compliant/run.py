@@ -25,6 +25,7 @@ from gspot_verified.compliant.side_rule import side_rule
 from gspot_verified.compliant.touch_down import flight_end
 from gspot_verified.compliant.zero_by_series import MOST_WORK
 from gspot_verified.dyadic import Dyadic
+from gspot_verified.evidence import Evidence, equal, every, less, theorem
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
 
 MAX_DIGITS = 80
@@ -122,8 +123,8 @@ def compliant_run(model: CompliantModel, state: CompliantState, digits: int = 15
         raise ValueError(f"digits must lie in 1..{MAX_DIGITS}, got {digits}")
     if type(budget) is not int or not 1 <= budget <= MAX_WORK:
         raise ValueError(f"budget must be an int and lie in 1..{MAX_WORK}, got {budget}")
-    if _trivial(model, state):
-        return Run(model, state, (), Verdict.proved(TRIVIAL, f"λ_N = {model.mean_force}; K = 0, the canard"))
+    if (trivial := _trivial(model, state)) is not None:
+        return Run(model, state, (), Verdict.proved(TRIVIAL, trivial, f"λ_N = {model.mean_force}; K = 0, the canard"))
     if not state.p > 0:
         raise ValueError(f"p: expected a state before the G-spot, p > 0, got {state.p}")
     rule = side_rule(model, state)
@@ -131,7 +132,7 @@ def compliant_run(model: CompliantModel, state: CompliantState, digits: int = 15
     if sign_of(rule.side) == 1:
         lasting = _lasting_from(model, state, digits + _SPARE_DIGITS, bits, budget)
         if lasting is not None:
-            return Run(model, state, (lasting,), Verdict.proved(IMPACT))
+            return Run(model, state, (lasting[0],), Verdict.proved(IMPACT, lasting[1]))
     zero = first_zero(model, state, digits, budget)
     if zero.lower is None or zero.upper is None:
         detail = f"neither the loss of contact nor its lasting for ever was shown: {zero.verdict.detail}"
@@ -140,23 +141,27 @@ def compliant_run(model: CompliantModel, state: CompliantState, digits: int = 15
     return _after_lift_off(model, state, zero.lower, zero.upper, bits)
 
 
-def _trivial(model: CompliantModel, state: CompliantState) -> bool:
-    """Whether the state lies on the trivial solution exactly, and its force is positive."""
+def _trivial(model: CompliantModel, state: CompliantState) -> Evidence | None:
+    """That the state lies on the trivial solution exactly, and its force is positive."""
     hats = deviation(model, state)
-    return bool(hats.b == 0 and hats.V == 0 and hats.Y == 0 and hats.Z == 0 and model.mean_force > 0)
+    return every([*(equal(hat, 0) for hat in (hats.b, hats.V, hats.Y, hats.Z)), less(0, model.mean_force)])
 
 
-def _lasting_from(model: CompliantModel, state: CompliantState, digits: int, bits: int, budget: int) -> Event | None:
+def _lasting_from(
+    model: CompliantModel, state: CompliantState, digits: int, bits: int, budget: int
+) -> tuple[Event, Evidence | None] | None:
     """The first of some times from which on the contact lasts for ever, after lambda > 0 up to it."""
     for time in later_times(model):
         there = contact_state(compliant_force(model, state, time, digits), bits)
         verdict = lasting_contact(there, bits)
         if verdict.outcome is not Outcome.PROVED:
             continue
-        if contact_lasts(model, state, time, budget).outcome is not Outcome.PROVED:
+        before = contact_lasts(model, state, time, budget)
+        if before.outcome is not Outcome.PROVED:
             return None
         strength = f"λ_N > 0 before it; from then on {verdict.detail}"
-        return Event("contact for ever from", time, time, _velocity(model, there), strength, there)
+        event = Event("contact for ever from", time, time, _velocity(model, there), strength, there)
+        return event, every([before.evidence, verdict.evidence])
     return None
 
 
@@ -173,15 +178,16 @@ def _after_lift_off(model: CompliantModel, state: CompliantState, lower: fmpq, u
     land = Event("touch-down", first, last, _velocity(model, end.state), end.verdict.statement, end.state)
     lasting = lasting_contact(end.state, bits)
     if lasting.outcome is Outcome.PROVED:
-        return Run(model, state, (lift, land), Verdict.proved(ONE_FLIGHT, lasting.detail))
+        once = theorem("proofs/flight.md", end.verdict.evidence, lasting.evidence)
+        return Run(model, state, (lift, land), Verdict.proved(ONE_FLIGHT, once, lasting.detail))
     return Run(model, state, (lift, land), _second_contact(end.state, bits))
 
 
 def _second_contact(state: ContactState, bits: int) -> Verdict:
     """What the sign of K says where the invariant sets do not apply."""
     value = side(state, bits)
-    if sign_of(value) == -1:
-        return Verdict.proved("one flight, then a contact that is lost again", f"K = {ball_text(value)} < 0")
+    if (negative := less(value, 0)) is not None:
+        return Verdict.proved("one flight, then a contact that is lost again", negative, f"K = {ball_text(value)} < 0")
     text = "the contact after the first flight"
     return Verdict.undecided(text, Reason.HYPOTHESIS, f"in none of the invariant sets; K = {ball_text(value)}")
 

@@ -18,6 +18,7 @@ from gspot_verified.compliant.normal_form import CompliantModel, CompliantState,
 from gspot_verified.compliant.side_later import side_of_deviation
 from gspot_verified.compliant.slow_coefficient import slow_coefficient
 from gspot_verified.dyadic import Dyadic
+from gspot_verified.evidence import less
 from gspot_verified.theta_function.reciprocal_gamma import reciprocal_gamma
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
 
@@ -158,9 +159,8 @@ def _negligible(state: Deviation, part: arb, bits: int) -> acb | None:
 
 
 def _verdict(side: arb) -> Verdict:
-    sign = sign_of(side)
-    if sign == -1:
-        return Verdict.proved("K < 0: contact is lost at a finite time")
-    if sign == 1:
-        return Verdict.proved("K > 0: contact may last; necessary for an impact without collision")
+    if (negative := less(side, 0)) is not None:
+        return Verdict.proved("K < 0: contact is lost at a finite time", negative)
+    if (positive := less(0, side)) is not None:
+        return Verdict.proved("K > 0: contact may last; necessary for an impact without collision", positive)
     return Verdict.undecided("the sign of K", Reason.BUDGET, f"K = {ball_text(side)}: K = 0 is the canard")

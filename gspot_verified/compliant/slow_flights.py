@@ -12,6 +12,7 @@ from flint import arb, fmpq
 from gspot_verified.balls import ExactInput, ball_text, working_bits
 from gspot_verified.compliant.grid import scale
 from gspot_verified.compliant.slow_solution import slow_value
+from gspot_verified.evidence import Evidence, at_most, every, less, theorem
 from gspot_verified.signs.contact_force import rational
 from gspot_verified.theta_function.evaluate import evaluate
 from gspot_verified.verdict import Reason, Verdict
@@ -54,21 +55,23 @@ def one_flight(beta: ExactInput, largest: ExactInput, tau: ExactInput, latest: E
         f"τ_lo >= {place}, t_lo <= {time}, makes exactly one flight and then takes an impact without collision"
     )
     with working_bits(_BITS):
-        if not _in_range(power, small, place, time):
+        in_range = _in_range(power, small, place, time)
+        if in_range is None:
             return Verdict.undecided(text, Reason.HYPOTHESIS, "the bounds (6) on q_l and kappa do not hold")
         margin = _least_margin(power, place, _moments(power, small, place))
-        if not margin > 0:
+        holds = theorem("proofs/flight.md", in_range, less(0, margin))
+        if holds is None:
             return Verdict.undecided(
                 text, Reason.HYPOTHESIS, f"the inequalities (7): least margin {ball_text(margin, 5)}"
             )
-        return Verdict.proved(text, f"least margin of the inequalities (7): {ball_text(margin, 5)}")
+        return Verdict.proved(text, holds, f"least margin of the inequalities (7): {ball_text(margin, 5)}")
 
 
-def _in_range(beta: fmpq, largest: fmpq, tau: fmpq, latest: fmpq) -> bool:
+def _in_range(beta: fmpq, largest: fmpq, tau: fmpq, latest: fmpq) -> Evidence | None:
     """(6): monotone in kappa and q_l, so at the largest ones; q_l >= 4 kappa^(2/3) is tau^3 >= 32 (beta - 1)^2."""
     kappa, end = arb(largest * (beta - 1)), arb(latest)
     total = 6 * _Q * _Q * end + (12 * _Q * kappa * end.sqrt()).sqrt() + 2 * kappa
-    return bool(tau**3 >= 32 * (beta - 1) ** 2 and kappa <= fmpq(27, 64) and total <= 4)
+    return every([at_most(32 * (beta - 1) ** 2, tau**3), at_most(kappa, fmpq(27, 64)), at_most(total, 4)])
 
 
 def _moments(beta: fmpq, largest: fmpq, tau: fmpq) -> _Moments:

@@ -106,7 +106,7 @@ def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: in
         return _open(epsilon, start, text, "a value of λ_N is too close to 0, or nothing was found")
     lower, upper = crossing.lower, crossing.upper
     text = f"{where}, λ_N > 0 on [{start}, τ_lo) and λ_N changes sign at τ_lo, τ_lo in ({decimal_text(lower, upper)})"
-    proved = Verdict.proved(text)
+    proved = Verdict.argued(text)
     whole = positive_to_the_left(force, profile, start)
     if leading.verdict.outcome is not Outcome.PROVED or leading.lower is None or leading.upper is None:
         return SlowLiftOff(epsilon, start, lower, upper, None, None, whole, proved, None)
@@ -114,7 +114,7 @@ def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: in
     kappa = None if constant is None or not constant.is_finite() else rounded_up(constant, _CONSTANT_DIGITS)
     return SlowLiftOff(
         epsilon, start, lower, upper, lead(profile, lower, upper), kappa, whole, proved,
-        None if kappa is None else Verdict.proved(_for_all(epsilon, start, kappa)),
+        None if kappa is None else Verdict.argued(_for_all(epsilon, start, kappa)),
     )  # fmt: skip
 
 

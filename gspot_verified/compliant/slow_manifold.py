@@ -17,6 +17,7 @@ from gspot_verified.compliant.profile import SLOW, Profile, in_range
 from gspot_verified.compliant.threshold import MAX_BETA_OF_THEOREM, Threshold, exact_threshold, fails_at
 from gspot_verified.compliant.threshold_by_cells import MAX_BETA, threshold_by_cells
 from gspot_verified.compliant.to_the_left import positive_to_the_left
+from gspot_verified.evidence import Evidence, less, theorem
 from gspot_verified.signs.iwc import IwcResult, force_statement
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.refutation import refutation
@@ -103,19 +104,25 @@ def _by_cells(leading: IwcResult, digits: int) -> SlowManifold | None:
     if exact is None:
         text = f"{SLOW}, some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
         return SlowManifold(Verdict.undecided(text, Reason.BUDGET, "no cell of ε was settled"), start, False)
-    return SlowManifold(Verdict.proved(force_statement(start, None, exact.lower, SLOW), BY_CELLS), start, whole, exact)
+    return SlowManifold(Verdict.argued(force_statement(start, None, exact.lower, SLOW), BY_CELLS), start, whole, exact)
 
 
 def _below_threshold(leading: IwcResult, digits: int) -> SlowManifold:
     start = None if leading.every_epsilon and leading.whole_line else leading.start
     if leading.every_epsilon:
-        return SlowManifold(Verdict.proved(force_statement(start, None, None, SLOW), ABOVE), start, leading.whole_line)
+        verdict = Verdict.proved(force_statement(start, None, None, SLOW), _above(leading), ABOVE)
+        return SlowManifold(verdict, start, leading.whole_line)
     exact, whole = exact_epsilon_0(leading, digits)
     if exact is None:
         text = f"{SLOW}, some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
         return SlowManifold(Verdict.undecided(text, Reason.BUDGET, "none at leading order to begin with"), start, False)
-    verdict = Verdict.proved(force_statement(start, None, exact.lower, SLOW), ABOVE)
+    verdict = Verdict.argued(force_statement(start, None, exact.lower, SLOW), ABOVE)
     return SlowManifold(verdict, start, whole, exact)
+
+
+def _above(leading: IwcResult) -> Evidence | None:
+    """That Theorem C puts the force above the one at leading order, of which the statement is proved."""
+    return theorem("proofs/monotone.md", less(leading.force.beta, MAX_BETA_OF_THEOREM), leading.verdict.evidence)
 
 
 def _to_the_left(leading: IwcResult, digits: int) -> bool:
@@ -127,10 +134,10 @@ def _to_the_left(leading: IwcResult, digits: int) -> bool:
 
 def _at_epsilon(leading: IwcResult, epsilon: fmpq, digits: int) -> SlowManifold:
     force, start = leading.force, leading.start
-    if leading.verdict.outcome is Outcome.PROVED and force.beta < MAX_BETA_OF_THEOREM:
+    if (above := _above(leading)) is not None:
         everywhere = None if leading.every_epsilon and leading.whole_line else start
         text = force_statement(everywhere, epsilon, None, SLOW)
-        return SlowManifold(Verdict.proved(text, ABOVE), everywhere, leading.whole_line)
+        return SlowManifold(Verdict.proved(text, above, ABOVE), everywhere, leading.whole_line)
     text = force_statement(start, epsilon, None, SLOW)
     whole = force.beta < MAX_BETA_OF_THEOREM and _to_the_left(leading, digits)
     if not in_range(force, epsilon):
@@ -142,10 +149,9 @@ def _at_epsilon(leading: IwcResult, epsilon: fmpq, digits: int) -> SlowManifold:
         with working_bits(4 * digits + 64):
             size = force.amplitude(digits) * arb(epsilon) ** arb(force.exponent)
             bound = force.mean + size * least.lower
-        if bound > 0:
-            return SlowManifold(
-                Verdict.proved(text, "least value by branch and bound (proofs/monotone.md)"), start, whole
-            )
+        if (positive := less(0, bound)) is not None:
+            verdict = Verdict.proved(text, positive, "least value by branch and bound (proofs/monotone.md)")
+            return SlowManifold(verdict, start, whole)
         asked = {"τ": Range(start, None, True, False)}
         against = refutation(
             text, asked, [(least.place,)], lambda tau: "λ_N < 0" if fails_at(force, tau, epsilon, digits) else None

@@ -22,12 +22,12 @@ from gspot_verified.balls import (
     is_exact,
     relative_bits,
     shrink_to_bits,
-    sign_of,
     working_bits,
 )
 from gspot_verified.compliant.grid import scale
 from gspot_verified.compliant.routes import ROUTES, approximate_scaled
 from gspot_verified.dyadic import Dyadic
+from gspot_verified.evidence import signed
 from gspot_verified.theta_function.routes import shifted_parameter
 from gspot_verified.verdict import NoTruthValue, Reason, Verdict
 
@@ -62,10 +62,10 @@ class SlowValue(NoTruthValue):
     @property
     def sign(self) -> Verdict:
         """The certified sign: proved, or undecided with the reason."""
-        sign = sign_of(self.value)
-        if sign is None:
+        found = signed(self.value)
+        if found is None:
             return Verdict.undecided("the sign", self.reason or Reason.WIDE_INPUT, f"value in {self}")
-        return Verdict.proved(f"the value is {('zero', 'positive', 'negative')[sign]}")
+        return Verdict.proved(f"the value is {('zero', 'positive', 'negative')[found[0]]}", found[1])
 
     def __str__(self) -> str:
         return ball_text(self.value, self.digits)

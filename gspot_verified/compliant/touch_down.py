@@ -12,8 +12,10 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import ball_text, hull, sign_of, working_bits
 from gspot_verified.compliant.flight import ContactState, Flight
+from gspot_verified.evidence import at_most, equal, every, less, theorem
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
 
+_PAGE = "proofs/flight.md"
 _DOUBLINGS = 1_100
 _GUARD_BITS = 32
 
@@ -43,22 +45,27 @@ def flight_end(start: ContactState, bits: int) -> FlightEnd:
     with working_bits(bits + _GUARD_BITS):
         flight = Flight(start)
         rate = flight.gap_rate(arb(0))
-        if not (rate > 0 and start.Y <= 0):
+        rising = every([less(0, rate), at_most(start.Y, 0)])
+        if rising is None:
             detail = f"V + Y = {ball_text(rate)} > 0 and Y = {ball_text(start.Y)} <= 0 at lift-off are not certain"
             return FlightEnd(Verdict.undecided("the end of the flight", Reason.HYPOTHESIS, detail))
-        if start.pull <= 0 and start.b >= 0:
-            return FlightEnd(Verdict.proved("the flight never ends", "alpha_2 >= 0 and b >= 0 at lift-off"))
-        if not (start.pull > 0 or (start.pull == 0 and start.b < 0)):
+        if (away := every([at_most(start.pull, 0), at_most(0, start.b)])) is not None:
+            never = theorem(_PAGE, rising, away)
+            return FlightEnd(Verdict.proved("the flight never ends", never, "alpha_2 >= 0 and b >= 0 at lift-off"))
+        back = less(0, start.pull) or every([equal(start.pull, 0), less(start.b, 0)])
+        if back is None:
             return FlightEnd(Verdict.undecided("the end of the flight", Reason.HYPOTHESIS, "alpha_2 > 0 and b < 0"))
         bracket = _bracket(flight, bits)
         if bracket is None:
             return FlightEnd(Verdict.undecided("the bracket of the touch-down", Reason.WIDE_INPUT))
         lower, upper = bracket
         place = hull([arb(lower), arb(upper)])
-        if not flight.gap_rate(place) < 0:
+        closing = less(flight.gap_rate(place), 0)
+        if closing is None:
             return FlightEnd(Verdict.undecided("the bracket of the touch-down", Reason.WIDE_INPUT, "h' < 0 is open"))
         text = "exactly one touch-down, with h' < 0"
-        return FlightEnd(Verdict.proved(text), lower, upper, flight.landed(place))
+        once = theorem(_PAGE, rising, back, closing)
+        return FlightEnd(Verdict.proved(text, once), lower, upper, flight.landed(place))
 
 
 def _bracket(flight: Flight, bits: int) -> tuple[fmpq, fmpq] | None:

@@ -55,7 +55,7 @@ class SlowZeros(NoTruthValue):
         question = f"the number of real zeros of {SYSTEM}, β = {self.beta}, ε = {self.epsilon}"
         if self.number is None:
             return Verdict.undecided(question, Reason.BUDGET)
-        return Verdict.proved(f"{question}: {self.number}")
+        return Verdict.argued(f"{question}: {self.number}")
 
     def __str__(self) -> str:
         if self.number is None:

@@ -90,7 +90,7 @@ class ZeroMap(NoTruthValue):
             return Verdict.undecided(
                 question, Reason.BUDGET, f"{left} ranges of β are left in {len(self.rows)} rows of ε"
             )
-        return Verdict.proved(question)
+        return Verdict.argued(question)
 
     def __str__(self) -> str:
         lines = [str(self.verdict)]

@@ -147,4 +147,4 @@ def integrate(field: VectorField, box: Sequence[arb], time: arb, max_steps: int 
     if run.reason is not None or not segments:
         verdict = Verdict.undecided(statement, Reason.BUDGET, f"{run.reason}, at the time {run.time.str(10)}")
         return Integration(verdict, None, run.time, segments)
-    return Integration(Verdict.proved(statement), tuple(run.set.enclosure()), run.time, segments)
+    return Integration(Verdict.argued(statement), tuple(run.set.enclosure()), run.time, segments)

@@ -217,7 +217,7 @@ def conclude(statement: str, checks: Sequence[Check], witness: str = "") -> Verd
         open_checks = "; ".join(check.what for check in checks if check.agrees is None)
         return Verdict.undecided(statement, Reason.BUDGET, f"could not tell: {open_checks}")
     if len({check.what for check in checks}) >= 2 and settling:
-        return Verdict.proved(statement, "; ".join(check.what for check in checks))
+        return Verdict.argued(statement, "; ".join(check.what for check in checks))
     if checks and not settling:
         return Verdict.undecided(statement, Reason.POINTS, "the checks at points alone prove nothing")
     detail = "there is one check alone" if checks else "there is no check"

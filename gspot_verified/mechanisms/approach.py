@@ -207,7 +207,7 @@ class _Attempt:
         slip = last.capture.numbers.u.lower()
         self.least_slip = slip if self.least_slip is None else self.least_slip.min(slip)
         return self._made(
-            Verdict.proved("slip reaches a G-spot in finite time, with a positive contact force until then"),
+            Verdict.argued("slip reaches a G-spot in finite time, with a positive contact force until then"),
             "G-spot", last.states[-1] + last.capture.time * arb((1, -1), (1, -1)), place, case, alphas, beta,
             coefficient, side, why,
         )  # fmt: skip
@@ -256,7 +256,7 @@ class _Attempt:
         what = {"lift-off": "the contact force -b/p falls to 0 while p > 0", "stick": "slip stops while p > 0"}
         states = list(event.states)
         return self._made(
-            Verdict.proved(f"{event.name} before any G-spot: {what[event.name]}"),
+            Verdict.argued(f"{event.name} before any G-spot: {what[event.name]}"),
             event.name, states[-1], states[:-1], None, None, None, None, None, "no G-spot is reached",
         )  # fmt: skip
 

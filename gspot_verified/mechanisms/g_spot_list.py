@@ -86,9 +86,9 @@ class GSpots(NoTruthValue):
     def verdict(self) -> Verdict:
         """On the statement that the region has G-spots, which are those of the list."""
         if self.patch is not None:
-            return Verdict.proved(f"{self.name} has G-spots that form a {shape(self.patch.dimension)}", str(self.patch))
+            return Verdict.argued(f"{self.name} has G-spots that form a {shape(self.patch.dimension)}", str(self.patch))
         if self.complete and self.spots:
-            return Verdict.proved(f"{self.name} has exactly {_count(len(self.spots))} in the region searched")
+            return Verdict.argued(f"{self.name} has exactly {_count(len(self.spots))} in the region searched")
         statement = f"{self.name} has G-spots in the region searched"
         if self.complete:
             return Verdict.refuted(statement, "every box of the region was excluded")

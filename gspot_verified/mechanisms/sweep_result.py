@@ -94,7 +94,7 @@ class Sweep(NoTruthValue):
         left = sum(piece.kind in (Kind.OPEN, Kind.NO_TUBE) or self._is_wide(piece) for piece in self.pieces)
         half = sum(not crossing.proved for crossing in self.crossings)
         if not left and not half:
-            return Verdict.proved(statement)
+            return Verdict.argued(statement)
         parts = [f"{left} pieces are left"] * bool(left) + [f"in {half} brackets at most one zero is shown"] * bool(
             half
         )

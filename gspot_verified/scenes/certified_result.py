@@ -120,7 +120,7 @@ def result_of(scene: Scene, conditions: Conditions, record: Record) -> SceneRun:
     if record.open is None:
         fate = fate_of(names)
         said = statement(fate, span, record.multiples) + provided(assumptions)
-        return SceneRun(CERTIFIED, fate, events, Verdict.proved(said, remarks), assumptions=assumptions)
+        return SceneRun(CERTIFIED, fate, events, Verdict.argued(said, remarks), assumptions=assumptions)
     at = (record.open.time * scene.epsilon).str(10)
     detail = "; ".join(filter(None, (f"{record.open.reason} (t = {at} after the start)", known, remarks)))
     reason = Reason.BUDGET if record.open.budget else Reason.HYPOTHESIS

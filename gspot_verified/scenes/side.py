@@ -26,6 +26,7 @@ from gspot_verified.compliant.run import compliant_run
 from gspot_verified.compliant.run_plan import later_times
 from gspot_verified.compliant.side_rule import SideRule, side_rule
 from gspot_verified.compliant.zero_by_series import positive_by_series, zero_by_series
+from gspot_verified.evidence import less
 from gspot_verified.scenes.certified_run import not_covered
 from gspot_verified.scenes.effects.lift_off import LIFT_OFF
 from gspot_verified.scenes.float_run import float_run
@@ -82,17 +83,17 @@ def certified_side(scene: Scene) -> CertifiedSide:
     model = compliant_model(values["beta"], scene.epsilon, alpha_1=values["alpha_1"], alpha_2=values["alpha_2"])
     state = compliant_state(*(start[name] for name in "pbyvz"))
     rule = side_rule(model, state, 6)
-    if sign_of(rule.side) == -1:
-        return CertifiedSide(LOST, rule, Verdict.proved(LOST, "K < 0"))
+    if (negative := less(rule.side, 0)) is not None:
+        return CertifiedSide(LOST, rule, Verdict.proved(LOST, negative, "K < 0"))
     if sign_of(rule.side) == 1 and model.scaled_epsilon > _SERIES_FROM:
         found = _by_series(model, state)
         if found is not None:
             return CertifiedSide(found.statement, rule, found)
     run = compliant_run(model, state, 3)
     if run.verdict.outcome is Outcome.PROVED and run.verdict.statement == LASTING:
-        return CertifiedSide(LASTS, rule, Verdict.proved(LASTS, run.verdict.detail))
+        return CertifiedSide(LASTS, rule, Verdict.proved(LASTS, run.verdict.evidence, run.verdict.detail))
     if any(event.name == LIFT_OFF for event in run.events):
-        return CertifiedSide(LOST, rule, Verdict.proved(LOST, "λ_N > 0 up to a zero, dλ_N/dt < 0 at it"))
+        return CertifiedSide(LOST, rule, Verdict.argued(LOST, "λ_N > 0 up to a zero, dλ_N/dt < 0 at it"))
     text = "whether contact is lost or lasts"
     return CertifiedSide(None, rule, Verdict.undecided(text, Reason.BUDGET, "neither was shown"))
 
@@ -105,10 +106,10 @@ def _by_series(model: CompliantModel, state: CompliantState) -> Verdict | None:
         there = contact_state(compliant_force(model, state, time, _DIGITS), _BITS)
         if lasting_contact(there, _BITS).outcome is Outcome.PROVED:
             if positive_by_series(start, mean, start.p / start.epsilon - model.alpha_1 * time / start.epsilon):
-                return Verdict.proved(LASTS, "λ_N > 0 by its power series up to a state in an invariant set")
+                return Verdict.argued(LASTS, "λ_N > 0 by its power series up to a state in an invariant set")
             break
     if zero_by_series(start, mean, fmpq(1, 1000), _BITS) is not None:
-        return Verdict.proved(LOST, "λ_N > 0 by its power series up to a zero, dλ_N/dt < 0 at it")
+        return Verdict.argued(LOST, "λ_N > 0 by its power series up to a zero, dλ_N/dt < 0 at it")
     return None
 
 

@@ -12,6 +12,7 @@ from typing import Any, ClassVar
 from flint import arb, fmpq
 
 from gspot_verified.balls import ExactInput, approximate, bits_for_digits, exact, working_bits
+from gspot_verified.evidence import Evidence, less
 from gspot_verified.signs.side import gamma_sign
 from gspot_verified.theta_function.evaluate import evaluate
 from gspot_verified.verdict import NoTruthValue
@@ -173,6 +174,12 @@ def rational(value: ExactInput, name: str) -> fmpq:
     if not isinstance(found, fmpq):
         raise ValueError(f"{name}: expected one exact number, got a ball")
     return found
+
+
+def below_threshold(epsilon: fmpq, lower: arb) -> Evidence | None:
+    """That eps is below every eps_0 whose logarithm is at least ``lower``; None where that is not certain."""
+    with working_bits(int(lower.bits()) + 64):
+        return less(arb(epsilon).log(), lower)
 
 
 def rounded_down(logarithm: arb, digits: int) -> fmpq | None:

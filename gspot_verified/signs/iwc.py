@@ -14,7 +14,15 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import ExactInput, ball_text, hull, working_bits
 from gspot_verified.dyadic import Dyadic
-from gspot_verified.signs.contact_force import LEAST_TENS, ContactForce, contact_force, rational, rounded_down
+from gspot_verified.evidence import at_most, less, theorem
+from gspot_verified.signs.contact_force import (
+    LEAST_TENS,
+    ContactForce,
+    below_threshold,
+    contact_force,
+    rational,
+    rounded_down,
+)
 from gspot_verified.signs.force_refutation import force_refutation
 from gspot_verified.signs.lift_off import LEADING, LiftOff, growth_table, lift_off
 from gspot_verified.signs.ranges import Range
@@ -144,9 +152,11 @@ def _impact(force: ContactForce, start: fmpq, epsilon: fmpq | None, digits: int)
     least = minimum(found)
     # lambda_N > 0 where the mean force and the least deviation are both >= 0, one of them > 0: dTheta/dtau < 0 for
     # beta < 1 by proofs/signs.md, without numbers.
-    if (force.beta > 1 and least.value.lower() >= 0) or (force.beta < 1 and force.mean >= 0):
-        whole = force.beta < 1
-        verdict = Verdict.proved(force_statement(None if whole else start, epsilon, None), _by_theorem(force))
+    whole = force.beta < 1
+    nowhere_less = at_most(0, force.mean) if whole else at_most(0, least.value.lower())
+    if nowhere_less is not None:
+        by = theorem("proofs/signs.md", less(force.beta, 1), nowhere_less) if whole else nowhere_less
+        verdict = Verdict.proved(force_statement(None if whole else start, epsilon, None), by, _by_theorem(force))
         return IwcResult(force, start, whole, verdict, least, every_epsilon=True)
     whole = found.whole_line and bool(found.critical)
     log_lower, log_upper = _log_bounds(force, least.value, digits)
@@ -154,11 +164,11 @@ def _impact(force: ContactForce, start: fmpq, epsilon: fmpq | None, digits: int)
     epsilon_0 = rounded_down(log_lower, digits)
     if epsilon is not None:
         verdict = at_epsilon(force, found, epsilon, log_lower)
-    elif epsilon_0 is None:
+    elif epsilon_0 is None or (below := below_threshold(epsilon_0, log_lower)) is None:
         text = f"{LEADING}, some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
         verdict = Verdict.undecided(text, Reason.BUDGET, f"no ε0 above 10^{LEAST_TENS} was found")
     else:
-        verdict = Verdict.proved(force_statement(start, None, epsilon_0), _by_theorem(force))
+        verdict = Verdict.proved(force_statement(start, None, epsilon_0), below, _by_theorem(force))
     return IwcResult(force, start, whole, verdict, least, False, epsilon_0, size)
 
 
@@ -197,10 +207,9 @@ def at_epsilon(force: ContactForce, found: Stretches, epsilon: fmpq, lower: arb)
     """Whether lambda_N > 0 on [start, infinity) at eps; ``lower`` is at most the logarithm of the largest eps_0."""
     start = found.start.lower
     text = force_statement(start, epsilon, None)
-    with working_bits(int(lower.bits()) + 64):
-        size = arb(epsilon).log()
-    if size < lower:
-        return Verdict.proved(text, _by_theorem(force))
+    below = below_threshold(epsilon, lower)
+    if below is not None:
+        return Verdict.proved(text, below, _by_theorem(force))
     # The place of the least value first, as a heuristic: whichever serves is a witness.
     pieces = sorted([found.start, *found.critical], key=lambda piece: piece.value.mid())
     places = [(piece.lower + piece.upper) / 2 for piece in pieces]

@@ -13,7 +13,8 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import ExactInput, ball_text, hull, working_bits
 from gspot_verified.dyadic import Dyadic
-from gspot_verified.signs.contact_force import LEAST_TENS, rational, rounded_down
+from gspot_verified.evidence import at_most, every, less, theorem
+from gspot_verified.signs.contact_force import LEAST_TENS, below_threshold, rational, rounded_down
 from gspot_verified.signs.force_over_balls import ForceOverBalls, OpenHypothesis, force_over_balls
 from gspot_verified.signs.iwc import CAVEAT, MAX_DIGITS, MAX_START, PAPER_EPSILON, force_statement
 from gspot_verified.signs.lift_off import LEADING, LiftOff
@@ -126,8 +127,9 @@ def iwc_over_balls(
         force = force_over_balls(alpha_1, alpha_2, alpha_3, c1)
     except OpenHypothesis as error:
         return IwcOverBalls(None, start, False, Verdict.undecided(text, Reason.WIDE_INPUT, str(error)))
-    if force.takes_impact and force.beta < 1 and force.mean() >= 0:
-        verdict = Verdict.proved(force_statement(None, small, None, _SYSTEM), _BY_THEOREM)
+    by = theorem("proofs/signs.md", less(force.beta, 1), at_most(0, force.mean())) if force.takes_impact else None
+    if by is not None:
+        verdict = Verdict.proved(force_statement(None, small, None, _SYSTEM), by, _BY_THEOREM)
         return IwcOverBalls(force, start, True, verdict, every_epsilon=True)
     try:
         found = stretches_over_ball(force.beta, force.direction, start, digits)
@@ -143,8 +145,9 @@ def iwc_over_balls(
 
 def _impact(force: ForceOverBalls, found: Stretches, epsilon: fmpq | None, digits: int) -> IwcOverBalls:
     start, least = found.start.lower, minimum(found)
-    if force.beta > 1 and least.value.lower() >= 0:
-        verdict = Verdict.proved(force_statement(start, epsilon, None, _SYSTEM))
+    nowhere_less = every([less(1, force.beta), at_most(0, least.value.lower())])
+    if nowhere_less is not None:
+        verdict = Verdict.proved(force_statement(start, epsilon, None, _SYSTEM), nowhere_less)
         return IwcOverBalls(force, start, False, verdict, least, every_epsilon=True)
     whole = found.whole_line and bool(found.critical)
     lower = force.log_epsilon(least.value.lower(), 2 * digits).lower()
@@ -156,23 +159,21 @@ def _impact(force: ForceOverBalls, found: Stretches, epsilon: fmpq | None, digit
     epsilon_0 = rounded_down(lower, digits)
     if epsilon is not None:
         verdict = _at_epsilon(force, found, epsilon, lower)
-    elif epsilon_0 is None:
+    elif epsilon_0 is None or (below := below_threshold(epsilon_0, lower)) is None:
         text = f"{_SYSTEM}, some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
         verdict = Verdict.undecided(text, Reason.WIDE_INPUT, f"no ε0 above 10^{LEAST_TENS} serves all of them")
     else:
-        verdict = Verdict.proved(
-            force_statement(start, None, epsilon_0, _SYSTEM), _BY_THEOREM if force.beta < 1 else ""
-        )
+        detail = _BY_THEOREM if force.beta < 1 else ""
+        verdict = Verdict.proved(force_statement(start, None, epsilon_0, _SYSTEM), below, detail)
     return IwcOverBalls(force, start, whole, verdict, least, False, epsilon_0, size)
 
 
 def _at_epsilon(force: ForceOverBalls, found: Stretches, epsilon: fmpq, lower: arb) -> Verdict:
     """``lower`` is at most the logarithm of the largest eps_0 of every system."""
     text = force_statement(found.start.lower, epsilon, None, _SYSTEM)
-    with working_bits(int(lower.bits()) + 64):
-        size = arb(epsilon).log()
-    if size < lower:
-        return Verdict.proved(text)
+    below = below_threshold(epsilon, lower)
+    if below is not None:
+        return Verdict.proved(text, below)
     pieces = sorted([found.start, *found.critical], key=lambda piece: piece.value.mid())
     against = _refutation(force, text, found.start.lower, [(p.lower + p.upper) / 2 for p in pieces], epsilon)
     if against is not None:
@@ -210,7 +211,7 @@ def _lift_off(force: ForceOverBalls, found: Stretches, epsilon: fmpq, digits: in
         return IwcOverBalls(force, start, False, verdict, lift_off=nothing)
     lower, upper, number = crossing.lower, crossing.upper, crossing.number
     text = f"{where}, λ_N > 0 on [{start}, τ_lo) and λ_N changes sign at τ_lo, τ_lo in ({decimal_text(lower, upper)})"
-    verdict = Verdict.proved(text, "" if number is None else f"zeros of λ_N on [{start}, inf): {number}")
+    verdict = Verdict.argued(text, "" if number is None else f"zeros of λ_N on [{start}, inf): {number}")
     ratio = None
     if force.beta > 1 and epsilon < 1:
         with working_bits(128):

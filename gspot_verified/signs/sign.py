@@ -16,6 +16,7 @@ from flint import fmpq
 
 from gspot_verified.balls import ball, hull, working_bits
 from gspot_verified.dyadic import Dyadic
+from gspot_verified.evidence import cover, equal
 from gspot_verified.signs.executors import InProcessExecutor
 from gspot_verified.signs.journal import opened
 from gspot_verified.signs.pieces import Column
@@ -114,8 +115,9 @@ def sign_on_ranges(
     found = find_witness(tau, beta, sign)
     if found is not None:
         return _refuted(statement, found, 0)
-    if _at_integer(tau, beta) and sign_at(*_point(tau, beta)) == sign:
-        return SignResult(statement, Verdict.proved(str(statement)))
+    there = sign_at(*_point(tau, beta)) if _at_integer(tau, beta) else None
+    if there is not None and (same := equal(there, sign)) is not None:
+        return SignResult(statement, Verdict.proved(str(statement), same))
     if beta.upper is None or beta.upper > MAX_BETA:
         detail = f"no point against it was found; a proof is sought for beta <= {MAX_BETA} only"
         return SignResult(statement, _undecided(statement, Reason.BEYOND, detail, [(beta.lower, beta.upper)]))
@@ -133,7 +135,11 @@ def sign_on_ranges(
         detail = f"{tree.examined} ranges of beta examined, {len(tree.finished)} settled"
         reason = Reason.BUDGET if tree.examined >= budget else Reason.HYPOTHESIS
         return SignResult(statement, _undecided(statement, reason, detail, tree.unfinished), examined=tree.examined)
-    return SignResult(statement, Verdict.proved(str(statement)), tuple(tree.finished), examined=tree.examined)
+    covered = cover(((column.lower, column.upper) for column in tree.finished), (beta.lower, beta.upper))
+    if covered is None:
+        detail = "the columns that were found leave a part of the range out"
+        return SignResult(statement, _undecided(statement, Reason.HYPOTHESIS, detail, []), examined=tree.examined)
+    return SignResult(statement, Verdict.proved(str(statement), covered), tuple(tree.finished), examined=tree.examined)
 
 
 def _cells(beta: Range) -> list[tuple[fmpq | None, fmpq]]:

@@ -23,10 +23,10 @@ from gspot_verified.balls import (
     nonfinite,
     relative_bits,
     shrink_to_bits,
-    sign_of,
     working_bits,
 )
 from gspot_verified.dyadic import Dyadic
+from gspot_verified.evidence import signed
 from gspot_verified.theta_function import choice, routes
 from gspot_verified.theta_function.integer import polynomial
 from gspot_verified.theta_function.majorant import majorant_bound
@@ -64,10 +64,10 @@ class Evaluation(NoTruthValue):
     @property
     def sign(self) -> Verdict:
         """The certified sign: proved, or undecided with the reason."""
-        sign = sign_of(self.value)
-        if sign is None:
+        found = signed(self.value)
+        if found is None:
             return Verdict.undecided("the sign", self.reason or Reason.WIDE_INPUT, f"value in {self}")
-        return Verdict.proved(f"the value is {('zero', 'positive', 'negative')[sign]}")
+        return Verdict.proved(f"the value is {('zero', 'positive', 'negative')[found[0]]}", found[1])
 
     def __str__(self) -> str:
         return ball_text(self.value, self.digits)

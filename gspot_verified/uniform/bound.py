@@ -12,6 +12,7 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import ExactInput, add_remainder, ball, ball_text, exact, working_bits
 from gspot_verified.dyadic import Dyadic
+from gspot_verified.evidence import cover, every, less
 from gspot_verified.expansion.legend import in_two, left_side
 from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.uniform.equations import DeviationEquations
@@ -199,8 +200,9 @@ def _verdict(found: Track, start: fmpq, end: fmpq, delta: fmpq, within: fmpq) ->
         f"every solution in contact within {within} delta^{order} of the expansion at s = {start} is within "
         f"K delta^{order} of it for {start} <= s <= {end} and 0 < delta <= {delta}"
     )
-    if found.is_whole:
-        return Verdict.proved(statement)
+    covered = cover(((piece.start, piece.end) for piece in found.pieces), (start, end))
+    if covered is not None:
+        return Verdict.proved(statement, covered)
     reached = found.pieces[-1].end if found.pieces else start
     detail = f"the inequality of Theorem U1 fails from s = {reached} on; a smaller delta or a shorter interval may do"
     return Verdict.undecided(statement, Reason.HYPOTHESIS, detail)
@@ -209,8 +211,9 @@ def _verdict(found: Track, start: fmpq, end: fmpq, delta: fmpq, within: fmpq) ->
 def _contact(found: Track, delta: fmpq) -> Verdict:
     statement = f"lambda_N of these solutions is positive there, for 0 < delta <= {delta}"
     scale = found.equations.small**found.equations.trajectory.order
-    if found.is_whole and all(piece.mean + scale * piece.force > 0 for piece in found.pieces):
-        return Verdict.proved(statement)
+    pressing = every(less(0, piece.mean + scale * piece.force) for piece in found.pieces)
+    if found.is_whole and pressing is not None:
+        return Verdict.proved(statement, pressing)
     return Verdict.undecided(
         statement, Reason.HYPOTHESIS, "an enclosure of lambda_N holds numbers that are not positive"
     )

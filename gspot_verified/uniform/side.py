@@ -161,7 +161,7 @@ def uniform_side(
         else:
             side, statement = "impact", f"{before} and on, until it exceeds {ball_text(reached, 3)}; p < 0 there"
         ratio = (cone.top / entry.Y.lower()).upper()
-        return UniformSide(*family, side, entry.place, cone.a, ratio, reached, Verdict.proved(statement))
+        return UniformSide(*family, side, entry.place, cone.a, ratio, reached, Verdict.argued(statement))
 
 
 def _first_end(found: Track, factor: fmpq) -> tuple[Entry, Cone, arb] | None:

@@ -170,7 +170,7 @@ def test_an_entry_is_verbatim_when_the_lines_of_the_paper_stand_beside_it() -> N
 
 def test_only_checks_that_agree_or_fail_carry_a_verdict() -> None:
     checks = (Check(Rung.EXACT, "a", None), Check(Rung.PAGE, "b", True))
-    entry = Entry("identifier", "line 1", "Section", "x", "s", checks, Verdict.proved("s", "by hand"))
+    entry = Entry("identifier", "line 1", "Section", "x", "s", checks, Verdict.argued("s", "by hand"))
     assert entry.rests_on == (Rung.PAGE,)
     assert toy((Rung.EXACT, False)).rests_on == ()
     assert toy((Rung.EXACT, False)).rung is None

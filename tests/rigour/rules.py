@@ -8,16 +8,16 @@ from dataclasses import dataclass
 
 from rigour.types_of_expressions import BALL, FLOAT, UNKNOWN, Kinds
 
-FLOATS, ORDER, NEGATION, ZERO, HULL, EXCEPT, ASSERT, SAYS = (
-    "floats", "order", "negation", "zero", "hull", "except", "assert", "says"
+FLOATS, ORDER, NEGATION, ZERO, HULL, EXCEPT, ASSERT, ARGUED, SAYS = (
+    "floats", "order", "negation", "zero", "hull", "except", "assert", "argued", "says"
 )  # fmt: skip
-RULES = (FLOATS, ORDER, NEGATION, ZERO, HULL, EXCEPT, ASSERT, SAYS)
+RULES = (FLOATS, ORDER, NEGATION, ZERO, HULL, EXCEPT, ASSERT, ARGUED, SAYS)
 
 _ORDERINGS = ("min", "max", "sorted", "sort", "nsmallest", "nlargest", "bisect", "bisect_left", "bisect_right")
 _COMPARED = (ast.Lt, ast.Gt, ast.LtE, ast.GtE, ast.Eq, ast.NotEq)
 _BROAD = ("BaseException", "Exception", "ValueError", "TypeError", "ArithmeticError", "RuntimeError",
           "AttributeError", "LookupError", "AssertionError")  # fmt: skip
-_SAYING = ("proved", "refuted")
+_SAYING = ("proved", "argued", "refuted")
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +56,8 @@ def _broken(node: ast.AST, kinds: Kinds, scopes: dict[int, _Scope]) -> Iterator[
             yield HULL
         if name == "Verdict":
             yield SAYS
+    if _goes_without_values(node):
+        yield ARGUED
     if isinstance(node, ast.Attribute) and node.attr in _SAYING and ast.unparse(node.value) == "Verdict":
         yield SAYS
     if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not) and _compares_balls(node.operand, kinds):
@@ -73,6 +75,13 @@ def _takes_a_float(node: ast.AST) -> bool:
     if isinstance(node, ast.Name):
         return isinstance(node.ctx, ast.Load) and node.id in ("float", "complex", "approximate")
     return isinstance(node, ast.Attribute) and node.attr == "mid"
+
+
+def _goes_without_values(node: ast.AST) -> bool:
+    """``Verdict.argued``, or evidence made elsewhere than by a comparison of evidence.py."""
+    if isinstance(node, ast.Attribute):
+        return node.attr == "_of_facts" or ast.unparse(node) in ("Verdict.argued", "evidence.argued")
+    return isinstance(node, ast.Name) and node.id in ("_of_facts", "argued")
 
 
 def _called(node: ast.Call) -> str:

@@ -115,7 +115,7 @@ def fake(answers: dict[fmpq, str | None], said: dict[fmpq, str], monkeypatch: py
     def certified(scene: Scene) -> CertifiedSide:
         found = answers[scene.start["nu"]]
         open_verdict = Verdict.undecided("which side", Reason.BUDGET, "for the test")
-        return CertifiedSide(found, rule, open_verdict if found is None else Verdict.proved(found, "for the test"))
+        return CertifiedSide(found, rule, open_verdict if found is None else Verdict.argued(found, "for the test"))
 
     monkeypatch.setattr(hard_sides, "certified_side", certified)
     monkeypatch.setattr(hard_sides, "float_side", lambda scene, *_: said[scene.start["nu"]])
