@@ -71,7 +71,8 @@ def signed(value: arb) -> tuple[int, Evidence] | None:
     >>> print(signed(arb(0, 1)), *signed(arb(-2)))
     None -1 -2.00000 < 0
     """
-    for sign, shown in ((1, less(0, value)), (-1, less(value, 0)), (0, _of_facts(("0 = 0",)) if value.is_zero() else None)):
+    zero = _of_facts(("0 = 0",)) if value.is_zero() else None
+    for sign, shown in ((1, less(0, value)), (-1, less(value, 0)), (0, zero)):
         if shown is not None:
             return sign, shown
     return None
@@ -96,7 +97,8 @@ def cover(parts: Iterable[Ends], whole: Ends) -> Evidence | None:
             break
     if number == 0 or (reached is not None and (upper is None or reached < upper)):
         return None
-    return _of_facts((f"{number} parts cover [{'-inf' if lower is None else lower}, {'inf' if upper is None else upper}]",))
+    begin, end = "-inf" if lower is None else str(lower), "inf" if upper is None else str(upper)
+    return _of_facts((f"{number} parts cover [{begin}, {end}]",))
 
 
 def every(parts: Iterable[Evidence | None]) -> Evidence | None:
