@@ -21,6 +21,7 @@ SAYS_REFUTED = {
     "verdict.py": "where it is defined",
     "signs/refutation.py": "points of ranges, checked",
     "ledger/entry.py": "two failing checks of one claim of the paper",
+    "scenes/certified_result.py": "an absence that is certainly violated along the run",
     "expansion/time_series.py": "the name of a coefficient that differs",
     "mechanisms/g_spot_list.py": "there is a G-spot: no point refutes it, the exclusion of every box does",
 }
