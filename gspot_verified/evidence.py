@@ -7,43 +7,15 @@ evidence that is handed over, and a conclusion without one cannot be written.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import NoReturn
 
 from flint import arb, fmpq
 
 from gspot_verified.balls import ball_text
+from gspot_verified.verdict import Evidence
 
 Number = int | fmpq | arb
 Ends = tuple[fmpq | None, fmpq | None]
 """The ends of an interval; None for one without end on that side."""
-
-
-class Evidence:
-    """Certain facts, in words made from the values that were compared.
-
-    :raises TypeError: made by hand; :func:`less` and the other functions here make it.
-    """
-
-    __slots__ = ("facts",)
-    facts: tuple[str, ...]
-
-    def __init__(self) -> None:
-        raise TypeError("evidence is made by a comparison: less, at_most, signed, equal, cover, every, theorem")
-
-    def __setattr__(self, name: str, value: object) -> NoReturn:
-        raise AttributeError("evidence does not change")
-
-    def __reduce__(self) -> tuple[object, tuple[tuple[str, ...]]]:
-        return _of_facts, (self.facts,)
-
-    def __str__(self) -> str:
-        return "; ".join(self.facts)
-
-
-def _of_facts(facts: tuple[str, ...]) -> Evidence:
-    found = object.__new__(Evidence)
-    object.__setattr__(found, "facts", facts)
-    return found
 
 
 def less(left: Number, right: Number) -> Evidence | None:
@@ -52,17 +24,17 @@ def less(left: Number, right: Number) -> Evidence | None:
     >>> print(less(1, arb("1.5", "0.1")), less(1, arb(1, "0.1")))
     1 < [1.39, 1.61] None
     """
-    return _of_facts((f"{_text(left)} < {_text(right)}",)) if _finite(left, right) and left < right else None
+    return Evidence._of_facts((f"{_text(left)} < {_text(right)}",)) if _finite(left, right) and left < right else None
 
 
 def at_most(left: Number, right: Number) -> Evidence | None:
     """left <= right for every pair of numbers in the balls."""
-    return _of_facts((f"{_text(left)} <= {_text(right)}",)) if _finite(left, right) and left <= right else None
+    return Evidence._of_facts((f"{_text(left)} <= {_text(right)}",)) if _finite(left, right) and left <= right else None
 
 
 def equal(left: int | fmpq, right: int | fmpq) -> Evidence | None:
     """Two exact numbers are the same."""
-    return _of_facts((f"{left} = {right}",)) if left == right else None
+    return Evidence._of_facts((f"{left} = {right}",)) if left == right else None
 
 
 def signed(value: arb) -> tuple[int, Evidence] | None:
@@ -71,7 +43,7 @@ def signed(value: arb) -> tuple[int, Evidence] | None:
     >>> print(signed(arb(0, 1)), *signed(arb(-2)))
     None -1 -2.00000 < 0
     """
-    zero = _of_facts(("0 = 0",)) if value.is_zero() else None
+    zero = Evidence._of_facts(("0 = 0",)) if value.is_zero() else None
     for sign, shown in ((1, less(0, value)), (-1, less(value, 0)), (0, zero)):
         if shown is not None:
             return sign, shown
@@ -98,7 +70,7 @@ def cover(parts: Iterable[Ends], whole: Ends) -> Evidence | None:
     if number == 0 or (reached is not None and (upper is None or reached < upper)):
         return None
     begin, end = "-inf" if lower is None else str(lower), "inf" if upper is None else str(upper)
-    return _of_facts((f"{number} parts cover [{begin}, {end}]",))
+    return Evidence._of_facts((f"{number} parts cover [{begin}, {end}]",))
 
 
 def every(parts: Iterable[Evidence | None]) -> Evidence | None:
@@ -108,18 +80,13 @@ def every(parts: Iterable[Evidence | None]) -> Evidence | None:
         if part is None:
             return None
         facts += part.facts
-    return _of_facts(tuple(facts)) if facts else None
+    return Evidence._of_facts(tuple(facts)) if facts else None
 
 
 def theorem(page: str, *hypotheses: Evidence | None) -> Evidence | None:
     """What a proof page shows under hypotheses that were checked; None where one was not, or there is none."""
     checked = every(hypotheses)
-    return None if checked is None else _of_facts((f"{page}: {checked}",))
-
-
-def argued(statement: str) -> Evidence:
-    """For :meth:`Verdict.argued` alone: nothing was compared here."""
-    return _of_facts((f"argued: {statement}",))
+    return None if checked is None else Evidence._of_facts((f"{page}: {checked}",))
 
 
 def _finite(*values: Number) -> bool:

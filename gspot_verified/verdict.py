@@ -7,8 +7,6 @@ import html
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar, NoReturn
 
-from gspot_verified.evidence import Evidence, argued
-
 if TYPE_CHECKING:
     from gspot_verified.dyadic import Dyadic
 
@@ -60,6 +58,34 @@ ASK_VERDICT = ".verdict.outcome is Outcome.PROVED, REFUTED or UNDECIDED"
 _EXIT_CODES = {Outcome.PROVED: 0, Outcome.REFUTED: 1, Outcome.UNDECIDED: 2}
 
 
+class Evidence:
+    """Certain facts, in words made from the values that :mod:`gspot_verified.evidence` compared.
+
+    :raises TypeError: made by hand.
+    """
+
+    __slots__ = ("facts",)
+    facts: tuple[str, ...]
+
+    def __init__(self) -> None:
+        raise TypeError("evidence is made by a comparison: less, at_most, signed, equal, cover, every, theorem")
+
+    @classmethod
+    def _of_facts(cls, facts: tuple[str, ...]) -> Evidence:
+        found = object.__new__(cls)
+        object.__setattr__(found, "facts", facts)
+        return found
+
+    def __setattr__(self, name: str, value: object) -> NoReturn:
+        raise AttributeError("evidence does not change")
+
+    def __reduce__(self) -> tuple[object, tuple[tuple[str, ...]]]:
+        return Evidence._of_facts, (self.facts,)
+
+    def __str__(self) -> str:
+        return "; ".join(self.facts)
+
+
 @dataclass(frozen=True, slots=True)
 class Verdict:
     """The outcome for one statement.
@@ -106,7 +132,7 @@ class Verdict:
     @classmethod
     def argued(cls, statement: str, detail: str = "") -> Verdict:
         """The statement holds by the program around the call, and not by values: where tests/rigour allows that."""
-        return cls(Outcome.PROVED, statement, detail=detail, evidence=argued(statement))
+        return cls(Outcome.PROVED, statement, detail=detail, evidence=Evidence._of_facts((f"argued: {statement}",)))
 
     @classmethod
     def refuted(cls, statement: str, witness: str, detail: str = "") -> Verdict:

@@ -11,7 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import to_fmpq
 
-from gspot_verified.evidence import Ends, Evidence, at_most, cover, equal, every, less, signed, theorem
+from gspot_verified.evidence import Ends, at_most, cover, equal, every, less, signed, theorem
+from gspot_verified.verdict import Evidence
 
 WIDE, NAN, HUGE = arb(0, 1), arb.nan(), arb.pos_inf()
 SOME = less(1, 2)

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 from flint import arb, fmpq
 
 from gspot_verified.compliant.flight import ContactState
-from gspot_verified.evidence import Evidence, at_most, every, less, theorem
+from gspot_verified.evidence import at_most, every, less, theorem
+from gspot_verified.verdict import Evidence
 
 _PAGE = "proofs/flight.md"
 

@@ -25,8 +25,8 @@ from gspot_verified.compliant.side_rule import side_rule
 from gspot_verified.compliant.touch_down import flight_end
 from gspot_verified.compliant.zero_by_series import MOST_WORK
 from gspot_verified.dyadic import Dyadic
-from gspot_verified.evidence import Evidence, equal, every, less, theorem
-from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
+from gspot_verified.evidence import equal, every, less, theorem
+from gspot_verified.verdict import ASK_VERDICT, Evidence, NoTruthValue, Outcome, Reason, Verdict
 
 MAX_DIGITS = 80
 _SPARE_DIGITS = 10

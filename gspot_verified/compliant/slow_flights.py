@@ -12,10 +12,10 @@ from flint import arb, fmpq
 from gspot_verified.balls import ExactInput, ball_text, working_bits
 from gspot_verified.compliant.grid import scale
 from gspot_verified.compliant.slow_solution import slow_value
-from gspot_verified.evidence import Evidence, at_most, every, less, theorem
+from gspot_verified.evidence import at_most, every, less, theorem
 from gspot_verified.signs.contact_force import rational
 from gspot_verified.theta_function.evaluate import evaluate
-from gspot_verified.verdict import Reason, Verdict
+from gspot_verified.verdict import Evidence, Reason, Verdict
 
 _DIGITS = 20
 _BITS = 128

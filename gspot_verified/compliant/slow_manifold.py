@@ -17,13 +17,13 @@ from gspot_verified.compliant.profile import SLOW, Profile, in_range
 from gspot_verified.compliant.threshold import MAX_BETA_OF_THEOREM, Threshold, exact_threshold, fails_at
 from gspot_verified.compliant.threshold_by_cells import MAX_BETA, threshold_by_cells
 from gspot_verified.compliant.to_the_left import positive_to_the_left
-from gspot_verified.evidence import Evidence, less, theorem
+from gspot_verified.evidence import less, theorem
 from gspot_verified.signs.iwc import IwcResult, force_statement
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.refutation import refutation
 from gspot_verified.signs.short_text import short_text
 from gspot_verified.signs.stretches import stretches
-from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
+from gspot_verified.verdict import ASK_VERDICT, Evidence, NoTruthValue, Outcome, Reason, Verdict
 
 ABOVE = "its force is above the one at leading order at every τ and every ε (proofs/monotone.md, Theorem C)"
 BY_CELLS = "by Theorem C's polynomial, on cells that cover every such ε (proofs/monotone.md, section 10)"

@@ -12,10 +12,10 @@ from typing import Any, ClassVar
 from flint import arb, fmpq
 
 from gspot_verified.balls import ExactInput, approximate, bits_for_digits, exact, working_bits
-from gspot_verified.evidence import Evidence, less
+from gspot_verified.evidence import less
 from gspot_verified.signs.side import gamma_sign
 from gspot_verified.theta_function.evaluate import evaluate
-from gspot_verified.verdict import NoTruthValue
+from gspot_verified.verdict import Evidence, NoTruthValue
 
 MAX_BETA = 100
 LEAST_TENS = -100_000

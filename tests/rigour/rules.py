@@ -79,9 +79,7 @@ def _takes_a_float(node: ast.AST) -> bool:
 
 def _goes_without_values(node: ast.AST) -> bool:
     """``Verdict.argued``, or evidence made elsewhere than by a comparison of evidence.py."""
-    if isinstance(node, ast.Attribute):
-        return node.attr == "_of_facts" or ast.unparse(node) in ("Verdict.argued", "evidence.argued")
-    return isinstance(node, ast.Name) and node.id in ("_of_facts", "argued")
+    return isinstance(node, ast.Attribute) and (node.attr == "_of_facts" or ast.unparse(node) == "Verdict.argued")
 
 
 def _called(node: ast.Call) -> str:

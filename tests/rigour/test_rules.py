@@ -67,8 +67,7 @@ FLAGGED = {
     "who hands the constructor on": (SAYS, "return Verdict.refuted"),
     "who says proved without values": (ARGUED, "return Verdict.argued('it holds')"),
     "who argues says proved": (SAYS, "return Verdict.argued('it holds')"),
-    "evidence without values": (ARGUED, "return Verdict.proved('it holds', evidence.argued('it holds'))"),
-    "evidence made by hand": (ARGUED, "return Verdict.proved('it holds', _of_facts(('it holds',)))"),
+    "evidence made by hand": (ARGUED, "return Verdict.proved('it holds', unknown._of_facts(('it holds',)))"),
     "who builds a verdict": (SAYS, "return Verdict(Outcome.PROVED, 'it holds')"),
 }
 
