@@ -1,6 +1,7 @@
 # make verify   set everything up, check the paper's statements, write report/
 # make test     set everything up, run the tests
-# make test-all the same with the slow tests
+# make quick    the tests that can notice what has changed since the last commit, within 45 s
+# make test-all the same with the slow tests, and with those that cost more than the fast set may (tests/costs.py)
 # make prove    the formal proofs of proofs/coq/, for which Coq and Coquelicot must be there (it says how to get them)
 # make docs     the documentation site, build/docs/index.html; it is read without a network
 # make lint     formatting, lint, types, and what a file that concludes may not write (tests/rigour/README.md)
@@ -15,9 +16,9 @@ READY := $(VENV)/.ready
 # The tests start many processes of their own: compiled files, also where the environment asks for none, make those quick.
 export PYTHONDONTWRITEBYTECODE :=
 # One worker a core: threads of linear algebra within a worker only wait for each other.
-test test-all: export OPENBLAS_NUM_THREADS := 1
+test quick test-all costs: export OPENBLAS_NUM_THREADS := 1
 
-.PHONY: verify test test-all prove docs lint mutants attack clean
+.PHONY: verify test quick test-all costs prove docs lint mutants attack clean
 
 # Results are kept in build/ledger, under the hash of everything that they depend on; a fresh clone has none. VERIFY=--full runs all again.
 # Of formal proofs nothing is kept: they count where VERIFY=--formal has them run now, by prove.py.
@@ -27,11 +28,18 @@ verify: $(READY)
 	@$(BIN)/gspot-verified verify --output report $(VERIFY); code=$$?; [ $$code -le 1 ] || exit $$code
 
 test: $(READY)
-	$(BIN)/pytest -n 2 --dist worksteal -m "not slow"
+	$(BIN)/pytest -n auto --dist worksteal -m "not slow" --fast
 	@$(PYTHON) -I proofs/coq/prove.py --state
 
+quick: $(READY)
+	$(BIN)/pytest -n auto --dist worksteal -m "not slow" --fast $$(PYTHONPATH=tests $(BIN)/python -m costs)
+
 test-all: $(READY)
-	$(BIN)/pytest -n 2 --dist worksteal
+	$(BIN)/pytest -n auto --dist worksteal
+
+# What each test costs, for --fast: on a machine that does nothing else.
+costs: $(READY)
+	$(BIN)/pytest -n auto --dist worksteal -m "not slow" --record-costs
 
 # Coq alone: no virtual environment. Installs nothing.
 prove:

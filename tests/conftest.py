@@ -12,9 +12,11 @@ from __future__ import annotations
 import importlib
 import os
 import re
+import resource
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+import costs
 import pytest
 from flint import arb, ctx
 from hypothesis import settings
@@ -49,6 +51,9 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         help="make a route's error bound wrong: times 1 - 2^-EXPONENT, or times 2^EXPONENT when EXPONENT < 0 "
         f"({', '.join(SABOTAGED_MODULES)})",
     )
+
+    parser.addoption("--fast", action="store_true", help="leave out the tests that costs.json says are costly")
+    parser.addoption("--record-costs", action="store_true", help="measure every test and write costs.json")
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -102,9 +107,48 @@ def shrinking(honest: AddRemainder, exponent: int) -> AddRemainder:
     return shrunk
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Tests of the whole ledger come last: its entries are then in the cache, from the tests of single entries."""
     items.sort(key=lambda item: "whole_ledger" in getattr(item, "fixturenames", ()))
+    if config.getoption("--fast"):
+        left_out = costs.costly(costs.recorded())
+        config.hook.pytest_deselected(items=[item for item in items if item.nodeid in left_out])
+        items[:] = [item for item in items if item.nodeid not in left_out]
+
+
+_COSTS = pytest.StashKey[dict[str, float]]()
+
+
+def _processor_seconds() -> float:
+    own, children = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    return own.ru_utime + own.ru_stime + children.ru_utime + children.ru_stime
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
+    """Measure the test with its set-up, where that is asked for."""
+    begin = _processor_seconds()
+    found = yield
+    item.config.stash.setdefault(_COSTS, {})[item.nodeid] = _processor_seconds() - begin
+    return found
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """A worker hands its measurements on; the last process writes them."""
+    config = session.config
+    found = config.stash.get(_COSTS, {})
+    if not config.getoption("--record-costs"):
+        return
+    if hasattr(config, "workeroutput"):
+        config.workeroutput["costs"] = found
+    else:
+        costs.record(found)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node: Any) -> None:
+    """What a worker has measured."""
+    node.config.stash.setdefault(_COSTS, {}).update(getattr(node, "workeroutput", {}).get("costs", {}))
 
 
 @pytest.fixture(scope="session")
