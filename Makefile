@@ -2,6 +2,7 @@
 # make test     set everything up, run the tests
 # make quick    the tests that can notice what has changed since the last commit, within 45 s
 # make test-all the same with the slow tests, and with those that cost more than the fast set may (tests/costs.py)
+# make coverage which lines the tests of make test reach: build/coverage/index.html
 # make prove    the formal proofs of proofs/coq/, for which Coq and Coquelicot must be there (it says how to get them)
 # make docs     the documentation site, build/docs/index.html; it is read without a network
 # make lint     formatting, lint, types, and what a file that concludes may not write (tests/rigour/README.md)
@@ -16,9 +17,9 @@ READY := $(VENV)/.ready
 # The tests start many processes of their own: compiled files, also where the environment asks for none, make those quick.
 export PYTHONDONTWRITEBYTECODE :=
 # One worker a core: threads of linear algebra within a worker only wait for each other.
-test quick test-all costs: export OPENBLAS_NUM_THREADS := 1
+test quick test-all coverage costs: export OPENBLAS_NUM_THREADS := 1
 
-.PHONY: verify test quick test-all costs prove docs lint mutants attack clean
+.PHONY: verify test quick test-all coverage costs prove docs lint mutants attack clean
 
 # Results are kept in build/ledger, under the hash of everything that they depend on; a fresh clone has none. VERIFY=--full runs all again.
 # Of formal proofs nothing is kept: they count where VERIFY=--formal has them run now, by prove.py.
@@ -36,6 +37,10 @@ quick: $(READY)
 
 test-all: $(READY)
 	$(BIN)/pytest -n auto --dist worksteal
+
+# Which lines and branches the tests of `make test` reach.
+coverage: $(READY)
+	$(BIN)/pytest -n auto --dist worksteal -m "not slow" --fast --cov --cov-report=term:skip-covered --cov-report=html:build/coverage
 
 # What each test costs, for --fast: on a machine that does nothing else.
 costs: $(READY)
@@ -71,4 +76,4 @@ $(READY): pyproject.toml constraints.txt
 	touch $@
 
 clean:
-	rm -rf $(VENV) report build *.egg-info .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) report build .coverage* *.egg-info .pytest_cache .mypy_cache .ruff_cache .hypothesis
