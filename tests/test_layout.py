@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 import warnings
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -57,9 +58,14 @@ BOUND_MODULES = (
 HEAVY = ("numpy", "scipy", "sympy", "matplotlib", "mpmath", "jinja2", "typer", "rich")
 
 FILES = sorted(PACKAGE.rglob("*.py"))
-with warnings.catch_warnings():
-    warnings.simplefilter("ignore")  # judged by test_sources_compile_without_a_warning
-    TREES = {path: ast.parse(path.read_text(encoding="utf-8"), str(path)) for path in FILES}
+
+
+@cache
+def tree_of(path: Path) -> ast.Module:
+    """The file as it is parsed; what the compiler warns of is judged by its own rule."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return ast.parse(path.read_text(encoding="utf-8"), str(path))
 
 
 def name_of(path: Path) -> str:
@@ -89,7 +95,7 @@ def imported_modules(path: Path, tree: ast.AST) -> list[tuple[int, str]]:
 def inner_imports(path: Path) -> list[tuple[int, str]]:
     """(line, unit) of every import from the package itself."""
     units = []
-    for line, dotted in imported_modules(path, TREES[path]):
+    for line, dotted in imported_modules(path, tree_of(path)):
         parts = dotted.split(".")
         if parts[0] == "gspot_verified" and not (len(parts) > 1 and parts[1].startswith("__")):
             units.append((line, parts[1] if len(parts) > 1 else ""))
@@ -128,7 +134,7 @@ def module_of(path: Path) -> str:
 def module_imports(path: Path, modules: frozenset[str]) -> set[str]:
     """Which of the modules the file imports, at any depth: the longest part of each dotted name that is one."""
     found = set()
-    for _, dotted in imported_modules(path, TREES[path]):
+    for _, dotted in imported_modules(path, tree_of(path)):
         parts = dotted.split(".")
         prefixes = [".".join(parts[:length]) for length in range(len(parts), 0, -1)]
         found |= set(next(([name] for name in prefixes if name in modules), []))
@@ -191,26 +197,28 @@ def test_the_scan_sees_every_form_of_import() -> None:
 def only_balls_touches_the_context_of_flint(path: Path) -> None:
     if path == PACKAGE / "balls.py":
         return
-    modules = [name for _, name in imported_modules(path, TREES[path]) if name.split(".")[0] == "flint"]
+    modules = [name for _, name in imported_modules(path, tree_of(path)) if name.split(".")[0] == "flint"]
     wrong = [name for name in modules if name.endswith((".ctx", ".*")) or name.count(".") > 1]
     assert not wrong
     # `import flint` gives ctx by another road: only what describes the module may be read through it.
-    through = [n.attr for n in ast.walk(TREES[path])
+    through = [n.attr for n in ast.walk(tree_of(path))
                if isinstance(n, ast.Attribute) and isinstance(n.value, ast.Name) and n.value.id == "flint"]  # fmt: skip
     assert all(name.startswith("__") for name in through)
-    bare = [n for n in ast.walk(TREES[path]) if isinstance(n, ast.Name) and n.id == "flint"]
+    bare = [n for n in ast.walk(tree_of(path)) if isinstance(n, ast.Name) and n.id == "flint"]
     assert len(bare) == len(through)
-    renamed = [a.asname for n in ast.walk(TREES[path]) if isinstance(n, ast.Import) for a in n.names
+    renamed = [a.asname for n in ast.walk(tree_of(path)) if isinstance(n, ast.Import) for a in n.names
                if a.name.split(".")[0] == "flint" and a.asname]  # fmt: skip
     assert not renamed
-    dynamic = [node.value for node in ast.walk(TREES[path]) if isinstance(node, ast.Constant) and node.value == "flint"]
+    dynamic = [
+        node.value for node in ast.walk(tree_of(path)) if isinstance(node, ast.Constant) and node.value == "flint"
+    ]
     assert not dynamic
 
 
 def nobody_takes_the_context_from_balls(path: Path) -> None:
     hidden = ("gspot_verified.balls.ctx", "gspot_verified.balls._lock", "gspot_verified.balls.*")
-    assert not [name for _, name in imported_modules(path, TREES[path]) if name in hidden]
-    attributes = [n.lineno for n in ast.walk(TREES[path]) if isinstance(n, ast.Attribute) and n.attr == "ctx"]
+    assert not [name for _, name in imported_modules(path, tree_of(path)) if name in hidden]
+    attributes = [n.lineno for n in ast.walk(tree_of(path)) if isinstance(n, ast.Attribute) and n.attr == "ctx"]
     assert not attributes
 
 
@@ -229,8 +237,8 @@ def test_files_are_short() -> None:
 def test_init_files_are_the_public_list_and_nothing_else() -> None:
     allowed = (ast.Import, ast.ImportFrom)
     wrong = []
-    for path, tree in TREES.items():
-        for node in tree.body if path.name == "__init__.py" else []:
+    for path in FILES:
+        for node in tree_of(path).body if path.name == "__init__.py" else []:
             docstring = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
             listing = isinstance(node, ast.Assign | ast.AnnAssign) and all(
                 isinstance(target, ast.Name) and target.id.startswith("__")
@@ -264,7 +272,7 @@ def undocumented(path: Path) -> list[str]:
             if isinstance(node, ast.ClassDef):
                 visit(node.body, f"{node.name}.")
 
-    visit(TREES[path].body, "")
+    visit(tree_of(path).body, "")
     return missing
 
 
@@ -273,13 +281,13 @@ def public_names_have_docstrings(path: Path) -> None:
 
 
 def modules_have_docstrings(path: Path) -> None:
-    assert ast.get_docstring(TREES[path]) or not path.read_text(encoding="utf-8").strip()
+    assert ast.get_docstring(tree_of(path)) or not path.read_text(encoding="utf-8").strip()
 
 
 @pytest.mark.parametrize("module", BOUND_MODULES)
 def test_bound_modules_name_their_proof_page(module: str) -> None:
     path = PACKAGE / "theta_function" / f"{module}.py"
-    pages = re.findall(r"proofs/[A-Za-z0-9_/-]+\.md", ast.get_docstring(TREES[path]) or "")
+    pages = re.findall(r"proofs/[A-Za-z0-9_/-]+\.md", ast.get_docstring(tree_of(path)) or "")
     assert pages, f"{name_of(path)} names no page"
     assert [page for page in pages if not (ROOT / page).is_file()] == []
 
@@ -287,8 +295,8 @@ def test_bound_modules_name_their_proof_page(module: str) -> None:
 def whoever_adds_a_remainder_names_a_proof_page(path: Path) -> None:
     if path == PACKAGE / "balls.py":
         return
-    calls = [n for n in ast.walk(TREES[path]) if isinstance(n, ast.Name) and n.id == "add_remainder"]
-    assert not calls or "proofs/" in (ast.get_docstring(TREES[path]) or "")
+    calls = [n for n in ast.walk(tree_of(path)) if isinstance(n, ast.Name) and n.id == "add_remainder"]
+    assert not calls or "proofs/" in (ast.get_docstring(tree_of(path)) or "")
 
 
 def every_page_that_is_named_exists(path: Path) -> None:

@@ -60,16 +60,19 @@ def _named(code: CodeType) -> Iterator[tuple[str, str | None]]:
             yield from _named(part)
 
 
-def _globals_of(function: FunctionType) -> Iterator[Step]:
+@cache
+def _globals_of(function: FunctionType) -> list[Step]:
     """What a function names: in its own module, and in the modules of the ledger that it names."""
     own = inspect.getmodule(function)
     assert own is not None
+    found = []
     for name, attribute in _named(function.__code__):
         value = vars(own).get(name)
         if isinstance(value, ModuleType) and value.__name__.startswith(LEDGER) and attribute is not None:
-            yield value, attribute
+            found.append((value, attribute))
         elif value is not None:
-            yield own, name
+            found.append((own, name))
+    return found
 
 
 def steps_of(build: Callable[[], Entry]) -> list[Step]:
