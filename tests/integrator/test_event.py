@@ -10,7 +10,7 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Constant, Expression, Variable
-from gspot_verified.integrator.event import Crossing, Unclear, Watch
+from gspot_verified.integrator.event import Crossing, Unclear, Watch, first_crossing, rivals
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.integrate import Run
 from gspot_verified.integrator.norm_run import NormRun
@@ -237,3 +237,24 @@ def test_a_wide_set_leaves_zero_on_several_pieces() -> None:
         assert isinstance(found, Crossing)
         for start in (-0.29, 0, 0.29):
             assert found.time.contains(2 - arb(start))
+
+
+def test_the_first_crossing_is_before_all_others() -> None:
+    """cos t = 1/2 at pi/3, within one segment with cos t = 0.49; -x - 2 has no zero, and two of one function none first."""
+    early, late, never = -x + number(1, 2), -x + number(49, 100), -x - number(2)
+    for functions, expected in (([late, early, never], 1), ([early, late], 0), ([early, early], None)):
+        with working_bits(128):
+            watches = [Watch(str(i), function, OSCILLATOR) for i, function in enumerate(functions)]
+            found: list[Crossing | Unclear | None] = []
+            for segment in Run(OSCILLATOR, [arb(1), arb(0)], arb(3)):
+                found = [watch.along(segment) for watch in watches]
+                if any(found):
+                    break
+            hit = first_crossing(watches, found)
+            assert (hit is None) is (expected is None)
+            if hit is None or expected is None:
+                assert [rivals(one, watches, found) for one in found if isinstance(one, Crossing)] == [["1"], ["0"]]
+            else:
+                assert hit is found[expected]
+                assert hit.time.contains(arb.pi() / 3)
+                assert rivals(hit, watches, found) == []
