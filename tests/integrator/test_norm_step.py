@@ -247,3 +247,25 @@ def test_a_sine_is_followed_by_its_series() -> None:
         curve = [arb_poly([arb(1)]), arb_poly([arb(0), (-arb(1).sin() / 64).mid()])]
         step = certain(norm_step(field, curve, point(1, 0), arb((1, -6)), plan(length=20)))
         assert step.enclosure(arb(1))[1].contains(-arb(1).sin() / 64)
+
+
+@pytest.mark.parametrize(("margin", "good"), [(2, False), (256, True)])
+def test_every_block_stays_in_the_tube(margin: int, good: bool) -> None:
+    """x' = 5 x, y' = 0: the block of x grows 148-fold, that of y, which begins far smaller, stays within any margin."""
+    field = VectorField([Constant(fmpq(5)) * x, Constant(fmpq(0))])
+    with working_bits(100):
+        start = StateSet((arb(0), arb(0)), UNIT, (arb((1, -10)), arb((1, -40))))
+        found = norm_step(field, [arb_poly([])] * 2, start, arb(1), replace(plan(UNIT), margins=(arb(margin),)))
+        assert (found is not None) is good
+
+
+def test_a_pole_in_the_disc_of_the_defect() -> None:
+    """x' = 1/(2 - x) along x = τ/16: the pole lies in Cauchy's disc |τ| <= 64, and outside of |τ| <= 8."""
+    field = VectorField([Power(Constant(fmpq(2)) - x, fmpq(-1))])
+    one = Basis(arb_mat([[1]]), (1,))
+    with working_bits(100):
+        start = StateSet((arb(0),), one, (arb(0),))
+        curve = [arb_poly([0, arb((1, -4))])]
+        for disc, good in ((8, True), (64, False)):
+            found = norm_step(field, curve, start, arb((1, -3)), replace(plan(one), disc=disc))
+            assert (found is not None) is good

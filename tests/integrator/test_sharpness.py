@@ -131,8 +131,10 @@ def test_the_tail_of_a_pole_just_outside_the_disc(length: int) -> None:
             assert shown + left_out <= bound < shown + 64 * left_out
 
 
-def test_the_tail_of_the_derivatives() -> None:
-    """x' = 1/(128 - x): the derivative along x = τ is 1/(128 - τ)², of which a short series leaves most out."""
+@pytest.mark.parametrize("change", [arb(0), arb((1, -18))])
+def test_the_tail_of_the_derivatives(change: arb) -> None:
+    """x' = 1/(128 - x): the derivative along x = τ is 1/(128 - τ)², of which a short series leaves most out; how far it
+    may change on the tube is added."""
     field, h = pole(128), arb(1)
     with working_bits(128):
         curve = Curve((arb_poly([0, 1]),), ((arb_poly([1]),),))
@@ -140,12 +142,42 @@ def test_the_tail_of_the_derivatives() -> None:
             plan = Plan((arb(1),), arb((1, -40)), 64, 60, length)
             bounds = steps._cauchy_bounds(field, curve, plan)
             assert bounds is not None
-            change = [[arb(0)]]
-            found = steps._flow(field, curve, h, bounds[1], change, arb(1), plan)[0, 0]
+            found = steps._flow(field, curve, h, bounds[1], [[change]], arb(1), plan)[0, 0]
             kept = sum((arb(k + 1) * arb(128) ** -(k + 2) for k in range(length)), arb(0))
             whole = sum((arb(k + 1) * arb(128) ** -(k + 2) for k in range(60)), arb(0))
-            assert whole <= found.rad() * (1 + arb((1, -28)))
-            assert found.rad() < kept + 2**12 * (whole - kept)
+            assert whole + change <= found.rad() * (1 + arb((1, -28)))
+            assert found.rad() < kept + 2**12 * (whole - kept) + 2 * change
+
+
+@pytest.mark.parametrize("weights", [(1, 1), (fmpq(1, 4), fmpq(1, 8))])
+def test_deviations_that_grow_by_what_is_beside_the_diagonal(weights: tuple[fmpq, fmpq]) -> None:
+    """u' = v, v' = u for u = x/w_1, v = y/w_2: the deviation (1, 1) r grows exactly as e^τ."""
+    first, second = weights
+    ratio = fmpq(first) / fmpq(second)
+    field = VectorField([Constant(ratio) * y, Constant(1 / ratio) * x])
+    unit, r = ((arb_poly([1]), arb_poly([])), (arb_poly([]), arb_poly([1]))), arb((1, -10))
+    with working_bits(128):
+        w = (arb(first), arb(second))
+        plan = Plan(w, arb(1), 2, 60, 60)
+        step = certified_step(field, Curve((arb_poly([0]),) * 2, unit), [r * one for one in w], arb(1), plan)
+        assert step is not None
+        for side, one in zip(step.enclosure(arb(1)), w, strict=True):
+            true = arb(1).exp() * r * one
+            assert holds(side, true)
+            assert side.rad() < true * (1 + arb((1, -20)))
+
+
+def test_an_enclosure_is_of_the_whole_step() -> None:
+    """x = 4 τ goes from 0 to 4, in both kinds of step."""
+    line, none = arb_poly([0, 4]), arb(0)
+    for step in (
+        Step(Curve((line,), ((arb_poly([1]),),)), arb(1), (none,), (none,), arb_mat([[1]])),
+        NormStep((line,), arb(1), (none,), LINE, (none,)),
+    ):
+        (side,) = step.enclosure()
+        assert side.contains(0)
+        assert side.contains(4)
+        assert side.rad() < 3
 
 
 @pytest.mark.parametrize("power", [2, 4, 5])
