@@ -6,6 +6,7 @@ import json
 import time
 from dataclasses import replace
 from functools import partial
+from itertools import count
 
 import pytest
 
@@ -81,6 +82,17 @@ def test_a_program_may_tell_its_own_time() -> None:
     assert route.points[0].best == 3.0
 
 
+def test_the_memory_of_a_program_that_tells_its_own_time_is_not_measured(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(contest, "memory_alone", lambda *_: 1024)
+    routes = (
+        Contestant("ours", CERTIFIED, (7, 8), lambda x: partial(double, x)),
+        Contestant("other program", CERTIFIED, (7,), lambda _: lambda: 3.0, seconds=float),
+        Contestant("without", CERTIFIED, (7,), lambda x: partial(double, x), has_memory=False),
+    )
+    found = compete("part", routes, EFFORT)
+    assert [[point.memory for point in route.points] for route in found] == [[None, 1024], [None], [None]]
+
+
 def test_caches_are_empty_before_each_call(monkeypatch: pytest.MonkeyPatch) -> None:
     emptied: list[str] = []
     monkeypatch.setattr(contest, "forget", lambda: emptied.append("now"))
@@ -122,7 +134,14 @@ def test_the_request_names_the_panel() -> None:
 
 
 def test_shares_of_the_time() -> None:
-    shares = time_shares(partial(package_theta.theta, "7/3", "1/2", 0, 2_000))
+    """The clock counts how often it was read: so each share is a number of calls, however loaded the machine is."""
+    clock = count(0.0).__next__
+    shares = time_shares(partial(package_theta.theta, "7/3", "1/2", 0, 2_000), clock)
     assert sum(share.part for share in shares) == pytest.approx(1)
     assert any(share.words.startswith("theta_function.") for share in shares)
     assert shares[-1].words == "all the rest"
+    assert [share.part for share in shares[:-1]] == sorted((share.part for share in shares[:-1]), reverse=True)
+
+
+def test_a_call_that_took_no_time_has_no_shares() -> None:
+    assert time_shares(lambda: None, lambda: 0.0) == ()

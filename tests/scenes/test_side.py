@@ -1,8 +1,13 @@
-"""The certified side of a start, the float one, and the counts: wrong only where the certified one is decided."""
+"""The certified side of a start, the float one, and the counts: wrong only where the certified one is decided.
+
+Which side SciPy gives near the canard is no property of this package: it is recorded, never asserted.
+"""
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 from flint import fmpq
@@ -14,6 +19,9 @@ from gspot_verified.scenes.file import load_scene
 from gspot_verified.scenes.scene import Scene, SceneError
 from gspot_verified.scenes.side import FAILED, LASTS, LOST, NO_EVENT, CertifiedSide, certified_side, float_side
 from gspot_verified.verdict import Outcome, Reason, Verdict
+
+DOCS = Path(__file__).resolve().parents[2] / "docs"
+PAGE = DOCS / "where_floats_fail.md"
 
 
 def start(beta: str, nu: str, eps: str) -> Scene:
@@ -52,38 +60,87 @@ def test_where_the_fast_part_is_large_the_power_series_decides(
     assert bool(found.rule.side > 0)
 
 
-def test_floats_of_every_tolerance_are_on_the_wrong_side_somewhere() -> None:
-    """A factor 2 from the canard: the certified side is settled by K < 0; which float runs fail depends on scipy."""
-    runs = (("15/2", "1e-4", 1e-6), ("13/2", "1e-5", 1e-10))
-    wrong = set()
-    for beta, eps, tolerance in runs:
-        scene = start(beta, "2" if beta == "15/2" else "1/2", eps)
-        assert certified_side(scene).side == LOST
-        wrong |= {tolerance for method in ("LSODA", "BDF") if float_side(scene, method, tolerance) == LASTS}
-    assert len(wrong) >= 2
+@pytest.mark.parametrize(("beta", "nu", "eps"), [("15/2", "2", "1e-4"), ("13/2", "1/2", "1e-5")])
+def test_a_factor_2_from_the_canard_k_settles_the_side(beta: str, nu: str, eps: str) -> None:
+    """Float runs may take the other side here; which do hangs on SciPy and on the processor, so they are not asked."""
+    found = certified_side(start(beta, nu, eps))
+    assert found.side == LOST
+    assert bool(found.rule.side < 0)
 
 
 @pytest.mark.slow
-def test_a_tight_tolerance_is_wrong_where_the_page_says_so() -> None:
-    """A part of the table of docs/where_floats_fail.md; how many of three depends on scipy."""
+def test_the_answers_of_float_runs_are_counted_against_decided_starts() -> None:
+    """One row of the set, with SciPy's own answers: what they are is not known beforehand, that each counts once is."""
     chosen = hard_sides.hard_sides().restricted(
         epsilons=["1/100000"], betas=["11/2"], solvers=["LSODA"], tolerances=["1e-10", "1e-12"]
     )
     found = hard_sides.count_failures(chosen)
-    assert [count.decided for count in found.counts] == [3, 3]
-    assert sum(count.wrong + count.silent for count in found.counts) >= 1
     assert {start.nu: row.side for start, row in found.certified.items()} == {
         fmpq(1, 2): LASTS, fmpq(2): LOST, fmpq(1001, 1000): LOST,
     }  # fmt: skip
+    assert [count.decided for count in found.counts] == [3, 3]
+    for count in found.counts:
+        said = [float_side(at.load(), count.solver, float(count.tolerance)) for at in found.certified]
+        right = sum(word == row.side for word, row in zip(said, found.certified.values(), strict=True))
+        assert count.wrong + count.silent + count.failed == 3 - right
+
+
+BETAS = ("5/2", "7/2", "9/2", "11/2", "13/2", "15/2")
+EPSILONS = {f"1/{10**n}": f"10{sign}" for n, sign in ((3, "⁻³"), (4, "⁻⁴"), (5, "⁻⁵"), (6, "⁻⁶"))}
+TOLERANCES, SOLVERS = ("1e-6", "1e-10", "1e-12"), ("Radau", "LSODA", "BDF")
+Recorded = list[dict[str, Any]]
+
+
+@pytest.fixture(scope="module")
+def recorded() -> dict[str, Any]:
+    """What SciPy answered when the page was written: measured once, on one machine; not what it answers here."""
+    found: dict[str, Any] = json.loads((DOCS / "where_floats_fail.json").read_text(encoding="utf-8"))
+    return found
+
+
+def cell(counts: Recorded) -> str:
+    """The counts of one place of the page."""
+    wrong, silent, failed = (sum(count[name] for count in counts) for name in ("wrong", "silent", "failed"))
+    return " ".join([str(wrong), *[f"{number}{sign}" for number, sign in ((silent, "s"), (failed, "f")) if number]])
+
+
+def total(counts: Recorded) -> str:
+    """The counts of one place of the second table."""
+    return cell(counts).replace(" ", ", ").replace("s", " silent").replace("f", " failed")
+
+
+def chosen_from(counts: Recorded, **place: str) -> Recorded:
+    return [count for count in counts if all(count[name] == value for name, value in place.items())]
+
+
+def test_the_tables_of_the_page_are_the_recorded_measurement(recorded: dict[str, Any]) -> None:
+    counts, page = recorded["counts"], PAGE.read_text(encoding="utf-8")
+    assert len(counts) == len(EPSILONS) * len(BETAS) * len(SOLVERS) * len(TOLERANCES)
+    assert f"scipy {recorded['versions']['scipy']}" in page
+    assert all(count["wrong"] + count["silent"] + count["failed"] <= count["decided"] == 3 for count in counts)
+    rows = [line for line in page.splitlines() if line.startswith("| 10") and any(name in line for name in SOLVERS)]
+    assert rows == [
+        f"| {printed} | {solver} {tolerance} | "
+        + " | ".join(
+            cell(chosen_from(counts, epsilon=epsilon, solver=solver, tolerance=tolerance, beta=beta)) for beta in BETAS
+        )
+        + " |"
+        for epsilon, printed in EPSILONS.items()
+        for tolerance in TOLERANCES
+        for solver in SOLVERS
+    ]
+    for tolerance in TOLERANCES:
+        totals = [total(chosen_from(counts, solver=solver, tolerance=tolerance)) for solver in SOLVERS]
+        assert f"\n| {tolerance} | {' | '.join(totals)} |\n" in page
 
 
 @pytest.mark.parametrize(("eps", "beta", "column"), [("1e-4", "11/2", 6), ("1e-5", "5/2", 3), ("1e-5", "15/2", 8)])
 def test_the_page_prints_k_as_it_is(eps: str, beta: str, column: int) -> None:
-    page = (Path(__file__).resolve().parents[2] / "docs" / "where_floats_fail.md").read_text(encoding="utf-8")
+    page = PAGE.read_text(encoding="utf-8")
     digits = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹−", "-0123456789-")
     rows = [row.translate(digits) for row in page.splitlines() if "**K**" in row]
-    (cell,) = (row.split("|")[column].strip() for row in rows if row.startswith(f"| 10{eps[2:]} "))
-    mantissa, exponent = cell.split("·10")
+    (shown,) = (row.split("|")[column].strip() for row in rows if row.startswith(f"| 10{eps[2:]} "))
+    mantissa, exponent = shown.split("·10")
     found = certified_side(start(beta, "2", eps)).rule.side
     assert found.is_finite()
     assert abs(float(found.mid()) / float(f"{mantissa}e{exponent}") - 1) < 0.005
@@ -95,10 +152,12 @@ def test_a_scene_that_the_exact_solution_does_not_cover_is_refused() -> None:
 
 
 def test_what_a_float_run_says(monkeypatch: pytest.MonkeyPatch) -> None:
-    scene = start("5/2", "2", "1e-3")
-    assert float_side(scene, "LSODA", 1e-6) == LASTS
-    assert float_side(start("5/2", "1/2", "1e-3"), "LSODA", 1e-6) == LOST
-    assert float_side(scene.with_settings(until="1/10"), "LSODA", 1e-6) == NO_EVENT
+    """Far from the canard: |K| is 10^5 times the tolerance, so every solver that keeps it has the right side."""
+    scene = start("5/2", "2", "1e-2")
+    assert bool(abs(certified_side(scene).rule.side) > fmpq(1, 10**5))
+    assert float_side(scene, "LSODA", 1e-10) == LASTS
+    assert float_side(start("5/2", "1/2", "1e-2"), "LSODA", 1e-10) == LOST
+    assert float_side(scene.with_settings(until="1/10"), "LSODA", 1e-10) == NO_EVENT
 
     def gives_up(*_: object) -> None:
         raise SceneError("the float run failed")
