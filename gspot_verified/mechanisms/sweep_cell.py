@@ -70,7 +70,7 @@ class Examination:
     sides: list[fmpq] = field(default_factory=list)
     left: int = _BUDGET
     """Boxes that may still be examined; on a line, where no tube is found, they are divided all the same."""
-    trace: TubeTrace = field(default_factory=TubeTrace)
+    kept_tubes: TubeTrace = field(default_factory=TubeTrace)
     """The tubes of the last cell, as choices."""
 
     def pieces(self, cell: Cell, known: Sequence[Choice] = ()) -> list[SweepPiece]:
@@ -78,7 +78,7 @@ class Examination:
 
         ``known``: the tubes of an earlier examination; each is proved again.
         """
-        self.trace = TubeTrace(known)
+        self.kept_tubes = TubeTrace(known)
         if cell.origin is None:
             return [SweepPiece(cell.lower, cell.upper, Kind.NO_TUBE)]
         # The widths of the last tube are a good guess at those of the next.
@@ -125,7 +125,7 @@ class Examination:
     def _tube(
         self, equations: Equations, lower: tuple[fmpq, ...], upper: tuple[fmpq, ...], origin: Origin
     ) -> OnTube | None:
-        return self.trace.tube(equations, lower, upper, partial(proved_tube, equations, lower, upper, origin))
+        return self.kept_tubes.tube(equations, lower, upper, partial(proved_tube, equations, lower, upper, origin))
 
     def _halves(self, box: Box, depth: int, known: Known, side: int) -> list[SweepPiece]:
         """The two halves, that next to what is known first; on a line nothing is sought behind a place without tube."""

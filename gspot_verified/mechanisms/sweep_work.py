@@ -87,7 +87,7 @@ def examine(question: Question, cells: Sequence[Cell], known: Choices | None = N
     for cell, tubes in zip_longest(cells, (known or [])[: len(cells)], fillvalue=None):
         assert cell is not None
         pieces.append(examination.pieces(cell, tubes or ()))
-        choices.append(examination.trace.met)
+        choices.append(examination.kept_tubes.met)
     return pieces, choices
 
 

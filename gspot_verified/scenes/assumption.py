@@ -4,24 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
 from gspot_verified.balls import hull, working_bits
+from gspot_verified.verdict import NoTruthValue
 
 CHECKED, VIOLATED, ASSUMED = "checked", "violated", "assumed"
 _SHOWN_BITS, _SHOWN_DIGITS = 400, 20
 
 
 @dataclass(frozen=True)
-class Assumption:
+class Assumption(NoTruthValue):
     """``assumes``: a condition on the motion; ``effect``: what is left out and would be needed where it fails.
 
     ``standing``: checked along the whole run, violated for certain, or assumed. ``lower``, ``upper``: a bracket of the
     time, after the start, at which it first fails, or up to which it was seen to hold; None where it was checked.
     ``why``: why it is only assumed.
     """
+
+    ask: ClassVar[str] = ".standing is checked, violated or assumed"
 
     effect: str
     assumes: str

@@ -161,7 +161,7 @@ def test_a_hinge_needs_the_direction(
     question = ask(tau, beta, sign)
     assert question.beta.lower is not None
     assert question.beta.upper is not None
-    search = _SignSearch(question, question.beta.lower, question.beta.upper)
+    search = _SignSearch(question, question.beta.lower, question.beta.upper, None)
     for answer in (1, -1, 0, None):
         monkeypatch.setattr(search.models, "sign", lambda *_, answer=answer: answer)
         assert search._hinge(*place) is (answer == direction)
