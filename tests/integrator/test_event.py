@@ -240,7 +240,7 @@ def test_a_wide_set_leaves_zero_on_several_pieces() -> None:
 
 
 def test_the_first_crossing_is_before_all_others() -> None:
-    """cos t = 1/2 at pi/3, within one segment with cos t = 0.49; -x - 2 has no zero, and two of one function none first."""
+    """cos t = 1/2 at pi/3, in one segment with cos t = 0.49; -x - 2 has no zero; of one twice none is first."""
     early, late, never = -x + number(1, 2), -x + number(49, 100), -x - number(2)
     for functions, expected in (([late, early, never], 1), ([early, late], 0), ([early, early], None)):
         with working_bits(128):
