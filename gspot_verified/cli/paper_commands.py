@@ -34,6 +34,10 @@ def verify(
         Path | None,
         typer.Option(help="Where results are kept; build/ledger of a clone, else in ~/.cache.", metavar="<folder>"),
     ] = None,
+    workers: Annotated[
+        int | None,
+        typer.Option(help="Processes for the whole paper and its report; one a core, at most 16, if not given."),
+    ] = None,
     as_json: JsonFlag = False,
 ) -> None:
     """Check the paper, Sections 1 to 7 and Appendices A and B, claim by claim, and write the report.
@@ -47,12 +51,15 @@ def verify(
     from gspot_verified.ledger.cache import Cache, default_folder
     from gspot_verified.ledger.verify import exit_code, verify_claims, verify_paper
     from gspot_verified.report.write import write_report
+    from gspot_verified.signs.executors import cores, executor
 
     outputs = Outputs()
     if claims and output is not None:
         raise ValueError("--output: the report is of the whole paper; name no claims")
     if alone and not claims:
         raise ValueError("--alone: for named claims")
+    if claims and workers is not None:
+        raise ValueError("--workers: for the whole paper; name no claims")
     folder = output or Path("report")
     if not claims:
         outputs.folder("--output", folder)
@@ -65,8 +72,9 @@ def verify(
         else:
             print_claims(named, further)
     else:
-        named = verify_paper(progress, kept, proofs)
-        written = outputs.write("--output", folder, lambda: write_report(named, folder, progress))
+        with executor(min(cores(), 16) if workers is None else workers) as pool:
+            named = verify_paper(progress, kept, proofs, pool)
+            written = outputs.write("--output", folder, lambda: write_report(named, folder, progress, pool))
         if as_json:
             print_json(paper_data(named))
         else:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import ClassVar
 
@@ -39,11 +40,29 @@ def checked_certificates(
     :raises OSError: a file cannot be read.
     """
     found = []
-    for path in sorted(folder.glob("*.cert")) if folder.is_dir() else []:
+    for path in _certificates(folder):
         if progress is not None:
             progress(f"checking {path.name}")
-        content = path.read_bytes()
-        result = run_checker(path)
-        said = result.text.splitlines()[-1]
-        found.append(CheckedCertificate(path.name, hashlib.sha256(content).hexdigest(), result.verified, said, content))
+        found.append(checked(path))
     return found
+
+
+def certificate_checks(folder: Path = PROOFS) -> dict[str, Callable[[], CheckedCertificate]]:
+    """What checks each certificate of a folder, by its name."""
+    return {path.name: partial(checked, path) for path in _certificates(folder)}
+
+
+def checked(path: Path) -> CheckedCertificate:
+    """One certificate, checked now.
+
+    :raises ValueError: the checker is not there, or it could not run.
+    :raises OSError: the file cannot be read.
+    """
+    content = path.read_bytes()
+    result = run_checker(path)
+    said = result.text.splitlines()[-1]
+    return CheckedCertificate(path.name, hashlib.sha256(content).hexdigest(), result.verified, said, content)
+
+
+def _certificates(folder: Path) -> list[Path]:
+    return sorted(folder.glob("*.cert")) if folder.is_dir() else []

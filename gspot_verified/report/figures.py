@@ -235,11 +235,6 @@ _PICTURES: tuple[Callable[[], Picture], ...] = (
 )
 
 
-def pictures(progress: Callable[[str], Any] | None = None) -> tuple[Picture, ...]:
-    """All figures of the report, in the order in which it shows them."""
-    done = []
-    for number, draw in enumerate(_PICTURES, start=1):
-        if progress:
-            progress(f"figure {number} of {len(_PICTURES)}")
-        done.append(draw())
-    return tuple(done)
+def drawings() -> dict[str, Callable[[], Picture]]:
+    """What draws each figure of the report, in the order in which it shows them."""
+    return {f"figure {number} of {len(_PICTURES)}": draw for number, draw in enumerate(_PICTURES, start=1)}

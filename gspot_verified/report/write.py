@@ -6,36 +6,45 @@ import json
 import os
 import secrets
 from collections.abc import Callable, Sequence
+from concurrent.futures import Executor
 from pathlib import Path
 from typing import Any
 
 from gspot_verified.cost.chapter.file import load, recorded, written
 from gspot_verified.cost.chapter.measurement import Measurement
 from gspot_verified.ledger.entry import Entry
-from gspot_verified.report.certificates import checked_certificates
+from gspot_verified.report.canvas import Picture
+from gspot_verified.report.certificates import CheckedCertificate, certificate_checks
 from gspot_verified.report.cost_page import cost_figures
 from gspot_verified.report.data import report_data
-from gspot_verified.report.figures import pictures
-from gspot_verified.report.hard_cases import hard_cases
+from gspot_verified.report.figures import drawings
+from gspot_verified.report.hard_cases import hard_cases, measurements
 from gspot_verified.report.site import pages, style
+from gspot_verified.signs.executors import InProcessExecutor, as_they_end
 
 _MAX_FILE_BYTES = 200_000_000
 
 
-def write_report(entries: Sequence[Entry], directory: Path, progress: Callable[[str], None] | None = None) -> Path:
+def write_report(
+    entries: Sequence[Entry],
+    directory: Path,
+    progress: Callable[[str], None] | None = None,
+    pool: Executor | None = None,
+) -> Path:
     """Draw the figures, check the certificates and write the report; returns the path of its ``index.html``.
 
     Everything is computed before the first file is touched, and each file is replaced in one step, the start last.
 
     :param directory: made if it does not exist; the folder it is in must exist.
-    :param progress: called with a short line before each step.
+    :param progress: called with a short line after each part that is computed, and before each step of writing.
+    :param pool: where figures, certificates and hard cases are computed.
     :raises ValueError: two entries have one identifier.
+    :raises RuntimeError: a part could not be computed; the message has its name.
     :raises OSError: a file or folder cannot be written.
     """
     say = progress or (lambda _: None)
-    drawn = pictures(say)
-    certificates = checked_certificates(progress=say)
-    report = report_data(entries, drawn, certificates, hard_cases(say))
+    drawn, certificates, hard = computed(say, pool or InProcessExecutor())
+    report = report_data(entries, drawn, certificates, hard)
     measurement = recorded()
     made = pages(report, measurement)
     for folder in (directory, directory / "figures", directory / "certificates"):
@@ -51,6 +60,20 @@ def write_report(entries: Sequence[Entry], directory: Path, progress: Callable[[
     say("writing the pages")
     _write_measurement(measurement, directory)
     return _write_pages(made, directory)
+
+
+def computed(
+    say: Callable[[str], None], pool: Executor
+) -> tuple[tuple[Picture, ...], list[CheckedCertificate], dict[str, Any]]:
+    """Figures, certificates and hard cases: parts that do not depend on each other, the longest kind first."""
+    certificates, figures, families = certificate_checks(), drawings(), measurements()
+    calls: dict[str, Callable[[], Any]] = {**dict(reversed(certificates.items())), **figures, **families}
+    found: dict[str, Any] = {}
+    for name, result in as_they_end(pool, calls):
+        found[name] = result
+        say(f"{name}: done, {len(found)} of {len(calls)} parts of the report")
+    drawn = tuple(found[name] for name in figures)
+    return drawn, [found[name] for name in certificates], hard_cases(found[name] for name in families)
 
 
 def render_from_json(path: Path, directory: Path, cost: Path | None = None) -> Path:

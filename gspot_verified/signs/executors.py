@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, Future
+import os
+import signal
+import sys
+import threading
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import BrokenExecutor, Executor, Future, as_completed
 from contextlib import contextmanager
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
+
+if TYPE_CHECKING:
+    from multiprocessing.connection import Connection
 
 _Result = TypeVar("_Result")
 
@@ -42,12 +49,80 @@ def executor(workers: int = 1, scheduler: str | None = None) -> Iterator[Executo
     elif workers == 1:
         yield InProcessExecutor()
     else:
-        import multiprocessing
-        from concurrent.futures import ProcessPoolExecutor
-
-        # Fresh processes: flint's global context of this one is not inherited half-changed.
-        with ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn")) as pool:
+        with _pool(workers) as pool:
             yield pool
+
+
+def cores() -> int:
+    """How many cores this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def as_they_end(pool: Executor, calls: Mapping[str, Callable[[], _Result]]) -> Iterator[tuple[str, _Result]]:
+    """The name and the result of each call as it ends; they begin in the order given. In-process one after the other.
+
+    :raises RuntimeError: a call raised an exception, or its process was ended from outside; the message has its name.
+
+    >>> with executor() as pool:
+    ...     list(as_they_end(pool, {"a": int, "b": str}))
+    [('a', 0), ('b', '')]
+    """
+    ended: Iterator[tuple[str, Future[_Result]]]
+    if isinstance(pool, InProcessExecutor):
+        ended = ((name, pool.submit(call)) for name, call in calls.items())
+    else:
+        names = {pool.submit(call): name for name, call in calls.items()}
+        ended = ((names[future], future) for future in as_completed(names))
+    left = list(calls)
+    for name, future in ended:
+        try:
+            result = future.result()
+        except BrokenExecutor:
+            raise RuntimeError(f"a worker process was ended from outside; not done: {', '.join(left)}") from None
+        except Exception as error:
+            raise RuntimeError(f"{name}: {type(error).__name__}: {error}") from error
+        left.remove(name)
+        yield name, result
+
+
+@contextmanager
+def _pool(workers: int) -> Iterator[Executor]:
+    """Fresh processes: flint's global context of this one is not inherited half-changed.
+
+    After an error or an interrupt here they end at once; they end too when this process is killed.
+    """
+    import multiprocessing
+    from concurrent.futures import ProcessPoolExecutor
+
+    context = multiprocessing.get_context("spawn")
+    theirs, ours = context.Pipe(duplex=False)
+    with theirs, ours:
+        pool = ProcessPoolExecutor(workers, context, _begin_worker, (theirs, sys.prefix))
+        try:
+            yield pool
+        except BaseException:
+            ours.close()
+            pool.shutdown(cancel_futures=True)
+            raise
+        pool.shutdown()
+
+
+def _begin_worker(line: Connection, prefix: str) -> None:
+    """A process group of its own, with the programs that it starts; the group ends when the line closes.
+
+    Without the module ``site``, as where Python is isolated, a worker does not know ``sys.prefix``.
+    """
+    sys.prefix = prefix
+    if hasattr(os, "setpgid"):
+        os.setpgid(0, 0)
+    threading.Thread(target=_end_with, args=(line,), daemon=True).start()
+
+
+def _end_with(line: Connection) -> None:
+    line.poll(None)
+    if hasattr(os, "killpg"):
+        os.killpg(0, signal.SIGKILL)
+    os._exit(1)
 
 
 def _dask(scheduler: str) -> Iterator[Executor]:

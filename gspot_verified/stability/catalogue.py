@@ -67,7 +67,7 @@ class Catalogue(NoTruthValue):
         return {"families": [family.to_json() for family in self.families], "summary": self.summary()}
 
     def __str__(self) -> str:
-        blocks = [_aligned(_HEADER), *(_block(measured) for measured in self.families)]
+        blocks = [_aligned(_HEADER), *map(_block, self.families)]
         return "\n\n".join([*blocks, summary_text(self.summary())])
 
 
@@ -83,8 +83,13 @@ def run(names: Sequence[str] = (), progress: Callable[[str], None] = lambda _: N
     found = []
     for family in [known[name] for name in dict.fromkeys(names)] or families():
         progress(family.title)
-        found.append(Measured(family, tuple(map(family.case, family.levels))))
+        found.append(measured(family))
     return Catalogue(tuple(found))
+
+
+def measured(family: Family) -> Measured:
+    """The family at each of its levels, now."""
+    return Measured(family, tuple(map(family.case, family.levels)))
 
 
 def summary_text(summary: dict[str, int]) -> str:
@@ -101,17 +106,17 @@ def summary_text(summary: dict[str, int]) -> str:
     )
 
 
-def _block(measured: Measured) -> str:
-    family = measured.family
+def _block(found: Measured) -> str:
+    family = found.family
     lines = [f"{family.title} ({family.name}; {family.part}): {family.variable}"]
-    lines += [_row(case) for case in measured.cases]
-    grown = [f"{word} like (level)^{power:.2f}" for word, power in _powers(measured) if power is not None]
+    lines += [_row(case) for case in found.cases]
+    grown = [f"{word} like (level)^{power:.2f}" for word, power in _powers(found) if power is not None]
     return "\n".join([*lines, *([f"  {', '.join(grown)}"] if grown else [])])
 
 
-def _powers(measured: Measured) -> list[tuple[str, float | None]]:
-    growth = measured.growth
-    return [(measured.family.work, growth["work"]), ("time", growth["seconds"])]
+def _powers(found: Measured) -> list[tuple[str, float | None]]:
+    growth = found.growth
+    return [(found.family.work, growth["work"]), ("time", growth["seconds"])]
 
 
 def _row(case: HardCase) -> str:

@@ -5,14 +5,14 @@ import pytest
 from gspot_verified.dyadic import Dyadic
 from gspot_verified.ledger.entry import Check, Entry, Rung, conclude
 from gspot_verified.report.certificates import CheckedCertificate
-from gspot_verified.report.figures import pictures as draw
+from gspot_verified.report.figures import drawings
 from gspot_verified.stability.catalogue import run
 from gspot_verified.verdict import Reason, Verdict
 
 
 @pytest.fixture(scope="session")
 def pictures():
-    return draw()
+    return tuple(draw() for draw in drawings().values())
 
 
 @pytest.fixture(scope="session")

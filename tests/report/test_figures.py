@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib import image
 
 from gspot_verified.report import figures, samples
+from gspot_verified.signs.executors import as_they_end, executor
 
 
 def test_there_are_seven_figures_with_texts(pictures):
@@ -27,11 +28,10 @@ def test_figures_are_finite_and_not_empty(pictures):
         assert len(np.unique(pixels[::7, ::7].reshape(-1, pixels.shape[2]), axis=0)) > 50
 
 
-def test_progress_names_every_figure(monkeypatch, pictures):
-    said = []
-    monkeypatch.setattr(figures, "_PICTURES", [lambda picture=picture: picture for picture in pictures])
-    assert figures.pictures(said.append) == pictures
-    assert said == [f"figure {k} of 7" for k in range(1, 8)]
+def test_a_fresh_process_draws_the_same_bytes(pictures):
+    with executor(2) as pool:
+        drawn = dict(as_they_end(pool, {"theta": figures.theta_picture, "sides": figures.sides_picture}))
+    assert (drawn["theta"], drawn["sides"]) == (pictures[1], pictures[4])
 
 
 def test_captions_count_what_was_certified(pictures):

@@ -4,7 +4,13 @@ import copy
 
 import pytest
 
-from gspot_verified.report.hard_cases import NONE, check_hard_cases
+from gspot_verified.report.hard_cases import NONE, check_hard_cases, hard_cases, measurements
+from gspot_verified.stability.family import families
+
+
+def test_the_report_counts_as_the_catalogue_does(hard):
+    assert hard_cases(hard["families"]) == hard
+    assert len(measurements()) == len(families())
 
 
 def test_what_the_catalogue_gives_has_the_form(hard):

@@ -91,9 +91,7 @@ def examined(folder, width):
 @pytest.fixture(scope="module")
 def folder(pictures, certificates, hard, tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(write, "pictures", lambda _: pictures)
-        patch.setattr(write, "checked_certificates", lambda **_: certificates)
-        patch.setattr(write, "hard_cases", lambda _: hard)
+        patch.setattr(write, "computed", lambda *_: (pictures, certificates, hard))
         folder = tmp_path_factory.mktemp("browser") / "report"
         write.write_report(verify_paper(), folder)
         return folder

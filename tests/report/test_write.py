@@ -11,9 +11,7 @@ from gspot_verified.report import write
 @pytest.fixture(scope="module")
 def written(entries, pictures, certificates, hard, tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(write, "pictures", lambda _: pictures)
-        patch.setattr(write, "checked_certificates", lambda **_: certificates)
-        patch.setattr(write, "hard_cases", lambda _: hard)
+        patch.setattr(write, "computed", lambda *_: (pictures, certificates, hard))
         directory = tmp_path_factory.mktemp("out") / "report"
         said = []
         assert write.write_report(entries, directory, said.append) == directory / "index.html"
@@ -23,9 +21,7 @@ def written(entries, pictures, certificates, hard, tmp_path_factory):
 
 @pytest.fixture
 def drawn(monkeypatch, pictures, certificates, hard):
-    monkeypatch.setattr(write, "pictures", lambda _: pictures)
-    monkeypatch.setattr(write, "checked_certificates", lambda **_: certificates)
-    monkeypatch.setattr(write, "hard_cases", lambda _: hard)
+    monkeypatch.setattr(write, "computed", lambda *_: (pictures, certificates, hard))
 
 
 def test_files(written, pictures, certificates):

@@ -2,15 +2,19 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
+import sys
+import time
 import warnings
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from gspot_verified.certificates.text import certificate_text
-from gspot_verified.signs.executors import InProcessExecutor, executor
+from gspot_verified.signs.executors import InProcessExecutor, as_they_end, executor
 from gspot_verified.signs.sign import sign_on_ranges
 from gspot_verified.signs.zeros import ZerosResult, zeros_on_range
 
@@ -69,6 +73,59 @@ def test_the_largest_number_of_workers() -> None:
     """A pool that is not asked for anything starts none of them."""
     with executor(1024) as pool:
         assert not isinstance(pool, InProcessExecutor)
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_a_call_that_fails_is_named(workers: int) -> None:
+    calls = {"good": partial(int, "1"), "bad": partial(int, "x")}
+    with pytest.raises(RuntimeError, match=r"^bad: ValueError: invalid literal"), executor(workers) as pool:
+        dict(as_they_end(pool, calls))
+
+
+def test_a_worker_that_is_ended_from_outside_is_told() -> None:
+    calls = {"killed": partial(os._exit, 1)}
+    with pytest.raises(RuntimeError, match="ended from outside; not done: killed"), executor(2) as pool:
+        dict(as_they_end(pool, calls))
+
+
+_LONG = """
+import subprocess, sys, time
+from functools import partial
+from gspot_verified.signs.executors import as_they_end, executor
+
+if __name__ == "__main__":
+    code = "import os, time; print(os.getpid(), os.getppid(), flush=True); time.sleep(600)"
+    program = [sys.executable, "-c", code]
+    with executor(2) as pool:
+        dict(as_they_end(pool, {"long": partial(subprocess.call, program), "other": partial(time.sleep, 600)}))
+"""
+
+
+def runs(process: int) -> bool:
+    """Whether there is such a process; one that has ended and that nobody has asked for does not count."""
+    state = Path(f"/proc/{process}/stat")
+    return state.exists() and state.read_text().rpartition(")")[2].split()[0] != "Z"
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="no /proc on this system")
+@pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGKILL], ids=lambda sent: sent.name)
+def test_nothing_is_left_of_a_run_that_was_interrupted_or_killed(tmp_path: Path, sent: signal.Signals) -> None:
+    (tmp_path / "long.py").write_text(_LONG)
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    with subprocess.Popen(
+        [sys.executable, str(tmp_path / "long.py")], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+        env=environment,
+    ) as run:  # fmt: skip
+        assert run.stdout is not None
+        began = [int(word) for word in run.stdout.readline().split()]
+        assert len(began) == 2
+        assert all(map(runs, began))
+        run.send_signal(sent)
+        assert run.wait(60) != 0
+    until = time.monotonic() + 60
+    while any(map(runs, began)) and time.monotonic() < until:
+        time.sleep(0.05)
+    assert not any(map(runs, began))
 
 
 @pytest.fixture
