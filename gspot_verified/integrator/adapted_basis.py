@@ -21,7 +21,7 @@ _EXCESS = 0.3
 _SWEEPS = 3
 _ZERO = 1e-7
 _LARGEST_CONDITION = 1e12
-_LARGEST_SCALE = 2.0**14
+_LEAST_COUPLING = 2.0**-14
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +44,7 @@ def adapted_basis(rows: Sequence[Sequence[float]]) -> AdaptedBasis:
     given = np.array(rows)
     if not np.isfinite(given).all():
         raise np.linalg.LinAlgError("an entry is not finite")
-    scales = _balance(given)
+    scales = _balance(given, _LEAST_COUPLING * float(np.abs(np.linalg.eigvals(given)).max()))
     matrix = given * scales / scales[:, None]
     values, vectors = eig(matrix)
     zero = _ZERO * float(np.abs(values).max())
@@ -74,15 +74,16 @@ def adapted_basis(rows: Sequence[Sequence[float]]) -> AdaptedBasis:
     return AdaptedBasis([[float(entry) for entry in row] for row in basis], tuple(blocks), rate, tuple(values))
 
 
-def _balance(matrix: Matrix) -> NDArray[np.float64]:
+def _balance(matrix: Matrix, least: float) -> NDArray[np.float64]:
     """Powers of 2 as units of the components, for rows and columns of like size.
 
-    Limited: an entry of J may be as small as a part that has died out, and a tube that is narrow in one unit of 10^-80
-    is as wide as nothing can be proved of in the others.
+    A coupling that is not 0 counts as at least ``least``: an entry of J may be as small as a part that has died out,
+    and a tube that is narrow in one unit of 10^-80 is as wide as nothing can be proved of in the others. Large ones are
+    not limited: a clock drives a force of 10^30 by as much, and its tube must be that much narrower.
     """
     size = len(matrix)
     scales = np.ones(size)
-    work = np.abs(matrix) * (1 - np.eye(size))
+    work = np.where(matrix == 0, 0.0, np.maximum(np.abs(matrix), least)) * (1 - np.eye(size))
     for _ in range(_SWEEPS):
         for i in range(size):
             row, column = float(work[i].sum()), float(work[:, i].sum())
@@ -92,8 +93,7 @@ def _balance(matrix: Matrix) -> NDArray[np.float64]:
                 scales[i] *= factor
                 work[i] /= factor
                 work[:, i] *= factor
-    limited: Matrix = np.clip(scales, 1 / _LARGEST_SCALE, _LARGEST_SCALE)
-    return limited
+    return scales
 
 
 def spectral_basis(rows: Sequence[Sequence[float]], limit: float) -> tuple[Matrix, NDArray[np.bool_]] | None:

@@ -172,3 +172,17 @@ def test_an_uncertain_end_is_not_passed(least: int, wide: int) -> None:
         if run.reason is None:
             assert segments[-1].end_time.contains(end)
         assert wide or run.reason is None
+
+
+def test_a_clock_that_drives_a_large_state() -> None:
+    """x' = t x + 1 from 10^30, with the clock as a state: J is [[t, 10^30], [0, 0]], and the clock's unit is as small."""
+    with working_bits(192):
+        run = NormRun(VectorField([x * y + Constant(fmpq(1)), Constant(fmpq(1))]), [arb(10) ** 30, arb(0)], arb(2))
+        assert len(list(run)) < 20
+        assert run.reason is None
+        found = run.set.enclosure()
+        assert found[0].is_finite()
+        assert found[0].contains(arb(10) ** 30 * arb(2).exp() + 9)  # x(2) = e^2 (10^30 + a number in (1, 2))
+        assert found[0].rad() < found[0] * 1e-12
+    sizes = [max(map(abs, row)) for row in adapted_basis([[1.0, 1e30], [0.0, 0.0]]).rows]
+    assert sizes[1] < sizes[0] * 1e-20
