@@ -9,7 +9,7 @@ from pathlib import Path
 
 from flint import fmpq
 
-from gspot_verified.compliant.normal_form import compliant_model, compliant_state
+from gspot_verified.compliant.normal_form import CompliantModel, compliant_model, compliant_state
 from gspot_verified.compliant.run import IMPACT as LASTING
 from gspot_verified.compliant.run import ONE_FLIGHT, Run, compliant_run
 from gspot_verified.compliant.run import TRIVIAL as CONSTANT
@@ -63,11 +63,15 @@ def certified_run(
 
 
 def _exact_run(scene: Scene, digits: int, points: int | None) -> SceneRun:
-    values, start = scene.values(), scene.initial()
-    model = compliant_model(values["beta"], scene.epsilon, alpha_1=values["alpha_1"], alpha_2=values["alpha_2"])
-    run = compliant_run(model, compliant_state(*(start[name] for name in "pbyvz")), digits)
+    start = scene.initial()
+    run = compliant_run(_model(scene), compliant_state(*(start[name] for name in "pbyvz")), digits)
     samples = None if points is None else certified_samples(run, scene.until, points)
     return SceneRun(CERTIFIED, _fate(run), _events(run), run.verdict, samples)
+
+
+def _model(scene: Scene) -> CompliantModel:
+    values = scene.values()
+    return compliant_model(values["beta"], scene.epsilon, alpha_1=values["alpha_1"], alpha_2=values["alpha_2"])
 
 
 def not_covered(scene: Scene) -> str | None:
@@ -83,6 +87,10 @@ def not_covered(scene: Scene) -> str | None:
     start = scene.initial()
     if not (start["p"] > 0 and start["y"] < start["z"]):
         return "the exact solution is used from a start in contact with p > 0"
+    try:
+        _model(scene)
+    except ValueError as error:
+        return f"the exact solution does not cover this scene: {error}"
     return None
 
 

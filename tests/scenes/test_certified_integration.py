@@ -20,7 +20,7 @@ from gspot_verified.integrator.norm_step import StateSet
 from gspot_verified.integrator.slow_curve import slow_curve
 from gspot_verified.scenes.certified_integration import integrated_run
 from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase, Open, PhaseEnd
-from gspot_verified.scenes.certified_run import EXACT, INTEGRATOR, certified_run
+from gspot_verified.scenes.certified_run import EXACT, INTEGRATOR, certified_run, not_covered
 from gspot_verified.scenes.contact_form import NotOfThisForm
 from gspot_verified.scenes.file import load_scene
 from gspot_verified.scenes.float_run import float_run
@@ -28,6 +28,7 @@ from gspot_verified.scenes.invariant_region import InvariantRegion
 from gspot_verified.scenes.numbers import scene_number
 from gspot_verified.scenes.run import FLIGHT_THEN_IMPACT, IMPACT, OPEN, SceneRun, agreement
 from gspot_verified.scenes.scene import Scene, SceneError
+from gspot_verified.scenes.side import certified_side
 from gspot_verified.verdict import Outcome
 
 RUNS = [
@@ -55,6 +56,27 @@ def test_two_routes_overlap(beta: str, nu: str) -> None:
         assert ours.lower <= theirs.upper
         assert theirs.lower <= ours.upper
         assert ours.upper - ours.lower < fmpq(1, 10**20)
+
+
+@pytest.mark.parametrize(
+    ("changed", "hypothesis"),
+    [({"beta": "1"}, "beta: expected a number in"), ({"alpha_1": "0"}, "alpha_1: expected a number < 0"),
+     ({"alpha_1": "1"}, "alpha_1: expected a number < 0"), ({"beta": "-1"}, "alpha_3 = beta alpha_1: expected"),
+     ({"beta": "101"}, "beta: expected a number in"), ({"eps": "2e6"}, "epsilon: expected")],
+    ids=str,
+)  # fmt: skip
+def test_hypotheses_of_the_exact_solution(changed: dict[str, str], hypothesis: str) -> None:
+    """Where one fails the exact route says which, as an error of the scene; the integrator has none of them."""
+    scene = load_scene("fig-varsim1", until="1/1000", **({"eps": "1e-3", "b": "-1"} | changed))
+    assert hypothesis in str(not_covered(scene))
+    with pytest.raises(SceneError, match="the exact solution"):
+        certified_run(scene, route=EXACT)
+    with pytest.raises(SceneError, match="the exact solution"):
+        certified_side(scene)
+    found, integrated = certified_run(scene), certified_run(scene, route=INTEGRATOR)
+    assert found.verdict == integrated.verdict
+    if changed in ({"beta": "1"}, {"alpha_1": "1"}):
+        assert found.verdict.outcome is Outcome.PROVED
 
 
 @pytest.mark.slow
