@@ -117,6 +117,15 @@ def test_the_structure_of_the_control() -> None:
             check_lie_derivatives(replace(base, G=tuple(control)))
 
 
+@pytest.mark.parametrize("missing", [Power(Variable(0) * Variable(0) * -one, fmpq(1, 2)), Constant(arb("nan"))])
+def test_nothing_compared_is_no_law(missing: Expression) -> None:
+    """A function that is defined nowhere near the G-spot, or is NaN there, agrees with nothing."""
+    base = extended_example(1)
+    wrong = replace(base, ring=BALLS, point=(arb(0),) * 6, v=base.v + missing)
+    with pytest.raises(AssertionError, match="no point near the G-spot was found"):
+        check_lie_derivatives(wrong)
+
+
 def test_without_synchronisation() -> None:
     """alpha_2 with a wrong value at the G-spot gives another b than the function of xi."""
     wrong = replace(extended_example(1), alpha_2=Constant(fmpq(-2)))
