@@ -93,7 +93,8 @@ class CertifiedPhases:
 
     def _touching(self, phase: str, states: dict[str, arb]) -> Next | Open:
         """Contact that has just closed."""
-        assert phase == FLIGHT
+        if phase != FLIGHT:
+            raise ValueError(f"touch-down ends a flight, not the phase {phase}")
         if STICK not in self._scene.phases():
             return self._begins(SLIP, touching=True, at_rest=False)
         slip = self._value(SLIP, self[SLIP].system.shown("u"), states) - self._belt

@@ -131,7 +131,8 @@ class MechanismMotion:
 
     def states(self, phase: str) -> tuple[str, ...]:
         """The components that are kept: the same in all phases."""
-        assert phase in PHASES
+        if phase not in PHASES:
+            raise ValueError(f"phase: expected one of {', '.join(PHASES)}, got {phase!r}")
         return self.kept
 
     def terms(self, phase: str, states: tuple[str, ...], values: Mapping[str, fmpq]) -> MechanismTerms:
@@ -203,7 +204,8 @@ class MechanismMotion:
 
     def start(self, values: Mapping[str, fmpq]) -> dict[str, fmpq]:
         """The kept components and y, v, z, exactly; y = v = z = 0, just in contact, where these are not given."""
-        assert values
+        if not values:
+            raise ValueError("values: expected the constants of the scene, got none")
         return {name: self._component(self.mechanism.state.index(name)) for name in self.kept} | {
             name: self._given[name] for name in "yvz"
         }

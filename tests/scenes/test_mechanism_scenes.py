@@ -17,6 +17,7 @@ from gspot_verified.mechanisms.given import from_fields, lagrangian
 from gspot_verified.mechanisms.lie_derivatives import derive
 from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.scenes.certified_phases import CertifiedPhases
 from gspot_verified.scenes.file import load_scene, parse_scene
 from gspot_verified.scenes.float_function import float_function
 from gspot_verified.scenes.float_run import float_run
@@ -374,3 +375,14 @@ def test_the_equations_of_a_mechanism_are_autonomous() -> None:
         for phase in (made := scene(name, STICK)).phases():
             system = made.system(phase)
             assert all(max(variables_of(rate), default=0) < len(system.states) for rate in system.right_hand_side)
+
+
+def test_what_is_no_phase_is_refused() -> None:
+    """Checks that stand with optimisation, too, where assert statements are left out."""
+    motion = load_scene("rod").motion
+    with pytest.raises(ValueError, match="phase: expected one of"):
+        motion.states("rest")
+    with pytest.raises(ValueError, match="values: expected the constants"):
+        motion.start({})
+    with pytest.raises(ValueError, match="touch-down ends a flight, not the phase slip"):
+        CertifiedPhases(load_scene("rod"))._touching("slip", {})
