@@ -93,6 +93,8 @@ class _Solver:
 
     The unknowns stand by degree, the start of the slow coordinates before all equations: so the entries fill a band as
     wide as the degree of J. LAPACK's routines for bands are faster than a full LU, and leave other cores alone.
+
+    :raises numpy.linalg.LinAlgError: an equation whose coefficients are all 0, or one is not finite.
     """
 
     def __init__(self, jacobian: NDArray[np.float64], basis: Matrix, slow: NDArray[np.bool_], h: float) -> None:
@@ -107,7 +109,10 @@ class _Solver:
         table[each[:-1], :, each[1:], :] += each[1:, None, None] * np.eye(size)
         self._kept = np.concatenate([np.ones((length - 1) * size, dtype=bool), np.logical_not(slow)])
         flat = np.concatenate([np.eye(size, length * size)[slow], table.reshape(length * size, -1)[self._kept]])
-        self._scale = 1 / np.abs(flat).max(axis=1)
+        largest = np.abs(flat).max(axis=1)
+        if not (np.isfinite(largest) & (largest >= np.finfo(float).tiny)).all():
+            raise np.linalg.LinAlgError("an equation without a coefficient, or with one that is not finite")
+        self._scale = 1 / largest
         given = int(slow.sum())
         below = min(int(seen.max(initial=0)) * size + size - 1 + given, length * size - 1)
         self._band = _Band(flat * self._scale[:, None], below, size - given)

@@ -15,7 +15,7 @@ from gspot_verified.integrator.adapted_basis import pieces_along, spectral_basis
 from gspot_verified.integrator.choice import supersolution
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.norm_run import NormRun
-from gspot_verified.integrator.slow_curve import _Band, slow_curve
+from gspot_verified.integrator.slow_curve import _Band, _Solver, slow_curve
 
 x, y, z = Variable(0), Variable(1), Variable(2)
 SMALL = fmpq(1, 10**5)
@@ -127,3 +127,13 @@ def test_a_band_is_solved_as_a_full_matrix_is(below: int, above: int) -> None:
 def test_a_singular_band_is_refused() -> None:
     with pytest.raises(np.linalg.LinAlgError):
         _Band(np.zeros((3, 3)), 1, 1)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("rate", [0.0, float("inf"), float("nan")])
+def test_an_equation_without_coefficients_is_refused(rate: float) -> None:
+    """A direction that is called fast and has no rate: its last equation is 0 = r. An error, and no warning of numpy."""
+    jacobian = np.zeros((3, 2, 2))
+    jacobian[0] = np.diag([0.0, rate])
+    with pytest.raises(np.linalg.LinAlgError):
+        _Solver(jacobian, np.eye(2), np.array([True, False]), 1.0)
