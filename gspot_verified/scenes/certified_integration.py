@@ -252,7 +252,8 @@ class _ImpactObserver:
 
     def __init__(self, phase: CertifiedPhase, began: arb, end: arb, epsilon: fmpq, record: Record) -> None:
         self._began, self._end, self._epsilon, self._record = began, end, epsilon, record
-        self._may_slip_for_ever = all(event.next_phase == FLIGHT for event in phase.system.events)
+        lift_off_alone = all(event.next_phase == FLIGHT for event in phase.system.events)
+        self._may_slip_for_ever = lift_off_alone and not phase.system.supposed  # that is seen step by step alone
         self._sticks = phase.system.phase == STICK
         self._known: Growth | None = None
         self._region: InvariantRegion | None = None

@@ -10,6 +10,8 @@ from dataclasses import dataclass
 
 from flint import arb, fmpq
 
+from gspot_verified.balls import hull
+from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.derivative import ZERO, lie_derivative
 from gspot_verified.expansion.expressions import Constant, Expression, in_order
 from gspot_verified.integrator.chosen_step import Steps
@@ -20,6 +22,7 @@ from gspot_verified.scenes.scaled_system import PhaseEvent, ScaledSystem
 
 CLOCK = "T"
 _WIDE = 2.0**-20
+_HALVINGS = 6
 _AT_THE_END = "an event may fall on the end of the time"
 
 
@@ -56,12 +59,14 @@ class CertifiedPhase:
     def __init__(self, system: ScaledSystem) -> None:
         self.system = system
         rates = list(system.right_hand_side)
-        functions = [*rates, *(event.function for event in system.events)]
+        supposed = [function for _, function in system.supposed]
+        functions = [*rates, *(event.function for event in system.events), *supposed]
         self.names = system.states
         if system.clock in in_order(functions):
             rates.append(Constant(fmpq(1)))
             self.names = (*system.states, CLOCK)
         self.field = VectorField(rates)
+        self._supposed = BoxProgram(supposed, self.field.dimension) if supposed else None
         self._resting = [name for name, rate in zip(self.names, rates, strict=True) if rate is ZERO]
 
     def run(
@@ -91,6 +96,9 @@ class CertifiedPhase:
             watches.append(Watch(event.name, -event.function, self.field, order))
         run = NormRun(self.field, box, time, steps)
         for segment in run:
+            doubt = self._doubt(segment, arb(0), arb(1))
+            if doubt is not None:
+                return Open(f"{doubt} may be negative in contact, where the friction has no sense", segment.time)
             found = [watch.along(segment) for watch in watches]
             if any(hit is not None for hit in found):
                 return self._ended(watches, found, segment, start)
@@ -103,6 +111,20 @@ class CertifiedPhase:
         if not quiet:
             return Open(_AT_THE_END, run.time)
         return PhaseEnd(None, run.time, at_end)
+
+    def _doubt(self, segment: NormSegment, left: arb, right: arb, halvings: int = _HALVINGS) -> str | None:
+        """The name of a function that is supposed to be positive (mu: not negative) and is not certainly so from
+        ``left`` to ``right``, parts of the segment; None where all are."""
+        if self._supposed is None:
+            return None
+        values = self._supposed.mean_values(segment.states(hull((left, right))))
+        signs = zip(self.system.supposed, values, strict=True)
+        doubts = [name for (name, _), value in signs if not (value > 0 or (name == "mu" and value >= 0))]
+        if not doubts or halvings == 0:
+            return next(iter(doubts), None)
+        middle = (left + right) / 2
+        first = self._doubt(segment, left, middle, halvings - 1)
+        return first or self._doubt(segment, middle, right, halvings - 1)
 
     def _named(self, states: Sequence[arb], start: Mapping[str, arb]) -> dict[str, arb]:
         """The states by name; one whose rate is 0 has its first value, without rounding errors."""

@@ -150,7 +150,8 @@ class MechanismMotion:
         found = dict(zip(wanted, made, strict=True))
         F, G, G_T, G_N = (tuple(found[f"{part} {i}"] for i in kept) for part in _FIELDS)
         scalars = (found.get(name, ZERO) for name in (*_SCALARS, "x"))
-        return MechanismTerms(phase, states, self._epsilon, values, Functions(F, G, G_T, G_N, *scalars))
+        functions = Functions(F, G, G_T, G_N, *scalars)
+        return MechanismTerms(phase, states, self._epsilon, values, functions, "u" in self._sees)
 
     def rates(self, terms: Terms) -> dict[str, Expression]:
         """epsilon dxi/dt for each kept component."""

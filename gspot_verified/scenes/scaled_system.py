@@ -41,6 +41,8 @@ class ScaledSystem:
     right_hand_side: tuple[Expression, ...]
     events: tuple[PhaseEvent, ...]
     read_out: tuple[tuple[str, Expression], ...]
+    supposed: tuple[tuple[str, Expression], ...] = ()
+    """Functions without which the equations have no sense where they are negative, by name."""
 
     def __post_init__(self) -> None:
         if len(self.states) != len(self.right_hand_side):

@@ -163,7 +163,9 @@ class Scene:
         shown = self._read_out(terms, motion)
         # The rates alone: what is shown and watched must not change them.
         shorter = compact([rates[state] for state in states])
-        roots = [*shorter.values(), *(event.function for event in events), *shown.values()]
+        supposed = terms.supposed
+        needed = [*(event.function for event in events), *(function for _, function in supposed)]
+        roots = [*shorter.values(), *needed, *shown.values()]
         made = powers_as_products(roots)
         return ScaledSystem(
             phase,
@@ -171,6 +173,7 @@ class Scene:
             tuple(made[shorter[rates[state]]] for state in states),
             tuple(replace(event, function=made[event.function]) for event in events),
             tuple((name, made[function]) for name, function in shown.items()),
+            tuple((name, made[function]) for name, function in supposed),
         )
 
     def _motion_watching(self, watched: tuple[Effect, ...]) -> Motion:

@@ -400,3 +400,20 @@ def test_some_blocks(effects: tuple[str, ...], push: str, slip: str, speed: str,
         judged_as_the_plain_motion(effects, given_block, Start(Fraction(slip), Fraction(0), Fraction(speed)))
         == expected
     )
+
+
+def _slider(A: str, mu: str) -> Mechanism:
+    """X'' = -1/2 + A lambda_T, pressed on by its weight."""
+    return from_fields(
+        "slider", ["X", "H", "U", "V_H"], ["U", "V_H", "-1/2", -1], [0, 0, A, 0], [0, 0, 0, 1], "X", "H", mu
+    )
+
+
+@pytest.mark.parametrize(("A", "mu", "least"), [("1", "1/4 - X", "mu"), ("1/2 - X", "1/4", "A")])
+def test_a_run_says_nothing_where_its_friction_has_no_sense(A: str, mu: str, least: str) -> None:
+    """Friction that pushes on: mu < 0 or A < 0 from X = 1/4 or 1/2 on, which slip with the velocity 2 reaches soon."""
+    made = scene(_slider(A, mu), (1, 20), (*TANGENTIAL, "stick"), X="0", U="2", y="-2/100", v="0", z="-1/100")
+    assert integrated_run(made, bits=(128,)).verdict.outcome is Outcome.PROVED
+    run = integrated_run(replace(made, until=fmpq(1)), bits=(128,))
+    assert run.verdict.outcome is Outcome.UNDECIDED
+    assert f"{least} may be negative in contact" in run.verdict.detail

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from flint import fmpq
 
 from gspot_verified.expansion.derivative import plus, times
-from gspot_verified.expansion.expressions import Expression
+from gspot_verified.expansion.expressions import Constant, Expression
 from gspot_verified.mechanisms.simplify import minus, negative, power_of, product_of, sum_of
 from gspot_verified.scenes.effects.terms import FLIGHT, REVERSE, SLIP, STICK, Terms, scaled
 
@@ -42,9 +42,11 @@ class MechanismTerms(Terms):
         epsilon: fmpq,
         parameters: Mapping[str, fmpq],
         functions: Functions,
+        sees_slip: bool,
     ) -> None:
         super().__init__(phase, states, epsilon, parameters)
         self.functions = functions
+        self._sees_slip = sees_slip
 
     @property
     def friction(self) -> Expression:
@@ -82,6 +84,17 @@ class MechanismTerms(Terms):
     def u(self) -> Expression:
         """The tangential velocity of the contact point."""
         return self.functions.u
+
+    @property
+    def supposed(self) -> tuple[tuple[str, Expression], ...]:
+        """mu >= 0 and A > 0 in contact (paper, Sec. 1.1); where u is not seen what they depend on is not integrated.
+
+        A constant has its sign from the start on.
+        """
+        if self.phase == FLIGHT or not self._sees_slip:
+            return ()
+        both = (("mu", self.functions.mu), ("A", self.functions.A))
+        return tuple((name, function) for name, function in both if not isinstance(function, Constant))
 
     @property
     def stick_ends(self) -> tuple[tuple[str, Expression], ...]:

@@ -59,6 +59,11 @@ class Terms(ABC):
         """The tangential velocity of the contact point."""
 
     @property
+    def supposed(self) -> tuple[tuple[str, Expression], ...]:
+        """What must not be negative for the law of friction to have a sense in this phase, by name; no constants."""
+        return ()
+
+    @property
     @abstractmethod
     def stick_ends(self) -> tuple[tuple[str, Expression], ...]:
         """What must stay positive for the contact to stick, each with the phase that follows where it does not."""
