@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Constant, Expression, Variable
+from gspot_verified.integrator.chosen_step import Steps
 from gspot_verified.scenes.certified_integration import integrated_run
 from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase, Open, PhaseEnd
 from gspot_verified.scenes.file import load_scene
@@ -163,6 +164,58 @@ def test_a_time_that_is_a_wide_ball() -> None:
             found = ended({"event": above(fmpq(1, 2))}, time)
             assert isinstance(found, Open)
             assert "the end of the time" in found.reason
+            assert found.time.is_zero()
+
+
+def turning(function: Expression) -> CertifiedPhase:
+    """x = cos t, y = -sin t, w at rest."""
+    event = PhaseEvent("event", function, "next")
+    return CertifiedPhase(ScaledSystem("turning", ("x", "y", "w"), (y, -x, Constant(fmpq(0))), (event,), ()))
+
+
+def followed(
+    function: Expression, start: tuple[arb, arb], time: int, orders: dict[str, int | None], budget: int = 1000
+) -> PhaseEnd | Open:
+    states = {"x": start[0], "y": start[1], "w": arb(5)}
+    return turning(function).run(states, arb(time), orders, lambda *_: False, Steps(budget))
+
+
+def test_an_event_that_is_zero_at_the_start() -> None:
+    """1 - cos t leaves 0 by its second derivative: seen where the first is exactly 0, believed where it is known
+    beforehand, and open where the first is a ball around 0, or one that begins at 0."""
+    away, slope = linear(fmpq(-1), fmpq(0), fmpq(1)), linear(fmpq(0), fmpq(1), fmpq(0))
+    small = arb(0, arb((1, -40)))
+    with working_bits(128):
+        for y_0, order, good in ((arb(0), None, True), (small, 2, True), (small, None, False)):
+            found = followed(away, (arb(1), y_0), 3, {"event": order})
+            assert isinstance(found, PhaseEnd) is good
+            if isinstance(found, PhaseEnd):
+                assert found.event is None
+                assert found.states["x"].rad() < arb((1, -36))
+                assert found.states["x"].contains(arb(3).cos())
+                assert found.states["y"].contains(-arb(3).sin())
+                assert found.states["w"] == 5
+        for x_0 in (small, arb((-1, -20), (1, -20)), arb((1, -20), (1, -20))):  # the rate of y is -x
+            found = followed(slope, (x_0, arb(0)), 3, {"event": None})
+            assert isinstance(found, Open)
+            assert found.reason == "the phase begins where event cannot be told from the start"
+            assert found.time.is_zero()
+
+
+def test_why_a_phase_is_open() -> None:
+    """A narrow set that grazes, and one that is wide in x and y but not in w; and the same where the budget ends."""
+    grazing, none = above(fmpq(-1)), linear(fmpq(0), fmpq(0), fmpq(1))
+    with working_bits(128):
+        for radius, wide in (("0", False), ("0.5", True)):
+            found = followed(grazing, (arb(1, radius), arb(0)), 4, {})
+            assert isinstance(found, Open)
+            assert ("too wide" in found.reason, "grazing" in found.reason) == (wide, not wide)
+            assert not found.budget
+        for radius, words in (("0", ""), ("0.00001", "; the set of states has become wide")):
+            found = followed(none, (arb(1, radius), arb(0)), 4000, {}, 2)
+            assert isinstance(found, Open)
+            assert found.reason == f"the budget of 2 steps ended{words}"
+            assert found.budget
 
 
 def cosine(time: str) -> fmpq:

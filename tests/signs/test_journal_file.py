@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 
 import pytest
@@ -71,7 +72,24 @@ def test_lines_are_cut_off_the_end(tmp_path: Path) -> None:
 def test_a_refused_file_is_not_held(tmp_path: Path) -> None:
     path = tmp_path / "journal"
     JournalFile(path, QUESTION).close()
-    with pytest.raises(ValueError, match="differs in: kind") as refused:
+    with pytest.raises(ValueError, match=r"\(it differs in: kind\); choose another") as refused:
         JournalFile(path, {**QUESTION, "kind": "other"})
     JournalFile(path, QUESTION).close()
     assert refused.value.__traceback__ is not None  # which holds the frames of the refused one
+
+
+def test_a_pipe_is_no_journal(tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    os.mkfifo(path)
+    with pytest.raises(ValueError, match="it is not a file"):
+        JournalFile(path, QUESTION)
+
+
+@pytest.mark.parametrize(("mask", "mode"), [(0o000, 0o666), (0o022, 0o644)])
+def test_no_journal_can_be_executed(tmp_path: Path, mask: int, mode: int) -> None:
+    before = os.umask(mask)
+    try:
+        JournalFile(tmp_path / "journal", QUESTION).close()
+    finally:
+        os.umask(before)
+    assert (tmp_path / "journal").stat().st_mode & 0o777 == mode
