@@ -82,3 +82,18 @@ def test_nothing_is_known_where_it_is_singular() -> None:
             assert not field.on_box([arb(0, 1), arb(1)])[0][0].is_finite()
             assert not field.on_complex_box([acb(arb(0, 1), arb(0, 1)), acb(1)])[0][0].is_finite()
             assert not field.values_on_complex_box([acb(arb(0, 1)), acb(1)])[0].is_finite()
+
+
+def test_degrees_along_polynomials() -> None:
+    """A sum or a product with one part that is no polynomial is none."""
+    functions = [Constant(fmpq(7)), x * y + Constant(fmpq(1, 3)), Sine(x) + x, Sine(x) * y]
+    field = VectorField([*functions, x + y])
+    for _ in range(2):  # found, and kept
+        assert field.degrees([2, 3, 0, 0, 0]) == [0, 5, None, None, 3]
+    assert field.degrees([1, 1, 0, 0, 0]) == [0, 2, None, None, 1]
+
+
+@pytest.mark.parametrize("functions", [[], [x + Variable(2), x], [y]])
+def test_a_component_that_is_not_there(functions: list[Expression]) -> None:
+    with pytest.raises(ValueError, match="functions of a state with component"):
+        VectorField(functions)

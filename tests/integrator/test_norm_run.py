@@ -11,7 +11,7 @@ from flint import arb, arb_mat, fmpq
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Constant, Cosine, Exponential, Expression, Power, Sine, Variable
 from gspot_verified.integrator.adapted_basis import adapted_basis
-from gspot_verified.integrator.chosen_step import Steps
+from gspot_verified.integrator.chosen_step import ChosenStep, Steps
 from gspot_verified.integrator.event import Crossing, Watch
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.integrate import integrate
@@ -175,7 +175,7 @@ def test_an_uncertain_end_is_not_passed(least: int, wide: int) -> None:
 
 
 def test_a_clock_that_drives_a_large_state() -> None:
-    """x' = t x + 1 from 10^30, with the clock as a state: J is [[t, 10^30], [0, 0]], and the clock's unit is as small."""
+    """x' = t x + 1 from 10^30, the clock a state: J is [[t, 10^30], [0, 0]], and the clock's unit is as small."""
     with working_bits(192):
         run = NormRun(VectorField([x * y + Constant(fmpq(1)), Constant(fmpq(1))]), [arb(10) ** 30, arb(0)], arb(2))
         assert len(list(run)) < 20
@@ -186,3 +186,24 @@ def test_a_clock_that_drives_a_large_state() -> None:
         assert found[0].rad() < found[0] * 1e-12
     sizes = [max(map(abs, row)) for row in adapted_basis([[1.0, 1e30], [0.0, 0.0]]).rows]
     assert sizes[1] < sizes[0] * 1e-20
+
+
+class Kept(Steps):
+    """Keeps what is proved."""
+
+    def __init__(self) -> None:
+        super().__init__(50)
+        self.steps: list[ChosenStep] = []
+
+    def proved(self, step: ChosenStep, time: arb) -> None:
+        super().proved(step, time)
+        self.steps.append(step)
+
+
+def test_the_step_to_the_end_is_kept_without_a_length() -> None:
+    """It is as long as what is left, which may be a ball: a length in its place would not reach the end again."""
+    with working_bits(64):
+        kept = Kept()
+        segments = list(NormRun(OSCILLATOR, [arb(1), arb(0)], arb.pi(), kept))
+        assert len(kept.steps) == len(segments) > 1
+        assert [step.h is None for step in kept.steps] == [False] * (len(segments) - 1) + [True]

@@ -166,6 +166,16 @@ def test_case_i_is_not_covered() -> None:
         uniform_side(extended("1/2"), 1, "1/50")
 
 
+@pytest.mark.parametrize(("beta", "good"), [("2", True), ("201/100", False)])
+def test_beta_is_at_most_one_and_half_the_order(beta: str, good: bool) -> None:
+    short = expand_system(extended_example(chi=1, alpha=(-1, -1, f"-{beta}")), 2)
+    if good:
+        assert uniform_side(short, 1, "1/10").beta == 2
+    else:
+        with pytest.raises(ValueError, match=r"at most 1 \+ order/2, got 201/100"):
+            uniform_side(short, 1, "1/10")
+
+
 # Each hypothesis of Theorem U2
 
 
