@@ -6,7 +6,8 @@ evidence that is handed over, and a conclusion without one cannot be written.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
 
 from flint import arb, fmpq
 
@@ -16,6 +17,8 @@ from gspot_verified.verdict import Evidence
 Number = int | fmpq | arb
 Ends = tuple[fmpq | None, fmpq | None]
 """The ends of an interval; None for one without end on that side."""
+Box = tuple[Sequence[fmpq], Sequence[fmpq]]
+"""The lower ends of a box and its upper ends."""
 
 
 def less(left: Number, right: Number) -> Evidence | None:
@@ -60,6 +63,8 @@ def cover(parts: Iterable[Ends], whole: Ends) -> Evidence | None:
     lower, upper = whole
     reached, number = lower, 0
     for first, last in sorted(parts, key=lambda ends: (ends[0] is not None, ends[0] or fmpq(0))):
+        if number and upper is not None and reached is not None and upper <= reached:
+            break  # what follows lies beyond
         if reached is not None and last is not None and last < reached:
             continue
         if first is not None and (reached is None or first > reached):
@@ -71,6 +76,34 @@ def cover(parts: Iterable[Ends], whole: Ends) -> Evidence | None:
         return None
     begin, end = "-inf" if lower is None else str(lower), "inf" if upper is None else str(upper)
     return Evidence._of_facts((f"{number} parts cover [{begin}, {end}]",))
+
+
+def cover_by_boxes(parts: Iterable[Box], whole: Box) -> Evidence | None:
+    """The same for closed boxes in one or more dimensions.
+
+    >>> zero, half, one = fmpq(0), fmpq(1, 2), fmpq(1)
+    >>> parts = [((zero, zero), (half, one)), ((half, zero), (one, one))]
+    >>> print(cover_by_boxes(parts, ((zero, zero), (one, one))), cover_by_boxes(parts[:1], ((zero, zero), (one, one))))
+    2 boxes cover [0, 1] x [0, 1] None
+    """
+    listed = list(parts)
+    if not whole[0] or not _covers(listed, whole):
+        return None
+    sides = " x ".join(f"[{first}, {last}]" for first, last in zip(*whole, strict=True))
+    return Evidence._of_facts((f"{len(listed)} boxes cover {sides}",))
+
+
+def _covers(parts: Sequence[Box], whole: Box) -> bool:
+    """Between neighbouring ends in the first component, the parts that reach over them cover the other components."""
+    (lower, *low), (upper, *high) = whole
+    if not low:
+        return cover([(first[0], last[0]) for first, last in parts], (lower, upper)) is not None
+    ends = {end for first, last in parts for end in (first[0], last[0]) if lower < end < upper}
+    cuts = sorted({lower, upper, *ends})
+    return all(
+        _covers([(p[1:], q[1:]) for p, q in parts if p[0] <= begin and end <= q[0]], (low, high))
+        for begin, end in (pairwise(cuts) if lower < upper else [(lower, upper)])
+    )
 
 
 def every(parts: Iterable[Evidence | None]) -> Evidence | None:

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import to_fmpq
 
-from gspot_verified.evidence import Ends, at_most, cover, equal, every, less, signed, theorem
+from gspot_verified.evidence import Ends, at_most, cover, cover_by_boxes, equal, every, less, signed, theorem
 from gspot_verified.verdict import Evidence
 
 WIDE, NAN, HUGE = arb(0, 1), arb.nan(), arb.pos_inf()
@@ -91,6 +91,38 @@ def test_a_cover_leaves_no_point_out(
     grid = [point for k in range(-50, 51) if closed(whole, point := fmpq(k, 12))]
     covered = all(any(closed(part, point) for part in listed) for point in grid)
     assert (cover(listed, whole) is not None) is covered
+
+
+SIDE = st.integers(0, 3)
+BOX = st.tuples(SIDE, SIDE, SIDE, SIDE)
+
+
+@given(st.lists(BOX, max_size=7), BOX)
+def test_boxes_cover_where_they_leave_no_point_out(parts: list[tuple[int, ...]], whole: tuple[int, ...]) -> None:
+    """By the points of a grid that is finer than the ends."""
+
+    def box(ends: tuple[int, ...]) -> tuple[tuple[fmpq, fmpq], tuple[fmpq, fmpq]]:
+        first, second, third, fourth = map(fmpq, ends)
+        return (min(first, second), min(third, fourth)), (max(first, second), max(third, fourth))
+
+    boxes, asked = list(map(box, parts)), box(whole)
+    grid = [(fmpq(i, 2), fmpq(j, 2)) for i in range(7) for j in range(7)]
+
+    def holds(ends: tuple[tuple[fmpq, ...], tuple[fmpq, ...]], point: tuple[fmpq, ...]) -> bool:
+        return all(low <= value <= high for low, value, high in zip(ends[0], point, ends[1], strict=True))
+
+    inside = [point for point in grid if holds(asked, point)]
+    covered = all(any(holds(part, point) for part in boxes) for point in inside)
+    assert (cover_by_boxes(boxes, asked) is not None) is covered
+
+
+def test_of_no_dimension_nothing_is_covered() -> None:
+    assert cover_by_boxes([], ((), ())) is None
+
+
+@pytest.mark.parametrize("beyond", [(fmpq(2), fmpq(3)), (fmpq(2), None), (fmpq(-2), fmpq(-1)), (None, fmpq(-1))])
+def test_what_lies_beyond_the_whole_is_no_gap(beyond: Ends) -> None:
+    assert cover([(fmpq(0), fmpq(1)), beyond], (fmpq(0), fmpq(1))) is not None
 
 
 @pytest.mark.parametrize(

@@ -18,9 +18,10 @@ from gspot_verified.compliant.slow_signs import CELL, SlowSigns
 from gspot_verified.compliant.slow_zero_column import slow_zero_column
 from gspot_verified.compliant.zero_places import polynomial_places, zero_places
 from gspot_verified.dyadic import Dyadic
+from gspot_verified.evidence import cover, equal, every
 from gspot_verified.signs.count_law import number_of_zeros as law
 from gspot_verified.signs.pieces import Column, number_of_zeros
-from gspot_verified.verdict import NoTruthValue, Reason, Verdict
+from gspot_verified.verdict import Evidence, NoTruthValue, Reason, Verdict
 
 MAX_BETA = 40
 MAX_DIGITS = 100
@@ -55,7 +56,17 @@ class SlowZeros(NoTruthValue):
         question = f"the number of real zeros of {SYSTEM}, β = {self.beta}, ε = {self.epsilon}"
         if self.number is None:
             return Verdict.undecided(question, Reason.BUDGET)
-        return Verdict.argued(f"{question}: {self.number}")
+        return Verdict.proved(f"{question}: {self.number}", self._counted(self.number))
+
+    def _counted(self, number: int) -> Evidence | None:
+        """The pieces cover the line and hold so many zeros; at an integer beta Sturm's theorem counts as many."""
+        if self.beta.q == 1:
+            return equal(number, distinct_real_zeros(force_polynomial(int(self.beta.p) - 1, self.epsilon)))
+        if self.column is None:
+            return None
+        counted = number_of_zeros(self.column)
+        pieces = cover(((piece.lower, piece.upper) for piece in self.column.pieces), (None, None))
+        return None if counted is None else every([pieces, equal(number, counted)])
 
     def __str__(self) -> str:
         if self.number is None:

@@ -20,12 +20,13 @@ from gspot_verified.compliant.fold_column import WIDEST, fold_column, numbers_of
 from gspot_verified.compliant.slow_patch import SlowPatch
 from gspot_verified.compliant.slow_zero_column import MAP_REACH, slow_zero_column
 from gspot_verified.compliant.zero_count import SYSTEM
+from gspot_verified.evidence import at_most, cover, every, theorem
 from gspot_verified.signs.executors import InProcessExecutor
 from gspot_verified.signs.journal import opened
 from gspot_verified.signs.pieces import Column, Kind, cell_of
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.subdivision import Progress, Subdivision
-from gspot_verified.verdict import NoTruthValue, Reason, Verdict
+from gspot_verified.verdict import Evidence, NoTruthValue, Reason, Verdict
 
 LEAST_BETA, THEOREM_UP_TO, MAX_BETA = fmpq(1), fmpq(4), fmpq(10)
 MAX_EPSILON = fmpq(100)
@@ -46,6 +47,15 @@ class Row:
     upper: fmpq
     columns: tuple[Column, ...]
     unfinished: tuple[tuple[fmpq | None, fmpq], ...]
+
+    def ends(self) -> list[tuple[fmpq | None, fmpq]]:
+        """The ranges of beta of the columns whose pieces cover the line and tell the number of zeros."""
+        return [
+            (column.lower, column.upper)
+            for column in self.columns
+            if cover(((piece.lower, piece.upper) for piece in column.pieces), (None, None)) is not None
+            and numbers_of_zeros(column, self.lower, self.upper) is not None
+        ]
 
     def stretches(self) -> list[tuple[fmpq, fmpq, tuple[int, ...]]]:
         """Maximal ranges of beta inside one cell with the same number; a range with (N + 2, N) holds a fold."""
@@ -90,7 +100,19 @@ class ZeroMap(NoTruthValue):
             return Verdict.undecided(
                 question, Reason.BUDGET, f"{left} ranges of β are left in {len(self.rows)} rows of ε"
             )
-        return Verdict.argued(question)
+        covered = self._covered()
+        if covered is None:
+            return Verdict.undecided(question, Reason.HYPOTHESIS, "the columns leave a part of the rectangle out")
+        return Verdict.proved(question, covered)
+
+    def _covered(self) -> Evidence | None:
+        """The rows cover the range of epsilon, the columns of each that tell a number the range of beta from 4 on."""
+        first, last = self.beta
+        if last <= THEOREM_UP_TO:
+            return theorem("proofs/finite_epsilon_zeros.md", at_most(last, THEOREM_UP_TO))
+        beyond = (max(first, THEOREM_UP_TO), last)
+        columns = (cover(row.ends(), beyond) for row in self.rows)
+        return every([cover(((row.lower, row.upper) for row in self.rows), self.epsilon), *columns])
 
     def __str__(self) -> str:
         lines = [str(self.verdict)]

@@ -13,10 +13,12 @@ from typing import Protocol
 from flint import arb
 
 from gspot_verified.balls import current_bits, hull
+from gspot_verified.evidence import every, less
 from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.derivative import lie_derivative
 from gspot_verified.expansion.expressions import Expression
 from gspot_verified.integrator.field import VectorField
+from gspot_verified.verdict import Evidence
 
 _LEAST_DEPTH, _BITS_PER_HALVING = 26, 3
 _MAX_PIECES = 2000
@@ -70,7 +72,8 @@ class Moment:
 class Crossing:
     """Every solution of the run has g < 0 up to ``begin``, g > 0 at ``end``, and exactly one zero of g up to ``end``.
 
-    ``states`` encloses the states at all times from ``begin`` to ``end``, ``rate`` > 0 the derivative of g.
+    ``states`` encloses the states at all times from ``begin`` to ``end``, ``rate`` > 0 the derivative of g. The
+    ``evidence`` is these three signs.
     """
 
     name: str
@@ -78,6 +81,7 @@ class Crossing:
     end: Moment
     states: tuple[arb, ...]
     rate: arb
+    evidence: Evidence
 
     @property
     def time(self) -> arb:
@@ -169,12 +173,15 @@ class Watch:
         self._followed = Moment(segment, arb(1))
         return None
 
-    def excluded(self, moment: Moment) -> bool:
-        """Whether g has certainly no zero after the start and up to a moment of the segment that was followed last.
+    def excluded(self, moment: Moment) -> Evidence | None:
+        """That g has no zero after the start and up to a moment of the segment that was followed last; None: that is
+        not certain.
 
         g must have been followed up to there, and where it rises only a certain sign excludes a zero on the way.
         """
-        return self._followed is not None and moment.certainly_by(self._followed) and self._negative(moment)
+        if self._followed is None or not moment.certainly_by(self._followed):
+            return None
+        return less(self.value(moment.states()), 0)
 
     def _negative(self, moment: Moment) -> bool:
         return bool(self.value(moment.states()) < 0)
@@ -198,18 +205,21 @@ class Watch:
 
     def _bracket(self, stretch: Sequence[_Piece]) -> Crossing | Unclear:
         """The zero on pieces on which g rises, from g < 0 to g > 0."""
-        start, end = stretch[0], stretch[-1]
-        left = self._last(start, start.left, start.right, -1)
-        right = self._last(end, end.left, end.right, 1)
+        first, last = stretch[0], stretch[-1]
+        left = self._last(first, first.left, first.right, -1)
+        right = self._last(last, last.left, last.right, 1)
         parts = list(stretch)
         parts[0] = replace(parts[0], left=left)
         parts[-1] = replace(parts[-1], right=right)
         boxes = [part.box() for part in parts]
         rate = hull(self._program.mean_values(box)[1] for box in boxes)
-        if not rate > 0:
-            return Unclear(self.name, parts[0].begin.time)
+        begin, end = parts[0].begin, parts[-1].end
+        signs = [less(self.value(begin.states()), 0), less(0, rate), less(0, self.value(end.states()))]
+        evidence = every(signs)
+        if evidence is None:
+            return Unclear(self.name, begin.time)
         states = tuple(hull(sides) for sides in zip(*boxes, strict=True))
-        return Crossing(self.name, parts[0].begin, parts[-1].end, states, rate)
+        return Crossing(self.name, begin, end, states, rate, evidence)
 
     def _last(self, piece: _Piece, left: arb, right: arb, sign: int) -> arb:
         """By bisection: the last point where g < 0 is certain (sign -1), or the first one where g > 0 is."""
@@ -225,17 +235,22 @@ class Watch:
         return left if sign < 0 else right
 
 
-def first_crossing(watches: Sequence[Watch], found: Sequence[Crossing | Unclear | None]) -> Crossing | None:
-    """Of what :meth:`Watch.along` found on one segment the crossing before which no other function has a zero; None:
-    that is not certain of any.
+def first_crossing(
+    watches: Sequence[Watch], found: Sequence[Crossing | Unclear | None]
+) -> tuple[Crossing, Evidence] | None:
+    """Of what :meth:`Watch.along` found on one segment the crossing before which no other function has a zero, and the
+    signs that show it; None: that is not certain of any.
     """
     for hit in found:
-        if isinstance(hit, Crossing) and not rivals(hit, watches, found):
-            return hit
+        if isinstance(hit, Crossing):
+            others = [watch.excluded(hit.end) for watch, other in zip(watches, found, strict=True) if other is not hit]
+            evidence = every([hit.evidence, *others])
+            if evidence is not None:
+                return hit, evidence
     return None
 
 
 def rivals(hit: Crossing, watches: Sequence[Watch], found: Sequence[Crossing | Unclear | None]) -> list[str]:
     """The names of the other functions that may have a zero up to the end of a crossing."""
     pairs = zip(watches, found, strict=True)
-    return [watch.name for watch, other in pairs if other is not hit and not watch.excluded(hit.end)]
+    return [watch.name for watch, other in pairs if other is not hit and watch.excluded(hit.end) is None]

@@ -12,6 +12,7 @@ import numpy as np
 from flint import arb, arb_mat, arb_poly
 
 from gspot_verified.balls import approximate
+from gspot_verified.evidence import less
 from gspot_verified.integrator.adapted_basis import AdaptedBasis, adapted_basis, pieces_along
 from gspot_verified.integrator.choice import log2_of
 from gspot_verified.integrator.chosen_step import ChosenStep, Steps
@@ -21,6 +22,7 @@ from gspot_verified.integrator.no_series import NoSeriesError
 from gspot_verified.integrator.norm_step import Basis, NormPlan, NormStep, StateSet, norm_step
 from gspot_verified.integrator.slow_curve import SlowCurve, slow_curve
 from gspot_verified.integrator.taylor_curve import TaylorCurve, cauchy_plan, rounded
+from gspot_verified.verdict import Evidence
 
 MAX_STEPS = 200_000
 _HALVINGS = 30
@@ -71,6 +73,8 @@ class NormRun:
         self.time = arb(0)
         self.reason: str | None = None
         """Why the iteration ended before the time, if it did."""
+        self.at_end: Evidence | None = None
+        """That the last step took all the time that was left, and that this was > 0; None: the end is not reached."""
         self.budget_ended = False
         """Whether it ended because of the number of steps."""
         self._left = time
@@ -91,6 +95,8 @@ class NormRun:
             h = None if step.h is left else step.h
             chosen = ChosenStep(step.solution, h, self._plan_in_use, self._curve.length, self._decay.state)
             self.steps.proved(chosen, self.time)
+            if left is not None and step.h is left:
+                self.at_end = less(0, left)
             yield segment
             if step.h is left:
                 return

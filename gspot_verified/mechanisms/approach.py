@@ -244,19 +244,20 @@ class _Attempt:
         return (IMPACT, f"Case {case}, {word}") if sign == impact else (None, f"Case {case}, {word}")
 
     def _event(self, watches: list[Watch], events: list[Crossing | Unclear | None], segment: Segment) -> Approach:
-        event = first_crossing(watches, events)
-        if event is None:
+        first = first_crossing(watches, events)
+        if first is None:
             unclear = next((each for each in events if isinstance(each, Unclear)), None)
             if unclear is None:
                 return self._open(_TOO_CLOSE)
             return self._open(f"{unclear.name} may be grazing: it is not certain whether it happens")
+        event, evidence = first
         self._note_slip(segment)
         if self.surface is not None:  # until the event u is above it, whatever follows on the segment
             self.least_slip = None if self.least_slip is None else self.least_slip.max(self.surface.lower())
         what = {"lift-off": "the contact force -b/p falls to 0 while p > 0", "stick": "slip stops while p > 0"}
         states = list(event.states)
         return self._made(
-            Verdict.argued(f"{event.name} before any G-spot: {what[event.name]}"),
+            Verdict.proved(f"{event.name} before any G-spot: {what[event.name]}", evidence),
             event.name, states[-1], states[:-1], None, None, None, None, None, "no G-spot is reached",
         )  # fmt: skip
 

@@ -10,6 +10,7 @@ from flint import fmpq
 
 from gspot_verified.balls import ExactInput, approximate, exact, float_bounds
 from gspot_verified.dyadic import Dyadic
+from gspot_verified.evidence import cover_by_boxes
 from gspot_verified.mechanisms.sweep_fold import Fold
 from gspot_verified.mechanisms.sweep_grid import Axis
 from gspot_verified.mechanisms.sweep_piece import NUMBERS, Kind, Passing, SweepPiece
@@ -19,6 +20,7 @@ from gspot_verified.verdict import NoTruthValue, Reason, Verdict
 _SLIP = "slip_velocity"
 _SHORT, _DECIMALS = 12, 16
 _SHORT_PIECE = fmpq(1, 10**6)
+_UNKNOWN = (Kind.OPEN, Kind.NO_TUBE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,10 +93,15 @@ class Sweep(NoTruthValue):
             f"{self.name}: Case and side of the continued G-spot for every {over}, except in the {besides} where one "
             "quantity passes zero or the spot vanishes"
         )
-        left = sum(piece.kind in (Kind.OPEN, Kind.NO_TUBE) or self._is_wide(piece) for piece in self.pieces)
+        settled = [piece for piece in self.pieces if piece.kind not in _UNKNOWN and not self._is_wide(piece)]
+        left = len(self.pieces) - len(settled)
         half = sum(not crossing.proved for crossing in self.crossings)
         if not left and not half:
-            return Verdict.argued(statement)
+            whole = tuple(axis.lower for axis in self.axes), tuple(axis.upper for axis in self.axes)
+            covered = cover_by_boxes(((piece.lower, piece.upper) for piece in settled), whole)
+            if covered is None:
+                return Verdict.undecided(statement, Reason.HYPOTHESIS, "the pieces leave a part of the range out")
+            return Verdict.proved(statement, covered)
         parts = [f"{left} pieces are left"] * bool(left) + [f"in {half} brackets at most one zero is shown"] * bool(
             half
         )

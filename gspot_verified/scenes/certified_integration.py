@@ -14,6 +14,7 @@ from pathlib import Path
 from flint import arb, fmpq
 
 from gspot_verified.balls import approximate, working_bits
+from gspot_verified.evidence import at_most, every, less
 from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase, Open
 from gspot_verified.scenes.certified_phases import CertifiedPhases, Next
 from gspot_verified.scenes.certified_result import Record, event_of, growth_words, result_of
@@ -187,9 +188,12 @@ def _run(scene: Scene, conditions: Conditions, samples: SegmentSamples | None, s
             return record
         start = {**start, **found.states, CLOCK: began + found.time}
         # The phase was followed for (end - began).upper(): an event after ``end`` is none of this run.
-        if found.event is None or start[CLOCK] > end:
+        after = less(end, start[CLOCK])
+        if found.event is None or after is not None:
+            record.ended = found.evidence if found.event is None else every([found.evidence, after])
             return record
-        if not start[CLOCK] <= end:
+        shown = every([found.evidence, at_most(start[CLOCK], end)])
+        if shown is None:
             record.open = Open(f"whether {found.event.name} comes before the end of the time", start[CLOCK])
             return record
         if found.event.left_out:
@@ -197,6 +201,7 @@ def _run(scene: Scene, conditions: Conditions, samples: SegmentSamples | None, s
             return record
         following = phases.after(now.phase, found.event, start)
         record.events.append(event_of(following.event, start[CLOCK], scene.epsilon))
+        record.shown.append(shown)
         now = following.phase
     record.open = Open(f"the budget of {MAX_EVENTS} events ended", start[CLOCK], budget=True)
     return record
@@ -269,12 +274,16 @@ class _ImpactObserver:
             return False
         found = self._region.growth(states)
         time = self._began + segment.end_time
-        if found is None or (limited and found.until is not None) or not time <= self._end:
+        if found is None or (limited and found.until is not None):
+            return False
+        shown = every([less(0, found.rate), at_most(time, self._end)])
+        if shown is None:
             return False
         self._known = found
         if not limited:
             self._record.events.append(event_of(IMPACT, time, self._epsilon))
             self._record.multiples.append(None)
+            self._record.shown.append(shown)
         self._record.multiples[-1] = found.until
         self._record.remarks.append(growth_words(found, self._sticks, time * self._epsilon if limited else None))
         self._record.for_ever = found.until is None and found.within is None and self._may_slip_for_ever

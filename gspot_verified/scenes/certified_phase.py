@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from flint import arb, fmpq
 
 from gspot_verified.balls import hull
+from gspot_verified.evidence import every, less
 from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.derivative import ZERO, lie_derivative
 from gspot_verified.expansion.expressions import Constant, Expression, in_order
@@ -19,6 +20,7 @@ from gspot_verified.integrator.event import Crossing, Moment, Unclear, Watch, fi
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.norm_run import NormRun, NormSegment
 from gspot_verified.scenes.scaled_system import PhaseEvent, ScaledSystem
+from gspot_verified.verdict import Evidence
 
 CLOCK = "T"
 _WIDE = 2.0**-20
@@ -30,12 +32,14 @@ _AT_THE_END = "an event may fall on the end of the time"
 class PhaseEnd:
     """``event``: what ended the phase (None: the time ended, or the observer stopped the run).
 
-    ``time``: from the start of the phase, a bracket; ``states``: by name, everywhere in the bracket.
+    ``time``: from the start of the phase, a bracket; ``states``: by name, everywhere in the bracket. ``evidence``: the
+    signs at the event and those that exclude every other one; without an event, that steps were made up to there.
     """
 
     event: PhaseEvent | None
     time: arb
     states: dict[str, arb]
+    evidence: Evidence
 
 
 @dataclass(frozen=True)
@@ -102,15 +106,15 @@ class CertifiedPhase:
             found = [watch.along(segment) for watch in watches]
             if any(hit is not None for hit in found):
                 return self._ended(watches, found, segment, start)
-            quiet = all(watch.excluded(Moment(segment, arb(1))) for watch in watches)
+            quiet = [watch.excluded(Moment(segment, arb(1))) for watch in watches]
             at_end = self._named(segment.states(arb(1)), start)
-            if quiet and observer(segment, at_end):
-                return PhaseEnd(None, segment.end_time, at_end)
+            passed = every([less(0, segment.step.h), *quiet])
+            if passed is not None and observer(segment, at_end):
+                return PhaseEnd(None, segment.end_time, at_end, passed)
         if run.reason is not None:
             return Open(f"{run.reason}{self._width(run)}", run.time, run.budget_ended)
-        if not quiet:
-            return Open(_AT_THE_END, run.time)
-        return PhaseEnd(None, run.time, at_end)
+        ended = every([run.at_end, passed])
+        return Open(_AT_THE_END, run.time) if ended is None else PhaseEnd(None, run.time, at_end, ended)
 
     def _doubt(self, segment: NormSegment, left: arb, right: arb, halvings: int = _HALVINGS) -> str | None:
         """The name of a function that is supposed to be positive (mu: not negative) and is not certainly so from
@@ -153,8 +157,9 @@ class CertifiedPhase:
         """The event that certainly comes first in this segment."""
         first = first_crossing(watches, found)
         if first is not None:
-            event = next(event for event, hit in zip(self.system.events, found, strict=True) if hit is first)
-            return PhaseEnd(event, first.time, self._named(first.states, start))
+            crossing, evidence = first
+            event = next(event for event, hit in zip(self.system.events, found, strict=True) if hit is crossing)
+            return PhaseEnd(event, crossing.time, self._named(crossing.states, start), evidence)
         for hit in found:
             if isinstance(hit, Crossing):
                 others = " and ".join(rivals(hit, watches, found))

@@ -12,13 +12,14 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import float_bounds, rounded_text
 from gspot_verified.dyadic import Dyadic
+from gspot_verified.evidence import equal, every
 from gspot_verified.scenes.assumption import ASSUMED, CHECKED, VIOLATED, Assumption, provided
 from gspot_verified.scenes.certified_phase import Open
 from gspot_verified.scenes.conditions import Conditions
 from gspot_verified.scenes.invariant_region import Growth
 from gspot_verified.scenes.run import CERTIFIED, NO_EVENT, OPEN, REFUTED, RunEvent, SceneRun, fate_of
 from gspot_verified.scenes.scene import Scene
-from gspot_verified.verdict import Reason, Verdict
+from gspot_verified.verdict import Evidence, Reason, Verdict
 
 _NOT_FURTHER = "the run is not followed further"
 
@@ -28,6 +29,7 @@ class Record:
     """What a run at one precision has shown; ``multiples``: how far each impact is shown to grow, None: no limit.
 
     ``violated``: the effect whose absence is wrong, and when. ``seen``: up to when those that are watched hold.
+    ``shown``: the evidence of each event; ``ended``: that of the end of the run, None where it was not reached.
     """
 
     events: list[RunEvent] = field(default_factory=list)
@@ -37,6 +39,13 @@ class Record:
     for_ever: bool = False
     violated: tuple[str, arb] | None = None
     seen: arb = field(default_factory=lambda: arb(0))
+    shown: list[Evidence] = field(default_factory=list)
+    ended: Evidence | None = None
+
+    @property
+    def evidence(self) -> Evidence | None:
+        """What shows the whole run; None where an event, or the end, has none."""
+        return every([equal(len(self.shown), len(self.events)), *self.shown, self.ended])
 
 
 def growth_words(growth: Growth, sticks: bool, since: arb | None) -> str:
@@ -120,7 +129,9 @@ def result_of(scene: Scene, conditions: Conditions, record: Record) -> SceneRun:
     if record.open is None:
         fate = fate_of(names)
         said = statement(fate, span, record.multiples) + provided(assumptions)
-        return SceneRun(CERTIFIED, fate, events, Verdict.argued(said, remarks), assumptions=assumptions)
+        return SceneRun(
+            CERTIFIED, fate, events, Verdict.proved(said, record.evidence, remarks), assumptions=assumptions
+        )
     at = (record.open.time * scene.epsilon).str(10)
     detail = "; ".join(filter(None, (f"{record.open.reason} (t = {at} after the start)", known, remarks)))
     reason = Reason.BUDGET if record.open.budget else Reason.HYPOTHESIS

@@ -5,6 +5,7 @@ Page: proofs/finite_epsilon_zeros.md.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
@@ -127,3 +128,17 @@ def test_refused(beta: object, epsilon: object, digits: int, message: str) -> No
 def test_a_float_is_refused() -> None:
     with pytest.raises(TypeError, match="beta"):
         slow_zeros(2.5, 1)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("beta", ["5/2", "3"])
+def test_a_number_that_its_pieces_do_not_hold_cannot_be_proved(beta: str) -> None:
+    found = slow_zeros(beta, "1/10")
+    assert found.number is not None
+    assert found.verdict.outcome is Outcome.PROVED
+    wrong = [replace(found, number=found.number + 1)]
+    if found.column is not None:
+        pieces = found.column.pieces
+        wrong += [replace(found, column=None), replace(found, column=replace(found.column, pieces=pieces[1:]))]
+    for each in wrong:
+        with pytest.raises(ValueError, match="evidence"):
+            _ = each.verdict

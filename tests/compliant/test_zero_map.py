@@ -6,6 +6,7 @@ Page: proofs/finite_epsilon_zeros.md.
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -142,6 +143,21 @@ def test_rows_cover_the_range_and_are_joined() -> None:
     assert (rows[0].lower, rows[-1].upper) == (fmpq(1, 100), 10)
     assert all(first.upper == second.lower for first, second in pairwise(rows))
     assert len(rows) > 5
+
+
+def test_what_does_not_cover_the_rectangle_is_not_proved() -> None:
+    found = zero_map("17/4..9/2", "1/10")
+    assert found.verdict.outcome is Outcome.PROVED
+    (row,) = found.rows
+    first, *others = row.columns
+    assert others
+    shorter = replace(first, pieces=first.pieces[:1])
+    for columns in ((), tuple(others), (shorter, *others)):
+        verdict = replace(found, rows=(replace(row, columns=columns),)).verdict
+        assert verdict.outcome is Outcome.UNDECIDED
+        assert "leave a part" in verdict.detail
+    wider = (fmpq(1, 10), fmpq(1, 9))
+    assert replace(found, epsilon=wider).verdict.outcome is Outcome.UNDECIDED
 
 
 def test_a_killed_run_goes_on(tmp_path: Path) -> None:

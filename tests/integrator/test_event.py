@@ -5,12 +5,14 @@ Pages: proofs/validated_step.md; proofs/norm_step.md (an event function that sta
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from flint import arb, fmpq
 
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Constant, Expression, Variable
-from gspot_verified.integrator.event import Crossing, Unclear, Watch, first_crossing, rivals
+from gspot_verified.integrator.event import Crossing, Moment, Unclear, Watch, first_crossing, rivals
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.integrate import Run
 from gspot_verified.integrator.norm_run import NormRun
@@ -227,6 +229,24 @@ def test_the_rate_of_a_crossing_is_positive_or_it_is_unclear(exponent: int, clea
         assert found.rate.contains(arb((1, exponent)))
 
 
+def test_a_crossing_is_first_by_the_signs_of_all_functions() -> None:
+    """A function that was not followed may have a zero before it."""
+    found = scripted({"0/1": arb(-2), "1/2": arb(-1), "1/1": arb(1)}, {("0/1", "1/2"): RISING, ("1/2", "1/1"): RISING})
+    assert isinstance(found, Crossing)
+    assert len(found.evidence.facts) == 3
+    field = VectorField([Constant(fmpq(1))])
+    crossing, other, quiet = (Watch(name, Constant(fmpq(-1)), field) for name in ("g", "other", "quiet"))
+    assert other.excluded(found.end) is None
+    assert first_crossing([crossing, other], [found, None]) is None
+    segment = next(iter(Run(field, [arb(0)], arb(1))))
+    hit = replace(found, begin=Moment(segment, arb(0)), end=Moment(segment, arb(1)))
+    assert quiet.along(segment) is None
+    first = first_crossing([crossing, quiet], [hit, None])
+    assert first is not None
+    assert first[0] is hit
+    assert first[1].facts == (*hit.evidence.facts, "-1.00000 < 0")
+
+
 def test_a_wide_set_leaves_zero_on_several_pieces() -> None:
     """g = x^2 - 2 x with x' = 1 from 0, in a set of width 0.6: g falls while x < 1, and is certainly negative when all
     of the set has passed 0, after more than a step; it comes back at x = 2."""
@@ -250,7 +270,8 @@ def test_the_first_crossing_is_before_all_others() -> None:
                 found = [watch.along(segment) for watch in watches]
                 if any(found):
                     break
-            hit = first_crossing(watches, found)
+            first = first_crossing(watches, found)
+            hit = None if first is None else first[0]
             assert (hit is None) is (expected is None)
             if hit is None or expected is None:
                 assert [rivals(one, watches, found) for one in found if isinstance(one, Crossing)] == [["1"], ["0"]]

@@ -132,7 +132,7 @@ def test_a_singular_band_is_refused() -> None:
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("rate", [0.0, float("inf"), float("nan")])
 def test_an_equation_without_coefficients_is_refused(rate: float) -> None:
-    """A direction that is called fast and has no rate: its last equation is 0 = r. An error, and no warning of numpy."""
+    """A direction that is called fast and has no rate: the last equation is 0 = r. An error, no warning of numpy."""
     jacobian = np.zeros((3, 2, 2))
     jacobian[0] = np.diag([0.0, rate])
     with pytest.raises(np.linalg.LinAlgError):

@@ -77,6 +77,8 @@ TINY = fmpq(1, 10**6)
     [
         ((piece(10, 12, Kind.SETTLED),), True),
         ((piece(10, 12, Kind.OPEN),), False),
+        ((), False),
+        ((piece(10, 11, Kind.SETTLED), piece(11 + TINY, 12, Kind.SETTLED)), False),
         ((piece(10, 11, Kind.SETTLED), piece(11, 12, Kind.NO_TUBE)), False),
         ((piece(10, 10 + TINY, Kind.FOLD), piece(10 + TINY, 12, Kind.SETTLED)), True),
         ((piece(10, 10 + 3 * TINY, Kind.FOLD), piece(10 + 3 * TINY, 12, Kind.SETTLED)), False),
@@ -91,7 +93,10 @@ def test_what_is_left_decides_the_verdict(pieces: tuple[SweepPiece, ...], proved
     assert verdict.outcome is (Outcome.PROVED if proved else Outcome.UNDECIDED)
     assert "except in the brackets where" in verdict.statement
     axes = (Axis("k", fmpq(0), fmpq(1), 1), Axis("l", fmpq(0), fmpq(1), 1))
-    assert "pieces along curves" in Sweep("map", axes, (fmpq(0), fmpq(0)), {}, ()).verdict.statement
+    empty = Sweep("map", axes, (fmpq(0), fmpq(0)), {}, ()).verdict
+    assert "pieces along curves" in empty.statement
+    assert empty.outcome is Outcome.UNDECIDED
+    assert "leave a part" in empty.detail
 
 
 def test_only_brackets_of_one_quantity_are_joined() -> None:

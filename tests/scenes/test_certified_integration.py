@@ -15,6 +15,7 @@ from flint import arb, fmpq
 from gspot_verified.balls import approximate, sign_of, working_bits
 from gspot_verified.compliant.normal_form import compliant_model, compliant_state
 from gspot_verified.compliant.side_rule import side_rule
+from gspot_verified.evidence import less
 from gspot_verified.integrator.norm_run import NormRun
 from gspot_verified.integrator.norm_step import StateSet
 from gspot_verified.integrator.slow_curve import slow_curve
@@ -431,12 +432,14 @@ def test_an_event_around_the_end_of_the_time(
 ) -> None:
     """T = 100 is the end: an event is listed where it is certainly before it, left out where it certainly is not."""
     durations = {"slip": first, "flight": second}
+    shown = less(0, 1)
+    assert shown is not None
 
     def ends(phase: CertifiedPhase, start: dict[str, arb], *_: object) -> PhaseEnd:
         system, name = phase.system, phase.system.phase
         if name == "slip" and start[CLOCK] != 0:
-            return PhaseEnd(None, arb(0), {})
-        return PhaseEnd(system.events[0], arb(durations[name]), {**start, "Y": arb(0), "Z": arb(0)})
+            return PhaseEnd(None, arb(0), {}, shown)
+        return PhaseEnd(system.events[0], arb(durations[name]), {**start, "Y": arb(0), "Z": arb(0)}, shown)
 
     monkeypatch.setattr(CertifiedPhase, "run", ends)
     run = integrated_run(load_scene("fig-varsim1", eps="1/100", until=1), bits=(128,))

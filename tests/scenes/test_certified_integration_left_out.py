@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 from plain_motion import Block, Start, plain_motion
 
 from gspot_verified.balls import approximate
+from gspot_verified.evidence import less
 from gspot_verified.mechanisms.given import from_fields, lagrangian
 from gspot_verified.mechanisms.mechanism import Mechanism
 from gspot_verified.scenes.assumption import ASSUMED, CHECKED, VIOLATED, Assumption, provided
@@ -29,7 +30,7 @@ from gspot_verified.scenes.file import SHIPPED, load_scene
 from gspot_verified.scenes.float_run import float_run
 from gspot_verified.scenes.run import IMPACT, OPEN, REFUTED, SceneRun, agreement
 from gspot_verified.scenes.scene import Scene
-from gspot_verified.verdict import Outcome, Reason
+from gspot_verified.verdict import Evidence, Outcome, Reason
 
 HOSTILE = Path(__file__).parent / "hostile"
 CONTACT = ("compliant_contact", "lift_off")
@@ -292,6 +293,10 @@ def is_about(assumption: Assumption, time: fmpq) -> bool:
     return bool(time - fmpq(1, 10**12) < assumption.lower <= time <= assumption.upper < time + fmpq(1, 10**12))
 
 
+SHOWN = less(0, 1)
+assert SHOWN is not None
+
+
 def result(record: Record, watched: int = 1) -> SceneRun:
     """Of the block without stick, until t = 2, ε = 1/10; the condition is watched, or was lost at T = 3."""
     made = scene(block(), 2, TANGENTIAL, X_dot="2")
@@ -299,14 +304,23 @@ def result(record: Record, watched: int = 1) -> SceneRun:
     return result_of(made, every.watching(every.followed[:watched], arb(3)), record)
 
 
+@pytest.mark.parametrize(("shown", "ended"), [([], SHOWN), ([SHOWN], None), ([SHOWN, SHOWN], SHOWN)])
+def test_a_run_without_the_evidence_of_its_events_and_its_end_is_not_proved(
+    shown: list[Evidence], ended: Evidence | None
+) -> None:
+    lift = event_of("lift-off", arb(10), EPSILON)
+    with pytest.raises(ValueError, match="evidence"):
+        result(Record([lift], shown=shown, ended=ended))
+
+
 def test_each_end_of_a_run_has_its_verdict() -> None:
     lift = event_of("lift-off", arb("[10 +/- 0.5]"), EPSILON)
     assert lift.lower <= fmpq(19, 20)
     assert lift.upper >= fmpq(21, 20)
-    clean = result(Record([lift]))
+    clean = result(Record([lift], shown=[SHOWN], ended=SHOWN))
     assert clean.verdict.outcome is Outcome.PROVED
     assert clean.verdict.statement == "lift-off until t = 2 after the start, and no other change of phase"
-    lost = result(Record([lift]), watched=0)
+    lost = result(Record([lift], shown=[SHOWN], ended=SHOWN), watched=0)
     assert lost.verdict.statement == clean.verdict.statement + provided(lost.assumptions)
     assert is_about(lost.assumptions[0], fmpq(3, 10))
     wrong = result(Record([lift], violated=("stick", arb(15))))
@@ -331,7 +345,8 @@ def test_each_end_of_a_run_has_its_verdict() -> None:
 def test_a_statement_says_how_far_growth_is_shown() -> None:
     assert statement(IMPACT, "", (None,)) == "impact without collision, and no other change of phase"
     assert "(λ_N grows 8-fold, or slip or stick ends)" in statement(IMPACT, "", (64, 8, None))
-    for_ever = result(Record([event_of(IMPACT, arb(1), EPSILON)], multiples=[None], for_ever=True))
+    impact = event_of(IMPACT, arb(1), EPSILON)
+    for_ever = result(Record([impact], multiples=[None], for_ever=True, shown=[SHOWN], ended=SHOWN))
     assert for_ever.verdict.statement == "impact without collision, and no other change of phase"
 
 

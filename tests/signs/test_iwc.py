@@ -361,6 +361,16 @@ def test_each_field_of_the_json() -> None:
     assert data["every_epsilon"] is False
 
 
+def test_an_epsilon_0_that_is_not_certainly_below_the_threshold_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
+    known = iwc("3/2", c1=1)
+    assert known.largest_epsilon is not None
+    for epsilon_0 in (fmpq(9, 50), fmpq(1)):  # the largest is 0.1788...
+        monkeypatch.setattr("gspot_verified.signs.iwc.rounded_down", lambda *_, given=epsilon_0: given)
+        assert iwc("3/2", c1=1).verdict.outcome is Outcome.UNDECIDED
+    monkeypatch.setattr("gspot_verified.signs.iwc.rounded_down", lambda *_: fmpq(17, 100))
+    assert iwc("3/2", c1=1).verdict.outcome is Outcome.PROVED
+
+
 def test_a_least_value_on_both_sides_of_0_is_not_at_least_0(monkeypatch: pytest.MonkeyPatch) -> None:
     """No bound for every eps then: what is certain is the lower end, and no upper bound of the largest eps."""
     monkeypatch.setattr("gspot_verified.signs.iwc.minimum", lambda _: Bracket(fmpq(0), fmpq(1), arb(0, 1)))

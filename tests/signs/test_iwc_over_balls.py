@@ -210,3 +210,14 @@ def test_a_wide_ball_far_to_the_left_is_no_proof() -> None:
             assert one.largest_epsilon is not None
             assert one.largest_epsilon > found.epsilon_0
         assert found.to_json()["start"] == str(start)
+
+
+@pytest.mark.parametrize(("epsilon_0", "proved"), [(fmpq(17, 100), True), (fmpq(9, 50), False), (fmpq(1), False)])
+def test_an_epsilon_0_that_is_not_certainly_below_the_threshold_is_undecided(
+    monkeypatch: pytest.MonkeyPatch, epsilon_0: fmpq, proved: bool
+) -> None:
+    """The largest is 0.1788..."""
+    monkeypatch.setattr("gspot_verified.signs.iwc_over_balls.rounded_down", lambda *_: epsilon_0)
+    verdict = iwc_over_balls(-1, -1, arb("-1.5", "1e-9"), digits=6).verdict
+    assert verdict.outcome is (Outcome.PROVED if proved else Outcome.UNDECIDED)
+    assert verdict.reason is (None if proved else Reason.WIDE_INPUT)

@@ -294,6 +294,14 @@ def test_one_of_the_signs_at_a_point_beyond_the_largest_beta_is_refuted() -> Non
     assert outcomes == {R, U}
 
 
+@pytest.mark.parametrize(("end", "proved"), [(fmpq(1), True), (fmpq(3, 4), False)])
+def test_columns_that_leave_a_part_out_prove_nothing(monkeypatch: pytest.MonkeyPatch, end: fmpq, proved: bool) -> None:
+    monkeypatch.setattr("gspot_verified.signs.sign._cells", lambda _: [(fmpq(1, 2), end)])
+    verdict = sign_on_ranges("-2..-1", "1/2..1").verdict
+    assert verdict.outcome is (Outcome.PROVED if proved else Outcome.UNDECIDED)
+    assert proved or "leave a part" in verdict.detail
+
+
 def test_the_largest_beta_belongs_to_those_for_which_a_proof_is_sought(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("gspot_verified.signs.sign.find_witness", lambda *_: None)
     monkeypatch.setattr("gspot_verified.signs.sign.sign_column", lambda *_: None)
