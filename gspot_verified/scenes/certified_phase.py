@@ -57,6 +57,11 @@ Observer = Callable[[NormSegment, Mapping[str, arb]], bool]
 """Sees each segment and the states at its end; True ends the phase there."""
 
 
+def _has_sense(name: str, value: arb) -> bool:
+    """Whether it is certain that mu >= 0, or that another function is positive."""
+    return bool(value >= 0) if name == "mu" else bool(value > 0)
+
+
 class CertifiedPhase:
     """The equations of one phase as a vector field; the clock is a state where it occurs."""
 
@@ -123,7 +128,7 @@ class CertifiedPhase:
             return None
         values = self._supposed.mean_values(segment.states(hull((left, right))))
         signs = zip(self.system.supposed, values, strict=True)
-        doubts = [name for (name, _), value in signs if not (value > 0 or (name == "mu" and value >= 0))]
+        doubts = [name for (name, _), value in signs if not _has_sense(name, value)]
         if not doubts or halvings == 0:
             return next(iter(doubts), None)
         middle = (left + right) / 2
