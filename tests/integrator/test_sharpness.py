@@ -240,3 +240,31 @@ def test_changing_the_basis_takes_all_of_the_set() -> None:
         for radius in step.radii:
             assert r <= radius * (1 + arb((1, -60)))
             assert radius < r * (1 + arb((1, -20)))
+
+
+def test_the_set_of_a_box_is_the_box() -> None:
+    """Two sides of different widths, each its own."""
+    box = [arb(1, "0.5"), arb(2, "0.25")]
+    with working_bits(64):
+        for found, side in zip(ErrorSet.of_box(box).enclosure(), box, strict=True):
+            assert holds(found, side.lower())
+            assert holds(found, side.upper())
+            assert found.rad() < side.rad() * (1 + arb((1, -20)))
+
+
+def test_the_local_error_is_taken_into_turned_coordinates() -> None:
+    """A flow that turns by an eighth: the new coordinates are turned, the local error lies along the first axis."""
+    local = arb((1, -5))
+    with working_bits(64):
+        c = (arb(1) / 2).sqrt().mid()
+        unit = ((arb_poly([1]), arb_poly([])), (arb_poly([]), arb_poly([1])))
+        curve = Curve((arb_poly([0]),) * 2, unit)
+        turn = arb_mat([[c, -c], [c, c]])
+        after = ErrorSet.of_box([arb(0), arb(0)]).after(Step(curve, arb(1), (local,) * 2, (local, arb(0)), turn))
+        assert after is not None
+        for sign in (-1, 1):
+            assert holds(after.enclosure()[0], sign * local)
+        assert after.enclosure()[0].rad() < local * (1 + arb((1, -20)))
+        for value in (arb("inf"), arb("nan")):
+            step = Step(curve, arb(1), (local,) * 2, (local, value), turn)
+            assert ErrorSet.of_box([arb(0), arb(0)]).after(step) is None
