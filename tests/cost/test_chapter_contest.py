@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import time
 from dataclasses import replace
 from functools import partial
 from itertools import count
@@ -49,16 +48,18 @@ def test_further_calls_are_made_in_turn() -> None:
     assert asked[4:10] == ["a", "b", "a", "b", "a", "b"]
 
 
-def test_patience_ends_the_larger_arguments() -> None:
+def test_patience_ends_the_larger_arguments(monkeypatch: pytest.MonkeyPatch) -> None:
+    """On a clock that each call moves on by its argument."""
+    now = [0.0]
+    monkeypatch.setattr(contest, "clock", lambda: now[0])
+
     def slow(argument: int) -> int:
-        end = time.process_time() + 0.01 * argument
-        while time.process_time() < end:
-            pass
+        now[0] += argument
         return argument
 
     contestant = Contestant("slow", CERTIFIED, (0, 1, 2), lambda x: partial(slow, x))
-    [route] = compete("", (contestant,), replace(EFFORT, patience=0.005))
-    assert [point.asked for point in route.points] == ["0", "1"]
+    [route] = compete("", (contestant,), replace(EFFORT, patience=0.5))
+    assert [(point.asked, point.best) for point in route.points] == [("0", 0.0), ("1", 1.0)]
 
 
 def test_an_answer_that_is_none_is_no_point() -> None:
