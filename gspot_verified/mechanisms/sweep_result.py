@@ -102,10 +102,8 @@ class Sweep(NoTruthValue):
             if covered is None:
                 return Verdict.undecided(statement, Reason.HYPOTHESIS, "the pieces leave a part of the range out")
             return Verdict.proved(statement, covered)
-        parts = [f"{left} pieces are left"] * bool(left) + [f"in {half} brackets at most one zero is shown"] * bool(
-            half
-        )
-        return Verdict.undecided(statement, Reason.BUDGET, "; ".join(parts))
+        pieces, brackets = f"{left} pieces are left", f"in {half} brackets at most one zero is shown"
+        return Verdict.undecided(statement, Reason.BUDGET, "; ".join([pieces] * bool(left) + [brackets] * bool(half)))
 
     def _is_wide(self, piece: SweepPiece) -> bool:
         """Whether a piece next to a fold, where Case and side are not settled, is more than a bracket."""
