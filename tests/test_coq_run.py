@@ -36,5 +36,21 @@ def test_the_answer_is_handed_on(tmp_path: Path) -> None:
 def test_a_step_that_does_not_end_is_given_up(tmp_path: Path) -> None:
     from coq_run import TooLong, run
 
-    with pytest.raises(TooLong, match="sleep was given up after 0 s"):
+    with pytest.raises(TooLong, match=r"^sleep was given up after 0 s, the limit of a step$"):
         run(["sleep", "1000"], tmp_path, 0.1)
+
+
+def test_a_long_step_shows_that_it_goes_on_and_keeps_its_output(tmp_path: Path) -> None:
+    from coq_run import run
+
+    called: list[int] = []
+    program = "import time; print('first', flush=True); time.sleep(0.5); print('last')"
+    done = run([sys.executable, "-c", program], tmp_path, alive=lambda: called.append(1), every=0.05)
+    assert done.stdout == "first\nlast\n"
+    assert called
+    with pytest.raises(TimeoutError):
+        run(["sleep", "1000"], tmp_path, alive=interrupted, every=0.05)
+
+
+def interrupted() -> None:
+    raise TimeoutError

@@ -269,6 +269,16 @@ def test_compiled_files_that_are_not_those_of_the_record(prove: ModuleType) -> N
     assert "theorems proved" not in prove.state()
 
 
+def test_how_far_the_compilation_is(prove: ModuleType, tmp_path: Path) -> None:
+    texts = {prove.PROJECT: b"\n" * 90, "First.v": b"\n" * 10, "Second.v": b"\n" * 30}
+    assert prove.compiling(tmp_path, texts, 3) == "compiling the first of 2 files, 3 s"
+    (tmp_path / "First.vo").touch()
+    assert prove.compiling(tmp_path, texts, 20) == "1 of 2 files compiled in 20 s, First.v last; about 60 s still"
+    (tmp_path / "Second.vo").touch()
+    assert "2 of 2 files compiled in 80 s" in prove.compiling(tmp_path, texts, 80)
+    assert prove.compiling(tmp_path, texts, 80).endswith("about 0 s still")
+
+
 STATEMENT = "Definition claim : Prop := forall n : nat, n = n.\n"
 PROOF = "From GSpot Require Import Statement.\n\nTheorem claim : Statement.claim.\nProof. intros n. reflexivity. Qed.\n"
 FALSE = {"Statement.v": "Definition claim : Prop := False.\n"}

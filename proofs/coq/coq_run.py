@@ -8,10 +8,12 @@ from __future__ import annotations
 import os
 import signal
 import subprocess
+import time
+from collections.abc import Callable
 from pathlib import Path
 
 LIMIT = 2400
-"""Seconds until a step is given up, on a loaded machine; the whole takes three to four minutes on two free cores."""
+"""Seconds until a step is given up, on a loaded machine; the whole takes two to three minutes on two free cores."""
 
 
 class TooLong(RuntimeError):
@@ -28,8 +30,14 @@ def environment(folder: Path) -> dict[str, str]:
     return {"PATH": path, "LC_ALL": "C.UTF-8", "HOME": str(folder), "XDG_DATA_HOME": str(folder / "no_data")}
 
 
-def run(command: list[str], folder: Path, limit: float = LIMIT) -> subprocess.CompletedProcess[str]:
-    """The command in a folder, its output as text.
+def run(
+    command: list[str],
+    folder: Path,
+    limit: float = LIMIT,
+    alive: Callable[[], None] = lambda: None,
+    every: float = 10,
+) -> subprocess.CompletedProcess[str]:
+    """The command in a folder, its output as text; ``alive`` is called every so many seconds while it runs.
 
     :raises TooLong: it has not ended within the limit; it and what it started are ended.
     """
@@ -44,11 +52,18 @@ def run(command: list[str], folder: Path, limit: float = LIMIT) -> subprocess.Co
         errors="replace",
         start_new_session=True,
     ) as process:
+        end = time.monotonic() + limit
         try:
-            output, errors = process.communicate(timeout=limit)
-        except BaseException as error:
+            while True:
+                left = end - time.monotonic()
+                try:
+                    output, errors = process.communicate(timeout=max(0, min(every, left)))
+                    break
+                except subprocess.TimeoutExpired:
+                    if left <= every:
+                        raise TooLong(f"{command[0]} was given up after {limit:.0f} s, the limit of a step") from None
+                alive()
+        except BaseException:
             os.killpg(process.pid, signal.SIGKILL)
-            if isinstance(error, subprocess.TimeoutExpired):
-                raise TooLong(f"{command[0]} was given up after {limit:.0f} s") from None
             raise
     return subprocess.CompletedProcess(command, process.returncode, output, errors)

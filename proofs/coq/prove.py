@@ -149,13 +149,31 @@ def compile_all(texts: dict[str, bytes], folder: Path, jobs: int) -> None:
     """
     for name, text in texts.items():
         (folder / name).write_bytes(text)
+    began = time.monotonic()
     for command in (["coq_makefile", "-f", PROJECT, "-o", "Makefile"], ["make", f"-j{jobs}"]):
-        done = run(command, folder)
+        done = run(command, folder, alive=lambda: say(compiling(folder, texts, time.monotonic() - began)))
         if done.returncode:
             raise Refused(f"A file does not compile:\n{done.stdout}{done.stderr}")
     without = [name for name in texts if name != PROJECT and not (folder / f"{name}o").is_file()]
     if without:
         raise Refused(f"Not compiled: {', '.join(without)}")
+
+
+def say(text: str) -> None:
+    """A step of the work, on stderr."""
+    print(f"... {text}", file=sys.stderr, flush=True)
+
+
+def compiling(folder: Path, texts: dict[str, bytes], seconds: float) -> str:
+    """How far it is: the files that are there, and about how long still, by their share of the lines."""
+    lines = {name: text.count(b"\n") for name, text in texts.items() if name != PROJECT}
+    times = {name: (folder / f"{name}o").stat().st_mtime for name in lines if (folder / f"{name}o").is_file()}
+    if not times:
+        return f"compiling the first of {len(lines)} files, {seconds:.0f} s"
+    share = sum(map(lines.__getitem__, times)) / sum(lines.values())
+    newest = max(times, key=times.__getitem__)
+    still = seconds * (1 - share) / share
+    return f"{len(times)} of {len(lines)} files compiled in {seconds:.0f} s, {newest} last; about {still:.0f} s still"
 
 
 def listed() -> dict[str, list[str]]:
@@ -213,7 +231,9 @@ def prove_in(folder: Path, texts: dict[str, bytes], jobs: int, kernel: bool) -> 
     :raises RuntimeError: something is not proved, or a step takes too long.
     :raises ValueError: a name is stated twice.
     """
+    say(f"compiling {len(texts) - 1} files, {jobs} at once: two to three minutes on two free cores")
     compile_all(texts, folder, jobs)
+    say("holding each theorem against its statement, listing its axioms")
     for file in STATED_IN:
         if strange := strange_references((folder / f"{file}.glob").read_text(encoding="utf-8"), READ, BELIEVED):
             raise Refused("\n".join([f"{file}.v speaks of what nobody reads:", *strange]))
@@ -224,6 +244,7 @@ def prove_in(folder: Path, texts: dict[str, bytes], jobs: int, kernel: bool) -> 
     if wrong := differences(found, listed()):
         raise Refused("\n".join(["The axioms differ from assumptions.txt:", *wrong]))
     if kernel:
+        say("coqchk on all that was compiled: 80 to 100 s on a free core")
         check_kernel(folder)
     if read_sources() != texts:
         raise Refused("A source changed while it was compiled")
