@@ -89,11 +89,12 @@ def test_a_worker_that_is_ended_from_outside_is_told() -> None:
 
 
 _LONG = """
-import subprocess, sys, time
+import signal, subprocess, sys, time
 from functools import partial
 from gspot_verified.signs.executors import as_they_end, executor
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a job in the background inherits that it is ignored
     code = "import os, time; print(os.getpid(), os.getppid(), flush=True); time.sleep(600)"
     program = [sys.executable, "-c", code]
     with executor(2) as pool:
@@ -121,7 +122,10 @@ def test_nothing_is_left_of_a_run_that_was_interrupted_or_killed(tmp_path: Path,
         assert len(began) == 2
         assert all(map(runs, began))
         run.send_signal(sent)
-        assert run.wait(60) != 0
+        try:
+            assert run.wait(60) != 0
+        finally:
+            run.kill()  # where it goes on, the test fails and does not wait for ever
     until = time.monotonic() + 60
     while any(map(runs, began)) and time.monotonic() < until:
         time.sleep(0.05)
