@@ -89,12 +89,11 @@ def test_a_worker_that_is_ended_from_outside_is_told() -> None:
 
 
 _LONG = """
-import signal, subprocess, sys, time
+import subprocess, sys, time
 from functools import partial
 from gspot_verified.signs.executors import as_they_end, executor
 
 if __name__ == "__main__":
-    signal.signal(signal.SIGINT, signal.default_int_handler)  # a job in the background inherits that it is ignored
     code = "import os, time; print(os.getpid(), os.getppid(), flush=True); time.sleep(600)"
     program = [sys.executable, "-c", code]
     with executor(2) as pool:
@@ -116,6 +115,8 @@ def test_nothing_is_left_of_a_run_that_was_interrupted_or_killed(tmp_path: Path,
     with subprocess.Popen(
         [sys.executable, str(tmp_path / "long.py")], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
         env=environment,
+        # A job in the background inherits that SIGINT is ignored.
+        preexec_fn=partial(signal.signal, signal.SIGINT, signal.SIG_DFL),
     ) as run:  # fmt: skip
         assert run.stdout is not None
         began = [int(word) for word in run.stdout.readline().split()]
