@@ -46,7 +46,7 @@ def test_the_record_names_tests_that_exist() -> None:
 
 def test_the_record_is_canonical(tmp_path: Path) -> None:
     place = tmp_path / "costs.json"
-    costs.record({"b": 1.234, "a": 0.5, "c": costs.LEAST / 2}, place)
+    costs.record({"b": 1.234, "a": 0.5, "c": costs.LEAST / 2, f"d[{costs.ROOT}]": 1.0}, place)
     assert json.loads(place.read_text(encoding="utf-8")) == {"a": 0.5, "b": 1.23}
     assert costs.recorded(place) == {"a": 0.5, "b": 1.23}
 
