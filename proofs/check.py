@@ -27,6 +27,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from fractions import Fraction
 from itertools import count, pairwise
+from multiprocessing import get_context
 from typing import Any, NamedTuple, NoReturn
 
 INFINITY = math.inf  # stands for an infinite end of a range; no float takes part in a bound
@@ -547,9 +548,8 @@ class ColumnCheck:
         key = (low, high, bits, start_for(bits, 0, tau))
         found = self.locals.pop(key, None) or Local(low, high, bits, tau, self.meter)
         self.locals[key] = found
-        while (
-            len(self.locals) > 1 and 2 * sum(one.bytes() for one in self.locals.values()) > self.limits.memory * 10**6
-        ):
+        half = self.limits.memory * 10**6 // 2
+        while len(self.locals) > 1 and sum(one.bytes() for one in self.locals.values()) > half:
             del self.locals[next(iter(self.locals))]
         return found
 
@@ -886,10 +886,10 @@ class Checker:
         self.limits, self.left, self.workers = limits, budget, workers
 
     def on_each_column(self, rule: Callable[..., None], *arguments: Any) -> None:
-        """The rule holds on each column. The answer is the same for any number of workers."""
+        """The rule holds on each column. The answer is the same for any number of workers: they begin afresh."""
         if self.workers > 1:
             tasks = [Task(rule, arguments, column, self.limits, self.left) for column in self.columns]
-            with ProcessPoolExecutor(self.workers) as pool:
+            with ProcessPoolExecutor(self.workers, get_context("spawn")) as pool:
                 try:
                     self.settle(pool.map(Task.run, tasks))
                 finally:

@@ -8,14 +8,17 @@ from __future__ import annotations
 import ast
 import io
 import math
+import multiprocessing
 import os
 import random
 import subprocess
 import sys
+from collections.abc import Callable
 from fractions import Fraction
 from itertools import combinations, islice, pairwise
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import mpmath
 import pytest
@@ -683,28 +686,60 @@ FAILURES = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize("failure", FAILURES)
+@pytest.fixture
+def broken(monkeypatch: pytest.MonkeyPatch) -> Callable[[type[Exception] | None], bytes]:
+    """A certificate that is read with pieces that break whoever looks at them."""
+    read = check.read_certificate
+
+    def with_pieces(failure: type[Exception] | None) -> bytes:
+        def broken_certificate(data: bytes, limits: check.Limits) -> tuple[int, Any, list[check.Column]]:
+            version, statement, columns = read(data, limits)
+            pieces = mutate.BreakingPieces(failure)
+            return version, statement, [column._replace(pieces=pieces) for column in columns]
+
+        monkeypatch.setattr(check, "read_certificate", broken_certificate)
+        return text_of(GOOD["right"])
+
+    return with_pieces
+
+
+@pytest.mark.parametrize(
+    ("failure", "workers"), [*((failure, "1") for failure in FAILURES), (IndexError, "2"), (MemoryError, "2")]
+)
 def test_whatever_breaks_is_no_proof(
-    failure: type[Exception], tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    failure: type[Exception],
+    workers: str,
+    broken: Callable[[type[Exception] | None], bytes],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     """One line that says so, and not the status of a certificate that is verified."""
     good = tmp_path / "good"
-    good.write_bytes(text_of(GOOD["right"]))
+    good.write_bytes(broken(failure))
+    assert check.main([str(good), "--workers", workers]) == 1
+    written = capsys.readouterr()
+    assert (written.out, written.err) == ("", f"REJECTED the check failed with {failure.__name__}\n")
+
+
+def test_a_worker_that_is_killed_is_no_proof(broken: Callable[[type[Exception] | None], bytes]) -> None:
+    with pytest.raises(check.Rejected, match="the check failed with BrokenProcessPool"):
+        check.check_text(broken(None), workers=2)
+
+
+@pytest.mark.parametrize("method", multiprocessing.get_all_start_methods())
+def test_workers_begin_afresh_whatever_the_start_method_is(method: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """They know nothing of what was changed here, on each system and version of Python."""
 
     def breaks(*_: object) -> None:
-        raise failure("two\nlines")
+        raise AssertionError
 
     monkeypatch.setattr(check.ColumnCheck, "parts", breaks)
-    for workers in ("1", "2"):
-        assert check.main([str(good), "--workers", workers]) == 1
-        written = capsys.readouterr()
-        assert (written.out, written.err) == ("", f"REJECTED the check failed with {failure.__name__}\n")
-
-
-def test_a_worker_that_is_killed_is_no_proof(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(check.ColumnCheck, "parts", lambda *_: os._exit(0))
-    with pytest.raises(check.Rejected, match="the check failed with BrokenProcessPool"):
-        check.check_text(text_of(GOOD["right"]), workers=2)
+    before = multiprocessing.get_start_method(allow_none=True)
+    multiprocessing.set_start_method(method, force=True)
+    try:
+        assert check.check_text(text_of(GOOD["right"]), workers=2) == STATEMENTS["right"]
+    finally:
+        multiprocessing.set_start_method(before, force=True)
 
 
 def test_a_file_too_large_for_the_memory_is_no_proof(
@@ -948,6 +983,10 @@ def test_command_line(tmp_path: Path) -> None:
     result = run(str(good))
     assert (result.returncode, result.stderr) == (0, "")
     assert result.stdout.splitlines()[0].startswith("VERIFIED d")
+    columns = tmp_path / "columns"
+    columns.write_bytes(text_of(GOOD["iwc"]))
+    result = run(str(columns), "--workers", "2")
+    assert (result.returncode, result.stdout, result.stderr) == (0, f"VERIFIED {STATEMENTS['iwc']}\n", "")
     result = run(str(bad))
     assert (result.returncode, result.stdout) == (1, "")
     assert result.stderr == "REJECTED the last line is not sha256 and a hash\n"

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 import copy
 import hashlib
-import importlib.util
+import importlib
 import json
+import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
@@ -24,14 +26,23 @@ Mutation = Callable[[Lines], None]
 
 
 def checker() -> ModuleType:
-    """``proofs/check.py`` as a module: it is not a part of the package."""
-    if "proofs_check" not in sys.modules:
-        spec = importlib.util.spec_from_file_location("proofs_check", CHECKER)
-        assert spec is not None
-        assert spec.loader is not None
-        sys.modules["proofs_check"] = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(sys.modules["proofs_check"])
-    return sys.modules["proofs_check"]
+    """``proofs/check.py`` as a module: it is not a part of the package. Its workers import it by the same name."""
+    folder = str(CHECKER.parent)
+    if folder not in sys.path:
+        sys.path.append(folder)
+    return importlib.import_module("check")
+
+
+@dataclass(frozen=True)
+class BreakingPieces:
+    """In place of the pieces of a column, in any process: an exception, or without one the end of the process."""
+
+    failure: type[Exception] | None
+
+    def __iter__(self) -> Iterator[Any]:
+        if self.failure is None:
+            os._exit(0)
+        raise self.failure("two\nlines")
 
 
 def canonical(value: Any) -> str:
