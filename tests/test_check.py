@@ -6,6 +6,8 @@ Page: proofs/check.md.
 from __future__ import annotations
 
 import ast
+import importlib.machinery
+import importlib.util
 import io
 import math
 import multiprocessing
@@ -297,6 +299,23 @@ def test_the_parts_of_a_box_that_is_cut_are_the_whole(wide: str, splits: int) ->
         assert one[1] <= other[0] or other[1] <= one[0] or one[3] <= other[2] or other[3] <= one[2]
     assert all(2 <= low < high <= 3 and -1 <= start < end <= 3 for low, high, start, end in confirmed)
     assert checker.sign(box, 0, splits - 1) == 0
+
+
+@pytest.mark.parametrize("sign", [-1, 1])
+def test_a_value_far_beyond_a_level_is_seen_at_the_first_accuracy(sign: int) -> None:
+    """Neither more bits nor smaller boxes are asked for: the error is a small part of the value."""
+    asked, b = [], Fraction(3, 2)
+
+    def parts(*question: object) -> check.Enclosed:
+        asked.append(question)
+        return check.Enclosed(sign << 20, 1, 0, 10, (4, 20), 1)
+
+    checker = on_a_column()
+    checker.parts = parts  # type: ignore[method-assign]
+    box = (b, b, Fraction(1), Fraction(2))
+    assert not checker.within(box, Fraction(7), splits=4)  # |F| is near 4^b = 8
+    assert len(asked) == 1
+    assert checker.within(box, Fraction(9), splits=4)
 
 
 class Known:
@@ -898,18 +917,52 @@ def test_statements(name: str) -> None:
     assert check.check_text(text_of(GOOD[name])) == STATEMENTS[name]
 
 
-@pytest.mark.parametrize("beta", range(1, 14))
-@pytest.mark.parametrize("tau", [Fraction(0), Fraction(-7, 3), Fraction(5, 2)])
-def test_integer_beta(beta: int, tau: Fraction) -> None:
-    exact = -beta * theta_witness(tau, Fraction(beta - 1))
-    sign = 0 if tau == 0 and beta % 3 != 1 else (exact > 0) - (exact < 0)
+def assert_sign_at_integer(tau: Fraction, beta: int, sign: int) -> None:
+    """This sign is verified, and the two others are rejected."""
     for claimed in (-1, 0, 1):
         statement = {"beta": f"[{beta}, {beta}]", "kind": "sign", "sign": claimed, "tau": f"[{tau}, {tau}]"}
         if claimed == sign:
             assert check.check_text(text_of(lines_of(statement)))
         else:
-            with pytest.raises(check.Rejected):
+            with pytest.raises(check.Rejected, match="the sign at this integer β is"):
                 check.check_text(text_of(lines_of(statement)))
+
+
+@pytest.mark.parametrize("beta", range(14))
+@pytest.mark.parametrize("tau", [Fraction(0), Fraction(-7, 3), Fraction(5, 2)])
+def test_integer_beta(beta: int, tau: Fraction) -> None:
+    exact = -beta * theta_witness(tau, Fraction(beta - 1))
+    sign = 0 if tau == 0 and beta % 3 != 1 else (exact > 0) - (exact < 0)
+    assert_sign_at_integer(tau, beta, sign)
+
+
+def polynomial_at(tau: Fraction, n: int) -> Fraction:
+    """Θ(τ, n) = n! [x^n] exp(x³/3 - τx): a sum, where the checker has a recurrence."""
+    terms = [
+        Fraction(math.factorial(n), math.factorial(n - 3 * j) * math.factorial(j) * 3**j) * (-tau) ** (n - 3 * j)
+        for j in range(n // 3 + 1)
+    ]
+    return sum(terms, Fraction(0))
+
+
+@pytest.mark.parametrize("beta", range(4, 15))
+def test_integer_beta_on_both_sides_of_each_zero(beta: int) -> None:
+    """Points that differ by 2^-40: a wrong factor in the recurrence moves a zero across one of them."""
+    grid = [Fraction(k, 8) + Fraction(1, 97) for k in range(-10, 90)]
+    zeros = 0
+    for low, high in pairwise(grid):
+        at_low = polynomial_at(low, beta - 1)
+        if at_low * polynomial_at(high, beta - 1) > 0:
+            continue
+        left, right = low, high
+        while right - left > Fraction(1, 2**40):
+            middle = (left + right) / 2
+            left, right = (middle, right) if polynomial_at(middle, beta - 1) * at_low > 0 else (left, middle)
+        zeros += 1
+        for tau in (left, right):
+            assert_sign_at_integer(tau, beta, -1 if polynomial_at(tau, beta - 1) > 0 else 1)
+    # Of the zeros at 0 one is on this grid, with a change of sign where their number is odd.
+    assert zeros == (beta - 1) // 3 + ((beta - 1) % 3 == 1)
 
 
 @pytest.mark.parametrize("width", [Fraction(1, 10**40), Fraction(1, 10**5)])
@@ -974,6 +1027,20 @@ def run(*arguments: str, encoding: str = "utf-8") -> subprocess.CompletedProcess
     options = [] if encoding else ["-X", "utf8"]
     command[1:1] = options
     return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", check=False, env=environment)
+
+
+def test_the_program_takes_the_words_after_its_name(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    good = tmp_path / "good"
+    good.write_bytes(text_of(GOOD["integer"]))
+    monkeypatch.setattr(sys, "argv", ["check.py", str(good)])
+    loader = importlib.machinery.SourceFileLoader("__main__", str(mutate.CHECKER))
+    spec = importlib.util.spec_from_loader("__main__", loader)
+    assert spec is not None
+    with pytest.raises(SystemExit) as ended:
+        loader.exec_module(importlib.util.module_from_spec(spec))
+    assert (ended.value.code, capsys.readouterr().out) == (0, f"VERIFIED {STATEMENTS['integer']}\n")
 
 
 def test_command_line(tmp_path: Path) -> None:
