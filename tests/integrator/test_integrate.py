@@ -217,3 +217,18 @@ def test_a_wide_time_is_covered() -> None:
         end = ended(OSCILLATOR, [arb(1), arb(0)], arb(3, "0.01"))
         for shift in ("-0.0099", "0", "0.0099"):
             assert end[0].contains((arb(3) + arb(shift)).cos())
+
+
+@pytest.mark.parametrize("least", [1, 2, 3, 5, 8, 12])
+@pytest.mark.parametrize("wide", [0, 1, 6])
+def test_an_uncertain_end_is_not_passed(least: int, wide: int) -> None:
+    """Every step but the last ends certainly before the end; the last one has the length that is left, as a ball."""
+    end = arb(least * (1 + wide), least * wide) / 2
+    with working_bits(64):
+        run = Run(OSCILLATOR, [arb(1), arb(0)], end)
+        segments = list(run)
+        for segment in segments if run.reason else segments[:-1]:
+            assert segment.end_time < end
+        if run.reason is None:
+            assert segments[-1].end_time.contains(end)
+        assert wide or run.reason is None

@@ -124,6 +124,27 @@ def test_a_band_is_solved_as_a_full_matrix_is(below: int, above: int) -> None:
     assert np.allclose(_Band(full, below, above).solve(right), np.linalg.solve(full, right), rtol=1e-8)
 
 
+def test_corrections_solve_the_linear_equation() -> None:
+    """d' - h J(tau) d = r up to the degree of d, for a J of degree 2; the slow coordinate starts where it is asked."""
+    order, size, h = 9, 3, 0.5
+    draw = np.random.default_rng(3)
+    jacobian = np.zeros((order + 1, size, size))
+    jacobian[:3] = draw.normal(size=(3, size, size))
+    basis, slow = draw.normal(size=(size, size)), np.array([False, True, False])
+    residuals = [[arb(float(value)) for value in row] for row in draw.normal(size=(size, order + 1))]
+    gap = [arb(float(value)) for value in draw.normal(size=size)]
+    for level in (0.0, 5.0):
+        moves = _Solver(jacobian, basis, slow, h).moves(residuals, gap, level, order) * 2**level
+        for k in range(order + 1):
+            product = sum(np.dot(jacobian[j], moves[k - j]) for j in range(min(k, 2) + 1))
+            slope = (k + 1) * moves[k + 1] if k < order else 0.0
+            rest = np.dot(np.linalg.inv(basis), slope - h * product - [float(row[k]) for row in residuals])
+            # The start of a slow coordinate stands in place of its last equation.
+            assert np.abs(rest[np.logical_not(slow)] if k == order else rest).max() < 1e-9
+        start = np.dot(np.linalg.inv(basis), moves[0] - [float(value) for value in gap])
+        assert np.abs(start[slow]).max() < 1e-9
+
+
 def test_a_singular_band_is_refused() -> None:
     with pytest.raises(np.linalg.LinAlgError):
         _Band(np.zeros((3, 3)), 1, 1)

@@ -67,3 +67,10 @@ def test_what_is_not_finite_has_no_series() -> None:
     assert fixed(arb(3), 4) == 48
     with pytest.raises(NoSeriesError, match="not finite"):
         fixed(arb("nan"), 4)
+
+
+def test_an_operation_that_it_does_not_know_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    recurrence = TaylorRecurrence([x * y, x])
+    monkeypatch.setattr(recurrence._code, "definition", lambda _name: ("tangent", ("x0",)))
+    with pytest.raises(TypeError, match="no recurrence of tangent"):
+        recurrence._compiled()
