@@ -6,13 +6,14 @@ Pages: proofs/validated_step.md; proofs/norm_step.md (an event function that sta
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 from flint import arb, fmpq
 
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Constant, Expression, Variable
-from gspot_verified.integrator.event import Crossing, Moment, Unclear, Watch, first_crossing, rivals
+from gspot_verified.integrator.event import Crossing, Moment, Unclear, Watch, _Piece, first_crossing, rivals
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.integrate import Run
 from gspot_verified.integrator.norm_run import NormRun
@@ -227,6 +228,33 @@ def test_the_rate_of_a_crossing_is_positive_or_it_is_unclear(exponent: int, clea
         assert found.rate > 0
         assert found.rate.contains(1)
         assert found.rate.contains(arb((1, exponent)))
+
+
+@pytest.mark.parametrize(
+    ("begin", "rate", "end", "clear"),
+    [
+        ("-1", "1", "1", True),
+        ("0.5", "1", "1", False),
+        ("0", "1", "1", False),
+        ("-1", "0", "1", False),
+        ("-1", "-1", "1", False),
+        ("-1", "1", "0", False),
+        ("-1", "1", "-0.5", False),
+    ],
+)
+def test_a_bracket_needs_its_three_signs(begin: str, rate: str, end: str, clear: bool) -> None:
+    """Of a stretch that is given: g < 0 at its begin, dg/dt > 0 on it and g > 0 at its end; the evidence says so."""
+    with working_bits(64):
+        watch = Watch("x", x, VectorField([y, number(0)]))
+        points = {"0/1": arb(begin), "1/1": arb(end)}
+        segment: Any = Scripted(points, {("0/1", "1/1"): (arb(0, 3), arb(rate, "0.01") if rate != "0" else arb(0))})
+        found = watch._bracket([_Piece(segment, arb(0), arb(1))])
+        assert isinstance(found, Crossing) is clear
+        if isinstance(found, Crossing):
+            first, second, third = found.evidence.facts
+            assert first.endswith(" < 0")
+            assert second.startswith("0 < ")
+            assert third.startswith("0 < ")
 
 
 def test_a_crossing_is_first_by_the_signs_of_all_functions() -> None:

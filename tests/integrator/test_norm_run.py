@@ -5,6 +5,10 @@ Page: proofs/norm_step.md.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import islice
+
 import pytest
 from flint import arb, arb_mat, fmpq
 
@@ -16,6 +20,8 @@ from gspot_verified.integrator.event import Crossing, Watch
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.integrate import integrate
 from gspot_verified.integrator.norm_run import NormRun
+from gspot_verified.integrator.norm_step import NormPlan
+from gspot_verified.integrator.taylor_curve import TaylorCurve
 
 x, y, z = Variable(0), Variable(1), Variable(2)
 OSCILLATOR = VectorField([y, -x])
@@ -106,6 +112,8 @@ def test_a_start_without_a_series(function: Expression) -> None:
         run = NormRun(VectorField([function]), [arb(0)], arb(1))
         assert list(run) == []
         assert run.reason is not None
+        assert not run.budget_ended
+        assert run.at_end is None
 
 
 def test_a_state_too_large_for_the_precision() -> None:
@@ -128,6 +136,8 @@ def test_a_budget_that_ends() -> None:
         run = NormRun(OSCILLATOR, [arb(1), arb(0)], arb(1000), steps=Steps(3))
         assert len(list(run)) == 3
         assert run.reason == "the budget of 3 steps ended"
+        assert run.budget_ended
+        assert run.at_end is None
 
 
 @pytest.mark.parametrize("bits", [96, 160])
@@ -208,3 +218,113 @@ def test_the_step_to_the_end_is_kept_without_a_length() -> None:
         segments = list(NormRun(OSCILLATOR, [arb(1), arb(0)], arb.pi(), kept))
         assert len(kept.steps) == len(segments) > 1
         assert [step.h is None for step in kept.steps] == [False] * (len(segments) - 1) + [True]
+
+
+class Known(Kept):
+    """Gives what another run has chosen, step by step."""
+
+    def __init__(self, chosen: Sequence[ChosenStep]) -> None:
+        super().__init__()
+        self._chosen = iter(chosen)
+
+    def known(self) -> ChosenStep | None:
+        return next(self._chosen, None)
+
+
+def kept_steps(end: arb | None) -> list[ChosenStep]:
+    """What a run of the oscillator to this time has chosen, or the first three steps of one without an end."""
+    kept = Kept()
+    for _ in islice(NormRun(OSCILLATOR, [arb(1), arb(0)], end, kept), None if end is not None else 3):
+        pass
+    return kept.steps
+
+
+def test_the_set_at_the_start_is_the_box() -> None:
+    with working_bits(96):
+        box = [arb(1, 0.25), arb(-3) / 7]
+        for side, found in zip(box, NormRun(OSCILLATOR, box).set.enclosure(), strict=True):
+            assert found.contains(side)
+            assert found.rad() < side.rad() * 1.000001 + arb(2) ** -50
+
+
+def test_a_run_without_an_end() -> None:
+    with working_bits(64):
+        run = NormRun(OSCILLATOR, [arb(1), arb(0)])
+        segments = list(islice(run, 4))
+        assert len(segments) == 4
+        assert run.reason is None
+        assert run.at_end is None
+        for side, value in zip(run.set.enclosure(), (run.time.cos(), -run.time.sin()), strict=True):
+            assert side.overlaps(value)
+            assert side.rad() < 1e-6
+
+
+def test_the_evidence_of_the_end_comes_with_the_last_step() -> None:
+    """That what was left is positive, which may be much less than 1; a run that is cut short has none."""
+    with working_bits(64):
+        for end in (arb("0.01"), arb(2), arb.pi()):
+            run = NormRun(OSCILLATOR, [arb(1), arb(0)], end)
+            seen = [run.at_end for _ in run]
+            assert run.reason is None
+            assert seen[:-1] == [None] * (len(seen) - 1)
+            assert seen[-1] is not None
+
+
+def test_slow_steps_are_taken_where_the_fast_part_has_died_out() -> None:
+    """x' = -x/10^5, y' = 100 (x - y): steps of the fast scale alone would be shorter than 1 for ever."""
+    with working_bits(128):
+        slow = Constant(fmpq(1, 10**5)) * x
+        run = NormRun(VectorField([-slow, Constant(fmpq(100)) * (x - y)]), [arb(1), arb(2)], arb(1000))
+        lengths = [float(segment.step.h.mid()) for segment in run]
+        assert run.reason is None
+        assert max(lengths) > 10
+        end = run.set.enclosure()
+        assert end[0].contains(arb(fmpq(-1, 100)).exp())
+        assert end[1].contains(arb(fmpq(-1, 100)).exp() / (1 - arb(fmpq(1, 10**7))))
+
+
+def test_steps_that_are_known_are_proved_and_not_chosen_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    with working_bits(64):
+        chosen = kept_steps(arb(2) * arb.pi())
+
+        def chooses(*_: object) -> None:
+            raise AssertionError("a step was chosen")
+
+        monkeypatch.setattr(TaylorCurve, "advance", chooses)
+        known = Known(chosen)
+        run = NormRun(OSCILLATOR, [arb(1), arb(0)], arb(2) * arb.pi(), known)
+        assert len(list(run)) == len(chosen) > 3
+        assert run.reason is None
+        assert run.at_end is not None
+        assert [step.to_json() for step in known.steps] == [step.to_json() for step in chosen]
+        assert run._curve.length == chosen[-1].length
+        assert run._decay.state == chosen[-1].decay
+        for side, value in zip(run.set.enclosure(), (1, 0), strict=True):
+            assert side.contains(arb(value))
+            assert side.rad() < 1e-6
+
+
+def test_a_known_step_that_is_of_no_use_is_chosen_again() -> None:
+    """Of another field, of a tube that is too narrow, beyond the end, as long as the end, or without a length where
+    there is no end: the run is the one that knows nothing, from the length that it would have begun with."""
+    with working_bits(64):
+        first, *_ = kept_steps(None)
+        plan = first.plan
+        narrow = NormPlan(plan.ends, plan.bases, tuple(arb((1, -60)) for _ in plan.margins), plan.disc, plan.length)
+        assert first.h is not None
+        h = first.h
+        alone = NormRun(OSCILLATOR, [arb(1), arb(0)], h)
+        expected = [segment.step.h for segment in alone]
+        for step in (
+            replace(first, solution=first.solution[:1]),
+            replace(first, solution=(*first.solution, first.solution[0])),
+            replace(first, plan=narrow, length=1e-9),
+            replace(first, h=2 * h, length=1e-9),
+            replace(first, length=1e-9),
+        ):
+            run = NormRun(OSCILLATOR, [arb(1), arb(0)], h, Known([step]))
+            assert [segment.step.h for segment in run] == expected
+            assert run.reason is None
+        endless = NormRun(OSCILLATOR, [arb(1), arb(0)], None, Known([replace(first, h=None, length=1e-9)]))
+        found = next(iter(endless))
+        assert found.step.h == h
