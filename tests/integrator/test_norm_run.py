@@ -313,16 +313,16 @@ def test_a_known_step_that_is_of_no_use_is_chosen_again() -> None:
         narrow = NormPlan(plan.ends, plan.bases, tuple(arb((1, -60)) for _ in plan.margins), plan.disc, plan.length)
         assert first.h is not None
         h = first.h
-        alone = NormRun(OSCILLATOR, [arb(1), arb(0)], h)
-        expected = [segment.step.h for segment in alone]
-        for step in (
-            replace(first, solution=first.solution[:1]),
-            replace(first, solution=(*first.solution, first.solution[0])),
-            replace(first, plan=narrow, length=1e-9),
-            replace(first, h=2 * h, length=1e-9),
-            replace(first, length=1e-9),
+        far = 2 * h
+        for step, end in (
+            (replace(first, solution=first.solution[:1]), far),
+            (replace(first, solution=(*first.solution, first.solution[0])), far),
+            (replace(first, plan=narrow, length=1e-9), far),
+            (replace(first, h=2 * far, length=1e-9), far),
+            (replace(first, length=1e-9), h),
         ):
-            run = NormRun(OSCILLATOR, [arb(1), arb(0)], h, Known([step]))
+            expected = [segment.step.h for segment in NormRun(OSCILLATOR, [arb(1), arb(0)], end)]
+            run = NormRun(OSCILLATOR, [arb(1), arb(0)], end, Known([step]))
             assert [segment.step.h for segment in run] == expected
             assert run.reason is None
         endless = NormRun(OSCILLATOR, [arb(1), arb(0)], None, Known([replace(first, h=None, length=1e-9)]))
