@@ -13,7 +13,7 @@ from gspot_verified import theta
 from gspot_verified.balls import working_bits
 from gspot_verified.cli import main
 from gspot_verified.report.latex import latex_formula
-from gspot_verified.stability.catalogue import Measured, run
+from gspot_verified.stability.catalogue import Catalogue, Measured, run
 from gspot_verified.stability.double import double_text, real_roots, sign_changes, theta_double
 from gspot_verified.stability.double_ring import DoublePolynomial, Doubles
 from gspot_verified.stability.family import CASES, families
@@ -52,11 +52,23 @@ def test_text_and_data(catalogue):
         f"{summary['double_right']} right, {summary['double_wrong']} wrong, 3 not compared"
     )
     assert summary["double_right"] + summary["double_wrong"] == 9
-    assert "WRONG" in text
     for family in data["families"]:
         assert family["title"] in text
         assert all(row["asked"] in text for row in family["rows"])
     assert data["families"][0]["growth"]["work"] == pytest.approx(1, abs=0.1)
+
+
+def test_right_wrong_and_not_compared_are_shown():
+    """Made up, for what doubles answer is theirs."""
+    family = next(family for family in families() if family.name == "side")
+    right, wrong, none = (
+        HardCase(8, "x", 1.0, 3, d, t, 1, "1", 1, 0.1) for d, t in ((1.0, "1"), (-1.0, "-1"), (None, ""))
+    )
+    found = Catalogue((Measured(family, (right, wrong, none)),))
+    assert (right.double_right, wrong.double_right, none.double_right) == (True, False, None)
+    marks = [line.split()[4] for line in str(found).splitlines() if line.startswith("  x ")]
+    assert marks == ["right", "WRONG", "-"]
+    assert found.summary() == {"rows": 3, "decided": 3, "double_right": 1, "double_wrong": 1}
 
 
 def test_an_undecided_row_is_counted_and_is_no_answer():

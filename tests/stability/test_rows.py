@@ -84,12 +84,10 @@ def test_every_family_has_a_second_route():
 
 
 @pytest.mark.parametrize("name", ["side", "near-zero", "zeros-meet", "fold", "canard", "obstructed", "spots-gone"])
-def test_doubles_are_right_at_first_and_wrong_at_last(name):
-    """And where they are wrong the formula loses more bits than they have."""
+def test_the_usual_formula_loses_more_bits_than_a_double_has_at_last(name):
+    """In balls, so that nothing here hangs on what a program in doubles happens to answer."""
     [family] = [family for family in families() if family.name == name]
     easy, hard = family.case(family.levels[0]), family.case(family.levels[-1])
-    assert easy.double_right is True
-    assert hard.double_right is False
     assert easy.lost is not None
     assert hard.lost is not None
     assert easy.lost < 53 < hard.lost
