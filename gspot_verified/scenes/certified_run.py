@@ -9,7 +9,7 @@ from pathlib import Path
 
 from flint import fmpq
 
-from gspot_verified.compliant.normal_form import CompliantModel, compliant_model, compliant_state
+from gspot_verified.compliant.normal_form import CompliantModel, CompliantState, compliant_model, compliant_state
 from gspot_verified.compliant.run import IMPACT as LASTING
 from gspot_verified.compliant.run import ONE_FLIGHT, Run, compliant_run
 from gspot_verified.compliant.run import TRIVIAL as CONSTANT
@@ -52,46 +52,49 @@ def certified_run(
     """
     if route not in (None, EXACT, INTEGRATOR):
         raise SceneError(f"route: expected {EXACT} or {INTEGRATOR}, got {route!r}")
-    reason = not_covered(scene) if route != INTEGRATOR else ""
-    if reason is None:
-        run = _exact_run(scene, digits, points)
-        if route == EXACT or run.fate != OPEN:
-            return run
-    elif route == EXACT:
-        raise SceneError(reason)
+    if route != INTEGRATOR:
+        try:
+            run = _exact_run(scene, digits, points)
+        except NotCovered:
+            if route == EXACT:
+                raise
+        else:
+            if route == EXACT or run.fate != OPEN:
+                return run
     return integrated_run(scene, digits, None, points is not None, journal, budget, progress)
 
 
 def _exact_run(scene: Scene, digits: int, points: int | None) -> SceneRun:
-    start = scene.initial()
-    run = compliant_run(_model(scene), compliant_state(*(start[name] for name in "pbyvz")), digits)
+    run = compliant_run(*exact_start(scene), digits)
     samples = None if points is None else certified_samples(run, scene.until, points)
     return SceneRun(CERTIFIED, _fate(run), _events(run), run.verdict, samples)
 
 
-def _model(scene: Scene) -> CompliantModel:
-    values = scene.values()
-    return compliant_model(values["beta"], scene.epsilon, alpha_1=values["alpha_1"], alpha_2=values["alpha_2"])
+class NotCovered(SceneError):
+    """The exact solution does not cover a scene; the message says why."""
 
 
-def not_covered(scene: Scene) -> str | None:
-    """Why the exact solution does not cover the scene; None: it does."""
+def exact_start(scene: Scene) -> tuple[CompliantModel, CompliantState]:
+    """The model and the state from which the exact solution starts.
+
+    :raises NotCovered: it does not cover the scene.
+    """
     if scene.mechanism is not None:
-        return "the exact solution covers the model system, not a mechanism"
+        raise NotCovered("the exact solution covers the model system, not a mechanism")
     others = set(scene.effects).symmetric_difference(LINEAR)
     if others:
         known, wrong = ", ".join(sorted(LINEAR)), ", ".join(sorted(others))
-        return f"the exact solution covers scenes with {known}, not one that differs in: {wrong}"
-    if any(scene.values()[name] != 1 for name in ("k_1", "k_2", "damping")):
-        return "the exact solution covers k_1 = k_2 = damping = 1"
-    start = scene.initial()
+        raise NotCovered(f"the exact solution covers scenes with {known}, not one that differs in: {wrong}")
+    values, start = scene.values(), scene.initial()
+    if any(values[name] != 1 for name in ("k_1", "k_2", "damping")):
+        raise NotCovered("the exact solution covers k_1 = k_2 = damping = 1")
     if not (start["p"] > 0 and start["y"] < start["z"]):
-        return "the exact solution is used from a start in contact with p > 0"
+        raise NotCovered("the exact solution is used from a start in contact with p > 0")
     try:
-        _model(scene)
+        model = compliant_model(values["beta"], scene.epsilon, alpha_1=values["alpha_1"], alpha_2=values["alpha_2"])
     except ValueError as error:
-        return f"the exact solution does not cover this scene: {error}"
-    return None
+        raise NotCovered(f"the exact solution does not cover this scene: {error}") from None
+    return model, compliant_state(*(start[name] for name in "pbyvz"))
 
 
 def _fate(run: Run) -> str:

@@ -17,8 +17,6 @@ from gspot_verified.compliant.lift_off_state import contact_state
 from gspot_verified.compliant.normal_form import (
     CompliantModel,
     CompliantState,
-    compliant_model,
-    compliant_state,
     deviation,
 )
 from gspot_verified.compliant.run import IMPACT as LASTING
@@ -27,7 +25,7 @@ from gspot_verified.compliant.run_plan import later_times
 from gspot_verified.compliant.side_rule import SideRule, side_rule
 from gspot_verified.compliant.zero_by_series import positive_by_series, zero_by_series
 from gspot_verified.evidence import less
-from gspot_verified.scenes.certified_run import not_covered
+from gspot_verified.scenes.certified_run import exact_start
 from gspot_verified.scenes.effects.lift_off import LIFT_OFF
 from gspot_verified.scenes.float_run import float_run
 from gspot_verified.scenes.run import IMPACT
@@ -69,19 +67,14 @@ class CertifiedSide(NoTruthValue):
 def certified_side(scene: Scene) -> CertifiedSide:
     """Whether the contact of the scene's start is lost or lasts for ever, from the exact solution.
 
-    :raises SceneError: the scene is not the linear model scene from a state in contact with p > 0.
+    :raises NotCovered: the scene is not the linear model scene from a state in contact with p > 0.
 
     >>> from gspot_verified.scenes.file import load_scene
     >>> found = certified_side(load_scene("fig-varsim1", beta="13/2", nu=2))
     >>> found.side, found.rule_fails
     ('contact is lost', True)
     """
-    reason = not_covered(scene)
-    if reason is not None:
-        raise SceneError(reason)
-    values, start = scene.values(), scene.initial()
-    model = compliant_model(values["beta"], scene.epsilon, alpha_1=values["alpha_1"], alpha_2=values["alpha_2"])
-    state = compliant_state(*(start[name] for name in "pbyvz"))
+    model, state = exact_start(scene)
     rule = side_rule(model, state, 6)
     if (negative := less(rule.side, 0)) is not None:
         return CertifiedSide(LOST, rule, Verdict.proved(LOST, negative, "K < 0"))
