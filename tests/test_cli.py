@@ -148,19 +148,20 @@ def test_the_examples_in_the_help_run() -> None:
         assert done.stdout
 
 
-def test_an_internal_error_is_never_an_outcome(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+@pytest.mark.parametrize("error", [ArithmeticError("two enclosures are disjoint"), TypeError("'NoneType' object")])
+def test_an_internal_error_is_never_an_outcome_nor_wrong_usage(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path, error: Exception
 ) -> None:
     from gspot_verified.ledger import verify
 
     def broken(*_: object) -> list[object]:
-        raise ArithmeticError("two enclosures are disjoint")
+        raise error
 
     monkeypatch.setattr(verify, "verify_paper", broken)
     code, output, errors = run(capsys, "verify", "--output", str(tmp_path))
     assert code == 70
     assert output == ""
-    assert "internal error" in errors
+    assert f"internal error, please report it: {type(error).__name__}: {error}" in errors
 
 
 def test_a_stream_without_greek_letters() -> None:

@@ -69,7 +69,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             load_commands(words)
             command = read_when_needed(typer.main.get_command(app))
             code = command(prog_name="gspot-verified", args=words, standalone_mode=False)
-    except (ValueError, TypeError, OSError) as error:
+    except (ValueError, OSError) as error:
         typer.echo(f"error: {error}", err=True)
         full = isinstance(error, OSError) and error.errno in _CANNOT_WRITE
         return NOT_WRITTEN if full else USAGE

@@ -11,7 +11,7 @@ from flint import arb, fmpq
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.accuracy import Accuracy
 from gspot_verified.expansion.rings import BALLS
-from gspot_verified.expansion.system import System
+from gspot_verified.expansion.system import SymbolsError, System
 from gspot_verified.expansion.trajectory import Trajectory, certain_bits_of, checked_order, terms_of
 
 _LEAST_BITS = 32
@@ -26,7 +26,8 @@ def expand_in_balls(
     Exact coefficients of order n have about n^2 bits; balls have as many at every order, so that high orders cost a
     small part of the time. ``accuracy.certain_bits`` says what is left of the bits.
 
-    :raises TypeError: ``order`` is not an int, or the numbers of the system are symbols.
+    :raises TypeError: ``order`` is not an int.
+    :raises SymbolsError: the numbers of the system are symbols.
     :raises ValueError: ``order`` is not in 1..2000, or ``bits`` not in 32..10^6.
 
     >>> from gspot_verified.testing import extended_example
@@ -47,6 +48,6 @@ def expand_in_balls(
 def _in_balls(system: System, bits: int) -> System:
     """The same system with balls for its numbers."""
     if not all(isinstance(value, fmpq | arb | int) for value in system.point):
-        raise TypeError("balls need numbers: put numbers in the place of the symbols")
+        raise SymbolsError("balls need numbers: put numbers in the place of the symbols")
     with working_bits(bits):
         return replace(system, ring=BALLS, point=tuple(arb(value) for value in system.point))

@@ -90,7 +90,7 @@ def residual_bounds(trajectory: Trajectory, s: ExactInput, delta: ExactInput, ex
     ``extra`` is the number of orders beyond M that are computed exactly; more give smaller constants.
 
     :raises ResidualError: an order below M does not vanish.
-    :raises TypeError: the numbers of the system are symbols.
+    :raises SymbolsError: the numbers of the system are symbols.
     :raises ValueError: s is negative, delta is not positive, or ``extra`` is less than 4.
 
     >>> from gspot_verified.expansion.trajectory import expand_system
@@ -102,8 +102,7 @@ def residual_bounds(trajectory: Trajectory, s: ExactInput, delta: ExactInput, ex
     box = exact(s, "s"), exact(delta, "delta")
     if type(extra) is not int or extra < _LEAST_EXTRA:
         raise ValueError(f"extra must be an int of at least {_LEAST_EXTRA}, got {extra!r}")
-    if not isinstance(trajectory.system.ring.number(0), fmpq | arb):
-        raise TypeError("bounds need numbers: put values in the place of the symbols")
+    trajectory.system.check_numbers("bounds")
     with working_bits(_BITS):
         if not arb(box[0]) >= 0:
             raise ValueError(f"s must not be negative, got {s}")

@@ -9,6 +9,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from flint import arb, fmpq
+
 from gspot_verified.expansion.expressions import Expression
 from gspot_verified.expansion.legend import state_names
 from gspot_verified.expansion.power_series import SeriesOfFunctions
@@ -19,6 +21,10 @@ from gspot_verified.expansion.terms import NumberTerms
 
 class GSpotError(ValueError):
     """The point is no G-spot at which Theorem 1 holds; the message says which hypothesis fails."""
+
+
+class SymbolsError(TypeError, ValueError):
+    """Symbols where numbers are needed: of a system, for a function the wrong type, for a user the wrong value."""
 
 
 @dataclass(frozen=True)
@@ -61,6 +67,14 @@ class System:
     def conditions(self) -> tuple[Expression, ...]:
         """p, b, y, v and J: what vanishes at the G-spot."""
         return (self.p, self.b, self.y, self.v, *self.J)
+
+    def check_numbers(self, what: str) -> None:
+        """Nothing, where the numbers of the system are rationals or balls.
+
+        :raises SymbolsError: they are symbols; the message says that ``what``, a plural, needs numbers.
+        """
+        if not isinstance(self.ring.number(0), fmpq | arb):
+            raise SymbolsError(f"{what} need numbers: put numbers in the place of the symbols")
 
     def values_at_point(self, functions: Sequence[Expression]) -> list[Any]:
         """The numbers that the functions are at ξ*."""

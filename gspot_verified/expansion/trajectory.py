@@ -91,7 +91,7 @@ class Trajectory:
         This is the value of the polynomials, not of the true trajectory: the terms from delta^order on are left out.
         For rational arguments and terms it is accurate to ``digits`` digits.
 
-        :raises TypeError: the numbers of the system are symbols.
+        :raises SymbolsError: the numbers of the system are symbols.
 
         >>> from gspot_verified.testing import extended_example
         >>> value = expand_system(extended_example(chi=1), 8).evaluate(s=1, delta="1/10")
@@ -99,7 +99,7 @@ class Trajectory:
         [-0.989893000000000 +/- 3e-20]
         """
         place, scale = exact(s, "s"), exact(delta, "delta")
-        self._needs_numbers()
+        self.system.check_numbers("values")
         bits, rational = self._bits(digits), self._is_rational
         return {name: scaled_value(terms, (place, scale), bits, rational) for name, terms in self.terms().items()}
 
@@ -109,7 +109,7 @@ class Trajectory:
         This is the value of the polynomials of :meth:`in_time`, not of the true trajectory.
         """
         time, small = exact(t, "t"), exact(epsilon, "epsilon")
-        self._needs_numbers()
+        self.system.check_numbers("values")
         bits, rational = self._bits(digits), self._is_rational
         tables = self.in_time().tables()
         return {name: value_in_time(table, (time, small), bits, rational) for name, table in tables.items()}
@@ -117,10 +117,6 @@ class Trajectory:
     def _bits(self, digits: int) -> int:
         """Working bits of a value: no fewer than the coefficients have."""
         return max(bits_for_digits(digits) + _GUARD_BITS, 0 if self.accuracy is None else self.accuracy.working_bits)
-
-    def _needs_numbers(self) -> None:
-        if not isinstance(self.system.ring.number(0), fmpq | arb):
-            raise TypeError("a value needs numbers: put numbers in the place of the symbols")
 
     @property
     def _is_rational(self) -> bool:

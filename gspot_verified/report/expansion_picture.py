@@ -44,11 +44,10 @@ def residual_curves(trajectory: Trajectory) -> tuple[ResidualCurve, ...]:
     The size is the largest over all equations at equidistant points of |s| <= S = 1: a lower estimate of the supremum,
     and points do not make the dips that a change of sign at one s makes. The bound holds for every s.
 
-    :raises TypeError: the numbers of the system are symbols.
+    :raises SymbolsError: the numbers of the system are symbols.
     :raises ValueError: there is no finite bound for delta <= 1/1000.
     """
-    if not isinstance(trajectory.system.ring.number(0), fmpq | arb):
-        raise TypeError("a picture needs numbers: put values in the place of the symbols")
+    trajectory.system.check_numbers("pictures")
     top = trajectory.order
     orders = sorted({max(1, top * part // _MOST_CURVES) for part in range(1, _MOST_CURVES + 1)})
     cut = {order: truncated(trajectory, order) for order in orders}
@@ -147,7 +146,7 @@ def _sum(terms: Sequence[SpacePolynomial], s: fmpq, delta: arb, slope: bool = Fa
 def expansion_picture(trajectory: Trajectory) -> Picture:
     """The curves as a figure with its caption.
 
-    :raises TypeError: the numbers of the system are symbols.
+    :raises SymbolsError: the numbers of the system are symbols.
     :raises ValueError: there is no finite bound.
     """
     curves = residual_curves(trajectory)

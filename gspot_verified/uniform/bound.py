@@ -126,7 +126,7 @@ def uniform_bound(
     s = start; with ``within=0`` it is the one that starts on the expansion. Undecided when the inequality of Theorem
     U1 cannot be satisfied: a smaller delta or a shorter interval may do.
 
-    :raises TypeError: the numbers of the system are symbols.
+    :raises SymbolsError: the numbers of the system are symbols.
     :raises ValueError: not start < end, delta or ``within`` out of range or not rational, a contact without a damper.
     :raises ResidualError: the terms are not those of Theorem 1.
 
@@ -167,11 +167,10 @@ def rational(value: ExactInput, name: str) -> fmpq:
 def check_interval(trajectory: Trajectory, start: fmpq, end: fmpq, delta: fmpq) -> None:
     """Start < end, delta > 0, and numbers instead of symbols.
 
-    :raises TypeError: the numbers of the system are symbols.
+    :raises SymbolsError: the numbers of the system are symbols.
     :raises ValueError: one of the others.
     """
-    if not isinstance(trajectory.system.ring.number(0), fmpq | arb):
-        raise TypeError("bounds need numbers: put values in the place of the symbols")
+    trajectory.system.check_numbers("bounds")
     if not start < end:
         raise ValueError(f"start must be less than end, got {start} and {end}")
     if not delta > 0:

@@ -109,7 +109,7 @@ def uniform_side(
     ``force`` times the mean force; what follows is not said.
 
     :raises ValueError: beta is not a rational number above 1, C_1 = 0, or an argument is out of range.
-    :raises TypeError: the numbers of the system are symbols.
+    :raises SymbolsError: the numbers of the system are symbols.
 
     >>> from gspot_verified.expansion.trajectory import expand_system
     >>> from gspot_verified.testing import extended_example

@@ -344,7 +344,7 @@ def test_bad_arguments(s: Any, delta: Any, extra: Any, error: type[Exception], m
 def test_symbols_have_no_bounds() -> None:
     ring = Symbols("chi")
     system = replace(extended_example(1), point=tuple(ring.number(0) for _ in range(6)), ring=ring)
-    with pytest.raises(TypeError, match="bounds need numbers: put values in the place of the symbols"):
+    with pytest.raises(TypeError, match="bounds need numbers: put numbers in the place of the symbols"):
         residual_bounds(expand_system(system, 2), 1, 1)
 
 
