@@ -5,13 +5,10 @@ from __future__ import annotations
 import csv
 import io
 import json
-import signal
-import subprocess
-import sys
-import time
 from pathlib import Path
 
 import pytest
+from killed import killed_after
 
 from gspot_verified.cli import main
 
@@ -63,17 +60,15 @@ def test_wrong_usage(capsys: pytest.CaptureFixture[str], arguments: list[str], m
     assert message in capsys.readouterr().err
 
 
-def test_a_killed_run_goes_on(tmp_path: Path) -> None:
+def test_a_killed_run_goes_on(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """SIGKILL in the middle; the second run gives what an undisturbed one gives, and does not start anew."""
     journal = tmp_path / "journal"
-    command = [sys.executable, "-m", "gspot_verified", "sweep", "oscillator", "--over", "beta=1/2..4:600", "--json"]
-    with subprocess.Popen([*command, "--journal", str(journal)], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as run:
-        while run.poll() is None and (not journal.exists() or journal.read_bytes().count(b"\n") < 3):
-            time.sleep(0.01)
-        assert run.poll() is None, "it was done before it could be killed"
-        run.send_signal(signal.SIGKILL)
-    kept = journal.read_bytes()
-    whole = kept[: kept.rfind(b"\n") + 1]
-    again = subprocess.run([*command, "--journal", str(journal)], capture_output=True, text=True, check=True)
-    assert journal.read_bytes().startswith(whole)
-    assert again.stdout == subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    words = ["sweep", "oscillator", "--over", "beta=1/2..4:100", "--json"]
+    noted = [*words, "--journal", str(journal)]
+    kept = killed_after(2, f"from gspot_verified.cli import main; main({noted!r})", journal)
+    code = main(noted)
+    again = capsys.readouterr().out
+    assert journal.read_bytes().startswith(kept)
+    assert journal.read_bytes().count(b"\n") > kept.count(b"\n")
+    assert main(words) == code == 0
+    assert capsys.readouterr().out == again

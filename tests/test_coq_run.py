@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
 import sys
 from pathlib import Path
 
@@ -44,8 +46,15 @@ def test_a_long_step_shows_that_it_goes_on_and_keeps_its_output(tmp_path: Path) 
     from coq_run import run
 
     called: list[int] = []
-    program = "import time; print('first', flush=True); time.sleep(0.5); print('last')"
-    done = run([sys.executable, "-c", program], tmp_path, alive=lambda: called.append(1), every=0.05)
+    program = "print('first', flush=True); open('gate').read(); print('last')"
+    os.mkfifo(tmp_path / "gate")
+
+    def alive() -> None:
+        called.append(1)
+        with contextlib.suppress(OSError):  # the program is not there yet
+            os.close(os.open(tmp_path / "gate", os.O_WRONLY | os.O_NONBLOCK))
+
+    done = run([sys.executable, "-c", program], tmp_path, alive=alive, every=0.05)
     assert done.stdout == "first\nlast\n"
     assert called
     with pytest.raises(TimeoutError):

@@ -17,11 +17,6 @@ def constant(answer: Answer) -> object:
     return lambda random: Attack(f"question {random.random():.6f}", lambda: answer)
 
 
-def never() -> Answer:
-    while True:
-        pass
-
-
 def stubborn() -> Answer:
     signal.signal(signal.SIGALRM, signal.SIG_IGN)
     while True:
@@ -58,7 +53,14 @@ def test_all_kinds_get_their_turn_and_are_counted() -> None:
 
 
 def test_a_question_has_its_own_limit() -> None:
-    question, answer = answered(lambda _: Attack("loop", never), "any", "0", 0, limit=0.05)
+    """The question brings its alarm on itself: no clock decides what is reached before it."""
+
+    def late() -> Answer:
+        assert 0 < signal.getitimer(signal.ITIMER_REAL)[0] <= 600
+        signal.raise_signal(signal.SIGALRM)
+        return AGREED
+
+    question, answer = answered(lambda _: Attack("loop", late), "any", "0", 0, limit=600)
     assert (question, answer.tally) == ("loop", Tally.UNDECIDED)
     assert "no answer within" in answer.detail
 

@@ -286,7 +286,7 @@ def test_a_run_that_was_killed_goes_on(tmp_path: Path) -> None:
         assert killed.stdout is not None
         assert killed.stdout.readline() == "waiting\n"
         killed.kill()
-    again = subprocess.run([*command, "go"], capture_output=True, text=True, check=True, timeout=60)
+    again = subprocess.run([*command, "go"], capture_output=True, text=True, check=True)
     assert again.stdout.strip() == "[('first', True, 'proved'), ('second', False, 'proved')]"
 
 

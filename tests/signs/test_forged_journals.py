@@ -270,7 +270,7 @@ def test_a_second_run_on_a_journal_is_refused_until_the_first_ends(
         assert "another run uses this journal" in shown.err
         assert path.read_bytes() == before
         holder.send_signal(signal.SIGKILL)
-        holder.wait(timeout=60)
+        holder.wait()
     assert main(words) == 0
 
 

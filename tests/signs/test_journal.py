@@ -1,13 +1,10 @@
 from __future__ import annotations
 
-import os
-import signal
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 from flint import fmpq
+from killed import killed_after
 
 from gspot_verified.certificates.text import certificate_text
 from gspot_verified.signs import zeros
@@ -16,36 +13,19 @@ from gspot_verified.signs.pieces import Column, Kind, Piece
 from gspot_verified.signs.sign import sign_on_ranges
 from gspot_verified.signs.zeros import zeros_on_range
 
-ROOT = Path(__file__).resolve().parents[2]
 QUESTION = {"kind": "zeros", "beta": "(1, 5)"}
 
 VICTIM = """
-import sys, time
 from pathlib import Path
 from gspot_verified.signs.zeros import zeros_on_range
-
-def show(step):
-    print(step.examined, flush=True)
-    time.sleep(0.05)
-
-zeros_on_range("1..5", journal=Path(sys.argv[1]), progress=show)
+zeros_on_range("1..5", journal=Path({path!r}))
 """
 
 
 def test_resume_after_a_kill(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "journal"
-    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-    command = [sys.executable, "-c", VICTIM, str(path)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment) as victim:
-        assert victim.stdout is not None
-        for line in victim.stdout:
-            if int(line) == 20:
-                victim.kill()
-                break
-        victim.wait(timeout=60)
-    assert victim.returncode == -signal.SIGKILL
-    kept = len(path.read_text().splitlines()) - 1
-    assert kept >= 20
+    kept = 20
+    killed_after(kept, VICTIM.format(path=str(path)), path)
 
     whole = zeros_on_range("1..5")
     calls = []
