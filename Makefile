@@ -12,7 +12,9 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+RUNS := $(VENV)/.runs
 READY := $(VENV)/.ready
+PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile -c constraints.txt
 
 # The tests start many processes of their own: compiled files, also where the environment asks for none, make those quick.
 export PYTHONDONTWRITEBYTECODE :=
@@ -24,7 +26,7 @@ test quick test-all coverage costs: export OPENBLAS_NUM_THREADS := 1
 # Results are kept in build/ledger, under the hash of everything that they depend on; a fresh clone has none. VERIFY=--full runs all again.
 # Of formal proofs nothing is kept: they count where VERIFY=--formal has them run now, by prove.py.
 # Exit code 1 means that a printed statement of the paper is refuted: that is a result, not a failure of the run.
-verify: $(READY)
+verify: $(RUNS)
 	@$(PYTHON) -I proofs/coq/prove.py --state
 	@$(BIN)/gspot-verified verify --output report $(VERIFY); code=$$?; [ $$code -le 1 ] || exit $$code
 
@@ -69,10 +71,16 @@ MINUTES ?= 5
 attack: $(READY)
 	PYTHONPATH=tests $(BIN)/python -m attack --minutes $(MINUTES) $(OPTIONS)
 
-$(READY): pyproject.toml constraints.txt
+# What the package itself needs. Files are compiled when they are first imported: of all that is installed a tenth is.
+$(RUNS): pyproject.toml constraints.txt
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed: make PYTHON=python3.12 ...")'
 	$(PYTHON) -m venv --clear $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[test,docs]'
+	$(PIP) -e .
+	touch $@
+
+# And on top of it what the tests, the linters and the documentation need.
+$(READY): $(RUNS)
+	$(PIP) -e '.[test,docs]'
 	touch $@
 
 clean:
