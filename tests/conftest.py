@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import importlib
 import os
+import random
 import re
 import resource
 from collections.abc import Callable, Iterator
@@ -53,6 +54,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     )
 
     parser.addoption("--fast", action="store_true", help="leave out the tests that costs.json says are costly")
+    parser.addoption("--order-seed", metavar="N", default=None, help="run the tests in an order drawn from N")
     parser.addoption("--record-costs", action="store_true", help="measure every test and write costs.json")
 
 
@@ -109,7 +111,10 @@ def shrinking(honest: AddRemainder, exponent: int) -> AddRemainder:
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Tests of the whole ledger come last: its entries are then in the cache, from the tests of single entries."""
-    items.sort(key=lambda item: "whole_ledger" in getattr(item, "fixturenames", ()))
+    if (seed := config.getoption("--order-seed")) is None:
+        items.sort(key=lambda item: "whole_ledger" in getattr(item, "fixturenames", ()))
+    else:
+        random.Random(seed).shuffle(items)
     if config.getoption("--fast"):
         left_out = costs.costly(costs.recorded())
         config.hook.pytest_deselected(items=[item for item in items if item.nodeid in left_out])
