@@ -8,11 +8,12 @@ import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import BrokenExecutor, Executor, Future, as_completed
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection
+    from multiprocessing.process import BaseProcess
 
 _Result = TypeVar("_Result")
 
@@ -96,15 +97,26 @@ def _pool(workers: int) -> Iterator[Executor]:
 
     context = multiprocessing.get_context("spawn")
     theirs, ours = context.Pipe(duplex=False)
+    others = set(multiprocessing.active_children())
     with theirs, ours:
         pool = ProcessPoolExecutor(workers, context, _begin_worker, (theirs, sys.prefix))
         try:
             yield pool
         except BaseException:
+            _end_groups([child for child in multiprocessing.active_children() if child not in others])
             ours.close()
             pool.shutdown(cancel_futures=True)
             raise
         pool.shutdown()
+
+
+def _end_groups(workers: list[BaseProcess]) -> None:
+    """Each worker with the programs that it started. Left to itself it may be too late: when the first has ended, the
+    pool ends the others, each alone."""
+    for worker in workers:
+        if worker.pid is not None and hasattr(os, "killpg"):
+            with suppress(ProcessLookupError):  # it has no group yet, and then no program; the line ends it
+                os.killpg(worker.pid, signal.SIGKILL)
 
 
 def _begin_worker(line: Connection, prefix: str) -> None:

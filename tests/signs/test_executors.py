@@ -91,13 +91,19 @@ def test_a_worker_that_is_ended_from_outside_is_told() -> None:
 _LONG = """
 import subprocess, sys, time
 from functools import partial
+from gspot_verified.signs import executors
 from gspot_verified.signs.executors import as_they_end, executor
 
+CODE = "import os, time; print(os.getpid(), os.getppid(), flush=True); time.sleep(3600)"
+
+def long():
+    if sys.argv[1] == "late":  # the worker comes too late to end its own group
+        executors.os.killpg = lambda *_: time.sleep(3600)
+    subprocess.call([sys.executable, "-c", CODE])
+
 if __name__ == "__main__":
-    code = "import os, time; print(os.getpid(), os.getppid(), flush=True); time.sleep(600)"
-    program = [sys.executable, "-c", code]
     with executor(2) as pool:
-        dict(as_they_end(pool, {"long": partial(subprocess.call, program), "other": partial(time.sleep, 600)}))
+        dict(as_they_end(pool, {"long": long, "other": partial(time.sleep, 3600)}))
 """
 
 
@@ -108,12 +114,17 @@ def runs(process: int) -> bool:
 
 
 @pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="no /proc on this system")
-@pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGKILL], ids=lambda sent: sent.name)
-def test_nothing_is_left_of_a_run_that_was_interrupted_or_killed(tmp_path: Path, sent: signal.Signals) -> None:
+@pytest.mark.parametrize(
+    ("sent", "worker"), [(signal.SIGINT, "soon"), (signal.SIGINT, "late"), (signal.SIGKILL, "soon")]
+)
+def test_nothing_is_left_of_a_run_that_was_interrupted_or_killed(
+    tmp_path: Path, sent: signal.Signals, worker: str
+) -> None:
     (tmp_path / "long.py").write_text(_LONG)
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
     with subprocess.Popen(
-        [sys.executable, str(tmp_path / "long.py")], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+        [sys.executable, str(tmp_path / "long.py"), worker],
+        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
         env=environment,
         # A job in the background inherits that SIGINT is ignored.
         preexec_fn=partial(signal.signal, signal.SIGINT, signal.SIG_DFL),
@@ -124,11 +135,11 @@ def test_nothing_is_left_of_a_run_that_was_interrupted_or_killed(tmp_path: Path,
         assert all(map(runs, began))
         run.send_signal(sent)
         try:
-            assert run.wait(600) != 0
+            assert run.wait(300) != 0
         finally:
             run.kill()  # where it goes on, the test fails and does not wait for ever
         # Both hold the pipe, which ends when nobody does; the limit is for a failure alone.
-        assert select.select([run.stdout], [], [], 600)[0]
+        assert select.select([run.stdout], [], [], 300)[0]
         assert run.stdout.read() == ""
 
 
