@@ -21,6 +21,7 @@ RECORD = ROOT / "tests" / "costs.json"
 LEAST, LIMIT, KEPT = 0.05, 0.3, 0.9
 """Seconds: what is worth a row; what the fast set may cost a test; what its cheapest case may."""
 BUDGET = 40.0
+_SCHEMAS = "tests/test_schemas.py"
 _ALWAYS = ("tests/test_layout.py", "tests/test_public.py")
 
 
@@ -70,6 +71,8 @@ def noticing(changed: Iterable[str]) -> list[str]:
         elif (name.startswith("gspot_verified/") and path.suffix == ".py") or name == "proofs/check.py":
             near += mirrored(ROOT, name)
             far += importing(ROOT, name)[1:]
+            if name.startswith("gspot_verified/cli/"):
+                near += [*(f"tests/{path.name}" for path in sorted((ROOT / "tests").glob("test_cli*.py"))), _SCHEMAS]
         elif name == "README.md":
             near.append(name)
         elif name.startswith("proofs/"):

@@ -71,3 +71,8 @@ def test_a_budget_ends_the_list_of_files() -> None:
     some = costs.within(every, costs.recorded(), 5.0)
     assert 0 < len(some) < len(every)
     assert some == every[: len(some)]
+
+
+def test_a_command_is_noticed_by_the_tests_of_the_command_line() -> None:
+    found = costs.noticing(["gspot_verified/cli/sign_commands.py"])
+    assert {"tests/test_cli.py", "tests/test_cli_signs.py", "tests/test_schemas.py"} <= set(found)
