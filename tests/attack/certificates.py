@@ -11,22 +11,26 @@ from random import Random
 from typing import Any
 
 from attack.answers import AGREED, Answer, Attack, undecided, wrong
-from attack.reference_contact import slow_values
-from attack.signs import sign_changes, slope
+from attack.statements import untrue
 from must_reject.mutate import GOOD, Lines, checker, text_of
 
 from gspot_verified import Range, sign_on_ranges, zeros_on_range
 from gspot_verified.certificates.text import certificate_text
 
 _PROOFS = Path(__file__).resolve().parents[2] / "proofs"
-_FILES = ("iwc_0_1", "zeros_1_13", "force_5_2", "lift_off_5_2", "zeros_4_5")
+_FORCES = ("force_5_2", "lift_off_5_2")
+_FILES = ("iwc_0_1", "zeros_1_13", *_FORCES, "zeros_4_5")
 
 
 def attack(random: Random) -> Attack:
     """One to three changes of a true certificate."""
-    name = random.choice((*GOOD, *_FILES, *["zeros_4_5"] * 3, "fresh sign", "fresh zeros"))
+    name = random.choice((*GOOD, *_FILES, *_FORCES * 2, *["zeros_4_5"] * 3, "fresh sign", "fresh zeros"))
     lines = copy.deepcopy(_lines(name))
     kept = canonical_statement(lines)
+    if name in _FORCES and random.random() < 0.6:
+        _retune(lines[0]["statement"], random)
+        text = text_of(lines)
+        return Attack(f"check_text({text!r}), from {name}", lambda: _judged(text, lines, kept))
     if len(lines) > 12:  # a part of the columns is checked sooner, and cover is mutated elsewhere
         _shorten(lines, random)
         kept = canonical_statement(lines)
@@ -130,6 +134,21 @@ def _dips(lines: Lines, random: Random) -> None:
     return None
 
 
+def _retune(statement: dict[str, Any], random: Random) -> None:
+    """Other forces, C_1, beta; epsilon next to where the deviation at the level is the mean force, or far from it."""
+    first = -Fraction(random.randint(1, 12), random.choice((3, 5)))
+    beta = random.choice((Fraction(5, 2),) * 6 + (Fraction(12, 5), Fraction(7, 2), Fraction(5001, 2000)))
+    second = -Fraction(random.randint(1, 30), 7) * random.choice((1, 1, 1, -1))
+    c1 = abs(Fraction(statement["c1"])) * random.choice((-1, 1)) * Fraction(random.randint(1, 40), 9)
+    level = Fraction(statement["level"]) * random.choice((1, 1, 1, Fraction(99, 100), Fraction(101, 100), 2))
+    deviation = float(abs(c1) / (beta * -first) * beta * level) * float(-first / 2) ** (-float(beta - 1) / 3)
+    border = abs(float(second / (first * (beta - 1))) / deviation) ** (3 / (2 * float(beta - 1)))
+    wide = random.choice((1, 1 + 1e-9, 1 - 1e-9, 1.5, 3, 1 / 3, 100))
+    alpha = [first, second, beta * first]
+    statement |= {"alpha": list(map(str, alpha)), "c1": str(c1), "level": str(level)}
+    statement["epsilon"] = str(Fraction(border * wide).limit_denominator(10**12) or 1)
+
+
 def _mark(lines: Lines, random: Random) -> None:
     pieces = [piece for column in lines[1:] for piece in column["pieces"] if isinstance(piece[-1], int)]
     if pieces:
@@ -216,57 +235,3 @@ def _judged(text: bytes, lines: Lines, kept: str) -> Answer:
     if trouble is None:
         return undecided(f"accepted; no reference for {lines[0]['statement']['kind']}")
     return wrong(f"accepted: {stated}\n  {trouble}") if trouble else AGREED
-
-
-def _numbers(text: str, far: Fraction) -> tuple[Fraction, Fraction]:
-    low, high = text[1:-1].split(", ")
-    return (-far if low == "-inf" else Fraction(low)), (far if high == "inf" else Fraction(high))
-
-
-def untrue(statement: dict[str, Any]) -> str | None:
-    """Where the statement is false; empty: nothing was found against it; None: there is no reference."""
-    kind = statement["kind"]
-    if kind == "sign":
-        (t0, t1), (b0, b1) = _numbers(statement["tau"], Fraction(12)), _numbers(statement["beta"], Fraction(-6))
-        b0, b1 = min(b0, b1), max(b0, b1)
-        for i in range(9):
-            for j in range(25):
-                tau, beta = t0 + (t1 - t0) * Fraction(j, 24), b0 + (b1 - b0) * Fraction(i + 1, 10)
-                if j not in (0, 24) and slope(tau, beta) not in (statement["sign"], None):
-                    return f"the sign at tau = {tau}, beta = {beta} is {slope(tau, beta)}"
-        return ""
-    if kind == "zeros":
-        low, high = _numbers(statement["beta"], Fraction(13))
-        counts = dict(map(tuple, statement["counts"]))
-        for i in range(1, 8):
-            beta = low + (high - low) * Fraction(i, 8) + Fraction(1, 10**7 + 19)
-            if low < beta < high and beta.denominator != 1:
-                changes = sign_changes(beta, Fraction(-10), Fraction(40), Fraction(1, 4))
-                if counts.get(int(beta)) != len(changes) and len(changes) > counts.get(int(beta), -1):
-                    return f"{len(changes)} changes of sign at beta = {beta}"
-        return ""
-    if kind == "brackets":
-        beta = Fraction(statement["beta"])
-        for low, high in statement["brackets"]:
-            if slope(Fraction(low), beta, 40) == slope(Fraction(high), beta, 40):
-                return f"no change of sign in {low}, {high}"
-        more = len(sign_changes(beta, Fraction(-10), Fraction(20)))
-        return f"{more} changes of sign" if more > len(statement["brackets"]) else ""
-    if kind == "slow_zeros":
-        return _untrue_slow(statement)
-    return None
-
-
-def _untrue_slow(statement: dict[str, Any]) -> str:
-    """Two zeros for every beta of the range and every epsilon up to the bound: by samples of F_(beta-1)."""
-    low, high = _numbers(statement["beta"], Fraction(5))
-    epsilon = Fraction(statement["epsilon"])
-    for share in (Fraction(1, 2), Fraction(99, 100)):
-        beta = low + (high - low) * share
-        if beta.denominator == 1:
-            continue
-        scale = Fraction(round((2 / float(epsilon)) ** (1 / 3) * 2**20), 2**20)
-        values = [value for _, value in slow_values(beta - 1, epsilon, 7 * scale, 200)]
-        if all(value > 0 for value in values):
-            return f"F_(beta-1) > 0 at all samples for beta = {beta}, epsilon = {epsilon}: no zeros"
-    return ""

@@ -15,9 +15,9 @@ from typing import Any
 import mpmath
 from attack import reference_theta
 from attack.answers import AGREED, Answer, Attack, undecided, wrong
-from attack.certificates import untrue
 from attack.motion import Question, judged, question
 from attack.signs import sign_changes, slope
+from attack.statements import untrue
 
 from gspot_verified import Outcome, sign_on_ranges, zeros_on_range
 from gspot_verified.scenes.certified_run import certified_run

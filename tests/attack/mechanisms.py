@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from fractions import Fraction
 from random import Random
 from typing import Any
@@ -27,9 +28,9 @@ def _eighth(random: Random, low: float, high: float) -> Fraction:
     return Fraction(round(random.uniform(low, high) * 8), 8)
 
 
-def attack(random: Random) -> Attack:
-    """A body with a contour, a spring, perhaps an eccentric centre and a second mass on its arm."""
-    values = {
+def drawn_body(random: Random) -> tuple[dict[str, Any], Fraction]:
+    """A body with a contour, a spring, perhaps an eccentric centre and a second mass on its arm; its slip velocity."""
+    values: dict[str, Any] = {
         "mu": abs(_eighth(random, 0.3, 4)) or Fraction(1), "J": abs(_eighth(random, 0.1, 1)) + Fraction(1, 8),
         "g": _eighth(random, -0.2, 1.5), "c": random.choice((Fraction(0), _eighth(random, -0.3, 0.3))),
         "s": random.choice((Fraction(0), _eighth(random, -0.3, 0.3))),
@@ -39,12 +40,17 @@ def attack(random: Random) -> Attack:
         "q": random.choice((Fraction(0), _eighth(random, -1, 1))), "w": random.choice((0, 1, 2, 3)),
         "push": random.choice((Fraction(0), _eighth(random, -1, 1))),
     }  # fmt: skip
-    slip = _eighth(random, 0.5, 3)
+    return values, _eighth(random, 0.5, 3)
+
+
+def attack(random: Random) -> Attack:
+    """All spots of such a body."""
+    values, slip = drawn_body(random)
     seed = random.getrandbits(32)
     periodic = random.random() < 0.6
     if periodic:
         values["k"] = Fraction(0)
-    text = _file(values, slip)
+    text = file_of(values, slip)
     return Attack(f"classify_all(parse_mechanism('''{text}'''))", lambda: _judged(text, values, slip, Random(seed)))
 
 
@@ -64,10 +70,13 @@ def _put(text: str, name: str, value: str) -> str:
     return re.sub(rf"(?<![A-Za-z_]){name}(?![A-Za-z_])", value, text)
 
 
-def _file(values: dict[str, Any], slip: Fraction) -> str:
+def file_of(values: dict[str, Any], slip: Fraction, parameters: Mapping[str, str] | None = None) -> str:
+    """The mechanism's file; a value may be the name of a parameter."""
     f = _formulas(values)
+    given = [f'{name} = "{value}"' for name, value in (parameters or {}).items()]
     return "\n".join([
-        "format = 1", 'name = "attack"', "[energies]", 'coordinates = ["X", "H", "th"]', f'kinetic = "{f["kinetic"]}"',
+        "format = 1", 'name = "attack"', *(["[parameters]", *given] if given else []), "[energies]",
+        'coordinates = ["X", "H", "th"]', f'kinetic = "{f["kinetic"]}"',
         f'potential = "{f["potential"]}"', f'forces = ["{f["X"]}", "{f["H"]}", "{f["th"]}"]', "[contact]",
         f'x = "{f["x"]}"', f'y = "{f["y"]}"', f'mu = "{f["mu"]}"', "[g_spot]", "search = true",
         'fixed = ["X", "X_dot"]', "[g_spot.point]", "X = 0", f'X_dot = "{slip}"', 'th = "1"', 'th_dot = "1"', "H = 1",
@@ -122,7 +131,7 @@ def _each_is_one(listed: tuple[Classification, ...], spots: list[dict[str, Any]]
                 continue
             return f"no spot of the reference has the numbers of {each}"
         left.remove(match[0])
-        case = _case(*(match[0][name] for name in ("alpha_1", "alpha_2", "alpha_3")))
+        case = case_of(*(match[0][name] for name in ("alpha_1", "alpha_2", "alpha_3")))
         if each.case is not None and case is not None and each.case != case:
             return f"Case {each.case}, the reference says {case}: {each}"
         beta = match[0]["alpha_3"] / match[0]["alpha_1"] if match[0]["alpha_1"] else None
@@ -139,7 +148,7 @@ def _near(value: fmpq | arb, reference: mpmath.mpf) -> bool:
     return holds(ball, reference, _SLACK * (1 + abs(reference)))
 
 
-def _case(first: mpmath.mpf, second: mpmath.mpf, third: mpmath.mpf) -> str | None:
+def case_of(first: mpmath.mpf, second: mpmath.mpf, third: mpmath.mpf) -> str | None:
     """The paper's three Cases; None next to a border."""
     if min(abs(first), abs(second), abs(third), abs(third - first)) < _SLACK:
         return None

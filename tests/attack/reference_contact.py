@@ -61,6 +61,33 @@ def slow_values(b: Fraction, epsilon: Fraction, far: Fraction, count: int) -> li
     return sorted(found)
 
 
+def slow_force(alpha: Sequence[Fraction], c1: Fraction, epsilon: Fraction, tau: Fraction) -> float:
+    """lambda on the slow manifold at tau.
+
+    With a = -alpha_1 and T = t/epsilon the equations are those of alpha_1 = -1 with a epsilon for epsilon, and
+    lambda - mean = K F_b(T), b = alpha_3/alpha_1 - 1. From b' = alpha_2 - alpha_3 lambda and the deviation
+    C_1 (-t)^beta of b far back, where F_b(T) is (-T)^b, follows K = beta C_1 epsilon^b/alpha_3.
+    """
+    first, second, third = alpha
+    beta, mean = third / first, second / (third - first)
+    with mpmath.workdps(60):
+        T = _mp(tau) / (mpmath.cbrt(_mp(epsilon)) * mpmath.cbrt(_mp(-first / 2)))
+        value = _slow_at(beta - 1, T, -first * epsilon)
+        return float(_mp(mean) + _mp(beta * c1 / third) * _mp(epsilon) ** _mp(beta - 1) * value)
+
+
+def _slow_at(b: Fraction, T: mpmath.mpf, epsilon: Fraction, digits: int = 20) -> mpmath.mpf:
+    """F_b(T) = M_b/Gamma(-b), M_b = int r^(-b-1) exp(...) dr; 0 = int d/dr[(1 + r) r^(-b) exp(...)] dr gives M_b."""
+    low = b - max(0, int(b) + 3)  # the integrand falls off quickly on the left
+    small = _mp(epsilon)
+    kept = [_integral(low - j, T, small, digits) * mpmath.gamma(_mp(j - low)) for j in (3, 2, 1, 0)]
+    for j in range(1, int(b - low) + 1):
+        at = _mp(low + j)
+        one, two, three, four = kept[-1], kept[-2], kept[-3], kept[-4]
+        kept.append(((1 - at) * one + T * (one + two) - (2 * three + four) / small) / at)
+    return kept[-1] * mpmath.rgamma(-_mp(b))
+
+
 def slow_start(b: Fraction, epsilon: Fraction, digits: int = 45) -> list[mpmath.mpf]:
     """F_b and its three first derivatives at T = 0."""
     with mpmath.workdps(digits + 30):

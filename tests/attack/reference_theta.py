@@ -94,30 +94,30 @@ def by_hypergeometric(tau: Fraction, beta: Fraction, digits: int = 80) -> Number
 def by_quadrature(tau: Fraction, beta: Fraction, derivative: int = 0, digits: int = 30) -> Number:
     """The integral for beta < 0, and beyond by theta(beta) = -tau theta(beta-1) + (beta-1)(beta-2) theta(beta-3).
 
-    A derivative of order k multiplies the integrand by r^k.
+    A derivative of order k multiplies the integrand by r^k; the recurrence is differentiated k times.
     """
-    if derivative:
-        raise ValueError("derivatives are those of the series")
     with mpmath.workdps(2 * digits + 40):
         steps = max(0, math.floor(beta) + 3) if 2 * beta > -1 else 0
         low = beta - steps
-        values = [_integral(tau, low + j - 3, digits) for j in range(4 if steps else 0)]
         if not steps:
-            value = _integral(tau, beta, digits)
+            value = _integral(tau, beta, digits, derivative)
             return value, abs(value) * mpmath.mpf(10) ** -(digits + 5)
-        point, largest = mp(tau), max(abs(value) for value in values)
-        kept = values[1:]
+        orders = range(derivative + 1)
+        table = [[_integral(tau, low + j - 2, digits, k) for k in orders] for j in range(3)]
+        point, largest = mp(tau), max(abs(row[-1]) for row in table)
         for j in range(1, steps + 1):
             now = mp(low + j)
-            parts = (-point * kept[-1], (now - 1) * (now - 2) * kept[-3])
-            largest = max(largest, *map(abs, parts))
-            kept = [*kept[1:], parts[0] + parts[1]]
-        return kept[-1], largest * mpmath.mpf(10) ** -(digits + 5)
+            parts = [
+                (-point * table[-1][k], -k * table[-1][k - 1], (now - 1) * (now - 2) * table[-3][k]) for k in orders
+            ]
+            largest = max(largest, *map(abs, parts[-1]))
+            table = [*table[1:], [sum(each, mpmath.mpf(0)) for each in parts]]
+        return table[-1][-1], largest * mpmath.mpf(10) ** -(digits + 5)
 
 
-def _integral(tau: Fraction, beta: Fraction, digits: int) -> mpmath.mpf:
-    """In the logarithm of r, around where the integrand is largest."""
-    power, point = -mp(beta), mp(tau)
+def _integral(tau: Fraction, beta: Fraction, digits: int, more: int = 0) -> mpmath.mpf:
+    """In the logarithm of r, around where the integrand, times r^``more``, is largest."""
+    power, point = more - mp(beta), mp(tau)
 
     def exponent(w: mpmath.mpf) -> mpmath.mpf:
         r = mpmath.exp(w)
@@ -142,7 +142,7 @@ def _integral(tau: Fraction, beta: Fraction, digits: int) -> mpmath.mpf:
     return (
         mpmath.exp(peak)
         * _trapezoidal(lambda w: mpmath.exp(exponent(w) - peak), left, right, spread, digits)
-        * (mpmath.rgamma(power))
+        * mpmath.rgamma(-mp(beta))
     )
 
 
@@ -166,7 +166,7 @@ def _trapezoidal(function, left, right, spread, digits):
 
 
 def reference(tau: Fraction, beta: Fraction, derivative: int = 0, digits: int = 80) -> Number:
-    """The series where it is short, else the quadrature; derivatives far out by the series' ODE are not sought."""
+    """The series where it is short, else the quadrature."""
     if abs(tau) <= FARTHEST_OF_SERIES:
         return by_series(tau, beta, derivative, digits)
     return by_quadrature(tau, beta, derivative, min(digits, 30))

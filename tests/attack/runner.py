@@ -25,17 +25,22 @@ KINDS = (
     "theta",
     "signs",
     "motion",
+    "scenes",
     "crossings",
     "mechanisms",
+    "sweeps",
+    "approaches",
+    "friction",
     "side",
     "expansions",
+    "mechanism_expansions",
     "certificates",
     "journals",
     "kept",
 )  # fmt: skip
 """Modules of this folder, each with ``attack(random)``; cheap before dear."""
 
-_LESS = {"expansions": 4, "kept": 8}
+_LESS = {"expansions": 4, "mechanism_expansions": 2, "kept": 8}
 """Kinds whose questions differ little from each other, and how much less time they get."""
 
 LIMIT = 60

@@ -12,7 +12,23 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from attack import certificates, crossings, expansions, journals, kept, mechanisms, motion, side, signs, theta
+from attack import (
+    approaches,
+    certificates,
+    crossings,
+    expansions,
+    friction,
+    journals,
+    kept,
+    mechanism_expansions,
+    mechanisms,
+    motion,
+    scenes,
+    side,
+    signs,
+    sweeps,
+    theta,
+)
 from attack.answers import AGREED, Answer, Attack, Tally, undecided, worst, wrong
 from attack.runner import KINDS, answered, draw_of
 from flint import arb
@@ -27,11 +43,16 @@ SLICE = {
     "theta": range(8),
     "signs": range(3),
     "motion": range(4),
+    "scenes": range(1, 5),
     "crossings": range(2),
     "mechanisms": range(2),
+    "sweeps": (1, 4),
+    "approaches": (1, 2, 3),
+    "friction": range(4),
     "side": range(2),
     "expansions": range(4),
-    "certificates": range(12),
+    "mechanism_expansions": (2, 3, 5),
+    "certificates": (*range(11), 12),
     "journals": range(3),
     "kept": range(8),
 }
@@ -117,6 +138,15 @@ def proved(found: Any) -> Any:
     return replace(found, verdict=replace(found.verdict, outcome=Outcome.PROVED, reason=None, witness=None))
 
 
+def in_another_case(found: Any) -> Any:
+    pieces = [replace(piece, case=piece.case and ("I" if piece.case == "III" else "III")) for piece in found.pieces]
+    return replace(found, pieces=tuple(pieces))
+
+
+def another_end(found: Any) -> Any:
+    return replace(found, end=found.end and ("stick" if found.end == "lift-off" else "lift-off"))
+
+
 class NarrowWatch(Watch):
     """Hands on the middle of the box alone."""
 
@@ -140,10 +170,17 @@ LIES: dict[str, tuple[Callable[[pytest.MonkeyPatch], None], int]] = {
     "theta": (lying(theta, "evaluate", lambda e: replace(e, value=shifted(e.value), reached=False)), 6),
     "signs": (lying(signs, "number_of_zeros", lambda n: n + 1), 6),
     "motion": (lying(motion, "certified_run", without_its_last), 8),
+    "scenes": (lying(scenes, "certified_run", without_its_last), 8),
+    "sweeps": (lying(sweeps, "sweep", in_another_case), 8),
+    "approaches": (lying(approaches, "approach", another_end), 8),
+    "friction": (lying(friction, "critical_friction", lambda f: replace(f, value=f.value and f.value * 1.001)), 6),
     "crossings": (lambda patch: patch.setattr(crossings, "Watch", NarrowWatch), 4),
     "mechanisms": (lying(mechanisms, "classify_all", lambda f: replace(f, spots=f.spots[:-1])), 8),
     "side": (lying(side, "side_rule", lambda r: replace(r, side=-r.side)), 3),
     "expansions": (lying(expansions, "expand_system", lambda t: replace(t, b=(*t.b[:2], *t.p[2:]))), 3),
+    "mechanism_expansions": (
+        lying(mechanism_expansions, "expand_system", lambda t: replace(t, lambda_n=(*t.lambda_n[:1], *t.p[1:]))), 8,
+    ),
     "certificates": (
         lambda patch: patch.setattr(certificates, "checker", lambda: SimpleNamespace(
             check_text=believing, Limits=lambda: None, Rejected=ValueError)), 8,

@@ -14,8 +14,6 @@ from flint import arb
 
 from gspot_verified import BudgetError, evaluate
 
-_FAR = reference_theta.FARTHEST_OF_SERIES
-
 
 def rational(random: Random, size: float) -> Fraction:
     """A number up to ``size``: an integer, next to one, short, or with a long denominator."""
@@ -29,7 +27,7 @@ def rational(random: Random, size: float) -> Fraction:
 
 def attack(random: Random) -> Attack:
     """One of the questions below."""
-    return random.choice((_anywhere, _anywhere, _balls, _border, _far_out, _near_zero))(random)
+    return random.choice((_anywhere, _anywhere, _balls, _border, _far_out, _far_derivative, _near_zero))(random)
 
 
 def _point(random: Random) -> tuple[Fraction, Fraction]:
@@ -52,6 +50,13 @@ def _far_out(random: Random) -> Attack:
     if tau > 0:
         tau = Fraction(round(10 ** random.uniform(2.4, 5) * 8), 8)
     return at_a_point(tau, rational(random, random.choice((2, 8))), 0, random.choice((10, 25)))
+
+
+def _far_derivative(random: Random) -> Attack:
+    """Beyond where the series is short, on both sides of where the package changes its route."""
+    tau = Fraction(random.choice((-1, 1)) * round(10 ** random.uniform(2.4, 4) * 1000), 1000)
+    beta = rational(random, random.choice((1, 4, 8)))
+    return at_a_point(tau, beta, random.choice((1, 1, 2, 3, 5, 9)), random.choice((10, 25)))
 
 
 def _border(random: Random) -> Attack:
@@ -91,8 +96,6 @@ def at_a_point(tau: Fraction, beta: Fraction, derivative: int, digits: int) -> A
             return undecided(f"BudgetError: {error}")
         if not found.value.is_finite():
             return wrong(f"reached, with {found.value}") if found.reached else undecided("not finite, not reached")
-        if abs(tau) > _FAR and derivative:
-            return undecided("no reference for derivatives there")
         value, off = reference_theta.reference(tau, beta, derivative, digits + 20)
         shown = f"evaluate({tau}, {beta}, {derivative}, {digits}): {found.value} by {found.route}"
         if not holds(found.value, value, off):
