@@ -40,6 +40,32 @@ def equal(left: int | fmpq, right: int | fmpq) -> Evidence | None:
     return Evidence._of_facts((f"{left} = {right}",)) if left == right else None
 
 
+def differ(left: Number, right: Number) -> Evidence | None:
+    """No number of the one is one of the other: exact numbers that are not the same, or balls apart.
+
+    >>> print(differ(1, fmpq(1, 2)), differ(1, arb("1.5", "0.1")), differ(1, arb(1, "0.1")))
+    1 != 1/2 1 != [1.39, 1.61] None
+    """
+    shown = _finite(left, right) and left != right
+    return Evidence._of_facts((f"{_text(left)} != {_text(right)}",)) if shown else None
+
+
+def inside(part: arb, whole: arb) -> Evidence | None:
+    """Every number of the one ball is one of the other; the ends may coincide."""
+    shown = _finite(part, whole) and whole.contains(part)
+    return Evidence._of_facts((f"{_text(part)} lies in {_text(whole)}",)) if shown else None
+
+
+def in_interior(part: arb, whole: arb) -> Evidence | None:
+    """The same, and no end is reached.
+
+    >>> print(in_interior(arb(1), arb(1, 1)), in_interior(arb(1, 1), arb(1, 1)))
+    1.00000 lies in the interior of [0, 2] None
+    """
+    shown = _finite(part, whole) and whole.contains_interior(part)
+    return Evidence._of_facts((f"{_text(part)} lies in the interior of {_text(whole)}",)) if shown else None
+
+
 def signed(value: arb) -> tuple[int, Evidence] | None:
     """1, -1, or 0 when every number in the ball has that sign, with the comparison.
 

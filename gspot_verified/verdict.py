@@ -68,7 +68,9 @@ class Evidence:
     facts: tuple[str, ...]
 
     def __init__(self) -> None:
-        raise TypeError("evidence is made by a comparison: less, at_most, signed, equal, cover, every, theorem")
+        raise TypeError(
+            "evidence is made by a comparison: less, at_most, equal, differ, inside, signed, cover, every, theorem"
+        )
 
     @classmethod
     def _of_facts(cls, facts: tuple[str, ...]) -> Evidence:

@@ -11,7 +11,20 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import to_fmpq
 
-from gspot_verified.evidence import Ends, at_most, cover, cover_by_boxes, equal, every, less, signed, theorem
+from gspot_verified.evidence import (
+    Ends,
+    at_most,
+    cover,
+    cover_by_boxes,
+    differ,
+    equal,
+    every,
+    in_interior,
+    inside,
+    less,
+    signed,
+    theorem,
+)
 from gspot_verified.verdict import Evidence
 
 WIDE, NAN, HUGE = arb(0, 1), arb.nan(), arb.pos_inf()
@@ -53,6 +66,27 @@ def test_signs() -> None:
 def test_equality_is_of_exact_numbers() -> None:
     assert str(equal(fmpq(2, 4), fmpq(1, 2))) == "1/2 = 1/2"
     assert equal(0, 1) is None
+
+
+def test_numbers_that_differ() -> None:
+    assert str(differ(fmpq(1, 2), 0)) == "1/2 != 0"
+    assert str(differ(arb(1), arb(2))) == "1.00000 != 2.00000"
+    assert differ(fmpq(2, 4), fmpq(1, 2)) is None
+    assert differ(WIDE, 1) is None
+    assert differ(NAN, 1) is None
+    assert differ(HUGE, 1) is None
+
+
+def test_containment() -> None:
+    unit = arb((1, -1), (1, -1))
+    assert inside(arb(0), unit) is not None
+    assert in_interior(arb(0), unit) is None
+    assert in_interior(arb("0.5"), unit) is not None
+    assert inside(arb(2), unit) is None
+    assert inside(unit, arb(0)) is None
+    for outer in (NAN, arb(0, float("inf"))):  # they contain everything
+        assert inside(arb(0), outer) is None
+        assert in_interior(arb(0), outer) is None
 
 
 def test_by_hand() -> None:

@@ -211,7 +211,9 @@ def _lift_off(force: ForceOverBalls, found: Stretches, epsilon: fmpq, digits: in
         return IwcOverBalls(force, start, False, verdict, lift_off=nothing)
     lower, upper, number = crossing.lower, crossing.upper, crossing.number
     text = f"{where}, λ_N > 0 on [{start}, τ_lo) and λ_N changes sign at τ_lo, τ_lo in ({decimal_text(lower, upper)})"
-    verdict = Verdict.argued(text, "" if number is None else f"zeros of λ_N on [{start}, inf): {number}")
+    verdict = Verdict.proved(
+        text, crossing.evidence, "" if number is None else f"zeros of λ_N on [{start}, inf): {number}"
+    )
     ratio = None
     if force.beta > 1 and epsilon < 1:
         with working_bits(128):

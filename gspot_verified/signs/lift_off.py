@@ -97,7 +97,8 @@ def lift_off(force: ContactForce, epsilon: fmpq, start: fmpq, digits: int = 15) 
         with working_bits(128):
             law = (arb(force.beta - 1) * -arb(epsilon).log()) ** arb(fmpq(2, 3))
             ratio = hull([arb(lower), arb(upper)]) / law
-    return LiftOff(epsilon, lower, upper, number, ratio, found.whole_line, Verdict.argued(text, count))
+    proved = Verdict.proved(text, crossing.evidence, count)
+    return LiftOff(epsilon, lower, upper, number, ratio, found.whole_line, proved)
 
 
 def growth_table(force: ContactForce, start: fmpq) -> tuple[LiftOff, ...]:

@@ -14,10 +14,12 @@ from itertools import pairwise
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import Exact, bits_for_digits, hull, sign_of, working_bits
+from gspot_verified.balls import Exact, bits_for_digits, hull, nonfinite, sign_of, working_bits
+from gspot_verified.evidence import every, less
 from gspot_verified.signs.brackets import zeros_at
 from gspot_verified.signs.side import gamma_sign
 from gspot_verified.theta_function.evaluate import evaluate
+from gspot_verified.verdict import Evidence
 
 Level = Callable[[int], arb]
 """A number, enclosed to as many decimal digits as asked."""
@@ -111,12 +113,13 @@ class Crossing:
     """The function is above -level on [start, lower] and has exactly one crossing of it in (lower, upper).
 
     It is strictly decreasing there. ``number``: all crossings on [start, infinity), None when some critical value is
-    too close to -level.
+    too close to -level. ``evidence``: the signs, at the start, at the critical points and at both ends.
     """
 
     lower: fmpq
     upper: fmpq
     number: int | None
+    evidence: Evidence
 
 
 class NotAbove(ValueError):
@@ -134,35 +137,56 @@ def first_crossing(found: Stretches, level: Level, digits: int = 15) -> Crossing
     value = level(2 * digits + _SPARE_DIGITS)
     pieces = [found.start, *found.critical]
     with working_bits(int(value.bits()) + 64):
-        signs = [sign_of(bracket.value + value) for bracket in pieces]
+        heights = [bracket.value + value for bracket in pieces]
+    signs = [sign_of(height) for height in heights]
     if signs[0] == -1:
         raise NotAbove
     following = next((i for i, sign in enumerate(signs) if sign != 1), None)
     if following is not None and signs[following] != -1:
         return None
-    lower = pieces[-1 if following is None else following - 1].upper
-    below = _below(found, level, digits)
-    upper = _far(lower, below) if following is None else pieces[following].lower
-    if upper is None:
+    before = len(pieces) if following is None else following
+    first = pieces[before - 1].upper
+    height_at = _height(found, level, digits)
+    below = _below(height_at)
+    last = _far(first, below) if following is None else pieces[following].lower
+    if last is None:
         return None
-    ends = narrowed(below, lower, upper, digits)
+    lower, upper = narrowed(below, first, last, digits)
+    left = heights[before - 1] if lower == first else height_at(lower)
+    right = heights[following] if following is not None and upper == last else height_at(upper)
+    shown = [*(less(0, height) for height in heights[:before]), less(0, left), less(right, 0)]
     known = [sign for sign in signs if sign]  # 0 fixes no sign either
-    number = sum(a != b for a, b in pairwise([*known, -1])) if len(known) == len(signs) else None
-    return Crossing(*ends, number)
+    number = None
+    if len(known) == len(signs):
+        number = sum(a != b for a, b in pairwise([*known, -1]))
+        shown += [less(0, height) if sign > 0 else less(height, 0) for sign, height in zip(known, heights, strict=True)]
+    evidence = every(shown)
+    return None if evidence is None else Crossing(lower, upper, number, evidence)
 
 
-def _below(found: Stretches, level: Level, digits: int) -> Callable[[fmpq], bool | None]:
-    """Whether sign * dTheta/dtau + level < 0 at a point, certainly, with a few rising accuracies."""
+def _height(found: Stretches, level: Level, digits: int) -> Callable[[fmpq], arb]:
+    """sign * dTheta/dtau + level at a point, with a few rising accuracies until its sign is certain."""
 
-    def below(tau: fmpq) -> bool | None:
+    def height(tau: fmpq) -> arb:
+        value = nonfinite()
         for attempt in range(_TRIES):
             accuracy = (digits + _SPARE_DIGITS) * 2**attempt
             slope, bound = evaluate(tau, found.beta, derivative=1, digits=accuracy).value, level(accuracy)
             with working_bits(bits_for_digits(accuracy) + 64):
-                sign = sign_of(found.sign * slope + bound)
-            if sign:
-                return sign < 0
-        return None
+                value = found.sign * slope + bound
+            if sign_of(value):
+                break
+        return value
+
+    return height
+
+
+def _below(height: Callable[[fmpq], arb]) -> Callable[[fmpq], bool | None]:
+    """Whether the height is < 0 at a point, certainly."""
+
+    def below(tau: fmpq) -> bool | None:
+        sign = sign_of(height(tau))
+        return sign < 0 if sign else None
 
     return below
 

@@ -111,7 +111,8 @@ def test_a_number_of_zeros_that_is_open_is_not_stated(monkeypatch: pytest.Monkey
     known = lift_off(contact_force("3/2", c1=-1), fmpq(1, 1000), fmpq(-10))
     assert known.lower is not None
     assert known.upper is not None
-    crossing = Crossing(known.lower, known.upper, None)
+    assert known.verdict.evidence is not None
+    crossing = Crossing(known.lower, known.upper, None, known.verdict.evidence)
     monkeypatch.setattr("gspot_verified.signs.lift_off.first_crossing", lambda *_: crossing)
     found = lift_off(contact_force("3/2", c1=-1), fmpq(1, 1000), fmpq(-10))
     assert (found.verdict.outcome, found.number, found.verdict.detail) == (Outcome.PROVED, None, "")

@@ -23,6 +23,7 @@ from gspot_verified.signs.stretches import (
     NotAbove,
     Stretches,
     _below,
+    _height,
     first_crossing,
     minimum,
     narrowed,
@@ -196,6 +197,19 @@ def test_uncertain_levels_stay_open() -> None:
     assert narrowed(lambda _: None, fmpq(0), fmpq(1), 3) == (0, 1)
 
 
+@pytest.mark.parametrize("ends", [(0, 1), (9, 10), (10, 0)], ids=["both above", "both below", "turned round"])
+def test_ends_without_their_signs_are_no_crossing(monkeypatch: pytest.MonkeyPatch, ends: tuple[int, int]) -> None:
+    """The signs at the ends are compared once more, as evidence: what the bisection says is not enough."""
+    found = stretches(fmpq(1, 2), 1, fmpq(-3))
+    crossing = first_crossing(found, lambda _: arb(2), 3)
+    assert crossing is not None
+    assert len(crossing.evidence.facts) == 4  # at the start, at both ends, and once more at the start for the number
+    assert 1 < crossing.lower < crossing.upper < 9
+    wrong = (fmpq(ends[0]), fmpq(ends[1]))
+    monkeypatch.setattr("gspot_verified.signs.stretches.narrowed", lambda *_: wrong)
+    assert first_crossing(found, lambda _: arb(2), 3) is None
+
+
 def test_an_open_sign_beyond_the_crossing_leaves_the_number_open() -> None:
     """-dTheta/dtau falls through 5 before its first critical point; a later value is not told from 5."""
     beta = fmpq(7, 2)
@@ -275,7 +289,7 @@ def test_what_a_coarse_ball_leaves_open_is_asked_again_of_finer_ones(tries: int,
         with working_bits(200):
             return arb(side) - value + arb(0, fmpq(1, 2) if len(asked) >= tries else 2)
 
-    answer = _below(found, level, 8)(tau)
+    answer = _below(_height(found, level, 8))(tau)
     assert answer is (None if tries > 3 else side < 0)
     assert len(asked) == min(tries, 3)
     assert asked == sorted(set(asked))
@@ -284,4 +298,4 @@ def test_what_a_coarse_ball_leaves_open_is_asked_again_of_finer_ones(tries: int,
 
 def test_a_value_that_is_exactly_the_level_is_not_below_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("gspot_verified.signs.stretches.sign_of", lambda _: 0)
-    assert _below(stretches(fmpq(7, 2), -1, fmpq(-3)), lambda _: arb(1), 8)(fmpq(0)) is None
+    assert _below(_height(stretches(fmpq(7, 2), -1, fmpq(-3)), lambda _: arb(1), 8))(fmpq(0)) is None
