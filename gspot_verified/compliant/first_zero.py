@@ -5,30 +5,29 @@ Proof pages: ``proofs/force_range.md``; near the initial state ``proofs/contact_
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import ExactInput, approximate, bits_for_digits, sign_of, working_bits
+from gspot_verified.balls import ExactInput, approximate, bits_for_digits, working_bits
 from gspot_verified.compliant.compliant_force import ContactMotion, contact_motion
 from gspot_verified.compliant.force_range import ForceRange
 from gspot_verified.compliant.normal_form import CompliantModel, CompliantState
-from gspot_verified.compliant.zero_by_series import MOST_WORK, positive_by_series, zero_by_series
+from gspot_verified.compliant.rough_zero import rough_zero
+from gspot_verified.compliant.zero_by_series import MOST_WORK, SeriesZero, positive_by_series, zero_by_series
+from gspot_verified.evidence import Ends, at_most, cover, every, less
 from gspot_verified.signs.contact_force import rational
 from gspot_verified.signs.short_text import decimal_text
-from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
 
 MAX_DIGITS = 100
-_PIECES_BEFORE = 12
-_SCALED_STEP = fmpq(1)
-_LAST_SCALED = 60
 _MARGINS = (fmpq(1, 16), fmpq(1, 4), fmpq(1))
 _MOST_PIECES = 400
 _NEWTON_STEPS = 8
 _START_BITS = 60
 _FIRST_INSTANTS = fmpq(500)
+_AS_SHOWN = "λ_N > 0 before it, dλ_N/dt < 0 at it"
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,8 +77,9 @@ def contact_lasts(model: CompliantModel, state: CompliantState, until: ExactInpu
     if model.alpha_1 * end > motion.state.p:
         raise ValueError(f"until: {end} is before the initial state")
     text = f"in the compliant model, from this initial state, λ_N > 0 up to t = {end}"
-    if _lasts(motion, -model.alpha_1 * end / model.scaled_epsilon, budget):
-        return Verdict.argued(text)
+    shown = _lasts(motion, -model.alpha_1 * end / model.scaled_epsilon, budget)
+    if shown is not None:
+        return Verdict.proved(text, shown)
     if not motion.state.p > 0:
         detail = f"not shown by the power series within its budget of {budget} (its work, rate times time)"
         return Verdict.undecided(text, Reason.BUDGET, detail)
@@ -88,7 +88,7 @@ def contact_lasts(model: CompliantModel, state: CompliantState, until: ExactInpu
     )
 
 
-def _lasts(motion: ContactMotion, end: fmpq, budget: int) -> bool:
+def _lasts(motion: ContactMotion, end: fmpq, budget: int) -> Evidence | None:
     """lambda > 0 from the state up to T = ``end``; the first instants by the power series where the bound fails."""
     state = motion.state
     assert state is not None
@@ -96,10 +96,13 @@ def _lasts(motion: ContactMotion, end: fmpq, budget: int) -> bool:
     if not state.p > 0:
         return positive_by_series(state, mean, end - state.time, budget)
     force = _force_range(motion)
-    if _positive(force, state.time, end):
-        return True
+    if (shown := _positive(force, state.time, end)) is not None:
+        return shown
     head = state.time + min(_FIRST_INSTANTS, end - state.time)
-    return positive_by_series(state, mean, head - state.time, budget) and (head == end or _positive(force, head, end))
+    before = positive_by_series(state, mean, head - state.time, budget)
+    if before is None or head == end:
+        return before
+    return every([before, _positive(force, head, end)])
 
 
 def first_zero(model: CompliantModel, state: CompliantState, digits: int = 25, budget: int = MOST_WORK) -> FirstZero:
@@ -142,7 +145,7 @@ def _by_force_range(motion: ContactMotion, start: fmpq, text: str, digits: int, 
     model, state = motion.model, motion.state
     assert state is not None
     force = _force_range(motion)
-    rough = _rough_zero(force, state.time)
+    rough = rough_zero(force, state.time, _unit(motion))
     if rough is None:
         return None
     unit = _unit(motion)
@@ -150,16 +153,22 @@ def _by_force_range(motion: ContactMotion, start: fmpq, text: str, digits: int, 
         before, after = rough - margin * unit, rough + margin * unit
         if before < 0 < after:
             continue
-        if not (force.slope(before, after) < 0 and _lasts(motion, before, budget)):
+        falls, lasts = less(force.slope(before, after), 0), None
+        if falls is not None:
+            lasts = _lasts(motion, before, budget)
+        if lasts is None:
             continue
         second = model.scaled_epsilon / -model.alpha_1
         bracket = _bracket(motion, rough, unit / fmpq(10) ** digits, digits)
         if bracket is None:
             return None
-        lower, upper = _outward(bracket[0] * second, bracket[1] * second)
-        if not (before * second <= lower and upper <= after * second):
+        lower, upper = _outward(bracket.lower * second, bracket.upper * second)
+        within = [at_most(before * second, lower), at_most(upper, after * second)]
+        outside = [at_most(lower, bracket.lower * second), at_most(bracket.upper * second, upper)]
+        evidence = every([lasts, falls, bracket.evidence, *within, *outside])
+        if evidence is None:
             return None
-        return FirstZero(model, start, Verdict.argued(text, "λ_N > 0 before it, dλ_N/dt < 0 at it"), lower, upper)
+        return FirstZero(model, start, Verdict.proved(text, evidence, _AS_SHOWN), lower, upper)
     return None
 
 
@@ -173,9 +182,12 @@ def _by_series(motion: ContactMotion, start: fmpq, text: str, digits: int, budge
     if bracket is None:
         return None
     second = model.scaled_epsilon / -model.alpha_1
-    lower, upper = _outward(start + bracket[0] * second, start + bracket[1] * second)
-    proved = Verdict.argued(text, "λ_N > 0 before it, dλ_N/dt < 0 at it")
-    return FirstZero(model, start, proved, max(lower, start), upper)
+    first, last = start + bracket.lower * second, start + bracket.upper * second
+    lower, upper = _outward(first, last)
+    evidence = every([bracket.evidence, at_most(lower, first), at_most(last, upper)])
+    if evidence is None:
+        return None
+    return FirstZero(model, start, Verdict.proved(text, evidence, _AS_SHOWN), max(lower, start), upper)
 
 
 def _force_range(motion: ContactMotion) -> ForceRange:
@@ -189,25 +201,29 @@ def _unit(motion: ContactMotion) -> fmpq:
         return fmpq(*approximate(1 / found).as_integer_ratio())
 
 
-def _positive(force: ForceRange, first: fmpq, last: fmpq) -> bool:
+def _positive(force: ForceRange, first: fmpq, last: fmpq) -> Evidence | None:
     """lambda > 0 on [first, last], certainly: two parts again and again, those before and after 0 apart."""
     unit = _unit(force.motion)
     waiting = [(first, min(last, fmpq(0)))] if first < 0 else []
     if last > 0:
         waiting.append((max(first, fmpq(0)), last))
+    parts: list[Ends] = []
+    shown: list[Evidence] = []
     for _ in range(_MOST_PIECES):
         if not waiting:
-            return True
+            break
         begin, end = waiting.pop()
-        if force.over(begin, end) > 0:
+        if (above := less(0, force.over(begin, end))) is not None:
+            parts.append((begin, end))
+            shown.append(above)
             continue
         if begin == end:
-            return False
+            return None
         middle = _cut(begin, end, unit)
         if force.near(middle) < 0:  # a heuristic: no use in going on
-            return False
+            return None
         waiting += [(begin, middle), (middle, end)]
-    return False
+    return every([cover(parts, (first, last)), *shown])
 
 
 def _cut(begin: fmpq, end: fmpq, unit: fmpq) -> fmpq:
@@ -222,32 +238,7 @@ def _cut(begin: fmpq, end: fmpq, unit: fmpq) -> fmpq:
     return -(fmpq(2) ** ((low + high) // 2))
 
 
-def _rough_zero(force: ForceRange, start: fmpq) -> fmpq | None:
-    """Near the first change of sign of the force at sample times; a heuristic."""
-    previous = None
-    for place in _samples(start, _unit(force.motion)):
-        if force.near(place) < 0:
-            return None if previous is None else _bisected(force, previous, place)
-        previous = place
-    return None
-
-
-def _samples(start: fmpq, unit: fmpq) -> Iterator[fmpq]:
-    """From the initial state to the G-spot in steps that shrink, then in steps of 1/2 in tau."""
-    for k in range(_PIECES_BEFORE):
-        yield start * fmpq((_PIECES_BEFORE - k) ** 2, _PIECES_BEFORE**2)
-    for k in range(int(_LAST_SCALED / _SCALED_STEP)):
-        yield k * _SCALED_STEP * unit
-
-
-def _bisected(force: ForceRange, left: fmpq, right: fmpq) -> fmpq:
-    for _ in range(6):
-        middle = (left + right) / 2
-        left, right = (left, middle) if force.near(middle) < 0 else (middle, right)
-    return (left + right) / 2
-
-
-def _bracket(motion: ContactMotion, rough: fmpq, width: fmpq, digits: int) -> tuple[fmpq, fmpq] | None:
+def _bracket(motion: ContactMotion, rough: fmpq, width: fmpq, digits: int) -> SeriesZero | None:
     """Two times ``width`` apart at which the force is certainly > 0 and < 0, by the secant method."""
     coarse, fine = bits_for_digits(12), bits_for_digits(digits + 8)
     step = _unit(motion) / 10**3
@@ -263,9 +254,8 @@ def _bracket(motion: ContactMotion, rough: fmpq, width: fmpq, digits: int) -> tu
         root = second + _rational(shift, fine)
         if abs(root - second) < width:
             lower, upper = root - width / 2, root + width / 2
-            if sign_of(_value(motion, lower, fine)) == 1 and sign_of(_value(motion, upper, fine)) == -1:
-                return lower, upper
-            return None
+            signs = every([less(0, _value(motion, lower, fine)), less(_value(motion, upper, fine), 0)])
+            return None if signs is None else SeriesZero(lower, upper, signs)
         bits = fine if bits > coarse or abs(root - second) < step / 10**3 else coarse
         points.append((root, _value(motion, root, bits)))
     return None

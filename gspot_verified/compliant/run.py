@@ -6,6 +6,7 @@ Proof pages: ``proofs/flight.md``, section 8; for the first contact ``proofs/for
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -44,7 +45,8 @@ class Event(NoTruthValue):
     """Lift-off, touch-down, or the time from which the contact is known to last for ever.
 
     It happens in [lower, upper], times measured from the G-spot (p = alpha_1 t). ``velocity``: v there, in the units of
-    the paper; ``strength`` says what is proved; ``state``: a ball of the whole state, in the normal form.
+    the paper; ``strength`` says what is proved, by ``evidence``; ``state``: a ball of the whole state, in the normal
+    form.
     """
 
     ask: ClassVar[str] = ".strength says what is proved"
@@ -55,6 +57,7 @@ class Event(NoTruthValue):
     velocity: arb
     strength: str
     state: ContactState
+    evidence: Evidence
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for ``json.dumps``; exact rationals and intervals as text."""
@@ -132,13 +135,13 @@ def compliant_run(model: CompliantModel, state: CompliantState, digits: int = 15
     if sign_of(rule.side) == 1:
         lasting = _lasting_from(model, state, digits + _SPARE_DIGITS, bits, budget)
         if lasting is not None:
-            return Run(model, state, (lasting[0],), Verdict.proved(IMPACT, lasting[1]))
+            return Run(model, state, (lasting,), Verdict.proved(IMPACT, lasting.evidence))
     zero = first_zero(model, state, digits, budget)
-    if zero.lower is None or zero.upper is None:
+    if zero.lower is None or zero.upper is None or zero.verdict.evidence is None:
         detail = f"neither the loss of contact nor its lasting for ever was shown: {zero.verdict.detail}"
         reason = zero.verdict.reason or Reason.HYPOTHESIS
         return Run(model, state, (), Verdict.undecided("how the first contact ends", reason, detail))
-    return _after_lift_off(model, state, zero.lower, zero.upper, bits)
+    return _after_lift_off(model, state, (zero.lower, zero.upper), zero.verdict.evidence, bits)
 
 
 def _trivial(model: CompliantModel, state: CompliantState) -> Evidence | None:
@@ -147,9 +150,7 @@ def _trivial(model: CompliantModel, state: CompliantState) -> Evidence | None:
     return every([*(equal(hat, 0) for hat in (hats.b, hats.V, hats.Y, hats.Z)), less(0, model.mean_force)])
 
 
-def _lasting_from(
-    model: CompliantModel, state: CompliantState, digits: int, bits: int, budget: int
-) -> tuple[Event, Evidence | None] | None:
+def _lasting_from(model: CompliantModel, state: CompliantState, digits: int, bits: int, budget: int) -> Event | None:
     """The first of some times from which on the contact lasts for ever, after lambda > 0 up to it."""
     for time in later_times(model):
         there = contact_state(compliant_force(model, state, time, digits), bits)
@@ -157,30 +158,41 @@ def _lasting_from(
         if verdict.outcome is not Outcome.PROVED:
             continue
         before = contact_lasts(model, state, time, budget)
-        if before.outcome is not Outcome.PROVED:
+        shown = every([before.evidence, verdict.evidence])
+        if before.outcome is not Outcome.PROVED or shown is None:
             return None
         strength = f"λ_N > 0 before it; from then on {verdict.detail}"
-        event = Event("contact for ever from", time, time, _velocity(model, there), strength, there)
-        return event, every([before.evidence, verdict.evidence])
+        return Event("contact for ever from", time, time, _velocity(model, there), strength, there, shown)
     return None
 
 
-def _after_lift_off(model: CompliantModel, state: CompliantState, lower: fmpq, upper: fmpq, bits: int) -> Run:
-    """The events from a bracket of lift-off on."""
-    digits = int(bits / 3)
+def _after_lift_off(
+    model: CompliantModel, state: CompliantState, bracket: tuple[fmpq, fmpq], lost: Evidence, bits: int
+) -> Run:
+    """The events from a bracket of lift-off on; ``lost`` is what shows the lift-off."""
+    digits, (lower, upper) = int(bits / 3), bracket
     before = contact_state(compliant_force(model, state, lower, min(digits, 1_000)), bits + _GUARD_BITS)
     start = lift_off_state(before, (upper - lower) / model.epsilon, bits + _GUARD_BITS)
-    lift = Event("lift-off", lower, upper, _velocity(model, start), "λ_N > 0 before it, dλ_N/dt < 0 at it", start)
+    lift = Event("lift-off", lower, upper, _velocity(model, start), "λ_N > 0 before it, dλ_N/dt < 0 at it", start, lost)
     end = flight_end(start, bits)
-    if end.state is None or end.lower is None or end.upper is None:
-        return Run(model, state, (lift,), end.verdict)
+    ended = end.verdict.evidence
+    if end.state is None or end.lower is None or end.upper is None or ended is None:
+        return Run(model, state, (lift,), _resting_on([lost], end.verdict))
     first, last = lower + model.epsilon * end.lower, upper + model.epsilon * end.upper
-    land = Event("touch-down", first, last, _velocity(model, end.state), end.verdict.statement, end.state)
+    velocity, strength = _velocity(model, end.state), end.verdict.statement
+    land = Event("touch-down", first, last, velocity, strength, end.state, ended)
     lasting = lasting_contact(end.state, bits)
     if lasting.outcome is Outcome.PROVED:
-        once = theorem("proofs/flight.md", end.verdict.evidence, lasting.evidence)
+        once = theorem("proofs/flight.md", lost, ended, lasting.evidence)
         return Run(model, state, (lift, land), Verdict.proved(ONE_FLIGHT, once, lasting.detail))
-    return Run(model, state, (lift, land), _second_contact(end.state, bits))
+    return Run(model, state, (lift, land), _resting_on([lost, ended], _second_contact(end.state, bits)))
+
+
+def _resting_on(before: Sequence[Evidence], verdict: Verdict) -> Verdict:
+    """The verdict; where it is "proved" it rests on what was shown before as well."""
+    if verdict.outcome is not Outcome.PROVED:
+        return verdict
+    return Verdict.proved(verdict.statement, every([*before, verdict.evidence]), verdict.detail)
 
 
 def _second_contact(state: ContactState, bits: int) -> Verdict:

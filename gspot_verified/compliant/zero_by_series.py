@@ -5,14 +5,15 @@ Proof pages: ``proofs/contact_series.md``, section 4; ``proofs/force_range.md``,
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from flint import arb, arb_poly, fmpq
 
 from gspot_verified.balls import add_remainder, hull, sign_of, working_bits
 from gspot_verified.compliant.contact_series import SeriesCell, series_cells, series_rate, series_work
 from gspot_verified.compliant.normal_form import Deviation
+from gspot_verified.evidence import Ends, cover, every, less
+from gspot_verified.verdict import Evidence
 
 MOST_WORK = 3_000
 """Rate times duration up to which a stretch is looked at, unless a caller says otherwise."""
@@ -49,10 +50,20 @@ class _Piece:
         middle = (self.left + self.right) / 2
         return _Piece(self.cell, self.mean, self.left, middle), _Piece(self.cell, self.mean, middle, self.right)
 
-    def sign_at(self, x: fmpq) -> int | None:
-        """The sign of lambda at a point of the cell, where it is certain."""
+    def force_at(self, x: fmpq) -> arb:
+        """lambda at a point of the cell."""
         _, _, Y, Z = self.cell.at(arb(x))
-        return sign_of(self.mean + Z - Y)
+        return self.mean + Z - Y
+
+    def time(self, x: fmpq) -> fmpq:
+        """The time of a point of the cell, since the state."""
+        return self.cell.first + x * self.cell.width
+
+    def shown_positive(self) -> Evidence | None:
+        """lambda > 0 on the piece: by its range, or because it falls and is still positive at the right end."""
+        return less(0, self.force()) or every(
+            less(one, other) for one, other in ((self.slope(), 0), (0, self.force_at(self.right)))
+        )
 
 
 def _range(polynomial: arb_poly, rest: arb, left: fmpq, right: fmpq) -> arb:
@@ -64,27 +75,52 @@ def _range(polynomial: arb_poly, rest: arb, left: fmpq, right: fmpq) -> arb:
     return add_remainder(total, rest)
 
 
-def positive_by_series(state: Deviation, mean: fmpq, duration: fmpq, work: int = MOST_WORK) -> bool:
-    """lambda > 0 from the state up to the time ``duration`` in T after it, certainly; False where it is not shown."""
+@dataclass(frozen=True, slots=True)
+class SeriesZero:
+    """Two times since the state, in T, with the first zero of lambda between them, and what was compared."""
+
+    lower: fmpq
+    upper: fmpq
+    evidence: Evidence
+
+
+@dataclass(slots=True)
+class _Shown:
+    """The pieces on which lambda > 0 was shown, by their times, and how."""
+
+    pieces: list[Ends] = field(default_factory=list)
+    evidence: list[Evidence] = field(default_factory=list)
+
+    def note(self, piece: _Piece, found: Evidence) -> None:
+        self.pieces.append((piece.time(piece.left), piece.time(piece.right)))
+        self.evidence.append(found)
+
+
+def positive_by_series(state: Deviation, mean: fmpq, duration: fmpq, work: int = MOST_WORK) -> Evidence | None:
+    """lambda > 0 from the state up to the time ``duration`` in T after it, certainly; None where it is not shown."""
     if series_work(state, duration) > work:
-        return False
+        return None
     if duration == 0:
-        return bool(state.force + mean > 0)
-    return next(_not_positive(state, mean, duration, _BITS), None) is None
+        return less(0, state.force + mean)
+    shown = _Shown()
+    if _not_positive(state, mean, duration, _BITS, shown) is not None:
+        return None
+    return every([cover(shown.pieces, (fmpq(0), duration)), *shown.evidence])
 
 
 def zero_by_series(
     state: Deviation, mean: fmpq, width: fmpq, bits: int, most_work: int = MOST_WORK
-) -> tuple[fmpq, fmpq] | None:
+) -> SeriesZero | None:
     """Two times since the state, in T, ``width`` or less apart: the first zero of lambda lies between them.
 
     lambda > 0 from the state up to it, and its slope is < 0 there. ``bits``: the accuracy of lambda that this asks for.
     None where no such bracket is found.
     """
     for work in (*(stretch for stretch in _STRETCHES if stretch < most_work), most_work):
-        duration = _duration(state, work)
-        for piece in _not_positive(state, mean, duration, bits, gives_up=True):
-            return _bracket(piece, width / piece.cell.width, bits)
+        shown = _Shown()
+        piece = _not_positive(state, mean, _duration(state, work), bits, shown, gives_up=True)
+        if piece is not None:
+            return _bracket(piece, width / piece.cell.width, bits, shown)
     return None
 
 
@@ -96,10 +132,12 @@ def _duration(state: Deviation, work: int) -> fmpq:
     return duration
 
 
-def _not_positive(state: Deviation, mean: fmpq, duration: fmpq, bits: int, gives_up: bool = False) -> Iterator[_Piece]:
-    """The first piece on which lambda > 0 is not shown and its slope is < 0, or that is too short to be cut; with
-    lambda > 0 on all pieces before it. Nothing when lambda > 0 up to the end; and, if ``gives_up``, when lambda has
-    become so large that no zero is to be expected: a heuristic."""
+def _not_positive(
+    state: Deviation, mean: fmpq, duration: fmpq, bits: int, shown: _Shown, gives_up: bool = False
+) -> _Piece | None:
+    """The first piece on which lambda > 0 is not shown and its slope is < 0, or that is too short to be cut; ``shown``
+    notes the pieces before it. None when lambda > 0 up to the end; and, if ``gives_up``, when lambda has become so
+    large that no zero is to be expected: a heuristic."""
     large = arb(2) ** _BITS_OF_LARGE * (1 + abs(arb(mean)) + abs(arb(state.b)) + abs(arb(state.V)) + arb(state.force))
     steps = int((series_work(state, duration) / _WORK_OF_A_CELL).ceil())
     for cell in series_cells(state, duration, max(1, steps), bits):
@@ -107,29 +145,33 @@ def _not_positive(state: Deviation, mean: fmpq, duration: fmpq, bits: int, gives
             waiting = [_Piece(cell, mean, fmpq(0), fmpq(1))]
             while waiting:
                 piece = waiting.pop()
-                if piece.force() > 0:
+                found = piece.shown_positive()
+                if found is not None:
+                    shown.note(piece, found)
                     continue
-                end = piece.sign_at(piece.right) if piece.slope() < 0 else None
-                if end == 1:  # it falls, and is still positive
-                    continue
-                if end == -1 or piece.right - piece.left <= _LEAST_PIECE:
-                    yield piece
-                    return
+                falls = piece.slope() < 0 and piece.force_at(piece.right) < 0
+                if falls or piece.right - piece.left <= _LEAST_PIECE:
+                    return piece
                 waiting += reversed(piece.halves())
             if gives_up and cell.at(arb(1))[3] - cell.at(arb(1))[2] > large:
-                return
+                return None
+    return None
 
 
-def _bracket(piece: _Piece, width: fmpq, bits: int) -> tuple[fmpq, fmpq] | None:
+def _bracket(piece: _Piece, width: fmpq, bits: int, shown: _Shown) -> SeriesZero | None:
     """Halved down to a part of length ``width`` of the cell, while the signs at both ends are certain."""
     with working_bits(bits + 64):
         left, right = piece.left, piece.right
-        if not (piece.slope() < 0 and piece.sign_at(left) == 1 and piece.sign_at(right) == -1):
-            return None
         while right - left > width:
             middle = (left + right) / 2
-            sign = piece.sign_at(middle)
+            sign = sign_of(piece.force_at(middle))
             if sign not in (1, -1):
                 return None
             left, right = (middle, right) if sign == 1 else (left, middle)
-    return piece.cell.first + left * piece.cell.width, piece.cell.first + right * piece.cell.width
+        lower, upper = piece.time(left), piece.time(right)
+        evidence = every([
+            # lambda > 0 before the piece, and on it up to ``lower``: it falls there.
+            cover([*shown.pieces, (piece.time(piece.left), lower)], (fmpq(0), lower)), *shown.evidence,
+            less(piece.slope(), 0), less(0, piece.force_at(left)), less(piece.force_at(right), 0),
+        ])  # fmt: skip
+    return None if evidence is None else SeriesZero(lower, upper, evidence)

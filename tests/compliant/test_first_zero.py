@@ -14,6 +14,7 @@ from flint import arb, fmpq
 from strategies import ends
 
 from gspot_verified.balls import working_bits
+from gspot_verified.compliant import first_zero as first_zero_module
 from gspot_verified.compliant.compliant_force import SlowManifold, compliant_force, contact_motion
 from gspot_verified.compliant.first_zero import _cut, contact_lasts, first_zero
 from gspot_verified.compliant.force_range import ForceRange, slow_range
@@ -127,6 +128,27 @@ def test_contact_lasts() -> None:
     assert contact_lasts(model, state, "11e-4").outcome is Outcome.UNDECIDED
     with pytest.raises(ValueError, match="before the initial state"):
         contact_lasts(model, state, -1)
+
+
+def test_contact_lasts_by_intervals_that_cover_the_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    model, state = paper_run("5/2", "1/2", "1e-6")
+    assert "cover [-500000, -400000]" in str(contact_lasts(model, state, "-2/5").evidence)
+    monkeypatch.setattr(first_zero_module, "less", lambda *_: None)  # nothing is certain
+    assert contact_lasts(model, state, "-2/5").outcome is Outcome.UNDECIDED
+
+
+def test_a_bracket_that_is_rounded_inward_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    model, state = paper_run("5/2", "1/2", "1e-6")
+    assert first_zero(model, state, digits=6).verdict.outcome is Outcome.PROVED
+    monkeypatch.setattr(first_zero_module, "_outward", lambda lower, upper: (upper, lower))
+    found = first_zero(model, state, digits=6)
+    assert (found.verdict.outcome, found.lower, found.upper) == (Outcome.UNDECIDED, None, None)
+
+
+def test_a_slope_that_is_not_negative_gives_no_bracket(monkeypatch: pytest.MonkeyPatch) -> None:
+    model, state = paper_run("5/2", "1/2", "1e-6")
+    monkeypatch.setattr(ForceRange, "slope", lambda *_: arb(-1, 2))
+    assert first_zero(model, state, digits=6, budget=30).verdict.outcome is Outcome.UNDECIDED
 
 
 def test_a_run_that_never_lifts_off_has_no_bracket() -> None:

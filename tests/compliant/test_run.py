@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
+from typing import Any
 
 import pytest
 from flight_witness import lift_off_by_series
@@ -10,10 +12,11 @@ from flint import arb, fmpq
 from witness import contains_witness, to_fraction
 
 from gspot_verified.balls import working_bits
+from gspot_verified.compliant.first_zero import FirstZero, first_zero
 from gspot_verified.compliant.normal_form import compliant_model, compliant_state
 from gspot_verified.compliant.paper_state import paper_state
 from gspot_verified.compliant.run import IMPACT, ONE_FLIGHT, TRIVIAL, Run, compliant_run
-from gspot_verified.verdict import Outcome
+from gspot_verified.verdict import Outcome, Reason, Verdict
 
 NUS = ("1/4", "1/2", "1", "2", "4")
 VERDICTS = {
@@ -93,6 +96,22 @@ def test_units_other_than_the_normal_form() -> None:
         assert first.lower < 2 * second.upper
         assert 2 * second.lower < first.upper
         assert second.velocity.overlaps(2 * first.velocity)
+
+
+@pytest.mark.parametrize(("beta", "alpha_2"), [("3/2", -1), ("3/2", 1)], ids=["one flight", "it never ends"])
+def test_what_follows_a_lift_off_rests_on_it(monkeypatch: pytest.MonkeyPatch, beta: str, alpha_2: int) -> None:
+    model = compliant_model(beta, "1e-4", alpha_2=alpha_2)
+    run = compliant_run(model, paper_state(model, 2))
+    assert run.verdict.outcome is Outcome.PROVED
+    assert str(run.events[0].evidence) in str(run.verdict.evidence)
+
+    def not_shown(*arguments: Any) -> FirstZero:
+        """The bracket without its verdict."""
+        found = first_zero(*arguments)
+        return dataclasses.replace(found, verdict=Verdict.undecided("it", Reason.BUDGET, "for the test"))
+
+    monkeypatch.setattr("gspot_verified.compliant.run.first_zero", not_shown)
+    assert compliant_run(model, paper_state(model, 2)).verdict.outcome is Outcome.UNDECIDED
 
 
 def test_a_flight_that_never_ends() -> None:

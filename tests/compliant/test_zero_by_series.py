@@ -5,7 +5,9 @@ Page: proofs/contact_series.md, section 4.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
+from typing import Any
 
 import mpmath
 import pytest
@@ -18,7 +20,7 @@ from strategies import ends, to_fmpq
 from gspot_verified.balls import working_bits
 from gspot_verified.compliant import first_zero as first_zero_module
 from gspot_verified.compliant.compliant_force import compliant_force
-from gspot_verified.compliant.contact_series import series_cells
+from gspot_verified.compliant.contact_series import SeriesCell, series_cells
 from gspot_verified.compliant.first_zero import contact_lasts, first_zero
 from gspot_verified.compliant.normal_form import compliant_model, compliant_state, deviation
 from gspot_verified.compliant.paper_state import paper_state
@@ -87,7 +89,7 @@ def test_the_second_zero_is_not_taken_for_the_first() -> None:
     assert found.upper is not None
     assert force_by_equations(model, state, found.lower) > 0 > force_by_equations(model, state, found.upper)
     assert force_by_equations(model, state, found.start + 50 * (found.upper - found.start)) > 0
-    assert not positive_by_series(deviation(model, state), model.mean_force, fmpq(60))
+    assert positive_by_series(deviation(model, state), model.mean_force, fmpq(60)) is None
 
 
 @pytest.mark.parametrize(
@@ -182,3 +184,39 @@ def test_a_state_far_from_the_slow_manifold_has_its_first_zero_by_the_series() -
     short = first_zero(model, state, digits=12, budget=3)
     assert short.verdict.outcome is Outcome.UNDECIDED
     assert "its budget of 3 " in short.verdict.detail
+
+
+def test_a_cell_that_is_left_out_shows_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The pieces must cover the time from the state on, by their exact ends."""
+    model, state = motion("1/10")
+    hats = deviation(model, state)
+    found = zero_by_series(hats, model.mean_force, fmpq(1, 10**6), 80)
+    assert found is not None
+    shown = positive_by_series(hats, model.mean_force, found.lower)
+    assert shown is not None
+    assert f"cover [0, {found.lower}]" in str(shown)
+    assert f"cover [0, {found.lower}]" in str(found.evidence)
+
+    def without_the_first(*arguments: Any) -> Iterator[SeriesCell]:
+        cells = series_cells(*arguments)
+        next(cells)
+        yield from cells
+
+    monkeypatch.setattr("gspot_verified.compliant.zero_by_series.series_cells", without_the_first)
+    assert positive_by_series(hats, model.mean_force, found.lower) is None
+    assert zero_by_series(hats, model.mean_force, fmpq(1, 10**6), 80) is None
+
+
+@pytest.mark.parametrize("claimed", [1, -1])
+def test_a_sign_that_is_claimed_and_not_there_is_no_bracket(monkeypatch: pytest.MonkeyPatch, claimed: int) -> None:
+    """The bisection goes the wrong way: then one end has not its sign, and it is compared once more as evidence."""
+    model, state = motion("1/10")
+    monkeypatch.setattr("gspot_verified.compliant.zero_by_series.sign_of", lambda _: claimed)
+    assert zero_by_series(deviation(model, state), model.mean_force, fmpq(1, 10**6), 80) is None
+
+
+def test_at_the_state_itself_the_force_is_compared() -> None:
+    model, state = motion("1/10")
+    hats = deviation(model, state)
+    assert positive_by_series(hats, model.mean_force, fmpq(0)) is not None
+    assert positive_by_series(hats, -hats.force, fmpq(0)) is None
