@@ -24,7 +24,7 @@ from gspot_verified.compliant.run import compliant_run
 from gspot_verified.compliant.run_plan import later_times
 from gspot_verified.compliant.side_rule import SideRule, side_rule
 from gspot_verified.compliant.zero_by_series import positive_by_series, zero_by_series
-from gspot_verified.evidence import less
+from gspot_verified.evidence import every, less
 from gspot_verified.scenes.certified_run import exact_start
 from gspot_verified.scenes.effects.lift_off import LIFT_OFF
 from gspot_verified.scenes.float_run import float_run
@@ -85,8 +85,9 @@ def certified_side(scene: Scene) -> CertifiedSide:
     run = compliant_run(model, state, 3)
     if run.verdict.outcome is Outcome.PROVED and run.verdict.statement == LASTING:
         return CertifiedSide(LASTS, rule, Verdict.proved(LASTS, run.verdict.evidence, run.verdict.detail))
-    if any(event.name == LIFT_OFF for event in run.events):
-        return CertifiedSide(LOST, rule, Verdict.argued(LOST, "λ_N > 0 up to a zero, dλ_N/dt < 0 at it"))
+    lost = next((event.evidence for event in run.events if event.name == LIFT_OFF), None)
+    if lost is not None:
+        return CertifiedSide(LOST, rule, Verdict.proved(LOST, lost, "λ_N > 0 up to a zero, dλ_N/dt < 0 at it"))
     text = "whether contact is lost or lasts"
     return CertifiedSide(None, rule, Verdict.undecided(text, Reason.BUDGET, "neither was shown"))
 
@@ -97,12 +98,17 @@ def _by_series(model: CompliantModel, state: CompliantState) -> Verdict | None:
     mean = model.mean_force * model.sigma**2
     for time in later_times(model):
         there = contact_state(compliant_force(model, state, time, _DIGITS), _BITS)
-        if lasting_contact(there, _BITS).outcome is Outcome.PROVED:
-            if positive_by_series(start, mean, start.p / start.epsilon - model.alpha_1 * time / start.epsilon):
-                return Verdict.argued(LASTS, "λ_N > 0 by its power series up to a state in an invariant set")
+        lasting = lasting_contact(there, _BITS)
+        if lasting.outcome is Outcome.PROVED:
+            until = start.p / start.epsilon - model.alpha_1 * time / start.epsilon
+            shown = every([positive_by_series(start, mean, until), lasting.evidence])
+            if shown is not None:
+                text = "λ_N > 0 by its power series up to a state in an invariant set"
+                return Verdict.proved(LASTS, shown, text)
             break
-    if zero_by_series(start, mean, fmpq(1, 1000), _BITS) is not None:
-        return Verdict.argued(LOST, "λ_N > 0 by its power series up to a zero, dλ_N/dt < 0 at it")
+    zero = zero_by_series(start, mean, fmpq(1, 1000), _BITS)
+    if zero is not None:
+        return Verdict.proved(LOST, zero.evidence, "λ_N > 0 by its power series up to a zero, dλ_N/dt < 0 at it")
     return None
 
 

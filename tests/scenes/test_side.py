@@ -5,6 +5,7 @@ Which side SciPy gives near the canard is no property of this package: it is rec
 
 from __future__ import annotations
 
+import dataclasses
 import json
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ from flint import fmpq
 
 from gspot_verified.compliant.normal_form import compliant_model, compliant_state
 from gspot_verified.compliant.side_rule import side_rule
+from gspot_verified.evidence import less
 from gspot_verified.scenes import hard_sides, side
 from gspot_verified.scenes.file import load_scene
 from gspot_verified.scenes.scene import Scene, SceneError
@@ -151,6 +153,18 @@ def test_a_scene_that_the_exact_solution_does_not_cover_is_refused() -> None:
         certified_side(load_scene("fig-varsim2"))
 
 
+def test_without_the_sign_of_k_a_loss_rests_on_the_lift_off_of_the_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = start("5/2", "1/2", "1e-4")
+    assert certified_side(scene).verdict.detail == "K < 0"
+    monkeypatch.setattr(side, "less", lambda *_: None)
+    found = certified_side(scene)
+    assert (found.side, found.verdict.outcome) == (LOST, Outcome.PROVED)
+    assert "cover" in str(found.verdict.evidence)
+    runs = side.compliant_run
+    monkeypatch.setattr(side, "compliant_run", lambda *given: dataclasses.replace(runs(*given), events=()))
+    assert certified_side(scene).verdict.outcome is Outcome.UNDECIDED
+
+
 def test_what_a_float_run_says(monkeypatch: pytest.MonkeyPatch) -> None:
     """Far from the canard: |K| is 10^5 times the tolerance, so every solver that keeps it has the right side."""
     scene = start("5/2", "2", "1e-2")
@@ -174,7 +188,7 @@ def fake(answers: dict[fmpq, str | None], said: dict[fmpq, str], monkeypatch: py
     def certified(scene: Scene) -> CertifiedSide:
         found = answers[scene.start["nu"]]
         open_verdict = Verdict.undecided("which side", Reason.BUDGET, "for the test")
-        return CertifiedSide(found, rule, open_verdict if found is None else Verdict.argued(found, "for the test"))
+        return CertifiedSide(found, rule, open_verdict if found is None else Verdict.proved(found, less(0, 1)))
 
     monkeypatch.setattr(hard_sides, "certified_side", certified)
     monkeypatch.setattr(hard_sides, "float_side", lambda scene, *_: said[scene.start["nu"]])
