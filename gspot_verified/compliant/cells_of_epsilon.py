@@ -15,17 +15,16 @@ from gspot_verified.compliant.least_value import halves
 from gspot_verified.compliant.lower_polynomial import drift, leading_enclosures, lower_terms
 from gspot_verified.compliant.profile import Profile
 from gspot_verified.compliant.taylor_cell import TaylorCell
+from gspot_verified.evidence import Ends, cover, equal, every, less
+from gspot_verified.verdict import Evidence
 
 MAX_CELLS = 250
 _DIGITS = 15
 _MOST_RIGHT = 60
 
 
-def above_on_cell(beta: fmpq, start: fmpq, roots: tuple[fmpq, fmpq], bound: arb) -> bool:
-    """Whether f(tau; eta) > ``bound`` is certain for every tau >= start and every eta in [roots[0], roots[1]].
-
-    False says nothing.
-    """
+def above_on_cell(beta: fmpq, start: fmpq, roots: tuple[fmpq, fmpq], bound: arb) -> Evidence | None:
+    """That f(tau; eta) > ``bound`` for every tau >= start and every eta in [roots[0], roots[1]]; None says nothing."""
     profile = Profile.at_root(beta, roots[0]) if roots[0] > 0 else Profile.leading_order(beta)
     count = 1 + max((term.order for term in lower_terms(beta - 1)), default=0) + profile.order
 
@@ -33,26 +32,39 @@ def above_on_cell(beta: fmpq, start: fmpq, roots: tuple[fmpq, fmpq], bound: arb)
         return drift(beta, derivative, roots, leading_enclosures(beta, lower, upper, count))
 
     with working_bits(bits_for_digits(_DIGITS) + 64):
-        right = _rising_from(profile, start, change)
-        if right is None or not profile.value(right, _DIGITS) + change(right, right, 0) > bound:
-            return False
+        found = _rising_from(profile, start, change)
+        if found is None:
+            return None
+        right, rises = found
+        if (beyond := less(bound, profile.value(right, _DIGITS) + change(right, right, 0))) is None:
+            return None
+        parts: list[Ends] = [(right, None)]
+        shown = [rises, beyond]
         waiting = [(start, right)] if right > start else []
         for _ in range(MAX_CELLS):
             if not waiting:
-                return True
+                break
             lower, upper = waiting.pop()
-            if not TaylorCell(profile, lower, upper, _DIGITS).least + change(lower, upper, 0) > bound:
+            above = less(bound, TaylorCell(profile, lower, upper, _DIGITS).least + change(lower, upper, 0))
+            if above is None:
                 waiting += reversed(halves(lower, upper))
-        return not waiting
+                continue
+            parts.append((lower, upper))
+            shown.append(above)
+        return every([cover(parts, (start, None)), *shown])
 
 
-def _rising_from(profile: Profile, start: fmpq, change: Callable[[fmpq, fmpq, int], arb]) -> fmpq | None:
+def _rising_from(
+    profile: Profile, start: fmpq, change: Callable[[fmpq, fmpq, int], arb]
+) -> tuple[fmpq, Evidence] | None:
     """A point >= start at which f', ..., f^(n) > 0 for every eta of the cell, so that f increases from there on."""
     point = start
     while point <= max(start, fmpq(_MOST_RIGHT)):
         slopes = profile.derivatives(point, range(1, profile.order + 1), _DIGITS)
-        if all(slope + change(point, point, j) > 0 for j, slope in enumerate(slopes, 1)):
-            return point
+        above = (less(0, slope + change(point, point, j)) for j, slope in enumerate(slopes, 1))
+        rises = every([equal(len(slopes), profile.order), *above])
+        if rises is not None:
+            return point, rises
         point += 1
     return None
 

@@ -9,6 +9,8 @@ from flint import arb, fmpq
 
 from gspot_verified.balls import bits_for_digits, working_bits
 from gspot_verified.compliant.profile import Profile
+from gspot_verified.evidence import at_most, every, less
+from gspot_verified.verdict import Evidence
 
 _DIGITS = 15
 _GUARD_BITS = 64
@@ -32,29 +34,33 @@ def lead(profile: Profile, lower: fmpq, upper: fmpq) -> arb | None:
         return (profile.eta(128) / 8 * fourth / slopes[0]).upper()
 
 
-def uniform_constant(profile: Profile, earliest: fmpq, leading: tuple[fmpq, fmpq]) -> arb | None:
+def uniform_constant(profile: Profile, earliest: fmpq, leading: tuple[fmpq, fmpq]) -> tuple[arb, Evidence] | None:
     """kappa with tau_LO - kappa (eta/8) tau_LO^(3/2) <= tau_lo <= tau_LO for every eps up to the one of ``profile``.
 
-    At that eps ``earliest`` <= tau_lo, and ``leading`` encloses tau_LO. None where a hypothesis of the page is not
-    certain.
+    At that eps ``earliest`` <= tau_lo, and ``leading`` encloses tau_LO. With the hypotheses of the page as
+    evidence; None where one is not certain.
     """
     b, n = profile.beta - 1, profile.order
-    if not (0 < b < 4 and 1 < earliest <= leading[0]):
+    ordered = every([less(0, b), less(b, 4), less(1, earliest), at_most(earliest, leading[0])])
+    if ordered is None:
         return None
     at_zero = Profile.leading_order(profile.beta)
     with working_bits(bits_for_digits(_DIGITS) + _GUARD_BITS):
         first, second, latest = arb(earliest), arb(leading[0]), arb(leading[1])
         at_first = at_zero.derivatives(earliest, range(max(n, 2) + 1), _DIGITS)
         at_second = at_zero.derivatives(leading[0], range(n + 2), _DIGITS)
-        rising = all(value > 0 for value in at_first)
-        below_root = at_first[2] <= first.sqrt() * at_first[1]
-        shrinking = all(second * at_second[k + 1] + (k - 4 * b) * at_second[k] > 0 for k in range(n + 1))
-        growing = 2 * first * first.sqrt() >= 5 - b
-        if not (rising and below_root and shrinking and growing):
+        evidence = every([
+            ordered,
+            *(less(0, value) for value in at_first),  # f_0 rises, as its derivatives do
+            at_most(at_first[2], first.sqrt() * at_first[1]),
+            *(less(0, second * at_second[k + 1] + (k - 4 * b) * at_second[k]) for k in range(n + 1)),
+            at_most(5 - b, 2 * first * first.sqrt()),
+        ])  # fmt: skip
+        if evidence is None:
             return None
         eta = profile.eta(128)
         excess = eta * _fourth_root_of_moment(latest, b, eta) ** 4 / 8
-        return (excess.exp() * (1 + arb(max(fmpq(0), 1 - b)) / (first * first.sqrt()))).upper()
+        return (excess.exp() * (1 + arb(max(fmpq(0), 1 - b)) / (first * first.sqrt()))).upper(), evidence
 
 
 def _fourth_root_of_moment(tau: arb, b: fmpq, eta: arb) -> arb:

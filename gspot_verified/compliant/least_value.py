@@ -13,6 +13,8 @@ from flint import arb, fmpq
 from gspot_verified.balls import approximate, bits_for_digits, working_bits
 from gspot_verified.compliant.profile import Profile
 from gspot_verified.compliant.taylor_cell import TaylorCell
+from gspot_verified.evidence import at_most, cover, equal, every, less
+from gspot_verified.verdict import Evidence
 
 MAX_CELLS = 2_000
 MAX_RIGHT = fmpq(10**4)
@@ -22,11 +24,14 @@ _SPARE_DIGITS = 4
 
 @dataclass(frozen=True, slots=True)
 class LeastValue:
-    """``lower`` <= f(tau) for every tau >= start, and f(``place``) <= ``upper``, place >= start. Exact balls."""
+    """``lower`` <= f(tau) for every tau >= start, and f(``place``) <= ``upper``, place >= start. Exact balls.
+
+    ``evidence``: f rises from a point on, and the cells that cover what is before it have the lower bound."""
 
     lower: arb
     upper: arb
     place: fmpq
+    evidence: Evidence | None
 
 
 def least_value(profile: Profile, start: fmpq, digits: int = 8) -> LeastValue | None:
@@ -38,9 +43,10 @@ def least_value(profile: Profile, start: fmpq, digits: int = 8) -> LeastValue | 
     (True, True)
     """
     accuracy = digits + _SPARE_DIGITS
-    right = rising_from(profile, start, accuracy)
-    if right is None:
+    found = rising_from(profile, start, accuracy)
+    if found is None:
         return None
+    right, rises = found
     with working_bits(bits_for_digits(accuracy) + _GUARD_BITS):
         end, first = profile.value(right, accuracy), profile.value(start, accuracy)
         settled = end.lower()  # a lower bound of f beyond ``right`` and on the cells that are done
@@ -48,6 +54,7 @@ def least_value(profile: Profile, start: fmpq, digits: int = 8) -> LeastValue | 
         waiting: list[tuple[float, int, TaylorCell]] = []
         fresh = [TaylorCell(profile, start, right, accuracy)] if right > start else []
         number = 0
+        done: list[TaylorCell] = []
         goal = arb(10) ** -digits
         while True:
             for cell in fresh:
@@ -60,9 +67,15 @@ def least_value(profile: Profile, start: fmpq, digits: int = 8) -> LeastValue | 
             cell = heapq.heappop(waiting)[2]
             if number >= MAX_CELLS or cell.least >= upper - goal * abs(upper):
                 settled, fresh = settled.min(cell.least), []
+                done.append(cell)
             else:
                 fresh = [TaylorCell(profile, *ends, accuracy) for ends in halves(cell.lower, cell.upper)]
-        return LeastValue(settled.lower(), upper, place)
+        least = settled.lower()
+        evidence = every([
+            rises, cover([(right, None), *((cell.lower, cell.upper) for cell in done)], (start, None)),
+            at_most(least, end.lower()), *(at_most(least, cell.least) for cell in done),
+        ])  # fmt: skip
+        return LeastValue(least, upper, place, evidence)
 
 
 def halves(lower: fmpq, upper: fmpq) -> tuple[tuple[fmpq, fmpq], tuple[fmpq, fmpq]]:
@@ -71,14 +84,15 @@ def halves(lower: fmpq, upper: fmpq) -> tuple[tuple[fmpq, fmpq], tuple[fmpq, fmp
     return (lower, middle), (middle, upper)
 
 
-def rising_from(profile: Profile, start: fmpq, digits: int) -> fmpq | None:
+def rising_from(profile: Profile, start: fmpq, digits: int) -> tuple[fmpq, Evidence] | None:
     """A point >= start at which f', ..., f^(n) are certainly > 0, so that f increases from there on."""
     step = fmpq(1)
     point = start
     while point <= max(MAX_RIGHT, start):
         slopes = profile.derivatives(point, range(1, profile.order + 1), digits)
-        if all(slope > 0 for slope in slopes):
-            return point
+        rises = every([equal(len(slopes), profile.order), *(less(0, slope) for slope in slopes)])
+        if rises is not None:
+            return point, rises
         point += step
         if point > 8:
             step *= 2

@@ -18,6 +18,7 @@ from gspot_verified.compliant.delay import lead, uniform_constant
 from gspot_verified.compliant.profile import SLOW, Profile, in_range
 from gspot_verified.compliant.to_the_left import positive_to_the_left
 from gspot_verified.dyadic import Dyadic
+from gspot_verified.evidence import at_most, theorem
 from gspot_verified.signs.contact_force import ContactForce
 from gspot_verified.signs.lift_off import LiftOff
 from gspot_verified.signs.ranges import Range
@@ -106,16 +107,18 @@ def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: in
         return _open(epsilon, start, text, "a value of λ_N is too close to 0, or nothing was found")
     lower, upper = crossing.lower, crossing.upper
     text = f"{where}, λ_N > 0 on [{start}, τ_lo) and λ_N changes sign at τ_lo, τ_lo in ({decimal_text(lower, upper)})"
-    proved = Verdict.argued(text)
+    proved = Verdict.proved(text, crossing.evidence)
     whole = positive_to_the_left(force, profile, start)
     if leading.verdict.outcome is not Outcome.PROVED or leading.lower is None or leading.upper is None:
         return SlowLiftOff(epsilon, start, lower, upper, None, None, whole, proved, None)
-    constant = uniform_constant(profile, lower, (leading.lower, leading.upper))
-    kappa = None if constant is None or not constant.is_finite() else rounded_up(constant, _CONSTANT_DIGITS)
-    return SlowLiftOff(
-        epsilon, start, lower, upper, lead(profile, lower, upper), kappa, whole, proved,
-        None if kappa is None else Verdict.argued(_for_all(epsilon, start, kappa)),
-    )  # fmt: skip
+    kappa, uniform = None, None
+    found = uniform_constant(profile, lower, (leading.lower, leading.upper))
+    if found is not None and found[0].is_finite():
+        kappa = rounded_up(found[0], _CONSTANT_DIGITS)
+        both = [crossing.evidence, leading.verdict.evidence]
+        shown = theorem("proofs/monotone.md, section 9", *both, found[1], at_most(found[0], kappa))
+        uniform = None if shown is None else Verdict.proved(_for_all(epsilon, start, kappa), shown)
+    return SlowLiftOff(epsilon, start, lower, upper, lead(profile, lower, upper), kappa, whole, proved, uniform)
 
 
 def _open(epsilon: fmpq, start: fmpq, text: str, why: str) -> SlowLiftOff:

@@ -17,7 +17,7 @@ from gspot_verified.compliant.profile import SLOW, Profile, in_range
 from gspot_verified.compliant.threshold import MAX_BETA_OF_THEOREM, Threshold, exact_threshold, fails_at
 from gspot_verified.compliant.threshold_by_cells import MAX_BETA, threshold_by_cells
 from gspot_verified.compliant.to_the_left import positive_to_the_left
-from gspot_verified.evidence import less, theorem
+from gspot_verified.evidence import every, less, theorem
 from gspot_verified.signs.iwc import IwcResult, force_statement
 from gspot_verified.signs.ranges import Range
 from gspot_verified.signs.refutation import refutation
@@ -104,7 +104,7 @@ def _by_cells(leading: IwcResult, digits: int) -> SlowManifold | None:
     if exact is None:
         text = f"{SLOW}, some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
         return SlowManifold(Verdict.undecided(text, Reason.BUDGET, "no cell of ε was settled"), start, False)
-    return SlowManifold(Verdict.argued(force_statement(start, None, exact.lower, SLOW), BY_CELLS), start, whole, exact)
+    return SlowManifold(_up_to(exact, exact.evidence, start, BY_CELLS), start, whole, exact)
 
 
 def _below_threshold(leading: IwcResult, digits: int) -> SlowManifold:
@@ -116,8 +116,16 @@ def _below_threshold(leading: IwcResult, digits: int) -> SlowManifold:
     if exact is None:
         text = f"{SLOW}, some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
         return SlowManifold(Verdict.undecided(text, Reason.BUDGET, "none at leading order to begin with"), start, False)
-    verdict = Verdict.argued(force_statement(start, None, exact.lower, SLOW), ABOVE)
-    return SlowManifold(verdict, start, whole, exact)
+    shown = every([_above(leading), exact.evidence])
+    return SlowManifold(_up_to(exact, shown, start, ABOVE), start, whole, exact)
+
+
+def _up_to(exact: Threshold, shown: Evidence | None, start: fmpq | None, why: str) -> Verdict:
+    """That the force is positive below the exact eps_0, where that was shown."""
+    text = force_statement(start, None, exact.lower, SLOW)
+    if shown is None:
+        return Verdict.undecided(text, Reason.HYPOTHESIS, "a comparison on the way to it is not certain")
+    return Verdict.proved(text, shown, why)
 
 
 def _above(leading: IwcResult) -> Evidence | None:
@@ -149,7 +157,7 @@ def _at_epsilon(leading: IwcResult, epsilon: fmpq, digits: int) -> SlowManifold:
         with working_bits(4 * digits + 64):
             size = force.amplitude(digits) * arb(epsilon) ** arb(force.exponent)
             bound = force.mean + size * least.lower
-        if (positive := less(0, bound)) is not None:
+        if (positive := every([less(0, bound), least.evidence])) is not None:
             verdict = Verdict.proved(text, positive, "least value by branch and bound (proofs/monotone.md)")
             return SlowManifold(verdict, start, whole)
         asked = {"τ": Range(start, None, True, False)}

@@ -12,6 +12,8 @@ from math import factorial
 from flint import arb, fmpq
 
 from gspot_verified.compliant.profile import Profile
+from gspot_verified.evidence import less
+from gspot_verified.verdict import Evidence
 
 
 @dataclass(frozen=True)
@@ -47,7 +49,7 @@ class TaylorCell:
             bound -= abs(taylor[k]) * half**k
         if n % 2:
             bound -= taylor[n] * half**n
-        return larger(bound, self.profile.value(self.lower, self.digits)) if self.rising else bound.lower()
+        return larger(bound, self.profile.value(self.lower, self.digits)) if self.rising is not None else bound.lower()
 
     @cached_property
     def greatest(self) -> arb:
@@ -60,15 +62,15 @@ class TaylorCell:
         return bound.upper()
 
     @cached_property
-    def rising(self) -> bool:
-        """Whether f' > 0 on the interval, certainly."""
+    def rising(self) -> Evidence | None:
+        """That f' > 0 on the interval; None where it is not certain. For n < 2 it holds everywhere."""
         n, half, taylor = self.profile.order, self._half, self.taylor
         if n < 2:
-            return True
+            return less(n, 2)
         slope = taylor[1] - sum((k * abs(taylor[k]) * half ** (k - 1) for k in range(2, n)), arb(0))
         if n % 2 == 0:
             slope -= n * taylor[n] * half ** (n - 1)
-        return bool(slope > 0)
+        return less(0, slope)
 
 
 def _parabola(taylor: list[arb], half: arb) -> arb:

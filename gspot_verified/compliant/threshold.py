@@ -7,7 +7,7 @@ Proof page: ``proofs/monotone.md``, section 6.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from flint import arb, fmpq
@@ -16,8 +16,9 @@ from gspot_verified.balls import approximate, working_bits
 from gspot_verified.compliant.least_value import LeastValue, least_value
 from gspot_verified.compliant.profile import Profile, scaled_epsilon
 from gspot_verified.compliant.slow_solution import MAX_EPSILON, MAX_TENS
-from gspot_verified.signs.contact_force import ContactForce, rounded_down
-from gspot_verified.verdict import NoTruthValue
+from gspot_verified.evidence import at_most, every, less
+from gspot_verified.signs.contact_force import ContactForce, below_threshold, rounded_down
+from gspot_verified.verdict import Evidence, NoTruthValue
 
 MAX_BETA_OF_THEOREM = 5
 MAX_STEPS = 60
@@ -28,7 +29,8 @@ _SPARE_DIGITS = 3
 class Threshold(NoTruthValue):
     """The force is positive on the half-line for every eps < ``lower``, and not at eps = ``upper``, which ``place``
     shows (lambda_N <= 0 there). ``every_epsilon``: it is positive at every eps > 0, and both are None. ``upper`` is
-    None when the search ended before; ``steps`` counts the iterations."""
+    None when the search ended before; ``steps`` counts the iterations. ``evidence``: what shows that, beside what was
+    proved to begin with; None where it is not certain."""
 
     ask: ClassVar[str] = ".every_epsilon, or .lower and .upper"
 
@@ -37,6 +39,7 @@ class Threshold(NoTruthValue):
     place: fmpq | None
     every_epsilon: bool
     steps: int
+    evidence: Evidence | None = field(compare=False, repr=False)
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for ``json.dumps``; exact rationals as text."""
@@ -72,21 +75,30 @@ def exact_threshold(force: ContactForce, start: fmpq, proved: fmpq, digits: int 
         raise ValueError(f"beta: the theorem needs beta < {MAX_BETA_OF_THEOREM}, got {force.beta}")
     accuracy = digits + _SPARE_DIGITS + max(0, math.ceil(-math.log10(abs(approximate(force.exponent)))))
     bound, place = proved, None
+    shown: list[Evidence | None] = []
+
+    def up_to(lower: fmpq, upper: fmpq | None, place: fmpq | None, step: int) -> Threshold:
+        return Threshold(lower, upper, place, False, step, every([*shown, at_most(lower, bound)]))
+
     for step in range(MAX_STEPS):
         root = root_below(scaled_epsilon(force, bound), accuracy)
         if root is None:
-            return Threshold(bound, None, None, False, step)
+            return up_to(bound, None, None, step)
         least = least_value(Profile.at_root(force.beta, root), start, accuracy)
         if least is None:
-            return Threshold(bound, None, None, False, step)
-        if force.beta > 1 and least.lower >= 0:
-            return Threshold(None, None, None, True, step + 1)
-        following = exponential_below(force, least, accuracy)
-        bound, place = max(bound, following or bound), least.place
+            return up_to(bound, None, None, step)
+        # Below the bound it is positive by what was shown before; from there on M is at least the one at the root.
+        here = [at_most(2 * root**3, scaled_epsilon(force, bound)), least.evidence]
+        if (nowhere_less := every([less(1, force.beta), at_most(0, least.lower)])) is not None:
+            return Threshold(None, None, None, True, step + 1, every([*shown, *here, nowhere_less]))
+        following, place = exponential_below(force, least, accuracy), least.place
+        if following is not None and following > bound:
+            shown += [*here, below_threshold(following, force.log_epsilon(least.lower, 2 * accuracy))]
+            bound = following
         beyond = next_decimal(bound, digits)
-        if fails_at(force, place, beyond, accuracy):
-            return Threshold(max(proved, rounded(bound, digits + 1)), beyond, place, False, step + 1)
-    return Threshold(bound, None, None, False, MAX_STEPS)
+        if fails_at(force, place, beyond, accuracy) is not None:
+            return up_to(max(proved, rounded(bound, digits + 1)), beyond, place, step + 1)
+    return up_to(bound, None, None, MAX_STEPS)
 
 
 def root_below(epsilon: fmpq, digits: int) -> fmpq | None:
@@ -135,8 +147,8 @@ def slow_force(force: ContactForce, tau: fmpq, epsilon: fmpq, digits: int = 15) 
         return arb(force.mean) + (size * value if force.takes_impact else -size * value)
 
 
-def fails_at(force: ContactForce, place: fmpq, epsilon: fmpq, digits: int) -> bool:
-    """Whether the slow contact force is certainly < 0 at one point."""
+def fails_at(force: ContactForce, place: fmpq, epsilon: fmpq, digits: int) -> Evidence | None:
+    """That the slow contact force is < 0 at one point; None where that is not certain."""
     if not scaled_epsilon(force, epsilon) <= MAX_EPSILON:
-        return False
-    return bool(slow_force(force, place, epsilon, digits) < 0)
+        return None
+    return less(slow_force(force, place, epsilon, digits), 0)

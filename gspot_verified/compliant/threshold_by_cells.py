@@ -12,7 +12,9 @@ from gspot_verified.compliant.cells_of_epsilon import above_on_cell, falling_to_
 from gspot_verified.compliant.least_value import least_value
 from gspot_verified.compliant.profile import Profile
 from gspot_verified.compliant.threshold import Threshold, exponential_below, fails_at, next_decimal, root_below, rounded
+from gspot_verified.evidence import Ends, at_most, cover, every
 from gspot_verified.signs.contact_force import ContactForce
+from gspot_verified.verdict import Evidence
 
 MAX_BETA = 13
 MAX_CELLS = 60
@@ -38,15 +40,27 @@ def threshold_by_cells(
     reached, target = fmpq(0), root_below(-force.alpha_1 * aim, accuracy)
     place: fmpq | None = None
     whole = left
+    cells: list[Ends] = []
+    shown: list[Evidence] = []
+
+    def up_to(lower: fmpq, upper: fmpq | None, place: fmpq | None, step: int) -> Threshold:
+        covered = cover(cells, (fmpq(0), reached))
+        return Threshold(
+            lower, upper, place, False, step, every([covered, *shown, at_most(lower, _epsilon(force, reached))])
+        )
+
     for step in range(1, MAX_CELLS + 1):
         if target is None or target <= reached:
             break
-        if not _holds(force, start, (reached, target), place):
+        holds = _holds(force, start, (reached, target), place)
+        if holds is None:
             target = (reached + target) / 2
             if target - reached <= _LEAST_WIDTH * target:
                 break
             continue
         whole = whole and falling_to_the_left(force.beta, start, (reached, target))
+        cells.append((reached, target))
+        shown.append(holds)
         reached = target
         bound = _epsilon(force, reached)
         least = least_value(Profile.at_root(force.beta, reached), start, accuracy)
@@ -54,25 +68,26 @@ def threshold_by_cells(
             break
         place = least.place
         beyond = next_decimal(bound, digits)
-        if fails_at(force, place, beyond, accuracy):
-            return Threshold(rounded(bound, digits + 1), beyond, place, False, step), whole
+        if fails_at(force, place, beyond, accuracy) is not None:
+            return up_to(rounded(bound, digits + 1), beyond, place, step), whole
         goal = exponential_below(force, least, accuracy)
         further = None if goal is None else root_below(-force.alpha_1 * goal, accuracy)
         target = None if further is None else reached + _SHARE * (further - reached)
     if reached == 0:
         return None, False
-    return Threshold(_epsilon(force, reached), None, None, False, MAX_CELLS), whole
+    return up_to(_epsilon(force, reached), None, None, MAX_CELLS), whole
 
 
 def _epsilon(force: ContactForce, root: fmpq) -> fmpq:
     return -2 * root**3 / force.alpha_1
 
 
-def _holds(force: ContactForce, start: fmpq, roots: tuple[fmpq, fmpq], place: fmpq | None) -> bool:
-    """Whether the force is positive on [start, infinity) for every eta of the cell, certainly."""
+def _holds(force: ContactForce, start: fmpq, roots: tuple[fmpq, fmpq], place: fmpq | None) -> Evidence | None:
+    """That the force is positive on [start, infinity) for every eta of the cell; None where it is not
+    certain."""
     epsilon = _epsilon(force, roots[1])
-    if place is not None and fails_at(force, place, epsilon, 15):
-        return False
+    if place is not None and fails_at(force, place, epsilon, 15) is not None:
+        return None
     with working_bits(128):
         bound = -force.level(epsilon, 20)
     return above_on_cell(force.beta, start, roots, arb(bound))

@@ -192,3 +192,33 @@ def test_a_level_that_is_nearly_touched_is_undecided(monkeypatch: pytest.MonkeyP
     places = [fmpq(k, 50) for k in range(-100, 200)]
     top = max((profile.value(place, 12).mid() for place in places[:150]), key=float)
     assert first_crossing(profile, fmpq(-2), lambda _: arb(top, 1), 6) is None
+
+
+def test_ends_without_their_signs_are_no_crossing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The bisection answers with another interval: its ends are compared once more, as evidence."""
+    profile = Profile(fmpq(5, 2), fmpq(1, 100))
+    found = first_crossing(profile, fmpq(-2), lambda _: arb(20), 6)
+    assert found is not None
+    assert f"cover [-2, {found.lower}]" in str(found.evidence)
+    for wrong in ((found.lower - 1, found.lower), (found.upper, found.upper + 1), (found.upper, found.lower)):
+        monkeypatch.setattr(crossing, "narrowed", lambda *_, wrong=wrong: wrong)
+        assert first_crossing(profile, fmpq(-2), lambda _: arb(20), 6) is None
+
+
+def test_an_interval_that_is_left_out_is_no_crossing(monkeypatch: pytest.MonkeyPatch) -> None:
+    profile = Profile(fmpq(10, 3), fmpq(1, 100))
+    assert first_crossing(profile, fmpq(-2), lambda _: arb(5), 6) is not None
+    monkeypatch.setattr(crossing, "halves", lambda lower, upper: (((lower + upper) / 2, upper),))
+    assert first_crossing(profile, fmpq(-2), lambda _: arb(5), 6) is None
+
+
+def test_without_a_hypothesis_of_the_constant_nothing_is_said_for_smaller_epsilon(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    force = contact_force("3/2", c1=-1)
+    leading = lift_off(force, fmpq(1, 1000), START, 6)
+    found = slow_lift_off(force, leading, START, 6)
+    assert found.uniform is not None
+    assert str(leading.verdict.evidence) in str(found.uniform.evidence)
+    monkeypatch.setattr("gspot_verified.compliant.delay.at_most", lambda *_: None)
+    assert slow_lift_off(force, leading, START, 6).uniform is None

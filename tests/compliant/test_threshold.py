@@ -5,7 +5,9 @@ Page: proofs/monotone.md.
 
 from __future__ import annotations
 
+import dataclasses
 from fractions import Fraction
+from typing import Any
 
 import pytest
 from flint import arb, fmpq
@@ -13,11 +15,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import to_fmpq
 
-from gspot_verified.compliant.least_value import least_value
+from gspot_verified.compliant import threshold
+from gspot_verified.compliant.least_value import LeastValue, least_value
 from gspot_verified.compliant.profile import Profile
+from gspot_verified.compliant.slow_manifold import impact
 from gspot_verified.compliant.threshold import exact_threshold, slow_force
 from gspot_verified.signs.contact_force import contact_force
 from gspot_verified.signs.iwc import iwc
+from gspot_verified.verdict import Outcome
 
 NOT_INTEGER = st.fractions(Fraction(1, 9), Fraction(44, 9), max_denominator=9).filter(lambda b: b.denominator > 1)
 START = fmpq(-10)
@@ -97,3 +102,35 @@ def test_refused() -> None:
 def test_far_out_of_range_it_stops_with_what_was_proved() -> None:
     found = exact_threshold(contact_force("1.0001"), START, fmpq(10) ** 100)
     assert (found.lower, found.upper, found.every_epsilon) == (fmpq(10) ** 100, None, False)
+
+
+def test_the_least_value_rests_on_cells_that_cover_the_half_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    profile = Profile.at_root(fmpq(5, 2), fmpq(1, 2))
+    found = least_value(profile, START, 4)
+    assert found is not None
+    assert "cover [-10, inf]" in str(found.evidence)
+    monkeypatch.setattr(
+        "gspot_verified.compliant.least_value.halves", lambda lower, upper: ((lower, (lower + upper) / 2),)
+    )
+    lost = least_value(profile, START, 4)
+    assert lost is not None
+    assert lost.evidence is None
+
+
+def test_without_a_certain_least_value_no_threshold_is_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The numbers are found all the same; the verdict that would rest on them is undecided."""
+    system = iwc("5/2")
+    shown = impact(system, None, 4)
+    assert shown is not None
+    assert shown.verdict.outcome is Outcome.PROVED
+    honest = threshold.least_value
+
+    def without(*given: Any) -> LeastValue | None:
+        found = honest(*given)
+        return None if found is None else dataclasses.replace(found, evidence=None)
+
+    monkeypatch.setattr(threshold, "least_value", without)
+    open_one = impact(system, None, 4)
+    assert open_one is not None
+    assert open_one.verdict.outcome is Outcome.UNDECIDED
+    assert open_one.threshold == shown.threshold

@@ -57,7 +57,7 @@ def test_a_cell_that_reaches_beyond_the_threshold_is_not_proved() -> None:
     for ends, answer in (((fmpq(0), fmpq(3, 10)), True), ((fmpq(3, 10), fmpq(7, 20)), False)):
         epsilon = 2 * ends[1] ** 3
         bound = -force.level(epsilon, 20)
-        assert above_on_cell(force.beta, START, ends, bound) is answer
+        assert (above_on_cell(force.beta, START, ends, bound) is not None) is answer
     profile = Profile.at_root(force.beta, fmpq(7, 20))
     assert profile.value(fmpq(15, 4), 12) < -force.level(2 * fmpq(7, 20) ** 3, 20)
 
@@ -83,8 +83,28 @@ def test_a_half_line_that_begins_where_f_rises_is_judged_by_its_first_point(monk
     """No interval is left to be cut there; and without a point beyond which f rises nothing is said."""
     beta, roots, start = fmpq(21, 4), (fmpq(1, 10), fmpq(11, 100)), fmpq(20)
     value = Profile.at_root(beta, roots[0]).value(start, 15)
-    assert above_on_cell(beta, start, roots, value.lower() / 2)
-    assert not above_on_cell(beta, start, roots, value.upper())
-    assert above_on_cell(beta, start, (roots[0], roots[0]), value.lower() * (1 - arb(10) ** -12))
+    assert above_on_cell(beta, start, roots, value.lower() / 2) is not None
+    assert above_on_cell(beta, start, roots, value.upper()) is None
+    assert above_on_cell(beta, start, (roots[0], roots[0]), value.lower() * (1 - arb(10) ** -12)) is not None
     monkeypatch.setattr(cells_of_epsilon, "_rising_from", lambda *_: None)
-    assert not above_on_cell(beta, start, roots, value.lower() / 2)
+    assert above_on_cell(beta, start, roots, value.lower() / 2) is None
+
+
+def test_an_interval_that_is_left_out_shows_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The cells of tau must cover the half-line: here each half but the first is lost."""
+    force, ends = contact_force("13/2"), (fmpq(0), fmpq(3, 10))
+    bound = -force.level(2 * ends[1] ** 3, 20)
+    assert "cover [-10, inf]" in str(above_on_cell(force.beta, START, ends, bound))
+    monkeypatch.setattr(cells_of_epsilon, "halves", lambda lower, upper: ((lower, (lower + upper) / 2),))
+    assert above_on_cell(force.beta, START, ends, bound) is None
+
+
+@pytest.mark.slow
+def test_a_cell_of_epsilon_that_is_not_shown_is_not_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+    leading = iwc("13/2")
+    assert leading.epsilon_0 is not None
+    found, _ = threshold_by_cells(leading.force, START, leading.epsilon_0, 3)
+    assert found is not None
+    assert "parts cover [0, " in str(found.evidence)
+    monkeypatch.setattr("gspot_verified.compliant.threshold_by_cells.above_on_cell", lambda *_: None)
+    assert threshold_by_cells(leading.force, START, leading.epsilon_0, 3) == (None, False)
