@@ -13,6 +13,7 @@ from typing import ClassVar
 from flint import arb
 
 from gspot_verified.balls import current_bits
+from gspot_verified.evidence import every, inside
 from gspot_verified.integrator.approximation import taylor
 from gspot_verified.integrator.choice import (
     flow_step_length,
@@ -27,7 +28,7 @@ from gspot_verified.integrator.error_set import ErrorSet
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.no_series import NoSeriesError
 from gspot_verified.integrator.step import Step, certified_step
-from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
 
 MAX_STEPS = 20_000
 _HALVINGS = 40
@@ -147,4 +148,18 @@ def integrate(field: VectorField, box: Sequence[arb], time: arb, max_steps: int 
     if run.reason is not None or not segments:
         verdict = Verdict.undecided(statement, Reason.BUDGET, f"{run.reason}, at the time {run.time.str(10)}")
         return Integration(verdict, None, run.time, segments)
-    return Integration(Verdict.argued(statement), tuple(run.set.enclosure()), run.time, segments)
+    reached = _reached(segments, time)
+    if reached is None:
+        detail = "the last step does not hold all of the time that is left"
+        return Integration(Verdict.undecided(statement, Reason.HYPOTHESIS, detail), None, run.time, segments)
+    return Integration(Verdict.proved(statement, reached), tuple(run.set.enclosure()), run.time, segments)
+
+
+def _reached(segments: Sequence[Segment], time: arb) -> Evidence | None:
+    """Each step is proved and begins when the one before it ends; the last one holds all of the time that is left."""
+    if not segments:
+        return None
+    ends = [arb(0), *(segment.end_time for segment in segments)]
+    joined = (inside(end, segment.time) for end, segment in zip(ends, segments, strict=False))
+    left = inside(time - segments[-1].time, segments[-1].step.h)
+    return every([*joined, *(segment.step.evidence for segment in segments), left])

@@ -11,7 +11,9 @@ from dataclasses import dataclass
 from flint import acb, arb, arb_mat, arb_poly, arb_series
 
 from gspot_verified.balls import add_remainder, nonfinite, series_length
+from gspot_verified.evidence import less
 from gspot_verified.integrator.field import VectorField
+from gspot_verified.verdict import Evidence
 
 _UNIT_INTERVAL = arb((1, -1), (1, -1))  # exactly [0, 1]
 
@@ -48,7 +50,8 @@ class Step:
     """What was proved of one step, for every solution that starts within ``radius`` of the midpoint (by component).
 
     At τ in [0, 1] the state lies within ``tube`` of ``curve.solution``; at τ = 1 the solution from the midpoint lies
-    within ``local`` of it, and the derivatives with respect to the initial value lie in ``flow``.
+    within ``local`` of it, and the derivatives with respect to the initial value lie in ``flow``. ``evidence``: the
+    hypothesis of Theorem V1, that the deviation stays below the tube's radius.
     """
 
     curve: Curve
@@ -56,6 +59,7 @@ class Step:
     tube: tuple[arb, ...]
     local: tuple[arb, ...]
     flow: arb_mat
+    evidence: Evidence
 
     def enclosure(self, tau: arb = _UNIT_INTERVAL) -> list[arb]:
         """The states at every time of the ball ``tau`` inside [0, 1]; by the mean value form."""
@@ -92,7 +96,8 @@ def certified_step(field: VectorField, curve: Curve, radius: Sequence[arb], h: a
     start = _norm([abs(r) for r in radius], w)
     # Theorem V1: the deviation is below growth * (start + defect) as long as it is below the tube's radius.
     reach = growth * (start + defect)
-    if not (reach.is_finite() and reach < plan.tube):
+    stays = less(reach, plan.tube)
+    if stays is None:
         return None
     reach = reach.upper()
     flow = _flow(field, curve, h, entries, _change(field, box, reach, plan), growth, plan)
@@ -100,7 +105,7 @@ def certified_step(field: VectorField, curve: Curve, radius: Sequence[arb], h: a
         curve, h,
         tuple((reach * weight).upper() for weight in w),
         tuple((growth * defect * weight).upper() for weight in w),
-        flow,
+        flow, stays,
     )  # fmt: skip
     finite = all(value.is_finite() for value in (*found.enclosure(), *found.end(), *flow.entries()))
     return found if finite else None

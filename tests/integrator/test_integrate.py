@@ -5,7 +5,9 @@ Page: proofs/validated_step.md.
 
 from __future__ import annotations
 
+import itertools
 import random
+from collections.abc import Iterator
 
 import mpmath
 import pytest
@@ -16,7 +18,7 @@ from hypothesis import strategies as st
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Constant, Cosine, Exponential, Expression, Power, Sine, Variable
 from gspot_verified.integrator.field import VectorField
-from gspot_verified.integrator.integrate import Run, integrate
+from gspot_verified.integrator.integrate import Run, Segment, _reached, integrate
 from gspot_verified.verdict import Outcome
 
 x, y, z = Variable(0), Variable(1), Variable(2)
@@ -209,6 +211,33 @@ def test_a_budget_that_ends() -> None:
         assert "the budget of 3 steps ended" in str(found.verdict)
         with pytest.raises(TypeError, match="no truth value"):
             bool(found)
+
+
+def test_the_steps_are_the_evidence_and_must_reach_the_end() -> None:
+    """A step that is left out, or a run that was stopped before its time, cannot conclude."""
+    with working_bits(64):
+        found = integrate(OSCILLATOR, [arb(1), arb(0)], arb(3))
+        assert found.verdict.evidence is not None
+        steps = found.segments
+        assert len(steps) > 3
+        assert len(found.verdict.evidence.facts) == 2 * len(steps) + 1  # joined and proved, each; the time that is left
+        assert _reached(steps, arb(3)) is not None
+        for wrong in (steps[:-1], steps[1:], (*steps[:1], *steps[2:]), (*steps[:2], *steps[1:])):
+            assert _reached(wrong, arb(3)) is None
+        assert _reached(steps, arb("3.001")) is None
+        assert _reached((), arb(3)) is None
+
+
+def test_a_run_that_stops_early_and_says_nothing_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = Run.__iter__
+
+    def short(run: Run) -> Iterator[Segment]:
+        return itertools.islice(whole(run), 2)
+
+    monkeypatch.setattr(Run, "__iter__", short)
+    with working_bits(64):
+        found = integrate(OSCILLATOR, [arb(1), arb(0)], arb(3))
+    assert (found.verdict.outcome, found.end) == (Outcome.UNDECIDED, None)
 
 
 def test_a_wide_time_is_covered() -> None:

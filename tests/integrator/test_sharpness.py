@@ -18,12 +18,14 @@ from gspot_verified.integrator.error_set import ErrorSet
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.norm_step import Basis, NormPlan, NormStep, StateSet, norm_step
 from gspot_verified.integrator.step import Curve, Plan, Step, certified_step
+from gspot_verified.verdict import Evidence
 
 x, y = Variable(0), Variable(1)
 ONE, ZERO = Constant(fmpq(1)), Constant(fmpq(0))
 GROWTH = VectorField([x])
 LINE = Basis(arb_mat([[1]]), (1,))
 TINY = arb((1, -60))
+SHOWN = Evidence._of_facts(("for the test",))
 
 
 def exponential(order: int) -> arb_poly:
@@ -171,7 +173,7 @@ def test_an_enclosure_is_of_the_whole_step() -> None:
     """x = 4 τ goes from 0 to 4, in both kinds of step."""
     line, none = arb_poly([0, 4]), arb(0)
     for step in (
-        Step(Curve((line,), ((arb_poly([1]),),)), arb(1), (none,), (none,), arb_mat([[1]])),
+        Step(Curve((line,), ((arb_poly([1]),),)), arb(1), (none,), (none,), arb_mat([[1]]), SHOWN),
         NormStep((line,), arb(1), (none,), LINE, (none,)),
     ):
         (side,) = step.enclosure()
@@ -217,7 +219,7 @@ def test_the_local_error_and_the_midpoint_enter_lohners_set() -> None:
     with working_bits(64):
         local, third = arb((1, -5)), arb(1) / 3
         curve = Curve((arb_poly([third]),), ((arb_poly([1]),),))
-        step = Step(curve, arb(1), (local,), (local,), arb_mat([[1]]))
+        step = Step(curve, arb(1), (local,), (local,), arb_mat([[1]]), SHOWN)
         after = ErrorSet.of_box([arb(0)]).after(step)
         assert after is not None
         for sign in (-1, 1):
@@ -260,11 +262,11 @@ def test_the_local_error_is_taken_into_turned_coordinates() -> None:
         unit = ((arb_poly([1]), arb_poly([])), (arb_poly([]), arb_poly([1])))
         curve = Curve((arb_poly([0]),) * 2, unit)
         turn = arb_mat([[c, -c], [c, c]])
-        after = ErrorSet.of_box([arb(0), arb(0)]).after(Step(curve, arb(1), (local,) * 2, (local, arb(0)), turn))
+        after = ErrorSet.of_box([arb(0), arb(0)]).after(Step(curve, arb(1), (local,) * 2, (local, arb(0)), turn, SHOWN))
         assert after is not None
         for sign in (-1, 1):
             assert holds(after.enclosure()[0], sign * local)
         assert after.enclosure()[0].rad() < local * (1 + arb((1, -20)))
         for value in (arb("inf"), arb("nan")):
-            step = Step(curve, arb(1), (local,) * 2, (local, value), turn)
+            step = Step(curve, arb(1), (local,) * 2, (local, value), turn, SHOWN)
             assert ErrorSet.of_box([arb(0), arb(0)]).after(step) is None

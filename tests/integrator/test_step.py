@@ -28,6 +28,7 @@ from gspot_verified.expansion.expressions import (
 from gspot_verified.integrator.error_set import ErrorSet
 from gspot_verified.integrator.field import VectorField
 from gspot_verified.integrator.step import Curve, Plan, Step, certified_step
+from gspot_verified.verdict import Evidence
 
 x, y = Variable(0), Variable(1)
 OSCILLATOR = VectorField([y, -x])
@@ -204,7 +205,12 @@ def test_lohners_set_contains_the_images(seed: int) -> None:
             offset = [e - m for e, m in zip(exact, middle, strict=True)]
             curve = Curve(tuple(arb_poly([m]) for m in exact), ())
             step = Step(
-                curve, arb(1), (arb(0), arb(0)), (arb(0), arb(0)), arb_mat([[arb(e) for e in r] for r in matrix])
+                curve,
+                arb(1),
+                (arb(0), arb(0)),
+                (arb(0), arb(0)),
+                arb_mat([[arb(e) for e in r] for r in matrix]),
+                Evidence._of_facts(("for the test",)),
             )
             corners = [
                 [
