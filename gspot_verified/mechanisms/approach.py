@@ -10,10 +10,12 @@ from dataclasses import dataclass
 from flint import arb, fmpq
 
 from gspot_verified.balls import ExactInput, approximate, ball, ball_text, exact, sign_of, working_bits
+from gspot_verified.evidence import every
 from gspot_verified.expansion.expressions import Constant
 from gspot_verified.expansion.rings import BALLS
-from gspot_verified.integrator.event import Crossing, Unclear, Watch, first_crossing
+from gspot_verified.integrator.event import Crossing, Moment, Unclear, Watch, first_crossing
 from gspot_verified.integrator.integrate import Run, Segment
+from gspot_verified.mechanisms.approach_plan import exponent_for, last_exponent_for
 from gspot_verified.mechanisms.approach_result import IMPACT, LIFT_OFF, Approach, SlipPath
 from gspot_verified.mechanisms.capture import Capture, capture
 from gspot_verified.mechanisms.classify import case_of, sides_of
@@ -25,7 +27,7 @@ from gspot_verified.mechanisms.slip_flow import SlipFlow, SlipNumbers
 from gspot_verified.mechanisms.slip_hypotheses import SlipHypotheses
 from gspot_verified.mechanisms.slip_state import SlipState, StateError, StateInput, slip_state
 from gspot_verified.mechanisms.to_system import Shifted, shift
-from gspot_verified.verdict import Reason, Verdict
+from gspot_verified.verdict import Evidence, Reason, Verdict
 
 MAX_STEPS = 600
 _PRECISIONS = (160, 400)
@@ -102,6 +104,8 @@ class _Attempt:
                 )
         self.rows: list[tuple[arb, tuple[arb, ...]]] = []
         self.least_slip: arb | None = None
+        self.shown: list[Evidence | None] = []
+        """The steps and hypotheses of the way, and that no event comes before the first capture."""
 
     def _check(self, p: arb, b: arb) -> None:
         name = self.mechanism.name
@@ -133,22 +137,30 @@ class _Attempt:
                 events = [watch.along(segment) for watch in watches]
                 if any(event is not None for event in events):
                     return self._event(watches, events, segment)
+                quiet = every(watch.excluded(Moment(segment, arb(1))) for watch in watches)
             self._remember(segment)
             states = segment.after.enclosure()
             found = capture(self.numbers, states, self.surface)
             if found is None:
                 loose = capture(self.numbers, states, None)
-                if caught is None and loose is not None and self._near(states, self._exponent(loose)):
+                if caught is None and loose is not None and self._near(states, exponent_for(loose, self.bits)):
                     slip = ball_text(loose.numbers.u, 6)
                     return self._open(f"u may fall to the surface's velocity just where p vanishes: u = {slip} there")
                 continue
-            if self.hypotheses.doubt(found.box) is not None:
+            supposed = self.hypotheses.checked(found.box)
+            if isinstance(supposed, str):
                 continue
+            if caught is None:
+                if quiet is None:
+                    continue
+                self.shown += [quiet, found.evidence, supposed]
             caught = _Caught(states, found)
-            exponent = self._exponent(found)
+            exponent = exponent_for(found, self.bits)
             if marked is None and self._near(states, exponent):
                 marked = caught
-            if marked is not None and self._near(states, self._last_exponent(found, exponent)):
+            if marked is not None and self._near(
+                states, last_exponent_for(found, exponent, self.bits, self.flow.dimension)
+            ):
                 break
         if caught is not None and marked is not None:
             return self._at_spot(marked, caught)
@@ -156,8 +168,13 @@ class _Attempt:
 
     def _doubt(self, segment: Segment) -> str | None:
         """A hypothesis on the mechanism that is not certain on some part of the segment."""
-        parts = (arb((2 * k + 1, -3), (1, -3)) for k in range(_SAMPLES))  # [k/4, (k + 1)/4]
-        return next((doubt for tau in parts if (doubt := self.hypotheses.doubt(segment.states(tau)))), None)
+        self.shown.append(segment.step.evidence)
+        for k in range(_SAMPLES):
+            found = self.hypotheses.checked(segment.states(arb((2 * k + 1, -3), (1, -3))))  # [k/4, (k + 1)/4]
+            if isinstance(found, str):
+                return found
+            self.shown.append(found)
+        return None
 
     def _remember(self, segment: Segment) -> None:
         first = [arb(0)] if not self.rows else []
@@ -169,20 +186,6 @@ class _Attempt:
     def _note_slip(self, segment: Segment) -> None:
         slip = self.numbers.on(segment.states(arb((1, -1), (1, -1)))).u
         self.least_slip = slip.lower() if self.least_slip is None else self.least_slip.min(slip.lower())
-
-    def _exponent(self, found: Capture) -> float:
-        """How many bits p is to lose before C_1 is read off; a heuristic."""
-        beta = approximate(found.numbers.alpha_3) / approximate(found.numbers.alpha_1)
-        if beta <= 1:
-            return min(self.bits - 50.0, 45 / max(min(beta, 1 - beta), 0.01))
-        return max(6.0, min(40.0, (self.bits - 80) / beta))
-
-    def _last_exponent(self, found: Capture, exponent: float) -> float:
-        """The same for the place of the G-spot, where it is not isolated and so known only by going there."""
-        if self.flow.dimension == 4:
-            return exponent
-        beta = max(approximate(found.numbers.alpha_3) / approximate(found.numbers.alpha_1), 1.0)
-        return min(self.bits - 45.0, exponent * beta + self.bits / 5)
 
     def _near(self, states: list[arb], exponent: float) -> bool:
         return bool(self.numbers.on(states).p < arb(2) ** -round(exponent))
@@ -197,7 +200,7 @@ class _Attempt:
         if beta < 1:
             coefficient = coefficient_below_one(self.numbers, last.states, last.capture, place)
         elif beta > 1:
-            exponent = self._exponent(marked.capture)
+            exponent = exponent_for(marked.capture, self.bits)
             disc = min(_DISC_BITS, round(exponent / 2))
             terms = max(_FEWEST_TERMS, round(approximate(beta)) + 1, round(self.bits / max(exponent - disc, 2.0)))
             coefficient = coefficient_above_one(
@@ -206,8 +209,12 @@ class _Attempt:
         side, why = self._side(case, reason, beta, coefficient)
         slip = last.capture.numbers.u.lower()
         self.least_slip = slip if self.least_slip is None else self.least_slip.min(slip)
+        text = "slip reaches a G-spot in finite time, with a positive contact force until then"
+        shown = every([*self.shown, last.capture.evidence])
+        if shown is None:
+            return self._open("it is not certain that neither lift-off nor stick comes first")
         return self._made(
-            Verdict.argued("slip reaches a G-spot in finite time, with a positive contact force until then"),
+            Verdict.proved(text, shown),
             "G-spot", last.states[-1] + last.capture.time * arb((1, -1), (1, -1)), place, case, alphas, beta,
             coefficient, side, why,
         )  # fmt: skip
@@ -257,7 +264,7 @@ class _Attempt:
         what = {"lift-off": "the contact force -b/p falls to 0 while p > 0", "stick": "slip stops while p > 0"}
         states = list(event.states)
         return self._made(
-            Verdict.proved(f"{event.name} before any G-spot: {what[event.name]}", evidence),
+            Verdict.proved(f"{event.name} before any G-spot: {what[event.name]}", every([*self.shown, evidence])),
             event.name, states[-1], states[:-1], None, None, None, None, None, "no G-spot is reached",
         )  # fmt: skip
 

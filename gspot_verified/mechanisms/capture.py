@@ -11,7 +11,9 @@ from dataclasses import dataclass
 from flint import arb
 
 from gspot_verified.balls import add_remainder, current_bits
+from gspot_verified.evidence import every, in_interior, less
 from gspot_verified.mechanisms.slip_flow import Numbers, SlipNumbers
+from gspot_verified.verdict import Evidence
 
 _INFLATIONS = 4
 
@@ -22,7 +24,8 @@ class Capture:
 
     ``box`` holds all later states and the G-spot; ``reach`` bounds their distances, by component, from the states at
     the beginning. ``numbers`` are enclosures on ``box``, ``time`` bounds the time that is left, ``integral_of_b`` the
-    integral of |b| over s; ``decay_1`` and ``decay_3`` are lower bounds on -α_1 and -α_3.
+    integral of |b| over s; ``decay_1`` and ``decay_3`` are lower bounds on -α_1 and -α_3. ``evidence``: the
+    hypotheses of Theorem A1.
     """
 
     box: tuple[arb, ...]
@@ -32,6 +35,7 @@ class Capture:
     integral_of_b: arb
     decay_1: arb
     decay_3: arb
+    evidence: Evidence
 
 
 def capture(numbers: SlipNumbers, states: Sequence[arb], least_slip: arb | None) -> Capture | None:
@@ -40,7 +44,8 @@ def capture(numbers: SlipNumbers, states: Sequence[arb], least_slip: arb | None)
     ``least_slip`` is the surface's velocity below which slip is not positive; None when nothing is asked of u.
     """
     at = numbers.on(states)
-    if not (at.p > 0 and at.b < 0):
+    slides = every([less(0, at.p), less(at.b, 0)])
+    if slides is None:
         return None
     rounding = arb(2) ** (8 - current_bits())
     inside = at
@@ -58,18 +63,18 @@ def capture(numbers: SlipNumbers, states: Sequence[arb], least_slip: arb | None)
         if found is None:
             return None
         reach, time, integral, first, third = found
-        if all(
-            far.is_finite() and new.contains_interior(add_remainder(old, far))
-            for old, new, far in zip(states, box, reach, strict=False)
-        ):
+        stays = every(
+            in_interior(add_remainder(old, far), new) for old, new, far in zip(states, box, reach, strict=False)
+        )
+        if stays is not None:
             break
     else:
         return None
-    if least_slip is not None and not inside.u > least_slip:
-        return None
-    if not _keeps_pressing(at.force, inside):
-        return None
-    return Capture(box, tuple(reach), inside, time, integral, first, third)
+    evidence = every([
+        slides, stays, less(0, first), less(0, third), _keeps_pressing(at.force, inside),
+        *([] if least_slip is None else [less(least_slip, inside.u)]),
+    ])  # fmt: skip
+    return None if evidence is None else Capture(box, tuple(reach), inside, time, integral, first, third, evidence)
 
 
 def _reach(at: Numbers, inside: Numbers) -> tuple[list[arb], arb, arb, arb, arb] | None:
@@ -83,9 +88,10 @@ def _reach(at: Numbers, inside: Numbers) -> tuple[list[arb], arb, arb, arb, arb]
     return ways, time, integral, first, third
 
 
-def _keeps_pressing(force: arb, inside: Numbers) -> bool:
-    """Whether λ_N stays positive: dλ/ds = -α_2 + (α_3 - α_1) λ."""
-    if inside.alpha_2 < 0:
-        return True
+def _keeps_pressing(force: arb, inside: Numbers) -> Evidence | None:
+    """That λ_N stays positive: dλ/ds = -α_2 + (α_3 - α_1) λ."""
+    pushed = less(inside.alpha_2, 0)
+    if pushed is not None:
+        return pushed
     rate = (inside.alpha_3 - inside.alpha_1).lower()
-    return bool(rate > 0 and rate * force > inside.alpha_2)
+    return every([less(0, rate), less(inside.alpha_2, rate * force)])

@@ -9,10 +9,12 @@ from collections.abc import Sequence
 
 from flint import arb
 
+from gspot_verified.evidence import at_most, every, less
 from gspot_verified.expansion.box_program import BoxProgram
 from gspot_verified.expansion.rings import BALLS
 from gspot_verified.mechanisms.mass_matrix import leading_minors
 from gspot_verified.mechanisms.to_system import Shifted
+from gspot_verified.verdict import Evidence
 
 MASS_MATRIX = "the mass matrix is not certainly positive definite on the way"
 FRICTION = "the friction coefficient mu may be negative on the way"
@@ -28,10 +30,11 @@ class SlipHypotheses:
         functions = shifted.expressions([*(entry for row in rows for entry in row), f.mu], BALLS)
         self._program = BoxProgram(functions, self._dimension)
 
-    def doubt(self, box: Sequence[arb]) -> str | None:
-        """What is not certain for every state of the box; None where all is."""
+    def checked(self, box: Sequence[arb]) -> Evidence | str:
+        """That they hold for every state of the box; or, in words, which one is not certain."""
         *entries, friction = self._program.mean_values(list(box[: self._dimension]))
         rows = [entries[i * self._size : (i + 1) * self._size] for i in range(self._size)]
-        if not all(minor > 0 for minor in leading_minors(rows)):
+        definite, pushes = every(less(0, minor) for minor in leading_minors(rows)), at_most(0, friction)
+        if definite is None:
             return MASS_MATRIX
-        return None if friction >= 0 else FRICTION
+        return every([definite, pushes]) or FRICTION

@@ -15,13 +15,16 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified.balls import working_bits
+from gspot_verified.integrator.event import Watch
 from gspot_verified.mechanisms import approach as module
-from gspot_verified.mechanisms.approach import _Attempt, approach
+from gspot_verified.mechanisms.approach import MAX_STEPS, _Attempt, approach
 from gspot_verified.mechanisms.approach_result import LIFT_OFF, Approach
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.slip_state import StateError
 from gspot_verified.mechanisms.to_system import shift
+from gspot_verified.verdict import Evidence, Outcome
 
+SHOWN = Evidence._of_facts(("for the test",))
 MODEL = shipped_mechanism("model system")
 
 
@@ -31,8 +34,8 @@ def finite(value: arb | None) -> arb:
     return value
 
 
-def from_model(p: str, b: str, u: str = "100") -> Approach:
-    return approach(MODEL, {"x": 0, "u": u, "p": p, "b": b})
+def from_model(p: str, b: str, u: str = "100", steps: int = MAX_STEPS) -> Approach:
+    return approach(MODEL, {"x": 0, "u": u, "p": p, "b": b}, max_steps=steps)
 
 
 @pytest.mark.parametrize(
@@ -106,6 +109,27 @@ def test_the_least_slip_includes_the_end_of_the_path(monkeypatch: pytest.MonkeyP
     assert finite(found.least_slip) <= u.min(arb(50))
 
 
+def test_a_g_spot_is_not_reached_where_an_event_on_the_way_is_not_excluded(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The signs at the first capture are evidence: without them, or those of the capture, nothing is concluded."""
+    found = from_model("1/1000", "-1/250", "50", steps=60)
+    assert found.verdict.outcome is Outcome.PROVED
+    assert "lies in the interior of" in str(found.verdict.evidence)
+    monkeypatch.setattr(Watch, "excluded", lambda *_: None)
+    assert from_model("1/1000", "-1/250", "50", steps=60).verdict.outcome is Outcome.UNDECIDED
+
+
+def test_a_step_without_its_comparison_cannot_conclude(monkeypatch: pytest.MonkeyPatch) -> None:
+    attempt = _Attempt._doubt
+
+    def forgets(self: Any, segment: Any) -> str | None:
+        found = attempt(self, segment)
+        self.shown[-1] = None
+        return found
+
+    monkeypatch.setattr(_Attempt, "_doubt", forgets)
+    assert from_model("1/1000", "-1/250", "50", steps=60).verdict.outcome is Outcome.UNDECIDED
+
+
 def test_lift_off_is_first_where_stick_is_excluded() -> None:
     """λ = 1 + (λ_0 - 1)(p/p_0)^(-1/2) with α = (-2, 1, -1)."""
     found = approach(
@@ -147,15 +171,18 @@ def test_the_hypotheses_are_asked_for_on_every_part_of_a_segment(place: fmpq) ->
     asked: list[arb] = []
 
     class Hypotheses:
-        def doubt(self, box: list[arb]) -> str | None:
+        def checked(self, box: list[arb]) -> Evidence | str:
             asked.extend(box)
-            return "here" if box[0].contains(place) else None
+            return "here" if box[0].contains(place) else SHOWN
 
     class Segment:
+        step = SimpleNamespace(evidence=SHOWN)
+
         def states(self, tau: arb) -> list[arb]:
             return [tau]
 
     attempt: Any = object.__new__(_Attempt)
+    attempt.shown = []
     attempt.hypotheses = Hypotheses()
     assert attempt._doubt(Segment()) == "here"
     assert all(side.contains(place) or (side >= 0 and side <= 1) for side in asked)

@@ -111,7 +111,7 @@ def test_no_ways_without_decay(name: str, value: arb) -> None:
 )
 def test_when_the_force_stays_positive(second: arb, third: arb, force: arb, stays: bool) -> None:
     """dλ/ds = -α_2 + (α_3 - α_1) λ with α_1 = -1."""
-    assert _keeps_pressing(force, numbers(alpha_2=second, alpha_3=third)) is stays
+    assert (_keeps_pressing(force, numbers(alpha_2=second, alpha_3=third)) is not None) is stays
 
 
 class Steep:

@@ -26,7 +26,9 @@ from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.slip_flow import Numbers, SlipFlow, SlipNumbers
 from gspot_verified.mechanisms.slip_state import slip_state
 from gspot_verified.mechanisms.to_system import shift
+from gspot_verified.verdict import Evidence
 
+SHOWN = Evidence._of_facts(("for the test",))
 STARTS: list[tuple[str, dict[str, Any]]] = [
     ("extended", {"x": 0, "u": 3, "p": "1/4", "b": "-1/2"}),
     ("oscillator", {"phi": "phi_ref + 1/10", "phi_dot": "-9/10"}),
@@ -118,7 +120,7 @@ def numbers_of(first: arb, second: arb, third: arb) -> Numbers:
 
 def caught(first: arb, second: arb, third: arb) -> Capture:
     """a_1 = 2, a_3 = 1/2, B = 1/8."""
-    return Capture(BOX, (), numbers_of(first, second, third), arb(1), arb("0.125"), arb(2), arb("0.5"))
+    return Capture(BOX, (), numbers_of(first, second, third), arb(1), arb("0.125"), arb(2), arb("0.5"), SHOWN)
 
 
 def test_theorem_a4_by_hand() -> None:
