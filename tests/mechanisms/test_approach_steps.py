@@ -111,14 +111,16 @@ def test_the_least_slip_includes_the_end_of_the_path(monkeypatch: pytest.MonkeyP
 
 def test_a_g_spot_is_not_reached_where_an_event_on_the_way_is_not_excluded(monkeypatch: pytest.MonkeyPatch) -> None:
     """The signs at the first capture are evidence: without them, or those of the capture, nothing is concluded."""
-    found = from_model("1/1000", "-1/250", "50", steps=60)
+    monkeypatch.setattr(module, "_PRECISIONS", (160,))
+    found = from_model("1/1000", "-1/250", "50", steps=40)
     assert found.verdict.outcome is Outcome.PROVED
     assert "lies in the interior of" in str(found.verdict.evidence)
     monkeypatch.setattr(Watch, "excluded", lambda *_: None)
-    assert from_model("1/1000", "-1/250", "50", steps=60).verdict.outcome is Outcome.UNDECIDED
+    assert from_model("1/1000", "-1/250", "50", steps=40).verdict.outcome is Outcome.UNDECIDED
 
 
 def test_a_step_without_its_comparison_cannot_conclude(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "_PRECISIONS", (160,))
     attempt = _Attempt._doubt
 
     def forgets(self: Any, segment: Any) -> str | None:
@@ -127,7 +129,7 @@ def test_a_step_without_its_comparison_cannot_conclude(monkeypatch: pytest.Monke
         return found
 
     monkeypatch.setattr(_Attempt, "_doubt", forgets)
-    assert from_model("1/1000", "-1/250", "50", steps=60).verdict.outcome is Outcome.UNDECIDED
+    assert from_model("1/1000", "-1/250", "50", steps=40).verdict.outcome is Outcome.UNDECIDED
 
 
 def test_lift_off_is_first_where_stick_is_excluded() -> None:
