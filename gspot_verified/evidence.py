@@ -37,7 +37,7 @@ def at_most(left: Number, right: Number) -> Evidence | None:
 
 def equal(left: int | fmpq, right: int | fmpq) -> Evidence | None:
     """Two exact numbers are the same."""
-    return Evidence._of_facts((f"{left} = {right}",)) if left == right else None
+    return Evidence._of_facts((f"{_text(left)} = {_text(right)}",)) if _finite(left, right) and left == right else None
 
 
 def differ(left: Number, right: Number) -> Evidence | None:
@@ -66,13 +66,14 @@ def in_interior(part: arb, whole: arb) -> Evidence | None:
     return Evidence._of_facts((f"{_text(part)} lies in the interior of {_text(whole)}",)) if shown else None
 
 
-def signed(value: arb) -> tuple[int, Evidence] | None:
+def signed(value: Number) -> tuple[int, Evidence] | None:
     """1, -1, or 0 when every number in the ball has that sign, with the comparison.
 
     >>> print(signed(arb(0, 1)), *signed(arb(-2)))
     None -1 -2.00000 < 0
     """
-    zero = Evidence._of_facts(("0 = 0",)) if value.is_zero() else None
+    is_zero = value.is_zero() if isinstance(value, arb) else value == 0
+    zero = Evidence._of_facts(("0 = 0",)) if is_zero else None
     for sign, shown in ((1, less(0, value)), (-1, less(value, 0)), (0, zero)):
         if shown is not None:
             return sign, shown
@@ -140,6 +141,19 @@ def every(parts: Iterable[Evidence | None]) -> Evidence | None:
             return None
         facts += part.facts
     return Evidence._of_facts(tuple(facts)) if facts else None
+
+
+def answered(answers: Iterable[tuple[str, bool | None]], wanted: bool) -> Evidence | None:
+    """Every check, by its name, gave the answer that is wanted; None where one did not, or could not tell, or there is
+    none.
+
+    >>> print(answered([("by hand", True)], True), answered([("by hand", True), ("by sympy", None)], True))
+    by hand: it holds None
+    """
+    found = list(answers)
+    if not found or any(answer is not wanted for _, answer in found):
+        return None
+    return Evidence._of_facts(tuple(f"{name}: it {'holds' if wanted else 'fails'}" for name, _ in found))
 
 
 def theorem(page: str, *hypotheses: Evidence | None) -> Evidence | None:

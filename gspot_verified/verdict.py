@@ -92,10 +92,10 @@ class Evidence:
 class Verdict:
     """The outcome for one statement.
 
-    ``evidence`` is what was compared for a proved one; ``witness`` says where a refuted statement fails, ``reason`` why
-    an undecided one is open, ``remaining`` which boxes (tuples of intervals) are left.
+    ``evidence`` is what was compared for a proved or a refuted one; ``witness`` says where a refuted statement fails,
+    ``reason`` why an undecided one is open, ``remaining`` which boxes (tuples of intervals) are left.
 
-    :raises ValueError: proved without evidence, refuted without a witness, or undecided without a reason.
+    :raises ValueError: proved or refuted without evidence, refuted without a witness, or undecided without a reason.
 
     >>> from gspot_verified.evidence import less
     >>> found = Verdict.proved("1 < 2", less(1, 2))
@@ -116,10 +116,11 @@ class Verdict:
     evidence: Evidence | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
-        if self.outcome is Outcome.PROVED and not isinstance(self.evidence, Evidence):
-            raise ValueError("a proved statement needs evidence: values that were compared (gspot_verified.evidence)")
         if self.outcome is Outcome.REFUTED and not self.witness:
             raise ValueError("a refuted statement needs a witness")
+        if self.outcome is not Outcome.UNDECIDED and not isinstance(self.evidence, Evidence):
+            said = self.outcome.value
+            raise ValueError(f"a {said} statement needs evidence: values that were compared (gspot_verified.evidence)")
         if self.outcome is Outcome.UNDECIDED and self.reason is None:
             raise ValueError("an undecided statement needs a reason")
 
@@ -132,14 +133,21 @@ class Verdict:
         return cls(Outcome.PROVED, statement, detail=detail, evidence=evidence)
 
     @classmethod
-    def argued(cls, statement: str, detail: str = "") -> Verdict:
-        """The statement holds by the program around the call, and not by values: where tests/rigour allows that."""
-        return cls(Outcome.PROVED, statement, detail=detail, evidence=Evidence._of_facts((f"argued: {statement}",)))
+    def argued(cls, statement: str, detail: str = "", witness: str = "") -> Verdict:
+        """The statement holds (with a witness: it fails) by the program around the call, and not by values: where
+        tests/rigour allows that."""
+        evidence = Evidence._of_facts((f"argued: {statement}",))
+        if witness:
+            return cls(Outcome.REFUTED, statement, witness=witness, detail=detail, evidence=evidence)
+        return cls(Outcome.PROVED, statement, detail=detail, evidence=evidence)
 
     @classmethod
-    def refuted(cls, statement: str, witness: str, detail: str = "") -> Verdict:
-        """The statement fails at ``witness``."""
-        return cls(Outcome.REFUTED, statement, witness=witness, detail=detail)
+    def refuted(cls, statement: str, witness: str, evidence: Evidence | None, detail: str = "") -> Verdict:
+        """The statement fails at ``witness`` by the evidence: what was compared there.
+
+        :raises ValueError: there is none, or no witness.
+        """
+        return cls(Outcome.REFUTED, statement, witness=witness, detail=detail, evidence=evidence)
 
     @classmethod
     def undecided(

@@ -13,6 +13,7 @@ from strategies import to_fmpq
 
 from gspot_verified.evidence import (
     Ends,
+    answered,
     at_most,
     cover,
     cover_by_boxes,
@@ -75,6 +76,18 @@ def test_numbers_that_differ() -> None:
     assert differ(WIDE, 1) is None
     assert differ(NAN, 1) is None
     assert differ(HUGE, 1) is None
+
+
+def test_answers_of_checks() -> None:
+    assert str(answered([("one", True), ("two", True)], True)) == "one: it holds; two: it holds"
+    assert str(answered([("one", False)], False)) == "one: it fails"
+    for wanted in (True, False):
+        assert answered([], wanted) is None
+        for other in (None, not wanted, int(wanted)):
+            assert answered([("one", wanted), ("two", other)], wanted) is None
+    assert equal(arb("1", "0.1"), arb("1", "0.1")) is None
+    assert equal(HUGE, HUGE) is None
+    assert [found[0] for number in (fmpq(1), fmpq(-1), 0) if (found := signed(number)) is not None] == [1, -1, 0]
 
 
 def test_containment() -> None:

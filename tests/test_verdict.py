@@ -22,8 +22,8 @@ ONE_TWO = less(1, 2)
 VERDICTS = (
     Verdict.proved("a < b", ONE_TWO),
     Verdict.proved("a < b", ONE_TWO, "by balls"),
-    Verdict.refuted("a < b", "a = 2, b = 1"),
-    Verdict.refuted("a < b", "a = 2, b = 1", "two derivations"),
+    Verdict.refuted("a < b", "a = 2, b = 1", ONE_TWO),
+    Verdict.refuted("a < b", "a = 2, b = 1", ONE_TWO, "two derivations"),
     *(Verdict.undecided("a < b", reason, "so far", BOXES) for reason in Reason),
     Verdict.undecided("a < b", Reason.BUDGET),
 )
@@ -46,9 +46,9 @@ def test_a_verdict_is_no_truth_value(verdict: Verdict) -> None:
 @pytest.mark.parametrize("witness", [None, ""])
 def test_refuted_needs_a_witness(witness: str | None) -> None:
     with pytest.raises(ValueError, match="witness"):
-        Verdict(Outcome.REFUTED, "a < b", witness=witness)
+        Verdict(Outcome.REFUTED, "a < b", witness=witness, evidence=ONE_TWO)
     with pytest.raises(ValueError, match="witness"):
-        Verdict.refuted("a < b", witness)  # type: ignore[arg-type]
+        Verdict.refuted("a < b", witness, ONE_TWO)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("evidence", [None, "a < b", True, 1])
@@ -65,7 +65,19 @@ def test_the_evidence_of_a_verdict() -> None:
     assert str(Verdict.proved("a < b", ONE_TWO).evidence) == "1 < 2"
     assert str(pickle.loads(pickle.dumps(Verdict.proved("a < b", ONE_TWO))).evidence) == "1 < 2"
     assert str(Verdict.argued("a < b").evidence) == "argued: a < b"
-    assert Verdict.refuted("a < b", "a = 2").evidence is None
+    assert str(Verdict.refuted("b < a", "a = 1, b = 2", ONE_TWO).evidence) == "1 < 2"
+    assert str(Verdict.argued("a < b", witness="a = 2")) == "refuted: a < b\n  witness: a = 2"
+    assert Verdict.undecided("a < b", Reason.BUDGET).evidence is None
+
+
+@pytest.mark.parametrize("evidence", [None, "a < b", True, 1])
+def test_refuted_needs_evidence(evidence: Any) -> None:
+    with pytest.raises(ValueError, match="a refuted statement needs evidence"):
+        Verdict(Outcome.REFUTED, "a < b", witness="a = 2", evidence=evidence)
+    with pytest.raises(ValueError, match="a refuted statement needs evidence"):
+        Verdict.refuted("a < b", "a = 2", evidence)
+    with pytest.raises(ValueError, match="a refuted statement needs evidence"):
+        dataclasses.replace(Verdict.undecided("a < b", Reason.BUDGET), outcome=Outcome.REFUTED, witness="a = 2")
 
 
 def test_undecided_needs_a_reason() -> None:
@@ -84,7 +96,7 @@ def test_no_route_around_the_checks() -> None:
 
 def test_exit_codes() -> None:
     assert Verdict.proved("s", ONE_TWO).exit_code == 0
-    assert Verdict.refuted("s", "w").exit_code == 1
+    assert Verdict.refuted("s", "w", ONE_TWO).exit_code == 1
     assert {Verdict.undecided("s", reason).exit_code for reason in Reason} == {2}
     assert len({verdict.exit_code for verdict in VERDICTS}) == 3
 
@@ -143,14 +155,14 @@ def test_the_words_of_the_json() -> None:
 
 @given(st.text(max_size=40), st.text(min_size=1, max_size=40), st.text(max_size=40))
 def test_json_keeps_any_text(statement: str, witness: str, detail: str) -> None:
-    data = json.loads(json.dumps(Verdict.refuted(statement, witness, detail).to_json()))
+    data = json.loads(json.dumps(Verdict.refuted(statement, witness, ONE_TWO, detail).to_json()))
     assert (data["outcome"], data["statement"], data["witness"], data["detail"]) == (
         "refuted", statement, witness, detail,
     )  # fmt: skip
 
 
 def test_text_says_everything() -> None:
-    text = str(Verdict.refuted("a < b", "a = 2", "twice"))
+    text = str(Verdict.refuted("a < b", "a = 2", ONE_TWO, "twice"))
     assert text.splitlines()[0] == "refuted: a < b"
     assert "a = 2" in text
     assert "twice" in text
@@ -164,7 +176,7 @@ def test_text_says_everything() -> None:
 
 
 def test_html_is_escaped() -> None:
-    page = Verdict.refuted("a < b & c", "<script>alert(1)</script>")._repr_html_()
+    page = Verdict.refuted("a < b & c", "<script>alert(1)</script>", ONE_TWO)._repr_html_()
     assert "<script>" not in page
     assert "a &lt; b &amp; c" in page
     assert 'class="verdict-refuted"' in page

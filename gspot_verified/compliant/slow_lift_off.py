@@ -96,10 +96,11 @@ def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: in
     profile = Profile.of(force, epsilon)
     try:
         crossing = first_crossing(profile, start, lambda places: force.level(epsilon, places), digits)
-    except NotBelow:
+    except NotBelow as error:
         # first_crossing has just shown that the force is certainly below 0 at the start itself.
+        shown = error.evidence
         asked = {"τ": Range(start, start, True, True)}
-        against = refutation(f"{where}, λ_N > 0 at τ = {start}", asked, [(start,)], lambda _: "λ_N < 0")
+        against = refutation(f"{where}, λ_N > 0 at τ = {start}", asked, [(start,)], lambda _: ("λ_N < 0", shown))
         assert against is not None  # the start lies in the range that is the start
         return SlowLiftOff(epsilon, start, None, None, None, None, False, against.verdict, None)
     if crossing is None:
@@ -116,8 +117,8 @@ def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: in
     if found is not None and found[0].is_finite():
         kappa = rounded_up(found[0], _CONSTANT_DIGITS)
         both = [crossing.evidence, leading.verdict.evidence]
-        shown = theorem("proofs/monotone.md, section 9", *both, found[1], at_most(found[0], kappa))
-        uniform = None if shown is None else Verdict.proved(_for_all(epsilon, start, kappa), shown)
+        known = theorem("proofs/monotone.md, section 9", *both, found[1], at_most(found[0], kappa))
+        uniform = None if known is None else Verdict.proved(_for_all(epsilon, start, kappa), known)
     return SlowLiftOff(epsilon, start, lower, upper, lead(profile, lower, upper), kappa, whole, proved, uniform)
 
 

@@ -162,7 +162,7 @@ def _at_epsilon(leading: IwcResult, epsilon: fmpq, digits: int) -> SlowManifold:
             return SlowManifold(verdict, start, whole)
         asked = {"τ": Range(start, None, True, False)}
         against = refutation(
-            text, asked, [(least.place,)], lambda tau: "λ_N < 0" if fails_at(force, tau, epsilon, digits) else None
+            text, asked, [(least.place,)], lambda tau: ("λ_N < 0", fails_at(force, tau, epsilon, digits))
         )
         if against is not None:
             return SlowManifold(against.verdict, start, False)

@@ -16,12 +16,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from gspot_verified.evidence import differ, equal, every
 from gspot_verified.expansion.layers import LayeredFunctions, Layers, dot, entry, product_coefficient
 from gspot_verified.expansion.legend import SCALES, in_two, left_side, state_names
 from gspot_verified.expansion.linear import inverse
 from gspot_verified.expansion.system import GSpotError, System
 from gspot_verified.expansion.text import exact_text, shown
-from gspot_verified.verdict import Reason, Verdict
+from gspot_verified.verdict import Evidence, Reason, Verdict
 
 Table = dict[tuple[int, int], Any]
 """The coefficient of t^k epsilon^m under the key (k, m); what is certainly zero is left out."""
@@ -243,8 +244,10 @@ def compare_routes(first: TimeSeries, second: TimeSeries) -> Verdict:
     Balls that do not overlap refute it; balls that overlap leave it undecided, as two numbers in them may differ.
     """
     statement = f"both routes give the same coefficients of t^k epsilon^m ({first.order} orders of delta)"
-    if first.order != second.order or len(first.xi) != len(second.xi):
-        return Verdict.refuted(statement, "the numbers of orders or of components differ")
+    other_shape = differ(first.order, second.order) or differ(len(first.xi), len(second.xi))
+    if other_shape is not None:
+        return Verdict.refuted(statement, "the numbers of orders or of components differ", other_shape)
+    same: list[Evidence | None] = [equal(first.order, second.order), equal(len(first.xi), len(second.xi))]
     compared, wide = 0, ""
     others = second.tables()
     for name, table in first.tables().items():
@@ -252,13 +255,14 @@ def compare_routes(first: TimeSeries, second: TimeSeries) -> Verdict:
         for key in sorted(table.keys() | other.keys()):
             left, right = table.get(key, 0), other.get(key, 0)
             compared += 1
-            if left == right:
+            same.append(equal(left, right))
+            if same[-1] is not None:
                 continue
             k, m = key
             where = f"{name}: the coefficient of t^{k} epsilon^{m} is {left} and {right}"
-            if left != right:
-                return Verdict.refuted(statement, where)
+            if (apart := differ(left, right)) is not None:
+                return Verdict.refuted(statement, where, apart)
             wide = wide or where
     if wide:
         return Verdict.undecided(statement, Reason.WIDE_INPUT, wide)
-    return Verdict.argued(statement, f"{compared} coefficients")
+    return Verdict.proved(statement, every(same), f"{compared} coefficients")

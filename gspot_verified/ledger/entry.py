@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
+from gspot_verified.evidence import answered, every, less
 from gspot_verified.ledger.consequences import Consequence, consequence
 from gspot_verified.ledger.formal_proof import FormalProof
 from gspot_verified.ledger.paper import Citation, citation, with_printed_numbers
@@ -210,14 +211,20 @@ def conclude(statement: str, checks: Sequence[Check], witness: str = "") -> Verd
         return Verdict.undecided(statement, Reason.CONTRADICTION, detail)
     if len({check.what for check in failures}) >= 2:
         first, second = failures[0], next(check for check in failures if check.what != failures[0].what)
-        return Verdict.refuted(statement, witness or first.finding or first.what, second.finding or second.what)
+        failed = answered(((check.what, check.agrees) for check in (first, second)), False)
+        evidence = every([failed, less(1, len({first.what, second.what}))])
+        witness = witness or first.finding or first.what
+        return Verdict.refuted(statement, witness, evidence, second.finding or second.what)
     if failures:
         return Verdict.undecided(statement, Reason.ONE_FAILURE, f"one check fails: {failures[0].finding}")
     if any(check.agrees is None for check in checks):
         open_checks = "; ".join(check.what for check in checks if check.agrees is None)
         return Verdict.undecided(statement, Reason.BUDGET, f"could not tell: {open_checks}")
-    if len({check.what for check in checks}) >= 2 and settling:
-        return Verdict.argued(statement, "; ".join(check.what for check in checks))
+    different = {check.what for check in checks}
+    if len(different) >= 2 and settling:
+        agreed = answered(((check.what, check.agrees) for check in checks), True)
+        evidence = every([agreed, less(1, len(different)), less(0, len(settling))])
+        return Verdict.proved(statement, evidence, "; ".join(check.what for check in checks))
     if checks and not settling:
         return Verdict.undecided(statement, Reason.POINTS, "the checks at points alone prove nothing")
     detail = "there is one check alone" if checks else "there is no check"

@@ -91,7 +91,7 @@ class GSpots(NoTruthValue):
             return Verdict.argued(f"{self.name} has exactly {_count(len(self.spots))} in the region searched")
         statement = f"{self.name} has G-spots in the region searched"
         if self.complete:
-            return Verdict.refuted(statement, "every box of the region was excluded")
+            return Verdict.argued(statement, witness="every box of the region was excluded")
         detail = f"{len(self.spots)} proved, {len(self.boundary)} at the boundary, {len(self.left)} boxes left"
         budget = any("budget" in left.why for left in self.left)
         return Verdict.undecided(

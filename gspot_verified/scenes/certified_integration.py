@@ -197,7 +197,7 @@ def _run(scene: Scene, conditions: Conditions, samples: SegmentSamples | None, s
             record.open = Open(f"whether {found.event.name} comes before the end of the time", start[CLOCK])
             return record
         if found.event.left_out:
-            record.violated = found.event.left_out, start[CLOCK]
+            record.violated = found.event.left_out, start[CLOCK], shown
             return record
         following = phases.after(now.phase, found.event, start)
         record.events.append(event_of(following.event, start[CLOCK], scene.epsilon))
@@ -214,8 +214,8 @@ def _checked_start(
     because a condition fails, or is not certain."""
     at_zero = dict(now.at_zero)
     for event, value in phases.conditions(now.phase, start):
-        if value < 0:
-            record.violated = event.left_out, conditions.since(event, start[CLOCK])
+        if (negative := less(value, 0)) is not None:
+            record.violated = event.left_out, conditions.since(event, start[CLOCK]), negative
             return None
         if value > 0 or event.name in at_zero or not conditions.watches(event):
             continue
@@ -245,8 +245,8 @@ class _ConditionObserver:
     def __call__(self, segment: Step, states: Mapping[str, arb]) -> bool:
         time = self._record.seen = self._began + segment.end_time
         for event, value in self._phases.conditions(self._phase, {**states, CLOCK: time}):
-            if value < 0:
-                self._record.violated = event.left_out, self._conditions.since(event, time)
+            if (negative := less(value, 0)) is not None:
+                self._record.violated = event.left_out, self._conditions.since(event, time), negative
                 return True
         return self._inner(segment, states)
 

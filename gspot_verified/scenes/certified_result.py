@@ -28,8 +28,9 @@ _NOT_FURTHER = "the run is not followed further"
 class Record:
     """What a run at one precision has shown; ``multiples``: how far each impact is shown to grow, None: no limit.
 
-    ``violated``: the effect whose absence is wrong, and when. ``seen``: up to when those that are watched hold.
-    ``shown``: the evidence of each event; ``ended``: that of the end of the run, None where it was not reached.
+    ``violated``: the effect whose absence is wrong, when, and what was compared. ``seen``: up to when those that are
+    watched hold. ``shown``: the evidence of each event; ``ended``: that of the end of the run, None where it was not
+    reached.
     """
 
     events: list[RunEvent] = field(default_factory=list)
@@ -37,7 +38,7 @@ class Record:
     multiples: list[int | None] = field(default_factory=list)
     open: Open | None = None
     for_ever: bool = False
-    violated: tuple[str, arb] | None = None
+    violated: tuple[str, arb, Evidence] | None = None
     seen: arb = field(default_factory=lambda: arb(0))
     shown: list[Evidence] = field(default_factory=list)
     ended: Evidence | None = None
@@ -119,10 +120,11 @@ def result_of(scene: Scene, conditions: Conditions, record: Record) -> SceneRun:
     known = f"certain before it: {fate_of(names)}"
     span = "" if record.for_ever else f" until t = {scene.until} after the start"
     failed = next((each for each in assumptions if each.standing == VIOLATED), None)
-    if failed is not None:
+    if failed is not None and record.violated is not None:
         verdict = Verdict.refuted(
             f"the motion without {failed.effect} is that with it{span}",
             f"that {failed.assumes} fails at {failed.when} after the start: add the effect {failed.effect!r}",
+            record.violated[2],
             "; ".join(filter(None, (known, remarks))) + provided(assumptions),
         )
         return SceneRun(CERTIFIED, REFUTED, events, verdict, assumptions=assumptions)

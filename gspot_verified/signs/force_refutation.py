@@ -6,9 +6,10 @@ from collections.abc import Iterable
 
 from flint import fmpq
 
+from gspot_verified.evidence import less
 from gspot_verified.signs.contact_force import ContactForce
 from gspot_verified.signs.ranges import Range
-from gspot_verified.signs.refutation import Refutation, refutation
+from gspot_verified.signs.refutation import Failure, Refutation, refutation
 
 _DIGITS = 40
 
@@ -21,7 +22,7 @@ def force_refutation(
     None when no place serves, certainly.
     """
 
-    def failure(tau: fmpq) -> str | None:
-        return "λ_N < 0" if force.value(tau, epsilon, _DIGITS) < 0 else None
+    def failure(tau: fmpq) -> Failure:
+        return "λ_N < 0", less(force.value(tau, epsilon, _DIGITS), 0)
 
     return refutation(statement, {"τ": asked}, ((tau,) for tau in places), failure)

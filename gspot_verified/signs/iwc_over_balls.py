@@ -19,7 +19,7 @@ from gspot_verified.signs.force_over_balls import ForceOverBalls, OpenHypothesis
 from gspot_verified.signs.iwc import CAVEAT, MAX_DIGITS, MAX_START, PAPER_EPSILON, force_statement
 from gspot_verified.signs.lift_off import LEADING, LiftOff
 from gspot_verified.signs.ranges import Range
-from gspot_verified.signs.refutation import Refutation, refutation
+from gspot_verified.signs.refutation import Failure, Refutation, refutation
 from gspot_verified.signs.short_text import decimal_text, short_text
 from gspot_verified.signs.slope_at import UndecidedError
 from gspot_verified.signs.stretches import Bracket, NotAbove, Stretches, first_crossing, minimum
@@ -186,10 +186,10 @@ def _refutation(force: ForceOverBalls, text: str, start: fmpq, places: list[fmpq
     slope = SlopeOverBall(force.beta, max(abs(place) for place in places), 40)
     level = force.level(epsilon, 40)
 
-    def failure(tau: fmpq) -> str | None:
+    def failure(tau: fmpq) -> Failure:
         with working_bits(256):
-            below = force.direction * slope.enclosure(tau, tau, 1) + level < 0
-        return f"λ_N < 0 {FOR_ALL}" if below else None
+            value = force.direction * slope.enclosure(tau, tau, 1) + level
+        return f"λ_N < 0 {FOR_ALL}", less(value, 0)
 
     return refutation(text, {"τ": Range(start, None, True, False)}, ((tau,) for tau in places), failure)
 

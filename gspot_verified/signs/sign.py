@@ -16,16 +16,16 @@ from flint import fmpq
 
 from gspot_verified.balls import ball, hull, working_bits
 from gspot_verified.dyadic import Dyadic
-from gspot_verified.evidence import cover, equal
+from gspot_verified.evidence import cover, equal, signed
 from gspot_verified.signs.executors import InProcessExecutor
 from gspot_verified.signs.journal import opened
 from gspot_verified.signs.pieces import Column
 from gspot_verified.signs.ranges import Range
-from gspot_verified.signs.refutation import refutation
+from gspot_verified.signs.refutation import Failure, refutation
 from gspot_verified.signs.sign_column import SignQuestion, sign_column
 from gspot_verified.signs.statements import SignStatement, cells_of
 from gspot_verified.signs.subdivision import Progress, Subdivision
-from gspot_verified.signs.witness import find_witness, sign_at
+from gspot_verified.signs.witness import find_witness, sign_at, value_at
 from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
 
 MAX_BETA = 200
@@ -151,9 +151,12 @@ def _cells(beta: Range) -> list[tuple[fmpq | None, fmpq]]:
 
 
 def _refuted(statement: SignStatement, point: tuple[fmpq, fmpq], examined: int) -> SignResult:
-    def failure(tau: fmpq, beta: fmpq) -> str | None:
-        there = sign_at(tau, beta)
-        return None if there is None or there == statement.sign else f"dΘ/dτ {({1: '>', 0: '=', -1: '<'})[there]} 0"
+    def failure(tau: fmpq, beta: fmpq) -> Failure | None:
+        value = value_at(tau, beta)
+        found = None if value is None else signed(value)
+        if found is None or found[0] == statement.sign:
+            return None
+        return f"dΘ/dτ {({1: '>', 0: '=', -1: '<'})[found[0]]} 0", found[1]
 
     against = refutation(str(statement), {"τ": statement.tau, "β": statement.beta}, [point], failure)
     tau, beta = point

@@ -3,9 +3,9 @@ certain."""
 
 from __future__ import annotations
 
-from flint import fmpq
+from flint import arb, fmpq
 
-from gspot_verified.balls import sign_of
+from gspot_verified.evidence import signed
 from gspot_verified.signs.ranges import Range
 from gspot_verified.theta_function.evaluate import evaluate
 from gspot_verified.theta_function.integer import polynomial
@@ -24,12 +24,18 @@ def sign_at(tau: fmpq, beta: fmpq) -> int | None:
     >>> sign_at(fmpq(0), fmpq(3)), sign_at(fmpq(1), fmpq(1, 2))
     (0, -1)
     """
+    value = value_at(tau, beta)
+    found = None if value is None else signed(value)
+    return None if found is None else found[0]
+
+
+def value_at(tau: fmpq, beta: fmpq) -> fmpq | arb | None:
+    """dTheta/dtau at one point, exact at an integer beta; None beyond what is evaluated."""
     if beta.q == 1 and 0 <= beta.p <= _MAX_DEGREE:
-        value = -beta * polynomial(max(int(beta.p) - 1, 0))(tau)
-        return (value > 0) - (value < 0)
+        return fmpq(-beta * polynomial(max(int(beta.p) - 1, 0))(tau))
     if abs(tau) > _MAX_TAU or abs(beta) > _MAX_BETA or max(tau.height_bits(), beta.height_bits()) > _MAX_BITS:
         return None
-    return sign_of(evaluate(tau, beta, derivative=1, digits=3).value)
+    return evaluate(tau, beta, derivative=1, digits=3).value
 
 
 def find_witness(tau: Range, beta: Range, sign: int) -> tuple[fmpq, fmpq] | None:

@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 from flint import arb, fmpq
 
+from gspot_verified.expansion import time_series as module
 from gspot_verified.expansion.rings import BALLS
 from gspot_verified.expansion.system import GSpotError
 from gspot_verified.expansion.time_series import TimeSeries, compare_routes, time_series
@@ -88,6 +89,17 @@ def test_a_difference_is_named() -> None:
     assert compare_routes(series, missing).outcome is Outcome.REFUTED
     assert compare_routes(missing, series).outcome is Outcome.REFUTED
     assert compare_routes(series, time_series(extended_example(1), 9)).outcome is Outcome.REFUTED
+
+
+def test_every_coefficient_is_compared_as_evidence(monkeypatch: pytest.MonkeyPatch) -> None:
+    series = time_series(extended_example(1), 8)
+    verdict = compare_routes(series, series)
+    assert verdict.evidence is not None
+    assert f"{len(verdict.evidence.facts) - 2} coefficients" == verdict.detail
+    monkeypatch.setattr(module, "differ", lambda *_: None)  # what differs is then not told from what is the same
+    assert compare_routes(series, replace(series, b={**series.b, (1, 0): fmpq(3)})).outcome is Outcome.UNDECIDED
+    monkeypatch.setattr(module, "equal", lambda *_: None)
+    assert compare_routes(series, series).outcome is Outcome.UNDECIDED
 
 
 def test_balls_that_overlap_prove_nothing() -> None:

@@ -7,6 +7,8 @@ from dataclasses import replace
 import pytest
 
 from gspot_verified import Outcome, Verdict
+from gspot_verified.evidence import less
+from gspot_verified.ledger import entry as module
 from gspot_verified.ledger.consequences import consequence
 from gspot_verified.ledger.entry import Check, Entry, Rung, all_of, conclude, counts, rung_counts, same_sign, settled
 from gspot_verified.ledger.formal_proof import FormalProof
@@ -37,6 +39,20 @@ def test_no_answers_are_no_agreement() -> None:
 def test_conclusions(answers: list[tuple[Rung, bool | None]], outcome: Outcome) -> None:
     checks = [Check(rung, f"check {n}", agrees, "a finding") for n, (rung, agrees) in enumerate(answers)]
     assert conclude("a statement", checks).outcome is outcome
+
+
+def test_the_answers_of_the_checks_are_the_evidence(monkeypatch: pytest.MonkeyPatch) -> None:
+    """They are asked once more where the verdict is made: without them, nobody concludes."""
+    for rung, agrees, facts in (
+        (Rung.PAGE, True, "a: it holds; b: it holds; 1 < 2; 0 < 2"),
+        (Rung.POINTS, False, "a: it fails; b: it fails; 1 < 2"),
+    ):
+        checks = [Check(rung, what, agrees, "a finding") for what in ("a", "b")]
+        assert str(conclude("a statement", checks).evidence) == facts
+        with monkeypatch.context() as patch:
+            patch.setattr(module, "answered", lambda *_: None)
+            with pytest.raises(ValueError, match="needs evidence"):
+                conclude("a statement", checks)
 
 
 @pytest.mark.parametrize(
@@ -170,7 +186,7 @@ def test_an_entry_is_verbatim_when_the_lines_of_the_paper_stand_beside_it() -> N
 
 def test_only_checks_that_agree_or_fail_carry_a_verdict() -> None:
     checks = (Check(Rung.EXACT, "a", None), Check(Rung.PAGE, "b", True))
-    entry = Entry("identifier", "line 1", "Section", "x", "s", checks, Verdict.argued("s", "by hand"))
+    entry = Entry("identifier", "line 1", "Section", "x", "s", checks, Verdict.proved("s", less(0, 1), "by hand"))
     assert entry.rests_on == (Rung.PAGE,)
     assert toy((Rung.EXACT, False)).rests_on == ()
     assert toy((Rung.EXACT, False)).rung is None

@@ -323,7 +323,7 @@ def test_each_end_of_a_run_has_its_verdict() -> None:
     lost = result(Record([lift], shown=[SHOWN], ended=SHOWN), watched=0)
     assert lost.verdict.statement == clean.verdict.statement + provided(lost.assumptions)
     assert is_about(lost.assumptions[0], fmpq(3, 10))
-    wrong = result(Record([lift], violated=("stick", arb(15))))
+    wrong = result(Record([lift], violated=("stick", arb(15), SHOWN)))
     assert wrong.verdict.outcome is Outcome.REFUTED
     assert wrong.assumptions[0].standing == VIOLATED
     assert is_about(wrong.assumptions[0], fmpq(3, 2))

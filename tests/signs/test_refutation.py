@@ -14,7 +14,8 @@ from strategies import to_fmpq
 
 import gspot_verified
 from gspot_verified import Outcome, Range
-from gspot_verified.signs.refutation import Point, refutation
+from gspot_verified.evidence import less
+from gspot_verified.signs.refutation import Failure, Point, refutation
 
 PACKAGE = Path(gspot_verified.__file__).parent
 SAYS_REFUTED = {
@@ -28,9 +29,9 @@ SAYS_REFUTED = {
 ENDS = st.fractions(-3, 3, max_denominator=4)
 
 
-def always(*_: fmpq) -> str:
+def always(*_: fmpq) -> Failure:
     """A failure everywhere, to see what the ranges let through."""
-    return "it fails"
+    return "it fails", less(0, 1)
 
 
 @given(ENDS, ENDS, st.booleans(), st.booleans(), st.lists(ENDS, min_size=1, max_size=6))
@@ -85,7 +86,7 @@ def test_every_number_of_the_point_must_lie_in_its_range() -> None:
 def test_outside_the_ranges_nothing_is_asked() -> None:
     asked_at: list[fmpq] = []
 
-    def failure(x: fmpq) -> str | None:
+    def failure(x: fmpq) -> Failure | None:
         asked_at.append(x)
         return None
 
@@ -96,10 +97,18 @@ def test_outside_the_ranges_nothing_is_asked() -> None:
 
 def test_a_point_that_is_not_certain_does_not_refute() -> None:
     found = refutation(
-        "x < 1", {"x": Range.parse("[0..2]", "x")}, [(fmpq(0),), (fmpq(2),)], lambda x: "x > 1" if x > 1 else None
+        "x < 1", {"x": Range.parse("[0..2]", "x")}, [(fmpq(0),), (fmpq(2),)], lambda x: ("x > 1", less(1, x))
     )
     assert found is not None
     assert found.point == (2,)
+    assert str(found.verdict.evidence) == "2 = 2; 0 <= 2; 2 <= 2; 1 < 2"
+
+
+def test_a_range_that_says_that_it_holds_a_point_and_does_not(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The ends are compared as evidence, whatever the range answers."""
+    monkeypatch.setattr(Range, "contains", lambda *_: True)
+    for text, point in (("[0..1]", 2), ("0..1", 0), ("0..1", 1), ("[0..inf)", -1), ("(-inf..0]", 1)):
+        assert refutation("it holds", {"x": Range.parse(text, "x")}, [(fmpq(point),)], always) is None
 
 
 def test_a_point_of_another_dimension_is_an_error() -> None:
