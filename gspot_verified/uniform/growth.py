@@ -12,8 +12,10 @@ from dataclasses import dataclass
 from flint import arb, fmpq
 
 from gspot_verified.balls import add_remainder, ball, hull
+from gspot_verified.evidence import every, less
 from gspot_verified.uniform.equations import DeviationEquations
 from gspot_verified.uniform.track import Track
+from gspot_verified.verdict import Evidence
 
 
 @dataclass(frozen=True)
@@ -149,8 +151,9 @@ def needed_p(equations: DeviationEquations, found: Ranges, cone: Cone) -> arb:
     return square * _dot(found.bend, cone.A) / cone.a + found.eta[equations.p]
 
 
-def grows(equations: DeviationEquations, entry: Entry, power: fmpq, cone: Cone) -> arb | None:
-    """|e_lambda| at Y = Y_max from below, (kappa - phi_0 B) Y_max, if all of (G0) to (G7) are certain; else None."""
+def grows(equations: DeviationEquations, entry: Entry, power: fmpq, cone: Cone) -> tuple[arb, Evidence] | None:
+    """|e_lambda| at Y = Y_max from below, (kappa - phi_0 B) Y_max, with (G0) to (G7) as evidence; None where one is not
+    certain."""
     found = ranges_of(equations, entry, power, cone)
     if found is None:
         return None
@@ -166,30 +169,30 @@ def grows(equations: DeviationEquations, entry: Entry, power: fmpq, cone: Cone) 
     stretch = found.alpha_1 - found.alpha_3
     against, along = stretch.max(arb(0)).upper(), (-stretch).max(arb(0)).upper()
     sigma = mu / (a * found.last)
-    conditions = [
+    evidence = every([
         # (G0) the cone at s_1
-        entry.V - a * entry.Y > 0, entry.N - c * entry.V > 0, C * entry.V - entry.N > 0, B * entry.Y - entry.V > 0,
-        c > 0, q_first > 0,
+        less(0, entry.V - a * entry.Y), less(0, entry.N - c * entry.V),
+        less(0, C * entry.V - entry.N), less(0, B * entry.Y - entry.V), less(0, c), less(0, q_first),
         # (G1) to (G4) the faces
-        c - a > pi,
-        kappa - c * phi > 0,
-        kappa * q_first - kappa * against / a - nu - c * (c + q_first * phi + pressed) > 0,
-        pi < B - C,
-        C * (C - pi) - kappa * q_last - kappa * along / a - nu > 0,
+        less(pi, c - a),
+        less(0, kappa - c * phi),
+        less(0, kappa * q_first - kappa * against / a - nu - c * (c + q_first * phi + pressed)),
+        less(pi, B - C),
+        less(0, C * (C - pi) - kappa * q_last - kappa * along / a - nu),
         # (G5) what is slaved
-        *(bound * least > value for bound, value in zip(cone.A, entry.state, strict=True)),
-        *(bound > value for bound, value in zip(cone.A, needed_state(equations, found, cone, phi), strict=True)),
-        cone.A_p * least > entry.p, cone.A_p > needed_p(equations, found, cone),
+        *(less(value, bound * least) for bound, value in zip(cone.A, entry.state, strict=True)),
+        *(less(value, bound) for bound, value in zip(cone.A, needed_state(equations, found, cone, phi), strict=True)),
+        less(entry.p, cone.A_p * least), less(needed_p(equations, found, cone), cone.A_p),
         # (G6) p falls
-        found.alpha_1 < 0,
+        less(found.alpha_1, 0),
         # (G7) what holds at delta_0 holds below
-        sigma < 1,
-        arb(order) - mu - 1 > (ball(fmpq(order, 2)) + 1) * sigma,
-        q_last > found.alpha_1.abs_upper() * mu / a,
-        equations.rate * ball(entry.place - entry.begin) > delta,
-        kappa > phi * B,
-    ]  # fmt: skip
-    return ((kappa - phi * B) * cone.top).lower() if all(conditions) else None
+        less(sigma, 1),
+        less((ball(fmpq(order, 2)) + 1) * sigma, arb(order) - mu - 1),
+        less(found.alpha_1.abs_upper() * mu / a, q_last),
+        less(delta, equations.rate * ball(entry.place - entry.begin)),
+        less(phi * B, kappa),
+    ])  # fmt: skip
+    return None if evidence is None else (((kappa - phi * B) * cone.top).lower(), evidence)
 
 
 def _dot(row: Sequence[arb], other: Sequence[arb]) -> arb:

@@ -11,6 +11,7 @@ from typing import Any, ClassVar
 from flint import arb, fmpq
 
 from gspot_verified.balls import ExactInput, add_remainder, approximate, ball, ball_text, exact, hull, working_bits
+from gspot_verified.evidence import cover, every, less
 from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.uniform.bound import BITS, check_interval, rational
 from gspot_verified.uniform.cone_choice import cones
@@ -18,7 +19,7 @@ from gspot_verified.uniform.equations import DeviationEquations
 from gspot_verified.uniform.growth import Cone, Entry, entry_of, grows, ranges_of
 from gspot_verified.uniform.slow_deviation import slow_deviation
 from gspot_verified.uniform.track import Track, track
-from gspot_verified.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
 
 _REACH = 4.0
 _ROOM = fmpq(13, 10)
@@ -147,42 +148,53 @@ def uniform_side(
             f"for every epsilon <= {small**3} and every state within {tube} delta^mu of the expansion and the slow "
             f"deviation with C_1 = {amount} at s = {first}, mu = {power}"
         )
-        ends = _first_end(found, factor)
+        ends = _first_end(found, first, factor)
         if ends is None:
             detail = "no deviation that was followed lies in a cone of Theorem U2; a smaller delta may do"
             statement = f"{whole}: lift-off or impact"
             return UniformSide(*family, None, None, None, None, None, Verdict.undecided(
                 statement, Reason.HYPOTHESIS, detail
             ))  # fmt: skip
-        entry, cone, reached = ends
+        entry, cone, reached, evidence = ends
         before = f"{whole}: lambda_N > 0 up to s = {entry.place}"
         if entry.side < 0:
             side, statement = "lift-off", f"{before}, and it vanishes later: contact is lost"
         else:
             side, statement = "impact", f"{before} and on, until it exceeds {ball_text(reached, 3)}; p < 0 there"
         ratio = (cone.top / entry.Y.lower()).upper()
-        return UniformSide(*family, side, entry.place, cone.a, ratio, reached, Verdict.argued(statement))
+        return UniformSide(*family, side, entry.place, cone.a, ratio, reached, Verdict.proved(statement, evidence))
 
 
-def _first_end(found: Track, factor: fmpq) -> tuple[Entry, Cone, arb] | None:
-    """The first end of a piece at which Theorem U2 applies, contact being kept until then; and the force reached."""
+def _first_end(found: Track, start: fmpq, factor: fmpq) -> tuple[Entry, Cone, arb, Evidence] | None:
+    """The first end of a piece at which Theorem U2 applies, contact being kept until then; the force reached; and what
+    was compared."""
     equations = found.equations
     scale = hull([equations.delta ** ball(found.power), arb(0)])
+    before: list[Evidence] = []
     for index, piece in enumerate(found.pieces):
-        if not piece.mean + scale * piece.force > 0:
+        pressing = less(0, piece.mean + scale * piece.force)
+        if pressing is None:
             return None
+        before.append(pressing)
         entry = entry_of(found, index)
         if entry is None:
             continue
         wanted = equations.mean_force * (1 if entry.side < 0 else factor)
         top = (_ROOM * wanted / equations.kappa).upper()
         for cone in cones(equations, entry, found.power, top):
-            reached = grows(equations, entry, found.power, cone)
+            grown = grows(equations, entry, found.power, cone)
             ranges = ranges_of(equations, entry, found.power, cone)
-            if reached is None or ranges is None:
+            if grown is None or ranges is None:
                 continue
-            if entry.side < 0 and reached > ranges.force:
-                return entry, cone, reached
-            if entry.side > 0 and ranges.force > 0 and reached + ranges.force > wanted:
-                return entry, cone, wanted.lower()
+            reached, grows_until = grown
+            if entry.side < 0:
+                ended = every([less(ranges.force, reached)])
+            else:
+                ended = every([less(0, ranges.force), less(wanted, reached + ranges.force)])
+                reached = wanted.lower()
+            parts = found.pieces[: index + 1]
+            whole = cover(((part.start, part.end) for part in parts), (start, piece.end))
+            evidence = every([*before, whole, grows_until, ended])
+            if evidence is not None:
+                return entry, cone, reached, evidence
     return None

@@ -26,13 +26,14 @@ from gspot_verified.scenes.run import IMPACT
 from gspot_verified.scenes.scene import Scene
 from gspot_verified.signs.side import gamma_sign
 from gspot_verified.testing import extended_example
+from gspot_verified.uniform import side
 from gspot_verified.uniform.bound import BITS
 from gspot_verified.uniform.cone_choice import cones
 from gspot_verified.uniform.equations import DeviationEquations
 from gspot_verified.uniform.growth import Cone, Entry, entry_of, grows
 from gspot_verified.uniform.side import UniformSide, uniform_side
 from gspot_verified.uniform.slow_deviation import slow_deviation
-from gspot_verified.uniform.track import track
+from gspot_verified.uniform.track import Track, track
 from gspot_verified.verdict import Outcome
 
 
@@ -177,6 +178,33 @@ def test_beta_is_at_most_one_and_half_the_order(beta: str, good: bool) -> None:
 
 
 # Each hypothesis of Theorem U2
+
+
+def test_a_side_rests_on_every_piece_before_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    arguments = (extended("3/2"), -1, "1/50")
+    assert "parts cover [-1, " in str(uniform_side(*arguments).verdict.evidence)
+    monkeypatch.setattr(side, "cover", lambda *_: None)
+    assert uniform_side(*arguments).side is None
+
+
+@pytest.mark.slow
+def test_a_piece_that_is_left_out_or_a_comparison_that_is_not_certain_decides_no_side(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    arguments = (extended("3/2"), -1, "1/50")
+    assert "parts cover [-1, " in str(uniform_side(*arguments).verdict.evidence)
+    honest = side.track
+    for kept in (slice(1, None), slice(0, None, 2)):
+
+        def shorter(*given: Any, kept: slice = kept) -> Track:
+            found = honest(*given)
+            return replace(found, pieces=found.pieces[kept])
+
+        with monkeypatch.context() as patch:
+            patch.setattr(side, "track", shorter)
+            assert uniform_side(*arguments).side is None
+    monkeypatch.setattr(side, "less", lambda *_: None)
+    assert uniform_side(*arguments).verdict.outcome is Outcome.UNDECIDED
 
 
 @pytest.fixture(scope="module")

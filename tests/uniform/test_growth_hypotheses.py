@@ -147,7 +147,8 @@ def concluded(n: Numbers, monkeypatch: pytest.MonkeyPatch) -> arb | None:
         point(n.eta_z),
     )  # fmt: skip
     monkeypatch.setattr(growth, "ranges_of", lambda *_: found)
-    return grows(equations, entry, to_fmpq(n.mu), cone)
+    grown = grows(equations, entry, to_fmpq(n.mu), cone)
+    return None if grown is None else grown[0]
 
 
 BASE = Numbers()
