@@ -20,7 +20,7 @@ from strategies import to_fmpq
 from gspot_verified.balls import working_bits
 from gspot_verified.compliant.force_certificate import NotProvable
 from gspot_verified.compliant.slow_solution import slow_value
-from gspot_verified.compliant.zero_certificate import _bound, slow_zeros_certificate
+from gspot_verified.compliant.zero_certificate import _bound, _place, slow_zeros_certificate
 from gspot_verified.compliant.zero_count import slow_zeros
 
 check = checker()
@@ -69,6 +69,16 @@ def test_what_is_found_is_verified() -> None:
     )
     for beta in ("9/2", "4.55", "37/8"):
         assert slow_zeros(beta, 10, 2).number == 2
+
+
+def test_a_place_that_does_not_serve_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The order of the places is that of floats; the one that it chooses is taken by a certain comparison alone."""
+    lower, upper, eta = fmpq(7, 2), fmpq(1793, 512), fmpq(17, 10)
+    place = _place(lower, upper, eta)
+    assert place is not None
+    assert _bound(place, arb(lower), eta) < 0
+    monkeypatch.setattr("gspot_verified.compliant.zero_certificate.min", max, raising=False)
+    assert _place(lower, upper, eta) is None
 
 
 def test_the_one_in_the_repository() -> None:

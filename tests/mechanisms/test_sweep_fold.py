@@ -172,3 +172,12 @@ def test_the_direction_of_the_curve_is_not_that_of_the_tubes_line(monkeypatch: p
     assert fold is not None
     assert fold.value.contains(0)
     assert (fold.opens, fold.reach) == (1, fmpq(1, 8))
+
+
+@pytest.mark.parametrize("size", [0.0, 1.0])
+def test_no_fold_hangs_on_the_component_that_is_followed(monkeypatch: pytest.MonkeyPatch, size: float) -> None:
+    """The component is chosen by floats; another one gives the same fold, or none."""
+    monkeypatch.setattr("gspot_verified.mechanisms.sweep_fold.approximate", lambda _: size)
+    for fold in sweep(family("q^2 + k - 2", "1"), {"k": "1/2..3:7"}).folds:
+        assert fold.opens == -1
+        assert fold.value.contains(2)

@@ -399,3 +399,16 @@ def test_below_beta_1_the_largest_epsilon_is_enclosed_too() -> None:
 
 def test_a_growth_table_between_1_and_2() -> None:
     assert [row.verdict.outcome for row in iwc("3/2", c1=-1, growth=True).growth] == [Outcome.PROVED] * 4
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_no_verdict_hangs_on_the_order_of_the_places(monkeypatch: pytest.MonkeyPatch, backwards: bool) -> None:
+    """The places are tried one after the other, and each is refused or is a witness by a certain comparison."""
+    monkeypatch.setattr(
+        "gspot_verified.signs.iwc.sorted", lambda pieces, **_: list(pieces)[:: -1 if backwards else 1], raising=False
+    )
+    for epsilon, outcome in ((1, Outcome.REFUTED), ("1/2", Outcome.PROVED)):
+        verdict = iwc("5/2", epsilon=epsilon, digits=6).verdict
+        assert verdict.outcome is outcome
+        if outcome is Outcome.REFUTED:
+            assert str(verdict.evidence).endswith("< 0")

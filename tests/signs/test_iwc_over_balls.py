@@ -221,3 +221,15 @@ def test_an_epsilon_0_that_is_not_certainly_below_the_threshold_is_undecided(
     verdict = iwc_over_balls(-1, -1, arb("-1.5", "1e-9"), digits=6).verdict
     assert verdict.outcome is (Outcome.PROVED if proved else Outcome.UNDECIDED)
     assert verdict.reason is (None if proved else Reason.WIDE_INPUT)
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_no_verdict_hangs_on_the_order_of_the_places(monkeypatch: pytest.MonkeyPatch, backwards: bool) -> None:
+    monkeypatch.setattr(
+        "gspot_verified.signs.iwc_over_balls.sorted",
+        lambda pieces, **_: list(pieces)[:: -1 if backwards else 1],
+        raising=False,
+    )
+    verdict = iwc_over_balls(-1, -1, arb("-2.5", "1e-9"), epsilon=1, digits=6).verdict
+    assert verdict.outcome is Outcome.REFUTED
+    assert str(verdict.evidence).endswith("< 0")
