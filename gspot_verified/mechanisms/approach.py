@@ -104,8 +104,7 @@ class _Attempt:
                 )
         self.rows: list[tuple[arb, tuple[arb, ...]]] = []
         self.least_slip: arb | None = None
-        self.shown: list[Evidence | None] = []
-        """The steps and hypotheses of the way, and that no event comes before the first capture."""
+        self.shown: list[Evidence | None] = []  # the way: steps, hypotheses, no event up to the first capture
 
     def _check(self, p: arb, b: arb) -> None:
         name = self.mechanism.name
