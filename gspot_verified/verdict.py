@@ -92,8 +92,9 @@ class Evidence:
 class Verdict:
     """The outcome for one statement.
 
-    ``evidence`` is what was compared for a proved or a refuted one; ``witness`` says where a refuted statement fails,
-    ``reason`` why an undecided one is open, ``remaining`` which boxes (tuples of intervals) are left.
+    ``evidence`` is what was compared for a proved one, ``against`` for a refuted one: what contradicts a statement is
+    never handed on as what shows it. ``witness`` says where a refuted statement fails, ``reason`` why an undecided one
+    is open, ``remaining`` which boxes (tuples of intervals) are left.
 
     :raises ValueError: proved or refuted without evidence, refuted without a witness, or undecided without a reason.
 
@@ -114,15 +115,19 @@ class Verdict:
     detail: str = ""
     remaining: tuple[tuple[Dyadic, ...], ...] = ()
     evidence: Evidence | None = field(default=None, compare=False, repr=False)
+    against: Evidence | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         if self.outcome is Outcome.REFUTED and not self.witness:
             raise ValueError("a refuted statement needs a witness")
-        if self.outcome is not Outcome.UNDECIDED and not isinstance(self.evidence, Evidence):
-            said = self.outcome.value
-            raise ValueError(f"a {said} statement needs evidence: values that were compared (gspot_verified.evidence)")
         if self.outcome is Outcome.UNDECIDED and self.reason is None:
             raise ValueError("an undecided statement needs a reason")
+        for outcome, given in ((Outcome.PROVED, self.evidence), (Outcome.REFUTED, self.against)):
+            if self.outcome is outcome and not isinstance(given, Evidence):
+                needed = "needs evidence: values that were compared (gspot_verified.evidence)"
+                raise ValueError(f"a {outcome.value} statement {needed}")
+            if self.outcome is not outcome and given is not None:
+                raise ValueError(f"only a {outcome.value} statement has this evidence, not a {self.outcome.value} one")
 
     @classmethod
     def proved(cls, statement: str, evidence: Evidence | None, detail: str = "") -> Verdict:
@@ -138,7 +143,7 @@ class Verdict:
         tests/rigour allows that."""
         evidence = Evidence._of_facts((f"argued: {statement}",))
         if witness:
-            return cls(Outcome.REFUTED, statement, witness=witness, detail=detail, evidence=evidence)
+            return cls(Outcome.REFUTED, statement, witness=witness, detail=detail, against=evidence)
         return cls(Outcome.PROVED, statement, detail=detail, evidence=evidence)
 
     @classmethod
@@ -147,7 +152,7 @@ class Verdict:
 
         :raises ValueError: there is none, or no witness.
         """
-        return cls(Outcome.REFUTED, statement, witness=witness, detail=detail, evidence=evidence)
+        return cls(Outcome.REFUTED, statement, witness=witness, detail=detail, against=evidence)
 
     @classmethod
     def undecided(

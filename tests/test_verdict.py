@@ -46,7 +46,7 @@ def test_a_verdict_is_no_truth_value(verdict: Verdict) -> None:
 @pytest.mark.parametrize("witness", [None, ""])
 def test_refuted_needs_a_witness(witness: str | None) -> None:
     with pytest.raises(ValueError, match="witness"):
-        Verdict(Outcome.REFUTED, "a < b", witness=witness, evidence=ONE_TWO)
+        Verdict(Outcome.REFUTED, "a < b", witness=witness, against=ONE_TWO)
     with pytest.raises(ValueError, match="witness"):
         Verdict.refuted("a < b", witness, ONE_TWO)  # type: ignore[arg-type]
 
@@ -65,7 +65,7 @@ def test_the_evidence_of_a_verdict() -> None:
     assert str(Verdict.proved("a < b", ONE_TWO).evidence) == "1 < 2"
     assert str(pickle.loads(pickle.dumps(Verdict.proved("a < b", ONE_TWO))).evidence) == "1 < 2"
     assert str(Verdict.argued("a < b").evidence) == "argued: a < b"
-    assert str(Verdict.refuted("b < a", "a = 1, b = 2", ONE_TWO).evidence) == "1 < 2"
+    assert str(Verdict.refuted("b < a", "a = 1, b = 2", ONE_TWO).against) == "1 < 2"
     assert str(Verdict.argued("a < b", witness="a = 2")) == "refuted: a < b\n  witness: a = 2"
     assert Verdict.undecided("a < b", Reason.BUDGET).evidence is None
 
@@ -73,11 +73,22 @@ def test_the_evidence_of_a_verdict() -> None:
 @pytest.mark.parametrize("evidence", [None, "a < b", True, 1])
 def test_refuted_needs_evidence(evidence: Any) -> None:
     with pytest.raises(ValueError, match="a refuted statement needs evidence"):
-        Verdict(Outcome.REFUTED, "a < b", witness="a = 2", evidence=evidence)
+        Verdict(Outcome.REFUTED, "a < b", witness="a = 2", against=evidence)
     with pytest.raises(ValueError, match="a refuted statement needs evidence"):
         Verdict.refuted("a < b", "a = 2", evidence)
     with pytest.raises(ValueError, match="a refuted statement needs evidence"):
         dataclasses.replace(Verdict.undecided("a < b", Reason.BUDGET), outcome=Outcome.REFUTED, witness="a = 2")
+
+
+def test_what_contradicts_a_statement_is_never_what_shows_it() -> None:
+    """A verdict that rests on another one asks for its evidence: there is none where that one was refuted or open."""
+    assert Verdict.refuted("a < b", "a = 2", ONE_TWO).evidence is None
+    assert Verdict.proved("a < b", ONE_TWO).against is None
+    for outcome, words in ((Outcome.REFUTED, {"witness": "w"}), (Outcome.UNDECIDED, {"reason": Reason.BUDGET})):
+        with pytest.raises(ValueError, match="only a proved statement"):
+            Verdict(outcome, "a < b", evidence=ONE_TWO, **words)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="only a refuted statement"):
+        Verdict(Outcome.PROVED, "a < b", evidence=ONE_TWO, against=ONE_TWO)
 
 
 def test_undecided_needs_a_reason() -> None:

@@ -411,4 +411,4 @@ def test_no_verdict_hangs_on_the_order_of_the_places(monkeypatch: pytest.MonkeyP
         verdict = iwc("5/2", epsilon=epsilon, digits=6).verdict
         assert verdict.outcome is outcome
         if outcome is Outcome.REFUTED:
-            assert str(verdict.evidence).endswith("< 0")
+            assert str(verdict.against).endswith("< 0")

@@ -232,4 +232,4 @@ def test_no_verdict_hangs_on_the_order_of_the_places(monkeypatch: pytest.MonkeyP
     )
     verdict = iwc_over_balls(-1, -1, arb("-2.5", "1e-9"), epsilon=1, digits=6).verdict
     assert verdict.outcome is Outcome.REFUTED
-    assert str(verdict.evidence).endswith("< 0")
+    assert str(verdict.against).endswith("< 0")

@@ -101,7 +101,7 @@ def test_a_point_that_is_not_certain_does_not_refute() -> None:
     )
     assert found is not None
     assert found.point == (2,)
-    assert str(found.verdict.evidence) == "2 = 2; 0 <= 2; 2 <= 2; 1 < 2"
+    assert str(found.verdict.against) == "2 = 2; 0 <= 2; 2 <= 2; 1 < 2"
 
 
 def test_a_range_that_says_that_it_holds_a_point_and_does_not(monkeypatch: pytest.MonkeyPatch) -> None:
