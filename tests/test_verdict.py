@@ -149,7 +149,8 @@ def test_json_round_trip(verdict: Verdict) -> None:
         Reason[data["reason"].upper()] if data["reason"] else None,
         data["detail"],
         tuple(tuple(Dyadic.parse(side) for side in box) for box in data["remaining"]),
-        verdict.evidence,  # it is no part of the text
+        verdict.evidence,  # these two are no part of the text
+        verdict.against,
     )
     assert rebuilt == verdict
 
