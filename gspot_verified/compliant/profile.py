@@ -78,9 +78,11 @@ class Profile:
         >>> [bool(value > 0) for value in values]
         [False, False, True]
         """
-        if self.root == 0:
-            return [self.direction * evaluate(tau, self.beta, derivative=k + 1, digits=digits).value for k in orders]
         bits = bits_for_digits(digits) + _GUARD_BITS
+        if self.root == 0:
+            values = [evaluate(tau, self.beta, derivative=k + 1, digits=digits).value for k in orders]
+            with working_bits(bits):
+                return [self.direction * value for value in values]
         eta = self.eta(2 * bits)
         found = []
         with working_bits(2 * bits):

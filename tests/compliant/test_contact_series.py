@@ -23,6 +23,7 @@ from gspot_verified.compliant.compliant_force import SlowManifold, compliant_for
 from gspot_verified.compliant.contact_series import (
     MAX_WORK,
     _cell,
+    _is_rate,
     _rest,
     carried,
     series_cells,
@@ -250,3 +251,34 @@ def test_beyond_the_reach_the_message_says_so() -> None:
     with pytest.raises(ValueError, match="t: 1 is too long after an initial state with p <= 0"):
         compliant_force(model, state, 1)
     assert series_work(deviation(model, state), fmpq(3000)) < MAX_WORK
+
+
+@pytest.mark.parametrize(
+    ("rate", "size", "product", "holds"),
+    [
+        (fmpq(3), fmpq(0), fmpq(1), True),
+        (fmpq(299, 100), fmpq(0), fmpq(1), False),
+        (fmpq(4), fmpq(4), fmpq(1), True),
+        (fmpq(4), fmpq(4001, 1000), fmpq(1), False),
+        (fmpq(4), fmpq(0), fmpq(16), True),
+        (fmpq(4), fmpq(0), fmpq(16001, 1000), False),
+    ],
+)
+def test_each_hypothesis_of_the_rate(rate: fmpq, size: fmpq, product: fmpq, holds: bool) -> None:
+    """L >= 3, L^2 >= 4 |p| and L^3 >= 4 epsilon beta, at equality and next to it."""
+    state = Deviation(product * 2, fmpq(1, 2), fmpq(0), fmpq(1), fmpq(1), fmpq(1), fmpq(1))
+    assert _is_rate(rate, size, state) is holds
+
+
+def test_the_rest_of_each_variable_has_its_weight() -> None:
+    """2 epsilon beta R/L, L R, R, R; and each holds what a longer series adds, at the end of the cell."""
+    state = Deviation(fmpq(5), fmpq(1, 3), fmpq(1, 2), fmpq(1), fmpq(-2), fmpq(3), fmpq(1, 2))
+    with working_bits(200):
+        values = [arb(value) for value in (state.b, state.V, state.Y, state.Z)]
+        few, many = (_cell(state, values, fmpq(0), fmpq(1, 4), fmpq(3), bits) for bits in (1, 150))
+        b, V, Y, Z = few.rests
+        for ratio, weight in ((b / Y, fmpq(10, 9)), (V / Y, fmpq(3)), (Z / Y, fmpq(1))):
+            assert abs(ratio - weight) < 1e-7
+        for short, long, rest in zip(few.variables, many.variables, few.rests, strict=True):
+            assert 0 < rest < 10
+            assert abs(long(arb(1)) - short(arb(1))) < rest

@@ -5,10 +5,13 @@ Page: proofs/finite_epsilon_zeros.md.
 
 from __future__ import annotations
 
+import inspect
+
 import pytest
 from flint import arb, fmpq
 
 from gspot_verified.balls import exact, working_bits
+from gspot_verified.compliant import fold_point as fold_point_module
 from gspot_verified.compliant.fold_column import fold_parts
 from gspot_verified.compliant.fold_point import _convexity, fold_point
 from gspot_verified.compliant.zero_count import slow_zeros
@@ -104,3 +107,20 @@ def test_the_convexity_is_below_all_parts(least: int) -> None:
         found = _convexity(_Curvatures(values), begin, end)  # type: ignore[arg-type]
         assert found > 0
         assert all(found <= value for value in values)
+
+
+def test_the_least_epsilon_is_within_the_range(monkeypatch: pytest.MonkeyPatch) -> None:
+    """10^-9 is looked at, and what is below it is refused; eight digits unless others are asked for."""
+
+    class LookedAt(Exception):
+        pass
+
+    def search(*_: object) -> None:
+        raise LookedAt
+
+    monkeypatch.setattr(fold_point_module, "_search", search)
+    with pytest.raises(LookedAt):
+        fold_point("1e-9")
+    with pytest.raises(ValueError, match="epsilon"):
+        fold_point("0.999e-9")
+    assert inspect.signature(fold_point).parameters["digits"].default == 8

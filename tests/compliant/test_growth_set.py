@@ -189,3 +189,31 @@ def test_the_paper_runs_end_in_an_impact_after_one_flight(beta: str, nu: str) ->
     assert lasting_contact(end.state).outcome is Outcome.PROVED
     upwards = replace(end.state, V=-end.state.V)
     assert lasting_contact(upwards).outcome is Outcome.UNDECIDED
+
+
+def test_the_slow_set_asks_for_the_whole_of_m() -> None:
+    """S >= a M, M = D + 2 lambda: with lambda = 5 it is 2 lambda that decides. S = W + G."""
+    with working_bits(100):
+        inside = {"force": fmpq(5), "D": fmpq(1), "W": fmpq(1, 2), "G": fmpq(7, 10)}
+        assert in_slow_set(slow_with(**inside), RATE, LAG)
+        assert not in_slow_set(slow_with(**{**inside, "G": fmpq(1, 2)}), RATE, LAG)
+
+
+def test_the_monotone_set_needs_a_pull_downwards() -> None:
+    """-alpha_2 >= 0; any pull, however small, will do."""
+    with working_bits(100):
+        for alpha_2, holds in ((fmpq(0), True), (fmpq(-1, 1000), True), (fmpq(1, 1000), False)):
+            state = built(fmpq(1), fmpq(0), fmpq(0), fmpq(0), fmpq(0), fmpq(1, 2), fmpq(1), alpha_2)
+            assert bool(in_monotone_set(state) is not None) is holds
+
+
+@pytest.mark.parametrize("size", [fmpq(1, 1000), fmpq(1000)])
+def test_membership_does_not_depend_on_the_size(size: fmpq) -> None:
+    """The equations are linear in the state and alpha_2 at a given p: so are the sets."""
+    with working_bits(200):
+        slow, fast = (
+            slow_with(D=size, W=size, G=size, force=size * force, alpha_2=-size) for force in (fmpq(1, 8), fmpq(1))
+        )
+        assert in_slow_set(slow, RATE, LAG)
+        assert in_fast_set(fast, RATE)
+        assert in_monotone_set(built(size, fmpq(0), fmpq(0), fmpq(0), fmpq(0), fmpq(1, 2), fmpq(1), -size))

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import inspect
 import json
 
 import pytest
-from flint import fmpq
+from flint import arb, fmpq
 
 from gspot_verified import Outcome, iwc
+from gspot_verified.balls import working_bits
+from gspot_verified.compliant.iwc import BALLS_CAVEAT, iwc_over_balls
+from gspot_verified.compliant.iwc import iwc as compliant_iwc
 from gspot_verified.compliant.threshold import slow_force
 from gspot_verified.signs.iwc import CAVEAT
+from gspot_verified.signs.iwc import iwc as leading_order
+from gspot_verified.signs.iwc_over_balls import iwc_over_balls as leading_order_over_balls
 
 
 def test_the_theorem_takes_the_place_of_the_caveat() -> None:
@@ -89,3 +95,30 @@ def test_above_5_the_leading_order_is_no_lower_bound() -> None:
     assert at.slow is not None
     assert at.leading.verdict.outcome is Outcome.PROVED
     assert at.slow.verdict.outcome is Outcome.REFUTED
+
+
+def test_the_arguments_are_those_of_the_leading_order() -> None:
+    for here, there in ((compliant_iwc, leading_order), (iwc_over_balls, leading_order_over_balls)):
+        assert [(p.name, p.default) for p in inspect.signature(here).parameters.values()] == [
+            (p.name, p.default) for p in inspect.signature(there).parameters.values()
+        ]
+
+
+def test_the_caveat_names_what_is_open() -> None:
+    """At one beta that no theorem covers, and over balls on the side where the contact is lost: nothing is stated about
+    the compliant model there. At one beta on that side the lift-off is."""
+    one = iwc("27/2")
+    assert (one.compliant, one.caveat) == (None, CAVEAT)
+    with working_bits(128):
+        alphas = (arb(-1), arb(-1), arb(fmpq(-3, 2), fmpq(1, 10**9)))
+    impact = iwc_over_balls(*alphas, tau_start=-1)
+    assert impact.slow is not None
+    assert impact.caveat is None
+    assert impact.leading.force is not None
+    lost = iwc_over_balls(*alphas, c1=-impact.leading.force.direction, tau_start=-1)
+    assert (lost.compliant, lost.caveat) == (None, BALLS_CAVEAT)
+    lifted = iwc("3/2", c1=-impact.leading.force.direction, tau_start=-1, epsilon="1/100", digits=5)
+    assert lifted.slow is None
+    assert lifted.lift_off is not None
+    assert lifted.compliant is lifted.lift_off
+    assert lifted.verdict is lifted.lift_off.verdict

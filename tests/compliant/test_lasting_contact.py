@@ -144,3 +144,10 @@ def test_the_hypotheses_of_theorem_f4() -> None:
     for rate, lag in ((fmpq(0), c), (fmpq(1), c), (a, fmpq(0)), (-a, c), (a, -c)):
         assert not holds(rate, lag, q=fmpq(10**6))
     assert not holds(beta=fmpq(1))
+
+
+def test_the_accuracy_that_is_not_asked_for_is_enough() -> None:
+    """G = 2^-40 is certainly positive: 128 bits tell it from 0, few bits do not."""
+    near = state(fmpq(1, 2), fmpq(1, 3), fmpq(1), fmpq(1), fmpq(1), TINY)
+    assert lasting_contact(near).outcome is Outcome.PROVED
+    assert lasting_contact(near, 20).outcome is Outcome.UNDECIDED

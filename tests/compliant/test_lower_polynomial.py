@@ -100,3 +100,22 @@ def test_the_polynomial_of_a_derivative(j: int) -> None:
         ]
     assert derivatives[j] < rests[0]
     assert rests[0] < rests[1]
+
+
+def test_the_drift_is_near_the_difference_of_the_polynomial() -> None:
+    """f_0^(5) = 1 alone, b = 9/2: P = -eta^2/10, so P(2) - P(1) = -3/10; the bound has (y - x)(y + y) for y^2 - x^2."""
+    derivatives = [arb(0)] * 5 + [arb(1)]
+    found = drift(fmpq(11, 2), 0, (fmpq(1), fmpq(2)), derivatives)
+    assert -fmpq(401, 1000) < found <= -fmpq(3, 10)
+    narrow = drift(fmpq(11, 2), 0, (fmpq(1), fmpq(1001, 1000)), derivatives)
+    assert -fmpq(2003, 10**7) < narrow <= -fmpq(2001, 10**7)
+
+
+def test_enclosures_are_as_wide_as_the_function_changes() -> None:
+    """Over an interval of the length 2^-9 f_0 is off its value in the middle by 2^-10 |f_0'|, and little more."""
+    beta, middle, half = fmpq(5, 2), fmpq(-2), fmpq(1, 2**10)
+    found = leading_enclosures(beta, middle - half, middle + half, 2)
+    slope = leading_derivatives(beta, middle, 2)[1]
+    with working_bits(128):
+        ratio = arb(found[0].rad()) / (abs(slope) * half)
+    assert 0.99 < ratio < 1.05

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import mpmath
 import pytest
 from contact_witness import moved
 from flint import arb, fmpq
+from strategies import ends
 from witness import contains_witness, to_fraction
 
 from gspot_verified.balls import relative_bits, working_bits
 from gspot_verified.compliant import side_later
 from gspot_verified.compliant.flight import ContactState
 from gspot_verified.compliant.growth_set import in_slow_set
+from gspot_verified.compliant.kernel import kernel
 from gspot_verified.compliant.normal_form import CompliantState, Deviation, compliant_model, deviation
 from gspot_verified.compliant.side_later import side
 from gspot_verified.compliant.side_rule import coefficients, side_rule
@@ -152,3 +156,50 @@ def test_a_wide_state_gives_a_wide_k_that_holds_the_narrow_one() -> None:
     assert value.contains(side(narrow, BITS).mid())
     assert not side(ContactState(narrow.beta, narrow.epsilon, narrow.alpha_2, narrow.p, arb("nan"), narrow.V, narrow.Y,
                                  narrow.force), BITS).is_finite()  # fmt: skip
+
+
+def _upper(value: arb) -> mpmath.mpf:
+    assert value.is_finite()
+    top = ends(value)[1]
+    return mpmath.mpf(top.numerator) / top.denominator
+
+
+@pytest.mark.parametrize("beta", [fmpq(1, 2), fmpq(5, 2)])
+@pytest.mark.parametrize("p", [fmpq(1, 2), fmpq(0), fmpq(-2)])
+def test_the_rest_beyond_the_end_is_that_of_the_page(beta: fmpq, p: fmpq) -> None:
+    """B (1 + 2R)^2 (2R)^max(beta-1, 0) R^min(beta-1, 0) e^(Re E(R)/epsilon)/(d(R)/epsilon - n/R)."""
+    hats = Deviation(beta, fmpq(1, 3), p, fmpq(-1, 3), fmpq(-1), fmpq(1, 7), fmpq(2))
+    height = fmpq(1, 2)
+    with mpmath.workdps(30), working_bits(150):
+        found = side_later._beyond(kernel(hats), arb(1), arb(2), arb(height))
+        b, power, eps, m = (mpmath.mpf(int(v.p)) / int(v.q) for v in (hats.b, beta, hats.epsilon, p))
+        V, Y, force = (mpmath.mpf(int(v.p)) / int(v.q) for v in (hats.V, hats.Y, hats.force))
+        way, B, R = mpmath.expjpi(mpmath.mpf(1) / 3), abs(b) + abs(V) + abs(Y) + abs(force), mpmath.mpf(2)
+
+        def exponent(s: mpmath.mpc) -> mpmath.mpf:
+            return ((mpmath.log(1 + s) - s + s**2 / 2 + s**3 / 3 + m * s) / eps).real - mpmath.mpf(1) / 2
+
+        d, n = R**2 + R - mpmath.mpf(1) / 2 - m / 2, 2 + max(power - 1, mpmath.mpf(0))
+        front = B * (1 + 2 * R) ** 2 * (2 * R) ** max(power - 1, mpmath.mpf(0)) * R ** min(power - 1, mpmath.mpf(0))
+        page = front * mpmath.exp(exponent(1 + way * R)) / (d / eps - n / R)
+        assert page * (1 - mpmath.mpf("1e-15")) <= _upper(found) <= page * (1 + mpmath.mpf("1e-12"))
+
+        def weight(rho: mpmath.mpf) -> mpmath.mpf:
+            s = 1 + way * rho
+            return abs(s) ** (power - 1) * abs(b + s * V + s**2 * (Y - s * force) / (1 + s)) * mpmath.exp(exponent(s))
+
+        assert mpmath.quad(weight, [R, R + 1, R + 3]) < page
+
+
+def test_the_rest_is_refused_without_its_hypotheses() -> None:
+    hats = Deviation(fmpq(5, 2), fmpq(1, 3), fmpq(-2), fmpq(1), fmpq(1), fmpq(1), fmpq(2))
+
+    def rest(start: fmpq, last: fmpq, hats: Deviation = hats) -> arb:
+        return side_later._beyond(kernel(hats), arb(start), arb(last), arb(0))
+
+    with working_bits(100):
+        assert rest(fmpq(2), fmpq(2)).is_finite()
+        assert not rest(fmpq(2), fmpq(199, 100)).is_finite()  # R < s_0
+        assert not rest(fmpq(0), fmpq(2)).is_finite()
+        assert not rest(fmpq(1), fmpq(2), replace(hats, p=fmpq(12))).is_finite()  # d(R) < 0
+        assert not rest(fmpq(1), fmpq(2), replace(hats, epsilon=fmpq(100))).is_finite()  # the power still wins

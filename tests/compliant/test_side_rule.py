@@ -18,12 +18,14 @@ from gspot_verified.balls import working_bits
 from gspot_verified.compliant.fast_bound import fast_bound
 from gspot_verified.compliant.fast_coefficient import fast_coefficient
 from gspot_verified.compliant.normal_form import Deviation, compliant_model, compliant_state, deviation
-from gspot_verified.compliant.side_rule import coefficients, side_rule
+from gspot_verified.compliant.side_rule import SideRule, coefficients, side_rule
 from gspot_verified.compliant.slow_coefficient import slow_coefficient
 from gspot_verified.compliant.slow_solution import slow_value
-from gspot_verified.verdict import Outcome
+from gspot_verified.theta_function.reciprocal_gamma import reciprocal_gamma
+from gspot_verified.verdict import Outcome, Reason, Verdict
 
 BITS = 80
+_VERDICT = Verdict.undecided("the sign of K", Reason.BUDGET, "left open here")
 STATES = [
     Deviation(fmpq(3, 2), fmpq(1, 10), fmpq(1, 2), fmpq(1), fmpq(-2, 3), fmpq(1, 5), fmpq(2)),
     Deviation(fmpq(1, 2), fmpq(1), fmpq(2), fmpq(-1, 3), fmpq(2), fmpq(1), fmpq(-1)),
@@ -201,3 +203,17 @@ def test_the_size_of_a_state_does_not_matter(exponent: int, p: fmpq) -> None:
         assert (scaled.slow is None) is (p == 0)
         if scaled.slow is not None and plain.slow is not None:
             assert (scaled.slow / size).overlaps(plain.slow)
+
+
+def test_the_text_says_whose_side_it_is() -> None:
+    """The paper's rule with the same side, with the other one, and left open."""
+    state = STATES[0]
+    with working_bits(80):
+        slow, sign = arb(1), reciprocal_gamma(-state.beta, 80)
+        around = acb(0)
+        same, other = SideRule(state, slow, around, sign, _VERDICT), SideRule(state, slow, around, -sign, _VERDICT)
+        unsure = SideRule(state, slow, around, arb(0, 1), _VERDICT)
+    assert "the paper's rule gives the same side" in str(same)
+    assert "the paper's rule gives the other side" in str(other)
+    assert "whether the paper's rule gives the same side is open" in str(unsure)
+    assert [rule.paper_differs for rule in (same, other, unsure)] == [False, True, None]

@@ -6,10 +6,12 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified.compliant import cells_of_epsilon
+from gspot_verified.compliant import threshold_by_cells as threshold_module
 from gspot_verified.compliant.cells_of_epsilon import above_on_cell, falling_to_the_left
 from gspot_verified.compliant.profile import Profile
 from gspot_verified.compliant.threshold import slow_force
 from gspot_verified.compliant.threshold_by_cells import threshold_by_cells
+from gspot_verified.evidence import at_most
 from gspot_verified.signs.contact_force import contact_force
 from gspot_verified.signs.iwc import iwc
 
@@ -108,3 +110,17 @@ def test_a_cell_of_epsilon_that_is_not_shown_is_not_counted(monkeypatch: pytest.
     assert "parts cover [0, " in str(found.evidence)
     monkeypatch.setattr("gspot_verified.compliant.threshold_by_cells.above_on_cell", lambda *_: None)
     assert threshold_by_cells(leading.force, START, leading.epsilon_0, 3) == (None, False)
+
+
+def test_what_was_reached_is_said_and_nothing_where_nothing_was(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A cell that holds, and no least value beyond it: its end is a lower bound. No cell that holds: no threshold."""
+    force = contact_force("13/2")
+    monkeypatch.setattr(threshold_module, "least_value", lambda *_: None)
+    monkeypatch.setattr(threshold_module, "_holds", lambda *_: at_most(fmpq(0), fmpq(1)))
+    found, _ = threshold_by_cells(force, START, fmpq(1, 10))
+    assert found is not None
+    assert found.lower is not None
+    assert fmpq(99, 1000) < found.lower <= fmpq(1, 10)
+    assert (found.upper, found.place, found.every_epsilon) == (None, None, False)
+    monkeypatch.setattr(threshold_module, "_holds", lambda *_: None)
+    assert threshold_by_cells(force, START, fmpq(1, 10))[0] is None

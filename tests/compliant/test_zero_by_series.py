@@ -220,3 +220,28 @@ def test_at_the_state_itself_the_force_is_compared() -> None:
     hats = deviation(model, state)
     assert positive_by_series(hats, model.mean_force, fmpq(0)) is not None
     assert positive_by_series(hats, -hats.force, fmpq(0)) is None
+
+
+def test_the_slope_of_a_piece_is_that_of_the_force() -> None:
+    """d lambda/dT = -(2 Z - Y + V): the difference quotient of the force, and little else over a short piece."""
+    model, state = motion("1/10")
+    cell = next(iter(series_cells(deviation(model, state), fmpq(1, 3), 1, 128)))
+    with working_bits(200):
+        piece = _Piece(cell, model.mean_force, fmpq(1, 2), fmpq(1, 2) + fmpq(1, 2**20))
+        ahead, behind = (cell.at(arb(x)) for x in (piece.right, piece.left))
+        quotient = (ahead[3] - ahead[2] - behind[3] + behind[2]) / (cell.width * (piece.right - piece.left))
+        slope = piece.slope()
+        assert slope.is_finite()
+        assert slope.overlaps(quotient)
+        assert abs(slope - quotient) < 1e-4
+        whole = _Piece(cell, model.mean_force, fmpq(0), fmpq(1)).slope()
+        assert whole.contains(slope.mid())
+
+
+@pytest.mark.parametrize("width", [fmpq(1, 10**6), fmpq(1, 10**9)])
+def test_the_bracket_is_as_wide_as_asked(width: fmpq) -> None:
+    """Halved until it is not wider: then it is wider than half of it. The width is a time, whatever the cell."""
+    model, state = motion("1/10", "-40", "60")  # cells of length 1/4
+    found = zero_by_series(deviation(model, state), model.mean_force, width, 128)
+    assert found is not None
+    assert width / 2 < found.upper - found.lower <= width

@@ -22,12 +22,13 @@ from gspot_verified.mechanisms.mechanism import Mechanism
 from gspot_verified.scenes.assumption import ASSUMED, CHECKED, VIOLATED, Assumption, provided
 from gspot_verified.scenes.certified_integration import integrated_run
 from gspot_verified.scenes.certified_phase import Open
-from gspot_verified.scenes.certified_result import Record, event_of, result_of, statement
+from gspot_verified.scenes.certified_result import Record, event_of, growth_words, result_of, statement
 from gspot_verified.scenes.certified_run import certified_run, exact_start
 from gspot_verified.scenes.conditions import Conditions
 from gspot_verified.scenes.effects.catalogue import EFFECTS
 from gspot_verified.scenes.file import SHIPPED, load_scene
 from gspot_verified.scenes.float_run import float_run
+from gspot_verified.scenes.invariant_region import Growth
 from gspot_verified.scenes.run import IMPACT, OPEN, REFUTED, SceneRun, agreement
 from gspot_verified.scenes.scene import Scene
 from gspot_verified.verdict import Evidence, Outcome, Reason
@@ -432,3 +433,15 @@ def test_a_run_says_nothing_where_its_friction_has_no_sense(A: str, mu: str, lea
     run = integrated_run(replace(made, until=fmpq(1)), bits=(128,))
     assert run.verdict.outcome is Outcome.UNDECIDED
     assert f"{least} may be negative in contact" in run.verdict.detail
+
+
+def test_the_words_of_growth_are_rounded_to_the_safe_side() -> None:
+    """The rate down, times up: 1/3 and 2/3, and what is known of the end."""
+    third = arb(1) / 3
+    lasting = growth_words(Growth(third, None), sticks=False, since=None)
+    assert lasting == "λ_N grows at least like exp(0.333 t/ε) for as long as the contact slips"
+    assert growth_words(Growth(third, None, 2 * third), False, None) == f"{lasting}, which ends within 0.667 ε"
+    assert growth_words(Growth(2 * third, 8), True, third) == (
+        "from t = 0.333334 after the start on λ_N grows at least like exp(0.666 t/ε) until it is 8 times as large, "
+        "or stick ends"
+    )

@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from gspot_verified.balls import working_bits
 from gspot_verified.expansion.expressions import Constant, Expression, Variable
 from gspot_verified.integrator.chosen_step import Steps
+from gspot_verified.scenes import certified_phase as module
 from gspot_verified.scenes.certified_integration import integrated_run
 from gspot_verified.scenes.certified_phase import CLOCK, CertifiedPhase, Open, PhaseEnd
 from gspot_verified.scenes.file import load_scene
@@ -321,3 +322,74 @@ def test_no_phase_lasts_beyond_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
             assert time.contains(left.upper())
             assert time.lower() <= left.lower()
     assert seen[1][0].rad() > 0
+
+
+def supposing(name: str, function: Expression, resting: fmpq, time: str = "1") -> PhaseEnd | Open:
+    """x = cos t, y = -sin t, and a third state that stays as it is; no event, one function that must have its sign."""
+    made = ScaledSystem("turning", ("x", "y", "m"), (y, -x, Constant(fmpq(0))), (), (), ((name, function),))
+    return CertifiedPhase(made).run({"x": arb(1), "y": arb(0), "m": arb(resting)}, arb(time), {}, lambda *_: False)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "sense"),
+    [
+        ("mu", fmpq(1, 2), True),
+        ("mu", fmpq(-1, 10**9), False),
+        ("A", 0, False),
+        ("A", fmpq(1, 2), True),
+    ],
+)
+def test_friction_has_sense_for_mu_not_negative_and_a_positive(name: str, value: fmpq | int, sense: bool) -> None:
+    found = supposing(name, Variable(2), fmpq(value))
+    assert isinstance(found, PhaseEnd) is sense
+    if isinstance(found, Open):
+        assert found.reason == f"{name} may be negative in contact, where the friction has no sense"
+    assert (module._has_sense("mu", arb(0)), module._has_sense("A", arb(0))) == (True, False)
+
+
+@pytest.mark.parametrize(("level", "sense"), [(fmpq(54, 100), True), (fmpq(55, 100), False)])
+def test_friction_must_have_sense_all_along(level: fmpq, sense: bool) -> None:
+    """cos 1 = 0.5403: what is supposed holds up to the end, or fails shortly before it."""
+    found = supposing("A", above(level), fmpq(0))
+    assert isinstance(found, PhaseEnd) is sense
+
+
+@pytest.mark.parametrize("halvings", [2, 3])
+def test_a_doubt_is_cut_as_often_as_allowed(halvings: int) -> None:
+    """A function that is certain on parts of the length 2^-n and on no longer ones: n cuts, everywhere."""
+    made = ScaledSystem("turning", ("x", "y"), (y, -x), (), (), (("A", x),))
+    phase, seen = CertifiedPhase(made), list[arb]()
+
+    class Certain:
+        def __init__(self, length: fmpq) -> None:
+            self.length = length
+
+        def mean_values(self, box: list[arb]) -> list[arb]:
+            seen.append(box[0])
+            return [arb(1) if 2 * arb(box[0].rad()) < self.length * fmpq(101, 100) else arb(0, 1)]
+
+    class Segment:
+        def states(self, part: arb) -> list[arb]:
+            return [part]
+
+    for cuts, doubt in ((halvings, None), (halvings + 1, "A")):
+        phase._supposed = Certain(fmpq(1, 2**cuts))  # type: ignore[assignment]
+        assert phase._doubt(Segment(), arb(0), arb(1), halvings) == doubt  # type: ignore[arg-type]
+    for k in range(17):
+        assert any(part.contains(fmpq(k, 16)) and part.rad() < fmpq(2, 3) / 2**halvings for part in seen)
+
+
+def test_an_observer_ends_a_phase_only_where_every_event_is_excluded(monkeypatch: pytest.MonkeyPatch) -> None:
+    events = (PhaseEvent("falls", above(fmpq(-2)), "next"),)
+    phase, asked = CertifiedPhase(ScaledSystem("turning", ("x", "y"), (y, -x), events, ())), list[str]()
+
+    def observer(*_: object) -> bool:
+        asked.append("asked")
+        return True
+
+    start = {"x": arb(1), "y": arb(0)}
+    assert isinstance(phase.run(start, arb(1), {}, observer), PhaseEnd)
+    assert asked == ["asked"]
+    monkeypatch.setattr(module.Watch, "excluded", lambda *_: None)
+    assert isinstance(phase.run(start, arb(1), {}, observer), Open)
+    assert asked == ["asked"]

@@ -20,7 +20,9 @@ from gspot_verified.scenes.effects import (
     two_way_coupling,
 )
 from gspot_verified.scenes.effects.catalogue import EFFECTS, EXCLUSIONS
+from gspot_verified.scenes.effects.effect import Condition
 from gspot_verified.scenes.effects.mechanism_terms import MechanismTerms
+from gspot_verified.scenes.effects.model_terms import ModelTerms
 from gspot_verified.scenes.effects.terms import FLIGHT, PHASES, REVERSE, SLIP, STICK
 from gspot_verified.scenes.float_function import float_function
 from gspot_verified.scenes.scaled_system import CONTACT, ScaledSystem
@@ -186,3 +188,82 @@ def test_the_friction_of_a_mechanism(phase: str, share: float | None) -> None:
     assert friction == pytest.approx(2 * share if share is not None else -(20 / 3 - 4 / 3) / (4 / 3))
     assert acceleration == pytest.approx(-22 / 3 + 4 / 3 * 2 - 2 / 3 * friction)
     assert u_rate == pytest.approx(approximate(EPSILON) * (20 / 3 - 2 / 3 * 2 + 4 / 3 * friction), abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("k_plus", "k_minus", "a", "phases"),
+    [
+        (fmpq(-1), fmpq(2), fmpq(0), []),
+        (fmpq(-1), fmpq(1, 2), fmpq(0), []),
+        (fmpq(-1), fmpq(2), fmpq(1, 2), [SLIP]),
+        (fmpq(-1), fmpq(2), fmpq(-1, 2), [REVERSE]),
+        (fmpq(0), fmpq(2), fmpq(0), [SLIP]),
+        (fmpq(1, 2), fmpq(2), fmpq(0), [SLIP]),
+        (fmpq(-2), fmpq(0), fmpq(0), [REVERSE]),
+        (fmpq(-2), fmpq(-1), fmpq(0), [REVERSE]),
+        (fmpq(-2), fmpq(-1), fmpq(1, 2), [SLIP, REVERSE]),
+    ],
+)
+def test_stick_ends_only_where_a_force_of_friction_can_vanish(
+    k_plus: fmpq, k_minus: fmpq, a: fmpq, phases: list[str]
+) -> None:
+    """(k^- - k^+) lambda^+ = k^- lambda_N + a and (k^- - k^+) lambda^- = -k^+ lambda_N - a, both > 0 for every
+    lambda_N > 0: that end of stick is left out, and no other. Where none is left slip ends in stick, for certain."""
+    parameters = {**PARAMETERS, "k_plus": k_plus, "k_minus": k_minus, "a": a}
+    terms = ModelTerms(STICK, ("b", "Y", "V", "Z"), EPSILON, parameters, fmpq(1))
+    assert [phase for phase, _ in terms.stick_ends] == phases
+    expected = {SLIP: -k_plus * 6 - a, REVERSE: k_minus * 6 + a}
+    for phase, function in terms.stick_ends:
+        assert float_function([function])([0.0, -3.0, 1.0, -1.0, 0.0]) == [pytest.approx(approximate(expected[phase]))]
+    slipping = ModelTerms(SLIP, ("b", "Y", "V", "Z", "u"), EPSILON, parameters, fmpq(1))
+    (end,) = stick.events(slipping)
+    assert (end.name, end.next_phase) == (("slip stops", CONTACT) if phases else ("stick", STICK))
+
+
+@pytest.mark.parametrize(("phase", "shares"), [(SLIP, [6.0, 0.0]), (REVERSE, [0.0, 6.0]), (FLIGHT, [0.0, 0.0])])
+def test_the_two_parts_of_the_force(phase: str, shares: list[float]) -> None:
+    """lambda^+ = c lambda_N and lambda^- = (1 - c) lambda_N, c = 1 in slip and 0 in reverse slip (eq. lambda+)."""
+    terms = ModelTerms(phase, ("b", "Y", "V", "Z", "u"), EPSILON, PARAMETERS, fmpq(1))
+    assert float_function([terms.forward, terms.backward])([0.0, -3.0, 1.0, -1.0, 2.0, 0.0]) == shares
+
+
+def test_what_is_known_of_the_model_without_coupling() -> None:
+    """p = p_0 + alpha_1 epsilon T; without a belt the surface is at rest."""
+    known = {name: value for name, value in PARAMETERS.items() if name != "belt_velocity"}
+    terms = ModelTerms(STICK, ("b", "Y", "V", "Z"), EPSILON, known, fmpq(1, 2))
+    assert float_function([terms.p, terms.u])([0.0, 0.0, 0.0, 0.0, 2.0]) == [0.5 - 3.5 / 8 * 2, 0.0]
+
+
+@pytest.mark.parametrize("phase", PHASES)
+def test_what_friction_supposes_of_a_mechanism(phase: str) -> None:
+    """mu >= 0 and A > 0 in contact where the slip velocity is seen; nothing in flight, and nothing of a constant."""
+    effects = ("compliant_contact", "lift_off", "tangential_motion", "stick")
+    rough = lagrangian("rough", ["X", "H"], [[1, "1/2"], ["1/2", 1]], [3, -4], "X", "H", "1/4 + X^2")
+    start = {"X": "1", "X_dot": "1"}
+    for mechanism, given, names in ((rough, start, ["mu"]), (BLOCK, {"X_dot": "1"}, [])):
+        system = Scene("block", effects, EPSILON, fmpq(1), {}, given, None, mechanism).system(phase)
+        assert [name for name, _ in system.supposed] == ([] if phase == FLIGHT else names)
+    unseen = Scene("unseen", effects[:2], EPSILON, fmpq(1), {}, start, None, rough)
+    assert [name for name, _ in unseen.system(SLIP).supposed] == []
+
+
+def test_what_the_absence_of_tangential_effects_means() -> None:
+    """Of the paper's model u > 0 is part of what it is; of a mechanism it is a condition. x is cyclic where it is."""
+    contact = ("compliant_contact", "lift_off")
+    model_start = {name: START[name] for name in ("p", "b", "y", "v", "z")}
+    of_model = Scene("model", contact, EPSILON, fmpq(1), {}, model_start)
+    of_block = Scene("block", contact, EPSILON, fmpq(1), {}, {}, None, BLOCK)
+    assert "by definition of the model system" in of_model.assumes()["tangential_motion"]
+    assert of_block.assumes()["tangential_motion"] == tangential_motion.EFFECT.left_out
+    assert of_model.conditional() == ()
+    assert of_block.conditional() == (tangential_motion.EFFECT,)
+    rough = lagrangian("rough", ["X", "H"], [[1, 0], [0, 1]], [3, -4], "X", "H", "1/4 + X^2")
+    on_place = Scene("rough", contact, EPSILON, fmpq(1), {}, {"X": "1", "X_dot": "1"}, None, rough)
+    meanings = [each.assumes()["tangential_place"] for each in (of_model, of_block, on_place)]
+    assert [text.endswith("x is cyclic") for text in meanings] == [True, True, False]
+    assert "integrated" in meanings[2]
+
+
+def test_a_condition_is_asked_of_the_model_too() -> None:
+    """Unless it is said that the model has it by definition."""
+    assert Condition("u > 0", lambda _: ()).of_model
