@@ -47,7 +47,7 @@ def test_on_a_short_interval_they_are_near(beta: fmpq, place: fmpq) -> None:
     near = 2 * abs(bend) * half * half + fmpq(1, 10**9)
     assert cell.least > value - abs(slope) * half - near
     assert cell.greatest < value + abs(slope) * half + near
-    assert cell.rising is bool(slope > 0)
+    assert (cell.rising is not None) is bool(slope > 0)
 
 
 def test_where_it_rises_the_least_value_is_at_the_left_end() -> None:
