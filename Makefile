@@ -7,7 +7,7 @@
 # make docs     the documentation site, build/docs/index.html; it is read without a network
 # make lint     formatting, lint, types, and what a file that concludes may not write (tests/rigour/README.md)
 # make attack   questions to the package against independent references: MINUTES=30, OPTIONS="--seed 7 --kind theta" (tests/attack/README.md)
-# make mutants  mutation testing: FILES="gspot_verified/dyadic.py ...", OPTIONS="--sample 20" (tests/mutants/README.md)
+# make mutants  mutation testing: FILES="gspot_verified/numbers/dyadic.py ...", OPTIONS="--sample 20" (tests/mutants/README.md)
 
 PYTHON ?= python3
 VENV := .venv
@@ -61,7 +61,7 @@ lint: $(READY)
 	$(BIN)/mypy
 	PYTHONPATH=tests $(BIN)/python -m rigour
 
-FILES ?= gspot_verified/dyadic.py gspot_verified/verdict.py
+FILES ?= gspot_verified/numbers/dyadic.py gspot_verified/numbers/verdict.py
 
 mutants: $(READY)
 	PYTHONPATH=tests $(BIN)/python -m mutants $(FILES) $(OPTIONS)

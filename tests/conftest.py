@@ -3,8 +3,8 @@
 ``HYPOTHESIS_PROFILE=thorough`` runs more examples, drawn at random; the default runs the same examples every time.
 
 ``--sabotage ROUTE:EXPONENT`` makes the error bound of one route wrong on purpose, to see that the tests notice:
-``negative:20`` shrinks every bound of ``theta_function/negative.py`` by the factor 1 - 2^-20, ``positive:-20``
-multiplies every bound of ``theta_function/positive.py`` by 2^-20.
+``negative:20`` shrinks every bound of ``theta_function/sums/negative.py`` by the factor 1 - 2^-20, ``positive:-20``
+multiplies every bound of ``theta_function/sums/positive.py`` by 2^-20.
 """
 
 from __future__ import annotations
@@ -23,22 +23,35 @@ from flint import arb, ctx
 from hypothesis import settings
 
 if TYPE_CHECKING:
-    from gspot_verified.ledger.cache import Cache
-    from gspot_verified.ledger.entry import Entry
+    from gspot_verified.paper.cache import Cache
+    from gspot_verified.paper.checks.entry import Entry
 
 settings.register_profile("default", max_examples=60, deadline=None, derandomize=True, database=None)
 settings.register_profile("thorough", max_examples=1000, deadline=None, database=None, print_blob=True)
 
 SABOTAGED_MODULES = {
-    **dict.fromkeys(
-        ("majorant", "mean_value", "taylor", "splitting", "negative", "positive", "laplace", "finite_part", "box"),
-        "theta_function",
-    ),
-    **dict.fromkeys(
-        ("grid", "slow_integral", "epsilon_series", "slow_coefficient", "fast_coefficient", "side_rule"), "compliant"
-    ),
-    **dict.fromkeys(("step", "norm_step"), "integrator"),
-    **dict.fromkeys(("growth", "piece"), "uniform"),
+    place.rpartition(".")[2]: place
+    for place in (
+        "theta_function.value.majorant",
+        "theta_function.value.mean_value",
+        "theta_function.sums.taylor",
+        "theta_function.sums.splitting",
+        "theta_function.sums.negative",
+        "theta_function.sums.positive",
+        "theta_function.sums.laplace",
+        "theta_function.sums.finite_part",
+        "theta_function.boxes.box",
+        "compliant.slow.grid",
+        "compliant.slow.slow_integral",
+        "compliant.slow.epsilon_series",
+        "compliant.slow.slow_coefficient",
+        "compliant.fast.fast_coefficient",
+        "compliant.side.side_rule",
+        "integrator.box_steps.step",
+        "integrator.norm_steps.norm_step",
+        "expansion.true_solutions.growth",
+        "expansion.true_solutions.piece",
+    )
 }
 _MAX_EXPONENT = 10_000
 AddRemainder = Callable[[arb, arb], arb]
@@ -87,8 +100,8 @@ def parse_sabotage(request: str) -> tuple[str, int]:
 
 
 def sabotage(route: str, exponent: int) -> None:
-    """Replace ``add_remainder`` as the module ``route`` of its package sees it."""
-    module = importlib.import_module(f"gspot_verified.{SABOTAGED_MODULES[route]}.{route}")
+    """Replace ``add_remainder`` as the module ``route`` sees it."""
+    module = importlib.import_module(f"gspot_verified.{SABOTAGED_MODULES[route]}")
     honest = getattr(module, "add_remainder", None)
     if honest is None:
         raise pytest.UsageError(f"--sabotage: {module.__name__} has no add_remainder to replace")
@@ -97,7 +110,7 @@ def sabotage(route: str, exponent: int) -> None:
 
 def shrinking(honest: AddRemainder, exponent: int) -> AddRemainder:
     """``honest`` with its bound multiplied by 1 - 2^-exponent, or by 2^exponent when that is negative."""
-    from gspot_verified.balls import working_bits
+    from gspot_verified.numbers.balls import working_bits
 
     def shrunk(value: arb, bound: arb) -> arb:
         size = bound.abs_upper()
@@ -159,7 +172,7 @@ def pytest_testnodedown(node: Any) -> None:
 @pytest.fixture(scope="session")
 def ledger_cache(tmp_path_factory: pytest.TempPathFactory) -> Cache:
     """Where all workers of the run keep results of the ledger, so that each entry is found once."""
-    from gspot_verified.ledger.cache import Cache
+    from gspot_verified.paper.cache import Cache
 
     own = tmp_path_factory.getbasetemp()
     return Cache((own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "ledger")
@@ -168,7 +181,7 @@ def ledger_cache(tmp_path_factory: pytest.TempPathFactory) -> Cache:
 @pytest.fixture(scope="session")
 def whole_ledger(ledger_cache: Cache) -> list[Entry]:
     """The whole ledger, run once for all tests that read it."""
-    from gspot_verified.ledger.verify import verify_paper
+    from gspot_verified.paper.verify import verify_paper
 
     return verify_paper(cache=ledger_cache)
 

@@ -21,8 +21,8 @@ RECORD = ROOT / "tests" / "costs.json"
 LEAST, LIMIT, KEPT = 0.05, 0.3, 0.9
 """Seconds: what is worth a row; what the fast set may cost a test; what its cheapest case may."""
 BUDGET = 40.0
-_SCHEMAS = "tests/test_schemas.py"
-_ALWAYS = ("tests/test_layout.py", "tests/test_public.py")
+_SCHEMAS = "tests/cli/test_schemas.py"
+_ALWAYS = ("tests/house/test_layout.py", "tests/house/test_public.py")
 
 
 def recorded(place: Path = RECORD) -> dict[str, float]:
@@ -76,7 +76,7 @@ def noticing(changed: Iterable[str]) -> list[str]:
         elif name == "README.md":
             near.append(name)
         elif name.startswith("proofs/"):
-            near += ["tests/test_proofs.py", "tests/test_prove.py"]
+            near += ["tests/proofs/test_proofs.py", "tests/coq/test_prove.py"]
         elif name.startswith("docs/"):
             near.append("tests/docs/test_pages.py")
     return list(dict.fromkeys([*near, *_ALWAYS, *far]))

@@ -11,7 +11,7 @@ from pathlib import Path
 _ROOT = Path(__file__).resolve().parents[1]
 _KILL = """
 import os, signal
-from gspot_verified.signs.journal_file import JournalFile
+from gspot_verified.work.journal_file import JournalFile
 honest = JournalFile.add
 def add(self, data):
     honest(self, data)

@@ -54,9 +54,9 @@ def test_the_record_is_canonical(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("changed", "first"),
     [
-        (["gspot_verified/dyadic.py"], ["gspot_verified/dyadic.py", "tests/test_dyadic.py"]),
-        (["tests/test_dyadic.py"], ["tests/test_dyadic.py"]),
-        (["proofs/taylor.md"], ["tests/test_proofs.py"]),
+        (["gspot_verified/numbers/dyadic.py"], ["gspot_verified/numbers/dyadic.py", "tests/numbers/test_dyadic.py"]),
+        (["tests/numbers/test_dyadic.py"], ["tests/numbers/test_dyadic.py"]),
+        (["proofs/taylor.md"], ["tests/proofs/test_proofs.py"]),
         (["README.md"], ["README.md"]),
     ],
 )
@@ -67,12 +67,12 @@ def test_what_can_notice_a_change_comes_first(changed: list[str], first: list[st
 
 
 def test_a_budget_ends_the_list_of_files() -> None:
-    every = costs.noticing(["gspot_verified/balls.py"])
+    every = costs.noticing(["gspot_verified/numbers/balls.py"])
     some = costs.within(every, costs.recorded(), 5.0)
     assert 0 < len(some) < len(every)
     assert some == every[: len(some)]
 
 
 def test_a_command_is_noticed_by_the_tests_of_the_command_line() -> None:
-    found = costs.noticing(["gspot_verified/cli/sign_commands.py"])
-    assert {"tests/test_cli.py", "tests/test_cli_signs.py", "tests/test_schemas.py"} <= set(found)
+    found = costs.noticing(["gspot_verified/cli/commands/sign_commands.py"])
+    assert {"tests/cli/test_main.py", "tests/cli/test_signs.py", "tests/cli/test_schemas.py"} <= set(found)

@@ -13,15 +13,15 @@ from script_notebook import notebook_page
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
 import gspot_verified
-from gspot_verified.report.formulas import formula, typeset
+from gspot_verified.report.parts.formulas import formula, typeset
 
 ROOT = Path(__file__).resolve().parents[2]
 GROUPS = {
-    "Your mechanism": ("mechanisms", "expansion", "uniform"),
+    "Your mechanism": ("mechanisms", "expansion"),
     "The function Θ": ("theta_function",),
     "Signs, zeros, sides": ("signs",),
     "The compliant model": ("compliant", "integrator", "scenes"),
-    "Balls, intervals, verdicts, figures": ("balls", "dyadic", "verdict", "report"),
+    "Balls, intervals, verdicts, figures": ("numbers", "report"),
 }
 _TYPESET = (
     "proofs/",

@@ -9,7 +9,7 @@ import re
 from pathlib import Path
 from typing import Any
 
-from gspot_verified.report.canvas import Picture
+from gspot_verified.report.pictures.canvas import Picture
 
 _CELL = re.compile(r"^# %%(?: (\[markdown\]))?[^\n]*\n", re.MULTILINE)
 

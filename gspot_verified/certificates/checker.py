@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
-from gspot_verified.verdict import NoTruthValue
+from gspot_verified.numbers.verdict import NoTruthValue
 
 _ROOT = Path(__file__).resolve().parents[2]
 _REJECTED = 1

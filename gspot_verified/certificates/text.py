@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
-from gspot_verified.signs.pieces import Column
+from gspot_verified.signs.cover.pieces import Column
 
 FORMAT = "gspot_verified certificate"
 _TOO_LONG = re.compile(r"[0-9]{4001}")
@@ -45,7 +45,7 @@ def certificate_text(statement: Statement, columns: Sequence[Column]) -> str:
 
     :raises ValueError: a number has more than 4,000 digits, the format's limit.
 
-    >>> from gspot_verified.signs.sign import sign_on_ranges
+    >>> from gspot_verified.signs.cover.sign import sign_on_ranges
     >>> result = sign_on_ranges("-inf..inf", "0..1", by_theorem=True)
     >>> print(certificate_text(result.statement, result.columns).splitlines()[1])
     {"beta":["0","1/4"],"pieces":[["laplace"]]}

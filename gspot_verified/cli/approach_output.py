@@ -9,12 +9,12 @@ import typer
 from gspot_verified.cli.app import print_json
 
 if TYPE_CHECKING:
-    from gspot_verified.mechanisms.mechanism import Mechanism
+    from gspot_verified.mechanisms.input.mechanism import Mechanism
 
 
 def show_approach(mechanism: Mechanism, state: str, surface: str | None, as_json: bool) -> NoReturn:
     """Print the result for one state, and leave with its exit code."""
-    from gspot_verified.mechanisms.approach import approach as approach_spot
+    from gspot_verified.mechanisms.approach.approach import approach as approach_spot
 
     result = approach_spot(mechanism, components(state), surface_velocity=surface)
     if as_json:

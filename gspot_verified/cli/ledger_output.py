@@ -7,9 +7,9 @@ from typing import Any
 
 import typer
 
-from gspot_verified.ledger.claims import PaperClaim, Standing, paper_claims, standing_counts
-from gspot_verified.ledger.entry import Entry, Rung, counts, rung_counts
-from gspot_verified.verdict import Outcome
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.checks.entry import Entry, Rung, counts, rung_counts
+from gspot_verified.paper.claims import PaperClaim, Standing, paper_claims, standing_counts
 
 _ANSWERS = {True: "agrees", False: "fails", None: "could not tell"}
 _KEPT = "cached"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from gspot_verified.mechanisms.mechanism import Mechanism
+    from gspot_verified.mechanisms.input.mechanism import Mechanism
 
 
 def load_with_settings(name: str, settings: list[str] | None) -> Mechanism:

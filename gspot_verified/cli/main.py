@@ -57,7 +57,7 @@ def load_commands(arguments: Sequence[str] = ()) -> None:
     """Import the module of the command that the arguments ask for, or all modules."""
     command = next((word for word in arguments if not word.startswith("-")), "")
     for module in dict.fromkeys([COMMANDS[command]] if command in COMMANDS else COMMANDS.values()):
-        import_module(f"gspot_verified.cli.{module}")
+        import_module(f"gspot_verified.cli.commands.{module}")
     app.registered_commands.sort(key=lambda info: [*COMMANDS].index(getattr(info.callback, "__name__", "")))
 
 

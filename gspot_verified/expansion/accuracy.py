@@ -9,8 +9,8 @@ from typing import Any, ClassVar, TypeVar
 
 from flint import arb
 
-from gspot_verified.balls import MAX_WORKING_BITS, bits_for_digits, relative_bits, working_bits
-from gspot_verified.verdict import NoTruthValue
+from gspot_verified.numbers.balls import MAX_WORKING_BITS, bits_for_digits, relative_bits, working_bits
+from gspot_verified.numbers.verdict import NoTruthValue
 
 _COMPARED_BITS = 64
 _LEAST_GAIN = 4

@@ -8,11 +8,11 @@ from dataclasses import replace
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import working_bits
 from gspot_verified.expansion.accuracy import Accuracy
-from gspot_verified.expansion.rings import BALLS
-from gspot_verified.expansion.system import SymbolsError, System
+from gspot_verified.expansion.series.system import SymbolsError, System
 from gspot_verified.expansion.trajectory import Trajectory, certain_bits_of, checked_order, terms_of
+from gspot_verified.functions.rings import BALLS
+from gspot_verified.numbers.balls import working_bits
 
 _LEAST_BITS = 32
 _MOST_BITS = 1_000_000

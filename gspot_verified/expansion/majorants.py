@@ -13,8 +13,7 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import hull, nonfinite
-from gspot_verified.expansion.expressions import (
+from gspot_verified.functions.expressions import (
     Constant,
     Cosine,
     Exponential,
@@ -26,6 +25,7 @@ from gspot_verified.expansion.expressions import (
     Sum,
     Variable,
 )
+from gspot_verified.numbers.balls import hull, nonfinite
 
 # Any choice is correct: the best of them is taken.
 _RATIOS = tuple(fmpq(n, 8) for n in (9, 10, 12, 16, 20, 24, 32, 48, 64, 96, 128, 256, 512, 1024, 4096, 16384))

@@ -12,18 +12,18 @@ from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import ExactInput, ball_text, exact, working_bits
-from gspot_verified.dyadic import Dyadic
-from gspot_verified.expansion.derivative import powers_as_products
-from gspot_verified.expansion.expressions import Expression, in_order
-from gspot_verified.expansion.legend import in_two, state_names
 from gspot_verified.expansion.majorants import Graded, graded_functions, rest_of_product, size_of
-from gspot_verified.expansion.power_series import SeriesOfFunctions, Terms
-from gspot_verified.expansion.rings import Ring
-from gspot_verified.expansion.spaces import SpacePolynomial
-from gspot_verified.expansion.terms import NumberTerms, PolynomialTerms
+from gspot_verified.expansion.series.legend import in_two, state_names
+from gspot_verified.expansion.series.spaces import SpacePolynomial
+from gspot_verified.expansion.series.terms import NumberTerms, PolynomialTerms
 from gspot_verified.expansion.trajectory import Trajectory
-from gspot_verified.verdict import NoTruthValue
+from gspot_verified.functions.derivative import powers_as_products
+from gspot_verified.functions.expressions import Expression, in_order
+from gspot_verified.functions.power_series import SeriesOfFunctions, Terms
+from gspot_verified.functions.rings import Ring
+from gspot_verified.numbers.balls import ExactInput, ball_text, exact, working_bits
+from gspot_verified.numbers.dyadic import Dyadic
+from gspot_verified.numbers.verdict import NoTruthValue
 
 ONLY_RESIDUAL = (
     "a bound on what is left in the equations; how far the mechanism's own trajectory is from the polynomials "

@@ -9,9 +9,9 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import ball_text
-from gspot_verified.dyadic import Dyadic
-from gspot_verified.expansion.symbols import RationalFunction
+from gspot_verified.functions.symbols import RationalFunction
+from gspot_verified.numbers.balls import ball_text
+from gspot_verified.numbers.dyadic import Dyadic
 
 _GREEK = re.compile(r"\b(alpha|beta|chi|delta|epsilon|kappa|lambda|mu|phi|psi|theta)(?=\b|_)")
 _LONG_EXPONENT = re.compile(r"\^(\d\d+)")

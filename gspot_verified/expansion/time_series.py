@@ -16,13 +16,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from gspot_verified.evidence import differ, equal, every
-from gspot_verified.expansion.layers import LayeredFunctions, Layers, dot, entry, product_coefficient
-from gspot_verified.expansion.legend import SCALES, in_two, left_side, state_names
-from gspot_verified.expansion.linear import inverse
-from gspot_verified.expansion.system import GSpotError, System
+from gspot_verified.expansion.series.legend import SCALES, in_two, left_side, state_names
+from gspot_verified.expansion.series.system import GSpotError, System
 from gspot_verified.expansion.text import exact_text, shown
-from gspot_verified.verdict import Evidence, Reason, Verdict
+from gspot_verified.functions.layers import LayeredFunctions, Layers, dot, entry, product_coefficient
+from gspot_verified.functions.linear import inverse
+from gspot_verified.numbers.evidence import differ, equal, every
+from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
 
 Table = dict[tuple[int, int], Any]
 """The coefficient of t^k epsilon^m under the key (k, m); what is certainly zero is left out."""

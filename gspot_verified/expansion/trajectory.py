@@ -8,12 +8,11 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import ExactInput, bits_for_digits, exact, working_bits
 from gspot_verified.expansion.accuracy import Accuracy, certain_bits, until_accurate
-from gspot_verified.expansion.legend import DELTA_FACTORS, SCALES, in_two, latex_left_side, left_side
-from gspot_verified.expansion.recursion import Recursion
-from gspot_verified.expansion.spaces import SpacePolynomial
-from gspot_verified.expansion.system import System
+from gspot_verified.expansion.series.legend import DELTA_FACTORS, SCALES, in_two, latex_left_side, left_side
+from gspot_verified.expansion.series.recursion import Recursion
+from gspot_verified.expansion.series.spaces import SpacePolynomial
+from gspot_verified.expansion.series.system import System
 from gspot_verified.expansion.text import (
     LATEX,
     PLAIN,
@@ -25,6 +24,7 @@ from gspot_verified.expansion.text import (
 )
 from gspot_verified.expansion.time_series import Table, TimeSeries
 from gspot_verified.expansion.values import scaled_value, value_in_time
+from gspot_verified.numbers.balls import ExactInput, bits_for_digits, exact, working_bits
 
 MAX_ORDER = 2000
 _GUARD_BITS = 30

@@ -7,9 +7,9 @@ from typing import Any
 
 from flint import arb, arb_poly, fmpq, fmpq_poly
 
-from gspot_verified.balls import ball, relative_bits, working_bits
-from gspot_verified.expansion.spaces import SpacePolynomial
+from gspot_verified.expansion.series.spaces import SpacePolynomial
 from gspot_verified.expansion.time_series import Table
+from gspot_verified.numbers.balls import ball, relative_bits, working_bits
 
 _LOST_BITS = 10
 _PRECISIONS = (1, 2, 4, 8)

@@ -7,9 +7,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from gspot_verified.expansion.system import System
+    from gspot_verified.expansion.series.system import System
     from gspot_verified.expansion.trajectory import Trajectory
-    from gspot_verified.mechanisms.mechanism import Mechanism
+    from gspot_verified.mechanisms.input.mechanism import Mechanism
 
 
 def expand(
@@ -41,10 +41,10 @@ def expand(
     """
     # Imported here: this module is part of `import gspot_verified`, which stays quick.
     from gspot_verified.expansion.accuracy import until_accurate
-    from gspot_verified.expansion.system import System
+    from gspot_verified.expansion.series.system import System
     from gspot_verified.expansion.trajectory import certain_bits_of, checked_order, expand_system, first_bits, terms_of
-    from gspot_verified.mechanisms.g_spot import find_g_spot
-    from gspot_verified.mechanisms.mechanism import Mechanism
+    from gspot_verified.mechanisms.input.mechanism import Mechanism
+    from gspot_verified.mechanisms.spots.g_spot import find_g_spot
     from gspot_verified.mechanisms.symbolic import symbolic_system
 
     if isinstance(source, System):

@@ -1,4 +1,4 @@
-"""Whether the contact holds after the G-spot of a mechanism: the statements of :mod:`compliant.iwc` with its alphas."""
+"""Whether the contact holds after the G-spot of a mechanism: :mod:`compliant.contact.iwc` with its alphas."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from typing import Any
 
 from flint import arb
 
-from gspot_verified.balls import ExactInput, exact
-from gspot_verified.compliant.iwc import CompliantIwc, iwc_over_balls
-from gspot_verified.compliant.iwc import iwc as iwc_of_alphas
-from gspot_verified.mechanisms.classify import Classification, classify
-from gspot_verified.mechanisms.mechanism import Mechanism
+from gspot_verified.compliant.contact.iwc import CompliantIwc, iwc_over_balls
+from gspot_verified.compliant.contact.iwc import iwc as iwc_of_alphas
+from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.mechanisms.spots.classify import Classification, classify
+from gspot_verified.numbers.balls import ExactInput, exact
 
 
 def iwc(
@@ -26,7 +26,7 @@ def iwc(
     growth: bool = False,
 ) -> CompliantIwc:
     """Whether the contact holds on [tau_start, infinity), or when it lifts off: at leading order, and for the compliant
-    model on its slow manifold; :func:`gspot_verified.compliant.iwc.iwc`, also for a mechanism.
+    model on its slow manifold; :func:`gspot_verified.compliant.contact.iwc.iwc`, also for a mechanism.
 
     ``beta`` is a number, a mechanism (its G-spot is found), or a classification. The compliant model has constant
     alphas, those of the G-spot: nothing is stated about the mechanism away from it.

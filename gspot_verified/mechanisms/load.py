@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from gspot_verified.balls import ExactInput
-from gspot_verified.mechanisms.file import read_mechanism
-from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.input.file import read_mechanism
+from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.numbers.balls import ExactInput
 
 
 def load(name_or_path: str | Path, /, **parameters: ExactInput | None) -> Mechanism:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from importlib import resources
 
-from gspot_verified.balls import ExactInput
-from gspot_verified.expansion.system import System
-from gspot_verified.mechanisms.file import parse_mechanism
-from gspot_verified.mechanisms.g_spot import find_g_spot
-from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
+from gspot_verified.expansion.series.system import System
+from gspot_verified.mechanisms.input.file import parse_mechanism
+from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.spots.g_spot import find_g_spot
+from gspot_verified.numbers.balls import ExactInput
 
 _FILES = {
     "model system": "model_system",

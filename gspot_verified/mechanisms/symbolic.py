@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from gspot_verified.expansion.symbols import Symbols
-from gspot_verified.expansion.system import GSpotError, System
-from gspot_verified.mechanisms.g_spot import place_in, with_conditions
-from gspot_verified.mechanisms.mechanism import Mechanism
-from gspot_verified.mechanisms.to_system import shift
+from gspot_verified.expansion.series.system import GSpotError, System
+from gspot_verified.functions.symbols import Symbols
+from gspot_verified.mechanisms.derive.to_system import shift
+from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.mechanisms.spots.g_spot import place_in, with_conditions
 
 
 def symbolic_system(mechanism: Mechanism) -> System:
@@ -20,7 +20,7 @@ def symbolic_system(mechanism: Mechanism) -> System:
 
     >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
     >>> system = symbolic_system(shipped_mechanism("extended system", chi=None))
-    >>> from gspot_verified.expansion.recursion import Recursion
+    >>> from gspot_verified.expansion.series.recursion import Recursion
     >>> recursion = Recursion(system)
     >>> for _ in range(3): recursion.advance()
     >>> recursion.p[2].coefficients()

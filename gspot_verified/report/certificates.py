@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import ClassVar
 
 from gspot_verified.certificates.checker import run_checker
-from gspot_verified.report.proof_page import PROOFS
-from gspot_verified.verdict import NoTruthValue
+from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.report.parts.proof_page import PROOFS
 
 
 @dataclass(frozen=True, slots=True)

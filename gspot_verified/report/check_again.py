@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
+from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.report.certificates import checked_certificates
 from gspot_verified.report.data import checked
-from gspot_verified.verdict import NoTruthValue
 
 _MAX_FILE_BYTES = 200_000_000
 

@@ -10,14 +10,14 @@ from collections.abc import Mapping, Sequence
 from importlib import metadata
 from typing import Any
 
-from gspot_verified.ledger.claims import Standing, paper_claims, standing_counts
-from gspot_verified.ledger.dependencies import dependencies
-from gspot_verified.ledger.entry import Entry, Rung, counts, rung_counts
-from gspot_verified.report.canvas import Picture
+from gspot_verified.numbers.verdict import Outcome, Reason
+from gspot_verified.paper.checks.entry import Entry, Rung, counts, rung_counts
+from gspot_verified.paper.claims import Standing, paper_claims, standing_counts
+from gspot_verified.paper.dependencies import dependencies
 from gspot_verified.report.certificates import CheckedCertificate
 from gspot_verified.report.hard_cases import NONE, check_hard_cases
-from gspot_verified.report.proof_page import proof_pages
-from gspot_verified.verdict import Outcome, Reason
+from gspot_verified.report.parts.proof_page import proof_pages
+from gspot_verified.report.pictures.canvas import Picture
 
 SCHEMA = 6
 

@@ -6,20 +6,20 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from gspot_verified.compliant.iwc import CompliantIwc
-from gspot_verified.compliant.zero_map import ZeroMap
+from gspot_verified.compliant.contact.iwc import CompliantIwc
+from gspot_verified.compliant.zeros.zero_map import ZeroMap
 from gspot_verified.expansion.trajectory import Trajectory
-from gspot_verified.mechanisms.mechanism import Mechanism
-from gspot_verified.report.atlas import atlas_picture
-from gspot_verified.report.b_hat_figure import b_hat_picture
-from gspot_verified.report.canvas import Picture, checked_suffix
-from gspot_verified.report.contact_force_picture import contact_force_picture
-from gspot_verified.report.expansion_picture import expansion_picture
-from gspot_verified.report.figures import theta_picture
-from gspot_verified.report.phase_plane import phase_plane_picture
-from gspot_verified.report.zero_map_picture import zero_map_picture
-from gspot_verified.signs.iwc import IwcResult
-from gspot_verified.signs.zeros import ZerosResult
+from gspot_verified.leading_order.iwc import IwcResult
+from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.report.figures.atlas import atlas_picture
+from gspot_verified.report.figures.b_hat_figure import b_hat_picture
+from gspot_verified.report.figures.figures import theta_picture
+from gspot_verified.report.pictures.canvas import Picture, checked_suffix
+from gspot_verified.report.pictures.contact_force_picture import contact_force_picture
+from gspot_verified.report.pictures.expansion_picture import expansion_picture
+from gspot_verified.report.pictures.phase_plane import phase_plane_picture
+from gspot_verified.report.pictures.zero_map_picture import zero_map_picture
+from gspot_verified.signs.zeros.zeros import ZerosResult
 
 
 def plot(subject: object, path: str | Path | None = None, **options: Any) -> Picture:

@@ -11,19 +11,19 @@ from importlib import resources
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
-from gspot_verified.cost.chapter.file import recorded
-from gspot_verified.cost.chapter.measurement import Measurement
-from gspot_verified.ledger.claims import Standing
-from gspot_verified.ledger.entry import Rung
-from gspot_verified.ledger.paper import printed_number
-from gspot_verified.report.code_page import code_address, code_page
-from gspot_verified.report.cost_page import shown_measurement
+from gspot_verified.cost.measurement.file import recorded
+from gspot_verified.cost.measurement.measurement import Measurement
+from gspot_verified.numbers.verdict import Outcome, Reason
+from gspot_verified.paper.checks.entry import Rung
+from gspot_verified.paper.checks.paper import printed_number
+from gspot_verified.paper.claims import Standing
 from gspot_verified.report.data import checked
-from gspot_verified.report.dependency_graph import Node, graph_svg
-from gspot_verified.report.formulas import typeset
-from gspot_verified.report.latex import NotTypeset, latex_formula, latex_html
-from gspot_verified.report.proof_page import linked_pages, page_title, proof_html, proof_text
-from gspot_verified.verdict import Outcome, Reason
+from gspot_verified.report.parts.code_page import code_address, code_page
+from gspot_verified.report.parts.cost_page import shown_measurement
+from gspot_verified.report.parts.dependency_graph import Node, graph_svg
+from gspot_verified.report.parts.formulas import typeset
+from gspot_verified.report.parts.latex import NotTypeset, latex_formula, latex_html
+from gspot_verified.report.parts.proof_page import linked_pages, page_title, proof_html, proof_text
 
 if TYPE_CHECKING:
     from jinja2 import Environment

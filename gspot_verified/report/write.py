@@ -10,17 +10,17 @@ from concurrent.futures import Executor
 from pathlib import Path
 from typing import Any
 
-from gspot_verified.cost.chapter.file import load, recorded, written
-from gspot_verified.cost.chapter.measurement import Measurement
-from gspot_verified.ledger.entry import Entry
-from gspot_verified.report.canvas import Picture
+from gspot_verified.cost.measurement.file import load, recorded, written
+from gspot_verified.cost.measurement.measurement import Measurement
+from gspot_verified.paper.checks.entry import Entry
 from gspot_verified.report.certificates import CheckedCertificate, certificate_checks
-from gspot_verified.report.cost_page import cost_figures
 from gspot_verified.report.data import report_data
-from gspot_verified.report.figures import drawings
+from gspot_verified.report.figures.figures import drawings
 from gspot_verified.report.hard_cases import hard_cases, measurements
+from gspot_verified.report.parts.cost_page import cost_figures
+from gspot_verified.report.pictures.canvas import Picture
 from gspot_verified.report.site import pages, style
-from gspot_verified.signs.executors import InProcessExecutor, as_they_end
+from gspot_verified.work.executors import InProcessExecutor, as_they_end
 
 _MAX_FILE_BYTES = 200_000_000
 

@@ -9,16 +9,16 @@ from pathlib import Path
 
 from flint import fmpq
 
-from gspot_verified.compliant.normal_form import CompliantModel, CompliantState, compliant_model, compliant_state
-from gspot_verified.compliant.run import IMPACT as LASTING
-from gspot_verified.compliant.run import ONE_FLIGHT, Run, compliant_run
-from gspot_verified.compliant.run import TRIVIAL as CONSTANT
-from gspot_verified.scenes.certified_integration import MAX_STEPS, integrated_run
-from gspot_verified.scenes.certified_samples import certified_samples
-from gspot_verified.scenes.run import CERTIFIED, FLIGHT_THEN_IMPACT, IMPACT, OPEN, TRIVIAL, RunEvent, SceneRun
-from gspot_verified.scenes.run_steps import Progress
-from gspot_verified.scenes.scene import Scene, SceneError
-from gspot_verified.verdict import Outcome
+from gspot_verified.compliant.model.normal_form import CompliantModel, CompliantState, compliant_model, compliant_state
+from gspot_verified.compliant.motion.run import IMPACT as LASTING
+from gspot_verified.compliant.motion.run import ONE_FLIGHT, Run, compliant_run
+from gspot_verified.compliant.motion.run import TRIVIAL as CONSTANT
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.scenes.certified.certified_integration import MAX_STEPS, integrated_run
+from gspot_verified.scenes.certified.certified_samples import certified_samples
+from gspot_verified.scenes.certified.run_steps import Progress
+from gspot_verified.scenes.scene.run import CERTIFIED, FLIGHT_THEN_IMPACT, IMPACT, OPEN, TRIVIAL, RunEvent, SceneRun
+from gspot_verified.scenes.scene.scene import Scene, SceneError
 
 LINEAR = {"compliant_contact", "lift_off"}
 
@@ -46,7 +46,7 @@ def certified_run(
     :param journal, budget: of the integrator, as :func:`integrated_run` has them; the exact solution needs none.
     :raises SceneError: an unknown route, or the exact solution does not cover the scene.
 
-    >>> from gspot_verified.scenes.file import load_scene
+    >>> from gspot_verified.scenes.scene.file import load_scene
     >>> certified_run(load_scene("fig-varsim1", beta="1/2")).fate
     'impact without collision'
     """

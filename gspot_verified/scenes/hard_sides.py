@@ -10,15 +10,15 @@ from typing import Any, ClassVar
 
 from flint import fmpq
 
-from gspot_verified.balls import ball_text
-from gspot_verified.dyadic import Dyadic
-from gspot_verified.mechanisms.toml_table import toml_table
-from gspot_verified.scenes.file import load_scene
-from gspot_verified.scenes.float_run import METHODS
-from gspot_verified.scenes.scene import Scene, SceneError
+from gspot_verified.leading_order.contact_force import rational
+from gspot_verified.mechanisms.input.toml_table import toml_table
+from gspot_verified.numbers.balls import ball_text
+from gspot_verified.numbers.dyadic import Dyadic
+from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.scenes.floats.float_run import METHODS
+from gspot_verified.scenes.scene.file import load_scene
+from gspot_verified.scenes.scene.scene import Scene, SceneError
 from gspot_verified.scenes.side import FAILED, NO_EVENT, CertifiedSide, certified_side, float_side
-from gspot_verified.signs.contact_force import rational
-from gspot_verified.verdict import NoTruthValue
 
 _LISTS = ("epsilons", "betas", "nus", "solvers", "tolerances")
 _KEYS = {"": ("format", "scene", *_LISTS)}

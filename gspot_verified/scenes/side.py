@@ -10,27 +10,27 @@ from typing import ClassVar
 
 from flint import fmpq
 
-from gspot_verified.balls import sign_of
-from gspot_verified.compliant.compliant_force import compliant_force
-from gspot_verified.compliant.lasting_contact import lasting_contact
-from gspot_verified.compliant.lift_off_state import contact_state
-from gspot_verified.compliant.normal_form import (
+from gspot_verified.compliant.model.normal_form import (
     CompliantModel,
     CompliantState,
     deviation,
 )
-from gspot_verified.compliant.run import IMPACT as LASTING
-from gspot_verified.compliant.run import compliant_run
-from gspot_verified.compliant.run_plan import later_times
-from gspot_verified.compliant.side_rule import SideRule, side_rule
-from gspot_verified.compliant.zero_by_series import positive_by_series, zero_by_series
-from gspot_verified.evidence import every, less
+from gspot_verified.compliant.motion.compliant_force import compliant_force
+from gspot_verified.compliant.motion.lasting_contact import lasting_contact
+from gspot_verified.compliant.motion.lift_off_state import contact_state
+from gspot_verified.compliant.motion.run import IMPACT as LASTING
+from gspot_verified.compliant.motion.run import compliant_run
+from gspot_verified.compliant.motion.run_plan import later_times
+from gspot_verified.compliant.motion.zero_by_series import positive_by_series, zero_by_series
+from gspot_verified.compliant.side.side_rule import SideRule, side_rule
+from gspot_verified.numbers.balls import sign_of
+from gspot_verified.numbers.evidence import every, less
+from gspot_verified.numbers.verdict import NoTruthValue, Outcome, Reason, Verdict
 from gspot_verified.scenes.certified_run import exact_start
 from gspot_verified.scenes.effects.lift_off import LIFT_OFF
-from gspot_verified.scenes.float_run import float_run
-from gspot_verified.scenes.run import IMPACT
-from gspot_verified.scenes.scene import Scene, SceneError
-from gspot_verified.verdict import NoTruthValue, Outcome, Reason, Verdict
+from gspot_verified.scenes.floats.float_run import float_run
+from gspot_verified.scenes.scene.run import IMPACT
+from gspot_verified.scenes.scene.scene import Scene, SceneError
 
 LOST, LASTS = "contact is lost", "contact lasts"
 NO_EVENT, FAILED = "no event", "failed"
@@ -69,7 +69,7 @@ def certified_side(scene: Scene) -> CertifiedSide:
 
     :raises NotCovered: the scene is not the linear model scene from a state in contact with p > 0.
 
-    >>> from gspot_verified.scenes.file import load_scene
+    >>> from gspot_verified.scenes.scene.file import load_scene
     >>> found = certified_side(load_scene("fig-varsim1", beta="13/2", nu=2))
     >>> found.side, found.rule_fails
     ('contact is lost', True)

@@ -8,10 +8,10 @@ from typing import Any
 
 from flint import fmpq
 
-from gspot_verified.balls import ExactInput, exact
-from gspot_verified.expansion.derivative import lie_derivative, plus, substitute, times
-from gspot_verified.expansion.expressions import Constant, Expression, Variable
-from gspot_verified.expansion.system import System
+from gspot_verified.expansion.series.system import System
+from gspot_verified.functions.derivative import lie_derivative, plus, substitute, times
+from gspot_verified.functions.expressions import Constant, Expression, Variable
+from gspot_verified.numbers.balls import ExactInput, exact
 
 
 def extended_example(chi: ExactInput, alpha: tuple[ExactInput, ExactInput, ExactInput] = (-1, -1, "-3/2")) -> System:

@@ -7,19 +7,19 @@ from collections.abc import Iterator, Sequence
 
 from flint import arb, fmpq
 
-from gspot_verified.balls import ball, working_bits
-from gspot_verified.expansion.derivative import lie_derivative
-from gspot_verified.expansion.expressions import Constant, Expression
-from gspot_verified.expansion.power_series import SeriesOfFunctions
-from gspot_verified.expansion.recursion import space_of
 from gspot_verified.expansion.residual import ResidualError, residual_bounds
-from gspot_verified.expansion.rings import BALLS
-from gspot_verified.expansion.spaces import SpacePolynomial
-from gspot_verified.expansion.system import System
-from gspot_verified.expansion.terms import NumberTerms, PolynomialTerms
+from gspot_verified.expansion.series.recursion import space_of
+from gspot_verified.expansion.series.spaces import SpacePolynomial
+from gspot_verified.expansion.series.system import System
+from gspot_verified.expansion.series.terms import NumberTerms, PolynomialTerms
 from gspot_verified.expansion.time_series import compare_routes, time_series
 from gspot_verified.expansion.trajectory import Trajectory, expand_system
-from gspot_verified.verdict import Outcome
+from gspot_verified.functions.derivative import lie_derivative
+from gspot_verified.functions.expressions import Constant, Expression
+from gspot_verified.functions.power_series import SeriesOfFunctions
+from gspot_verified.functions.rings import BALLS
+from gspot_verified.numbers.balls import ball, working_bits
+from gspot_verified.numbers.verdict import Outcome
 
 _SAMPLES = 3
 _BITS = 128

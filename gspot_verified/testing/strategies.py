@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 from flint import fmpq
 
-from gspot_verified.expansion.derivative import plus, times
-from gspot_verified.expansion.expressions import (
+from gspot_verified.expansion.series.system import System
+from gspot_verified.functions.derivative import plus, times
+from gspot_verified.functions.expressions import (
     Constant,
     Cosine,
     Exponential,
@@ -17,7 +18,6 @@ from gspot_verified.expansion.expressions import (
     Sine,
     Variable,
 )
-from gspot_verified.expansion.system import System
 from gspot_verified.testing.examples import sheared
 
 if TYPE_CHECKING:

@@ -16,9 +16,9 @@ from attack.reference_slip import End, Slip, Unsure
 from flint import arb
 
 from gspot_verified import Outcome
-from gspot_verified.mechanisms.approach import Approach, approach
-from gspot_verified.mechanisms.file import parse_mechanism
-from gspot_verified.mechanisms.mechanism import MechanismError
+from gspot_verified.mechanisms.approach.approach import Approach, approach
+from gspot_verified.mechanisms.input.file import parse_mechanism
+from gspot_verified.mechanisms.input.mechanism import MechanismError
 
 _OFF = 1e-6
 _TRIES = 60

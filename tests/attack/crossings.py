@@ -11,13 +11,13 @@ from attack.answers import AGREED, Answer, Attack, undecided, wrong
 from attack.balls_as_numbers import exactly, holds, to_fmpq
 from flint import arb
 
-from gspot_verified.balls import working_bits
-from gspot_verified.expansion.derivative import plus, times
-from gspot_verified.expansion.expressions import Constant, Expression, Variable
-from gspot_verified.integrator.event import Crossing, Moment, Watch
-from gspot_verified.integrator.field import VectorField
-from gspot_verified.integrator.integrate import Run
-from gspot_verified.integrator.norm_run import NormRun
+from gspot_verified.functions.derivative import plus, times
+from gspot_verified.functions.expressions import Constant, Expression, Variable
+from gspot_verified.integrator.box_steps.integrate import Run
+from gspot_verified.integrator.field.event import Crossing, Moment, Watch
+from gspot_verified.integrator.field.field import VectorField
+from gspot_verified.integrator.norm_steps.norm_run import NormRun
+from gspot_verified.numbers.balls import working_bits
 
 _X, _Y, _S = (Variable(i) for i in range(3))
 _OFF = mpmath.mpf(10) ** -40

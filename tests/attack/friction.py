@@ -15,9 +15,9 @@ from attack.balls_as_numbers import exactly
 from attack.mechanisms import body, drawn_body, file_of
 from attack.reference_mechanism import Body
 
-from gspot_verified.mechanisms.critical_friction import critical_friction
-from gspot_verified.mechanisms.file import parse_mechanism
-from gspot_verified.mechanisms.mechanism import MechanismError
+from gspot_verified.mechanisms.input.file import parse_mechanism
+from gspot_verified.mechanisms.input.mechanism import MechanismError
+from gspot_verified.mechanisms.spots.critical_friction import critical_friction
 
 _GRID = 4000
 _OFF = 1e-9

@@ -21,8 +21,8 @@ from attack.statements import untrue
 
 from gspot_verified import Outcome, sign_on_ranges, zeros_on_range
 from gspot_verified.scenes.certified_run import certified_run
-from gspot_verified.scenes.file import parse_scene
-from gspot_verified.scenes.scene import SceneError
+from gspot_verified.scenes.scene.file import parse_scene
+from gspot_verified.scenes.scene.scene import SceneError
 
 _SIGNS = (
     ("-1..1", "[5/2..11/4]", 1), ("-inf..1", "[5/2..11/4]", -1), ("-1..3", "[3/2..7/4]", -1),

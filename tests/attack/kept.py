@@ -15,10 +15,10 @@ from typing import Any
 
 from attack.answers import AGREED, Answer, Attack, wrong
 
-from gspot_verified.ledger.cache import FORMAT, Cache
-from gspot_verified.ledger.entry import Check, Entry, Rung, conclude
-from gspot_verified.ledger.formal_proof import COQ, ProofRun, formal_proof, run_proofs
-from gspot_verified.verdict import Outcome
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.cache import FORMAT, Cache
+from gspot_verified.paper.checks.entry import Check, Entry, Rung, conclude
+from gspot_verified.paper.checks.formal_proof import COQ, ProofRun, formal_proof, run_proofs
 
 _SOURCES = Path(__file__).parent
 

@@ -13,11 +13,11 @@ from attack.mechanisms import body, drawn_body, file_of
 from attack.reference_expansion import DIGITS, Equations, Table
 from flint import arb, fmpq
 
-from gspot_verified.expansion.system import GSpotError
+from gspot_verified.expansion.series.system import GSpotError
 from gspot_verified.expansion.trajectory import expand_system
-from gspot_verified.mechanisms.all_g_spots import find_g_spots
-from gspot_verified.mechanisms.file import parse_mechanism
-from gspot_verified.mechanisms.mechanism import MechanismError
+from gspot_verified.mechanisms.input.file import parse_mechanism
+from gspot_verified.mechanisms.input.mechanism import MechanismError
+from gspot_verified.mechanisms.spots.all_g_spots import find_g_spots
 
 _BITS = 900
 _STEPS = (mpmath.mpf(1) / 2**32, mpmath.mpf(1) / 2**33)

@@ -16,9 +16,9 @@ from attack.reference_mechanism import Body, Plane
 from flint import arb, fmpq
 
 from gspot_verified import Outcome, classify_all
-from gspot_verified.mechanisms.classify import Classification
-from gspot_verified.mechanisms.file import parse_mechanism
-from gspot_verified.mechanisms.mechanism import MechanismError
+from gspot_verified.mechanisms.input.file import parse_mechanism
+from gspot_verified.mechanisms.input.mechanism import MechanismError
+from gspot_verified.mechanisms.spots.classify import Classification
 
 _NUMBERS = ("alpha_1", "alpha_2", "alpha_3", "a", "A", "B", "C")
 _SLACK = mpmath.mpf(10) ** -18

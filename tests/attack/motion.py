@@ -17,9 +17,9 @@ from attack.reference_series import BITS
 
 from gspot_verified import Outcome
 from gspot_verified.scenes.certified_run import certified_run
-from gspot_verified.scenes.file import parse_scene
-from gspot_verified.scenes.run import IMPACT, SceneRun
-from gspot_verified.scenes.scene import SceneError
+from gspot_verified.scenes.scene.file import parse_scene
+from gspot_verified.scenes.scene.run import IMPACT, SceneRun
+from gspot_verified.scenes.scene.scene import SceneError
 
 DEFAULTS = {
     "alpha_1": -1, "alpha_2": -1, "beta": Fraction(3, 2), "k_1": 1, "k_2": 1, "damping": 1, "chi": 0, "a": 0,

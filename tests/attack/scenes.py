@@ -15,9 +15,9 @@ from attack.reference_scene import Run, Scene, Texts, Unsure, run
 
 from gspot_verified import Outcome
 from gspot_verified.scenes.certified_run import certified_run
-from gspot_verified.scenes.file import parse_scene
-from gspot_verified.scenes.run import IMPACT, SceneRun
-from gspot_verified.scenes.scene import SceneError
+from gspot_verified.scenes.scene.file import parse_scene
+from gspot_verified.scenes.scene.run import IMPACT, SceneRun
+from gspot_verified.scenes.scene.scene import SceneError
 
 _OFF = 2e-6
 _SEEN = 1e-4

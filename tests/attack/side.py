@@ -12,9 +12,9 @@ from attack.balls_as_numbers import exactly, to_fmpq
 from attack.reference_contact import force_later, slow_values
 
 from gspot_verified import Outcome
-from gspot_verified.compliant.normal_form import compliant_model, compliant_state
-from gspot_verified.compliant.side_rule import side_rule
-from gspot_verified.compliant.zero_count import slow_zeros
+from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
+from gspot_verified.compliant.side.side_rule import side_rule
+from gspot_verified.compliant.zeros.zero_count import slow_zeros
 
 _SEEN = Fraction(1, 10**12)
 

@@ -18,12 +18,12 @@ from attack.mechanisms import body, case_of, drawn_body, file_of
 from attack.reference_mechanism import Body, Plane
 
 from gspot_verified import Outcome
-from gspot_verified.expansion.system import GSpotError
-from gspot_verified.mechanisms.file import parse_mechanism
-from gspot_verified.mechanisms.mechanism import MechanismError
-from gspot_verified.mechanisms.sweep import sweep
-from gspot_verified.mechanisms.sweep_piece import Kind, SweepPiece
-from gspot_verified.mechanisms.sweep_result import Sweep
+from gspot_verified.expansion.series.system import GSpotError
+from gspot_verified.mechanisms.input.file import parse_mechanism
+from gspot_verified.mechanisms.input.mechanism import MechanismError
+from gspot_verified.mechanisms.sweep.sweep import sweep
+from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece
+from gspot_verified.mechanisms.sweep.sweep_result import Sweep
 
 _SLACK = mpmath.mpf(10) ** -15
 _PLACES = 5

@@ -34,9 +34,9 @@ from attack.runner import KINDS, answered, draw_of
 from flint import arb
 
 from gspot_verified import Outcome
-from gspot_verified.integrator.event import Crossing, Watch
-from gspot_verified.ledger.cache import Cache
-from gspot_verified.ledger.entry import Entry
+from gspot_verified.integrator.field.event import Crossing, Watch
+from gspot_verified.paper.cache import Cache
+from gspot_verified.paper.checks.entry import Entry
 
 FOLDER = Path(__file__).parent
 SLICE = {

@@ -11,7 +11,7 @@ import pytest
 from gspot_verified.certificates import checker
 from gspot_verified.certificates.checker import CheckResult, checker_path, run_checker
 from gspot_verified.certificates.text import certificate_text, write_certificate
-from gspot_verified.signs.sign import sign_on_ranges
+from gspot_verified.signs.cover.sign import sign_on_ranges
 
 
 @pytest.fixture

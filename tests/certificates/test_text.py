@@ -15,11 +15,11 @@ from must_reject import mutate
 from gspot_verified.certificates import text
 from gspot_verified.certificates.checker import run_checker
 from gspot_verified.certificates.text import Statement, certificate_text, write_certificate
-from gspot_verified.signs.brackets import zeros_at
-from gspot_verified.signs.pieces import Column
-from gspot_verified.signs.sign import sign_on_ranges
-from gspot_verified.signs.statements import BracketsStatement
-from gspot_verified.signs.zeros import zeros_on_range
+from gspot_verified.signs.cover.pieces import Column
+from gspot_verified.signs.cover.sign import sign_on_ranges
+from gspot_verified.signs.cover.statements import BracketsStatement
+from gspot_verified.signs.zeros.brackets import zeros_at
+from gspot_verified.signs.zeros.zeros import zeros_on_range
 
 
 def certificates() -> list[tuple[Statement, list[Column]]]:

@@ -15,16 +15,16 @@ import mpmath
 import pytest
 from flint import arb, fmpq
 from mpmath import mpf
-from strategies import ends, to_fraction
+from samples.strategies import ends, to_fraction
 
-from gspot_verified.balls import working_bits
-from gspot_verified.compliant.epsilon_series import epsilon_remainder
-from gspot_verified.compliant.fast_bound import FastBound, fast_bound
-from gspot_verified.compliant.fast_coefficient import FastPath, fast_coefficient, saddle
-from gspot_verified.compliant.grid import _half_phi, _half_phi_at
-from gspot_verified.compliant.kernel import kernel
-from gspot_verified.compliant.normal_form import Deviation
-from gspot_verified.compliant.slow_integral import TrapezoidPlan, slow_moments, tangent_bound
+from gspot_verified.compliant.fast.fast_bound import FastBound, fast_bound
+from gspot_verified.compliant.fast.fast_coefficient import FastPath, fast_coefficient, saddle
+from gspot_verified.compliant.model.kernel import kernel
+from gspot_verified.compliant.model.normal_form import Deviation
+from gspot_verified.compliant.slow.epsilon_series import epsilon_remainder
+from gspot_verified.compliant.slow.grid import _half_phi, _half_phi_at
+from gspot_verified.compliant.slow.slow_integral import TrapezoidPlan, slow_moments, tangent_bound
+from gspot_verified.numbers.balls import working_bits
 
 STATE = Deviation(fmpq(5, 2), fmpq(1, 4), fmpq(1, 2), fmpq(1), fmpq(-2), fmpq(3), fmpq(1, 2))
 

@@ -7,13 +7,13 @@ from fractions import Fraction
 
 import pytest
 from flint import arb, fmpq
-from slow_witness import on_the_slow_manifold
-from strategies import ends, holds
+from samples.strategies import ends, holds
+from witnesses.slow_solution import on_the_slow_manifold
 
-from gspot_verified.balls import sign_of, working_bits
-from gspot_verified.compliant.normal_form import Deviation, compliant_model, compliant_state
-from gspot_verified.compliant.side_rule import coefficients, side_rule
-from gspot_verified.verdict import Outcome
+from gspot_verified.compliant.model.normal_form import Deviation, compliant_model, compliant_state
+from gspot_verified.compliant.side.side_rule import coefficients, side_rule
+from gspot_verified.numbers.balls import sign_of, working_bits
+from gspot_verified.numbers.verdict import Outcome
 
 
 @pytest.mark.parametrize("beta", [2, 3, 4, 7])

@@ -15,19 +15,20 @@ import mpmath
 import pytest
 from flint import acb, arb, fmpq
 from mpmath import mpf
-from strategies import ends
+from samples.strategies import ends
 
-from gspot_verified.balls import working_bits
-from gspot_verified.compliant import late_bound, slow_majorant
-from gspot_verified.compliant.decaying_coefficient import _before, _beyond, _exponent
-from gspot_verified.compliant.fast_bound import fast_bound
-from gspot_verified.compliant.fast_path_bound import _arc, _ray, _tail, oscillating_bounds
-from gspot_verified.compliant.kernel import kernel
-from gspot_verified.compliant.late_bound import late_bounds
-from gspot_verified.compliant.modulus_sum import Piece, modulus_sum
-from gspot_verified.compliant.normal_form import Deviation
-from gspot_verified.compliant.slow_majorant import Region
-from gspot_verified.compliant.slow_solution import slow_value
+from gspot_verified.compliant.fast import late_bound
+from gspot_verified.compliant.fast.decaying_coefficient import _before, _beyond, _exponent
+from gspot_verified.compliant.fast.fast_bound import fast_bound
+from gspot_verified.compliant.fast.fast_path_bound import _arc, _ray, _tail, oscillating_bounds
+from gspot_verified.compliant.fast.late_bound import late_bounds
+from gspot_verified.compliant.fast.modulus_sum import Piece, modulus_sum
+from gspot_verified.compliant.model.kernel import kernel
+from gspot_verified.compliant.model.normal_form import Deviation
+from gspot_verified.compliant.patches import slow_majorant
+from gspot_verified.compliant.patches.slow_majorant import Region
+from gspot_verified.compliant.slow.slow_solution import slow_value
+from gspot_verified.numbers.balls import working_bits
 
 STATE = Deviation(fmpq(5, 2), fmpq(1, 4), fmpq(1, 2), fmpq(1), fmpq(-2), fmpq(3), fmpq(1, 2))
 

@@ -1,7 +1,7 @@
 """Places where a bound is attained almost exactly, or up to a factor far from 2^20: a radius that is too small would
 exclude the value here.
 
-``tests/test_sabotage.py`` runs this file with each bound shrunk on purpose and wants it red.
+``tests/house/test_sabotage.py`` runs this file with each bound shrunk on purpose and wants it red.
 """
 
 from __future__ import annotations
@@ -10,18 +10,18 @@ from fractions import Fraction
 
 import pytest
 from flint import arb, fmpq
-from strategies import ends
+from samples.strategies import ends
 
-from gspot_verified.balls import working_bits
-from gspot_verified.compliant.epsilon_series import epsilon_series
-from gspot_verified.compliant.fast_coefficient import fast_coefficient
-from gspot_verified.compliant.grid import _half_phi, _half_phi_at, scale
-from gspot_verified.compliant.normal_form import Deviation
-from gspot_verified.compliant.routes import integral
-from gspot_verified.compliant.side_rule import coefficients
-from gspot_verified.compliant.slow_coefficient import slow_coefficient
-from gspot_verified.compliant.slow_integral import TrapezoidPlan, slow_moments
-from gspot_verified.theta_function.evaluate import evaluate
+from gspot_verified.compliant.fast.fast_coefficient import fast_coefficient
+from gspot_verified.compliant.model.normal_form import Deviation
+from gspot_verified.compliant.side.side_rule import coefficients
+from gspot_verified.compliant.slow.epsilon_series import epsilon_series
+from gspot_verified.compliant.slow.grid import _half_phi, _half_phi_at, scale
+from gspot_verified.compliant.slow.routes import integral
+from gspot_verified.compliant.slow.slow_coefficient import slow_coefficient
+from gspot_verified.compliant.slow.slow_integral import TrapezoidPlan, slow_moments
+from gspot_verified.numbers.balls import working_bits
+from gspot_verified.theta_function.value.evaluate import evaluate
 
 
 def _exact(value: arb) -> Fraction:

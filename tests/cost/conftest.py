@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from gspot_verified.cost.chapter.measurement import (
+from gspot_verified.cost.measurement.measurement import (
     CERTIFIED,
     NO_BOUND,
     CheapAnswer,

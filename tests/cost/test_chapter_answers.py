@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 from flint import fmpq
 
-from gspot_verified.balls import approximate
-from gspot_verified.cost.chapter.cheap_answers import Case, cases, theta_in_doubles
-from gspot_verified.cost.chapter.file import recorded
-from gspot_verified.cost.chapter.measurement import NO_ANSWER, NOT_ASKED, CheapAnswer
+from gspot_verified.cost.measurement.file import recorded
+from gspot_verified.cost.measurement.measurement import NO_ANSWER, NOT_ASKED, CheapAnswer
+from gspot_verified.cost.parts.cheap_answers import Case, cases, theta_in_doubles
+from gspot_verified.numbers.balls import approximate
 from gspot_verified.theta_function.theta import theta
 
 CASES = cases()

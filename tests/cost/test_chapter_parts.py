@@ -7,16 +7,17 @@ from dataclasses import replace
 import pytest
 from flint import fmpq
 
-from gspot_verified.balls import approximate
-from gspot_verified.compliant.slow_solution import slow_value
-from gspot_verified.cost.baseline import right_digits
-from gspot_verified.cost.chapter import contest, slow_solution_digits
-from gspot_verified.cost.chapter.contest import QUICK, Contestant
-from gspot_verified.cost.chapter.measurement import Part, Route
-from gspot_verified.cost.chapter.ode import ode_value, ode_zeros, right_decimals
-from gspot_verified.cost.chapter.parts import blueprints
-from gspot_verified.cost.chapter.run import machine, versions
-from gspot_verified.signs.brackets import zeros_at
+from gspot_verified.compliant.slow.slow_solution import slow_value
+from gspot_verified.cost.contents import blueprints
+from gspot_verified.cost.measurement import contest
+from gspot_verified.cost.measurement.contest import QUICK, Contestant
+from gspot_verified.cost.measurement.measurement import Part, Route
+from gspot_verified.cost.parts import slow_solution_digits
+from gspot_verified.cost.parts.ode import ode_value, ode_zeros, right_decimals
+from gspot_verified.cost.run import machine, versions
+from gspot_verified.cost.times.baseline import right_digits
+from gspot_verified.numbers.balls import approximate
+from gspot_verified.signs.zeros.brackets import zeros_at
 from gspot_verified.theta_function.theta import theta
 
 EFFORT = replace(QUICK, seconds=0.0, patience=60.0)

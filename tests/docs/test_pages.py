@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-import page_examples
 import pytest
+from samples import page_examples
 
-from gspot_verified.mechanisms import file
+from gspot_verified.mechanisms.input import file
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = sorted((ROOT / "docs").glob("*.md"))
@@ -43,7 +43,9 @@ def test_a_page_that_says_something_else_fails(
 
 def test_every_key_of_the_format_is_on_its_page() -> None:
     """The page shows the docstring of the reader of files, and that names every key that the reader accepts."""
-    assert ".. automodule:: gspot_verified.mechanisms.file\n" in (ROOT / "docs" / "file_format.md").read_text("utf-8")
+    assert ".. automodule:: gspot_verified.mechanisms.input.file\n" in (ROOT / "docs" / "file_format.md").read_text(
+        "utf-8"
+    )
     listed = set(re.findall(r"^ {4}([a-zA-Z0-9_.*]+) {2,}\S", file.__doc__ or "", re.MULTILINE))
     tables = {key for key in file.KEYS if key}
     accepted = {f"{table}.{key}".lstrip(".") for table, keys in file.KEYS.items() for key in keys}

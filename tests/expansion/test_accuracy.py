@@ -7,8 +7,8 @@ import warnings
 import pytest
 from flint import arb, fmpq
 
-from gspot_verified.balls import bits_for_digits, working_bits
 from gspot_verified.expansion.accuracy import AccuracyWarning, certain_bits, until_accurate
+from gspot_verified.numbers.balls import bits_for_digits, working_bits
 
 
 def test_certain_bits_of_a_coefficient_and_of_one_that_may_be_zero() -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from strategies import holds, to_fraction
+from samples.strategies import holds, to_fraction
 
 from gspot_verified import expand
 from gspot_verified.expansion.in_balls import expand_in_balls

@@ -12,8 +12,8 @@ from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gspot_verified.balls import working_bits
-from gspot_verified.expansion.expressions import (
+from gspot_verified.expansion.majorants import Graded, _changes, _least, graded_functions, rest_of_product
+from gspot_verified.functions.expressions import (
     Constant,
     Cosine,
     Exponential,
@@ -26,7 +26,7 @@ from gspot_verified.expansion.expressions import (
     Variable,
     in_order,
 )
-from gspot_verified.expansion.majorants import Graded, _changes, _least, graded_functions, rest_of_product
+from gspot_verified.numbers.balls import working_bits
 
 x = Variable(0)
 START = fmpq(6, 5)

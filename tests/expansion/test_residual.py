@@ -17,8 +17,12 @@ from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gspot_verified.dyadic import Dyadic
-from gspot_verified.expansion.expressions import (
+from gspot_verified.expansion.majorants import Graded, rest_of_product
+from gspot_verified.expansion.residual import ResidualError, _Functions, residual_bounds
+from gspot_verified.expansion.series.spaces import SpacePolynomial
+from gspot_verified.expansion.series.system import System
+from gspot_verified.expansion.trajectory import Trajectory, expand_system
+from gspot_verified.functions.expressions import (
     Constant,
     Cosine,
     Exponential,
@@ -29,13 +33,9 @@ from gspot_verified.expansion.expressions import (
     Sum,
     Variable,
 )
-from gspot_verified.expansion.majorants import Graded, rest_of_product
-from gspot_verified.expansion.residual import ResidualError, _Functions, residual_bounds
-from gspot_verified.expansion.rings import BALLS
-from gspot_verified.expansion.spaces import SpacePolynomial
-from gspot_verified.expansion.symbols import Symbols
-from gspot_verified.expansion.system import System
-from gspot_verified.expansion.trajectory import Trajectory, expand_system
+from gspot_verified.functions.rings import BALLS
+from gspot_verified.functions.symbols import Symbols
+from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.testing import extended_example, sheared, systems
 
 x = [Variable(i) for i in range(6)]

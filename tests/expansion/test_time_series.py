@@ -8,12 +8,12 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified.expansion import time_series as module
-from gspot_verified.expansion.rings import BALLS
-from gspot_verified.expansion.system import GSpotError
+from gspot_verified.expansion.series.system import GSpotError
 from gspot_verified.expansion.time_series import TimeSeries, compare_routes, time_series
 from gspot_verified.expansion.trajectory import expand_system
+from gspot_verified.functions.rings import BALLS
+from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.testing import extended_example
-from gspot_verified.verdict import Outcome
 
 
 def test_the_printed_z_in_time() -> None:

@@ -12,10 +12,10 @@ from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gspot_verified.balls import current_bits, working_bits
-from gspot_verified.expansion.rings import BALLS
-from gspot_verified.expansion.spaces import SpacePolynomial
+from gspot_verified.expansion.series.spaces import SpacePolynomial
 from gspot_verified.expansion.trajectory import expand_system
+from gspot_verified.functions.rings import BALLS
+from gspot_verified.numbers.balls import current_bits, working_bits
 from gspot_verified.testing import extended_example
 
 EXAMPLE = expand_system(extended_example(1), 7)

@@ -8,11 +8,11 @@ import pytest
 from flint import arb, fmpq, fmpq_poly
 from hypothesis import given
 from hypothesis import strategies as st
-from strategies import holds
+from samples.strategies import holds
 
-from gspot_verified.expansion.rings import BALLS, RATIONALS
-from gspot_verified.expansion.spaces import SpacePolynomial
+from gspot_verified.expansion.series.spaces import SpacePolynomial
 from gspot_verified.expansion.values import scaled_value, value_in_time
+from gspot_verified.functions.rings import BALLS, RATIONALS
 
 numbers = st.fractions(-3, 3, max_denominator=30)
 

@@ -1,7 +1,7 @@
 """Cases in which a bound of a step is attained almost exactly, or up to a small factor: a bound that is too small would
 exclude a solution in closed form here.
 
-``tests/test_sabotage.py`` runs this file with each radius shrunk on purpose and wants it red.
+``tests/house/test_sabotage.py`` runs this file with each radius shrunk on purpose and wants it red.
 Pages: proofs/validated_step.md, proofs/norm_step.md.
 """
 
@@ -10,15 +10,15 @@ from __future__ import annotations
 import pytest
 from flint import arb, arb_mat, arb_poly, fmpq
 
-from gspot_verified.balls import working_bits
-from gspot_verified.expansion.expressions import Constant, Expression, Power, Variable
-from gspot_verified.integrator import norm_step as norm_steps
-from gspot_verified.integrator import step as steps
-from gspot_verified.integrator.error_set import ErrorSet
-from gspot_verified.integrator.field import VectorField
-from gspot_verified.integrator.norm_step import Basis, NormPlan, NormStep, StateSet, norm_step
-from gspot_verified.integrator.step import Curve, Plan, Step, certified_step
-from gspot_verified.verdict import Evidence
+from gspot_verified.functions.expressions import Constant, Expression, Power, Variable
+from gspot_verified.integrator.box_steps import step as steps
+from gspot_verified.integrator.box_steps.error_set import ErrorSet
+from gspot_verified.integrator.box_steps.step import Curve, Plan, Step, certified_step
+from gspot_verified.integrator.field.field import VectorField
+from gspot_verified.integrator.norm_steps import norm_step as norm_steps
+from gspot_verified.integrator.norm_steps.norm_step import Basis, NormPlan, NormStep, StateSet, norm_step
+from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.verdict import Evidence
 
 x, y = Variable(0), Variable(1)
 ONE, ZERO = Constant(fmpq(1)), Constant(fmpq(0))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from gspot_verified.mechanisms.given import lagrangian
-from gspot_verified.mechanisms.mechanism import Mechanism
+from gspot_verified.mechanisms.input.given import lagrangian
+from gspot_verified.mechanisms.input.mechanism import Mechanism
 
 
 def chain(links: int, **options: Any) -> Mechanism:

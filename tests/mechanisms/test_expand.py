@@ -8,11 +8,11 @@ import pytest
 from flint import arb, fmpq
 
 import gspot_verified
-from gspot_verified.balls import bits_for_digits, relative_bits, working_bits
 from gspot_verified.expansion.accuracy import AccuracyWarning
 from gspot_verified.mechanisms.expand import expand
-from gspot_verified.mechanisms.g_spot import find_g_spot
 from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.spots.g_spot import find_g_spot
+from gspot_verified.numbers.balls import bits_for_digits, relative_bits, working_bits
 
 BALLS = "frictional impact oscillator, all parameters"
 """The oscillator at the same point as "oscillator", but found in balls."""

@@ -7,26 +7,26 @@ from typing import Any
 import pytest
 from flint import fmpq
 
-from gspot_verified.balls import working_bits
-from gspot_verified.expansion.recursion import Recursion
-from gspot_verified.expansion.system import GSpotError
-from gspot_verified.mechanisms.classify import classify
-from gspot_verified.mechanisms.expand import expand
-from gspot_verified.mechanisms.file import parse_mechanism
-from gspot_verified.mechanisms.g_spot import find_g_spot
-from gspot_verified.mechanisms.given import from_energies, from_fields, lagrangian
-from gspot_verified.mechanisms.iwc import iwc
-from gspot_verified.mechanisms.lie_derivatives import (
+from gspot_verified.expansion.series.recursion import Recursion
+from gspot_verified.expansion.series.system import GSpotError
+from gspot_verified.mechanisms.approach.slip_state import StateError, slip_state
+from gspot_verified.mechanisms.derive.lie_derivatives import (
     Reader,
     check_lagrangian_conditions,
     derive,
     vanishes_identically,
 )
-from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.derive.to_system import shift
+from gspot_verified.mechanisms.expand import expand
+from gspot_verified.mechanisms.formulas.simplify import minus, rational_value
+from gspot_verified.mechanisms.input.file import parse_mechanism
+from gspot_verified.mechanisms.input.given import from_energies, from_fields, lagrangian
+from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.iwc import iwc
 from gspot_verified.mechanisms.shipped import shipped_mechanism
-from gspot_verified.mechanisms.simplify import minus, rational_value
-from gspot_verified.mechanisms.slip_state import StateError, slip_state
-from gspot_verified.mechanisms.to_system import shift
+from gspot_verified.mechanisms.spots.classify import classify
+from gspot_verified.mechanisms.spots.g_spot import find_g_spot
+from gspot_verified.numbers.balls import working_bits
 from gspot_verified.testing import check_expansion
 
 ROD: dict[str, Any] = {
@@ -267,8 +267,8 @@ def test_constraints_that_cannot_be() -> None:
 
 def test_all_g_spots_and_sweeps_keep_the_constraints() -> None:
     """A search that forgot them would find spots off the constraint, or a surface of them."""
-    from gspot_verified.mechanisms.all_g_spots import spot_conditions
-    from gspot_verified.mechanisms.parametric_system import parametric_system
+    from gspot_verified.mechanisms.spots.all_g_spots import spot_conditions
+    from gspot_verified.mechanisms.spots.parametric_system import parametric_system
 
     mechanism = lagrangian(**SPLIT | {"place": ROD["place"] | {"W": 1, "W_dot": 2}, "mu": "mu"}, parameters={"mu": 2})
     assert {"J_1", "J_2"} <= set(spot_conditions(shift(mechanism)))

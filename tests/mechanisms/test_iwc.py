@@ -9,10 +9,10 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified import iwc
-from gspot_verified.compliant.iwc import iwc as iwc_of_alphas
-from gspot_verified.mechanisms.classify import classify
+from gspot_verified.compliant.contact.iwc import iwc as iwc_of_alphas
 from gspot_verified.mechanisms.load import load
-from gspot_verified.verdict import Outcome
+from gspot_verified.mechanisms.spots.classify import classify
+from gspot_verified.numbers.verdict import Outcome
 
 ALPHAS = {"alpha_1": "-175/408", "alpha_2": "-186037/99144", "alpha_3": "-1225/1224"}  # the oscillator's
 

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from gspot_verified.mechanisms.input.mechanism import MechanismError
 from gspot_verified.mechanisms.load import load
-from gspot_verified.mechanisms.mechanism import MechanismError
 from gspot_verified.mechanisms.shipped import SHORT_NAMES, shipped_mechanism, shipped_names
 
 DATA = resources.files("gspot_verified.mechanisms").joinpath("data")

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from gspot_verified.mechanisms.mechanism import MechanismError
+from gspot_verified.mechanisms.input.mechanism import MechanismError
 from gspot_verified.mechanisms.shipped import SHORT_NAMES, shipped_mechanism, shipped_names
 
 

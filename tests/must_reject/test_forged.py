@@ -11,7 +11,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from must_reject.forged import FORGED, LONG, sign
 from must_reject.mutate import checker
-from witness import theta_witness
+from witnesses.theta import theta_witness
 
 check = checker()
 

@@ -1,4 +1,4 @@
-"""Mutation testing: ``make mutants FILES="gspot_verified/dyadic.py"``. See ``tests/mutants/README.md``."""
+"""Mutation testing: ``make mutants FILES="gspot_verified/numbers/dyadic.py"``. See ``tests/mutants/README.md``."""
 
 from __future__ import annotations
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 
-_LEDGER = "gspot_verified/ledger/"
-_OF_THE_PARTS = tuple(f"tests/ledger/test_{name}.py" for name in ("verdicts", "teeth", "steps"))
+_LEDGER = "gspot_verified/paper/"
+_OF_THE_PARTS = tuple(f"tests/paper/test_{name}.py" for name in ("verdicts", "teeth", "steps"))
 _ALSO = {
     "proofs/check.py": (
         *(f"must_reject/test_{name}.py" for name in ("must_reject", "forged", "hostile")),
@@ -30,19 +30,29 @@ def mirrored(root: Path, file: str) -> list[str]:
 
 
 def parts(root: Path, file: str) -> set[str]:
-    """The parts of the paper (tables in ``tests/ledger/teeth``) that rest on a file of the ledger; none for others.
+    """The parts of the paper (tables in ``tests/paper/teeth``) that rest on a file of the ledger; none for others.
 
     Marked tests of other parts are left out. All parts rest on the frame of the ledger: its own tests judge it.
     """
     folder = root / _LEDGER
-    imports = {path.stem: _imported(path) for path in folder.glob("*.py")} if file.startswith(_LEDGER) else {}
-    tables = {path.stem for path in (root / "tests" / "ledger" / "teeth").glob("*.py")}
-    frame, prefix = {"entry", "page", "paper", "identities", "verify"}, _LEDGER.replace("/", ".")
+    imports = {path.stem: _imported(path) for path in folder.rglob("*.py")} if file.startswith(_LEDGER) else {}
+    tables = {path.stem for path in (root / "tests" / "paper" / "teeth").glob("*.py")}
+    frame, homes = {"entry", "page", "paper", "identities", "verify"}, _homes(folder)
     found, new = set[str](), {Path(file).stem} & (imports.keys() - frame)
     while new:
         found |= new
-        new = {name for name, used in imports.items() if not used.isdisjoint(prefix + n for n in new)} - found - frame
+        new = {name for name, used in imports.items() if not used.isdisjoint(homes[n] for n in new)} - found - frame
     return found & tables
+
+
+def _homes(folder: Path) -> dict[str, str]:
+    """The dotted names of the modules of the ledger, by their last words."""
+    start = folder.parents[1] if folder.name == "paper" else folder
+    return {
+        path.stem: ".".join(path.relative_to(start).with_suffix("").parts)
+        for path in folder.rglob("*.py")
+        if path.stem != "__init__"
+    }
 
 
 def importing(root: Path, file: str) -> list[str]:

@@ -55,7 +55,7 @@ def test_the_committed_table_reads() -> None:
     """Each row is of a file that stands: whole, or a sample of at least 15, of 10 outside of the ledger."""
     for file, row in read_judged(ROOT / "tests" / "mutants" / "judged.toml").items():
         assert (ROOT / file).is_file()
-        assert row.sample is None or row.sample >= (15 if file.startswith("gspot_verified/ledger/") else 10)
+        assert row.sample is None or row.sample >= (15 if file.startswith("gspot_verified/paper/section_") else 10)
 
 
 @pytest.mark.slow

@@ -91,13 +91,18 @@ def test_equal_changes_are_numbered_and_the_code_is_the_changed_one(tmp_path: Pa
 
 
 def test_a_file_of_the_ledger_meets_the_verdicts_and_the_wrong_formulas_of_the_parts_that_rest_on_it() -> None:
-    ledger = "gspot_verified/ledger"
-    assert parts(ROOT, f"{ledger}/section_6.py") == parts(ROOT, f"{ledger}/oscillator.py") == {"section_6"}
-    assert {"section_5_spaces", "section_5_theorem"} <= parts(ROOT, f"{ledger}/powers_of_eps.py")
-    assert parts(ROOT, f"{ledger}/entry.py") == parts(ROOT, "gspot_verified/dyadic.py") == set()
-    chosen = mirrored(ROOT, f"{ledger}/oscillator.py")
-    assert {f"tests/ledger/test_{name}.py" for name in ("oscillator", "verdicts", "teeth", "steps")} <= {*chosen}
-    assert "tests/ledger/test_verdicts.py" not in mirrored(ROOT, "gspot_verified/dyadic.py")
+    paper = "gspot_verified/paper"
+    assert (
+        parts(ROOT, f"{paper}/section_6/section_6.py")
+        == parts(ROOT, f"{paper}/section_6/oscillator.py")
+        == {"section_6"}
+    )
+    assert {"section_5_spaces", "section_5_theorem"} <= parts(ROOT, f"{paper}/section_4/powers_of_eps.py")
+    assert parts(ROOT, f"{paper}/checks/entry.py") == parts(ROOT, "gspot_verified/numbers/dyadic.py") == set()
+    chosen = mirrored(ROOT, f"{paper}/section_6/oscillator.py")
+    names = ("section_6/test_oscillator", "test_verdicts", "test_teeth", "test_steps")
+    assert {f"tests/paper/{name}.py" for name in names} <= {*chosen}
+    assert "tests/paper/test_verdicts.py" not in mirrored(ROOT, "gspot_verified/numbers/dyadic.py")
 
 
 def test_the_list_is_held_against_the_run(tmp_path: Path) -> None:

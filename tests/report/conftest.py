@@ -2,12 +2,12 @@
 
 import pytest
 
-from gspot_verified.dyadic import Dyadic
-from gspot_verified.ledger.entry import Check, Entry, Rung, conclude
+from gspot_verified.hard_cases.catalogue import run
+from gspot_verified.numbers.dyadic import Dyadic
+from gspot_verified.numbers.verdict import Reason, Verdict
+from gspot_verified.paper.checks.entry import Check, Entry, Rung, conclude
 from gspot_verified.report.certificates import CheckedCertificate
-from gspot_verified.report.figures import drawings
-from gspot_verified.stability.catalogue import run
-from gspot_verified.verdict import Reason, Verdict
+from gspot_verified.report.figures.figures import drawings
 
 
 @pytest.fixture(scope="session")
@@ -43,7 +43,7 @@ def entries():
         Entry(
             "gamma sign", "line 1271", "Section 4.5", r"\Gamma(-\beta)<0", "the sign", bad,
             conclude("g", bad), r"\Gamma(-\beta)>0", "an exchange, as in t01",
-            "gspot_verified/ledger/section_4_5_signs.py:_gamma_intervals",
+            "gspot_verified/paper/section_4_5/section_4_5_signs.py:_gamma_intervals",
         ),
         Entry(
             "rate", "line 1302", "Section 4.5", r"\log(\eps)", "the rate",

@@ -8,7 +8,7 @@ import pytest
 from gspot_verified.report.certificates import checked_certificates
 from gspot_verified.report.check_again import check_again
 from gspot_verified.report.data import report_data
-from gspot_verified.report.proof_page import PROOFS
+from gspot_verified.report.parts.proof_page import PROOFS
 
 NAMES = ("force_5_2.cert", "iwc_0_1.cert", "lift_off_5_2.cert")
 

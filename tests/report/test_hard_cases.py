@@ -4,8 +4,8 @@ import copy
 
 import pytest
 
+from gspot_verified.hard_cases.family import families
 from gspot_verified.report.hard_cases import NONE, check_hard_cases, hard_cases, measurements
-from gspot_verified.stability.family import families
 
 
 def test_the_report_counts_as_the_catalogue_does(hard):

@@ -7,7 +7,7 @@ import subprocess
 
 import pytest
 
-from gspot_verified.ledger.verify import verify_paper
+from gspot_verified.paper.verify import verify_paper
 from gspot_verified.report import write
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")

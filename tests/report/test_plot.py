@@ -9,14 +9,14 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified import expand, iwc, load, plot, zeros_on_range
-from gspot_verified.balls import working_bits
-from gspot_verified.compliant.compliant_force import SlowManifold, contact_motion
-from gspot_verified.compliant.normal_form import compliant_model
-from gspot_verified.mechanisms.g_spot import find_g_spot
+from gspot_verified.compliant.model.normal_form import compliant_model
+from gspot_verified.compliant.motion.compliant_force import SlowManifold, contact_motion
+from gspot_verified.mechanisms.spots.g_spot import find_g_spot
+from gspot_verified.numbers.balls import working_bits
 from gspot_verified.report import plot as module
-from gspot_verified.report.b_hat_figure import scaled_b_hat
-from gspot_verified.report.phase_plane import RigidSlip, phase_plane
-from gspot_verified.theta_function.evaluate import evaluate
+from gspot_verified.report.figures.b_hat_figure import scaled_b_hat
+from gspot_verified.report.pictures.phase_plane import RigidSlip, phase_plane
+from gspot_verified.theta_function.value.evaluate import evaluate
 
 
 def test_every_subject(tmp_path: Path) -> None:

@@ -8,8 +8,8 @@ from urllib.parse import quote, unquote
 
 import pytest
 
-from gspot_verified.ledger.claims import paper_claims
-from gspot_verified.ledger.entry import Check, Rung, settled
+from gspot_verified.paper.checks.entry import Check, Rung, settled
+from gspot_verified.paper.claims import paper_claims
 from gspot_verified.report.data import report_data
 from gspot_verified.report.site import pages, style
 

@@ -11,13 +11,13 @@ from typing import Any
 
 import pytest
 
-from gspot_verified.scenes.certified_integration import integrated_run
-from gspot_verified.scenes.file import load_scene
-from gspot_verified.scenes.run import OPEN, SceneRun
-from gspot_verified.scenes.scene import SceneError
-from gspot_verified.scenes.step_journal import StepJournal
-from gspot_verified.signs.journal_file import JournalFile
-from gspot_verified.verdict import Outcome, Reason
+from gspot_verified.numbers.verdict import Outcome, Reason
+from gspot_verified.scenes.certified.certified_integration import integrated_run
+from gspot_verified.scenes.certified.step_journal import StepJournal
+from gspot_verified.scenes.scene.file import load_scene
+from gspot_verified.scenes.scene.run import OPEN, SceneRun
+from gspot_verified.scenes.scene.scene import SceneError
+from gspot_verified.work.journal_file import JournalFile
 
 SCENE = load_scene("fig-varsim1", eps="1/20", until="1")
 BITS = (128,)
@@ -72,7 +72,7 @@ def test_killed_by_the_system(whole: Whole, tmp_path: Path) -> None:
     kept = tmp_path / "journal"
     program = """
 import os, signal, sys
-from gspot_verified.signs.journal_file import JournalFile
+from gspot_verified.work.journal_file import JournalFile
 write, written = JournalFile.add, []
 def killed(journal, data):
     write(journal, data)
@@ -80,8 +80,8 @@ def killed(journal, data):
     if len(written) == 3:
         os.kill(os.getpid(), signal.SIGKILL)
 JournalFile.add = killed
-from gspot_verified.scenes.certified_integration import integrated_run
-from gspot_verified.scenes.file import load_scene
+from gspot_verified.scenes.certified.certified_integration import integrated_run
+from gspot_verified.scenes.scene.file import load_scene
 from pathlib import Path
 integrated_run(load_scene("fig-varsim1", eps="1/20", until="1"), bits=(128,), journal=Path(sys.argv[1]))
 """
@@ -224,7 +224,7 @@ def test_a_precision_that_was_not_enough_is_not_tried_again(tmp_path: Path) -> N
     said: list[str] = []
     monotonic = iter(range(0, 10**6, 100))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("gspot_verified.scenes.run_steps.clock.monotonic", lambda: next(monotonic))
+        patch.setattr("gspot_verified.scenes.certified.run_steps.clock.monotonic", lambda: next(monotonic))
         assert integrated_run(SCENE, bits=(64, 160), journal=kept, progress=said.append) == run
     assert said
     assert all(text.startswith("160 bits: slip at t = ") for text in said[:3])

@@ -7,8 +7,8 @@ import random
 import pytest
 from flint import fmpq
 
-from gspot_verified.balls import approximate
-from gspot_verified.mechanisms.given import lagrangian
+from gspot_verified.mechanisms.input.given import lagrangian
+from gspot_verified.numbers.balls import approximate
 from gspot_verified.scenes.effects import (
     belt,
     compliant_contact,
@@ -21,12 +21,12 @@ from gspot_verified.scenes.effects import (
 )
 from gspot_verified.scenes.effects.catalogue import EFFECTS, EXCLUSIONS
 from gspot_verified.scenes.effects.effect import Condition
-from gspot_verified.scenes.effects.mechanism_terms import MechanismTerms
-from gspot_verified.scenes.effects.model_terms import ModelTerms
-from gspot_verified.scenes.effects.terms import FLIGHT, PHASES, REVERSE, SLIP, STICK
-from gspot_verified.scenes.float_function import float_function
-from gspot_verified.scenes.scaled_system import CONTACT, ScaledSystem
-from gspot_verified.scenes.scene import Scene
+from gspot_verified.scenes.equations.mechanism_terms import MechanismTerms
+from gspot_verified.scenes.equations.model_terms import ModelTerms
+from gspot_verified.scenes.equations.scaled_system import CONTACT, ScaledSystem
+from gspot_verified.scenes.equations.terms import FLIGHT, PHASES, REVERSE, SLIP, STICK
+from gspot_verified.scenes.floats.float_function import float_function
+from gspot_verified.scenes.scene.scene import Scene
 
 EVERYTHING = (
     "compliant_contact",

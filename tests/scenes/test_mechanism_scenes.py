@@ -8,21 +8,21 @@ from pathlib import Path
 import pytest
 from flint import fmpq
 
-from gspot_verified.balls import approximate, working_bits
-from gspot_verified.expansion.derivative import lie_derivative
-from gspot_verified.expansion.expressions import Constant, Expression, Variable, in_order
-from gspot_verified.mechanisms.approach import approach
-from gspot_verified.mechanisms.classify import classify
-from gspot_verified.mechanisms.given import from_fields, lagrangian
-from gspot_verified.mechanisms.lie_derivatives import derive
-from gspot_verified.mechanisms.mechanism import Mechanism, MechanismError
+from gspot_verified.functions.derivative import lie_derivative
+from gspot_verified.functions.expressions import Constant, Expression, Variable, in_order
+from gspot_verified.mechanisms.approach.approach import approach
+from gspot_verified.mechanisms.derive.lie_derivatives import derive
+from gspot_verified.mechanisms.input.given import from_fields, lagrangian
+from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
-from gspot_verified.scenes.certified_phases import CertifiedPhases
-from gspot_verified.scenes.file import load_scene, parse_scene
-from gspot_verified.scenes.float_function import float_function
-from gspot_verified.scenes.float_run import float_run
-from gspot_verified.scenes.scaled_system import operations
-from gspot_verified.scenes.scene import Scene, SceneError
+from gspot_verified.mechanisms.spots.classify import classify
+from gspot_verified.numbers.balls import approximate, working_bits
+from gspot_verified.scenes.certified.certified_phases import CertifiedPhases
+from gspot_verified.scenes.equations.scaled_system import operations
+from gspot_verified.scenes.floats.float_function import float_function
+from gspot_verified.scenes.floats.float_run import float_run
+from gspot_verified.scenes.scene.file import load_scene, parse_scene
+from gspot_verified.scenes.scene.scene import Scene, SceneError
 
 CONTACT = ("compliant_contact", "lift_off")
 STICK = (*CONTACT, "tangential_motion", "stick")

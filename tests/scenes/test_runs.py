@@ -7,14 +7,14 @@ import math
 import pytest
 from flint import fmpq
 
-from gspot_verified.balls import approximate
+from gspot_verified.numbers.balls import approximate
+from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.scenes.certified_run import certified_run
-from gspot_verified.scenes.file import load_scene
-from gspot_verified.scenes.float_function import float_function
-from gspot_verified.scenes.float_run import METHODS, float_run
-from gspot_verified.scenes.run import CERTIFIED, FLIGHT_THEN_IMPACT, IMPACT, SIMULATED, TRIVIAL, agreement
-from gspot_verified.scenes.scene import Scene, SceneError
-from gspot_verified.verdict import Outcome
+from gspot_verified.scenes.floats.float_function import float_function
+from gspot_verified.scenes.floats.float_run import METHODS, float_run
+from gspot_verified.scenes.scene.file import load_scene
+from gspot_verified.scenes.scene.run import CERTIFIED, FLIGHT_THEN_IMPACT, IMPACT, SIMULATED, TRIVIAL, agreement
+from gspot_verified.scenes.scene.scene import Scene, SceneError
 
 FATE = {
     **{("1/2", nu): IMPACT for nu in ("1/4", "1/2", "1", "2", "4")},

@@ -13,14 +13,14 @@ from typing import Any
 import pytest
 from flint import fmpq
 
-from gspot_verified.compliant.normal_form import compliant_model, compliant_state
-from gspot_verified.compliant.side_rule import side_rule
-from gspot_verified.evidence import less
+from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
+from gspot_verified.compliant.side.side_rule import side_rule
+from gspot_verified.numbers.evidence import less
+from gspot_verified.numbers.verdict import Outcome, Reason, Verdict
 from gspot_verified.scenes import hard_sides, side
-from gspot_verified.scenes.file import load_scene
-from gspot_verified.scenes.scene import Scene, SceneError
+from gspot_verified.scenes.scene.file import load_scene
+from gspot_verified.scenes.scene.scene import Scene, SceneError
 from gspot_verified.scenes.side import FAILED, LASTS, LOST, NO_EVENT, CertifiedSide, certified_side, float_side
-from gspot_verified.verdict import Outcome, Reason, Verdict
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 PAGE = DOCS / "where_floats_fail.md"

@@ -20,14 +20,15 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from gspot_verified.cli import main
-from gspot_verified.compliant.zero_map import zero_map
-from gspot_verified.signs import sign, zeros
-from gspot_verified.signs.pieces import Column, Kind, Piece
-from gspot_verified.signs.sign import SignResult, sign_on_ranges
-from gspot_verified.signs.subdivision import proved_again
-from gspot_verified.signs.zero_column import zero_column
-from gspot_verified.signs.zeros import ZerosResult, zeros_on_range
-from gspot_verified.verdict import Outcome
+from gspot_verified.compliant.zeros.zero_map import zero_map
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.signs.cover import sign
+from gspot_verified.signs.cover.pieces import Column, Kind, Piece
+from gspot_verified.signs.cover.sign import SignResult, sign_on_ranges
+from gspot_verified.signs.cover.subdivision import proved_again
+from gspot_verified.signs.cover.zero_column import zero_column
+from gspot_verified.signs.zeros import zeros
+from gspot_verified.signs.zeros.zeros import ZerosResult, zeros_on_range
 
 Lines = list[list[Any]]
 RANGE = ("-2..-1", "2..3")
@@ -157,7 +158,7 @@ def test_along_any_pieces_a_column_is_the_same(pieces: list[Piece], ends: tuple[
 
 
 def test_along_its_own_pieces_a_column_is_proved_with_no_box_that_stays_open(monkeypatch: pytest.MonkeyPatch) -> None:
-    from gspot_verified.signs.column_models import ColumnModels
+    from gspot_verified.signs.cover.column_models import ColumnModels
 
     ends, asked = (fmpq(9, 2), fmpq(37, 8)), []
     whole = zero_column(*ends)
@@ -243,7 +244,7 @@ def test_a_huge_journal(tmp_path: Path) -> None:
 HOLDER = """
 import sys, time
 from pathlib import Path
-from gspot_verified.signs.journal_file import JournalFile
+from gspot_verified.work.journal_file import JournalFile
 import json
 path = Path(sys.argv[1])
 held = JournalFile(path, json.loads(path.read_text().splitlines()[0])["journal"])

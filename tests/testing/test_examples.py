@@ -11,13 +11,13 @@ from flint import fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gspot_verified.expansion.expressions import Constant, Cosine, Exponential, Power, Sine, Variable
-from gspot_verified.expansion.power_series import SeriesOfFunctions
-from gspot_verified.expansion.rings import RATIONALS
-from gspot_verified.expansion.system import System
-from gspot_verified.expansion.terms import PolynomialTerms
+from gspot_verified.expansion.series.system import System
+from gspot_verified.expansion.series.terms import PolynomialTerms
 from gspot_verified.expansion.time_series import time_series
 from gspot_verified.expansion.trajectory import expand_system
+from gspot_verified.functions.expressions import Constant, Cosine, Exponential, Power, Sine, Variable
+from gspot_verified.functions.power_series import SeriesOfFunctions
+from gspot_verified.functions.rings import RATIONALS
 from gspot_verified.testing import (
     check_expansion,
     extended_example,

@@ -9,13 +9,13 @@ from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gspot_verified.expansion.expressions import Constant, Expression, Power, Variable
-from gspot_verified.expansion.recursion import ObstructedOrderError, space_of
-from gspot_verified.expansion.rings import BALLS
-from gspot_verified.expansion.spaces import SpacePolynomial
-from gspot_verified.expansion.symbols import Symbols
-from gspot_verified.expansion.system import GSpotError, System
+from gspot_verified.expansion.series.recursion import ObstructedOrderError, space_of
+from gspot_verified.expansion.series.spaces import SpacePolynomial
+from gspot_verified.expansion.series.system import GSpotError, System
 from gspot_verified.expansion.trajectory import Trajectory, expand_system
+from gspot_verified.functions.expressions import Constant, Expression, Power, Variable
+from gspot_verified.functions.rings import BALLS
+from gspot_verified.functions.symbols import Symbols
 from gspot_verified.testing import (
     check_expansion,
     check_lie_derivatives,

@@ -14,16 +14,16 @@ import mpmath
 import pytest
 from flint import arb, fmpq
 from mpmath import mpf
-from strategies import ends, to_fmpq
+from samples.strategies import ends, to_fmpq
 
-from gspot_verified.balls import relative_bits, working_bits
-from gspot_verified.theta_function import gamma_ratio as gamma_ratio_module
-from gspot_verified.theta_function.finite_part import near_integers, series_part, weight
-from gspot_verified.theta_function.laplace import LaplacePlan, laplace_sum
-from gspot_verified.theta_function.negative import negative_sum
-from gspot_verified.theta_function.positive import SaddlePlan, _saddle_remainder, positive_sum
-from gspot_verified.theta_function.splitting import splitting_sum
-from gspot_verified.theta_function.taylor import taylor_polynomial, taylor_sum
+from gspot_verified.numbers.balls import relative_bits, working_bits
+from gspot_verified.theta_function.gamma import gamma_ratio as gamma_ratio_module
+from gspot_verified.theta_function.sums.finite_part import near_integers, series_part, weight
+from gspot_verified.theta_function.sums.laplace import LaplacePlan, laplace_sum
+from gspot_verified.theta_function.sums.negative import negative_sum
+from gspot_verified.theta_function.sums.positive import SaddlePlan, _saddle_remainder, positive_sum
+from gspot_verified.theta_function.sums.splitting import splitting_sum
+from gspot_verified.theta_function.sums.taylor import taylor_polynomial, taylor_sum
 
 _BITS = 600
 _BETAS = [Fraction(1, 2), Fraction(-1, 2), Fraction(-7, 2), Fraction(7, 3)]

@@ -8,8 +8,8 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified import evaluate, theta_by
-from gspot_verified.balls import bits_for_digits, relative_bits
-from gspot_verified.theta_function.routes import ROUTES
+from gspot_verified.numbers.balls import bits_for_digits, relative_bits
+from gspot_verified.theta_function.value.routes import ROUTES
 
 _CHUNKS, _CASES = 20, 250
 

@@ -9,10 +9,10 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified import BudgetError, Reason, evaluate, initial_values, theta
-from gspot_verified.balls import relative_bits, working_bits
-from gspot_verified.theta_function.arrays import theta_array
-from gspot_verified.theta_function.finite_part import weight
-from gspot_verified.theta_function.reciprocal_gamma import reciprocal_gamma
+from gspot_verified.numbers.balls import relative_bits, working_bits
+from gspot_verified.theta_function.arrays.arrays import theta_array
+from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamma
+from gspot_verified.theta_function.sums.finite_part import weight
 
 
 def test_long_doubles_in_arrays_are_taken_exactly() -> None:
@@ -116,7 +116,7 @@ def test_a_failed_second_attempt_keeps_the_first_answer() -> None:
 
 
 def test_disjoint_enclosures_are_an_error_and_never_an_answer() -> None:
-    from gspot_verified.theta_function.evaluate import _tighter
+    from gspot_verified.theta_function.value.evaluate import _tighter
 
     with pytest.raises(ArithmeticError, match="disjoint"):
         _tighter(arb(1, 0.25), arb(2, 0.25))

@@ -1,6 +1,6 @@
 """Places where a bound is attained almost exactly: a radius smaller by 2^-20 would exclude the value here.
 
-``tests/test_sabotage.py`` runs this file with each bound shrunk on purpose and wants it red.
+``tests/house/test_sabotage.py`` runs this file with each bound shrunk on purpose and wants it red.
 """
 
 from __future__ import annotations
@@ -9,15 +9,15 @@ from fractions import Fraction
 
 import pytest
 from flint import arb, fmpq
-from strategies import ends
-from witness import theta_witness
+from samples.strategies import ends
+from witnesses.theta import theta_witness
 
-from gspot_verified.theta_function.finite_part import series_part
-from gspot_verified.theta_function.laplace import LaplacePlan, laplace_sum
-from gspot_verified.theta_function.negative import negative_sum
-from gspot_verified.theta_function.positive import SaddlePlan, positive_sum
-from gspot_verified.theta_function.splitting import splitting_sum
-from gspot_verified.theta_function.taylor import taylor_sum
+from gspot_verified.theta_function.sums.finite_part import series_part
+from gspot_verified.theta_function.sums.laplace import LaplacePlan, laplace_sum
+from gspot_verified.theta_function.sums.negative import negative_sum
+from gspot_verified.theta_function.sums.positive import SaddlePlan, positive_sum
+from gspot_verified.theta_function.sums.splitting import splitting_sum
+from gspot_verified.theta_function.sums.taylor import taylor_sum
 
 _TINY = fmpq(1, 10**9)
 

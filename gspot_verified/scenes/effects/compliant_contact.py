@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from flint import fmpq
 
-from gspot_verified.expansion.derivative import plus
-from gspot_verified.expansion.expressions import Expression
+from gspot_verified.functions.derivative import plus
+from gspot_verified.functions.expressions import Expression
 from gspot_verified.scenes.effects.effect import Effect, States
-from gspot_verified.scenes.effects.terms import Terms, scaled
+from gspot_verified.scenes.equations.terms import Terms, scaled
 
 
 def rates(terms: Terms) -> dict[str, Expression]:

@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 
 from flint import fmpq
 
-from gspot_verified.expansion.expressions import Expression
-from gspot_verified.scenes.effects.model_terms import ModelTerms
-from gspot_verified.scenes.effects.terms import PHASES, Terms
-from gspot_verified.scenes.motion import Motion
-from gspot_verified.scenes.scaled_system import PhaseEvent
+from gspot_verified.functions.expressions import Expression
+from gspot_verified.scenes.equations.model_terms import ModelTerms
+from gspot_verified.scenes.equations.motion import Motion
+from gspot_verified.scenes.equations.scaled_system import PhaseEvent
+from gspot_verified.scenes.equations.terms import PHASES, Terms
 
 
 @dataclass(frozen=True)

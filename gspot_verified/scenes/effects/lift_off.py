@@ -5,8 +5,8 @@ from __future__ import annotations
 from flint import fmpq
 
 from gspot_verified.scenes.effects.effect import Condition, Effect
-from gspot_verified.scenes.effects.terms import FLIGHT, Terms, scaled
-from gspot_verified.scenes.scaled_system import CONTACT, PhaseEvent
+from gspot_verified.scenes.equations.scaled_system import CONTACT, PhaseEvent
+from gspot_verified.scenes.equations.terms import FLIGHT, Terms, scaled
 
 LIFT_OFF, TOUCH_DOWN = "lift-off", "touch-down"
 

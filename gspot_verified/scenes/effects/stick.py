@@ -7,8 +7,8 @@ from flint import fmpq
 
 from gspot_verified.scenes.effects.effect import Condition, Effect
 from gspot_verified.scenes.effects.tangential_motion import POSITIVE_SLIP, SLIP_STOPS, slip_stops
-from gspot_verified.scenes.effects.terms import REVERSE, SLIP, STICK, Terms, scaled
-from gspot_verified.scenes.scaled_system import CONTACT, PhaseEvent
+from gspot_verified.scenes.equations.scaled_system import CONTACT, PhaseEvent
+from gspot_verified.scenes.equations.terms import REVERSE, SLIP, STICK, Terms, scaled
 
 STICKS = "stick"
 SLIPS = {SLIP: "slip forwards", REVERSE: "slip backwards"}

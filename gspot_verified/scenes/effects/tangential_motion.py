@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from flint import fmpq
 
-from gspot_verified.expansion.expressions import Expression
+from gspot_verified.functions.expressions import Expression
 from gspot_verified.scenes.effects.effect import Condition, Effect, ModelStates
-from gspot_verified.scenes.effects.model_terms import ModelTerms
-from gspot_verified.scenes.effects.terms import FLIGHT, REVERSE, SLIP, Terms, scaled
-from gspot_verified.scenes.scaled_system import CONTACT, PhaseEvent
+from gspot_verified.scenes.equations.model_terms import ModelTerms
+from gspot_verified.scenes.equations.scaled_system import CONTACT, PhaseEvent
+from gspot_verified.scenes.equations.terms import FLIGHT, REVERSE, SLIP, Terms, scaled
 
 SLIP_STOPS = "slip stops"
 

@@ -6,10 +6,10 @@ depends on it is said where it is seen in the equations.
 
 from __future__ import annotations
 
-from gspot_verified.expansion.expressions import Expression
+from gspot_verified.functions.expressions import Expression
 from gspot_verified.scenes.effects.effect import Effect, ModelStates
-from gspot_verified.scenes.effects.model_terms import ModelTerms
-from gspot_verified.scenes.effects.terms import scaled
+from gspot_verified.scenes.equations.model_terms import ModelTerms
+from gspot_verified.scenes.equations.terms import scaled
 
 
 def rates(terms: ModelTerms) -> dict[str, Expression]:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from flint import fmpq
 
-from gspot_verified.expansion.derivative import plus
-from gspot_verified.expansion.expressions import Expression
+from gspot_verified.functions.derivative import plus
+from gspot_verified.functions.expressions import Expression
 from gspot_verified.scenes.effects.effect import Effect, ModelStates
-from gspot_verified.scenes.effects.model_terms import ModelTerms
-from gspot_verified.scenes.effects.terms import number, scaled
+from gspot_verified.scenes.equations.model_terms import ModelTerms
+from gspot_verified.scenes.equations.terms import number, scaled
 
 
 def rates(terms: ModelTerms) -> dict[str, Expression]:

@@ -1,0 +1,87 @@
+"""``zeros --eps``: the zeros of the slow solution of the compliant model, at one point or over a rectangle."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, NoReturn
+
+import typer
+
+from gspot_verified.cli.app import print_json, progress
+from gspot_verified.cli.output import Outputs
+
+if TYPE_CHECKING:
+    from gspot_verified.compliant.zeros.zero_certificate import SlowZerosCertificate
+    from gspot_verified.signs.cover.subdivision import Progress
+
+DEFAULT_BETA = "1..7"
+
+
+def zeros_at_finite_epsilon(beta: str, epsilon: str, digits: int, as_json: bool) -> NoReturn:
+    """One beta, one epsilon.
+
+    :raises ValueError: ``epsilon`` is a range.
+    """
+    from gspot_verified.compliant.zeros.zero_count import slow_zeros
+
+    if ".." in epsilon:
+        raise ValueError("--eps: a range of ε needs a range of β, such as 5..6")
+    found = slow_zeros(beta, epsilon, digits)
+    if as_json:
+        print_json(found.to_json())
+    else:
+        typer.echo(str(found))
+    raise typer.Exit(found.verdict.exit_code)
+
+
+def zeros_over_a_rectangle(
+    outputs: Outputs,
+    beta: str,
+    epsilon: str,
+    budget: int,
+    picture: Path | None,
+    certificate: Path | None,
+    workers: int,
+    scheduler: str | None,
+    journal: Path | None,
+    as_json: bool,
+) -> NoReturn:
+    """A range of beta, one epsilon or a range of them.
+
+    :raises ValueError: a picture of one epsilon is asked for, or a certificate that is not for beta in (4, 5) and all
+        small epsilon.
+    """
+    from gspot_verified.compliant.zeros.zero_map import zero_map
+    from gspot_verified.work.executors import executor
+
+    if picture is not None and ".." not in epsilon:
+        raise ValueError("--picture needs a range of ε, such as 0..10")
+    proof = None if certificate is None else _certificate(beta, epsilon)
+    with executor(workers, scheduler) as pool:
+        found = zero_map(beta, epsilon, budget=budget, executor=pool, journal=journal, progress=_show)
+    if picture is not None:
+        from gspot_verified.report.pictures.zero_map_picture import save_zero_map
+
+        outputs.write("--picture", picture, lambda: save_zero_map(found, picture))
+    if proof is not None and certificate is not None:
+        outputs.write("--certificate", certificate, partial(proof.write, certificate))
+    if as_json:
+        print_json(found.to_json())
+    else:
+        typer.echo(str(found))
+    outputs.leave(found.verdict.exit_code)
+
+
+def _certificate(beta: str, epsilon: str) -> SlowZerosCertificate:
+    from gspot_verified.compliant.zeros.zero_certificate import slow_zeros_certificate
+    from gspot_verified.work.ranges import Range
+
+    small = Range.parse(epsilon, "epsilon") if ".." in epsilon else None
+    if small is None or small.lower != 0 or small.upper is None:
+        raise ValueError("--certificate: with --eps it needs a range from 0 on, such as 0..10, and β inside 4..5")
+    return slow_zeros_certificate(beta, small.upper)
+
+
+def _show(step: Progress) -> None:
+    progress(f"{step.examined} ranges of β examined in this row of ε, {step.finished} settled, {step.waiting} waiting")

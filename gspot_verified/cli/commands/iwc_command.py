@@ -1,0 +1,76 @@
+"""The command ``iwc``: an epsilon_0 below which the contact holds, or a bracket of the lift-off time."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+from gspot_verified.cli.load import load_with_settings
+from gspot_verified.cli.output import Outputs
+
+
+@app.command(epilog="Example: gspot-verified iwc --beta 7/3")
+def iwc(
+    beta: Annotated[str | None, typer.Option(help="β = α3/α1, not an integer; or give --alpha3.")] = None,
+    alpha1: Annotated[str | None, typer.Option(help="α1* < 0; -1 if left out.")] = None,
+    alpha2: Annotated[str | None, typer.Option(help="α2*; -1 if left out.")] = None,
+    alpha3: Annotated[str | None, typer.Option(help="α3* < 0; β α1 if left out.")] = None,
+    mechanism: Annotated[
+        str | None, typer.Option(help="In their place: a TOML file or a name; its alphas, or all in their balls.")
+    ] = None,
+    settings: Annotated[list[str] | None, typer.Option("--set", help='A parameter of the mechanism, "mu=2".')] = None,
+    c1: Annotated[str | None, typer.Option(help="C1; left out: 1 or -1, on the side without lift-off.")] = None,
+    tau_start: Annotated[str, typer.Option(help="The statement holds for τ from here to +∞.")] = "-10",
+    epsilon: Annotated[str | None, typer.Option(help="ε at which the lift-off time is bracketed, or λ_N > 0.")] = None,
+    digits: Annotated[int, typer.Option(help="Decimal digits of the answer, 1..100.")] = 15,
+    growth: Annotated[bool, typer.Option("--growth", help="Lift-off side: τ_lo for ε = 1e-10 to 1e-10000.")] = False,
+    certificate: Annotated[Path | None, typer.Option(help="Write a certificate, 1 < β < 5, for a range of ε.")] = None,
+    as_json: JsonFlag = False,
+) -> None:
+    """The contact force: an ε0 below which the contact holds, or a bracket of the lift-off time.
+
+    Each statement names its system: "at leading order" is the paper's formula; "on the slow manifold of the compliant
+    model" is the exact solution at that ε. The exit code is that of the last statement. The certificate's own
+    statement, for all ε up to (lift-off: from) a rounded one, is printed when it is written.
+    """
+    from gspot_verified.compliant.zeros.force_certificate import certificate_for
+    from gspot_verified.leading_order.iwc import IwcResult
+    from gspot_verified.mechanisms.iwc import iwc as contact_force
+
+    outputs = Outputs()
+    outputs.file("--certificate", certificate)
+    if mechanism is None and settings:
+        raise ValueError("--set: it goes with --mechanism")
+    if mechanism is not None and beta is not None:
+        raise ValueError("--beta: the mechanism has its own")
+    result = contact_force(
+        beta if mechanism is None else load_with_settings(mechanism, settings),
+        alpha_1=alpha1,
+        alpha_2=alpha2,
+        alpha_3=alpha3,
+        c1=c1,
+        tau_start=tau_start,
+        epsilon=epsilon,
+        digits=digits,
+        growth=growth,
+    )
+    leading = result.leading
+    if certificate is not None and not isinstance(leading, IwcResult):
+        raise ValueError("--certificate: it needs rational alphas, and those of this mechanism are balls")
+    if as_json:
+        print_json(result.to_json())
+    else:
+        typer.echo(str(result))
+    if certificate is not None and isinstance(leading, IwcResult):
+        place, rational = certificate, leading
+
+        def write() -> None:
+            found = certificate_for(rational)
+            found.write(place)
+            progress(f"{place}: {found.statement}")
+
+        outputs.write("--certificate", place, write)
+    outputs.leave(result.verdict.exit_code)

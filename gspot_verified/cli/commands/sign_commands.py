@@ -1,0 +1,244 @@
+"""Commands ``sign``, ``zeros`` and ``check``."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
+from gspot_verified.cli.commands.finite_epsilon import DEFAULT_BETA, zeros_at_finite_epsilon, zeros_over_a_rectangle
+from gspot_verified.cli.output import PICTURES, Outputs
+
+if TYPE_CHECKING:
+    from gspot_verified.signs.cover.subdivision import Progress
+
+Workers = Annotated[
+    int, typer.Option(help="Processes that share the work; the certificate is the same for any number.")
+]
+Scheduler = Annotated[str | None, typer.Option(help="Address of a Dask scheduler, in place of processes here.")]
+JournalFile = Annotated[Path | None, typer.Option("--journal", help="Keep finished work here; go on from it.")]
+CertificateFile = Annotated[Path | None, typer.Option("--certificate", help="Write a certificate that `check` reads.")]
+TauRange = Annotated[str, typer.Option(help='Range of τ: "-inf..inf", "[-2..3)", "1/2". Open unless [ or ].')]
+BetaRange = Annotated[str, typer.Option(help='Range of β, same form: "0..1" is the open interval.')]
+
+
+@app.command(epilog="Example: gspot-verified sign --tau=-inf..inf --beta 0..1 --certificate iwc.cert")
+def sign(
+    tau: TauRange,
+    beta: BetaRange,
+    positive: Annotated[bool, typer.Option("--positive", help="Ask for dΘ/dτ > 0 instead of dΘ/dτ < 0.")] = False,
+    budget: Annotated[int, typer.Option(help="How many ranges of β may be examined.")] = 2_000,
+    by_theorem: Annotated[
+        bool, typer.Option("--by-theorem", help="β <= 1: by the Laplace integral, no boxes.")
+    ] = False,
+    certificate: CertificateFile = None,
+    workers: Workers = 1,
+    scheduler: Scheduler = None,
+    journal: JournalFile = None,
+    as_json: JsonFlag = False,
+) -> None:
+    """The sign of dΘ/dτ on ranges of τ and β: proved, refuted with a point, or undecided with what is left."""
+    from gspot_verified.certificates.text import write_certificate
+    from gspot_verified.signs.cover.sign import sign_on_ranges
+    from gspot_verified.work.executors import executor
+
+    outputs = Outputs()
+    outputs.file("--certificate", certificate)
+    outputs.file("--journal", journal)
+    wanted = 1 if positive else -1
+    with executor(workers, scheduler) as pool:
+        result = sign_on_ranges(
+            tau, beta, wanted, budget=budget, by_theorem=by_theorem, executor=pool, journal=journal, progress=_show
+        )
+    statement, written = result.proved_statement, False
+    if certificate is not None and statement is not None:
+        written = outputs.write(
+            "--certificate", certificate, lambda: write_certificate(certificate, statement, result.columns)
+        )
+    if as_json:
+        print_json(result.to_json())
+    else:
+        typer.echo(str(result))
+        if written:
+            typer.echo(f"certificate of: {statement}: {certificate}")
+    if certificate is not None and statement is None:
+        warn(f"--certificate: nothing was proved, so {certificate} was not written")
+    outputs.leave(result.verdict.exit_code)
+
+
+@app.command(epilog="Example: gspot-verified zeros --beta 7/3 --digits 30")
+def zeros(
+    beta: Annotated[
+        str | None,
+        typer.Option(help='A range such as "1..13", or one value such as "7/3"; with --eps 1..7 if left out.'),
+    ] = None,
+    epsilon: Annotated[
+        str | None,
+        typer.Option("--eps", help='ε or "0..10" (0 < ε <= 10): the compliant model on its slow manifold, not Θ.'),
+    ] = None,
+    digits: Annotated[int, typer.Option(help="At one value: decimals of the brackets.")] = 15,
+    budget: Annotated[int, typer.Option(help="How many ranges of β may be examined.")] = 5_000,
+    picture: Annotated[Path | None, typer.Option(help="Write the sign atlas of the range as PNG, PDF or SVG.")] = None,
+    certificate: CertificateFile = None,
+    workers: Workers = 1,
+    scheduler: Scheduler = None,
+    journal: JournalFile = None,
+    as_json: JsonFlag = False,
+) -> None:
+    """Every real zero of dΘ/dτ: how many there are over a range of β, or brackets of all of them at one β.
+
+    How many is known for every β by the count law, at once; columns show it again and give tubes, for β <= 200. Exit
+    code 2: a range of β is left without tubes.
+
+    With --eps: of the contact force's deviation λ − λ̄ on the slow manifold of the compliant model at that ε,
+    with α1 = -1.
+    """
+    from gspot_verified.certificates.text import write_certificate
+    from gspot_verified.signs.gamma.count_law import numbers_on
+    from gspot_verified.signs.zeros.zeros import zeros_on_range
+    from gspot_verified.work.executors import executor
+
+    outputs = Outputs()
+    outputs.file("--certificate", certificate)
+    outputs.file("--journal", journal)
+    outputs.file("--picture", picture, PICTURES)
+    if epsilon is not None:
+        beta = DEFAULT_BETA if beta is None else beta
+        if ".." in beta:
+            zeros_over_a_rectangle(
+                outputs, beta, epsilon, budget, picture, certificate, workers, scheduler, journal, as_json
+            )
+        _only_with_a_range(journal, workers, scheduler)
+        if picture is not None:
+            raise ValueError("--picture needs a range of β, such as 1..7")
+        if certificate is not None:
+            raise ValueError("--certificate: with --eps it needs a range of β inside 4..5")
+        zeros_at_finite_epsilon(beta, epsilon, digits, as_json)
+    if beta is None:
+        raise ValueError("--beta is needed")
+    if ".." not in beta:
+        _only_with_a_range(journal, workers, scheduler)
+        _zeros_at(outputs, beta, digits, picture, certificate, as_json)
+        return
+    progress(f"by the count law, {numbers_on(beta)}")
+    with executor(workers, scheduler) as pool:
+        result = zeros_on_range(beta, budget=budget, executor=pool, journal=journal, progress=_show_tubes())
+    statement = result.statement
+    if certificate is not None and statement is not None:
+        outputs.write("--certificate", certificate, lambda: write_certificate(certificate, statement, result.columns))
+    if picture is not None:
+        from gspot_verified.report.figures.atlas import save_atlas
+
+        outputs.write("--picture", picture, lambda: save_atlas(result, picture))
+    if as_json:
+        print_json(result.to_json())
+    else:
+        typer.echo(str(result))
+    if certificate is not None and statement is None:
+        warn(f"--certificate: columns do not prove it, so {certificate} was not written")
+    outputs.leave(2 if result.unfinished else 0)
+
+
+def _only_with_a_range(journal: Path | None, workers: int, scheduler: str | None) -> None:
+    if journal is not None or workers != 1 or scheduler is not None:
+        raise ValueError("--journal, --workers and --scheduler need a range of β, such as 1..13")
+
+
+def _zeros_at(
+    outputs: Outputs, beta: str, digits: int, picture: Path | None, certificate: Path | None, as_json: bool
+) -> None:
+    from flint import fmpq
+
+    from gspot_verified.certificates.text import write_certificate
+    from gspot_verified.numbers.balls import exact
+    from gspot_verified.signs.gamma.count_law import number_of_zeros
+    from gspot_verified.signs.zeros.brackets import MAX_BETA, zeros_at
+    from gspot_verified.signs.zeros.integer_zeros import zeros_at_integer
+    from gspot_verified.signs.zeros.slope_at import UndecidedError
+
+    if picture is not None:
+        raise ValueError("--picture needs a range of β, such as 1..13")
+    value = exact(beta, "beta")
+    if isinstance(value, fmpq) and value > MAX_BETA:
+        if certificate is not None:
+            raise ValueError(f"--certificate: no column is sought for β > {MAX_BETA}")
+        number, route = number_of_zeros(value), "the count law"
+        if as_json:
+            print_json({"beta": str(value), "number": number, "route": route})
+        else:
+            typer.echo(f"β = {value}: {number} different real zeros of dΘ/dτ")
+            typer.echo(f"  route: {route} (proofs/count_law.md); brackets are sought for β <= {MAX_BETA}")
+        return
+    if isinstance(value, fmpq) and value.q == 1:
+        if certificate is not None:
+            raise ValueError("--certificate: at an integer β dΘ/dτ is a polynomial; no certificate is made")
+        at_integer = zeros_at_integer(int(value.p), digits)
+        if as_json:
+            print_json(at_integer.to_json())
+        else:
+            typer.echo(str(at_integer))
+        return
+    try:
+        found = zeros_at(beta, digits)
+    except UndecidedError as error:
+        typer.echo(f"undecided: {error}", err=True)
+        raise typer.Exit(2) from None
+    if certificate is not None:
+        outputs.write(
+            "--certificate", certificate, lambda: write_certificate(certificate, found.statement, [found.column])
+        )
+    if as_json:
+        print_json(found.to_json())
+    else:
+        typer.echo(str(found))
+    outputs.leave(0)
+
+
+@app.command(epilog="Example: gspot-verified check iwc.cert")
+def check(
+    file: Annotated[Path, typer.Argument(help="A certificate.")],
+    workers: Annotated[int, typer.Option(help="Processes that share the columns; the answer is the same.")] = 1,
+    limit: Annotated[
+        list[str] | None, typer.Option(help="NAME=NUMBER: raise a limit of the checker on purpose, such as work=100.")
+    ] = None,
+    as_json: JsonFlag = False,
+) -> None:
+    """Re-check a certificate with proofs/check.py, in a process of its own that imports nothing of this package.
+
+    Exit code 0 when it is verified, 1 when it is rejected.
+    """
+    from gspot_verified.certificates.checker import run_checker
+
+    if file.is_dir():
+        raise ValueError(f"FILE: {file} is a folder, not a certificate")
+    result = run_checker(file, workers, limit or ())
+    if as_json:
+        print_json(result.to_json())
+    else:
+        typer.echo(result.text, err=not result.verified)
+    raise typer.Exit(0 if result.verified else 1)
+
+
+def _show(step: Progress) -> None:
+    if step.examined % 10 == 0 or step.waiting == 0:
+        progress(f"{step.examined} ranges of β examined, {step.finished} settled, {step.waiting} waiting")
+
+
+def _show_tubes() -> Callable[[Progress], None]:
+    """Says how the search for tubes goes: at the first range, at every tenth, and whenever a second has passed."""
+    said = 0.0
+
+    def show(step: Progress) -> None:
+        nonlocal said
+        if step.examined % 10 != 0 and step.waiting and time.monotonic() - said < 1:
+            return
+        said = time.monotonic()
+        column = step.node.column
+        found = "" if column is None else f"; β in [{column.lower}, {column.upper}]: {len(column.tubes())} tubes"
+        progress(f"{step.examined} ranges of β examined, {step.finished} settled, {step.waiting} waiting{found}")
+
+    return show

@@ -1,0 +1,203 @@
+"""Commands ``simulate`` and ``scenes``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
+from gspot_verified.cli.output import PICTURES, Outputs
+
+if TYPE_CHECKING:
+    from flint import fmpq
+
+    from gspot_verified.scenes.scene.run import SceneRun
+    from gspot_verified.scenes.scene.scene import Scene
+
+_PICTURE_POINTS = 61
+_FILE_POINTS = 101
+
+
+@app.command(epilog="Example: gspot-verified simulate fig-varsim1 --beta 3/2 --nu 2 --eps 1e-3")
+def simulate(
+    scene: Annotated[str, typer.Argument(help="A scene's TOML file, or a name that `scenes` lists.")],
+    beta: Annotated[str | None, typer.Option(help="β, in place of the scene's.")] = None,
+    nu: Annotated[str | None, typer.Option(help="ν of the initial values, in place of the scene's.")] = None,
+    eps: Annotated[str | None, typer.Option("--eps", help="ε, in place of the scene's.")] = None,
+    until: Annotated[
+        str | None,
+        typer.Option(help="How long to look: a time after the start, in place of the scene's; as 2 or 1/10."),
+    ] = None,
+    settings: Annotated[list[str] | None, typer.Option("--set", help="name=value, as often as needed.")] = None,
+    floats: Annotated[bool, typer.Option("--float", help="A quick run with floats: nothing is proved.")] = False,
+    compare: Annotated[bool, typer.Option("--compare", help="A run with floats beside the certified one.")] = False,
+    method: Annotated[str, typer.Option(help="Of the float run: Radau, LSODA or BDF.")] = "Radau",
+    tolerance: Annotated[float, typer.Option(help="Of the float run, relative.")] = 1e-10,
+    digits: Annotated[int, typer.Option(help="Of the certified run, decimals of the times, 1..80.")] = 15,
+    route: Annotated[
+        str | None,
+        typer.Option(help='Of the certified run: "exact" or "integrator"; the exact solution if it decides.'),
+    ] = None,
+    points: Annotated[
+        int | None,
+        typer.Option(
+            help="Samples at so many equal steps of time; the float run and the integrator: own steps if missing."
+        ),
+    ] = None,
+    csv: Annotated[Path | None, typer.Option(help="Write the samples: of the float run if there is one.")] = None,
+    npz: Annotated[Path | None, typer.Option(help="The same as numpy arrays.")] = None,
+    picture: Annotated[Path | None, typer.Option(help="Draw λ_N, y and b: PNG, PDF or SVG by the suffix.")] = None,
+    journal: Annotated[
+        Path | None, typer.Option(help="Keep what is done here; the same command goes on after a kill.")
+    ] = None,
+    budget: Annotated[int, typer.Option(help="How many steps the integrator may make at each precision.")] = 20_000,
+    as_json: JsonFlag = False,
+) -> None:
+    """What a scene does: lift-off, touch-down, stick, impact without collision; certified, or simulated with --float.
+
+    Events are listed up to --until, all of them; a run also ends where an impact without collision lasts for ever. The
+    exact solution answers for all times, whatever --until is: it is used for the linear model scene where it decides.
+    --journal keeps what the integrator chose for each step, and proves all of it again when it goes on; with --compare
+    the float run has FILE.float. Samples of a certified run are enclosures: a column of midpoints and one of radii.
+    What the effects that are left out assume of the motion is checked along the run: where it fails, the run is refuted
+    as a statement on the motion with them; where it is not certain, the statement says "provided that". Exit code 0
+    when the certified run is proved, 1 when it is refuted, 2 when something is undecided: a float run always is.
+    """
+    from gspot_verified.scenes.certified_run import certified_run
+    from gspot_verified.scenes.floats.float_run import float_run
+    from gspot_verified.scenes.scene.file import load_scene
+    from gspot_verified.scenes.scene.run import agreement
+
+    if floats and compare:
+        raise ValueError("give --float or --compare, not both")
+    outputs = Outputs()
+    outputs.file("--csv", csv, (".csv",))
+    outputs.file("--npz", npz, (".npz",))
+    outputs.file("--picture", picture, PICTURES)
+    outputs.file("--journal", journal)
+    of_floats = journal.with_name(f"{journal.name}.float") if journal is not None and compare else journal
+    if of_floats != journal:
+        outputs.file("--journal with --compare", of_floats)
+    loaded = load_scene(scene).with_settings(**_given(settings or [], beta=beta, nu=nu, eps=eps, until=until))
+    sampled = None
+    if picture is not None or ((csv is not None or npz is not None) and not compare):
+        sampled = points or (_PICTURE_POINTS if csv is None and npz is None else _FILE_POINTS)
+    certified = None if floats else certified_run(loaded, digits, route, sampled, journal, budget, progress)
+    simulated = float_run(loaded, method, tolerance, points, of_floats) if floats or compare else None
+    runs = [run for run in (certified, simulated) if run is not None]
+    agree = None if certified is None or simulated is None else agreement(simulated, certified)
+    if as_json:
+        print_json({"scene": _scene_json(loaded), "runs": [run.to_json() for run in runs], "agree": agree})
+    else:
+        _show(loaded, runs)
+    if agree is False:
+        warn("the float run contradicts the certified one")
+    for note in (note for run in runs for note in run.notes):
+        outputs.missing("--journal", note)
+    _write(outputs, loaded, runs, csv, npz, picture)
+    outputs.leave(runs[0].verdict.exit_code)
+
+
+@app.command(epilog="Example: gspot-verified scenes")
+def scenes(as_json: JsonFlag = False) -> None:
+    """The scenes that come with the package, the effects, what leaving one out assumes, and what excludes what."""
+    from gspot_verified.scenes.effects.catalogue import EFFECTS, EXCLUSIONS
+    from gspot_verified.scenes.scene.file import SHIPPED, load_scene
+
+    loaded = [load_scene(name) for name in SHIPPED]
+    if as_json:
+        effects = [
+            {
+                "name": name,
+                "left_out": effect.left_out,
+                "needs": list(effect.needs),
+                "parameters": {n: str(v) for n, v in {**effect.parameters, **effect.model_parameters}.items()},
+            }
+            for name, effect in EFFECTS.items()
+        ]
+        exclusions = [{"first": a, "second": b, "reason": reason} for (a, b), reason in EXCLUSIONS.items()]
+        print_json({"scenes": [_scene_json(scene) for scene in loaded], "effects": effects, "exclusions": exclusions})
+        return
+    for scene in loaded:
+        typer.echo(f"{scene.name} ({_moving(scene)}): {', '.join(scene.effects)}")
+    typer.echo("effects, and what a scene without them assumes:")
+    for name, effect in EFFECTS.items():
+        needs = f" (needs {', '.join(effect.needs)})" if effect.needs else ""
+        typer.echo(f"  {name}{needs}: {effect.left_out}")
+    typer.echo("what excludes what:")
+    for (first, second), reason in EXCLUSIONS.items():
+        typer.echo(f"  {first} and {second}: {reason}")
+
+
+def _given(words: list[str], **options: str | None) -> dict[str, str]:
+    """What --set and the options of their own say; each setting once."""
+    found = _settings(words)
+    for name, value in options.items():
+        if value is None:
+            continue
+        for same in (name, "epsilon") if name == "eps" else (name,):
+            if same in found:
+                raise ValueError(f"give --{name} or --set {same}=..., not both")
+        found[name] = value
+    return found
+
+
+def _settings(words: list[str]) -> dict[str, str]:
+    found: dict[str, str] = {}
+    for word in words:
+        name, equals, value = (part.strip() for part in word.partition("="))
+        if not equals or not name.isidentifier() or name in found:
+            raise ValueError(f"--set: expected name=value, each name once, got {word[:60]!r}")
+        found[name] = value
+    return found
+
+
+def _moving(scene: Scene) -> str:
+    return "model" if scene.mechanism is None else scene.mechanism.name
+
+
+def _start(scene: Scene) -> dict[str, fmpq]:
+    """The start; an angle that has a reference is counted from it."""
+    angles = () if scene.mechanism is None else scene.mechanism.angles
+    counted = {angle.coordinate: f"{angle.coordinate} - {angle.name}" for angle in angles}
+    return {counted.get(name, name): value for name, value in scene.initial().items()}
+
+
+def _scene_json(scene: Scene) -> dict[str, Any]:
+    parameters = {name: str(value) for name, value in scene.values().items()}
+    return {
+        "name": scene.name,
+        "mechanism": None if scene.mechanism is None else scene.mechanism.name,
+        "effects": list(scene.effects),
+        "assumes": scene.assumes(),
+        "epsilon": str(scene.epsilon),
+        "until": str(scene.until),
+        "parameters": parameters,
+        "start": {name: str(value) for name, value in _start(scene).items()},
+        "states": {phase: list(scene.system(phase).states) for phase in scene.phases()},
+    }
+
+
+def _show(scene: Scene, runs: list[SceneRun]) -> None:
+    for run in runs:
+        typer.echo(str(run))
+    start = ", ".join(f"{name} = {value}" for name, value in _start(scene).items())
+    typer.echo(f"  {scene.name}, ε = {scene.epsilon}, from {start}")
+    for name, line in scene.assumes().items():
+        typer.echo(f"  without {name}: {line}")
+
+
+def _write(
+    outputs: Outputs, scene: Scene, runs: list[SceneRun], csv: Path | None, npz: Path | None, picture: Path | None
+) -> None:
+    """The samples of the last run that has some, and the picture of all."""
+    samples = next((run.samples for run in reversed(runs) if run.samples is not None), None)
+    for option, path in (("--csv", csv), ("--npz", npz)):
+        if path is not None and samples is not None:
+            outputs.write(option, path, lambda path=path: samples.save(path))  # type: ignore[misc]
+    if picture is not None:
+        from gspot_verified.report.pictures.scene_picture import scene_picture
+
+        outputs.write("--picture", picture, lambda: scene_picture(scene, runs).save(picture))

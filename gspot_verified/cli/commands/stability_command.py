@@ -1,0 +1,31 @@
+"""Command ``stability``."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+
+
+@app.command(epilog="Example: gspot-verified stability side canard")
+def stability(
+    families: Annotated[
+        list[str] | None,
+        typer.Argument(help="Names of families, such as canard or near-zero; all if none.", metavar="[NAME]..."),
+    ] = None,
+    as_json: JsonFlag = False,
+) -> None:
+    """Hard cases of every part of the library, from easy to hard, beside double precision: about ten seconds.
+
+    For each: the condition number, the bits that the usual formula loses, what it says in double precision, what is
+    certified, and how work and time grow. The exit code is 0 whatever the rows say; undecided ones are counted.
+    """
+    from gspot_verified.hard_cases.catalogue import run
+
+    found = run(families or (), progress)
+    if as_json:
+        print_json(found.to_json())
+    else:
+        typer.echo(str(found))

@@ -1,0 +1,91 @@
+"""Command ``sweep``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+from gspot_verified.cli.commands.mechanism_commands import MechanismName
+from gspot_verified.cli.commands.sign_commands import JournalFile, Scheduler, Workers
+from gspot_verified.cli.output import PICTURES, Outputs
+
+
+@app.command(epilog="Example: gspot-verified sweep oscillator --over beta=1/2..4:40")
+def sweep(
+    name: MechanismName,
+    over: Annotated[
+        list[str],
+        typer.Option("--over", help='A parameter and its range, "mu=1.4..2:200" for 200 cells; given twice: a map.'),
+    ],
+    settings: Annotated[
+        list[str] | None, typer.Option("--set", help='A parameter that does not vary, "kappa=1/10".')
+    ] = None,
+    start: Annotated[
+        list[str] | None, typer.Option("--start", help='Where the G-spot is proved first, such as "mu=2".')
+    ] = None,
+    spot: Annotated[
+        int | None, typer.Option(help="Which of all G-spots there, by its number in `classify --all`.")
+    ] = None,
+    digits: Annotated[int, typer.Option(help="Decimals of the brackets in which Case or side change, 1..15.")] = 12,
+    csv: Annotated[Path | None, typer.Option("--csv", help="Write a table, one line for each piece.")] = None,
+    picture: Annotated[Path | None, typer.Option(help="Draw it, as PNG, PDF or SVG by the file's suffix.")] = None,
+    workers: Workers = 1,
+    scheduler: Scheduler = None,
+    journal: JournalFile = None,
+    as_json: JsonFlag = False,
+) -> None:
+    """A G-spot over one or two parameters: α's, β, Case and side for every value of the range, not only at points.
+
+    Where Case or side change is bracketed. Exit code 0 when all the rest is settled, 2 when something is undecided.
+    """
+    from gspot_verified.mechanisms.load import load
+    from gspot_verified.mechanisms.sweep.sweep import sweep as sweep_mechanism
+    from gspot_verified.work.executors import executor
+
+    outputs = Outputs()
+    outputs.file("--csv", csv)
+    outputs.file("--picture", picture, PICTURES)
+    outputs.file("--journal", journal)
+    ranges, first = _assignments("--over", over), _assignments("--start", start or [])
+    mechanism = load(name, **_assignments("--set", settings or []))
+    with executor(workers, scheduler) as pool:
+        result = sweep_mechanism(
+            mechanism, ranges, start=first, spot=spot, digits=digits, executor=pool, journal=journal, progress=_show
+        )
+    if csv is not None:
+        outputs.write("--csv", csv, lambda: _replace(csv, result.to_csv()))
+    if picture is not None:
+        from gspot_verified.report.pictures.sweep_picture import save_sweep
+
+        outputs.write("--picture", picture, lambda: save_sweep(result, picture))
+    if as_json:
+        print_json(result.to_json())
+    else:
+        typer.echo(str(result))
+    outputs.leave(result.verdict.exit_code)
+
+
+def _assignments(option: str, texts: list[str]) -> dict[str, str]:
+    found: dict[str, str] = {}
+    for text in texts:
+        key, equals, value = (part.strip() for part in text.partition("="))
+        if not equals or not key:
+            raise ValueError(f'{option}: expected "name=value", got {text[:60]!r}')
+        if key in found:
+            raise ValueError(f"{option}: {key[:60]} is given twice")
+        found[key] = value
+    return found
+
+
+def _replace(path: Path, text: str) -> None:
+    """Write a file whole or not at all."""
+    unfinished = path.with_name(path.name + ".part")
+    unfinished.write_text(text, encoding="utf-8")
+    unfinished.replace(path)
+
+
+def _show(done: int, of: int) -> None:
+    progress(f"{done} of {of} cells")

@@ -1,0 +1,101 @@
+"""Commands ``theta`` and ``side``."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from gspot_verified.cli.app import JsonFlag, NumberArguments, app, print_json, progress
+
+_SLOW_DIGITS = 20_000
+
+
+@app.command(
+    cls=NumberArguments,
+    epilog="Example: gspot-verified theta -- -50 7/3 --digits 100",
+)
+def theta(
+    tau: Annotated[str, typer.Argument(help='τ: "-50", "7/3", "0.1"; |τ| <= 10^12.')],
+    beta: Annotated[str, typer.Argument(help="β, same form; |β| <= 10^4.")],
+    digits: Annotated[int, typer.Option(help="Relative accuracy in decimal digits, 1..10^6.")] = 15,
+    derivative: Annotated[int, typer.Option(help="k for the k-th τ-derivative, 0..1000.")] = 0,
+    as_json: JsonFlag = False,
+) -> None:
+    """Enclose Θ(τ, β) or a τ-derivative to the asked relative accuracy.
+
+    Exit code 0 when the accuracy was reached, 2 when it was not (next to a zero of Θ): the ball is then still valid.
+    """
+    from gspot_verified.theta_function.value.evaluate import evaluate
+
+    if digits >= _SLOW_DIGITS:
+        _announce(tau, beta, derivative, digits)
+    result = evaluate(tau, beta, derivative=derivative, digits=digits)
+    if as_json:
+        print_json(result.to_json())
+    else:
+        typer.echo(str(result))
+    if not result.reached:
+        reason = result.reason.value if result.reason else "unknown reason"
+        typer.echo(f"relative accuracy not reached: {reason}; the sign may be undecided", err=True)
+        raise typer.Exit(2)
+
+
+def _announce(tau: str, beta: str, derivative: int, digits: int) -> None:
+    """Beforehand: one call of FLINT may last so long that nothing can be said meanwhile."""
+    from gspot_verified.theta_function.value.effort import expected_effort
+    from gspot_verified.theta_function.value.routes import checked_arguments
+
+    point, parameter = checked_arguments(tau, beta, derivative)
+    effort = expected_effort(point, parameter - derivative, digits)
+    if effort is None:
+        progress(f"{digits} digits: this may take minutes; there is no estimate for these arguments")
+    else:
+        progress(f"{digits} digits, route {effort.route}: {effort} on one core, roughly")
+
+
+@app.command(cls=NumberArguments, epilog="Example: gspot-verified side 1/2 4")
+def side(
+    lower: Annotated[str | None, typer.Argument(help="Lower end of the range of β.")] = None,
+    upper: Annotated[str | None, typer.Argument(help="Upper end; left out: the single value.")] = None,
+    beta: Annotated[str | None, typer.Option(help="With --state: β = α3/α1.")] = None,
+    eps: Annotated[str, typer.Option("--eps", help="With --state: ε > 0.")] = "1/1000",
+    alpha1: Annotated[str, typer.Option(help="With --state: α1* < 0.")] = "-1",
+    alpha2: Annotated[str, typer.Option(help="With --state: α2*.")] = "-1",
+    state: Annotated[str | None, typer.Option(help="The exact side rule of this state in contact: p,b,y,v,z.")] = None,
+    as_json: JsonFlag = False,
+) -> None:
+    """Certified sign of Γ(−β) over a range of β, and which sign of C1 lifts off (Case III) or takes an IWC.
+
+    With --state: the exact side rule of the compliant model at one ε, K < 0: contact is certainly lost, with the
+    paper's rule C1/Γ(−β) beside it.
+    """
+    if state is not None:
+        _side_of_state(lower if beta is None else beta, eps, alpha1, alpha2, state, as_json)
+        return
+    if beta is not None or lower is None:
+        raise ValueError("β: give it as an argument; --beta goes with --state")
+    from gspot_verified.signs.gamma.side import side_switching
+
+    result = side_switching(lower, lower if upper is None else upper)
+    if as_json:
+        print_json(result.to_json())
+    else:
+        typer.echo(str(result))
+    if result.undecided:
+        raise typer.Exit(2)
+
+
+def _side_of_state(beta: str | None, eps: str, alpha1: str, alpha2: str, state: str, as_json: bool) -> None:
+    from gspot_verified.compliant.model.normal_form import compliant_model
+    from gspot_verified.compliant.model.state_text import state_from_text
+    from gspot_verified.compliant.side.side_rule import side_rule
+
+    result = side_rule(compliant_model(beta, eps, alpha_1=alpha1, alpha_2=alpha2), state_from_text(state))
+    system = f"the compliant model from the initial state (p, b, y, v, z) = ({state}), ε = {eps}"
+    if as_json:
+        print_json({**result.to_json(), "system": system})
+    else:
+        typer.echo(str(result))
+        typer.echo(f"  {system}")
+    raise typer.Exit(result.verdict.exit_code)

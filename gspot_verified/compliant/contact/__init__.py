@@ -1,0 +1,1 @@
+"""Whether the contact on the slow manifold holds, and up to which epsilon."""

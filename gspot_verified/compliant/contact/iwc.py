@@ -1,0 +1,146 @@
+"""Whether the contact holds: what is proved at leading order, and what is proved about the compliant model itself.
+
+Proof page: ``proofs/monotone.md``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from gspot_verified.compliant.contact.slow_lift_off import SlowLiftOff, slow_lift_off
+from gspot_verified.compliant.contact.slow_manifold import ABOVE, SlowManifold, impact
+from gspot_verified.compliant.contact.threshold import MAX_BETA_OF_THEOREM
+from gspot_verified.compliant.slow.profile import SLOW, in_range
+from gspot_verified.leading_order.contact_force import rational
+from gspot_verified.leading_order.iwc import CAVEAT, IwcResult, force_statement
+from gspot_verified.leading_order.iwc import iwc as leading_order
+from gspot_verified.leading_order.iwc_over_balls import FOR_ALL, IwcOverBalls
+from gspot_verified.leading_order.iwc_over_balls import iwc_over_balls as leading_order_over_balls
+from gspot_verified.numbers.balls import ExactInput
+from gspot_verified.numbers.evidence import less, theorem
+from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Verdict
+
+BALLS_CAVEAT = f"{CAVEAT}; the bounds for the compliant model are made for one rational β, and the alphas are balls"
+
+
+@dataclass(frozen=True, slots=True)
+class CompliantIwc(NoTruthValue):
+    """The result of :func:`iwc`: the statement at leading order and, where a theorem covers it, the one about the
+    compliant model on its slow manifold: ``slow`` where C_1/Gamma(-beta) > 0, ``lift_off`` on the other side."""
+
+    ask: ClassVar[str] = ASK_VERDICT
+
+    leading: IwcResult | IwcOverBalls
+    slow: SlowManifold | None = None
+    lift_off: SlowLiftOff | None = None
+
+    @property
+    def compliant(self) -> SlowManifold | SlowLiftOff | None:
+        """What is stated about the compliant model; None where nothing is."""
+        return self.lift_off if self.slow is None else self.slow
+
+    @property
+    def verdict(self) -> Verdict:
+        """That of the compliant model where there is one, else that at leading order."""
+        return self.leading.verdict if self.compliant is None else self.compliant.verdict
+
+    @property
+    def caveat(self) -> str | None:
+        """What is open; None where a theorem covers it."""
+        if self.compliant is not None:
+            return None
+        return BALLS_CAVEAT if isinstance(self.leading, IwcOverBalls) else CAVEAT
+
+    def __str__(self) -> str:
+        if self.caveat is not None:
+            return "\n".join([*self.leading.lines(), f"  {self.caveat}"])
+        assert self.compliant is not None
+        return "\n".join([*self.leading.lines(), *self.compliant.lines()])
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``: the keys of the leading order, and those of the compliant model.
+
+        ``slow_manifold``: {verdict, whole_line, threshold}, or null; ``slow_lift_off``: {epsilon, verdict, bracket,
+        lead, kappa, uniform, whole_line}, or null; ``statements``: what is stated, each with its ``system`` ("leading
+        order" or "slow manifold") and its verdict; ``caveat``: what is open, null where a theorem covers it.
+        """
+        about = [("leading order", self.leading.verdict)]
+        if self.compliant is not None:
+            about.append(("slow manifold", self.compliant.verdict))
+        if self.lift_off is not None and self.lift_off.uniform is not None:
+            about.append(("slow manifold", self.lift_off.uniform))
+        return {
+            **self.leading.to_json(),
+            "slow_manifold": None if self.slow is None else self.slow.to_json(),
+            "slow_lift_off": None if self.lift_off is None else self.lift_off.to_json(),
+            "statements": [{"system": name, **verdict.to_json()} for name, verdict in about],
+            "caveat": self.caveat,
+        }
+
+
+def iwc(
+    beta: ExactInput | None = None,
+    *,
+    alpha_1: ExactInput | None = None,
+    alpha_2: ExactInput = -1,
+    alpha_3: ExactInput | None = None,
+    c1: ExactInput | None = None,
+    tau_start: ExactInput = -10,
+    epsilon: ExactInput | None = None,
+    digits: int = 15,
+    growth: bool = False,
+) -> CompliantIwc:
+    """Whether the contact holds on [tau_start, infinity), or when it lifts off: at leading order, and for the compliant
+    model on its slow manifold.
+
+    Arguments and errors: :func:`leading_order.iwc.iwc`. On the side C_1/Gamma(-beta) > 0, for 0 < beta < 5,
+    every eps_0 at leading order is one for the compliant model (Theorem C of the page), and the exact eps_0 is found,
+    for 5 < beta < 13 by cells of eps (six digits, some seconds). On the other side the lift-off time of the compliant
+    model is bracketed at eps, and compared with that at leading order for every smaller eps (1 < beta < 5).
+
+    >>> iwc("5/2").verdict.statement
+    'on the slow manifold of the compliant model, λ_N > 0 for every τ in [-10, inf) and every ε in (0, 0.894881353)'
+    """
+    leading = leading_order(
+        beta, alpha_1=alpha_1, alpha_2=alpha_2, alpha_3=alpha_3, c1=c1, tau_start=tau_start, epsilon=epsilon,
+        digits=digits, growth=growth,
+    )  # fmt: skip
+    force, at = leading.force, None if epsilon is None else rational(epsilon, "epsilon")
+    if force.takes_impact:
+        return CompliantIwc(leading, impact(leading, at, digits))
+    if leading.lift_off is not None and in_range(force, leading.lift_off.epsilon):
+        return CompliantIwc(leading, lift_off=slow_lift_off(force, leading.lift_off, leading.start, digits))
+    return CompliantIwc(leading)
+
+
+def iwc_over_balls(
+    alpha_1: ExactInput,
+    alpha_2: ExactInput,
+    alpha_3: ExactInput,
+    *,
+    c1: ExactInput | None = None,
+    tau_start: ExactInput = -10,
+    epsilon: ExactInput | None = None,
+    digits: int = 15,
+) -> CompliantIwc:
+    """The same for all alphas in balls at once: :func:`gspot_verified.leading_order.iwc_over_balls.iwc_over_balls`.
+
+    For 0 < beta < 5 a proved eps_0 holds for the compliant model too (Theorem C compares the forces of each system);
+    the exact eps_0, the compliant lift-off time and beta > 5 need one rational beta, as their bounds are made for one.
+    """
+    leading = leading_order_over_balls(
+        alpha_1, alpha_2, alpha_3, c1=c1, tau_start=tau_start, epsilon=epsilon, digits=digits
+    )
+    force = leading.force
+    if force is None or not force.takes_impact:
+        return CompliantIwc(leading)
+    above = theorem("proofs/monotone.md", less(force.beta, MAX_BETA_OF_THEOREM), leading.verdict.evidence)
+    if above is None:
+        return CompliantIwc(leading)
+    everywhere = leading.every_epsilon and leading.whole_line
+    start = None if everywhere else leading.start
+    at = None if epsilon is None else rational(epsilon, "epsilon")
+    bound = None if leading.every_epsilon else leading.epsilon_0
+    text = force_statement(start, at, bound, f"{SLOW}, {FOR_ALL}")
+    return CompliantIwc(leading, SlowManifold(Verdict.proved(text, above, ABOVE), start, leading.whole_line))

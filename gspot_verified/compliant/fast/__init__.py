@@ -1,0 +1,1 @@
+"""The fast solutions and the coefficients of a state in them."""

@@ -1,0 +1,1 @@
+"""The model in its normal form, its states, and free flight."""

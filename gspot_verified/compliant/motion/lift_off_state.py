@@ -1,0 +1,57 @@
+"""The state at lift-off, from a bracket of its time and the state at the lower end.
+
+Proof page: ``proofs/flight.md``, section 7.
+"""
+
+from __future__ import annotations
+
+from flint import arb, fmpq
+
+from gspot_verified.compliant.model.flight import ContactState
+from gspot_verified.compliant.model.force_result import CompliantForce
+from gspot_verified.numbers.balls import add_remainder, hull, nonfinite, working_bits
+
+
+def contact_state(value: CompliantForce, bits: int) -> ContactState:
+    """The state in contact at one time, in the normal form without hats."""
+    model = value.model
+    sigma, small = model.sigma, model.scaled_epsilon
+    with working_bits(bits):
+        return ContactState(
+            model.beta,
+            small,
+            model.alpha_2 * sigma**3,
+            arb(value.p),
+            value.b * sigma**2,
+            value.v * sigma / small,
+            value.y / small**2,
+            value.force * sigma**2,
+        )
+
+
+def lift_off_state(before: ContactState, duration: fmpq, bits: int) -> ContactState:
+    """A ball of the state at lift-off, which happens within ``duration`` (as T) after ``before``: lambda = 0, Y = Z.
+
+    Not finite when the a-priori enclosure fails: ``duration`` is then too long.
+    """
+    with working_bits(bits):
+        first = (before.b, before.V, before.Y, before.Y + before.force)
+        first_p, last_p = before.p, before.p - before.epsilon * duration
+        p = hull([first_p, last_p])
+        # Twice the way at the starting rates, and a little: any radius is right that passes the check.
+        radii = [
+            (2 * duration * abs(rate) + abs(x) * arb(2) ** -bits + arb(2) ** -bits * arb(duration)).abs_upper()
+            for rate, x in zip(_rates(before, p, *first), first, strict=True)
+        ]
+        box = [add_remainder(x, radius) for x, radius in zip(first, radii, strict=True)]
+        rates = _rates(before, p, *box)
+        if not all(duration * abs(rate) < radius for rate, radius in zip(rates, radii, strict=True)):
+            box = [nonfinite()] * len(box)
+        b, V, _, Z = box
+        return ContactState(before.beta, before.epsilon, before.alpha_2, p, b, V, Z, arb(0))
+
+
+def _rates(state: ContactState, p: arb, b: arb, V: arb, Y: arb, Z: arb) -> tuple[arb, arb, arb, arb]:
+    """b', V', Y', Z' of the contact phase."""
+    force = Z - Y
+    return state.epsilon * (state.alpha_2 + state.beta * force), b + p * force, V, -Z - force

@@ -1,0 +1,177 @@
+"""The contact force over the first stretch of a motion, by its power series: > 0, or its first zero in a bracket.
+
+Proof pages: ``proofs/contact_series.md``, section 4; ``proofs/force_range.md``, section 2.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from flint import arb, arb_poly, fmpq
+
+from gspot_verified.compliant.model.normal_form import Deviation
+from gspot_verified.compliant.motion.contact_series import SeriesCell, series_cells, series_rate, series_work
+from gspot_verified.numbers.balls import add_remainder, hull, sign_of, working_bits
+from gspot_verified.numbers.evidence import Ends, cover, every, less
+from gspot_verified.numbers.verdict import Evidence
+
+MOST_WORK = 3_000
+"""Rate times duration up to which a stretch is looked at, unless a caller says otherwise."""
+
+_STRETCHES = (30, 300)
+_WORK_OF_A_CELL = 3
+_LEAST_PIECE = fmpq(1, 2**24)
+_BITS = 128
+_BITS_OF_LARGE = 30
+
+
+@dataclass(frozen=True, slots=True)
+class _Piece:
+    """The force lambda = mean + Z - Y and its slope on a part [left, right] of a cell, 0 <= left < right <= 1."""
+
+    cell: SeriesCell
+    mean: fmpq
+    left: fmpq
+    right: fmpq
+
+    def force(self) -> arb:
+        """An enclosure of lambda over the piece."""
+        _, _, Y, Z = self.cell.variables
+        return self.mean + _range(Z - Y, self.cell.rests[2] + self.cell.rests[3], self.left, self.right)
+
+    def slope(self) -> arb:
+        """An enclosure of d lambda/dT = -(2 Z - Y + V) over the piece."""
+        _, V, Y, Z = self.cell.variables
+        _, v, y, z = self.cell.rests
+        return -_range(2 * Z - Y + V, 2 * z + y + v, self.left, self.right)
+
+    def halves(self) -> tuple[_Piece, _Piece]:
+        """The left and the right half."""
+        middle = (self.left + self.right) / 2
+        return _Piece(self.cell, self.mean, self.left, middle), _Piece(self.cell, self.mean, middle, self.right)
+
+    def force_at(self, x: fmpq) -> arb:
+        """lambda at a point of the cell."""
+        _, _, Y, Z = self.cell.at(arb(x))
+        return self.mean + Z - Y
+
+    def time(self, x: fmpq) -> fmpq:
+        """The time of a point of the cell, since the state."""
+        return self.cell.first + x * self.cell.width
+
+    def shown_positive(self) -> Evidence | None:
+        """lambda > 0 on the piece: by its range, or because it falls and is still positive at the right end."""
+        return less(0, self.force()) or every(
+            less(one, other) for one, other in ((self.slope(), 0), (0, self.force_at(self.right)))
+        )
+
+
+def _range(polynomial: arb_poly, rest: arb, left: fmpq, right: fmpq) -> arb:
+    """An enclosure over [left, right]: the coefficients in u, x = left + (right - left) u, and 0 <= u^k <= 1."""
+    shifted = polynomial(arb_poly([left, right - left])).coeffs()
+    total = shifted[0] if shifted else arb(0)
+    for coefficient in shifted[1:]:
+        total += hull([arb(0), coefficient])
+    return add_remainder(total, rest)
+
+
+@dataclass(frozen=True, slots=True)
+class SeriesZero:
+    """Two times since the state, in T, with the first zero of lambda between them, and what was compared."""
+
+    lower: fmpq
+    upper: fmpq
+    evidence: Evidence
+
+
+@dataclass(slots=True)
+class _Shown:
+    """The pieces on which lambda > 0 was shown, by their times, and how."""
+
+    pieces: list[Ends] = field(default_factory=list)
+    evidence: list[Evidence] = field(default_factory=list)
+
+    def note(self, piece: _Piece, found: Evidence) -> None:
+        self.pieces.append((piece.time(piece.left), piece.time(piece.right)))
+        self.evidence.append(found)
+
+
+def positive_by_series(state: Deviation, mean: fmpq, duration: fmpq, work: int = MOST_WORK) -> Evidence | None:
+    """lambda > 0 from the state up to the time ``duration`` in T after it, certainly; None where it is not shown."""
+    if series_work(state, duration) > work:
+        return None
+    if duration == 0:
+        return less(0, state.force + mean)
+    shown = _Shown()
+    if _not_positive(state, mean, duration, _BITS, shown) is not None:
+        return None
+    return every([cover(shown.pieces, (fmpq(0), duration)), *shown.evidence])
+
+
+def zero_by_series(
+    state: Deviation, mean: fmpq, width: fmpq, bits: int, most_work: int = MOST_WORK
+) -> SeriesZero | None:
+    """Two times since the state, in T, ``width`` or less apart: the first zero of lambda lies between them.
+
+    lambda > 0 from the state up to it, and its slope is < 0 there. ``bits``: the accuracy of lambda that this asks for.
+    None where no such bracket is found.
+    """
+    for work in (*(stretch for stretch in _STRETCHES if stretch < most_work), most_work):
+        shown = _Shown()
+        piece = _not_positive(state, mean, _duration(state, work), bits, shown, gives_up=True)
+        if piece is not None:
+            return _bracket(piece, width / piece.cell.width, bits, shown)
+    return None
+
+
+def _duration(state: Deviation, work: int) -> fmpq:
+    """About the time at which this work is done: a heuristic."""
+    duration = work / series_rate(state, fmpq(0))
+    for _ in range(4):
+        duration = work / series_rate(state, duration)
+    return duration
+
+
+def _not_positive(
+    state: Deviation, mean: fmpq, duration: fmpq, bits: int, shown: _Shown, gives_up: bool = False
+) -> _Piece | None:
+    """The first piece on which lambda > 0 is not shown and its slope is < 0, or that is too short to be cut; ``shown``
+    notes the pieces before it. None when lambda > 0 up to the end; and, if ``gives_up``, when lambda has become so
+    large that no zero is to be expected: a heuristic."""
+    large = arb(2) ** _BITS_OF_LARGE * (1 + abs(arb(mean)) + abs(arb(state.b)) + abs(arb(state.V)) + arb(state.force))
+    steps = int((series_work(state, duration) / _WORK_OF_A_CELL).ceil())
+    for cell in series_cells(state, duration, max(1, steps), bits):
+        with working_bits(bits + 64):
+            waiting = [_Piece(cell, mean, fmpq(0), fmpq(1))]
+            while waiting:
+                piece = waiting.pop()
+                found = piece.shown_positive()
+                if found is not None:
+                    shown.note(piece, found)
+                    continue
+                falls = piece.slope() < 0 and piece.force_at(piece.right) < 0
+                if falls or piece.right - piece.left <= _LEAST_PIECE:
+                    return piece
+                waiting += reversed(piece.halves())
+            if gives_up and cell.at(arb(1))[3] - cell.at(arb(1))[2] > large:
+                return None
+    return None
+
+
+def _bracket(piece: _Piece, width: fmpq, bits: int, shown: _Shown) -> SeriesZero | None:
+    """Halved down to a part of length ``width`` of the cell, while the signs at both ends are certain."""
+    with working_bits(bits + 64):
+        left, right = piece.left, piece.right
+        while right - left > width:
+            middle = (left + right) / 2
+            sign = sign_of(piece.force_at(middle))
+            if sign not in (1, -1):
+                return None
+            left, right = (middle, right) if sign == 1 else (left, middle)
+        lower, upper = piece.time(left), piece.time(right)
+        evidence = every([
+            # lambda > 0 before the piece, and on it up to ``lower``: it falls there.
+            cover([*shown.pieces, (piece.time(piece.left), lower)], (fmpq(0), lower)), *shown.evidence,
+            less(piece.slope(), 0), less(0, piece.force_at(left)), less(piece.force_at(right), 0),
+        ])  # fmt: skip
+    return None if evidence is None else SeriesZero(lower, upper, evidence)

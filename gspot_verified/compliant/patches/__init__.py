@@ -1,0 +1,1 @@
+"""Models of the slow solution over rectangles of its parameters."""

@@ -1,0 +1,1 @@
+"""The slow solution at one epsilon: routes, plans, bounds."""

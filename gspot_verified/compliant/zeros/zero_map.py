@@ -1,0 +1,264 @@
+"""The number of real zeros of the slow solution F_(beta-1) for all (beta, epsilon) of a rectangle, certified.
+
+Proof page: ``proofs/finite_epsilon_zeros.md``, sections 4 to 6. beta < 4 is Theorem D (a) there; nothing is computed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import Executor
+from dataclasses import dataclass
+from functools import lru_cache, partial
+from itertools import pairwise
+from pathlib import Path
+from typing import Any, ClassVar
+
+from flint import fmpq
+
+from gspot_verified.compliant.patches.slow_patch import SlowPatch
+from gspot_verified.compliant.zeros.fold_column import WIDEST, fold_column, numbers_of_zeros
+from gspot_verified.compliant.zeros.slow_zero_column import MAP_REACH, slow_zero_column
+from gspot_verified.compliant.zeros.zero_count import SYSTEM
+from gspot_verified.numbers.balls import approximate
+from gspot_verified.numbers.evidence import at_most, cover, every, theorem
+from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
+from gspot_verified.signs.cover.journal import opened
+from gspot_verified.signs.cover.pieces import Column, Kind, cell_of
+from gspot_verified.signs.cover.subdivision import Progress, Subdivision
+from gspot_verified.work.executors import InProcessExecutor
+from gspot_verified.work.ranges import Range
+
+LEAST_BETA, THEOREM_UP_TO, MAX_BETA = fmpq(1), fmpq(4), fmpq(10)
+MAX_EPSILON = fmpq(100)
+DEFAULT_BUDGET = 2_000
+_COLUMN = fmpq(1, 8)
+_LEAST_PIECE = fmpq(1, 2**7)
+_FIRST_ETA, _ETA_STEP = fmpq(2, 25), fmpq(1, 10)
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """The columns over beta that hold for all epsilon of [lower, upper]; ``unfinished``: ranges of beta that are left.
+
+    ``lower`` = 0: for all epsilon in (0, upper].
+    """
+
+    lower: fmpq
+    upper: fmpq
+    columns: tuple[Column, ...]
+    unfinished: tuple[tuple[fmpq | None, fmpq], ...]
+
+    def ends(self) -> list[tuple[fmpq | None, fmpq]]:
+        """The ranges of beta of the columns whose pieces cover the line and tell the number of zeros."""
+        return [
+            (column.lower, column.upper)
+            for column in self.columns
+            if cover(((piece.lower, piece.upper) for piece in column.pieces), (None, None)) is not None
+            and numbers_of_zeros(column, self.lower, self.upper) is not None
+        ]
+
+    def stretches(self) -> list[tuple[fmpq, fmpq, tuple[int, ...]]]:
+        """Maximal ranges of beta inside one cell with the same number; a range with (N + 2, N) holds a fold."""
+        found: list[tuple[fmpq, fmpq, tuple[int, ...]]] = []
+        for column in self.columns:
+            numbers = numbers_of_zeros(column, self.lower, self.upper)
+            assert numbers is not None
+            assert column.lower is not None
+            last = found[-1] if found else None
+            joined = last is not None and last[1] == column.lower and column.lower.q != 1
+            if last is not None and joined and last[2] == numbers[1:]:
+                numbers = last[2]  # at the common end the fold is behind
+            if last is not None and joined and last[2] == numbers:
+                found[-1] = (last[0], column.upper, numbers)
+            else:
+                found.append((column.lower, column.upper, numbers))
+        return found
+
+
+@dataclass(frozen=True, slots=True)
+class ZeroMap(NoTruthValue):
+    """What is certified over [beta] x [epsilon], row by row; ``rows`` cover the range of epsilon."""
+
+    ask: ClassVar[str] = ".verdict.outcome says whether the whole rectangle is settled"
+
+    beta: tuple[fmpq, fmpq]
+    epsilon: tuple[fmpq, fmpq]
+    rows: tuple[Row, ...]
+    examined: int
+
+    @property
+    def verdict(self) -> Verdict:
+        """Proved when no range of beta is left in any row."""
+        lower, upper = self.epsilon
+        span = f"ε = {upper}" if lower == upper else f"ε in {'(' if lower == 0 else '['}{lower}, {upper}]"
+        question = (
+            f"the number of real zeros of {SYSTEM} for every β in ({self.beta[0]}, {self.beta[1]}) that is not an "
+            f"integer and every {span}"
+        )
+        left = sum(len(row.unfinished) for row in self.rows)
+        if left:
+            return Verdict.undecided(
+                question, Reason.BUDGET, f"{left} ranges of β are left in {len(self.rows)} rows of ε"
+            )
+        covered = self._covered()
+        if covered is None:
+            return Verdict.undecided(question, Reason.HYPOTHESIS, "the columns leave a part of the rectangle out")
+        return Verdict.proved(question, covered)
+
+    def _covered(self) -> Evidence | None:
+        """The rows cover the range of epsilon, the columns of each that tell a number the range of beta from 4 on."""
+        first, last = self.beta
+        if last <= THEOREM_UP_TO:
+            return theorem("proofs/finite_epsilon_zeros.md", at_most(last, THEOREM_UP_TO))
+        beyond = (max(first, THEOREM_UP_TO), last)
+        columns = (cover(row.ends(), beyond) for row in self.rows)
+        return every([cover(((row.lower, row.upper) for row in self.rows), self.epsilon), *columns])
+
+    def __str__(self) -> str:
+        lines = [str(self.verdict)]
+        if self.beta[0] < THEOREM_UP_TO:
+            lines.append(f"  β < 4, every ε > 0, by theorem: {_law_below_4(self.beta)}")
+        for row in self.rows:
+            parts = [f"{_numbers_text(numbers)} on ({a}, {b})" for a, b, numbers in row.stretches()]
+            parts += [f"? on ({a}, {b})" for a, b in row.unfinished]
+            lines.append(f"  ε in [{_short(row.lower)}, {_short(row.upper)}]: " + ", ".join(parts))
+        if any(len(numbers) == 2 for row in self.rows for _, _, numbers in row.stretches()):
+            lines.append(
+                "  a | b on a range: at each ε there is one β_f; a zeros for β < β_f, b for β > β_f (in the range)"
+            )
+        return "\n".join(lines)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``; exact rationals as text."""
+        return {
+            "system": SYSTEM,
+            "beta": [str(end) for end in self.beta],
+            "epsilon": [str(end) for end in self.epsilon],
+            "verdict": self.verdict.to_json(),
+            "by_theorem_below": str(THEOREM_UP_TO),
+            "examined": self.examined,
+            "rows": [
+                {
+                    "epsilon": [str(row.lower), str(row.upper)],
+                    "stretches": [
+                        {"beta": [str(a), str(b)], "numbers": list(numbers)} for a, b, numbers in row.stretches()
+                    ],
+                    "unfinished": [[str(a), str(b)] for a, b in row.unfinished],
+                }
+                for row in self.rows
+            ],
+        }
+
+
+def zero_map(
+    beta: Range | str,
+    epsilon: Range | str,
+    *,
+    budget: int = DEFAULT_BUDGET,
+    executor: Executor | None = None,
+    journal: Path | None = None,
+    progress: Callable[[Progress], None] | None = None,
+) -> ZeroMap:
+    """The number of real zeros of F_(beta-1)(.; epsilon) over a range of beta and a range (or one value) of epsilon.
+
+    ``epsilon`` = "0..10" stands for 0 < epsilon <= 10. ``budget`` counts examined ranges of beta in each row of
+    epsilon. ``journal``: a file for each row, this name with the row's number; a killed run goes on from them.
+
+    :raises ValueError: beta not inside [1, 10], or epsilon not inside [0, 100].
+
+    >>> print(zero_map("17/4..35/8", "1/10"))
+    proved: the number of real zeros of λ − λ̄ on the slow manifold of the compliant model with α₁ = −1 for every β in \
+(17/4, 35/8) that is not an integer and every ε = 1/10
+      ε in [0.1, 0.1]: 2 on (17/4, 35/8)
+    """
+    betas = _ends(beta, "beta", LEAST_BETA, MAX_BETA)
+    epsilons = _ends(epsilon, "epsilon", fmpq(0), MAX_EPSILON)
+    if betas[0] == betas[1]:
+        raise ValueError("beta: expected a range, not one value")
+    if epsilons[1] == 0:
+        raise ValueError("epsilon: expected a number > 0")
+    rows, examined = [], 0
+    for number, (lower, upper) in enumerate(_rows(*epsilons)):
+        question = {"kind": "zeros at finite epsilon", "beta": str(betas), "epsilon": f"{lower}..{upper}"}
+        of_row = None if journal is None else journal.with_name(f"{journal.name}.{number}")
+        with opened(of_row, question) as kept:
+            tree = Subdivision(_columns(*betas), budget, max_depth=8, journal=kept)
+            for step in tree.steps(
+                partial(examine, epsilon_lower=lower, epsilon_upper=upper), executor or InProcessExecutor()
+            ):
+                if progress is not None:
+                    progress(step)
+        rows.append(Row(lower, upper, tuple(tree.finished), tuple(tree.unfinished)))
+        examined += tree.examined
+    return ZeroMap(betas, epsilons, tuple(rows), examined)
+
+
+def examine(
+    lower: fmpq | None, upper: fmpq, along: Column | None = None, *, epsilon_lower: fmpq, epsilon_upper: fmpq
+) -> Column | None:
+    """A column over beta in [lower, upper], inside one cell, for all the epsilon, or None.
+
+    ``along``: pieces to try first. Nothing is taken from them but where to cut.
+    """
+    assert lower is not None
+    n = cell_of(lower, upper)
+    patch = _patch(n, epsilon_lower, epsilon_upper)
+    column = None
+    if along is None or all(piece.kind is not Kind.FOLD for piece in along.pieces):
+        signs = patch.signs(lower - 1, upper - 1)
+        column = slow_zero_column(signs, lower, upper, n, _LEAST_PIECE, MAP_REACH, along)
+    if column is None and upper - lower <= min(_COLUMN, WIDEST):
+        return fold_column(lower, upper, n, epsilon_lower, epsilon_upper, _LEAST_PIECE, along)
+    return column
+
+
+@lru_cache(maxsize=8)
+def _patch(n: int, epsilon_lower: fmpq, epsilon_upper: fmpq) -> SlowPatch:
+    return SlowPatch(fmpq(n), fmpq(n + 1), epsilon_lower, epsilon_upper)
+
+
+def _ends(given: Range | str, name: str, least: fmpq, largest: fmpq) -> tuple[fmpq, fmpq]:
+    parsed = given if isinstance(given, Range) else Range.parse(given, name)
+    if parsed.lower is None or parsed.upper is None or not least <= parsed.lower <= parsed.upper <= largest:
+        raise ValueError(f"{name}: the range must lie inside [{least}, {largest}]")
+    return parsed.lower, parsed.upper
+
+
+def _columns(lower: fmpq, upper: fmpq) -> list[tuple[fmpq | None, fmpq]]:
+    """The part beyond the theorem, cut at the multiples of 1/8."""
+    found: list[tuple[fmpq | None, fmpq]] = []
+    begin = max(lower, THEOREM_UP_TO)
+    while begin < upper:
+        end = min(upper, ((begin / _COLUMN).floor() + 1) * _COLUMN)
+        found.append((begin, end))
+        begin = end
+    return found
+
+
+def _rows(lower: fmpq, upper: fmpq) -> list[tuple[fmpq, fmpq]]:
+    """Ranges of epsilon = 2 eta^3 whose eta are short enough for the models; each width is a free choice."""
+    if lower == upper:
+        return [(lower, upper)]
+    cuts = []
+    eta = _FIRST_ETA
+    while 2 * eta**3 < upper:
+        cuts.append(2 * eta**3)
+        eta += _ETA_STEP
+    ends = [lower, *(cut for cut in cuts if lower < cut), upper]
+    return list(pairwise(ends))
+
+
+def _law_below_4(beta: tuple[fmpq, fmpq]) -> str:
+    return ", ".join(
+        f"{number} on ({max(beta[0], fmpq(m))}, {min(beta[1], fmpq(m + 1))})"
+        for m, number in ((1, 1), (2, 2), (3, 1))
+        if beta[0] < m + 1 and beta[1] > m
+    )
+
+
+def _numbers_text(numbers: tuple[int, ...]) -> str:
+    return " | ".join(map(str, numbers))
+
+
+def _short(value: fmpq) -> str:
+    return f"{approximate(value):.4g}"

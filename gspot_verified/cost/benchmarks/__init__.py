@@ -1,0 +1,1 @@
+"""The benchmarks behind ``gspot-verified cost PART``."""

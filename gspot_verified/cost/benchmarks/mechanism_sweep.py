@@ -1,0 +1,42 @@
+"""What a sweep over parameters costs, for ``gspot-verified cost mechanism``."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+from gspot_verified.cost.benchmarks.force import forget
+from gspot_verified.cost.times.rows import Row, Target
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.sweep.sweep import sweep
+
+CASES = (
+    ("oscillator", {"beta": "1/2..9/2:50", "kappa": "-1..1:20"}, 1_000),
+    ("genot_brogliato_rod", {"mu": "1.2..2:1000"}, 1_000),
+    ("frictional_impact_oscillator_all_parameters", {"c_psi": "1/4..1/2:1000"}, 1_000),
+)
+LONG_CASES = (("oscillator", {"beta": "1/2..9/2:200", "kappa": "-1..1:50"}, 10_000),)
+_SECONDS_PER_CELL = 30 / 10_000
+
+
+def sweep_rows(full: bool = False, progress: Callable[[str], None] = lambda _: None) -> list[Row]:
+    """One row for each case: processor time of the whole sweep in one process, everything derived anew."""
+    rows = []
+    for name, over, cells in (*CASES, *(LONG_CASES if full else ())):
+        text = ", ".join(f"{parameter} = {ends}" for parameter, ends in over.items())
+        progress(f"sweep of {name} over {text}")
+        forget()
+        start = time.process_time()
+        result = sweep(shipped_mechanism(name), over)
+        figure = time.process_time() - start
+        rows.append(
+            Row(
+                "sweep",
+                f"{result.name}, {text}",
+                Target("processor time", cells * _SECONDS_PER_CELL, "s"),
+                figure,
+                cold=figure,
+                note=f"{len(result.pieces)} pieces, {result.verdict.outcome.value}",
+            )
+        )
+    return rows

@@ -1,0 +1,1 @@
+"""One run over all parts, as a file and as text."""

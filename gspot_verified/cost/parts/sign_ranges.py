@@ -1,0 +1,97 @@
+"""The part on signs: dTheta/dtau < 0 on whole ranges of tau and beta."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import numpy as np
+from flint import fmpq
+
+from gspot_verified.cost.measurement.blueprint import Blueprint
+from gspot_verified.cost.measurement.contest import Call, Contestant
+from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Limit
+from gspot_verified.cost.parts.ode import ode_run
+from gspot_verified.cost.parts.zero_parts import limit_of_pieces
+from gspot_verified.cost.peers.bisection import Bisection, Choice, bisect
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.signs.cover.sign import SignResult, sign_on_ranges
+
+_HALF_WIDTHS = (1, 2, 4, 8, 16, 50)
+_BISECTED, _BISECTED_MORE = (1, 2, 3), (4,)
+_BETA = (fmpq(1, 100), fmpq(99, 100))
+_PATIENCE = 60.0
+_POINTS_OF_A_UNIT, _CURVES, _TOLERANCE = 20, 11, 1e-9
+
+
+def _words(width: int) -> str:
+    return f"τ in [−{width}, {width}]"
+
+
+def _ours(width: int) -> Callable[[], SignResult]:
+    return partial(sign_on_ranges, f"[-{width}..{width}]", f"[{_BETA[0]}..{_BETA[1]}]")
+
+
+def _proved(width: int, found: Any) -> float | None:
+    return float(width) if found.verdict.outcome is Outcome.PROVED else None
+
+
+def _bisected(width: int) -> Call:
+    return partial(bisect, (fmpq(-width), fmpq(width), *_BETA), Choice.BETTER, _PATIENCE)
+
+
+def _finished(width: int, found: Bisection) -> float | None:
+    return float(width) if found.finished else None
+
+
+def _sampled(width: int) -> Call:
+    def call() -> bool:
+        negative = True
+        for k in range(_CURVES):
+            beta = _BETA[0] + k * (_BETA[1] - _BETA[0]) / (_CURVES - 1)
+            for end in (-float(width), float(width)):
+                points = np.linspace(0.0, end, _POINTS_OF_A_UNIT * width)
+                negative &= bool((ode_run(beta, end, _TOLERANCE, t_eval=points).y[1] < 0).all())
+        return negative
+
+    return call
+
+
+def _contestants() -> tuple[Contestant, ...]:
+    return (
+        Contestant(
+            "this library", CERTIFIED, _HALF_WIDTHS, _ours, place=_proved, words=_words,
+            theory="the ends are covered by the series at infinity, so a wider range costs almost nothing",
+            exponent=0.0,
+        ),
+        Contestant(
+            "FLINT 1F2 of boxes, halved", CERTIFIED, _BISECTED, _bisected, _BISECTED_MORE, place=_finished,
+            words=_words, theory="boxes shrink like exp(−2 T^(3/2)/3), so time grows faster than any power",
+        ),
+        Contestant(
+            "scipy at points", NO_BOUND, _HALF_WIDTHS, _sampled, place=lambda width, _: float(width),
+            words=_words, exponent=1.0, theory="points on a grid",
+        ),
+    )  # fmt: skip
+
+
+def _limit(_: bool) -> Limit:
+    width = _HALF_WIDTHS[-1]
+    return limit_of_pieces(_words(width), _ours(width)().columns, _ours(width))
+
+
+SIGNS = Blueprint(
+    "signs",
+    "A sign on a whole range",
+    "dΘ/dτ < 0 for every τ in [−T, T] and every β in [1/100, 99/100].",
+    "half-width T of the range of τ",
+    "T",
+    _contestants,
+    lambda _: (_words(_HALF_WIDTHS[-1]), _ours(_HALF_WIDTHS[-1])),
+    _limit,
+    (
+        f"scipy looks at {_POINTS_OF_A_UNIT} τ in each unit for {_CURVES} β and says nothing about what lies between; "
+        "that its time is less proves nothing, for its answer is not one to the question.",
+    ),
+)

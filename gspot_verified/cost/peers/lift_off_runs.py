@@ -1,0 +1,97 @@
+"""Runs of three scenes until after the first lift-off: certified, by scipy, by heyoka; and their right decimals."""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+from collections.abc import Callable
+
+from flint import fmpq
+
+from gspot_verified.numbers.balls import approximate
+from gspot_verified.scenes.certified.certified_integration import integrated_run
+from gspot_verified.scenes.certified_run import EXACT, certified_run
+from gspot_verified.scenes.effects.lift_off import LIFT_OFF
+from gspot_verified.scenes.floats.float_run import float_run
+from gspot_verified.scenes.scene.file import load_scene
+from gspot_verified.scenes.scene.scene import Scene, SceneError
+
+NAMES = ("model", "extended", "oscillator")
+LIMITS = {
+    "model": (0.15, 1.0, 6.0, 50.0),
+    "extended": (0.15, 1.0, 6.0, 60.0),
+    "oscillator": (0.5, 4.0, 20.0, 150.0),
+}
+"""Seconds of processor time for epsilon = 1e-3, 1e-4, 1e-5, 1e-6, certified, until after the first lift-off."""
+_UNTIL = {
+    "model": ("0.56", "0.515", "0.505", "0.502"),
+    "extended": ("0.45", "0.4", "0.39", "0.385"),
+    "oscillator": ("0.105", "0.117", "0.114", "0.113"),
+}
+"""Just after the first lift-off."""
+_REFERENCE_BITS = 320
+_MOST_DECIMALS = 16.0
+
+Interval = tuple[fmpq, fmpq]
+_known: dict[tuple[str, int], Interval] = {}
+
+
+def scene_of(name: str, k: int) -> Scene:
+    """The scene at epsilon = 10^-(k + 3)."""
+    epsilon, until = fmpq(1, 10 ** (k + 3)), _UNTIL[name][k]
+    if name == "model":
+        return load_scene("fig-varsim1", eps=epsilon, until=until)
+    if name == "extended":
+        return load_scene("fig-varsim2", eps=epsilon, until=until, chi=1)
+    return load_scene("oscillator", eps=epsilon, until=until)
+
+
+def certified_bracket(scene: Scene, bits: int) -> Interval | None:
+    """A bracket of the time of lift-off by the validated integrator with ``bits`` bits; None: undecided."""
+    events = integrated_run(scene, bits=(bits,)).events
+    return (events[0].lower, events[0].upper) if events and events[0].name == LIFT_OFF else None
+
+
+def exact_bracket(scene: Scene, digits: int) -> Interval | None:
+    """The same by the exact solution of the model scene, with ``digits`` digits."""
+    events = certified_run(scene, digits, EXACT).events
+    return (events[0].lower, events[0].upper) if events and events[0].name == LIFT_OFF else None
+
+
+def float_time(scene: Scene, method: str, tolerance: float) -> fmpq | None:
+    """The time of lift-off by scipy; None: the solver gives up, or reports another event first."""
+    try:
+        events = float_run(scene, method, tolerance).events
+    except SceneError:
+        return None
+    return events[0].lower if events and events[0].name == LIFT_OFF else None
+
+
+def heyoka_missing() -> str:
+    """Why heyoka cannot be asked; empty when it can."""
+    return "" if importlib.util.find_spec("heyoka") else "not installed on this machine"
+
+
+def heyoka_call(scene: Scene, tolerance: float) -> Callable[[], fmpq | None]:
+    """A call that gives the time of lift-off by heyoka; its equations are compiled before the call."""
+    from gspot_verified.cost.peers.heyoka_equations import lift_off_call
+
+    return lift_off_call(scene, tolerance)
+
+
+def bracket_decimals(bracket: Interval) -> float:
+    """How many decimals after the point a bracket fixes."""
+    return round(-math.log10(approximate(bracket[1] - bracket[0])), 1)
+
+
+def right_decimals(name: str, k: int, time: fmpq) -> float | None:
+    """How many decimals of a time of lift-off without a bound are right; None where not one is."""
+    if (name, k) not in _known:
+        found = certified_bracket(scene_of(name, k), _REFERENCE_BITS)
+        if found is None:
+            return None
+        _known[name, k] = found
+    lower, upper = _known[name, k]
+    error = max(abs(approximate(time - lower)), abs(approximate(time - upper)))
+    decimals = min(_MOST_DECIMALS, round(-math.log10(error), 1))
+    return decimals if decimals >= 1 else None

@@ -1,0 +1,1 @@
+"""Taking times, and the rows that they are written in."""

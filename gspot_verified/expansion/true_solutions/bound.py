@@ -1,0 +1,218 @@
+"""How far true solutions are from the truncated expansion, for all delta in (0, delta_0] at once.
+
+Proof page: ``proofs/uniform.md``, Theorem U1.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from flint import arb, fmpq
+
+from gspot_verified.expansion.series.legend import in_two, left_side
+from gspot_verified.expansion.trajectory import Trajectory
+from gspot_verified.expansion.true_solutions.equations import DeviationEquations
+from gspot_verified.expansion.true_solutions.track import Track, track
+from gspot_verified.numbers.balls import ExactInput, add_remainder, ball, ball_text, exact, working_bits
+from gspot_verified.numbers.dyadic import Dyadic
+from gspot_verified.numbers.evidence import cover, every, less
+from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+
+BITS = 128
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Constants K for start <= s <= end."""
+
+    start: fmpq
+    end: fmpq
+    constants: dict[str, arb]
+
+
+@dataclass(frozen=True)
+class UniformBound(NoTruthValue):
+    """|true - truncated expansion| <= constants[name] delta^order for start <= s <= end and 0 < delta <= delta.
+
+    "True" is every solution of the equations in contact, specialX to specialL, that is within ``within`` delta^order
+    of the expansion at s = ``start`` (each of xi, p, b, y, v, and lambda_N + kappa y). ``contact``: that its lambda_N
+    is positive all the way, so that it is a solution with the contact law, as long as it slips.
+    ``stretches`` has the constants piece by piece. Where ``verdict`` is undecided they end before ``end``.
+    """
+
+    ask: ClassVar[str] = ASK_VERDICT
+
+    trajectory: Trajectory
+    start: fmpq
+    end: fmpq
+    delta: fmpq
+    within: fmpq
+    constants: dict[str, arb]
+    stretches: tuple[Stretch, ...]
+    verdict: Verdict
+    contact: Verdict
+
+    @property
+    def order(self) -> int:
+        """M, the order of delta from which terms are left out."""
+        return self.trajectory.order
+
+    def at(self, s: ExactInput, delta: ExactInput, digits: int = 15) -> dict[str, arb]:
+        """Balls around the scaled variables of the true solutions at (s, delta).
+
+        :raises ValueError: s or delta lies outside of what the verdict covers.
+
+        >>> from gspot_verified.expansion.trajectory import expand_system
+        >>> from gspot_verified.testing import extended_example
+        >>> bound = uniform_bound(expand_system(extended_example(chi=1), 10), -2, 1, "1/20")
+        >>> bound.at(1, "1/100")["p"]
+        [-0.99989998009310 +/- 3.36e-15]
+        """
+        place, small = exact(s, "s"), exact(delta, "delta")
+        if not isinstance(place, fmpq) or not isinstance(small, fmpq):
+            raise ValueError("s and delta must be rational numbers")
+        inside = [one for one in self.stretches if one.start <= place <= one.end]
+        if not inside:
+            raise ValueError(f"s = {place} lies outside of what is proved")
+        if not 0 < small <= self.delta:
+            raise ValueError(f"delta must lie in (0, {self.delta}], got {small}")
+        values = self.trajectory.evaluate(place, small, digits)
+        with working_bits(BITS):
+            power = ball(small) ** self.order
+            return {
+                name: add_remainder(value, (inside[0].constants[name] * power).upper())
+                for name, value in values.items()
+            }
+
+    def __str__(self) -> str:
+        lines = [f"{self.trajectory.system.name}: {self.verdict}"]
+        names = self.trajectory.system.names
+        if self.stretches and self.stretches[-1].end < self.end:
+            lines.append(f"  up to s = {self.stretches[-1].end}:")
+        for key, value in self.constants.items():
+            lines.append(f"  K of {left_side(key, names, True)}: {ball_text(value, 4)}")
+        return "\n".join([*lines, f"  {self.contact}"])
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``: the constants of the whole interval, and those of each piece."""
+        names = self.trajectory.system.names
+
+        def table(constants: dict[str, arb]) -> dict[str, dict[str, str]]:
+            return in_two({key: str(Dyadic.from_ball(value)) for key, value in constants.items()}, names)
+
+        return {
+            "name": self.trajectory.system.name,
+            "order": self.order,
+            "start": str(self.start),
+            "end": str(self.end),
+            "delta": str(self.delta),
+            "within": str(self.within),
+            "verdict": self.verdict.to_json(),
+            "contact_lasts": self.contact.to_json(),
+            **(table(self.constants) if self.constants else {"state": {}, "contact": {}}),
+            "stretches": [
+                {"start": str(one.start), "end": str(one.end), **table(one.constants)} for one in self.stretches
+            ],
+        }
+
+
+def uniform_bound(
+    trajectory: Trajectory, start: ExactInput, end: ExactInput, delta: ExactInput, within: ExactInput = 1
+) -> UniformBound:
+    """Constants K with |true - truncated expansion| <= K delta^M for start <= s <= end and all delta in (0, delta].
+
+    Every solution of the scaled equations in contact counts that is within ``within`` delta^M of the expansion at
+    s = start; with ``within=0`` it is the one that starts on the expansion. Undecided when the inequality of Theorem
+    U1 cannot be satisfied: a smaller delta or a shorter interval may do.
+
+    :raises SymbolsError: the numbers of the system are symbols.
+    :raises ValueError: not start < end, delta or ``within`` out of range or not rational, a contact without a damper.
+    :raises ResidualError: the terms are not those of Theorem 1.
+
+    >>> from gspot_verified.expansion.trajectory import expand_system
+    >>> from gspot_verified.testing import extended_example
+    >>> bound = uniform_bound(expand_system(extended_example(chi=1), 6), -3, 2, "1/20")
+    >>> bound.verdict.outcome.value, bound.contact.outcome.value, bound.constants["p"] < 31000
+    ('proved', 'proved', True)
+    """
+    first, last, small, tube = (
+        rational(value, name) for value, name in ((start, "start"), (end, "end"), (delta, "delta"), (within, "within"))
+    )
+    check_interval(trajectory, first, last, small)
+    if tube < 0:
+        raise ValueError(f"within must not be negative, got {tube}")
+    with working_bits(BITS):
+        equations = DeviationEquations(trajectory, small)
+        size = equations.size
+        found = track(equations, fmpq(trajectory.order), first, last, [arb(0)] * size, [ball(tube)] * size, ball(tube))
+        stretches = tuple(Stretch(one.start, one.end, _constants(found, i)) for i, one in enumerate(found.pieces))
+        names = stretches[0].constants if stretches else ()
+        constants = {name: _largest([one.constants[name] for one in stretches]) for name in names}
+        verdict = _verdict(found, first, last, small, tube)
+        return UniformBound(trajectory, first, last, small, tube, constants, stretches, verdict, _contact(found, small))
+
+
+def rational(value: ExactInput, name: str) -> fmpq:
+    """The exact value of an input that must be rational.
+
+    :raises ValueError: it is a ball.
+    """
+    found = exact(value, name)
+    if not isinstance(found, fmpq):
+        raise ValueError(f"{name} must be a rational number")
+    return found
+
+
+def check_interval(trajectory: Trajectory, start: fmpq, end: fmpq, delta: fmpq) -> None:
+    """Start < end, delta > 0, and numbers instead of symbols.
+
+    :raises SymbolsError: the numbers of the system are symbols.
+    :raises ValueError: one of the others.
+    """
+    trajectory.system.check_numbers("bounds")
+    if not start < end:
+        raise ValueError(f"start must be less than end, got {start} and {end}")
+    if not delta > 0:
+        raise ValueError(f"delta must be positive, got {delta}")
+
+
+def _constants(found: Track, i: int) -> dict[str, arb]:
+    """K of every variable on one piece."""
+    piece, m = found.pieces[i], found.equations.dimension
+    names = [*(f"xi_{j + 1}" for j in range(m)), "p", "b", "y", "v"]
+    values = dict(zip(names, piece.deviations, strict=True))
+    values |= {"z": found.z_deviation(piece), "lambda_n": piece.force}
+    return {name: value.abs_upper() for name, value in values.items()}
+
+
+def _largest(values: list[arb]) -> arb:
+    largest = values[0]
+    for value in values[1:]:
+        largest = largest.max(value)
+    return largest
+
+
+def _verdict(found: Track, start: fmpq, end: fmpq, delta: fmpq, within: fmpq) -> Verdict:
+    order = found.equations.trajectory.order
+    statement = (
+        f"every solution in contact within {within} delta^{order} of the expansion at s = {start} is within "
+        f"K delta^{order} of it for {start} <= s <= {end} and 0 < delta <= {delta}"
+    )
+    covered = cover(((piece.start, piece.end) for piece in found.pieces), (start, end))
+    if covered is not None:
+        return Verdict.proved(statement, covered)
+    reached = found.pieces[-1].end if found.pieces else start
+    detail = f"the inequality of Theorem U1 fails from s = {reached} on; a smaller delta or a shorter interval may do"
+    return Verdict.undecided(statement, Reason.HYPOTHESIS, detail)
+
+
+def _contact(found: Track, delta: fmpq) -> Verdict:
+    statement = f"lambda_N of these solutions is positive there, for 0 < delta <= {delta}"
+    scale = found.equations.small**found.equations.trajectory.order
+    pressing = every(less(0, piece.mean + scale * piece.force) for piece in found.pieces)
+    if found.is_whole and pressing is not None:
+        return Verdict.proved(statement, pressing)
+    return Verdict.undecided(
+        statement, Reason.HYPOTHESIS, "an enclosure of lambda_N holds numbers that are not positive"
+    )

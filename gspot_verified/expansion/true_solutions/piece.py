@@ -1,0 +1,185 @@
+"""One piece of s: bounds on the deviation that hold for all delta in (0, delta_0].
+
+Proof page: ``proofs/uniform.md``, Theorem U1. What is checked here is an inequality between numbers; the guesses come
+from ``frames.py`` and may be anything.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from flint import arb, arb_mat, fmpq
+
+from gspot_verified.expansion.true_solutions.equations import DeviationEquations
+from gspot_verified.expansion.true_solutions.frames import Frame, frame_at, larger, matrix_value, turned_frame
+from gspot_verified.numbers.balls import add_remainder, ball, hull
+
+_ATTEMPTS = 40
+
+
+@dataclass(frozen=True)
+class Deviations:
+    """At one s: e delta^-mu = Q (centre + u), |u_i| <= radii_i, and |f| delta^-mu <= initial + forced.
+
+    ``initial`` bounds f at the start of the run, ``elapsed`` is the s since then; ``forced`` bounds what the equation
+    has fed into f.
+    """
+
+    centre: tuple[arb, ...]
+    radii: tuple[arb, ...]
+    turned: arb_mat
+    initial: arb
+    elapsed: fmpq
+    forced: arb
+
+
+@dataclass(frozen=True)
+class Piece:
+    """``deviations`` encloses e delta^-mu for start <= s <= end; ``fast`` bounds |f| delta^-mu, ``force`` encloses
+    the deviation of lambda_N, delta^-mu times; ``mean`` is the expansion's lambda_N.
+
+    ``at_end`` is the state at the end; ``end_deviations`` and ``end_fast`` the enclosures there.
+    """
+
+    start: fmpq
+    end: fmpq
+    deviations: tuple[arb, ...]
+    fast: arb
+    force: arb
+    mean: arb
+    at_end: Deviations
+    end_deviations: tuple[arb, ...]
+    end_fast: arb
+
+
+class Rules:
+    """What stays the same on all pieces: the equations, and delta_0^mu and delta_0^(M - mu)."""
+
+    def __init__(self, equations: DeviationEquations, power: fmpq) -> None:
+        self.equations = equations
+        delta = equations.delta
+        self.scale = delta ** ball(power)
+        self.forcing = delta ** ball(equations.trajectory.order - power)
+
+    def fast_start(self, state: Deviations, later: fmpq) -> arb:
+        """What is left of the initial f after ``later`` more s: the exponential grows with delta."""
+        equations = self.equations
+        return state.initial * (-equations.rate * ball(state.elapsed + later) / equations.delta).exp()
+
+    def fed(self, drive: arb, residual_y: arb, residual_z: arb) -> arb:
+        """What an |e_v| delta^-mu <= drive feeds into f."""
+        equations = self.equations
+        slow = equations.delta * equations.lag * (drive + self.forcing * residual_y)
+        return ((slow + equations.damper * self.forcing * residual_z) / equations.rate).upper()
+
+
+def advance(rules: Rules, state: Deviations, start: fmpq, end: fmpq) -> Piece | None:
+    """The piece, or None when the inequality could not be satisfied."""
+    equations, length = rules.equations, ball(end - start)
+    frame = frame_at(equations, start, state.turned)
+    time = hull([length, arb(0)])
+    s = ball(start) + time
+    flow = frame.at(time)
+    try:
+        inverse = state.turned.inv() * flow.inv()
+    except ZeroDivisionError:
+        return None
+    defect = _defect(equations, frame, start, time)
+    basis = flow * state.turned
+    steady = basis * arb_mat([[value] for value in state.centre])
+    bounds, residual_z = equations.residual(max(abs(start), abs(end)))
+    residual = [row * rules.forcing for row in _row_sums(inverse, bounds)]
+    first = rules.fast_start(state, fmpq(0))
+    burst = first * equations.delta / equations.rate
+    guess = [larger(value) for value in state.radii]
+    for _ in range(_ATTEMPTS):
+        spread = _row_sums(basis, guess)
+        deviations = [add_remainder(steady[i, 0], spread[i]) for i in range(equations.size)]
+        coupling = equations.coupling(s, [value * rules.scale for value in deviations])
+        if not all(value.is_finite() for value in coupling.matrix.entries()):
+            return None
+        rates = inverse * ((coupling.matrix * flow + defect) * state.turned)
+        column = inverse * coupling.fast
+        forced = state.forced.max(rules.fed(deviations[equations.v].abs_upper(), bounds[equations.y], residual_z))
+        moved = _row_sums(rates, [bound + abs(value) for bound, value in zip(guess, state.centre, strict=True)])
+        reached = []
+        for i in range(equations.size):
+            weight = column[i, 0].abs_upper()
+            total = state.radii[i] + weight * burst + length * (moved[i] + weight * forced + residual[i])
+            reached.append(total.upper())
+        if not all(value.is_finite() for value in reached):
+            return None
+        if all(value < bound for value, bound in zip(reached, guess, strict=True)):
+            break
+        guess = [bound if value < bound else larger(value) for value, bound in zip(reached, guess, strict=True)]
+    else:
+        return None
+    fast = (first + forced).upper()
+    later = Deviations(state.centre, tuple(reached), state.turned, state.initial, state.elapsed + end - start, forced)
+    last = frame.at(length) * state.turned
+    at_end = _turned(later, last)
+    if at_end is None:
+        return None
+    return Piece(
+        start,
+        end,
+        tuple(deviations),
+        fast,
+        add_remainder(-equations.kappa * deviations[equations.y], fast),
+        coupling.force,
+        at_end,
+        tuple(enclosure(later, last)),
+        (rules.fast_start(state, end - start) + forced).upper(),
+    )
+
+
+def enclosure(state: Deviations, basis: arb_mat) -> list[arb]:
+    """e delta^-mu for the coordinates of a state in the columns of ``basis``."""
+    coordinates = [[add_remainder(value, bound)] for value, bound in zip(state.centre, state.radii, strict=True)]
+    return list((basis * arb_mat(coordinates)).entries())
+
+
+def _turned(state: Deviations, columns: arb_mat) -> Deviations | None:
+    """The same set in orthonormal coordinates; ``columns`` is the frame at this s."""
+    turned = turned_frame(columns, state.radii)
+    try:
+        change = turned.inv() * columns
+    except ZeroDivisionError:
+        return None
+    centre = (change * arb_mat([[value] for value in state.centre])).entries()
+    radii = _row_sums(change, state.radii)
+    if not all(value.is_finite() for value in (*centre, *radii)):
+        return None
+    return Deviations(
+        tuple(value.mid() for value in centre),
+        tuple((bound + value.rad()).upper() for bound, value in zip(radii, centre, strict=True)),
+        turned,
+        state.initial,
+        state.elapsed,
+        state.forced,
+    )
+
+
+def _defect(equations: DeviationEquations, frame: Frame, start: fmpq, time: arb) -> arb_mat:
+    """A_0 Y - Y', as a polynomial in s - s_k and so without the cancellation of its value."""
+    matrix, slope = equations.limit(ball(start)), equations.limit_slope()
+    nothing = arb_mat(equations.size, equations.size)
+    flow = frame.flow
+    terms = []
+    for k in range(len(flow) + 1):
+        term = matrix * flow[k] if k < len(flow) else nothing
+        if k:
+            term = term + slope * flow[k - 1]
+        if k + 1 < len(flow):
+            term = term - flow[k + 1] * (k + 1)
+        terms.append(term)
+    return matrix_value(terms, time)
+
+
+def _row_sums(matrix: arb_mat, bounds: Sequence[arb]) -> list[arb]:
+    """The upper ends of sum over j of |matrix_ij| bounds_j."""
+    return [
+        sum((abs(entry) * bound for entry, bound in zip(row, bounds, strict=True)), arb(0)).upper()
+        for row in matrix.table()
+    ]

@@ -1,0 +1,1 @@
+"""Functions of the state as graphs of few operations: derivatives, rings of numbers, power series, boxes."""

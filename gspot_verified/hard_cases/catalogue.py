@@ -1,0 +1,130 @@
+"""The catalogue: every family at every level, and how work and time grow."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from gspot_verified.cost.times.growth import fitted_exponent
+from gspot_verified.cost.times.rows import seconds_text
+from gspot_verified.hard_cases.family import Family, families
+from gspot_verified.hard_cases.hard_case import HardCase
+from gspot_verified.numbers.verdict import NoTruthValue
+
+_HEADER = ("", "condition", "bits lost", "double precision", "", "certified", "work", "time")
+_WIDTHS = (62, 10, 9, 40, 6, 50, 6, 8)
+_MARKS = {True: "right", False: "WRONG", None: "-"}
+
+
+@dataclass(frozen=True, slots=True)
+class Measured(NoTruthValue):
+    """A family at its levels."""
+
+    ask: ClassVar[str] = ".cases holds the rows, each with .certified and .double_right"
+
+    family: Family
+    cases: tuple[HardCase, ...]
+
+    @property
+    def decided(self) -> tuple[HardCase, ...]:
+        """The rows with an answer."""
+        return tuple(case for case in self.cases if case.certified is not None)
+
+    @property
+    def growth(self) -> dict[str, float | None]:
+        """Work and time of the decided rows grow like these powers of the level; None with fewer than two levels."""
+        return {
+            "work": fitted_exponent([(case.level, case.work) for case in self.decided]),
+            "seconds": fitted_exponent([(case.level, case.seconds) for case in self.decided]),
+        }
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``."""
+        return {**self.family.to_json(), "growth": self.growth, "rows": [case.to_json() for case in self.cases]}
+
+
+@dataclass(frozen=True, slots=True)
+class Catalogue(NoTruthValue):
+    """Every family that was asked for."""
+
+    ask: ClassVar[str] = ".families holds what was measured, .summary() counts it"
+
+    families: tuple[Measured, ...]
+
+    def summary(self) -> dict[str, int]:
+        """How many rows there are, are decided, and have a right, a wrong or no answer in double precision."""
+        cases = [case for family in self.families for case in family.cases]
+        return {
+            "rows": len(cases),
+            "decided": sum(case.certified is not None for case in cases),
+            "double_right": sum(case.double_right is True for case in cases),
+            "double_wrong": sum(case.double_right is False for case in cases),
+        }
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``."""
+        return {"families": [family.to_json() for family in self.families], "summary": self.summary()}
+
+    def __str__(self) -> str:
+        blocks = [_aligned(_HEADER), *map(_block, self.families)]
+        return "\n\n".join([*blocks, summary_text(self.summary())])
+
+
+def run(names: Sequence[str] = (), progress: Callable[[str], None] = lambda _: None) -> Catalogue:
+    """The families of these names, all if none: about ten seconds of processor time.
+
+    :raises ValueError: no family has that name.
+    """
+    known = {family.name: family for family in families()}
+    for name in names:
+        if name not in known:
+            raise ValueError(f"no family of hard cases is named {name[:40]!r}; there are: {', '.join(known)}")
+    found = []
+    for family in [known[name] for name in dict.fromkeys(names)] or families():
+        progress(family.title)
+        found.append(measured(family))
+    return Catalogue(tuple(found))
+
+
+def measured(family: Family) -> Measured:
+    """The family at each of its levels, now."""
+    return Measured(family, tuple(map(family.case, family.levels)))
+
+
+def summary_text(summary: dict[str, int]) -> str:
+    """The counts with their denominators.
+
+    >>> summary_text({"rows": 9, "decided": 8, "double_right": 3, "double_wrong": 5})
+    'of 9 cases: 8 decided, 1 undecided; double precision: 3 right, 5 wrong, 1 not compared'
+    """
+    rows, decided = summary["rows"], summary["decided"]
+    right, wrong = summary["double_right"], summary["double_wrong"]
+    return (
+        f"of {rows} cases: {decided} decided, {rows - decided} undecided; "
+        f"double precision: {right} right, {wrong} wrong, {rows - right - wrong} not compared"
+    )
+
+
+def _block(found: Measured) -> str:
+    family = found.family
+    lines = [f"{family.title} ({family.name}; {family.part}): {family.variable}"]
+    lines += [_row(case) for case in found.cases]
+    grown = [f"{word} like (level)^{power:.2f}" for word, power in _powers(found) if power is not None]
+    return "\n".join([*lines, *([f"  {', '.join(grown)}"] if grown else [])])
+
+
+def _powers(found: Measured) -> list[tuple[str, float | None]]:
+    growth = found.growth
+    return [(found.family.work, growth["work"]), ("time", growth["seconds"])]
+
+
+def _row(case: HardCase) -> str:
+    condition = "-" if case.condition is None else f"10^{case.condition:.1f}"
+    lost = "-" if case.lost is None else str(case.lost)
+    cells = (case.asked, condition, lost, case.double_text or "-", _MARKS[case.double_right], case.text)
+    return _aligned((*cells, str(case.work), seconds_text(case.seconds)))
+
+
+def _aligned(cells: Sequence[str]) -> str:
+    return ("  " + "  ".join(cell.ljust(width) for cell, width in zip(cells, _WIDTHS, strict=True))).rstrip()

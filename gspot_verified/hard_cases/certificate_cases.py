@@ -1,0 +1,49 @@
+"""Hard cases of certificates: brackets of zeros that nearly meet, checked again in Python integers."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+from flint import fmpq
+
+from gspot_verified.certificates.checker import run_checker
+from gspot_verified.certificates.text import certificate_text
+from gspot_verified.hard_cases.hard_case import Case, HardCase, log10, near
+from gspot_verified.hard_cases.timed import timed
+from gspot_verified.signs.zeros.brackets import zeros_at
+
+_SPARE = 8
+
+
+def brackets_certificate(k: int) -> str:
+    """The certificate of the zeros of dTheta/dtau at beta = 6 - 10^-k, apart from each other."""
+    found = zeros_at(near(6, k, -1), k // 2 + _SPARE)
+    return certificate_text(found.statement, [found.column])
+
+
+def checked_brackets(k: int) -> HardCase:
+    """What the independent checker says of it: 1 where it verified."""
+    text, seconds = timed(lambda: brackets_certificate(k))
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "brackets.cert"
+        path.write_text(text, encoding="utf-8")
+        found = run_checker(path)
+    said = "VERIFIED by the checker" if found.verified else found.text.splitlines()[-1][:80]
+    return HardCase(
+        k,
+        f"a certificate of all zeros of dΘ/dτ, β = 6 − 10^−{k}",
+        log10(6 * fmpq(10) ** k),
+        None,
+        None,
+        "",
+        1 if found.verified else None,
+        said,
+        len(text),
+        seconds,
+    )
+
+
+CASES: dict[str, Case] = {
+    "certificate": checked_brackets,
+}

@@ -1,0 +1,120 @@
+"""Hard cases of the compliant model: next to the canard, small ε, data of any size."""
+
+from __future__ import annotations
+
+import math
+
+from flint import arb, fmpq
+
+from gspot_verified.compliant.model.normal_form import CompliantModel, CompliantState, compliant_model, compliant_state
+from gspot_verified.compliant.side.side_rule import side_rule
+from gspot_verified.hard_cases.double import double_text
+from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10, near, nearest_double
+from gspot_verified.hard_cases.timed import timed
+from gspot_verified.numbers.balls import ball_text, sign_of, working_bits
+
+BETA = fmpq(5, 2)
+EPSILON = fmpq(1, 1000)
+START = fmpq(1, 2)
+_SMALL_BETA, _SMALL_NU = fmpq(15, 2), fmpq(2)
+
+
+def start(beta: fmpq, epsilon: fmpq, nu: fmpq) -> tuple[CompliantModel, CompliantState]:
+    """The paper's start p = 1/2, b = -nu lambda-bar/2, y = 4 b eps^2, v = 0, z = 2 b eps^2; alpha = (-1, -1, -beta)."""
+    b = -nu / (2 * (beta - 1))
+    return compliant_model(beta, epsilon), compliant_state(START, b, 4 * b * epsilon**2, 0, 2 * b * epsilon**2)
+
+
+def next_to_the_canard(k: int) -> HardCase:
+    """The sign of K for nu = 1 - 10^-k, eps = 1/1000, beta = 5/2; nu = 1 is the canard."""
+    nu = near(1, k, -1)
+    model, state = start(BETA, EPSILON, nu)
+    found, seconds = timed(lambda: side_rule(model, state))
+    sign = sign_of(found.side)
+    mean = 1 / (nearest_double(BETA) - 1)
+    given = -nearest_double(nu) * mean / 2
+    canard = -mean / 2
+    double = float((given > canard) - (given < canard))
+
+    def deviation_of(bits: int) -> arb:
+        with working_bits(bits):
+            return arb(nu) / 2 - arb(fmpq(1, 2))
+
+    # K has the sign of minus the deviation of b from the canard's value, at this beta and epsilon.
+    return HardCase(
+        k,
+        f"the sign of K, ν = 1 − 10^−{k}, β = 5/2, ε = 1/1000",
+        float(k),
+        bits_lost(deviation_of, 1),
+        -double,
+        f"b − b̄ = {double_text((given - canard) or 0.0)}",
+        sign,
+        f"K = {ball_text(found.side, 3)}",
+        int(nu.q).bit_length(),
+        seconds,
+    )
+
+
+def small_epsilon(k: int) -> HardCase:
+    """The coefficient C of the slow solution, beta = 15/2, nu = 2, eps = 10^-k: an integral, its peak of width eps."""
+    epsilon = fmpq(1, 10**k)
+    model, state = start(_SMALL_BETA, epsilon, _SMALL_NU)
+    rule, seconds = timed(lambda: side_rule(model, state))
+    found = rule.slow
+    assert found is not None
+    double = slow_coefficient_in_doubles(nearest_double(epsilon))
+    asked = f"C, β = 15/2, ν = 2, ε = 10^−{k}"
+    return HardCase(
+        k,
+        asked,
+        log10(_SMALL_BETA),
+        None,
+        double,
+        double_text(double),
+        found,
+        ball_text(found),
+        int(found.bits()),
+        seconds,
+    )
+
+
+def slow_coefficient_in_doubles(epsilon: float) -> float:
+    """C = eps (b_hat/p_0) H_(beta-1)(p_0) by scipy's quadrature on (0, 1)."""
+    import warnings
+
+    from scipy.integrate import quad
+
+    a, p = float(_SMALL_BETA.p) / float(_SMALL_BETA.q) - 1, 0.5
+    b_hat = -(2.0 - 1) / (2 * a)
+
+    def weight(x: float) -> float:
+        exponent = math.log1p(-x) + x + x * x / 2 - x**3 / 3 - p * x if x < 1 else -math.inf
+        return float(x ** (a - 1) * math.exp(max(exponent / epsilon, -745.0)))
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # it says itself that it may be wrong, and goes on
+        integral = quad(weight, 0.0, 1.0)[0]
+    return float(epsilon * b_hat / p * integral / math.gamma(a))
+
+
+def tiny_deviation(k: int) -> HardCase:
+    """The sign of K for a deviation of size 10^-k and no mean force."""
+    state = compliant_state(START, -fmpq(1, 10**k), -fmpq(4, 10**k) * EPSILON**2, 0, -fmpq(2, 10**k) * EPSILON**2)
+    model = compliant_model(BETA, EPSILON, alpha_2=0)
+    found, seconds = timed(lambda: side_rule(model, state))
+    sign = sign_of(found.side)
+    b = -nearest_double(fmpq(1, 10**k))
+    double = float((b > 0) - (b < 0)) * _SIGN_OF_SIDE
+    text = f"b = {double_text(b or 0.0)}"
+    asked = f"the sign of K, b = −10^−{k}, α₂ = 0"
+    return HardCase(k, asked, 0.0, 0, double, text, sign, f"K = {ball_text(found.side, 3)}", k, seconds)
+
+
+_SIGN_OF_SIDE = -1.0
+"""That of K for b > 0 at the beta and epsilon of these cases: it is linear in the state."""
+
+CASES: dict[str, Case] = {
+    "canard": next_to_the_canard,
+    "small-eps": small_epsilon,
+    "tiny-data": tiny_deviation,
+}

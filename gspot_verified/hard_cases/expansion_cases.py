@@ -1,0 +1,119 @@
+"""Hard cases of the expansions: polynomials of high degree, high orders of Theorem 1, an order that is obstructed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from flint import arb, fmpq
+
+from gspot_verified.expansion.in_balls import expand_in_balls
+from gspot_verified.expansion.series.system import GSpotError, System
+from gspot_verified.expansion.trajectory import Trajectory, terms_of
+from gspot_verified.hard_cases.double import double_text
+from gspot_verified.hard_cases.double_ring import Doubles
+from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10, near, nearest_double
+from gspot_verified.hard_cases.timed import timed
+from gspot_verified.mechanisms.expand import expand
+from gspot_verified.mechanisms.shipped import shipped_system
+from gspot_verified.numbers.balls import ball_text, working_bits
+from gspot_verified.theta_function.value.evaluate import evaluate
+from gspot_verified.theta_function.value.integer import polynomial
+
+TAU = fmpq(5)
+_BITS = 256
+_OBSTRUCTED_ORDER = 3
+_DOUBLE_BITS = 53
+
+
+def high_degree(n: int) -> HardCase:
+    """The polynomial Theta(5, n)."""
+    found, seconds = timed(lambda: evaluate(TAU, n))
+    coefficients = polynomial(n).coeffs()
+    with np.errstate(all="ignore"):
+        double = float(np.polyval([nearest_double(fmpq(c)) for c in reversed(coefficients)], float(TAU.p)))
+
+    def horner(bits: int) -> arb:
+        with working_bits(bits):
+            total = arb(0)
+            for value in reversed(coefficients):
+                total = total * TAU + arb(value) * (1 + arb(0, arb(2) ** -bits))
+            return total
+
+    slope = evaluate(TAU, n, 1).value
+    with working_bits(64):
+        condition = log10(TAU * slope / found.value)
+    certified = found.value if found.reached else None
+    return HardCase(
+        n, f"Θ(5, {n})", condition, bits_lost(horner), double, double_text(double), certified, str(found), n, seconds
+    )
+
+
+def high_order(order: int) -> HardCase:
+    """The coefficient of the extended system's force, orders below ``order``, that is worst in double precision."""
+    system = shipped_system("extended", chi=1)
+    exact, seconds = timed(lambda: expand(system, order))
+    doubles = in_doubles(system, order)
+    double, value = worst(exact, doubles)
+    balls = expand_in_balls(system, order, _BITS)
+    assert balls.accuracy is not None
+    lost = _BITS - balls.accuracy.certain_bits
+    asked = f"the force of the extended system, {order} orders"
+    return HardCase(order, asked, None, lost, double, double_text(double), value, _text(value), order, seconds)
+
+
+def worst(exact: Trajectory, doubles: Trajectory) -> tuple[float, fmpq]:
+    """The coefficient with the largest relative error, and its exact value."""
+    pairs = [
+        (double, value)
+        for row, other in zip(exact.lambda_n, doubles.lambda_n, strict=True)
+        for value, double in zip(row.coefficients(), other.coefficients(), strict=True)
+        if value != 0
+    ]
+    return max(pairs, key=lambda pair: abs(pair[0] / nearest_double(pair[1]) - 1))
+
+
+def in_doubles(system: System, order: int) -> Trajectory:
+    """The same recursion in double precision."""
+    ring = Doubles()
+    return terms_of(replace(system, ring=ring, point=tuple(map(ring.number, system.point))), order, _DOUBLE_BITS)
+
+
+def obstructed(k: int) -> HardCase:
+    """The first coefficient of the oscillator's force with the divisor beta - 2, beta = 2 + 10^-k."""
+    system = shipped_system("oscillator", beta=near(2, k))
+    found, seconds = timed(lambda: expand(system, _OBSTRUCTED_ORDER))
+    value = found.lambda_n[-1].coefficients()[-1]
+    double: float | None = None
+    try:
+        double = in_doubles(system, _OBSTRUCTED_ORDER).lambda_n[-1].coefficients()[-1]
+    except GSpotError:
+        text = "refused: β looks like the integer 2"
+    else:
+        text = double_text(double)
+
+    def in_balls(bits: int) -> arb:
+        try:
+            terms = expand_in_balls(system, _OBSTRUCTED_ORDER, max(bits, 32)).lambda_n[-1]
+        except GSpotError:
+            return arb("nan")
+        last: arb = terms.coefficients()[-1]
+        return last
+
+    asked = f"a coefficient of the oscillator’s force at order 2, β = 2 + 10^−{k}"
+    work = int(value.p).bit_length() + int(value.q).bit_length()
+    return HardCase(
+        k, asked, log10(2 * fmpq(10) ** k), bits_lost(in_balls), double, text, value, _text(value), work, seconds
+    )
+
+
+def _text(value: fmpq) -> str:
+    with working_bits(_DOUBLE_BITS + 12):
+        return f"{ball_text(arb(value), 12)} (exact)"
+
+
+CASES: dict[str, Case] = {
+    "high-degree": high_degree,
+    "high-order": high_order,
+    "obstructed": obstructed,
+}

@@ -1,0 +1,135 @@
+"""One question at one hardness, and the family of questions that it belongs to."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from flint import arb, fmpq
+
+from gspot_verified.numbers.balls import relative_bits, working_bits
+from gspot_verified.numbers.verdict import NoTruthValue
+
+RIGHT_DIGITS = 8
+"""A value in double precision counts as right when so many digits of it are."""
+
+Found = arb | fmpq | int | None
+"""A value (a ball, or exact), a sign or a number of things (int), or None where it stayed undecided."""
+
+
+@dataclass(frozen=True, slots=True)
+class HardCase(NoTruthValue):
+    """What the library and double precision say to one question.
+
+    ``condition``: the decimal logarithm of the condition number; for questions with finitely many answers, of the
+    reciprocal of the relative distance to the nearest data with another answer; None where there is no such datum.
+    ``lost``: bits that the usual formula loses in balls: the least working precision at which it answers, less the bits
+    delivered (53 of a value, 1 of a sign or a number); None where that was not sought, or up to 32,768 bits do not
+    suffice. ``double`` is the answer of the usual formula in double precision (None: it gave none), ``certified`` the
+    library's; ``work`` counts what it did and ``seconds`` is what it took. ``double_text`` is empty where doubles are
+    not asked.
+    """
+
+    ask: ClassVar[str] = ".certified is None where the question stayed undecided, .double_right is True or False"
+
+    level: int
+    asked: str
+    condition: float | None
+    lost: int | None
+    double: float | None
+    double_text: str
+    certified: Found
+    text: str
+    work: int
+    seconds: float
+
+    @property
+    def double_right(self) -> bool | None:
+        """Whether double precision gives the certified answer: a value to 8 digits; None where one of the two is not
+        there to compare."""
+        if self.certified is None or not self.double_text:
+            return None
+        return agrees(self.double, self.certified)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``."""
+        return {
+            "level": self.level,
+            "asked": self.asked,
+            "condition": self.condition,
+            "bits_lost": self.lost,
+            "double": self.double_text,
+            "double_right": self.double_right,
+            "certified": self.text,
+            "decided": self.certified is not None,
+            "work": self.work,
+            "seconds": self.seconds,
+        }
+
+
+Case = Callable[[int], HardCase]
+"""A family's question at a level."""
+
+
+def agrees(double: float | None, certified: arb | fmpq | int) -> bool:
+    """Whether a double is the certified answer: the same sign or number; of a value, to ``RIGHT_DIGITS`` digits.
+
+    >>> agrees(1.0, 1), agrees(None, 1), agrees(0.333333333, arb("1/3")), agrees(float("nan"), arb(1))
+    (True, False, True, False)
+    """
+    if double is None or not math.isfinite(double):
+        return False
+    exact = fmpq(*double.as_integer_ratio())
+    if isinstance(certified, int):
+        return bool(exact == certified)
+    with working_bits(128):
+        distance = abs(arb(exact) - certified)
+        return bool(distance <= abs(arb(certified)) * arb(10) ** -RIGHT_DIGITS)
+
+
+def near(integer: int, k: int, side: int = 1) -> fmpq:
+    """integer + side 10^-k."""
+    return fmpq(integer) + side * fmpq(1, 10**k)
+
+
+def nearest_double(value: fmpq) -> float:
+    """The double next to an exact number; infinite beyond the range."""
+    try:
+        return int(value.p) / int(value.q)
+    except OverflowError:
+        return math.inf if value > 0 else -math.inf
+
+
+def log10(value: arb | fmpq | int) -> float:
+    """The decimal logarithm of a size, to about two decimals: for a table."""
+    with working_bits(64):
+        return round(float((abs(arb(value)).log() / arb(10).log()).mid()), 2)
+
+
+def bits_lost(formula: Callable[[int], arb], delivered: int = 53, most: int = 1 << 15) -> int | None:
+    """The least working precision, to about a sixteenth, at which the formula has ``delivered`` bits, less these.
+
+    None where up to ``most`` bits do not suffice. A sign or a number is ``delivered`` = 1.
+
+    >>> def cancelling(bits):
+    ...     with working_bits(bits):
+    ...         return (arb(50).exp() + 1) - arb(50).exp()
+    >>> 65 < bits_lost(cancelling) < 85, bits_lost(cancelling, most=100) is None
+    (True, True)
+    """
+
+    def enough(bits: int) -> bool:
+        value = formula(bits)
+        return value.is_finite() and relative_bits(value) >= delivered
+
+    low, high = delivered, delivered + 8
+    while not enough(high):
+        low, high = high, 2 * high
+        if high > most:
+            return None
+    while high - low > max(2, high // 16):
+        middle = (low + high) // 2
+        low, high = (low, middle) if enough(middle) else (middle, high)
+    return high - delivered

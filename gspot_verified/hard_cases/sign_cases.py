@@ -1,0 +1,128 @@
+"""Hard cases of the signs: the side next to an integer, zeros that nearly meet, a zero far out, wide ranges."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from flint import arb, fmpq
+
+from gspot_verified.cost.times.baseline import flint_attempt
+from gspot_verified.hard_cases.double import double_text, sign_changes, theta_double
+from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10, near, nearest_double
+from gspot_verified.hard_cases.timed import timed
+from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.signs.cover.sign import sign_on_ranges
+from gspot_verified.signs.gamma.side import gamma_sign
+from gspot_verified.signs.zeros.brackets import zeros_at
+
+_SIDES = {1: "Γ(−β) > 0", -1: "Γ(−β) < 0"}
+_SPARE = 8
+_POINTS = 200
+
+
+def side_next_to_an_integer(k: int) -> HardCase:
+    """The sign of Gamma(-beta), which decides the side that lifts off, at beta = 2 + 10^-k."""
+    from scipy.special import gamma
+
+    beta = near(2, k)
+    sign, seconds = timed(lambda: gamma_sign(beta))
+    double = float(gamma(-nearest_double(beta)))
+    double = double if double != double else float((double > 0) - (double < 0))
+
+    def ball_of(bits: int) -> arb:
+        with working_bits(bits):
+            return (-arb(beta)).gamma()
+
+    return HardCase(
+        k,
+        f"the sign of Γ(−β), β = 2 + 10^−{k}",
+        log10(2 * fmpq(10) ** k),
+        bits_lost(ball_of, 1),
+        double,
+        double_text(double),
+        sign,
+        _SIDES[sign] if sign else "undecided",
+        int(beta.q).bit_length(),
+        seconds,
+    )
+
+
+def zeros_that_nearly_meet(k: int) -> HardCase:
+    """The number of real zeros of dTheta/dtau at beta = 6 - 10^-k: two of them meet at tau = 0 when beta = 6."""
+    beta = near(6, k, -1)
+    digits = k // 2 + _SPARE
+    found, seconds = timed(lambda: zeros_at(beta, digits))
+    number = len(found.brackets)
+    middles = [(lower + upper) / 2 for lower, upper in found.brackets]
+    gap = min(after - before for before, after in pairwise(middles))
+    shifted = nearest_double(beta) - 1
+    double = float(sign_changes(lambda tau: theta_double(tau, shifted), -2.0, 6.0, 1001))
+    return HardCase(
+        k,
+        f"the number of zeros of dΘ/dτ, β = 6 − 10^−{k}",
+        log10(6 * fmpq(10) ** k),
+        bits_lost(lambda bits: flint_attempt(fmpq(0), beta - 1, bits), 1),
+        double,
+        double_text(double),
+        number,
+        f"{number} zeros, two of them {gap_text(gap)} apart",
+        digits,
+        seconds,
+    )
+
+
+def gap_text(gap: fmpq) -> str:
+    """A small positive number as a decimal of two digits."""
+    return f"{nearest_double(gap):.2g}"
+
+
+def zero_far_out(k: int) -> HardCase:
+    """The number of sign changes of dTheta/dtau on (1, 100) at beta = 3 + 10^-k: one, which comes in from infinity."""
+    beta = near(3, k)
+    found, seconds = timed(lambda: zeros_at(beta, _SPARE))
+    inside = [lower for lower, upper in found.brackets if lower > 1 and upper < 100]
+    shifted = nearest_double(beta) - 1
+    double = float(sign_changes(lambda tau: theta_double(tau, shifted), 1.0, 100.0, 301))
+    place = inside[-1] if inside else fmpq(1)
+    return HardCase(
+        k,
+        f"sign changes of dΘ/dτ on (1, 100), β = 3 + 10^−{k}",
+        log10(3 * fmpq(10) ** k),
+        bits_lost(lambda bits: flint_attempt(2 * place, beta - 1, bits), 1),
+        double,
+        double_text(double),
+        len(inside),
+        f"{len(inside)}, at τ = {nearest_double(place):.6g}",
+        _SPARE,
+        seconds,
+    )
+
+
+def wide_range(x: int) -> HardCase:
+    """The sign of dTheta/dtau on (-x, 5), for all beta in (3/10, 7/10) at once."""
+    found, seconds = timed(lambda: sign_on_ranges(f"-{x}..5", "3/10..7/10"))
+    proved = found.verdict.outcome is Outcome.PROVED
+    pieces = sum(len(column.pieces) for column in found.columns)
+    points = [theta_double(-x + (x + 5) * n / _POINTS, -0.5) for n in range(_POINTS + 1)]
+    negative = sum(-value / 2 < 0 for value in points)
+    return HardCase(
+        x,
+        f"the sign of dΘ/dτ for −{x} < τ < 5, 3/10 < β < 7/10",
+        None,
+        None,
+        -1.0 if negative == len(points) else 0.0,
+        f"negative at {negative} of {len(points)} points of β = 1/2",
+        -1 if proved else None,
+        "dΘ/dτ < 0, proved" if proved else "undecided",
+        pieces,
+        seconds,
+    )
+
+
+CASES: dict[str, Case] = {
+    "side": side_next_to_an_integer,
+    "zeros-meet": zeros_that_nearly_meet,
+    "zero-far-out": zero_far_out,
+    "wide-range": wide_range,
+}

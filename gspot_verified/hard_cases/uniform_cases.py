@@ -1,0 +1,34 @@
+"""Hard cases of uniform bounds: an expansion followed past the G-spot, where solutions part from each other."""
+
+from __future__ import annotations
+
+from flint import fmpq
+
+from gspot_verified.expansion.true_solutions.bound import UniformBound, uniform_bound
+from gspot_verified.hard_cases.hard_case import Case, HardCase
+from gspot_verified.hard_cases.timed import timed
+from gspot_verified.mechanisms.expand import expand
+from gspot_verified.mechanisms.load import load
+from gspot_verified.numbers.balls import approximate
+from gspot_verified.numbers.verdict import Outcome
+
+ORDER = 6
+START = fmpq(-3)
+DELTA = fmpq(1, 20)
+
+
+def bound_until(end: int) -> UniformBound:
+    """How far the solution that starts on the expansion at s = -3 is from it, up to s = ``end``."""
+    return uniform_bound(expand(load("extended"), ORDER), START, end, DELTA, within=0)
+
+
+def past_the_g_spot(end: int) -> HardCase:
+    """Whether that is proved for all delta up to 1/20: 1 where it is; the constant of p is shown."""
+    found, seconds = timed(lambda: bound_until(end))
+    proved = found.verdict.outcome is Outcome.PROVED
+    text = f"|Δp| ≤ {approximate(found.constants['p'].upper()):.4g} δ^6" if proved else "undecided"
+    asked = f"the distance from the expansion up to s = {end}, 0 < δ ≤ 1/20"
+    return HardCase(end, asked, None, None, None, "", 1 if proved else None, text, len(found.stretches), seconds)
+
+
+CASES: dict[str, Case] = {"uniform": past_the_g_spot}

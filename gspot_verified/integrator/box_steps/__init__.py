@@ -1,0 +1,1 @@
+"""Steps whose error is bounded on a box around the solution."""

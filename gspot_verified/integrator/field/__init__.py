@@ -1,0 +1,1 @@
+"""A vector field in several arithmetics, and the events of its solutions."""

@@ -1,0 +1,180 @@
+"""Polynomials that follow a slow manifold over many fast units. Heuristic: the norm step proves what they are worth.
+
+Newton's method for dx/dτ = h f(x) in the coefficients of a polynomial on [0, 1]: the slow directions start where the
+set is, the fast ones are free, so that no decaying part is resolved. Corrections in floats, residuals in balls.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from flint import arb, arb_poly, arb_series, fmpz_poly
+from numpy.typing import NDArray
+
+from gspot_verified.integrator.box_steps.choice import log2_of
+from gspot_verified.integrator.field.field import VectorField
+from gspot_verified.integrator.norm_steps.adapted_basis import Matrix, spectral_basis
+from gspot_verified.integrator.norm_steps.taylor_recurrence import fixed
+from gspot_verified.numbers.balls import approximate, series_length
+
+_ITERATIONS = 10
+_FACTORISATIONS = 2
+_NEGLIGIBLE = 1e-18
+_GAIN_BITS = 8.0
+FAST = 30.0
+
+
+@dataclass(frozen=True)
+class SlowCurve:
+    """``solution``: polynomials in τ; ``tail``: log2 of the last coefficients; ``start``: log2 of the distance from the
+    states at the start; ``jacobian``: float coefficients of J along them."""
+
+    solution: list[arb_poly]
+    tail: float
+    start: float
+    jacobian: NDArray[np.float64]
+
+
+def slow_curve(field: VectorField, middle: Sequence[arb], h: float, order: int, bits: int) -> SlowCurve | None:
+    """The polynomials of degree ``order`` from near exact states, or None when Newton's method stalls.
+
+    ``bits``: after the point.
+
+    :raises NoSeriesError: the field has no Taylor series along a curve that was tried.
+    :raises numpy.linalg.LinAlgError: a linear system has no solution in floats.
+    """
+    size, unit = len(middle), arb((1, -bits))
+    values, rows = field.on_box(middle)
+    found = spectral_basis([[approximate(entry) for entry in row] for row in rows], FAST / h)
+    if found is None:
+        return None
+    basis, slow = found
+    x = [[fixed(m, bits), fixed(h * v, bits)] + [0] * (order - 1) for m, v in zip(middle, values, strict=True)]
+    start = [row[0] for row in x]
+    solver: _Solver | None = None
+    jacobian = np.zeros((order + 1, size, size))
+    last = float("inf")
+    for count in range(_ITERATIONS):
+        polynomials = [arb_poly(fmpz_poly(row)) * unit for row in x]
+        series = [arb_series(p.coeffs(), order + 1) for p in polynomials]
+        with series_length(order + 1):
+            if count < _FACTORISATIONS:
+                rates, entries = field.series_with_jacobian(series)
+                jacobian = _coefficients(entries, order)
+                solver = _Solver(jacobian, basis, slow, h)
+            else:
+                rates = field.series(series)
+        residuals = [
+            [*(arb_poly(f.coeffs()) * h - p.derivative()).coeffs()] for f, p in zip(rates, polynomials, strict=True)
+        ]
+        gap = [(a - row[0]) * unit for a, row in zip(start, x, strict=True)]
+        level = max(max(map(log2_of, row), default=-1e9) for row in residuals)
+        if not math.isfinite(level):
+            return None
+        if count > 1 and level > last - _GAIN_BITS:
+            break
+        last = level
+        assert solver is not None
+        moves = solver.moves(residuals, gap, level, order)
+        for row, column in zip(x, moves.T, strict=True):
+            for k, move in enumerate(column):
+                row[k] += _scaled(move, bits + round(level))
+    solution = [arb_poly(fmpz_poly(row)) * unit for row in x]
+    tail = max(abs(row[k]).bit_length() for row in x for k in (order - 1, order)) - bits
+    distance = max(abs(a - row[0]).bit_length() for a, row in zip(start, x, strict=True)) - bits
+    return SlowCurve(solution, float(tail), float(distance), jacobian)
+
+
+class _Solver:
+    """δ' - h J(τ) δ = r in coefficients, with the slow coordinates of δ(0) given and the fast ones free.
+
+    The unknowns stand by degree, the start of the slow coordinates before all equations: so the entries fill a band as
+    wide as the degree of J. LAPACK's routines for bands are faster than a full LU, and leave other cores alone.
+
+    :raises numpy.linalg.LinAlgError: an equation whose coefficients are all 0, or one is not finite.
+    """
+
+    def __init__(self, jacobian: NDArray[np.float64], basis: Matrix, slow: NDArray[np.bool_], h: float) -> None:
+        length, size, _ = jacobian.shape
+        self._basis, self._inverse, self._slow = basis, np.linalg.inv(basis), slow
+        turned = h * np.einsum("ij,kjl,lm->kim", self._inverse, jacobian, basis)
+        table = np.zeros((length, size, length, size))
+        each = np.arange(length)
+        seen = np.flatnonzero(np.abs(turned).max(axis=(1, 2)) > _NEGLIGIBLE * np.abs(turned).max())
+        for j in seen:
+            table[each[j:], :, each[: length - j], :] -= turned[j]
+        table[each[:-1], :, each[1:], :] += each[1:, None, None] * np.eye(size)
+        self._kept = np.concatenate([np.ones((length - 1) * size, dtype=bool), np.logical_not(slow)])
+        flat = np.concatenate([np.eye(size, length * size)[slow], table.reshape(length * size, -1)[self._kept]])
+        largest = np.abs(flat).max(axis=1)
+        if not (np.isfinite(largest) & (largest >= np.finfo(float).tiny)).all():
+            raise np.linalg.LinAlgError("an equation without a coefficient, or with one that is not finite")
+        self._scale = 1 / largest
+        given = int(slow.sum())
+        below = min(int(seen.max(initial=0)) * size + size - 1 + given, length * size - 1)
+        self._band = _Band(flat * self._scale[:, None], below, size - given)
+
+    def moves(self, residuals: list[list[arb]], gap: list[arb], level: float, order: int) -> Matrix:
+        """The corrections of the coefficients, by degree and component, in units of 2^level.
+
+        :raises numpy.linalg.LinAlgError: one is not finite.
+        """
+        unit = arb((1, -round(level)))
+        size = len(gap)
+        right = np.zeros((order + 1, size))
+        for i, row in enumerate(residuals):
+            for k, value in enumerate(row[: order + 1]):
+                right[k, i] = approximate(value * unit)
+        right = np.dot(right, self._inverse.T)
+        start = np.dot(self._inverse, np.array([approximate(value * unit) for value in gap]))
+        ordered = np.concatenate([start[self._slow], right.ravel()[self._kept]])
+        found: Matrix = np.dot(self._band.solve(ordered * self._scale).reshape(order + 1, size), self._basis.T)
+        if not np.isfinite(found).all():
+            raise np.linalg.LinAlgError("a correction is not finite")
+        return found
+
+
+class _Band:
+    """The factors of a matrix with entries in so many diagonals below and above the main one.
+
+    :raises numpy.linalg.LinAlgError: the matrix is singular.
+    """
+
+    def __init__(self, matrix: Matrix, below: int, above: int) -> None:
+        from scipy.linalg.lapack import dgbtrf
+
+        self._widths = below, above
+        stored = np.zeros((2 * below + above + 1, len(matrix)))
+        for offset in range(-above, below + 1):
+            entries = np.diagonal(matrix, -offset)
+            first = max(-offset, 0)
+            stored[below + above + offset, first : first + len(entries)] = entries
+        self._factors, self._pivots, failure = dgbtrf(stored, below, above)
+        if failure:
+            raise np.linalg.LinAlgError("singular")
+
+    def solve(self, right: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The solution for one right-hand side."""
+        from scipy.linalg.lapack import dgbtrs
+
+        found: NDArray[np.float64] = dgbtrs(self._factors, *self._widths, right, self._pivots)[0]
+        return found
+
+
+def _coefficients(entries: list[list[arb_series]], order: int) -> NDArray[np.float64]:
+    found = np.zeros((order + 1, len(entries), len(entries)))
+    for i, row in enumerate(entries):
+        for j, entry in enumerate(row):
+            for k, value in enumerate(entry.coeffs()[: order + 1]):
+                found[k, i, j] = approximate(value)
+    return found
+
+
+def _scaled(value: float, shift: int) -> int:
+    """An integer near value * 2^shift."""
+    mantissa, exponent = np.frexp(value)
+    whole, more = int(mantissa * 2.0**53), int(exponent) - 53 + shift
+    return whole << more if more >= 0 else whole >> -more

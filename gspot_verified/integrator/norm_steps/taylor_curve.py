@@ -1,0 +1,129 @@
+"""The polynomial of a step: its length from the decay of the coefficients, exact coefficients. Heuristic."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from flint import acb, arb, arb_poly, fmpz_poly
+
+from gspot_verified.integrator.box_steps.choice import log2_of
+from gspot_verified.integrator.field.field import VectorField
+from gspot_verified.integrator.norm_steps.taylor_recurrence import TaylorRecurrence, fixed
+from gspot_verified.numbers.balls import approximate, current_bits
+
+_GUARD_BITS = 32
+_ORDER_PER_BIT = 0.4
+_NOISE_BITS = 10
+_TAIL_BITS = 6
+_LARGEST_CHANGE = 2.0
+_KEPT_CHANGE = 1.08
+_LARGEST_TRIES = 4
+_FIRST_LENGTH = 0.25
+_STEP_BITS = 8
+_LARGEST_SUM_BITS = 3
+_DISCS = (2, 4, 8)
+
+
+class TaylorCurve:
+    """Polynomials along the solutions of one field, step after step: each length starts from the one before."""
+
+    def __init__(self, field: VectorField) -> None:
+        self._recurrence = TaylorRecurrence(field.functions)
+        self._guess = _FIRST_LENGTH
+        self._bits = current_bits() - _GUARD_BITS
+        self.order = max(8, round(_ORDER_PER_BIT * self._bits))
+
+    @property
+    def length(self) -> float:
+        """Of the last step; the next one starts from it."""
+        return self._guess
+
+    @length.setter
+    def length(self, known: float) -> None:
+        """Start the next step from this length."""
+        self._guess = known
+
+    def fraction_bits(self, state: Sequence[arb]) -> int:
+        """How many bits after the point leave the largest component exact at the precision in force."""
+        return self._bits - max(0, *(math.ceil(log2_of(x)) for x in state), 0)
+
+    def exact(self, state: Sequence[arb]) -> tuple[arb, ...]:
+        """Exact numbers next to the midpoints, on the grid of the recurrence."""
+        bits = self.fraction_bits(state)
+        unit = arb((1, -bits))
+        return tuple(fixed(x, bits) * unit for x in state)
+
+    def advance(self, middle: Sequence[arb], left: arb | None, halvings: int) -> tuple[arb, list[arb_poly]]:
+        """The length and the polynomials in τ of a step; halved as often as asked, and not longer than what is left."""
+        bits = self.fraction_bits(middle)
+        start = [fixed(x, bits) for x in middle]
+        if halvings:
+            self._guess /= 2
+        for tries in range(_LARGEST_TRIES):
+            table = self._recurrence.coefficients(start, fixed(arb(self._guess), bits), self.order, bits)
+            change = 1.0 if halvings else self._change(table)
+            if change <= _KEPT_CHANGE or tries == _LARGEST_TRIES - 1:
+                break
+            self._guess = rounded(self._guess * change)  # a multiple of rounding errors is no coefficient
+        length = rounded(self._guess * min(change, _KEPT_CHANGE))
+        h = arb(length)
+        if left is not None and not 2 * h < left:
+            h = arb(rounded(approximate(left) / 2)) if h < left else left
+        ratio = fixed((h / self._guess).mid(), bits)
+        powers = [1 << bits]
+        for _ in range(self.order):
+            powers.append((powers[-1] * ratio) >> bits)
+        self._guess = length
+        unit = arb((1, -bits))
+        return h, [
+            arb_poly(fmpz_poly([x, *((a * b) >> bits for a, b in zip(row[1:], powers[1:], strict=True))])) * unit
+            for x, row in zip(start, table, strict=True)
+        ]
+
+    def _change(self, table: list[list[int]]) -> float:
+        """By how much the length may change for last terms near the rounding errors and sums that are not too large."""
+        sizes = [max(map(int.bit_length, column)) for column in zip(*table, strict=True)]
+        last = max((k for k in range(self.order + 1) if sizes[k] > _NOISE_BITS), default=0)
+        tail = float(sizes[-1])
+        if last < self.order - 2:
+            before = max(last - 8, 0)
+            slope = max((sizes[before] - sizes[last]) / max(1, last - before), 0.3)
+            tail = _NOISE_BITS - (self.order - last) * slope
+        change = min(_LARGEST_CHANGE, 2 ** ((_TAIL_BITS - tail) / self.order))
+        top = max(sizes[:2]) + _LARGEST_SUM_BITS
+        for k in range(2, self.order + 1):
+            if sizes[k] > top:
+                change = min(change, 2 ** ((top - sizes[k]) / k))
+        return change
+
+
+def rounded(length: float) -> float:
+    """A length of few bits, so that sums of lengths are exact."""
+    mantissa, exponent = math.frexp(length)
+    return math.ldexp(math.floor(mantissa * 2**_STEP_BITS), exponent - _STEP_BITS)
+
+
+def cauchy_plan(field: VectorField, solution: Sequence[arb_poly], h: arb) -> tuple[int, int]:
+    """A disc and a length of the series for which Cauchy's estimate leaves out what rounding errors hide anyway."""
+    degrees = field.degrees([max(p.degree(), 0) for p in solution])
+    known = [degree for degree in degrees if degree is not None]
+    shortest = max([p.degree() for p in solution] + known) + 1
+    if len(known) == len(degrees):
+        return _DISCS[0], shortest
+    best: tuple[int, int] | None = None
+    around = arb((0, 0), (1, 0))
+    for disc in _DISCS:
+        box = []
+        for p in solution:
+            start, *rest = p.coeffs() or [arb(0)]
+            reach = around * arb_poly([0, *(abs(c) for c in rest)])(arb(disc))
+            box.append(acb(start + reach, reach))
+        bounds = [abs(value) for value in field.values_on_complex_box(box)]
+        if not all(bound.is_finite() for bound in bounds):
+            break
+        largest = max(log2_of(bound.upper()) for bound in bounds) + max(log2_of(h), 0.0)
+        needed = math.ceil((largest + current_bits()) / math.log2(disc)) + 1
+        if best is None or needed < best[1]:
+            best = disc, needed
+    return (best[0], max(best[1], shortest)) if best else (_DISCS[0], shortest)

@@ -1,0 +1,106 @@
+"""The first zero of the contact force at leading order on a half-line: a certified bracket of the lift-off time.
+
+Proof page: ``proofs/iwc.md``, section 4.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from flint import arb, fmpq
+
+from gspot_verified.leading_order.contact_force import ContactForce
+from gspot_verified.leading_order.force_refutation import force_refutation
+from gspot_verified.leading_order.stretches import NotAbove, first_crossing, stretches
+from gspot_verified.numbers.balls import ball_text, hull, working_bits
+from gspot_verified.numbers.dyadic import Dyadic
+from gspot_verified.numbers.short_text import decimal_text, short_text
+from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.work.ranges import Range
+
+LEADING = "at leading order"
+GROWTH_EXPONENTS = (10, 100, 1_000, 10_000)
+_GROWTH_DIGITS = 3
+_CRITICAL_DIGITS = 15
+
+
+@dataclass(frozen=True, slots=True)
+class LiftOff(NoTruthValue):
+    """lambda_N > 0 on [start, lower], and it has one zero, with a change of sign, in the open interval (lower, upper).
+
+    ``number`` counts the zeros on [start, infinity); ``ratio`` is the time over ((beta-1) ln(1/eps))^(2/3), for
+    beta > 1 and eps < 1; ``whole_line``: lambda_N > 0 to the left of the start as well. Without a proof both ends are
+    None and the verdict says why.
+    """
+
+    ask: ClassVar[str] = ASK_VERDICT
+
+    epsilon: fmpq
+    lower: fmpq | None
+    upper: fmpq | None
+    number: int | None
+    ratio: arb | None
+    whole_line: bool
+    verdict: Verdict
+
+    def __str__(self) -> str:
+        if self.lower is None or self.upper is None:
+            return f"ε = {short_text(self.epsilon)}: {self.verdict.outcome.value}"
+        ratio = "" if self.ratio is None else f", over ((β-1) ln(1/ε))^(2/3): {ball_text(self.ratio, 4)}"
+        return f"ε = {short_text(self.epsilon)}: lift-off in {decimal_text(self.lower, self.upper)}{ratio}"
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``."""
+        known = self.lower is not None and self.upper is not None
+        return {
+            "epsilon": str(self.epsilon),
+            "bracket": [str(self.lower), str(self.upper)] if known else None,
+            "zeros": self.number,
+            "ratio": None if self.ratio is None else str(Dyadic.from_ball(self.ratio)),
+            "verdict": self.verdict.to_json(),
+        }
+
+
+def lift_off(force: ContactForce, epsilon: fmpq, start: fmpq, digits: int = 15) -> LiftOff:
+    """The first zero of lambda_N on [start, infinity), where C_1/Gamma(-beta) < 0.
+
+    :raises ValueError: C_1/Gamma(-beta) > 0.
+
+    >>> from gspot_verified.leading_order.contact_force import contact_force
+    >>> print(lift_off(contact_force("3/2", c1=-1), fmpq(1, 1000), fmpq(-10), 6))
+    ε = 0.001: lift-off in 3.590583..3.590584, over ((β-1) ln(1/ε))^(2/3): [1.571 +/- 4.26e-4]
+    """
+    where = f"{LEADING} at ε = {short_text(epsilon)}"
+    least = max(digits, _CRITICAL_DIGITS)
+    for accuracy in (least, 4 * least):
+        found = stretches(force.beta, force.direction, start, accuracy)
+        try:
+            crossing = first_crossing(found, lambda places: force.level(epsilon, places), digits)
+        except NotAbove:
+            text = f"{where}, λ_N > 0 at τ = {start}"
+            against = force_refutation(force, text, Range(start, start, True, True), [start], epsilon)
+            if against is not None:
+                return LiftOff(epsilon, None, None, None, None, False, against.verdict)
+            crossing = None
+        if crossing is not None:
+            break
+    if crossing is None:
+        text = f"{where}, the first zero of λ_N on [{start}, inf)"
+        verdict = Verdict.undecided(text, Reason.BUDGET, "a least or greatest value of λ_N is too close to 0")
+        return LiftOff(epsilon, None, None, None, None, False, verdict)
+    lower, upper, number = crossing.lower, crossing.upper, crossing.number
+    text = f"{where}, λ_N > 0 on [{start}, τ_lo) and λ_N changes sign at τ_lo, τ_lo in ({decimal_text(lower, upper)})"
+    count = "" if number is None else f"zeros of λ_N on [{start}, inf): {number}"
+    ratio = None
+    if force.beta > 1 and epsilon < 1:
+        with working_bits(128):
+            law = (arb(force.beta - 1) * -arb(epsilon).log()) ** arb(fmpq(2, 3))
+            ratio = hull([arb(lower), arb(upper)]) / law
+    proved = Verdict.proved(text, crossing.evidence, count)
+    return LiftOff(epsilon, lower, upper, number, ratio, found.whole_line, proved)
+
+
+def growth_table(force: ContactForce, start: fmpq) -> tuple[LiftOff, ...]:
+    """The lift-off times for eps = 10^-10 ... 10^-10000, to three decimals."""
+    return tuple(lift_off(force, fmpq(10) ** -exponent, start, _GROWTH_DIGITS) for exponent in GROWTH_EXPONENTS)

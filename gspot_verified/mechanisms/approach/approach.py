@@ -1,0 +1,299 @@
+"""From an initial state of slip to what happens: a G-spot and its side, lift-off, or stick.
+
+Proof pages: ``proofs/approach.md``, ``proofs/validated_step.md``. Paper, Secs. 1.2, 4.5, 5.4.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from flint import arb, fmpq
+
+from gspot_verified.functions.expressions import Constant
+from gspot_verified.functions.rings import BALLS
+from gspot_verified.integrator.box_steps.integrate import Run, Segment
+from gspot_verified.integrator.field.event import Crossing, Moment, Unclear, Watch, first_crossing
+from gspot_verified.mechanisms.approach.approach_plan import exponent_for, last_exponent_for
+from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF, Approach, SlipPath
+from gspot_verified.mechanisms.approach.capture import Capture, capture
+from gspot_verified.mechanisms.approach.deviation_coefficient import coefficient_above_one, coefficient_below_one
+from gspot_verified.mechanisms.approach.slip_flow import SlipFlow, SlipNumbers
+from gspot_verified.mechanisms.approach.slip_hypotheses import SlipHypotheses
+from gspot_verified.mechanisms.approach.slip_state import SlipState, StateError, StateInput, slip_state
+from gspot_verified.mechanisms.derive.mass_matrix import check_mass_matrix
+from gspot_verified.mechanisms.derive.to_system import Shifted, shift
+from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.mechanisms.spots.classify import case_of, sides_of
+from gspot_verified.mechanisms.zeros.krawczyk import krawczyk
+from gspot_verified.numbers.balls import ExactInput, approximate, ball, ball_text, exact, sign_of, working_bits
+from gspot_verified.numbers.evidence import every
+from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
+
+MAX_STEPS = 600
+_PRECISIONS = (160, 400)
+_SAMPLES = 4
+_DISC_BITS = 9
+_FEWEST_TERMS = 4
+_TOO_CLOSE = "lift-off and stick happen too close together to tell which comes first"
+
+
+def approach(
+    mechanism: Mechanism, state: StateInput, *, surface_velocity: ExactInput | None = None, max_steps: int = MAX_STEPS
+) -> Approach:
+    """Follow rigid slip (positive, on the contact) from ``state`` with every error bounded, and say where it ends.
+
+    ``state`` gives all components, or all but two, which y = 0 and v = 0 then determine. ``surface_velocity`` is the
+    constant tangential velocity of the surface: stick is u = surface_velocity. Without it the surface is at rest if
+    u > 0 at the start; if u < 0 there, nothing is asked of u and the result says which surfaces it holds for.
+
+    Proved: the trajectory reaches a G-spot (in finite time, with λ_N > 0 and positive slip until then), or lifts off,
+    or sticks, first. At a G-spot C_1 is enclosed and its sign gives the side by the paper's rule.
+
+    :raises StateError: the state is not on the contact, p <= 0, b >= 0, or slip is not positive there.
+    :raises MechanismError: the mechanism is not complete.
+
+    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
+    >>> model = shipped_mechanism("model system")
+    >>> found = approach(model, {"x": 0, "u": 3, "p": "1/2", "b": "-2"})
+    >>> found.end, found.side, found.coefficient < 0
+    ('G-spot', 'lift-off', True)
+    """
+    shifted = shift(mechanism)
+    velocity = None if surface_velocity is None else exact(surface_velocity, "surface_velocity")
+    for bits in _PRECISIONS:
+        with working_bits(bits):
+            found = _Attempt(shifted, state, velocity, bits, max_steps).result()
+        known = found.coefficient is not None and sign_of(found.coefficient) in (1, -1)
+        if found.exit_code == 0 or known:  # more bits would not say more
+            return found
+    return found
+
+
+@dataclass(frozen=True, slots=True)
+class _Caught:
+    """States (the last component is the time) from which the G-spot is certainly reached."""
+
+    states: list[arb]
+    capture: Capture
+
+
+class _Attempt:
+    """One run at one precision."""
+
+    def __init__(
+        self, shifted: Shifted, state: StateInput, velocity: fmpq | arb | None, bits: int, max_steps: int
+    ) -> None:
+        self.mechanism, self.bits, self.max_steps = shifted.mechanism, bits, max_steps
+        self.flow = SlipFlow.of(shifted)
+        self.numbers = SlipNumbers(self.flow)
+        self.hypotheses = SlipHypotheses(shifted)
+        self.start: SlipState = slip_state(shifted, state)
+        at = self.numbers.on(self.start.box)
+        self._check(at.p, at.b)
+        check_mass_matrix(shifted, dict(zip(self.mechanism.state, self.start.box, strict=True)), BALLS, "at the start")
+        if velocity is None and at.u < 0:
+            self.surface: arb | None = None
+            self.surface_text: str | None = None
+        else:
+            self.surface = arb(0) if velocity is None else ball(velocity)
+            self.surface_text = "0" if velocity is None else str(velocity)
+            if not at.u > self.surface:
+                raise StateError(
+                    f"{self.mechanism.name}: no positive slip: u = {ball_text(at.u)} is not certainly above the "
+                    f"velocity {self.surface_text} of the surface"
+                )
+        self.rows: list[tuple[arb, tuple[arb, ...]]] = []
+        self.least_slip: arb | None = None
+        self.shown: list[Evidence | None] = []  # the way: steps, hypotheses, no event up to the first capture
+
+    def _check(self, p: arb, b: arb) -> None:
+        name = self.mechanism.name
+        if not p > 0:
+            raise StateError(
+                f"{name}: p = {ball_text(p)} is not certainly positive: for p <= 0 the rigid slip force -b/p is no "
+                "stable contact force (Painlevé paradox); start with p > 0"
+            )
+        if not b < 0:
+            raise StateError(
+                f"{name}: b = {ball_text(b)} is not certainly negative: for b >= 0 there is no positive contact force "
+                "-b/p, the contact opens; start with b < 0"
+            )
+
+    def result(self) -> Approach:
+        """The run, until something is proved or the budget ends."""
+        field = self.flow.desingularised()
+        run = Run(field, [*self.start.box, arb(0)], max_steps=self.max_steps)
+        watches = [Watch("lift-off", self.flow.b, field)]
+        if self.surface is not None:
+            watches.append(Watch("stick", Constant(self.surface) - self.flow.u, field))
+        caught: _Caught | None = None
+        marked: _Caught | None = None
+        for segment in run:
+            doubt = self._doubt(segment)
+            if doubt is not None:
+                return self._open(doubt)
+            if caught is None:
+                events = [watch.along(segment) for watch in watches]
+                if any(event is not None for event in events):
+                    return self._event(watches, events, segment)
+                quiet = every(watch.excluded(Moment(segment, arb(1))) for watch in watches)
+            self._remember(segment)
+            states = segment.after.enclosure()
+            found = capture(self.numbers, states, self.surface)
+            if found is None:
+                loose = capture(self.numbers, states, None)
+                if caught is None and loose is not None and self._near(states, exponent_for(loose, self.bits)):
+                    slip = ball_text(loose.numbers.u, 6)
+                    return self._open(f"u may fall to the surface's velocity just where p vanishes: u = {slip} there")
+                continue
+            supposed = self.hypotheses.checked(found.box)
+            if isinstance(supposed, str):
+                continue
+            if caught is None:
+                if quiet is None:
+                    continue
+                self.shown += [quiet, found.evidence, supposed]
+            caught = _Caught(states, found)
+            exponent = exponent_for(found, self.bits)
+            if marked is None and self._near(states, exponent):
+                marked = caught
+            if marked is not None and self._near(
+                states, last_exponent_for(found, exponent, self.bits, self.flow.dimension)
+            ):
+                break
+        if caught is not None and marked is not None:
+            return self._at_spot(marked, caught)
+        return self._open(run.reason or "no end")
+
+    def _doubt(self, segment: Segment) -> str | None:
+        """A hypothesis on the mechanism that is not certain on some part of the segment."""
+        self.shown.append(segment.step.evidence)
+        for k in range(_SAMPLES):
+            found = self.hypotheses.checked(segment.states(arb((2 * k + 1, -3), (1, -3))))  # [k/4, (k + 1)/4]
+            if isinstance(found, str):
+                return found
+            self.shown.append(found)
+        return None
+
+    def _remember(self, segment: Segment) -> None:
+        first = [arb(0)] if not self.rows else []
+        for tau in [*first, *(arb(k) / _SAMPLES for k in range(1, _SAMPLES + 1))]:
+            states = segment.states(tau)
+            self.rows.append((states[-1], tuple(states[:-1])))
+        self._note_slip(segment)
+
+    def _note_slip(self, segment: Segment) -> None:
+        slip = self.numbers.on(segment.states(arb((1, -1), (1, -1)))).u
+        self.least_slip = slip.lower() if self.least_slip is None else self.least_slip.min(slip.lower())
+
+    def _near(self, states: list[arb], exponent: float) -> bool:
+        return bool(self.numbers.on(states).p < arb(2) ** -round(exponent))
+
+    def _at_spot(self, marked: _Caught, last: _Caught) -> Approach:
+        place = self._spot(last.capture)
+        star = self.numbers.on(place)
+        alphas = (star.alpha_1, star.alpha_2, star.alpha_3)
+        beta = star.alpha_3 / star.alpha_1
+        case, reason = case_of(*alphas)
+        coefficient = None
+        if beta < 1:
+            coefficient = coefficient_below_one(self.numbers, last.states, last.capture, place)
+        elif beta > 1:
+            exponent = exponent_for(marked.capture, self.bits)
+            disc = min(_DISC_BITS, round(exponent / 2))
+            terms = max(_FEWEST_TERMS, round(approximate(beta)) + 1, round(self.bits / max(exponent - disc, 2.0)))
+            coefficient = coefficient_above_one(
+                self.numbers, self.flow.by_p(), marked.states, marked.capture, place, terms, arb(2) ** -disc
+            )
+        side, why = self._side(case, reason, beta, coefficient)
+        slip = last.capture.numbers.u.lower()
+        self.least_slip = slip if self.least_slip is None else self.least_slip.min(slip)
+        text = "slip reaches a G-spot in finite time, with a positive contact force until then"
+        shown = every([*self.shown, last.capture.evidence])
+        if shown is None:
+            return self._open("it is not certain that neither lift-off nor stick comes first")
+        return self._made(
+            Verdict.proved(text, shown),
+            "G-spot", last.states[-1] + last.capture.time * arb((1, -1), (1, -1)), place, case, alphas, beta,
+            coefficient, side, why,
+        )  # fmt: skip
+
+    def _spot(self, found: Capture) -> list[arb]:
+        """The G-spot that is reached; the only one near, where it is isolated, is enclosed more tightly."""
+        box = list(found.box)
+        if len(box) != 4:
+            return box
+        tight = krawczyk(self.numbers.conditions, self.numbers.condition_rows, box)
+        if tight is None:
+            return box
+        for _ in range(4):
+            again = krawczyk(self.numbers.conditions, self.numbers.condition_rows, tight)
+            if again is None:
+                break
+            tight = again
+        return tight
+
+    def _side(self, case: str | None, reason: str, beta: arb, coefficient: arb | None) -> tuple[str | None, str]:
+        if case not in ("I", "II", "III"):
+            return None, reason
+        lift_off, impact = sides_of(case, beta)
+        if impact is None:
+            return None, "beta is, or may be, an integer: no side at leading order"
+        if coefficient is None:
+            return None, "C1 could not be enclosed: a hypothesis of its bound is not certain"
+        sign = sign_of(coefficient)
+        if sign in (None, 0):
+            return None, "the state is too close to the distinguished trajectory: the sign of C1 is open"
+        word = "C1 < 0" if sign < 0 else "C1 > 0"
+        if sign == lift_off:
+            return LIFT_OFF, f"Case {case}, {word}"
+        return (IMPACT, f"Case {case}, {word}") if sign == impact else (None, f"Case {case}, {word}")
+
+    def _event(self, watches: list[Watch], events: list[Crossing | Unclear | None], segment: Segment) -> Approach:
+        first = first_crossing(watches, events)
+        if first is None:
+            unclear = next((each for each in events if isinstance(each, Unclear)), None)
+            if unclear is None:
+                return self._open(_TOO_CLOSE)
+            return self._open(f"{unclear.name} may be grazing: it is not certain whether it happens")
+        event, evidence = first
+        self._note_slip(segment)
+        if self.surface is not None:  # until the event u is above it, whatever follows on the segment
+            self.least_slip = None if self.least_slip is None else self.least_slip.max(self.surface.lower())
+        what = {"lift-off": "the contact force -b/p falls to 0 while p > 0", "stick": "slip stops while p > 0"}
+        states = list(event.states)
+        return self._made(
+            Verdict.proved(f"{event.name} before any G-spot: {what[event.name]}", every([*self.shown, evidence])),
+            event.name, states[-1], states[:-1], None, None, None, None, None, "no G-spot is reached",
+        )  # fmt: skip
+
+    def _open(self, why: str) -> Approach:
+        verdict = Verdict.undecided("where slip from this state ends", Reason.BUDGET, why)
+        return self._made(verdict, None, None, [], None, None, None, None, None, why)
+
+    def _made(
+        self, verdict: Verdict, end: str | None, time: arb | None, place: list[arb], case: str | None,
+        alphas: tuple[arb, arb, arb] | None, beta: arb | None, coefficient: arb | None, side: str | None, why: str,
+    ) -> Approach:  # fmt: skip
+        return Approach(
+            self.mechanism.name, self._texts(list(self.start.box)), self.start.solved, verdict, end, time,
+            self._texts(place), case if case != "none" else None, alphas, beta, coefficient, side, why,
+            self.least_slip, self.surface_text, self.mechanism.notes, self._path(), self.bits,
+        )  # fmt: skip
+
+    def _texts(self, values: list[arb]) -> tuple[tuple[str, str], ...]:
+        """Components as text; an angle as ``reference + deviation``."""
+        references = {angle.coordinate: angle.name for angle in self.mechanism.angles}
+        found = []
+        for word, value in zip(self.mechanism.state, values, strict=False):
+            text = ball_text(value)
+            found.append((word, f"{references[word]} + {text}" if word in references else text))
+        return tuple(found)
+
+    def _path(self) -> SlipPath:
+        numbers = [self.numbers.on(states) for _, states in self.rows]
+        return SlipPath(
+            tuple(time for time, _ in self.rows), tuple(states for _, states in self.rows),
+            tuple(n.p for n in numbers), tuple(n.b for n in numbers), tuple(n.u for n in numbers),
+            tuple(n.force for n in numbers),
+        )  # fmt: skip

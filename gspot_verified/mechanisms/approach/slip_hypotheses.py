@@ -1,0 +1,40 @@
+"""What rigid slip supposes of every state on its way: a positive definite mass matrix, no negative friction.
+
+Proof page: ``proofs/approach.md``, section 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from flint import arb
+
+from gspot_verified.functions.box_program import BoxProgram
+from gspot_verified.functions.rings import BALLS
+from gspot_verified.mechanisms.derive.mass_matrix import leading_minors
+from gspot_verified.mechanisms.derive.to_system import Shifted
+from gspot_verified.numbers.evidence import at_most, every, less
+from gspot_verified.numbers.verdict import Evidence
+
+MASS_MATRIX = "the mass matrix is not certainly positive definite on the way"
+FRICTION = "the friction coefficient mu may be negative on the way"
+
+
+class SlipHypotheses:
+    """Evaluates them on boxes; where no mass matrix is given, A, B, B, C take its place (paper, Sec. 1.1)."""
+
+    def __init__(self, shifted: Shifted) -> None:
+        f = shifted.functions
+        rows = f.mass_matrix or ((f.A, f.B), (f.B, f.C))
+        self._size, self._dimension = len(rows), len(f.F)
+        functions = shifted.expressions([*(entry for row in rows for entry in row), f.mu], BALLS)
+        self._program = BoxProgram(functions, self._dimension)
+
+    def checked(self, box: Sequence[arb]) -> Evidence | str:
+        """That they hold for every state of the box; or, in words, which one is not certain."""
+        *entries, friction = self._program.mean_values(list(box[: self._dimension]))
+        rows = [entries[i * self._size : (i + 1) * self._size] for i in range(self._size)]
+        definite, pushes = every(less(0, minor) for minor in leading_minors(rows)), at_most(0, friction)
+        if definite is None:
+            return MASS_MATRIX
+        return every([definite, pushes]) or FRICTION

@@ -1,0 +1,167 @@
+"""The state from which slip is followed: the user's free components, the two others from y = 0 and v = 0.
+
+Proof page: ``proofs/krawczyk.md`` (existence of the components that are solved for).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import reduce
+
+from flint import arb, arb_mat
+
+from gspot_verified.functions.box_program import BoxProgram
+from gspot_verified.functions.expressions import Expression
+from gspot_verified.functions.rings import BALLS
+from gspot_verified.mechanisms.derive.to_system import Shifted
+from gspot_verified.mechanisms.formulas.formula import parse_formula
+from gspot_verified.mechanisms.formulas.simplify import constant
+from gspot_verified.mechanisms.formulas.symbol import Symbol
+from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, Place, exact_rational
+from gspot_verified.mechanisms.spots.g_spot import place_in
+from gspot_verified.mechanisms.zeros.krawczyk import krawczyk
+from gspot_verified.numbers.balls import ExactInput, add_remainder, ball_text, current_bits
+
+_NEWTON_STEPS = 40
+_INFLATIONS = 8
+
+StateInput = Mapping[str, ExactInput]
+"""A number, or a formula of parameters and reference angles such as "phi_ref + 1/10", for components of the state."""
+
+
+class StateError(MechanismError):
+    """The state is not one from which positive slip in contact can be followed; the message says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class SlipState:
+    """A box of the state (angles from their references) in which the state on the contact lies, and what was solved."""
+
+    box: tuple[arb, ...]
+    solved: tuple[str, ...]
+
+
+def slip_state(shifted: Shifted, state: StateInput) -> SlipState:
+    """The state with y = v = 0, at the precision in force.
+
+    All components may be given, or all but two, which are then solved for.
+
+    :raises StateError: names that are none, too few components, a state that is not on the contact, or no certain
+        solution of y = v = 0.
+    """
+    mechanism = shifted.mechanism
+    unknown = [word for word in state if word not in mechanism.state]
+    if unknown:
+        raise StateError(
+            f"{mechanism.name}: {unknown[0][:40]!r} is no component of the state; it has: {', '.join(mechanism.state)}"
+        )
+    missing = [word for word in mechanism.state if word not in state]
+    if len(missing) not in (0, 2):
+        raise StateError(
+            f"{mechanism.name}: give all components of the state, or all but the two that y = 0 and v = 0 determine; "
+            f"missing: {', '.join(missing)}"
+        )
+    box = _values(shifted, state, missing)
+    program = BoxProgram(shifted.expressions([shifted.functions.y, shifted.functions.v], BALLS), len(box))
+    if missing:
+        found = _solved(mechanism, program, box, missing)
+        _check_constraints(shifted, found)
+        return SlipState(found, tuple(missing))
+    _check_constraints(shifted, box)
+    y, v = program.values(box)
+    for name, value in (("y", y), ("v", v)):
+        if not value.contains(0) or not value.is_finite():
+            raise StateError(
+                f"{mechanism.name}: the state is not on the contact: {name} = {ball_text(value)} must be 0; "
+                "leave out two components that y = 0 and v = 0 determine"
+            )
+    return SlipState(tuple(box), ())
+
+
+def _check_constraints(shifted: Shifted, box: Sequence[arb]) -> None:
+    """A state off a constraint of the mechanism is none of its states, though the equations of motion hold there."""
+    if not shifted.constraints:
+        return
+    program = BoxProgram(shifted.expressions(shifted.constraints, BALLS), len(box))
+    for i, value in enumerate(program.values(list(box))):
+        if not value.contains(0) or not value.is_finite():
+            count = len(shifted.constraints) // 2
+            what = f"constraint {i + 1}" if i < count else f"the rate of constraint {i + 1 - count}"
+            raise StateError(f"{shifted.mechanism.name}: {what} must be 0 in the state, it is {ball_text(value)}")
+
+
+def _values(shifted: Shifted, state: StateInput, missing: Sequence[str]) -> list[arb]:
+    """The given components; the missing ones start at the place of the G-spot."""
+    mechanism = shifted.mechanism
+    start = dict(mechanism.place.values)
+    values = {word: state_formula(mechanism, word, state[word]) for word in state}
+    values |= {word: start.get(word, constant(0)) for word in missing}
+    placed = replace(mechanism, place=Place(tuple(values.items())))
+    try:
+        found = place_in(replace(shifted, mechanism=placed), BALLS)
+    except ValueError as error:
+        raise StateError(f"{mechanism.name}: {error}") from None
+    for word, value in found.items():
+        if not value.is_finite():
+            raise StateError(f"{mechanism.name}: {word} is not finite")
+    return [found[word] for word in mechanism.state]
+
+
+def state_formula(mechanism: Mechanism, word: str, value: ExactInput) -> Expression:
+    """A value of a component as a formula of the parameters and the reference angles.
+
+    :raises StateError: it is none.
+    """
+    words = [*(name for name, _ in mechanism.parameters), *(angle.name for angle in mechanism.angles)]
+    try:
+        try:
+            return constant(exact_rational(value, word))
+        except MechanismError:
+            if not isinstance(value, str):
+                raise
+        return parse_formula(value, {name: Symbol(name) for name in words})
+    except (TypeError, ValueError, ZeroDivisionError) as error:
+        raise StateError(f"{mechanism.name}: {word}: {error}") from None
+
+
+def _solved(mechanism: Mechanism, program: BoxProgram, box: list[arb], missing: Sequence[str]) -> tuple[arb, ...]:
+    """Newton's method for the two components, then Krawczyk's proof of a solution next to them."""
+    places = [mechanism.state.index(word) for word in missing]
+
+    def put(pair: Sequence[arb]) -> list[arb]:
+        full = list(box)
+        for place, value in zip(places, pair, strict=True):
+            full[place] = value
+        return full
+
+    def values(pair: list[arb]) -> list[arb]:
+        return program.values(put(pair))
+
+    def rows(pair: list[arb]) -> list[list[arb]]:
+        return [[row[place] for place in places] for row in program.gradients(put(pair))[1]]
+
+    refusal = StateError(
+        f"{mechanism.name}: y = 0 and v = 0 do not certainly determine {missing[0]} and {missing[1]} there; "
+        "leave out two other components"
+    )
+    pair = [box[place].mid() for place in places]
+    for _ in range(_NEWTON_STEPS):
+        try:
+            move = arb_mat(rows(pair)).solve(arb_mat([[value] for value in values(pair)])).entries()
+        except ZeroDivisionError:
+            raise refusal from None
+        pair = [(old - change).mid() for old, change in zip(pair, move, strict=True)]
+        if not all(value.is_finite() for value in pair):
+            raise refusal
+        small = arb(2) ** (8 - current_bits())
+        if all(abs(change.mid()) <= small * (1 + abs(value)) for change, value in zip(move, pair, strict=True)):
+            break
+    width = reduce(arb.max, (side.rad() for side in box), arb(0))
+    radius = 16 * width + arb(2) ** (16 - current_bits())
+    for _ in range(_INFLATIONS):
+        found = krawczyk(values, rows, [add_remainder(value, radius * (1 + abs(value))) for value in pair])
+        if found is not None:
+            return tuple(put(found))
+        radius = radius * 32
+    raise refusal

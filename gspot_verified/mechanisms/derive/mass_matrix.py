@@ -1,0 +1,80 @@
+"""The mass matrix is positive definite at the G-spot: its leading minors; or A, C, A C - B^2 where none is given.
+
+The friction coefficient must not be negative there.
+
+Paper, Sec. 1.1: A > 0, C > 0, A C - B^2 > 0 follow from a positive definite mass matrix.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from gspot_verified.expansion.series.terms import NumberTerms
+from gspot_verified.functions.power_series import SeriesOfFunctions
+from gspot_verified.functions.rings import BALLS, Ring
+from gspot_verified.mechanisms.derive.to_system import Shifted
+from gspot_verified.mechanisms.input.mechanism import MechanismError
+from gspot_verified.numbers.balls import ball_text
+
+
+def check_mass_matrix(shifted: Shifted, values: Mapping[str, Any], ring: Ring, where: str = "at the G-spot") -> None:
+    """Checks that the leading minors are certainly positive at the point and the friction coefficient is not negative.
+
+    :raises MechanismError: one is not, or not certainly.
+
+    >>> from gspot_verified.mechanisms.spots.classify import classify
+    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
+    >>> classify(shipped_mechanism("falling rod", m=-1))
+    Traceback (most recent call last):
+    ...
+    gspot_verified.mechanisms.input.mechanism.MechanismError: falling rod: the mass matrix is not positive definite \
+at the G-spot: its leading minor of size 1 is -1
+    """
+    name = shifted.mechanism.name
+    f = shifted.functions
+    rows = f.mass_matrix or ((f.A, f.B), (f.B, f.C))
+    expressions = shifted.expressions([*(entry for row in rows for entry in row), f.mu], ring)
+    series = SeriesOfFunctions(expressions, NumberTerms(ring), ring)
+    series.extend([values[word] for word in shifted.mechanism.state])
+    numbers = [series[expression][0] for expression in expressions]
+    *entries, friction = numbers
+    matrix = [entries[i * len(rows) : (i + 1) * len(rows)] for i in range(len(rows))]
+    if f.mass_matrix is None:
+        _check_positive(f"{name}: no mass matrix gives these fields: {where} A = L_GT u must be positive, it is",
+                        matrix[0][0], ring)  # fmt: skip
+        _check_positive(f"{name}: no mass matrix gives these fields: {where} C = L_GN v must be positive, it is",
+                        matrix[1][1], ring)  # fmt: skip
+    for size, value in enumerate(leading_minors(matrix), start=1):
+        _check_positive(
+            f"{name}: no mass matrix gives these fields: {where} A C - B^2 must be positive, it is"
+            if f.mass_matrix is None
+            else f"{name}: the mass matrix is not positive definite {where}: its leading minor of size {size} is",
+            value,
+            ring,
+        )
+    if not friction >= 0:
+        shown = ball_text(friction) if ring is BALLS else friction
+        raise MechanismError(f"{name}: the friction coefficient mu must not be negative {where}, it is {shown}")
+
+
+def _check_positive(message: str, value: Any, ring: Ring) -> None:
+    if not value > 0:
+        raise MechanismError(f"{message} {ball_text(value) if ring is BALLS else value}")
+
+
+def leading_minors(matrix: Sequence[Sequence[Any]]) -> Iterator[Any]:
+    """The leading minors one after the other, by elimination; none may vanish but the last one asked for.
+
+    >>> from flint import fmpq
+    >>> list(leading_minors([[fmpq(2), fmpq(0)], [fmpq(0), fmpq(3)]]))
+    [2, 6]
+    """
+    rows = [list(row) for row in matrix]
+    minor: Any = 1
+    for k, own in enumerate(rows):
+        minor = minor * own[k]
+        yield minor
+        for row in rows[k + 1 :]:
+            factor = row[k] / own[k]
+            row[k + 1 :] = [value - factor * other for value, other in zip(row[k + 1 :], own[k + 1 :], strict=True)]

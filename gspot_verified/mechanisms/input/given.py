@@ -1,0 +1,206 @@
+"""Make a mechanism from formulas: from a mass matrix and forces, from its energies, or from its vector fields."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from gspot_verified.functions.derivative import ONE, ZERO, partial_derivative
+from gspot_verified.functions.expressions import Expression, Variable
+from gspot_verified.mechanisms.formulas.rewriting import along, simplified
+from gspot_verified.mechanisms.formulas.simplify import minus, negative, sum_of
+from gspot_verified.mechanisms.formulas.symbol import variable_indices
+from gspot_verified.mechanisms.input.formula_reader import Contact, Formula, FormulaReader
+from gspot_verified.mechanisms.input.mechanism import Fields, Lagrangian, Mechanism, MechanismError
+from gspot_verified.numbers.balls import ExactInput
+
+MAX_COORDINATES = 12
+
+Parameters = Mapping[str, Formula | ExactInput | None]
+Angles = Mapping[str, tuple[ExactInput, ExactInput]]
+
+
+def lagrangian(
+    name: str,
+    coordinates: Sequence[str],
+    mass_matrix: Sequence[Sequence[Formula]],
+    forces: Sequence[Formula],
+    x: Formula | None,
+    y: Formula,
+    mu: Formula,
+    parameters: Parameters | None = None,
+    angles: Angles | None = None,
+    place: Mapping[str, Formula] | None = None,
+    time: str | None = None,
+    constraints: Sequence[Formula] = (),
+    slip_velocity: Formula | None = None,
+    slip: str = "positive",
+    **options: Any,
+) -> Mechanism:
+    """A mechanism given by M(q), f(q, q', t), the contact point x(q, t), y(q, t) and the friction coefficient.
+
+    ``angles`` maps a coordinate to the (sine, cosine) of its reference angle. A parameter with the value None stays a
+    symbol. ``constraints`` are functions of q and t that vanish along every motion; their multipliers are solved for.
+    In the place of x (then None) ``slip_velocity`` may be given, linear in the velocities: a belt, a rolling contact;
+    its derivatives by the velocities are the direction of the friction force. For ``slip`` "negative" the library
+    mirrors: x, or the slip velocity, counts in the other direction, and ``Mechanism.notes`` says so.
+    ``options``: ``search``, ``fixed``, ``conditions`` of :class:`Place`, and ``regularisation``, the numbers k_1, k_2,
+    c of :class:`expansion.series.regularisation.Regularisation` by name.
+
+    :raises MechanismError: shapes that do not fit, a mass matrix that is not symmetric, an unknown name.
+
+    >>> drop = lagrangian("drop", ["x", "y"], [[1, 0], [0, 1]], [0, "-g"], "x", "y", "1/2", {"g": 1})
+    >>> drop.state
+    ('x', 'y', 'x_dot', 'y_dot')
+    """
+    read, n = _coordinates(name, coordinates, time, parameters, angles)
+    if len(mass_matrix) != n or any(isinstance(row, str) or len(row) != n for row in mass_matrix):
+        raise MechanismError(f"{name}: the mass matrix must have {n} rows of {n} formulas")
+    if len(forces) != n:
+        raise MechanismError(f"{name}: {n} forces, one for each coordinate, got {len(forces)}")
+    rows = tuple(
+        tuple(read(entry, f"mass matrix entry ({i + 1}, {j + 1})") for j, entry in enumerate(row))
+        for i, row in enumerate(mass_matrix)
+    )
+    _check_symmetric(name, rows, read.state)
+    right = read.all(forces, "force")
+    motion = Lagrangian(read.state[:n], rows, right, _time(read, time), _constraints(name, read, constraints, n))
+    return read.mechanism(motion, Contact(x, y, mu, slip_velocity, slip), place or {}, **options)
+
+
+def from_energies(
+    name: str,
+    coordinates: Sequence[str],
+    kinetic: Formula,
+    potential: Formula,
+    x: Formula | None,
+    y: Formula,
+    mu: Formula,
+    parameters: Parameters | None = None,
+    angles: Angles | None = None,
+    place: Mapping[str, Formula] | None = None,
+    time: str | None = None,
+    forces: Sequence[Formula] | None = None,
+    dissipation: Formula = 0,
+    constraints: Sequence[Formula] = (),
+    slip_velocity: Formula | None = None,
+    slip: str = "positive",
+    **options: Any,
+) -> Mechanism:
+    """A mechanism given by T(q, q', t), V(q, t), further generalised forces and Rayleigh's dissipation function.
+
+    Lagrange's equations, d/dt (dT/dq') - d(T - V)/dq = Q - dD/dq' + contact forces, give M = d^2 T/dq'^2 and
+    f = Q - dD/dq' + d(T - V)/dq - (the rate of dT/dq' at q'' = 0). The other arguments as in :func:`lagrangian`.
+
+    :raises MechanismError: T is not quadratic in the velocities, V depends on them, or as in :func:`lagrangian`.
+
+    >>> drop = from_energies("drop", ["x", "y"], "(x_dot^2 + y_dot^2)/2", "g*y", "x", "y", "1/2", {"g": 1})
+    >>> drop == lagrangian("drop", ["x", "y"], [[1, 0], [0, 1]], [0, "-g"], "x", "y", "1/2", {"g": 1})
+    True
+    """
+    read, n = _coordinates(name, coordinates, time, parameters, angles)
+    if forces is not None and len(forces) != n:
+        raise MechanismError(f"{name}: {n} forces, one for each coordinate, got {len(forces)}")
+    T, V = read(kinetic, "kinetic energy"), read(potential, "potential energy")
+    loss = read(dissipation, "dissipation function")
+    applied = read.all(forces, "force") if forces is not None else (ZERO,) * n
+    m = len(read.state)
+    velocities = range(n, 2 * n)
+    if variable_indices([V]) & set(velocities):
+        raise MechanismError(f"{name}: the potential energy must not depend on velocities")
+    glide = [*(Variable(i) for i in velocities), *[ZERO] * n, *[ONE] * (m - 2 * n)]
+    momenta = _gradient(T, velocities, m)
+    rows = tuple(tuple(_gradient(momentum, velocities, m)) for momentum in momenta)
+    if variable_indices([entry for row in rows for entry in row]) & set(velocities):
+        raise MechanismError(f"{name}: the kinetic energy must be quadratic in the velocities")
+    kinetic_slopes, slopes = _gradient(T, range(n), m), _gradient(V, range(n), m)
+    losses = _gradient(loss, velocities, m)
+    right = tuple(
+        sum_of(applied[i], negative(losses[i]), minus(kinetic_slopes[i], slopes[i]), negative(along(glide, momenta[i])))
+        for i in range(n)
+    )
+    _check_symmetric(name, rows, read.state)
+    motion = Lagrangian(read.state[:n], rows, right, _time(read, time), _constraints(name, read, constraints, n))
+    return read.mechanism(motion, Contact(x, y, mu, slip_velocity, slip), place or {}, **options)
+
+
+def from_fields(
+    name: str,
+    state: Sequence[str],
+    F: Sequence[Formula],
+    G_T: Sequence[Formula],
+    G_N: Sequence[Formula],
+    x: Formula | None,
+    y: Formula,
+    mu: Formula,
+    parameters: Parameters | None = None,
+    angles: Angles | None = None,
+    place: Mapping[str, Formula] | None = None,
+    slip_velocity: Formula | None = None,
+    slip: str = "positive",
+    **options: Any,
+) -> Mechanism:
+    """A mechanism given by the vector fields F, G_T, G_N; the other arguments as in :func:`lagrangian`.
+
+    With ``slip`` "negative" the direction of G_T is mirrored with x.
+
+    :raises MechanismError: shapes that do not fit, or an unknown name.
+
+    >>> from_fields("fall", ["y", "v"], ["v", -1], [0, 0], [0, 1], 0, "y", 0).state
+    ('y', 'v')
+    """
+    for label, vector in (("F", F), ("G_T", G_T), ("G_N", G_N)):
+        if isinstance(vector, str) or len(vector) != len(state):
+            raise MechanismError(
+                f"{name}: {label} must have {len(state)} formulas, one for each component of the state"
+            )
+    read = FormulaReader(name, tuple(state), parameters or {}, angles or {})
+    motion = Fields(read.all(F, "F, component"), read.all(G_T, "G_T, component"), read.all(G_N, "G_N, component"))
+    return read.mechanism(motion, Contact(x, y, mu, slip_velocity, slip), place or {}, **options)
+
+
+def _coordinates(
+    name: str, coordinates: Sequence[str], time: str | None, parameters: Parameters | None, angles: Angles | None
+) -> tuple[FormulaReader, int]:
+    """A reader that knows the coordinates q, the velocities and the time."""
+    if not 1 <= len(coordinates) <= MAX_COORDINATES:
+        raise MechanismError(f"{name}: between 1 and {MAX_COORDINATES} coordinates, got {len(coordinates)}")
+    state = (*coordinates, *(f"{q}_dot" for q in coordinates), *([time] if time else []))
+    return FormulaReader(name, state, parameters or {}, angles or {}), len(coordinates)
+
+
+def _time(read: FormulaReader, time: str | None) -> str | None:
+    return read.state[-1] if time else None
+
+
+def _constraints(name: str, read: FormulaReader, formulas: Sequence[Formula], n: int) -> tuple[Expression, ...]:
+    if len(formulas) >= n:
+        raise MechanismError(f"{name}: {len(formulas)} constraints leave none of the {n} coordinates free")
+    return read.all(formulas, "constraint")
+
+
+def _gradient(function: Expression, indices: range, m: int) -> list[Expression]:
+    return simplified(*(partial_derivative(function, i, m) for i in indices))
+
+
+def _check_symmetric(name: str, rows: tuple[tuple[Expression, ...], ...], state: tuple[str, ...]) -> None:
+    for i, row in enumerate(rows):
+        for j in range(i):
+            if minus(row[j], rows[j][i]) is not ZERO:
+                _check_equal(name, row[j], rows[j][i], (i + 1, j + 1), state)
+
+
+def _check_equal(
+    name: str, below: Expression, above: Expression, place: tuple[int, int], state: tuple[str, ...]
+) -> None:
+    """Two entries of the mass matrix, in sympy: equal after they are multiplied out."""
+    import sympy
+
+    from gspot_verified.mechanisms.formulas.in_sympy import to_sympy
+
+    first, second = to_sympy(below, state), to_sympy(above, state)
+    if sympy.expand(first - second) != 0:
+        i, j = place
+        raise MechanismError(
+            f"{name}: the mass matrix is not symmetric: entry ({i}, {j}) is {first}, entry ({j}, {i}) is {second}"
+        )

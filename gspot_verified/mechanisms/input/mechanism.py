@@ -1,0 +1,181 @@
+"""A mechanical system with one frictional contact, given symbolically: by a mass matrix and forces, or by its fields.
+
+Paper, Sec. 2. All numbers are exact. Velocities of the coordinate ``phi`` are called ``phi_dot``. For an angle with a
+rational sine and cosine at the G-spot, the reference angle ``phi_ref`` may stand in formulas (``phi - phi_ref - 1/4``).
+Formulas are expressions: component i of the state is ``Variable(i)``, parameters and reference angles are symbols.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from flint import fmpq
+
+from gspot_verified.expansion.series.regularisation import PAPER, Regularisation
+from gspot_verified.functions.expressions import Expression
+from gspot_verified.mechanisms.formulas.names import nearest
+from gspot_verified.mechanisms.formulas.rewriting import replaced
+from gspot_verified.mechanisms.formulas.simplify import NumberTooLargeError, constant
+from gspot_verified.mechanisms.formulas.symbol import Symbol, symbol_names
+from gspot_verified.numbers.balls import ExactInput, exact
+
+
+class MechanismError(ValueError):
+    """The description of the mechanism is wrong; the message names the part."""
+
+
+@dataclass(frozen=True)
+class ReferenceAngle:
+    """The angle ``<coordinate>_ref``, known by its exact sine and cosine."""
+
+    coordinate: str
+    sine: fmpq
+    cosine: fmpq
+
+    def __post_init__(self) -> None:
+        if self.sine * self.sine + self.cosine * self.cosine != 1:
+            raise MechanismError(
+                f"angle {self.coordinate}: sine {self.sine} and cosine {self.cosine} must satisfy sine^2 + cosine^2 = 1"
+            )
+
+    @property
+    def name(self) -> str:
+        """How the reference angle is called in formulas."""
+        return f"{self.coordinate}_ref"
+
+
+@dataclass(frozen=True)
+class Lagrangian:
+    """M(q) q'' = f(q, q', t) + (dy/dq) λ_N + (du/dq') λ_T + the forces of the constraints; du/dq' is dx/dq if u = x'.
+
+    ``constraints`` are functions of q and t that vanish; their multipliers are solved for (index reduction: the
+    second derivatives of the constraints vanish along every motion, at the G-spot they and their rates vanish).
+    """
+
+    coordinates: tuple[str, ...]
+    mass_matrix: tuple[tuple[Expression, ...], ...]
+    forces: tuple[Expression, ...]
+    time: str | None
+    constraints: tuple[Expression, ...] = ()
+
+
+@dataclass(frozen=True)
+class Fields:
+    """dξ/dt = F + G_T λ_T + G_N λ_N; paper, eq. genTN."""
+
+    F: tuple[Expression, ...]
+    G_T: tuple[Expression, ...]
+    G_N: tuple[Expression, ...]
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where the G-spot is: a value for each component of the state.
+
+    With ``search`` they are the start of Newton's method. ``fixed`` names the m - 4 components that keep their value,
+    or ``conditions`` gives m - 4 functions J of the state that vanish; otherwise components are chosen.
+    """
+
+    values: tuple[tuple[str, Expression], ...] = ()
+    search: bool = False
+    fixed: tuple[str, ...] | None = None
+    conditions: tuple[Expression, ...] | None = None
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """A mechanism; make one with :func:`given.lagrangian`, :func:`given.from_energies`, :func:`given.from_fields` or
+    :func:`file.read_mechanism`.
+
+    Either ``x`` or ``slip_velocity`` is given. ``mirrored`` says that x, or the slip velocity, has the opposite sign of
+    what the user gave: negative slip there is positive slip here.
+    """
+
+    name: str
+    state: tuple[str, ...]
+    motion: Lagrangian | Fields
+    x: Expression | None
+    y: Expression
+    mu: Expression
+    parameters: tuple[tuple[str, Expression | None], ...] = ()
+    angles: tuple[ReferenceAngle, ...] = ()
+    place: Place = field(default_factory=Place)
+    slip_velocity: Expression | None = None
+    mirrored: bool = False
+    regularisation: Regularisation = PAPER
+
+    def with_parameters(self, **values: ExactInput | None) -> Mechanism:
+        """The same mechanism with other values of some parameters; None makes a parameter a symbol.
+
+        :raises MechanismError: there is no such parameter, or the value is not an exact rational.
+        """
+        known = dict(self.parameters)
+        for name, value in values.items():
+            if name not in known:
+                raise MechanismError(
+                    f"{self.name} has no parameter {name!r}{nearest(name, known)}; it has: {', '.join(known) or 'none'}"
+                )
+            known[name] = None if value is None else constant(exact_rational(value, name))
+        return replace(self, parameters=tuple(known.items()))
+
+    def parameter_values(self) -> dict[str, Expression]:
+        """The value of each parameter that has one, with the values that it uses put in.
+
+        :raises MechanismError: values that use each other in a circle, that divide by zero or grow too large.
+        """
+        waiting = {name: value for name, value in self.parameters if value is not None}
+        uses = {name: symbol_names([value]) & set(waiting) for name, value in waiting.items()}
+        found: dict[str, Expression] = {}
+        while waiting:
+            ready = [name for name in waiting if uses[name] <= set(found)]
+            if not ready:
+                raise MechanismError(
+                    f"{self.name}: parameters whose values use each other in a circle: {', '.join(list(waiting)[:20])}"
+                )
+            for name in ready:
+                table: dict[Expression, Expression] = {Symbol(used): found[used] for used in uses[name]}
+                try:
+                    (found[name],) = replaced([waiting.pop(name)], table)
+                except (ZeroDivisionError, NumberTooLargeError) as error:
+                    raise MechanismError(f"{self.name}: parameter {name}: {error}") from None
+        return found
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a reader of results must know of how the mechanism was read."""
+        found = []
+        if self.mirrored:
+            what = "x" if self.x is not None else "the slip velocity"
+            found.append(
+                f"negative slip: mirrored, {what} counts in the opposite direction, so that u > 0 and "
+                "lambda_T = -mu lambda_N"
+            )
+        if not self.regularisation.is_papers:
+            r = self.regularisation
+            found.append(
+                f"compliance k_1 = {r.k_1}/eps^2, k_2 = {r.k_2}/eps^2, c = {r.c}/eps: Case, beta and side are those "
+                f"of the paper's, with eps^2 times {r.compliance / 2} in the leading order"
+            )
+        return tuple(found)
+
+    @property
+    def symbols(self) -> tuple[Any, ...]:
+        """The components of the state as symbols of sympy."""
+        import sympy
+
+        return tuple(sympy.Symbol(name) for name in self.state)
+
+
+def exact_rational(value: ExactInput, name: str) -> fmpq:
+    """The exact rational that an input is.
+
+    :raises MechanismError: it is none; the message names it.
+    """
+    try:
+        found = exact(value, name)
+    except (TypeError, ValueError) as error:
+        raise MechanismError(str(error)) from None
+    if not isinstance(found, fmpq):
+        raise MechanismError(f"{name}: must be a rational number")
+    return found

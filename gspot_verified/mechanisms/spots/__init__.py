@@ -1,0 +1,1 @@
+"""The G-spots of a mechanism, and what each of them is."""

@@ -1,0 +1,290 @@
+"""All G-spots of a mechanism in a box of its states, each proved unique in a box of its own, and no others.
+
+Proof page: ``proofs/all_g_spots.md``. The conditions are taken apart (:mod:`spot_conditions`), solved stage by stage
+(:mod:`all_zeros`, :mod:`velocity_roots`), and each solution is proved once more as a zero of all conditions together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from flint import arb
+
+from gspot_verified.expansion.series.system import GSpotError
+from gspot_verified.functions.box_program import BoxProgram
+from gspot_verified.functions.derivative import partial_derivative
+from gspot_verified.functions.expressions import Expression
+from gspot_verified.functions.rings import BALLS
+from gspot_verified.mechanisms.derive.mass_matrix import check_mass_matrix
+from gspot_verified.mechanisms.derive.to_system import Shifted, shift, stays
+from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.spots.g_spot import (
+    DEFAULT_BITS,
+    GSpot,
+    place_in,
+    prove_near,
+    shifted_conditions,
+)
+from gspot_verified.mechanisms.spots.g_spot_list import GSpots, Left, Patch, in_words
+from gspot_verified.mechanisms.spots.search_region import Region, fixed_name, search_region
+from gspot_verified.mechanisms.spots.spot_conditions import Stage, TakenApart, take_apart
+from gspot_verified.mechanisms.spots.spot_patch import find_patch
+from gspot_verified.mechanisms.spots.whole_state import WholeState
+from gspot_verified.mechanisms.zeros.all_zeros import Budget, Zero, ZeroSearch, clusters
+from gspot_verified.mechanisms.zeros.velocity_roots import VelocityRoots
+from gspot_verified.numbers.balls import ExactInput, working_bits
+
+DEFAULT_BUDGET = 100_000
+"""How many boxes are looked at."""
+
+_EXTRA_BITS = 40
+
+
+@dataclass(frozen=True)
+class _Partial:
+    """Values of the components solved for so far: one solution when ``proved``, otherwise perhaps some or none."""
+
+    values: Mapping[int, arb]
+    proved: bool = True
+    why: str = ""
+    same: tuple[Callable[[Sequence[arb]], bool], ...] = ()
+    """Whether a point, given by enclosures, is certainly this solution."""
+
+
+def find_g_spots(
+    mechanism: Mechanism,
+    box: Mapping[str, tuple[ExactInput, ExactInput]] | None = None,
+    bits: int = DEFAULT_BITS,
+    budget: int = DEFAULT_BUDGET,
+) -> GSpots:
+    """All G-spots p = b = y = v = 0 (and J = 0, where conditions or fixed components are given) in a box of states.
+
+    ``box`` gives closed intervals for components; without one an angle takes every value, and so does a component that
+    is found in closed form; the result says what was searched. ``budget`` is the number of boxes that are looked at.
+    The place that the mechanism names is used for its fixed components and for components that no condition holds.
+
+    :raises MechanismError: the mechanism is not complete, or the box names no component of the state.
+
+    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
+    >>> found = find_g_spots(shipped_mechanism("genot_brogliato_rod", mu="7/5"))
+    >>> len(found.spots), found.complete
+    (4, True)
+    >>> find_g_spots(shipped_mechanism("genot_brogliato_rod", mu="13/10")).verdict.outcome.value
+    'refuted'
+    """
+    if type(budget) is not int or budget < 1:
+        raise ValueError(f"budget: expected a number of boxes, 1 or more, got {budget!r}")
+    shifted = shift(mechanism)
+    with working_bits(bits + _EXTRA_BITS):
+        return _Search(shifted, box or {}, bits, Budget(budget)).run()
+
+
+def spot_conditions(shifted: Shifted) -> dict[str, Expression]:
+    """p, b, y, v and the conditions J that the mechanism gives, as functions of its (shifted) state."""
+    functions, place = shifted.functions, shifted.mechanism.place
+    J = shifted_conditions(shifted)
+    found = shifted.expressions([functions.p, functions.b, functions.y, functions.v, *J], BALLS)
+    conditions = dict(zip(["p", "b", "y", "v", *(f"J_{i + 1}" for i in range(len(J)))], found, strict=True))
+    given = place_in(shifted, BALLS)
+    for word in place.fixed or ():
+        if word not in given:
+            raise MechanismError(f"{shifted.mechanism.name}: the fixed component {word} has no value")
+        conditions[fixed_name(word)] = stays(shifted.mechanism.state.index(word), given[word], BALLS)
+    return conditions
+
+
+class _Search:
+    def __init__(
+        self, shifted: Shifted, box: Mapping[str, tuple[ExactInput, ExactInput]], bits: int, budget: Budget
+    ) -> None:
+        self._shifted, self._bits, self._budget = shifted, bits, budget
+        self._state = shifted.mechanism.state
+        conditions = spot_conditions(shifted)
+        kept = [self._state.index(word) for word in box if word in self._state]
+        self._apart: TakenApart = take_apart(conditions, len(self._state), kept)
+        self._region: Region = search_region(shifted.mechanism, conditions, self._apart, box)
+        self._whole = WholeState(self._apart, self._region, place_in(shifted, BALLS), self._state)
+        self._left: list[Left] = []
+
+    def run(self) -> GSpots:
+        partials = [_Partial({})]
+        for i, stage in enumerate(self._apart.stages):
+            if stage.dimension > 0:
+                return self._with_more_freedom(partials, self._apart.stages[i:])
+            solved: list[_Partial] = []
+            for partial in partials:
+                solved += self._solve(stage, partial)
+            partials = solved
+        spots: list[GSpot] = []
+        boundary: list[GSpot] = []
+        for partial in partials:
+            self._finish(partial, spots, boundary)
+        return self._result(spots, boundary)
+
+    def _result(self, spots: Sequence[GSpot], boundary: Sequence[GSpot], patch: Patch | None = None) -> GSpots:
+        return GSpots(
+            self._shifted.mechanism.name, tuple(spots), tuple(boundary), tuple(self._left),
+            self._region.searched(self._apart), tuple(self._state[i] for i in self._apart.free), patch,
+            self._region.periods(),
+        )  # fmt: skip
+
+    def _full(self, values: Mapping[int, arb]) -> list[arb]:
+        return [values.get(i, arb(0)) for i in range(len(self._state))]
+
+    def _functions(self, stage: Stage) -> list[Expression]:
+        return [self._apart.functions[name] for name in stage.conditions]
+
+    def _solve(self, stage: Stage, partial: _Partial) -> list[_Partial]:
+        if not stage.variables:
+            return self._decide(stage, partial)
+        closed = VelocityRoots.of(self._functions(stage), len(self._state), stage.variables)
+        if closed is not None:
+            return self._in_closed_form(closed, stage, partial)
+        return self._by_boxes(stage, partial)
+
+    def _decide(self, stage: Stage, partial: _Partial) -> list[_Partial]:
+        """Conditions that hold no unknown any more."""
+        values = BoxProgram(self._functions(stage), len(self._state), ()).values(self._full(partial.values))
+        if any(value > 0 or value < 0 for value in values):
+            return []
+        names = ", ".join(stage.conditions)
+        return [replace(partial, proved=False, why=f"{names} may vanish there, with no component left to solve it for")]
+
+    def _in_closed_form(self, closed: VelocityRoots, stage: Stage, partial: _Partial) -> list[_Partial]:
+        roots = closed.all_roots(self._full(partial.values))
+        if roots.open is not None:
+            if roots.near is None:
+                return self._by_boxes(stage, partial)
+            here = dict(zip(stage.variables, roots.near, strict=True))
+            return [_Partial({**partial.values, **here}, False, partial.why or roots.open)]
+        found = []
+        for point in roots.points:
+            others = [other for other in roots.points if other is not point]
+
+            def same(at: Sequence[arb], others: Sequence[Sequence[arb]] = others) -> bool:
+                own = [at[i] for i in stage.variables]
+                return not any(all(x.overlaps(y) for x, y in zip(own, other, strict=True)) for other in others)
+
+            values = {**partial.values, **dict(zip(stage.variables, point, strict=True))}
+            found.append(replace(partial, values=values, same=(*partial.same, same)))
+        return found
+
+    def _by_boxes(self, stage: Stage, partial: _Partial) -> list[_Partial]:
+        program = BoxProgram(self._functions(stage), len(self._state), stage.variables)
+        periods = [self._region.period(i) for i in stage.variables]
+        search = ZeroSearch(program, self._full(partial.values), periods)
+        found = search.run([self._region.side(i) for i in stage.variables], self._budget)
+        solved = [self._one_zero(search, zero, stage, partial) for zero in found.zeros]
+        for box in found.left if found.stopped and self._budget.boxes <= 0 else clusters(found.left):
+            values = {**partial.values, **dict(zip(stage.variables, box, strict=True))}
+            why = found.stopped or partial.why or _singular(self._functions(stage), stage, self._full(values))
+            solved.append(_Partial(values, False, why))
+        return solved
+
+    def _one_zero(self, search: ZeroSearch, zero: Zero, stage: Stage, partial: _Partial) -> _Partial:
+        enclosure = search.sharpened(zero)
+
+        def same(at: Sequence[arb]) -> bool:
+            own = [at[i] for i in stage.variables]
+            return any(search.lies_in(own, region) for region in zero.regions)
+
+        moved = [self._region.within_one_period(i, side) for i, side in zip(stage.variables, enclosure, strict=True)]
+        values = {**partial.values, **dict(zip(stage.variables, moved, strict=True))}
+        return replace(partial, values=values, same=(*partial.same, same))
+
+    def _finish(self, partial: _Partial, spots: list[GSpot], boundary: list[GSpot]) -> None:
+        """Prove the solution as a zero of all conditions, and sort it: inside, perhaps inside, outside, or open."""
+        position = self._region.position(self._whole.state(partial.values, self._whole.any_free()))
+        if position == "outside":
+            return
+        place = self._whole.state(partial.values, self._whole.chosen_free())
+        values = dict(enumerate(place))
+        if not partial.proved:
+            self._leave(values, partial.why)
+            return
+        if position == "boundary" and self._whole.depends_on_free():
+            self._leave(
+                values, "a component with an interval depends on a free one: give that one an interval or fix it"
+            )
+            return
+        try:
+            spot = prove_near(self._shifted, self._start(place), self._bits + _EXTRA_BITS)
+        except (GSpotError, MechanismError) as error:
+            self._leave(values, str(error))
+            return
+        point = list(spot.system.point)
+        if not all(x.overlaps(y) for x, y in zip(point, place, strict=True)) or not all(s(point) for s in partial.same):
+            self._leave(values, "its proof as a zero of all conditions together is of another point")
+            return
+        position = self._region.position(point)
+        if position == "inside":
+            spots.append(spot)
+        elif position == "boundary":
+            boundary.append(spot)
+
+    def _start(self, place: Sequence[arb]) -> dict[str, arb]:
+        """Where Newton's method starts: midpoints, but the whole balls of the components that are fixed at them."""
+        fixed = self._shifted.mechanism.place.fixed or ()
+        pairs = zip(self._state, place, strict=True)
+        return {word: value if word in fixed else value.mid() for word, value in pairs}
+
+    def _leave(self, values: Mapping[int, arb], why: str) -> None:
+        words = {self._state[i]: in_words(self._shifted.mechanism, self._state[i], v) for i, v in values.items()}
+        self._left.append(Left(tuple((word, words[word]) for word in self._state if word in words), why))
+
+    def _with_more_freedom(self, partials: Sequence[_Partial], stages: Sequence[Stage]) -> GSpots:
+        """Fewer conditions than unknowns: no G-spot, or a certified patch of the curve or surface that they form."""
+        first = stages[0]
+        program = BoxProgram(self._functions(first), len(self._state), first.variables)
+        patch = None
+        for partial in partials:
+            search = ZeroSearch(program, self._full(partial.values), [self._region.period(i) for i in first.variables])
+            share = Budget(min(self._budget.boxes, 2000))
+            self._budget.boxes -= share.boxes
+            left = search.run([self._region.side(i) for i in first.variables], share).left
+            for box in left:
+                values = {**partial.values, **dict(zip(first.variables, box, strict=True))}
+                if patch is None and partial.proved:
+                    patch = self._patch(stages, values)
+                if len(self._left) < 50 and patch is None:
+                    self._leave(values, "no patch of G-spots could be proved, and their absence was not proved either")
+        if patch is not None:
+            self._left.clear()
+        return self._result((), (), patch)
+
+    def _patch(self, stages: Sequence[Stage], values: Mapping[int, arb]) -> Patch | None:
+        functions = [function for stage in stages for function in self._functions(stage)]
+        variables = sorted({i for stage in stages for i in stage.variables})
+        found = find_patch(functions, variables, self._full(values))
+        if found is None:
+            return None
+        everywhere = {**values, **found.parameters, **found.box}
+        if self._region.position(self._whole.state(everywhere, self._whole.any_free())) != "inside":
+            return None
+        place = self._whole.state(everywhere, self._whole.chosen_free())
+        try:
+            with working_bits(64):
+                check_mass_matrix(self._shifted, dict(zip(self._state, place, strict=True)), BALLS)
+        except MechanismError:
+            return None
+
+        def words(sides: Mapping[int, arb]) -> tuple[tuple[str, str], ...]:
+            mechanism, state = self._shifted.mechanism, self._state
+            return tuple((state[i], in_words(mechanism, state[i], side)) for i, side in sides.items())
+
+        return Patch(len(found.parameters) + len(self._apart.free), words(found.parameters), words(found.box))
+
+
+def _singular(functions: Sequence[Expression], stage: Stage, state: Sequence[arb]) -> str:
+    """What is known of a small box in which the stage could not be settled."""
+    if len(functions) == len(stage.variables) == 1:
+        slope = partial_derivative(functions[0], stage.variables[0], len(state))
+        _, rows = BoxProgram([slope], len(state), stage.variables).gradients(state)
+        if rows[0][0] > 0 or rows[0][0] < 0:
+            return (
+                f"a fold: two zeros of {stage.conditions[0]} meet here, or nearly meet, or there is none; "
+                "there are at most two, as its second derivative keeps its sign"
+            )
+    names = ", ".join(stage.conditions)
+    return f"singular, or nearly: zeros of {names} meet here, or nearly meet, or there is none"

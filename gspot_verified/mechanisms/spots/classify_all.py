@@ -1,0 +1,150 @@
+"""All G-spots of a mechanism with what each of them is; where there is none, why: the critical friction."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
+
+from flint import fmpq
+
+from gspot_verified.functions.expressions import Expression
+from gspot_verified.functions.periods import period_factor
+from gspot_verified.functions.rings import BALLS
+from gspot_verified.functions.straight_line import StraightLine
+from gspot_verified.mechanisms.derive.to_system import shift
+from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.mechanisms.spots.all_g_spots import DEFAULT_BUDGET, find_g_spots
+from gspot_verified.mechanisms.spots.classify import Classification, classify_g_spot
+from gspot_verified.mechanisms.spots.critical_friction import CriticalFriction, critical_friction
+from gspot_verified.mechanisms.spots.g_spot import DEFAULT_BITS, GSpot, find_g_spot
+from gspot_verified.mechanisms.spots.g_spot_list import GSpots
+from gspot_verified.numbers.balls import ExactInput, working_bits
+from gspot_verified.numbers.verdict import NoTruthValue, Outcome, Verdict
+
+_FRICTION_BUDGET = 4000
+_NUMBERS = ("alpha_1", "alpha_2", "alpha_3", "u", "a", "A", "B", "C", "mu")
+
+
+@dataclass(frozen=True)
+class AllClassified(NoTruthValue):
+    """The result of :func:`classify_all`: ``found`` are the G-spots, ``spots`` what each of ``found.spots`` is.
+
+    ``vary`` names what depends on a free component, or has not the period of the conditions in an angle: it holds
+    for the value shown only.
+    """
+
+    ask: ClassVar[str] = ".verdict.outcome is Outcome.PROVED, REFUTED or UNDECIDED"
+
+    found: GSpots
+    spots: tuple[Classification, ...]
+    critical: CriticalFriction
+    vary: tuple[tuple[str, tuple[str, ...]], ...]
+
+    @property
+    def verdict(self) -> Verdict:
+        """That of the search: proved when there are G-spots and all are listed, refuted when there is none."""
+        return self.found.verdict
+
+    @property
+    def exit_code(self) -> int:
+        """0 proved, 1 refuted, 2 undecided; 2 also when the case of one of the G-spots is open."""
+        open_case = any(spot.case is None for spot in self.spots)
+        return 2 if open_case and self.verdict.outcome is Outcome.PROVED else self.verdict.exit_code
+
+    def __str__(self) -> str:
+        lines = [*self.found.about(), str(self.critical)]
+        lines += [
+            f"note: {word} stands in {', '.join(names)}, and "
+            + ("no condition holds it" if word in self.found.free else "they have not the period of the conditions")
+            + ": these are shown for one value of it"
+            for word, names in self.vary
+        ]
+        lines += [
+            "at the boundary of the region: " + ", ".join(f"{k} = {v}" for k, v in spot.values().items())
+            for spot in self.found.boundary
+        ]
+        return "\n".join([*lines, *(f"G-spot {n}: {spot}" for n, spot in enumerate(self.spots, 1))])
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``."""
+        return {
+            "search": self.found.to_json(),
+            "critical_friction": self.critical.to_json(),
+            "spots": [spot.to_json() for spot in self.spots],
+            "vary": {word: list(names) for word, names in self.vary},
+        }
+
+
+def classify_all(
+    mechanism: Mechanism,
+    box: Mapping[str, tuple[ExactInput, ExactInput]] | None = None,
+    bits: int = DEFAULT_BITS,
+    budget: int = DEFAULT_BUDGET,
+) -> AllClassified:
+    """Find all G-spots in a region of states, without a start, and say of each which of the three cases it is.
+
+    The arguments are those of :func:`gspot_verified.mechanisms.spots.all_g_spots.find_g_spots`.
+
+    :raises MechanismError: the mechanism is not complete, or the box names no component of the state.
+
+    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
+    >>> found = classify_all(shipped_mechanism("genot_brogliato_rod", mu="7/5"))
+    >>> [spot.case for spot in found.spots]
+    ['none', 'none', 'none', 'none']
+    >>> found = classify_all(shipped_mechanism("genot_brogliato_rod", mu="13/10"))
+    >>> found.exit_code, found.critical.is_below
+    (1, True)
+    """
+    found = _with_the_exact_one(find_g_spots(mechanism, box, bits, budget), mechanism, bits)
+    spots = tuple(classify_g_spot(spot) for spot in found.spots)
+    return AllClassified(found, spots, critical_friction(mechanism, bits, _FRICTION_BUDGET), _vary(mechanism, found))
+
+
+def _with_the_exact_one(found: GSpots, mechanism: Mechanism, bits: int) -> GSpots:
+    """The list with the rational G-spot that the mechanism names in the place of its enclosure."""
+    if found.left and not found.spots:
+        return found
+    try:
+        named = find_g_spot(mechanism, bits)
+    except ValueError:
+        return found
+    return replace(found, spots=tuple(named if _is_named(spot, named) else spot for spot in found.spots))
+
+
+def _is_named(spot: GSpot, named: GSpot) -> bool:
+    """Whether the box holds the named rational point: then that is the one zero in it, with the same conditions J."""
+    with working_bits(spot.bits):
+        pairs = zip(spot.system.point, named.system.point, strict=True)
+        return named.exact and spot.fixed == named.fixed and all((x - y).contains(0) for x, y in pairs)
+
+
+def _vary(mechanism: Mechanism, found: GSpots) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Which of the numbers of a classification differ where a free component, or a whole turn of an angle, differs.
+
+    The mass matrix and mu are among them: where they differ, a translate may be no G-spot.
+    """
+    shifted = shift(mechanism)
+    functions = shifted.functions
+    parts: dict[str, list[Expression]] = {name: [getattr(functions, name)] for name in _NUMBERS}
+    parts["the mass matrix"] = [entry for row in functions.mass_matrix or () for entry in row]
+    parts = {name: shifted.expressions(own, BALLS) for name, own in parts.items()}
+    state = mechanism.state
+    listed = []
+    for word in found.free:
+        listed.append((word, [name for name, own in parts.items() if _holds(own, state.index(word))]))
+    for word, period in found.periods:
+        inside = [name for name, own in parts.items() if not _has_period(own, state.index(word), period)]
+        listed.append((word, inside))
+    return tuple((word, tuple(inside)) for word, inside in listed if inside)
+
+
+def _holds(functions: list[Expression], index: int) -> bool:
+    code = StraightLine()
+    return any(index in code.depends(code.value(function)) for function in functions)
+
+
+def _has_period(functions: list[Expression], index: int, period: fmpq) -> bool:
+    """Whether the functions certainly have the period 2 pi ``period`` in this component."""
+    own = period_factor(functions, index)
+    return not _holds(functions, index) if own is None else (period / own).q == 1

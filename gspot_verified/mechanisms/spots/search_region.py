@@ -1,0 +1,181 @@
+"""The region of states in which G-spots are looked for: given intervals, whole periods of angles, stated bounds.
+
+Proof page: ``proofs/all_g_spots.md``, section 5.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from flint import arb, fmpq
+
+from gspot_verified.functions.expressions import Expression
+from gspot_verified.functions.periods import period_factor
+from gspot_verified.mechanisms.derive.to_system import angle_ball
+from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.spots.spot_conditions import TakenApart
+from gspot_verified.numbers.balls import Exact, ExactInput, ball, ball_text, certainly_less, exact, hull
+
+DEFAULT_BOUND = 10
+"""The bound on a component that has neither an interval nor a period, and is not found in closed form."""
+
+
+_MORE_THAN_HALF_A_TURN = fmpq(13, 4)
+"""In units of the period over 2 pi. The ends of exactly one turn are likely places of G-spots: not to be cut there."""
+
+
+class Region:
+    """Make one with :func:`search_region`. Components are known by their index, angles counted from their references.
+
+    A closed interval for some components, a period for others; the rest take every value, until :meth:`side` is asked
+    for one of them: then the default bound holds for it.
+    """
+
+    def __init__(self, mechanism: Mechanism, given: Mapping[int, tuple[Exact, Exact]]) -> None:
+        self._state = mechanism.state
+        self._references = {mechanism.state.index(a.coordinate): angle_ball(a) for a in mechanism.angles}
+        self._names = {mechanism.state.index(a.coordinate): a.name for a in mechanism.angles}
+        self._given = dict(given)
+        self._intervals: dict[int, tuple[arb, arb]] = {}
+        for i, (lower, upper) in given.items():
+            reference = self._references.get(i, arb(0))
+            self._intervals[i] = (ball(lower) - reference, ball(upper) - reference)
+        self._turns: dict[int, fmpq] = {}
+        self._one_turn: dict[int, fmpq] = {}
+        self._bounded: set[int] = set()
+
+    def add_period(self, index: int, factor: fmpq, of_all: bool) -> None:
+        """All conditions (or only those that are searched for this component) have the period 2 pi ``factor`` in it."""
+        if of_all:
+            self._turns[index] = factor
+        else:
+            self._one_turn[index] = _MORE_THAN_HALF_A_TURN * factor
+            half = arb(self._one_turn[index])
+            self._intervals[index] = (-half, half)
+
+    def period(self, index: int) -> arb | None:
+        """The period of all conditions in the component, if the whole circle is searched."""
+        factor = self._turns.get(index)
+        return None if factor is None else 2 * arb.pi() * arb(factor)
+
+    def periods(self) -> tuple[tuple[str, fmpq], ...]:
+        """The components of which one period of all conditions is searched, with the period over 2 pi."""
+        return tuple((self._state[index], factor) for index, factor in sorted(self._turns.items()))
+
+    def side(self, index: int) -> arb:
+        """A ball that holds the interval of the component, or one period of it."""
+        if index in self._turns:
+            return arb(0, (arb.pi() * arb(self._turns[index])).upper())
+        if index not in self._intervals:
+            self._bounded.add(index)
+            self._intervals[index] = (arb(-DEFAULT_BOUND), arb(DEFAULT_BOUND))
+        lower, upper = self._intervals[index]
+        return hull([lower, upper])
+
+    def given(self, index: int) -> arb | None:
+        """A ball around the given interval of a component; None where none is given."""
+        return self.side(index) if index in self._given else None
+
+    def within_one_period(self, index: int, value: arb) -> arb:
+        """The value moved by whole periods towards 0."""
+        period = self.period(index)
+        if period is None:
+            return value
+        return value - period * round(float(value.mid() / period.mid()))
+
+    def position(self, point: Sequence[arb]) -> str:
+        """ "inside", "outside", or "boundary" when the balls leave it open."""
+        found = "inside"
+        for i, (lower, upper) in self._intervals.items():
+            if certainly_less(point[i], lower) is True or certainly_less(upper, point[i]) is True:
+                return "outside"
+            if not (point[i] >= lower and point[i] <= upper):
+                found = "boundary"
+        return found
+
+    def searched(self, apart: TakenApart) -> tuple[tuple[str, str], ...]:
+        """For each component in words what was searched."""
+        explicit = {each.index: each.condition for each in apart.explicit}
+        found = []
+        for i, word in enumerate(self._state):
+            if i in self._given:
+                lower, upper = self._given[i]
+                text = f"[{_text(lower)}, {_text(upper)}]"
+            elif i in explicit:
+                text = "fixed" if explicit[i] == fixed_name(word) else f"follows from {explicit[i]} = 0"
+            elif i in apart.free:
+                text = "free: no condition holds it"
+            elif i in self._turns:
+                text = f"every angle (all conditions have the period {_pi(2 * self._turns[i])})"
+            elif i in self._one_turn:
+                half, about = self._one_turn[i], self._names.get(i)
+                text = f"[-{half}, {half}]{f' about {about}' if about else ''} (default: more than one turn)"
+            elif i in self._bounded:
+                text = f"[-{DEFAULT_BOUND}, {DEFAULT_BOUND}] (default bound)"
+            else:
+                text = "every value"
+            found.append((word, text))
+        return tuple(found)
+
+
+def fixed_name(word: str) -> str:
+    """The name of the condition that a component keeps its value: unlike p, b, y, v, whatever the component's name."""
+    return f"fixed {word}"
+
+
+def search_region(
+    mechanism: Mechanism,
+    conditions: Mapping[str, Expression],
+    apart: TakenApart,
+    box: Mapping[str, tuple[ExactInput, ExactInput]],
+) -> Region:
+    """The region: the box where it names a component, one period where the conditions have one.
+
+    :raises MechanismError: the box names no component, or an interval is empty.
+    """
+    region = Region(mechanism, _intervals(mechanism, box))
+    for stage in apart.stages:
+        functions = [apart.functions[name] for name in stage.conditions]
+        for i in stage.variables:
+            if mechanism.state[i] in box:
+                continue
+            of_all = period_factor(list(conditions.values()), i)
+            own = period_factor(functions, i)
+            if of_all is not None:
+                region.add_period(i, of_all, True)
+            elif own is not None:
+                region.add_period(i, own, False)
+    return region
+
+
+def _intervals(
+    mechanism: Mechanism, box: Mapping[str, tuple[ExactInput, ExactInput]]
+) -> dict[int, tuple[Exact, Exact]]:
+    found = {}
+    for word, pair in box.items():
+        if word not in mechanism.state:
+            raise MechanismError(
+                f"{mechanism.name}: box: {word!r} is no component of the state: {', '.join(mechanism.state)}"
+            )
+        try:
+            lower, upper = (exact(value, f"box, {word}") for value in pair)
+        except (TypeError, ValueError) as error:
+            raise MechanismError(f"{mechanism.name}: {error}") from None
+        if not _is_interval(lower, upper):
+            raise MechanismError(f"{mechanism.name}: box: the interval of {word} is empty or reversed")
+        found[mechanism.state.index(word)] = (lower, upper)
+    return found
+
+
+def _is_interval(lower: Exact, upper: Exact) -> bool:
+    if isinstance(lower, fmpq) and isinstance(upper, fmpq):
+        return bool(lower <= upper)
+    return certainly_less(ball(upper), ball(lower)) is False
+
+
+def _text(value: Exact) -> str:
+    return str(value) if isinstance(value, fmpq) else ball_text(value)
+
+
+def _pi(factor: fmpq) -> str:
+    return "pi" if factor == 1 else f"{factor} pi"

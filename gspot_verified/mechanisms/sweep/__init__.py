@@ -1,0 +1,1 @@
+"""A G-spot followed over one or two parameters."""

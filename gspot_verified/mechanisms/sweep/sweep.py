@@ -1,0 +1,196 @@
+"""A mechanism's G-spot over one or two parameters: α_i*, β, Case and side for every value, not only at points.
+
+Proof page: ``proofs/sweep.md``. The spot at one parameter value is proved first and then continued through tubes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from flint import arb, fmpq
+
+from gspot_verified.functions.box_program import BoxProgram
+from gspot_verified.mechanisms.formulas.simplify import rational_value
+from gspot_verified.mechanisms.input.mechanism import Mechanism, exact_rational
+from gspot_verified.mechanisms.spots.parametric_system import ParametricSystem, parametric_system
+from gspot_verified.mechanisms.sweep.sweep_cell import BITS
+from gspot_verified.mechanisms.sweep.sweep_ends import with_folds, without_gaps
+from gspot_verified.mechanisms.sweep.sweep_first import first_spot, with_place_of
+from gspot_verified.mechanisms.sweep.sweep_fold import Fold
+from gspot_verified.mechanisms.sweep.sweep_grid import Axis, Grid, cells
+from gspot_verified.mechanisms.sweep.sweep_links import linked
+from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece
+from gspot_verified.mechanisms.sweep.sweep_result import Sweep
+from gspot_verified.mechanisms.sweep.sweep_work import Question, open_journal, portions, results
+from gspot_verified.numbers.balls import Exact, ExactInput, working_bits
+from gspot_verified.work.executors import InProcessExecutor
+from gspot_verified.work.ranges import Range
+
+DEFAULT_CELLS = {1: 64, 2: 32}
+MAX_CELLS = 1_000_000
+_MAX_DIGITS = 15
+_OTHER = "the continued spot"
+
+Over = Mapping[str, str | tuple[ExactInput, ExactInput] | tuple[ExactInput, ExactInput, int]]
+
+
+def sweep(
+    mechanism: Mechanism,
+    parameters: Over,
+    *,
+    start: Mapping[str, ExactInput] | None = None,
+    spot: int | None = None,
+    digits: int = 12,
+    executor: Executor | None = None,
+    journal: Path | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> Sweep:
+    """Follow the mechanism's G-spot over a range of one parameter or a rectangle of two.
+
+    ``parameters``: name to "lower..upper", "lower..upper:cells" or (lower, upper, cells); the ends belong to the range.
+    Each cell is divided further until Case and side hold for all its parameter values; what cannot be decided is left
+    and said. ``start``: parameter values of the range at which the spot is proved first (the mechanism's own, or the
+    nearest, if left out). ``spot``: its number in the list of all G-spots there (left out: that at the mechanism's
+    place). ``digits``: of the brackets in which Case or side change. ``journal``: a killed sweep goes on
+    from this file; what it recalls is proved again. ``executor``: where cells are examined; the result is the
+    same for every one.
+
+    :raises GSpotError: there is no G-spot, or a degenerate one, at the start.
+    :raises MechanismError: no such parameter, or the mechanism is not complete.
+    :raises ValueError: not one or two parameters, an empty range, or too many cells.
+
+    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
+    >>> result = sweep(shipped_mechanism("oscillator"), {"beta": "9/4..11/4:4"})
+    >>> print(result.verdict)
+    proved: frictional impact oscillator: Case and side of the continued G-spot for every beta in [9/4, 11/4], except \
+in the brackets where one quantity passes zero or the spot vanishes
+    >>> result.at(beta="5/2").case, result.at(beta="5/2").lift_off_sign
+    ('III', 1)
+    """
+    axes = _axes(mechanism, parameters)
+    if type(digits) is not int or not 1 <= digits <= _MAX_DIGITS:
+        raise ValueError(f"digits must be an int in 1..{_MAX_DIGITS}")
+    place = _start(mechanism, axes, start or {})
+    names = [axis.name for axis in axes]
+    first = first_spot(mechanism.with_parameters(**dict(zip(names, place, strict=True))), spot)
+    mechanism = with_place_of(mechanism, first)
+    question = Question(mechanism, Grid(axes), first.fixed, digits)
+    with working_bits(BITS):
+        point = [_ball(value) for value in first.system.point]
+    system = parametric_system(mechanism, names, first.fixed)
+    conditions = BoxProgram(system.conditions, system.dimension + len(names))
+    work = portions(cells(conditions, question.grid, place, point))
+    found: list[list[SweepPiece]] = []
+    with open_journal(journal, question, place, first.values()) as kept:
+        for pieces in results(question, work, executor or InProcessExecutor(), kept):
+            found += pieces
+            if progress is not None:
+                progress(len(found), sum(map(len, work)))
+    return _assembled(question, system, place, first.values(), point, found)
+
+
+def _assembled(
+    question: Question,
+    system: ParametricSystem,
+    place: tuple[fmpq, ...],
+    spot: Mapping[str, str],
+    point: Sequence[arb],
+    found: Sequence[Sequence[SweepPiece]],
+) -> Sweep:
+    """The pieces that hold the continued spot are kept; of the others it is said that they may hold another."""
+    pieces = [piece for cell in found for piece in cell]
+    neighbours = _neighbours(question.grid, found)
+    folds: list[Fold] = []
+    with working_bits(BITS):
+        own = linked(question.equations(), pieces, neighbours.__getitem__, place, point)
+        kept = [piece if number in own else _other(piece) for number, piece in enumerate(pieces)]
+        if len(question.grid.axes) == 1:
+            kept, folds = with_folds(system, question.equations(), kept, own, question.digits)
+            kept = without_gaps(kept)
+    mechanism = question.mechanism
+    return Sweep(mechanism.name, question.grid.axes, place, dict(spot), tuple(kept), tuple(folds), mechanism.notes)
+
+
+def _other(piece: SweepPiece) -> SweepPiece:
+    if piece.kind is Kind.NO_TUBE:
+        return piece
+    return replace(
+        piece, kind=Kind.OPEN, case=None, lift_off_sign=None, impact_sign=None, unsure=(_OTHER,), passing=None,
+        numbers=(None,) * len(piece.numbers),
+    )  # fmt: skip
+
+
+def _neighbours(grid: Grid, found: Sequence[Sequence[SweepPiece]]) -> list[list[int]]:
+    """For each piece the numbers of those that may touch it: in its cell and in the cells around."""
+    numbers: dict[tuple[int, ...], range] = {}
+    total = 0
+    for index, pieces in zip(grid.indices(), found, strict=True):
+        numbers[index] = range(total, total + len(pieces))
+        total += len(pieces)
+    near: list[list[int]] = []
+    for index, own in numbers.items():
+        around = [*own, *(number for other in grid.neighbours(index) for number in numbers[other])]
+        near += [[other for other in around if other != number] for number in own]
+    return near
+
+
+def _axes(mechanism: Mechanism, parameters: Over) -> tuple[Axis, ...]:
+    if len(parameters) not in DEFAULT_CELLS:
+        raise ValueError(f"a sweep has one or two parameters, got {len(parameters)}")
+    mechanism.with_parameters(**dict.fromkeys(parameters))
+    found = []
+    for name, given in parameters.items():
+        lower, upper, count = _ends(name, given)
+        cells_asked = DEFAULT_CELLS[len(parameters)] if count is None else count
+        if type(cells_asked) is not int or cells_asked < 1:
+            raise ValueError(f"{name}: the number of cells must be an int >= 1")
+        if not lower < upper:
+            raise ValueError(f"{name}: the range must have a lower end below its upper end, got {lower}..{upper}")
+        found.append(Axis(name, lower, upper, cells_asked))
+    total = 1
+    for axis in found:
+        total *= axis.cells
+    if total > MAX_CELLS:
+        raise ValueError(f"a sweep has at most {MAX_CELLS} cells, got {total}")
+    return tuple(found)
+
+
+def _ends(name: str, given: Any) -> tuple[fmpq, fmpq, int | None]:
+    if not isinstance(given, str):
+        lower, upper, *count = given
+        return exact_rational(lower, name), exact_rational(upper, name), count[0] if count else None
+    text, colon, number = given.partition(":")
+    parsed = Range.parse(text, name)
+    if parsed.lower is None or parsed.upper is None:
+        raise ValueError(f"{name}: the range must be finite")
+    if colon and not number.strip().isdecimal():
+        raise ValueError(f'{name}: expected "lower..upper:cells" such as "1.4..2:200", got {given[:60]!r}')
+    return parsed.lower, parsed.upper, int(number) if colon else None
+
+
+def _start(mechanism: Mechanism, axes: Sequence[Axis], given: Mapping[str, ExactInput]) -> tuple[fmpq, ...]:
+    """The place at which the spot is proved first."""
+    unknown = set(given) - {axis.name for axis in axes}
+    if unknown:
+        raise ValueError(f"start: {', '.join(sorted(unknown))} does not vary in this sweep")
+    own = mechanism.parameter_values()
+    place = []
+    for axis in axes:
+        if axis.name in given:
+            value = exact_rational(given[axis.name], axis.name)
+            if not axis.lower <= value <= axis.upper:
+                raise ValueError(f"start: {axis.name} = {value} lies outside of {axis.lower}..{axis.upper}")
+        else:
+            stated = rational_value(own[axis.name]) if axis.name in own else None
+            value = (axis.lower + axis.upper) / 2 if stated is None else stated
+            value = min(max(value, axis.lower), axis.upper)
+        place.append(value)
+    return tuple(place)
+
+
+def _ball(value: Exact) -> arb:
+    return arb(value)

@@ -1,0 +1,223 @@
+"""One cell of a sweep: subdivided until Case and side hold on each piece, or a budget ends.
+
+Which tubes are tried and where a cell is cut are free choices. What a piece says comes from :func:`try_tube` and
+:func:`findings` on that piece, and from monotone quantities: ``proofs/sweep.md``, sections 1 to 5.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+
+from flint import fmpq
+
+from gspot_verified.mechanisms.sweep.sweep_bracket import Cut, bracket
+from gspot_verified.mechanisms.sweep.sweep_findings import HYPOTHESES, SEVERAL, TOO_LARGE, findings, quantity
+from gspot_verified.mechanisms.sweep.sweep_piece import Kind, Passing, SweepPiece
+from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
+from gspot_verified.mechanisms.sweep.sweep_trace import Choice, TubeTrace
+from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, Tube
+from gspot_verified.numbers.balls import approximate, sign_of, working_bits
+
+BITS = 80
+_BUDGET = 128
+_DEPTH_OF_A_LINE, _DEPTH_OF_A_MAP, _DEPTH_OF_A_TUBE = 24, 4, 8
+_HOPELESS_FROM = 3
+_FAR_STEEPER = 8
+_NOT_A_BOUNDARY = (*HYPOTHESES, TOO_LARGE, SEVERAL)
+
+Box = tuple[tuple[fmpq, ...], tuple[fmpq, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """Signs of some quantities at the zeros of a tube over a larger box; empty where there is no tube."""
+
+    tube: Tube | None = None
+    signs: Mapping[str, int] = field(default_factory=dict)
+
+    def concerns(self, tube: Tube) -> bool:
+        """Whether the zeros of a tube over a part of the box are those of the larger tube: at one place, so at all."""
+        if self.tube is None:
+            return True
+        middle = [(low + high) / 2 for low, high in zip(tube.lower, tube.upper, strict=True)]
+        return self.tube.holds_at(middle, tube.zero_at(middle))
+
+    def further(self, tube: Tube, boundary: str, sign: int) -> Known:
+        """One sign more, at the zeros of a tube inside that are those of this one."""
+        return Known(tube, {**self.signs, boundary: sign})
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """A box of parameter values and a place near which the spot is known; None: it is not known anywhere near."""
+
+    lower: tuple[fmpq, ...]
+    upper: tuple[fmpq, ...]
+    origin: Origin | None
+
+
+@dataclass
+class Examination:
+    """The examination of cells, one after the other. What is tried first depends on the cells before, so the same cells
+    in the same order give the same pieces."""
+
+    equations: Equations
+    digits: int
+    origins: list[Origin] = field(default_factory=list)
+    sides: list[fmpq] = field(default_factory=list)
+    left: int = _BUDGET
+    """Boxes that may still be examined; on a line, where no tube is found, they are divided all the same."""
+    kept_tubes: TubeTrace = field(default_factory=TubeTrace)
+    """The tubes of the last cell, as choices."""
+
+    def pieces(self, cell: Cell, known: Sequence[Choice] = ()) -> list[SweepPiece]:
+        """Pieces that cover the cell, in the order of their lower ends.
+
+        ``known``: the tubes of an earlier examination; each is proved again.
+        """
+        self.kept_tubes = TubeTrace(known)
+        if cell.origin is None:
+            return [SweepPiece(cell.lower, cell.upper, Kind.NO_TUBE)]
+        # The widths of the last tube are a good guess at those of the next.
+        self.origins = [cell.origin.as_wide_as(self.origins[-1]) if self.origins else cell.origin]
+        self.left = _BUDGET
+        self.sides = [high - low for low, high in zip(cell.lower, cell.upper, strict=True)]
+        with working_bits(BITS):
+            found = self._examine((cell.lower, cell.upper), 0, Known())
+        return sorted(found, key=lambda piece: piece.lower)
+
+    def _examine(self, box: Box, depth: int, known: Known) -> list[SweepPiece]:
+        lower, upper = box
+        line = len(lower) == 1
+        last = depth >= (_DEPTH_OF_A_LINE if line else _DEPTH_OF_A_MAP) or self.left <= 0
+        deep = depth >= _DEPTH_OF_A_LINE if line else depth >= _DEPTH_OF_A_TUBE or self.left <= 0
+        origin = min(self.origins, key=lambda known_origin: known_origin.distance(lower, upper))
+        on = self._tube(self.equations, lower, upper, origin)
+        self.left -= 1
+        if on is None or not known.concerns(on.tube):
+            return (
+                [SweepPiece(lower, upper, Kind.NO_TUBE)]
+                if deep
+                else self._halves(box, depth, known, self._longest(box))
+            )
+        self.origins.append(Origin.of(on))
+        found = findings(on, known.signs)
+        if not found.unsure:
+            return [found.piece(on, Kind.SETTLED)]
+        boundary = found.unsure[0] if len(found.unsure) == 1 and found.unsure[0] not in _NOT_A_BOUNDARY else None
+        if boundary is not None:
+            if line:
+                cut = bracket(self.equations, on, partial(quantity, name=boundary), self.digits, self._tube)
+                if cut is not None:
+                    return self._cut(on, boundary, cut, depth, known)
+            elif last:
+                passing = _graph(on, boundary)
+                if passing is not None:
+                    return [_with_passing(found.piece(on, Kind.CROSSING), passing)]
+        if last or (depth >= _HOPELESS_FROM and _hopeless(on, found.unsure)):
+            return [found.piece(on, Kind.OPEN)]
+        steepest = _steepest(on, found.unsure)
+        return self._halves(box, depth, known, self._longest(box) if steepest is None else steepest)
+
+    def _tube(
+        self, equations: Equations, lower: tuple[fmpq, ...], upper: tuple[fmpq, ...], origin: Origin
+    ) -> OnTube | None:
+        return self.kept_tubes.tube(equations, lower, upper, partial(proved_tube, equations, lower, upper, origin))
+
+    def _halves(self, box: Box, depth: int, known: Known, side: int) -> list[SweepPiece]:
+        """The two halves, that next to what is known first; on a line nothing is sought behind a place without tube."""
+        halves = _halved(box, side)
+        nearest = min(self.origins, key=lambda origin: origin.distance(*box))
+        first, second = sorted(halves, key=lambda half: nearest.distance(*half))
+        kept = self.left // 2  # what the first half may not use up
+        self.left -= kept
+        found = self._examine(first, depth + 1, known)
+        self.left += kept
+        if len(box[0]) == 1:
+            facing = min(found, key=lambda piece: _gap(piece, second))
+            if facing.kind is Kind.NO_TUBE:
+                return [*found, SweepPiece(*second, Kind.NO_TUBE)]
+        found += self._examine(second, depth + 1, known)
+        if all(piece.kind is Kind.NO_TUBE for piece in found):
+            return [SweepPiece(*box, Kind.NO_TUBE)]
+        return found
+
+    def _longest(self, box: Box) -> int:
+        """The side that was cut least often."""
+        lower, upper = box
+        parts = [(high - low) / side for low, high, side in zip(lower, upper, self.sides, strict=True)]
+        return max(range(len(parts)), key=parts.__getitem__)
+
+    def _cut(self, on: OnTube, boundary: str, cut: Cut, depth: int, known: Known) -> list[SweepPiece]:
+        """The parts before and after a bracket, where a monotone quantity lies between its values at the ends."""
+        (lower,), (upper,) = on.tube.lower, on.tube.upper
+        parts: list[SweepPiece] = []
+        sides = [(lower, upper)] if cut.ends is None else [(lower, cut.ends[0]), (cut.ends[1], upper)]
+        for (start, end), sign in zip(sides, cut.signs, strict=True):
+            if start < end:
+                parts += self._examine(((start,), (end,)), depth + 1, known.further(on.tube, boundary, sign))
+        if cut.ends is not None:
+            (start, end), inside = cut.ends, Known(on.tube)
+            between = self._tube(self.equations, (start,), (end,), Origin.of(on))
+            if between is None or not inside.concerns(between.tube):
+                return [*parts, SweepPiece((start,), (end,), Kind.NO_TUBE)]
+            passing = Passing(boundary, 0, cut.direction, cut.before, cut.after)
+            parts.append(_with_passing(findings(between, {}).piece(between, Kind.CROSSING), passing))
+        return parts
+
+
+def _with_passing(piece: SweepPiece, passing: Passing) -> SweepPiece:
+    return SweepPiece(
+        piece.lower, piece.upper, piece.kind, None, None, None, (passing.quantity,), passing, piece.numbers,
+        piece.record,
+    )  # fmt: skip
+
+
+def _graph(on: OnTube, boundary: str) -> Passing | None:
+    """The boundary's derivative by one parameter has a certain sign on the whole piece."""
+    for along, slope in enumerate(on.slopes(quantity(on, boundary))):
+        sign = sign_of(slope)
+        if sign in (1, -1):
+            return Passing(boundary, along, sign)
+    return None
+
+
+def _hopeless(on: OnTube, unsure: Sequence[str]) -> bool:
+    """Whether a quantity seems to vanish on the whole piece, so that smaller pieces say no more. A heuristic."""
+    for name in unsure:
+        if name in _NOT_A_BOUNDARY:
+            continue
+        own = quantity(on, name)
+        if own.at_centre.contains(0) and all(slope.contains(0) for slope in on.slopes(own)):
+            return True
+    return False
+
+
+def _steepest(on: OnTube, unsure: Sequence[str]) -> int | None:
+    """The parameter with which what is unsure seems to change far more than with others. A heuristic."""
+    name = next((name for name in unsure if name not in _NOT_A_BOUNDARY), "beta")
+    slopes = on.slopes(quantity(on, name))
+    sides = [approximate(high - low) for low, high in zip(on.tube.lower, on.tube.upper, strict=True)]
+    sizes = [abs(approximate(slope)) * side for slope, side in zip(slopes, sides, strict=True)]
+    largest = max(range(len(sizes)), key=sizes.__getitem__)
+    rest = max((size for j, size in enumerate(sizes) if j != largest), default=0.0)
+    return largest if _FAR_STEEPER * rest < sizes[largest] < math.inf else None
+
+
+def _halved(box: Box, side: int) -> tuple[Box, Box]:
+    """Both halves, cut across one side."""
+    lower, upper = box
+    middle = (lower[side] + upper[side]) / 2
+    return (
+        (lower, (*upper[:side], middle, *upper[side + 1 :])),
+        ((*lower[:side], middle, *lower[side + 1 :]), upper),
+    )
+
+
+def _gap(piece: SweepPiece, box: Box) -> fmpq:
+    """On a line: how far the piece is from the box."""
+    (start,), (end,) = box
+    return max(start - piece.upper[0], piece.lower[0] - end, fmpq(0))

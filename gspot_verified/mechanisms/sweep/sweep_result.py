@@ -1,0 +1,299 @@
+"""The result of a sweep: pieces, stretches, crossings, folds, as text, JSON and CSV."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from flint import fmpq
+
+from gspot_verified.mechanisms.sweep.sweep_fold import Fold
+from gspot_verified.mechanisms.sweep.sweep_grid import Axis
+from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, Kind, Passing, SweepPiece
+from gspot_verified.numbers.balls import ExactInput, approximate, exact, float_bounds
+from gspot_verified.numbers.dyadic import Dyadic
+from gspot_verified.numbers.evidence import cover_by_boxes
+from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
+from gspot_verified.signs.gamma.side import side_text
+
+_SLIP = "slip_velocity"
+_SHORT, _DECIMALS = 12, 16
+_SHORT_PIECE = fmpq(1, 10**6)
+_UNKNOWN = (Kind.OPEN, Kind.NO_TUBE)
+
+
+@dataclass(frozen=True, slots=True)
+class Crossing(NoTruthValue):
+    """Where a quantity passes zero on a line: between ``lower`` and ``upper``, where it is strictly monotone."""
+
+    ask: ClassVar[str] = ".proved says whether it certainly vanishes there, and then exactly once"
+
+    quantity: str
+    lower: fmpq
+    upper: fmpq
+    direction: int
+    before: int | None
+    after: int | None
+
+    @property
+    def proved(self) -> bool:
+        """Whether it vanishes in the bracket, exactly once; otherwise it vanishes there at most once."""
+        return self.before == -self.direction and self.after == self.direction
+
+    def text(self, name: str) -> str:
+        """In words."""
+        what = _QUANTITIES.get(self.quantity, self.quantity.replace(" - ", " passes "))
+        times = "exactly once" if self.proved else "at most once (it may do so at the end of the range)"
+        return f"{what} in {name} = {_bracket(self.lower, self.upper)}, {times}"
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``."""
+        return {
+            "quantity": self.quantity,
+            "lower": str(self.lower),
+            "upper": str(self.upper),
+            "direction": self.direction,
+            "exactly_once": self.proved,
+        }
+
+
+_QUANTITIES = {
+    "alpha_1": "alpha_1 passes 0",
+    "alpha_2": "alpha_2 passes 0",
+    "alpha_3": "alpha_3 passes 0",
+    "alpha_3 - alpha_1": "alpha_3 - alpha_1 passes 0 (beta passes 1)",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Sweep(NoTruthValue):
+    """The result of :func:`sweep`. ``pieces`` cover the range, in the order of their lower ends.
+
+    ``start`` is where the spot was proved first, ``spot`` its state there. ``folds``: where it meets another one and
+    vanishes (one parameter). ``notes`` say how the mechanism was read.
+    """
+
+    ask: ClassVar[str] = ".verdict.outcome says whether Case and side are settled on the whole range"
+
+    name: str
+    axes: tuple[Axis, ...]
+    start: tuple[fmpq, ...]
+    spot: Mapping[str, str]
+    pieces: tuple[SweepPiece, ...]
+    folds: tuple[Fold, ...] = ()
+    notes: tuple[str, ...] = ()
+
+    @property
+    def verdict(self) -> Verdict:
+        """Proved when nothing is left but brackets in which one quantity passes zero."""
+        over = ", ".join(f"{axis.name} in [{axis.lower}, {axis.upper}]" for axis in self.axes)
+        besides = "brackets" if len(self.axes) == 1 else "pieces along curves"
+        statement = (
+            f"{self.name}: Case and side of the continued G-spot for every {over}, except in the {besides} where one "
+            "quantity passes zero or the spot vanishes"
+        )
+        settled = [piece for piece in self.pieces if piece.kind not in _UNKNOWN and not self._is_wide(piece)]
+        left = len(self.pieces) - len(settled)
+        half = sum(not crossing.proved for crossing in self.crossings)
+        if not left and not half:
+            whole = tuple(axis.lower for axis in self.axes), tuple(axis.upper for axis in self.axes)
+            covered = cover_by_boxes(((piece.lower, piece.upper) for piece in settled), whole)
+            if covered is None:
+                return Verdict.undecided(statement, Reason.HYPOTHESIS, "the pieces leave a part of the range out")
+            return Verdict.proved(statement, covered)
+        pieces, brackets = f"{left} pieces are left", f"in {half} brackets at most one zero is shown"
+        return Verdict.undecided(statement, Reason.BUDGET, "; ".join([pieces] * bool(left) + [brackets] * bool(half)))
+
+    def _is_wide(self, piece: SweepPiece) -> bool:
+        """Whether a piece next to a fold, where Case and side are not settled, is more than a bracket."""
+        if piece.kind is not Kind.FOLD:
+            return False
+        (axis,) = self.axes
+        return bool(piece.upper[0] - piece.lower[0] > (axis.upper - axis.lower) * _SHORT_PIECE)
+
+    @property
+    def crossings(self) -> tuple[Crossing, ...]:
+        """On a line: the brackets in which Case or side change."""
+        found: list[Crossing] = []
+        for piece in self.pieces if len(self.axes) == 1 else ():
+            passing = piece.passing
+            if passing is None:
+                continue
+            (lower,), (upper,) = piece.lower, piece.upper
+            last = found[-1] if found else None
+            if last is not None and last.upper == lower and _same(last, passing):
+                lower, before = last.lower, last.before
+                found.pop()
+            else:
+                before = passing.before
+            found.append(Crossing(passing.quantity, lower, upper, passing.direction, before, passing.after))
+        return tuple(found)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What makes a motion through the G-spot impossible, or not certainly possible, where it is in a Case."""
+        cases = [piece for piece in self.pieces if piece.case in ("I", "II", "III")]
+        tensile = sum(piece.case == "I" for piece in cases)
+        signs = [None if number is None else number.sign() for number in (piece.number(_SLIP) for piece in cases)]
+        wrong, unknown = sum(sign in (-1, 0) for sign in signs), signs.count(None)
+        found = []
+        if tensile:
+            found.append(f"in Case I ({tensile} pieces) the mean force is tensile (negative), no contact does that")
+        if wrong or unknown:
+            found.append(
+                f"u <= 0 at the G-spot on {wrong} pieces, perhaps on {unknown} more: no positive slip on a surface at "
+                "rest"
+            )
+        return tuple(found)
+
+    def at(self, **values: ExactInput) -> SweepPiece:
+        """A piece that holds these parameter values.
+
+        :raises ValueError: a value is missing, or outside of the range.
+        """
+        place = []
+        for axis in self.axes:
+            value = exact(values[axis.name], axis.name) if axis.name in values else None
+            if not isinstance(value, fmpq) or not axis.lower <= value <= axis.upper:
+                raise ValueError(f"{axis.name}: a rational in [{axis.lower}, {axis.upper}] is needed")
+            place.append(value)
+        return next(piece for piece in self.pieces if piece.holds(place))
+
+    def stretches(self) -> list[tuple[fmpq, fmpq, SweepPiece]]:
+        """On a line: maximal ranges on which kind, Case and side are the same, with their first pieces."""
+        found: list[tuple[fmpq, fmpq, SweepPiece]] = []
+        for piece in self.pieces if len(self.axes) == 1 else ():
+            (lower,), (upper,) = piece.lower, piece.upper
+            if found and _alike(found[-1][2], piece):
+                found[-1] = (found[-1][0], upper, found[-1][2])
+            else:
+                found.append((lower, upper, piece))
+        return found
+
+    def __str__(self) -> str:
+        where = ", ".join(f"{axis.name} = {value}" for axis, value in zip(self.axes, self.start, strict=True))
+        lines = [str(self.verdict), f"  the spot at {where}: " + ", ".join(f"{k} = {v}" for k, v in self.spot.items())]
+        if len(self.axes) == 1:
+            name = self.axes[0].name
+            lines += [
+                f"  {name} in {_bracket(lower, upper)}: {_piece_text(piece)}"
+                for lower, upper, piece in self.stretches()
+                if piece.passing is None
+            ]
+            lines += [f"  {text}" for text in (*(crossing.text(name) for crossing in self.crossings), *self.folds)]
+        else:
+            lines += [f"  {count} pieces: {text}" for text, count in self._counts().items()]
+        return "\n".join(
+            [
+                *lines,
+                *(f"  note: {note}" for note in self.notes),
+                *(f"  warning: {warning}" for warning in self.warnings),
+            ]
+        )
+
+    def _counts(self) -> dict[str, int]:
+        found: dict[str, int] = {}
+        for piece in self.pieces:
+            text = _piece_text(piece)
+            found[text] = found.get(text, 0) + 1
+        return found
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``; exact rationals and intervals as text."""
+        return {
+            "name": self.name,
+            "parameters": [
+                {"name": axis.name, "lower": str(axis.lower), "upper": str(axis.upper), "cells": axis.cells}
+                for axis in self.axes
+            ],
+            "start": {axis.name: str(value) for axis, value in zip(self.axes, self.start, strict=True)},
+            "spot": dict(self.spot),
+            "verdict": self.verdict.to_json(),
+            "crossings": [crossing.to_json() for crossing in self.crossings],
+            "notes": list(self.notes),
+            "warnings": list(self.warnings),
+            "folds": [fold.to_json() for fold in self.folds],
+            "pieces": [_piece_to_json(piece) for piece in self.pieces],
+        }
+
+    def to_csv(self) -> str:
+        """One line for each piece: its ends exactly and as decimals, bounds of the numbers rounded outward."""
+        names = [axis.name for axis in self.axes]
+        head = [f"{name}_{end}{form}" for name in names for end in ("lower", "upper") for form in ("", "_exact")]
+        head += ["kind", "case", "lift_off_sign_of_C1", "impact_sign_of_C1", "unsure"]
+        head += [f"{name}_{end}" for name in NUMBERS for end in ("lower", "upper")]
+        return "\n".join([",".join(head), *(_csv_line(piece) for piece in self.pieces)]) + "\n"
+
+
+def _same(last: Crossing, passing: Passing) -> bool:
+    return (last.quantity, last.direction) == (passing.quantity, passing.direction)
+
+
+def _alike(first: SweepPiece, second: SweepPiece) -> bool:
+    key = [(piece.kind, piece.answer, piece.unsure, piece.passing is None) for piece in (first, second)]
+    return key[0] == key[1]
+
+
+def _piece_text(piece: SweepPiece) -> str:
+    if piece.kind is Kind.NO_TUBE:
+        return "no continued spot was found"
+    if piece.kind is Kind.BEYOND:
+        return "the continued spot is no more: it vanished at the fold"
+    if piece.kind is Kind.FOLD:
+        return "up to a fold: Case and side are not settled"
+    if piece.kind is Kind.CROSSING:
+        return f"{_QUANTITIES.get(piece.unsure[0], piece.unsure[0].replace(' - ', ' passes '))}"
+    if piece.kind is Kind.OPEN:
+        return f"undecided: {', '.join(piece.unsure)}"
+    if piece.case == "none":
+        return "no Case"
+    sides = side_text(piece.lift_off_sign, piece.impact_sign)
+    return sides if piece.case == "III" else f"Case {piece.case}: {sides.partition(': ')[2]}"
+
+
+def _piece_to_json(piece: SweepPiece) -> dict[str, Any]:
+    data = piece.to_json()
+    del data["tube"]
+    numbers = data.pop("numbers")
+    passing = piece.passing
+    data["passing"] = (
+        None
+        if passing is None
+        else {"quantity": passing.quantity, "along": passing.along, "direction": passing.direction}
+    )
+    return data | dict(zip(NUMBERS, numbers, strict=True))
+
+
+def _csv_line(piece: SweepPiece) -> str:
+    ends = [
+        text
+        for low, high in zip(piece.lower, piece.upper, strict=True)
+        for end in (low, high)
+        for text in (repr(approximate(end)), str(end))
+    ]
+    signs = ["" if sign is None else str(sign) for sign in (piece.lift_off_sign, piece.impact_sign)]
+    words = [piece.kind.value, piece.case or "", *signs, "; ".join(piece.unsure)]
+    bounds = [text for number in piece.numbers for text in _bounds(number)]
+    return ",".join([*ends, *words, *bounds])
+
+
+def _bounds(number: Dyadic | None) -> tuple[str, str]:
+    if number is None:
+        return "", ""
+    lower, upper = float_bounds(number.to_ball())
+    return repr(lower), repr(upper)
+
+
+def _bracket(lower: fmpq, upper: fmpq) -> str:
+    """The range in decimals where its ends are long, rounded outward."""
+    return f"[{_decimal(lower, -1)}, {_decimal(upper, 1)}]"
+
+
+def _decimal(value: fmpq, direction: int) -> str:
+    if len(str(value)) <= _SHORT:
+        return str(value)
+    scaled = value * 10**_DECIMALS
+    whole = int(scaled.floor() if direction < 0 else scaled.ceil())
+    digits = f"{abs(whole):0{_DECIMALS + 1}d}"
+    return f"{'-' if whole < 0 else ''}{digits[:-_DECIMALS]}.{digits[-_DECIMALS:]}"

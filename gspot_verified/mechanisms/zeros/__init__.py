@@ -1,0 +1,1 @@
+"""All zeros of functions in a box, each proved unique."""

@@ -1,0 +1,1 @@
+"""Exact numbers, balls and verdicts: what everything else is said in."""

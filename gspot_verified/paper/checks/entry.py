@@ -1,0 +1,265 @@
+"""One entry of the ledger: a statement of the paper, the checks that were run on it, and the verdict."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
+
+from gspot_verified.numbers.evidence import answered, every, less
+from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
+from gspot_verified.paper.checks.consequences import Consequence, consequence
+from gspot_verified.paper.checks.formal_proof import FormalProof
+from gspot_verified.paper.checks.paper import Citation, citation, with_printed_numbers
+
+
+class Rung(enum.Enum):
+    """What a check rests on, the strongest first: what it can settle and whom a reader must trust.
+
+    >>> Rung.PAGE.settles, Rung.POINTS.settles, Rung.PAGE.short
+    (True, False, 'proof page')
+    """
+
+    FORMAL = "a formal proof, checked by a proof assistant"
+    EXACT = "an exact symbolic identity or a certificate that covers the whole claim"
+    PAGE = "a proof page in proofs/: prose, its steps tested"
+    BALLS = "balls that cover the whole stated set"
+    POINTS = "points only: supports the claim, cannot prove it for all arguments"
+
+    @property
+    def settles(self) -> bool:
+        """True when agreement on this rung alone decides the claim."""
+        return self is not Rung.POINTS
+
+    @property
+    def short(self) -> str:
+        """Two to six words for a table."""
+        return _SHORT[self]
+
+
+_SHORT = {
+    Rung.FORMAL: "formal proof",
+    Rung.EXACT: "exact identity or certificate",
+    Rung.PAGE: "proof page",
+    Rung.BALLS: "balls over the whole set",
+    Rung.POINTS: "points only",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Check(NoTruthValue):
+    """One route to the claim: what was done and what came out.
+
+    ``agrees`` is True when the claim holds on everything this check covers, False when it certainly fails somewhere,
+    None when the check could not tell.
+    """
+
+    ask: ClassVar[str] = ".agrees is True, False or None"
+
+    rung: Rung
+    what: str
+    agrees: bool | None
+    finding: str = ""
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``."""
+        return {
+            "rung": self.rung.name.lower(),
+            "what": self.what,
+            "agrees": self.agrees,
+            "finding": self.finding,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class Entry(NoTruthValue):
+    """A statement of the paper with its verdict.
+
+    ``label`` is the paper's label or "line N" of its source; ``source`` the printed form, transcribed as short LaTeX;
+    ``statement`` the claim in words; ``corrected`` the form that holds when the printed one is refuted, or the
+    condition it needs. ``cited`` has the numbers that the PDF prints and the exact lines of the source. ``code`` is the
+    file and the name of the function that made the entry, "" when it was not made by ``verify_paper``. ``formal`` names
+    the formal theorems that are the claim (or contradict it) and says whether they were proved here. ``from_cache``:
+    the checks were run earlier, on the same sources, and their result was kept.
+    """
+
+    ask: ClassVar[str] = ASK_VERDICT
+
+    identifier: str
+    label: str
+    section: str
+    source: str
+    statement: str
+    checks: tuple[Check, ...]
+    verdict: Verdict
+    corrected: str = ""
+    note: str = ""
+    code: str = ""
+    formal: FormalProof | None = None
+    from_cache: bool = False
+
+    @property
+    def cited(self) -> Citation:
+        """What the label cites: printed numbers and quoted lines; empty for a label that the data do not hold."""
+        return citation(self.label)
+
+    @property
+    def verbatim(self) -> bool:
+        """True when the paper's own lines stand beside the entry; else ``source`` is a transcription alone."""
+        return bool(self.cited.quotations)
+
+    @property
+    def rests_on(self) -> tuple[Rung, ...]:
+        """The rungs that carry the verdict, the strongest first; none for an undecided entry.
+
+        A proved entry rests on the settling rungs whose checks agree; points carry nothing. A refuted one rests on the
+        checks that fail, points too: one certain counterexample is enough, and its two derivations are two checks.
+        """
+        if self.verdict.outcome is Outcome.PROVED:
+            found = {check.rung for check in self.checks if check.agrees is True and check.rung.settles}
+        elif self.verdict.outcome is Outcome.REFUTED:
+            found = {check.rung for check in self.checks if check.agrees is False}
+        else:
+            found = set()
+        return tuple(rung for rung in Rung if rung in found)
+
+    @property
+    def rung(self) -> Rung | None:
+        """The strongest rung that the verdict rests on; ``None`` for an undecided entry."""
+        return next(iter(self.rests_on), None)
+
+    @property
+    def consequence(self) -> Consequence | None:
+        """What follows from the error that a refuted entry shows, where it is recorded."""
+        return consequence(self.identifier) if self.verdict.outcome is Outcome.REFUTED else None
+
+    @property
+    def routes(self) -> tuple[tuple[str, str, bool], ...]:
+        """Each route to the claim: what it rests on, what it is, and whether it was run here."""
+        found = [(check.rung.short, check.what, True) for check in self.checks]
+        if self.formal is not None and not self.formal.run:
+            found.append((Rung.FORMAL.short, ", ".join(name for name, _, _ in self.formal.theorems), False))
+        return tuple(found)
+
+    @property
+    def page_alone(self) -> bool:
+        """True when the verdict rests on a proof page and on nothing else: who doubts the page has no other check."""
+        return self.rests_on == (Rung.PAGE,)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``."""
+        return {
+            "identifier": self.identifier,
+            "label": self.label,
+            "printed": self.cited.printed,
+            "verbatim": self.verbatim,
+            "quotations": [quotation.to_json() for quotation in self.cited.quotations],
+            "lines": [[quotation.first, quotation.last] for quotation in self.cited.quotations],
+            "code": self.code,
+            "from_cache": self.from_cache,
+            "formal": self.formal.to_json() if self.formal is not None else None,
+            "routes": [{"rung": rung, "what": what, "run": run} for rung, what, run in self.routes],
+            "section": self.section,
+            "source": self.source,
+            "statement": self.statement,
+            "checks": [check.to_json() for check in self.checks],
+            "verdict": self.verdict.to_json(),
+            "rung": self.rung.name.lower() if self.rung else None,
+            "rests_on": [rung.name.lower() for rung in self.rests_on],
+            "corrected": self.corrected,
+            "note": self.note,
+            "consequence": found.to_json() if (found := self.consequence) else None,
+        }
+
+
+Builders = Mapping[str, Callable[[], Entry]]
+"""What makes each entry of a part of the paper, by the entry's identifier, in the order of the paper."""
+
+
+def all_of(answers: Iterable[bool | None]) -> bool | None:
+    """Conjunction of three-valued answers: False when one is False, True when all are True, else ``None``.
+
+    ``None`` for no answers at all: a check that looked at nothing shows nothing.
+    """
+    found = list(answers)
+    if not found:
+        return None
+    if any(answer is False for answer in found):
+        return False
+    return True if all(answer is True for answer in found) else None
+
+
+def same_sign(first: int | None, second: int | None) -> bool | None:
+    """Whether two certified signs agree; ``None`` when one of them is not certain."""
+    return None if first is None or second is None else first == second
+
+
+def conclude(statement: str, checks: Sequence[Check], witness: str = "") -> Verdict:
+    """The verdict that two or more checks support.
+
+    - refuted: two different checks fail with certainty (two derivations of a counterexample), and none on a settling
+      rung says that the claim holds;
+    - proved: every check agrees, there are at least two different ones, and one is on a settling rung;
+    - undecided: anything else, and the reason says which: checks that contradict each other, one failure alone, a
+      check that could not tell, points alone, one check alone.
+    """
+    failures = [check for check in checks if check.agrees is False]
+    settling = [check for check in checks if check.agrees is True and check.rung.settles]
+    if failures and settling:
+        detail = f"the checks contradict each other: {settling[0].what} agrees, {failures[0].what} fails"
+        return Verdict.undecided(statement, Reason.CONTRADICTION, detail)
+    if len({check.what for check in failures}) >= 2:
+        first, second = failures[0], next(check for check in failures if check.what != failures[0].what)
+        failed = answered(((check.what, check.agrees) for check in (first, second)), False)
+        evidence = every([failed, less(1, len({first.what, second.what}))])
+        witness = witness or first.finding or first.what
+        return Verdict.refuted(statement, witness, evidence, second.finding or second.what)
+    if failures:
+        return Verdict.undecided(statement, Reason.ONE_FAILURE, f"one check fails: {failures[0].finding}")
+    if any(check.agrees is None for check in checks):
+        open_checks = "; ".join(check.what for check in checks if check.agrees is None)
+        return Verdict.undecided(statement, Reason.BUDGET, f"could not tell: {open_checks}")
+    different = {check.what for check in checks}
+    if len(different) >= 2 and settling:
+        agreed = answered(((check.what, check.agrees) for check in checks), True)
+        evidence = every([agreed, less(1, len(different)), less(0, len(settling))])
+        return Verdict.proved(statement, evidence, "; ".join(check.what for check in checks))
+    if checks and not settling:
+        return Verdict.undecided(statement, Reason.POINTS, "the checks at points alone prove nothing")
+    detail = "there is one check alone" if checks else "there is no check"
+    return Verdict.undecided(statement, Reason.NO_ROUTE, detail)
+
+
+def settled(
+    section: str,
+    identifier: str,
+    label: str,
+    source: str,
+    statement: str,
+    *checks: Check,
+    corrected: str = "",
+    note: str = "",
+) -> Entry:
+    """An entry with the verdict that its checks support; labels of equations in its texts become printed numbers."""
+    statement, corrected, note = (with_printed_numbers(text) for text in (statement, corrected, note))
+    checks = tuple(
+        replace(check, what=with_printed_numbers(check.what), finding=with_printed_numbers(check.finding))
+        for check in checks
+    )
+    return Entry(identifier, label, section, source, statement, checks, conclude(statement, checks), corrected, note)
+
+
+def counts(entries: Sequence[Entry]) -> dict[str, int]:
+    """How many entries have each outcome."""
+    return {outcome.value: sum(e.verdict.outcome is outcome for e in entries) for outcome in Outcome}
+
+
+def rung_counts(entries: Sequence[Entry]) -> dict[str, dict[str, int]]:
+    """For proved and for refuted entries: how many rest on each rung, each entry counted at its strongest one."""
+    return {
+        outcome.value: {
+            rung.name.lower(): sum(e.verdict.outcome is outcome and e.rung is rung for e in entries) for rung in Rung
+        }
+        for outcome in (Outcome.PROVED, Outcome.REFUTED)
+    }

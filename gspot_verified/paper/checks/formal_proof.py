@@ -1,0 +1,102 @@
+"""The formal proofs of ``proofs/coq/``: what a theorem states, and whether this program has them proved now."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from gspot_verified.numbers.verdict import NoTruthValue
+
+ROOT = Path(__file__).resolve().parents[3]
+COQ = ROOT / "proofs" / "coq"
+"""The folder of the repository; an installed package has none."""
+STATED_IN = (
+    "Statement.v",
+    "StatementModels.v",
+    "StatementCompliant.v",
+    "StatementFlight.v",
+    "StatementCertificate.v",
+    "StatementChecker.v",
+)
+"""The files of statements: Theta, boxes, the mechanism at every epsilon, after lift-off, certificates, a checker."""
+_KEPT = ("PATH", "HOME", "TMPDIR", "LANG", "LC_ALL")
+"""What the proofs see of the environment."""
+_PROVED = re.compile(r"^(\w+): (?:no axiom|[\w, ]+)$", re.MULTILINE)
+NOT_ASKED = "verify --formal runs proofs/coq/prove.py, and only what it proves then counts"
+
+
+@dataclass(frozen=True, slots=True)
+class ProofRun(NoTruthValue):
+    """What one run of ``proofs/coq/prove.py`` by this program showed: the theorems; or why it showed none."""
+
+    ask = ".failure is empty where the proofs passed"
+
+    theorems: frozenset[str] = frozenset()
+    failure: str = NOT_ASKED
+
+
+@dataclass(frozen=True, slots=True)
+class FormalProof(NoTruthValue):
+    """Theorems that are the claim of an entry: their names, texts and files, and whether they were proved here."""
+
+    ask = ".run is True or False"
+
+    theorems: tuple[tuple[str, str, str], ...]
+    """Of each its name, its statement and the file that states it; no text and no file where proofs/coq/ is not."""
+    run: bool
+    state: str
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``."""
+        theorems = [{"name": name, "statement": text, "file": file} for name, text, file in self.theorems]
+        return {"theorems": theorems, "run": self.run, "state": self.state}
+
+
+def run_proofs(coq: Path = COQ) -> ProofRun:
+    """Compile the formal proofs and look at their axioms now, by ``prove.py``: minutes.
+
+    A record or a compiled file that lies on the disk is no evidence: who can write one can write a false one. So this
+    run is the evidence, and it is that of the process that asked for it.
+    """
+    script = coq / "prove.py"
+    if not script.is_file():
+        return ProofRun(failure="proofs/coq/ is not here")
+    environment = {name: os.environ[name] for name in _KEPT if name in os.environ}
+    command = [sys.executable, "-IS", str(script)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
+    if done.returncode:
+        said = (done.stdout + done.stderr).strip().splitlines()
+        return ProofRun(failure=f"prove.py ended with {done.returncode}: {said[0] if said else 'it said nothing'}")
+    return ProofRun(frozenset(_PROVED.findall(done.stdout)), "")
+
+
+def formal_proof(names: Sequence[str], proofs: ProofRun, coq: Path = COQ) -> FormalProof:
+    """The theorems of these names with their texts in the files of statements, proved in this run or not.
+
+    :raises ValueError: Statement.v is there, and one of them is not stated.
+    """
+    if not (coq / "Statement.v").is_file():
+        return FormalProof(tuple((name, "", "") for name in names), False, "not run here: proofs/coq/ is not here")
+    theorems = tuple((name, *statement_of(name, coq)) for name in names)
+    missing = [name for name in names if name not in proofs.theorems]
+    why = proofs.failure or (f"prove.py did not prove {', '.join(missing)}" if missing else "")
+    return FormalProof(theorems, not why, f"not run here: {why}" if why else "run here, by proofs/coq/prove.py")
+
+
+def statement_of(name: str, coq: Path = COQ) -> tuple[str, str]:
+    """The definition of a statement, with the comment before it, and the file where it stands.
+
+    :raises ValueError: no file states it.
+    """
+    comment = r"(?:^\(\*\*(?:(?!\*\)).)*\*\)\n)?"
+    pattern = re.compile(rf"{comment}^Definition {re.escape(name)} : Prop :=.*?\.$(?=\n\n|\n?\Z)", re.M | re.S)
+    for file in STATED_IN:
+        if found := pattern.search((coq / file).read_text(encoding="utf-8")):
+            return found[0], file
+    raise ValueError(f"{', '.join(STATED_IN)}: no {name} is stated")

@@ -1,0 +1,123 @@
+"""The paper as it is printed: the number that each label of its source has in the PDF, and quoted lines of the source.
+
+The data are read from the source by the tests (``tests/paper/paper_reader.py``), which compare them with it again.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib import resources
+from typing import Any
+
+_SEPARATOR = r"(?:, | and | to |-|–)"
+
+
+@dataclass(frozen=True, slots=True)
+class Quotation:
+    """Lines ``first`` to ``last`` of the paper's source, exactly."""
+
+    first: int
+    last: int
+    latex: str
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``."""
+        return {"first": self.first, "last": self.last, "latex": self.latex}
+
+
+@dataclass(frozen=True, slots=True)
+class Citation:
+    """What the label of an entry cites: numbers as printed ("" when there are none) and the lines."""
+
+    printed: str = ""
+    quotations: tuple[Quotation, ...] = ()
+
+
+def citation(label: str) -> Citation:
+    """The citation of an entry's label; an empty one for a label that the data do not hold.
+
+    >>> citation("th:5, eq:blarge1").printed
+    'Theorem 6, eq. (A.11)'
+    >>> citation("eq:modelSysDistZY").quotations[0].first
+    604
+    """
+    found = _data()["citations"].get(label)
+    if found is None:
+        return Citation()
+    return Citation(found["printed"], tuple(Quotation(**quotation) for quotation in found["quotations"]))
+
+
+def printed_number(label: str) -> str | None:
+    """What the PDF prints for a label of the source; ``None`` for an equation without a number.
+
+    The theorems, the lemma and the corollary share one counter, so ``th:3`` is not Theorem 3.
+
+    :raises KeyError: the source has no such label.
+
+    >>> printed_number("th:3"), printed_number("eq:btau"), printed_number("eq:modelSysTEliminated")
+    ('Theorem 4', 'eq. (A.1)', None)
+    """
+    number: str | None = _data()["numbers"][label]
+    return number
+
+
+def with_printed_numbers(text: str) -> str:
+    """The text with labels of equations and theorems replaced by the numbers that the PDF prints.
+
+    Every equation's label after "eq." or "eqs." is replaced; without that only one that no word can be mistaken for. An
+    equation without a number keeps its label, and so does a theorem in brackets, as in "Theorem 6 (th:5)".
+
+    >>> with_printed_numbers("eqs. specialX to specialL, and modelSysDev times ε")
+    'eqs. (70) to (76), and eq. (46) times ε'
+    >>> with_printed_numbers("the condition of th:5")
+    'the condition of Theorem 6'
+    """
+    for pattern in _patterns():
+        text = pattern.sub(_numbered, text)
+    return _theorem_pattern().sub(lambda match: str(printed_number(match[0])), text)
+
+
+@lru_cache(maxsize=1)
+def _data() -> dict[str, Any]:
+    text = resources.files("gspot_verified.paper").joinpath("paper_source.json").read_text(encoding="utf-8")
+    data: dict[str, Any] = json.loads(text)
+    return data
+
+
+@lru_cache(maxsize=1)
+def _equations() -> dict[str, str]:
+    """The number in brackets, by the label with and without what stands before its colon."""
+    found: dict[str, str] = {}
+    for label, number in _data()["numbers"].items():
+        if number and number.startswith("eq."):
+            found |= dict.fromkeys((label, label.partition(":")[2] or label), number.removeprefix("eq. "))
+    return found
+
+
+@lru_cache(maxsize=1)
+def _patterns() -> tuple[re.Pattern[str], re.Pattern[str]]:
+    """Labels after "eq.", and bare labels with a colon, a digit, an underscore or an inner capital letter."""
+    names = sorted(_equations(), key=len, reverse=True)
+    bare = [name for name in names if re.search(r"[:\d_]|(?<=[a-z])[A-Z]", name)]
+    pieces = ("|".join(map(re.escape, some)) for some in (names, bare))
+    every, distinct = (rf"(?:{piece})(?![\w+]|:\w)" for piece in pieces)
+    return (
+        re.compile(rf"\b[Ee]qs?\. ({every}(?:{_SEPARATOR}{every})*)"),
+        re.compile(rf"(?<![\w:-])({distinct}(?:{_SEPARATOR}{distinct})*)"),
+    )
+
+
+@lru_cache(maxsize=1)
+def _theorem_pattern() -> re.Pattern[str]:
+    labels = [label for label, number in _data()["numbers"].items() if re.match("Theorem|Lemma", number or "")]
+    return re.compile(rf"(?<![\w:(-])(?:{'|'.join(map(re.escape, labels))})(?!\w)")
+
+
+def _numbered(match: re.Match[str]) -> str:
+    names = sorted(_equations(), key=len, reverse=True)
+    found = re.sub("|".join(map(re.escape, names)), lambda name: _equations()[name[0]], match[1])
+    front = "eqs." if found.count("(") > 1 else "eq."
+    return f"{front[0].upper() if match[0].startswith('E') else front[0]}{front[1:]} {found}"

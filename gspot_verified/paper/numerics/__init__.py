@@ -1,0 +1,1 @@
+"""Numerical results that only the paper needs."""

@@ -1,0 +1,255 @@
+"""Ledger of Section 2: coefficients of restitution of the compliant contact, in the limits that the paper names.
+
+Transcribes the steps of proofs/restitution.md. An impact: forces other than λ_N left out, p > 0 constant. The
+coefficient depends on ρ = k_1/k_2 and ζ = c sqrt(p/k_2) alone.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from flint import arb, fmpq, fmpq_mpoly
+
+from gspot_verified.numbers.balls import ball_text, certainly_less, working_bits
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.identities import Algebra
+from gspot_verified.paper.checks.page import Page
+from gspot_verified.paper.numerics.restitution import elastic_loss, inelastic_bound, restitution
+
+SECTION = "Section 2"
+ALGEBRA = Algebra("y v z rho zeta")
+_SYMBOLS = ALGEBRA.symbols
+MOTION = {"y": "zeta*v", "v": "zeta*(z - y)", "z": "-rho*z - (z - y)"}
+"""ζ times the rates of y, v, z."""
+FORCE = "z - y"
+ELASTIC: dict[str, dict[str, fmpq]] = {
+    "c → 0": {"c": fmpq(-1)},
+    "c → ∞": {"c": fmpq(1)},
+    "k_2 → 0": {"k_2": fmpq(-2)},
+    "k_1 → ∞": {"k_1": fmpq(2)},
+}
+"""k_1, k_2 and c as powers of n → ∞, the others fixed."""
+AT = {"c → 0": (8, 16), "c → ∞": (16, 256), "k_2 → 0": (3, 9), "k_1 → ∞": (3, 9)}
+"""n at which the coefficient is enclosed."""
+LARGEST_LOSS = fmpq(1, 6)
+"""1 - e² at the larger n is below this, and below that at the smaller one."""
+INELASTIC: dict[str, int] = {"k_1": -1, "k_2": 1}
+"""The signs of the powers of n in k_1 → 0, k_2 → ∞."""
+LOSSY = (fmpq(1, 16), fmpq(1, 64))
+"""k_1 = 1/k_2 at which the coefficient is enclosed, with c = p = 1: ρ = k_1², ζ² = k_1."""
+ONE_CONTACT = (fmpq(1), fmpq(10**4))
+"""Two values of p, with k_1 = k_2 = c = 1: ρ = 1, ζ² = p."""
+HEIGHT = fmpq(3, 4)
+"""Between 8/11 and -sin 4 (Theorem Q2)."""
+APART = (fmpq(3, 4), fmpq(9, 10))
+"""e is below the first one and above the second one there."""
+
+
+@lru_cache(maxsize=32)
+def coefficient(rho: fmpq, zeta: fmpq) -> arb:
+    """An enclosure of e."""
+    return restitution(rho, zeta)
+
+
+def rate(value: fmpq_mpoly) -> fmpq_mpoly:
+    """ζ times the derivative along the motion."""
+    return ALGEBRA.derivative(value, {name: ALGEBRA.read(text) for name, text in MOTION.items()})
+
+
+def energy_falls() -> bool:
+    """ζE' = -(ζz')² for E = (v² + Λ² + ρz²)/2."""
+    force = ALGEBRA.read(FORCE)
+    energy = (_SYMBOLS["v"] ** 2 + force**2 + _SYMBOLS["rho"] * _SYMBOLS["z"] ** 2) / 2
+    return (rate(energy) + rate(_SYMBOLS["z"]) ** 2).is_zero()
+
+
+def loss_is_work() -> bool:
+    """H' = Λz' for H = (v² + Λ²)/2."""
+    force = ALGEBRA.read(FORCE)
+    return (rate((_SYMBOLS["v"] ** 2 + force**2) / 2) - force * rate(_SYMBOLS["z"])).is_zero()
+
+
+def one_turn() -> bool:
+    """ζ²z'' = -(1 + ρ)ζz' + ζv: at a zero of z' the sign of z'' is that of v."""
+    speed = rate(_SYMBOLS["z"])
+    return (rate(speed) + (1 + _SYMBOLS["rho"]) * speed - _SYMBOLS["zeta"] * _SYMBOLS["v"]).is_zero()
+
+
+def lag() -> bool:
+    """x = ρz + Λ: ζx' = -(1 + ρ)x - ζv, and (1 + ρ)Λ = x - ρy."""
+    rho, force = _SYMBOLS["rho"], ALGEBRA.read(FORCE)
+    x = rho * _SYMBOLS["z"] + force
+    relaxes = rate(x) + (1 + rho) * x + _SYMBOLS["zeta"] * _SYMBOLS["v"]
+    return relaxes.is_zero() and ((1 + rho) * force - x + rho * _SYMBOLS["y"]).is_zero()
+
+
+def creeps() -> bool:
+    """(1 + ρ)g = (1 + ρ)x + ζv: ζg' = -(1 + ρ)g + ζ²Λ/(1 + ρ)."""
+    rho, zeta, force = _SYMBOLS["rho"], _SYMBOLS["zeta"], ALGEBRA.read(FORCE)
+    g = (1 + rho) * (rho * _SYMBOLS["z"] + force) + zeta * _SYMBOLS["v"]
+    return (rate(g) + (1 + rho) * g - zeta**2 * force).is_zero()
+
+
+def numbers() -> bool | None:
+    """sin 4 < -HEIGHT and 8/11 < HEIGHT: the contact has ended by then."""
+    with working_bits(64):
+        return all_of([certainly_less(arb(4).sin(), arb(-HEIGHT)), fmpq(8, 11) < HEIGHT])
+
+
+COMMON = (energy_falls, one_turn)
+Q2 = Page("restitution", (*COMMON, loss_is_work, lag, numbers))
+Q3 = Page("restitution", (*COMMON, creeps))
+
+
+def loss_vanishes(powers: dict[str, fmpq]) -> bool | None:
+    """Whether one of the bounds of Theorem Q2 on 1 - e² tends to 0 when k_1, k_2, c are these powers of n."""
+    k_1, k_2, c = (powers.get(name, fmpq(0)) for name in ("k_1", "k_2", "c"))
+    rho, zeta = k_1 - k_2, c - k_2 / 2
+    return True if rho > 0 or zeta > 0 or (rho == 0 and zeta < 0) else None
+
+
+def at(powers: dict[str, fmpq], n: int) -> tuple[fmpq, fmpq]:
+    """ρ and ζ for p = 1."""
+    k_1, k_2, c = (powers.get(name, fmpq(0)) for name in ("k_1", "k_2", "c"))
+    return fmpq(n) ** int(k_1 - k_2), fmpq(n) ** int(c - k_2 / 2)
+
+
+def losses(limit: str) -> list[arb]:
+    """1 - e² at the two n."""
+    with working_bits(64):
+        return [1 - coefficient(*at(ELASTIC[limit], n)) ** 2 for n in AT[limit]]
+
+
+def approaches(limit: str) -> bool | None:
+    """Whether 1 - e² falls from the first n to the second, is small there, and obeys the bounds of Theorem Q2."""
+    first, second = losses(limit)
+    bounds = [elastic_loss(*at(ELASTIC[limit], n)) for n in AT[limit]]
+    with working_bits(64):
+        small = [certainly_less(second, first), certainly_less(second, arb(LARGEST_LOSS))]
+        return all_of([*small, certainly_less(first, bounds[0]), certainly_less(second, bounds[1])])
+
+
+def _elastic() -> Entry:
+    found = (f"{limit}: {', '.join(ball_text(loss, 3) for loss in losses(limit))}" for limit in ELASTIC)
+    return settled(
+        SECTION,
+        "2-restitution-elastic",
+        "lines 560 to 566",
+        r"e\to1:\quad c\to0,\ c\to\infty,\ k_2\to0,\ k_1\to\infty",
+        "The energetic coefficient of restitution e of an impact (constant p > 0, λ_N the only force) tends to 1 as "
+        "c → 0, c → ∞, k_2 → 0 or k_1 → ∞, the other constants fixed",
+        Q2.carries(
+            Check(
+                Rung.EXACT,
+                "Theorem Q2: bounds on 1 - e², one of which tends to 0 in each limit",
+                all_of(loss_vanishes(powers) for powers in ELASTIC.values()),
+            )
+        ),
+        Check(
+            Rung.POINTS,
+            "certified values at two places on the way to each limit: 1 - e² falls, and obeys the bounds",
+            all_of(approaches(limit) for limit in ELASTIC),
+            "; ".join(found),
+        ),
+    )
+
+
+def bound_vanishes() -> bool | None:
+    """Whether ζ, sqrt(ρ)/ζ and ρ tend to 0 for k_1 = n^a, k_2 = n^b of the signs of the limit, c and p fixed."""
+    a, b = INELASTIC["k_1"], INELASTIC["k_2"]
+    exponents = (fmpq(-b, 2), fmpq(a, 2), fmpq(a - b))
+    return True if all(exponent < 0 for exponent in exponents) else None
+
+
+def root(p: fmpq) -> fmpq:
+    """The rational square root.
+
+    :raises DomainError: there is none.
+    """
+    return fmpq(p.p.sqrt(), p.q.sqrt())
+
+
+def is_lossy() -> bool | None:
+    """Whether e falls along LOSSY and obeys the bound of Theorem Q3."""
+    places = [(k**2, root(k)) for k in LOSSY]
+    first, second = (coefficient(*place) for place in places)
+    bounds = [inelastic_bound(*place) for place in places]
+    below = [certainly_less(first, bounds[0]), certainly_less(second, bounds[1])]
+    return all_of([certainly_less(second, first), *below])
+
+
+def _inelastic() -> Entry:
+    return settled(
+        SECTION,
+        "2-restitution-inelastic",
+        "lines 566 to 568",
+        r"e\to0:\quad k_1\to0,\ k_2\to\infty",
+        "The coefficient of restitution tends to 0 as k_1 → 0 and k_2 → ∞, however the two are related, with c and "
+        "p > 0 fixed",
+        Q3.carries(
+            Check(
+                Rung.EXACT,
+                "Theorem Q3: e is at most ζ + (1 + ρ) sqrt(ρ)/ζ, with ζ = c sqrt(p/k_2), sqrt(ρ)/ζ = sqrt(k_1/p)/c",
+                bound_vanishes(),
+            )
+        ),
+        Check(
+            Rung.POINTS,
+            f"certified values for c = p = 1, k_1 = 1/k_2 = {' and '.join(map(str, LOSSY))}: e falls, and obeys the "
+            "bound",
+            is_lossy(),
+            ", ".join(ball_text(coefficient(k**2, root(k)), 4) for k in LOSSY),
+        ),
+    )
+
+
+def coefficients() -> tuple[arb, arb]:
+    """e of the contact with k_1 = k_2 = c = 1 for the two p."""
+    first, second = (coefficient(fmpq(1), root(p)) for p in ONE_CONTACT)
+    return first, second
+
+
+def they_differ() -> bool | None:
+    """Whether the two coefficients lie on different sides of the gap."""
+    first, second = coefficients()
+    with working_bits(64):
+        return all_of([certainly_less(first, arb(APART[0])), certainly_less(arb(APART[1]), second)])
+
+
+def the_bound_says_so() -> bool | None:
+    """Whether Theorem Q2 puts the second one above the gap."""
+    with working_bits(64):
+        above = certainly_less(elastic_loss(fmpq(1), root(ONE_CONTACT[1])), arb(1 - APART[1] ** 2))
+        below = certainly_less(coefficients()[0], arb(APART[0]))
+        return all_of([above, below])
+
+
+def _not_fixed() -> Entry:
+    first, second = coefficients()
+    return settled(
+        SECTION,
+        "2-restitution-not-fixed",
+        "lines 568 to 570",
+        r"k_1,\ k_2,\ c\ \text{fixed}\ \not\Rightarrow\ e\ \text{fixed}",
+        f"k_1 = k_2 = c = 1: e < {APART[0]} for p = {ONE_CONTACT[0]} and e > {APART[1]} for p = {ONE_CONTACT[1]}, and "
+        "p depends on the mechanism, on its configuration and on the direction of slip",
+        Check(
+            Rung.BALLS,
+            "e for both p, by the exact motion",
+            they_differ(),
+            f"{ball_text(first, 4)}, {ball_text(second, 4)}",
+        ),
+        Check(
+            Rung.BALLS,
+            "proofs/restitution.md: Theorem Q2 for the larger p, the exact motion for the smaller one",
+            the_bound_says_so(),
+        ),
+    )
+
+
+ENTRIES: Builders = {
+    "2-restitution-elastic": _elastic,
+    "2-restitution-inelastic": _inelastic,
+    "2-restitution-not-fixed": _not_fixed,
+}
+"""The coefficient of restitution."""

@@ -1,0 +1,97 @@
+"""Ledger of Section 3, "Possible dynamics beyond the G-spot": what follows lift-off in the printed simulations.
+
+The runs are those of proofs/flight.md: brackets of both events, and a contact that lasts for ever by an invariant set.
+"""
+
+from __future__ import annotations
+
+from flint import arb, fmpq
+
+from gspot_verified.compliant.model.normal_form import compliant_model
+from gspot_verified.compliant.motion.run import ONE_FLIGHT, Run, compliant_run
+from gspot_verified.compliant.side.side_later import side
+from gspot_verified.numbers.balls import ball_text, certainly_less, sign_of, working_bits
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, same_sign, settled
+from gspot_verified.paper.numerics.paper_state import paper_state
+
+DIGITS = 12
+_SIDE_BITS = 60
+EPSILONS = (fmpq(1, 10**3), fmpq(1, 10**9))
+LIFTING = {fmpq(3, 2): (fmpq(2), fmpq(4)), fmpq(5, 2): (fmpq(1, 4), fmpq(1, 2))}
+"""By β, panels (b) and (c): the simulated ν that lift off."""
+CLAIM = {"events": ONE_FLIGHT}
+"""What a run must have proved about itself."""
+MOST = 300
+POWER = fmpq(4, 3)
+"""The velocity before the impact is below MOST ε^POWER."""
+
+
+def run_of(beta: fmpq, nu: fmpq, epsilon: fmpq) -> Run:
+    """The certified run from the paper's data with ν."""
+    model = compliant_model(beta, epsilon)
+    return compliant_run(model, paper_state(model, nu), DIGITS)
+
+
+def as_claimed(run: Run) -> bool | None:
+    """One flight, a touch-down after the G-spot, and a small velocity downwards there."""
+    if run.verdict.outcome is not Outcome.PROVED:
+        return None
+    if run.verdict.statement != CLAIM["events"] or len(run.events) != 2:
+        return False
+    speed = -run.events[1].velocity
+    with working_bits(64):
+        small = MOST * arb(run.model.epsilon) ** arb(POWER)
+        after = run.events[1].lower > 0
+        return all_of([after, certainly_less(arb(0), speed), certainly_less(speed, small)])
+
+
+def side_at_touch_down(run: Run) -> bool | None:
+    """Whether K > 0 there: necessary for contact that lasts, and found without the invariant sets."""
+    if len(run.events) != 2:
+        return None
+    return same_sign(sign_of(side(run.events[1].state, _SIDE_BITS)), 1)
+
+
+def _one_flight() -> Entry:
+    answers: list[bool | None] = []
+    sides: list[bool | None] = []
+    shown = []
+    for beta, factors in LIFTING.items():
+        for nu in factors:
+            for epsilon in EPSILONS:
+                run = run_of(beta, nu, epsilon)
+                answers.append(as_claimed(run))
+                sides.append(side_at_touch_down(run))
+            if run.events:
+                shown.append(f"β = {beta}, ν = {nu}, ε = {epsilon}: v = {ball_text(run.events[-1].velocity, 6)}")
+    return settled(
+        "Section 3",
+        "3-after-lift-off",
+        "lines 914 to 918",
+        r"\text{lift-off terminates shortly after the G-spot, with an impact of very low normal velocity}",
+        "The simulated runs that lift off, at ε = 10^-3 and 10^-9: exactly one flight, a touch-down "
+        "after the G-spot with 0 < -v < 300 ε^(4/3), and then an impact without collision: contact is not lost again",
+        Check(
+            Rung.BALLS,
+            "proofs/flight.md: certified lift-off and touch-down; the state at touch-down lies in an invariant set in "
+            "which λ_N > 0 for ever, λ_N and -v without bound",
+            all_of(answers),
+            "; ".join(shown),
+        ),
+        Check(
+            Rung.POINTS,
+            "proofs/flight.md, section 6: K > 0 in each state at touch-down, by its contour; K < 0 would mean that "
+            "contact is lost again",
+            all_of(sides),
+        ),
+        note="The last section of the paper leaves open whether contact is lost again, even infinitely often: in the "
+        "model system it is not. On the slow manifold this is proved for every ε <= 1/100 at once, for lift-off late "
+        "enough (proofs/flight.md, section 5).",
+    )
+
+
+ENTRIES: Builders = {
+    "3-after-lift-off": _one_flight,
+}
+"""What follows lift-off."""

@@ -1,0 +1,110 @@
+"""Ledger of Section 3: in Case II a flight does not end. Proof page: proofs/flight.md, Theorem F1 (b)."""
+
+from __future__ import annotations
+
+from flint import fmpq, fmpq_mpoly
+
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.identities import Algebra, rising_signs
+from gspot_verified.paper.checks.page import Page
+from gspot_verified.scenes.certified_run import INTEGRATOR, certified_run
+from gspot_verified.scenes.scene.file import load_scene
+
+ALGEBRA = Algebra("u rate b alpha2 v m w d s")
+"""u: time since lift-off; rate = 1/ε; w = e^(-u/ε); -m = y = z and v at lift-off, m >= 0."""
+_SYMBOLS = ALGEBRA.symbols
+FLIGHT = {"b": "b + alpha2*u", "v": "v + b*u + alpha2*u^2/2", "y": "-m + v*u + b*u^2/2 + alpha2*u^3/6", "z": "-m*w"}
+AT_LIFT_OFF = {"v": "m*rate + d"}
+"""λ_N falls there: z' = m/ε < v, by d > 0."""
+BEGIN = {"u": ALGEBRA.constant(0), "w": ALGEBRA.constant(1)}
+TANGENT = "1 - rate*u"
+"""Of w at lift-off."""
+BETAS = (fmpq(1, 4), fmpq(1, 2), fmpq(9, 10))
+CASE_II = {"alpha_2": fmpq(1)}
+NU, EPSILON = fmpq(1, 4), fmpq(1, 100)
+
+
+def along(value: fmpq_mpoly) -> fmpq_mpoly:
+    """The derivative in u."""
+    return ALGEBRA.derivative(value, {"u": ALGEBRA.constant(1), "w": -_SYMBOLS["rate"] * _SYMBOLS["w"]})
+
+
+def is_free_motion() -> bool:
+    """b' = α_2, v' = b, y' = v, ε z' = -z."""
+    b, v, y, z = (ALGEBRA.read(FLIGHT[name]) for name in "bvyz")
+    rates = (along(b) - _SYMBOLS["alpha2"], along(v) - b, along(y) - v, along(z) + _SYMBOLS["rate"] * z)
+    return all(value.is_zero() for value in rates)
+
+
+def gap() -> fmpq_mpoly:
+    """y - z, with what is known of v at lift-off."""
+    found = ALGEBRA.read(FLIGHT["y"]) - ALGEBRA.read(FLIGHT["z"])
+    return ALGEBRA.substitute(found, {name: ALGEBRA.read(text) for name, text in AT_LIFT_OFF.items()})
+
+
+def opens_convexly() -> bool:
+    """(y - z)'' > 0, y - z = 0 and (y - z)' > 0 at lift-off (w = 1 there)."""
+    nothing, slope = (ALGEBRA.substitute(value, BEGIN) for value in (gap(), along(gap())))
+    return nothing.is_zero() and rising_signs(slope) and rising_signs(along(along(gap())))
+
+
+def is_above_its_tangent() -> bool:
+    """e^(-x) >= 1 - x: w - TANGENT is convex, and 0 at lift-off with its slope."""
+    above = _SYMBOLS["w"] - ALGEBRA.read(TANGENT)
+    begins = [ALGEBRA.substitute(value, BEGIN).is_zero() for value in (above, along(above))]
+    return all(begins) and rising_signs(along(along(above)))
+
+
+def is_a_sum_of_positive_terms() -> bool | None:
+    """y - z with w = 1 - u/ε + s, where s >= 0: every coefficient is positive."""
+    image = {"w": ALGEBRA.read(TANGENT) + _SYMBOLS["s"]}
+    holds = is_free_motion() and is_above_its_tangent() and rising_signs(ALGEBRA.substitute(gap(), image))
+    return True if holds else None
+
+
+def motion_increases() -> bool | None:
+    """b, v and y increase: their rates have positive coefficients."""
+    images = {name: ALGEBRA.read(text) for name, text in AT_LIFT_OFF.items()}
+    rates = [ALGEBRA.substitute(along(ALGEBRA.read(FLIGHT[name])), images) for name in "bvy"]
+    return True if all(rising_signs(rate) for rate in rates) else None
+
+
+def runs_do_not_touch_down() -> bool | None:
+    """Whether certified runs lose contact and do nothing else up to t = 1."""
+    answers = []
+    for beta in BETAS:
+        run = certified_run(load_scene("fig-varsim1", beta=beta, nu=NU, eps=EPSILON, **CASE_II), 12, INTEGRATOR)
+        answers.append(run.fate == "lift-off" if run.verdict.outcome is Outcome.PROVED else None)
+    return all_of(answers)
+
+
+def _persists() -> Entry:
+    return settled(
+        "Section 3",
+        "3-flight-persists",
+        "lines 912 to 914",
+        r"\text{Case II: }\dot b>0,\ b, y, v\text{ increase, lift-off persists}",
+        "In Case II (α_2 > 0) of the model system a flight that begins with b >= 0, y <= 0 and y - z increasing never "
+        "ends, at every ε: b, v and y increase for ever, and y > z",
+        Page("flight", (is_free_motion, opens_convexly)).check(
+            "Theorem F1 (b): y - z begins with a positive slope and is convex"
+        ),
+        Check(
+            Rung.EXACT,
+            "y - z, and the rates of b, v, y, are sums of positive terms, with e^(-x) >= 1 - x",
+            all_of([is_a_sum_of_positive_terms(), motion_increases()]),
+        ),
+        Check(
+            Rung.POINTS,
+            f"certified runs with α_2 = {CASE_II['alpha_2']}, ε = {EPSILON}, ν = {NU}, β = "
+            f"{', '.join(map(str, BETAS))}: lift-off, and no other change of phase until t = 1",
+            runs_do_not_touch_down(),
+        ),
+        note="These runs lift off before p = 0, where b has passed through 0: 3-case-II. With b < 0 at lift-off the "
+        "flight may end.",
+    )
+
+
+ENTRIES: Builders = {"3-flight-persists": _persists}
+"""The flight in Case II."""

@@ -1,0 +1,285 @@
+"""Ledger of Section 3: sentences on the simulations that the exact solution settles.
+
+Oscillations of the contact, the separatrix, Case II, and the end of a flight.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from flint import fmpq, fmpq_mpoly, fmpz_poly
+
+from gspot_verified.compliant.model.normal_form import CompliantModel, CompliantState, compliant_model
+from gspot_verified.compliant.motion.first_zero import first_zero
+from gspot_verified.compliant.side.side_rule import side_rule
+from gspot_verified.numbers.balls import sign_of
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.identities import Algebra, rising_signs
+from gspot_verified.paper.numerics.paper_state import paper_state
+from gspot_verified.paper.section_3 import varsim1
+from gspot_verified.scenes.certified_run import INTEGRATOR, certified_run
+from gspot_verified.scenes.scene.file import load_scene
+from gspot_verified.scenes.scene.run import IMPACT
+
+SECTION = "Section 3"
+ALGEBRA = Algebra("r p Y V Z x y b u alpha2 v z e d")
+_SYMBOLS = ALGEBRA.symbols
+CONTACT = {"Y": "V", "V": "p*(Z - Y)", "Z": "-Z - (Z - Y)"}
+"""modelsys3 to modelsys5 in T = t/ε at fixed p, without b."""
+CUBIC = "r^3 + 2*r^2 + p*r + p"
+"""Its roots r are the rates of the contact: motions e^(r t/ε)."""
+DISCRIMINANT = "-p*(4*p^2 - 13*p + 32)"
+AT = (fmpq(1, 100), fmpq(1, 2), fmpq(2))
+SEPARATED = (fmpq(3, 2), fmpq(5, 2))
+"""The β of panels (b) and (c)."""
+PAIRS = ((fmpq(1, 4), fmpq(4)), (fmpq(1, 2), fmpq(2)))
+"""ν on the two sides of the trivial solution ν = 1."""
+CASE_I = {"alpha_2": "-y", "alpha_3 - alpha_1": "u"}
+"""Case I (Sec. 1) by positive symbols."""
+CASE_II = {"beta": fmpq(1, 2), "alpha_2": fmpq(1)}
+ATTRACTED, OTHERS = (fmpq(2), fmpq(4)), (fmpq(1, 4), fmpq(1, 2))
+"""ν above and below 1: p, b with α_2 p < (α_1 - α_3) b, and not."""
+EPSILONS = (fmpq(1, 1000), fmpq(1, 2000))
+FLIGHT = {"b": "b + alpha2*u", "v": "v + b*u + alpha2*u^2/2", "y": "y + v*u + b*u^2/2 + alpha2*u^3/6"}
+"""Free motion a time u after lift-off from b, v, y; z falls like e^(-u/ε)."""
+
+
+def rates_of_the_contact() -> bool | None:
+    """Whether the cubic is the characteristic polynomial of the contact at fixed p."""
+    rows = []
+    for name in CONTACT:
+        rate = ALGEBRA.read(CONTACT[name])
+        rows.append([rate.derivative(other) - (_SYMBOLS["r"] if other == name else 0) for other in CONTACT])
+    return bool((ALGEBRA.determinant(rows) + ALGEBRA.read(CUBIC)).is_zero())
+
+
+def one_real_root_below_minus_one() -> bool | None:
+    """For every p > 0: a negative discriminant, and a real root in (-2, -1); so the pair has -1/2 < Re r < 0."""
+    cubic = ALGEBRA.read(CUBIC)
+    a, b, c, d = (ALGEBRA.coefficient_of(cubic, "r", power) for power in (3, 2, 1, 0))
+    found = 18 * a * b * c * d - 4 * b**3 * d + b**2 * c**2 - 4 * a * c**3 - 27 * a**2 * d**2
+    at = {place: ALGEBRA.substitute(cubic, {"r": ALGEBRA.constant(place)}) for place in (-2, -1)}
+    negative = found == ALGEBRA.read(DISCRIMINANT) and negative_for_positive_p(found)
+    sum_of_roots = b == 2 * a
+    return negative and sum_of_roots and _opposite(at[-2], at[-1])
+
+
+def negative_for_positive_p(value: fmpq_mpoly) -> bool:
+    """Whether the value is -p (a p² + b p + c) with a > 0 and b² < 4 a c, so that the square never vanishes."""
+    a, b, c = (ALGEBRA.coefficient_of(-value, "p", power) for power in (3, 2, 1))
+    p = _SYMBOLS["p"]
+    whole = (value + p * (a * p**2 + b * p + c)).is_zero()
+    return whole and rising_signs(a) and rising_signs(4 * a * c - b**2)
+
+
+def _opposite(first: fmpq_mpoly, second: fmpq_mpoly) -> bool:
+    return rising_signs(-first) and rising_signs(second)
+
+
+def damped_and_oscillating(p: fmpq) -> bool | None:
+    """The same at one p, from the roots: one real, and a pair with -1/2 < Re r < 0 and Im r not 0."""
+    cubic = ALGEBRA.substitute(ALGEBRA.read(CUBIC), {"p": ALGEBRA.constant(p)})
+    numbers = [ALGEBRA.coefficient_of(cubic, "r", k) * int(p.q) for k in range(4)]
+    roots: Any = fmpz_poly([0 if n.is_zero() else int(n.leading_coefficient().p) for n in numbers]).complex_roots()
+    pair = [root for root, _ in roots if not root.imag.contains(0)]
+    inside = all(-fmpq(1, 2) < root.real and root.real < 0 for root in pair)
+    return len(roots) == 3 and len(pair) == 2 and inside
+
+
+def _oscillations() -> Entry:
+    return settled(
+        SECTION,
+        "3-oscillations",
+        "lines 742 to 746",
+        r"\text{damped oscillations, their frequency diverges to }\infty\text{ as }\epsilon\to0",
+        "At every fixed p > 0 the contact of the model system has motions e^(r t/ε) with a pair r of complex rates, "
+        "-1/2 < Re r < 0, that do not depend on ε: damped oscillations with frequency |Im r|/ε",
+        Check(
+            Rung.EXACT,
+            "the characteristic polynomial r³ + 2r² + p r + p: its discriminant is negative for every p > 0, its real "
+            "root lies in (-2, -1), the sum of the roots is -2",
+            all_of([rates_of_the_contact(), one_real_root_below_minus_one()]),
+        ),
+        Check(
+            Rung.POINTS,
+            "the roots at p = 1/100, 1/2, 2",
+            all_of([rates_of_the_contact(), *(damped_and_oscillating(p) for p in AT)]),
+        ),
+        note="At p = 0 the rates are 0, 0 and -2: the oscillations are slowest there (Sec. 4, inner scale).",
+    )
+
+
+def parted(beta: fmpq, low: fmpq, high: fmpq) -> bool | None:
+    """Whether for every ε up to the stated one the two runs have different fates."""
+    both = [varsim1.for_every_epsilon(beta, nu) for nu in (low, high)]
+    return None if all_of(both) is not True else varsim1.expected(beta, low) != varsim1.expected(beta, high)
+
+
+def sides_differ(beta: fmpq, low: fmpq, high: fmpq) -> bool | None:
+    """Whether K has opposite signs at three ε; K is linear in the deviation, so in ν - 1."""
+    answers: list[bool | None] = []
+    for epsilon in varsim1.POINTS:
+        signs = [sign_of(side_rule(*varsim1.initial_state(beta, nu, epsilon)).side) for nu in (low, high)]
+        answers.append(None if None in signs else set(signs) == {1, -1})
+    return all_of(answers)
+
+
+def _separatrix() -> Entry:
+    places = [(beta, low, high) for beta in SEPARATED for low, high in PAIRS]
+    ranges = ", ".join(f"β = {beta} (every ε <= {varsim1.EPSILON_0[beta]})" for beta in SEPARATED)
+    return settled(
+        SECTION,
+        "3-separatrix",
+        "lines 780 to 781",
+        r"\text{the trivial solution appears to form a separatrix}",
+        f"{ranges}: of the runs ν = 1/4, 1/2 and ν = 2, 4 of fig. varsim1 on the two sides of the trivial solution "
+        "ν = 1, those of one side lift off and those of the other take an impact",
+        Check(Rung.BALLS, "proofs/paper_runs.md, Theorem A'", all_of(parted(*place) for place in places)),
+        Check(
+            Rung.POINTS,
+            "K has opposite signs on the two sides at ε = 10^-3, 10^-6, 10^-12; it is linear in ν - 1",
+            all_of(sides_differ(*place) for place in places),
+        ),
+        note="For data off the slow manifold the separatrix is K = 0, which holds states near the trivial solution "
+        "that are not on it (proofs/first_integrals.md).",
+    )
+
+
+def trivial_force() -> bool | None:
+    """Whether λ_N = α_2/(α_3 - α_1) < 0 in Case I: α_1 = -(u + x), α_3 = -x, α_2 = -y, all positive symbols."""
+    second, difference = (ALGEBRA.read(CASE_I[name]) for name in ("alpha_2", "alpha_3 - alpha_1"))
+    return rising_signs(-second) and rising_signs(difference)
+
+
+def trivial_product() -> bool | None:
+    """Whether b p > 0 on the trivial solution there: b p = α_2/(α_1 - α_3) p², so α_2 (α_1 - α_3) > 0."""
+    return rising_signs(ALGEBRA.read(CASE_I["alpha_2"]) * -ALGEBRA.read(CASE_I["alpha_3 - alpha_1"]))
+
+
+def _trivial_in_case_i() -> Entry:
+    return settled(
+        SECTION,
+        "3-case-I-trivial",
+        "lines 766 to 767",
+        r"bp>0,\text{ implying }\lambda_N<0",
+        "In Case I the trivial solution has b p > 0 and λ_N < 0, for all α's of Case I",
+        Check(Rung.EXACT, "λ_N = α_2/(α_3 - α_1), for all values of the symbols", trivial_force()),
+        Check(Rung.EXACT, "b p = α_2 p²/(α_1 - α_3), for all values of the symbols", trivial_product()),
+    )
+
+
+def case_ii(nu: fmpq, epsilon: fmpq) -> tuple[CompliantModel, CompliantState]:
+    """The initial values of fig. varsim1 with α_2 = 1: the trivial solution has λ_N > 0 and is ν = 1."""
+    model = compliant_model(CASE_II["beta"], epsilon, alpha_2=CASE_II["alpha_2"])
+    return model, paper_state(model, nu)
+
+
+def attracted_takes_an_impact(nu: fmpq, epsilon: fmpq) -> bool | None:
+    """Whether λ_N > 0 from the start on, and grows from some time on: the certified run ends in an invariant region."""
+    scene = load_scene("fig-varsim1", beta=CASE_II["beta"], nu=nu, eps=epsilon, alpha_2=CASE_II["alpha_2"])
+    run = certified_run(scene, 6, INTEGRATOR)
+    return run.fate == IMPACT if run.verdict.outcome is Outcome.PROVED else None
+
+
+def other_lifts_off_before(nu: fmpq, epsilon: fmpq) -> bool | None:
+    """Whether contact is lost at a time before p = 0."""
+    found = first_zero(*case_ii(nu, epsilon), digits=6)
+    return None if found.upper is None else found.upper < 0
+
+
+def side_is(nu: fmpq, epsilon: fmpq, sign: int) -> bool | None:
+    """Whether K has this sign."""
+    found = sign_of(side_rule(*case_ii(nu, epsilon)).side)
+    return None if found is None else found == sign
+
+
+def _case_ii() -> Entry:
+    reached = [(nu, epsilon) for nu in ATTRACTED for epsilon in EPSILONS]
+    lost = [(nu, epsilon) for nu in OTHERS for epsilon in EPSILONS]
+    return settled(
+        SECTION,
+        "3-case-II",
+        "lines 768 to 770",
+        r"\text{Case II: all initial conditions that pass the G-spot take an impact}",
+        "Case II with β = 1/2, α_1 = -1, α_2 = 1, the initial values of fig. varsim1, ε = 1/1000 and 1/2000: ν = 2, 4 "
+        "(attracted to the G-spot) keep contact for ever and take an impact; ν = 1/4, 1/2 lose contact before p = 0",
+        Check(
+            Rung.BALLS,
+            "certified runs by the validated integrator; proofs/force_range.md for the first zero of λ_N before p = 0",
+            all_of(
+                [
+                    *(attracted_takes_an_impact(*run) for run in reached),
+                    *(other_lifts_off_before(*run) for run in lost),
+                ]
+            ),
+        ),
+        Check(
+            Rung.POINTS,
+            "the sign of K of each start",
+            all_of([*(side_is(*run, 1) for run in reached), *(side_is(*run, -1) for run in lost)]),
+        ),
+        note="On the slow manifold for every ε: C-cases-I-II. The paper shows no picture of Case II.",
+    )
+
+
+def free_motion() -> bool | None:
+    """Whether b, v, y of the flight solve b' = α_2, v' = b, y' = v from the state at lift-off."""
+    found = {name: ALGEBRA.read(text) for name, text in FLIGHT.items()}
+    at_zero = {name: ALGEBRA.coefficient_of(value, "u", 0) - _SYMBOLS[name] for name, value in found.items()}
+    rates = [
+        found["b"].derivative("u") - _SYMBOLS["alpha2"],
+        found["v"].derivative("u") - found["b"],
+        found["y"].derivative("u") - found["v"],
+    ]
+    return all(value.is_zero() for value in (*at_zero.values(), *rates))
+
+
+def falls_for_ever(alpha_2_is_negative: bool = True) -> bool | None:
+    """Whether the leading coefficient of y in u is negative: then y < z from some time on, as z → 0."""
+    leading = ALGEBRA.coefficient_of(ALGEBRA.read(FLIGHT["y"]), "u", 3)
+    image = {"alpha2": -_SYMBOLS["x"] if alpha_2_is_negative else _SYMBOLS["x"]}
+    return rising_signs(-ALGEBRA.substitute(leading, image))
+
+
+def below_a_line() -> bool | None:
+    """Whether y < z no later than at an explicit time: y + x u³/6 <= (|b|/2 + |v| + |y|) u² for u >= 1.
+
+    With d = |b|/2 + |v| + |y| and u = 6 (d + e)/x the flight has y <= -e u², for every e > 0, x = -α_2.
+    """
+    x, d, e = _SYMBOLS["x"], _SYMBOLS["d"], _SYMBOLS["e"]
+    leading = ALGEBRA.substitute(ALGEBRA.coefficient_of(ALGEBRA.read(FLIGHT["y"]), "u", 3), {"alpha2": -x})
+    # u = 6 (d + e)/x: d u² + leading u³ = u² (d + 6 leading (d + e)/x)
+    found = d * x + 6 * leading * (d + e)
+    return bool((found + e * x).is_zero())
+
+
+def _flight_ends() -> Entry:
+    return settled(
+        SECTION,
+        "3-flight-ends",
+        "lines 914 to 917",
+        r"\text{in Cases I and III }\dot b<0:\ \text{lift-off always terminates}",
+        "In Cases I and III (α_2 < 0) every flight of the model system ends with a touch-down, at every ε",
+        Check(
+            Rung.EXACT,
+            "y is a cubic with the leading coefficient α_2/6 < 0, z = z_0 e^(-u/ε) → 0: y < z in the end",
+            all_of([free_motion(), falls_for_ever()]),
+        ),
+        Check(
+            Rung.EXACT,
+            "y <= -e u² at u = 6 (|b|/2 + |v| + |y| + e)/|α_2| >= 1, for every e > 0: an explicit time",
+            all_of([free_motion(), below_a_line()]),
+        ),
+        note="That the touch-down comes shortly after the G-spot: 3-after-lift-off.",
+    )
+
+
+ENTRIES: Builders = {
+    "3-oscillations": _oscillations,
+    "3-case-I-trivial": _trivial_in_case_i,
+    "3-case-II": _case_ii,
+    "3-separatrix": _separatrix,
+    "3-flight-ends": _flight_ends,
+}
+"""The sentences, in the order of the paper."""

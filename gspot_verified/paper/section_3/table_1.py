@@ -1,0 +1,289 @@
+"""Ledger of Table 1: every printed exponent, measured and theoretical.
+
+The series of epsilon of the simulations is not printed. A measured number is possible when some series of epsilon up to
+10^-3 gives it, and refuted when no series of small epsilon does, and the decades from 10^-3 to 10^-6 neither.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+
+from flint import arb, fmpq
+
+from gspot_verified.numbers.balls import ball_text, certainly_less, hull, sign_of, working_bits
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.identities import Algebra, in_greek
+from gspot_verified.paper.checks.page import Page
+from gspot_verified.paper.numerics.at_the_g_spot import crossing, deviations
+from gspot_verified.paper.numerics.scaling_exponents import limit_exponent, regression_error, regression_slope
+from gspot_verified.theta_function.value.evaluate import evaluate
+
+SECTION = "Section 3"
+BETAS = (fmpq(1, 2), fmpq(3, 2), fmpq(5, 2))
+NU = fmpq(2)
+
+
+def _row(*texts: str) -> dict[fmpq, str]:
+    return dict(zip(BETAS, texts, strict=True))
+
+
+LINES = {"b": 892, "v": 893, "y": 894, "t": 895}
+MEASURED: dict[str, dict[fmpq, str]] = {
+    "b": _row("0.3326", "0.9982", "1.6635"),
+    "v": _row("0.9983", "1.6652", "2.3396"),
+    "y": _row("1.6538", "2.3384", "2.9808"),
+    "t": _row("0.6650", "0.6656", "0.6659"),
+}
+THEORETICAL: dict[str, dict[fmpq, str]] = {
+    "b": _row("0.3333", "1.0", "1.6667"),
+    "v": _row("1.0", "1.6667", "2.3333"),
+    "y": _row("1.6667", "2.3333", "3.000"),
+    "t": _row("0.6667", "0.6667", "0.6667"),
+}
+FORMULAS = {"b": "2*beta/3", "v": "(2*beta+2)/3", "y": "(2*beta+4)/3", "t": "2/3"}
+DECADES = (1000, 10, 4)
+"""1/epsilon of the first, the ratio of neighbours, how many."""
+SERIES: dict[tuple[str, fmpq], tuple[tuple[int, int, int], ...]] = {
+    ("b", BETAS[0]): (DECADES, (2000, 5, 4)),
+    ("b", BETAS[1]): ((1000, 8, 4), (2000, 3, 5)),
+    ("v", BETAS[0]): (DECADES, (2000, 5, 4)),
+    ("v", BETAS[1]): ((1000, 5, 5), (2000, 10, 3)),
+    ("v", BETAS[2]): ((2000, 3, 4), (2500, 2, 5)),
+    ("y", BETAS[1]): (DECADES, (2500, 3, 5)),
+    ("y", BETAS[2]): ((2000, 3, 5), (2500, 7, 3)),
+    ("t", BETAS[0]): ((2000, 5, 4), (2500, 2, 7)),
+    ("t", BETAS[1]): ((1000, 5, 5), (2500, 2, 7)),
+    ("t", BETAS[2]): ((10000, 5, 5), (20000, 10, 3)),
+}
+"""Series of epsilon that give a printed number; any that does will do, if it begins at BEGIN or below."""
+BEGIN = fmpq(1, 1000)
+LARGEST = fmpq(1, 2500)
+"""Theorem E3 reaches every series of epsilon up to here."""
+TINY = fmpq(1, 10**15)
+"""Below it every series gives the printed limits."""
+CROSSINGS = dict(zip(BETAS, (fmpq(69, 100), fmpq(-31, 100), fmpq(12, 5)), strict=True))
+"""Near a zero of Θ(τ, β); for β = 3/2 of the two that before the G-spot."""
+SYMBOLS = {"b": "b-hat", "v": "v-hat", "y": "y-hat", "t": "the time from p = 0 to b-hat = 0"}
+_ALGEBRA = Algebra("beta")
+_BITS = 96
+_NEAR = fmpq(1, 20)
+
+
+def rounding(text: str) -> tuple[fmpq, fmpq]:
+    """A printed number and half a unit of its fourth decimal, the accuracy of the table."""
+    digits = len(text.partition(".")[2])
+    return fmpq(int(text.replace(".", "")), 10**digits), fmpq(1, 2 * 10**4)
+
+
+def epsilons(series: tuple[int, int, int]) -> list[fmpq]:
+    """The epsilon of a series."""
+    first, ratio, count = series
+    return [fmpq(1, first * ratio**k) for k in range(count)]
+
+
+def value(name: str, beta: fmpq, epsilon: fmpq) -> arb | None:
+    """What is measured: |b-hat|, |v-hat|, |y-hat| at p = 0, or |t| at a zero of b-hat."""
+    found = crossing(beta, NU, epsilon, CROSSINGS[beta]) if name == "t" else deviations(beta, NU, epsilon)[name]
+    return None if found is None else abs(found)
+
+
+def slope(name: str, beta: fmpq, series: tuple[int, int, int]) -> arb | None:
+    """The slope of the regression over a series."""
+    found = [value(name, beta, epsilon) for epsilon in epsilons(series)]
+    with working_bits(_BITS):
+        logarithms = [entry.log() for entry in found if entry is not None]
+        return regression_slope(logarithms, epsilons(series)) if len(logarithms) == len(found) else None
+
+
+def is_the_number(text: str, found: arb | None) -> bool | None:
+    """Whether a ball rounds to the printed number, certainly."""
+    printed, half = rounding(text)
+    if found is None or not found.is_finite():
+        return None
+    with working_bits(_BITS):
+        distance = abs(found - printed)
+        return True if distance < half else False if distance > half else None
+
+
+def can_be_the_number(text: str, name: str, beta: fmpq) -> bool | None:
+    """False when no series of epsilon up to LARGEST gives the printed number; None: E3 does not exclude it."""
+    printed, half = rounding(text)
+    error = regression_error(beta, name, LARGEST)
+    with working_bits(_BITS):
+        return False if certainly_less(error + half, arb(abs(limit_exponent(beta, name) - printed))) else None
+
+
+def text_of(series: tuple[int, int, int]) -> str:
+    """A series in words."""
+    first, ratio, count = series
+    return f"ε = 1/{first} and on, each 1/{ratio} of the one before, {count} in all"
+
+
+def by_series(name: str, beta: fmpq, series: tuple[int, int, int]) -> Check:
+    """Whether the regression over one series gives the printed number; open for a series that begins above BEGIN."""
+    found = slope(name, beta, series) if max(epsilons(series)) <= BEGIN else None
+    finding = "" if found is None else f"{text_of(series)}: {ball_text(found, 8)}"
+    return Check(
+        Rung.BALLS,
+        f"certified values and regression for {text_of(series)}",
+        is_the_number(MEASURED[name][beta], found),
+        finding,
+    )
+
+
+def _front(name: str, beta: fmpq) -> str:
+    return f"Table 1(a): the measured exponent of {SYMBOLS[name]}, β = {beta}, ν = 2, is {MEASURED[name][beta]}:"
+
+
+def _possible(name: str, beta: fmpq) -> Entry:
+    return settled(
+        SECTION,
+        identifier(name, beta),
+        f"line {LINES[name]} (β = {beta})",
+        rf"\gamma={MEASURED[name][beta]}",
+        f"{_front(name, beta)} the slope of the regression over some series of ε <= 10^-3, rounded to four decimals",
+        *(by_series(name, beta, series) for series in SERIES[name, beta]),
+        note=_notes(name, beta),
+    )
+
+
+def _impossible(name: str, beta: fmpq) -> Entry:
+    decades = slope(name, beta, DECADES)
+    return settled(
+        SECTION,
+        identifier(name, beta),
+        f"line {LINES[name]} (β = {beta})",
+        rf"\gamma={MEASURED[name][beta]}",
+        f"{_front(name, beta)} the slope of the regression over some series of ε <= 1/2500 (neighbours at least 1 % "
+        "apart), or over ε = 10^-3, 10^-4, 10^-5, 10^-6, rounded to four decimals",
+        Check(
+            Rung.BALLS,
+            "proofs/scaling_exponents.md, Theorem E3: all series of ε <= 1/2500 at once",
+            can_be_the_number(MEASURED[name][beta], name, beta),
+            f"every such slope is within {ball_text(regression_error(beta, name, LARGEST), 4)} of "
+            f"{limit_exponent(beta, name)}",
+        ),
+        by_series(name, beta, DECADES),
+        corrected="" if decades is None else f"{ball_text(decades, 6)} over ε = 10^-3, 10^-4, 10^-5, 10^-6",
+        note=_notes(name, beta),
+    )
+
+
+def _notes(name: str, beta: fmpq) -> str:
+    found = "The paper does not print its series of ε; the exponent does not depend on ν."
+    if name == "t" and beta == fmpq(3, 2):
+        found += " b-hat vanishes twice; this is the time before the G-spot."
+    if name == "b" and beta == fmpq(5, 2):
+        found += " Between ε = 1/2500 and 1/300 the oscillations of the contact still matter: no power law is seen."
+    return found
+
+
+def identifier(name: str, beta: fmpq) -> str:
+    """The identifier of one measured number."""
+    return f"3-table-1-{name}-{str(beta).replace('/', '_')}"
+
+
+def formula(name: str, beta: fmpq) -> fmpq:
+    """The printed formula at one β."""
+    found = _ALGEBRA.substitute(_ALGEBRA.read(FORMULAS[name]), {"beta": _ALGEBRA.constant(beta)})
+    return found.leading_coefficient()
+
+
+def printed_are(numbers: Mapping[fmpq, fmpq], name: str) -> bool | None:
+    """Whether every printed theoretical number of a row is the rounded one."""
+    pairs = [(numbers[beta], rounding(text)) for beta, text in THEORETICAL[name].items()]
+    return all(abs(number - printed) <= half for number, (printed, half) in pairs)
+
+
+def every_series_gives(name: str) -> bool | None:
+    """Whether each regression over epsilon <= TINY rounds to the printed theoretical numbers."""
+    answers = []
+    for beta, text in THEORETICAL[name].items():
+        error = regression_error(beta, name, TINY)
+        with working_bits(_BITS):
+            answers.append(is_the_number(text, limit_exponent(beta, name) + arb(0, error.abs_upper())))
+    return all_of(answers)
+
+
+def _theoretical(name: str) -> Entry:
+    formulas = {beta: formula(name, beta) for beta in BETAS}
+    limits = {beta: limit_exponent(beta, name) for beta in BETAS}
+    return settled(
+        SECTION,
+        f"3-table-1-theory-{name}",
+        f"line {LINES[name]} (theoretical)",
+        rf"\gamma\to {FORMULAS[name].replace('*', '')}",
+        f"Table 1(b): the exponent of {SYMBOLS[name]} tends to {in_greek(FORMULAS[name])} as ε → 0; its decimals at "
+        f"β = 1/2, 3/2, 5/2 are {', '.join(THEORETICAL[name].values())}",
+        Check(
+            Rung.EXACT,
+            "the printed formula and the powers of C, η and ε in the exact solution, both rounded to the decimals",
+            all_of([printed_are(formulas, name), printed_are(limits, name)]),
+        ),
+        Check(
+            Rung.BALLS,
+            "proofs/scaling_exponents.md, Theorems E1 to E3: every series of ε <= 10^-15 gives the decimals",
+            every_series_gives(name),
+        ),
+    )
+
+
+def zeros_are_simple() -> bool | None:
+    """Theorem E4 needs a simple zero of Θ(τ, β) other than 0 near each place."""
+    return all_of([_simple_zero(beta, place) for beta, place in CROSSINGS.items()])
+
+
+def _simple_zero(beta: fmpq, place: fmpq) -> bool | None:
+    first, last = place - _NEAR, place + _NEAR
+    signs = [sign_of(evaluate(tau, beta).value) for tau in (first, last)]
+    with working_bits(_BITS):
+        slope = evaluate(hull([arb(first), arb(last)]), beta, derivative=1).value
+    if None in signs or sign_of(slope) is None:
+        return None
+    return set(signs) == {-1, 1} and sign_of(slope) != 0 and not first <= 0 <= last
+
+
+def times_follow(ratios: Sequence[fmpq] = (fmpq(1, 10**14), fmpq(1, 10**15))) -> bool | None:
+    """Whether the exponent between two very small epsilon rounds to the printed limit."""
+    answers = []
+    for beta, text in THEORETICAL["t"].items():
+        found = [value("t", beta, epsilon) for epsilon in ratios]
+        with working_bits(_BITS):
+            logarithms = [entry.log() for entry in found if entry is not None]
+            answers.append(is_the_number(text, regression_slope(logarithms, ratios)) if len(logarithms) == 2 else None)
+    return all_of(answers)
+
+
+def _theoretical_time() -> Entry:
+    formulas = {beta: formula("t", beta) for beta in BETAS}
+    return settled(
+        SECTION,
+        "3-table-1-theory-t",
+        f"line {LINES['t']} (theoretical)",
+        r"\gamma\to 2/3",
+        f"Table 1(b): the exponent of {SYMBOLS['t']} tends to {FORMULAS['t']} as ε → 0, for β = 1/2, 3/2, 5/2",
+        Page("scaling_exponents", (zeros_are_simple,)).carries(
+            Check(
+                Rung.EXACT,
+                "Theorem E4: t = (2 ε²)^(1/3) τ at a simple zero τ of G_β, and the decimals",
+                printed_are(formulas, "t"),
+            )
+        ),
+        Check(Rung.POINTS, "certified crossings at ε = 10^-14 and 10^-15", times_follow()),
+        note="For β = 3/2 b-hat vanishes before and after the G-spot; both times scale alike.",
+    )
+
+
+def _builders() -> dict[str, Callable[[], Entry]]:
+    found: dict[str, Callable[[], Entry]] = {}
+    for name in MEASURED:
+        for beta in BETAS:
+            build = _possible if (name, beta) in SERIES else _impossible
+            found[identifier(name, beta)] = partial(build, name, beta)
+        found[f"3-table-1-theory-{name}"] = _theoretical_time if name == "t" else partial(_theoretical, name)
+    return found
+
+
+ENTRIES: Builders = _builders()
+"""The rows of Table 1, each measured number by itself."""

@@ -1,0 +1,248 @@
+"""Ledger of Fig. varsim2: the four runs of the extended system, with tangential motion and stick."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache, partial
+
+from flint import arb, fmpq
+
+from gspot_verified.compliant.model.normal_form import compliant_model
+from gspot_verified.compliant.motion.compliant_force import compliant_force
+from gspot_verified.numbers.balls import approximate, ball_text, sign_of, working_bits
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.numerics.paper_state import paper_state
+from gspot_verified.scenes.certified_run import INTEGRATOR, certified_run
+from gspot_verified.scenes.floats.float_run import float_run
+from gspot_verified.scenes.scene.file import load_scene
+from gspot_verified.scenes.scene.run import IMPACT, SceneRun
+
+SECTION = "Section 3"
+STICK, LIFT_OFF = "stick", "lift-off"
+SCENE = "fig-varsim2"
+FIRST_SLIP = fmpq(70)
+BETA, EPSILON = fmpq(1, 2), fmpq(1, 1000)
+RUNS: dict[tuple[int, fmpq], tuple[str, ...]] = {
+    (0, fmpq(1, 4)): (IMPACT, STICK, LIFT_OFF),
+    (0, fmpq(4)): (IMPACT, STICK, LIFT_OFF),
+    (1, fmpq(1, 4)): (LIFT_OFF,),
+    (1, fmpq(4)): (STICK, LIFT_OFF),
+}
+"""By χ and ν: the events of the figure, with the impact without collision where it is a statement."""
+WITHOUT_STICK = 1
+"""In so many of the four cases lift-off comes without stick."""
+FASTER = (fmpq(200), fmpq(1000))
+"""Initial slip velocities that are "large enough" for ν = 4, too."""
+_NEAR = fmpq(1, 10**9)
+_FLOAT_NEAR = fmpq(1, 10**4)
+_DIGITS, _BITS = 20, 128
+_FLOATS = ("LSODA", 1e-10)
+
+
+@lru_cache(maxsize=16)
+def run_of(chi: int, nu: fmpq, slip: fmpq | None = None) -> SceneRun:
+    """The certified run of the extended system by the integrator; u(0) = 70 where no other is given."""
+    first = FIRST_SLIP if slip is None else slip
+    return certified_run(load_scene(SCENE, chi=chi, nu=nu, u=first, beta=BETA, eps=EPSILON), 12, INTEGRATOR)
+
+
+def names_of(run: SceneRun) -> tuple[str, ...]:
+    """The events of a run in order."""
+    return tuple(event.name for event in run.events)
+
+
+def happens(run: SceneRun, events: tuple[str, ...]) -> bool | None:
+    """Whether a certified run has these events in this order and no other one up to its end."""
+    return names_of(run) == events if run.verdict.outcome is Outcome.PROVED else None
+
+
+def slip_velocity(nu: fmpq, time: fmpq) -> arb:
+    """u at a time after the start for χ = 0, in slip: du/dt = -λ, db/dt = α_2 + β λ, so λ need not be integrated."""
+    model = compliant_model(BETA, EPSILON)
+    state = paper_state(model, nu)
+    there = compliant_force(model, state, state.p / model.alpha_1 + time, _DIGITS)
+    with working_bits(_BITS):
+        return FIRST_SLIP - (there.b - state.b - model.alpha_2 * time) / BETA
+
+
+def sticks_by_the_exact_solution(nu: fmpq) -> bool | None:
+    """Whether u falls through 0 within 10^-9 of the integrator's stick, by the exact solution of the slip phase."""
+    found = [event for event in run_of(0, nu).events if event.name == STICK]
+    if len(found) != 1:
+        return None
+    before, after = (slip_velocity(nu, time) for time in (found[0].lower - _NEAR, found[0].upper + _NEAR))
+    if sign_of(before) is None or sign_of(after) is None:
+        return None
+    return sign_of(before) == 1 and sign_of(after) == -1
+
+
+def floats_agree(chi: int, nu: fmpq) -> bool | None:
+    """Whether a float run has the events of the figure, within 10^-4 of the certified times."""
+    run = run_of(chi, nu)
+    seen = float_run(load_scene(SCENE, chi=chi, nu=nu, u=FIRST_SLIP, beta=BETA, eps=EPSILON), *_FLOATS).events
+    expected = [name for name in RUNS[chi, nu] if name != IMPACT]
+    certified = [event for event in run.events if event.name != IMPACT]
+    if [event.name for event in seen] != expected or len(certified) != len(seen):
+        return False
+    return all(abs(a.lower - b.lower) < _FLOAT_NEAR for a, b in zip(seen, certified, strict=True))
+
+
+def _times(run: SceneRun) -> str:
+    return ", ".join(f"{event.name} at t = {approximate(event.lower):.9g}" for event in run.events)
+
+
+def _run(chi: int, nu: fmpq, second: Check, note: str) -> Entry:
+    return settled(
+        SECTION,
+        identifier(chi, nu),
+        "fig:varsim2",
+        r"\text{squares: slip-stick transitions, circles: lift-off}",
+        f"Fig. varsim2, χ = {chi}, ν = {nu} (ε = {EPSILON}, β = {BETA}, u(0) = {FIRST_SLIP}, up to t = 1): "
+        f"{', '.join(RUNS[chi, nu])}, "
+        "in this order, and no other change of phase",
+        Check(
+            Rung.BALLS,
+            "certified run of the extended system by the validated integrator",
+            happens(run_of(chi, nu), RUNS[chi, nu]),
+            _times(run_of(chi, nu)),
+        ),
+        second,
+        note=f"ε is not in the caption: that of fig. varsim1. {note}".strip(),
+    )
+
+
+def _one_way(nu: fmpq) -> Entry:
+    second = Check(
+        Rung.BALLS,
+        "the exact solution of the slip phase: u falls through 0 within 10^-9 of that stick",
+        sticks_by_the_exact_solution(nu),
+        f"u(0.1) = {ball_text(slip_velocity(nu, fmpq(1, 10)), 8)}",
+    )
+    return _run(0, nu, second, "The impact is listed where λ_N is proved to grow for as long as the contact slips.")
+
+
+def _two_way(nu: fmpq) -> Entry:
+    what = f"a float run ({_FLOATS[0]}): the same events at these times"
+    return _run(1, nu, Check(Rung.POINTS, what, floats_agree(1, nu)), "")
+
+
+def identifier(chi: int, nu: fmpq) -> str:
+    """The identifier of the entry of one run."""
+    return f"3-varsim2-{chi}-{str(nu).replace('/', '_')}"
+
+
+def lift_off_without_stick() -> list[tuple[int, fmpq]]:
+    """The runs in which lift-off comes without stick before it."""
+    found = []
+    for chi, nu in RUNS:
+        names = names_of(run_of(chi, nu))
+        if LIFT_OFF in names and STICK not in names[: names.index(LIFT_OFF)]:
+            found.append((chi, nu))
+    return found
+
+
+def all_proved() -> bool | None:
+    """Whether the four runs are certified up to their end."""
+    return all_of(run_of(chi, nu).verdict.outcome is Outcome.PROVED or None for chi, nu in RUNS)
+
+
+def as_many(found: int) -> bool | None:
+    """Whether this is the number in the caption, for certified runs."""
+    return None if all_proved() is not True else found == WITHOUT_STICK
+
+
+def _caption() -> Entry:
+    found = lift_off_without_stick()
+    drawn = [events for events in RUNS.values() if LIFT_OFF in events and STICK not in events]
+    return settled(
+        SECTION,
+        "3-varsim2-caption",
+        "lines 951 to 952",
+        r"\text{liftoff occurs without slip-stick transition in one out of four cases}",
+        "In one of the four runs (χ = 0, 1; ν = 1/4, 4) the contact lifts off and has not stuck before",
+        Check(
+            Rung.BALLS,
+            "the certified runs, counted",
+            as_many(len(found)),
+            ", ".join(f"χ = {chi}, ν = {nu}" for chi, nu in found),
+        ),
+        Check(
+            Rung.POINTS,
+            "float runs have the events that were counted",
+            all_of([*(floats_agree(chi, nu) for chi, nu in RUNS), len(drawn) == WITHOUT_STICK]),
+        ),
+    )
+
+
+def _continues_to_stick() -> Entry:
+    nus = [nu for chi, nu in RUNS if chi == 0]
+    return settled(
+        SECTION,
+        "3-impact-to-stick",
+        "lines 933 to 935",
+        r"\chi=0:\ \text{the impact continues all the way until the contact sticks}",
+        "χ = 0, ν = 1/4 and 4, as in fig. varsim2: contact lasts from the start on until the contact sticks, and "
+        "λ_N grows from some time after the G-spot on",
+        Check(
+            Rung.BALLS,
+            "certified runs by the validated integrator: no event but the impact before the stick",
+            all_of(happens(run_of(0, nu), RUNS[0, nu]) for nu in nus),
+        ),
+        Check(
+            Rung.BALLS,
+            "the exact solution of the slip phase: u falls through 0 within 10^-9 of that stick",
+            all_of(sticks_by_the_exact_solution(nu) for nu in nus),
+        ),
+    )
+
+
+def _large_slip() -> Entry:
+    stops = [event.lower for event in run_of(1, fmpq(4), FASTER[0]).events]
+    again = [event.lower for event in run_of(1, fmpq(4), FASTER[1]).events]
+    return settled(
+        SECTION,
+        "3-large-slip",
+        "lines 937 to 940",
+        r"\text{for large enough } u(0)\ \text{lift-off occurs before the contact sticks}",
+        "χ = 1: for u(0) large enough the contact lifts off and has not stuck, for ν = 1/4 and for ν = 4; the motion "
+        "in slip does not depend on u",
+        Check(
+            Rung.BALLS,
+            f"certified runs: ν = 1/4 with u(0) = {FIRST_SLIP}, ν = 4 with u(0) = {' and '.join(map(str, FASTER))}, "
+            "lift-off is the only event",
+            all_of(
+                happens(run, (LIFT_OFF,))
+                for run in (run_of(1, fmpq(1, 4)), *(run_of(1, fmpq(4), slip) for slip in FASTER))
+            ),
+            f"ν = 4: lift-off at t = {', '.join(f'{approximate(time):.12g}' for time in stops)}",
+        ),
+        Check(
+            Rung.BALLS,
+            "the lift-off does not move with u(0): the two times for ν = 4 agree to 10^-9",
+            _close(stops, again),
+        ),
+        note="In slip u occurs in no equation but its own: what holds for one u(0) holds for every larger one.",
+    )
+
+
+def _close(first: list[fmpq], second: list[fmpq]) -> bool | None:
+    if not first or len(first) != len(second):
+        return None
+    return all(abs(a - b) < _NEAR for a, b in zip(first, second, strict=True))
+
+
+def _builders() -> dict[str, Callable[[], Entry]]:
+    runs: dict[str, Callable[[], Entry]] = {
+        identifier(chi, nu): partial(_one_way if chi == 0 else _two_way, nu) for chi, nu in RUNS
+    }
+    return {
+        "3-impact-to-stick": _continues_to_stick,
+        "3-large-slip": _large_slip,
+        **runs,
+        "3-varsim2-caption": _caption,
+    }
+
+
+ENTRIES: Builders = _builders()
+"""The sentences on the simulations of the extended system, its four runs, and what the caption counts."""

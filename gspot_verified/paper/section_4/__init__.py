@@ -1,0 +1,1 @@
+"""Sections 4.1 to 4.4 of the paper."""

@@ -1,0 +1,133 @@
+"""Ledger of the trivial solution of the motivating example (Sec. 2)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from flint import fmpq_mpoly
+
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, settled
+from gspot_verified.paper.checks.identities import Claim, Parts
+from gspot_verified.paper.section_2.extended_system import extended_terms
+from gspot_verified.paper.section_4.section_4_outer import ALGEBRA, around, with_c
+from gspot_verified.paper.section_4.section_4_outer import PRINTED as OUTER
+
+_SYMBOLS = ALGEBRA.symbols
+PRINTED: dict[str, dict[str, str]] = {
+    "2-trivial": {"p": "alpha1*t", "b": "c*alpha1*t", "v": "0*t"},
+    "2-trivial-zy": {"z": "-eps^2*c", "y": "-2*eps^2*c"},
+}
+CORRECTED: dict[str, dict[str, str]] = {"2-trivial-zy": {"z": "eps^2*c", "y": "2*eps^2*c"}}
+_WITH_C = "c = α_2/(α_1 - α_3) is a symbol"
+
+
+def _claim(identifier: str) -> Claim:
+    return Claim(ALGEBRA, PRINTED[identifier], CORRECTED.get(identifier, {}))
+
+
+def in_model_system(values: Mapping[str, fmpq_mpoly]) -> list[fmpq_mpoly]:
+    """p(0) = 0 and modelsys1 to modelsys5, times eps^2 where lambda_N = (z - y)/eps^2 enters."""
+    p, b, y, v, z = (values[name] for name in "pbyvz")
+    eps, force = _SYMBOLS["eps"], z - y
+    found = [
+        ALGEBRA.coefficient_of(p, "t", 0),
+        _rate(p) - _SYMBOLS["alpha1"],
+        eps**2 * (_rate(b) - _SYMBOLS["alpha2"]) + _SYMBOLS["alpha3"] * force,
+        _rate(y) - v,
+        eps**2 * (_rate(v) - b) - p * force,
+        eps * _rate(z) + z + force,
+    ]
+    return [with_c(value) for value in found]
+
+
+def recovered(line: fmpq_mpoly, values: Mapping[str, fmpq_mpoly]) -> list[fmpq_mpoly]:
+    """The single equation at b = line, and the given variables against what the recovery formulas make of that b."""
+    nothing = ALGEBRA.constant(0)
+    found = [around(ALGEBRA.read(OUTER["4-eliminated"]["equation"]), line, nothing)]
+    for name, value in values.items():
+        found.append(around(ALGEBRA.read(OUTER["4-recover"][name]), line, nothing) - _SYMBOLS["alpha3"] * value)
+    return found
+
+
+def first_terms() -> dict[str, fmpq_mpoly]:
+    """p_0, b_0, y_0, v_0, z_0 of Theorem 1's recursion for the model system, s as t, alpha2 = c (alpha1 - alpha3)."""
+    terms = extended_terms(1, chi=False)
+    found = {}
+    for name in "pbyvz":
+        powers = (ALGEBRA.bring(a) * _SYMBOLS["t"] ** k for k, a in enumerate(terms[name][0]))
+        found[name] = sum(powers, start=ALGEBRA.constant(0))
+    return found
+
+
+def _rate(value: fmpq_mpoly) -> fmpq_mpoly:
+    return value.derivative("t")
+
+
+def _corrected(name: str) -> fmpq_mpoly:
+    return ALGEBRA.read(CORRECTED["2-trivial-zy"][name])
+
+
+def _printed(name: str) -> fmpq_mpoly:
+    return ALGEBRA.read(PRINTED["2-trivial"][name])
+
+
+def _trivial() -> Entry:
+    this = _claim("2-trivial")
+
+    def single_equation(parts: Parts) -> list[fmpq_mpoly]:
+        p = parts["p"]
+        motion = [_rate(p) - _SYMBOLS["alpha1"], ALGEBRA.coefficient_of(p, "t", 0)]
+        return [*motion, *recovered(parts["b"], {"v": parts["v"]})]
+
+    return settled(
+        "Section 2",
+        "2-trivial",
+        "eqs. modelSysDistP, modelSysDistB, modelSysDistV",
+        r"\bar p=\alpha_1^*t,\quad \bar b=\frac{\alpha_2^*}{\alpha_1^*-\alpha_3^*}\alpha_1^*t,\quad \bar v=0",
+        "The trivial solution of the motivating example for α_1 ≠ α_3 (with the corrected z, y of 2-trivial-zy)",
+        this.check(
+            f"put into modelsys1 to modelsys5; {_WITH_C}",
+            lambda parts: in_model_system({**parts, "z": _corrected("z"), "y": _corrected("y")}),
+        ),
+        this.check(f"b in the single equation modelSysTEliminated, v by modelSysRecoverV; {_WITH_C}", single_equation),
+        this.check(
+            "the terms n = 0 of Theorem 1's recursion with symbols α_1, α_3, c (the later ones: 4-unique)",
+            lambda parts: [parts[name] - first_terms()[name] for name in "pbv"],
+            Rung.POINTS,
+        ),
+    )
+
+
+def _trivial_zy() -> Entry:
+    this = _claim("2-trivial-zy")
+    return settled(
+        "Section 2",
+        "2-trivial-zy",
+        "eq:modelSysDistZY",
+        r"\bar z=\frac{\bar y}2=-\epsilon^2\frac{\alpha_2^*}{\alpha_1^*-\alpha_3^*}",
+        "The deformation of the trivial solution is z = y/2 = -ε² α_2/(α_1 - α_3)",
+        this.check(
+            f"put into modelsys1 to modelsys5; {_WITH_C}",
+            lambda parts: in_model_system({**parts, "p": _printed("p"), "b": _printed("b"), "v": _printed("v")}),
+        ),
+        this.check(
+            "modelSysRecoverZ and Y with b = c α_1 t",
+            lambda parts: recovered(_printed("b"), {"z": parts["z"], "y": parts["y"]}),
+        ),
+        this.check(
+            "the terms n = 0 of Theorem 1's recursion with symbols α_1, α_3, c",
+            lambda parts: [parts[name] - _SYMBOLS["eps"] ** 2 * first_terms()[name] for name in "zy"],
+            Rung.POINTS,
+        ),
+        corrected="z = y/2 = ε² α_2/(α_1 - α_3)",
+        note="In the findings c is α_2/(α_1 - α_3). With the corrected sign λ_N = (z - y)/ε² is α_2/(α_3 - α_1), the "
+        "limit that Sec. 1 states for Case III. "
+        "The example of Section 5 has the right sign: z_0 = -2 for α = (-1, -1, -3/2).",
+    )
+
+
+ENTRIES: Builders = {
+    "2-trivial": _trivial,
+    "2-trivial-zy": _trivial_zy,
+}
+"""The trivial solution of Sec. 2."""

@@ -1,0 +1,1 @@
+"""Section 4.5 of the paper."""

@@ -1,0 +1,212 @@
+"""Ledger of Section 4.5 for the compliant model itself: what holds on its slow manifold at every ε, without the words
+"at leading order".
+
+The page is proofs/monotone.md; its steps on coefficients and exponents are run here exactly.
+"""
+
+from __future__ import annotations
+
+from flint import arb, fmpq
+
+from gspot_verified.compliant.contact.lower_polynomial import lower_terms
+from gspot_verified.compliant.contact.slow_lift_off import slow_lift_off
+from gspot_verified.compliant.contact.threshold import exact_threshold, slow_force
+from gspot_verified.compliant.slow.epsilon_series import series_coefficients
+from gspot_verified.leading_order.contact_force import ContactForce, contact_force
+from gspot_verified.leading_order.iwc import iwc
+from gspot_verified.leading_order.lift_off import lift_off
+from gspot_verified.numbers.balls import approximate, sign_of
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.checks.closed_forms import ClosedForm
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, same_sign, settled
+from gspot_verified.paper.checks.formulas import Forms, FormulaClaim, closed_form, evaluate_text, put
+from gspot_verified.paper.checks.page import Page
+
+SECTION = "Section 4.5"
+PRINTED: dict[str, dict[str, str]] = {
+    "C-cases-I-II": {"side": "1"},
+    "C-iwc-case-III": {"side": "C_1/Gamma(-beta)"},
+    "C-lift-off": {"side": "C_1/Gamma(-beta)"},
+}
+HYPOTHESES: dict[str, dict[str, str]] = {
+    "C-cases-I-II": {"beta": "v", "C_1": "-u"},
+    "C-iwc-case-III": {"beta": "5*v"},
+    "C-lift-off": {"beta": "5*v"},
+}
+DEVIATION = "-C_1/Gamma(1-beta)"
+"""On the slow manifold λ̂ is this times a positive integral (β < 1), and λ̂ minus its value at leading order is this
+times a positive integral (β < 5)."""
+BETAS = (fmpq(3, 2), fmpq(5, 2), fmpq(7, 2))
+EPSILON = fmpq(1, 1000)
+START = fmpq(-10)
+BELOW = fmpq(99, 100)
+"""The ε that is tried is this share of the exact ε_0."""
+_MOST = 12
+
+
+def coefficients_of_the_exponential() -> bool:
+    """c_(k,m) of e^h by multiplying powers of h out, h = Σ (-1)^(j+1) η^j ρ^(j+3)/(2 (j+3)); the signs alternate."""
+    log = [fmpq(0)] + [fmpq((-1) ** (j + 1), 2 * (j + 3)) for j in range(1, _MOST + 1)]
+    power = [fmpq(1)] + [fmpq(0)] * _MOST
+    for m in range(1, _MOST + 1):
+        power = [sum((log[j] * power[k - j] for j in range(1, k + 1)), fmpq(0)) / m for k in range(_MOST + 1)]
+        for k in range(m, _MOST + 1):
+            if series_coefficients(k)[m - 1] != power[k] or not power[k] * (-1) ** (k + m) > 0:
+                return False
+    return True
+
+
+def orders_of_the_polynomial() -> bool:
+    """For each m the terms of P reach ρ^b, the last one is negative, and no term is needed for b < 4."""
+    for twice in range(1, 24, 2):
+        b, terms = fmpq(twice, 2), lower_terms(fmpq(twice, 2))
+        for m in range(1, 4):
+            last = max((t.power for t in terms if t.order == t.power + 3 * m), default=None)
+            if last is None and not 4 * m > b:
+                return False
+            if last is not None and not (last + 1 + 3 * m > b and (last - m) % 2 == 1):
+                return False
+        if b < 4 and terms:
+            return False
+    return True
+
+
+def exponents_of_the_units() -> bool:
+    """−β + 2b/3 = −1 − b/3 for b = β − 1: both sides are linear, so two values settle it."""
+    return all(-beta + 2 * (beta - 1) / 3 == -1 - (beta - 1) / 3 for beta in (fmpq(2), fmpq(7, 2)))
+
+
+MONOTONE = Page("monotone", (coefficients_of_the_exponential, orders_of_the_polynomial, exponents_of_the_units))
+
+
+def _claim(identifier: str) -> FormulaClaim:
+    return FormulaClaim(PRINTED[identifier]).under(**HYPOTHESES[identifier])
+
+
+def _over_the_side(identifier: str, forms: Forms, room: str) -> list[ClosedForm]:
+    """The factor of the positive integral over the side, and what must be positive for it to converge at 0."""
+    images = HYPOTHESES[identifier]
+    return [closed_form(put(DEVIATION, **images)) / forms["side"], closed_form(put(room, **images))]
+
+
+def _cases_one_and_two() -> Entry:
+    values = []
+    for beta in (fmpq(1, 10), fmpq(1, 2), fmpq(9, 10)):
+        force = contact_force(beta, alpha_2=0)
+        values += [slow_force(force, fmpq(tau), epsilon) for tau in (-20, 0, 6) for epsilon in (EPSILON, fmpq(10))]
+    return settled(
+        SECTION,
+        "C-cases-I-II",
+        "lines 1278 to 1291 (Cases I and II)",
+        r"\hat\lambda_N>0\quad(0<\beta<1,\ C_1<0)",
+        "For 0 < β < 1 and C_1 < 0, on the slow manifold of the compliant model, for every ε > 0 and every t: the "
+        "deviation of the contact force is positive and increases from 0 to infinity",
+        MONOTONE.carries(
+            _claim("C-cases-I-II").check_sign(
+                "Theorem A: the deviation is a factor, positive for C_1 < 0, times an integral of a positive function, "
+                "which converges at 0 for β < 1",
+                lambda forms: _over_the_side("C-cases-I-II", forms, "1-beta"),
+            )
+        ),
+        Check(
+            Rung.POINTS,
+            "certified values on the slow manifold at three β, τ = -20, 0, 6, ε = 1/1000 and 10",
+            all_of(same_sign(sign_of(value), 1) for value in values),
+        ),
+        note='S-iwc without the words "at leading order". In Case II the contact holds for every t; in Case I it holds '
+        "for ever once λ_N > 0. Other initial states are not covered.",
+    )
+
+
+def _side_at(identifier: str, force: ContactForce, wanted: int) -> bool | None:
+    side = evaluate_text(PRINTED[identifier]["side"], {"C_1": force.c1, "beta": force.beta}, 64)
+    return same_sign(sign_of(side.real), wanted)
+
+
+def _case_three() -> Entry:
+    answers: list[bool | None] = []
+    shown = []
+    for beta in BETAS:
+        leading = iwc(beta)
+        if leading.epsilon_0 is None:
+            answers.append(None)
+            continue
+        exact = exact_threshold(leading.force, START, leading.epsilon_0, 5)
+        if exact.lower is None or exact.place is None:
+            answers.append(None)
+            continue
+        tried = [slow_force(leading.force, tau, exact.lower * BELOW) for tau in (START, exact.place)]
+        answers += [same_sign(sign_of(value), 1) for value in tried]
+        answers += [True if exact.lower >= leading.epsilon_0 else None, _side_at("C-iwc-case-III", leading.force, 1)]
+        shown.append(f"β = {beta}: ε_0 >= {approximate(exact.lower):.4g}")
+    return settled(
+        SECTION,
+        "C-iwc-case-III",
+        "lines 1304 to 1305 (Case III)",
+        r"\hat\lambda_N>0\quad(C_1/\Gamma(-\beta)>0)",
+        "For 0 < β < 5 not an integer and C_1/Γ(-β) > 0, the contact force on the slow manifold of the compliant model "
+        "is larger than at leading order at every τ and every ε: each ε_0 at leading order holds unchanged",
+        MONOTONE.carries(
+            _claim("C-iwc-case-III").check_sign(
+                "Theorem C: the force minus that at leading order is a factor with the sign of C_1/Γ(-β) times an "
+                "integral of a positive function, which converges at 0 for β < 5",
+                lambda forms: _over_the_side("C-iwc-case-III", forms, "4-(beta-1)"),
+            )
+        ),
+        Check(
+            Rung.POINTS,
+            "the exact ε_0 for τ >= -10 at three values of β, not below that at leading order; certified values of the "
+            "force just below it",
+            all_of(answers),
+            "; ".join(shown),
+        ),
+        note='S-iwc-case-III without the words "at leading order". For 5 < β < 13 an exact ε_0 is found by cells of ε '
+        "(command iwc); at β = 21/4 it is smaller than that at leading order.",
+    )
+
+
+def _lift_off() -> Entry:
+    answers: list[bool | None] = []
+    shown = []
+    for beta in BETAS:
+        force = contact_force(beta, c1=-contact_force(beta).c1)
+        leading = lift_off(force, EPSILON, START, 6)
+        found = slow_lift_off(force, leading, START, 6)
+        proved = found.uniform is not None and found.uniform.outcome is Outcome.PROVED
+        before = found.upper is not None and leading.upper is not None and found.upper <= leading.upper
+        answers += [True if proved and before else None, _side_at("C-lift-off", force, -1)]
+        if found.lower is not None:
+            shown.append(
+                f"β = {beta}: τ_lo = {approximate(found.lower):.4f}, κ = {approximate(arb(found.kappa or 0)):.3g}"
+            )
+    return settled(
+        SECTION,
+        "C-lift-off",
+        "line 1299 (Case III)",
+        r"C_1/\Gamma(-\beta)<0",
+        "For 1 < β < 5 not an integer and C_1/Γ(-β) < 0, the contact force on the slow manifold of the compliant model "
+        "is smaller than at leading order at every τ and every ε: it lifts off, not later than at leading order",
+        MONOTONE.carries(
+            _claim("C-lift-off").check_sign(
+                "Theorem C: the force minus that at leading order is a factor with the sign of C_1/Γ(-β) times an "
+                "integral of a positive function, which converges at 0 for β < 5",
+                lambda forms: _over_the_side("C-lift-off", forms, "4-(beta-1)"),
+            )
+        ),
+        Check(
+            Rung.POINTS,
+            "certified lift-off times at ε = 1/1000, three values of β; for every smaller ε the time lies between "
+            "τ_LO - κ (η/8) τ_LO^(3/2) and τ_LO, that at leading order",
+            all_of(answers),
+            "; ".join(shown),
+        ),
+        note='S-side and S-growth without the words "at leading order": the two bounds make the law of S-growth hold '
+        "for the compliant model, since (η/8) τ_LO^(3/2) tends to 0.",
+    )
+
+
+ENTRIES: Builders = {
+    "C-cases-I-II": _cases_one_and_two,
+    "C-iwc-case-III": _case_three,
+    "C-lift-off": _lift_off,
+}

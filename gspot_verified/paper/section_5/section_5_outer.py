@@ -1,0 +1,179 @@
+"""Ledger of Section 5, the outer system: its fast and its slow part."""
+
+from __future__ import annotations
+
+from flint import fmpq_mpoly
+
+from gspot_verified.paper.checks.entry import Builders, Entry, settled
+from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
+from gspot_verified.paper.section_4 import section_4_fast
+
+SECTION = "Section 5, outer system and matching"
+ALGEBRA = Algebra(
+    "alpha1 alpha2 alpha3 beta eps delta kappa s tau p b y v z lam q G F K w T "
+    "yd vd zd g0 g1 g2 g3 h0 h1 h2 h3 x1 chi a2 a3 d2 d3 c0"
+)
+_SYMBOLS = ALGEBRA.symbols
+_ZERO, _ONE = ALGEBRA.constant(0), ALGEBRA.constant(1)
+PRINTED: dict[str, dict[str, str]] = {
+    "5-outer-system": {"y": "v", "v": "b + p*lam", "z": "-z - lam", "lambda": "z - y"},
+    "5-fast-system": {"y": "v", "v": "-p*y + p*z", "z": "y - 2*z"},
+    "5-fast-polynomial": {"polynomial": "lam^3 + 2*lam^2 + p*lam + p"},
+    "5-slow-manifold": {"y": "2*b", "v": "0*b", "z": "b", "xi": "p*F - G*b", "b": "p*alpha2 + alpha3*b"},
+}  # fmt: skip
+CORRECTED: dict[str, dict[str, str]] = {
+    "5-fast-system": {"v": "-p*y + p*z + b"},
+}
+
+
+def _claim(identifier: str) -> Claim:
+    return Claim(ALGEBRA, PRINTED[identifier], CORRECTED.get(identifier, {}))
+
+
+def put(value: fmpq_mpoly, **texts: str) -> fmpq_mpoly:
+    """The value with formulas in place of some symbols."""
+    return ALGEBRA.substitute(value, {name: ALGEBRA.read(text) for name, text in texts.items()})
+
+
+def _jacobian(values: list[fmpq_mpoly]) -> list[list[fmpq_mpoly]]:
+    return [[value.derivative(name) for name in "yvz"] for value in values]
+
+
+def _outer_system() -> Entry:
+    this = _claim("5-outer-system")
+    eps = _SYMBOLS["eps"]
+
+    def general(parts: Parts) -> list[fmpq_mpoly]:
+        # genSysY to genSysLN in y = eps^2 y_o, v = eps v_o, z = eps^2 z_o; yd, vd, zd are eps times the derivatives.
+        y, v, z = (
+            ALGEBRA.read(text) for text in ("eps*yd - eps*v", "vd - (b + p*lam)", "eps^2*zd + eps^2*z + eps^2*lam")
+        )
+        force = ALGEBRA.read("eps^2*lam - (eps^2*z - eps^2*y)")
+        return [
+            y - eps * (_SYMBOLS["yd"] - parts["y"]),
+            v - (_SYMBOLS["vd"] - parts["v"]),
+            z - eps**2 * (_SYMBOLS["zd"] - parts["z"]),
+            force - eps**2 * (_SYMBOLS["lam"] - parts["lambda"]),
+        ]
+
+    def inner(parts: Parts) -> list[fmpq_mpoly]:
+        # From specialY to specialL: y~ = y_o, v~ = delta^(-1) v_o, b~ = delta^(-2) b, p~ = delta^(-2) p, and
+        # d/ds = delta^(-1) eps d/dt. Each times a power of delta.
+        delta = _SYMBOLS["delta"]
+        return [
+            delta * parts["y"] - ALGEBRA.read("delta*v"),
+            delta**2 * parts["v"] - ALGEBRA.read("delta^2*b + delta^2*p*lam"),
+            parts["z"] + ALGEBRA.read("z + lam"),
+            parts["lambda"] - ALGEBRA.read("z - y"),
+        ]
+
+    return settled(
+        SECTION,
+        "5-outer-system",
+        "lines 1926 to 1935",
+        r"\epsilon\dot y_o=v_o,\ \epsilon\dot v_o=b+p\lambda_N,\ \epsilon\dot z_o=-z_o-\lambda_N,\ \lambda_N=z_o-y_o",
+        "The outer variables turn genSysY to genSysLN into a fast-slow system",
+        this.check("ε² y_o, ε v_o, ε² z_o put into genSysY to genSysLN", general),
+        this.check("from the inner form specialY to specialL", inner),
+    )
+
+
+def _fast_system() -> Entry:
+    this = _claim("5-fast-system")
+
+    def right_sides(parts: Parts) -> list[fmpq_mpoly]:
+        outer = PRINTED["5-outer-system"]
+        return [put(ALGEBRA.read(outer[name]), lam=outer["lambda"]) - parts[name] for name in "yvz"]
+
+    def equilibrium(parts: Parts) -> list[fmpq_mpoly]:
+        # The slow manifold y_o = 2 b/p, v_o = 0, z_o = b/p must be its equilibrium; b = p q.
+        return [put(parts[name], b="p*q", y="2*q", v="0*q", z="q") for name in "yvz"]
+
+    return settled(
+        SECTION,
+        "5-fast-system",
+        "line 1942",
+        r"\epsilon(\dot y_o,\dot v_o,\dot z_o)^T=M(y_o,v_o,z_o)^T",
+        "With ξ, p, b constant the fast system is M (y_o, v_o, z_o)",
+        this.check("the right-hand sides of the outer system with λ_N = z_o - y_o", right_sides),
+        this.check("the equilibrium: the slow manifold of line 1969", equilibrium),
+        corrected="M (y_o, v_o, z_o) + (0, b, 0): the constant b is left out. M itself is right, and so are its "
+        "eigenvalues and the conclusions on stability",
+        note="As printed it holds for the deviations from the slow manifold, or for b = 0. In the findings q = b/p.",
+    )
+
+
+def _fast_polynomial() -> Entry:
+    this = _claim("5-fast-polynomial")
+    matrix = _jacobian([ALGEBRA.read(PRINTED["5-fast-system"][name]) for name in "yvz"])
+    lam = _SYMBOLS["lam"]
+    rows = [[lam * int(i == j) - value for j, value in enumerate(row)] for i, row in enumerate(matrix)]
+
+    def eigenvector(parts: Parts) -> list[fmpq_mpoly]:
+        # The first and the third row of lambda I - M vanish on it; the second gives the polynomial.
+        vector = [ALGEBRA.read("lam+2"), ALGEBRA.read("lam*(lam+2)"), _ONE]
+        images = [sum((a * b for a, b in zip(row, vector, strict=True)), start=_ZERO) for row in rows]
+        return [images[0], images[2], images[1] - parts["polynomial"]]
+
+    def section_4(parts: Parts) -> list[fmpq_mpoly]:
+        return [parts["polynomial"] - ALGEBRA.read(section_4_fast.CUBIC)]
+
+    return settled(
+        SECTION,
+        "5-fast-polynomial",
+        "lines 1949 to 1957",
+        r"\det(\lambda I-M)=\lambda^3+2\lambda^2+p\lambda+p",
+        "The characteristic polynomial of M, and that it is the one of Section 4",
+        this.check(
+            "determinant of λ I - M", lambda parts: [ALGEBRA.determinant(rows) - parts["polynomial"], *section_4(parts)]
+        ),
+        this.check("an eigenvector ((λ + 2), λ (λ + 2), 1)", lambda parts: [*eigenvector(parts), *section_4(parts)]),
+        note="Its roots for p > 0 and for p < 0: entries 4-stable and 4-saddle.",
+    )
+
+
+def _slow_manifold() -> Entry:
+    this = _claim("5-slow-manifold")
+
+    def balance(parts: Parts) -> list[fmpq_mpoly]:
+        # The parts are p times the printed right-hand sides; the force is lambda = z_o - y_o.
+        y, v, z = parts["y"], parts["v"], parts["z"]
+        force = z - y
+        return [
+            v, _SYMBOLS["b"] + force, z + force,
+            parts["xi"] - ALGEBRA.read("p*F") - _SYMBOLS["G"] * force,
+            parts["b"] - ALGEBRA.read("p*alpha2") + _SYMBOLS["alpha3"] * force,
+        ]  # fmt: skip
+
+    def cramer(parts: Parts) -> list[fmpq_mpoly]:
+        outer = PRINTED["5-outer-system"]
+        # The fast part of the outer system is linear: M x = -(its value at 0); det M = -p.
+        sides = [put(ALGEBRA.read(outer[name]), lam=outer["lambda"]) for name in "yvz"]
+        matrix, right = _jacobian(sides), [-put(side, y="0*y", v="0*v", z="0*z") for side in sides]
+        determinant = ALGEBRA.determinant(matrix)
+        found = []
+        for j, name in enumerate("yvz"):
+            replaced = [[*row[:j], value, *row[j + 1 :]] for row, value in zip(matrix, right, strict=True)]
+            found.append(_SYMBOLS["p"] * ALGEBRA.determinant(replaced) - determinant * parts[name])
+        # p times F + G lambda and alpha2 - alpha3 lambda, with p lambda = -b.
+        slopes = {"xi": put(ALGEBRA.read("p*F + G*K"), K="-b"), "b": put(ALGEBRA.read("p*alpha2 - alpha3*K"), K="-b")}
+        return [*found, *(parts[name] - value for name, value in slopes.items())]
+
+    return settled(
+        SECTION,
+        "5-slow-manifold",
+        "lines 1968 to 1978",
+        r"y_o=2b/p,\ v_o=0,\ z_o=b/p;\quad \dot\xi=F-Gb/p,\ \dot b=\alpha_2+\alpha_3b/p",
+        "The slow manifold and the slow dynamics on it",
+        this.check("the outer system at ε = 0, times p", balance),
+        this.check("Cramer's rule for the equilibrium, and λ_N = -b/p (eq. pain_par+)", cramer),
+    )
+
+
+ENTRIES: Builders = {
+    "5-outer-system": _outer_system,
+    "5-fast-system": _fast_system,
+    "5-fast-polynomial": _fast_polynomial,
+    "5-slow-manifold": _slow_manifold,
+}
+"""The outer system, in the order of the paper."""

@@ -1,0 +1,122 @@
+"""Ledger of Section 5: the sign of C_1/Γ(-β) decides lift-off or impact, for the extended example and all small ε.
+
+Proof page: proofs/uniform.md, Theorem U2.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import lru_cache
+
+from flint import arb, fmpq
+
+from gspot_verified.expansion.series.legend import DELTA_FACTORS
+from gspot_verified.expansion.trajectory import expand_system
+from gspot_verified.expansion.true_solutions.side import UniformSide, uniform_side
+from gspot_verified.numbers.balls import ball, ball_text, working_bits
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.scenes.floats.float_run import float_run
+from gspot_verified.scenes.scene.file import load_scene
+from gspot_verified.scenes.scene.run import IMPACT
+from gspot_verified.scenes.scene.scene import Scene
+from gspot_verified.signs.gamma.side import gamma_sign
+from gspot_verified.testing import extended_example
+
+LIFT_OFF = "lift-off"
+BETA, COUPLING, ORDER = fmpq(3, 2), 1, 8
+LARGEST_DELTA, WITHIN, FORCE = fmpq(1, 50), fmpq(1, 1000), 10
+AMOUNTS = (fmpq(-1), fmpq(1))
+"""C_1."""
+FIRST_EVENT = {-1: LIFT_OFF, 1: IMPACT}
+"""By the sign of C_1/Γ(-β)."""
+FLOATS = ("LSODA", 1e-8)
+SMALLER = (fmpq(1), fmpq(1, 4))
+"""Float runs are made at these fractions of the largest δ."""
+_UNTIL = 25
+_BITS = 128
+
+
+@lru_cache(maxsize=4)
+def side_of(amount: fmpq) -> UniformSide:
+    """What becomes of the family with this C_1, for every δ up to the largest one."""
+    trajectory = expand_system(extended_example(chi=COUPLING, alpha=(-1, -1, f"-{BETA}")), ORDER)
+    return uniform_side(trajectory, amount, LARGEST_DELTA, within=WITHIN, force=FORCE)
+
+
+def expected(amount: fmpq) -> str | None:
+    """The first event by the rule."""
+    sign = gamma_sign(BETA)
+    return None if sign is None else FIRST_EVENT[sign * (1 if amount > 0 else -1)]
+
+
+def is_as_expected(amount: fmpq) -> bool | None:
+    """Whether the whole family takes the side of the rule."""
+    found = side_of(amount)
+    if found.verdict.outcome is not Outcome.PROVED:
+        return None
+    return {LIFT_OFF: LIFT_OFF, "impact": IMPACT}[str(found.side)] == expected(amount)
+
+
+def member(amount: fmpq, delta: fmpq) -> Scene:
+    """The middle of the family at one δ, as a start of the extended system."""
+    found = side_of(amount)
+    with working_bits(_BITS):
+        values = found.trajectory.evaluate(found.start, delta, 20)
+        size = ball(delta) ** ball(2 * (BETA - 1))
+        moved = dict(zip("pbyv", found.deviation[-4:], strict=True))
+        moved["z"] = moved["y"] / 2
+        start = {
+            name: middle((values[name] + size * moved[name]) * ball(delta) ** DELTA_FACTORS[name]) for name in moved
+        }
+    scene = load_scene("fig-varsim2", beta=BETA, chi=COUPLING, eps=delta**3, until=_UNTIL * delta**2, **start)
+    return replace(scene, stop_at_force=fmpq(FORCE))
+
+
+def middle(value: arb) -> fmpq:
+    """The midpoint of a ball."""
+    mantissa, exponent = value.mid().man_exp()
+    return fmpq(mantissa) * fmpq(2) ** int(exponent)
+
+
+def float_runs_agree(amount: fmpq) -> bool | None:
+    """Whether float runs of members have the event of the rule first."""
+    runs = (float_run(member(amount, LARGEST_DELTA * part), *FLOATS) for part in SMALLER)
+    return all_of(bool(run.events) and run.events[0].name == expected(amount) for run in runs)
+
+
+def _latest(amount: fmpq) -> str:
+    found = side_of(amount)
+    if found.entered is None:
+        return "nothing is proved"
+    return f"C_1 = {amount}: {found.side}, at ε_0 before s = {ball_text(found.latest(LARGEST_DELTA), 3)}"
+
+
+def _side() -> Entry:
+    return settled(
+        "Section 5, matching",
+        "5-side",
+        "lines 2087 to 2092",
+        r"\text{the same conditions (dTheta\_sign) determine whether lift-off or IWC occur}",
+        f"The extended example, χ = {COUPLING}, β = {BETA}, for every ε <= {LARGEST_DELTA**3} at once: all states "
+        f"within {WITHIN} ε^({2 * (BETA - 1) / 3}) of the expansion of order {ORDER} and the slow deviation with C_1 "
+        f"at t = -ε^(2/3), scaled, lose contact for C_1 = -1; for C_1 = 1 λ_N grows past {FORCE} times the mean force, "
+        "with p < 0",
+        Check(
+            Rung.BALLS,
+            "proofs/uniform.md, Theorem U2: a tube around the expansion, then a cone",
+            all_of(is_as_expected(amount) for amount in AMOUNTS),
+            "; ".join(_latest(amount) for amount in AMOUNTS),
+        ),
+        Check(
+            Rung.POINTS,
+            f"float runs ({FLOATS[0]}) of the middle of each family at ε = "
+            f"{' and '.join(str((LARGEST_DELTA * part) ** 3) for part in SMALLER)}",
+            all_of(float_runs_agree(amount) for amount in AMOUNTS),
+        ),
+        note="At leading order in ε, for every β: S-side and S-iwc. Contact may be lost after such an impact, too.",
+    )
+
+
+ENTRIES: Builders = {"5-side": _side}
+"""The side of stated families for all small ε."""

@@ -1,0 +1,270 @@
+"""Ledger of Section 5: the spaces of the lemma, of Theorem 1 and of the corollary, for every order at once.
+
+A shift (e, o) says: the term of order n = 2 nu is in P_(nu + e), that of order n = 2 nu + 1 in P_(nu + o). Shifts do
+not depend on nu, so a statement on shifts holds for every n. P_a with a < 0 is {0}, which lies in every space. The
+second route is in t and eps (``powers_of_eps``). Page: proofs/expansion.md.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.identities import Algebra
+from gspot_verified.paper.checks.page import Page
+from gspot_verified.paper.section_2.extended_system import extended_terms
+from gspot_verified.paper.section_4.powers_of_eps import exponents, later, progressions, sums
+from gspot_verified.paper.section_5 import explicit_expansions as explicit
+from gspot_verified.paper.section_5.double_series import POWER_OF_DELTA, example_series
+from gspot_verified.paper.section_5.explicit_expansions import LEMMA, SPACES, Shift
+
+SECTION = "Section 5, Theorem 1"
+UNSCALED = {"xi": 2, "p": 2, "b": 2, "y": 6, "v": 4, "z": 6, "lambda_n": 0}
+"""The powers of delta in front of the scaled variables, lines 1385 to 1390."""
+INDICES = Algebra("n k nu sigma rho")
+LOWEST = {"highest k": "n - 2", "order of xi_k": "k + 2"}
+"""Lemma 2, first part: f_n depends on xi_k up to this k, where xi_k delta^(k + 2) stands in xi - xi*."""
+COROLLARY = {
+    "even": {"delta": "2*nu + 2", "rho": "nu + 1 - 3*sigma", "eps": "2*sigma", "t": "nu + 1 - 3*sigma"},
+    "odd": {"delta": "2*nu + 3", "rho": "nu - 3 - 3*sigma", "eps": "3 + 2*sigma", "t": "nu - 3 - 3*sigma"},
+}
+"""Lines 1803 to 1840, for p: the power of delta in front of s^rho, the exponents rho, and those of eps and t."""
+
+
+def times(left: Shift, right: Shift) -> list[tuple[int, int]]:
+    """The cases (parity of the order, index minus nu) of the terms of a product."""
+    # (2 a) + (2 b) = 2 (a + b); (2 a) + (2 b + 1) = 2 (a + b) + 1; (2 a + 1) + (2 b + 1) = 2 (a + b + 1).
+    return [(0, left[0] + right[0]), (1, left[0] + right[1]), (1, left[1] + right[0]), (0, left[1] + right[1] - 1)]
+
+
+def lies_in(cases: Iterable[tuple[int, int]], target: Shift) -> bool:
+    """Whether each P_(nu + index) is a part of the target's space: not higher, and congruent modulo 3."""
+    return all(index <= target[parity] and (target[parity] - index) % 3 == 0 for parity, index in cases)
+
+
+def moved(shift: Shift, by: int, later_orders: int = 0) -> list[tuple[int, int]]:
+    """The cases after ``by`` more powers of s, taken from ``later_orders`` orders before (order n - later)."""
+    cases = []
+    for parity in (0, 1):
+        other = (parity - later_orders) % 2
+        nu_before = (parity - later_orders - other) // 2  # relative to nu
+        cases.append((parity, shift[other] + nu_before + by))
+    return cases
+
+
+def dependence() -> bool:
+    """The order n - (k + 2) of df/dxi_k in f_n: 0 at the highest k and negative beyond, for every n."""
+    n, k, highest = INDICES.symbols["n"], INDICES.symbols["k"], INDICES.read(LOWEST["highest k"])
+    left = n - INDICES.read(LOWEST["order of xi_k"])
+    beyond = INDICES.substitute(left, {"k": highest + k})
+    return INDICES.substitute(left, {"k": highest}).is_zero() and bool(beyond == -k)
+
+
+def products_of_factors() -> bool:
+    """A product of m factors ξ_k has the order n = Σ (k + 2): k = n - 2 for m = 1, and less for m > 1.
+
+    rho >= 0 is the sum of the other k, nu + 1 the number of the other factors, for m > 1: n - 2 - k = rho + 2 nu + 2.
+    """
+    order = INDICES.read(LOWEST["order of xi_k"])
+    others = INDICES.substitute(order, {"k": INDICES.symbols["rho"]}) + 2 * INDICES.symbols["nu"]
+    highest = INDICES.read(LOWEST["highest k"])
+    alone = INDICES.substitute(highest, {"n": order}) - INDICES.symbols["k"]
+    below = INDICES.substitute(highest, {"n": order + others}) - INDICES.symbols["k"]
+    return alone.is_zero() and bool(below == INDICES.read("rho + 2*nu + 2"))
+
+
+def lemma_by_induction() -> bool:
+    """One more factor xi_k, of weight k + 2, leads from the lemma's space to itself; a factor and a constant too."""
+    function = LEMMA["f"]
+    factor = moved(SPACES["xi"], 0, 2)  # xi_k counted at the order k + 2
+    as_shift = (factor[0][1], factor[1][1])
+    return lies_in(factor, function) and lies_in(times(as_shift, function), function) and lies_in([(0, 0)], function)
+
+
+def lemma_by_powers_of_eps() -> bool:
+    """xi - xi* has no powers of eps that f may not have, and those of f are closed under addition and hold 0."""
+    state, function = exponents(SPACES["xi"], UNSCALED["xi"]), exponents(LEMMA["f"], 0)
+    if state is None or function is None:
+        return False
+    # The lemma states exactly the powers that occur: sums of those of xi, and 0.
+    return 0 in function and state <= function and sums(function, function) <= function and function <= state | {0}
+
+
+def steps() -> dict[str, bool]:
+    """Each step of the induction, for every nu at once (proofs/expansion.md, section 4)."""
+    function, force, target = LEMMA["f"], SPACES["lambda_n"], SPACES["b"]
+    deformation = [lies_in(moved(SPACES["z"], -1, 1), SPACES[name]) for name in ("y", "z")]
+    return {
+        "p_n": lies_in(moved(function, 1), SPACES["p"]),
+        "r_b and r_xi": lies_in(times(function, force), function),
+        "r_v": lies_in(times(SPACES["p"], force), target),
+        "r_n": lies_in(moved(function, -2), target)
+        and lies_in(moved(SPACES["z"], -3, 1), target)
+        and lies_in(moved(function, 1), target),
+        # b_n is where r_n is: L is a bijection of every P_a (section 3).
+        "lambda_n": lies_in(moved(SPACES["b"], -1), force) and lies_in(moved(function, 0), force),
+        "y_n, z_n": all(deformation) and all(lies_in(moved(force, 0), SPACES[name]) for name in ("y", "z")),
+        "v_n": lies_in(moved(SPACES["y"], -1), SPACES["v"]),
+        "xi_n": lies_in(moved(function, 1), SPACES["xi"]),
+        # At s = 0: the terms of order n + 2 of functions, p_n, b_n, y_(n-4), v_(n-2) are in the space of xi_n.
+        "xi_n(0)": lies_in(moved(function, 0, -2), SPACES["xi"])
+        and lies_in(moved(SPACES["y"], 0, 4), SPACES["xi"])
+        and lies_in(moved(SPACES["v"], 0, 2), SPACES["xi"])
+        and all(lies_in(moved(SPACES[name], 0), SPACES["xi"]) for name in ("p", "b")),
+    }
+
+
+def steps_in_powers_of_eps() -> bool:
+    """The same steps for the unscaled variables in t and eps; derivatives in t do not change powers of eps."""
+    found = {name: exponents(SPACES[name], UNSCALED[name]) for name in SPACES}
+    function = exponents(LEMMA["f"], 0)
+    e = {name: value for name, value in found.items() if value is not None}
+    if function is None or len(e) != len(found):
+        return False
+    deformation = later(e["lambda_n"], 2) | later(e["z"], 1)  # z = -eps^2 lambda - eps z'
+    return (
+        function == e["p"] == e["b"] == e["xi"] == e["lambda_n"]
+        and sums(function, e["lambda_n"]) | sums(e["p"], e["lambda_n"]) | later(e["b"], 2) <= e["b"]
+        and later(e["z"], 1) <= e["b"]
+        and deformation == e["z"] == e["y"] == e["v"]
+        and e["y"] | e["v"] <= e["xi"]
+    )
+
+
+def _lemma_orders() -> Entry:
+    return settled(
+        SECTION,
+        "5-lemma-orders",
+        "thm:expansion, first part",
+        r"f_n=f_n(\xi_0,\ldots,\xi_{n-2}),\quad \partial f_n/\partial\xi_{n-2}=f_\xi(\xi^*)",
+        "f_n depends on ξ_k with k <= n - 2 only, linearly on ξ_(n-2) with the coefficient f_ξ(ξ*)",
+        Page("expansion", (dependence,)).check(
+            "section 1: ∂f_n/∂ξ_k = (f_ξ)_(n-2-k), and n - 2 - k is 0 at k = n - 2, negative beyond, for every n"
+        ),
+        Check(
+            Rung.EXACT,
+            "Taylor's formula: a product of m factors ξ_k δ^(k+2) of the order n, for every n and m: its highest k is "
+            "n - 2 for m = 1 and lower for m > 1",
+            products_of_factors() or None,
+        ),
+        Check(
+            Rung.POINTS,
+            "a quartic with symbols as coefficients, all orders below 8, ξ_k as symbols",
+            explicit.lemma_on_a_quartic() or None,
+        ),
+        note="With f in C^n and n = 0 the error O(δ^(n+1)) of eq. f_kdef needs C^1.",
+    )
+
+
+def _lemma() -> Entry:
+    return settled(
+        SECTION,
+        "5-lemma",
+        "thm:expansion, second part",
+        r"f_{2\nu}\in P_\nu,\quad f_{2\nu+1}\in P_{\nu-4}",
+        "If ξ_2k is in P_(k+1) and ξ_(2k+1) in P_(k-3), then f_2ν is in P_ν and f_(2ν+1) in P_(ν-4)",
+        Check(Rung.EXACT, "one more factor at a time, for every ν and both parities", lemma_by_induction() or None),
+        Check(
+            Rung.EXACT,
+            "in t and ε: the spaces are the series without ε¹, and 0, 2, 3, 4, ... are closed under addition",
+            lemma_by_powers_of_eps() or None,
+        ),
+        Check(
+            Rung.POINTS,
+            "five nonlinear functions of two components, all orders below 10",
+            explicit.lemma_on_functions() or None,
+        ),
+    )
+
+
+def _theorem() -> Entry:
+    proved = steps()
+    found = explicit.recursions()
+    return settled(
+        SECTION,
+        "5-theorem-1-spaces",
+        "th:1, the spaces",
+        r"p_{2\nu},b_{2\nu},\xi_{2\nu}\in P_{\nu+1},\ \ldots,\ \lambda_{2\nu+1}\in P_{\nu-4}",
+        "The terms of Theorem 1 are in the stated spaces, for every order",
+        Page("expansion", (dependence, lemma_by_induction, lemma_by_powers_of_eps)).check("section 4"),
+        Check(
+            Rung.EXACT,
+            "the steps of the induction, each for every ν at once: " + ", ".join(proved),
+            all(proved.values()) or None,
+        ),
+        Check(
+            Rung.EXACT,
+            "in t and ε: ξ, p, b, λ_N without ε¹; y, z, v without ε⁰ and ε¹; each step stays there",
+            steps_in_powers_of_eps() or None,
+        ),
+        Check(
+            Rung.POINTS,
+            f"{len(found)} nonlinear systems, all orders below {len(found[0].p)}",
+            all_of(explicit.in_stated_spaces(r) or None for r in found),
+        ),
+        note="Line 1744 prints P_ν-3 for P_(ν-3).",
+    )
+
+
+def corollary_exponents(name: str) -> bool:
+    """Whether each s^rho delta^n of the unscaled variable is t^rho times an integer power >= 0 of eps = delta^3."""
+    rows = progressions(SPACES[name], UNSCALED[name])
+    return rows is not None and all(first >= 0 and step >= 0 for first, step in rows)
+
+
+def printed_exponents(parity: int) -> bool:
+    """The exponents that the proof prints for p, as identities in nu and sigma."""
+    printed = {name: INDICES.read(text) for name, text in tuple(COROLLARY.values())[parity].items()}
+    n_and_front = INDICES.read(f"2*nu + {parity + UNSCALED['p']}")
+    rho = INDICES.read(f"nu + {SPACES['p'][parity]} - 3*sigma")
+    return bool(
+        printed["delta"] == n_and_front
+        and printed["rho"] == printed["t"] == rho
+        and 3 * printed["eps"] == n_and_front - 2 * rho
+    )
+
+
+def example_in_t_and_eps() -> bool:
+    """Every term of the extended example, by the recursion, is the term t^i eps^j of its series in (t, eps)."""
+    terms, tables = extended_terms(7, chi=True), example_series(9)
+    for name in "pbyvz":
+        for n, row in enumerate(terms[name]):
+            for k, value in enumerate(row):
+                power, rest = divmod(n + UNSCALED[name] - 2 * k, 3)
+                if value != 0 and (rest or power < 0 or (k, power) not in tables[name]):
+                    return False
+    return {name: POWER_OF_DELTA[name] for name in "pbyvz"} == {name: UNSCALED[name] for name in "pbyvz"}
+
+
+def _corollary() -> Entry:
+    return settled(
+        SECTION,
+        "5-corollary",
+        "corollary of th:1, lines 1777 to 1842",
+        r"\sum K\epsilon^{2\sigma}t^{\nu+1-3\sigma},\quad\sum K\epsilon^{3+2\sigma}t^{\nu-3-3\sigma}",
+        "Truncated at any order, each unscaled variable is a polynomial in t and ε",
+        Check(
+            Rung.EXACT,
+            "power of ε of every term of ξ, p, b, y, v, z, λ_N: an integer, not negative, for every ν and σ",
+            all(corollary_exponents(name) for name in SPACES) or None,
+        ),
+        Check(
+            Rung.EXACT,
+            "the two printed sums for p, as identities in ν and σ",
+            all(printed_exponents(parity) for parity in (0, 1)) or None,
+        ),
+        Check(
+            Rung.POINTS,
+            "the extended example, orders below 7: its terms are those of its series in (t, ε)",
+            example_in_t_and_eps() or None,
+        ),
+    )
+
+
+ENTRIES: Builders = {
+    "5-lemma-orders": _lemma_orders,
+    "5-lemma": _lemma,
+    "5-theorem-1-spaces": _theorem,
+    "5-corollary": _corollary,
+}
+"""The spaces, in the order of the paper."""

@@ -1,0 +1,247 @@
+"""Ledger of Section 6: the simulations of the oscillator at epsilon = 10^-6, and the Cases that it may belong to.
+
+Rigid slip up to the G-spot and C_1 there are enclosed (proofs/approach.md); what follows is the paper's statement at
+leading order, beside a float run of the oscillator with its contact. Certified runs: ``gspot-verified simulate``.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache, partial
+
+from flint import arb, fmpq
+
+from gspot_verified.leading_order.contact_force import contact_force
+from gspot_verified.leading_order.lift_off import lift_off
+from gspot_verified.mechanisms.approach.approach import approach
+from gspot_verified.mechanisms.approach.approach_result import Approach
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.numbers.balls import approximate, ball_text, hull, sign_of, working_bits
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.identities import Algebra, rising_signs
+from gspot_verified.paper.numerics.oscillator_formulas import SECTION_6
+from gspot_verified.scenes.floats.float_run import float_run
+from gspot_verified.scenes.scene.file import load_scene
+from gspot_verified.scenes.scene.run import SceneRun
+from gspot_verified.signs.gamma.side import gamma_sign
+
+SECTION = "Section 6 and Appendix B"
+LIFT_OFF, TOUCH_DOWN, IMPACT = "lift-off", "touch-down", "impact without collision"
+BETA, EPSILON = fmpq(7, 3), fmpq(1, 10**6)
+STARTS = {"6-first-start": "-9/10", "6-second-start": "-1/2"}
+"""φ-dot at φ = φ* + 1/10, y = v = 0."""
+SEQUENCES: dict[str, tuple[str, ...]] = {
+    "6-first-start": (LIFT_OFF, TOUCH_DOWN, IMPACT),
+    "6-second-start": (IMPACT,),
+}
+UNTIL = {"6-first-start": "113/1000", "6-second-start": "137/1000"}
+LINES = {"6-first-start": "lines 2230 to 2232", "6-second-start": "lines 2232 to 2234"}
+JUST_AFTER = (fmpq(1, 1000), fmpq(105, 100_000))
+"""Where "just after t = 10^-3" is read to lie."""
+FLOATS = ("LSODA", 1e-8)
+TAU_START = fmpq(-10)
+ALGEBRA = Algebra("beta kappa u")
+ALPHAS = {name: text for name, (_, text) in SECTION_6.items()}
+MEMBERS: dict[str, tuple[fmpq, fmpq]] = {
+    "I": (fmpq(1, 2), fmpq(0)),
+    "II": (fmpq(1, 2), fmpq(20)),
+    "III": (fmpq(7, 3), fmpq(0)),
+}
+"""A pair β, κ in each Case."""
+
+
+@lru_cache(maxsize=4)
+def slip(name: str) -> Approach:
+    """The oscillator in rigid slip from one start, followed with every error bounded."""
+    mechanism = shipped_mechanism("oscillator")
+    return approach(mechanism, {"phi": "phi_ref + 1/10", "phi_dot": STARTS[name]})
+
+
+@lru_cache(maxsize=4)
+def simulated(name: str) -> SceneRun:
+    """A float run of the oscillator on its compliant contact from one start."""
+    scene = load_scene("oscillator", phi_dot=STARTS[name], eps=EPSILON, until=UNTIL[name])
+    return float_run(scene, *FLOATS)
+
+
+def takes(name: str) -> bool | None:
+    """Whether C_1/Γ(-β) has the sign of the first event: < 0 for lift-off, > 0 for an impact."""
+    found = slip(name)
+    if found.verdict.outcome is not Outcome.PROVED or found.end != "G-spot" or found.coefficient is None:
+        return None
+    sign, side = sign_of(found.coefficient), gamma_sign(BETA)
+    if sign is None or side is None:
+        return None
+    return (sign * side > 0) == (SEQUENCES[name][0] == IMPACT)
+
+
+def floats_show(name: str) -> bool | None:
+    """Whether the float run has the events of the figure."""
+    return tuple(event.name for event in simulated(name).events) == SEQUENCES[name]
+
+
+def _start(name: str) -> Entry:
+    found = slip(name)
+    size = "" if found.coefficient is None else f"C_1 = {ball_text(found.coefficient, 8)}"
+    what = "lift-off" if SEQUENCES[name][0] == LIFT_OFF else "impact"
+    return settled(
+        SECTION,
+        name,
+        LINES[name],
+        r"\text{" + ", ".join(SEQUENCES[name]) + "}",
+        f"From φ = φ* + 1/10, φ-dot = {STARTS[name]}, y = v = 0, β = 7/3, κ = 0: rigid slip reaches the G-spot with a "
+        f"positive contact force, on the side of the distinguished trajectory from which, at leading order as ε → 0, "
+        f"there is a{'n' if what == 'impact' else ''} {what}",
+        Check(Rung.BALLS, "proofs/approach.md: the path in rigid slip and C_1 in balls", takes(name), size),
+        Check(
+            Rung.POINTS,
+            f"a float run at ε = 10^-6 ({FLOATS[0]}): {', '.join(SEQUENCES[name])}",
+            floats_show(name),
+            ", ".join(f"{e.name} at t = {approximate(e.lower):.8g}" for e in simulated(name).events),
+        ),
+        note="The start z is not given in the paper: z = 0 in the float run, which relaxes. The third start of the "
+        "paper (on the distinguished trajectory at p = 1/100) cannot be checked: its numbers are not printed.",
+    )
+
+
+def leading_bracket() -> tuple[arb, arb] | None:
+    """Enclosures of the lift-off time at leading order for the ends of the ball of C_1; that of C_1 lies between.
+
+    λ_N = mean + C_1 f(τ), both zeros with f < 0: a larger C_1 has the earlier zero.
+    """
+    coefficient = slip("6-first-start").coefficient
+    if coefficient is None:
+        return None
+    times = []
+    for end in (coefficient.upper(), coefficient.lower()):
+        mantissa, exponent = end.man_exp()
+        c1 = fmpq(mantissa) * fmpq(2) ** int(exponent)
+        alpha_1, alpha_2, alpha_3 = (number(name, BETA, fmpq(0)) for name in ("alpha_1", "alpha_2", "alpha_3"))
+        force = contact_force(BETA, alpha_1=alpha_1, alpha_2=alpha_2, c1=c1)
+        if force.alpha_3 != alpha_3:
+            return None
+        found = lift_off(force, EPSILON, TAU_START, 10)
+        if found.lower is None or found.upper is None:
+            return None
+        with working_bits(96):
+            # τ = κ t/ε^(2/3), κ³ = -α_1/2
+            unit = (arb(EPSILON) ** 2 * 2 / -arb(alpha_1)).root(3)
+            times.append(unit * hull([arb(found.lower), arb(found.upper)]))
+    return times[0], times[1]
+
+
+def is_just_after(first: arb, last: arb) -> bool | None:
+    """Whether both times lie in the stated interval."""
+    with working_bits(96):
+        inside = first > JUST_AFTER[0] and last < JUST_AFTER[1]
+        outside = last < JUST_AFTER[0] or first > JUST_AFTER[1]
+    return True if inside else False if outside else None
+
+
+def simulated_delay() -> fmpq | None:
+    """The time from p = 0 to lift-off in the float run, p interpolated between its steps."""
+    run = simulated("6-first-start")
+    if run.samples is None or not run.events or run.events[0].name != LIFT_OFF:
+        return None
+    times, values = (list(map(float, run.samples.columns[name])) for name in ("t", "p"))
+    for k in range(1, len(values)):
+        if values[k] <= 0 < values[k - 1]:
+            share = values[k - 1] / (values[k - 1] - values[k])
+            zero = times[k - 1] + share * (times[k] - times[k - 1])
+            return run.events[0].lower - fmpq(*zero.as_integer_ratio())
+    return None
+
+
+def floats_are_just_after(delay: fmpq | None) -> bool | None:
+    """The same for the float run."""
+    return None if delay is None else JUST_AFTER[0] < delay < JUST_AFTER[1]
+
+
+def _time() -> Entry:
+    bracket, delay = leading_bracket(), simulated_delay()
+    return settled(
+        SECTION,
+        "6-lift-off-time",
+        "lines 2250 to 2252",
+        r"\text{lift-off takes place just after } t=10^{-3}",
+        "First start, ε = 10^-6: at leading order the contact lifts off between 1.000 and 1.050 times 10^-3 after "
+        "p = 0, with the C_1 of this start",
+        Check(
+            Rung.BALLS,
+            "proofs/iwc.md, section 4, at both ends of the ball of C_1; proofs/approach.md for C_1",
+            None if bracket is None else is_just_after(*bracket),
+            "" if bracket is None else f"t = {ball_text(hull([bracket[0], bracket[1]]), 8)}",
+        ),
+        Check(
+            Rung.POINTS,
+            f"a float run at ε = 10^-6 ({FLOATS[0]})",
+            floats_are_just_after(delay),
+            "" if delay is None else f"t = {approximate(delay):.6g}",
+        ),
+    )
+
+
+def number(name: str, beta: fmpq, kappa: fmpq) -> fmpq:
+    """A printed α of the oscillator at a pair β, κ, in the units m_1 = l = g = 1."""
+    images = {"beta": ALGEBRA.constant(beta), "kappa": ALGEBRA.constant(kappa)}
+    found = ALGEBRA.substitute(ALGEBRA.read(ALPHAS[name]), images)
+    return fmpq(0) if found.is_zero() else found.leading_coefficient()
+
+
+def is_controlled() -> bool | None:
+    """Whether α_2 is linear in κ with a positive slope for every β > 0, α_1 < 0, and α_3 = β α_1."""
+    second = ALGEBRA.read(ALPHAS["alpha_2"])
+    slope = second.derivative("kappa")
+    ratio = ALGEBRA.read(ALPHAS["alpha_3"]) - ALGEBRA.read(f"beta*({ALPHAS['alpha_1']})")
+    linear = slope.derivative("kappa").is_zero() and rising_signs(slope)
+    return linear and ratio.is_zero() and rising_signs(-ALGEBRA.read(ALPHAS["alpha_1"]))
+
+
+def belongs(case: str) -> bool | None:
+    """Whether the pair of a Case has its signs (Sec. 1)."""
+    beta, kappa = MEMBERS[case]
+    first, second, third = (number(name, beta, kappa) for name in ("alpha_1", "alpha_2", "alpha_3"))
+    negative, slower = second < 0, first < third < 0
+    return {
+        "I": negative and slower,
+        "II": second > 0 and slower,
+        "III": negative and third < first < 0,
+    }[case]
+
+
+def ends_before_10_3() -> bool | None:
+    """Whether α_2 > 0 for every κ >= 0 and β >= 10/3: in u = β - 10/3 and κ all coefficients are positive."""
+    shifted = {"beta": ALGEBRA.read("10/3 + u")}
+    return rising_signs(ALGEBRA.substitute(ALGEBRA.read(ALPHAS["alpha_2"]), shifted))
+
+
+def _classes() -> Entry:
+    pairs = "; ".join(f"Case {case}: β = {beta}, κ = {kappa}" for case, (beta, kappa) in MEMBERS.items())
+    return settled(
+        SECTION,
+        "6-classes",
+        "lines 2180 to 2185",
+        r"\text{the sign of }\alpha_2^*\text{ is controlled by }\kappa;\ \text{any of the classes I, II, III}",
+        "For every β > 0 the printed α_2 takes every value, each for one κ; so for every β in (0, 1) there are κ in "
+        "Case I and in Case II, and for every β > 1 in Case III",
+        Check(
+            Rung.EXACT,
+            "α_2 is linear in κ with the slope (9450 β + 8262)/55080 > 0; α_1 < 0, α_3 = β α_1",
+            is_controlled(),
+        ),
+        Check(
+            Rung.POINTS,
+            "a pair β, κ in each Case; α_2 > 0 for every κ >= 0, β >= 10/3",
+            all_of([*(belongs(case) for case in MEMBERS), ends_before_10_3()]),
+            pairs,
+        ),
+        note="κ < 0 is a spring of negative stiffness. With κ >= 0 Case III ends before β = 10/3, where α_2 > 0.",
+    )
+
+
+ENTRIES: Builders = {
+    "6-classes": _classes,
+    **{name: partial(_start, name) for name in STARTS},
+    "6-lift-off-time": _time,
+}
+"""The Cases of the oscillator and its simulations."""

@@ -1,0 +1,103 @@
+"""Ledger of Section 7: whether contact is lost again after the first flight. Runs of the extended system."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+from flint import fmpq
+
+from gspot_verified.numbers.balls import approximate
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.scenes.certified_run import INTEGRATOR, certified_run
+from gspot_verified.scenes.floats.float_run import float_run
+from gspot_verified.scenes.scene.file import load_scene
+from gspot_verified.scenes.scene.run import IMPACT, RunEvent, SceneRun
+
+SECTION = "Section 7"
+LIFT_OFF, TOUCH_DOWN, STICK = "lift-off", "touch-down", "stick"
+BETA, NU = fmpq(5, 2), fmpq(1, 4)
+
+
+@dataclass(frozen=True)
+class Case:
+    """Coupling, ε, and the time up to which the run is followed."""
+
+    coupling: int
+    epsilon: fmpq
+    until: fmpq
+
+
+RUNS: dict[Case, tuple[str, ...]] = {
+    Case(1, fmpq(1, 100), fmpq(6, 5)): (LIFT_OFF, TOUCH_DOWN, LIFT_OFF),
+    Case(1, fmpq(1, 1000), fmpq(13, 20)): (LIFT_OFF, TOUCH_DOWN, LIFT_OFF),
+    Case(0, fmpq(1, 100), fmpq(11, 10)): (LIFT_OFF, TOUCH_DOWN, STICK, LIFT_OFF),
+}
+"""All events up to that time, but for impacts without collision: whether one is shown is another question."""
+FLOATS = ("LSODA", 1e-10)
+FLOAT_NEAR = fmpq(1, 10**4)
+
+
+@lru_cache(maxsize=8)
+def run_of(case: Case) -> SceneRun:
+    """The certified run by the integrator."""
+    scene = load_scene("fig-varsim2", beta=BETA, nu=NU, chi=case.coupling, eps=case.epsilon, until=case.until)
+    return certified_run(scene, 12, INTEGRATOR)
+
+
+def happens(case: Case) -> bool | None:
+    """Whether a certified run has exactly the events of RUNS."""
+    found = tuple(event.name for event in run_of(case).events if event.name != IMPACT)
+    return found == RUNS[case] if run_of(case).verdict.outcome is Outcome.PROVED else None
+
+
+def floats_agree(case: Case) -> bool | None:
+    """Whether a float run has the same events, but for the impact, within FLOAT_NEAR of the certified times."""
+    scene = load_scene("fig-varsim2", beta=BETA, nu=NU, chi=case.coupling, eps=case.epsilon, until=case.until)
+    certified = [event for event in run_of(case).events if event.name != IMPACT]
+    return near(float_run(scene, *FLOATS).events, certified)
+
+
+def near(first: tuple[RunEvent, ...], second: list[RunEvent]) -> bool:
+    """Whether two lists of events have the same names, at nearly the same times."""
+    if [event.name for event in first] != [event.name for event in second]:
+        return False
+    return all(abs(a.lower - b.lower) < FLOAT_NEAR for a, b in zip(first, second, strict=True))
+
+
+def _told(case: Case) -> str:
+    return f"χ = {case.coupling}, ε = {case.epsilon}, up to t = {case.until}: {', '.join(RUNS[case])}"
+
+
+def _times(case: Case) -> str:
+    events = ", ".join(f"{event.name} {approximate(event.lower):.6g}" for event in run_of(case).events)
+    return f"χ = {case.coupling}, ε = {case.epsilon}: {events}"
+
+
+def _again() -> Entry:
+    return settled(
+        SECTION,
+        "7-lift-off-again",
+        "lines 2287 to 2291",
+        r"\text{would this impact again lead to further lift off?}",
+        f"It may: the extended system of fig. varsim2 with β = {BETA}, ν = {NU}, u(0) = 70 loses contact again. All "
+        f"events, but for impacts without collision: {'; '.join(map(_told, RUNS))}",
+        Check(
+            Rung.BALLS,
+            "certified runs of the extended system by the validated integrator",
+            all_of(happens(case) for case in RUNS),
+            "; ".join(_times(case) for case in RUNS),
+        ),
+        Check(
+            Rung.POINTS,
+            f"float runs ({FLOATS[0]}) have these events within {FLOAT_NEAR} of these times",
+            all_of(floats_agree(case) for case in RUNS),
+        ),
+        note="In the model system contact is not lost again (3-after-lift-off). More runs, longer ones, and what is "
+        "only seen: docs/after_lift_off.md. No infinite sequence is proved or excluded.",
+    )
+
+
+ENTRIES: Builders = {"7-lift-off-again": _again}
+"""What follows the first flight."""

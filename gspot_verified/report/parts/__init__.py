@@ -1,0 +1,1 @@
+"""Parts of pages: formulas, tables, charts and source as HTML."""

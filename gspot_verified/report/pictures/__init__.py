@@ -1,0 +1,1 @@
+"""The canvas, and pictures of a user's own results."""

@@ -1,0 +1,204 @@
+"""The phase plane (p, b) of a mechanism's rigid slip next to its G-spot.
+
+With lambda_N = -b/p and dt = p dsigma the motion is dxi/dsigma = p F - b G, regular at the G-spot, which is a node for
+alpha_1, alpha_3 < 0: p' = alpha_1 p, b' = alpha_2 p + alpha_3 b at first order (paper, Sec. 1.2). Runs are made with
+balls cut to their midpoints, without any bound: they show, they prove nothing. The eigen-directions are exact.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from flint import arb, arb_mat, fmpq
+
+from gspot_verified.expansion.trajectory import Trajectory
+from gspot_verified.functions.box_program import BoxProgram
+from gspot_verified.mechanisms.approach.approach import approach
+from gspot_verified.mechanisms.approach.slip_state import StateInput
+from gspot_verified.mechanisms.expand import expand
+from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.mechanisms.spots.g_spot import GSpot, find_g_spot
+from gspot_verified.numbers.balls import ball, working_bits
+from gspot_verified.report.pictures.canvas import BLUE, GREEN, INK, ORANGE, PURPLE, Picture, canvas, picture, styled
+
+_OWN = " The given start: middles of enclosures at certified points of its path; lines between them are only drawn."
+_BITS = 80
+_ORDER = 13
+_STEPS = 220
+_REACH = 6
+_NEWTON = 30
+_SHRINKS = 12
+_STARTS = (fmpq(1, 12), fmpq(1, 4), fmpq(1, 2), fmpq(1), fmpq(3, 2), fmpq(2))
+"""Of -b at the start, in units of the picture."""
+_BACK = 16
+
+Run = tuple[tuple[float, float], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class PhasePlane:
+    """What is drawn: runs as points (p, b); ``slope`` is b/p of the eigen-direction of alpha_1."""
+
+    name: str
+    alphas: tuple[float, float, float]
+    slope: float
+    reach: float
+    runs: tuple[Run, ...]
+    distinguished: Run
+    own: Run
+
+
+class RigidSlip:
+    """dxi/dsigma = p F - b G, as floats would do it."""
+
+    def __init__(self, spot: GSpot) -> None:
+        system = spot.system
+        self.dimension = len(system.point)
+        self._field = BoxProgram([*system.F, *system.G, system.p, system.b], self.dimension)
+        self._conditions = BoxProgram(system.conditions, self.dimension)
+        self._spot = [ball(value).mid() for value in system.point]
+
+    def place(self, state: Sequence[arb]) -> tuple[float, float]:
+        """p and b."""
+        values = self._field.values(state)
+        return float(values[-2].mid()), float(values[-1].mid())
+
+    def slope(self, state: Sequence[arb]) -> list[arb]:
+        """The right-hand side."""
+        values, m = self._field.values(state), self.dimension
+        p, b = values[-2], values[-1]
+        return [(p * values[i] - b * values[m + i]).mid() for i in range(m)]
+
+    def state_at(self, p: arb, b: arb) -> list[arb] | None:
+        """A state next to the G-spot with these p and b, on the surface, J = 0, by Newton's method; None: not found."""
+        state = list(self._spot)
+        goal = [p, b, *[arb(0)] * (self.dimension - 2)]
+        for _ in range(_NEWTON):
+            values, rows = self._conditions.gradients(state)
+            gap = [(value - wanted).mid() for value, wanted in zip(values, goal, strict=True)]
+            if max(abs(entry) for entry in gap) < 1e-15:
+                return state
+            try:
+                step = arb_mat([[entry.mid() for entry in row] for row in rows]).solve(arb_mat([[g] for g in gap]))
+            except ZeroDivisionError:
+                return None
+            state = [(value - step[i, 0]).mid() for i, value in enumerate(state)]
+            if not all(value.is_finite() for value in state):
+                return None
+        return None
+
+    def run(self, state: Sequence[arb], span: float) -> Run:
+        """(p, b) along the run, by the classical Runge-Kutta method."""
+        step, current = arb(span / _STEPS), list(state)
+        found = [self.place(current)]
+        for _ in range(_STEPS):
+            first = self.slope(current)
+            second = self.slope(_moved(current, first, step / 2))
+            third = self.slope(_moved(current, second, step / 2))
+            fourth = self.slope(_moved(current, third, step))
+            mean = [(a + 2 * b + 2 * c + d) / 6 for a, b, c, d in zip(first, second, third, fourth, strict=True)]
+            current = _moved(current, mean, step)
+            if not all(value.is_finite() for value in current):
+                break
+            found.append(self.place(current))
+        return tuple(found)
+
+
+def _moved(state: Sequence[arb], slope: Sequence[arb], step: arb) -> list[arb]:
+    return [(value + step * rate).mid() for value, rate in zip(state, slope, strict=True)]
+
+
+def phase_plane(mechanism: Mechanism, state: StateInput | None = None) -> PhasePlane:
+    """The runs of the picture; ``state``: one of the user's own, as for :func:`mechanisms.approach.approach.approach`.
+
+    :raises GSpotError: the mechanism has no G-spot there.
+    :raises ValueError: ``state`` is no start (see there), or no states in contact were found next to the G-spot.
+    """
+    spot = find_g_spot(mechanism, _BITS)
+    own = () if state is None else _path(mechanism, state)
+    with working_bits(_BITS):
+        system = spot.system
+        first, second, third = (ball(value).mid() for value in system.check())
+        slope = (second / (first - third)).mid()
+        slip = RigidSlip(spot)
+        span = _REACH / min(float(abs(first)), float(abs(third)))
+        reach = arb(abs(own[0][0])) if own else arb(fmpq(1, 4))
+        for _ in range(_SHRINKS):
+            width = arb(max(2 * abs(float(slope)), 1.0)) * reach
+            starts = [slip.state_at(reach, (-ball(k) * width).mid()) for k in _STARTS]
+            if all(start is not None for start in starts):
+                runs = tuple(_in_contact(slip.run(start, span)) for start in starts if start is not None)
+                window = max(float(reach), *(p for p, _ in own), 0.0) if own else float(reach)
+                straight = _distinguished(slip, expand(mechanism, _ORDER), window)
+                alphas = (float(first), float(second), float(third))
+                return PhasePlane(mechanism.name, alphas, float(slope), window, runs, straight, own)
+            reach = reach / 2
+    raise ValueError(f"{mechanism.name}: no states in contact were found next to the G-spot")
+
+
+def _path(mechanism: Mechanism, state: StateInput) -> Run:
+    """Middles of the enclosures of (p, b) along the validated path."""
+    path = approach(mechanism, state).path
+    return tuple((float(p.mid()), float(b.mid())) for p, b in zip(path.p, path.b, strict=True))
+
+
+def _in_contact(run: Run) -> Run:
+    """The run up to its lift-off, b = 0."""
+    end = next((i for i, (_, b) in enumerate(run) if b > 0), len(run))
+    return run[: end + 1]
+
+
+def _distinguished(slip: RigidSlip, trajectory: Trajectory, reach: float) -> Run:
+    """Theorem 1's expansion at epsilon = 0, where it is still close to the G-spot, and from there a run backwards."""
+    series = trajectory.in_time()
+    rate = abs(float(ball(series.p[1, 0]).mid()))
+    time = arb(-reach / _BACK / rate)
+    state = []
+    for start, table in zip(trajectory.system.point, series.xi, strict=True):
+        terms = (ball(value) * time**k for (k, m), value in table.items() if m == 0)
+        state.append((ball(start) + sum(terms, arb(0))).mid())
+    run = slip.run(state, -math.log(4 * _BACK) / rate)
+    return ((0.0, 0.0), *(point for point in run if point[0] <= 1.05 * reach))
+
+
+def phase_plane_picture(mechanism: Mechanism, state: StateInput | None = None) -> Picture:
+    """The phase plane as a figure with its caption; arguments and errors as for :func:`phase_plane`."""
+    plane = phase_plane(mechanism, state)
+    return styled(lambda: _draw(plane))()
+
+
+def _draw(plane: PhasePlane) -> Picture:
+    figure = canvas(4.8)
+    axes = figure.add_subplot()
+    reach = plane.reach
+    height = 1.1 * max(abs(b) for run in (*plane.runs, plane.own) for _, b in run)
+    axes.axhspan(0, height, color=ORANGE, alpha=0.12, linewidth=0)
+    axes.text(reach, 0.31 * height, "λ_N = −b/p < 0: lift-off", ha="right", va="top", fontsize=8.5)
+    for index, run in enumerate(plane.runs):
+        label = None if index else "slip, float runs"
+        axes.plot(*zip(*run, strict=True), color=BLUE, linewidth=1.0, label=label)
+    ends = (0.0, 1.05 * reach)
+    dashed = [plane.slope * p for p in ends]
+    axes.plot(ends, dashed, color=INK, linewidth=1.0, linestyle="--", label="eigen-direction, α₁")
+    axes.axvline(0, color=INK, linewidth=1.0, linestyle=":", label="eigen-direction, α₃ (p = 0)")
+    axes.plot(*zip(*plane.distinguished, strict=True), color=GREEN, linewidth=2.4, label="distinguished trajectory")
+    if plane.own:
+        axes.plot(*zip(*plane.own, strict=True), color=PURPLE, linewidth=2, label="the given start, certified points")
+        axes.plot(*plane.own[0], "s", color=PURPLE, markersize=5)
+    axes.plot(0, 0, "o", color=INK, markersize=6, zorder=6)
+    axes.annotate("G-spot", (0, 0), xytext=(6, 6), textcoords="offset points")
+    axes.set(xlabel="p", ylabel="b", xlim=(-0.08 * reach, 1.05 * reach), ylim=(-height, 0.35 * height))
+    axes.set_title(plane.name, loc="left")
+    axes.legend(loc="lower left", fontsize=8)
+    return picture(
+        figure,
+        "phase-plane",
+        f"Slip next to the G-spot: {plane.name}",
+        "Motion is to the left: p falls to 0. The eigen-directions are those of the proved G-spot. The thick curve "
+        "begins with Theorem 1's expansion at ε = 0, next to the G-spot, and goes on as a float run backwards. The "
+        "thin curves are float runs of rigid slip, up to lift-off, b = 0: they show, they prove nothing."
+        + (_OWN if plane.own else ""),
+        "Curves that flow into the origin, along one straight direction or along the vertical axis.",
+    )

@@ -1,0 +1,1 @@
+"""Certified runs by the validated integrator."""

@@ -1,0 +1,142 @@
+"""What a certified run has shown, as a verdict: growth, events, and what the effects that are left out assume.
+
+Proof page: ``proofs/left_out_effects.md``, section 2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from flint import arb, fmpq
+
+from gspot_verified.numbers.balls import float_bounds, rounded_text
+from gspot_verified.numbers.dyadic import Dyadic
+from gspot_verified.numbers.evidence import equal, every
+from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
+from gspot_verified.scenes.certified.certified_phase import Open
+from gspot_verified.scenes.certified.conditions import Conditions
+from gspot_verified.scenes.certified.invariant_region import Growth
+from gspot_verified.scenes.scene.assumption import ASSUMED, CHECKED, VIOLATED, Assumption, provided
+from gspot_verified.scenes.scene.run import CERTIFIED, NO_EVENT, OPEN, REFUTED, RunEvent, SceneRun, fate_of
+from gspot_verified.scenes.scene.scene import Scene
+
+_NOT_FURTHER = "the run is not followed further"
+
+
+@dataclass
+class Record:
+    """What a run at one precision has shown; ``multiples``: how far each impact is shown to grow, None: no limit.
+
+    ``violated``: the effect whose absence is wrong, when, and what was compared. ``seen``: up to when those that are
+    watched hold. ``shown``: the evidence of each event; ``ended``: that of the end of the run, None where it was not
+    reached.
+    """
+
+    events: list[RunEvent] = field(default_factory=list)
+    remarks: list[str] = field(default_factory=list)
+    multiples: list[int | None] = field(default_factory=list)
+    open: Open | None = None
+    for_ever: bool = False
+    violated: tuple[str, arb, Evidence] | None = None
+    seen: arb = field(default_factory=lambda: arb(0))
+    shown: list[Evidence] = field(default_factory=list)
+    ended: Evidence | None = None
+
+    @property
+    def evidence(self) -> Evidence | None:
+        """What shows the whole run; None where an event, or the end, has none."""
+        return every([equal(len(self.shown), len(self.events)), *self.shown, self.ended])
+
+
+def growth_words(growth: Growth, sticks: bool, since: arb | None) -> str:
+    """How λ_N grows; ``since``: from which time on, where that is not the time of the event."""
+    rate, motion = rounded_text(float_bounds(growth.rate)[0], -1), "stick" if sticks else "slip"
+    begin = "" if since is None else f"from t = {rounded_text(float_bounds(since)[1], 1, 6)} after the start on "
+    grows = f"{begin}λ_N grows at least like exp({rate} t/ε)"
+    if growth.until is not None:
+        return f"{grows} until it is {growth.until} times as large, or {motion} ends"
+    lasting = f"{grows} for as long as the contact {motion}s"
+    if growth.within is None:
+        return lasting
+    return f"{lasting}, which ends within {rounded_text(float_bounds(growth.within)[1], 1)} ε"
+
+
+def statement(fate: str, span: str, multiples: Sequence[int | None] = ()) -> str:
+    """What is proved. An impact without collision that no cone shows is not excluded, so "no event" would be too much;
+    and where a cone shows the growth of λ_N up to a multiple only, the multiple is part of the statement.
+
+    >>> statement("lift-off", " until t = 1 after the start")
+    'lift-off until t = 1 after the start, and no other change of phase'
+    >>> statement("impact without collision", "", (8, None))
+    'impact without collision (λ_N grows 8-fold, or slip or stick ends), and no other change of phase'
+    """
+    if fate == NO_EVENT:
+        return f"no change of phase{span}"
+    known = [multiple for multiple in multiples if multiple is not None]
+    limit = f" (λ_N grows {min(known)}-fold, or slip or stick ends)" if known else ""
+    return f"{fate}{limit}{span}, and no other change of phase"
+
+
+def bracket(time: arb, epsilon: fmpq) -> tuple[fmpq, fmpq]:
+    """A time in the paper's unit, between two exact numbers."""
+    bounds = Dyadic.from_ball(time)
+    unit = epsilon * fmpq(2) ** bounds.exponent
+    return bounds.lower * unit, bounds.upper * unit
+
+
+def event_of(name: str, time: arb, epsilon: fmpq) -> RunEvent:
+    """An event between two exact times."""
+    return RunEvent(name, *bracket(time, epsilon))
+
+
+def _assumptions(scene: Scene, conditions: Conditions, record: Record) -> tuple[Assumption, ...]:
+    """How each condition of the scene stands after this run."""
+    found = []
+    for effect in scene.conditional():
+        assert effect.condition is not None
+        text, start = effect.condition.text, (fmpq(0), fmpq(0))
+        if record.violated is not None and record.violated[0] == effect.name:
+            found.append(Assumption(effect.name, text, VIOLATED, *bracket(record.violated[1], scene.epsilon)))
+        elif effect.name in conditions.unknown:
+            found.append(Assumption(effect.name, text, ASSUMED, *start, conditions.unknown[effect.name]))
+        elif effect.name in conditions.lost:
+            since = bracket(conditions.certain_until, scene.epsilon)
+            found.append(Assumption(effect.name, text, ASSUMED, *since, "neither it nor its contrary is certain"))
+        elif record.open is not None:
+            since = bracket(record.seen, scene.epsilon)
+            found.append(Assumption(effect.name, text, ASSUMED, *since, _NOT_FURTHER))
+        else:
+            found.append(Assumption(effect.name, text, CHECKED))
+    return tuple(found)
+
+
+def result_of(scene: Scene, conditions: Conditions, record: Record) -> SceneRun:
+    """The run: proved to its end, refuted where an absence is wrong, or undecided from some time on."""
+    events = tuple(record.events)
+    names = [event.name for event in events]
+    remarks = "; ".join(record.remarks)
+    assumptions = _assumptions(scene, conditions, record)
+    known = f"certain before it: {fate_of(names)}"
+    span = "" if record.for_ever else f" until t = {scene.until} after the start"
+    failed = next((each for each in assumptions if each.standing == VIOLATED), None)
+    if failed is not None and record.violated is not None:
+        verdict = Verdict.refuted(
+            f"the motion without {failed.effect} is that with it{span}",
+            f"that {failed.assumes} fails at {failed.when} after the start: add the effect {failed.effect!r}",
+            record.violated[2],
+            "; ".join(filter(None, (known, remarks))) + provided(assumptions),
+        )
+        return SceneRun(CERTIFIED, REFUTED, events, verdict, assumptions=assumptions)
+    if record.open is None:
+        fate = fate_of(names)
+        said = statement(fate, span, record.multiples) + provided(assumptions)
+        return SceneRun(
+            CERTIFIED, fate, events, Verdict.proved(said, record.evidence, remarks), assumptions=assumptions
+        )
+    at = (record.open.time * scene.epsilon).str(10)
+    detail = "; ".join(filter(None, (f"{record.open.reason} (t = {at} after the start)", known, remarks)))
+    reason = Reason.BUDGET if record.open.budget else Reason.HYPOTHESIS
+    on = provided([each for each in assumptions if each.why != _NOT_FURTHER])
+    verdict = Verdict.undecided(f"the events of the run{on}", reason, detail)
+    return SceneRun(CERTIFIED, OPEN, events, verdict, assumptions=assumptions)

@@ -1,0 +1,1 @@
+"""Runs in floats, which prove nothing."""

@@ -1,0 +1,240 @@
+"""Float runs: scipy in variables scaled by epsilon, with the exact Jacobian, phase after phase. Nothing is proved."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from flint import fmpq
+
+from gspot_verified.numbers.balls import approximate
+from gspot_verified.numbers.verdict import Reason, Verdict
+from gspot_verified.scenes.effects.stick import SLIPS, STICKS
+from gspot_verified.scenes.effects.tangential_motion import SLIP_STOPS
+from gspot_verified.scenes.equations.scaled_system import CONTACT
+from gspot_verified.scenes.equations.terms import REVERSE, SLIP, STICK
+from gspot_verified.scenes.floats.float_phase import FloatPhase
+from gspot_verified.scenes.scene.assumption import ASSUMED, Assumption, provided
+from gspot_verified.scenes.scene.run import SIMULATED, RunEvent, SceneRun, fate_of
+from gspot_verified.scenes.scene.run_journal import RunJournal, question
+from gspot_verified.scenes.scene.samples import Samples
+from gspot_verified.scenes.scene.scene import Scene, SceneError
+
+METHODS = ("Radau", "LSODA", "BDF")
+MAX_PHASES = 200
+MAX_POINTS = 1_000_000
+LEAST_EPSILON = fmpq(1, 10**12)
+PIECES = 64
+"""With a journal the span of the run is cut into so many equal pieces, and solvers start anew at each. Without one it
+is not cut: at a tight tolerance new starts, of low order and short steps, cost many times the run."""
+
+
+@dataclass(frozen=True)
+class Piece:
+    """What one call of the solver leaves behind. ``next_phase``: of the following piece; None: the run ends here."""
+
+    phase: str
+    rows: list[list[float]]
+    time: float
+    state: dict[str, float]
+    event: str | None
+    next_phase: str | None
+
+
+def float_run(
+    scene: Scene,
+    method: str = "Radau",
+    tolerance: float = 1e-10,
+    points: int | None = None,
+    journal: Path | None = None,
+) -> SceneRun:
+    """The scene integrated with floats until ``scene.until``, or until p < 0 and the force is ``scene.stop_at_force``
+    times that of rigid slip at the start, -b/p, which is then called an impact without collision: a threshold, not a
+    statement.
+
+    :param tolerance: relative; the absolute one is a thousandth of it, in scaled variables.
+    :param points: the samples are taken at so many equal steps of time, by the solver's interpolation, and at the
+        events; None: at the solver's own steps.
+    :param journal: a file that keeps what is done; a run that was interrupted goes on from there, to the result of a
+        run with a journal that was not interrupted. A run without a journal takes other steps, is faster, and differs
+        within the error of floats, which near a canard may be the other side. Where the journal cannot be written (a
+        full disk) the run goes on without it, and ``notes`` says so.
+    :raises SceneError: an unknown method, a tolerance outside 1e-13..1e-2, epsilon < 1e-12, or the solver fails.
+    :raises ValueError: the journal is that of another run.
+    :raises OSError: the journal cannot be opened.
+    """
+    import numpy as np
+
+    _check(scene, method, tolerance, points)
+    asked = {"method": method, "tolerance": tolerance, "points": points}
+    kept = None if journal is None else RunJournal(journal, question(scene, asked))
+    pieces = [] if kept is None else [_kept_piece(data, kept.path) for data in kept.pieces]
+    notes = []
+    cuts = 1 if kept is None else PIECES
+    for piece in _pieces(scene, method, tolerance, points, pieces[-1] if pieces else None, cuts):
+        pieces.append(piece)
+        if kept is not None:
+            try:
+                kept.add(asdict(piece))
+            except OSError as error:
+                notes.append(f"the journal {journal} could not be written: {error}; the run went on without it")
+                kept = None
+    names = ("t", *(name for name, _ in scene.system(scene.first_phase()).read_out))
+    columns = np.array([row for piece in pieces for row in piece.rows]).T
+    phases = tuple(piece.phase for piece in pieces for _ in piece.rows)
+    samples = Samples(dict(zip(names, columns, strict=True)), phases)
+    small = approximate(scene.epsilon)
+    events = tuple(
+        RunEvent(piece.event, *(2 * [fmpq(*(piece.time * small).as_integer_ratio())]))
+        for piece in pieces
+        if piece.event is not None
+    )
+    fate = fate_of([event.name for event in events])
+    detail = f"simulated with floats ({method}, relative tolerance {tolerance:g}): no error is bounded"
+    assumptions = unchecked(scene)
+    verdict = Verdict.undecided(f"{fate}{provided(assumptions)}", Reason.HYPOTHESIS, detail)
+    return SceneRun(SIMULATED, fate, events, verdict, samples, tuple(notes), assumptions)
+
+
+def unchecked(scene: Scene) -> tuple[Assumption, ...]:
+    """What the effects that are left out assume of the motion, all of it only assumed."""
+    start, why = fmpq(0), "a run with floats checks nothing"
+    return tuple(
+        Assumption(effect.name, effect.condition.text, ASSUMED, start, start, why)
+        for effect in scene.conditional()
+        if effect.condition is not None
+    )
+
+
+def _kept_piece(data: Any, path: Path) -> Piece:
+    try:
+        piece = Piece(**data)
+        if not (all(math.isfinite(x) for row in piece.rows for x in row) and math.isfinite(piece.time)):
+            raise ValueError("not a finite number")
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{path}: a line of the journal cannot be read: {error}") from None
+    return piece
+
+
+def _check(scene: Scene, method: str, tolerance: float, points: int | None) -> None:
+    if method not in METHODS:
+        raise SceneError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
+    if not 1e-13 <= tolerance <= 1e-2:
+        raise SceneError(f"tolerance: expected 1e-13..1e-2, got {tolerance}")
+    if points is not None and not 2 <= points <= MAX_POINTS:
+        raise SceneError(f"points: expected 2..{MAX_POINTS}, got {points}")
+    if scene.epsilon < LEAST_EPSILON:
+        raise SceneError(f"float runs need epsilon >= 1e-12, got {scene.epsilon}")
+
+
+def _pieces(
+    scene: Scene, method: str, tolerance: float, points: int | None, last: Piece | None, cuts: int
+) -> Iterator[Piece]:
+    """The pieces that follow ``last``, of a span cut into ``cuts``; events cut it further."""
+    run = _FloatRun(scene)
+    end = approximate(scene.until / scene.epsilon)
+    if last is None:
+        phase: str | None = scene.first_phase()
+        if phase == STICK:
+            phase = run.contact_phase(run.start, at_rest=True)
+        state, time = run.start, 0.0
+    else:
+        phase, state, time = last.next_phase, last.state, last.time
+    for _ in range(MAX_PHASES + cuts):
+        if phase is None or time >= end:
+            return
+        stop = min(end, end * (math.floor(time / end * cuts * (1 + 1e-12)) + 1) / cuts)
+        begins = last is None or last.event is not None
+        equal = None if points is None else (end, points)
+        piece = run.piece(phase, state, (time, stop), method, tolerance, equal, begins)
+        last = piece
+        yield piece
+        phase, state, time = piece.next_phase, piece.state, piece.time
+
+
+class _FloatRun:
+    """The compiled phases of one scene."""
+
+    def __init__(self, scene: Scene) -> None:
+        self._scene, self._compiled = scene, dict[str, FloatPhase]()
+        self._belt = approximate(scene.values().get("belt_velocity", fmpq(0)))
+        self.start = {name: approximate(value) for name, value in scene.scaled_initial().items()}
+        for name, value in self.start.items():
+            if not math.isfinite(value):
+                raise SceneError(f"start: {name} is too large for a float")
+        self._large: float | None = None
+        if scene.stop_at_force is not None:
+            first = self._phase(scene.first_phase())
+            at = first.shown([self.start[name] for name in first.states], 0.0)
+            self._large = approximate(scene.stop_at_force) * -at["b"] / at["p"]
+            self._compiled.clear()
+
+    def _phase(self, phase: str) -> FloatPhase:
+        if phase not in self._compiled:
+            self._compiled[phase] = FloatPhase(self._scene, phase, self._large)
+        return self._compiled[phase]
+
+    def contact_phase(self, state: dict[str, float], at_rest: bool) -> str:
+        """Slip as the slip velocity says; without one stick, or slip to where friction does not hold the contact."""
+        if STICK not in self._scene.phases():
+            return SLIP
+        if not at_rest:
+            seen = self._phase(SLIP)
+            slip = seen.shown([state[name] for name in seen.states], 0.0)["u"] - self._belt
+            if slip != 0:
+                return SLIP if slip > 0 else REVERSE
+        held = self._phase(STICK)
+        at = [*(state[name] for name in held.states), 0.0]
+        return next((phase for phase, guard in held.guards if guard(at)[0] < 0), STICK)
+
+    def piece(
+        self,
+        phase: str,
+        state: dict[str, float],
+        span: tuple[float, float],
+        method: str,
+        tolerance: float,
+        points: tuple[float, int] | None,
+        begins: bool,
+    ) -> Piece:
+        """One call of the solver, to the end of the span or to an event, and what follows it.
+
+        ``begins``: whether the phase begins here; otherwise the piece before has this state already.
+        """
+        compiled = self._phase(phase)
+        found = compiled.integrate([state[name] for name in compiled.states], span, method, tolerance)
+        time = float(found.t[-1])
+        after = {**state, **dict(zip(compiled.states, map(float, found.y[:, -1]), strict=True))}
+        hits = zip(compiled.ends, found.t_events, strict=True)
+        ended = next((end for end, times in hits if len(times)), None)
+        rows = _rows(compiled, found, points, begins, ended is not None)
+        if ended is None:
+            return Piece(phase, rows, time, after, None, phase)
+        name, following = ended
+        if following == CONTACT:
+            following = self.contact_phase(after, at_rest=name == SLIP_STOPS)
+            if name == SLIP_STOPS:
+                name = STICKS if following == STICK else SLIPS[following]
+        if following == STICK and "u" in after:
+            after["u"] = self._belt
+        return Piece(phase, rows, time, after, name, following)
+
+
+def _rows(
+    compiled: FloatPhase, found: Any, points: tuple[float, int] | None, begins: bool, ends: bool
+) -> list[list[float]]:
+    import numpy as np
+
+    if points is None:
+        skipped = 0 if begins else 1
+        return compiled.rows(found.t[skipped:], found.y[:, skipped:])
+    end, count = points
+    first, last = float(found.t[0]), float(found.t[-1])
+    equal = (end * k / (count - 1) for k in range(count))
+    times = {time for time in equal if first < time <= last}
+    times |= ({first} if begins else set()) | ({last} if ends else set())
+    at: Sequence[float] = sorted(times)
+    return compiled.rows(at, np.column_stack([found.sol(time) for time in at])) if at else []

@@ -1,0 +1,1 @@
+"""What can move: the model system, or a mechanism."""

@@ -1,0 +1,249 @@
+"""A mechanism in a scene: its equations in the scaled variables, y and v in the places of two of its components.
+
+dxi/dt = F + G_T lambda_T + G_N lambda_N and dv/dt = b + B lambda_T + C lambda_N (paper, Sec. 2). With y = epsilon^2 Y,
+v = epsilon V and T = t/epsilon: Y' = V, V' = dv/dt, xi' = epsilon dxi/dt. Of xi those components are kept on which
+dv/dt (and u, x where an effect sees them) depends; the others are cyclic. A component with a constant rate, as the
+time, is known and not integrated.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
+
+from flint import arb, fmpq
+
+from gspot_verified.functions.box_program import BoxProgram
+from gspot_verified.functions.derivative import ZERO, substitute
+from gspot_verified.functions.expressions import Expression, Variable
+from gspot_verified.functions.rings import BALLS, RATIONALS
+from gspot_verified.leading_order.contact_force import rational
+from gspot_verified.mechanisms.approach.slip_state import state_formula
+from gspot_verified.mechanisms.derive.mass_matrix import check_mass_matrix
+from gspot_verified.mechanisms.derive.to_system import NotRationalError, shift
+from gspot_verified.mechanisms.formulas.rewriting import replaced
+from gspot_verified.mechanisms.formulas.simplify import constant, product_of, rational_value, sum_of
+from gspot_verified.mechanisms.formulas.symbol import variable_indices
+from gspot_verified.mechanisms.input.mechanism import Lagrangian, Mechanism, Place
+from gspot_verified.mechanisms.spots.g_spot import place_in
+from gspot_verified.numbers.balls import working_bits
+from gspot_verified.scenes.effects.catalogue import EXCLUSIONS
+from gspot_verified.scenes.equations.mechanism_terms import Functions, MechanismTerms
+from gspot_verified.scenes.equations.motion import SceneError
+from gspot_verified.scenes.equations.terms import PHASES, Terms
+from gspot_verified.scenes.motions.normal_coordinate import NormalCoordinate, free_slope
+
+_BITS = 160
+_SCALED = ("Y", "V", "Z")
+_FIELDS = ("F", "G", "G_T", "G_N")
+_SCALARS = ("a", "b", "A", "B", "C", "p", "mu", "u")
+_FUNCTIONS = ("y", "v", "p", "b", "u", "x")
+_RESERVED = (*_SCALED, "z", "lambda_N", "t", "T")
+
+
+class MechanismMotion:
+    """``sees``: which of u and x effects need; ``start``: values or formulas of components, and y, v, z.
+
+    ``kept``: the components that are integrated.
+
+    :raises SceneError: the mechanism has no free translation along the normal, has constraints, or names that clash.
+    :raises MechanismError: the mechanism is not complete.
+    """
+
+    is_model = False
+
+    def __init__(
+        self, mechanism: Mechanism, sees: Sequence[str], epsilon: fmpq, start: Mapping[str, fmpq | str]
+    ) -> None:
+        self.mechanism, self._epsilon, self._start = mechanism, epsilon, dict(start)
+        if isinstance(mechanism.motion, Lagrangian) and mechanism.motion.constraints:
+            reason = EXCLUSIONS["mechanism", "constraints"]
+            raise SceneError(f"{mechanism.name}: scenes do not cover mechanisms with constraints: {reason}")
+        if "x" in sees and mechanism.x is None:
+            raise SceneError(f"{mechanism.name}: effect 'tangential_place' needs x; it gives a slip velocity")
+        self._shifted = shift(mechanism)
+        r = mechanism.regularisation
+        self.parameters: Mapping[str, fmpq] = {"k_1": r.k_1, "k_2": r.k_2, "damping": r.c}
+        self._sees = tuple(sees)
+        self._size = len(mechanism.state)
+        f = self._shifted.functions
+        self._normal = NormalCoordinate.of(mechanism.name, f.y, f.v, mechanism.state)
+        self._known = {
+            i: rate
+            for i, row in enumerate(zip(f.F, f.G_T, f.G_N, strict=True))
+            if (rate := rational_value(row[0])) is not None and row[1] is ZERO and row[2] is ZERO
+            and i not in (self._normal.place, self._normal.velocity)
+        }  # fmt: skip
+        self._functions = self._substituted()
+        self.kept = tuple(mechanism.state[i] for i in self._needed())
+        self._check_names()
+
+    def _check_names(self) -> None:
+        """A component must not have the name of something else in a scene; p may be p itself."""
+        state, f = self.mechanism.state, self._shifted.functions
+        own = {name: getattr(f, name) for name in _FUNCTIONS}
+        clash = [name for name in own if name in state and own[name] is not Variable(state.index(name))]
+        clash += [name for name in _RESERVED if name in self.kept or (name == "z" and name in state)]
+        if clash:
+            raise SceneError(f"{self.mechanism.name}: scenes use the name {clash[0]!r}; give this component another")
+
+    def _substituted(self) -> dict[str, Expression]:
+        """All functions with Variable(m) for Y, m + 1 for V, m + 2 for Z and m + 3 for the clock."""
+        m, small, f = self._size, self._epsilon, self._shifted.functions
+        y, v = product_of(constant(small**2), Variable(m)), product_of(constant(small), Variable(m + 1))
+        named = {name: getattr(f, name) for name in (*_SCALARS, "x")}
+        named |= {f"{name} {i}": part for name in _FIELDS for i, part in enumerate(getattr(f, name))}
+        named = {name: function for name, function in named.items() if function is not None}
+        roots = replaced(list(named.values()), self._normal.solved(y, v))
+        used = variable_indices(roots)
+        known: dict[Expression, Expression] = {
+            Variable(i): sum_of(constant(self._component(i)), product_of(constant(rate * small), Variable(m + 3)))
+            for i, rate in self._known.items()
+            if i in used
+        }
+        return dict(zip(named, replaced(roots, known), strict=True))
+
+    def _needed(self) -> list[int]:
+        """The components on which what is seen depends, and those on which their rates depend."""
+        seen = ["b", "p", *self._sees, *(("a", "A", "B", "C", "mu") if "u" in self._sees else ())]
+        waiting = variable_indices(self._functions[name] for name in seen)
+        found: set[int] = set()
+        while waiting:
+            i = waiting.pop()
+            if i < self._size and i not in found:
+                found.add(i)
+                waiting |= variable_indices(
+                    self._functions[name] for name in (*(f"{part} {i}" for part in _FIELDS), "mu")
+                )
+        return sorted(found)
+
+    @property
+    def depends_on_place(self) -> bool:
+        """False where x has a constant slope, not 0, in a component on which no function of the mechanism depends: then
+        a translation of it changes x and no equation."""
+        x = self._shifted.functions.x
+        if x is None:
+            return True
+        used = variable_indices(function for name, function in self._functions.items() if name != "x")
+        bound = {*used, *self._known, self._normal.place, self._normal.velocity}
+        return not any(free_slope(x, i, self._size) for i in range(self._size) if i not in bound)
+
+    def states(self, phase: str) -> tuple[str, ...]:
+        """The components that are kept: the same in all phases."""
+        if phase not in PHASES:
+            raise ValueError(f"phase: expected one of {', '.join(PHASES)}, got {phase!r}")
+        return self.kept
+
+    def terms(self, phase: str, states: tuple[str, ...], values: Mapping[str, fmpq]) -> MechanismTerms:
+        """The functions of one phase; constants that are balls have the precision in force."""
+        m, kept = self._size, self._needed()
+        where = {m + k: states.index(name) for k, name in enumerate(_SCALED)}
+        where |= {i: states.index(self.mechanism.state[i]) for i in kept} | {m + 3: len(states)}
+        variables: list[Expression] = [Variable(where.get(i, 0)) for i in range(m + 4)]
+        wanted = [*_SCALARS[:-1], *self._sees, *(f"{part} {i}" for part in _FIELDS for i in kept)]
+        numbered = [substitute(self._functions[name], variables) for name in wanted]
+        try:
+            made = self._shifted.expressions(numbered, RATIONALS)
+        except NotRationalError:
+            made = self._shifted.expressions(numbered, BALLS)
+        found = dict(zip(wanted, made, strict=True))
+        F, G, G_T, G_N = (tuple(found[f"{part} {i}"] for i in kept) for part in _FIELDS)
+        scalars = (found.get(name, ZERO) for name in (*_SCALARS, "x"))
+        functions = Functions(F, G, G_T, G_N, *scalars)
+        return MechanismTerms(phase, states, self._epsilon, values, functions, "u" in self._sees)
+
+    def rates(self, terms: Terms) -> dict[str, Expression]:
+        """epsilon dxi/dt for each kept component."""
+        assert isinstance(terms, MechanismTerms)
+        return dict(zip(self.kept, terms.own_rates(), strict=True))
+
+    def shown(self, terms: Terms) -> dict[str, Expression]:
+        """p and b, u and x where an effect sees them, and the kept components."""
+        assert isinstance(terms, MechanismTerms)
+        found = {name: getattr(terms.functions, name) for name in ("p", "b", *self._sees)}
+        references = {angle.coordinate: f"{angle.coordinate} - {angle.name}" for angle in self.mechanism.angles}
+        return found | {references.get(name, name): terms.state(name) for name in self.kept if name not in found}
+
+    @cached_property
+    def _given(self) -> dict[str, fmpq]:
+        """The components that the scene gives, exactly, and y, v, z."""
+        mechanism = self.mechanism
+        solved = {mechanism.state[i]: word for i, word in ((self._normal.place, "y"), (self._normal.velocity, "v"))}
+        found: dict[str, fmpq] = {}
+        components = {}
+        for name, value in self._start.items():
+            if name in ("y", "v", "z"):
+                found[name] = rational(value, f"start: {name}")
+            elif name in solved:
+                raise SceneError(f"start: {name} follows from {solved[name]} in this scene: give {solved[name]}")
+            elif name == "nu":
+                raise SceneError(f"start: nu and a mechanism exclude each other: {EXCLUSIONS['mechanism', 'nu']}")
+            elif name not in mechanism.state:
+                names = [word for word in mechanism.state if word not in solved]
+                raise SceneError(f"start: this scene has no state {name[:40]!r}; give {', '.join(names)}, y, v, z")
+            else:
+                components[name] = state_formula(mechanism, name, value)
+        missing = [name for name in "yvz" if name not in found]
+        if len(missing) not in (0, 3):
+            raise SceneError(f"start: the state {missing[0]} is missing; give y, v and z, or none of them")
+        placed = replace(mechanism, place=Place(tuple(components.items())))
+        try:
+            values = place_in(replace(self._shifted, mechanism=placed), RATIONALS)
+        except (NotRationalError, ValueError) as error:
+            raise SceneError(f"start: every component must be a rational number, an angle with a reference counted "
+                             f"from it: {error}") from None  # fmt: skip
+        return {**dict.fromkeys("yvz", fmpq(0)), **found, **values}
+
+    def _component(self, i: int) -> fmpq:
+        name, motion = self.mechanism.state[i], self.mechanism.motion
+        if name not in self._given and isinstance(motion, Lagrangian) and name == motion.time:
+            return fmpq(0)
+        if name not in self._given:
+            raise SceneError(f"start: the state {name} is missing")
+        return self._given[name]
+
+    def start(self, values: Mapping[str, fmpq]) -> dict[str, fmpq]:
+        """The kept components and y, v, z, exactly; y = v = z = 0, just in contact, where these are not given."""
+        if not values:
+            raise ValueError("values: expected the constants of the scene, got none")
+        return {name: self._component(self.mechanism.state.index(name)) for name in self.kept} | {
+            name: self._given[name] for name in "yvz"
+        }
+
+    def check(self, values: Mapping[str, fmpq]) -> None:
+        """The mass matrix at the start.
+
+        :raises MechanismError: it is not certainly positive definite.
+        """
+        with working_bits(_BITS):
+            place = dict(zip(self.mechanism.state, self._state(values), strict=True))
+            check_mass_matrix(self._shifted, place, BALLS, "at the start")
+
+    def normal_acceleration(self, values: Mapping[str, fmpq]) -> arb:
+        """b, in a ball."""
+        return self._at_start("b", values)
+
+    def painleve_parameter(self, values: Mapping[str, fmpq]) -> arb:
+        """p, in a ball."""
+        return self._at_start("p", values)
+
+    def slip_velocity(self, values: Mapping[str, fmpq]) -> arb:
+        """u, in a ball."""
+        return self._at_start("u", values)
+
+    def _at_start(self, name: str, values: Mapping[str, fmpq]) -> arb:
+        with working_bits(_BITS):
+            (function,) = self._shifted.expressions([getattr(self._shifted.functions, name)], BALLS)
+            return BoxProgram([function], self._size).values(self._state(values))[0]
+
+    def _state(self, values: Mapping[str, fmpq]) -> list[arb]:
+        """All components at the start; a cyclic one that is not given is 0."""
+        given = self.start(values)
+        state = [arb(self._given.get(name, fmpq(0))) for name in self.mechanism.state]
+        y, v = constant(given["y"]), constant(given["v"])
+        solved = self._normal.solved(y, v)
+        functions = self._shifted.expressions(list(solved.values()), BALLS)
+        found = BoxProgram(functions, self._size).values(state)
+        state[self._normal.place], state[self._normal.velocity] = found
+        return state

@@ -1,0 +1,1 @@
+"""A scene, its file, its start, and what a run of it gives."""

@@ -1,0 +1,79 @@
+"""What a run assumes of the true motion, because its scene leaves an effect out, and how that stands."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from flint import arb, fmpq
+
+from gspot_verified.numbers.balls import hull, working_bits
+from gspot_verified.numbers.verdict import NoTruthValue
+
+CHECKED, VIOLATED, ASSUMED = "checked", "violated", "assumed"
+_SHOWN_BITS, _SHOWN_DIGITS = 400, 20
+
+
+@dataclass(frozen=True)
+class Assumption(NoTruthValue):
+    """``assumes``: a condition on the motion; ``effect``: what is left out and would be needed where it fails.
+
+    ``standing``: checked along the whole run, violated for certain, or assumed. ``lower``, ``upper``: a bracket of the
+    time, after the start, at which it first fails, or up to which it was seen to hold; None where it was checked.
+    ``why``: why it is only assumed.
+    """
+
+    ask: ClassVar[str] = ".standing is checked, violated or assumed"
+
+    effect: str
+    assumes: str
+    standing: str
+    lower: fmpq | None = None
+    upper: fmpq | None = None
+    why: str = ""
+
+    def __post_init__(self) -> None:
+        if (self.standing == CHECKED) != (self.lower is None) or (self.lower is None) != (self.upper is None):
+            raise ValueError(f"an assumption that is {self.standing}: from {self.lower} to {self.upper}")
+
+    @property
+    def when(self) -> str:
+        """The time as text."""
+        if self.lower is None or self.upper is None:
+            return "all along"
+        if self.lower == self.upper:
+            return f"t = {self.lower}"
+        with working_bits(_SHOWN_BITS):
+            return f"t = {hull([arb(self.lower), arb(self.upper)]).str(_SHOWN_DIGITS)}"
+
+    def __str__(self) -> str:
+        said = {
+            CHECKED: "checked along the whole run",
+            VIOLATED: f"violated at {self.when} after the start",
+            ASSUMED: f"assumed from {self.when} after the start on ({self.why})",
+        }
+        return f"without {self.effect}, {self.assumes}: {said[self.standing]}"
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for ``json.dumps``; exact rationals as text."""
+        time = None if self.lower is None else {"lower": str(self.lower), "upper": str(self.upper)}
+        return {
+            "effect": self.effect,
+            "assumes": self.assumes,
+            "standing": self.standing,
+            "time": time,
+            "why": self.why,
+        }
+
+
+def provided(assumptions: Sequence[Assumption]) -> str:
+    """What a statement must say of those that are only assumed; nothing where there are none.
+
+    >>> provided([Assumption("stick", "u > 0", CHECKED)])
+    ''
+    >>> provided([Assumption("stick", "u > 0", ASSUMED, fmpq(0), fmpq(0), "u is not followed")])
+    ', provided that u > 0 (stick is left out)'
+    """
+    said = [f"{each.assumes} ({each.effect} is left out)" for each in assumptions if each.standing == ASSUMED]
+    return f", provided that {' and '.join(said)}" if said else ""

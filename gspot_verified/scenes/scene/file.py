@@ -1,0 +1,184 @@
+"""Read a scene from a TOML file, or one of those that come with the package.
+
+For example::
+
+    format = 1
+    name = "a rod that falls"
+    mechanism = "rod"
+    effects = ["compliant_contact", "lift_off", "tangential_motion", "stick"]
+    epsilon = 1e-4
+    until = "1/2"
+
+    [parameters]
+    mu = 2
+
+    [start]
+    theta = "theta_ref + 1/10"
+    theta_dot = 1
+    X_dot = 2
+
+The keys::
+
+    format           1
+    name             one line of visible text
+    source           a text for readers
+    mechanism        of the package, or the path of a TOML file from this file's folder; the model if missing
+    effects          names of effects; `gspot-verified scenes` lists them
+    epsilon          > 0
+    until            > 0: the time, from the start, at which float runs end
+    stop_at_force    optional, > 1: a float run ends where p < 0 and the force is this many times that of rigid slip
+                     at the start, -b/p
+    parameters.*     numbers of the effects, of the model, or of the mechanism
+    start.*          the model: p, b or nu, and u, x with their effects; a mechanism: components of its state, as
+                     numbers or formulas; y, v, z or none of them
+
+No code of a file is run. Numbers are exact: integers, decimals (0.1 is 1/10), or texts such as "7/3"; they stand
+without units, in those of the mechanism.
+"""
+
+from __future__ import annotations
+
+import json
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from flint import fmpq
+
+from gspot_verified.mechanisms.formulas.names import nearest
+from gspot_verified.mechanisms.input.file import read_mechanism
+from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.mechanisms.input.toml_table import TomlTable, toml_table
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.numbers.balls import ExactInput
+from gspot_verified.scenes.effects.catalogue import EFFECTS
+from gspot_verified.scenes.scene.numbers import scene_number
+from gspot_verified.scenes.scene.scene import Scene, SceneError, checked_owner
+
+SHIPPED = ("fig-varsim1", "fig-varsim2", "oscillator", "oscillator-canard", "extended", "rod")
+MAX_BYTES = 100_000
+KEYS = {
+    "": (
+        "format",
+        "name",
+        "source",
+        "mechanism",
+        "effects",
+        "epsilon",
+        "until",
+        "stop_at_force",
+        "parameters",
+        "start",
+    ),
+}
+
+
+def load_scene(name_or_path: str | Path, /, **settings: ExactInput | None) -> Scene:
+    """The scene in a TOML file, or the one of the package with that name; ``settings`` as in ``Scene.with_settings``.
+
+    :raises SceneError: neither a file nor a name, or a part of the scene is wrong.
+    :raises MechanismError: no TOML, a key is wrong, or the mechanism is.
+
+    >>> load_scene("fig-varsim1", nu=2, eps="1e-3").system("slip").states
+    ('b', 'Y', 'V', 'Z')
+    >>> load_scene("oscillator", phi_dot="-1/2").system("slip").states
+    ('phi', 'phi_dot', 'Y', 'V', 'Z')
+    """
+    path = Path(name_or_path)
+    if isinstance(name_or_path, str) and name_or_path in SHIPPED:
+        place = resources.files("gspot_verified.scenes").joinpath("data", f"{name_or_path}.toml")
+        scene = parse_scene(place.read_text(encoding="utf-8"))
+    elif path.is_file():
+        scene = parse_scene(_text(path), path.parent)
+    else:
+        hint = nearest(str(name_or_path), SHIPPED)
+        shown = str(name_or_path)[:60]
+        raise SceneError(f"no scene file {shown!r}, and no scene of that name{hint}; there are: {', '.join(SHIPPED)}")
+    return scene.with_settings(**settings)
+
+
+def scene_file_schema() -> dict[str, Any]:
+    """The schema (JSON Schema, draft 2020-12) of scene files, for editors and other programs.
+
+    >>> scene_file_schema()["$id"]
+    'gspot-verified/scene-file/1'
+    """
+    place = resources.files("gspot_verified.scenes").joinpath("data", "scene_file.json")
+    found: dict[str, Any] = json.loads(place.read_text(encoding="utf-8"))
+    return found
+
+
+def parse_scene(text: str, folder: Path | None = None) -> Scene:
+    """The scene that a TOML text describes; the path of a mechanism counts from ``folder``.
+
+    :raises SceneError: a part of the scene is wrong.
+    :raises MechanismError: no TOML, a key is wrong, or the mechanism is.
+    """
+    if len(text) > MAX_BYTES:
+        raise SceneError(f"a scene may have at most {MAX_BYTES} characters")
+    table = toml_table(text)
+    table.only(KEYS)
+    if table.get("format", int, "1") != 1:
+        raise SceneError('key "format" must be 1')
+    name = table.text("name")
+    if not name.strip() or not name.isprintable() or len(name) > 80:
+        raise SceneError('key "name" must be one line of visible text, at most 80 characters')
+    mechanism = _mechanism(table.text("mechanism"), folder) if table.has("mechanism") else None
+    effects = tuple(table.words("effects"))
+    if len(effects) > len(EFFECTS):
+        raise SceneError(f"{len(effects)} effects; there are {len(EFFECTS)}: {', '.join(EFFECTS)}")
+    given = table.table("parameters").all_formulas()
+    own = {} if mechanism is None else {key: given.pop(key) for key in list(given) if key in dict(mechanism.parameters)}
+    scene = Scene(
+        name,
+        effects,
+        _number(table, "epsilon"),
+        _number(table, "until"),
+        {key: scene_number(value, f"parameters: {key[:40]}") for key, value in given.items()},
+        _start(table.table("start").all_formulas(), mechanism is not None),
+        _number(table, "stop_at_force") if table.has("stop_at_force") else None,
+        mechanism if mechanism is None else mechanism.with_parameters(**{key: _value(own[key], key) for key in own}),
+    )
+    for key in own:
+        checked_owner(scene, key)
+    return scene
+
+
+def _text(path: Path) -> str:
+    try:
+        with path.open("rb") as stream:
+            data = stream.read(MAX_BYTES + 1)
+    except OSError as error:
+        raise SceneError(f"{path}: cannot be read: {error.strerror or error}") from None
+    if len(data) > MAX_BYTES:
+        raise SceneError(f"{path}: a scene file may have at most {MAX_BYTES} bytes")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise SceneError(f"{path}: not UTF-8 text") from None
+
+
+def _mechanism(name: str, folder: Path | None) -> Mechanism:
+    """A mechanism of the package, or a file; what is no ordinary file is not opened."""
+    if not name.endswith(".toml"):
+        return shipped_mechanism(name)
+    path = (folder or Path()) / name
+    if "\0" in name or len(name) > 1000 or not path.is_file():
+        raise SceneError(f"mechanism: there is no file {name[:100]!r}")
+    return read_mechanism(path)
+
+
+def _start(given: dict[str, Any], beside_mechanism: bool) -> dict[str, fmpq | str]:
+    """Formulas stay texts where a mechanism reads them."""
+    return {
+        key: value if isinstance(value, str) and beside_mechanism else scene_number(value, f"start: {key[:40]}")
+        for key, value in given.items()
+    }
+
+
+def _value(value: Any, name: str) -> fmpq:
+    return scene_number(value, f"parameters: {name}")
+
+
+def _number(table: TomlTable, name: str) -> fmpq:
+    return scene_number(table.formula(name), table.key(name))

@@ -1,0 +1,295 @@
+"""A scene: what moves, the effects that matter, initial values, and how long to look."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from flint import fmpq
+
+from gspot_verified.functions.derivative import powers_as_products
+from gspot_verified.functions.expressions import Expression
+from gspot_verified.mechanisms.formulas.names import nearest
+from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.numbers.balls import ExactInput
+from gspot_verified.scenes.effects.catalogue import EFFECTS
+from gspot_verified.scenes.effects.effect import Effect
+from gspot_verified.scenes.equations.motion import Motion
+from gspot_verified.scenes.equations.motion import SceneError as SceneError
+from gspot_verified.scenes.equations.scaled_system import ScaledSystem
+from gspot_verified.scenes.equations.terms import PHASES, SLIP, Terms, scaled
+from gspot_verified.scenes.motions.compact import compact
+from gspot_verified.scenes.motions.mechanism_motion import MechanismMotion
+from gspot_verified.scenes.motions.model_motion import ModelMotion
+from gspot_verified.scenes.scene.numbers import scene_number
+from gspot_verified.scenes.scene.start_phase import check_rigid_force, check_start, first_phase
+
+START_KEYS = ("p", "b", "nu", "y", "v", "z", "u", "x")
+"""The keys of a start in the model scenes; beside a mechanism its components take the places of p, b, nu, u, x."""
+
+
+@dataclass(frozen=True)
+class Scene:
+    """``mechanism``: what moves; None: the model system and, with its effects, the extended example.
+
+    ``parameters``: those of the effects and of the model. ``start``, in the paper's units; the model: p, b or nu
+    (b = -nu p |alpha_2/(alpha_3 - alpha_1)|), u and x with their effects; y, v, z or none of them (at rest on the
+    surface: y = 2 b epsilon^2/p, z = y/2, v = 0 with the paper's stiffness). A mechanism: components of its state as
+    numbers or formulas; y, v, z or none of them (just in contact: all 0); two components follow from y and v.
+
+    ``until``: the time, from the start, at which float runs end. ``stop_at_force``: a float run ends where p < 0 and
+    lambda_N is this many times that of rigid slip at the start, -b/p; None: it does not.
+
+    :raises SceneError: a part is wrong.
+    :raises MechanismError: the mechanism is not complete, or its mass matrix is not positive definite at the start.
+    """
+
+    name: str
+    effects: tuple[str, ...]
+    epsilon: fmpq
+    until: fmpq
+    parameters: Mapping[str, fmpq]
+    start: Mapping[str, fmpq | str]
+    stop_at_force: fmpq | None = None
+    mechanism: Mechanism | None = None
+
+    def __post_init__(self) -> None:
+        _check_effects(self.effects, self.mechanism is not None)
+        _check_positive(self.epsilon, "epsilon")
+        for name in self.parameters:
+            if name not in self.defaults():
+                known = ", ".join(self.defaults())
+                raise SceneError(f"unknown parameter {name[:40]!r}{nearest(name, self.defaults())}; here: {known}")
+        _check_numbers(self)
+        check_start(self.motion, self.values(), self.epsilon, self.effects, self.start)
+        self.first_phase()
+        if self.stop_at_force is not None:
+            check_rigid_force(self.motion, self.values())
+
+    @cached_property
+    def motion(self) -> Motion:
+        """The equations of what moves."""
+        return self._motion_with(self.used())
+
+    def _motion_with(self, effects: Sequence[Effect]) -> Motion:
+        if self.mechanism is None:
+            start = {name: scene_number(value, f"start: {name}") for name, value in self.start.items()}
+            return ModelMotion(effects, self.epsilon, start)
+        sees = [name for each in effects for name in each.sees]
+        return MechanismMotion(self.mechanism, sees, self.epsilon, self.start)
+
+    def used(self) -> tuple[Effect, ...]:
+        """The effects, in the order of the catalogue."""
+        return tuple(effect for name, effect in EFFECTS.items() if name in self.effects)
+
+    def left_out(self) -> tuple[Effect, ...]:
+        """The effects that are left out; none of those that have no place in this scene."""
+        others = [effect for name, effect in EFFECTS.items() if name not in self.effects]
+        return tuple(effect for effect in others if self.mechanism is None or effect.not_with_mechanism is None)
+
+    def assumes(self) -> dict[str, str]:
+        """For each effect that is left out, what that means for this scene."""
+        return {effect.name: effect.left_out_of(self.motion) or effect.left_out for effect in self.left_out()}
+
+    def conditional(self) -> tuple[Effect, ...]:
+        """The effects whose absence assumes something of the motion; where two belong together, the one that the other
+        needs."""
+        return tuple(
+            effect
+            for effect in self.left_out()
+            if effect.condition is not None
+            and (effect.condition.of_model or self.mechanism is not None)
+            and all(name in self.effects for name in effect.needs)
+        )
+
+    def not_followed(self, effect: Effect) -> str | None:
+        """Why the condition of an effect that is left out cannot be followed along a run; None: it can."""
+        if effect.sees and self.has_unknown_surface_velocity:
+            return "the velocity of the surface is not given"
+        try:
+            self.scaled_initial((effect,))
+        except SceneError as error:
+            return str(error)
+        return None
+
+    def defaults(self) -> dict[str, fmpq]:
+        """The parameters of this scene's effects, and of the model, with their default values."""
+        found = {name: value for effect in self.used() for name, value in effect.parameters.items()}
+        return {**found, **self.motion.parameters}
+
+    def values(self) -> dict[str, fmpq]:
+        """The parameters with the values that they have; the velocity of the surface is in it where it is known."""
+        found = {**self.defaults(), **self.parameters}
+        if self.has_unknown_surface_velocity:
+            del found["belt_velocity"]
+        return found
+
+    @property
+    def has_unknown_surface_velocity(self) -> bool:
+        """Whether the surface moves, at a velocity that is not given: below that of the contact point, as is said."""
+        return {"belt"} == {"belt", "tangential_motion"} & {*self.effects} and "belt_velocity" not in self.parameters
+
+    def phases(self) -> tuple[str, ...]:
+        """The phases that the effects open."""
+        opened = {SLIP, *(phase for effect in self.used() for phase in effect.opens)}
+        return tuple(phase for phase in PHASES if phase in opened)
+
+    def system(self, phase: str, watched: Sequence[Effect] = ()) -> ScaledSystem:
+        """The equations of one phase; effects that are left out are not in them.
+
+        ``watched``: effects that are left out, whose conditions are to be followed: with what these need to be known,
+        and with the events at which they end to hold.
+
+        :raises SceneError: this scene has no such phase, or its start does not give what a condition needs.
+        """
+        if phase not in self.phases():
+            raise SceneError(f"no phase {phase!r} in this scene; there are: {', '.join(self.phases())}")
+        used = self.used()
+        own = [effect.states for effect in used if effect.states is not None and phase in effect.states.phases]
+        motion = self._motion_watching(tuple(watched))
+        moving = motion.states(phase)
+        first = moving if self.mechanism is not None else moving[:1]
+        states = (*first, *(name for part in own for name in part.names), *moving[len(first) :])
+        terms = motion.terms(phase, states, self.values())
+        rates = motion.rates(terms) | {name: rate for part in own for name, rate in part.rates(terms).items()}
+        ends = [
+            replace(event, left_out=effect.name)
+            for effect in watched
+            if effect.condition is not None
+            for event in effect.condition.events(terms)
+        ]
+        events = (*(event for effect in used for event in effect.events(terms)), *ends)
+        shown = self._read_out(terms, motion)
+        # The rates alone: what is shown and watched must not change them.
+        shorter = compact([rates[state] for state in states])
+        supposed = terms.supposed
+        needed = [*(event.function for event in events), *(function for _, function in supposed)]
+        roots = [*shorter.values(), *needed, *shown.values()]
+        made = powers_as_products(roots)
+        return ScaledSystem(
+            phase,
+            states,
+            tuple(made[shorter[rates[state]]] for state in states),
+            tuple(replace(event, function=made[event.function]) for event in events),
+            tuple((name, made[function]) for name, function in shown.items()),
+            tuple((name, made[function]) for name, function in supposed),
+        )
+
+    def _motion_watching(self, watched: tuple[Effect, ...]) -> Motion:
+        """What moves, with what the conditions of these effects need to know of it."""
+        if self.mechanism is None or not any(effect.sees for effect in watched):
+            return self.motion
+        names = tuple(effect.name for effect in watched)
+        if names not in self._watching:
+            self._watching[names] = self._motion_with((*self.used(), *watched))
+        return self._watching[names]
+
+    @cached_property
+    def _watching(self) -> dict[tuple[str, ...], Motion]:
+        return {}
+
+    def _read_out(self, terms: Terms, motion: Motion) -> dict[str, Expression]:
+        epsilon, own = self.epsilon, motion.shown(terms)
+        return {
+            "p": own["p"],
+            "b": own["b"],
+            "y": scaled(epsilon**2, terms.state("Y")),
+            "v": scaled(epsilon, terms.state("V")),
+            "z": scaled(epsilon**2, terms.state("Z")),
+            "lambda_N": terms.force,
+            **own,
+        }
+
+    def initial(self) -> dict[str, fmpq]:
+        """The states at the start in the paper's units, exactly: of the model p, b, y, v, z (u, x), of a mechanism its
+        components that are integrated and y, v, z."""
+        return self.motion.start(self.values())
+
+    def scaled_initial(self, watched: Sequence[Effect] = ()) -> dict[str, fmpq]:
+        """The same with Y, V, Z: the value at T = 0 of every state that is integrated in some phase; ``watched`` as in
+        :meth:`system`."""
+        found, small = self._motion_watching(tuple(watched)).start(self.values()), self.epsilon
+        return found | {"Y": found["y"] / small**2, "V": found["v"] / small, "Z": found["z"] / small**2}
+
+    def first_phase(self) -> str:
+        """Flight, stick, slip or reverse slip, as y, z and the slip velocity at the start say."""
+        return first_phase(self.motion, self.values(), self.epsilon, self.phases())
+
+    def with_settings(self, **settings: ExactInput | None) -> Scene:
+        """The scene with other numbers: parameters (of a mechanism, too), values of the start, ``eps``, ``until``;
+        None changes nothing.
+
+        :raises SceneError: there is no such setting.
+        """
+        parameters, start, epsilon, until = dict(self.parameters), dict(self.start), self.epsilon, self.until
+        mechanism = self.mechanism
+        for name, value in settings.items():
+            if value is None:
+                continue
+            if name in ("eps", "epsilon"):
+                epsilon = scene_number(value, name)
+            elif name == "until":
+                until = scene_number(value, name)
+            elif name in self._start_keys():
+                if name in ("b", "nu"):
+                    start.pop("nu" if name == "b" else "b", None)
+                start[name] = value if isinstance(value, str) and mechanism is not None else scene_number(value, name)
+            elif mechanism is not None and name in dict(mechanism.parameters):
+                mechanism = mechanism.with_parameters(**{checked_owner(self, name): value})
+            elif name in self.defaults():
+                parameters[name] = scene_number(value, name)
+            else:
+                own = () if mechanism is None else tuple(dict(mechanism.parameters))
+                known = ("eps", "until", *self._start_keys(), *self.defaults(), *own)
+                raise SceneError(f"no setting {name[:40]!r}{nearest(name, known)}; there are: {', '.join(known)}")
+        return replace(self, parameters=parameters, start=start, epsilon=epsilon, until=until, mechanism=mechanism)
+
+    def _start_keys(self) -> tuple[str, ...]:
+        if self.mechanism is None:
+            return START_KEYS
+        return tuple(dict.fromkeys((*self.mechanism.state, "y", "v", "z")))
+
+
+def checked_owner(scene: Scene, name: str) -> str:
+    """The name of a mechanism's parameter, if no effect has one of that name.
+
+    :raises SceneError: both have.
+    """
+    if name in scene.defaults():
+        raise SceneError(
+            f"parameter {name!r} is one of the mechanism and of an effect: change the mechanism's in its file"
+        )
+    return name
+
+
+def _check_effects(names: tuple[str, ...], beside_mechanism: bool) -> None:
+    for name in names:
+        if name not in EFFECTS:
+            raise SceneError(f"unknown effect {name[:40]!r}{nearest(name, EFFECTS)}; there are: {', '.join(EFFECTS)}")
+        if names.count(name) > 1:
+            raise SceneError(f"effect {name!r} is named twice")
+        effect = EFFECTS[name]
+        for other in effect.needs if beside_mechanism else (*effect.needs, *effect.needs_in_model):
+            if other not in names:
+                raise SceneError(f"effect {name!r} needs {other!r}")
+        if beside_mechanism and effect.not_with_mechanism is not None:
+            raise SceneError(f"effect {name!r} and a mechanism exclude each other: {effect.not_with_mechanism}")
+    if "compliant_contact" not in names:
+        raise SceneError("effect 'compliant_contact' is missing: without it nothing is integrated after the G-spot")
+
+
+def _check_positive(value: fmpq, name: str) -> None:
+    if value <= 0:
+        raise SceneError(f"{name} must be > 0, got {value}")
+
+
+def _check_numbers(scene: Scene) -> None:
+    values = scene.values()
+    _check_positive(scene.until, "until")
+    for name in ("k_1", "k_2", "damping"):
+        _check_positive(values[name], f"parameter {name}")
+    if scene.stop_at_force is not None and scene.stop_at_force <= 1:
+        raise SceneError(f"stop_at_force must be > 1, got {scene.stop_at_force}")
+    if "stick" in scene.effects and scene.mechanism is None and values["k_minus"] <= values["k_plus"]:
+        raise SceneError("effect 'stick': k_minus must be > k_plus: their difference is 2 mu A, positive for friction")

@@ -1,0 +1,1 @@
+"""The sign of dΘ/dτ on ranges of τ and β: pieces that cover them."""

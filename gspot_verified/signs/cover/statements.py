@@ -1,0 +1,103 @@
+"""The statements that columns prove; texts and data as in ``proofs/certificate.md``."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from flint import fmpq
+
+from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.work.ranges import Range
+
+_MANY_ZEROS = 16
+_RELATION = {1: ">", 0: "=", -1: "<"}
+
+
+@dataclass(frozen=True, slots=True)
+class SignStatement(NoTruthValue):
+    """dTheta/dtau has the sign ``sign`` at every point of the two ranges."""
+
+    version: ClassVar[int] = 1
+    ask: ClassVar[str] = ".sign is what is stated; that it holds is proved elsewhere"
+
+    tau: Range
+    beta: Range
+    sign: int
+
+    def __str__(self) -> str:
+        tau = f"at τ = {self.tau.lower}" if self.tau.is_point else f"for every τ in {self.tau}"
+        beta = f"at β = {self.beta.lower}" if self.beta.is_point else f"every β in {self.beta}"
+        return f"dΘ/dτ {_RELATION[self.sign]} 0 {tau} and {beta}"
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data of the certificate."""
+        return {"kind": "sign", "tau": str(self.tau), "beta": str(self.beta), "sign": self.sign}
+
+
+@dataclass(frozen=True, slots=True)
+class ZerosStatement(NoTruthValue):
+    """For every beta of the range that is not an integer dTheta/dtau has exactly counts[floor(beta)] real zeros."""
+
+    version: ClassVar[int] = 1
+    ask: ClassVar[str] = ".counts is what is stated; that it holds is proved elsewhere"
+
+    beta: Range
+    counts: tuple[tuple[int, int], ...]
+
+    def __str__(self) -> str:
+        table = ", ".join(f"N = {count} on ({m}, {m + 1})" for m, count in self.counts)
+        return f"for every β in {self.beta} that is not an integer, dΘ/dτ has exactly N real zeros, all simple: {table}"
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data of the certificate."""
+        return {"kind": "zeros", "beta": str(self.beta), "counts": [list(pair) for pair in self.counts]}
+
+
+@dataclass(frozen=True, slots=True)
+class BracketsStatement(NoTruthValue):
+    """dTheta/dtau at one beta has exactly one real zero in each open interval, and no other."""
+
+    version: ClassVar[int] = 1
+    ask: ClassVar[str] = ".brackets is what is stated; that it holds is proved elsewhere"
+
+    beta: fmpq
+    brackets: tuple[tuple[fmpq, fmpq], ...]
+
+    def __str__(self) -> str:
+        where = ", ".join(f"({lower}, {upper})" for lower, upper in self.brackets)
+        return (
+            f"at β = {self.beta} dΘ/dτ has exactly {len(self.brackets)} real zeros, all simple, one in each of: {where}"
+        )
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data of the certificate."""
+        brackets = [[str(lower), str(upper)] for lower, upper in self.brackets]
+        return {"kind": "brackets", "beta": str(self.beta), "brackets": brackets}
+
+
+Statement = SignStatement | ZerosStatement | BracketsStatement
+
+
+def cells_of(beta: Range) -> list[tuple[fmpq, fmpq]]:
+    """The closure of a finite range of beta, cut at the integers and into equal parts between them.
+
+    Wider ranges are seldom settled at once, and take the checker longer. A heuristic.
+
+    :raises ValueError: the range is infinite.
+
+    >>> cells_of(Range.parse("1/2..5/4", "beta"))
+    [(1/2, 3/4), (3/4, 1), (1, 5/4)]
+    """
+    if beta.lower is None or beta.upper is None:
+        raise ValueError("the range of beta must be finite")
+    if beta.is_point:
+        return [(beta.lower, beta.lower)]
+    cells = range(int(beta.lower.floor()), int(beta.upper.ceil()))
+    parts = [(m + fmpq(k, _parts(m)), m + fmpq(k + 1, _parts(m))) for m in cells for k in range(_parts(m))]
+    return [(max(beta.lower, a), min(beta.upper, b)) for a, b in parts if a < beta.upper and b > beta.lower]
+
+
+def _parts(m: int) -> int:
+    """How many ranges (m, m + 1) is cut into to begin with. A heuristic."""
+    return 4 if m < _MANY_ZEROS else 16

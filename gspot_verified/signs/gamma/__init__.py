@@ -1,0 +1,1 @@
+"""The sign of Γ(-β), and how many zeros dΘ/dτ has."""

@@ -1,0 +1,1 @@
+"""The real zeros of dΘ/dτ: how many, and brackets of them."""

@@ -1,0 +1,1 @@
+"""Θ at many points at once."""

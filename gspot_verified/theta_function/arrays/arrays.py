@@ -1,0 +1,158 @@
+"""Theta over numpy arrays of tau and beta."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from flint import arb, fmpq
+
+from gspot_verified.numbers.balls import ExactInput, bits_for_digits, exact, float_bounds
+from gspot_verified.numbers.dyadic import Dyadic
+from gspot_verified.theta_function.arrays.batch import DOUBLE_DIGITS, ball_batch, float_batch
+from gspot_verified.theta_function.arrays.float_balls import FloatArray, FloatBalls
+from gspot_verified.theta_function.value.evaluate import evaluate
+from gspot_verified.theta_function.value.routes import checked_arguments
+
+ObjectArray = np.ndarray[Any, np.dtype[np.object_]]
+
+
+def theta_array(
+    tau: ExactInput | np.ndarray[Any, Any],
+    beta: ExactInput | np.ndarray[Any, Any],
+    derivative: int = 0,
+    digits: int = 15,
+) -> ObjectArray:
+    """Enclosures of d^k Theta/dtau^k at every entry: an object array of ``arb``.
+
+    An array of floats is taken on purpose: each entry stands for its exact binary value. Object arrays hold any exact
+    input. beta may be an array, too; the two are broadcast. derivative, digits and the errors are those of
+    :func:`gspot_verified.theta_function.theta.theta`; the relative accuracy is 10^-digits.
+
+    :raises TypeError: an array is masked: the mask would be lost.
+    :raises ValueError: an entry is NaN, infinite, or outside the domain.
+
+    >>> lower, upper = bounds(theta_array(np.linspace(-2.0, 2.0, 5), "1/2"))
+    >>> bool((lower < upper).all())
+    True
+    """
+    bits_for_digits(digits)
+    taus, betas = np.broadcast_arrays(_as_array(tau, "tau"), _as_array(beta, "beta"))
+    result = np.empty(taus.size, dtype=object)
+    for value, where in _by_beta(betas):
+        points = taus.ravel()[where]
+        found: list[arb]
+        if points.dtype == np.float64 and isinstance(value, fmpq):
+            _check(points, value, derivative)
+            if digits <= DOUBLE_DIGITS:
+                middles, radii = float_batch(points, value, derivative)
+                found = [arb(m, r) for m, r in zip(middles.tolist(), radii.tolist(), strict=True)]
+            else:
+                found = ball_batch(points, value, derivative, digits)
+        else:
+            found = [evaluate(_exact_entry(entry), value, derivative, digits).value for entry in points]
+        result[where] = found
+    return result.reshape(taus.shape)
+
+
+def theta_of_floats(
+    tau: FloatArray | float, beta: ExactInput | np.ndarray[Any, Any], derivative: int = 0
+) -> FloatBalls:
+    """d^k Theta/dtau^k at doubles, each of which stands for its exact binary value: midpoints and radii as doubles.
+
+    The exact value lies within the radius, always; the radius is at most 10^-15 of the value, or 2^-899 where that is
+    more: next to the least doubles accuracy is lost. It is infinite where Theta overflows a double. Every rounding
+    error of the double arithmetic is bounded (``proofs/float_horner.md``).
+
+    :param beta: one exact input, or an array of them (floats: exact binary values), broadcast against ``tau``.
+    :raises TypeError: ``tau`` has other entries than doubles, or an array is masked.
+    :raises ValueError: an entry is NaN, infinite, or outside the domain.
+
+    >>> found = theta_of_floats(np.array([0.5, -1.25]), "7/3")
+    >>> bool((found.radius <= 1e-15 * abs(found.midpoint)).all())
+    True
+    """
+    _without_mask(tau, "tau")
+    points = np.asarray(tau)
+    if points.dtype != np.float64:
+        raise TypeError(f"tau: expected an array of doubles (float64), got {points.dtype}")
+    taus, betas = np.broadcast_arrays(points, _as_array(beta, "beta"))
+    middles, radii = np.empty(taus.size), np.empty(taus.size)
+    for value, where in _by_beta(betas):
+        there = np.ascontiguousarray(taus.ravel()[where])
+        _check(there, value, derivative)
+        if isinstance(value, fmpq):
+            middles[where], radii[where] = float_batch(there, value, derivative)
+        else:
+            raise TypeError("beta: a ball is not taken here; use theta_array")
+    return FloatBalls(middles.reshape(taus.shape), radii.reshape(taus.shape))
+
+
+def _as_array(value: ExactInput | np.ndarray[Any, Any], name: str) -> np.ndarray[Any, Any]:
+    if isinstance(value, np.ndarray):
+        _without_mask(value, name)
+        return value
+    single = np.empty((), dtype=object)
+    single[()] = exact(value, name)
+    return single
+
+
+def _without_mask(value: object, name: str) -> None:
+    """Passes for anything but a masked array.
+
+    :raises TypeError: it is one.
+    """
+    if isinstance(value, np.ma.MaskedArray):
+        raise TypeError(f"{name}: a masked array is not taken, its mask would be lost: pass .compressed() or .filled()")
+
+
+def _by_beta(betas: np.ndarray[Any, Any]) -> Iterator[tuple[Any, Any]]:
+    """Each beta as an exact value, and where it stands in the flat array."""
+    if betas.size == 0:
+        return
+    flat = betas.ravel()
+    if not any(betas.strides):  # one value, broadcast
+        yield exact(_exact_entry(flat[0], "beta"), "beta"), slice(None)
+        return
+    if flat.dtype == np.float64:
+        entries, places = np.unique(flat, return_inverse=True)
+        order = np.argsort(places, kind="stable")
+        groups = np.split(order, np.flatnonzero(np.diff(places[order])) + 1)
+        for entry, group in zip(entries, groups, strict=True):
+            yield exact(_exact_entry(entry, "beta"), "beta"), group
+        return
+    found: dict[Any, list[int]] = {}
+    for index, entry in enumerate(flat):
+        if isinstance(entry, arb):  # no hash unless it is exact
+            entry = Dyadic.from_ball(entry) if entry.is_finite() else ("not finite", index)
+        found.setdefault(entry, []).append(index)
+    for where in found.values():
+        yield exact(_exact_entry(flat[where[0]], "beta"), "beta"), np.array(where)
+
+
+def _check(points: FloatArray, beta: Any, derivative: int) -> None:
+    """The errors of one evaluation, for all points at once."""
+    if not np.isfinite(points).all():
+        raise ValueError(f"tau: every entry must be finite, got {points[np.logical_not(np.isfinite(points))][0]}")
+    farthest = float(np.abs(points).max(initial=0.0))
+    checked_arguments(fmpq(*farthest.as_integer_ratio()), beta, derivative)
+
+
+def bounds(values: ObjectArray) -> tuple[FloatArray, FloatArray]:
+    """Two float arrays (lower, upper) that enclose an array of balls, rounded outward."""
+    lower = np.empty(values.shape)
+    upper = np.empty(values.shape)
+    for index, value in np.ndenumerate(values):
+        lower[index], upper[index] = float_bounds(value)
+    return lower, upper
+
+
+def _exact_entry(value: Any, name: str = "tau") -> Any:
+    if isinstance(value, np.floating):
+        if not np.isfinite(value):
+            raise ValueError(f"{name}: every entry must be finite, got {value}")
+        return fmpq(*value.as_integer_ratio())  # exact for every width, longdouble included
+    if isinstance(value, np.integer):
+        return int(value)
+    return value

@@ -1,0 +1,60 @@
+"""Balls whose midpoint and radius are doubles, one or an array of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+from flint import arb
+
+from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.verdict import NoTruthValue
+
+FloatArray = np.ndarray[Any, np.dtype[np.float64]]
+
+_SMALLEST = 2.0**-900
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FloatBalls(NoTruthValue):
+    """Two arrays of doubles of one shape: every exact value lies within ``radius`` of ``midpoint``, always.
+
+    A radius is infinite where doubles cannot hold the value.
+    """
+
+    ask: ClassVar[str] = ".lower and .upper enclose the values, .radius says how closely"
+
+    midpoint: FloatArray
+    radius: FloatArray
+
+    @property
+    def lower(self) -> FloatArray:
+        """Doubles below the exact values."""
+        return np.nextafter(self.midpoint - self.radius, -np.inf)
+
+    @property
+    def upper(self) -> FloatArray:
+        """Doubles above the exact values."""
+        return np.nextafter(self.midpoint + self.radius, np.inf)
+
+
+def float_balls(values: list[arb]) -> tuple[FloatArray, FloatArray]:
+    """Midpoints and radii that enclose the balls, rounded outward; a radius is infinite where doubles overflow.
+
+    >>> middle, radius = float_balls([arb(3)])
+    >>> float(middle[0]), float(radius[0])
+    (3.0, 0.0)
+    """
+    with working_bits(53):
+        rounded = [+value for value in values]
+    middle = np.array([float(value) for value in rounded], dtype=np.float64)
+    radius = np.array([float(value.rad()) for value in rounded], dtype=np.float64)
+    # A midpoint of 53 bits is the double, unless it is so small that it was rounded.
+    outward = np.nextafter(np.where(np.abs(middle) > _SMALLEST, radius, radius + _SMALLEST), np.inf)
+    for index in np.flatnonzero((radius == 0) | np.logical_not(np.isfinite(middle))).tolist():
+        if not (rounded[index].is_finite() and np.isfinite(middle[index])):
+            middle[index], outward[index] = 0.0, np.inf
+        elif rounded[index].is_exact() and (abs(middle[index]) > _SMALLEST or rounded[index].is_zero()):
+            outward[index] = 0.0
+    return middle, outward

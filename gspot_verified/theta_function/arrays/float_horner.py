@@ -1,0 +1,102 @@
+"""Polynomials at many points in IEEE double arithmetic, with a bound on every rounding error.
+
+Proof page: ``proofs/float_horner.md``.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from flint import arb_poly
+
+from gspot_verified.numbers.balls import working_bits
+from gspot_verified.theta_function.sums.local_series import REACH
+
+FloatArray = np.ndarray[Any, np.dtype[np.float64]]
+IndexArray = np.ndarray[Any, np.dtype[np.intp]]
+
+_UNIT = 2.0**-53
+_REACH = int(REACH.p) / int(REACH.q)  # exact: 1 + 2^-10
+_ACCEPTED = 1.0 + 2.0**-11
+_SMALLEST = 2.0**-900
+_UNDERFLOW = 2.0**-880
+_ROUNDED_UP = 1.0 + 2.0**-30
+_BLOCK = 4_096
+
+
+class FloatPolynomial(NamedTuple):
+    """Double coefficients; ``error`` bounds what :func:`horner` and the coefficients are wrong by on |s| <= REACH."""
+
+    coefficients: tuple[float, ...]
+    error: float
+
+
+def float_polynomial(polynomial: arb_poly) -> FloatPolynomial:
+    """The polynomial in doubles; ``error`` is infinite where doubles do not hold it.
+
+    error = sum over k of (gamma_(3k+1) |A_k| + |a_k - A_k|) REACH^k, and 2^-880 for what underflows, rounded up.
+    """
+    with working_bits(53):
+        rounded = [+value for value in polynomial.coeffs()]
+    middles = [float(value) for value in rounded]  # exact: 53 bits
+    radii = [float(value.rad()) for value in rounded]
+    coefficients, error, reach = [], _UNDERFLOW, 1.0
+    for k, (middle, radius) in enumerate(zip(middles, radii, strict=True)):
+        kept = middle if abs(middle) > _SMALLEST else 0.0
+        coefficients.append(kept)
+        lost = radius + (_SMALLEST if kept == 0.0 and middle else 0.0)
+        gamma = (3 * k + 1) * _UNIT * _ROUNDED_UP
+        error += (gamma * abs(kept) + lost) * reach
+        reach *= _REACH
+    if not math.isfinite(error):
+        return FloatPolynomial((0.0,), math.inf)
+    return FloatPolynomial(tuple(coefficients), error * _ROUNDED_UP)
+
+
+@lru_cache(maxsize=1)
+def arithmetic_is_ieee() -> bool:
+    """Whether numpy rounds sums and products of doubles to nearest, ties to even, and only once.
+
+    The bound stands on it. Other rounding directions, and intermediate results of more bits, show in these cases.
+    """
+    signs = np.array([1.0, -1.0])
+    half, one_bit = signs * _UNIT, signs * 2 * _UNIT
+    above_half = np.nextafter(half, signs)
+    factor = signs + signs * 2.0**-30
+    return bool(
+        ((signs + half) == signs).all()
+        and (((signs + one_bit) + half) == signs + 2 * one_bit).all()
+        and ((signs + above_half) == signs + one_bit).all()
+        and ((factor * (1 + 2.0**-30)) == signs + signs * 2.0**-29).all()
+        and ((signs + signs * 2.0**-27) * (1 + 2.0**-26) == signs + signs * (2.0**-26 + 2.0**-27)).all()
+    )
+
+
+def horner(
+    points: FloatArray, panels: IndexArray, centres: FloatArray, inverses: FloatArray, table: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """For each point the value of its panel's polynomial at s = (point - centre) * inverse, and |s| as computed.
+
+    ``table[k]`` holds the coefficients of s^k by panel; the inverses are powers of two.
+    """
+    values, sizes = np.empty_like(points), np.empty_like(points)
+    for start in range(0, len(points), _BLOCK):
+        part = slice(start, start + _BLOCK)
+        index = panels[part]
+        s = points[part] - centres.take(index)
+        s *= inverses.take(index)
+        total = table[-1].take(index)
+        for row in table[-2::-1]:
+            total *= s
+            total += row.take(index)
+        values[part] = total
+        np.abs(s, out=sizes[part])
+    return values, sizes
+
+
+def accepted(sizes: FloatArray) -> np.ndarray[Any, np.dtype[np.bool_]]:
+    """Where the point certainly lies in its panel: |s| <= REACH for the exact s."""
+    return sizes <= _ACCEPTED

@@ -1,0 +1,96 @@
+"""Theta at one beta on a cover of [-64, 64] by panels, each with its Taylor series: for many values of tau.
+
+Where the panels lie and how long the series are is a heuristic; each series carries its own bound.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import NamedTuple
+
+from flint import arb, fmpq
+
+from gspot_verified.numbers.balls import Exact, approximate, working_bits
+from gspot_verified.theta_function.sums.local_series import LocalSeries, local_series
+from gspot_verified.theta_function.sums.taylor import taylor_derivatives
+from gspot_verified.theta_function.value import choice
+from gspot_verified.theta_function.value.evaluate import evaluate
+from gspot_verified.theta_function.value.routes import shifted_parameter
+
+FARTHEST = 64
+"""Panels cover -FARTHEST <= tau < FARTHEST."""
+
+_NEAR = 8
+_CANCELLATION_PAYS = 24
+_GUARD = 40
+_LOST_IN_A_CELL = 16
+_LOG2_10 = math.log2(10)
+
+
+class Layout(NamedTuple):
+    """The number of equal panels in each unit interval [j, j + 1), j = -FARTHEST .. FARTHEST - 1, all powers of two."""
+
+    counts: tuple[int, ...]
+
+
+@lru_cache(maxsize=64)
+def layout(size: int) -> Layout:
+    """For |beta| <= ``size``: Theta changes by about e^(1/2) in half of a panel, so that doubles lose nothing."""
+    counts = []
+    for cell in range(-FARTHEST, FARTHEST):
+        turning = size ** (2 / 3)
+        rate = 1.0 if cell < -2 * turning - 2 else math.sqrt(max(cell + 1, 0) + turning + 0.5)
+        counts.append(1 << max(0, math.ceil(math.log2(rate))))
+    return Layout(tuple(counts))
+
+
+COARSE = Layout((1,) * (2 * FARTHEST))
+"""One panel in each unit interval: longer series, fewer of them, for balls at a few thousand points."""
+
+
+@lru_cache(maxsize=4_096)
+def panel(beta: fmpq, derivative: int, cell: int, number: int, count: int, goal: int) -> LocalSeries:
+    """The series of d^k Theta/dtau^k on panel ``number`` of ``count`` in [cell, cell + 1], for ``goal`` bits."""
+    half_width = fmpq(1, 2 * count)
+    centre = cell + (2 * number + 1) * half_width
+    shifted = beta - derivative
+    bits = goal + _GUARD
+    if count == 1 or abs(centre) <= _NEAR:
+        values = _values(centre, shifted, bits)
+        factor = shifted_parameter(beta, derivative, bits)[1]
+        with working_bits(bits):
+            values = (values[0] * factor, values[1] * factor, values[2] * factor)
+    else:
+        # One value that costs serves the whole unit interval.
+        values = panel(beta, derivative, cell, 0, 1, goal + _LOST_IN_A_CELL).values_at(centre)
+    return local_series(values, centre, half_width, shifted, _length(centre, half_width, shifted, goal), bits)
+
+
+def _values(centre: fmpq, beta: fmpq, bits: int) -> tuple[arb, arb, arb]:
+    """Theta, Theta' and Theta'' with about ``bits`` bits."""
+    farthest = _NEAR * math.ceil(abs(approximate(centre)) / _NEAR)
+    if centre > 0 or farthest <= _CANCELLATION_PAYS:
+        # One length for many centres, so that they share their polynomial.
+        plan = choice.taylor_plan(math.copysign(farthest, approximate(centre)), approximate(beta), bits)
+        return taylor_derivatives(centre, beta, plan.length, plan.bits)
+    digits = math.ceil(bits / _LOG2_10)
+    found = [evaluate(centre, beta, derivative, digits).value for derivative in range(3)]
+    return found[0], found[1], found[2]
+
+
+def _length(centre: fmpq, half_width: fmpq, beta: fmpq, goal: int) -> int:
+    """Coefficients until their terms fall below 2^-goal of the first: the growth of the recurrence, in floats."""
+    c, h, b = abs(approximate(centre)), approximate(half_width), abs(approximate(beta))
+    bits, k = 0.0, 0
+    while bits > -goal - 4 or k < 6:
+        step = c * h * h / ((k + 2) * (k + 3))
+        other = (k + b) * h**3 / ((k + 1) * (k + 2) * (k + 3))
+        bits += 3 * math.log2(max(step**0.5, other ** (1 / 3)))
+        k += 3
+    return k + 3
+
+
+def is_tame(beta: Exact) -> bool:
+    """Where panels pay: a rational beta of small size and height."""
+    return isinstance(beta, fmpq) and abs(beta) <= 100 and beta.height_bits() <= 256

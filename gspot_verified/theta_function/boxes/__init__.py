@@ -1,0 +1,1 @@
+"""Taylor models of Θ over ranges of τ and β."""

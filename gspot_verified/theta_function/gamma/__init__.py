@@ -1,0 +1,1 @@
+"""Γ, and the initial values of Θ that are made of it."""

@@ -1,0 +1,90 @@
+"""The common case in few steps: exact tau near 0, a beta of small size and height, few digits.
+
+A heuristic that chooses between two ways of the Taylor series; every other case is left to
+:mod:`gspot_verified.theta_function.value.choice`.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+
+from flint import arb, fmpq
+
+from gspot_verified.theta_function.sums.taylor import taylor_sum
+from gspot_verified.theta_function.value.chains import chain_sum
+
+_FARTHEST_RIGHT = 20
+_FARTHEST_LEFT = 12
+_LARGEST_BETA = 8
+_MOST_BITS = 800
+_LONGEST_HEIGHT = 40
+# Bits of the integers that one term of a chain brings in.
+_LONGEST_FACTOR = 300
+_GUARD = 8
+_LN2 = math.log(2)
+
+
+def near_value(tau: fmpq, beta: fmpq, goal: int) -> tuple[arb, int] | None:
+    """An enclosure of Theta(tau, beta) planned for ``goal`` bits, and the working bits; None: not this case.
+
+    An integer beta is not: its polynomial gives the exact value.
+
+    At the first visit to a beta the series is summed for this tau alone, from the second on its polynomial is kept.
+    """
+    if goal > _MOST_BITS:
+        return None
+    p, q = int(beta.p), int(beta.q)
+    if q == 1 or abs(p) > _LARGEST_BETA * q or p.bit_length() + q.bit_length() > _LONGEST_HEIGHT:
+        return None
+    above, below = int(tau.p), int(tau.q)
+    if not -_FARTHEST_LEFT * below <= above <= _FARTHEST_RIGHT * below:
+        return None
+    length, bits = _plan(above / below, p / q, goal)
+    return one_value(tau, beta, length, bits), bits
+
+
+def one_value(tau: fmpq, beta: fmpq, length: int, bits: int) -> arb:
+    """An enclosure of Theta(tau, beta) from ``length`` Taylor terms: by chains at the first visit to a short beta."""
+    if first_visit(beta) and 3 * tau.height_bits() + beta.height_bits() <= _LONGEST_FACTOR:
+        return chain_sum(tau, beta, length, bits)
+    return taylor_sum(tau, beta, length, bits)
+
+
+def first_visit(beta: fmpq) -> bool:
+    """Whether nobody asked this before for that beta; the last 64 of them are remembered."""
+    return not _visits((int(beta.p), int(beta.q))).again()
+
+
+class _Visits:
+    """Whether one beta was asked for before."""
+
+    __slots__ = ("_seen",)
+
+    def __init__(self) -> None:
+        self._seen = False
+
+    def again(self) -> bool:
+        seen, self._seen = self._seen, True
+        return seen
+
+
+@lru_cache(maxsize=64)
+def _visits(_: tuple[int, int]) -> _Visits:
+    return _Visits()
+
+
+def _plan(tau: float, beta: float, goal: int) -> tuple[int, int]:
+    """Terms and bits, as :func:`gspot_verified.theta_function.value.choice.taylor_plan` has them, with fewer steps."""
+    size = abs(tau) + 1e-9
+    scale = size**1.5
+    logarithm = math.log1p(size)
+    peak = scale / 1.5 + logarithm
+    value = min(peak, beta * logarithm) if tau < 0 else peak
+    bits = goal + _GUARD + int((peak - value) / _LN2)
+    step = 16 if bits <= 128 else 32
+    target = 1.5 * ((goal + 3) * _LN2 - value + abs(beta) * min(size, 1.0))
+    k = math.e * scale + target / 4
+    for _ in range(2):
+        k = (target + k) / max(math.log(k / scale), 0.1)
+    return 3 * math.ceil(max(k, 2 * scale + 3) / 3), -(-bits // step) * step

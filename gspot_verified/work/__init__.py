@@ -1,0 +1,1 @@
+"""How long work runs: ranges, executors, files that it goes on from."""

@@ -1,0 +1,109 @@
+"""A file of lines that long work appends to and reads again after a kill. Its first line says for which question, and
+by which sources. One run at a time holds it.
+
+A line that a kill cut short is dropped on the next start. Nothing here is proved: who reads a line checks what it says.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import stat
+import weakref
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Self
+
+from gspot_verified.work.source_key import source_key
+
+
+class JournalFile:
+    """The lines that are there (``lines``, each JSON), and a way to add one.
+
+    The system's lock on the file ends with :meth:`close`, with this object, or with the process, even a killed one.
+
+    :raises ValueError: the file belongs to another question or to other sources, is no journal, or another run uses it.
+    :raises OSError: it cannot be opened, or its file system has no locks.
+    """
+
+    def __init__(self, path: Path, question: dict[str, Any]) -> None:
+        self.path = path
+        self._descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_NONBLOCK, 0o666)
+        self._close = weakref.finalize(self, os.close, self._descriptor)
+        try:
+            self._begin({"journal": question, "sources": source_key()})
+        except BaseException:
+            self.close()
+            raise
+
+    def _begin(self, asked: dict[str, Any]) -> None:
+        if not stat.S_ISREG(os.fstat(self._descriptor).st_mode):
+            raise ValueError(f"{self.path} is not a journal of this question: it is not a file")
+        _lock(self._descriptor, self.path)
+        self._header = f"{json.dumps(asked, sort_keys=True)}\n".encode()
+        with open(self._descriptor, "rb", closefd=False) as file:
+            first = file.readline(2 * len(self._header))  # no more of a file that is something else
+            if first != self._header and not (self._header.startswith(first) and not file.read(1)):
+                other = _differences(first, asked)
+                raise ValueError(
+                    f"{self.path} is not a journal of this question{other}; choose another file or remove it"
+                )
+            data = file.read()
+        # A kill may leave a line without its line feed: what follows the last line feed is dropped.
+        whole = data[: data.rfind(b"\n") + 1]
+        self.lines = whole.decode(errors="replace").split("\n")[:-1]
+        if first == self._header:
+            os.ftruncate(self._descriptor, len(first) + len(whole))
+        else:
+            os.ftruncate(self._descriptor, 0)
+            self._write(self._header)
+
+    def add(self, data: Any) -> None:
+        """Keep one line; it is in the file when this returns."""
+        line = json.dumps(data)
+        self._write(f"{line}\n".encode())
+        self.lines.append(line)
+
+    def cut(self, count: int) -> None:
+        """Drop all lines but the first ones."""
+        del self.lines[count:]
+        os.ftruncate(self._descriptor, len(self._header) + sum(len(line.encode()) + 1 for line in self.lines))
+
+    def close(self) -> None:
+        """Let another run have the file."""
+        self._close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def _write(self, data: bytes) -> None:
+        while data:
+            data = data[os.write(self._descriptor, data) :]
+
+
+def _lock(descriptor: int, path: Path) -> None:
+    import fcntl
+
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        raise ValueError(f"{path}: another run uses this journal; wait for its end or choose another file") from None
+
+
+def _differences(header: bytes, asked: dict[str, Any]) -> str:
+    """In which parts the question of another journal differs, in words; nothing where the file is no journal."""
+    try:
+        other = json.loads(header)
+        known = json.loads(json.dumps(asked))
+        parts = sorted(key for key in {*other["journal"], *known["journal"]}
+                       if other["journal"].get(key) != known["journal"].get(key))  # fmt: skip
+        if other.get("sources") != known["sources"]:
+            parts.append("the sources of this package")
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
+        return ""
+    return f" (it differs in: {', '.join(parts)[:200]})"

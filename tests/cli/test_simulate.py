@@ -1,0 +1,211 @@
+"""The commands ``simulate`` and ``scenes``: exit codes, text, files, bad input."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from gspot_verified.cli import main
+
+
+def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    code = main(arguments)
+    output, errors = capsys.readouterr()
+    return code, output, errors
+
+
+def test_a_certified_run(capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("--beta", "3/2", "--nu", "2", "--eps", "1e-3")
+    code, output, _ = run(capsys, "simulate", "fig-varsim1", *words)
+    assert code == 0
+    assert output.startswith("certified: lift-off, touch-down, impact without collision\n  proved: exactly one flight")
+    assert "lift-off: t = [0.535370832662700" in output
+
+
+def test_both_side_by_side_with_files(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    table, arrays = tmp_path / "run.csv", tmp_path / "run.npz"
+    words = ("fig-varsim1", "--compare", "--csv", str(table), "--npz", str(arrays), "--json")
+    code, output, _ = run(capsys, "simulate", *words)
+    data = json.loads(output)
+    assert code == 0
+    assert data["agree"] is True
+    assert [found["strength"] for found in data["runs"]] == ["certified", "simulated"]
+    with table.open(newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    with np.load(arrays) as found:
+        assert found["lambda_N"].tolist() == [float(row["lambda_N"]) for row in rows]
+        assert found["phase"].tolist() == [row["phase"] for row in rows]
+    assert {row["phase"] for row in rows} == {"slip", "flight"}
+    assert sorted(tmp_path.iterdir()) == [table, arrays]
+
+
+def test_floats_alone_prove_nothing(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "simulate", "fig-varsim2", "--float", "--set", "chi=0")
+    assert code == 2
+    assert output.startswith("simulated: stick, lift-off")
+
+
+@pytest.mark.parametrize(("until", "fate"), [("1/2", "lift-off"), ("2/5", "no event")])
+def test_how_long_to_look(capsys: pytest.CaptureFixture[str], until: str, fate: str) -> None:
+    """The lift-off is at 0.4411..., and the scene's own time is 1."""
+    code, output, _ = run(capsys, "simulate", "fig-varsim2", "--until", until, "--json")
+    data = json.loads(output)
+    assert (code, data["scene"]["until"], data["runs"][0]["fate"]) == (0, until, fate)
+    said = "no change of phase" if fate == "no event" else fate
+    assert data["runs"][0]["verdict"]["statement"].startswith(f"{said} until t = {until} after the start")
+
+
+def test_the_exact_solution_answers_for_all_times(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "simulate", "fig-varsim1", "--until", "1/10", "--compare", "--json")
+    data = json.loads(output)
+    assert code == 0
+    assert [found["fate"] for found in data["runs"]] == ["lift-off, touch-down, impact without collision", "no event"]
+    assert data["agree"] is None
+
+
+def test_what_is_left_out_is_said(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "simulate", "oscillator", "--float", "--eps", "1/50", "--set", "until=1/10")
+    assert code == 2
+    assert "oscillator, ε = 1/50, from phi - phi_ref = 1/10, phi_dot = -9/10, y = 0, v = 0, z = 0\n" in output
+    assert "  without tangential_motion: the slip velocity stays positive: the contact never sticks\n" in output
+    assert "  without tangential_motion, the slip velocity is positive in contact: assumed from t = 0 " in output
+    assert "chi" not in output
+
+
+def test_enclosures_in_files_and_a_picture(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    table, drawing = tmp_path / "run.csv", tmp_path / "run.svg"
+    words = ("fig-varsim1", "--points", "9", "--csv", str(table), "--picture", str(drawing))
+    code, _, _ = run(capsys, "simulate", *words)
+    assert code == 0
+    with table.open(newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert [row["t"] for row in rows] == ["0.0", "0.125", "0.25", "0.375", "0.5", "0.625"]
+    assert [row["phase"] for row in rows] == ["slip"] * 5 + ["flight"]
+    assert all(0 < float(row["b_radius"]) < 1e-9 for row in rows)
+    assert drawing.read_text(encoding="utf-8").startswith("<svg")
+    assert sorted(tmp_path.iterdir()) == [table, drawing]
+
+
+def test_a_journal_that_cannot_be_written(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The result is printed, the exit code says that a file is missing, and the journal stays good."""
+    from gspot_verified.work.journal_file import JournalFile
+
+    kept = tmp_path / "run.journal"
+    words = ("simulate", "oscillator", "--float", "--eps", "1/50", "--set", "until=1/10", "--journal", str(kept))
+    write = JournalFile.add
+
+    def full(journal: JournalFile, data: object) -> None:
+        if len(kept.read_text().splitlines()) > 4:
+            raise OSError(28, "No space left on device")
+        write(journal, data)
+
+    monkeypatch.setattr(JournalFile, "add", full)
+    code, output, errors = run(capsys, *words)
+    assert code == 74
+    assert "No space left on device; the run went on without it" in errors
+    monkeypatch.undo()
+    again, same, _ = run(capsys, *words)
+    assert (again, same) == (2, output)
+
+
+def test_a_certified_run_goes_on(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """Out of budget, then on from the journal to the answer of a run without one; the float run has its own file."""
+    kept = tmp_path / "run.journal"
+    words = ("simulate", "fig-varsim2", "--eps", "1/10", "--set", "chi=0", "--until", "3/2")
+    _, whole, _ = run(capsys, *words)
+    code, output, _ = run(capsys, *words, "--journal", str(kept), "--budget", "3")
+    assert code == 2
+    assert "the budget of 3 steps ended (t = " in output
+    assert len(kept.read_text().splitlines()) == 4
+    assert run(capsys, *words, "--journal", str(kept)) == (0, whole, "")
+    run(capsys, *words, "--journal", str(kept), "--compare")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["run.journal", "run.journal.float"]
+
+
+def test_a_contradiction_is_said(capsys: pytest.CaptureFixture[str]) -> None:
+    """On the canard: what floats find depends on their rounding, and is said where it is wrong."""
+    code, output, errors = run(capsys, "simulate", "fig-varsim1", "--nu", "1", "--compare", "--json")
+    data = json.loads(output)
+    assert code == 0
+    assert data["runs"][0]["fate"] == "trivial solution"
+    assert data["agree"] is (False if data["runs"][1]["events"] else None)
+    assert ("contradicts" in errors) is (data["agree"] is False)
+
+
+def test_the_list(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "scenes")
+    assert code == 0
+    assert "fig-varsim1 (model): compliant_contact, lift_off\n" in output
+    assert "mechanism and two_way_coupling: chi belongs to the model system" in output
+    assert "two_way_coupling: the normal motion does not act back" in output
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("fig-varsim1", "--eps", "0"), "epsilon must be > 0"),
+        (("fig-varsim1", "--eps", "-1e-3"), "epsilon must be > 0"),
+        (("fig-varsim1", "--set", "chi=1"), "no setting 'chi'"),
+        (("fig-varsim1", "--set", "nu"), "expected name=value"),
+        (("fig-varsim2", "--budget", "0"), "budget must be >= 1, got 0"),
+        (("fig-varsim1", "--picture", "a.jpg"), "allowed: .png, .pdf, .svg"),
+        (("fig-varsim1", "--float", "--points", "1", "--csv", "a.csv"), "points: expected 2..1000000, got 1"),
+        (("oscillator", "--nu", "1"), "no setting 'nu'"),
+        (("fig-varsim1", "--float", "--compare"), "not both"),
+        (("fig-varsim1", "--float", "--method", "RK"), "method: expected one of"),
+        (("fig-varsim1", "--float", "--csv", "a.txt"), "allowed: .csv"),
+        (("nothing",), "no scene file 'nothing'"),
+        (("fig-varsim2", "--until", "0"), "until must be > 0, got 0"),
+        (("fig-varsim2", "--until=-1"), "until must be > 0, got -1"),
+        (("fig-varsim2", "--until", "inf"), "until: expected a number"),
+        (("fig-varsim2", "--until", "1 s"), "until: '1 s' has a unit (s)"),
+        (("fig-varsim2", "--until", "1/0"), "until: the denominator of '1/0' is zero"),
+        (("fig-varsim2", "--until", "1e9999"), "until: a number of"),
+        (("fig-varsim2", "--until", "1", "--set", "until=2"), "give --until or --set until=..., not both"),
+        (("fig-varsim2", "--eps", "1", "--set", "epsilon=2"), "give --eps or --set epsilon=..., not both"),
+    ],
+)
+def test_bad_input(capsys: pytest.CaptureFixture[str], words: tuple[str, ...], message: str) -> None:
+    code, output, errors = run(capsys, "simulate", *words)
+    assert code == 64
+    assert output == ""
+    assert errors.startswith("error: ")
+    assert message in errors
+
+
+HOSTILE = Path(__file__).parents[1] / "scenes" / "hostile"
+
+
+@pytest.mark.parametrize("name", ["left_out_effect", "g_touch", "c_notang_neg", "pulls"])
+def test_an_absence_that_is_wrong_has_exit_code_1(capsys: pytest.CaptureFixture[str], name: str) -> None:
+    """Each was "certified ... proved", with exit code 0."""
+    code, output, _ = run(capsys, "simulate", str(HOSTILE / f"{name}.toml"))
+    assert code == 1
+    assert "\n  refuted: the motion without " in output
+    assert "proved" not in output
+    assert ": violated at t = " in output
+
+
+def test_assumptions_as_json(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    (tmp_path / "block.toml").write_text((HOSTILE / "block.toml").read_text())
+    text = (HOSTILE / "c_notang_neg.toml").read_text().replace("until = 2", 'until = "1/10"')
+    found = {}
+    for start in ("X_dot = -1", "X_dot = 1", ""):
+        (tmp_path / "scene.toml").write_text(text.replace("X_dot = -1", start))
+        code, output, _ = run(capsys, "simulate", str(tmp_path / "scene.toml"), "--json")
+        data = json.loads(output)["runs"][0]
+        (each,) = data["assumptions"]
+        assert (each["effect"], each["assumes"]) == ("tangential_motion", "the slip velocity is positive in contact")
+        assert (each["time"] is None) is (each["standing"] == "checked")
+        found[start] = (code, each["standing"], "provided that" in data["verdict"]["statement"])
+    assert found == {
+        "X_dot = -1": (1, "violated", False),
+        "X_dot = 1": (0, "checked", False),
+        "": (0, "assumed", True),
+    }

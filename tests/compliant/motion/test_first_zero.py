@@ -1,0 +1,210 @@
+"""The force over intervals, and lift-off times of the paper's runs against an independent table.
+
+Page: proofs/force_range.md.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import mpmath
+import pytest
+from flint import arb, fmpq
+from samples.strategies import ends
+from witnesses.contact import moved
+
+from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state, deviation
+from gspot_verified.compliant.motion import first_zero as first_zero_module
+from gspot_verified.compliant.motion.compliant_force import SlowManifold, compliant_force, contact_motion
+from gspot_verified.compliant.motion.first_zero import _cut, contact_lasts, first_zero
+from gspot_verified.compliant.motion.force_range import ForceRange, slow_range
+from gspot_verified.compliant.slow.slow_solution import slow_value
+from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.verdict import Outcome
+
+# Lift-off times since the start at p = 1/2, for eps = 10^-3, 10^-6, 10^-9, 10^-12, found by another program.
+TABLE = {
+    ("3/2", "2"): (
+        ".535370832662700301659732",
+        ".500548837355422272183459",
+        ".500006988019767490965852",
+        ".500000082754602407000762",
+    ),
+    ("3/2", "4"): (
+        ".524925091036306656552931",
+        ".500465122085727140530454",
+        ".500006311710702095781418",
+        ".500000076801645855363627",
+    ),
+    ("5/2", "1/4"): (
+        ".566288663127946608647371",
+        ".501047427789443215991558",
+        ".500013493956241256774775",
+        ".500000161432240000284593",
+    ),
+    ("5/2", "1/2"): (
+        ".568845686360494714312932",
+        ".501066324919790725019573",
+        ".500013657100146048265918",
+        ".500000162907481763779018",
+    ),
+}
+CASES = [(*key, f"1e-{3 * k + 3}", value) for key, row in TABLE.items() for k, value in enumerate(row)]
+
+
+def paper_run(beta: str, nu: str, epsilon: str):
+    model = compliant_model(beta, epsilon)
+    numerator, _, denominator = nu.partition("/")
+    p, small = fmpq(1, 2), model.epsilon
+    b = -fmpq(int(numerator), int(denominator or 1)) * p * abs(model.mean_force)
+    return model, compliant_state(p, b, 2 * small**2 * b / p, 0, small**2 * b / p)
+
+
+@pytest.mark.parametrize(("beta", "nu", "epsilon", "printed"), CASES)
+def test_lift_off_times_of_the_paper_s_runs(beta: str, nu: str, epsilon: str, printed: str) -> None:
+    model, state = paper_run(beta, nu, epsilon)
+    found = first_zero(model, state)
+    assert found.verdict.outcome is Outcome.PROVED
+    assert found.lower is not None
+    assert found.upper is not None
+    unit = Fraction(1, 2 * 10**24)
+    lower, upper = (Fraction(int(v.p), int(v.q)) for v in (found.lower - found.start, found.upper - found.start))
+    assert lower - unit <= Fraction(printed) <= upper + unit
+    with working_bits(64):
+        width = (arb(model.epsilon) / 2).root(3) ** 2 * 2 * arb(10) ** -25
+        assert arb(found.upper - found.lower) < 2 * width
+
+
+def test_the_force_changes_sign_there_by_the_equations_of_motion() -> None:
+    model, state = paper_run("3/2", "2", "1e-3")
+    found = first_zero(model, state, digits=22)
+    assert found.verdict.outcome is Outcome.PROVED
+    hats = deviation(model, state)
+    with mpmath.workdps(50):
+        number = lambda v: mpmath.mpf(int(v.p)) / int(v.q)  # noqa: E731
+        for place, sign in ((found.lower, 1), (found.upper, -1)):
+            duration = number((place - found.start) / model.epsilon)
+            start = [number(v) for v in (hats.b, hats.V, hats.Y, hats.Z)]
+            (_, _, Y, Z), _ = moved(start, number(hats.p), number(hats.beta), number(model.epsilon), duration, 800)
+            assert (Z - Y + number(model.mean_force)) * sign > 0
+
+
+@pytest.mark.parametrize("order", [0, 1, 2])
+@pytest.mark.parametrize("beta", [fmpq(1, 2), fmpq(3), fmpq(9, 2)])
+def test_the_slow_part_over_an_interval_holds_its_values(beta: fmpq, order: int) -> None:
+    epsilon = fmpq(1, 30)
+    for first, last in ((fmpq(-20), fmpq(-19)), (fmpq(-1), fmpq(2)), (fmpq(3), fmpq(4))):
+        found = slow_range(beta, epsilon, first, last, order)
+        assert found.is_finite()
+        for k in range(5):
+            inside = slow_value(first + (last - first) * k / 4, beta, epsilon, order, 20).value
+            assert ends(found)[0] <= ends(inside)[0]
+            assert ends(inside)[1] <= ends(found)[1]
+        narrow = slow_range(beta, epsilon, first, first + (last - first) / 1000, order)
+        assert narrow.rad() < found.rad() / 100 + arb(10) ** -12
+
+
+def test_the_force_over_an_interval_holds_its_values() -> None:
+    model, state = paper_run("5/2", "1/2", "1/100")
+    motion = contact_motion(model, state)
+    force = ForceRange(motion, motion.coefficient(60))
+    for first, last in ((fmpq(-50), fmpq(-49)), (fmpq(-10), fmpq(0)), (fmpq(0), fmpq(3))):
+        over, slope = force.over(first, last), force.slope(first, last)
+        for k in range(4):
+            time = (first + (last - first) * k / 3) * model.epsilon
+            value = compliant_force(model, state, time)
+            assert over.contains(value.force)
+            step = fmpq(1, 10**7)
+            following = compliant_force(model, state, time + step * model.epsilon, digits=25)
+            with working_bits(100):
+                change = (following.force - compliant_force(model, state, time, digits=25).force) / step
+                assert slope.overlaps(change)
+    assert not force.over(fmpq(-1), fmpq(1)).is_finite()
+
+
+def test_contact_lasts() -> None:
+    model, state = paper_run("5/2", "1/2", "1e-6")
+    assert contact_lasts(model, state, "1e-3").outcome is Outcome.PROVED
+    assert contact_lasts(model, state, "11e-4").outcome is Outcome.UNDECIDED
+    with pytest.raises(ValueError, match="before the initial state"):
+        contact_lasts(model, state, -1)
+
+
+def test_contact_lasts_by_intervals_that_cover_the_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    model, state = paper_run("5/2", "1/2", "1e-6")
+    assert "cover [-500000, -400000]" in str(contact_lasts(model, state, "-2/5").evidence)
+    monkeypatch.setattr(first_zero_module, "less", lambda *_: None)  # nothing is certain
+    assert contact_lasts(model, state, "-2/5").outcome is Outcome.UNDECIDED
+
+
+def test_a_bracket_that_is_rounded_inward_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    model, state = paper_run("5/2", "1/2", "1e-6")
+    assert first_zero(model, state, digits=6).verdict.outcome is Outcome.PROVED
+    monkeypatch.setattr(first_zero_module, "_outward", lambda lower, upper: (upper, lower))
+    found = first_zero(model, state, digits=6)
+    assert (found.verdict.outcome, found.lower, found.upper) == (Outcome.UNDECIDED, None, None)
+
+
+def test_a_slope_that_is_not_negative_gives_no_bracket(monkeypatch: pytest.MonkeyPatch) -> None:
+    model, state = paper_run("5/2", "1/2", "1e-6")
+    monkeypatch.setattr(ForceRange, "slope", lambda *_: arb(-1, 2))
+    assert first_zero(model, state, digits=6, budget=30).verdict.outcome is Outcome.UNDECIDED
+
+
+def test_a_run_that_never_lifts_off_has_no_bracket() -> None:
+    found = first_zero(*paper_run("3/2", "1/2", "1e-6"))
+    assert found.verdict.outcome is Outcome.UNDECIDED
+    assert found.lower is None
+    with pytest.raises(ValueError, match="digits"):
+        first_zero(*paper_run("3/2", "1/2", "1e-6"), digits=0)
+
+
+def test_the_slow_manifold_needs_no_state() -> None:
+    model = compliant_model("5/2", "1/100")
+    motion = contact_motion(model, SlowManifold(fmpq(1)))
+    value = ForceRange(motion, motion.coefficient(60)).over(fmpq(-5), fmpq(-4))
+    assert value.contains(compliant_force(model, SlowManifold(fmpq(1)), fmpq(-9, 200)).force)
+
+
+@pytest.mark.parametrize("unit", [fmpq(1, 3), fmpq(1), fmpq(10) ** 33])
+@pytest.mark.parametrize("begin", [fmpq(-1, 7), fmpq(-17), fmpq(-257, 16), -(fmpq(10) ** 40), -(fmpq(10) ** 100)])
+def test_an_interval_is_cut_inside(begin: fmpq, unit: fmpq) -> None:
+    for end in (begin / 2, begin / 15, begin / 17, begin / 10**9, fmpq(0), -begin):
+        assert begin < _cut(begin, end, unit) < end
+
+
+def test_a_long_interval_before_the_g_spot_needs_few_cuts() -> None:
+    begin, unit, parts = -(fmpq(10) ** 100), fmpq(10) ** 33, 0
+    end = fmpq(0)
+    while end - begin > unit:
+        end, parts = _cut(begin, end, unit), parts + 1
+        if -begin <= 16 * -end:
+            break
+    assert parts < 10
+
+
+@pytest.mark.parametrize(("beta", "nu", "p"), [("3/2", "2", "1/2"), ("3/2", "2", "-1/4")])
+def test_the_first_zero_does_not_depend_on_the_units(beta: str, nu: str, p: str) -> None:
+    """alpha_1 = -2 with sigma = 1/2: the same motion, times in halves, by exact_solution.md, section 1."""
+    numerator, _, denominator = beta.partition("/")
+    power, sigma, small = fmpq(int(numerator), int(denominator)), fmpq(1, 2), fmpq(1, 10**6)
+    model = compliant_model(alpha_1=-2, alpha_2=-8, alpha_3=-2 * power, epsilon=small * sigma)
+    normal = compliant_model(alpha_1=-1, alpha_2=-1, alpha_3=-power, epsilon=small)
+    state = paper_run(beta, nu, "1e-6")[1]
+    if p == "-1/4":
+        mean = normal.mean_force
+        state = compliant_state(p, mean * fmpq(1, 8), -2 * small**2 * mean, small * mean, -fmpq(7, 4) * small**2 * mean)
+    scaled = compliant_state(state.p, state.b / sigma**2, state.y, state.v / sigma, state.z)
+    one, two = first_zero(normal, state, 8), first_zero(model, scaled, 8)
+    assert one.verdict.outcome is two.verdict.outcome is Outcome.PROVED
+    assert one.lower is not None
+    assert one.upper is not None
+    assert two.lower is not None
+    assert two.upper is not None
+    assert two.start == one.start * sigma
+    assert max(one.lower * sigma, two.lower) <= min(one.upper * sigma, two.upper)
+    assert two.upper - two.lower < fmpq(1, 10**8)
+    if p == "-1/4":
+        before = two.start + (two.lower - two.start) * fmpq(99, 100)
+        assert contact_lasts(model, scaled, before).outcome is Outcome.PROVED
+        assert contact_lasts(model, scaled, two.upper).outcome is Outcome.UNDECIDED

@@ -1,0 +1,202 @@
+"""Rectangles of (beta, epsilon): the numbers against single points, folds, rows, journals, bad input.
+
+Page: proofs/finite_epsilon_zeros.md.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.compliant.zeros.fold_column import fold_column, numbers_of_zeros
+from gspot_verified.compliant.zeros.zero_count import slow_zeros
+from gspot_verified.compliant.zeros.zero_map import Row, zero_map
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.signs.cover.pieces import Column, Kind, Piece
+
+BELOW_FOLD = ("43/8..11/2", "19/20..1")
+
+
+def test_two_columns_for_a_range_of_epsilon_against_points() -> None:
+    found = zero_map(*BELOW_FOLD)
+    assert found.verdict.outcome is Outcome.PROVED
+    [row] = found.rows
+    assert row.stretches() == [(fmpq(43, 8), fmpq(11, 2), (3,))]
+    for beta in ("5.376", "5.5"):
+        for epsilon in ("0.95", "1"):
+            assert slow_zeros(beta, epsilon, digits=2).number == 3
+
+
+@pytest.mark.slow
+def test_the_fold_for_all_small_epsilon() -> None:
+    """For 0 < epsilon <= 1/1000 at once: three zeros, and one beyond the fold next to beta = 6."""
+    found = zero_map("47/8..6", "0..1/1000")
+    assert found.verdict.outcome is Outcome.PROVED
+    assert {numbers for _, _, numbers in found.rows[0].stretches()} == {(3,), (3, 1)}
+
+
+@pytest.mark.slow
+def test_the_law_between_4_and_5_up_to_epsilon_32() -> None:
+    """Theorem D (b): at epsilon = 32 the only double zero is that of beta = 5, so there are two zeros for beta < 5."""
+    [row] = zero_map("4..5", "32").rows
+    assert not row.unfinished
+    *plain, last = row.stretches()
+    assert [numbers for _, _, numbers in plain] == [(2,)]
+    assert last[1:] == (5, (2, 0))
+
+
+def test_a_column_across_the_fold_against_points() -> None:
+    """epsilon = 1: beta_f = 5.670239."""
+    lower, upper = fmpq(565, 100), fmpq(569, 100)
+    column = fold_column(lower, upper, 4, fmpq(1), fmpq(1), fmpq(1, 128))
+    assert column is not None
+    assert numbers_of_zeros(column, fmpq(1), fmpq(1)) == (3, 1)
+    assert (slow_zeros(lower, 1, 2).number, slow_zeros(upper, 1, 2).number) == (3, 1)
+
+
+def test_from_6_on_the_fold_is_behind() -> None:
+    """For all 0 < epsilon <= 1/1000: G at its minimum tends to 0 with epsilon at beta = 6, and stays positive."""
+    column = fold_column(fmpq(6), fmpq(49, 8), 5, fmpq(0), fmpq(1, 1000), fmpq(1, 128))
+    assert column is not None
+    assert numbers_of_zeros(column, fmpq(0), fmpq(1, 1000)) == (2,)
+    assert [slow_zeros(beta, "1/1000", 2).number for beta in ("6.001", "6.125")] == [2, 2]
+
+
+def test_the_fold_from_9_against_points() -> None:
+    """epsilon = 1: beta_f = 8.173525."""
+    lower, upper = fmpq(65, 8), fmpq(33, 4)
+    column = fold_column(lower, upper, 7, fmpq(1), fmpq(1), fmpq(1, 128))
+    assert column is not None
+    assert numbers_of_zeros(column, fmpq(1), fmpq(1)) == (4, 2)
+    assert [slow_zeros(beta, 1, 2).number for beta in ("8.1735", "8.1736")] == [4, 2]
+
+
+@pytest.mark.slow
+def test_from_9_on_the_fold_is_behind() -> None:
+    column = fold_column(fmpq(9), fmpq(1153, 128), 8, fmpq(0), fmpq(1, 1000), fmpq(1, 128))
+    assert column is not None
+    assert numbers_of_zeros(column, fmpq(0), fmpq(1, 1000)) == (3,)
+    assert [slow_zeros(beta, "1/1000", 2).number for beta in ("9.001", "9.007")] == [3, 3]
+
+
+def test_a_fold_is_behind_an_integer_only_where_the_polynomial_has_no_more_zeros() -> None:
+    """F_8 has two zeros up to epsilon = 13.75; two more at that epsilon meet: nothing is said about a range that holds
+    it, nor about a column that begins elsewhere."""
+    pieces = (
+        Piece(Kind.LEFT, None, fmpq(-1)), Piece(Kind.FOLD, fmpq(-1), fmpq(1)),
+        Piece(Kind.MONOTONE, fmpq(1), fmpq(2), -1), Piece(Kind.SIGN, fmpq(2), fmpq(3), -1),
+        Piece(Kind.MONOTONE, fmpq(3), fmpq(4), 1), Piece(Kind.RIGHT, fmpq(4), None, 1),
+    )  # fmt: skip
+    column = Column(fmpq(9), fmpq(73, 8), pieces)
+    assert numbers_of_zeros(column, fmpq(0), fmpq(13)) == (3,)
+    assert numbers_of_zeros(column, fmpq(13), fmpq(14)) == (5, 3)
+    assert numbers_of_zeros(column, fmpq(14), fmpq(15)) == (5, 3)
+    assert numbers_of_zeros(Column(fmpq(145, 16), fmpq(73, 8), pieces), fmpq(0), fmpq(13)) == (5, 3)
+
+
+def test_no_fold_is_found_where_there_is_none() -> None:
+    """No local minimum lies between beta = 4.9 and 5 at epsilon = 100; at 4.75, 1/10 G is negative at its minimum."""
+    for lower, upper, n, epsilon in (
+        (fmpq(19, 4), fmpq(77, 16), 3, fmpq(1, 10)),
+        (fmpq(7, 2), fmpq(57, 16), 2, fmpq(1)),
+    ):
+        assert fold_column(lower, upper, n, epsilon, epsilon, fmpq(1, 128)) is None
+
+
+def test_below_4_the_theorem_tells() -> None:
+    found = zero_map("1..4", "0..100")
+    assert found.verdict.outcome is Outcome.PROVED
+    assert "β < 4, every ε > 0, by theorem: 1 on (1, 2), 2 on (2, 3), 1 on (3, 4)" in str(found)
+    assert found.examined == 0
+
+
+def test_from_a_column_beyond_the_fold_there_is_no_way_back() -> None:
+    """Columns (5, 3) after a column of 3 zeros that ends where they begin; not across an integer, nor across a gap."""
+    plain = (Piece(Kind.LEFT, None, fmpq(-1)), Piece(Kind.MONOTONE, fmpq(-1), fmpq(2), -1))
+    fold = (plain[0], Piece(Kind.FOLD, fmpq(-1), fmpq(1)), Piece(Kind.MONOTONE, fmpq(1), fmpq(2), -1))
+    rest = (
+        Piece(Kind.SIGN, fmpq(2), fmpq(3), -1),
+        Piece(Kind.MONOTONE, fmpq(3), fmpq(4), 1),
+        Piece(Kind.RIGHT, fmpq(4), None, 1),
+    )
+    ends = [fmpq(n, 2) for n in (17, 18, 19)]
+
+    def numbers(*columns: Column) -> list[tuple[int, ...]]:
+        return [found for _, _, found in Row(fmpq(13), fmpq(14), columns, ()).stretches()]
+
+    first, second = Column(fmpq(37, 4), ends[2], plain + rest), Column(ends[2], fmpq(39, 4), fold + rest)
+    assert numbers(first, second) == [(3,)]
+    assert numbers(Column(fmpq(37, 4), ends[2], fold + rest), second) == [(5, 3)]
+    assert numbers(Column(fmpq(37, 4), fmpq(75, 8), plain + rest), second) == [(3,), (5, 3)]
+    assert numbers(second, Column(fmpq(39, 4), fmpq(10), plain + rest)) == [(5, 3), (3,)]
+    before = Column(ends[0], ends[1], (plain[0], *fold[1:], *rest[:2], Piece(Kind.RIGHT, fmpq(4), None, 0)))
+    assert numbers(before, Column(ends[1], fmpq(37, 4), fold + rest))[-1] == (5, 3)
+
+
+def test_rows_cover_the_range_and_are_joined() -> None:
+    rows = zero_map("1..2", "1/100..10").rows
+    assert (rows[0].lower, rows[-1].upper) == (fmpq(1, 100), 10)
+    assert all(first.upper == second.lower for first, second in pairwise(rows))
+    assert len(rows) > 5
+
+
+def test_what_does_not_cover_the_rectangle_is_not_proved() -> None:
+    found = zero_map("17/4..9/2", "1/10")
+    assert found.verdict.outcome is Outcome.PROVED
+    (row,) = found.rows
+    first, *others = row.columns
+    assert others
+    shorter = replace(first, pieces=first.pieces[:1])
+    for columns in ((), tuple(others), (shorter, *others)):
+        verdict = replace(found, rows=(replace(row, columns=columns),)).verdict
+        assert verdict.outcome is Outcome.UNDECIDED
+        assert "leave a part" in verdict.detail
+    wider = (fmpq(1, 10), fmpq(1, 9))
+    assert replace(found, epsilon=wider).verdict.outcome is Outcome.UNDECIDED
+
+
+def test_a_killed_run_goes_on(tmp_path: Path) -> None:
+    journal = tmp_path / "map"
+    first = zero_map(*BELOW_FOLD, budget=0, journal=journal)
+    assert first.verdict.outcome is Outcome.UNDECIDED
+    whole = zero_map(*BELOW_FOLD, journal=journal)
+    kept = (tmp_path / "map.0").read_bytes()
+    assert kept.count(b"\n") == 1 + whole.examined
+    again = zero_map(*BELOW_FOLD, journal=journal)
+    assert (again, (tmp_path / "map.0").read_bytes()) == (whole, kept)
+    with pytest.raises(ValueError, match="not a journal of this question"):
+        zero_map(BELOW_FOLD[0], "1", journal=journal)
+
+
+def test_data() -> None:
+    found = zero_map("5..41/8", "1/10", budget=0)
+    data = json.loads(json.dumps(found.to_json()))
+    assert data["verdict"]["outcome"] == "undecided"
+    assert data["rows"] == [{"epsilon": ["1/10", "1/10"], "stretches": [], "unfinished": [["5", "41/8"]]}]
+    assert "? on (5, 41/8)" in str(found)
+    with pytest.raises(TypeError, match="verdict"):
+        bool(found)
+
+
+@pytest.mark.parametrize(
+    ("beta", "epsilon", "message"),
+    [
+        ("0..2", "1", "beta: the range must lie inside"), ("5..11", "1", "beta: the range must lie inside"),
+        ("5", "1", "beta: expected a range"), ("5..inf", "1", "beta"), ("6..5", "1", "beta"),
+        ("5..6", "0", "epsilon: expected a number > 0"), ("5..6", "-1..1", "epsilon: the range must lie inside"),
+        ("5..6", "1..101", "epsilon: the range must lie inside"), ("5..6", "x", "epsilon"),
+    ],
+)  # fmt: skip
+def test_refused(beta: str, epsilon: str, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        zero_map(beta, epsilon)
+
+
+def test_a_ball_is_refused() -> None:
+    with pytest.raises(TypeError, match="epsilon"):
+        zero_map("5..6", arb(1))  # type: ignore[arg-type]

@@ -1,0 +1,77 @@
+"""Measurements as files: round trip, and every way in which a file is none."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from gspot_verified.cli.app import schema_of
+from gspot_verified.cost.contents import blueprints
+from gspot_verified.cost.measurement.file import SCHEMA, load, parsed, recorded, save, written
+from gspot_verified.cost.measurement.measurement import Measurement
+
+
+def test_round_trip(made_up: Measurement, tmp_path: Path) -> None:
+    save(made_up, tmp_path / "cost.json")
+    assert load(tmp_path / "cost.json") == made_up
+    assert [path.name for path in tmp_path.iterdir()] == ["cost.json"]
+
+
+def test_the_schema_is_that_of_the_command() -> None:
+    assert schema_of("cost")["$id"] == SCHEMA
+
+
+def test_the_recorded_measurement_has_every_part() -> None:
+    found = recorded()
+    assert [part.key for part in found.parts] == [blueprint.key for blueprint in blueprints(False)]
+    assert parsed(written(found)) == found
+    for part in found.parts:
+        assert any(route.points for route in part.routes), part.key
+
+
+CHANGES: list[tuple[str, Callable[[Any], object]]] = [
+    ("expected the keys", lambda data: data.pop("machine")),
+    ("expected the keys", lambda data: data.update(surprise=1)),
+    ("schema: expected", lambda data: data.update(schema="gspot-verified/cost/1")),
+    ("date: expected YYYY-MM-DD", lambda data: data.update(date="yesterday")),
+    ("full: expected bool", lambda data: data.update(full=1)),
+    ("parts: expected a list", lambda data: data.update(parts={})),
+    ("different keys", lambda data: data["parts"].append(data["parts"][0])),
+    ("different keys", lambda data: data["parts"][0].update(key="../x")),
+    ("expected one of certified", lambda data: data["parts"][0]["routes"][0].update(kind="proved")),
+    ("no measurement", lambda data: data["parts"][0]["routes"][0]["points"][0].update(best=0)),
+    ("no measurement", lambda data: data["parts"][0]["routes"][0]["points"][0].update(median=0.5)),
+    ("expected float", lambda data: data["parts"][0]["routes"][0]["points"][0].update(place="1")),
+    ("expected float", lambda data: data["parts"][0]["routes"][0]["points"][0].update(place=True)),
+    ("expected int", lambda data: data["parts"][0]["routes"][0]["points"][0].update(repeats=1.5)),
+    ("not in 0..1", lambda data: data["parts"][0]["shares"][0].update(part=1.5)),
+    ("limit is not positive", lambda data: data["parts"][0]["limit"].update(seconds=0)),
+    ("expected 2 entries", lambda data: data["answers"][0].update(routes=["one"])),
+]
+
+
+@pytest.mark.parametrize(("message", "change"), CHANGES)
+def test_a_changed_file_is_refused(made_up: Measurement, message: str, change: Callable[[Any], object]) -> None:
+    data = json.loads(written(made_up))
+    change(data)
+    with pytest.raises(ValueError, match=message):
+        parsed(json.dumps(data))
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{}", "null", '{"schema": NaN}', "[" * 100_000])
+def test_other_texts_are_refused(text: str) -> None:
+    with pytest.raises(ValueError, match=r".+"):
+        parsed(text)
+
+
+def test_a_refusal_names_the_file(tmp_path: Path) -> None:
+    (tmp_path / "bad.json").write_bytes(b"\xff")
+    with pytest.raises(ValueError, match=r"bad\.json: not UTF-8"):
+        load(tmp_path / "bad.json")
+    (tmp_path / "large.json").write_bytes(b" " * 20_000_001)
+    with pytest.raises(ValueError, match=r"large\.json: larger than"):
+        load(tmp_path / "large.json")

@@ -1,0 +1,44 @@
+"""What a result says of itself; how it comes about: test_approach.py."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from flint import arb
+
+from gspot_verified.mechanisms.approach.approach import approach
+from gspot_verified.mechanisms.approach.approach_result import LIFT_OFF
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.numbers.verdict import Reason, Verdict
+
+
+def test_what_is_said_of_each_end() -> None:
+    """One result turned into others: the exit code, what a statement rests on, and the warning of a moving surface."""
+    found = approach(shipped_mechanism("model system"), {"x": 0, "u": 100, "p": "1/2", "b": -2})
+    assert found.side == LIFT_OFF
+    assert (found.exit_code, found.warnings) == (0, ())
+    assert replace(found, side=None).exit_code == 2
+    assert replace(found, side=None, end="stick").exit_code == 0
+    assert replace(found, verdict=Verdict.undecided("x", Reason.BUDGET, "y")).exit_code == 2
+    text, event = str(found), replace(found, end="stick", case=None, solved=("y", "v"), side=None)
+    assert f"\n  side: lift-off ({found.side_reason})\n  " in text
+    assert "\n  the G-spot: x = " in text
+    assert f"\n  Case {found.case}, beta = " in text
+    assert "\n  C1 = " in text
+    assert "\n  after the time t = " in text
+    assert "\n  alpha_1 = " in text
+    assert "side" not in str(event)
+    assert "\n  y and v from y = 0 and v = 0\n" in str(event)
+    assert "\n  there: x = " in str(event)
+    assert "\n  no Case, beta = " in str(event)
+    assert "\n  side: undecided (" in str(replace(found, side=None))
+    bare = str(replace(found, time=None, place=(), alphas=None, beta=None, coefficient=None, notes=("noted",)))
+    assert not any(part in bare for part in ("after the time", "the G-spot:", "alpha_1", "beta", "C1 ="))
+    assert bare.endswith("\n  noted")
+    moving = replace(found, surface_velocity=None, least_slip=arb(-2))
+    assert moving.warnings[0].startswith("u is not positive here: positive slip needs a surface that moves with a vel")
+    assert moving.warnings[0].endswith("below -2.00000; nothing is said about stick")
+    assert replace(moving, least_slip=None).warnings == ()
+    assert found.to_json()["rests_on"] != event.to_json()["rests_on"] == "proved for rigid slip"
+    assert replace(found, time=None, alphas=None).to_json()["alphas"] is None
+    assert len(found.to_json()["alphas"]) == 3

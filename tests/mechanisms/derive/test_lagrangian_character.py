@@ -1,0 +1,69 @@
+"""The Lagrangian character of fields that are given: every identity is asked for, and one that fails is named.
+
+With a mass matrix they hold by the derivation.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from gspot_verified.functions.expressions import Expression, Variable
+from gspot_verified.mechanisms.derive import lie_derivatives
+from gspot_verified.mechanisms.derive.derivation import derive_expressions
+from gspot_verified.mechanisms.derive.derived import Derived
+from gspot_verified.mechanisms.derive.lagrangian_character import check_lagrangian_character
+from gspot_verified.mechanisms.derive.shift import Preparation
+from gspot_verified.mechanisms.input.given import from_fields
+from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+
+GOOD: dict[str, Any] = {
+    "name": "fields", "state": ["x", "u", "y", "v", "w"], "F": ["u", 0, "v", "w", 1], "G_T": [0, 2, 0, "w", 0],
+    "G_N": [0, "w", 0, 3, 0], "x": "x", "y": "y", "mu": 1,
+}  # fmt: skip
+
+
+def derived(made: Mechanism) -> Derived[Expression]:
+    return derive_expressions(made, Preparation(made))
+
+
+def check(**change: Any) -> None:
+    made = from_fields(**GOOD | change)
+    check_lagrangian_character(made, derived(made))
+
+
+def test_good_fields_need_no_sympy(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(lie_derivatives, "check_lagrangian_conditions", None)
+    check()
+    check(x=None, slip_velocity="u")
+
+
+@pytest.mark.parametrize(
+    ("change", "name"),
+    [
+        ({"G_T": [1, 2, 0, "w", 0]}, "L_GT x"),
+        ({"G_N": [1, "w", 0, 3, 0]}, "L_GN x"),
+        ({"G_T": [0, 2, 1, "w", 0]}, "L_GT y"),
+        ({"G_N": [0, "w", 1, 3, 0]}, "L_GN y"),
+        ({"G_T": [0, 2, 0, 1, 0]}, "L_GN u - L_GT v"),
+        ({"G_T": [0, 2, 0, "w", 1]}, "L_G p"),
+        ({"x": None, "slip_velocity": "u", "G_N": [0, "w", 1, 3, 0]}, "L_GN y"),
+    ],
+)
+def test_each_identity_that_fails_is_named(change: dict[str, Any], name: str) -> None:
+    with pytest.raises(MechanismError, match=f"fields: {name} must vanish"):
+        check(**change)
+
+
+def test_what_simplifies_only_in_sympy_is_accepted() -> None:
+    check(G_T=[0, 2, 0, "w*(sin(w)^2 + cos(w)^2)", 0])
+
+
+def test_a_mass_matrix_gives_them_without_a_check(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(lie_derivatives, "check_lagrangian_conditions", None)
+    rod = shipped_mechanism("rod")
+    found = derived(rod)
+    check_lagrangian_character(rod, replace(found, B=Variable(0)))

@@ -1,0 +1,206 @@
+"""The critical friction: closed forms of the rod and the oscillator, a scan of the two-link arm, absence, refusal.
+
+proofs/critical_friction.md.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from flint import arb
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from samples.strategies import to_fmpq
+
+from gspot_verified.mechanisms.input.given import lagrangian
+from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.spots.critical_friction import critical_friction
+from gspot_verified.numbers.balls import working_bits
+
+
+def rod(
+    inertia: Fraction, half: Fraction = Fraction(1), mass: Fraction = Fraction(1), angle: str = "theta"
+) -> Mechanism:
+    return lagrangian(
+        "rod", ["X", "Y", "theta"], [[str(mass), 0, 0], [0, str(mass), 0], [0, 0, str(inertia)]],
+        [0, f"-{mass}", 0], f"X + {half}*cos({angle})", f"Y - {half}*sin({angle})", 1,
+    )  # fmt: skip
+
+
+@settings(deadline=None, max_examples=20)
+@given(
+    st.fractions(Fraction(1, 50), 5, max_denominator=50),
+    st.sampled_from([Fraction(1), Fraction(1, 1000), Fraction(13, 3)]),
+    st.sampled_from([Fraction(1), Fraction(7, 100)]),
+)
+def test_rods_with_any_inertia(inertia: Fraction, half: Fraction, mass: Fraction) -> None:
+    """mu_c = 2 sqrt(1 + k)/k with k = m l^2/I, where tan(theta) = sqrt(1 + k); 4/3 for r^2 = l^2/3."""
+    found = critical_friction(rod(inertia, half, mass))
+    k = mass * half**2 / inertia
+    assert found.value is not None
+    with working_bits(150):
+        root = (1 + arb(to_fmpq(k))).sqrt()
+        assert found.value.is_finite()
+        assert found.value.overlaps(2 * root / arb(to_fmpq(k)))
+        assert found.value.rad() < abs(found.value) * arb(2) ** -90
+        assert len(found.places) == 2
+
+
+def test_the_slender_rod() -> None:
+    found = critical_friction(shipped_mechanism("genot_brogliato_rod", mu="13/10"))
+    assert found.value is not None
+    assert (found.value * 3 - 4).contains(0)
+    assert found.is_below is True
+    assert "mu = [1.3" in str(found)
+    assert "below mu_c" in str(found)
+    assert critical_friction(shipped_mechanism("genot_brogliato_rod", mu=2)).is_below is False
+    assert critical_friction(shipped_mechanism("genot_brogliato_rod", mu="4/3")).is_below is None
+    turned = critical_friction(rod(Fraction(1, 3), angle="1 - theta"))
+    assert turned.value is not None
+    assert turned.value.overlaps(found.value)
+
+
+@pytest.mark.parametrize(("first", "second"), [(1, 1), (4, 1), (1, 100), (3, 7)])
+def test_the_oscillator_with_any_masses(first: int, second: int) -> None:
+    """C/B = (m_1 + m_2 t^2)/(m_2 t) with t = tan(phi): its least value is 2 sqrt(m_1/m_2)."""
+    found = critical_friction(
+        shipped_mechanism("frictional_impact_oscillator_all_parameters", m_1=first, m_2=second, l=Fraction(3, 7))
+    )
+    assert found.value is not None
+    with working_bits(150):
+        assert found.value.overlaps(2 * (arb(first) / second).sqrt())
+
+
+def arm(height: str) -> Mechanism:
+    return lagrangian(
+        "two-link arm", ["a", "c"], [["4/3", "cos(a - c)/2"], ["cos(a - c)/2", "1/3"]],
+        ["-sin(a - c)*c_dot^2/2 - 3*sin(a)/2", "sin(a - c)*a_dot^2/2 - sin(c)/2"],
+        "sin(a) + sin(c)", "h - cos(a) - cos(c)", "3/10", {"h": height},
+    )  # fmt: skip
+
+
+def scanned(height: float) -> float:
+    least = math.inf
+    end = math.acos(height - 1)
+    for side in (-1, 1):
+        for k in range(20_001):
+            a = -end + 2 * end * k / 20_000
+            c = side * math.acos(min(1.0, height - math.cos(a)))
+            coupling = math.cos(a - c) / 2
+            inverse = ((1 / 3, -coupling), (-coupling, 4 / 3))
+            x, y = (math.cos(a), math.cos(c)), (math.sin(a), math.sin(c))
+            C = sum(y[i] * inverse[i][j] * y[j] for i in range(2) for j in range(2))
+            B = sum(y[i] * inverse[i][j] * x[j] for i in range(2) for j in range(2))
+            least = min(least, C / B if B > 0 else math.inf)
+    return least
+
+
+@pytest.mark.parametrize("height", ["1/2", "1", "6/5", "3/2", "19/10"])
+def test_a_constraint_that_cannot_be_solved_explicitly(height: str) -> None:
+    """The arm touches the surface where y = 0 only: two routes, Lagrange's condition in balls and a scan in floats."""
+    found = critical_friction(arm(height))
+    expected = scanned(float(Fraction(height)))
+    assert found.value is not None
+    assert found.value.rad() < 1e-20
+    assert float(found.value) == pytest.approx(expected, rel=1e-6)
+    assert float(found.value) <= expected + 1e-12
+
+
+def test_no_friction_is_enough_or_there_is_no_contact() -> None:
+    block = lagrangian("block", ["X", "Y"], [[1, 0], [0, 1]], [0, -1], "X", "Y", 5)
+    found = critical_friction(block)
+    assert found.value is not None
+    assert not found.value.is_finite()
+    assert found.is_below is True
+    assert "every mu" in str(found)
+    away = critical_friction(arm("3"))
+    assert away.value is not None
+    assert not away.value.is_finite()
+    assert "no configuration has y = 0" in str(away)
+
+
+def test_what_is_not_covered_is_refused_with_its_reason() -> None:
+    found = critical_friction(shipped_mechanism("model"))
+    assert found.value is None
+    assert found.is_below is None
+    assert "not periodic in p" in str(found)
+    stopped = critical_friction(arm("1"), budget=3)
+    assert stopped.value is None
+    assert stopped.reason
+
+
+def test_plain_data_and_no_truth_value() -> None:
+    found: Any = critical_friction(shipped_mechanism("rod"))
+    assert json.loads(json.dumps(found.to_json()))["infinite"] is False
+    with pytest.raises(TypeError, match="is_below"):
+        bool(found)
+
+
+def test_constraints_with_multipliers_are_refused() -> None:
+    tied = lagrangian(
+        "tied", ["X", "Y", "theta"], [[1, 0, 0], [0, 1, 0], [0, 0, "1/3"]], [0, -1, 0], "X + cos(theta)",
+        "Y - sin(theta)", 2, constraints=["X - sin(theta)"],
+    )  # fmt: skip
+    found = critical_friction(tied)
+    assert found.value is None
+    assert "constraints" in found.reason
+
+
+def test_a_negative_coefficient_is_not_below() -> None:
+    """Nothing is said of p there: by the mirror image, p of the rod vanishes where p of mu = +2 does."""
+    found = critical_friction(shipped_mechanism("genot_brogliato_rod", mu=-2))
+    assert found.value is not None
+    assert found.value.overlaps(arb(4) / 3)
+    assert found.is_below is None
+    assert "lies below" not in str(found)
+    assert found.to_json()["below"] is None
+    assert critical_friction(shipped_mechanism("genot_brogliato_rod", mu=0)).is_below is True
+
+
+@pytest.mark.parametrize(("mass", "inertia"), [("-1", "-1/12"), ("-1", "-1/1000")])
+def test_a_mass_matrix_that_is_negative_definite_has_no_critical_friction(mass: str, inertia: str) -> None:
+    """p = C - mu B changes its sign with the mass matrix: B/C and its maximum do not, but C < 0."""
+    made = lagrangian(
+        "rod", ["X", "Y", "theta"], [[mass, 0, 0], [0, mass, 0], [0, 0, inertia]], [0, -1, 0], "X + cos(theta)/2",
+        "Y - sin(theta)/2", 1,
+    )  # fmt: skip
+    found = critical_friction(made)
+    assert found.value is None
+    assert found.is_below is None
+    assert "C is not positive where B/C is largest" in found.reason
+
+
+def bent(x: str, y: str, inertia: int = 1) -> Mechanism:
+    """A body whose contact point moves on it: B = -x'(theta) y'(theta)/I, C = 1 + y'(theta)^2/I."""
+    return lagrangian(
+        "bent", ["X", "Y", "theta"], [[1, 0, 0], [0, 1, 0], [0, 0, inertia]], [0, -1, 0], f"X + {x}", f"Y - ({y})", 1
+    )
+
+
+def test_only_the_largest_of_several_maxima_is_named() -> None:
+    """x = cos, y = sin + sin(2 theta): B/C has maxima of different height, which the search proves."""
+    found = critical_friction(bent("cos(theta)", "sin(theta) + sin(2*theta)"))
+    slopes = [(math.cos(t) + 2 * math.cos(2 * t), math.sin(t)) for t in (2 * math.pi * k / 5000 for k in range(5000))]
+    assert found.value is not None
+    assert float(found.value) == pytest.approx(1 / max(f * s / (1 + f * f) for f, s in slopes), rel=1e-5)
+    assert len(found.places) == 1
+
+
+def test_where_the_largest_ratio_is_zero_nothing_is_said() -> None:
+    """x = cos, y = cos: B = -sin^2 touches 0, so p > 0 for every mu, but no ball shows it."""
+    found = critical_friction(bent("cos(theta)", "cos(theta)"))
+    assert found.value is None
+    assert found.reason == "B may vanish where B/C is largest"
+
+
+def test_a_ratio_that_is_not_bounded_is_said() -> None:
+    """I = -1: C = 1 - 4 cos(theta)^2 vanishes at pi/3, where B does not."""
+    found = critical_friction(bent("2*cos(theta)", "2*sin(theta)", -1), budget=10**6)
+    assert found.value is None
+    assert found.reason == "B/C is not bounded on a box that is left: C may vanish"
+    assert "budget" in critical_friction(bent("2*cos(theta)", "2*sin(theta)", -1), budget=10).reason

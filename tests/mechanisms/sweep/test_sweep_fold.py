@@ -1,0 +1,183 @@
+"""Folds: the classical rod's at mu = 4/3, and others in closed form; where there is none, none is proved.
+
+Page: proofs/sweep.md, section 6.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import pytest
+from flint import arb, fmpq
+from samples.families import family
+
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.spots.parametric_system import parametric_system
+from gspot_verified.mechanisms.sweep import sweep_fold
+from gspot_verified.mechanisms.sweep.sweep import sweep
+from gspot_verified.mechanisms.sweep.sweep_findings import equations
+from gspot_verified.mechanisms.sweep.sweep_fold import _on_curve, _widened, fold_next_to, turned
+from gspot_verified.mechanisms.sweep.sweep_piece import Kind
+from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
+from gspot_verified.mechanisms.zeros.tube import OnTube, Tube
+from gspot_verified.numbers.balls import working_bits
+
+ROD = "falling rod of Génot and Brogliato"
+
+
+@pytest.mark.parametrize("over", ["1.2..2:16", "4/3..2:7", "1.3..1.4:1", "4/3..1.34:1"])
+def test_the_rod_has_its_fold_at_four_thirds(over: str) -> None:
+    """tan θ = 2 there, and θ' = 5^(1/4) (L = g = 1)."""
+    result = sweep(shipped_mechanism(ROD), {"mu": over})
+    (fold,) = result.folds
+    assert fold.value.contains(Fraction(4, 3))
+    lower, upper = fold.value.endpoints()
+    assert upper - lower < Fraction(1, 10**15)
+    assert fold.opens == 1
+    point = dict(fold.point)
+    with mpmath.workdps(40):
+        for word, expected in (("theta", mpmath.atan(2)), ("theta_dot", mpmath.mpf(5) ** 0.25)):
+            ends = [mpmath.mpf(end.numerator) / end.denominator for end in point[word].endpoints()]
+            assert ends[0] < expected < ends[1]
+            assert ends[1] - ends[0] < 1e-11
+
+
+def test_the_pieces_behind_the_fold_say_so_and_no_more() -> None:
+    result = sweep(shipped_mechanism(ROD), {"mu": "1.2..1.5:6"})
+    first, second = result.pieces[:2]
+    assert (first.kind, second.kind) == (Kind.BEYOND, Kind.FOLD)
+    assert first.lower == (fmpq(6, 5),)
+    assert first.upper == second.lower
+    assert second.holds([fmpq(4, 3)]) or first.holds([fmpq(4, 3)])
+    assert first.case is second.case is None
+    assert all(piece.lower[0] > fmpq(4, 3) for piece in result.pieces[2:])
+    assert result.at(mu="1.3").kind is Kind.BEYOND
+
+
+@pytest.mark.parametrize(
+    ("p", "start", "over", "opens", "value", "q"),
+    [
+        ("q^2 - k", "1", "-1/2..1:5", 1, 0, 0),
+        ("q^2 - k", "-1", "-1/3..1:5", 1, 0, 0),
+        ("q^2 + k - 2", "1", "1/2..3:7", -1, 2, 0),
+        ("q^2 - 2*q + 1/3 - k", "3", "-1..2:4", 1, Fraction(-2, 3), 1),
+    ],
+)
+def test_folds_of_parabolas(p: str, start: str, over: str, opens: int, value: Fraction, q: int) -> None:
+    result = sweep(family(p, start), {"k": over})
+    (fold,) = result.folds
+    assert fold.opens == opens
+    assert fold.value.contains(value)
+    assert dict(fold.point)["q"].contains(q)
+    for piece in result.pieces:
+        there = (piece.lower[0] > fmpq(Fraction(value).numerator, Fraction(value).denominator)) == (opens > 0)
+        if piece.kind in (Kind.SETTLED, Kind.CROSSING, Kind.OPEN):
+            assert there
+
+
+@pytest.mark.parametrize(
+    ("p", "start", "over"),
+    [
+        ("q^3 - k", "1", "-1..1:4"),  # an inflection: the branch goes on, f_ξ is singular at k = 0
+        ("q*(q - k)", "0", "-1..1:3"),  # two branches cross
+        ("q^3 - k*q", "0", "-1..1:3"),  # a pitchfork
+        ("(q^2 - k)^2", "1", "-1..1:2"),  # never regular
+    ],
+)
+def test_what_is_no_fold_is_not_called_one(p: str, start: str, over: str) -> None:
+    if p.startswith("("):
+        with pytest.raises(ValueError, match=r"degenerate|no G-spot"):
+            sweep(family(p, start), {"k": over})
+        return
+    result = sweep(family(p, start), {"k": over})
+    assert result.folds == ()
+    assert result.verdict.exit_code == 2
+    assert not any(piece.kind in (Kind.FOLD, Kind.BEYOND) for piece in result.pieces)
+    at_zero = [piece for piece in result.pieces if piece.holds([fmpq(0)])]
+    assert {piece.kind for piece in at_zero} <= {Kind.NO_TUBE, Kind.OPEN}
+
+
+def test_sides_accumulate_at_a_fold() -> None:
+    """q = sqrt(k): beta = 3/(4 sqrt(k)) passes every integer before the fold at k = 0; what is said is right."""
+    result = sweep(family("q^2 - k", "1"), {"k": "-1/10..1:11"}, digits=8)
+    (fold,) = result.folds
+    assert fold.value.contains(0)
+    known = {crossing.quantity: crossing for crossing in result.crossings}
+    for n in (2, 3, 4):
+        crossing = known[f"beta - {n}"]
+        assert crossing.proved
+        assert crossing.lower < fmpq(9, 16 * n * n) < crossing.upper
+    assert known["alpha_3 - alpha_1"].lower < fmpq(9, 16) < known["alpha_3 - alpha_1"].upper
+    for piece in result.pieces:
+        if piece.kind is not Kind.SETTLED:
+            continue
+        for value in (piece.lower[0], piece.middle[0], piece.upper[0]):
+            beta_squared = fmpq(9, 16) / value
+            if piece.case == "I":
+                assert beta_squared < 1
+            else:
+                n = next(n for n in range(1, 10**6) if (n + 1) ** 2 > beta_squared)
+                assert piece.case == "III"
+                assert n >= 1
+                assert piece.lift_off_sign == (-1 if n % 2 else 1)
+
+
+def test_a_spot_must_lie_on_the_curve_with_its_tangent() -> None:
+    """p = q^2 - k as a curve over q: (x, u, y, v, b) = (0, 1, 0, 0, 0), k = q^2, and the tangent (0, ..., 0, 2 q)."""
+    system = parametric_system(family("q^2 - k", "1"), ["k"], ["x", "u"])
+    curve = turned(system, 4)
+
+    def known(k: arb, slope: arb, u: int = 1) -> list[arb]:
+        return [arb(0), arb(u), arb(0), arb(0), arb(0), k, *[arb(0)] * 5, slope]
+
+    start = Origin((fmpq(0),), tuple(fmpq(int(i == 1)) for i in range(12)), (*[(fmpq(0),)] * 11, (fmpq(2),)))
+    with working_bits(80):
+        on = proved_tube(curve, (fmpq(-1, 8),), (fmpq(1, 8),), start)
+        assert on is not None
+        tube = _widened(curve, on).tube
+        q = arb("0.1")
+        assert _on_curve(tube, q, known(q * q, 2 * q))
+        assert not _on_curve(tube, q, known(q * q, -2 * q))
+        assert not _on_curve(tube, q, known(q * q + 1, 2 * q))
+        assert not _on_curve(tube, q, known(q * q, 2 * q, u=2))
+        assert not _on_curve(tube, arb("0.2"), known(arb("0.04"), arb("0.4")))
+        assert not _on_curve(tube, arb("nan"), known(q * q, 2 * q))
+
+
+def test_the_direction_of_the_curve_is_not_that_of_the_tubes_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    """q = sqrt(k) on [1/8, 1/4]: the curve folds at k = 0, however its derivative is split between line and rest."""
+    system = parametric_system(family("q^2 - k", "1"), ["k"], ["x", "u"])
+    centre = tuple(map(arb, (0, 1, 0, 0, "0.4375", 0)))
+    wide = tuple(arb(0, "0.125") for _ in centre)
+    level = Tube((fmpq(1, 8),), (fmpq(1, 4),), centre, tuple((arb(0),) for _ in centre), wide, wide)
+    elsewhere = replace(level, centre=tuple(-value for value in centre))
+    calls = []
+
+    def bent(*given: Any) -> OnTube | None:
+        calls.append(given)
+        on = proved_tube(*given)
+        if on is None or len(calls) > 1:
+            return on
+        slopes = tuple((slope - 1,) for (slope,) in on.tube.slopes)
+        return replace(on, tube=replace(on.tube, slopes=slopes), turning=[[turn + 1] for (turn,) in on.turning])
+
+    monkeypatch.setattr(sweep_fold, "proved_tube", bent)
+    with working_bits(80):
+        fold = fold_next_to(system, equations(system), level, fmpq(1, 8), 8)
+        calls.clear()
+        assert fold_next_to(system, equations(system), elsewhere, fmpq(1, 8), 8) is None
+    assert fold is not None
+    assert fold.value.contains(0)
+    assert (fold.opens, fold.reach) == (1, fmpq(1, 8))
+
+
+@pytest.mark.parametrize("size", [0.0, 1.0])
+def test_no_fold_hangs_on_the_component_that_is_followed(monkeypatch: pytest.MonkeyPatch, size: float) -> None:
+    """The component is chosen by floats; another one gives the same fold, or none."""
+    monkeypatch.setattr("gspot_verified.mechanisms.sweep.sweep_fold.approximate", lambda _: size)
+    for fold in sweep(family("q^2 + k - 2", "1"), {"k": "1/2..3:7"}).folds:
+        assert fold.opens == -1
+        assert fold.value.contains(2)

@@ -1,0 +1,87 @@
+"""What is asked of a sweep: its axes, the place at which it begins, and which pieces may touch."""
+
+from __future__ import annotations
+
+from itertools import product
+from typing import Any
+
+import pytest
+from flint import fmpq
+
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.sweep import sweep as module
+from gspot_verified.mechanisms.sweep.sweep import sweep
+from gspot_verified.mechanisms.sweep.sweep_grid import Axis, Grid
+
+ROD = shipped_mechanism("falling rod of Génot and Brogliato")
+AXIS = Axis("mu", fmpq(7, 5), fmpq(2), 10)
+PIECE: Any = None
+
+
+@pytest.mark.parametrize(
+    ("given", "ends"),
+    [
+        ("7/5..2", (fmpq(7, 5), fmpq(2), None)),
+        ("1.4..2:10", (fmpq(7, 5), fmpq(2), 10)),
+        ((1, 2), (fmpq(1), fmpq(2), None)),
+        (("7/5", 2, 10), (fmpq(7, 5), fmpq(2), 10)),
+    ],
+)
+def test_the_ends_of_a_range(given: Any, ends: tuple[fmpq, fmpq, int | None]) -> None:
+    assert module._ends("mu", given) == ends
+
+
+def test_the_cells_of_all_axes_together_are_bounded() -> None:
+    """10^6 of them are allowed."""
+    assert [axis.cells for axis in module._axes(ROD, {"mu": "1.4..2:1000", "m": "1..2:1000"})] == [1000, 1000]
+    with pytest.raises(ValueError, match="at most 1000000 cells, got 1001000"):
+        module._axes(ROD, {"mu": "1.4..2:1000", "m": "1..2:1001"})
+
+
+@pytest.mark.parametrize(
+    ("own", "given", "place"),
+    [
+        ("3/2", {}, "3/2"),
+        ("1", {}, "7/5"),
+        ("3", {}, "2"),
+        (None, {}, "17/10"),
+        ("3/2", {"mu": "7/5"}, "7/5"),
+        ("3/2", {"mu": "2"}, "2"),
+        ("3/2", {"mu": "8/5"}, "8/5"),
+        ("3/2", {"mu": "201/100"}, None),
+        ("3/2", {"mu": "139/100"}, None),
+    ],
+)
+def test_where_a_sweep_begins(own: str | None, given: dict[str, str], place: str | None) -> None:
+    """Its own value or the nearest of the range, the middle where there is none, or what is given."""
+    mechanism = ROD.with_parameters(mu=own)
+    if place is None:
+        with pytest.raises(ValueError, match=r"lies outside of 7/5\.\.2"):
+            module._start(mechanism, [AXIS], given)
+    else:
+        assert module._start(mechanism, [AXIS], given) == (fmpq(*map(int, place.split("/"))),)
+
+
+@pytest.mark.parametrize("counts", [(1, 2, 3), (2, 1, 1, 3, 2, 1), (1, 1, 1, 1, 1, 1)])
+def test_pieces_that_may_touch(counts: tuple[int, ...]) -> None:
+    """Those of one cell, and of cells that share a side; a piece does not touch itself."""
+    axes = (Axis("mu", fmpq(0), fmpq(1), len(counts) // 3), Axis("m", fmpq(0), fmpq(1), 3))
+    grid = Grid(axes if len(counts) > 3 else axes[1:])
+    cell_of = [index for index, count in zip(grid.indices(), counts, strict=True) for _ in range(count)]
+
+    def touch(one: int, other: int) -> bool:
+        return one != other and sum(abs(a - b) for a, b in zip(cell_of[one], cell_of[other], strict=True)) <= 1
+
+    found = module._neighbours(grid, [[PIECE] * count for count in counts])
+    expected = {pair for pair in product(range(len(cell_of)), repeat=2) if touch(*pair)}
+    assert {(one, other) for one, others in enumerate(found) for other in others} == expected
+    assert sum(map(len, found)) == len(expected)
+
+
+def test_one_digit_is_enough_and_folds_belong_to_one_axis(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[int] = []
+    monkeypatch.setattr(module, "with_folds", lambda *given: (asked.append(given[-1]), (given[2], []))[1])
+    sweep(ROD, {"mu": "1.4..2:2"}, digits=1)
+    assert asked == [1]
+    sweep(ROD, {"mu": "1.4..2:1", "m": "1..2:1"})
+    assert asked == [1]

@@ -1,0 +1,122 @@
+"""Which pieces hold the continued spot: neighbours with the same zero where they meet. Page: proofs/sweep.md.
+
+x^2 = λ has two roots; the pieces hold tubes of one or of the other.
+"""
+
+from __future__ import annotations
+
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.functions.box_program import BoxProgram
+from gspot_verified.functions.expressions import Variable
+from gspot_verified.mechanisms.sweep import sweep_links
+from gspot_verified.mechanisms.sweep.sweep_links import common_place, linked, same_zero
+from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece, TubeRecord
+from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
+from gspot_verified.mechanisms.zeros.tube import Equations, Tube
+from gspot_verified.numbers.balls import working_bits
+
+ROOT = Equations(BoxProgram([Variable(0) * Variable(0) - Variable(1)], 2), 1)
+Corners = tuple[tuple[int | fmpq, ...], tuple[int | fmpq, ...]]
+
+
+def box(corners: Corners) -> SweepPiece:
+    lower, upper = (tuple(map(fmpq, ends)) for ends in corners)
+    return SweepPiece(lower, upper, Kind.NO_TUBE)
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "place"),
+    [
+        (((0,), (1,)), ((1,), (3,)), (1,)),
+        (((1,), (3,)), ((0,), (1,)), (1,)),
+        (((0,), (1,)), ((2,), (3,)), None),
+        (((2,), (3,)), ((0,), (1,)), None),
+        (((0,), (4,)), ((1,), (3,)), (2,)),
+        (((0,), (2,)), ((1,), (5,)), (fmpq(3, 2),)),
+        (((0, 0), (1, 4)), ((1, 2), (2, 8)), (1, 3)),
+        (((1, 2), (2, 8)), ((0, 0), (1, 4)), (1, 3)),
+        (((0, 0), (4, 1)), ((1, 1), (3, 2)), (2, 1)),
+        (((0, 0), (1, 1)), ((1, 1), (2, 2)), None),  # a corner
+        (((0, 0), (1, 1)), ((1, 2), (2, 3)), None),
+        (((0, 0), (1, 1)), ((2, 0), (3, 1)), None),
+        (((0, 0), (2, 2)), ((1, 1), (3, 3)), (fmpq(3, 2), fmpq(3, 2))),
+    ],
+)
+def test_where_two_pieces_meet(first: Corners, second: Corners, place: tuple[int | fmpq, ...] | None) -> None:
+    found = common_place(box(first), box(second))
+    assert found == (None if place is None else tuple(map(fmpq, place)))
+
+
+def root(lower: int, upper: int, sign: int = 1) -> SweepPiece:
+    """The piece over [lower, upper] that holds one of the two roots."""
+    low, high = (fmpq(lower),), (fmpq(upper),)
+    middle = (fmpq(lower + upper) / 2,)
+    with working_bits(80):
+        guess = fmpq(*(sign * ((lower + upper) / 2) ** 0.5).as_integer_ratio())
+        on = proved_tube(ROOT, low, high, Origin(middle, (guess,), ((1 / (2 * guess),),)))
+        assert on is not None
+        return SweepPiece(low, high, Kind.SETTLED, record=TubeRecord.of(on.tube))
+
+
+def from_four(pieces: list[SweepPiece], around: dict[int, list[int]] | None = None, spot: int = 2) -> set[int]:
+    """The numbers of the pieces linked to the root ``spot`` at λ = 4."""
+    near = {i: [j for j in (i - 1, i + 1) if 0 <= j < len(pieces)] for i in range(len(pieces))}
+    with working_bits(80):
+        return linked(ROOT, pieces, (around or near).__getitem__, (fmpq(4),), [arb(spot)])
+
+
+def test_the_same_root_is_followed_to_both_sides() -> None:
+    line = [root(1, 2), root(2, 3), root(3, 5), root(5, 6), root(6, 7)]
+    assert from_four(line) == {0, 1, 2, 3, 4}
+    assert from_four([root(3, 5, -1)], spot=-2) == {0}
+
+
+def test_the_other_root_ends_it_also_where_the_first_goes_on_behind_it() -> None:
+    line = [root(1, 2), root(2, 3, -1), root(3, 5), root(5, 6), root(6, 7, -1)]
+    assert from_four(line) == {2, 3}
+    assert from_four(line, spot=-2) == set()
+
+
+def test_a_piece_without_a_tube_ends_it() -> None:
+    line = [root(1, 2), box(((2,), (3,))), root(3, 5), root(5, 6)]
+    assert from_four(line) == {2, 3}
+    assert from_four([box(((3,), (5,))), root(5, 6)]) == set()
+
+
+def test_pieces_that_do_not_meet_are_not_linked() -> None:
+    """Whatever is called a neighbour."""
+    line = [root(3, 5), root(6, 7)]
+    assert from_four(line, {0: [1], 1: [0]}) == {0}
+
+
+def test_a_piece_starts_it_only_where_it_holds_the_place() -> None:
+    """The tube over [5, 6] may hold 2 at λ = 4 when it is drawn on, but λ = 4 is not in its piece."""
+    wide = Tube((fmpq(5),), (fmpq(6),), (arb(2),), ((arb(0),),), (arb(0, 1),), (arb(0, 1),))
+    assert from_four([SweepPiece((fmpq(5),), (fmpq(6),), Kind.SETTLED, record=TubeRecord.of(wide))]) == set()
+
+
+def level(radius: str, found: str) -> Tube:
+    """Around 2 over [3, 5]; its zero is said to lie within ``found`` of 2."""
+    return Tube((fmpq(3),), (fmpq(5),), (arb(2),), ((arb(0),),), (arb(0, radius),), (arb(0, found),))
+
+
+def test_a_zero_in_between_decides_where_what_is_found_is_too_wide(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Neither tube holds all that the other may have found; the zero itself, sought anew, lies in both or not."""
+    place = (fmpq(4),)
+    first, second = level("0.5", "0.4"), level("0.3", "0.29")
+    with working_bits(80):
+        assert same_zero(ROOT, first, level("0.45", "0.1"), place)
+        assert same_zero(ROOT, level("0.45", "0.1"), first, place)
+        wide = (
+            level("0.25", "0.24"),
+            Tube(first.lower, first.upper, (arb("2.3"),), first.slopes, (arb(0, "0.4"),), (arb(0, "0.39"),)),
+        )
+        assert same_zero(ROOT, *wide, place)
+        assert same_zero(ROOT, *reversed(wide), place)
+        apart = Tube(first.lower, first.upper, (arb("2.3"),), first.slopes, (arb(0, "0.25"),), (arb(0, "0.24"),))
+        assert not same_zero(ROOT, second, apart, place)
+        assert not same_zero(ROOT, apart, second, place)
+        monkeypatch.setattr(sweep_links, "proved_tube", lambda *_: None)
+        assert not same_zero(ROOT, *wide, place)

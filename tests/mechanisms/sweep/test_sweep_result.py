@@ -1,0 +1,127 @@
+"""The texts of a sweep: brackets are rounded outward, neighbours of one answer are one stretch."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from itertools import pairwise
+
+import pytest
+from flint import fmpq
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.sweep.sweep import sweep
+from gspot_verified.mechanisms.sweep.sweep_grid import Axis
+from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, Kind, Passing, SweepPiece
+from gspot_verified.mechanisms.sweep.sweep_result import Crossing, Sweep
+from gspot_verified.numbers.verdict import Outcome
+
+
+@given(st.fractions(-10, 10), st.fractions(0, Fraction(1, 10**6)), st.sampled_from([1, -1]))
+def test_a_bracket_is_shown_outward(lower: Fraction, width: Fraction, direction: int) -> None:
+    upper = lower + width
+    ends = [fmpq(end.numerator, end.denominator) for end in (lower, upper)]
+    crossing = Crossing("beta - 3", *ends, direction, -direction, direction)
+    text = crossing.text("k")
+    assert text.startswith("beta passes 3 in k = [")
+    assert text.endswith(", exactly once")
+    shown = [Fraction(word) for word in text.partition("[")[2].partition("]")[0].split(", ")]
+    assert shown[0] <= lower
+    assert upper <= shown[1]
+    assert shown[1] - shown[0] <= width + 2 * Fraction(1, 10**16)
+
+
+def test_what_is_not_certain_is_not_called_once() -> None:
+    for before, after in ((None, 1), (-1, None), (1, 1), (-1, -1), (1, -1)):
+        crossing = Crossing("alpha_1", fmpq(0), fmpq(1), 1, before, after)
+        assert not crossing.proved
+        assert "at most once" in crossing.text("k")
+
+
+def test_stretches_join_neighbours() -> None:
+    result = sweep(shipped_mechanism("oscillator"), {"beta": "9/4..15/4:6"})
+    stretches = result.stretches()
+    assert (stretches[0][0], stretches[-1][1]) == (fmpq(9, 4), fmpq(15, 4))
+    for (_, end, first), (begin, _, second) in pairwise(stretches):
+        assert end == begin
+        assert (first.kind, first.answer) != (second.kind, second.answer)
+    settled = [piece.answer for _, _, piece in stretches if piece.kind is Kind.SETTLED]
+    assert settled == [("III", 1, -1), ("III", -1, 1), ("none", None, None)]
+    lines = str(result).splitlines()  # verdict, spot, stretches, crossings, and that u = -3/5
+    assert len(lines) == 2 + 3 + 2 + 1
+    assert lines[-1].startswith("  warning: u <= 0")
+
+
+def test_json_holds_every_piece_without_its_tube() -> None:
+    result = sweep(shipped_mechanism("oscillator"), {"beta": "9/4..11/4:2"})
+    data = result.to_json()
+    assert [piece["lower"] for piece in data["pieces"]] == [["9/4"], ["5/2"]]
+    assert "tube" not in data["pieces"][0]
+    assert data["verdict"]["outcome"] == "proved"
+
+
+def line(*pieces: SweepPiece, upper: int = 12) -> Sweep:
+    return Sweep("line", (Axis("k", fmpq(10), fmpq(upper), 1),), (fmpq(11),), {"x": "0"}, pieces)
+
+
+def piece(lower: int | fmpq, upper: int | fmpq, kind: Kind, passing: Passing | None = None) -> SweepPiece:
+    return SweepPiece((fmpq(lower),), (fmpq(upper),), kind, "III", 1, -1, passing=passing)
+
+
+TINY = fmpq(1, 10**6)
+
+
+@pytest.mark.parametrize(
+    ("pieces", "proved"),
+    [
+        ((piece(10, 12, Kind.SETTLED),), True),
+        ((piece(10, 12, Kind.OPEN),), False),
+        ((), False),
+        ((piece(10, 11, Kind.SETTLED), piece(11 + TINY, 12, Kind.SETTLED)), False),
+        ((piece(10, 11, Kind.SETTLED), piece(11, 12, Kind.NO_TUBE)), False),
+        ((piece(10, 10 + TINY, Kind.FOLD), piece(10 + TINY, 12, Kind.SETTLED)), True),
+        ((piece(10, 10 + 3 * TINY, Kind.FOLD), piece(10 + 3 * TINY, 12, Kind.SETTLED)), False),
+        ((piece(10, 11, Kind.BEYOND), piece(11, 11 + TINY, Kind.FOLD), piece(11 + TINY, 12, Kind.SETTLED)), True),
+        ((piece(10, 11, Kind.CROSSING, Passing("beta - 2", 0, 1, -1, 1)), piece(11, 12, Kind.SETTLED)), True),
+        ((piece(10, 11, Kind.CROSSING, Passing("beta - 2", 0, 1, None, 1)), piece(11, 12, Kind.SETTLED)), False),
+    ],
+)
+def test_what_is_left_decides_the_verdict(pieces: tuple[SweepPiece, ...], proved: bool) -> None:
+    """A piece next to a fold counts as a bracket up to a millionth of the range."""
+    verdict = line(*pieces).verdict
+    assert verdict.outcome is (Outcome.PROVED if proved else Outcome.UNDECIDED)
+    assert "except in the brackets where" in verdict.statement
+    axes = (Axis("k", fmpq(0), fmpq(1), 1), Axis("l", fmpq(0), fmpq(1), 1))
+    empty = Sweep("map", axes, (fmpq(0), fmpq(0)), {}, ()).verdict
+    assert "pieces along curves" in empty.statement
+    assert empty.outcome is Outcome.UNDECIDED
+    assert "leave a part" in empty.detail
+
+
+def test_only_brackets_of_one_quantity_are_joined() -> None:
+    def crossing(lower: int, quantity: str, direction: int) -> SweepPiece:
+        before, after = (-direction, None) if lower == 10 else (None, direction)
+        return piece(lower, lower + 1, Kind.CROSSING, Passing(quantity, 0, direction, before, after))
+
+    same = line(crossing(10, "alpha_1", 1), crossing(11, "alpha_1", 1)).crossings
+    assert same == (Crossing("alpha_1", fmpq(10), fmpq(12), 1, -1, 1),)
+    assert same[0].proved
+    for second in (crossing(11, "alpha_2", 1), crossing(11, "alpha_1", -1), crossing(12, "alpha_1", 1)):
+        found = line(crossing(10, "alpha_1", 1), second, upper=13).crossings
+        assert len(found) == 2
+        assert not any(one.proved for one in found)
+
+
+def test_the_table_has_a_name_for_every_column() -> None:
+    result = line(piece(10, 11, Kind.CROSSING, Passing("beta - 2", 0, 1, -1, 1)), piece(11, 12, Kind.SETTLED))
+    head, *rows = result.to_csv().splitlines()
+    assert head.split(",") == [
+        "k_lower", "k_lower_exact", "k_upper", "k_upper_exact", "kind", "case", "lift_off_sign_of_C1",
+        "impact_sign_of_C1", "unsure", *(f"{name}_{end}" for name in NUMBERS for end in ("lower", "upper")),
+    ]  # fmt: skip
+    assert rows[1].startswith("11.0,11,12.0,12,settled,III,1,-1,,")
+    assert {len(row.split(",")) for row in (head, *rows)} == {9 + 2 * len(NUMBERS)}
+    first, second = result.to_json()["pieces"]
+    assert first["passing"] == {"quantity": "beta - 2", "along": 0, "direction": 1}
+    assert second["passing"] is None

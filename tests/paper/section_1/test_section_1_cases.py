@@ -1,0 +1,135 @@
+"""Cases I, II and III in rigid slip, and the strong direction: what each step must refuse."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from flint import fmpq_mpoly
+
+from gspot_verified.paper.section_1 import section_1_cases as ledger
+from gspot_verified.paper.section_4_5 import strong_direction
+
+STEPS = (ledger.solves, ledger.stays_and_ends, ledger.force_moves)
+RATES = {"p": "alpha1*p", "b": "alpha2*p + alpha3*b"}
+
+
+def read(text: str) -> fmpq_mpoly:
+    return ledger.ALGEBRA.read(text)
+
+
+@pytest.mark.parametrize("name", ledger.CASES)
+def test_every_step_holds_in_every_case(name: str) -> None:
+    assert [step(name) for step in STEPS] == [True, True, True]
+    assert ledger.in_finite_time(ledger.CASES[name]) is True
+
+
+@pytest.mark.parametrize("name", ledger.CASES)
+@pytest.mark.parametrize(
+    ("rates", "solves", "moves"),
+    [
+        ({"p": "2*alpha1*p"}, False, False),
+        ({"b": "alpha2*p + alpha3*b + (b-c*p)"}, False, False),  # the same on the line b = c p alone
+        ({"b": "2*alpha2*p + alpha3*b"}, False, False),
+    ],
+)
+def test_other_equations(
+    monkeypatch: pytest.MonkeyPatch, name: str, rates: dict[str, str], solves: bool, moves: bool
+) -> None:
+    monkeypatch.setattr(ledger, "RATES", RATES | rates)
+    assert ledger.solves(name) is solves
+    assert ledger.force_moves(name) is moves
+
+
+@pytest.mark.parametrize(
+    ("name", "case", "start", "steps"),
+    [
+        ("1-case-I", {"alpha2": "m"}, None, [True, False, False]),
+        ("1-case-I", {"alpha1": "u-w"}, None, [False, False, False]),
+        ("1-case-I", {}, "n*u", [True, False, True]),
+        ("1-case-II", {"alpha2": "2*m"}, None, [True, False, False]),
+        ("1-case-II", {}, "-n*u", [True, False, False]),
+        ("1-case-II", {}, "-m*q", [True, False, False]),  # on the line itself
+        ("1-case-III", {"alpha2": "m"}, None, [True, False, False]),
+        ("1-case-III", {"alpha2": "-2*m"}, None, [True, True, False]),
+        ("1-case-III", {"alpha3": "u-w"}, None, [False, False, False]),
+        ("1-case-III", {"alpha3": "-2*u-w"}, None, [True, False, False]),  # u is |α_3 - α_1|
+        ("1-case-III", {}, "n*u", [True, False, True]),
+    ],
+)
+def test_other_signs(
+    monkeypatch: pytest.MonkeyPatch, name: str, case: dict[str, str], start: str | None, steps: list[bool]
+) -> None:
+    monkeypatch.setitem(ledger.CASES, name, {**ledger.CASES[name], **case})
+    monkeypatch.setitem(ledger.START, name, start or ledger.START[name])
+    assert [step(name) for step in STEPS] == steps
+
+
+def test_only_a_negative_alpha_1_ends_in_finite_time() -> None:
+    for text, answer in (("-w", True), ("w", False), ("u-w", False), ("0*u", False)):
+        assert ledger.in_finite_time({"alpha1": text}) is answer
+
+
+@pytest.mark.parametrize(
+    ("name", "top", "bottom", "answer"),
+    [
+        ("1-case-I", "1+x", "1+0*x", True),
+        ("1-case-I", "1+x", "-1+0*x", False),
+        ("1-case-I", "1-x", "1+0*x", False),
+        ("1-case-I", "1+0*x", "1+0*x", False),  # a force that does not grow
+        ("1-case-III", "n + m*q*x", "1+x", True),
+        ("1-case-III", "n + m*q*x", "1-x", False),
+        ("1-case-III", "n + m*q*x", "1+2*x", False),  # half the force in the end
+        ("1-case-III", "n + 2*m*q*x", "1+x", False),
+    ],
+)
+def test_a_force_that_stays_positive_and_ends_as_stated(
+    monkeypatch: pytest.MonkeyPatch, name: str, top: str, bottom: str, answer: bool
+) -> None:
+    monkeypatch.setattr(ledger, "force_over_line", lambda _: (read(top), read(bottom)))
+    assert ledger.stays_and_ends(name) is answer
+
+
+def test_the_force_over_the_line_by_hand() -> None:
+    """Case I: b/p = (c q + (b(0) - c q) E)/q with E = 1 + x, u c = m, u b(0) = -n u; Case III: E = 1/(1 + x)."""
+    assert ledger.force_over_line("1-case-I") == (read("n*u + (n*u + m*q)*x"), read("1+0*x"))
+    assert ledger.force_over_line("1-case-III") == (read("n*u + m*q*x"), read("1+x"))
+    assert ledger.slope_of_the_force() == read("-alpha2*p^2 - alpha3*b*p + alpha1*b*p")
+
+
+def answers(build: Any) -> list[bool | None]:
+    return [check.agrees for check in build().checks]
+
+
+@pytest.mark.parametrize("name", ledger.CASES)
+def test_what_a_case_says(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    entry = ledger.ENTRIES[name]()
+    assert ("infty" in entry.source) is ("∞" in entry.statement) is ledger.GROWS[name]
+    assert bool(entry.note) is (name == "1-case-III")
+    monkeypatch.setattr(ledger, "in_finite_time", lambda _: False)
+    assert answers(ledger.ENTRIES[name]) == [False, False]
+
+
+STRONG = strong_direction.ENTRIES["1-strong-stable"]
+
+
+@pytest.mark.parametrize(
+    ("direction", "rates", "found"),
+    [
+        ({}, {}, [True, True]),
+        ({"b": "2*alpha2"}, {}, [None, None]),
+        ({"p": "alpha1 - 2*alpha3"}, {}, [None, None]),
+        ({"b": "0*alpha2"}, {}, [None, None]),
+        ({}, {"b": "alpha2*p + 2*alpha3*b"}, [None, None]),
+        ({}, {"p": "2*alpha1*p"}, [None, None]),
+        ({}, {"p": "alpha1*p + b"}, [None, None]),
+        ({}, {"p": "alpha3*p", "b": "alpha3*b"}, [None, True]),  # every line is then one of α_3
+        ({"p": "0*p", "b": "0*p"}, {}, [None, None]),  # no direction
+    ],
+)
+def test_both_routes_to_the_strong_direction_see_each_part(
+    monkeypatch: pytest.MonkeyPatch, direction: dict[str, str], rates: dict[str, str], found: list[bool | None]
+) -> None:
+    monkeypatch.setattr(strong_direction, "DIRECTION", {**strong_direction.DIRECTION, **direction})
+    monkeypatch.setattr(strong_direction, "RATES", RATES | rates)
+    assert answers(STRONG) == found

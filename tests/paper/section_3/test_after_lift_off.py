@@ -1,0 +1,90 @@
+"""What follows lift-off: what is stated is what is checked, and each condition decides."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.compliant.motion.run import ONE_FLIGHT
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.section_3 import after_lift_off, section_3
+
+
+def run(
+    *,
+    speed: Any = arb("0.02"),  # noqa: B008
+    lower: Any = fmpq(1, 9),  # noqa: B008
+    events: int = 2,
+    outcome: Outcome = Outcome.PROVED,
+    statement: str = ONE_FLIGHT,
+) -> Any:
+    """As a run of ε = 1/1000, for which 300 ε^(4/3) = 0.03."""
+    first = SimpleNamespace(lower=fmpq(-1), velocity=arb(5), state="at lift-off")
+    last = SimpleNamespace(lower=lower, velocity=-speed, state="at touch-down")
+    return SimpleNamespace(
+        verdict=SimpleNamespace(outcome=outcome, statement=statement),
+        events=(first, last, last)[:events],
+        model=SimpleNamespace(epsilon=fmpq(1, 1000)),
+    )
+
+
+@pytest.mark.parametrize(
+    ("given", "answer"),
+    [
+        (run(), True),
+        (run(speed=arb("0.0299999")), True),
+        (run(speed=arb("0.0300001")), False),
+        (run(speed=arb("1e-9")), True),
+        (run(speed=arb(0)), False),
+        (run(speed=arb("-0.02")), False),
+        (run(speed=arb("0.02", "0.02")), None),
+        (run(lower=fmpq(0)), False),
+        (run(events=1), False),
+        (run(events=3), False),
+        (run(statement="another"), False),
+        (run(outcome=Outcome.UNDECIDED), None),
+        (run(outcome=Outcome.UNDECIDED, events=1), None),
+    ],
+)
+def test_what_a_run_must_have_proved(given: Any, answer: bool | None) -> None:
+    assert after_lift_off.as_claimed(given) is answer
+
+
+@pytest.mark.parametrize(("side", "answer"), [(arb(1), True), (arb(-1), False), (arb(0, 1), None)])
+def test_the_side_at_touch_down(monkeypatch: pytest.MonkeyPatch, side: arb, answer: bool | None) -> None:
+    monkeypatch.setattr(after_lift_off, "side", lambda state, _: side if state == "at touch-down" else arb(0))
+    assert after_lift_off.side_at_touch_down(run()) is answer
+    for events in (0, 1, 3):
+        assert after_lift_off.side_at_touch_down(run(events=events)) is None
+
+
+def test_all_runs_that_lift_off_and_both_epsilon_count(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The runs are those on the other side of what takes an impact in Sec. 3."""
+    assert {
+        beta: tuple(nu for nu in section_3.FACTORS if nu != 1 and (1 if nu < 1 else -1) != side)
+        for beta, side in section_3.IMPACT["corrected"].items()
+    } == after_lift_off.LIFTING
+    asked = []
+
+    def of(beta: fmpq, nu: fmpq, epsilon: fmpq) -> Any:
+        asked.append((beta, nu, epsilon))
+        return run(events=0 if epsilon == fmpq(1, 1000) else 2)
+
+    monkeypatch.setattr(after_lift_off, "run_of", of)
+    monkeypatch.setattr(after_lift_off, "side", lambda *_: arb(1))
+    entry = after_lift_off.ENTRIES["3-after-lift-off"]()
+    assert len(asked) == len(set(asked)) == 8
+    assert [check.agrees for check in entry.checks] == [False, None]
+    assert entry.checks[0].finding.count("ε = 1/1000000000: v = [-0.02") == 4
+
+
+def test_the_statement_names_what_is_checked(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(after_lift_off, "run_of", lambda *_: run(events=0))
+    entry = after_lift_off.ENTRIES["3-after-lift-off"]()
+    first, last = (f"10^-{len(str(int(1 / epsilon))) - 1}" for epsilon in after_lift_off.EPSILONS)
+    assert [1 / epsilon for epsilon in after_lift_off.EPSILONS] == [10**3, 10**9]
+    assert f"at ε = {first} and {last}: exactly one flight" in entry.statement
+    assert f"0 < -v < {after_lift_off.MOST} ε^({after_lift_off.POWER})" in entry.statement

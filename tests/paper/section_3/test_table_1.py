@@ -1,0 +1,201 @@
+"""Table 1: rounding, series of epsilon, and what each check must refuse or leave open."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.numbers.balls import working_bits
+from gspot_verified.paper.section_3 import table_1 as ledger
+
+HALF = fmpq(1, 2 * 10**4)
+BETAS = (fmpq(1, 2), fmpq(3, 2), fmpq(5, 2))
+
+
+def test_a_printed_number_is_known_to_half_a_unit_of_the_fourth_decimal() -> None:
+    assert ledger.rounding("0.3326") == (fmpq(3326, 10**4), HALF)
+    assert ledger.rounding("3.000") == (fmpq(3), HALF)
+    assert ledger.rounding("1.0") == (fmpq(1), HALF)
+
+
+def test_the_decades_are_those_of_the_statement() -> None:
+    assert ledger.epsilons(ledger.DECADES) == [fmpq(1, 10**k) for k in (3, 4, 5, 6)]
+    assert ledger.epsilons((2000, 5, 3)) == [fmpq(1, 2000), fmpq(1, 10000), fmpq(1, 50000)]
+    assert ledger.text_of((2000, 5, 3)) == "ε = 1/2000 and on, each 1/5 of the one before, 3 in all"
+
+
+@pytest.mark.parametrize(
+    ("text", "found", "answer"),
+    [
+        ("0.3333", arb("0.33334"), True),
+        ("0.3333", arb("0.33326"), True),
+        ("0.3333", arb("0.33336"), False),
+        ("0.3333", arb("0.33324"), False),
+        ("0.3333", arb("0.33335", "0.00001"), None),
+        ("0.3333", arb("nan"), None),
+        ("0.3333", arb("inf"), None),
+        ("0.3333", None, None),
+    ],
+)
+def test_a_ball_rounds_to_a_number(text: str, found: arb | None, answer: bool | None) -> None:
+    assert ledger.is_the_number(text, found) is answer
+
+
+def test_a_power_law_has_its_exponent_as_slope(monkeypatch: pytest.MonkeyPatch) -> None:
+    def power(name: str, beta: fmpq, epsilon: fmpq) -> arb:
+        assert (name, beta) == ("b", BETAS[0])
+        return 3 * arb(epsilon) ** arb(fmpq(1, 3))
+
+    monkeypatch.setattr(ledger, "value", power)
+    found = ledger.slope("b", BETAS[0], (1000, 7, 4))
+    assert found is not None
+    assert abs(found - fmpq(1, 3)) < arb("1e-12")
+    monkeypatch.setattr(ledger, "value", lambda name, beta, e: None if e == fmpq(1, 7000) else power(name, beta, e))
+    assert ledger.slope("b", BETAS[0], (1000, 7, 4)) is None
+
+
+def test_what_is_measured(monkeypatch: pytest.MonkeyPatch) -> None:
+    def deviations(beta: fmpq, nu: fmpq, epsilon: fmpq) -> dict[str, arb]:
+        assert (beta, nu, epsilon) == (BETAS[1], 2, fmpq(1, 1000))
+        return {"b": arb(-2), "v": arb(3), "y": arb(-4)}
+
+    def crossing(beta: fmpq, nu: fmpq, epsilon: fmpq, near: fmpq) -> arb | None:
+        assert (nu, epsilon) == (2, fmpq(1, 1000))
+        return arb(near) if beta > 1 else None
+
+    monkeypatch.setattr(ledger, "deviations", deviations)
+    monkeypatch.setattr(ledger, "crossing", crossing)
+    assert [ledger.value(name, BETAS[1], fmpq(1, 1000)) for name in "bvy"] == [2, 3, 4]
+    near = ledger.value("t", BETAS[1], fmpq(1, 1000))
+    assert near is not None
+    assert near.contains(fmpq(31, 100))
+    assert ledger.value("t", BETAS[0], fmpq(1, 1000)) is None
+
+
+@pytest.mark.parametrize(
+    ("error", "answer"), [("0.1", False), ("0.1999", False), ("0.19996", None), ("0.2", None), ("1", None)]
+)
+def test_a_number_that_no_series_gives(monkeypatch: pytest.MonkeyPatch, error: str, answer: bool | None) -> None:
+    monkeypatch.setattr(ledger, "regression_error", lambda *_: arb(error))
+    monkeypatch.setattr(ledger, "limit_exponent", lambda *_: fmpq(1, 2))
+    assert ledger.can_be_the_number("0.7", "b", BETAS[0]) is answer
+    assert ledger.can_be_the_number("0.3", "b", BETAS[0]) is answer
+    assert ledger.can_be_the_number("0.5", "b", BETAS[0]) is None
+
+
+@pytest.mark.parametrize(("first", "answer"), [(999, None), (1000, True), (1001, True)])
+def test_a_series_that_begins_above_the_stated_epsilon_shows_nothing(
+    monkeypatch: pytest.MonkeyPatch, first: int, answer: bool | None
+) -> None:
+    monkeypatch.setattr(ledger, "slope", lambda name, beta, _: arb(ledger.MEASURED[name][beta]))
+    check = ledger.by_series("b", BETAS[0], (first, 10, 4))
+    assert check.agrees is answer
+    assert bool(check.finding) is (answer is True)
+    for name, beta in ledger.SERIES:
+        assert [c.agrees for c in ledger.ENTRIES[ledger.identifier(name, beta)]().checks] == [True, True]
+
+
+def test_every_measured_number_has_its_entry_and_its_note() -> None:
+    missing = {(name, beta) for name in ledger.MEASURED for beta in BETAS} - set(ledger.SERIES)
+    assert missing == {("b", BETAS[2]), ("y", BETAS[0])}
+    for name in ledger.MEASURED:
+        for beta in BETAS:
+            assert (ledger.identifier(name, beta) in ledger.ENTRIES) is True
+            note = ledger._notes(name, beta)
+            assert ("vanishes twice" in note) is ((name, beta) == ("t", BETAS[1]))
+            assert ("no power law" in note) is ((name, beta) == ("b", BETAS[2]))
+
+
+def test_formulas_at_one_beta() -> None:
+    found = {name: [ledger.formula(name, beta) for beta in BETAS] for name in ledger.FORMULAS}
+    thirds = {name: [fmpq(n, 3) for n in row] for name, row in {"b": (1, 3, 5), "v": (3, 5, 7), "y": (5, 7, 9)}.items()}
+    assert found == {**thirds, "t": [fmpq(2, 3)] * 3}
+    for name in ("b", "v", "y"):
+        assert [ledger.limit_exponent(beta, name) for beta in BETAS] == thirds[name]
+
+
+def test_every_printed_limit_is_asked_for() -> None:
+    honest = {beta: ledger.formula("y", beta) for beta in BETAS}
+    assert ledger.printed_are(honest, "y")
+    for beta in BETAS:
+        for change in (fmpq(1, 10**4), -fmpq(1, 10**4)):
+            assert not ledger.printed_are({**honest, beta: honest[beta] + change}, "y")
+    assert ledger.printed_are({**honest, BETAS[2]: 3 + HALF}, "y")  # a tie may be rounded down
+
+
+def test_every_series_below_tiny(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest, asked = ledger.regression_error, []
+
+    def regression_error(beta: fmpq, name: str, largest: fmpq) -> arb:
+        asked.append((beta, name, largest))
+        return honest(beta, name, largest)
+
+    monkeypatch.setattr(ledger, "regression_error", regression_error)
+    assert ledger.every_series_gives("b") is True
+    assert asked == [(beta, "b", fmpq(1, 10**15)) for beta in BETAS]
+    monkeypatch.setattr(ledger, "regression_error", lambda *_: arb("0.001"))
+    assert ledger.every_series_gives("b") is None
+    monkeypatch.setattr(ledger, "regression_error", lambda *_: arb(0))
+    assert ledger.every_series_gives("b") is True
+    monkeypatch.setattr(ledger, "limit_exponent", lambda beta, _: 2 * beta / 3 + fmpq(beta == BETAS[2], 1000))
+    assert ledger.every_series_gives("b") is False
+
+
+@pytest.mark.parametrize(
+    ("place", "theta", "answer"),
+    [
+        (fmpq(2), (lambda tau: tau - 2, arb(1)), True),
+        (fmpq(2), (lambda tau: 2 - tau, arb(-1)), True),
+        (fmpq(2), (lambda tau: tau - 3, arb(1)), False),  # no change of sign
+        (fmpq(2), (lambda tau: arb(tau - fmpq(41, 20), "1e-9"), arb(1)), None),  # a sign that is open
+        (fmpq(2), (lambda tau: tau - fmpq(41, 20), arb(1)), False),  # the zero at the end
+        (fmpq(2), (lambda tau: tau - 2, arb(0, 1)), None),  # a slope that may vanish
+        (fmpq(1, 20), (lambda tau: tau - fmpq(1, 30), arb(1)), False),  # 0 at the edge
+        (fmpq(-1, 20), (lambda tau: tau + fmpq(1, 30), arb(1)), False),
+        (fmpq(1, 30), (lambda tau: tau - fmpq(1, 40), arb(1)), False),  # 0 inside
+    ],
+)
+def test_a_simple_zero_other_than_0(
+    monkeypatch: pytest.MonkeyPatch, place: fmpq, theta: tuple[Any, arb], answer: bool | None
+) -> None:
+    asked = []
+
+    def evaluate(tau: Any, beta: fmpq, derivative: int = 0) -> Any:
+        assert beta == BETAS[0]
+        asked.append((tau, derivative))
+        return SimpleNamespace(value=theta[1] if derivative == 1 else arb(theta[0](tau)))
+
+    monkeypatch.setattr(ledger, "evaluate", evaluate)
+    assert ledger._simple_zero(BETAS[0], place) is answer
+    near = fmpq(1, 20)
+    assert {tau for tau, derivative in asked if derivative == 0} == {place - near, place + near}
+    (whole,) = [tau for tau, derivative in asked if derivative == 1]
+    with working_bits(96):
+        assert all(whole.contains(arb(end)) for end in (place - near, place, place + near))
+
+
+def test_the_crossings_are_near_simple_zeros() -> None:
+    assert ledger.zeros_are_simple() is True
+    assert ledger.CROSSINGS[BETAS[1]] < 0  # of two zeros that before the G-spot
+
+
+def test_times_between_two_small_epsilon(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[Any] = []
+
+    def law(power: fmpq) -> Any:
+        def value(name: str, beta: fmpq, epsilon: fmpq) -> arb:
+            asked.append((name, beta, epsilon))
+            return arb(epsilon) ** arb(power)
+
+        return value
+
+    monkeypatch.setattr(ledger, "value", law(fmpq(2, 3)))
+    assert ledger.times_follow() is True
+    assert set(asked) == {("t", beta, fmpq(1, 10**k)) for beta in BETAS for k in (14, 15)}
+    monkeypatch.setattr(ledger, "value", law(fmpq(3, 4)))
+    assert ledger.times_follow() is False
+    monkeypatch.setattr(ledger, "value", lambda *_: None)
+    assert ledger.times_follow() is None

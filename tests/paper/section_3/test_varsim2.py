@@ -1,0 +1,200 @@
+"""The runs of Fig. varsim2: what each step asks for and must refuse, without a simulation."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.compliant.model.normal_form import compliant_model
+from gspot_verified.compliant.motion.compliant_force import compliant_force
+from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.numerics.paper_state import paper_state
+from gspot_verified.paper.section_3 import varsim2 as ledger
+from gspot_verified.paper.section_3.varsim2 import IMPACT, LIFT_OFF, STICK
+
+QUARTER, FOUR = fmpq(1, 4), fmpq(4)
+
+
+def run(*events: tuple[str, Any], proved: bool = True) -> Any:
+    """A run with these events, each at one time."""
+    outcome = Outcome.PROVED if proved else Outcome.UNDECIDED
+    return SimpleNamespace(
+        events=[SimpleNamespace(name=name, lower=fmpq(time), upper=fmpq(time)) for name, time in events],
+        verdict=SimpleNamespace(outcome=outcome),
+    )
+
+
+@pytest.fixture
+def asked(monkeypatch: pytest.MonkeyPatch) -> list[tuple[Any, ...]]:
+    """The runs that are asked for; each has the events of the figure."""
+    calls: list[tuple[Any, ...]] = []
+
+    def run_of(chi: int, nu: fmpq, slip: fmpq | None = None) -> Any:
+        calls.append((chi, nu) if slip is None else (chi, nu, slip))
+        names = ledger.RUNS[chi, nu] if slip is None else (LIFT_OFF,)
+        return run(*((name, k + 1) for k, name in enumerate(names)))
+
+    monkeypatch.setattr(ledger, "run_of", run_of)
+    monkeypatch.setattr(ledger, "slip_velocity", lambda *_: arb(1))
+    monkeypatch.setattr(ledger, "sticks_by_the_exact_solution", lambda _: True)
+    monkeypatch.setattr(ledger, "floats_agree", lambda *_: True)
+    return calls
+
+
+def test_a_run_is_that_of_the_caption(monkeypatch: pytest.MonkeyPatch) -> None:
+    scenes: list[Any] = []
+    monkeypatch.setattr(ledger, "load_scene", lambda name, **values: scenes.append((name, values)))
+    monkeypatch.setattr(ledger, "certified_run", lambda *_: "run")
+    ledger.run_of.cache_clear()
+    try:
+        assert [ledger.run_of(1, FOUR), ledger.run_of(0, FOUR, fmpq(200))] == ["run", "run"]
+    finally:
+        ledger.run_of.cache_clear()
+    same = {"nu": FOUR, "beta": fmpq(1, 2), "eps": fmpq(1, 1000)}
+    assert scenes == [("fig-varsim2", same | {"chi": 1, "u": 70}), ("fig-varsim2", same | {"chi": 0, "u": 200})]
+
+
+def test_the_events_of_a_run() -> None:
+    events = (IMPACT, STICK)
+    assert ledger.happens(run((IMPACT, 1), (STICK, 2)), events) is True
+    assert ledger.happens(run((STICK, 1), (IMPACT, 2)), events) is False
+    assert ledger.happens(run((IMPACT, 1), (STICK, 2), (LIFT_OFF, 3)), events) is False
+    assert ledger.happens(run((IMPACT, 1), (STICK, 2), proved=False), events) is None
+
+
+@pytest.mark.parametrize("nu", [QUARTER, FOUR])
+@pytest.mark.parametrize("time", [fmpq(1, 10), fmpq(3, 10), fmpq(1, 2)])
+def test_the_slip_velocity_falls_with_the_force(nu: fmpq, time: fmpq) -> None:
+    """du/dt = -λ_N with χ = 0, as a difference quotient; u(0) = 70."""
+    model, step = compliant_model(fmpq(1, 2), fmpq(1, 1000)), fmpq(1, 10**6)
+    state = paper_state(model, nu)
+    force = compliant_force(model, state, state.p / model.alpha_1 + time, 20).force
+    before, after = (ledger.slip_velocity(nu, time + sign * step) for sign in (-1, 1))
+    with working_bits(128):
+        quotient = (after - before) / (2 * step)
+        assert abs(quotient + force) < arb("1e-3") * (1 + abs(force))
+    assert abs(ledger.slip_velocity(nu, fmpq(0)) - 70) < arb("1e-9")
+
+
+@pytest.mark.parametrize(
+    ("events", "velocity", "answer"),
+    [
+        ([(IMPACT, 0), (STICK, 2)], lambda time: 2 - time, True),
+        ([(STICK, 2)], lambda time: time - 2, False),
+        ([(STICK, 2)], lambda _: arb(1), False),
+        ([(STICK, 2)], lambda _: arb(-1), False),
+        ([(STICK, 2)], lambda time: arb(0, 1) if time < 2 else arb(-1), None),
+        ([(STICK, 2)], lambda time: arb(1) if time < 2 else arb(0, 1), None),
+        ([(STICK, 2)], lambda time: 2 + fmpq(2, 10**9) - time, False),  # later than 10^-9 after it
+        ([(STICK, 2)], lambda time: 2 - fmpq(2, 10**9) - time, False),
+        ([(LIFT_OFF, 2)], lambda time: 2 - time, None),
+        ([(STICK, 2), (STICK, 3)], lambda time: 2 - time, None),
+    ],
+)
+def test_a_stick_by_the_exact_solution(
+    monkeypatch: pytest.MonkeyPatch, events: list[tuple[str, int]], velocity: Any, answer: bool | None
+) -> None:
+    monkeypatch.setattr(ledger, "run_of", lambda *_: run(*events))
+    monkeypatch.setattr(ledger, "slip_velocity", lambda _, time: arb(velocity(time)))
+    assert ledger.sticks_by_the_exact_solution(FOUR) is answer
+
+
+@pytest.mark.parametrize(
+    ("certified", "seen", "answer"),
+    [
+        ([(IMPACT, 1), (STICK, 2), (LIFT_OFF, 3)], [(STICK, 2), (LIFT_OFF, 3)], True),
+        ([(STICK, 2), (LIFT_OFF, 3)], [(STICK, 2), (LIFT_OFF, fmpq(30000999, 10**7))], True),
+        ([(STICK, 2), (LIFT_OFF, 3)], [(STICK, 2), (LIFT_OFF, fmpq(30001, 10**4))], False),
+        ([(STICK, 2), (LIFT_OFF, 3)], [(STICK, 1), (LIFT_OFF, 3)], False),
+        ([(STICK, 2), (LIFT_OFF, 3)], [(LIFT_OFF, 2), (STICK, 3)], False),
+        ([(STICK, 2)], [(STICK, 2), (LIFT_OFF, 3)], False),
+        ([(STICK, 2), (LIFT_OFF, 3)], [(STICK, 2)], False),
+    ],
+)
+def test_a_float_run_beside_a_certified_one(
+    monkeypatch: pytest.MonkeyPatch, certified: Any, seen: Any, answer: bool
+) -> None:
+    monkeypatch.setattr(ledger, "run_of", lambda *_: run(*certified))
+    monkeypatch.setattr(ledger, "load_scene", lambda *_, **__: "scene")
+    monkeypatch.setattr(ledger, "float_run", lambda *_: run(*seen))
+    assert ledger.floats_agree(0, QUARTER) is answer
+
+
+def test_what_is_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+    runs = {
+        (0, QUARTER): run((STICK, 1), (LIFT_OFF, 2)),
+        (0, FOUR): run((IMPACT, 1)),
+        (1, QUARTER): run((IMPACT, 1), (LIFT_OFF, 2)),
+        (1, FOUR): run((LIFT_OFF, 1), (STICK, 2)),
+    }
+    monkeypatch.setattr(ledger, "run_of", lambda chi, nu: runs[chi, nu])
+    assert ledger.lift_off_without_stick() == [(1, QUARTER), (1, FOUR)]
+    assert ledger.all_proved() is True
+    assert [ledger.as_many(count) for count in (0, 1, 2)] == [False, True, False]
+    runs[1, FOUR] = run((LIFT_OFF, 1), proved=False)
+    assert ledger.all_proved() is None
+    assert ledger.as_many(1) is None
+
+
+def test_two_times_are_close() -> None:
+    near = fmpq(1, 10**9)
+    assert ledger._close([fmpq(1)], [1 + near / 2]) is True
+    assert ledger._close([fmpq(1)], [1 - near / 2]) is True
+    assert ledger._close([fmpq(1)], [1 + near]) is False
+    assert ledger._close([fmpq(1), fmpq(2)], [fmpq(1), fmpq(3)]) is False
+    assert ledger._close([], []) is None
+    assert ledger._close([fmpq(1)], []) is None
+    assert ledger._close([fmpq(1)], [fmpq(1), fmpq(2)]) is None
+
+
+def test_both_directions_of_coupling_have_their_own_second_route(asked: list[Any]) -> None:
+    for (chi, nu), events in ledger.RUNS.items():
+        entry = ledger.ENTRIES[ledger.identifier(chi, nu)]()
+        assert set(asked) == {(chi, nu)}
+        asked.clear()
+        assert [check.agrees for check in entry.checks] == [True, True]
+        assert ("exact solution" in entry.checks[1].what) is (chi == 0)
+        assert entry.statement == (
+            f"Fig. varsim2, χ = {chi}, ν = {nu} (ε = 1/1000, β = 1/2, u(0) = 70, up to t = 1): {', '.join(events)}, "
+            "in this order, and no other change of phase"
+        )
+
+
+def test_the_two_way_runs_are_compared_with_their_own_float_run(
+    monkeypatch: pytest.MonkeyPatch, asked: list[Any]
+) -> None:
+    compared: list[Any] = []
+    monkeypatch.setattr(ledger, "floats_agree", lambda chi, nu: compared.append((chi, nu)))
+    for nu in (QUARTER, FOUR):
+        assert [check.agrees for check in ledger.ENTRIES[ledger.identifier(1, nu)]().checks] == [True, None]
+    assert compared == [(1, QUARTER), (1, FOUR)]
+    assert asked
+
+
+def test_the_sentence_on_sticking_is_on_both_one_way_runs(monkeypatch: pytest.MonkeyPatch, asked: list[Any]) -> None:
+    assert [check.agrees for check in ledger.ENTRIES["3-impact-to-stick"]().checks] == [True, True]
+    assert asked == [(0, QUARTER), (0, FOUR)]
+    monkeypatch.setattr(ledger, "sticks_by_the_exact_solution", lambda nu: nu != FOUR)
+    assert [check.agrees for check in ledger.ENTRIES["3-impact-to-stick"]().checks] == [True, False]
+
+
+def test_the_sentence_on_fast_slip_is_on_three_runs(monkeypatch: pytest.MonkeyPatch, asked: list[Any]) -> None:
+    entry = ledger.ENTRIES["3-large-slip"]()
+    assert [check.agrees for check in entry.checks] == [True, True]
+    assert set(asked) == {(1, QUARTER), (1, FOUR, fmpq(200)), (1, FOUR, fmpq(1000))}
+    assert "ν = 1/4 with u(0) = 70, ν = 4 with u(0) = 200 and 1000" in entry.checks[0].what
+    monkeypatch.setattr(ledger, "run_of", lambda *run_: run((LIFT_OFF, 1 if run_[-1] != 1000 else 2)))
+    assert [check.agrees for check in ledger.ENTRIES["3-large-slip"]().checks] == [True, False]
+
+
+def test_the_caption_needs_the_drawn_events_too(monkeypatch: pytest.MonkeyPatch, asked: list[Any]) -> None:
+    entry = ledger.ENTRIES["3-varsim2-caption"]()
+    assert [check.agrees for check in entry.checks] == [True, True]
+    assert entry.checks[0].finding == "χ = 1, ν = 1/4"
+    assert set(asked) == set(ledger.RUNS)
+    monkeypatch.setattr(ledger, "floats_agree", lambda chi, nu: (chi, nu) != (1, FOUR))
+    assert [check.agrees for check in ledger.ENTRIES["3-varsim2-caption"]().checks] == [True, False]

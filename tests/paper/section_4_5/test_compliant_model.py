@@ -1,0 +1,110 @@
+"""The steps of proofs/monotone.md in the ledger: each coefficient and each term is looked at; what is said is tried."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.compliant.contact.lower_polynomial import Term, lower_terms
+from gspot_verified.compliant.slow.epsilon_series import series_coefficients
+from gspot_verified.leading_order.iwc import iwc
+from gspot_verified.paper.section_4_5 import compliant_model as ledger
+
+
+@pytest.mark.parametrize(("k", "m"), [(1, 1), (2, 1), (12, 1), (12, 7), (12, 12), (7, 3)])
+def test_every_coefficient_of_the_exponential_is_looked_at(monkeypatch: pytest.MonkeyPatch, k: int, m: int) -> None:
+    def changed(order: int) -> list[fmpq]:
+        found = list(series_coefficients(order))
+        if order == k:
+            found[m - 1] *= fmpq(1000003, 1000000)
+        return found
+
+    assert ledger.coefficients_of_the_exponential()
+    monkeypatch.setattr(ledger, "series_coefficients", changed)
+    assert not ledger.coefficients_of_the_exponential()
+
+
+def without(b: fmpq, m: int) -> tuple[Term, ...]:
+    return tuple(term for term in lower_terms(b) if term.order != term.power + 3 * m)
+
+
+@pytest.mark.parametrize(("twice", "m"), [(9, 1), (17, 1), (17, 2), (23, 1), (23, 2)])
+def test_a_power_of_the_polynomial_that_is_missing_is_noticed(
+    monkeypatch: pytest.MonkeyPatch, twice: int, m: int
+) -> None:
+    assert ledger.orders_of_the_polynomial()
+    assert without(fmpq(twice, 2), m) != lower_terms(fmpq(twice, 2))
+    monkeypatch.setattr(ledger, "lower_terms", lambda b: without(b, m) if b == fmpq(twice, 2) else lower_terms(b))
+    assert not ledger.orders_of_the_polynomial()
+
+
+@pytest.mark.parametrize("twice", [9, 17, 23])
+@pytest.mark.parametrize("more", [-1, 1])
+def test_one_term_less_or_more_is_noticed(monkeypatch: pytest.MonkeyPatch, twice: int, more: int) -> None:
+    """The last term must be negative: one more or one less has the other sign, or does not reach."""
+
+    def changed(b: fmpq) -> tuple[Term, ...]:
+        terms = lower_terms(b)
+        if b != fmpq(twice, 2):
+            return terms
+        last = max((term for term in terms if term.order == term.power + 3), key=lambda term: term.power)
+        if more < 0:
+            return tuple(term for term in terms if term != last)
+        return (*terms, Term(last.power + 1, last.order + 1, fmpq(1)))
+
+    monkeypatch.setattr(ledger, "lower_terms", changed)
+    assert not ledger.orders_of_the_polynomial()
+
+
+def test_a_term_that_is_not_needed_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ledger, "lower_terms", lambda b: lower_terms(b) or lower_terms(fmpq(9, 2)))
+    assert not ledger.orders_of_the_polynomial()
+
+
+def test_what_is_said_of_cases_i_and_ii_is_tried(monkeypatch: pytest.MonkeyPatch) -> None:
+    tried = []
+
+    def slow_force(force: Any, tau: fmpq, epsilon: fmpq) -> arb:
+        tried.append((force.beta, tau, epsilon))
+        return arb(1)
+
+    monkeypatch.setattr(ledger, "slow_force", slow_force)
+    what = ledger.ENTRIES["C-cases-I-II"]().checks[1].what
+    betas, taus, epsilons = (sorted({row[k] for row in tried}) for k in range(3))
+    assert len(tried) == len(set(tried)) == 3 * 3 * 2
+    assert "at three β" in what
+    assert all(0 < beta < 1 for beta in betas)
+    assert f"τ = {', '.join(map(str, taus))}, ε = {epsilons[0]} and {epsilons[1]}" in what
+
+
+@pytest.mark.parametrize("last", [False, True])
+def test_one_bound_that_is_not_found_leaves_the_check_open(monkeypatch: pytest.MonkeyPatch, last: bool) -> None:
+    missing = ledger.BETAS[-1 if last else 0]
+
+    def one_missing(beta: fmpq) -> Any:
+        return replace(iwc(beta), epsilon_0=None) if beta == missing else iwc(beta)
+
+    monkeypatch.setattr(ledger, "iwc", one_missing)
+    entry = ledger.ENTRIES["C-iwc-case-III"]()
+    assert [check.agrees for check in entry.checks] == [True, None]
+    assert f"β = {missing}:" not in entry.checks[1].finding
+
+
+@pytest.mark.parametrize("missing", ["lower", "place"])
+def test_a_threshold_without_its_number_or_its_place_leaves_the_check_open(
+    monkeypatch: pytest.MonkeyPatch, missing: str
+) -> None:
+    honest = ledger.exact_threshold
+    beta = ledger.BETAS[1]
+
+    def threshold(force: Any, *arguments: Any) -> Any:
+        found = honest(force, *arguments)
+        return replace(found, **{missing: None}) if force.beta == beta else found
+
+    monkeypatch.setattr(ledger, "exact_threshold", threshold)
+    entry = ledger.ENTRIES["C-iwc-case-III"]()
+    assert [check.agrees for check in entry.checks] == [True, None]
+    assert f"β = {beta}:" not in entry.checks[1].finding

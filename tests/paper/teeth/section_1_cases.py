@@ -1,0 +1,32 @@
+"""Wrong conditions for Cases I, II and III (Sec. 1)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from paper.bite import Bite, NotApplicable, Teeth, Tooth, replaced, unseen_at
+
+from gspot_verified.paper.section_1 import section_1_cases as ledger
+
+ENTRIES = ledger.ENTRIES
+
+
+def without_sign(key: str, text: str) -> Any:
+    """One α of a Case with another sign condition."""
+    return lambda honest: {**honest, key: text}
+
+
+def _teeth(name: str) -> tuple[Tooth, ...]:
+    other = {"1-case-I": ("alpha2", "m"), "1-case-II": ("alpha1", "-u+w"), "1-case-III": ("alpha2", "m")}[name]
+    return (
+        Bite("factor", ledger.RATES, "b", replaced("alpha3*b", "1000003/1000000*alpha3*b")),
+        Bite("factor", ledger.RATES, "p", replaced("alpha1*p", "1000003/1000000*alpha1*p")),
+        Bite("hidden factor", ledger.RATES, "b", unseen_at("p", range(1, 4))),
+        Bite("hypothesis", ledger.CASES, name, without_sign(*other)),
+        Bite("hypothesis", ledger.START, name, lambda _: "n*u"),
+        Bite("hypothesis", ledger.GROWS, name, lambda honest: not honest),
+        NotApplicable("order", "exact solutions; no order of an error occurs"),
+    )
+
+
+TEETH: Teeth = {name: _teeth(name) for name in ledger.CASES}

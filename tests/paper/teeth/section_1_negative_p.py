@@ -1,0 +1,31 @@
+"""Wrong contact, lift-off and impact for p < 0 (Sec. 1)."""
+
+from __future__ import annotations
+
+from paper.bite import GENERIC, Bite, NotApplicable, Teeth, replaced, scaled, unseen_at
+
+from gspot_verified.paper.section_1 import section_1_negative_p as ledger
+
+ENTRIES = ledger.ENTRIES
+_SIGNS = NotApplicable("order", "exact signs; no order of an error occurs")
+
+TEETH: Teeth = {
+    "1-negative-p": (
+        Bite("factor", ledger, "ACCELERATION", replaced("p*l", f"{GENERIC}*p*l")),
+        Bite("factor", ledger, "FLIGHT", scaled),
+        Bite("hidden factor", ledger, "ACCELERATION", unseen_at("l", (0, 1))),
+        Bite("hypothesis", ledger.PARADOX, "p", lambda _: "x"),
+        Bite("hypothesis", ledger.PARADOX, "p", lambda _: "0*x"),
+        Bite("order", ledger, "FLIGHT", replaced("s^2", "s^3")),
+    ),
+    "1-impact-without-collision": (
+        Bite("factor", ledger.RATES, "v", replaced("mu*B", f"{GENERIC}*mu*B")),
+        Bite("factor", ledger.COMPRESSION, "P", scaled),
+        Bite("hidden factor", ledger.COMPRESSION, "T", unseen_at("u", (1, 2))),
+        Bite("hidden factor", ledger.RATES, "u", unseen_at("mu", (0, 1))),
+        Bite("hypothesis", ledger.PARADOX, "p", lambda _: "x"),
+        Bite("hypothesis", ledger.PARADOX, "p", lambda _: "0*x"),
+        Bite("hypothesis", ledger.STICK, "v", replaced("B*T", "A*T")),
+        _SIGNS,
+    ),
+}

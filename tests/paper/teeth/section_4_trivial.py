@@ -1,0 +1,43 @@
+"""Wrong formulas for the trivial solution (Sec. 2)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from paper.bite import Bite, Teeth, raised, replaced, scaled, unseen_at
+
+from gspot_verified.paper.section_4 import section_4_trivial as ledger
+from gspot_verified.paper.section_4.section_4_outer import QUOTIENT
+
+TRIVIAL, CORRECTED_ZY = ledger.PRINTED["2-trivial"], ledger.CORRECTED["2-trivial-zy"]
+_AT_INTEGERS = range(-3, 4)
+
+
+ENTRIES = ledger.ENTRIES
+
+
+def without_quotient(_: Any) -> Any:
+    """α_2 = c α_1: without c = α_2/(α_1 - α_3)."""
+    return ledger.ALGEBRA.read("c*alpha1")
+
+
+TEETH: Teeth = {
+    "2-trivial": (
+        Bite("factor", TRIVIAL, "p", scaled),
+        Bite("factor", TRIVIAL, "b", scaled),
+        Bite("factor", TRIVIAL, "v", lambda _: "t/1000000"),
+        Bite("hidden factor", TRIVIAL, "p", unseen_at("t", _AT_INTEGERS)),
+        Bite("hidden factor", TRIVIAL, "b", unseen_at("alpha1", _AT_INTEGERS)),
+        Bite("hypothesis", QUOTIENT, "alpha2", without_quotient),
+        Bite("order", TRIVIAL, "p", raised("t")),
+        Bite("order", TRIVIAL, "b", raised("eps")),
+    ),
+    "2-trivial-zy": (
+        *(Bite("factor", CORRECTED_ZY, name, scaled) for name in "zy"),
+        Bite("factor", ledger.PRINTED, "2-trivial-zy", lambda _: ledger.CORRECTED["2-trivial-zy"]),
+        Bite("hidden factor", CORRECTED_ZY, "z", unseen_at("eps", _AT_INTEGERS)),
+        Bite("hidden factor", CORRECTED_ZY, "y", unseen_at("c", _AT_INTEGERS)),
+        Bite("hypothesis", QUOTIENT, "alpha2", without_quotient),
+        *(Bite("order", CORRECTED_ZY, name, replaced("eps^2", "eps^3")) for name in "zy"),
+    ),
+}

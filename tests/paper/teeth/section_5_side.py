@@ -1,0 +1,19 @@
+"""Wrong claims on the side of families near the expansion (Sec. 5)."""
+
+from __future__ import annotations
+
+from flint import fmpq
+from paper.bite import Bite, Teeth
+
+from gspot_verified.paper.section_5 import section_5_side as ledger
+
+ENTRIES = ledger.ENTRIES
+
+TEETH: Teeth = {
+    "5-side": (
+        Bite("factor", ledger, "FIRST_EVENT", lambda honest: {-sign: event for sign, event in honest.items()}),
+        Bite("hidden factor", ledger, "LARGEST_DELTA", lambda honest: 5 * honest),
+        Bite("hypothesis", ledger, "WITHIN", lambda _: fmpq(4)),
+        Bite("order", ledger, "ORDER", lambda _: 2),
+    ),
+}

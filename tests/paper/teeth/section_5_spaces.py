@@ -1,0 +1,50 @@
+"""Wrong formulas for the lemma, the spaces of Theorem 1 and the corollary (Sec. 5)."""
+
+from __future__ import annotations
+
+from paper.bite import Bite, NotApplicable, Teeth, scaled, unseen_at
+
+from gspot_verified.paper.section_5 import section_5_spaces as ledger
+from gspot_verified.paper.section_5.explicit_expansions import LEMMA, SPACES
+
+ENTRIES = ledger.ENTRIES
+_NO_FACTOR = NotApplicable("factor", "spaces: a constant factor changes no exponent")
+_NOTHING_HIDDEN = NotApplicable("hidden factor", "a space is one pair of shifts for all orders: none can be left out")
+
+TEETH: Teeth = {
+    "5-lemma-orders": (
+        Bite("factor", ledger.LOWEST, "highest k", scaled),
+        Bite("hidden factor", ledger.LOWEST, "highest k", unseen_at("n", range(8))),
+        Bite("hypothesis", ledger.LOWEST, "order of xi_k", lambda _: "k + 1"),
+        Bite("order", ledger.LOWEST, "highest k", lambda text: f"{text} + 1"),
+    ),
+    "5-lemma": (
+        _NO_FACTOR,
+        _NOTHING_HIDDEN,
+        Bite("hypothesis", SPACES, "xi", lambda _: (4, -3)),
+        Bite("hypothesis", SPACES, "xi", lambda _: (1, 0)),
+        Bite("order", LEMMA, "f", lambda shift: (shift[0] + 1, shift[1])),
+        Bite("order", LEMMA, "f", lambda shift: (shift[0], shift[1] + 1)),
+        Bite("order", LEMMA, "f", lambda shift: (shift[0], shift[1] - 3)),
+    ),
+    "5-theorem-1-spaces": (
+        _NO_FACTOR,
+        _NOTHING_HIDDEN,
+        Bite("hypothesis", LEMMA, "f", lambda shift: (shift[0] + 3, shift[1])),
+        Bite("hypothesis", LEMMA, "f", lambda shift: (shift[0], shift[1] + 3)),
+        *(Bite("order", SPACES, name, lambda shift: (shift[0] + 1, shift[1])) for name in SPACES),
+        *(Bite("order", SPACES, name, lambda shift: (shift[0], shift[1] + 1)) for name in SPACES),
+        *(Bite("order", SPACES, name, lambda shift: (shift[0], shift[1] - 3)) for name in SPACES),
+    ),
+    "5-corollary": (
+        *(Bite("factor", row, name, scaled) for row in ledger.COROLLARY.values() for name in row),
+        *(
+            Bite("hidden factor", row, name, unseen_at("sigma", range(4)))
+            for row in ledger.COROLLARY.values()
+            for name in row
+        ),
+        Bite("hypothesis", SPACES, "p", lambda shift: (shift[0] + 1, shift[1])),
+        Bite("hypothesis", SPACES, "y", lambda shift: (shift[0] + 9, shift[1])),
+        *(Bite("order", row, name, lambda text: f"{text} + 1") for row in ledger.COROLLARY.values() for name in row),
+    ),
+}

@@ -1,0 +1,101 @@
+"""The list of the paper's claims: complete, in order, and in step with the ledger and with the source."""
+
+import re
+import tomllib
+from importlib import resources
+from pathlib import Path
+
+import pytest
+
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.claims import PaperClaim, Standing, paper_claims, standing_counts
+from gspot_verified.paper.verify import PARTS
+
+PAPER = Path(__file__).resolve().parents[3] / "shared" / "paper.tex"
+ENTRIES = [identifier for builders in PARTS.values() for identifier in builders]
+KEYS = {"lines", "begins", "claim", "entries", "premise", "not_checkable", "undecided"}
+
+
+@pytest.fixture
+def source():
+    if not PAPER.is_file():
+        pytest.skip("the paper's source is not at hand")
+    return PAPER.read_text(encoding="utf-8").splitlines()
+
+
+def rows_of_the_file():
+    text = resources.files("gspot_verified.paper").joinpath("claims.toml").read_text(encoding="utf-8")
+    return tomllib.loads(text)["claims"]
+
+
+def test_rows_are_well_formed_and_in_order():
+    for row in rows_of_the_file():
+        assert set(row) <= KEYS
+        assert len({"entries", "premise", "not_checkable", "undecided"} & set(row)) == 1, row
+        assert row.get("premise", True) is True
+        assert row.get("entries", ["x"])
+    claims = paper_claims()
+    assert [claim.first for claim in claims] == sorted(claim.first for claim in claims)
+    assert all(claim.first <= claim.last and claim.words for claim in claims)
+    assert all(claim.why for claim in claims if claim.without_entries in (Standing.NOT_CHECKABLE, Standing.UNDECIDED))
+
+
+def test_every_named_entry_exists_and_every_entry_is_named():
+    named = {name for claim in paper_claims() for name in claim.entries}
+    assert named <= set(ENTRIES)
+    assert set(ENTRIES) - named == set()
+
+
+def test_lines_are_those_of_the_source(source):
+    for claim in paper_claims():
+        assert source[claim.first - 1].strip().startswith(claim.begins), claim
+        assert claim.last <= len(source)
+
+
+def test_every_label_of_the_source_is_in_a_claim(source):
+    """But for the names of sections."""
+    labels = [(n, label) for n, line in enumerate(source, 1) for label in re.findall(r"\\label\s*\{([^}]*)\}", line)]
+    assert len(labels) == 142
+    left = [label for n, label in labels if not any(claim.first <= n <= claim.last for claim in paper_claims())]
+    assert [label for label in left if not re.match(r"sec:|subsec:|A:", label)] == []
+
+
+def test_every_display_of_the_source_is_in_a_claim(source):
+    """Each displayed formula states something."""
+    found = []
+    start = source.index(r"\begin{document}")
+    for number, line in enumerate(source[start:], start + 1):
+        if re.search(r"\\begin\{(equation|align|eqnarray|multline)\*?\}|\\beq\b", line):
+            following = next(
+                n for n in range(number + 1, number + 9) if not source[n - 1].strip().startswith("\\label")
+            )
+            found.append(following)
+    missing = [n for n in found if not any(claim.first <= n <= claim.last for claim in paper_claims())]
+    assert len(found) > 90
+    assert missing == []
+
+
+@pytest.mark.parametrize(
+    ("outcomes", "standing"),
+    [
+        ((Outcome.PROVED, Outcome.PROVED), Standing.PROVED),
+        ((Outcome.PROVED, Outcome.REFUTED), Standing.REFUTED),
+        ((Outcome.REFUTED, Outcome.UNDECIDED), Standing.REFUTED),
+        ((Outcome.PROVED, Outcome.UNDECIDED), Standing.UNDECIDED),
+        ((Outcome.PROVED, None), Standing.UNDECIDED),
+    ],
+)
+def test_standing(outcomes, standing):
+    claim = PaperClaim(1, 1, "", "x", ("a", "b"), None, "")
+    known = {name: outcome for name, outcome in zip("ab", outcomes, strict=True) if outcome}
+    assert claim.standing(known) is standing
+    assert PaperClaim(1, 1, "", "x", (), Standing.PREMISE, "").standing(known) is Standing.PREMISE
+
+
+def test_the_counts_have_the_denominator():
+    counts = standing_counts({})
+    assert sum(counts.values()) == len(paper_claims()) > 200
+    assert counts["proved"] == counts["refuted"] == 0
+    for word in ("premise", "not_checkable"):
+        assert counts[word.replace("_", " ")] == sum(word in row for row in rows_of_the_file()) > 0
+    assert standing_counts(dict.fromkeys(ENTRIES, Outcome.PROVED))["proved"] > 100

@@ -1,0 +1,121 @@
+"""The page on cost: what a measurement says is on it, labelled as recorded; the figures are SVG in two themes."""
+
+from __future__ import annotations
+
+import json
+import re
+import xml.etree.ElementTree as ElementTree
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from gspot_verified.cli import main
+from gspot_verified.cost.measurement.file import recorded, save
+from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Measurement, Part, Point, Route
+from gspot_verified.report.data import report_data
+from gspot_verified.report.parts.cost_chart import cost_chart, spread
+from gspot_verified.report.parts.cost_page import cost_figures, shown_measurement
+from gspot_verified.report.site import pages
+
+
+def part(*routes: Route) -> Part:
+    return Part("key", "Title", "Question", "digits D", "D", routes)
+
+
+def route(name: str, kind: str = CERTIFIED, panel: str = "") -> Route:
+    points = tuple(Point(place, f"{place:g} <digits>", best, best, 1) for place, best in ((1.0, 1e-5), (100.0, 2.0)))
+    return Route(name, kind, points, panel=panel)
+
+
+@pytest.fixture(scope="module")
+def page() -> str:
+    return pages(report_data([], [], []))["cost.html"]
+
+
+def test_the_page_says_that_it_was_recorded(page: str) -> None:
+    found = recorded()
+    assert f"Recorded on {found.date}, not measured when this page was written" in page
+    assert found.machine in page
+    assert "gspot-verified report --cost cost.json" in page
+    for name, version in found.versions:
+        assert f"<dt>{name}</dt><dd>{version}</dd>" in page
+
+
+def test_every_part_has_a_figure_a_table_and_its_limit(page: str) -> None:
+    for item in recorded().parts:
+        assert f'<h2 id="{item.key}">' in page
+        assert f'src="figures/cost-{item.key}.svg"' in page
+    assert page.count("<h3>The limit</h3>") == sum(item.limit is not None for item in recorded().parts) > 0
+    assert page.count("<h3>Where the time goes</h3>") == sum(bool(item.shares) for item in recorded().parts) > 0
+
+
+def test_wrong_answers_are_marked_in_words(page: str) -> None:
+    wrong = sum(answer.wrong(said) for answer in recorded().answers for said in (answer.doubles, answer.mpmath))
+    assert len(re.findall(r'<strong class="wrong">[^<]+</strong>, wrong', page)) == wrong >= 8
+
+
+def test_figures_are_well_formed_and_have_two_themes() -> None:
+    figures = cost_figures(recorded())
+    assert set(figures) == {f"cost-{item.key}" for item in recorded().parts}
+    for svg in figures.values():
+        ElementTree.fromstring(svg)
+        assert "prefers-color-scheme:dark" in svg
+        assert "#0072b2;" not in svg.split("</style>")[1]
+
+
+def test_routes_without_a_bound_differ_by_more_than_colour() -> None:
+    svg = cost_chart(part(route("sure"), route("cheap", NO_BOUND)))
+    assert len(re.findall(r"<polyline[^>]*stroke-dasharray", svg)) == 1
+    assert svg.count("<polyline") == 2
+    assert all(f">{name}</text>" in svg for name in ("sure", "cheap"))
+    assert "1 &lt;digits&gt;" in svg
+
+
+def test_panels_are_drawn_below_one_another_on_the_same_scales() -> None:
+    one, two = (cost_chart(part(*routes)) for routes in ([route("a")], [route("a", panel="x"), route("a", panel="y")]))
+    heights = [float(re.findall(r'viewBox="0 0 \S+ (\S+)"', svg)[0]) for svg in (one, two)]
+    assert heights[1] > heights[0]
+    assert len(re.findall(r">x</text>|>y</text>", two)) == 2
+    first, second = re.findall(r'points="([^"]+)"', two)
+    assert [pair.split(",")[0] for pair in first.split()] == [pair.split(",")[0] for pair in second.split()]
+
+
+def test_a_part_without_points_has_no_figure() -> None:
+    empty = part(Route("absent", NO_BOUND, (), note="not installed"))
+    assert cost_chart(empty) == ""
+    shown = shown_measurement(replace(recorded(), parts=(empty,)))
+    assert shown["parts"][0]["figure"] is None
+
+
+def test_targets_are_drawn_in_their_panel() -> None:
+    svg = cost_chart(replace(part(route("a", panel="x"), route("a", panel="y")), targets=(("y", 0.15),)))
+    assert svg.count("y, dotted: the aim of 0.15 s for certified runs") == 1
+    assert svg.count("stroke-dasharray:2 3") == 1
+
+
+def test_names_do_not_overlap() -> None:
+    found = spread([50, 51, 52, 99], 14, 0, 100)
+    assert all(after - before >= 14 for before, after in pairwise(found))
+    assert max(found) <= 100
+
+
+def test_the_report_shows_a_file_that_is_given(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    source, folder = tmp_path / "report.json", tmp_path / "pages"
+    source.write_text(json.dumps(report_data([], [], [])), encoding="utf-8")
+    other: Measurement = replace(recorded(), date="2001-02-03", parts=recorded().parts[:1])
+    save(other, tmp_path / "mine.json")
+    assert main(["report", str(source), "--output", str(folder), "--cost", str(tmp_path / "mine.json")]) == 0
+    assert "2001-02-03" in (folder / "cost.html").read_text(encoding="utf-8")
+    assert [path.name for path in (folder / "figures").iterdir()] == ["cost-theta.svg"]
+    # The file lies beside the pages, and the pages that are written again from there show it.
+    (folder / "report.json").write_text(source.read_text(encoding="utf-8"), encoding="utf-8")
+    assert main(["report", str(folder / "report.json"), "--output", str(folder)]) == 0
+    assert "2001-02-03" in (folder / "cost.html").read_text(encoding="utf-8")
+    capsys.readouterr()
+    (tmp_path / "bad.json").write_text("{}", encoding="utf-8")
+    assert main(["report", str(source), "--output", str(folder), "--cost", str(tmp_path / "bad.json")]) == 64
+    assert "schema: expected" in capsys.readouterr().err
+    assert main(["report", str(source), "--output", str(folder), "--cost", str(tmp_path / "none.json")]) == 64
+    assert main(["report", "--check", str(folder), "--cost", str(tmp_path / "mine.json")]) == 64

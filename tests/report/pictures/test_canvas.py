@@ -1,0 +1,38 @@
+import xml.etree.ElementTree as ElementTree
+
+from gspot_verified.report.pictures.canvas import INK, PAPER, canvas, picture, styled
+
+
+@styled
+def small():
+    figure = canvas(1.0)
+    figure.add_subplot().plot([0, 1], [0, 1], color=INK)
+    return picture(figure, "small", "t", "x = 1 < 2, 1/Γ", "a")
+
+
+def test_svg_is_well_formed_and_follows_light_and_dark():
+    svg = small().svg
+    assert ElementTree.fromstring(svg).tag.endswith("svg")
+    assert "prefers-color-scheme:dark" in svg
+    body = svg[svg.index("</style>") :]
+    assert INK not in body
+    assert PAPER not in body
+    assert "url(http" not in svg
+
+
+def test_two_drawings_give_the_same_bytes():
+    first, second = small(), small()
+    assert first == second
+    assert first.png.startswith(b"\x89PNG")
+
+
+def test_matplotlib_settings_are_restored():
+    import matplotlib
+
+    before = dict(matplotlib.rcParams)
+    small()
+    assert dict(matplotlib.rcParams) == before
+
+
+def test_caption_has_no_break_next_to_a_relation():
+    assert small().caption == "x\u00a0=\u00a01\u00a0<\u00a02, 1/\u2060Γ"

@@ -1,0 +1,76 @@
+"""Pictures of scenes: what the curves of the theory are worth, and captions that say what is known."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from flint import fmpq
+
+from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
+from gspot_verified.compliant.motion.compliant_force import compliant_force
+from gspot_verified.report.pictures.scene_picture import scene_picture
+from gspot_verified.report.pictures.scene_prediction import canard, scaled_theta
+from gspot_verified.scenes.certified_run import certified_run
+from gspot_verified.scenes.floats.float_run import float_run
+from gspot_verified.scenes.scene.file import load_scene
+
+
+@pytest.mark.parametrize("beta", ["3/2", "5/2"])
+def test_the_scaled_theta_is_the_limit_of_the_exact_solution(beta: str) -> None:
+    """b-hat at the G-spot over the prediction tends to 1 like epsilon^(2/3) or so; lambda likewise."""
+    errors = []
+    for eps in ("1e-3", "1e-6"):
+        scene = load_scene("fig-varsim1", beta=beta, eps=eps)
+        start, curve = scene.initial(), scaled_theta(scene)
+        assert curve is not None
+        model = compliant_model(beta, eps)
+        exact = compliant_force(model, compliant_state(*(start[name] for name in "pbyvz")), 0)
+        b = np.interp(0, curve.p[::-1], curve.b[::-1])
+        errors.append(abs(b / float(exact.b.mid()) - 1))
+    assert errors[1] < 2e-3
+    assert errors[1] < errors[0]
+
+
+def test_the_canard_of_the_model_is_its_trivial_solution() -> None:
+    curve = canard(load_scene("fig-varsim1", beta="5/2"), -0.1)
+    assert curve is not None
+    assert curve.b == pytest.approx((-1 / 3, 1 / 15))
+    assert (curve.force[0], curve.y[0]) == pytest.approx((2 / 3, -4e-6 / 3))
+    assert canard(load_scene("fig-varsim1", beta="1/2"), -0.1) is None
+    assert canard(load_scene("fig-varsim2"), -0.1) is None
+
+
+def test_the_canard_of_a_mechanism_is_its_expansion() -> None:
+    """The scene that starts on it: at its start p, the curve has its b, y and force."""
+    scene = load_scene("oscillator-canard")
+    curve = canard(scene, -0.1)
+    assert curve is not None
+    assert min(curve.p) < 0 < max(curve.p)
+    near = int(np.argmin(np.abs(curve.p)))
+    assert curve.force[near] == pytest.approx(1.8764 / (1.0008 - 0.4289), rel=2e-2)
+    assert canard(load_scene("extended"), -0.1) is None  # there it would have to pull
+
+
+def test_nothing_is_predicted_where_the_linear_model_does_not_hold() -> None:
+    for name in ("fig-varsim2", "oscillator", "rod"):
+        assert scaled_theta(load_scene(name)) is None
+    assert scaled_theta(load_scene("fig-varsim1", nu=1)) is None
+
+
+def test_the_caption_says_what_is_certified() -> None:
+    scene = load_scene("fig-varsim1")
+    drawn = scene_picture(scene, [certified_run(scene, points=5), float_run(scene, tolerance=1e-6)])
+    assert "Certified: lift-off, touch-down, impact without collision." in drawn.caption
+    assert "The float run proves nothing." in drawn.caption
+    assert "no error of these curves is bounded" in drawn.caption
+    assert "Effects left out: tangential_motion" in drawn.caption
+    assert drawn.svg.startswith("<svg")
+    with pytest.raises(ValueError, match="needs a run with samples"):
+        scene_picture(scene, [certified_run(scene)])
+
+
+def test_over_time_where_p_turns() -> None:
+    scene = load_scene("fig-varsim2", eps="1/50", until=fmpq(1))
+    drawn = scene_picture(scene, [float_run(scene, tolerance=1e-6)])
+    assert "Beside it" not in drawn.caption
+    assert drawn.title == "The scene fig-varsim2, ε = 1/50"

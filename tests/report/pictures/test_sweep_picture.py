@@ -1,0 +1,63 @@
+"""Pictures of sweeps: every format, deterministic, whole or not at all; every kind of piece has a look."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.sweep.sweep import sweep
+from gspot_verified.mechanisms.sweep.sweep_piece import Kind
+from gspot_verified.mechanisms.sweep.sweep_result import Sweep
+from gspot_verified.report.pictures.sweep_picture import save_sweep
+
+BEGINNINGS = {".png": b"\x89PNG", ".pdf": b"%PDF", ".svg": b"<?xml"}
+
+
+@pytest.fixture(scope="module")
+def line() -> Sweep:
+    return sweep(shipped_mechanism("genot_brogliato_rod"), {"mu": "1.3..1.6:6"})
+
+
+@pytest.mark.parametrize("suffix", [".png", ".pdf", ".svg", ".PNG"])
+def test_formats(line: Sweep, tmp_path: Path, suffix: str) -> None:
+    found = []
+    for name in ("first", "second"):
+        path = save_sweep(line, tmp_path / f"{name}{suffix}")
+        found.append(path.read_bytes())
+    assert found[0].startswith(BEGINNINGS[suffix.lower()])
+    assert found[0] == found[1]
+    assert sorted(path.name for path in tmp_path.iterdir()) == [f"first{suffix}", f"second{suffix}"]
+
+
+def test_another_suffix_is_refused_and_nothing_is_written(line: Sweep, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=r"\.png, \.pdf, \.svg"):
+        save_sweep(line, tmp_path / "picture.gif")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_legend_says_what_there_is(line: Sweep, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from matplotlib.axes import Axes
+
+    labels: list[str] = []
+    own = Axes.legend
+
+    def legend(self: Axes, *arguments: object, **options: object) -> object:
+        handles = options["handles"]
+        assert isinstance(handles, list)
+        labels.extend(handle.get_label() for handle in handles)
+        return own(self, *arguments, **options)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(Axes, "legend", legend)
+    save_sweep(line, tmp_path / "line.svg")
+    assert labels == ["beyond a fold", "next to a fold", "no Case", "Case or side change", "Case II"]
+
+
+def test_a_map_and_pieces_that_are_left(tmp_path: Path) -> None:
+    result = sweep(shipped_mechanism("oscillator"), {"beta": "7/4..9/4:2", "kappa": "0..1:2"})
+    whole = save_sweep(result, tmp_path / "whole.svg").read_bytes()
+    first = replace(result.pieces[0], kind=Kind.OPEN, case=None, lift_off_sign=None, impact_sign=None, unsure=("x",))
+    undecided = replace(result, pieces=(first, *result.pieces[1:]))
+    assert save_sweep(undecided, tmp_path / "left.svg").read_bytes() != whole

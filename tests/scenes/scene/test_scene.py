@@ -1,0 +1,219 @@
+"""Scenes: which states and how many operations each effect costs, exact values of the equations, error messages."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from flint import fmpq
+
+from gspot_verified.compliant.model.normal_form import compliant_model
+from gspot_verified.functions.derivative import substitute
+from gspot_verified.functions.expressions import Constant, Expression
+from gspot_verified.mechanisms.input.mechanism import MechanismError
+from gspot_verified.paper.numerics.paper_state import paper_state
+from gspot_verified.scenes.equations.scaled_system import ScaledSystem, operations
+from gspot_verified.scenes.floats.float_function import float_function
+from gspot_verified.scenes.scene.file import SHIPPED, load_scene, parse_scene
+from gspot_verified.scenes.scene.scene import Scene, SceneError
+
+MODEL = load_scene("fig-varsim1")
+ALL = load_scene("fig-varsim2")
+POINT = {"b": 0.75, "p": -0.25, "Y": -5.0, "V": 0.5, "Z": -1.5, "u": 3.0}
+TIME = 750.0
+
+
+def smaller(*effects: str) -> Scene:
+    start = {"p": fmpq(1, 2), "nu": fmpq(1)}
+    if "tangential_motion" in effects:
+        start["u"] = fmpq(70)
+    return Scene("test", effects, ALL.epsilon, ALL.until, {}, start)
+
+
+def rates(system: ScaledSystem) -> dict[str, float]:
+    values = float_function(system.right_hand_side)([*(POINT[name] for name in system.states), TIME])
+    return dict(zip(system.states, values, strict=True))
+
+
+@pytest.mark.parametrize(
+    ("scene", "phase", "states"),
+    [
+        (MODEL, "slip", ("b", "Y", "V", "Z")),
+        (MODEL, "flight", ("b", "Y", "V", "Z")),
+        (ALL, "slip", ("b", "Y", "V", "Z", "u", "p")),
+        (ALL, "stick", ("b", "Y", "V", "Z", "p")),
+        (ALL, "flight", ("b", "Y", "V", "Z", "u", "p")),
+    ],
+)
+def test_only_the_states_of_its_effects_are_integrated(scene: Scene, phase: str, states: tuple[str, ...]) -> None:
+    system = scene.system(phase)
+    assert system.states == states
+    assert len(system.right_hand_side) == len(states)
+
+
+@pytest.mark.parametrize(
+    ("effects", "phase", "count"),
+    [
+        # lambda 2, b' 2, p 2, V' 2, Z' 3
+        (("compliant_contact",), "slip", 11),
+        (("compliant_contact", "lift_off"), "slip", 11),
+        # Z' alone: b' is a constant, Y' and V' are states
+        (("compliant_contact", "lift_off"), "flight", 1),
+        # u' is a multiple of lambda
+        (("compliant_contact", "tangential_motion"), "slip", 12),
+        # p' takes 2, p is then a state and takes none
+        (("compliant_contact", "two_way_coupling"), "slip", 11),
+        (tuple(ALL.effects), "slip", 12),
+    ],
+)
+def test_what_an_effect_costs(effects: tuple[str, ...], phase: str, count: int) -> None:
+    """Operations of the right-hand side: an effect that is left out costs none."""
+    assert operations(smaller(*effects).system(phase).right_hand_side) == count
+
+
+def test_the_equations_of_the_paper_in_slip() -> None:
+    """modelsys2 to modelsys5 and newex1, udot at a point, by hand: lambda = 3.5, epsilon = 1/1000, alpha_3 = -1/2."""
+    found = rates(ALL.system("slip"))
+    assert found == pytest.approx(
+        {"b": 0.75e-3, "Y": 0.5, "V": 0.75 - 0.25 * 3.5, "Z": 1.5 - 3.5, "u": -3.5e-3, "p": (-1 + 0.75) * 1e-3}
+    )
+
+
+def test_the_equations_of_the_paper_in_stick() -> None:
+    """newex2 and newex4 with c = 2/3 and p^- = 1."""
+    found = rates(ALL.system("stick"))
+    assert found["b"] == pytest.approx((-1 + 2 / 3 * 0.5 * 3.5) * 1e-3)
+    assert found["V"] == pytest.approx(0.75 + (-0.25 * 2 / 3 + 1 / 3) * 3.5)
+    slip = rates(ALL.system("slip"))
+    assert (found["Y"], found["Z"], found["p"]) == (slip["Y"], slip["Z"], slip["p"])
+
+
+def test_general_stiffness() -> None:
+    """c z' = -k_1 z - lambda, lambda = k_2 (z - y), and the start at rest on it: all rates but b's are 0."""
+    scene = MODEL.with_settings(k_1=3, k_2="1/2", damping=5)
+    assert rates(scene.system("slip"))["Z"] == pytest.approx((3 * 1.5 - 0.5 * 3.5) / 5)
+    start, small = scene.initial(), scene.epsilon
+    state = [start["b"], start["y"] / small**2, start["v"] / small, start["z"] / small**2]
+    values = float_function(scene.system("slip").right_hand_side)([*(int(x.p) / int(x.q) for x in state), 0.0])
+    assert values[1:] == pytest.approx([0, 0, 0], abs=1e-12)
+    assert values[0] != 0
+
+
+def test_no_coupling_is_the_smaller_scene() -> None:
+    """chi = 0: with p_0 + alpha_1 epsilon T in the place of p, the very same equations for the other states."""
+    alone = smaller("compliant_contact").system("slip")
+    coupled = smaller("compliant_contact", "two_way_coupling").with_settings(chi=0).system("slip")
+    inserted: list[Expression] = [*alone.states_as_variables(), alone.shown("p"), alone.clock]
+    found = [substitute(rate, inserted) for rate in coupled.right_hand_side[:4]]
+    for state in ([0.25, -2.0, 0.5, -1.0, 300.0], [-1.0, 3.0, 2.0, 0.0, 700.0]):
+        assert float_function(found)(state) == float_function(alone.right_hand_side)(state)
+    assert coupled.right_hand_side[4] == Constant(fmpq(-1, 1000))
+
+
+def test_tangential_motion_acts_on_nothing_else() -> None:
+    with_u = smaller("compliant_contact", "tangential_motion").system("slip")
+    without = rates(smaller("compliant_contact").system("slip"))
+    assert {name: rate for name, rate in rates(with_u).items() if name != "u"} == without
+
+
+def test_the_start_is_the_paper_s() -> None:
+    for beta in ("1/2", "3/2", "5/2"):
+        state = paper_state(compliant_model(beta, "1e-3"), 4)
+        found = load_scene("fig-varsim1", beta=beta, nu=4, eps="1e-3").initial()
+        assert found == {name: getattr(state, name) for name in "pbyvz"}
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_shipped_scenes_have_their_names(name: str) -> None:
+    assert load_scene(name).name == name
+
+
+def test_a_file_of_the_user(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text(TEXT, encoding="utf-8")
+    assert load_scene(path).initial()["z"] == fmpq(-1, 10**6)
+    assert load_scene(str(path), eps="1/10").epsilon == fmpq(1, 10)
+
+
+TEXT = """
+format = 1
+name = "mine"
+effects = ["compliant_contact", "lift_off"]
+epsilon = 1e-3
+until = 1
+[start]
+p = 0.5
+b = -0.5
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("lift_off", "lift_of", "unknown effect 'lift_of'; did you mean 'lift_off'"),
+        ("lift_off", "stick", "effect 'stick' needs 'tangential_motion'"),
+        ('"lift_off"', '"lift_off", "lift_off"', "effect 'lift_off' is named twice"),
+        ('"compliant_contact", "lift_off"', "", "effect 'compliant_contact' is missing"),
+        ("lift_off", "tangential_motion", "the state u is missing"),
+        ("epsilon = 1e-3", "epsilon = 0", "epsilon must be > 0, got 0"),
+        ("epsilon = 1e-3", "epsilon = -1", "epsilon must be > 0, got -1"),
+        ("epsilon = 1e-3", "", '"epsilon" is missing'),
+        ("epsilon = 1e-3", "epsilon = nan", "epsilon"),
+        ("epsilon = 1e-3", "epsilon = 1e-999999", "epsilon"),
+        ("until = 1", "until = 0", "until must be > 0"),
+        ("until = 1", "untill = 1", 'unknown key "untill"; did you mean'),
+        ("format = 1", "format = 2", '"format" must be 1'),
+        ("b = -0.5", "", "give b or nu"),
+        ("b = -0.5", "b = -0.5\nnu = 1", "give b or nu"),
+        ("b = -0.5", "b = -0.5\ny = -1", "the state v is missing"),
+        ("b = -0.5", "b = -0.5\nu = 1", "no state 'u'"),
+        ("b = -0.5", "b = -0.5\ny = 1\nv = 0\nz = 1", "z must be <= 0"),
+        ("p = 0.5", "p = -0.5", "at rest on the surface p must be > 0"),
+        ("p = 0.5", "", "the state p is missing"),
+        ("[start]", "[parameters]\nchi = 1\n[start]", "unknown parameter 'chi'"),
+        ("[start]", "[parameters]\nk_1 = 0\n[start]", "k_1 must be > 0"),
+        ("[start]", "[parameters]\nbeta = 1\n[start]\nnu = 1\n#", "start"),
+        ("b = -0.5", "b = -0.5\ny = 1\nv = 0\nz = 0\n[parameters]\nk_3 = 1", "unknown parameter 'k_3'"),
+        (
+            "until = 1\n[start]\np = 0.5\nb = -0.5",
+            "until = 1\nstop_at_force = 9\n[start]\np = -0.5\nb = -0.5\ny = 0\nv = 0\nz = 0",
+            "no force of rigid slip at the start, -b/p",
+        ),
+        ("b = -0.5", "b = -0.5\ny = -1\nv = 0\nz = 0", "interpenetrating: y lies 1 below the surface at z = 0"),
+        ("b = -0.5", "b = 0\ny = 0\nv = 0\nz = 0", "whether contact begins is open"),
+        ("epsilon = 1e-3", 'epsilon = "1e-3 s"', "epsilon: '1e-3 s' has a unit (s); numbers stand without units"),
+        ("p = 0.5", 'p = "500 mm"', "start: p: '500 mm' has a unit (mm)"),
+        ("lift_off", "belt", "effect 'belt' needs 'stick'"),
+        ("lift_off", "tangential_place", "effect 'tangential_place' needs 'tangential_motion'"),
+        ("until = 1", "until = 1\nstop_at_force = 1", "stop_at_force must be > 1"),
+        ("name", "[name", "no TOML"),
+    ],
+)
+def test_errors_name_the_part(old: str, new: str, message: str) -> None:
+    assert old in TEXT
+    with pytest.raises((SceneError, MechanismError, ValueError)) as caught:
+        parse_scene(TEXT.replace(old, new, 1))
+    assert message in str(caught.value)
+
+
+def test_without_lift_off_the_start_must_be_in_contact() -> None:
+    text = TEXT.replace(', "lift_off"', "").replace("b = -0.5", "b = -0.5\ny = 1\nv = 0\nz = 0")
+    with pytest.raises(SceneError, match="not in contact: y = 1 >= z = 0"):
+        parse_scene(text)
+
+
+def test_phases_and_settings_that_are_not_there() -> None:
+    with pytest.raises(SceneError, match="no phase 'stick' in this scene; there are: slip, flight"):
+        MODEL.system("stick")
+    with pytest.raises(SceneError, match="no setting 'chi'"):
+        MODEL.with_settings(chi=1)
+    with pytest.raises(SceneError, match=r"no scene file 'fig-varsim'.*did you mean 'fig-varsim"):
+        load_scene("fig-varsim")
+    with pytest.raises(TypeError):
+        MODEL.with_settings(nu=0.5)  # type: ignore[arg-type]
+    with pytest.raises(SceneError, match="at beta = 1 there is none"):
+        MODEL.with_settings(beta=1)
+    with pytest.raises(SceneError, match="k_minus must be > k_plus"):
+        ALL.with_settings(k_minus=-1)
+    with pytest.raises(SceneError, match="u must be >= 0 \\(positive slip\\) where stick is left out, got -1"):
+        smaller("compliant_contact", "tangential_motion").with_settings(u=-1)

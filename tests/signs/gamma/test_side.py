@@ -1,0 +1,117 @@
+"""Tests of what proofs/side_switching.md states."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+from flint import arb, fmpq
+from hypothesis import given
+from hypothesis import strategies as st
+from samples.strategies import near_integers, small_heights
+
+from gspot_verified import gamma_sign, side_switching
+from gspot_verified.signs.gamma.side import gamma_sign_by_ball
+
+
+@given(st.one_of(small_heights(), near_integers(400)))
+def test_sign_by_parity_equals_the_sign_of_the_enclosure(beta: Fraction) -> None:
+    parity, ball = gamma_sign(beta), gamma_sign_by_ball(beta)
+    assert parity is not None
+    assert ball == parity
+
+
+@pytest.mark.parametrize(("beta", "sign"), [("-1/2", 1), ("1/2", -1), ("3/2", 1), ("5/2", -1), (0, 0), (7, 0), (-4, 1)])
+def test_known_signs(beta: str, sign: int) -> None:
+    assert gamma_sign(beta) == sign
+
+
+def test_balls() -> None:
+    assert gamma_sign(arb(fmpq(1, 2), fmpq(1, 4))) == -1
+    assert gamma_sign(arb(1, fmpq(1, 4))) is None
+    assert gamma_sign_by_ball(arb(1, fmpq(1, 4))) is None
+    assert gamma_sign(arb(-5, 4)) == 1
+    with pytest.raises(ValueError, match="finite"):
+        gamma_sign(arb("nan"))
+
+
+def test_an_exact_ball_of_many_bits_next_to_a_pole() -> None:
+    assert gamma_sign(arb((3 * 2**1000 + 1, -1000))) == 1
+    assert gamma_sign(arb((3 * 2**1000 - 1, -1000))) == -1
+
+
+@given(st.fractions(-3, 30, max_denominator=40), st.fractions(0, 20, max_denominator=40))
+def test_pieces_cover_the_range_and_alternate(lower: Fraction, width: Fraction) -> None:
+    upper = lower + width
+    found = side_switching(lower, upper)
+    assert not found.undecided
+    assert found.integers == tuple(n for n in range(32 + 20) if lower <= n <= upper)
+    ends = [lower, *(Fraction(n) for n in found.integers), upper]
+    assert sum((i.upper - i.lower for i in found.intervals), Fraction(0)) == width
+    for interval in found.intervals:
+        assert interval.lower in ends
+        assert interval.upper in ends
+        if interval.lower < interval.upper:
+            middle = (interval.lower + interval.upper) / 2
+            assert gamma_sign_by_ball(middle) == interval.sign
+        assert interval.lower_closed == (interval.lower == lower and gamma_sign(lower) != 0)
+        assert interval.upper_closed == (interval.upper == upper and gamma_sign(upper) != 0)
+        # Paper, Sec. 4.5: both signs of C_1 occur for beta > 1 only; for 0 < beta < 1 only C_1 < 0 does.
+        case_iii, some_case = interval.lower >= 1, interval.lower >= 0
+        assert interval.lift_off_sign == (-interval.sign if case_iii else None)
+        assert interval.impact_sign == (interval.sign if case_iii else -1 if some_case else None)
+    for first, second in zip(found.intervals, found.intervals[1:], strict=False):
+        assert first.upper == second.lower
+        if second.upper > 0:
+            assert first.sign == -second.sign or first.upper < 0
+
+
+def test_ball_endpoints_list_the_integers_they_cannot_decide() -> None:
+    found = side_switching(arb(1, fmpq(1, 8)), arb(fmpq(7, 2), fmpq(1, 8)))
+    assert found.undecided == (1,)
+    assert found.integers == (2, 3)
+    assert "undecided" in str(found)
+
+
+def test_degenerate_ranges() -> None:
+    assert side_switching(2, 2).intervals == ()
+    assert side_switching(2, 2).integers == (2,)
+    assert len(side_switching("1/2", "1/2").intervals) == 1
+
+
+def test_overlapping_ball_endpoints_are_not_a_reversed_range() -> None:
+    found = side_switching(arb(1, fmpq(1, 2)), arb(1, fmpq(1, 4)))
+    assert found.undecided == (1,)
+
+
+def test_many_integers_are_quick_and_too_many_are_refused() -> None:
+    assert len(side_switching(0, 99_999).integers) == 100_000
+    with pytest.raises(ValueError, match="split"):
+        side_switching(0, 200_000)
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper", "error", "message"),
+    [
+        (5, 1, ValueError, "reversed"),
+        (0.5, 1, TypeError, "lower: a float"),
+        (0, "abc", ValueError, "upper: expected a number"),
+        (0, 10**7, ValueError, "upper: "),
+        (arb("-inf"), 3, ValueError, "lower: the ball must be finite"),
+    ],
+)
+def test_bad_input(lower: object, upper: object, error: type[Exception], message: str) -> None:
+    with pytest.raises(error, match=message):
+        side_switching(lower, upper)  # type: ignore[arg-type]
+
+
+def test_json() -> None:
+    data = side_switching("1/2", 2).to_json()
+    assert data["integers"] == [1, 2]
+    assert data["intervals"][0] == {
+        "lower": "1/2", "upper": "1", "lower_closed": True, "upper_closed": False, "sign": -1,
+        "lift_off_sign_of_C1": None, "impact_sign_of_C1": -1,
+    }  # fmt: skip
+    assert data["intervals"][1]["lift_off_sign_of_C1"] == -1
+    assert data["intervals"][1]["impact_sign_of_C1"] == 1
+    assert data["side_switches_at"] == [2]

@@ -1,0 +1,187 @@
+"""Many values at once: every ball and every pair of doubles contains the value.
+
+Pages: proofs/local_series.md, proofs/float_horner.md.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from flint import arb, fmpq
+from hypothesis import given
+from hypothesis import strategies as st
+from samples.strategies import ends, near_integers, small_heights, to_fmpq
+
+from gspot_verified import evaluate, theta, theta_of_floats
+from gspot_verified.numbers.balls import bits_for_digits, relative_bits
+from gspot_verified.theta_function.arrays import batch
+from gspot_verified.theta_function.arrays.arrays import bounds, theta_array
+
+
+def test_arrays_of_floats_are_exact_binary_values() -> None:
+    grid = np.linspace(-3.0, 2.0, 11)
+    values = theta(grid, "1/2")
+    assert values.shape == grid.shape
+    for tau, value in zip(grid, values, strict=True):
+        exact = theta(Fraction(float(tau)), "1/2")
+        assert value.overlaps(exact)
+        assert relative_bits(value) >= 49
+    lower, upper = bounds(values)
+    assert np.isfinite(lower).all()
+    assert (lower < upper).all()
+
+
+def test_arrays_of_objects_and_integers() -> None:
+    assert theta_array(np.array([Fraction(1, 2), "1/3"], dtype=object), 3)[1].overlaps(theta("1/3", 3))
+    assert theta(np.array([[1, 2], [3, 4]]), 2).shape == (2, 2)
+    with pytest.raises(ValueError, match="finite"):
+        theta(np.array([1.0, np.nan]), "1/2")
+
+
+_BETAS = st.one_of(small_heights(), near_integers(9), st.floats(-8, 12).map(Fraction)).filter(lambda b: abs(b) <= 60)
+
+
+def _exact(tau: float, beta: fmpq, derivative: int) -> tuple[Fraction, Fraction]:
+    return ends(evaluate(fmpq(*tau.as_integer_ratio()), beta, derivative, 70).value)
+
+
+@given(
+    _BETAS,
+    st.sampled_from([1e-9, 0.5, 2.0, 9.0, 30.0, 70.0]),
+    st.integers(0, 3),
+    st.integers(0, 2**32),
+    st.sampled_from([3, 40, 800]),
+)
+def test_values_of_doubles_contain_the_evaluator(
+    beta: Fraction, reach: float, derivative: int, seed: int, count: int
+) -> None:
+    """All three ways are met: panels in doubles, panels in balls, one polynomial; a few points of each."""
+    source = np.random.default_rng(seed)
+    tau = source.uniform(-reach, reach, count)
+    found = theta_of_floats(tau, to_fmpq(beta), derivative)
+    for i in source.integers(0, count, 3):
+        lower, upper = _exact(float(tau[i]), to_fmpq(beta), derivative)
+        if np.isinf(found.radius[i]):
+            assert max(abs(lower), abs(upper)) > Fraction(10) ** 290
+            continue
+        middle, radius = Fraction(float(found.midpoint[i])), Fraction(float(found.radius[i]))
+        assert middle - radius <= lower
+        assert upper <= middle + radius
+        assert radius <= Fraction(1, 10**15) * abs(middle) + Fraction(1, 2**800)
+
+
+@given(_BETAS, st.sampled_from([2.0, 30.0]), st.integers(0, 2), st.sampled_from([25, 50]), st.sampled_from([5, 300]))
+def test_balls_at_doubles_contain_the_evaluator(
+    beta: Fraction, reach: float, derivative: int, digits: int, count: int
+) -> None:
+    tau = np.linspace(-reach, reach, count)
+    values = theta_array(tau, to_fmpq(beta), derivative, digits)
+    for i in (0, count // 3, count - 1):
+        lower, upper = _exact(float(tau[i]), to_fmpq(beta), derivative)
+        found = ends(values[i])
+        assert found[0] <= lower
+        assert upper <= found[1]
+        assert relative_bits(values[i]) >= bits_for_digits(digits)
+
+
+def test_points_next_to_a_zero_and_on_the_edges_of_panels() -> None:
+    near = 1.531716136412176 + np.linspace(-1e-3, 1e-3, 400)
+    edges = np.concatenate([np.arange(-64, 65) / 4, np.nextafter(np.arange(-64, 65) / 4, 99), [64.0, -64.0]])
+    for tau in (near, edges):
+        found = theta_of_floats(tau, "5/2", 1)
+        assert (found.radius <= 1e-15 * abs(found.midpoint)).all()
+        for i in range(0, len(tau), 37):
+            lower, upper = _exact(float(tau[i]), fmpq(5, 2), 1)
+            assert Fraction(float(found.midpoint[i])) - Fraction(float(found.radius[i])) <= lower
+            assert upper <= Fraction(float(found.midpoint[i])) + Fraction(float(found.radius[i]))
+
+
+def test_a_wrong_panel_costs_time_and_never_truth(monkeypatch: pytest.MonkeyPatch) -> None:
+    tau = np.linspace(-3.0, 3.0, 2_000)
+    right = theta_of_floats(tau, "7/3")
+    locate = batch._locate
+    monkeypatch.setattr(batch, "_locate", lambda points, cover: np.roll(locate(points, cover), 3))
+    found = theta_of_floats(tau, "7/3")
+    assert (found.lower <= right.upper).all()
+    assert (right.lower <= found.upper).all()
+
+
+def test_arithmetic_that_is_not_ieee_is_not_used(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(batch, "arithmetic_is_ieee", lambda: False)
+    monkeypatch.setattr(batch, "horner", None)
+    found = theta_of_floats(np.linspace(-1.0, 1.0, 9), "7/3")
+    assert (found.radius <= 1e-15 * abs(found.midpoint)).all()
+
+
+def test_grids_are_broadcast() -> None:
+    tau, beta = np.linspace(-2.0, 2.0, 7)[None, :], np.array([0.5, 0.25, 3.0])[:, None]
+    found, balls = theta_of_floats(tau, beta), theta(tau, beta)
+    assert found.midpoint.shape == balls.shape == (3, 7)
+    for i in range(3):
+        row = theta_of_floats(tau[0], Fraction(float(beta[i, 0])))
+        assert (row.lower <= found.upper[i]).all()
+        assert (found.lower[i] <= row.upper).all()
+        for j in range(7):
+            assert arb(found.midpoint[i, j], found.radius[i, j]).overlaps(balls[i, j])
+    mixed = theta(Fraction(1, 3), np.array([Fraction(1, 2), "7/3"], dtype=object))
+    assert mixed[1].overlaps(theta("1/3", "7/3"))
+    assert theta_of_floats(np.empty(0), "1/2").midpoint.size == 0
+
+
+def test_what_vanishes_is_exactly_zero() -> None:
+    found = theta_of_floats(np.linspace(-2.0, 2.0, 9), 2, 3)
+    assert (found.midpoint == 0).all()
+    assert (found.radius == 0).all()
+    assert all(value.is_zero() for value in theta_array(np.linspace(-2.0, 2.0, 9), 2, 3, 40))
+
+
+def test_bad_arrays() -> None:
+    with pytest.raises(TypeError, match="float64"):
+        theta_of_floats(np.array([1, 2]), "1/2")
+    with pytest.raises(TypeError, match="float64"):
+        theta_of_floats(np.array([1, 2], dtype=np.float32), "1/2")
+    with pytest.raises(ValueError, match="finite"):
+        theta_of_floats(np.array([1.0, np.inf]), "1/2")
+    with pytest.raises(ValueError, match="covers"):
+        theta_of_floats(np.array([1.0, 1e13]), "1/2")
+    with pytest.raises(TypeError, match="beta: a float"):
+        theta_of_floats(np.array([1.0]), 0.5)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="beta: every entry"):
+        theta_of_floats(np.array([1.0]), np.array([np.nan]))
+    with pytest.raises(TypeError, match="ball"):
+        theta_of_floats(np.array([1.0]), arb(0, 1))
+    with pytest.raises(ValueError, match="digits"):
+        theta_array(np.array([1.0]), "1/2", digits=0)
+
+
+def test_a_masked_array_is_refused() -> None:
+    masked, plain = np.ma.masked_array([0.5, 1.0], [True, False]), np.array([0.5, 1.0])
+    for tau, beta in ((masked, "1/2"), (plain, masked)):
+        with pytest.raises(TypeError, match="a masked array is not taken"):
+            theta_array(tau, beta)
+        with pytest.raises(TypeError, match="a masked array is not taken"):
+            theta_of_floats(tau, beta)
+
+
+def test_an_array_of_balls_for_beta() -> None:
+    """Balls without a hash: equal ones share their work, others do not; one that is not finite is refused."""
+    wide, same, other = arb("0.3"), arb("0.3"), arb("0.7")
+    found = theta_array(np.array([0.5, 0.5, 0.5, 0.5]), np.array([wide, same, other, 2], dtype=object))
+    for value, beta in zip(found, ("0.3", "0.3", "0.7", 2), strict=True):
+        assert value.is_finite()
+        assert value.contains(theta("1/2", beta, digits=30).mid())
+    with pytest.raises(ValueError, match="beta"):
+        theta_array(np.array([0.5]), np.array([arb("nan")], dtype=object))
+
+
+@pytest.mark.parametrize("tau", [5e-324, 1e-310, 1e-300, 1e-271, 1e-250])
+@pytest.mark.parametrize(("beta", "derivative"), [(2, 0), (2, 1), ("1e-290", 1), ("1e-320", 1), ("1e-260", 2)])
+def test_next_to_the_least_doubles_the_promise_holds(tau: float, beta: object, derivative: int) -> None:
+    found = theta_of_floats(np.array([tau, -1.5]), beta, derivative)
+    for point, middle, radius in zip((tau, -1.5), found.midpoint.tolist(), found.radius.tolist(), strict=True):
+        truth = theta(fmpq(*point.as_integer_ratio()), beta, derivative, digits=40)
+        assert truth.is_finite()
+        assert abs(truth - arb(middle)) <= arb(radius) or truth == middle
+        assert radius <= max(1e-15 * abs(middle), 2.0**-899)

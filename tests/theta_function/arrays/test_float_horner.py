@@ -1,0 +1,102 @@
+"""Polynomials in double arithmetic: the error against exact fractions, and the bound against the page.
+
+Page: proofs/float_horner.md.
+"""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from flint import arb, arb_poly
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from gspot_verified.numbers.balls import working_bits
+from gspot_verified.theta_function.arrays import float_horner
+from gspot_verified.theta_function.arrays.float_horner import accepted, arithmetic_is_ieee, float_polynomial, horner
+
+_REACH = Fraction(1025, 1024)
+_NUMBERS = st.floats(-1e6, 1e6, allow_nan=False)
+_TINY = st.floats(-1e-300, 1e-300)
+
+
+def _evaluated(coefficients: list[float], points: list[float], centre: float, inverse: float) -> list[float]:
+    table = np.array(coefficients, dtype=np.float64)[:, None]
+    index = np.zeros(len(points), dtype=np.intp)
+    values, sizes = horner(np.array(points), index, np.array([centre]), np.array([inverse]), table)
+    assert accepted(sizes).all()
+    return [float(value) for value in values]
+
+
+@given(
+    st.lists(st.one_of(_NUMBERS, _TINY), min_size=1, max_size=25),
+    st.integers(-64, 63),
+    st.sampled_from([1, 2, 8]),
+    st.lists(st.floats(-1, 1), min_size=1, max_size=6),
+)
+@example([0.0, 0.0], 0, 1, [5e-324])
+@example([1.0, -1.0, 5e-324], -64, 8, [1.0, -1.0])
+def test_the_computed_value_is_within_the_bound(
+    coefficients: list[float], cell: int, count: int, places: list[float]
+) -> None:
+    """The exact value of the polynomial at the exact s, in fractions."""
+    centre, inverse = cell + 1 / (2 * count), 2.0 * count
+    points = [centre + place / inverse for place in places]
+    polynomial = float_polynomial(arb_poly([arb(value) for value in coefficients]))
+    values = _evaluated(list(polynomial.coefficients) or [0.0], points, centre, inverse)
+    for point, value in zip(points, values, strict=True):
+        s = (Fraction(point) - Fraction(centre)) * Fraction(inverse)
+        assert abs(s) <= _REACH
+        exact = sum((Fraction(a) * s**k for k, a in enumerate(coefficients)), Fraction(0))
+        assert abs(Fraction(value) - exact) <= Fraction(polynomial.error)
+
+
+@given(st.lists(st.tuples(_NUMBERS, st.floats(0, 1e-3)), min_size=1, max_size=20))
+def test_the_bound_is_that_of_the_page(balls: list[tuple[float, float]]) -> None:
+    given_balls = [arb(middle, radius) for middle, radius in balls]
+    error = Fraction(float_polynomial(arb_poly(given_balls)).error)
+    page = Fraction(0)
+    for k, ball in enumerate(given_balls):
+        middle, radius = (Fraction(float(part)) for part in (ball.mid(), ball.rad()))
+        page += ((3 * k + 1) * Fraction(1, 2**53) * abs(middle) + radius) * _REACH**k
+    assert page <= error <= page * (1 + Fraction(1, 10**6)) + Fraction(1, 2**800)
+
+
+def test_balls_with_more_bits_than_a_double() -> None:
+    with working_bits(200):
+        third = arb(1) / 3
+        polynomial = float_polynomial(arb_poly([third, third]))
+        for k, coefficient in enumerate(polynomial.coefficients):
+            assert abs(arb(coefficient) - third) < arb(2) ** -53, k
+        assert polynomial.error > 2.0**-56
+
+
+@pytest.mark.parametrize("coefficient", [arb(10) ** 400, arb.nan(), arb(0, 1) * arb(10) ** 400])
+def test_what_doubles_do_not_hold_has_no_bound(coefficient: arb) -> None:
+    assert math.isinf(float_polynomial(arb_poly([coefficient, arb(1)])).error)
+
+
+def test_a_point_beyond_the_panel_is_not_accepted() -> None:
+    index, one = np.zeros(3, dtype=np.intp), np.array([1.0])
+    points = np.array([1.0 + 2.0**-11, 1.0 + 2.0**-10, -1.5])
+    _, sizes = horner(points, index, np.array([0.0]), one, one[:, None])
+    assert accepted(sizes).tolist() == [True, False, False]
+    assert not accepted(np.array([np.nan]))[0]
+
+
+def test_arithmetic_that_rounds_otherwise_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert arithmetic_is_ieee()
+
+    class Upward(np.ndarray):  # rounds every sum up
+        def __add__(self, other: object) -> np.ndarray:
+            return np.nextafter(np.asarray(self) + np.asarray(other), np.inf)
+
+    arithmetic_is_ieee.cache_clear()
+    monkeypatch.setattr(float_horner.np, "array", lambda values: np.asarray(values).view(Upward))
+    assert not arithmetic_is_ieee()
+    monkeypatch.undo()
+    arithmetic_is_ieee.cache_clear()
+    assert arithmetic_is_ieee()

@@ -1,0 +1,183 @@
+from __future__ import annotations
+
+import os
+import select
+import signal
+import subprocess
+import sys
+import warnings
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from gspot_verified.certificates.text import certificate_text
+from gspot_verified.signs.cover.sign import sign_on_ranges
+from gspot_verified.signs.zeros.zeros import ZerosResult, zeros_on_range
+from gspot_verified.work.executors import InProcessExecutor, as_they_end, executor
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def text_of(result: ZerosResult) -> str:
+    assert result.statement is not None
+    return certificate_text(result.statement, result.columns)
+
+
+@pytest.fixture(scope="module")
+def expected() -> str:
+    return text_of(zeros_on_range("2..4"))
+
+
+@pytest.fixture
+def importable(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Worker processes find the package where this process does."""
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(ROOT), os.environ.get("PYTHONPATH", "")]))
+
+
+@pytest.mark.usefixtures("importable")
+def test_a_pool_gives_the_same_certificates(expected: str) -> None:
+    with executor(2) as pool:
+        assert text_of(zeros_on_range("2..4", executor=pool)) == expected
+        alone = sign_on_ranges("-inf..0", "[3..5]")
+        assert sign_on_ranges("-inf..0", "[3..5]", executor=pool) == alone
+        short = zeros_on_range("2..4", budget=9)
+        assert zeros_on_range("2..4", budget=9, executor=pool) == short
+
+
+def test_in_process(expected: str) -> None:
+    with executor() as pool:
+        assert isinstance(pool, InProcessExecutor)
+        assert pool.submit(max, 2, 3).result() == 3
+        assert isinstance(pool.submit(int, "x").exception(), ValueError)
+        assert text_of(zeros_on_range("2..4", executor=pool)) == expected
+
+
+def test_an_interrupt_is_not_kept_in_a_future() -> None:
+    def interrupt() -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        InProcessExecutor().submit(interrupt)
+
+
+@pytest.mark.parametrize("workers", [0, -1, 1025, 1.5, True, "2", None])
+def test_bad_numbers_of_workers(workers: Any) -> None:
+    with pytest.raises(ValueError, match="workers"), executor(workers):
+        pass
+
+
+def test_the_largest_number_of_workers() -> None:
+    """A pool that is not asked for anything starts none of them."""
+    with executor(1024) as pool:
+        assert not isinstance(pool, InProcessExecutor)
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_a_call_that_fails_is_named(workers: int) -> None:
+    calls = {"good": partial(int, "1"), "bad": partial(int, "x")}
+    with pytest.raises(RuntimeError, match=r"^bad: ValueError: invalid literal"), executor(workers) as pool:
+        dict(as_they_end(pool, calls))
+
+
+def test_a_worker_that_is_ended_from_outside_is_told() -> None:
+    calls = {"killed": partial(os._exit, 1)}
+    with pytest.raises(RuntimeError, match="ended from outside; not done: killed"), executor(2) as pool:
+        dict(as_they_end(pool, calls))
+
+
+_LONG = """
+import subprocess, sys, time
+from functools import partial
+from gspot_verified.work import executors
+from gspot_verified.work.executors import as_they_end, executor
+
+CODE = "import os, time; print(os.getpid(), os.getppid(), flush=True); time.sleep(3600)"
+
+def long():
+    if sys.argv[1] == "late":  # the worker comes too late to end its own group
+        executors.os.killpg = lambda *_: time.sleep(3600)
+    subprocess.call([sys.executable, "-c", CODE])
+
+if __name__ == "__main__":
+    with executor(2) as pool:
+        dict(as_they_end(pool, {"long": long, "other": partial(time.sleep, 3600)}))
+"""
+
+
+def runs(process: int) -> bool:
+    """Whether there is such a process; one that has ended and that nobody has asked for does not count."""
+    state = Path(f"/proc/{process}/stat")
+    return state.exists() and state.read_text().rpartition(")")[2].split()[0] != "Z"
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="no /proc on this system")
+@pytest.mark.parametrize(
+    ("sent", "worker"), [(signal.SIGINT, "soon"), (signal.SIGINT, "late"), (signal.SIGKILL, "soon")]
+)
+def test_nothing_is_left_of_a_run_that_was_interrupted_or_killed(
+    tmp_path: Path, sent: signal.Signals, worker: str
+) -> None:
+    (tmp_path / "long.py").write_text(_LONG)
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    with subprocess.Popen(
+        [sys.executable, str(tmp_path / "long.py"), worker],
+        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+        env=environment,
+        # A job in the background inherits that SIGINT is ignored.
+        preexec_fn=partial(signal.signal, signal.SIGINT, signal.SIG_DFL),
+    ) as run:  # fmt: skip
+        assert run.stdout is not None
+        began = [int(word) for word in run.stdout.readline().split()]
+        assert len(began) == 2
+        assert all(map(runs, began))
+        run.send_signal(sent)
+        try:
+            assert run.wait(300) != 0
+        finally:
+            run.kill()  # where it goes on, the test fails and does not wait for ever
+        # Both hold the pipe, which ends when nobody does; the limit is for a failure alone.
+        assert select.select([run.stdout], [], [], 300)[0]
+        assert run.stdout.read() == ""
+
+
+@pytest.fixture
+def cluster(request: pytest.FixtureRequest) -> Iterator[Any]:
+    request.getfixturevalue("importable")
+    distributed = pytest.importorskip("distributed", reason="Dask (distributed) is not installed")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of distributed and what it imports, not of this package
+        with distributed.LocalCluster(
+            processes=True, n_workers=2, threads_per_worker=1, dashboard_address=None, host="127.0.0.1",
+            silence_logs=50,
+        ) as found:  # fmt: skip
+            yield found
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::ResourceWarning", "ignore::UserWarning")
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning", "ignore::RuntimeWarning")
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")
+def test_a_dask_cluster_that_loses_a_worker(cluster: Any, expected: str) -> None:
+    killed: list[int] = []
+
+    def kill_one(step: Any) -> None:
+        if step.examined == 6:
+            process = next(iter(cluster.workers.values())).process
+            killed.append(process.pid)
+            os.kill(process.pid, signal.SIGKILL)
+
+    with executor(scheduler=cluster.scheduler_address) as pool:
+        result = zeros_on_range("2..4", executor=pool, progress=kill_one)
+    assert len(killed) == 1
+    assert text_of(result) == expected
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::ResourceWarning", "ignore::UserWarning")
+def test_without_dask_a_scheduler_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    import sys
+
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(ValueError, match="install the extra"), executor(scheduler="tcp://127.0.0.1:1"):
+        pass

@@ -1,0 +1,95 @@
+"""The file under a journal: whole lines stay, a line that a kill cut short goes, a question has a file of its own."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+
+import pytest
+
+from gspot_verified.work.journal_file import JournalFile
+
+QUESTION = {"kind": "test", "over": ["0", "1"]}
+
+
+def test_what_is_added_is_there_again(tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    first = JournalFile(path, QUESTION)
+    assert first.lines == []
+    first.add([1, {"a": "1/3"}])
+    with pytest.raises(ValueError, match="another run uses this journal"):
+        JournalFile(path, QUESTION)
+    first.close()
+    assert [json.loads(line) for line in JournalFile(path, QUESTION).lines] == [[1, {"a": "1/3"}]]
+
+
+@pytest.mark.parametrize("cut", range(1, 12))
+def test_a_line_that_was_cut_short_is_dropped_and_written_again(tmp_path: Path, cut: int) -> None:
+    path = tmp_path / "journal"
+    journal = JournalFile(path, QUESTION)
+    journal.add([1, "first"])
+    whole = path.read_bytes()
+    journal.add([2, "other"])
+    journal.close()
+    path.write_bytes(path.read_bytes()[:-cut])
+    again = JournalFile(path, QUESTION)
+    assert path.read_bytes() == whole
+    again.add([3, "third"])
+    again.close()
+    assert [json.loads(line) for line in JournalFile(path, QUESTION).lines] == [[1, "first"], [3, "third"]]
+
+
+def test_a_header_that_was_cut_short_is_completed(tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    JournalFile(path, QUESTION)
+    header = path.read_bytes()
+    path.write_bytes(header[:-5])
+    assert JournalFile(path, QUESTION).lines == []
+    assert path.read_bytes() == header
+
+
+@pytest.mark.parametrize("content", [b"something else\n", b'{"journal": {"kind": "other"}}\n', b"x", b"\xff\xfe\n"])
+def test_other_files_are_left_alone(tmp_path: Path, content: bytes) -> None:
+    path = tmp_path / "journal"
+    path.write_bytes(content)
+    with pytest.raises(ValueError, match="not a journal of this question"):
+        JournalFile(path, QUESTION)
+    assert path.read_bytes() == content
+
+
+def test_lines_are_cut_off_the_end(tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    with JournalFile(path, QUESTION) as journal:
+        for number in range(4):
+            journal.add([number, "ä"])
+        journal.cut(2)
+        journal.add([9])
+    with JournalFile(path, QUESTION) as journal:
+        assert [json.loads(line) for line in journal.lines] == [[0, "ä"], [1, "ä"], [9]]
+
+
+def test_a_refused_file_is_not_held(tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    JournalFile(path, QUESTION).close()
+    with pytest.raises(ValueError, match=r"\(it differs in: kind\); choose another") as refused:
+        JournalFile(path, {**QUESTION, "kind": "other"})
+    JournalFile(path, QUESTION).close()
+    assert refused.value.__traceback__ is not None  # which holds the frames of the refused one
+
+
+def test_a_pipe_is_no_journal(tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    os.mkfifo(path)
+    with pytest.raises(ValueError, match="it is not a file"):
+        JournalFile(path, QUESTION)
+
+
+@pytest.mark.parametrize(("mask", "mode"), [(0o000, 0o666), (0o022, 0o644)])
+def test_no_journal_can_be_executed(tmp_path: Path, mask: int, mode: int) -> None:
+    before = os.umask(mask)
+    try:
+        JournalFile(tmp_path / "journal", QUESTION).close()
+    finally:
+        os.umask(before)
+    assert (tmp_path / "journal").stat().st_mode & 0o777 == mode
