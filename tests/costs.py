@@ -21,7 +21,6 @@ RECORD = ROOT / "tests" / "costs.json"
 LEAST, LIMIT, KEPT = 0.05, 0.3, 0.9
 """Seconds: what is worth a row; what the fast set may cost a test; what its cheapest case may."""
 BUDGET = 40.0
-_SCHEMAS = "tests/cli/test_schemas.py"
 _ALWAYS = ("tests/house/test_layout.py", "tests/house/test_public.py")
 
 
@@ -72,7 +71,7 @@ def noticing(changed: Iterable[str]) -> list[str]:
             near += mirrored(ROOT, name)
             far += importing(ROOT, name)[1:]
             if name.startswith("gspot_verified/cli/"):
-                near += [*(f"tests/{path.name}" for path in sorted((ROOT / "tests").glob("test_cli*.py"))), _SCHEMAS]
+                near += [path.relative_to(ROOT).as_posix() for path in sorted((ROOT / "tests" / "cli").glob("test_*.py"))]
         elif name == "README.md":
             near.append(name)
         elif name.startswith("proofs/"):
