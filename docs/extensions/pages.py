@@ -66,7 +66,7 @@ def _proof_page(page: Path) -> str:
 def reference() -> str:
     """The public names under their parts of the package, each with its docstring."""
     lines = ["API reference", "=============", "", "Every name here is ``from gspot_verified import name``.", ""]
-    left = dict(gspot_verified.__homes__)
+    left = {name: home.removeprefix("gspot_verified.") for name, home in gspot_verified.__homes__.items()}
     for title, parts in GROUPS.items():
         lines += [title, "-" * len(title), ""]
         for name, home in sorted(left.items(), key=lambda item: item[0].lower()):

@@ -293,12 +293,6 @@ def test_init_files_are_the_public_list_and_nothing_else() -> None:
             )
             # A public list that loads on demand needs the module functions of PEP 562.
             lazy = isinstance(node, ast.FunctionDef) and node.name in ("__getattr__", "__dir__")
-            # And the names for those who read types: imports that no one runs.
-            lazy |= (
-                isinstance(node, ast.If)
-                and ast.unparse(node.test) == "TYPE_CHECKING"
-                and all(isinstance(inner, allowed) for inner in [*node.body, *node.orelse])
-            )
             if not (docstring or listing or lazy or isinstance(node, allowed)):
                 wrong.append(f"{name_of(path)}:{node.lineno}")
     assert not wrong

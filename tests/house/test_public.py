@@ -6,6 +6,7 @@ import ast
 import importlib
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -24,23 +25,34 @@ def in_a_fresh_process(script: str) -> str:
     return run.stdout
 
 
-def test_the_list_for_types_is_the_list() -> None:
-    tree = ast.parse(Path(gspot_verified.__file__).read_text(encoding="utf-8"))
-    (block,) = (node for node in tree.body if isinstance(node, ast.If))
-    typed = {}
-    for node in block.body:
-        assert isinstance(node, ast.ImportFrom)
-        typed.update({alias.asname: f"gspot_verified.{home}" for alias in node.names
-                      for home in [str(node.module).removeprefix("gspot_verified.")]})  # fmt: skip
-        assert all(alias.asname == alias.name for alias in node.names)
-    assert typed == {name: f"gspot_verified.{home}" for name, home in gspot_verified.__homes__.items()}
-    assert sorted(typed) == sorted(gspot_verified.__all__)
+def stub() -> list[ast.stmt]:
+    """The file that holds the public names, as it is parsed."""
+    return ast.parse(Path(gspot_verified.__file__).with_suffix(".pyi").read_text(encoding="utf-8")).body
+
+
+def test_the_stub_is_the_list() -> None:
+    """Who reads types takes only ``from home import name as name`` for public, and each name once."""
+    imports = [line for line in stub() if isinstance(line, ast.ImportFrom)]
+    names = [alias.name for line in imports for alias in line.names]
+    assert all(alias.asname == alias.name for line in imports for alias in line.names)
+    assert sorted(names) == sorted(set(names)) == sorted(gspot_verified.__all__)
+    assert {"theta", "classify", "Verdict"} <= set(names)
+
+
+def test_the_stub_holds_what_the_module_has_and_nothing_else() -> None:
+    others = [line for line in stub()[1:] if not isinstance(line, ast.ImportFrom)]
+    assert all(isinstance(line, ast.AnnAssign) and hasattr(gspot_verified, ast.unparse(line.target)) for line in others)
+
+
+def test_the_stub_is_installed() -> None:
+    data = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["setuptools"]["package-data"]
+    assert {"py.typed", "__init__.pyi"} <= set(data["gspot_verified"])
 
 
 @pytest.mark.parametrize("name", gspot_verified.__all__)
 def test_every_name_is_what_its_home_defines(name: str) -> None:
     value = getattr(gspot_verified, name)
-    home = importlib.import_module(f"gspot_verified.{gspot_verified.__homes__[name]}")
+    home = importlib.import_module(gspot_verified.__homes__[name])
     assert value is getattr(home, name)
     assert value.__module__ == home.__name__
     assert name in dir(gspot_verified)
