@@ -37,9 +37,9 @@ print(expand(oscillator, 3))
 # ## Which side lifts off, over β
 
 # %%
-from gspot_verified import side_switching
+from gspot_verified import side
 
-print(side_switching(1, 5))
+print(side(1, 5))
 
 # %% [markdown]
 # ## Pictures

@@ -32,12 +32,12 @@ from gspot_verified.numbers.verdict import Verdict as Verdict
 from gspot_verified.report.pictures.canvas import Picture as Picture
 from gspot_verified.report.plot import plot as plot
 from gspot_verified.signs.cover.sign import SignResult as SignResult
-from gspot_verified.signs.cover.sign import sign_on_ranges as sign_on_ranges
+from gspot_verified.signs.cover.sign import sign as sign
 from gspot_verified.signs.gamma.count_law import number_of_zeros as number_of_zeros
 from gspot_verified.signs.gamma.side import SideSwitching as SideSwitching
 from gspot_verified.signs.gamma.side import SignInterval as SignInterval
 from gspot_verified.signs.gamma.side import gamma_sign as gamma_sign
-from gspot_verified.signs.gamma.side import side_switching as side_switching
+from gspot_verified.signs.gamma.side import side as side
 from gspot_verified.signs.zeros.brackets import Brackets as Brackets
 from gspot_verified.signs.zeros.brackets import zeros_at as zeros_at
 from gspot_verified.signs.zeros.zeros import ZerosResult as ZerosResult

@@ -47,7 +47,7 @@ def checker_path() -> Path:
     )
 
 
-def run_checker(file: Path, workers: int = 1, limits: Sequence[str] = ()) -> CheckResult:
+def check(file: Path, workers: int = 1, limits: Sequence[str] = ()) -> CheckResult:
     """Check one certificate. ``limits``: texts ``NAME=NUMBER`` for limits of the checker that are raised on purpose.
 
     :raises ValueError: there is no such file, an option is not one of the checker's, or the checker could not run.

@@ -28,7 +28,7 @@ _PACKAGES = ("gspot-verified", "python-flint", "mpmath", "numpy", "scipy", "symp
 _PROGRAMS = {"PARI/GP": ("gp", "--version-short"), "Sage": ("sage", "--version"), "Coq": ("coqc", "--version")}
 
 
-def run(full: bool = False, progress: Progress = lambda _: None, kept: KeptParts | None = None) -> Measurement:
+def measure_cost(full: bool = False, progress: Progress = lambda _: None, kept: KeptParts | None = None) -> Measurement:
     """Measure all parts: two to three minutes of processor time; with ``full`` more than half an hour.
 
     ``progress`` is called with a line of text before each part. Parts in ``kept`` are not measured again; new ones are

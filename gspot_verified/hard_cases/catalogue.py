@@ -71,7 +71,7 @@ class Catalogue(NoTruthValue):
         return "\n\n".join([*blocks, summary_text(self.summary())])
 
 
-def run(names: Sequence[str] = (), progress: Callable[[str], None] = lambda _: None) -> Catalogue:
+def measure_hard_cases(names: Sequence[str] = (), progress: Callable[[str], None] = lambda _: None) -> Catalogue:
     """The families of these names, all if none: about ten seconds of processor time.
 
     :raises ValueError: no family has that name.

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from flint import fmpq
 
-from gspot_verified.certificates.checker import run_checker
+from gspot_verified.certificates.checker import check
 from gspot_verified.certificates.text import certificate_text
 from gspot_verified.hard_cases.hard_case import Case, HardCase, log10, near
 from gspot_verified.hard_cases.timed import timed
@@ -28,7 +28,7 @@ def checked_brackets(k: int) -> HardCase:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "brackets.cert"
         path.write_text(text, encoding="utf-8")
-        found = run_checker(path)
+        found = check(path)
     said = "VERIFIED by the checker" if found.verified else found.text.splitlines()[-1][:80]
     return HardCase(
         k,

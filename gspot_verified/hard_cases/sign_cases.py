@@ -12,7 +12,7 @@ from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10
 from gspot_verified.hard_cases.timed import timed
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.signs.cover.sign import sign_on_ranges
+from gspot_verified.signs.cover.sign import sign as sign_on_ranges
 from gspot_verified.signs.gamma.side import gamma_sign
 from gspot_verified.signs.zeros.brackets import zeros_at
 

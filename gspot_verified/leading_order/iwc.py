@@ -104,7 +104,7 @@ class IwcResult(NoTruthValue):
         }
 
 
-def iwc(
+def leading_order_iwc(
     beta: ExactInput | None = None,
     *,
     alpha_1: ExactInput | None = None,
@@ -126,7 +126,7 @@ def iwc(
     :raises ValueError: an argument out of range: see :func:`contact_force`; |tau_start| > 10^6; epsilon <= 0; digits
         not in 1..100; ``growth`` on the side that does not lift off, or with beta < 1.
 
-    >>> iwc("3/2", c1=1).verdict.statement
+    >>> leading_order_iwc("3/2", c1=1).verdict.statement
     'at leading order, λ_N > 0 for every τ in [-10, inf) and every ε in (0, 0.17881880065137)'
     """
     force = contact_force(beta, alpha_1=alpha_1, alpha_2=alpha_2, alpha_3=alpha_3, c1=c1)

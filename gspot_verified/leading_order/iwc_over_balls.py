@@ -105,8 +105,8 @@ def iwc_over_balls(
 ) -> IwcOverBalls:
     """Whether the contact holds on [tau_start, infinity) at leading order for all alphas in the balls.
 
-    As :func:`leading_order.iwc.iwc`, with balls. Where the balls are too wide the verdict is undecided and says
-    what is open.
+    As :func:`gspot_verified.leading_order.iwc.leading_order_iwc`, with balls. Where the balls are too wide
+    the verdict is undecided and says what is open.
 
     :raises TypeError: a float.
     :raises ValueError: C_1 = 0; |tau_start| > 10^6; epsilon <= 0; digits not in 1..100.

@@ -6,8 +6,7 @@ from typing import Any
 
 from flint import arb
 
-from gspot_verified.compliant.contact.iwc import CompliantIwc, iwc_over_balls
-from gspot_verified.compliant.contact.iwc import iwc as iwc_of_alphas
+from gspot_verified.compliant.contact.iwc import CompliantIwc, compliant_iwc, iwc_over_balls
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.classify import Classification, classify
 from gspot_verified.numbers.balls import ExactInput, exact
@@ -26,7 +25,7 @@ def iwc(
     growth: bool = False,
 ) -> CompliantIwc:
     """Whether the contact holds on [tau_start, infinity), or when it lifts off: at leading order, and for the compliant
-    model on its slow manifold; :func:`gspot_verified.compliant.contact.iwc.iwc`, also for a mechanism.
+    model on its slow manifold; :func:`gspot_verified.compliant.contact.iwc.compliant_iwc`, also for a mechanism.
 
     ``beta`` is a number, a mechanism (its G-spot is found), or a classification. The compliant model has constant
     alphas, those of the G-spot: nothing is stated about the mechanism away from it.
@@ -50,7 +49,7 @@ def iwc(
         first = -1 if alpha_1 is None else alpha_1
         if beta is None and alpha_3 is not None and any(_is_wide(value) for value in (first, second, alpha_3)):
             return _over_balls("the numbers", first, second, alpha_3, chosen)
-        return iwc_of_alphas(beta, alpha_1=alpha_1, alpha_2=second, alpha_3=alpha_3, **chosen)
+        return compliant_iwc(beta, alpha_1=alpha_1, alpha_2=second, alpha_3=alpha_3, **chosen)
     if not (alpha_1 is alpha_2 is alpha_3 is None):
         raise ValueError("alpha_1, alpha_2, alpha_3: the mechanism has its own")
     if not beta.regularisation.is_papers:
@@ -64,7 +63,7 @@ def iwc(
     if any(isinstance(value, arb) for value in alphas):
         return _over_balls(beta.name, *alphas, chosen)
     first, second, third = alphas
-    return iwc_of_alphas(alpha_1=first, alpha_2=second, alpha_3=third, **chosen)
+    return compliant_iwc(alpha_1=first, alpha_2=second, alpha_3=third, **chosen)
 
 
 def _is_wide(value: ExactInput) -> bool:

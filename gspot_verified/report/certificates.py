@@ -9,7 +9,7 @@ from functools import partial
 from pathlib import Path
 from typing import ClassVar
 
-from gspot_verified.certificates.checker import run_checker
+from gspot_verified.certificates.checker import check
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.report.parts.proof_page import PROOFS
 
@@ -59,7 +59,7 @@ def checked(path: Path) -> CheckedCertificate:
     :raises OSError: the file cannot be read.
     """
     content = path.read_bytes()
-    result = run_checker(path)
+    result = check(path)
     said = result.text.splitlines()[-1]
     return CheckedCertificate(path.name, hashlib.sha256(content).hexdigest(), result.verified, said, content)
 

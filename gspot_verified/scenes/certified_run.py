@@ -11,7 +11,7 @@ from flint import fmpq
 
 from gspot_verified.compliant.model.normal_form import CompliantModel, CompliantState, compliant_model, compliant_state
 from gspot_verified.compliant.motion.run import IMPACT as LASTING
-from gspot_verified.compliant.motion.run import ONE_FLIGHT, Run, compliant_run
+from gspot_verified.compliant.motion.run import ONE_FLIGHT, Run, events
 from gspot_verified.compliant.motion.run import TRIVIAL as CONSTANT
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.scenes.certified.certified_integration import MAX_STEPS, integrated_run
@@ -65,7 +65,7 @@ def certified_run(
 
 
 def _exact_run(scene: Scene, digits: int, points: int | None) -> SceneRun:
-    run = compliant_run(*exact_start(scene), digits)
+    run = events(*exact_start(scene), digits)
     samples = None if points is None else certified_samples(run, scene.until, points)
     return SceneRun(CERTIFIED, _fate(run), _events(run), run.verdict, samples)
 

@@ -126,7 +126,7 @@ def hard_sides() -> HardSides:
     return empty.restricted(**{name: table.words(name) for name in _LISTS})
 
 
-def count_failures(chosen: HardSides, progress: Callable[[str], None] | None = None) -> Failures:
+def wrong_sides(chosen: HardSides, progress: Callable[[str], None] | None = None) -> Failures:
     """The certified side of every start, and what every float run says of it; nothing is kept.
 
     :raises SceneError: an unknown solver, or a tolerance out of range.

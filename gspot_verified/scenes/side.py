@@ -15,11 +15,11 @@ from gspot_verified.compliant.model.normal_form import (
     CompliantState,
     deviation,
 )
-from gspot_verified.compliant.motion.compliant_force import compliant_force
+from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.compliant.motion.lasting_contact import lasting_contact
 from gspot_verified.compliant.motion.lift_off_state import contact_state
 from gspot_verified.compliant.motion.run import IMPACT as LASTING
-from gspot_verified.compliant.motion.run import compliant_run
+from gspot_verified.compliant.motion.run import events as compliant_run
 from gspot_verified.compliant.motion.run_plan import later_times
 from gspot_verified.compliant.motion.zero_by_series import positive_by_series, zero_by_series
 from gspot_verified.compliant.side.side_rule import SideRule, side_rule
@@ -97,7 +97,7 @@ def _by_series(model: CompliantModel, state: CompliantState) -> Verdict | None:
     start = deviation(model, state)
     mean = model.mean_force * model.sigma**2
     for time in later_times(model):
-        there = contact_state(compliant_force(model, state, time, _DIGITS), _BITS)
+        there = contact_state(force(model, state, time, _DIGITS), _BITS)
         lasting = lasting_contact(there, _BITS)
         if lasting.outcome is Outcome.PROVED:
             until = start.p / start.epsilon - model.alpha_1 * time / start.epsilon

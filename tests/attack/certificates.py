@@ -14,7 +14,7 @@ from attack.answers import AGREED, Answer, Attack, undecided, wrong
 from attack.statements import untrue
 from must_reject.mutate import GOOD, Lines, checker, text_of
 
-from gspot_verified import Range, sign_on_ranges, zeros_on_range
+from gspot_verified import Range, sign, zeros_on_range
 from gspot_verified.certificates.text import certificate_text
 
 _PROOFS = Path(__file__).resolve().parents[2] / "proofs"
@@ -48,8 +48,8 @@ def canonical_statement(lines: Lines) -> str:
 @cache
 def _source(name: str) -> str:
     if name == "fresh sign":
-        found = sign_on_ranges("-3..5/2", "[5/2..11/4]", 1)
-        found = found if found.columns else sign_on_ranges("-inf..-1/2", "[5/2..11/4]", -1)
+        found = sign("-3..5/2", "[5/2..11/4]", 1)
+        found = found if found.columns else sign("-inf..-1/2", "[5/2..11/4]", -1)
         assert found.proved_statement is not None
         return certificate_text(found.proved_statement, found.columns)
     if name == "fresh zeros":

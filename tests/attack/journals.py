@@ -19,7 +19,8 @@ from attack.motion import Question, judged, question
 from attack.signs import sign_changes, slope
 from attack.statements import untrue
 
-from gspot_verified import Outcome, sign_on_ranges, zeros_on_range
+from gspot_verified import Outcome, zeros_on_range
+from gspot_verified import sign as sign_on_ranges
 from gspot_verified.scenes.certified_run import certified_run
 from gspot_verified.scenes.scene.file import parse_scene
 from gspot_verified.scenes.scene.scene import SceneError
@@ -108,7 +109,7 @@ def _signs(random: Random) -> Attack:
             )
             return wrong(f"{found.verdict}\n  {trouble}") if trouble else AGREED
 
-    return Attack(f"sign_on_ranges('{tau}', '{beta}', {sign}) with a journal that holds {line}", ask)
+    return Attack(f"sign('{tau}', '{beta}', {sign}) with a journal that holds {line}", ask)
 
 
 def _zeros(random: Random) -> Attack:

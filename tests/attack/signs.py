@@ -11,7 +11,7 @@ from attack import reference_theta
 from attack.answers import AGREED, Answer, Attack, undecided, wrong
 from attack.balls_as_numbers import to_fmpq, to_fraction
 
-from gspot_verified import Outcome, Range, number_of_zeros, sign_on_ranges, zeros_at, zeros_on_range
+from gspot_verified import Outcome, Range, number_of_zeros, sign, zeros_at, zeros_on_range
 
 _DIGITS = 12
 
@@ -56,7 +56,7 @@ def _sign(random: Random) -> Attack:
         [_inside(random, tau_low, tau_high) for _ in range(12)],
         [_inside(random, beta_low, beta_high) for _ in range(12)],
     )
-    question = f"sign_on_ranges({tau!r}, {beta!r}, {wanted}, budget=40)"
+    question = f"sign({tau!r}, {beta!r}, {wanted}, budget=40)"
     return Attack(question, lambda: _judged_sign(tau, beta, wanted, list(zip(*places, strict=True))))
 
 
@@ -71,7 +71,7 @@ def _inside(random: Random, low: Fraction, high: Fraction) -> Fraction:
 
 
 def _judged_sign(tau: Range, beta: Range, wanted: int, places: list[tuple[Fraction, Fraction]]) -> Answer:
-    found = sign_on_ranges(tau, beta, wanted, budget=40)
+    found = sign(tau, beta, wanted, budget=40)
     if found.verdict.outcome is Outcome.PROVED:
         for point in places:
             if slope(*point) not in (wanted, None):

@@ -9,21 +9,21 @@ from pathlib import Path
 import pytest
 
 from gspot_verified.certificates import checker
-from gspot_verified.certificates.checker import CheckResult, checker_path, run_checker
+from gspot_verified.certificates.checker import CheckResult, check, checker_path
 from gspot_verified.certificates.text import certificate_text, write_certificate
-from gspot_verified.signs.cover.sign import sign_on_ranges
+from gspot_verified.signs.cover.sign import sign
 
 
 @pytest.fixture
 def good(tmp_path: Path) -> Path:
-    result = sign_on_ranges("-inf..inf", "0..1")
+    result = sign("-inf..inf", "0..1")
     path = tmp_path / "-good.cert"
     write_certificate(path, result.statement, result.columns)
     return path
 
 
 def test_a_good_certificate(good: Path) -> None:
-    found = run_checker(good)
+    found = check(good)
     assert found.verified
     assert found.text.startswith("VERIFIED ")
     assert found.to_json() == {"verified": True, "text": found.text}
@@ -33,7 +33,7 @@ def test_one_changed_byte(good: Path) -> None:
     data = good.read_bytes()
     for place in (5, len(data) // 2, len(data) - 3):
         good.write_bytes(data[:place] + bytes([data[place] ^ 1]) + data[place + 1 :])
-        found = run_checker(good)
+        found = check(good)
         assert not found.verified
         assert found.text.startswith("REJECTED ")
 
@@ -42,45 +42,45 @@ def test_one_changed_byte(good: Path) -> None:
 def test_pieces_that_are_missing(good: Path, drop: int) -> None:
     from dataclasses import replace
 
-    result = sign_on_ranges("-inf..inf", "0..1")
+    result = sign("-inf..inf", "0..1")
     column, *others = result.columns
     pieces = [piece for piece in column.pieces if piece is not column.pieces[drop]]
     good.write_text(certificate_text(result.statement, [replace(column, pieces=tuple(pieces)), *others]))
-    assert not run_checker(good).verified
+    assert not check(good).verified
 
 
 def test_another_statement(good: Path) -> None:
     from dataclasses import replace
 
-    result = sign_on_ranges("-inf..inf", "0..1")
+    result = sign("-inf..inf", "0..1")
     good.write_text(certificate_text(replace(result.statement, sign=1), result.columns))
-    assert not run_checker(good).verified
+    assert not check(good).verified
 
 
 def test_no_file(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="there is no file"):
-        run_checker(tmp_path / "nothing")
+        check(tmp_path / "nothing")
     os.mkfifo(tmp_path / "pipe")
     for path in (tmp_path / "pipe", tmp_path):
         with pytest.raises(ValueError, match="is not a regular file"):
-            run_checker(path)
+            check(path)
 
 
 def test_limits_and_workers(good: Path) -> None:
-    assert run_checker(good, workers=2, limits=["work=20", "tau=2"]).verified
-    found = run_checker(good, limits=["tau=1"])
+    assert check(good, workers=2, limits=["work=20", "tau=2"]).verified
+    found = check(good, limits=["tau=1"])
     assert not found.verified
     assert "the limit tau=1 (raise it on purpose: --limit tau=NUMBER)" in found.text
     with pytest.raises(ValueError, match="the limits are bytes, line"):
-        run_checker(good, limits=["time=1"])
+        check(good, limits=["time=1"])
     with pytest.raises(ValueError, match="--workers needs a positive integer"):
-        run_checker(good, workers=0)
+        check(good, workers=0)
 
 
 def test_a_name_that_looks_like_an_option(good: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(good.parent)
     good.rename("--limit")
-    assert run_checker(Path("--limit")).verified
+    assert check(Path("--limit")).verified
 
 
 @pytest.mark.parametrize(
@@ -107,9 +107,9 @@ def test_only_its_line_and_code_count(
     monkeypatch.setattr(checker, "checker_path", lambda: path)
     if verified is None:
         with pytest.raises(ValueError, match="the checker stopped with code"):
-            run_checker(good)
+            check(good)
     else:
-        assert run_checker(good) == CheckResult(verified, f"{'VERIFIED' if verified else 'REJECTED'} it")
+        assert check(good) == CheckResult(verified, f"{'VERIFIED' if verified else 'REJECTED'} it")
 
 
 USAGE_LINE = "import sys; print('usage: check.py: a wrong option', file=sys.stderr); sys.exit({})"
@@ -130,7 +130,7 @@ def test_a_usage_error_is_its_line_and_its_code(
     path.write_text(script)
     monkeypatch.setattr(checker, "checker_path", lambda: path)
     with pytest.raises(ValueError, match=re.escape(message)) as raised:
-        run_checker(good)
+        check(good)
     assert str(raised.value) == message
 
 
@@ -138,8 +138,8 @@ def test_one_process_unless_more_are_asked_for(good: Path, tmp_path: Path, monke
     path = tmp_path / "check.py"
     path.write_text("import sys; print('VERIFIED', *sys.argv[1:-1])")
     monkeypatch.setattr(checker, "checker_path", lambda: path)
-    assert run_checker(good).text == "VERIFIED --workers=1"
-    assert run_checker(good, 3, ["tau=2"]).text == "VERIFIED --workers=3 --limit=tau=2"
+    assert check(good).text == "VERIFIED --workers=1"
+    assert check(good, 3, ["tau=2"]).text == "VERIFIED --workers=3 --limit=tau=2"
 
 
 def test_where_the_checker_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

@@ -13,10 +13,10 @@ from flint import fmpq
 from must_reject import mutate
 
 from gspot_verified.certificates import text
-from gspot_verified.certificates.checker import run_checker
+from gspot_verified.certificates.checker import check
 from gspot_verified.certificates.text import Statement, certificate_text, write_certificate
 from gspot_verified.signs.cover.pieces import Column
-from gspot_verified.signs.cover.sign import sign_on_ranges
+from gspot_verified.signs.cover.sign import sign
 from gspot_verified.signs.cover.statements import BracketsStatement
 from gspot_verified.signs.zeros.brackets import zeros_at
 from gspot_verified.signs.zeros.zeros import zeros_on_range
@@ -25,7 +25,7 @@ from gspot_verified.signs.zeros.zeros import zeros_on_range
 def certificates() -> list[tuple[Statement, list[Column]]]:
     found: list[tuple[Statement, list[Column]]] = []
     for arguments in (("-inf..inf", "0..1", -1), ("-inf..0", "[3..4]", -1), ("0", "3", 1), ("-inf..inf", "-inf..0", 1)):
-        result = sign_on_ranges(*arguments)
+        result = sign(*arguments)
         assert result.proved_statement is not None
         found.append((result.proved_statement, list(result.columns)))
     zeros, brackets = zeros_on_range("2..5/2"), zeros_at("5/2", 8)
@@ -90,7 +90,7 @@ def test_the_independent_checker_reads_what_was_written(
 ) -> None:
     """Every kind of statement, a range of β without a lower end included."""
     write_certificate(tmp_path / "x.cert", statement, columns)
-    found = run_checker(tmp_path / "x.cert")
+    found = check(tmp_path / "x.cert")
     assert found.verified, found.text
 
 

@@ -208,10 +208,10 @@ def test_every_command_works_under_the_signs_of_life(
 ) -> None:
     from gspot_verified.signs.gamma import side
 
-    monkeypatch.setattr(side, "side_switching", lambda *_: threading.enumerate())
+    monkeypatch.setattr(side, "side", lambda *_: threading.enumerate())
     assert run(capsys, "side", "1/2")[0] == 70  # a list has no verdict: internal
     names: list[list[threading.Thread]] = []
-    monkeypatch.setattr(side, "side_switching", lambda *_: names.append(threading.enumerate()))
+    monkeypatch.setattr(side, "side", lambda *_: names.append(threading.enumerate()))
     run(capsys, "side", "1/2")
     assert any(thread.daemon for thread in names[0])
 

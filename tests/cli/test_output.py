@@ -35,7 +35,7 @@ def no_work(monkeypatch: pytest.MonkeyPatch) -> None:
         raise AssertionError("the work was started")
 
     for place in (
-        "signs.cover.sign.sign_on_ranges",
+        "signs.cover.sign.sign",
         "signs.zeros.zeros.zeros_on_range",
         "signs.zeros.brackets.zeros_at",
         "mechanisms.expand.expand",
@@ -219,7 +219,7 @@ def test_no_certificate_of_what_is_not_proved(capsys: pytest.CaptureFixture[str]
 
 
 def test_a_full_stdout_is_no_outcome(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("gspot_verified.signs.gamma.side.side_switching", full)
+    monkeypatch.setattr("gspot_verified.signs.gamma.side.side", full)
     code, _, err = run(capsys, "side", "1/2")
     assert code == 74
     assert "No space left" in err

@@ -11,7 +11,7 @@ from flint import arb, fmpq
 
 from gspot_verified import theta
 from gspot_verified.cli import main
-from gspot_verified.hard_cases.catalogue import Catalogue, Measured, run
+from gspot_verified.hard_cases.catalogue import Catalogue, Measured, measure_hard_cases
 from gspot_verified.hard_cases.double import double_text, real_roots, sign_changes, theta_double
 from gspot_verified.hard_cases.double_ring import DoublePolynomial, Doubles
 from gspot_verified.hard_cases.family import CASES, families
@@ -23,7 +23,7 @@ from gspot_verified.report.parts.latex import latex_formula
 
 @pytest.fixture(scope="module")
 def catalogue():
-    return run(["side", "spots-gone", "certificate"])
+    return measure_hard_cases(["side", "spots-gone", "certificate"])
 
 
 def test_every_part_of_the_library_is_there():
@@ -84,7 +84,7 @@ def test_an_undecided_row_is_counted_and_is_no_answer():
 
 def test_an_unknown_family_is_refused():
     with pytest.raises(ValueError, match="no family of hard cases is named 'canards'; there are: integer-beta"):
-        run(["canards"])
+        measure_hard_cases(["canards"])
     assert main(["stability", "canards"]) == 64
 
 

@@ -15,7 +15,7 @@ from witnesses.theta import theta_witness, to_fraction
 from witnesses.true_solutions import extended_motion
 
 from gspot_verified.compliant.model.normal_form import compliant_model
-from gspot_verified.compliant.motion.compliant_force import compliant_force
+from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.compliant.slow.grid import scale
 from gspot_verified.expansion.in_balls import expand_in_balls
 from gspot_verified.hard_cases import fold_cases, theta_cases, uniform_cases
@@ -230,7 +230,7 @@ def run(k: int) -> Truth:
     model = compliant_model("5/2", "1/1000")
     state = paper_state(model, near(1, k, -1))
     first, last = Fraction(SEEN[k]) - power(9), Fraction(SEEN[k]) + power(9)
-    before, after = (compliant_force(model, state, str(t - Fraction(1, 2)), 8).force for t in (first, last))
+    before, after = (force(model, state, str(t - Fraction(1, 2)), 8).force for t in (first, last))
     assert before > 0 > after
     return first, last
 

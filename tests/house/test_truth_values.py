@@ -13,7 +13,8 @@ from enum import Enum
 import pytest
 
 import gspot_verified
-from gspot_verified import Verdict, evaluate, iwc, side_switching, sign_on_ranges, zeros_at, zeros_on_range
+from gspot_verified import Verdict, evaluate, iwc, side, zeros_at, zeros_on_range
+from gspot_verified import sign as sign_on_ranges
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.signs.zeros.integer_zeros import zeros_at_integer
 
@@ -121,7 +122,7 @@ REAL_RESULTS: list[Callable[[], object]] = [
     lambda: iwc("5/2"),
     lambda: iwc("3/2", c1=-1).leading.lift_off,
     lambda: sign_on_ranges("0..1", "1/2"),
-    lambda: side_switching("1/2", 2),
+    lambda: side("1/2", 2),
     lambda: zeros_at("1/2", 3),
     lambda: zeros_at_integer(1, 3),
     lambda: zeros_on_range("1/2", budget=0),

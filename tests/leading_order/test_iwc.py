@@ -18,7 +18,14 @@ from witnesses.force import force_by_mpmath, slope
 
 from gspot_verified import Outcome, zeros_at
 from gspot_verified.leading_order.contact_force import contact_force
-from gspot_verified.leading_order.iwc import PAPER_EPSILON, IwcResult, _exponential, _log_bounds, at_epsilon, iwc
+from gspot_verified.leading_order.iwc import (
+    PAPER_EPSILON,
+    IwcResult,
+    _exponential,
+    _log_bounds,
+    at_epsilon,
+    leading_order_iwc,
+)
 from gspot_verified.leading_order.stretches import Bracket, stretches
 from gspot_verified.numbers.balls import ball_text, working_bits
 from gspot_verified.numbers.dyadic import Dyadic
@@ -30,7 +37,7 @@ NOT_INTEGER = st.fractions(Fraction(11, 10), 8, max_denominator=12).filter(lambd
 @settings(max_examples=12, deadline=None)
 @given(NOT_INTEGER, st.lists(st.fractions(-5, 30, max_denominator=50), min_size=5, max_size=5))
 def test_positive_below_epsilon_0_and_negative_above(beta: Fraction, taus: list[Fraction]) -> None:
-    result = iwc(beta, tau_start=-5, digits=12)
+    result = leading_order_iwc(beta, tau_start=-5, digits=12)
     bound = result.epsilon_0
     assert result.verdict.outcome is Outcome.PROVED
     assert bound is not None
@@ -42,9 +49,9 @@ def test_positive_below_epsilon_0_and_negative_above(beta: Fraction, taus: list[
     if bound < fmpq(10) ** 100:
         assert result.force.value(place, above, 30) < 0
         assert force_by_mpmath(result.force, place, above * 2) < 0
-        assert iwc(beta, tau_start=-5, epsilon=above, digits=12).verdict.outcome is Outcome.REFUTED
+        assert leading_order_iwc(beta, tau_start=-5, epsilon=above, digits=12).verdict.outcome is Outcome.REFUTED
     assert force_by_mpmath(result.force, place, bound / 2) > 0
-    assert iwc(beta, tau_start=-5, epsilon=below, digits=12).verdict.outcome is Outcome.PROVED
+    assert leading_order_iwc(beta, tau_start=-5, epsilon=below, digits=12).verdict.outcome is Outcome.PROVED
 
 
 @settings(max_examples=15, deadline=None)
@@ -52,11 +59,11 @@ def test_positive_below_epsilon_0_and_negative_above(beta: Fraction, taus: list[
 def test_scaling(beta: Fraction, factor: Fraction) -> None:
     # C_1 and alpha_2 together scale the force; eps_0^p is proportional to alpha_2/C_1.
     scale = to_fmpq(factor)
-    one = iwc(beta)
+    one = leading_order_iwc(beta)
     charge = one.force.c1
-    both = iwc(beta, c1=charge * scale, alpha_2=-scale)
+    both = leading_order_iwc(beta, c1=charge * scale, alpha_2=-scale)
     assert both.epsilon_0 == one.epsilon_0
-    less, more = iwc(beta, c1=charge * scale), iwc(beta, alpha_2=-1 / scale)
+    less, more = leading_order_iwc(beta, c1=charge * scale), leading_order_iwc(beta, alpha_2=-1 / scale)
     assert less.epsilon_0 == more.epsilon_0
     if one.largest_epsilon is None or less.largest_epsilon is None:
         return
@@ -69,23 +76,23 @@ def test_scaling(beta: Fraction, factor: Fraction) -> None:
 
 def test_known_numbers() -> None:
     # beta = 3/2, C_1 = 1: g is increasing, so the start decides: eps_0 = (2 (3/2) (1/2)^(1/6) / -g(-10))^3.
-    result = iwc("3/2")
+    result = leading_order_iwc("3/2")
     with mpmath.workdps(40):
         least = mpmath.mpf(slope(fmpq(-10), fmpq(3, 2)).numerator) / slope(fmpq(-10), fmpq(3, 2)).denominator
         expected = (3 * mpmath.mpf("0.5") ** (mpmath.mpf(1) / 6) / -least) ** 3
     assert result.epsilon_0 == fmpq(17881880065137, 10**14)
     assert 0 <= expected - mpmath.mpf("0.17881880065137") < mpmath.mpf("1e-14")
     assert not result.whole_line
-    assert iwc("5/2").whole_line
-    assert "every τ < -10" in str(iwc("5/2"))
+    assert leading_order_iwc("5/2").whole_line
+    assert "every τ < -10" in str(leading_order_iwc("5/2"))
 
 
 def test_between_0_and_1() -> None:
-    second = iwc("1/2", alpha_2=1)
+    second = leading_order_iwc("1/2", alpha_2=1)
     assert second.every_epsilon
     assert second.force.case == "II"
     assert "every real τ and every ε > 0" in str(second.verdict)
-    first = iwc("1/2")
+    first = leading_order_iwc("1/2")
     bound = first.epsilon_0
     assert first.force.case == "I"
     assert first.force.c1 == -1
@@ -94,30 +101,30 @@ def test_between_0_and_1() -> None:
     assert first.force.value(-10, bound) > 0
     assert first.force.value(-10, bound * fmpq(10001, 10000)) < 0
     assert all(first.force.value(k, bound) > 0 for k in range(-9, 20))
-    assert iwc("1/2", alpha_2=0).every_epsilon
-    lost = iwc("1/2", c1=1)
+    assert leading_order_iwc("1/2", alpha_2=0).every_epsilon
+    lost = leading_order_iwc("1/2", c1=1)
     assert lost.verdict.outcome is Outcome.REFUTED
     assert lost.verdict.witness == "λ_N < 0 at τ = -10"
-    late = iwc("1/2", c1=1, alpha_2=1, epsilon=1)
+    late = leading_order_iwc("1/2", c1=1, alpha_2=1, epsilon=1)
     assert late.lift_off is not None
     assert late.lift_off.number == 1
     assert late.lift_off.ratio is None
 
 
 def test_every_epsilon_where_the_slope_has_one_sign() -> None:
-    result = iwc("7/2", tau_start=5)
+    result = leading_order_iwc("7/2", tau_start=5)
     assert result.every_epsilon
     assert result.epsilon_0 is None
-    assert iwc("7/2", tau_start=5, epsilon=10**6).verdict.outcome is Outcome.PROVED
+    assert leading_order_iwc("7/2", tau_start=5, epsilon=10**6).verdict.outcome is Outcome.PROVED
 
 
 def test_epsilon_next_to_the_bound_is_undecided() -> None:
-    result = iwc("5/2", digits=5)
+    result = leading_order_iwc("5/2", digits=5)
     size = result.largest_epsilon
     assert size is not None
     mantissa, exponent = size.mid().man_exp()
     middle = fmpq(mantissa) * fmpq(2) ** int(exponent)
-    assert iwc("5/2", digits=5, epsilon=middle).verdict.outcome is Outcome.UNDECIDED
+    assert leading_order_iwc("5/2", digits=5, epsilon=middle).verdict.outcome is Outcome.UNDECIDED
 
 
 QUARTERS = [fmpq(k, 4) for k in range(6, 24) if k % 4]
@@ -138,7 +145,7 @@ def test_a_start_in_the_bracket_of_a_critical_point(beta: fmpq, digits: int) -> 
         for share in (fmpq(0), fmpq(1, 10), fmpq(1, 2), fmpq(7, 10), fmpq(9, 10), fmpq(1)):
             start = lower + share * (upper - lower)
             for epsilon in (fmpq(10) ** 6, fmpq(1, 5), fmpq(1, 10**4)):
-                result = iwc(beta, tau_start=start, digits=digits, epsilon=epsilon)
+                result = leading_order_iwc(beta, tau_start=start, digits=digits, epsilon=epsilon)
                 places = [start, *(tau for tau in critical if tau > start)]
                 forces = [result.force.value(tau, epsilon, 30) for tau in places]
                 if result.verdict.outcome is Outcome.REFUTED:
@@ -151,7 +158,7 @@ def test_a_start_in_the_bracket_of_a_critical_point(beta: fmpq, digits: int) -> 
 
 
 def test_the_witness_is_not_the_middle_of_a_bracket_that_begins_before_the_start() -> None:
-    result = iwc("5/2", tau_start="77/100", digits=1, epsilon=10**6)
+    result = leading_order_iwc("5/2", tau_start="77/100", digits=1, epsilon=10**6)
     assert result.verdict.statement.endswith("λ_N > 0 for every τ in [77/100, inf) at ε = 1000000")
     assert result.verdict.outcome is Outcome.REFUTED
     assert witness_of(result) >= fmpq(77, 100)
@@ -159,7 +166,7 @@ def test_the_witness_is_not_the_middle_of_a_bracket_that_begins_before_the_start
 
 def test_epsilon_0_itself_is_not_below_epsilon_0() -> None:
     """The statement is for eps < eps_0: at the bound itself, where log 1 = 0 is exact, nothing is proved."""
-    result = iwc("5/2")
+    result = leading_order_iwc("5/2")
     found = stretches(fmpq(5, 2), -1, fmpq(-10))
     assert result.largest_epsilon is not None
     assert result.largest_epsilon < fmpq(3)
@@ -170,26 +177,29 @@ def test_epsilon_0_itself_is_not_below_epsilon_0() -> None:
 
 def test_it_holds_to_the_left_of_the_start_only_where_the_function_decreases_there() -> None:
     """For 7/2 λ_N < 0 far to the left; for 9/2 only a start before all critical points serves."""
-    rising = iwc("7/2")
+    rising = leading_order_iwc("7/2")
     assert rising.epsilon_0 is not None
     assert rising.force.value(-(10**4), rising.epsilon_0) < 0
     assert not rising.whole_line
-    falling = iwc("9/2")
+    falling = leading_order_iwc("9/2")
     assert falling.epsilon_0 is not None
     assert falling.whole_line
     assert all(falling.force.value(-(10**k), falling.epsilon_0, 30) > 0 for k in range(1, 6))
-    assert not iwc("9/2", tau_start=6).whole_line
+    assert not leading_order_iwc("9/2", tau_start=6).whole_line
 
 
 def test_very_small_and_very_large_bounds() -> None:
-    assert iwc("1.0001").epsilon_0 == fmpq(10) ** 100
-    tiny = iwc("1.0001", alpha_2="-1e-40")
+    assert leading_order_iwc("1.0001").epsilon_0 == fmpq(10) ** 100
+    tiny = leading_order_iwc("1.0001", alpha_2="-1e-40")
     assert tiny.epsilon_0 is None
     assert tiny.verdict.outcome is Outcome.UNDECIDED
-    assert iwc("1.0001", alpha_2="-1e-40", epsilon="1e-600").verdict.outcome is Outcome.REFUTED
+    assert leading_order_iwc("1.0001", alpha_2="-1e-40", epsilon="1e-600").verdict.outcome is Outcome.REFUTED
 
 
-@pytest.mark.parametrize("result", [iwc("7/3"), iwc("7/3", c1=1, growth=True), iwc("1/2", alpha_2=1)])
+@pytest.mark.parametrize(
+    "result",
+    [leading_order_iwc("7/3"), leading_order_iwc("7/3", c1=1, growth=True), leading_order_iwc("1/2", alpha_2=1)],
+)
 def test_json(result: IwcResult) -> None:
     data = json.loads(json.dumps(result.to_json()))
     assert data["verdict"]["outcome"] == "proved"
@@ -226,17 +236,17 @@ def test_json(result: IwcResult) -> None:
 )
 def test_bad_input(beta: object, options: dict[str, object], error: type[Exception], message: str) -> None:
     with pytest.raises(error, match=message):
-        iwc(beta, **options)  # type: ignore[arg-type]
+        leading_order_iwc(beta, **options)  # type: ignore[arg-type]
 
 
 def test_for_beta_between_1_and_2_only_the_half_line_is_stated() -> None:
     """From 5 on dΘ/dτ > 0: every ε serves there, and nothing is said of the τ before."""
-    late = iwc("3/2", tau_start=5)
+    late = leading_order_iwc("3/2", tau_start=5)
     assert (late.verdict.outcome, late.every_epsilon, late.whole_line) == (Outcome.PROVED, True, False)
     assert late.verdict.statement == "at leading order, λ_N > 0 for every τ in [5, inf) and every ε > 0"
-    assert late.verdict.detail == iwc("3/2").verdict.detail == ""
-    assert iwc("3/2").force.value(-10, 10**6) < 0
-    whole = iwc("1/2", alpha_2=1).verdict.statement
+    assert late.verdict.detail == leading_order_iwc("3/2").verdict.detail == ""
+    assert leading_order_iwc("3/2").force.value(-10, 10**6) < 0
+    whole = leading_order_iwc("1/2", alpha_2=1).verdict.statement
     assert whole == "at leading order, λ_N > 0 for every real τ and every ε > 0"
 
 
@@ -266,14 +276,14 @@ def test_a_bound_of_epsilon_that_no_number_shows_is_left_out() -> None:
 
 
 def test_texts_of_both_sides() -> None:
-    impact, flight = iwc("5/2"), iwc("7/3", c1=1)
+    impact, flight = leading_order_iwc("5/2"), leading_order_iwc("7/3", c1=1)
     assert "the side C1/Γ(-β) > 0, λ_N → +∞" in str(impact)
     assert "the side C1/Γ(-β) < 0, λ_N → -∞" in str(flight)
     assert impact.largest_epsilon is not None
     assert f"the largest ε0 possible: {ball_text(impact.largest_epsilon, 15)}" in str(impact)
     assert impact.minimum is not None
     assert f"at τ = {decimal_text(impact.minimum.lower, impact.minimum.upper)}" in str(impact)
-    assert "at τ = -10\n" in str(iwc("3/2"))
+    assert "at τ = -10\n" in str(leading_order_iwc("3/2"))
     assert "the largest" not in str(flight)
     assert flight.lift_off is not None
     assert flight.lift_off.epsilon == fmpq(1, 1000)
@@ -283,7 +293,7 @@ def test_texts_of_both_sides() -> None:
 
 
 def test_json_of_what_is_there_and_what_is_not() -> None:
-    impact, every = iwc("5/2"), iwc("7/2", tau_start=5)
+    impact, every = leading_order_iwc("5/2"), leading_order_iwc("7/2", tau_start=5)
     assert impact.minimum is not None
     data = impact.to_json()
     assert data["minimum_at"] == [str(impact.minimum.lower), str(impact.minimum.upper)]
@@ -294,25 +304,25 @@ def test_json_of_what_is_there_and_what_is_not() -> None:
 
 
 def test_the_most_digits() -> None:
-    found = iwc("5/2", digits=100)
+    found = leading_order_iwc("5/2", digits=100)
     assert found.epsilon_0 is not None
     assert found.epsilon_0 * 10**100 == (found.epsilon_0 * 10**100).floor()
     assert found.epsilon_0 * 10**90 != (found.epsilon_0 * 10**90).floor()
     with pytest.raises(ValueError, match=r"digits must lie in 1\.\.100"):
-        iwc("5/2", digits=101)
+        leading_order_iwc("5/2", digits=101)
 
 
 def test_where_the_half_line_may_start() -> None:
     for start in (10**6, -(10**6)):
-        assert iwc("5/2", tau_start=start, digits=3).start == start
+        assert leading_order_iwc("5/2", tau_start=start, digits=3).start == start
     for start in (10**6 + 1, -(10**6) - 1):
         with pytest.raises(ValueError, match=r"tau_start: expected \|tau_start\| <= 1000000"):
-            iwc("5/2", tau_start=start)
+            leading_order_iwc("5/2", tau_start=start)
 
 
 def test_the_text_line_by_line() -> None:
     """Each line is there when its number is, and says it."""
-    impact = iwc("9/2", alpha_2=-2, c1="-7/3")
+    impact = leading_order_iwc("9/2", alpha_2=-2, c1="-7/3")
     lines = impact.lines()
     assert lines[0] == str(impact.verdict)
     assert lines[1] == "  Case III: β = 9/2, α1 = -1, α2 = -2, α3 = -4.5, C1 = -7/3: the side C1/Γ(-β) > 0, λ_N → +∞"
@@ -323,21 +333,21 @@ def test_the_text_line_by_line() -> None:
     assert lines[5:] == ["  it holds for every τ < -10 as well"]
     assert str(impact).splitlines()[:-1] == lines
     assert impact.epsilon_0 is not None
-    above = iwc("9/2", alpha_2=-2, c1="-7/3", epsilon=impact.epsilon_0 * 2)
+    above = leading_order_iwc("9/2", alpha_2=-2, c1="-7/3", epsilon=impact.epsilon_0 * 2)
     assert above.verdict.outcome is Outcome.REFUTED
     assert "it holds" not in str(above)
-    assert "it holds" not in str(iwc("9/2", tau_start=6))
-    every = iwc("1/2", alpha_2=1)
+    assert "it holds" not in str(leading_order_iwc("9/2", tau_start=6))
+    every = leading_order_iwc("1/2", alpha_2=1)
     assert every.whole_line
     assert "it holds" not in str(every)
-    assert "  no Case, between I and II: β = 1/2" in str(iwc("1/2", alpha_2=0))
-    flight = iwc("7/3", c1=1, growth=True)
+    assert "  no Case, between I and II: β = 1/2" in str(leading_order_iwc("1/2", alpha_2=0))
+    flight = leading_order_iwc("7/3", c1=1, growth=True)
     assert len(flight.growth) == 4
     assert [line.strip() for line in flight.lines()[3:7]] == [str(row) for row in (flight.lift_off, *flight.growth[:3])]
 
 
 def test_each_field_of_the_json() -> None:
-    impact, flight = iwc("5/2"), iwc("7/3", c1=1, growth=True)
+    impact, flight = leading_order_iwc("5/2"), leading_order_iwc("7/3", c1=1, growth=True)
     assert impact.minimum is not None
     assert impact.largest_epsilon is not None
     assert flight.lift_off is not None
@@ -362,19 +372,19 @@ def test_each_field_of_the_json() -> None:
 
 
 def test_an_epsilon_0_that_is_not_certainly_below_the_threshold_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
-    known = iwc("3/2", c1=1)
+    known = leading_order_iwc("3/2", c1=1)
     assert known.largest_epsilon is not None
     for epsilon_0 in (fmpq(9, 50), fmpq(1)):  # the largest is 0.1788...
         monkeypatch.setattr("gspot_verified.leading_order.iwc.rounded_down", lambda *_, given=epsilon_0: given)
-        assert iwc("3/2", c1=1).verdict.outcome is Outcome.UNDECIDED
+        assert leading_order_iwc("3/2", c1=1).verdict.outcome is Outcome.UNDECIDED
     monkeypatch.setattr("gspot_verified.leading_order.iwc.rounded_down", lambda *_: fmpq(17, 100))
-    assert iwc("3/2", c1=1).verdict.outcome is Outcome.PROVED
+    assert leading_order_iwc("3/2", c1=1).verdict.outcome is Outcome.PROVED
 
 
 def test_a_least_value_on_both_sides_of_0_is_not_at_least_0(monkeypatch: pytest.MonkeyPatch) -> None:
     """No bound for every eps then: what is certain is the lower end, and no upper bound of the largest eps."""
     monkeypatch.setattr("gspot_verified.leading_order.iwc.minimum", lambda _: Bracket(fmpq(0), fmpq(1), arb(0, 1)))
-    result = iwc("5/2")
+    result = leading_order_iwc("5/2")
     assert not result.every_epsilon
     assert result.largest_epsilon is None
     assert result.epsilon_0 is not None
@@ -386,7 +396,7 @@ def test_a_least_value_on_both_sides_of_0_is_not_at_least_0(monkeypatch: pytest.
 
 def test_below_beta_1_the_largest_epsilon_is_enclosed_too() -> None:
     """Case I: the mean force is negative, the deviation positive and least at the start."""
-    first = iwc("1/2")
+    first = leading_order_iwc("1/2")
     assert first.largest_epsilon is not None
     assert first.largest_epsilon.is_finite()
     assert first.epsilon_0 is not None
@@ -398,7 +408,7 @@ def test_below_beta_1_the_largest_epsilon_is_enclosed_too() -> None:
 
 
 def test_a_growth_table_between_1_and_2() -> None:
-    assert [row.verdict.outcome for row in iwc("3/2", c1=-1, growth=True).growth] == [Outcome.PROVED] * 4
+    assert [row.verdict.outcome for row in leading_order_iwc("3/2", c1=-1, growth=True).growth] == [Outcome.PROVED] * 4
 
 
 @pytest.mark.parametrize("backwards", [False, True])
@@ -410,7 +420,7 @@ def test_no_verdict_hangs_on_the_order_of_the_places(monkeypatch: pytest.MonkeyP
         raising=False,
     )
     for epsilon, outcome in ((1, Outcome.REFUTED), ("1/2", Outcome.PROVED)):
-        verdict = iwc("5/2", epsilon=epsilon, digits=6).verdict
+        verdict = leading_order_iwc("5/2", epsilon=epsilon, digits=6).verdict
         assert verdict.outcome is outcome
         if outcome is Outcome.REFUTED:
             assert str(verdict.against).endswith("< 0")

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from samples.strategies import to_fmpq
 
-from gspot_verified.leading_order.iwc import iwc
+from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.leading_order.iwc_over_balls import iwc_over_balls
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.dyadic import Dyadic
@@ -46,7 +46,7 @@ def test_the_bound_serves_the_ends_and_the_middle(centres: tuple[Fraction, ...],
     assert every.largest_epsilon is not None
     worst = None
     for parts in ENDS:
-        one = iwc(**inside(centres, parts, radius), tau_start=-3, digits=12)
+        one = leading_order_iwc(**inside(centres, parts, radius), tau_start=-3, digits=12)
         assert one.largest_epsilon is not None
         assert one.minimum is not None
         assert every.minimum is not None
@@ -55,7 +55,7 @@ def test_the_bound_serves_the_ends_and_the_middle(centres: tuple[Fraction, ...],
         assert one.largest_epsilon > every.epsilon_0
         worst = one.largest_epsilon if worst is None else worst.min(one.largest_epsilon)
         # At the common eps_0 itself each system alone is proved to be positive.
-        alone = iwc(**inside(centres, parts, radius), tau_start=-3, epsilon=every.epsilon_0, digits=12)
+        alone = leading_order_iwc(**inside(centres, parts, radius), tau_start=-3, epsilon=every.epsilon_0, digits=12)
         assert alone.verdict.outcome is Outcome.PROVED
     assert worst is not None
     slack = Fraction(1, 1000) if radius == NARROW else Fraction(1, 3)
@@ -70,7 +70,7 @@ def test_the_bound_serves_the_ends_and_the_middle(centres: tuple[Fraction, ...],
 )
 def test_inclusion(centres: tuple[Fraction, ...], parts: tuple[Fraction, ...], radius: Fraction) -> None:
     every = iwc_over_balls(*(around(centre, radius) for centre in centres), digits=8)
-    one = iwc(**inside(centres, parts, radius * Fraction(999, 1000)), digits=30)
+    one = leading_order_iwc(**inside(centres, parts, radius * Fraction(999, 1000)), digits=30)
     assert one.largest_epsilon is not None
     if every.largest_epsilon is not None:
         assert every.largest_epsilon.is_finite()
@@ -90,7 +90,7 @@ def test_the_lift_off_times_are_in_the_bracket(centres: tuple[Fraction, ...], ra
     charge = -impact.force.direction
     found = iwc_over_balls(*balls, c1=charge, tau_start=-1, digits=12)
     for parts in ENDS[::3]:
-        one = iwc(**inside(centres, parts, radius), c1=charge, tau_start=-1, digits=25)
+        one = leading_order_iwc(**inside(centres, parts, radius), c1=charge, tau_start=-1, digits=25)
         assert one.verdict.outcome is found.verdict.outcome
         if one.verdict.outcome is Outcome.REFUTED:
             continue
@@ -206,7 +206,7 @@ def test_a_wide_ball_far_to_the_left_is_no_proof() -> None:
         found = iwc_over_balls(-1, -1, around(Fraction(-7, 2), Fraction(1, 10)), tau_start=start)
         assert found.verdict.outcome in (Outcome.UNDECIDED, Outcome.PROVED)
         if found.epsilon_0 is not None:
-            one = iwc("18/5", tau_start=start)
+            one = leading_order_iwc("18/5", tau_start=start)
             assert one.largest_epsilon is not None
             assert one.largest_epsilon > found.epsilon_0
         assert found.to_json()["start"] == str(start)

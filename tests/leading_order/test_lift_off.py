@@ -14,7 +14,7 @@ from witnesses.force import force_by_mpmath
 
 from gspot_verified import Outcome, gamma_sign, zeros_at
 from gspot_verified.leading_order.contact_force import ContactForce, contact_force
-from gspot_verified.leading_order.iwc import iwc
+from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.leading_order.lift_off import growth_table, lift_off
 from gspot_verified.leading_order.stretches import Crossing, first_crossing
 from gspot_verified.numbers.balls import working_bits
@@ -66,7 +66,7 @@ def test_several_zeros_before_the_last_lift_off() -> None:
 
 
 def test_growth() -> None:
-    result = iwc("3/2", c1=-1, growth=True)
+    result = leading_order_iwc("3/2", c1=-1, growth=True)
     assert [row.epsilon for row in result.growth] == [fmpq(10) ** -n for n in (10, 100, 1_000, 10_000)]
     ratios = [row.ratio for row in result.growth]
     assert all(ratio is not None for ratio in ratios)
@@ -78,7 +78,7 @@ def test_growth() -> None:
 
 def test_without_an_answer_from_the_balls_it_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("gspot_verified.leading_order.lift_off.first_crossing", lambda *_: None)
-    result = iwc("7/2", c1=-1)
+    result = leading_order_iwc("7/2", c1=-1)
     assert result.verdict.outcome is Outcome.UNDECIDED
     assert "undecided" in str(result)
     assert result.lift_off is not None

@@ -9,7 +9,7 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified import iwc
-from gspot_verified.compliant.contact.iwc import iwc as iwc_of_alphas
+from gspot_verified.compliant.contact.iwc import compliant_iwc as iwc_of_alphas
 from gspot_verified.mechanisms.load import load
 from gspot_verified.mechanisms.spots.classify import classify
 from gspot_verified.numbers.verdict import Outcome

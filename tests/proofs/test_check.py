@@ -32,7 +32,7 @@ from samples.strategies import ends, to_fmpq
 from witnesses.theta import theta_witness
 
 from gspot_verified.certificates.text import certificate_text
-from gspot_verified.signs.cover.sign import sign_on_ranges
+from gspot_verified.signs.cover.sign import sign as sign_on_ranges
 from gspot_verified.signs.zeros.brackets import zeros_at
 from gspot_verified.signs.zeros.zeros import zeros_on_range
 from gspot_verified.theta_function.value.evaluate import evaluate

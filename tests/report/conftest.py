@@ -2,7 +2,7 @@
 
 import pytest
 
-from gspot_verified.hard_cases.catalogue import run
+from gspot_verified.hard_cases.catalogue import measure_hard_cases
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.verdict import Reason, Verdict
 from gspot_verified.paper.checks.entry import Check, Entry, Rung, conclude
@@ -26,7 +26,7 @@ def certificates():
 @pytest.fixture(scope="session")
 def hard():
     """Two families of hard cases, one with a row that is undecided."""
-    found = run(["side", "spots-meet"]).to_json()
+    found = measure_hard_cases(["side", "spots-meet"]).to_json()
     assert found["summary"]["decided"] < found["summary"]["rows"]
     return found
 

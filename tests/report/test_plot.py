@@ -20,7 +20,13 @@ from gspot_verified.theta_function.value.evaluate import evaluate
 
 
 def test_every_subject(tmp_path: Path) -> None:
-    subjects = (load("rod"), expand(load("extended"), 3), iwc("7/3"), iwc("7/3").leading, zeros_on_range("1..2"))
+    subjects = (
+        load("rod"),
+        expand(load("extended"), 3),
+        iwc("7/3"),
+        iwc("7/3").leading,
+        zeros_on_range("1..2"),
+    )
     names = ("phase-plane", "expansion", "contact-force", "contact-force", "atlas")
     for subject, name in zip(subjects, names, strict=True):
         assert plot(subject, tmp_path / "x.svg").name == name

@@ -76,7 +76,7 @@ def test_the_answers_of_float_runs_are_counted_against_decided_starts() -> None:
     chosen = hard_sides.hard_sides().restricted(
         epsilons=["1/100000"], betas=["11/2"], solvers=["LSODA"], tolerances=["1e-10", "1e-12"]
     )
-    found = hard_sides.count_failures(chosen)
+    found = hard_sides.wrong_sides(chosen)
     assert {start.nu: row.side for start, row in found.certified.items()} == {
         fmpq(1, 2): LASTS, fmpq(2): LOST, fmpq(1001, 1000): LOST,
     }  # fmt: skip
@@ -205,7 +205,7 @@ def test_only_decided_starts_count_and_silence_is_not_wrong(monkeypatch: pytest.
         epsilons=["1/100"], betas=["5/2"], nus=["2", "3", "4", "5", "6"], solvers=["BDF"], tolerances=["1e-6"]
     )
     told: list[str] = []
-    found = hard_sides.count_failures(chosen, told.append)
+    found = hard_sides.wrong_sides(chosen, told.append)
     (count,) = found.counts
     assert (count.wrong, count.silent, count.failed, count.decided) == (1, 1, 1, 4)
     assert told == ["ε = 1/100, β = 5/2"]

@@ -24,7 +24,8 @@ from gspot_verified.compliant.zeros.zero_map import zero_map
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.signs.cover import sign
 from gspot_verified.signs.cover.pieces import Column, Kind, Piece
-from gspot_verified.signs.cover.sign import SignResult, sign_on_ranges
+from gspot_verified.signs.cover.sign import SignResult
+from gspot_verified.signs.cover.sign import sign as sign_on_ranges
 from gspot_verified.signs.cover.subdivision import proved_again
 from gspot_verified.signs.cover.zero_column import zero_column
 from gspot_verified.signs.zeros import zeros

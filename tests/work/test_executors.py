@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 from gspot_verified.certificates.text import certificate_text
-from gspot_verified.signs.cover.sign import sign_on_ranges
+from gspot_verified.signs.cover.sign import sign
 from gspot_verified.signs.zeros.zeros import ZerosResult, zeros_on_range
 from gspot_verified.work.executors import InProcessExecutor, as_they_end, executor
 
@@ -41,8 +41,8 @@ def importable(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_pool_gives_the_same_certificates(expected: str) -> None:
     with executor(2) as pool:
         assert text_of(zeros_on_range("2..4", executor=pool)) == expected
-        alone = sign_on_ranges("-inf..0", "[3..5]")
-        assert sign_on_ranges("-inf..0", "[3..5]", executor=pool) == alone
+        alone = sign("-inf..0", "[3..5]")
+        assert sign("-inf..0", "[3..5]", executor=pool) == alone
         short = zeros_on_range("2..4", budget=9)
         assert zeros_on_range("2..4", budget=9, executor=pool) == short
 

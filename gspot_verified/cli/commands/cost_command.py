@@ -83,10 +83,10 @@ def _all_parts(full: bool, output: Path | None, outputs: Outputs, as_json: bool)
     from gspot_verified.cost.measurement.file import save
     from gspot_verified.cost.measurement.kept_parts import KeptParts
     from gspot_verified.cost.measurement.text import measurement_text
-    from gspot_verified.cost.run import question, run
+    from gspot_verified.cost.run import measure_cost, question
 
     kept = None if output is None else KeptParts(output.with_name(f"{output.name}.parts"), question(full))
-    measurement = run(full, progress, kept)
+    measurement = measure_cost(full, progress, kept)
     if output is not None and outputs.write("--output", output, lambda: save(measurement, output)) and kept is not None:
         kept.remove()
     if as_json:

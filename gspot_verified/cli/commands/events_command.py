@@ -33,7 +33,7 @@ def events(
     """
     from gspot_verified.compliant.model.normal_form import compliant_model
     from gspot_verified.compliant.model.state_text import state_from_text
-    from gspot_verified.compliant.motion.run import compliant_run
+    from gspot_verified.compliant.motion.run import events as compliant_run
     from gspot_verified.paper.numerics.paper_state import paper_state
 
     model = compliant_model(beta, eps, alpha_1=alpha1, alpha_2=alpha2, alpha_3=alpha3)

@@ -30,10 +30,10 @@ def failures(
     count. Nothing is stored: the whole set with all solvers and tolerances takes some ten minutes.
     Exit code 0 when every start is decided, else 2.
     """
-    from gspot_verified.scenes.hard_sides import count_failures, hard_sides
+    from gspot_verified.scenes.hard_sides import hard_sides, wrong_sides
 
     chosen = hard_sides().restricted(epsilons=eps, betas=beta, nus=nu, solvers=solver, tolerances=tolerance)
-    found = count_failures(chosen, progress)
+    found = wrong_sides(chosen, progress)
     if as_json:
         print_json(found.to_json())
     else:

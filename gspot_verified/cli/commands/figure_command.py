@@ -57,9 +57,9 @@ def _drawn(
         state = None if start is None else components(start)
         return plot(load_with_settings(mechanism, settings), state=state)
     if name == "contact-force":
-        from gspot_verified.compliant.contact.iwc import iwc
+        from gspot_verified.compliant.contact.iwc import compliant_iwc
 
-        return plot(iwc(beta), epsilon=epsilon)
+        return plot(compliant_iwc(beta), epsilon=epsilon)
     if name == "b-hat":
         return plot(name, beta=beta)
     return _FIGURES[name]()

@@ -35,7 +35,8 @@ def force(
 
     from gspot_verified.compliant.model.normal_form import compliant_model
     from gspot_verified.compliant.model.state_text import state_from_text
-    from gspot_verified.compliant.motion.compliant_force import SlowManifold, compliant_force
+    from gspot_verified.compliant.motion.compliant_force import SlowManifold
+    from gspot_verified.compliant.motion.compliant_force import force as compliant_force
     from gspot_verified.compliant.motion.first_zero import contact_lasts
     from gspot_verified.leading_order.contact_force import rational
     from gspot_verified.signs.gamma.side import gamma_sign

@@ -43,7 +43,7 @@ def sign(
 ) -> None:
     """The sign of dΘ/dτ on ranges of τ and β: proved, refuted with a point, or undecided with what is left."""
     from gspot_verified.certificates.text import write_certificate
-    from gspot_verified.signs.cover.sign import sign_on_ranges
+    from gspot_verified.signs.cover.sign import sign as sign_on_ranges
     from gspot_verified.work.executors import executor
 
     outputs = Outputs()
@@ -211,7 +211,7 @@ def check(
 
     Exit code 0 when it is verified, 1 when it is rejected.
     """
-    from gspot_verified.certificates.checker import run_checker
+    from gspot_verified.certificates.checker import check as run_checker
 
     if file.is_dir():
         raise ValueError(f"FILE: {file} is a folder, not a certificate")

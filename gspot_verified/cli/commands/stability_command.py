@@ -22,9 +22,9 @@ def stability(
     For each: the condition number, the bits that the usual formula loses, what it says in double precision, what is
     certified, and how work and time grow. The exit code is 0 whatever the rows say; undecided ones are counted.
     """
-    from gspot_verified.hard_cases.catalogue import run
+    from gspot_verified.hard_cases.catalogue import measure_hard_cases
 
-    found = run(families or (), progress)
+    found = measure_hard_cases(families or (), progress)
     if as_json:
         print_json(found.to_json())
     else:

@@ -75,7 +75,7 @@ def side(
         return
     if beta is not None or lower is None:
         raise ValueError("β: give it as an argument; --beta goes with --state")
-    from gspot_verified.signs.gamma.side import side_switching
+    from gspot_verified.signs.gamma.side import side as side_switching
 
     result = side_switching(lower, lower if upper is None else upper)
     if as_json:

@@ -13,8 +13,7 @@ from gspot_verified.compliant.contact.slow_manifold import ABOVE, SlowManifold, 
 from gspot_verified.compliant.contact.threshold import MAX_BETA_OF_THEOREM
 from gspot_verified.compliant.slow.profile import SLOW, in_range
 from gspot_verified.leading_order.contact_force import rational
-from gspot_verified.leading_order.iwc import CAVEAT, IwcResult, force_statement
-from gspot_verified.leading_order.iwc import iwc as leading_order
+from gspot_verified.leading_order.iwc import CAVEAT, IwcResult, force_statement, leading_order_iwc
 from gspot_verified.leading_order.iwc_over_balls import FOR_ALL, IwcOverBalls
 from gspot_verified.leading_order.iwc_over_balls import iwc_over_balls as leading_order_over_balls
 from gspot_verified.numbers.balls import ExactInput
@@ -26,8 +25,8 @@ BALLS_CAVEAT = f"{CAVEAT}; the bounds for the compliant model are made for one r
 
 @dataclass(frozen=True, slots=True)
 class CompliantIwc(NoTruthValue):
-    """The result of :func:`iwc`: the statement at leading order and, where a theorem covers it, the one about the
-    compliant model on its slow manifold: ``slow`` where C_1/Gamma(-beta) > 0, ``lift_off`` on the other side."""
+    """The result of :func:`compliant_iwc`: the statement at leading order and, where a theorem covers it, the one about
+    the compliant model on its slow manifold: ``slow`` where C_1/Gamma(-beta) > 0, ``lift_off`` on the other side."""
 
     ask: ClassVar[str] = ASK_VERDICT
 
@@ -79,7 +78,7 @@ class CompliantIwc(NoTruthValue):
         }
 
 
-def iwc(
+def compliant_iwc(
     beta: ExactInput | None = None,
     *,
     alpha_1: ExactInput | None = None,
@@ -94,15 +93,16 @@ def iwc(
     """Whether the contact holds on [tau_start, infinity), or when it lifts off: at leading order, and for the compliant
     model on its slow manifold.
 
-    Arguments and errors: :func:`leading_order.iwc.iwc`. On the side C_1/Gamma(-beta) > 0, for 0 < beta < 5,
-    every eps_0 at leading order is one for the compliant model (Theorem C of the page), and the exact eps_0 is found,
+    Arguments and errors: :func:`gspot_verified.leading_order.iwc.leading_order_iwc`.
+
+    On the side C_1/Gamma(-beta) > 0, for 0 < beta < 5, every eps_0 at leading order is one for the compliant model (Theorem C of the page), and the exact eps_0 is found,
     for 5 < beta < 13 by cells of eps (six digits, some seconds). On the other side the lift-off time of the compliant
     model is bracketed at eps, and compared with that at leading order for every smaller eps (1 < beta < 5).
 
-    >>> iwc("5/2").verdict.statement
+    >>> compliant_iwc("5/2").verdict.statement
     'on the slow manifold of the compliant model, λ_N > 0 for every τ in [-10, inf) and every ε in (0, 0.894881353)'
     """
-    leading = leading_order(
+    leading = leading_order_iwc(
         beta, alpha_1=alpha_1, alpha_2=alpha_2, alpha_3=alpha_3, c1=c1, tau_start=tau_start, epsilon=epsilon,
         digits=digits, growth=growth,
     )  # fmt: skip

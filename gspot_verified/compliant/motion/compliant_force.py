@@ -51,18 +51,18 @@ class SlowManifold:
 
 
 @overload
-def compliant_force(
+def force(
     model: CompliantModel, start: CompliantState | SlowManifold, time: ExactInput, digits: int = 15
 ) -> CompliantForce: ...
 
 
 @overload
-def compliant_force(
+def force(
     model: CompliantModel, start: CompliantState | SlowManifold, time: ndarray[Any, Any], digits: int = 15
 ) -> ndarray[Any, Any]: ...
 
 
-def compliant_force(
+def force(
     model: CompliantModel, start: CompliantState | SlowManifold, time: Any, digits: int = 15
 ) -> CompliantForce | ndarray[Any, Any]:
     """The contact force of the compliant model at t (p = alpha_1 t), with relative accuracy 10^-digits, and b, y, v, z.
@@ -79,7 +79,7 @@ def compliant_force(
     >>> from gspot_verified.numbers.balls import ball_text
     >>> from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
     >>> model = compliant_model("5/2", "1e-6")
-    >>> print(ball_text(compliant_force(model, SlowManifold(fmpq(1)), "1e-4", digits=8).force, 8))
+    >>> print(ball_text(force(model, SlowManifold(fmpq(1)), "1e-4", digits=8).force, 8))
     [0.66666748 +/- 3.77e-9]
     """
     if type(time).__name__ == "ndarray":  # by name: numpy is not imported before someone uses it
@@ -88,7 +88,7 @@ def compliant_force(
         times = cast("ndarray[Any, Any]", time)
         found = np.empty(times.shape, dtype=object)
         for index, entry in np.ndenumerate(times):
-            found[index] = compliant_force(model, start, _entry(entry), digits).force
+            found[index] = force(model, start, _entry(entry), digits).force
         return found
     moment = rational(time, "t")
     if not 1 <= digits <= MAX_DIGITS:

@@ -14,7 +14,7 @@ from flint import arb, fmpq
 
 from gspot_verified.compliant.model.flight import ContactState
 from gspot_verified.compliant.model.normal_form import CompliantModel, CompliantState, deviation
-from gspot_verified.compliant.motion.compliant_force import compliant_force
+from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.compliant.motion.contact_series import MAX_WORK
 from gspot_verified.compliant.motion.first_zero import contact_lasts, first_zero
 from gspot_verified.compliant.motion.lasting_contact import lasting_contact
@@ -106,7 +106,7 @@ class Run(NoTruthValue):
         }
 
 
-def compliant_run(model: CompliantModel, state: CompliantState, digits: int = 15, budget: int = MOST_WORK) -> Run:
+def events(model: CompliantModel, state: CompliantState, digits: int = 15, budget: int = MOST_WORK) -> Run:
     """What the model does from a state in contact with p > 0, at this epsilon: proved, or undecided from some event on.
 
     Contact for ever is proved by an invariant set, not by a large force.
@@ -118,7 +118,7 @@ def compliant_run(model: CompliantModel, state: CompliantState, digits: int = 15
 
     >>> from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
     >>> model = compliant_model("3/2", "1e-6")
-    >>> run = compliant_run(model, compliant_state("1/2", -2, "-8e-12", 0, "-4e-12"))
+    >>> run = events(model, compliant_state("1/2", -2, "-8e-12", 0, "-4e-12"))
     >>> run.verdict.statement
     'exactly one flight, then contact for ever: an impact without collision'
     """
@@ -153,7 +153,7 @@ def _trivial(model: CompliantModel, state: CompliantState) -> Evidence | None:
 def _lasting_from(model: CompliantModel, state: CompliantState, digits: int, bits: int, budget: int) -> Event | None:
     """The first of some times from which on the contact lasts for ever, after lambda > 0 up to it."""
     for time in later_times(model):
-        there = contact_state(compliant_force(model, state, time, digits), bits)
+        there = contact_state(force(model, state, time, digits), bits)
         verdict = lasting_contact(there, bits)
         if verdict.outcome is not Outcome.PROVED:
             continue
@@ -171,7 +171,7 @@ def _after_lift_off(
 ) -> Run:
     """The events from a bracket of lift-off on; ``lost`` is what shows the lift-off."""
     digits, (lower, upper) = int(bits / 3), bracket
-    before = contact_state(compliant_force(model, state, lower, min(digits, 1_000)), bits + _GUARD_BITS)
+    before = contact_state(force(model, state, lower, min(digits, 1_000)), bits + _GUARD_BITS)
     start = lift_off_state(before, (upper - lower) / model.epsilon, bits + _GUARD_BITS)
     lift = Event("lift-off", lower, upper, _velocity(model, start), "λ_N > 0 before it, dλ_N/dt < 0 at it", start, lost)
     end = flight_end(start, bits)

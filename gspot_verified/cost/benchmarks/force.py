@@ -11,7 +11,7 @@ from functools import partial
 from flint import arb, fmpq
 
 from gspot_verified.compliant.model.normal_form import CompliantModel, CompliantState, compliant_model, compliant_state
-from gspot_verified.compliant.motion.compliant_force import compliant_force
+from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.compliant.motion.first_zero import first_zero
 from gspot_verified.compliant.slow.slow_solution import slow_solution
 from gspot_verified.cost.times.benchmark import Benchmark
@@ -91,7 +91,7 @@ def _run_of_the_paper(tens: int) -> tuple[CompliantModel, CompliantState]:
 
 
 def _from_state(tens: int, repeats: int) -> Row:
-    call = partial(compliant_force, *_run_of_the_paper(tens), "-1/10")
+    call = partial(force, *_run_of_the_paper(tens), "-1/10")
     figure = measure({"it": Contestant(call, forget, repeats)}, 2.0)["it"].median
     return Row(
         "from a state",

@@ -21,7 +21,7 @@ from gspot_verified.cost.times.curves import Curve
 from gspot_verified.cost.times.growth import Growth, around, cells, from_one, time_range
 from gspot_verified.cost.times.measure import Contestant, clear_caches, machine_load, measure
 from gspot_verified.cost.times.rows import Row, Target, figure_text, seconds_text
-from gspot_verified.signs.cover.sign import SignResult, sign_on_ranges
+from gspot_verified.signs.cover.sign import SignResult, sign
 
 Progress = Callable[[str], None]
 
@@ -160,7 +160,7 @@ def _impact() -> tuple[Row, float, str]:
     kept: list[str] = []
 
     def prove() -> None:
-        result = sign_on_ranges("-inf..inf", "0..1")
+        result = sign("-inf..inf", "0..1")
         kept[:] = [certificate_text(result.statement, result.columns) if result.columns else ""]
 
     seconds = measure({"it": Contestant(prove, clear_caches, 15)})["it"].median
@@ -175,7 +175,7 @@ def _ours(box: tuple[int, int]) -> tuple[float, bool]:
     kept: list[SignResult] = []
 
     def prove() -> None:
-        kept[:] = [sign_on_ranges(f"[{box[0]}..{box[1]}]", f"[{_BETA[0]}..{_BETA[1]}]")]
+        kept[:] = [sign(f"[{box[0]}..{box[1]}]", f"[{_BETA[0]}..{_BETA[1]}]")]
 
     seconds = measure({"it": Contestant(prove, clear_caches, 15)})["it"].median
     return seconds, bool(kept[0].columns)

@@ -12,7 +12,8 @@ from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
 
-from gspot_verified.certificates.checker import CheckResult, checker_path, run_checker
+from gspot_verified.certificates.checker import CheckResult, checker_path
+from gspot_verified.certificates.checker import check as run_checker
 from gspot_verified.cost.measurement.blueprint import Blueprint
 from gspot_verified.cost.measurement.contest import Call, Contestant, clock
 from gspot_verified.cost.measurement.measurement import CERTIFIED, Limit

@@ -16,7 +16,7 @@ from gspot_verified.cost.parts.ode import ode_run
 from gspot_verified.cost.parts.zero_parts import limit_of_pieces
 from gspot_verified.cost.peers.bisection import Bisection, Choice, bisect
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.signs.cover.sign import SignResult, sign_on_ranges
+from gspot_verified.signs.cover.sign import SignResult, sign
 
 _HALF_WIDTHS = (1, 2, 4, 8, 16, 50)
 _BISECTED, _BISECTED_MORE = (1, 2, 3), (4,)
@@ -30,7 +30,7 @@ def _words(width: int) -> str:
 
 
 def _ours(width: int) -> Callable[[], SignResult]:
-    return partial(sign_on_ranges, f"[-{width}..{width}]", f"[{_BETA[0]}..{_BETA[1]}]")
+    return partial(sign, f"[-{width}..{width}]", f"[{_BETA[0]}..{_BETA[1]}]")
 
 
 def _proved(width: int, found: Any) -> float | None:

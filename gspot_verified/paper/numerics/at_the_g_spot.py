@@ -10,7 +10,7 @@ from functools import lru_cache
 from flint import arb, fmpq
 
 from gspot_verified.compliant.model.normal_form import CompliantModel, CompliantState, compliant_model
-from gspot_verified.compliant.motion.compliant_force import ContactMotion, compliant_force, contact_motion
+from gspot_verified.compliant.motion.compliant_force import ContactMotion, contact_motion, force
 from gspot_verified.numbers.balls import approximate, hull, sign_of, working_bits
 from gspot_verified.paper.numerics.paper_state import paper_state
 
@@ -30,7 +30,7 @@ def deviations(beta: fmpq, nu: fmpq, epsilon: fmpq) -> dict[str, arb]:
     True
     """
     model, state = _run(beta, nu, epsilon)
-    there = compliant_force(model, state, 0, _DIGITS)
+    there = force(model, state, 0, _DIGITS)
     with working_bits(_BITS):
         return {"b": there.b, "v": there.v, "y": there.y + 2 * epsilon**2 * model.mean_force}
 

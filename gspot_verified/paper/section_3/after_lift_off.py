@@ -8,7 +8,7 @@ from __future__ import annotations
 from flint import arb, fmpq
 
 from gspot_verified.compliant.model.normal_form import compliant_model
-from gspot_verified.compliant.motion.run import ONE_FLIGHT, Run, compliant_run
+from gspot_verified.compliant.motion.run import ONE_FLIGHT, Run, events
 from gspot_verified.compliant.side.side_later import side
 from gspot_verified.numbers.balls import ball_text, certainly_less, sign_of, working_bits
 from gspot_verified.numbers.verdict import Outcome
@@ -30,7 +30,7 @@ POWER = fmpq(4, 3)
 def run_of(beta: fmpq, nu: fmpq, epsilon: fmpq) -> Run:
     """The certified run from the paper's data with ν."""
     model = compliant_model(beta, epsilon)
-    return compliant_run(model, paper_state(model, nu), DIGITS)
+    return events(model, paper_state(model, nu), DIGITS)
 
 
 def as_claimed(run: Run) -> bool | None:

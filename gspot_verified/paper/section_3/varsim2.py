@@ -8,7 +8,7 @@ from functools import lru_cache, partial
 from flint import arb, fmpq
 
 from gspot_verified.compliant.model.normal_form import compliant_model
-from gspot_verified.compliant.motion.compliant_force import compliant_force
+from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.numbers.balls import approximate, ball_text, sign_of, working_bits
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
@@ -61,7 +61,7 @@ def slip_velocity(nu: fmpq, time: fmpq) -> arb:
     """u at a time after the start for χ = 0, in slip: du/dt = -λ, db/dt = α_2 + β λ, so λ need not be integrated."""
     model = compliant_model(BETA, EPSILON)
     state = paper_state(model, nu)
-    there = compliant_force(model, state, state.p / model.alpha_1 + time, _DIGITS)
+    there = force(model, state, state.p / model.alpha_1 + time, _DIGITS)
     with working_bits(_BITS):
         return FIRST_SLIP - (there.b - state.b - model.alpha_2 * time) / BETA
 

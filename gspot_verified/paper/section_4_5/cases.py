@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from flint import arb, fmpq
 
-from gspot_verified.leading_order.iwc import iwc
+from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.numbers.balls import approximate, sign_of, working_bits
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.appendix_a import hypergeometric as appendix
@@ -23,8 +23,8 @@ from gspot_verified.paper.checks.identities import in_greek
 from gspot_verified.paper.section_4_5 import lift_off
 from gspot_verified.paper.section_4_5.section_4_5 import CORRECTED as CORRECTED_FORCE
 from gspot_verified.paper.section_4_5.section_4_5 import PRINTED as FORCE
-from gspot_verified.signs.cover.sign import sign_on_ranges
-from gspot_verified.signs.gamma.side import side_switching
+from gspot_verified.signs.cover.sign import sign as sign_on_ranges
+from gspot_verified.signs.gamma.side import side as side_switching
 from gspot_verified.theta_function.value.evaluate import evaluate
 
 SECTION = "Section 4.5"
@@ -189,13 +189,15 @@ def _lift_off_side() -> Entry:
 
 
 def _other_side() -> Entry:
-    results = {beta: iwc(beta) for beta in IWC_BETAS}
+    results = {beta: leading_order_iwc(beta) for beta in IWC_BETAS}
     bounds = {beta: result.epsilon_0 for beta, result in results.items() if result.epsilon_0 is not None}
     sides = [
         sign_of(evaluate_text(PRINTED["S-iwc-case-III"]["side"], {"C_1": found.force.c1, "beta": beta}, 64).real)
         for beta, found in results.items()
     ]
-    holds = all_of(_ANSWERS[iwc(beta, epsilon=bound * BELOW).verdict.outcome] for beta, bound in bounds.items())
+    holds = all_of(
+        _ANSWERS[leading_order_iwc(beta, epsilon=bound * BELOW).verdict.outcome] for beta, bound in bounds.items()
+    )
     images = HYPOTHESES["S-iwc-case-III"]
     power = closed_form(put(FORCE["S-dominance"]["exponent"], **images))
     return settled(

@@ -13,7 +13,7 @@ from gspot_verified.compliant.contact.slow_lift_off import slow_lift_off
 from gspot_verified.compliant.contact.threshold import exact_threshold, slow_force
 from gspot_verified.compliant.slow.epsilon_series import series_coefficients
 from gspot_verified.leading_order.contact_force import ContactForce, contact_force
-from gspot_verified.leading_order.iwc import iwc
+from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.leading_order.lift_off import lift_off
 from gspot_verified.numbers.balls import approximate, sign_of
 from gspot_verified.numbers.verdict import Outcome
@@ -127,7 +127,7 @@ def _case_three() -> Entry:
     answers: list[bool | None] = []
     shown = []
     for beta in BETAS:
-        leading = iwc(beta)
+        leading = leading_order_iwc(beta)
         if leading.epsilon_0 is None:
             answers.append(None)
             continue

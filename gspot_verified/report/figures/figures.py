@@ -24,7 +24,7 @@ from gspot_verified.report.pictures.canvas import (
     picture,
     styled,
 )
-from gspot_verified.signs.gamma.side import side_switching
+from gspot_verified.signs.gamma.side import side
 from gspot_verified.signs.zeros.zeros import zeros_on_range
 
 if TYPE_CHECKING:
@@ -160,7 +160,7 @@ def sides_picture() -> Picture:
     upper.plot(range(8), [0] * 8, "o", color=INK, markersize=4, clip_on=False, zorder=5)
     upper.set(ylabel="1/Γ(−β)", xlim=(-1, 7), ylim=(-1500, 2000))
     lower.set(yticks=(), ylim=(0, 1), xlabel="β", ylabel="lifts off")
-    switching = side_switching(-1, 7)
+    switching = side(-1, 7)
     for interval in switching.intervals:
         middle = float(interval.lower + interval.upper) / 2
         colour = GREEN if interval.sign > 0 else VERMILION

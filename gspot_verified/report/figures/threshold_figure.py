@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from flint import fmpq
 
 from gspot_verified.compliant.contact.slow_manifold import exact_epsilon_0
-from gspot_verified.leading_order.iwc import iwc
+from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.numbers.balls import approximate
 from gspot_verified.report.pictures.canvas import BLUE, INK, VERMILION, Picture, canvas, picture, styled
 
@@ -43,7 +43,7 @@ def threshold_points(betas: Iterable[fmpq] = BETAS) -> tuple[ThresholdPoint, ...
     """
     found = []
     for beta in betas:
-        leading = iwc(beta, tau_start=START)
+        leading = leading_order_iwc(beta, tau_start=START)
         digits = START_DIGITS if int(beta.floor()) % 2 else DIGITS
         exact = exact_epsilon_0(leading, digits)[0]
         if leading.epsilon_0 is not None and exact is not None and exact.lower is not None and exact.upper is not None:

@@ -12,7 +12,7 @@ from flint import arb, fmpq
 
 from gspot_verified.compliant.model.flight import Flight
 from gspot_verified.compliant.model.normal_form import CompliantModel
-from gspot_verified.compliant.motion.compliant_force import compliant_force
+from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.compliant.motion.run import Event, Run
 from gspot_verified.numbers.balls import bits_for_digits, float_bounds, working_bits
 from gspot_verified.scenes.effects.lift_off import LIFT_OFF, TOUCH_DOWN
@@ -80,7 +80,7 @@ def _values(run: Run, time: fmpq, digits: int) -> tuple[str, list[arb]] | None:
     elif time > lift.lower:
         known = land is not None and lift.upper < time < land.lower
         return (FLIGHT, _in_flight(run.model, lift, time, digits)) if known else None
-    found = compliant_force(run.model, run.state, time, digits)
+    found = force(run.model, run.state, time, digits)
     return SLIP, [arb(found.p), found.b, found.y, found.v, found.z, found.force]
 
 

@@ -76,7 +76,7 @@ class SignResult(NoTruthValue):
         return found if self.columns or _at_integer(tau, beta) else None
 
 
-def sign_on_ranges(
+def sign(
     tau: Range | str,
     beta: Range | str,
     sign: int = -1,
@@ -95,10 +95,10 @@ def sign_on_ranges(
 
     :raises ValueError: an argument is out of range.
 
-    >>> result = sign_on_ranges("-inf..inf", "0..1")
+    >>> result = sign("-inf..inf", "0..1")
     >>> str(result)
     'proved: dΘ/dτ < 0 for every τ in (-inf, inf) and every β in (0, 1)'
-    >>> sign_on_ranges("-1..1", "[2..3]").verdict.witness
+    >>> sign("-1..1", "[2..3]").verdict.witness
     'dΘ/dτ = 0 at τ = 0, β = 2'
     """
     tau = tau if isinstance(tau, Range) else Range.parse(tau, "tau")

@@ -75,7 +75,7 @@ class SignInterval(NoTruthValue):
 
 @dataclass(frozen=True, slots=True)
 class SideSwitching(NoTruthValue):
-    """The answer of :func:`side_switching`: intervals and integers together cover the range.
+    """The answer of :func:`side`: intervals and integers together cover the range.
 
     ``integers`` are the poles of Gamma(-beta) in the range (1/Gamma(-beta) = 0 there).
     ``undecided`` holds the poles that lie in the range for some choice of ball endpoints and outside for others.
@@ -148,7 +148,7 @@ def gamma_sign_by_ball(beta: ExactInput, bits: int = 64) -> int | None:
         return sign_of(reciprocal_gamma(-value, bits))
 
 
-def side_switching(lower: ExactInput, upper: ExactInput) -> SideSwitching:
+def side(lower: ExactInput, upper: ExactInput) -> SideSwitching:
     """The sign of Gamma(-beta) for every beta in [lower, upper]: maximal intervals and the integers between them.
 
     For ball endpoints the intervals cover the largest range that the balls allow; a pole that only some of the
@@ -157,7 +157,7 @@ def side_switching(lower: ExactInput, upper: ExactInput) -> SideSwitching:
     :raises TypeError: a float.
     :raises ValueError: not a number, a reversed range, |beta| > 10^6, or more than 10^5 intervals.
 
-    >>> print(side_switching("1/2", 2))
+    >>> print(side("1/2", 2))
     [1/2, 1): Γ(-β) < 0; Cases I and II: only C1 < 0 occurs, it takes an IWC
     (1, 2): Γ(-β) > 0; Case III: C1 < 0 lifts off, C1 > 0 takes an IWC
     Γ(-β) has a pole at β = 1, 2

@@ -21,7 +21,7 @@ from gspot_verified.compliant.contact.slow_manifold import impact
 from gspot_verified.compliant.contact.threshold import exact_threshold, slow_force
 from gspot_verified.compliant.slow.profile import Profile
 from gspot_verified.leading_order.contact_force import contact_force
-from gspot_verified.leading_order.iwc import iwc
+from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.numbers.verdict import Outcome
 
 NOT_INTEGER = st.fractions(Fraction(1, 9), Fraction(44, 9), max_denominator=9).filter(lambda b: b.denominator > 1)
@@ -52,7 +52,7 @@ def test_the_least_value_is_below_a_scan_and_attained(beta: Fraction, root: Frac
 )
 def test_known_thresholds(beta: str, expected: str) -> None:
     """To six digits, as found before by other means: quadrature in 80 bits and a scan."""
-    leading = iwc(beta)
+    leading = leading_order_iwc(beta)
     assert leading.epsilon_0 is not None
     found = exact_threshold(leading.force, START, leading.epsilon_0, 8)
     assert found.lower is not None
@@ -66,7 +66,7 @@ def test_known_thresholds(beta: str, expected: str) -> None:
 @settings(max_examples=6, deadline=None)
 @given(NOT_INTEGER, st.lists(st.fractions(-10, 12, max_denominator=20), min_size=4, max_size=4))
 def test_positive_below_and_negative_above(beta: Fraction, taus: list[Fraction]) -> None:
-    leading = iwc(beta)
+    leading = leading_order_iwc(beta)
     assert leading.epsilon_0 is not None
     found = exact_threshold(leading.force, START, leading.epsilon_0, 5)
     assert found.lower is not None
@@ -80,7 +80,7 @@ def test_positive_below_and_negative_above(beta: Fraction, taus: list[Fraction])
 
 def test_units() -> None:
     """eps_0 of another alpha_1: the same system in its normal form."""
-    leading = iwc("5/2", alpha_1=-2, alpha_2=-3, c1="-1/2")
+    leading = leading_order_iwc("5/2", alpha_1=-2, alpha_2=-3, c1="-1/2")
     force = leading.force
     assert leading.epsilon_0 is not None
     found = exact_threshold(force, START, leading.epsilon_0, 6)

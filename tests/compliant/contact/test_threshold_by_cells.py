@@ -12,7 +12,7 @@ from gspot_verified.compliant.contact.threshold import slow_force
 from gspot_verified.compliant.contact.threshold_by_cells import threshold_by_cells
 from gspot_verified.compliant.slow.profile import Profile
 from gspot_verified.leading_order.contact_force import contact_force
-from gspot_verified.leading_order.iwc import iwc
+from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.numbers.evidence import at_most
 
 START = fmpq(-10)
@@ -24,7 +24,7 @@ START = fmpq(-10)
 )
 def test_known_thresholds(beta: str, expected: str, digits: int) -> None:
     """13/2 to the digits known from a scan; 21/4 below the leading order, .0133697."""
-    leading = iwc(beta)
+    leading = leading_order_iwc(beta)
     assert leading.epsilon_0 is not None
     found, whole = threshold_by_cells(leading.force, START, leading.epsilon_0, 6, leading.whole_line)
     assert found is not None
@@ -44,7 +44,7 @@ def test_known_thresholds(beta: str, expected: str, digits: int) -> None:
 
 def test_below_5_it_agrees_with_the_other_way() -> None:
     """Two routes: for b < 4 the polynomial is 0 and the cells must find what the iteration finds."""
-    leading = iwc("5/2")
+    leading = leading_order_iwc("5/2")
     assert leading.epsilon_0 is not None
     found, _ = threshold_by_cells(leading.force, START, leading.epsilon_0, 5)
     assert found is not None

@@ -15,7 +15,7 @@ from witnesses.theta import contains_witness, to_fraction
 
 from gspot_verified.compliant.model.force_result import CompliantForce
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state, deviation
-from gspot_verified.compliant.motion.compliant_force import SlowManifold, compliant_force
+from gspot_verified.compliant.motion.compliant_force import SlowManifold, force
 from gspot_verified.compliant.motion.contact_series import carried
 from gspot_verified.leading_order.contact_force import contact_force
 from gspot_verified.numbers.balls import relative_bits, working_bits
@@ -67,7 +67,7 @@ def check(found: CompliantForce, values: dict[str, Fraction]) -> None:
 def test_the_initial_state_comes_back(beta, epsilon) -> None:
     model = compliant_model(beta, epsilon)
     state = some_state(model)
-    found = compliant_force(model, state, "-1/2", digits=20)
+    found = force(model, state, "-1/2", digits=20)
     exact = {"force": (state.z - state.y) / model.epsilon**2, "b": state.b, "y": state.y, "v": state.v, "z": state.z}
     check(found, {name: Fraction(int(value.p), int(value.q)) for name, value in exact.items()})
 
@@ -78,7 +78,7 @@ def test_it_solves_the_equations_of_motion(beta, epsilon, duration: fmpq) -> Non
     model = compliant_model(beta, epsilon)
     state = some_state(model)
     p, values = expected(model, state, duration * model.epsilon)
-    found = compliant_force(model, state, -p, digits=16)
+    found = force(model, state, -p, digits=16)
     assert found.p == p
     check(found, values)
 
@@ -88,10 +88,10 @@ def test_units_of_the_paper(alpha_2: str) -> None:
     model = compliant_model(alpha_1="-3", alpha_2=alpha_2, alpha_3="-7/2", epsilon="1/50")
     state = some_state(model)
     p, values = expected(model, state, fmpq(1, 20))
-    check(compliant_force(model, state, -p / 3), values)
+    check(force(model, state, -p / 3), values)
     # b-dot = alpha_2 - alpha_3 lambda and y-dot = v, by differences.
     time, step = fmpq(-1, 9), fmpq(1, 10**9)
-    before, here, after = (compliant_force(model, state, time + k * step, digits=40) for k in (-1, 0, 1))
+    before, here, after = (force(model, state, time + k * step, digits=40) for k in (-1, 0, 1))
     with working_bits(200):
         change = (after.b - before.b) / (2 * step) - (arb(model.alpha_2) - model.alpha_3 * here.force)
         speed = (after.y - before.y) / (2 * step) - here.v
@@ -107,7 +107,7 @@ def test_small_epsilon_needs_the_fast_part_only_as_a_bound(epsilon: str) -> None
     small, p = model.epsilon, fmpq(1, 2)
     b = -2 * p * abs(model.mean_force)
     state = compliant_state(p, b, 2 * small**2 * b / p, 0, small**2 * b / p)
-    found = compliant_force(model, state, "-1/4", digits=25)
+    found = force(model, state, "-1/4", digits=25)
     assert found.reached
     assert found.fast_by_bound
     # At leading order lambda-hat falls like p^(3/2): 4/3 - 2/3 = 2/3 of it is left at p = 1/4.
@@ -115,7 +115,7 @@ def test_small_epsilon_needs_the_fast_part_only_as_a_bound(epsilon: str) -> None
         rough = fmpq(2, 3) * (1 + arb(fmpq(1, 2)) ** fmpq(3, 2))
         assert abs(found.force - rough) < 200 * arb(small) + arb(10) ** -20
     # At the start nothing is gained by the bound: the power series about the state serves there.
-    start = compliant_force(model, state, "-1/2")
+    start = force(model, state, "-1/2")
     assert start.reached
     assert start.by_series
     assert contains_witness(start.force, Fraction(4, 3), 14)
@@ -125,10 +125,10 @@ def test_between_the_series_and_the_bound_the_result_says_what_it_did_not_reach(
     model = compliant_model("5/2", "1e-300")
     small = model.epsilon
     state = compliant_state("1/2", "-2/3", small**2 * fmpq(-5, 2), small / 7, -(small**2))
-    found = compliant_force(model, state, fmpq(-1, 2) + 4000 * small)
+    found = force(model, state, fmpq(-1, 2) + 4000 * small)
     assert not found.reached
     assert found.reason is Reason.BUDGET
-    assert compliant_force(model, state, fmpq(-1, 2) + 20_000 * small).reached
+    assert force(model, state, fmpq(-1, 2) + 20_000 * small).reached
 
 
 @pytest.mark.parametrize(("epsilon", "late"), [("1e-6", 1200), ("1e-12", 1500)])
@@ -137,7 +137,7 @@ def test_first_instants_at_small_epsilon(epsilon: str, late: int) -> None:
     model = compliant_model("5/2", epsilon)
     state = some_state(model)
     for duration, by_series in ((1, True), (100, True), (450, True), (late, False)):
-        found = compliant_force(model, state, fmpq(-1, 2) + duration * model.epsilon)
+        found = force(model, state, fmpq(-1, 2) + duration * model.epsilon)
         assert found.reached
         assert found.by_series is by_series
         if duration == 1:
@@ -151,7 +151,7 @@ def test_first_instants_at_small_epsilon(epsilon: str, late: int) -> None:
 
 def test_the_slow_manifold_is_near_leading_order_and_solves_the_equations() -> None:
     model = compliant_model("7/3", "1e-60", alpha_1=-2)
-    found = compliant_force(model, SlowManifold(fmpq(3)), fmpq(10) ** -41, digits=20)
+    found = force(model, SlowManifold(fmpq(3)), fmpq(10) ** -41, digits=20)
     # kappa^3 = -alpha_1/2 = 1, so tau = t/eps^(2/3).
     tau = fmpq(1, 10)
     leading = contact_force("7/3", alpha_1=-2, c1=3).value(tau, "1e-60", digits=20)
@@ -162,19 +162,19 @@ def test_the_slow_manifold_is_near_leading_order_and_solves_the_equations() -> N
 
 def test_slow_motion_between_two_times() -> None:
     model = compliant_model("5/2", "1/20")
-    first = compliant_force(model, SlowManifold(fmpq(2)), "-1/4", digits=60)
+    first = force(model, SlowManifold(fmpq(2)), "-1/4", digits=60)
     values = {}
     for name in "byvz":
         lower, upper = ends(getattr(first, name))
         middle = (lower + upper) / 2
         values[name] = fmpq(middle.numerator, middle.denominator)
     state = compliant_state("1/4", *(values[name] for name in "byvz"))
-    second = compliant_force(model, SlowManifold(fmpq(2)), "1/8", digits=20)
+    second = force(model, SlowManifold(fmpq(2)), "1/8", digits=20)
     p, later = expected(model, state, fmpq(3, 8))
     assert second.p == p
     check(second, later)
     # From a slow state the fast part is 0 up to the rounding of the state.
-    again = compliant_force(model, state, "1/8", digits=20)
+    again = force(model, state, "1/8", digits=20)
     assert abs(again.fast) < arb(10) ** -25
     assert again.force.overlaps(second.force)
 
@@ -182,31 +182,31 @@ def test_slow_motion_between_two_times() -> None:
 def test_arrays() -> None:
     model = compliant_model("5/2", "1/100")
     times = np.array([[-0.25, 0.0], [0.125, 0.25]])
-    found = compliant_force(model, SlowManifold(fmpq(1)), times)
+    found = force(model, SlowManifold(fmpq(1)), times)
     assert found.shape == (2, 2)
-    assert found[1, 0].overlaps(compliant_force(model, SlowManifold(fmpq(1)), fmpq(1, 8)).force)
+    assert found[1, 0].overlaps(force(model, SlowManifold(fmpq(1)), fmpq(1, 8)).force)
     with pytest.raises(ValueError, match="finite"):
-        compliant_force(model, SlowManifold(fmpq(1)), np.array([np.nan]))
+        force(model, SlowManifold(fmpq(1)), np.array([np.nan]))
 
 
 def test_bad_input() -> None:
     model = compliant_model("5/2", "1/100")
     state = some_state(model)
     with pytest.raises(ValueError, match="before the initial state"):
-        compliant_force(model, state, "-3/4")
+        force(model, state, "-3/4")
     with pytest.raises(TypeError, match="float"):
-        compliant_force(model, state, 0.5)
+        force(model, state, 0.5)
     with pytest.raises(ValueError, match="digits"):
-        compliant_force(model, state, 0, digits=0)
+        force(model, state, 0, digits=0)
     with pytest.raises(ValueError, match="too long after an initial state with p <= 0"):
-        compliant_force(compliant_model("5/2", "1e-9"), compliant_state("-1/2", 1, -1, 0, 1), 1)
+        force(compliant_model("5/2", "1e-9"), compliant_state("-1/2", 1, -1, 0, 1), 1)
     with pytest.raises(TypeError, match="reached"):
-        bool(compliant_force(model, SlowManifold(fmpq(1)), 0))
+        bool(force(model, SlowManifold(fmpq(1)), 0))
 
 
 def test_json() -> None:
     model = compliant_model("5/2", "1/100")
-    data = json.loads(json.dumps(compliant_force(model, SlowManifold(fmpq(1)), "1/10").to_json()))
+    data = json.loads(json.dumps(force(model, SlowManifold(fmpq(1)), "1/10").to_json()))
     assert data["reached"] is True
     assert data["p"] == "-1/10"
     assert data["force"].startswith("[")

@@ -19,7 +19,8 @@ from witnesses.slow_solution import on_the_slow_manifold
 from witnesses.theta import contains_witness, to_fraction
 
 from gspot_verified.compliant.model.normal_form import Deviation, compliant_model, compliant_state, deviation
-from gspot_verified.compliant.motion.compliant_force import SlowManifold, compliant_force
+from gspot_verified.compliant.motion.compliant_force import SlowManifold
+from gspot_verified.compliant.motion.compliant_force import force as compliant_force
 from gspot_verified.compliant.motion.contact_series import (
     MAX_WORK,
     _cell,

@@ -15,7 +15,8 @@ from witnesses.contact import moved
 
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state, deviation
 from gspot_verified.compliant.motion import first_zero as first_zero_module
-from gspot_verified.compliant.motion.compliant_force import SlowManifold, compliant_force, contact_motion
+from gspot_verified.compliant.motion.compliant_force import SlowManifold, contact_motion
+from gspot_verified.compliant.motion.compliant_force import force as compliant_force
 from gspot_verified.compliant.motion.first_zero import _cut, contact_lasts, first_zero
 from gspot_verified.compliant.motion.force_range import ForceRange, slow_range
 from gspot_verified.compliant.slow.slow_solution import slow_value

@@ -17,7 +17,7 @@ from witnesses.theta import contains_witness, to_fraction
 from gspot_verified.compliant.model.flight import ContactState
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
 from gspot_verified.compliant.motion import lift_off_state as module
-from gspot_verified.compliant.motion.compliant_force import compliant_force
+from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.compliant.motion.lift_off_state import contact_state, lift_off_state
 from gspot_verified.numbers.balls import working_bits
 
@@ -35,7 +35,7 @@ def test_units_of_the_normal_form() -> None:
     ]
     times = [fmpq(-1, 4), fmpq(-1, 8)]
     first, second = (
-        contact_state(compliant_force(model, start, time, 20), 100)
+        contact_state(force(model, start, time, 20), 100)
         for model, start, time in zip(models, starts, times, strict=True)
     )
     assert (first.epsilon, first.alpha_2, first.beta) == (second.epsilon, second.alpha_2, second.beta)
@@ -55,7 +55,7 @@ def test_the_state_of_the_paper_runs(beta: str, nu: str, data: tuple[fmpq, fmpq]
     square = model.epsilon**2
     start = compliant_state("1/2", b, 4 * b * square, 0, 2 * b * square)
     before = fmpq(int(-exact * 10**22) - 3, 10**22)
-    there = contact_state(compliant_force(model, start, before, 30), 160)
+    there = contact_state(force(model, start, before, 30), 160)
     found = lift_off_state(there, fmpq(10, 10**22) * 1000, 160)
     assert found.force.is_zero()
     for name, value in zip(NAMES, values, strict=True):

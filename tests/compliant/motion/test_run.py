@@ -13,7 +13,7 @@ from witnesses.theta import contains_witness, to_fraction
 
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
 from gspot_verified.compliant.motion.first_zero import FirstZero, first_zero
-from gspot_verified.compliant.motion.run import IMPACT, ONE_FLIGHT, TRIVIAL, Run, compliant_run
+from gspot_verified.compliant.motion.run import IMPACT, ONE_FLIGHT, TRIVIAL, Run, events
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome, Reason, Verdict
 from gspot_verified.paper.numerics.paper_state import paper_state
@@ -41,7 +41,7 @@ TOUCH_DOWN = {
 
 def run_of(beta: str, nu: str, epsilon: str, digits: int = 15) -> Run:
     model = compliant_model(beta, epsilon)
-    return compliant_run(model, paper_state(model, nu), digits)
+    return events(model, paper_state(model, nu), digits)
 
 
 @pytest.mark.parametrize(("beta", "nu", "verdict"), FIFTEEN)
@@ -90,7 +90,7 @@ def test_units_other_than_the_normal_form() -> None:
     one = run_of("3/2", "2", "1e-6")
     model = compliant_model("3/2", "5e-7", alpha_1=-2, alpha_2=-8)
     start = compliant_state("1/2", -8, "-8e-12", 0, "-4e-12")
-    two = compliant_run(model, start)
+    two = events(model, start)
     assert two.verdict.statement == ONE_FLIGHT
     for first, second in zip(one.events, two.events, strict=True):
         assert first.lower < 2 * second.upper
@@ -117,7 +117,7 @@ def test_what_follows_a_lift_off_rests_on_it(monkeypatch: pytest.MonkeyPatch, be
 def test_a_flight_that_never_ends() -> None:
     """alpha_2 > 0, beta > 1: the mean force is negative; contact is lost before the G-spot, and b grows in flight."""
     model = compliant_model("3/2", "1e-4", alpha_2=1)
-    run = compliant_run(model, paper_state(model, 2))
+    run = events(model, paper_state(model, 2))
     assert run.verdict.outcome is Outcome.PROVED
     assert run.verdict.statement == "the flight never ends"
     assert [event.name for event in run.events] == ["lift-off"]
@@ -126,28 +126,28 @@ def test_a_flight_that_never_ends() -> None:
 
 def test_what_is_not_shown_is_undecided() -> None:
     model = compliant_model("5/2", "1e-4", alpha_2=1)
-    run = compliant_run(model, paper_state(model, 2))
+    run = events(model, paper_state(model, 2))
     assert run.verdict.outcome is Outcome.UNDECIDED
     assert [event.name for event in run.events] == ["lift-off"]
 
 
 def test_a_budget_that_ends_is_named() -> None:
     model = compliant_model("3/2", "1/10", alpha_2=1)
-    short = compliant_run(model, paper_state(model, 2), budget=2)
+    short = events(model, paper_state(model, 2), budget=2)
     assert short.verdict.outcome is Outcome.UNDECIDED
     assert short.events == ()
     assert "its budget of 2 (its work, rate times time)" in short.verdict.detail
-    assert compliant_run(model, paper_state(model, 2)).events
+    assert events(model, paper_state(model, 2)).events
 
 
 def test_bad_input() -> None:
     model = compliant_model("3/2", "1/1000")
     with pytest.raises(ValueError, match="digits"):
-        compliant_run(model, paper_state(model, 2), 0)
+        events(model, paper_state(model, 2), 0)
     with pytest.raises(ValueError, match="budget"):
-        compliant_run(model, paper_state(model, 2), budget=0)
+        events(model, paper_state(model, 2), budget=0)
     with pytest.raises(ValueError, match="p: expected"):
-        compliant_run(model, compliant_state("-1/2", 1, -1, 0, 0))
+        events(model, compliant_state("-1/2", 1, -1, 0, 0))
     with pytest.raises(ValueError, match="nu"):
         paper_state(model, 0)
     with pytest.raises(TypeError):
@@ -171,7 +171,7 @@ def test_a_run_does_not_depend_on_the_units(beta: str, nu: str, verdict: str) ->
     model = compliant_model(alpha_1=-2, alpha_2=-8, alpha_3=2 * normal.alpha_3, epsilon=normal.epsilon * sigma)
     state = paper_state(normal, nu)
     scaled = compliant_state(state.p, state.b / sigma**2, state.y, state.v / sigma, state.z)
-    one, two = compliant_run(normal, state), compliant_run(model, scaled)
+    one, two = events(normal, state), events(model, scaled)
     assert one.verdict.statement == two.verdict.statement == verdict
     assert [event.name for event in one.events] == [event.name for event in two.events]
     for first, second in zip(one.events, two.events, strict=True):

@@ -19,7 +19,7 @@ from witnesses.contact import moved
 
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state, deviation
 from gspot_verified.compliant.motion import first_zero as first_zero_module
-from gspot_verified.compliant.motion.compliant_force import compliant_force
+from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.compliant.motion.contact_series import SeriesCell, series_cells
 from gspot_verified.compliant.motion.first_zero import contact_lasts, first_zero
 from gspot_verified.compliant.motion.zero_by_series import _Piece, _range, positive_by_series, zero_by_series
@@ -66,7 +66,7 @@ def test_the_first_zero_from_a_state_at_or_after_the_g_spot(epsilon: str, p: str
         assert force_by_equations(model, state, found.start + share * (found.lower - found.start)) > 0
     assert contact_lasts(model, state, found.lower).outcome is Outcome.PROVED
     assert contact_lasts(model, state, found.upper).outcome is Outcome.UNDECIDED
-    assert compliant_force(model, state, found.lower, digits=3).force > 0
+    assert force(model, state, found.lower, digits=3).force > 0
 
 
 def test_a_force_that_grows_has_no_bracket_and_lasts() -> None:

@@ -18,7 +18,7 @@ from gspot_verified.compliant.zeros.force_certificate import (
     lift_off_certificate,
 )
 from gspot_verified.leading_order.contact_force import contact_force
-from gspot_verified.leading_order.iwc import iwc
+from gspot_verified.leading_order.iwc import leading_order_iwc
 
 check = checker()
 BETAS = ("3/2", "7/3", "5/2", "7/2", "9/2")
@@ -35,7 +35,7 @@ LIFT_OFF = lift_off_certificate(contact_force("5/2", c1=1), fmpq(28, 5), fmpq(1,
 @pytest.mark.parametrize("beta", BETAS)
 def test_force_up_to_nearly_the_largest_epsilon(beta: str) -> None:
     force = contact_force(beta)
-    largest = iwc(beta, tau_start=-2).epsilon_0
+    largest = leading_order_iwc(beta, tau_start=-2).epsilon_0
     assert largest is not None
     found = force_certificate(force, fmpq(-2), largest * fmpq(9, 10))
     text = check.check_text(found.text().encode())
@@ -49,7 +49,7 @@ def test_force_up_to_nearly_the_largest_epsilon(beta: str) -> None:
 def test_lift_off_is_certified_just_beyond_the_leading_order_time(beta: str) -> None:
     charge = -contact_force(beta).c1
     force = contact_force(beta, c1=charge)
-    time = iwc(beta, c1=charge).lift_off
+    time = leading_order_iwc(beta, c1=charge).lift_off
     assert time is not None
     assert time.upper is not None
     found = lift_off_certificate(force, time.upper + fmpq(1, 1000), fmpq(1, 1000))

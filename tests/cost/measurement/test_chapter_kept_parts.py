@@ -48,12 +48,12 @@ def test_an_interrupted_run_goes_on(made_up: Measurement, tmp_path: Path, monkey
     toys[-1].fails = True
     monkeypatch.setattr(run, "blueprints", lambda _: toys)
     with pytest.raises(KeyboardInterrupt):
-        run.run(kept=KeptParts(path, QUESTION))
+        run.measure_cost(kept=KeptParts(path, QUESTION))
     with path.open("a") as file:
         file.write('{"key": "cut sh')  # as a kill leaves it
     toys[-1].fails = False
     said: list[str] = []
-    found = run.run(progress=said.append, kept=KeptParts(path, QUESTION))
+    found = run.measure_cost(progress=said.append, kept=KeptParts(path, QUESTION))
     assert found.parts == parts
     assert measured == [part.key for part in parts]
     assert said[0] == "The second part"

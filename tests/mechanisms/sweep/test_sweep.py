@@ -28,7 +28,7 @@ from gspot_verified.mechanisms.sweep.sweep_result import Sweep
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.signs.gamma.side import side_switching
+from gspot_verified.signs.gamma.side import side
 from gspot_verified.work.executors import executor
 
 ROD = "falling rod of Génot and Brogliato"
@@ -112,7 +112,7 @@ def test_the_oscillator_switches_sides_at_integers(over: str) -> None:
     result = sweep(shipped_mechanism("oscillator"), {"beta": over})
     (axis,) = result.axes
     assert result.verdict.outcome is Outcome.PROVED
-    theory = side_switching(str(axis.lower), str(axis.upper))
+    theory = side(str(axis.lower), str(axis.upper))
     assert [crossing.quantity for crossing in result.crossings] == [f"beta - {n}" for n in theory.switches]
     for crossing, integer in zip(result.crossings, theory.switches, strict=True):
         assert crossing.proved

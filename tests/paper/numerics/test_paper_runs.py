@@ -10,7 +10,7 @@ from flint import arb, fmpq
 from gspot_verified.compliant.fast.fast_part import fast_part
 from gspot_verified.compliant.fast.fast_solutions import oscillating
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state, deviation
-from gspot_verified.compliant.motion.compliant_force import compliant_force
+from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.compliant.slow.slow_coefficient import slow_coefficient
 from gspot_verified.compliant.slow.slow_solution import slow_value
 from gspot_verified.numbers.balls import working_bits
@@ -54,7 +54,7 @@ def test_the_force_stays_above_the_margin(beta: fmpq) -> None:
         for epsilon in (largest, largest / 3)[: 2 if nu == FACTORS[0] else 1]:
             model, state = run(beta, nu, epsilon)
             for place in (START, START / 2, fmpq(0), -epsilon if fate == "impact" else START / 10):
-                value = compliant_force(model, state, -place, digits=6).force
+                value = force(model, state, -place, digits=6).force
                 assert value > margin * abs(model.mean_force)
 
 

@@ -9,7 +9,7 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified.compliant.model.normal_form import compliant_model
-from gspot_verified.compliant.motion.compliant_force import compliant_force
+from gspot_verified.compliant.motion.compliant_force import force as compliant_force
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.numerics.paper_state import paper_state

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from flint import arb, fmpq
 
-from gspot_verified.leading_order.iwc import iwc
+from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.paper.section_4_5 import cases
 from gspot_verified.signs.gamma.side import gamma_sign
 
@@ -68,7 +68,7 @@ def test_the_systems_that_are_tried_are_those_of_case_iii(monkeypatch: pytest.Mo
         assert values["alpha1"] < 0
         assert values["alpha2"] < 0
         assert values["alpha3"] == values["beta"] * values["alpha1"]
-        assert values["eps"] == fmpq(1, 10**6)
+        assert values["epsilon"] == fmpq(1, 10**6)
     assert {(values["C_1"], values["beta"]) for values in seen} == {(c, b) for c in (-1, 1) for b in cases.SIDE_BETAS}
     assert {cases.sign_of(arb(b).gamma()) for b in [-b for b in cases.SIDE_BETAS]} == {1, -1}
 
@@ -87,10 +87,10 @@ def test_a_small_deviation_leaves_the_mean_force(monkeypatch: pytest.MonkeyPatch
 
 def test_one_bound_that_is_not_found_leaves_the_check_open(monkeypatch: pytest.MonkeyPatch) -> None:
     def one_missing(beta: fmpq, **options: Any) -> Any:
-        found = iwc(beta, **options)
+        found = leading_order_iwc(beta, **options)
         return replace(found, epsilon_0=None) if beta == cases.IWC_BETAS[0] else found
 
-    monkeypatch.setattr(cases, "iwc", one_missing)
+    monkeypatch.setattr(cases, "leading_order_iwc", one_missing)
     assert answers("S-iwc-case-III") == [True, None]
 
 

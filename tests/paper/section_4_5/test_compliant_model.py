@@ -10,7 +10,7 @@ from flint import arb, fmpq
 
 from gspot_verified.compliant.contact.lower_polynomial import Term, lower_terms
 from gspot_verified.compliant.slow.epsilon_series import series_coefficients
-from gspot_verified.leading_order.iwc import iwc
+from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.paper.section_4_5 import compliant_model as ledger
 
 
@@ -85,9 +85,9 @@ def test_one_bound_that_is_not_found_leaves_the_check_open(monkeypatch: pytest.M
     missing = ledger.BETAS[-1 if last else 0]
 
     def one_missing(beta: fmpq) -> Any:
-        return replace(iwc(beta), epsilon_0=None) if beta == missing else iwc(beta)
+        return replace(leading_order_iwc(beta), epsilon_0=None) if beta == missing else leading_order_iwc(beta)
 
-    monkeypatch.setattr(ledger, "iwc", one_missing)
+    monkeypatch.setattr(ledger, "leading_order_iwc", one_missing)
     entry = ledger.ENTRIES["C-iwc-case-III"]()
     assert [check.agrees for check in entry.checks] == [True, None]
     assert f"β = {missing}:" not in entry.checks[1].finding

@@ -14,7 +14,7 @@ from gspot_verified.paper.checks.closed_forms import rational
 from gspot_verified.paper.checks.entry import Entry, Rung
 from gspot_verified.paper.checks.formulas import closed_form
 from gspot_verified.paper.section_4_5 import cases, lift_off, section_4_5, section_4_5_signs
-from gspot_verified.signs.cover.sign import sign_on_ranges
+from gspot_verified.signs.cover.sign import sign as sign_on_ranges
 from gspot_verified.signs.gamma.side import gamma_sign_by_ball
 
 

@@ -7,7 +7,7 @@ import pytest
 from flint import fmpq
 
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
-from gspot_verified.compliant.motion.compliant_force import compliant_force
+from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.report.pictures.scene_picture import scene_picture
 from gspot_verified.report.pictures.scene_prediction import canard, scaled_theta
 from gspot_verified.scenes.certified_run import certified_run
@@ -24,7 +24,7 @@ def test_the_scaled_theta_is_the_limit_of_the_exact_solution(beta: str) -> None:
         start, curve = scene.initial(), scaled_theta(scene)
         assert curve is not None
         model = compliant_model(beta, eps)
-        exact = compliant_force(model, compliant_state(*(start[name] for name in "pbyvz")), 0)
+        exact = force(model, compliant_state(*(start[name] for name in "pbyvz")), 0)
         b = np.interp(0, curve.p[::-1], curve.b[::-1])
         errors.append(abs(b / float(exact.b.mid()) - 1))
     assert errors[1] < 2e-3

@@ -9,7 +9,7 @@ from killed import killed_after
 from gspot_verified.certificates.text import certificate_text
 from gspot_verified.signs.cover.journal import Answer, Journal
 from gspot_verified.signs.cover.pieces import Column, Kind, Piece
-from gspot_verified.signs.cover.sign import sign_on_ranges
+from gspot_verified.signs.cover.sign import sign
 from gspot_verified.signs.zeros import zeros
 from gspot_verified.signs.zeros.zeros import zeros_on_range
 
@@ -104,14 +104,14 @@ def test_a_journal_of_another_question_is_refused(tmp_path: Path) -> None:
     for call in (
         lambda: zeros_on_range("2..3", journal=path),
         lambda: zeros_on_range("[2..5/2]", journal=path),
-        lambda: sign_on_ranges("-inf..0", "1..2", journal=path),
+        lambda: sign("-inf..0", "1..2", journal=path),
     ):
         with pytest.raises(ValueError, match="another file"):
             call()
     by_theorem = tmp_path / "other"
-    sign_on_ranges("-inf..inf", "0..1", by_theorem=True, journal=by_theorem)
+    sign("-inf..inf", "0..1", by_theorem=True, journal=by_theorem)
     with pytest.raises(ValueError, match="another file"):
-        sign_on_ranges("-inf..inf", "0..1", journal=by_theorem)
+        sign("-inf..inf", "0..1", journal=by_theorem)
 
 
 @pytest.mark.parametrize(

@@ -21,7 +21,8 @@ from gspot_verified.certificates.text import write_certificate
 from gspot_verified.numbers.balls import sign_of
 from gspot_verified.numbers.verdict import Outcome, Reason
 from gspot_verified.signs.cover.pieces import Column
-from gspot_verified.signs.cover.sign import SignResult, _cells, sign_on_ranges
+from gspot_verified.signs.cover.sign import SignResult, _cells
+from gspot_verified.signs.cover.sign import sign as sign_on_ranges
 from gspot_verified.signs.cover.sign_column import SignQuestion, sign_column
 from gspot_verified.signs.cover.subdivision import Progress
 from gspot_verified.signs.cover.witness import find_witness, sign_at

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from samples.strategies import near_integers, small_heights
 
-from gspot_verified import gamma_sign, side_switching
+from gspot_verified import gamma_sign, side
 from gspot_verified.signs.gamma.side import gamma_sign_by_ball
 
 
@@ -43,7 +43,7 @@ def test_an_exact_ball_of_many_bits_next_to_a_pole() -> None:
 @given(st.fractions(-3, 30, max_denominator=40), st.fractions(0, 20, max_denominator=40))
 def test_pieces_cover_the_range_and_alternate(lower: Fraction, width: Fraction) -> None:
     upper = lower + width
-    found = side_switching(lower, upper)
+    found = side(lower, upper)
     assert not found.undecided
     assert found.integers == tuple(n for n in range(32 + 20) if lower <= n <= upper)
     ends = [lower, *(Fraction(n) for n in found.integers), upper]
@@ -67,27 +67,27 @@ def test_pieces_cover_the_range_and_alternate(lower: Fraction, width: Fraction) 
 
 
 def test_ball_endpoints_list_the_integers_they_cannot_decide() -> None:
-    found = side_switching(arb(1, fmpq(1, 8)), arb(fmpq(7, 2), fmpq(1, 8)))
+    found = side(arb(1, fmpq(1, 8)), arb(fmpq(7, 2), fmpq(1, 8)))
     assert found.undecided == (1,)
     assert found.integers == (2, 3)
     assert "undecided" in str(found)
 
 
 def test_degenerate_ranges() -> None:
-    assert side_switching(2, 2).intervals == ()
-    assert side_switching(2, 2).integers == (2,)
-    assert len(side_switching("1/2", "1/2").intervals) == 1
+    assert side(2, 2).intervals == ()
+    assert side(2, 2).integers == (2,)
+    assert len(side("1/2", "1/2").intervals) == 1
 
 
 def test_overlapping_ball_endpoints_are_not_a_reversed_range() -> None:
-    found = side_switching(arb(1, fmpq(1, 2)), arb(1, fmpq(1, 4)))
+    found = side(arb(1, fmpq(1, 2)), arb(1, fmpq(1, 4)))
     assert found.undecided == (1,)
 
 
 def test_many_integers_are_quick_and_too_many_are_refused() -> None:
-    assert len(side_switching(0, 99_999).integers) == 100_000
+    assert len(side(0, 99_999).integers) == 100_000
     with pytest.raises(ValueError, match="split"):
-        side_switching(0, 200_000)
+        side(0, 200_000)
 
 
 @pytest.mark.parametrize(
@@ -102,11 +102,11 @@ def test_many_integers_are_quick_and_too_many_are_refused() -> None:
 )
 def test_bad_input(lower: object, upper: object, error: type[Exception], message: str) -> None:
     with pytest.raises(error, match=message):
-        side_switching(lower, upper)  # type: ignore[arg-type]
+        side(lower, upper)  # type: ignore[arg-type]
 
 
 def test_json() -> None:
-    data = side_switching("1/2", 2).to_json()
+    data = side("1/2", 2).to_json()
     assert data["integers"] == [1, 2]
     assert data["intervals"][0] == {
         "lower": "1/2", "upper": "1", "lower_closed": True, "upper_closed": False, "sign": -1,

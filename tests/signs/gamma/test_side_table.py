@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 from flint import arb, fmpq
 
-from gspot_verified import gamma_sign, side_switching
+from gspot_verified import gamma_sign, side
 from gspot_verified.signs.gamma.side import MAX_BETA, SignInterval, gamma_sign_by_ball
 
 
@@ -27,10 +27,10 @@ def test_limits_of_beta_belong_to_the_domain() -> None:
 
 
 def test_number_of_integers_at_its_limit() -> None:
-    assert len(side_switching(0, 100_000).integers) == 100_001
+    assert len(side(0, 100_000).integers) == 100_001
     with pytest.raises(ValueError, match="more than 100000"):
-        side_switching(0, 100_001)
-    assert len(side_switching(800_000, 800_003).integers) == 4  # it is the number of them that counts
+        side(0, 100_001)
+    assert len(side(800_000, 800_003).integers) == 4  # it is the number of them that counts
 
 
 @pytest.mark.parametrize(
@@ -48,7 +48,7 @@ def test_number_of_integers_at_its_limit() -> None:
     ],
 )
 def test_ends_and_signs(lower: str, upper: str, expected: list[tuple[str, str, bool, bool, int]]) -> None:
-    found = side_switching(lower, upper)
+    found = side(lower, upper)
     assert list(found.intervals) == [SignInterval(Fraction(a), Fraction(b), c, d, s) for a, b, c, d, s in expected]
     whole = range(int(Fraction(upper)) + 1)
     assert found.integers == tuple(n for n in whole if Fraction(lower) <= n <= Fraction(upper))
@@ -57,38 +57,38 @@ def test_ends_and_signs(lower: str, upper: str, expected: list[tuple[str, str, b
 
 def test_words() -> None:
     no_case = "no side: the Cases I, II and III have β > 0"
-    assert str(side_switching("-2", "-1")) == f"[-2, -1]: Γ(-β) > 0; {no_case}"
-    assert str(side_switching("-1", "0")) == f"[-1, 0): Γ(-β) > 0; {no_case}\nΓ(-β) has a pole at β = 0"
-    assert str(side_switching("0", "1/2")) == (
+    assert str(side("-2", "-1")) == f"[-2, -1]: Γ(-β) > 0; {no_case}"
+    assert str(side("-1", "0")) == f"[-1, 0): Γ(-β) > 0; {no_case}\nΓ(-β) has a pole at β = 0"
+    assert str(side("0", "1/2")) == (
         "(0, 1/2]: Γ(-β) < 0; Cases I and II: only C1 < 0 occurs, it takes an IWC\nΓ(-β) has a pole at β = 0"
     )
-    assert str(side_switching("3/2", 3)) == (
+    assert str(side("3/2", 3)) == (
         "[3/2, 2): Γ(-β) > 0; Case III: C1 < 0 lifts off, C1 > 0 takes an IWC\n"
         "(2, 3): Γ(-β) < 0; Case III: C1 > 0 lifts off, C1 < 0 takes an IWC\n"
         "Γ(-β) has a pole at β = 2, 3\nin Case III the side switches at β = 2, 3"
     )
-    found = side_switching(arb(1, fmpq(1, 8)), "5/4")
+    found = side(arb(1, fmpq(1, 8)), "5/4")
     assert str(found).splitlines()[-1] == "undecided (an endpoint's ball holds it): β = 1"
     assert "switches" not in str(found)
 
 
 def test_a_side_is_stated_only_where_the_theory_gives_one() -> None:
-    signs = [i["lift_off_sign_of_C1"] for i in side_switching("-1/2", "3/2").to_json()["intervals"]]
+    signs = [i["lift_off_sign_of_C1"] for i in side("-1/2", "3/2").to_json()["intervals"]]
     assert signs == [None, None, -1]
-    impacts = [i["impact_sign_of_C1"] for i in side_switching("-1/2", "3/2").to_json()["intervals"]]
+    impacts = [i["impact_sign_of_C1"] for i in side("-1/2", "3/2").to_json()["intervals"]]
     assert impacts == [None, -1, 1]
-    assert side_switching("-1/2", "3/2").to_json()["side_switches_at"] == []
-    assert side_switching("-2", "-1").to_json()["intervals"][0]["lift_off_sign_of_C1"] is None
+    assert side("-1/2", "3/2").to_json()["side_switches_at"] == []
+    assert side("-2", "-1").to_json()["intervals"][0]["lift_off_sign_of_C1"] is None
 
 
 def test_poles_at_the_ends_of_balls() -> None:
-    found = side_switching(arb(1, fmpq(1, 8)), arb(fmpq(7, 2), fmpq(3, 4)))
+    found = side(arb(1, fmpq(1, 8)), arb(fmpq(7, 2), fmpq(3, 4)))
     assert found.undecided == (1, 3, 4)
     assert found.integers == (2,)
     assert 0 <= Fraction(7, 8) - found.intervals[0].lower < Fraction(1, 10**6)
     assert 0 <= found.intervals[-1].upper - Fraction(17, 4) < Fraction(1, 10**6)
-    assert side_switching(arb(fmpq(1, 2), fmpq(3, 4)), 2).undecided == (0, 1)
-    assert side_switching(arb(fmpq(1, 2), fmpq(3, 4)), 2).integers == (2,)
+    assert side(arb(fmpq(1, 2), fmpq(3, 4)), 2).undecided == (0, 1)
+    assert side(arb(fmpq(1, 2), fmpq(3, 4)), 2).integers == (2,)
 
 
 def test_balls_that_touch_a_pole() -> None:
@@ -110,13 +110,13 @@ def test_a_ball_end_with_a_tiny_exponent() -> None:
 def test_a_ball_that_ends_exactly_at_a_pole() -> None:
     for ball in (arb((1, -1), (1, -1)), arb((3, -2), (1, -2)), arb((-1, -1), (1, -1))):
         assert gamma_sign(ball) is None
-    found = side_switching(arb((1, -1), (1, -1)), arb((5, -1), (1, -1)))
+    found = side(arb((1, -1), (1, -1)), arb((5, -1), (1, -1)))
     assert (found.undecided, found.integers) == ((0, 3), (1, 2))
 
 
 def test_ends_of_more_digits_than_cpython_prints() -> None:
     """CPython refuses to turn integers of more than 4,300 digits into text."""
     end = "1/3" + "0" * 5000
-    found = side_switching(end, 1)
+    found = side(end, 1)
     assert str(found).startswith(f"[{end}, 1): Γ(-β) < 0")
     assert found.to_json()["intervals"][0]["lower"] == end
