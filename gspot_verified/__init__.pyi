@@ -1,6 +1,27 @@
 """The public names and their homes: the only list. ``__init__.py`` reads it, and so does who reads types."""
 
+from gspot_verified.certificates.checker import CheckResult as CheckResult
+from gspot_verified.certificates.checker import check as check
+from gspot_verified.certificates.text import write_certificate as write_certificate
 from gspot_verified.compliant.contact.iwc import CompliantIwc as CompliantIwc
+from gspot_verified.compliant.model.force_result import CompliantForce as CompliantForce
+from gspot_verified.compliant.model.normal_form import CompliantModel as CompliantModel
+from gspot_verified.compliant.model.normal_form import CompliantState as CompliantState
+from gspot_verified.compliant.model.normal_form import compliant_model as compliant_model
+from gspot_verified.compliant.model.normal_form import compliant_state as compliant_state
+from gspot_verified.compliant.motion.compliant_force import SlowManifold as SlowManifold
+from gspot_verified.compliant.motion.compliant_force import force as force
+from gspot_verified.compliant.motion.first_zero import contact_lasts as contact_lasts
+from gspot_verified.compliant.motion.run import events as events
+from gspot_verified.compliant.side.side_rule import SideRule as SideRule
+from gspot_verified.compliant.side.side_rule import side_rule as side_rule
+from gspot_verified.compliant.slow.slow_solution import slow_solution as slow_solution
+from gspot_verified.compliant.zeros.force_certificate import iwc_certificate as iwc_certificate
+from gspot_verified.compliant.zeros.zero_certificate import slow_zeros_certificate as slow_zeros_certificate
+from gspot_verified.compliant.zeros.zero_count import SlowZeros as SlowZeros
+from gspot_verified.compliant.zeros.zero_map import ZeroMap as ZeroMap
+from gspot_verified.compliant.zeros.zeros import zeros as zeros
+from gspot_verified.cost.run import measure_cost as measure_cost
 from gspot_verified.expansion.residual import residual_bounds as residual_bounds
 from gspot_verified.expansion.series.system import GSpotError as GSpotError
 from gspot_verified.expansion.trajectory import Trajectory as Trajectory
@@ -8,6 +29,7 @@ from gspot_verified.expansion.true_solutions.bound import UniformBound as Unifor
 from gspot_verified.expansion.true_solutions.bound import uniform_bound as uniform_bound
 from gspot_verified.expansion.true_solutions.side import UniformSide as UniformSide
 from gspot_verified.expansion.true_solutions.side import uniform_side as uniform_side
+from gspot_verified.hard_cases.catalogue import measure_hard_cases as measure_hard_cases
 from gspot_verified.leading_order.iwc import IwcResult as IwcResult
 from gspot_verified.mechanisms.approach.approach import approach as approach
 from gspot_verified.mechanisms.approach.approach_result import Approach as Approach
@@ -24,13 +46,30 @@ from gspot_verified.mechanisms.spots.classify_all import classify_all as classif
 from gspot_verified.mechanisms.spots.critical_friction import critical_friction as critical_friction
 from gspot_verified.mechanisms.sweep.sweep import sweep as sweep
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep as Sweep
+from gspot_verified.numbers.balls import approximate as approximate
 from gspot_verified.numbers.balls import ball_text as ball_text
 from gspot_verified.numbers.dyadic import Dyadic as Dyadic
 from gspot_verified.numbers.verdict import Outcome as Outcome
 from gspot_verified.numbers.verdict import Reason as Reason
 from gspot_verified.numbers.verdict import Verdict as Verdict
+from gspot_verified.paper.checks.entry import Entry as Entry
+from gspot_verified.paper.numerics.paper_state import paper_state as paper_state
+from gspot_verified.paper.verify import verify as verify
+from gspot_verified.report.check_again import check_report as check_report
 from gspot_verified.report.pictures.canvas import Picture as Picture
 from gspot_verified.report.plot import plot as plot
+from gspot_verified.report.write import render_report as render_report
+from gspot_verified.report.write import write_report as write_report
+from gspot_verified.scenes.equations.motion import SceneError as SceneError
+from gspot_verified.scenes.hard_sides import hard_sides as hard_sides
+from gspot_verified.scenes.hard_sides import wrong_sides as wrong_sides
+from gspot_verified.scenes.scene.file import load_scene as load_scene
+from gspot_verified.scenes.scene.file import parse_scene as parse_scene
+from gspot_verified.scenes.scene.file import scene_file_schema as scene_file_schema
+from gspot_verified.scenes.scene.file import scene_names as scene_names
+from gspot_verified.scenes.scene.run import SceneRun as SceneRun
+from gspot_verified.scenes.scene.scene import Scene as Scene
+from gspot_verified.scenes.simulate import simulate as simulate
 from gspot_verified.signs.cover.sign import SignResult as SignResult
 from gspot_verified.signs.cover.sign import sign as sign
 from gspot_verified.signs.gamma.count_law import number_of_zeros as number_of_zeros
@@ -39,9 +78,9 @@ from gspot_verified.signs.gamma.side import SignInterval as SignInterval
 from gspot_verified.signs.gamma.side import gamma_sign as gamma_sign
 from gspot_verified.signs.gamma.side import side as side
 from gspot_verified.signs.zeros.brackets import Brackets as Brackets
-from gspot_verified.signs.zeros.brackets import zeros_at as zeros_at
+from gspot_verified.signs.zeros.integer_zeros import IntegerZeros as IntegerZeros
+from gspot_verified.signs.zeros.slope_at import UndecidedError as UndecidedError
 from gspot_verified.signs.zeros.zeros import ZerosResult as ZerosResult
-from gspot_verified.signs.zeros.zeros import zeros_on_range as zeros_on_range
 from gspot_verified.theta_function.arrays.arrays import theta_of_floats as theta_of_floats
 from gspot_verified.theta_function.arrays.float_balls import FloatBalls as FloatBalls
 from gspot_verified.theta_function.arrays.prepared import PreparedTheta as PreparedTheta
@@ -57,6 +96,7 @@ from gspot_verified.theta_function.value.evaluate import evaluate as evaluate
 from gspot_verified.theta_function.value.integer import polynomial as polynomial
 from gspot_verified.theta_function.value.routes import BudgetError as BudgetError
 from gspot_verified.theta_function.value.routes import theta_by as theta_by
+from gspot_verified.work.executors import executor as executor
 from gspot_verified.work.ranges import Range as Range
 
 __version__: str

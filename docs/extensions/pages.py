@@ -19,9 +19,10 @@ ROOT = Path(__file__).resolve().parents[2]
 GROUPS = {
     "Your mechanism": ("mechanisms", "expansion"),
     "The function Θ": ("theta_function",),
-    "Signs, zeros, sides": ("signs",),
-    "The compliant model": ("compliant", "integrator", "scenes"),
-    "Balls, intervals, verdicts, figures": ("numbers", "report"),
+    "Signs, zeros, sides": ("signs", "certificates"),
+    "The compliant model": ("compliant", "integrator", "leading_order", "scenes"),
+    "The paper, what accuracy costs, hard cases": ("paper", "cost", "hard_cases"),
+    "Balls, intervals, verdicts, work, figures and reports": ("numbers", "work", "report"),
 }
 _TYPESET = (
     "proofs/",

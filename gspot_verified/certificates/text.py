@@ -45,7 +45,7 @@ def certificate_text(statement: Statement, columns: Sequence[Column]) -> str:
 
     :raises ValueError: a number has more than 4,000 digits, the format's limit.
 
-    >>> from gspot_verified.signs.cover.sign import sign
+    >>> from gspot_verified import sign
     >>> result = sign("-inf..inf", "0..1", by_theorem=True)
     >>> print(certificate_text(result.statement, result.columns).splitlines()[1])
     {"beta":["0","1/4"],"pieces":[["laplace"]]}

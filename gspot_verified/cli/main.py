@@ -36,7 +36,7 @@ COMMANDS = {
     "check": "sign_commands",
     "iwc": "iwc_command",
     "force": "force_command",
-    "figure": "figure_command",
+    "plot": "plot_command",
     "events": "events_command",
     "simulate": "simulate_command",
     "scenes": "simulate_command",

@@ -93,9 +93,9 @@ def residual_bounds(trajectory: Trajectory, s: ExactInput, delta: ExactInput, ex
     :raises SymbolsError: the numbers of the system are symbols.
     :raises ValueError: s is negative, delta is not positive, or ``extra`` is less than 4.
 
-    >>> from gspot_verified.expansion.trajectory import expand_system
+    >>> from gspot_verified import expand
     >>> from gspot_verified.testing import extended_example
-    >>> found = residual_bounds(expand_system(extended_example(chi=1), 6), s=1, delta="1/10")
+    >>> found = residual_bounds(expand(extended_example(chi=1), 6), s=1, delta="1/10")
     >>> print(found.constants["z"], found.constants["y"])
     48.0000000000000 0
     """

@@ -33,10 +33,10 @@ def expand(
     :raises ValueError: ``order`` is not in 1..2000, or ``digits`` not in 1..10^6.
     :raises GSpotError: a hypothesis of Theorem 1 fails; an integer beta is an ObstructedOrderError.
 
-    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
-    >>> expand(shipped_mechanism("extended system"), 3).b[2].coefficients()
+    >>> from gspot_verified import load
+    >>> expand(load("extended system"), 3).b[2].coefficients()
     [0, 0, 6]
-    >>> expand(shipped_mechanism("genot_brogliato_rod"), 8).accuracy.reached
+    >>> expand(load("genot_brogliato_rod"), 8).accuracy.reached
     True
     """
     # Imported here: this module is part of `import gspot_verified`, which stays quick.

@@ -37,7 +37,7 @@ def iwc(
         alphas are balls.
     :raises GSpotError: the mechanism has no G-spot there.
 
-    >>> from gspot_verified.mechanisms.load import load
+    >>> from gspot_verified import load
     >>> iwc(load("oscillator", beta="5/2")).leading.force.beta
     5/2
     """

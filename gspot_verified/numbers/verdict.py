@@ -98,10 +98,10 @@ class Verdict:
 
     :raises ValueError: proved or refuted without evidence, refuted without a witness, or undecided without a reason.
 
-    >>> from gspot_verified.numbers.evidence import less
-    >>> found = Verdict.proved("1 < 2", less(1, 2))
-    >>> str(found), str(found.evidence)
-    ('proved: 1 < 2', '1 < 2')
+    >>> from gspot_verified import sign
+    >>> found = sign("0", "1/2").verdict
+    >>> print(found)
+    proved: dΘ/dτ < 0 at τ = 0 and at β = 1/2
     >>> bool(found)
     Traceback (most recent call last):
     ...

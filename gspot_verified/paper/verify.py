@@ -7,12 +7,13 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
 from dataclasses import replace
 from functools import partial
+from pathlib import Path
 
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.appendix_a import appendix_a
 from gspot_verified.paper.cache import Cache
 from gspot_verified.paper.checks.entry import Builders, Entry
-from gspot_verified.paper.checks.formal_proof import ProofRun
+from gspot_verified.paper.checks.formal_proof import ProofRun, run_proofs
 from gspot_verified.paper.checks.formal_routes import with_formal_proof
 from gspot_verified.paper.dependencies import dependencies
 from gspot_verified.paper.section_1 import (
@@ -196,6 +197,40 @@ def verify_claims(
             waiting += dependencies(found[identifier], list(builders)).entries[::-1]
     named = [found[identifier] for identifier in asked]
     return named, [entry for identifier, entry in found.items() if identifier not in asked]
+
+
+def verify(
+    *claims: str,
+    alone: bool = False,
+    formal: bool = False,
+    cache: Path | None = None,
+    progress: Callable[[str], None] | None = None,
+    executor: Executor | None = None,
+) -> list[Entry]:
+    """The paper claim by claim: the entries of the ledger, each with its verdict and its checks.
+
+    :param claims: identifiers of entries; none: the whole paper, some minutes. The named ones come first, then those
+        that their checks name; those are left out with ``alone``.
+    :param formal: run the formal proofs of proofs/coq too, with Coq: minutes.
+    :param cache: a folder that keeps results under the hash of all sources; left out, nothing is kept.
+    :param progress: is told what is done.
+    :param executor: where the entries of the whole paper are found.
+    :raises ValueError: no entry has that name, or an argument is for the other kind of question.
+
+    >>> from gspot_verified import verify
+    >>> [entry.verdict.outcome.name for entry in verify("S-iwc", alone=True)]
+    ['PROVED']
+    """
+    if alone and not claims:
+        raise ValueError("alone: for named claims")
+    if claims and executor is not None:
+        raise ValueError("executor: for the whole paper; name no claims")
+    kept = None if cache is None else Cache(cache)
+    proofs = run_proofs() if formal else None
+    if not claims:
+        return verify_paper(progress, kept, proofs, executor)
+    named, further = verify_claims(claims, progress, kept, alone, proofs)
+    return named + further
 
 
 def _made(identifier: str, part: str, cache: Cache | None, proofs: ProofRun | None) -> Entry:

@@ -30,7 +30,7 @@ class CheckedAgain(NoTruthValue):
         return {"name": self.name, "same": self.same, "said": self.said}
 
 
-def check_again(folder: Path, progress: Callable[[str], None] | None = None) -> list[CheckedAgain]:
+def check_report(folder: Path, progress: Callable[[str], None] | None = None) -> list[CheckedAgain]:
     """Every certificate that the report in ``folder`` names, and every other one that lies in its folder.
 
     :raises ValueError: there is no report.json, it is malformed, or it names no certificate.

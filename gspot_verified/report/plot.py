@@ -6,7 +6,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from flint import fmpq
+
 from gspot_verified.compliant.contact.iwc import CompliantIwc
+from gspot_verified.compliant.side.side_map import side_map
 from gspot_verified.compliant.zeros.zero_map import ZeroMap
 from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.leading_order.iwc import IwcResult
@@ -19,6 +22,9 @@ from gspot_verified.report.pictures.contact_force_picture import contact_force_p
 from gspot_verified.report.pictures.expansion_picture import expansion_picture
 from gspot_verified.report.pictures.phase_plane import phase_plane_picture
 from gspot_verified.report.pictures.zero_map_picture import zero_map_picture
+from gspot_verified.report.figures.force_figure import force_picture
+from gspot_verified.report.figures.side_map import side_map_picture
+from gspot_verified.report.figures.threshold_figure import threshold_picture, threshold_points
 from gspot_verified.signs.zeros.zeros import ZerosResult
 
 
@@ -26,6 +32,9 @@ def plot(subject: object, path: str | Path | None = None, **options: Any) -> Pic
     """Draw ``subject`` and, with ``path``, write it as PNG, PDF or SVG by the suffix; returns it with its caption.
 
     - "theta": Θ(τ, β) for five β; "b-hat" (``beta=``, ``epsilons=``): b-hat on the slow manifold against Θ;
+      "force": the slow force at several ε above leading order; "side-map" (``progress=``): the exact side rule over β
+      and ε for the paper's data, about a minute; "threshold": the exact ε0 over β beside the one at leading order, some
+      minutes;
     - a mechanism (``state=``): the phase plane (p, b) next to its G-spot;
     - the result of ``expand``: the residual under its proved bound; of ``iwc`` (``epsilon=``): λ_N(τ) at leading order;
       of ``zeros_on_range``: the sign atlas; of ``zero_map``: the map over β and ε.
@@ -59,7 +68,24 @@ def _drawer(subject: object) -> Callable[..., Picture]:
     raise TypeError(f"plot: a {type(subject).__name__} has no figure")
 
 
-_NAMES: dict[str, Callable[..., Picture]] = {"theta": theta_picture, "b-hat": b_hat_picture}
+def _side_map(progress: Callable[[str], None] = lambda _: None) -> Picture:
+    betas = [fmpq(2 * n + 1, 8) for n in range(1, 40)]
+    parts = (fmpq(1), fmpq(3, 2), fmpq(2), fmpq(3), fmpq(9, 2), fmpq(7))  # of a power of ten
+    epsilons = [fmpq(10) ** -(k // 6) / parts[k % 6] for k in range(25)]
+    return side_map_picture(side_map(betas, epsilons, lambda done, number: progress(f"{done} of {number} values of β")))
+
+
+def _threshold() -> Picture:
+    return threshold_picture(threshold_points())
+
+
+_NAMES: dict[str, Callable[..., Picture]] = {
+    "theta": theta_picture,
+    "b-hat": b_hat_picture,
+    "force": force_picture,
+    "side-map": _side_map,
+    "threshold": _threshold,
+}
 _KINDS: dict[type, Callable[..., Picture]] = {
     Mechanism: phase_plane_picture,
     Trajectory: expansion_picture,

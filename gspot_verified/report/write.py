@@ -76,7 +76,7 @@ def computed(
     return drawn, [found[name] for name in certificates], hard_cases(found[name] for name in families)
 
 
-def render_from_json(path: Path, directory: Path, cost: Path | None = None) -> Path:
+def render_report(path: Path, directory: Path, cost: Path | None = None) -> Path:
     """Write the pages into ``directory`` from a ``report.json``; returns the start. Nothing is computed again.
 
     Figures and certificates that lie beside the file are copied. Proof pages and code are shown where the versions

@@ -126,11 +126,18 @@ def hard_sides() -> HardSides:
     return empty.restricted(**{name: table.words(name) for name in _LISTS})
 
 
-def wrong_sides(chosen: HardSides, progress: Callable[[str], None] | None = None) -> Failures:
+def wrong_sides(chosen: HardSides | None = None, progress: Callable[[str], None] | None = None) -> Failures:
     """The certified side of every start, and what every float run says of it; nothing is kept.
 
+    ``chosen``: starts and float runs, :func:`hard_sides` if left out (some ten minutes), or a part of them.
+
     :raises SceneError: an unknown solver, or a tolerance out of range.
+
+    >>> few = hard_sides().restricted(epsilons=["1/1000"], betas=["5/2"], nus=["2"], solvers=["LSODA"])
+    >>> [(count.wrong, count.decided) for count in wrong_sides(few.restricted(tolerances=["1e-6"])).counts]
+    [(0, 1)]
     """
+    chosen = hard_sides() if chosen is None else chosen
     certified: dict[Start, CertifiedSide] = {}
     counts: list[Count] = []
     for epsilon, beta in product(chosen.epsilons, chosen.betas):

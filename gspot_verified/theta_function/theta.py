@@ -42,7 +42,7 @@ def theta(
 
     Printing an ``arb`` shows as many digits as flint's own precision; ``ball_text`` shows as many as asked.
 
-    >>> from gspot_verified.numbers.balls import ball_text
+    >>> from gspot_verified import ball_text
     >>> ball_text(theta(-50, "7/3", digits=20), 20)
     '[9210.1042163477515727 +/- 4.20e-17]'
     >>> theta(2, 3, derivative=1)

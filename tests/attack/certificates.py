@@ -14,8 +14,9 @@ from attack.answers import AGREED, Answer, Attack, undecided, wrong
 from attack.statements import untrue
 from must_reject.mutate import GOOD, Lines, checker, text_of
 
-from gspot_verified import Range, sign, zeros_on_range
+from gspot_verified import Range, sign
 from gspot_verified.certificates.text import certificate_text
+from gspot_verified.signs.zeros.zeros import zeros_on_range
 
 _PROOFS = Path(__file__).resolve().parents[2] / "proofs"
 _FORCES = ("force_5_2", "lift_off_5_2")

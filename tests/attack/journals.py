@@ -19,11 +19,12 @@ from attack.motion import Question, judged, question
 from attack.signs import sign_changes, slope
 from attack.statements import untrue
 
-from gspot_verified import Outcome, zeros_on_range
+from gspot_verified import Outcome
 from gspot_verified import sign as sign_on_ranges
 from gspot_verified.scenes.certified_run import certified_run
 from gspot_verified.scenes.scene.file import parse_scene
 from gspot_verified.scenes.scene.scene import SceneError
+from gspot_verified.signs.zeros.zeros import zeros_on_range
 
 _SIGNS = (
     ("-1..1", "[5/2..11/4]", 1), ("-inf..1", "[5/2..11/4]", -1), ("-1..3", "[3/2..7/4]", -1),

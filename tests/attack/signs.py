@@ -11,7 +11,9 @@ from attack import reference_theta
 from attack.answers import AGREED, Answer, Attack, undecided, wrong
 from attack.balls_as_numbers import to_fmpq, to_fraction
 
-from gspot_verified import Outcome, Range, number_of_zeros, sign, zeros_at, zeros_on_range
+from gspot_verified import Outcome, Range, number_of_zeros, sign
+from gspot_verified.signs.zeros.brackets import zeros_at
+from gspot_verified.signs.zeros.zeros import zeros_on_range
 
 _DIGITS = 12
 

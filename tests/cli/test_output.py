@@ -40,7 +40,7 @@ def no_work(monkeypatch: pytest.MonkeyPatch) -> None:
         "signs.zeros.brackets.zeros_at",
         "mechanisms.expand.expand",
         "paper.verify.verify_paper",
-        "report.write.render_from_json",
+        "report.write.render_report",
         "cost.benchmarks.theta.run",
     ):
         monkeypatch.setattr(f"gspot_verified.{place}", started)

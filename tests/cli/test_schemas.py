@@ -178,10 +178,10 @@ def test_verify_and_report(capsys: pytest.CaptureFixture[str], monkeypatch: pyte
         assert errors("verify", other) != []
     source = tmp_path / "report.json"
     source.touch()
-    monkeypatch.setattr("gspot_verified.report.write.render_from_json", lambda *_: tmp_path / "index.html")
+    monkeypatch.setattr("gspot_verified.report.write.render_report", lambda *_: tmp_path / "index.html")
     assert errors("report", printed(capsys, "report", str(source), "--output", str(tmp_path))) == []
     again = [CheckedAgain("iwc_0_1.cert", True, "VERIFIED")]
-    monkeypatch.setattr("gspot_verified.report.check_again.check_again", lambda *_: again)
+    monkeypatch.setattr("gspot_verified.report.check_again.check_report", lambda *_: again)
     assert errors("report", printed(capsys, "report", "--check", str(tmp_path))) == []
 
 

@@ -13,10 +13,12 @@ from enum import Enum
 import pytest
 
 import gspot_verified
-from gspot_verified import Verdict, evaluate, iwc, side, zeros_at, zeros_on_range
+from gspot_verified import Verdict, evaluate, iwc, side
 from gspot_verified import sign as sign_on_ranges
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.signs.zeros.brackets import zeros_at
 from gspot_verified.signs.zeros.integer_zeros import zeros_at_integer
+from gspot_verified.signs.zeros.zeros import zeros_on_range
 
 PLAIN = {
     "cost.times.benchmark.Benchmark": "times that were measured",

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from samples.strategies import to_fmpq
 from witnesses.force import force_by_mpmath, slope
 
-from gspot_verified import Outcome, zeros_at
+from gspot_verified import Outcome
 from gspot_verified.leading_order.contact_force import contact_force
 from gspot_verified.leading_order.iwc import (
     PAPER_EPSILON,
@@ -30,6 +30,7 @@ from gspot_verified.leading_order.stretches import Bracket, stretches
 from gspot_verified.numbers.balls import ball_text, working_bits
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.short_text import decimal_text
+from gspot_verified.signs.zeros.brackets import zeros_at
 
 NOT_INTEGER = st.fractions(Fraction(11, 10), 8, max_denominator=12).filter(lambda beta: beta.denominator > 1)
 

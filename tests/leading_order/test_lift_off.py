@@ -12,13 +12,14 @@ import pytest
 from flint import arb, fmpq
 from witnesses.force import force_by_mpmath
 
-from gspot_verified import Outcome, gamma_sign, zeros_at
+from gspot_verified import Outcome, gamma_sign
 from gspot_verified.leading_order.contact_force import ContactForce, contact_force
 from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.leading_order.lift_off import growth_table, lift_off
 from gspot_verified.leading_order.stretches import Crossing, first_crossing
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.dyadic import Dyadic
+from gspot_verified.signs.zeros.brackets import zeros_at
 
 BETAS = ("3/2", "7/3", "29/10", "7/2", "9/2", "27/5", "13/2", "23/3", "101/100", "399/100")
 

@@ -14,7 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from samples.strategies import ends, to_fmpq
 
-from gspot_verified import evaluate, gamma_sign, zeros_at
+from gspot_verified import evaluate, gamma_sign
 from gspot_verified.leading_order.contact_force import contact_force
 from gspot_verified.leading_order.stretches import (
     Bracket,
@@ -29,6 +29,7 @@ from gspot_verified.leading_order.stretches import (
 )
 from gspot_verified.numbers.balls import sign_of, working_bits
 from gspot_verified.signs.gamma.count_law import number_of_zeros
+from gspot_verified.signs.zeros.brackets import zeros_at
 
 BETAS = ("3/2", "7/3", "29/10", "7/2", "9/2", "27/5", "13/2", "23/3", "101/100", "399/100")
 

@@ -6,7 +6,7 @@ import shutil
 import pytest
 
 from gspot_verified.report.certificates import checked_certificates
-from gspot_verified.report.check_again import check_again
+from gspot_verified.report.check_again import check_report
 from gspot_verified.report.data import report_data
 from gspot_verified.report.parts.proof_page import PROOFS
 
@@ -34,7 +34,7 @@ def test_the_checker_is_asked(folder):
 
 
 def test_a_report_as_written_passes(folder):
-    assert [(result.name, result.same) for result in check_again(folder)] == [(name, True) for name in NAMES]
+    assert [(result.name, result.same) for result in check_report(folder)] == [(name, True) for name in NAMES]
 
 
 def test_a_changed_a_missing_and_an_added_certificate_fail(folder):
@@ -43,7 +43,7 @@ def test_a_changed_a_missing_and_an_added_certificate_fail(folder):
     (place / NAMES[0]).write_text(text.replace("4/5", "9/5", 1), encoding="utf-8")
     (place / NAMES[1]).unlink()
     (place / "other.cert").write_text("x")
-    found = {result.name: result for result in check_again(folder)}
+    found = {result.name: result for result in check_report(folder)}
     assert [name for name in found if found[name].same] == [NAMES[2]]
     assert found[NAMES[0]].said.startswith("another file than the report names; now: ")
     assert found[NAMES[1]].said == "the file is missing"
@@ -59,7 +59,7 @@ def test_a_report_that_says_verified_of_a_bad_certificate_fails(folder):
     report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
     report["certificates"][0]["sha256"] = hashlib.sha256(place.read_bytes()).hexdigest()
     (folder / "report.json").write_text(json.dumps(report), encoding="utf-8")
-    first = check_again(folder)[0]
+    first = check_report(folder)[0]
     assert first.name == NAMES[0]
     assert not first.same
 
@@ -71,10 +71,10 @@ def test_what_is_no_report_is_refused(tmp_path, content, message):
     if content is not None:
         (tmp_path / "report.json").write_text(content)
     with pytest.raises(ValueError, match=message):
-        check_again(tmp_path)
+        check_report(tmp_path)
 
 
 def test_a_report_without_certificates_is_no_pass(tmp_path):
     (tmp_path / "report.json").write_text(json.dumps(report_data([], [])), encoding="utf-8")
     with pytest.raises(ValueError, match="names no certificate"):
-        check_again(tmp_path)
+        check_report(tmp_path)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from flint import arb, fmpq
 
-from gspot_verified import expand, iwc, load, plot, zeros_on_range
+from gspot_verified import expand, iwc, load, plot
 from gspot_verified.compliant.model.normal_form import compliant_model
 from gspot_verified.compliant.motion.compliant_force import SlowManifold, contact_motion
 from gspot_verified.mechanisms.spots.g_spot import find_g_spot
@@ -16,6 +16,7 @@ from gspot_verified.numbers.balls import working_bits
 from gspot_verified.report import plot as module
 from gspot_verified.report.figures.b_hat_figure import scaled_b_hat
 from gspot_verified.report.pictures.phase_plane import RigidSlip, phase_plane
+from gspot_verified.signs.zeros.zeros import zeros_on_range
 from gspot_verified.theta_function.value.evaluate import evaluate
 
 
@@ -44,7 +45,7 @@ def test_the_suffix_comes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
 def test_what_has_no_figure() -> None:
     with pytest.raises(TypeError, match="a Verdict has no figure"):
         plot(iwc("7/3").verdict)
-    with pytest.raises(ValueError, match="expected one of theta, b-hat, got 'atlas'"):
+    with pytest.raises(ValueError, match="expected one of theta, b-hat, force, side-map, threshold, got 'atlas'"):
         plot("atlas")
     for options in ({"beta": -1}, {"beta": "5/2", "epsilons": [0]}):
         with pytest.raises(ValueError, match=r"expected a rational"):

@@ -42,7 +42,7 @@ def test_json_is_sorted_and_the_same_twice(written, entries, tmp_path):
 
 
 def test_json_round_trip_writes_the_same_pages(written, tmp_path):
-    path = write.render_from_json(written / "report.json", tmp_path / "again")
+    path = write.render_report(written / "report.json", tmp_path / "again")
     assert path == tmp_path / "again" / "index.html"
     again = {p.relative_to(path.parent): p.read_bytes() for p in path.parent.rglob("*") if p.is_file()}
     first = {p.relative_to(written): p.read_bytes() for p in written.rglob("*") if p.is_file()}
@@ -57,7 +57,7 @@ def test_pages_can_be_written_again_in_place(written, tmp_path):
 
     shutil.copytree(written, tmp_path / "copy")
     (tmp_path / "copy" / "index.html").unlink()
-    write.render_from_json(tmp_path / "copy" / "report.json", tmp_path / "copy")
+    write.render_report(tmp_path / "copy" / "report.json", tmp_path / "copy")
     assert (tmp_path / "copy" / "index.html").read_bytes() == (written / "index.html").read_bytes()
 
 
@@ -77,7 +77,7 @@ def test_a_bad_file_is_rejected_and_the_page_is_kept(tmp_path, content, message)
     (tmp_path / "report.json").write_bytes(content)
     (tmp_path / "index.html").write_text("good")
     with pytest.raises(ValueError, match=message):
-        write.render_from_json(tmp_path / "report.json", tmp_path)
+        write.render_report(tmp_path / "report.json", tmp_path)
     assert (tmp_path / "index.html").read_text() == "good"
 
 
@@ -85,7 +85,7 @@ def test_a_file_that_is_too_large_is_rejected_before_it_is_read(tmp_path, monkey
     monkeypatch.setattr(write, "_MAX_FILE_BYTES", 3)
     (tmp_path / "report.json").write_text("[[[[")
     with pytest.raises(ValueError, match="larger than 3 bytes"):
-        write.render_from_json(tmp_path / "report.json", tmp_path)
+        write.render_report(tmp_path / "report.json", tmp_path)
 
 
 def test_a_failed_write_keeps_the_good_file_and_leaves_no_draft(tmp_path, monkeypatch):

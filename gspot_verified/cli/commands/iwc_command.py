@@ -36,7 +36,7 @@ def iwc(
     model" is the exact solution at that ε. The exit code is that of the last statement. The certificate's own
     statement, for all ε up to (lift-off: from) a rounded one, is printed when it is written.
     """
-    from gspot_verified.compliant.zeros.force_certificate import certificate_for
+    from gspot_verified.compliant.zeros.force_certificate import iwc_certificate
     from gspot_verified.leading_order.iwc import IwcResult
     from gspot_verified.mechanisms.iwc import iwc as contact_force
 
@@ -68,7 +68,7 @@ def iwc(
         place, rational = certificate, leading
 
         def write() -> None:
-            found = certificate_for(rational)
+            found = iwc_certificate(rational)
             found.write(place)
             progress(f"{place}: {found.statement}")
 

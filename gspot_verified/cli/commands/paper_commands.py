@@ -119,14 +119,14 @@ def report(
             raise ValueError("--check writes nothing, so --cost has no use with it")
         _check_again(check, as_json)
         return
-    from gspot_verified.report.write import render_from_json
+    from gspot_verified.report.write import render_report
 
     if not source.is_file():
         raise ValueError(f"SOURCE: there is no file {source}")
     if cost is not None and not cost.is_file():
         raise ValueError(f"--cost: there is no file {cost}")
     Outputs().folder("--output", output)
-    page = render_from_json(source, output, cost)
+    page = render_report(source, output, cost)
     if as_json:
         print_json({"page": str(page)})
     else:
@@ -134,9 +134,9 @@ def report(
 
 
 def _check_again(folder: Path, as_json: bool) -> None:
-    from gspot_verified.report.check_again import check_again
+    from gspot_verified.report.check_again import check_report
 
-    found = check_again(folder, progress)
+    found = check_report(folder, progress)
     if as_json:
         print_json({"certificates": [result.to_json() for result in found]})
     else:

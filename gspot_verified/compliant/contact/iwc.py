@@ -95,9 +95,10 @@ def compliant_iwc(
 
     Arguments and errors: :func:`gspot_verified.leading_order.iwc.leading_order_iwc`.
 
-    On the side C_1/Gamma(-beta) > 0, for 0 < beta < 5, every eps_0 at leading order is one for the compliant model (Theorem C of the page), and the exact eps_0 is found,
-    for 5 < beta < 13 by cells of eps (six digits, some seconds). On the other side the lift-off time of the compliant
-    model is bracketed at eps, and compared with that at leading order for every smaller eps (1 < beta < 5).
+    On the side C_1/Gamma(-beta) > 0, for 0 < beta < 5, every eps_0 at leading order is one for the compliant model
+    (Theorem C of the page), and the exact eps_0 is found, for 5 < beta < 13 by cells of eps (six digits, some seconds).
+    On the other side the lift-off time of the compliant model is bracketed at eps, and compared with that at leading
+    order for every smaller eps (1 < beta < 5).
 
     >>> compliant_iwc("5/2").verdict.statement
     'on the slow manifold of the compliant model, λ_N > 0 for every τ in [-10, inf) and every ε in (0, 0.894881353)'

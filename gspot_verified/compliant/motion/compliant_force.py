@@ -76,8 +76,7 @@ def force(
     :raises TypeError: a float.
     :raises ValueError: a time before the state, or too long after a state with p <= 0; an argument out of range.
 
-    >>> from gspot_verified.numbers.balls import ball_text
-    >>> from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
+    >>> from gspot_verified import ball_text, compliant_model, compliant_state
     >>> model = compliant_model("5/2", "1e-6")
     >>> print(ball_text(force(model, SlowManifold(fmpq(1)), "1e-4", digits=8).force, 8))
     [0.66666748 +/- 3.77e-9]

@@ -116,7 +116,7 @@ def first_zero(model: CompliantModel, state: CompliantState, digits: int = 25, b
     :param budget: the work of the power series, rate times time; the rate is 3 or more for each unit of time.
     :raises ValueError: digits out of range.
 
-    >>> from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
+    >>> from gspot_verified import compliant_model, compliant_state
     >>> model = compliant_model("3/2", "1e-9")
     >>> b, small = fmpq(-2), model.epsilon
     >>> data = compliant_state("1/2", b, 4 * small**2 * b, 0, 2 * small**2 * b)

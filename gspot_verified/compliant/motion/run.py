@@ -116,7 +116,7 @@ def events(model: CompliantModel, state: CompliantState, digits: int = 15, budge
         its fast part does not.
     :raises ValueError: p <= 0; digits or budget out of range.
 
-    >>> from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
+    >>> from gspot_verified import compliant_model, compliant_state
     >>> model = compliant_model("3/2", "1e-6")
     >>> run = events(model, compliant_state("1/2", -2, "-8e-12", 0, "-4e-12"))
     >>> run.verdict.statement

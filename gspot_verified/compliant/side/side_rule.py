@@ -99,7 +99,7 @@ def side_rule(model: CompliantModel, state: CompliantState, digits: int = 15) ->
 
     The verdict is proved with the sign of K, or undecided where balls of rising accuracy cannot tell it from 0.
 
-    >>> from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
+    >>> from gspot_verified import compliant_model, compliant_state
     >>> model = compliant_model("5/2", "1/1000")
     >>> side_rule(model, compliant_state("1/2", "-2/3", "-8/3000000", 0, "-4/3000000")).verdict.outcome.value
     'proved'

@@ -95,7 +95,7 @@ def lift_off_certificate(force: ContactForce, tau: fmpq, epsilon: fmpq) -> Force
     return ForceCertificate(LiftOffStatement(force, tau, epsilon, level), column)
 
 
-def certificate_for(leading: IwcResult) -> ForceCertificate:
+def iwc_certificate(leading: IwcResult) -> ForceCertificate:
     """A certificate beside a result at leading order: the same half-line, epsilon a little below eps_0, or the end of
     the lift-off bracket, rounded to two or three places.
 

@@ -63,9 +63,9 @@ class UniformBound(NoTruthValue):
 
         :raises ValueError: s or delta lies outside of what the verdict covers.
 
-        >>> from gspot_verified.expansion.trajectory import expand_system
+        >>> from gspot_verified import expand
         >>> from gspot_verified.testing import extended_example
-        >>> bound = uniform_bound(expand_system(extended_example(chi=1), 10), -2, 1, "1/20")
+        >>> bound = uniform_bound(expand(extended_example(chi=1), 10), -2, 1, "1/20")
         >>> bound.at(1, "1/100")["p"]
         [-0.99989998009310 +/- 3.36e-15]
         """
@@ -130,9 +130,9 @@ def uniform_bound(
     :raises ValueError: not start < end, delta or ``within`` out of range or not rational, a contact without a damper.
     :raises ResidualError: the terms are not those of Theorem 1.
 
-    >>> from gspot_verified.expansion.trajectory import expand_system
+    >>> from gspot_verified import expand
     >>> from gspot_verified.testing import extended_example
-    >>> bound = uniform_bound(expand_system(extended_example(chi=1), 6), -3, 2, "1/20")
+    >>> bound = uniform_bound(expand(extended_example(chi=1), 6), -3, 2, "1/20")
     >>> bound.verdict.outcome.value, bound.contact.outcome.value, bound.constants["p"] < 31000
     ('proved', 'proved', True)
     """

@@ -121,9 +121,9 @@ def uniform_side(
     :raises ValueError: beta is not a rational number above 1, C_1 = 0, or an argument is out of range.
     :raises SymbolsError: the numbers of the system are symbols.
 
-    >>> from gspot_verified.expansion.trajectory import expand_system
+    >>> from gspot_verified import expand
     >>> from gspot_verified.testing import extended_example
-    >>> trajectory = expand_system(extended_example(chi=1), 8)
+    >>> trajectory = expand(extended_example(chi=1), 8)
     >>> uniform_side(trajectory, -1, "1/50").side, uniform_side(trajectory, 1, "1/50").side
     ('lift-off', 'impact')
     """

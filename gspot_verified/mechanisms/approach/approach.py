@@ -52,8 +52,8 @@ def approach(
     :raises StateError: the state is not on the contact, p <= 0, b >= 0, or slip is not positive there.
     :raises MechanismError: the mechanism is not complete.
 
-    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
-    >>> model = shipped_mechanism("model system")
+    >>> from gspot_verified import load
+    >>> model = load("model system")
     >>> found = approach(model, {"x": 0, "u": 3, "p": "1/2", "b": "-2"})
     >>> found.end, found.side, found.coefficient < 0
     ('G-spot', 'lift-off', True)

@@ -66,11 +66,11 @@ def find_g_spots(
 
     :raises MechanismError: the mechanism is not complete, or the box names no component of the state.
 
-    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
-    >>> found = find_g_spots(shipped_mechanism("genot_brogliato_rod", mu="7/5"))
+    >>> from gspot_verified import load
+    >>> found = find_g_spots(load("genot_brogliato_rod", mu="7/5"))
     >>> len(found.spots), found.complete
     (4, True)
-    >>> find_g_spots(shipped_mechanism("genot_brogliato_rod", mu="13/10")).verdict.outcome.value
+    >>> find_g_spots(load("genot_brogliato_rod", mu="13/10")).verdict.outcome.value
     'refuted'
     """
     if type(budget) is not int or budget < 1:

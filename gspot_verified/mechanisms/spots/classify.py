@@ -136,8 +136,8 @@ def classify(mechanism: Mechanism, bits: int = DEFAULT_BITS) -> Classification:
     :raises MechanismError: the mechanism is not complete, or its mass matrix is not positive definite.
     :raises GSpotError: not a G-spot, or a degenerate one.
 
-    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
-    >>> print(classify(shipped_mechanism("falling rod")))
+    >>> from gspot_verified import load
+    >>> print(classify(load("falling rod")))
     falling rod: Case II (alpha_2 > 0, alpha_1 < alpha_3 < 0)
       exact point: X = 0, Y = 3/5, theta = theta_ref, X_dot = 2, Y_dot = 4/5, theta_dot = 1
       alpha_1 = -55/12, alpha_2 = 4/5, alpha_3 = -3/2

@@ -88,11 +88,11 @@ def classify_all(
 
     :raises MechanismError: the mechanism is not complete, or the box names no component of the state.
 
-    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
-    >>> found = classify_all(shipped_mechanism("genot_brogliato_rod", mu="7/5"))
+    >>> from gspot_verified import load
+    >>> found = classify_all(load("genot_brogliato_rod", mu="7/5"))
     >>> [spot.case for spot in found.spots]
     ['none', 'none', 'none', 'none']
-    >>> found = classify_all(shipped_mechanism("genot_brogliato_rod", mu="13/10"))
+    >>> found = classify_all(load("genot_brogliato_rod", mu="13/10"))
     >>> found.exit_code, found.critical.is_below
     (1, True)
     """

@@ -91,8 +91,8 @@ def critical_friction(mechanism: Mechanism, bits: int = DEFAULT_BITS, budget: in
 
     :raises MechanismError: the mechanism is not complete.
 
-    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
-    >>> found = critical_friction(shipped_mechanism("genot_brogliato_rod"))
+    >>> from gspot_verified import load
+    >>> found = critical_friction(load("genot_brogliato_rod"))
     >>> found.value is not None and found.value.overlaps(arb(4) / 3)
     True
     """

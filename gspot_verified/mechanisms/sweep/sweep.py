@@ -63,8 +63,8 @@ def sweep(
     :raises MechanismError: no such parameter, or the mechanism is not complete.
     :raises ValueError: not one or two parameters, an empty range, or too many cells.
 
-    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
-    >>> result = sweep(shipped_mechanism("oscillator"), {"beta": "9/4..11/4:4"})
+    >>> from gspot_verified import load
+    >>> result = sweep(load("oscillator"), {"beta": "9/4..11/4:4"})
     >>> print(result.verdict)
     proved: frictional impact oscillator: Case and side of the continued G-spot for every beta in [9/4, 11/4], except \
 in the brackets where one quantity passes zero or the spot vanishes

@@ -17,7 +17,7 @@ def paper_state(model: CompliantModel, nu: ExactInput) -> CompliantState:
     :raises TypeError: a float.
     :raises ValueError: a ball; nu = 0 or alpha_2 = 0 (y = z = 0: not in contact).
 
-    >>> from gspot_verified.compliant.model.normal_form import compliant_model
+    >>> from gspot_verified import compliant_model
     >>> paper_state(compliant_model("5/2", "1/1000"), "1/2").b
     -1/6
     """

@@ -62,6 +62,10 @@ class ScaledSystem:
         size = len(self.states) + 1
         return [[partial_derivative(rate, i, size) for i in range(size - 1)] for rate in self.right_hand_side]
 
+    def operations(self) -> int:
+        """How many operations the right-hand side takes, each shared value counted once."""
+        return operations(self.right_hand_side)
+
     def shown(self, name: str) -> Expression:
         """One function of the read-out.
 

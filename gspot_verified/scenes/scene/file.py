@@ -73,6 +73,15 @@ KEYS = {
 }
 
 
+def scene_names() -> tuple[str, ...]:
+    """The scenes that come with the package: the names that :func:`load_scene` knows.
+
+    >>> scene_names()[:2]
+    ('fig-varsim1', 'fig-varsim2')
+    """
+    return SHIPPED
+
+
 def load_scene(name_or_path: str | Path, /, **settings: ExactInput | None) -> Scene:
     """The scene in a TOML file, or the one of the package with that name; ``settings`` as in ``Scene.with_settings``.
 

@@ -7,12 +7,12 @@ from itertools import pairwise
 import pytest
 from flint import arb, fmpq
 
-from gspot_verified import evaluate, number_of_zeros, zeros_at
+from gspot_verified import evaluate, number_of_zeros
 from gspot_verified.numbers.short_text import decimal_text
 from gspot_verified.signs.cover.pieces import number_of_zeros as number_of_zeros_of_column
 from gspot_verified.signs.cover.zero_column import zero_column
 from gspot_verified.signs.zeros import brackets
-from gspot_verified.signs.zeros.brackets import _one_each
+from gspot_verified.signs.zeros.brackets import _one_each, zeros_at
 from gspot_verified.signs.zeros.slope_at import SlopeAt, UndecidedError
 
 NEAR = fmpq(1, 10**8)

@@ -1,8 +1,7 @@
-"""The command ``figure``: pictures by their names."""
+"""The command ``plot``: pictures by their names."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -17,8 +16,8 @@ if TYPE_CHECKING:
     from gspot_verified.report.pictures.canvas import Picture
 
 
-@app.command(epilog="Example: gspot-verified figure force force.png")
-def figure(
+@app.command(epilog="Example: gspot-verified plot force force.png")
+def plot(
     name: Annotated[
         str, typer.Argument(help='"theta", "b-hat", "contact-force", "phase-plane", "force", "side-map", "threshold".')
     ],
@@ -51,54 +50,20 @@ def figure(
 def _drawn(
     name: str, mechanism: str, settings: list[str] | None, start: str | None, beta: str, epsilon: str
 ) -> Picture:
-    from gspot_verified.report.plot import plot
+    from gspot_verified.report.plot import plot as picture_of
 
     if name == "phase-plane":
         state = None if start is None else components(start)
-        return plot(load_with_settings(mechanism, settings), state=state)
+        return picture_of(load_with_settings(mechanism, settings), state=state)
     if name == "contact-force":
-        from gspot_verified.compliant.contact.iwc import compliant_iwc
+        from gspot_verified.mechanisms.iwc import iwc
 
-        return plot(compliant_iwc(beta), epsilon=epsilon)
+        return picture_of(iwc(beta), epsilon=epsilon)
     if name == "b-hat":
-        return plot(name, beta=beta)
-    return _FIGURES[name]()
+        return picture_of(name, beta=beta)
+    if name == "side-map":
+        return picture_of(name, progress=progress)
+    return picture_of(name)
 
 
-def _theta() -> Picture:
-    from gspot_verified.report.figures.figures import theta_picture
-
-    return theta_picture()
-
-
-def _force() -> Picture:
-    from gspot_verified.report.figures.force_figure import force_picture
-
-    return force_picture()
-
-
-def _side_map() -> Picture:
-    from flint import fmpq
-
-    from gspot_verified.compliant.side.side_map import side_map
-    from gspot_verified.report.figures.side_map import side_map_picture
-
-    betas = [fmpq(2 * n + 1, 8) for n in range(1, 40)]
-    parts = (fmpq(1), fmpq(3, 2), fmpq(2), fmpq(3), fmpq(9, 2), fmpq(7))  # of a power of ten
-    epsilons = [fmpq(10) ** -(k // 6) / parts[k % 6] for k in range(25)]
-    return side_map_picture(side_map(betas, epsilons, lambda done, number: progress(f"{done} of {number} values of β")))
-
-
-def _threshold() -> Picture:
-    from gspot_verified.report.figures.threshold_figure import threshold_picture, threshold_points
-
-    return threshold_picture(threshold_points())
-
-
-_FIGURES: dict[str, Callable[[], Picture]] = {
-    "theta": _theta,
-    "force": _force,
-    "side-map": _side_map,
-    "threshold": _threshold,
-}
 NAMES = ("theta", "b-hat", "contact-force", "phase-plane", "force", "side-map", "threshold")

@@ -1,4 +1,4 @@
-"""The command ``figure``."""
+"""The command ``plot``."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from gspot_verified.cli import main
-from gspot_verified.cli.commands import figure_command
+from gspot_verified.report import plot
 from gspot_verified.report.figures.force_figure import force_picture
 
 
@@ -19,7 +19,7 @@ def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, 
 
 def test_a_figure_and_its_caption(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     place = tmp_path / "force.png"
-    code, output, _ = run(capsys, "figure", "force", str(place))
+    code, output, _ = run(capsys, "plot", "force", str(place))
     assert code == 0
     assert force_picture().caption in output
     assert place.read_bytes().startswith(b"\x89PNG")
@@ -39,15 +39,15 @@ def test_a_figure_and_its_caption(capsys: pytest.CaptureFixture[str], tmp_path: 
 def test_bad_input_is_refused_before_the_work(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, arguments: tuple[str, ...], message: str
 ) -> None:
-    monkeypatch.setattr(figure_command, "_FIGURES", dict.fromkeys(figure_command._FIGURES, None))
-    code, _, errors = run(capsys, "figure", *arguments)
+    monkeypatch.setattr(plot, "_NAMES", dict.fromkeys(plot._NAMES, None))
+    code, _, errors = run(capsys, "plot", *arguments)
     assert code == 64
     assert message in errors
 
 
 @pytest.mark.parametrize("name", ["b-hat", "contact-force", "phase-plane"])
 def test_figures_by_name(capsys: pytest.CaptureFixture[str], tmp_path: Path, name: str) -> None:
-    code, output, _ = run(capsys, "figure", name, str(tmp_path / "x.pdf"))
+    code, output, _ = run(capsys, "plot", name, str(tmp_path / "x.pdf"))
     assert code == 0
     assert "Certified" in output or "float runs" in output
     assert (tmp_path / "x.pdf").read_bytes().startswith(b"%PDF")
