@@ -8,6 +8,8 @@ from typing import Annotated, Any
 import pytest
 import typer
 
+from gspot_verified.cli.app import app
+from gspot_verified.cli.main import load_commands
 from gspot_verified.cli.parameters import read_when_needed
 
 
@@ -58,3 +60,17 @@ def test_a_path_that_cannot_be_read(tmp_path: Path) -> None:
     closed.chmod(0)
     words = ["--place", str(closed)]
     assert answer(words, light=True) == answer(words, light=False)
+
+
+def test_epsilon_is_one_option_everywhere() -> None:
+    """``--epsilon``, and ``--eps`` as its short form."""
+    load_commands()
+    options = {
+        (name, parameter.name): parameter.opts
+        for name, command in typer.main.get_group(app).commands.items()
+        for parameter in command.params
+        if {"--eps", "--epsilon"} & {*parameter.opts}
+    }
+    assert {name for name, _ in options} >= {"iwc", "side", "zeros", "force", "events", "simulate", "plot"}
+    assert set(map(tuple, options.values())) == {("--epsilon", "--eps")}
+    assert {parameter for _, parameter in options} == {"epsilon"}

@@ -209,7 +209,7 @@ def test_zeros_at_finite_epsilon(capsys: pytest.CaptureFixture[str]) -> None:
     [
         (("--eps", "0"), "epsilon: expected a number in"),
         (("--eps", "x"), "epsilon: expected a number"),
-        (("--eps", "1", "--certificate", "x.cert"), "--certificate: with --eps it needs a range of β inside 4..5"),
+        (("--eps", "1", "--certificate", "x.cert"), "--certificate: with --epsilon it needs a range of β inside 4..5"),
         (("--beta", "4..5", "--eps", "1..2", "--certificate", "x.cert"), "it needs a range from 0 on"),
         (("--beta", "3..5", "--eps", "0..2", "--certificate", "x.cert"), "the range must lie inside [4, 5]"),
         (("--eps", "1", "--journal", "x"), "--journal, --workers and --scheduler need a range"),

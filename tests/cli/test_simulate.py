@@ -168,7 +168,8 @@ def test_the_list(capsys: pytest.CaptureFixture[str]) -> None:
         (("fig-varsim2", "--until", "1/0"), "until: the denominator of '1/0' is zero"),
         (("fig-varsim2", "--until", "1e9999"), "until: a number of"),
         (("fig-varsim2", "--until", "1", "--set", "until=2"), "give --until or --set until=..., not both"),
-        (("fig-varsim2", "--eps", "1", "--set", "epsilon=2"), "give --eps or --set epsilon=..., not both"),
+        (("fig-varsim2", "--eps", "1", "--set", "epsilon=2"), "give --epsilon or --set epsilon=..., not both"),
+        (("fig-varsim2", "--epsilon", "1", "--set", "eps=2"), "give --epsilon or --set eps=..., not both"),
     ],
 )
 def test_bad_input(capsys: pytest.CaptureFixture[str], words: tuple[str, ...], message: str) -> None:

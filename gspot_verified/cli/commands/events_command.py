@@ -9,10 +9,10 @@ import typer
 from gspot_verified.cli.app import JsonFlag, app, print_json
 
 
-@app.command(epilog="Example: gspot-verified events --beta 3/2 --eps 1e-6 --nu 2")
+@app.command(epilog="Example: gspot-verified events --beta 3/2 --epsilon 1e-6 --nu 2")
 def events(
     beta: Annotated[str | None, typer.Option(help="β = α3/α1; or give --alpha3.")] = None,
-    eps: Annotated[str, typer.Option("--eps", help="ε > 0.")] = "1/1000",
+    epsilon: Annotated[str, typer.Option("--epsilon", "--eps", help="ε > 0.")] = "1/1000",
     alpha1: Annotated[str, typer.Option(help="α1* < 0.")] = "-1",
     alpha2: Annotated[str, typer.Option(help="α2*.")] = "-1",
     alpha3: Annotated[str | None, typer.Option(help="α3* < 0; β α1 if left out.")] = None,
@@ -36,7 +36,7 @@ def events(
     from gspot_verified.compliant.motion.run import events as compliant_run
     from gspot_verified.paper.numerics.paper_state import paper_state
 
-    model = compliant_model(beta, eps, alpha_1=alpha1, alpha_2=alpha2, alpha_3=alpha3)
+    model = compliant_model(beta, epsilon, alpha_1=alpha1, alpha_2=alpha2, alpha_3=alpha3)
     if nu is not None and state is None:
         start = paper_state(model, nu)
     elif state is not None and nu is None:
@@ -48,5 +48,5 @@ def events(
         print_json(result.to_json())
     else:
         typer.echo(str(result))
-        typer.echo(f"  the compliant model from p = {start.p}, b = {start.b}, ε = {eps}")
+        typer.echo(f"  the compliant model from p = {start.p}, b = {start.b}, ε = {epsilon}")
     raise typer.Exit(result.verdict.exit_code)

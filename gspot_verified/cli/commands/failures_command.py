@@ -14,9 +14,9 @@ if TYPE_CHECKING:
 _OF_THE_SET = "in place of those of the set, as often as needed."
 
 
-@app.command(epilog="Example: gspot-verified failures --eps 1/10000 --beta 15/2 --solver LSODA --tolerance 1e-6")
+@app.command(epilog="Example: gspot-verified failures --epsilon 1/10000 --beta 15/2 --solver LSODA --tolerance 1e-6")
 def failures(
-    eps: Annotated[list[str] | None, typer.Option("--eps", help=f"ε, {_OF_THE_SET}")] = None,
+    epsilon: Annotated[list[str] | None, typer.Option("--epsilon", "--eps", help=f"ε, {_OF_THE_SET}")] = None,
     beta: Annotated[list[str] | None, typer.Option(help=f"β, {_OF_THE_SET}")] = None,
     nu: Annotated[list[str] | None, typer.Option(help=f"ν of the starts, {_OF_THE_SET}")] = None,
     solver: Annotated[list[str] | None, typer.Option(help=f"Radau, LSODA or BDF, {_OF_THE_SET}")] = None,
@@ -32,7 +32,7 @@ def failures(
     """
     from gspot_verified.scenes.hard_sides import hard_sides, wrong_sides
 
-    chosen = hard_sides().restricted(epsilons=eps, betas=beta, nus=nu, solvers=solver, tolerances=tolerance)
+    chosen = hard_sides().restricted(epsilons=epsilon, betas=beta, nus=nu, solvers=solver, tolerances=tolerance)
     found = wrong_sides(chosen, progress)
     if as_json:
         print_json(found.to_json())

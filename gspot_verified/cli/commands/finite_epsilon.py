@@ -1,4 +1,4 @@
-"""``zeros --eps``: the zeros of the slow solution of the compliant model, at one point or over a rectangle."""
+"""``zeros --epsilon``: the zeros of the slow solution of the compliant model, at one point or over a rectangle."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def zeros_at_finite_epsilon(beta: str, epsilon: str, digits: int, as_json: bool)
     from gspot_verified.compliant.zeros.zero_count import slow_zeros
 
     if ".." in epsilon:
-        raise ValueError("--eps: a range of ε needs a range of β, such as 5..6")
+        raise ValueError("--epsilon: a range of ε needs a range of β, such as 5..6")
     found = slow_zeros(beta, epsilon, digits)
     if as_json:
         print_json(found.to_json())
@@ -79,7 +79,7 @@ def _certificate(beta: str, epsilon: str) -> SlowZerosCertificate:
 
     small = Range.parse(epsilon, "epsilon") if ".." in epsilon else None
     if small is None or small.lower != 0 or small.upper is None:
-        raise ValueError("--certificate: with --eps it needs a range from 0 on, such as 0..10, and β inside 4..5")
+        raise ValueError("--certificate: with --epsilon it needs a range from 0 on, such as 0..10, and β inside 4..5")
     return slow_zeros_certificate(beta, small.upper)
 
 

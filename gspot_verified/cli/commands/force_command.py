@@ -9,11 +9,11 @@ import typer
 from gspot_verified.cli.app import JsonFlag, app, print_json
 
 
-@app.command(epilog="Example: gspot-verified force --beta 5/2 --eps 1e-6 --t 1e-4")
+@app.command(epilog="Example: gspot-verified force --beta 5/2 --epsilon 1e-6 --t 1e-4")
 def force(
     t: Annotated[str, typer.Option("--t", help="The time, measured from the G-spot: p = α1 t.")],
     beta: Annotated[str | None, typer.Option(help="β = α3/α1; or give --alpha3.")] = None,
-    eps: Annotated[str, typer.Option("--eps", help="ε > 0.")] = "1/1000",
+    epsilon: Annotated[str, typer.Option("--epsilon", "--eps", help="ε > 0.")] = "1/1000",
     alpha1: Annotated[str, typer.Option(help="α1* < 0.")] = "-1",
     alpha2: Annotated[str, typer.Option(help="α2*.")] = "-1",
     alpha3: Annotated[str | None, typer.Option(help="α3* < 0; β α1 if left out.")] = None,
@@ -41,7 +41,7 @@ def force(
     from gspot_verified.leading_order.contact_force import rational
     from gspot_verified.signs.gamma.side import gamma_sign
 
-    model = compliant_model(beta, eps, alpha_1=alpha1, alpha_2=alpha2, alpha_3=alpha3)
+    model = compliant_model(beta, epsilon, alpha_1=alpha1, alpha_2=alpha2, alpha_3=alpha3)
     if state is not None:
         if c1 is not None:
             raise ValueError("--c1: it is for the slow manifold; the state fixes its own C1")
@@ -61,7 +61,7 @@ def force(
         print_json({**result.to_json(), **certified, "system": f"the compliant model, {where}"})
     else:
         typer.echo(str(result))
-        typer.echo(f"  the compliant model in contact, {where}, ε = {eps}")
+        typer.echo(f"  the compliant model in contact, {where}, ε = {epsilon}")
         if lasting is not None:
             typer.echo(str(lasting))
     raise typer.Exit(0 if result.reached and (lasting is None or lasting.exit_code == 0) else 2)

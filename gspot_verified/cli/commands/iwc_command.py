@@ -24,7 +24,9 @@ def iwc(
     settings: Annotated[list[str] | None, typer.Option("--set", help='A parameter of the mechanism, "mu=2".')] = None,
     c1: Annotated[str | None, typer.Option(help="C1; left out: 1 or -1, on the side without lift-off.")] = None,
     tau_start: Annotated[str, typer.Option(help="The statement holds for τ from here to +∞.")] = "-10",
-    epsilon: Annotated[str | None, typer.Option(help="ε at which the lift-off time is bracketed, or λ_N > 0.")] = None,
+    epsilon: Annotated[
+        str | None, typer.Option("--epsilon", "--eps", help="ε at which the lift-off time is bracketed, or λ_N > 0.")
+    ] = None,
     digits: Annotated[int, typer.Option(help="Decimal digits of the answer, 1..100.")] = 15,
     growth: Annotated[bool, typer.Option("--growth", help="Lift-off side: τ_lo for ε = 1e-10 to 1e-10000.")] = False,
     certificate: Annotated[Path | None, typer.Option(help="Write a certificate, 1 < β < 5, for a range of ε.")] = None,

@@ -28,7 +28,7 @@ def plot(
         str | None, typer.Option("--from", help='phase-plane: a state of one\'s own, "phi=1/10,phi_dot=-9/10".')
     ] = None,
     beta: Annotated[str, typer.Option(help="b-hat, contact-force: β.")] = "7/3",
-    epsilon: Annotated[str, typer.Option("--eps", help="contact-force: ε.")] = "1/1000",
+    epsilon: Annotated[str, typer.Option("--epsilon", "--eps", help="contact-force: ε.")] = "1/1000",
 ) -> None:
     """Draw a figure; its caption, which says what is certified, goes to stdout.
 

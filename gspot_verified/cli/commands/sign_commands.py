@@ -74,11 +74,13 @@ def sign(
 def zeros(
     beta: Annotated[
         str | None,
-        typer.Option(help='A range such as "1..13", or one value such as "7/3"; with --eps 1..7 if left out.'),
+        typer.Option(help='A range such as "1..13", or one value such as "7/3"; with --epsilon 1..7 if left out.'),
     ] = None,
     epsilon: Annotated[
         str | None,
-        typer.Option("--eps", help='ε or "0..10" (0 < ε <= 10): the compliant model on its slow manifold, not Θ.'),
+        typer.Option(
+            "--epsilon", "--eps", help='ε or "0..10" (0 < ε <= 10): the compliant model on its slow manifold, not Θ.'
+        ),
     ] = None,
     digits: Annotated[int, typer.Option(help="At one value: decimals of the brackets.")] = 15,
     budget: Annotated[int, typer.Option(help="How many ranges of β may be examined.")] = 5_000,
@@ -94,7 +96,7 @@ def zeros(
     How many is known for every β by the count law, at once; columns show it again and give tubes, for β <= 200. Exit
     code 2: a range of β is left without tubes.
 
-    With --eps: of the contact force's deviation λ − λ̄ on the slow manifold of the compliant model at that ε,
+    With --epsilon: of the contact force's deviation λ − λ̄ on the slow manifold of the compliant model at that ε,
     with α1 = -1.
     """
     from gspot_verified.certificates.text import write_certificate
@@ -116,7 +118,7 @@ def zeros(
         if picture is not None:
             raise ValueError("--picture needs a range of β, such as 1..7")
         if certificate is not None:
-            raise ValueError("--certificate: with --eps it needs a range of β inside 4..5")
+            raise ValueError("--certificate: with --epsilon it needs a range of β inside 4..5")
         zeros_at_finite_epsilon(beta, epsilon, digits, as_json)
     if beta is None:
         raise ValueError("--beta is needed")

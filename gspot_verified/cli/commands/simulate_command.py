@@ -20,12 +20,12 @@ _PICTURE_POINTS = 61
 _FILE_POINTS = 101
 
 
-@app.command(epilog="Example: gspot-verified simulate fig-varsim1 --beta 3/2 --nu 2 --eps 1e-3")
+@app.command(epilog="Example: gspot-verified simulate fig-varsim1 --beta 3/2 --nu 2 --epsilon 1e-3")
 def simulate(
     scene: Annotated[str, typer.Argument(help="A scene's TOML file, or a name that `scenes` lists.")],
     beta: Annotated[str | None, typer.Option(help="β, in place of the scene's.")] = None,
     nu: Annotated[str | None, typer.Option(help="ν of the initial values, in place of the scene's.")] = None,
-    eps: Annotated[str | None, typer.Option("--eps", help="ε, in place of the scene's.")] = None,
+    epsilon: Annotated[str | None, typer.Option("--epsilon", "--eps", help="ε, in place of the scene's.")] = None,
     until: Annotated[
         str | None,
         typer.Option(help="How long to look: a time after the start, in place of the scene's; as 2 or 1/10."),
@@ -80,7 +80,7 @@ def simulate(
     of_floats = journal.with_name(f"{journal.name}.float") if journal is not None and compare else journal
     if of_floats != journal:
         outputs.file("--journal with --compare", of_floats)
-    loaded = load_scene(scene).with_settings(**_given(settings or [], beta=beta, nu=nu, eps=eps, until=until))
+    loaded = load_scene(scene).with_settings(**_given(settings or [], beta=beta, nu=nu, epsilon=epsilon, until=until))
     sampled = None
     if picture is not None or ((csv is not None or npz is not None) and not compare):
         sampled = points or (_PICTURE_POINTS if csv is None and npz is None else _FILE_POINTS)
@@ -137,7 +137,7 @@ def _given(words: list[str], **options: str | None) -> dict[str, str]:
     for name, value in options.items():
         if value is None:
             continue
-        for same in (name, "epsilon") if name == "eps" else (name,):
+        for same in (name, "eps") if name == "epsilon" else (name,):
             if same in found:
                 raise ValueError(f"give --{name} or --set {same}=..., not both")
         found[name] = value

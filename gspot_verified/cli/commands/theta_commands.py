@@ -59,7 +59,7 @@ def side(
     lower: Annotated[str | None, typer.Argument(help="Lower end of the range of β.")] = None,
     upper: Annotated[str | None, typer.Argument(help="Upper end; left out: the single value.")] = None,
     beta: Annotated[str | None, typer.Option(help="With --state: β = α3/α1.")] = None,
-    eps: Annotated[str, typer.Option("--eps", help="With --state: ε > 0.")] = "1/1000",
+    epsilon: Annotated[str, typer.Option("--epsilon", "--eps", help="With --state: ε > 0.")] = "1/1000",
     alpha1: Annotated[str, typer.Option(help="With --state: α1* < 0.")] = "-1",
     alpha2: Annotated[str, typer.Option(help="With --state: α2*.")] = "-1",
     state: Annotated[str | None, typer.Option(help="The exact side rule of this state in contact: p,b,y,v,z.")] = None,
@@ -71,7 +71,7 @@ def side(
     paper's rule C1/Γ(−β) beside it.
     """
     if state is not None:
-        _side_of_state(lower if beta is None else beta, eps, alpha1, alpha2, state, as_json)
+        _side_of_state(lower if beta is None else beta, epsilon, alpha1, alpha2, state, as_json)
         return
     if beta is not None or lower is None:
         raise ValueError("β: give it as an argument; --beta goes with --state")
@@ -86,13 +86,13 @@ def side(
         raise typer.Exit(2)
 
 
-def _side_of_state(beta: str | None, eps: str, alpha1: str, alpha2: str, state: str, as_json: bool) -> None:
+def _side_of_state(beta: str | None, epsilon: str, alpha1: str, alpha2: str, state: str, as_json: bool) -> None:
     from gspot_verified.compliant.model.normal_form import compliant_model
     from gspot_verified.compliant.model.state_text import state_from_text
     from gspot_verified.compliant.side.side_rule import side_rule
 
-    result = side_rule(compliant_model(beta, eps, alpha_1=alpha1, alpha_2=alpha2), state_from_text(state))
-    system = f"the compliant model from the initial state (p, b, y, v, z) = ({state}), ε = {eps}"
+    result = side_rule(compliant_model(beta, epsilon, alpha_1=alpha1, alpha_2=alpha2), state_from_text(state))
+    system = f"the compliant model from the initial state (p, b, y, v, z) = ({state}), ε = {epsilon}"
     if as_json:
         print_json({**result.to_json(), "system": system})
     else:

@@ -217,8 +217,8 @@ class Scene:
         return first_phase(self.motion, self.values(), self.epsilon, self.phases())
 
     def with_settings(self, **settings: ExactInput | None) -> Scene:
-        """The scene with other numbers: parameters (of a mechanism, too), values of the start, ``eps``, ``until``;
-        None changes nothing.
+        """The scene with other numbers: parameters (of a mechanism, too), values of the start, ``epsilon`` (``eps`` is
+        the same), ``until``; None changes nothing.
 
         :raises SceneError: there is no such setting.
         """
@@ -241,7 +241,7 @@ class Scene:
                 parameters[name] = scene_number(value, name)
             else:
                 own = () if mechanism is None else tuple(dict(mechanism.parameters))
-                known = ("eps", "until", *self._start_keys(), *self.defaults(), *own)
+                known = ("epsilon", "until", *self._start_keys(), *self.defaults(), *own)
                 raise SceneError(f"no setting {name[:40]!r}{nearest(name, known)}; there are: {', '.join(known)}")
         return replace(self, parameters=parameters, start=start, epsilon=epsilon, until=until, mechanism=mechanism)
 
