@@ -11,7 +11,7 @@ import io
 import os
 import signal
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from importlib import import_module
 
 import typer
@@ -40,7 +40,7 @@ COMMANDS = {
     "events": "events_command",
     "simulate": "simulate_command",
     "scenes": "simulate_command",
-    "failures": "failures_command",
+    "wrong-sides": "wrong_sides_command",
     "classify": "mechanism_commands",
     "expand": "mechanism_commands",
     "approach": "approach_command",
@@ -48,7 +48,7 @@ COMMANDS = {
     "verify": "paper_commands",
     "report": "paper_commands",
     "cost": "cost_command",
-    "stability": "stability_command",
+    "hard-cases": "hard_cases_command",
 }
 """The commands in the order of the help, and the modules whose import adds them to the application."""
 
@@ -58,7 +58,12 @@ def load_commands(arguments: Sequence[str] = ()) -> None:
     command = next((word for word in arguments if not word.startswith("-")), "")
     for module in dict.fromkeys([COMMANDS[command]] if command in COMMANDS else COMMANDS.values()):
         import_module(f"gspot_verified.cli.commands.{module}")
-    app.registered_commands.sort(key=lambda info: [*COMMANDS].index(getattr(info.callback, "__name__", "")))
+    app.registered_commands.sort(key=lambda info: [*COMMANDS].index(name_of(info.callback)))
+
+
+def name_of(command: Callable[..., None] | None) -> str:
+    """The word on the command line for a command's function: ``hard-cases`` for ``hard_cases``."""
+    return getattr(command, "__name__", "").replace("_", "-")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

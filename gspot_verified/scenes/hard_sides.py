@@ -97,7 +97,7 @@ class Count(NoTruthValue):
 
 
 @dataclass(frozen=True)
-class Failures(NoTruthValue):
+class WrongSides(NoTruthValue):
     """The certified answers, and the counts of the float ones."""
 
     ask: ClassVar[str] = ".counts says how many are wrong"
@@ -126,7 +126,7 @@ def hard_sides() -> HardSides:
     return empty.restricted(**{name: table.words(name) for name in _LISTS})
 
 
-def wrong_sides(chosen: HardSides | None = None, progress: Callable[[str], None] | None = None) -> Failures:
+def wrong_sides(chosen: HardSides | None = None, progress: Callable[[str], None] | None = None) -> WrongSides:
     """The certified side of every start, and what every float run says of it; nothing is kept.
 
     ``chosen``: starts and float runs, :func:`hard_sides` if left out (some ten minutes), or a part of them.
@@ -152,7 +152,7 @@ def wrong_sides(chosen: HardSides | None = None, progress: Callable[[str], None]
             silent, failed = (sum(said == word for said, _ in pairs) for word in (NO_EVENT, FAILED))
             wrong = sum(said not in (NO_EVENT, FAILED, side) for said, side in pairs)
             counts.append(Count(solver, tolerance, epsilon, beta, wrong, silent, failed, len(decided)))
-    return Failures(certified, tuple(counts))
+    return WrongSides(certified, tuple(counts))
 
 
 def _tolerance(text: str) -> float:

@@ -33,13 +33,13 @@ FORMS = (
     "events",
     "simulate",
     "scenes",
-    "failures",
+    "wrong-sides",
     "classify",
     "approach",
     "expand",
     "sweep",
     "check",
-    "stability",
+    "hard-cases",
 )
 SCHEMAS = sorted(
     path.name.removesuffix(".json") for path in resources.files("gspot_verified.cli").joinpath("schemas").iterdir()
@@ -76,7 +76,7 @@ RUNS = [
     ("simulate", "fig-varsim2", "--float", "--set", "chi=0"),
     ("simulate", "rod", "--float", "--set", "until=1/100"),
     ("scenes",),
-    ("failures", "--eps", "1/1000", "--beta", "13/2", "--nu", "2", "--solver", "LSODA", "--tolerance", "1e-6"),
+    ("wrong-sides", "--eps", "1/1000", "--beta", "13/2", "--nu", "2", "--solver", "LSODA", "--tolerance", "1e-6"),
     ("classify", "oscillator"),
     ("classify", "rod"),
     ("classify", "rod", "--all"),
@@ -100,7 +100,7 @@ RUNS = [
     ("sweep", "genot_brogliato_rod", "--over", "mu=1.3..1.4:1"),
     ("check", str(ROOT / "proofs" / "iwc_0_1.cert")),
     ("check", str(ROOT / "README.md")),
-    ("stability", "side", "spots-meet", "certificate"),
+    ("hard-cases", "side", "spots-meet", "certificate"),
 ]
 
 

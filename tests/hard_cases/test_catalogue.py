@@ -85,11 +85,11 @@ def test_an_undecided_row_is_counted_and_is_no_answer():
 def test_an_unknown_family_is_refused():
     with pytest.raises(ValueError, match="no family of hard cases is named 'canards'; there are: integer-beta"):
         measure_hard_cases(["canards"])
-    assert main(["stability", "canards"]) == 64
+    assert main(["hard-cases", "canards"]) == 64
 
 
 def test_the_command(capsys):
-    assert main(["stability", "side"]) == 0
+    assert main(["hard-cases", "side"]) == 0
     assert "of 5 cases: 5 decided" in capsys.readouterr().out
 
 

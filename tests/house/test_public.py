@@ -13,7 +13,7 @@ import pytest
 
 import gspot_verified
 from gspot_verified.cli.app import app
-from gspot_verified.cli.main import COMMANDS, load_commands
+from gspot_verified.cli.main import COMMANDS, load_commands, name_of
 
 ROOT = Path(__file__).resolve().parents[2]
 PROOFS = ROOT / "proofs"
@@ -96,7 +96,7 @@ def test_a_short_command_loads_what_it_uses(command: tuple[str, ...], further: s
 
 def test_each_command_is_where_it_is_sought() -> None:
     load_commands()
-    found = {info.callback.__name__: info.callback.__module__ for info in app.registered_commands if info.callback}
+    found = {name_of(info.callback): info.callback.__module__ for info in app.registered_commands if info.callback}
     assert found == {name: f"gspot_verified.cli.commands.{module}" for name, module in COMMANDS.items()}
 
 

@@ -1,4 +1,4 @@
-"""Command ``stability``."""
+"""Command ``hard-cases``."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import typer
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress
 
 
-@app.command(epilog="Example: gspot-verified stability side canard")
-def stability(
+@app.command(epilog="Example: gspot-verified hard-cases side canard")
+def hard_cases(
     families: Annotated[
         list[str] | None,
         typer.Argument(help="Names of families, such as canard or near-zero; all if none.", metavar="[NAME]..."),

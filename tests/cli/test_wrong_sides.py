@@ -1,4 +1,4 @@
-"""The command ``failures``: text, exit codes, bad input."""
+"""The command ``wrong-sides``: text, exit codes, bad input."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from gspot_verified.numbers.verdict import Reason, Verdict
 from gspot_verified.scenes import hard_sides
 from gspot_verified.scenes.side import CertifiedSide, certified_side
 
-ONE = ("failures", "--eps", "1/10000", "--beta", "15/2", "--solver", "LSODA", "--tolerance", "1e-10")
+ONE = ("wrong-sides", "--eps", "1/10000", "--beta", "15/2", "--solver", "LSODA", "--tolerance", "1e-10")
 
 
 def test_a_table_and_the_certified_sides(capsys: pytest.CaptureFixture[str]) -> None:
@@ -25,7 +25,19 @@ def test_a_table_and_the_certified_sides(capsys: pytest.CaptureFixture[str]) -> 
 
 
 def test_where_the_rule_of_the_paper_fails(capsys: pytest.CaptureFixture[str]) -> None:
-    words = ("failures", "--eps", "1/1000", "--beta", "13/2", "--solver", "LSODA", "--tolerance", "1e-3", "--nu", "2")
+    words = (
+        "wrong-sides",
+        "--eps",
+        "1/1000",
+        "--beta",
+        "13/2",
+        "--solver",
+        "LSODA",
+        "--tolerance",
+        "1e-3",
+        "--nu",
+        "2",
+    )
     assert main([*words]) == 0
     output = capsys.readouterr().out
     assert "the paper's rule      1/1" in output
@@ -54,5 +66,5 @@ def test_an_undecided_start_is_no_count_and_ends_with_2(
     ],
 )
 def test_bad_input(capsys: pytest.CaptureFixture[str], words: tuple[str, str], message: str) -> None:
-    assert main(["failures", *words]) == USAGE
+    assert main(["wrong-sides", *words]) == USAGE
     assert message in capsys.readouterr().err

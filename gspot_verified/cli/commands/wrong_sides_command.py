@@ -1,4 +1,4 @@
-"""Command ``failures``: how often float runs report the wrong side, and where the paper's rule does."""
+"""Command ``wrong-sides``: how often float runs report the wrong side, and where the paper's rule does."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ import typer
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress
 
 if TYPE_CHECKING:
-    from gspot_verified.scenes.hard_sides import Count, Failures
+    from gspot_verified.scenes.hard_sides import Count, WrongSides
 
 _OF_THE_SET = "in place of those of the set, as often as needed."
 
 
-@app.command(epilog="Example: gspot-verified failures --epsilon 1/10000 --beta 15/2 --solver LSODA --tolerance 1e-6")
-def failures(
+@app.command(epilog="Example: gspot-verified wrong-sides --epsilon 1/10000 --beta 15/2 --solver LSODA --tolerance 1e-6")
+def wrong_sides(
     epsilon: Annotated[list[str] | None, typer.Option("--epsilon", "--eps", help=f"ε, {_OF_THE_SET}")] = None,
     beta: Annotated[list[str] | None, typer.Option(help=f"β, {_OF_THE_SET}")] = None,
     nu: Annotated[list[str] | None, typer.Option(help=f"ν of the starts, {_OF_THE_SET}")] = None,
@@ -41,7 +41,7 @@ def failures(
     raise typer.Exit(0 if all(side.side is not None for side in found.certified.values()) else 2)
 
 
-def _show(found: Failures) -> None:
+def _show(found: WrongSides) -> None:
     epsilons = list(dict.fromkeys(count.epsilon for count in found.counts))
     betas = list(dict.fromkeys(count.beta for count in found.counts))
     typer.echo("wrong sides of decided starts; s: runs without an event, f: runs that failed")
@@ -64,7 +64,7 @@ def _cell(count: Count) -> str:
     return f"{count.wrong}/{count.decided}{extra}"
 
 
-def _rule(found: Failures, epsilon: object, beta: object) -> str:
+def _rule(found: WrongSides, epsilon: object, beta: object) -> str:
     answers = [s.rule_fails for start, s in found.certified.items() if (start.epsilon, start.beta) == (epsilon, beta)]
     known = [answer for answer in answers if answer is not None]
     return f"{sum(known)}/{len(known)}"
