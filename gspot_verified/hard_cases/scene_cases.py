@@ -23,7 +23,7 @@ _SOLVER, _TOLERANCE = "LSODA", 1e-10
 
 def scene_next_to_the_canard(k: int) -> Scene:
     """The paper's run with nu = 1 - 10^-k."""
-    return load_scene("fig-varsim1", beta=BETA, nu=near(1, k, -1), eps=EPSILON, until="1")
+    return load_scene("fig-varsim1", beta=BETA, nu=near(1, k, -1), epsilon=EPSILON, until="1")
 
 
 def certified_lift_off(scene: Scene) -> tuple[RunEvent | None, int]:

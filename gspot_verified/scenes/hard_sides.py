@@ -67,7 +67,7 @@ class Start:
 
     def load(self) -> Scene:
         """The scene with these numbers."""
-        return load_scene(self.scene, beta=self.beta, nu=self.nu, eps=self.epsilon)
+        return load_scene(self.scene, beta=self.beta, nu=self.nu, epsilon=self.epsilon)
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from gspot_verified.scenes.scene.run import OPEN, SceneRun
 from gspot_verified.scenes.scene.scene import SceneError
 from gspot_verified.work.journal_file import JournalFile
 
-SCENE = load_scene("fig-varsim1", eps="1/20", until="1")
+SCENE = load_scene("fig-varsim1", epsilon="1/20", until="1")
 BITS = (128,)
 Whole = tuple[SceneRun, list[bytes]]
 
@@ -83,7 +83,7 @@ JournalFile.add = killed
 from gspot_verified.scenes.certified.certified_integration import integrated_run
 from gspot_verified.scenes.scene.file import load_scene
 from pathlib import Path
-integrated_run(load_scene("fig-varsim1", eps="1/20", until="1"), bits=(128,), journal=Path(sys.argv[1]))
+integrated_run(load_scene("fig-varsim1", epsilon="1/20", until="1"), bits=(128,), journal=Path(sys.argv[1]))
 """
     ended = subprocess.run([sys.executable, "-c", program, str(kept)], check=False)
     assert ended.returncode == -9

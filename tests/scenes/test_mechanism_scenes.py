@@ -176,11 +176,11 @@ def test_zero_strength_is_the_smaller_scene() -> None:
 
 def test_a_belt_is_another_frame() -> None:
     """The extended system in a frame that moves with the belt: u less by 3, the belt at rest, the same events."""
-    moving = load_scene("fig-varsim2", chi=0, eps="1/50")
+    moving = load_scene("fig-varsim2", chi=0, epsilon="1/50")
     moving = Scene("test", (*moving.effects, "belt"), moving.epsilon, moving.until,
                    {**moving.parameters, "belt_velocity": fmpq(3)}, {**moving.start, "u": fmpq(73)})  # fmt: skip
     seen = [(e.name, approximate(e.lower)) for e in float_run(moving).events]
-    still = [(e.name, approximate(e.lower)) for e in float_run(load_scene("fig-varsim2", chi=0, eps="1/50")).events]
+    still = [(e.name, approximate(e.lower)) for e in float_run(load_scene("fig-varsim2", chi=0, epsilon="1/50")).events]
     assert [name for name, _ in seen] == [name for name, _ in still]
     assert [time for _, time in seen] == pytest.approx([time for _, time in still], abs=1e-7)
 
@@ -190,7 +190,7 @@ def test_before_the_g_spot_runs_follow_the_certified_rigid_slip(name: str) -> No
     """At small epsilon, once the first oscillations have died out: p and b of ``approach`` at the same time."""
     start = {word: value for word, value in STARTS[name].items() if "X" not in word}
     slip = approach(shipped_mechanism(name), {**start, **({"X": 0, "X_dot": 2} if name == "rod" else {})}).path
-    run = float_run(load_scene(name, eps="1e-4", until="1/15"), "LSODA", 1e-6)
+    run = float_run(load_scene(name, epsilon="1e-4", until="1/15"), "LSODA", 1e-6)
     assert run.samples is not None
     times, columns = run.samples.columns["t"], run.samples.columns
     import numpy as np

@@ -30,7 +30,7 @@ FATE = {
     ("beta", "nu"), [pytest.param(*run, marks=[] if run[1] in ("1/4", "4") else pytest.mark.slow) for run in FATE]
 )
 def test_the_runs_of_the_paper(beta: str, nu: str) -> None:
-    scene = load_scene("fig-varsim1", beta=beta, nu=nu, eps="1e-3")
+    scene = load_scene("fig-varsim1", beta=beta, nu=nu, epsilon="1e-3")
     simulated, certified = float_run(scene), certified_run(scene)
     assert simulated.fate == certified.fate == FATE[beta, nu]
     assert agreement(simulated, certified) is True
@@ -124,7 +124,7 @@ def test_what_is_refused() -> None:
         with pytest.raises(SceneError):
             float_run(scene, **words)  # type: ignore[arg-type]
     with pytest.raises(SceneError, match="epsilon >= 1e-12"):
-        float_run(scene.with_settings(eps="1e-13"))
+        float_run(scene.with_settings(epsilon="1e-13"))
     with pytest.raises(TypeError):
         bool(certified_run(scene.with_settings(nu=1)))
 

@@ -27,7 +27,7 @@ PAGE = DOCS / "where_floats_fail.md"
 
 
 def start(beta: str, nu: str, eps: str) -> Scene:
-    return load_scene("fig-varsim1", beta=beta, nu=nu, eps=eps)
+    return load_scene("fig-varsim1", beta=beta, nu=nu, epsilon=eps)
 
 
 @pytest.mark.parametrize(

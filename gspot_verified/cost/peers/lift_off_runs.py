@@ -40,10 +40,10 @@ def scene_of(name: str, k: int) -> Scene:
     """The scene at epsilon = 10^-(k + 3)."""
     epsilon, until = fmpq(1, 10 ** (k + 3)), _UNTIL[name][k]
     if name == "model":
-        return load_scene("fig-varsim1", eps=epsilon, until=until)
+        return load_scene("fig-varsim1", epsilon=epsilon, until=until)
     if name == "extended":
-        return load_scene("fig-varsim2", eps=epsilon, until=until, chi=1)
-    return load_scene("oscillator", eps=epsilon, until=until)
+        return load_scene("fig-varsim2", epsilon=epsilon, until=until, chi=1)
+    return load_scene("oscillator", epsilon=epsilon, until=until)
 
 
 def certified_bracket(scene: Scene, bits: int) -> Interval | None:

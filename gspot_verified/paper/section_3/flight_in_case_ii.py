@@ -74,7 +74,7 @@ def runs_do_not_touch_down() -> bool | None:
     """Whether certified runs lose contact and do nothing else up to t = 1."""
     answers = []
     for beta in BETAS:
-        run = certified_run(load_scene("fig-varsim1", beta=beta, nu=NU, eps=EPSILON, **CASE_II), 12, INTEGRATOR)
+        run = certified_run(load_scene("fig-varsim1", beta=beta, nu=NU, epsilon=EPSILON, **CASE_II), 12, INTEGRATOR)
         answers.append(run.fate == "lift-off" if run.verdict.outcome is Outcome.PROVED else None)
     return all_of(answers)
 

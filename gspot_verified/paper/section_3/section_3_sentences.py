@@ -177,7 +177,7 @@ def case_ii(nu: fmpq, epsilon: fmpq) -> tuple[CompliantModel, CompliantState]:
 
 def attracted_takes_an_impact(nu: fmpq, epsilon: fmpq) -> bool | None:
     """Whether λ_N > 0 from the start on, and grows from some time on: the certified run ends in an invariant region."""
-    scene = load_scene("fig-varsim1", beta=CASE_II["beta"], nu=nu, eps=epsilon, alpha_2=CASE_II["alpha_2"])
+    scene = load_scene("fig-varsim1", beta=CASE_II["beta"], nu=nu, epsilon=epsilon, alpha_2=CASE_II["alpha_2"])
     run = certified_run(scene, 6, INTEGRATOR)
     return run.fate == IMPACT if run.verdict.outcome is Outcome.PROVED else None
 

@@ -44,7 +44,7 @@ _FLOATS = ("LSODA", 1e-10)
 def run_of(chi: int, nu: fmpq, slip: fmpq | None = None) -> SceneRun:
     """The certified run of the extended system by the integrator; u(0) = 70 where no other is given."""
     first = FIRST_SLIP if slip is None else slip
-    return certified_run(load_scene(SCENE, chi=chi, nu=nu, u=first, beta=BETA, eps=EPSILON), 12, INTEGRATOR)
+    return certified_run(load_scene(SCENE, chi=chi, nu=nu, u=first, beta=BETA, epsilon=EPSILON), 12, INTEGRATOR)
 
 
 def names_of(run: SceneRun) -> tuple[str, ...]:
@@ -80,7 +80,7 @@ def sticks_by_the_exact_solution(nu: fmpq) -> bool | None:
 def floats_agree(chi: int, nu: fmpq) -> bool | None:
     """Whether a float run has the events of the figure, within 10^-4 of the certified times."""
     run = run_of(chi, nu)
-    seen = float_run(load_scene(SCENE, chi=chi, nu=nu, u=FIRST_SLIP, beta=BETA, eps=EPSILON), *_FLOATS).events
+    seen = float_run(load_scene(SCENE, chi=chi, nu=nu, u=FIRST_SLIP, beta=BETA, epsilon=EPSILON), *_FLOATS).events
     expected = [name for name in RUNS[chi, nu] if name != IMPACT]
     certified = [event for event in run.events if event.name != IMPACT]
     if [event.name for event in seen] != expected or len(certified) != len(seen):

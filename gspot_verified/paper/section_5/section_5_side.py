@@ -69,7 +69,7 @@ def member(amount: fmpq, delta: fmpq) -> Scene:
         start = {
             name: middle((values[name] + size * moved[name]) * ball(delta) ** DELTA_FACTORS[name]) for name in moved
         }
-    scene = load_scene("fig-varsim2", beta=BETA, chi=COUPLING, eps=delta**3, until=_UNTIL * delta**2, **start)
+    scene = load_scene("fig-varsim2", beta=BETA, chi=COUPLING, epsilon=delta**3, until=_UNTIL * delta**2, **start)
     return replace(scene, stop_at_force=fmpq(FORCE))
 
 

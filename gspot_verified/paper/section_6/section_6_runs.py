@@ -60,7 +60,7 @@ def slip(name: str) -> Approach:
 @lru_cache(maxsize=4)
 def simulated(name: str) -> SceneRun:
     """A float run of the oscillator on its compliant contact from one start."""
-    scene = load_scene("oscillator", phi_dot=STARTS[name], eps=EPSILON, until=UNTIL[name])
+    scene = load_scene("oscillator", phi_dot=STARTS[name], epsilon=EPSILON, until=UNTIL[name])
     return float_run(scene, *FLOATS)
 
 

@@ -169,7 +169,7 @@ def covers_the_drawing() -> bool | None:
 
 def floats_stay_near() -> bool | None:
     """Whether a float run from the start of order 15 at p = 1/100 keeps its b within DIFFERENCE of order 15, p > 0."""
-    run = float_run(load_scene("oscillator-canard", eps=EPSILON, until="23/1000"), *FLOATS)
+    run = float_run(load_scene("oscillator-canard", epsilon=EPSILON, until="23/1000"), *FLOATS)
     before = [(t, b) for t, b in steps(run) if t < 0]
     return all_of(abs(b - order_15(t)) < approximate(DIFFERENCE) for t, b in before[::_EVERY])
 

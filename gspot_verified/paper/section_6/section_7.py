@@ -42,7 +42,7 @@ FLOAT_NEAR = fmpq(1, 10**4)
 @lru_cache(maxsize=8)
 def run_of(case: Case) -> SceneRun:
     """The certified run by the integrator."""
-    scene = load_scene("fig-varsim2", beta=BETA, nu=NU, chi=case.coupling, eps=case.epsilon, until=case.until)
+    scene = load_scene("fig-varsim2", beta=BETA, nu=NU, chi=case.coupling, epsilon=case.epsilon, until=case.until)
     return certified_run(scene, 12, INTEGRATOR)
 
 
@@ -54,7 +54,7 @@ def happens(case: Case) -> bool | None:
 
 def floats_agree(case: Case) -> bool | None:
     """Whether a float run has the same events, but for the impact, within FLOAT_NEAR of the certified times."""
-    scene = load_scene("fig-varsim2", beta=BETA, nu=NU, chi=case.coupling, eps=case.epsilon, until=case.until)
+    scene = load_scene("fig-varsim2", beta=BETA, nu=NU, chi=case.coupling, epsilon=case.epsilon, until=case.until)
     certified = [event for event in run_of(case).events if event.name != IMPACT]
     return near(float_run(scene, *FLOATS).events, certified)
 

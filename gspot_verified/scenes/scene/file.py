@@ -88,7 +88,7 @@ def load_scene(name_or_path: str | Path, /, **settings: ExactInput | None) -> Sc
     :raises SceneError: neither a file nor a name, or a part of the scene is wrong.
     :raises MechanismError: no TOML, a key is wrong, or the mechanism is.
 
-    >>> load_scene("fig-varsim1", nu=2, eps="1e-3").system("slip").states
+    >>> load_scene("fig-varsim1", nu=2, epsilon="1e-3").system("slip").states
     ('b', 'Y', 'V', 'Z')
     >>> load_scene("oscillator", phi_dot="-1/2").system("slip").states
     ('phi', 'phi_dot', 'Y', 'V', 'Z')

@@ -118,7 +118,7 @@ def state_of_the_family(found: UniformSide, delta: fmpq) -> Scene:
     assert abs(number(at["y"]) - 1 + math.cos(phi) - (-0.4 + number(at["xi_2"]))) < unit
     assert abs(number(at["v"]) - math.sin(phi) * phi_dot - (0.8 + number(at["xi_4"]))) < unit
     scene = load_scene(
-        "oscillator", eps=delta**3, until=30 * delta**2, phi=f"phi_ref + {at['xi_1']}", phi_dot=at["xi_3"] - 1,
+        "oscillator", epsilon=delta**3, until=30 * delta**2, phi=f"phi_ref + {at['xi_1']}", phi_dot=at["xi_3"] - 1,
         **{name: at[name] for name in "yvz"},
     )  # fmt: skip
     first = float_run(scene.with_settings(until=delta**4), "LSODA", 1e-9).samples

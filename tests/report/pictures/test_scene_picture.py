@@ -20,7 +20,7 @@ def test_the_scaled_theta_is_the_limit_of_the_exact_solution(beta: str) -> None:
     """b-hat at the G-spot over the prediction tends to 1 like epsilon^(2/3) or so; lambda likewise."""
     errors = []
     for eps in ("1e-3", "1e-6"):
-        scene = load_scene("fig-varsim1", beta=beta, eps=eps)
+        scene = load_scene("fig-varsim1", beta=beta, epsilon=eps)
         start, curve = scene.initial(), scaled_theta(scene)
         assert curve is not None
         model = compliant_model(beta, eps)
@@ -70,7 +70,7 @@ def test_the_caption_says_what_is_certified() -> None:
 
 
 def test_over_time_where_p_turns() -> None:
-    scene = load_scene("fig-varsim2", eps="1/50", until=fmpq(1))
+    scene = load_scene("fig-varsim2", epsilon="1/50", until=fmpq(1))
     drawn = scene_picture(scene, [float_run(scene, tolerance=1e-6)])
     assert "Beside it" not in drawn.caption
     assert drawn.title == "The scene fig-varsim2, ε = 1/50"

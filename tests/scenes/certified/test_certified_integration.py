@@ -46,7 +46,7 @@ def names(run: SceneRun) -> list[str]:
 def test_two_routes_overlap(beta: str, nu: str) -> None:
     """Fig. varsim1 at epsilon = 1e-3: the integrator and the exact solution name the same events, in brackets that
     have a time in common."""
-    scene = load_scene("fig-varsim1", beta=beta, nu=nu, eps="1e-3")
+    scene = load_scene("fig-varsim1", beta=beta, nu=nu, epsilon="1e-3")
     integrated, exact = certified_run(scene, route=INTEGRATOR), certified_run(scene, route=EXACT)
     assert integrated.verdict.outcome is Outcome.PROVED
     assert integrated.fate == exact.fate
@@ -84,7 +84,7 @@ def test_hypotheses_of_the_exact_solution(changed: dict[str, str], hypothesis: s
 @pytest.mark.slow
 @pytest.mark.parametrize("eps", ["2e-3", "1e-4"])
 def test_two_routes_overlap_at_other_epsilons(eps: str) -> None:
-    scene = load_scene("fig-varsim1", eps=eps)
+    scene = load_scene("fig-varsim1", epsilon=eps)
     integrated, exact = certified_run(scene, route=INTEGRATOR), certified_run(scene, route=EXACT)
     assert integrated.fate == exact.fate == FLIGHT_THEN_IMPACT
     for ours, theirs in zip(integrated.events[:2], exact.events, strict=True):
@@ -155,7 +155,7 @@ def test_flight_is_the_closed_form() -> None:
 @pytest.mark.parametrize("name", ["oscillator", "rod", "extended"])
 def test_other_scenes_against_floats(name: str) -> None:
     """Mechanisms with sines and cosines, stick and slip in both directions: the events of a float run."""
-    scene = load_scene(name, eps="1e-3")
+    scene = load_scene(name, epsilon="1e-3")
     run, simulated = integrated_run(scene), float_run(scene)
     assert run.verdict.outcome is Outcome.PROVED
     assert agreement(simulated, run) is True
@@ -171,7 +171,7 @@ def test_an_impact_of_a_mechanism_is_a_statement() -> None:
     rod = integrated_run(load_scene("rod"))
     assert names(rod)[:2] == [IMPACT, "stick"]
     assert "for as long as the contact slips, which ends within" in rod.verdict.detail
-    still = load_scene("oscillator", eps="1e-4", until="2/10")
+    still = load_scene("oscillator", epsilon="1e-4", until="2/10")
     moving = replace(
         still,
         effects=(*still.effects, "tangential_motion", "stick"),
@@ -191,7 +191,7 @@ def test_an_impact_of_a_mechanism_is_a_statement() -> None:
 @pytest.mark.slow
 def test_without_an_end_of_slip_growth_is_limited() -> None:
     """The oscillator without a moving surface: p turns positive, so λ_N is said to grow by a factor only."""
-    run = integrated_run(load_scene("oscillator", eps="1e-4", until="2/10"))
+    run = integrated_run(load_scene("oscillator", epsilon="1e-4", until="2/10"))
     assert names(run) == ["lift-off", "touch-down", IMPACT, "lift-off"]
     multiple = re.search(r"until it is (\d+) times as large", run.verdict.detail)
     assert multiple is not None
@@ -202,7 +202,7 @@ def test_without_an_end_of_slip_growth_is_limited() -> None:
 def test_touch_down_of_a_contact_that_did_not_slip() -> None:
     """From stick into flight with a = 0: u stays exactly 0, so at the touch-down friction holds the contact, as
     k^+ < 0 < k^-. It was undecided: u had the rounding errors of the flight."""
-    scene = load_scene("fig-varsim2", chi=0, nu="1/4", u=1, eps="1/100")
+    scene = load_scene("fig-varsim2", chi=0, nu="1/4", u=1, epsilon="1/100")
     run = integrated_run(scene, bits=(192,))
     assert run.verdict.outcome is Outcome.PROVED
     assert names(run) == ["stick", "lift-off", "touch-down"]
@@ -241,7 +241,7 @@ def test_on_a_canard_nothing_is_decided() -> None:
 @pytest.mark.parametrize("side", [1, -1])
 def test_beside_a_canard(exponent: int, side: int) -> None:
     """10^-30 and 10^-60 off it, on either side: the side that the sign of K gives."""
-    scene = load_scene("fig-varsim1", nu=1 + side * fmpq(1, 10**exponent), eps="1e-3")
+    scene = load_scene("fig-varsim1", nu=1 + side * fmpq(1, 10**exponent), epsilon="1e-3")
     run = integrated_run(scene)
     assert run.verdict.outcome is Outcome.PROVED
     assert names(run)[0] == ("lift-off" if side == 1 else IMPACT)
@@ -311,7 +311,7 @@ def test_a_grazing_lift_off_is_undecided() -> None:
 @pytest.mark.parametrize(("nu", "event"), [("2", "lift-off"), pytest.param("1/2", IMPACT, marks=pytest.mark.slow)])
 def test_epsilon_1e_10_near_the_g_spot(nu: str, event: str) -> None:
     """p = 1e-6 at ε = 1e-10, a factor 2 from the canard: the sides of larger ε (K is out of reach), and floats."""
-    scene = load_scene("fig-varsim1", eps="1e-10", p="1e-6", nu=nu, until="3e-6")
+    scene = load_scene("fig-varsim1", epsilon="1e-10", p="1e-6", nu=nu, until="3e-6")
     run = integrated_run(scene)
     assert run.verdict.outcome is Outcome.PROVED
     assert names(run)[0] == event
@@ -344,7 +344,7 @@ def test_a_force_of_1e30_in_an_impact() -> None:
 def test_long_steps_of_a_mechanism_do_not_widen_the_set() -> None:
     """The oscillator at ε = 1e-6 on its slow manifold: enclosures of J on long pieces let errors grow by 2^30 in a step
     that shorter pieces hold; found by the growth itself."""
-    scene = load_scene("oscillator", eps="1e-6")
+    scene = load_scene("oscillator", epsilon="1e-6")
     with working_bits(192):
         phase = CertifiedPhase(scene.system("slip"))
         near = {"phi": "0.0914", "phi_dot": "-0.9072", "Y": "-2.18456", "V": "0", "Z": "-1.09228"}
@@ -364,7 +364,7 @@ def test_long_steps_of_a_mechanism_do_not_widen_the_set() -> None:
 def test_only_a_named_reason_leaves_the_impact_out(monkeypatch: pytest.MonkeyPatch) -> None:
     """Equations of another form have no impact by these theorems; any other error is one, and was swallowed."""
     scene, place = (
-        load_scene("fig-varsim1", eps="1/10", until="1/2"),
+        load_scene("fig-varsim1", epsilon="1/10", until="1/2"),
         "gspot_verified.scenes.certified.certified_integration",
     )
 
@@ -415,7 +415,7 @@ def test_a_budget_says_so() -> None:
 def test_nothing_after_the_end_of_the_time_is_listed(until: str) -> None:
     """With few bits the touch-down has a bracket, so the last phase is followed a little too long: an impact at the end
     of it was listed up to 6e-8 after the end."""
-    scene = load_scene("fig-varsim1", eps="1e-2", until=until)
+    scene = load_scene("fig-varsim1", epsilon="1e-2", until=until)
     run = integrated_run(scene, digits=1, bits=(96,))
     assert run.verdict.outcome is Outcome.PROVED
     assert names(run)[:2] == ["lift-off", "touch-down"]
@@ -446,7 +446,7 @@ def test_an_event_around_the_end_of_the_time(
         return PhaseEnd(system.events[0], arb(durations[name]), {**start, "Y": arb(0), "Z": arb(0)}, shown)
 
     monkeypatch.setattr(CertifiedPhase, "run", ends)
-    run = integrated_run(load_scene("fig-varsim1", eps="1/100", until=1), bits=(128,))
+    run = integrated_run(load_scene("fig-varsim1", epsilon="1/100", until=1), bits=(128,))
     assert names(run) == (expected or ["lift-off"])
     assert (run.fate == OPEN) is (expected is None)
     assert expected is not None or "whether touch-down comes before the end of the time" in run.verdict.detail
@@ -455,7 +455,7 @@ def test_an_event_around_the_end_of_the_time(
 @pytest.mark.parametrize("place", ["-1/256", "-1/300"])
 def test_a_start_at_the_surface_is_one_whether_or_not_binary_digits_hold_it(place: str) -> None:
     """y = z at the start, exactly: the balls of -1/300 cannot show it."""
-    scene = load_scene("fig-varsim1", eps="1/10", until="1/10", y=place, z=place, v=0, b=-2, nu=None)
+    scene = load_scene("fig-varsim1", epsilon="1/10", until="1/10", y=place, z=place, v=0, b=-2, nu=None)
     found = integrated_run(scene)
     assert found.verdict.outcome is Outcome.PROVED
     assert found.events == ()

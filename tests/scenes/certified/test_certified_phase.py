@@ -305,7 +305,7 @@ def test_the_record_that_shows_most_is_kept(tmp_path: Path) -> None:
 
 def test_no_phase_lasts_beyond_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
     """A phase that begins at an uncertain time lasts for an uncertain time: what is left for each of its beginnings."""
-    scene = load_scene("fig-varsim1", eps="1/20", until="1")
+    scene = load_scene("fig-varsim1", epsilon="1/20", until="1")
     run, seen = CertifiedPhase.run, []
 
     def spied(phase: CertifiedPhase, start: dict[str, arb], time: arb, *others: Any) -> PhaseEnd | Open:

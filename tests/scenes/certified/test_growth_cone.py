@@ -109,7 +109,7 @@ def states(chance: random.Random) -> dict[str, arb]:
 @pytest.mark.parametrize("beta", ["3/2", "7/2"])
 def test_the_exact_solution_agrees(beta: str) -> None:
     """Growth for ever asks for K >= 0 (proofs/flight.md, section 6): a second route, which knows no cones."""
-    scene = load_scene("fig-varsim1", beta=beta, eps="1e-3")
+    scene = load_scene("fig-varsim1", beta=beta, epsilon="1e-3")
     system = scene.system("slip")
     chance = random.Random(7)
     seen = 0

@@ -39,7 +39,7 @@ def deep(scene: Scene) -> dict[str, arb]:
 
 SCENES = [
     load_scene("fig-varsim1"),
-    load_scene("fig-varsim1", eps="1e-6"),
+    load_scene("fig-varsim1", epsilon="1e-6"),
     load_scene("fig-varsim1", alpha_2=1),
     load_scene("fig-varsim2", chi=0),
     load_scene("fig-varsim2", chi=1),
@@ -127,7 +127,7 @@ def test_a_coupling_that_turns_p_round_bounds_the_growth() -> None:
     """chi = 1: b' = epsilon (lambda/2 - 1) turns p round; at larger epsilon less growth is promised, then none."""
     promised = []
     for eps in ("1e-6", "1e-4", "1e-3", "1e-2"):
-        scene = load_scene("fig-varsim2", chi=1, eps=eps)
+        scene = load_scene("fig-varsim2", chi=1, epsilon=eps)
         with working_bits(128):
             found = InvariantRegion(scene.system("slip")).growth(deep(scene))
         promised.append(0 if found is None else found.until or 0)
@@ -177,26 +177,26 @@ def test_other_equations_are_refused() -> None:
             InvariantRegion(replace(system, read_out=(("lambda_N", shown),)))
 
 
-def with_surface(eps: str = "1e-4", velocity: int = -1, **settings: object) -> Scene:
+def with_surface(epsilon: str = "1e-4", velocity: int = -1, **settings: object) -> Scene:
     """The oscillator on a surface that moves, so that slip can stop."""
-    scene = load_scene("oscillator", eps=eps, **settings)
+    scene = load_scene("oscillator", epsilon=epsilon, **settings)
     effects = (*scene.effects, "tangential_motion", "stick")
     return replace(scene, effects=effects, parameters={**scene.parameters, "belt_velocity": fmpq(velocity)})
 
 
 MECHANISMS = [
     (with_surface(), {"phi": "-0.03", "phi_dot": "-1.2", "Y": "-48.4", "V": "-3.2", "Z": "-23.4"}),
-    (load_scene("oscillator", eps="1e-5"), {"phi": "-0.01", "phi_dot": "-1", "Y": "-52", "V": "-0.3", "Z": "-26"}),
+    (load_scene("oscillator", epsilon="1e-5"), {"phi": "-0.01", "phi_dot": "-1", "Y": "-52", "V": "-0.3", "Z": "-26"}),
     (
-        load_scene("rod", eps="1e-4"),
+        load_scene("rod", epsilon="1e-4"),
         {"theta": "0.02", "theta_dot": "1", "X_dot": "2", "Y": "-70", "V": "-5", "Z": "-34"},
     ),
     (
-        load_scene("extended", eps="1e-4"),
+        load_scene("extended", epsilon="1e-4"),
         {"p": "-0.02", "b": "-0.1", "u": "0.5", "Y": "-47.9", "V": "-4.6", "Z": "-22.9"},
     ),
     (
-        load_scene("extended", eps="1e-4", alpha_3=2),
+        load_scene("extended", epsilon="1e-4", alpha_3=2),
         {"p": "-0.1", "b": "-1", "u": "3", "Y": "-60", "V": "-9", "Z": "-29"},
     ),
 ]
@@ -245,7 +245,7 @@ def test_a_mechanism_does_what_is_stated(scene: Scene, values: dict[str, str]) -
         (with_surface(), {"V": "-1"}),  # D < 0
         (with_surface(), {"phi_dot": "-12"}),  # b turns positive
         (with_surface(), {"phi_dot": "nan"}),
-        (with_surface(eps="1/10"), {}),  # the configuration moves on while the force grows
+        (with_surface(epsilon="1/10"), {}),  # the configuration moves on while the force grows
     ],
 )
 def test_what_a_mechanism_is_not_told(scene: Scene, changed: dict[str, str]) -> None:
@@ -258,7 +258,7 @@ def test_what_a_mechanism_is_not_told(scene: Scene, changed: dict[str, str]) -> 
 
 def test_slip_that_the_force_speeds_up_stops_nothing() -> None:
     """Theorem R6 needs a slip velocity that falls with the force: with k^+ > 0 only so many times are promised."""
-    scene = load_scene("fig-varsim2", chi=1, eps="1e-6")
+    scene = load_scene("fig-varsim2", chi=1, epsilon="1e-6")
     values = {"b": "-0.1", "p": "-0.2", "u": "0.01", "Y": "-6", "V": "-4", "Z": "-2"}
     for k_plus, stops in (("-1", True), ("1", False), ("0", False)):
         system = scene.with_settings(k_plus=k_plus).system("slip")
@@ -270,7 +270,7 @@ def test_slip_that_the_force_speeds_up_stops_nothing() -> None:
 
 def test_a_promise_to_stop_is_kept_by_the_slip_velocity() -> None:
     """The larger u, the later; so large that b turns p round before: no such promise."""
-    scene = load_scene("fig-varsim2", chi=1, eps="1e-4")
+    scene = load_scene("fig-varsim2", chi=1, epsilon="1e-4")
     system, times = scene.system("slip"), []
     with working_bits(128):
         region = InvariantRegion(system)
@@ -285,7 +285,7 @@ def test_a_promise_to_stop_is_kept_by_the_slip_velocity() -> None:
 
 @pytest.mark.parametrize(
     "scene",
-    [load_scene("fig-varsim1", k_1=2, k_2="1/3", damping=5), load_scene("rod", eps="1e-2")],
+    [load_scene("fig-varsim1", k_1=2, k_2="1/3", damping=5), load_scene("rod", epsilon="1e-2")],
     ids=["model", "rod"],
 )
 def test_the_second_derivative_with_any_stiffness(scene: Scene) -> None:

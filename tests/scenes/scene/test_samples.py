@@ -207,7 +207,7 @@ def test_the_solver_starts_once_for_each_phase_without_a_journal(
 
 def test_a_journal_is_of_one_run(tmp_path: Path) -> None:
     journal = tmp_path / "run.journal"
-    float_run(load_scene("fig-varsim1", until="1/100", eps="1/50"), journal=journal)
+    float_run(load_scene("fig-varsim1", until="1/100", epsilon="1/50"), journal=journal)
     for other in ({"until": "1/99", "eps": "1/50"}, {"until": "1/100", "eps": "1/51"}):
         with pytest.raises(ValueError, match="is not a journal of this question"):
             float_run(load_scene("fig-varsim1", **other), journal=journal)
@@ -216,4 +216,4 @@ def test_a_journal_is_of_one_run(tmp_path: Path) -> None:
         bad = json.dumps({**json.loads(lines[1]), **change})
         journal.write_text("\n".join([lines[0], bad]) + "\n")
         with pytest.raises(ValueError, match="a line of the journal cannot be read"):
-            float_run(load_scene("fig-varsim1", until="1/100", eps="1/50"), journal=journal)
+            float_run(load_scene("fig-varsim1", until="1/100", epsilon="1/50"), journal=journal)

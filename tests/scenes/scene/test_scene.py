@@ -119,7 +119,7 @@ def test_tangential_motion_acts_on_nothing_else() -> None:
 def test_the_start_is_the_paper_s() -> None:
     for beta in ("1/2", "3/2", "5/2"):
         state = paper_state(compliant_model(beta, "1e-3"), 4)
-        found = load_scene("fig-varsim1", beta=beta, nu=4, eps="1e-3").initial()
+        found = load_scene("fig-varsim1", beta=beta, nu=4, epsilon="1e-3").initial()
         assert found == {name: getattr(state, name) for name in "pbyvz"}
 
 
@@ -132,7 +132,7 @@ def test_a_file_of_the_user(tmp_path: Path) -> None:
     path = tmp_path / "mine.toml"
     path.write_text(TEXT, encoding="utf-8")
     assert load_scene(path).initial()["z"] == fmpq(-1, 10**6)
-    assert load_scene(str(path), eps="1/10").epsilon == fmpq(1, 10)
+    assert load_scene(str(path), epsilon="1/10").epsilon == fmpq(1, 10)
 
 
 TEXT = """
@@ -217,3 +217,7 @@ def test_phases_and_settings_that_are_not_there() -> None:
         ALL.with_settings(k_minus=-1)
     with pytest.raises(SceneError, match="u must be >= 0 \\(positive slip\\) where stick is left out, got -1"):
         smaller("compliant_contact", "tangential_motion").with_settings(u=-1)
+
+
+def test_epsilon_has_a_short_form() -> None:
+    assert load_scene("fig-varsim1", eps="1e-5").epsilon == load_scene("fig-varsim1", epsilon="1e-5").epsilon
