@@ -20,13 +20,14 @@ _SMALL_BETA, _SMALL_NU = fmpq(15, 2), fmpq(2)
 
 
 def start(beta: fmpq, epsilon: fmpq, nu: fmpq) -> tuple[CompliantModel, CompliantState]:
-    """The paper's start p = 1/2, b = -nu lambda-bar/2, y = 4 b eps^2, v = 0, z = 2 b eps^2; alpha = (-1, -1, -beta)."""
+    """The paper's start p = 1/2, b = -nu lambda-bar/2, y = 4 b epsilon^2, v = 0, z = 2 b epsilon^2; alpha = (-1, -1,
+    -beta)."""
     b = -nu / (2 * (beta - 1))
     return compliant_model(beta, epsilon), compliant_state(START, b, 4 * b * epsilon**2, 0, 2 * b * epsilon**2)
 
 
 def next_to_the_canard(k: int) -> HardCase:
-    """The sign of K for nu = 1 - 10^-k, eps = 1/1000, beta = 5/2; nu = 1 is the canard."""
+    """The sign of K for nu = 1 - 10^-k, epsilon = 1/1000, beta = 5/2; nu = 1 is the canard."""
     nu = near(1, k, -1)
     model, state = start(BETA, EPSILON, nu)
     found, seconds = timed(lambda: side_rule(model, state))
@@ -56,7 +57,8 @@ def next_to_the_canard(k: int) -> HardCase:
 
 
 def small_epsilon(k: int) -> HardCase:
-    """The coefficient C of the slow solution, beta = 15/2, nu = 2, eps = 10^-k: an integral, its peak of width eps."""
+    """The coefficient C of the slow solution, beta = 15/2, nu = 2, epsilon = 10^-k: an integral, its peak of width
+    epsilon."""
     epsilon = fmpq(1, 10**k)
     model, state = start(_SMALL_BETA, epsilon, _SMALL_NU)
     rule, seconds = timed(lambda: side_rule(model, state))
@@ -79,7 +81,7 @@ def small_epsilon(k: int) -> HardCase:
 
 
 def slow_coefficient_in_doubles(epsilon: float) -> float:
-    """C = eps (b_hat/p_0) H_(beta-1)(p_0) by scipy's quadrature on (0, 1)."""
+    """C = epsilon (b_hat/p_0) H_(beta-1)(p_0) by scipy's quadrature on (0, 1)."""
     import warnings
 
     from scipy.integrate import quad
@@ -115,6 +117,6 @@ _SIGN_OF_SIDE = -1.0
 
 CASES: dict[str, Case] = {
     "canard": next_to_the_canard,
-    "small-eps": small_epsilon,
+    "small-epsilon": small_epsilon,
     "tiny-data": tiny_deviation,
 }

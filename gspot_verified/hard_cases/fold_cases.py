@@ -24,14 +24,14 @@ _REACH = 2.4
 
 
 def next_to_the_fold(k: int) -> HardCase:
-    """The number of zeros at beta = 5, eps = 32 - 10^-k: at eps = 32 two of them meet."""
+    """The number of zeros at beta = 5, epsilon = 32 - 10^-k: at epsilon = 32 two of them meet."""
     epsilon = near(32, k, -1)
     found, seconds = timed(lambda: slow_zeros(5, epsilon))
     small = nearest_double(epsilon)
     double = float(real_roots([1.0, 0.0, 0.0, -16 / small, 6 / small]))
 
     def least_value(bits: int) -> arb:
-        """T^4 - 16 T/eps + 6/eps at its minimum, T^3 = 4/eps."""
+        """T^4 - 16 T/epsilon + 6/epsilon at its minimum, T^3 = 4/epsilon."""
         with working_bits(bits):
             place = (4 / arb(epsilon)).root(3)
             return place**4 - 16 * place / arb(epsilon) + 6 / arb(epsilon)
@@ -68,7 +68,7 @@ def next_to_the_fold_curve(k: int) -> HardCase:
 
 @lru_cache(maxsize=1)
 def the_fold() -> FoldPoint:
-    """The fold of eps = 1, which starts from beta = 6 at eps = 0, to 25 digits in beta."""
+    """The fold of epsilon = 1, which starts from beta = 6 at epsilon = 0, to 25 digits in beta."""
     found = fold_point(FOLD_EPSILON, _FOLD_DIGITS)
     assert found is not None
     return found

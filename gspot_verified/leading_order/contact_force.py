@@ -25,7 +25,8 @@ _GUARD_BITS = 64
 
 @dataclass(frozen=True, slots=True)
 class ContactForce(NoTruthValue):
-    """One system and one trajectory: lambda_N(tau, eps) = mean - (C_1/alpha_3) kappa^(1-beta) eps^p dTheta/dtau.
+    """One system and one trajectory: lambda_N(tau, epsilon) = mean - (C_1/alpha_3) kappa^(1-beta) epsilon^p
+    dTheta/dtau.
 
     Here mean = alpha_2/(alpha_3 - alpha_1), kappa^3 = -alpha_1/2, beta = alpha_3/alpha_1, p = (2 beta - 2)/3. Make it
     with :func:`contact_force`, which checks the hypotheses.
@@ -46,7 +47,7 @@ class ContactForce(NoTruthValue):
 
     @property
     def exponent(self) -> fmpq:
-        """The power p of eps in the deviation."""
+        """The power p of epsilon in the deviation."""
         return (2 * self.beta - 2) / 3
 
     @property
@@ -67,17 +68,17 @@ class ContactForce(NoTruthValue):
         return "I" if self.alpha_2 < 0 else "II" if self.alpha_2 > 0 else "none"
 
     def amplitude(self, digits: int = 15) -> arb:
-        """A = (|C_1|/|alpha_3|) kappa^(1-beta) > 0: lambda_N = mean + A eps^p direction dTheta/dtau."""
+        """A = (|C_1|/|alpha_3|) kappa^(1-beta) > 0: lambda_N = mean + A epsilon^p direction dTheta/dtau."""
         with working_bits(self._bits(digits)):
             return arb(abs(self.c1 / self.alpha_3)) * arb(-self.alpha_1 / 2) ** arb((1 - self.beta) / 3)
 
     def level(self, epsilon: fmpq, digits: int = 15) -> arb:
-        """L with: lambda_N has the sign of direction dTheta/dtau + L; L = mean/(A eps^p)."""
+        """L with: lambda_N has the sign of direction dTheta/dtau + L; L = mean/(A epsilon^p)."""
         with working_bits(self._bits(digits)):
             return arb(self.mean) / (self.amplitude(digits) * arb(epsilon) ** arb(self.exponent))
 
     def log_epsilon(self, slope: arb, digits: int = 15) -> arb:
-        """The logarithm of the eps at which mean + A eps^p slope = 0; slope and mean have opposite signs."""
+        """The logarithm of the epsilon at which mean + A epsilon^p slope = 0; slope and mean have opposite signs."""
         with working_bits(self._bits(digits)):
             return (arb(-self.mean) / (self.amplitude(digits) * slope)).log() / arb(self.exponent)
 
@@ -177,7 +178,7 @@ def rational(value: ExactInput, name: str) -> fmpq:
 
 
 def below_threshold(epsilon: fmpq, lower: arb) -> Evidence | None:
-    """That eps is below every eps_0 whose logarithm is at least ``lower``; None where that is not certain."""
+    """That epsilon is below every epsilon_0 whose logarithm is at least ``lower``; None where that is not certain."""
     with working_bits(int(lower.bits()) + 64):
         return less(arb(epsilon).log(), lower)
 

@@ -64,7 +64,7 @@ class ForceOverBalls(NoTruthValue):
             return self.alpha_2 / (self.alpha_3 - self.alpha_1)
 
     def exponent(self, digits: int = 15) -> arb:
-        """The power p = (2 beta - 2)/3 of eps in the deviation; its sign is certain."""
+        """The power p = (2 beta - 2)/3 of epsilon in the deviation; its sign is certain."""
         with working_bits(_bits(digits)):
             return (2 * self.beta - 2) / 3
 
@@ -74,13 +74,13 @@ class ForceOverBalls(NoTruthValue):
             return abs(self.c1) / -self.alpha_3 * ((-self.alpha_1 / 2).log() * (1 - self.beta) / 3).exp()
 
     def level(self, epsilon: fmpq, digits: int = 15) -> arb:
-        """L = mean/(A eps^p): lambda_N has the sign of direction dTheta/dtau + L."""
+        """L = mean/(A epsilon^p): lambda_N has the sign of direction dTheta/dtau + L."""
         with working_bits(_bits(digits) + int(epsilon.height_bits())):
             power = (arb(epsilon).log() * self.exponent(digits)).exp()
             return self.mean(digits) / (self.amplitude(digits) * power)
 
     def log_epsilon(self, slope: arb, digits: int = 15) -> arb:
-        """The logarithm of the eps with mean + A eps^p slope = 0; not finite where both may have one sign."""
+        """The logarithm of the epsilon with mean + A epsilon^p slope = 0; not finite where both may have one sign."""
         with working_bits(_bits(digits)):
             return (-self.mean(digits) / (self.amplitude(digits) * slope)).log() / self.exponent(digits)
 

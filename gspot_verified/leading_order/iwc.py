@@ -1,5 +1,5 @@
-"""The contact force at leading order on a half-line: a certified eps_0 below which it stays positive (impact without
-collision), or a certified bracket of the lift-off time.
+"""The contact force at leading order on a half-line: a certified epsilon_0 below which it stays positive (impact
+without collision), or a certified bracket of the lift-off time.
 
 Proof page: ``proofs/iwc.md``. "At leading order" is the paper's approximation; its error is not bounded here. What
 holds for the compliant model is in ``compliant/contact/iwc.py``.
@@ -116,11 +116,11 @@ def leading_order_iwc(
     digits: int = 15,
     growth: bool = False,
 ) -> IwcResult:
-    """Whether the contact holds on [tau_start, infinity) at leading order, for all small eps, or when it lifts off.
+    """Whether the contact holds on [tau_start, infinity) at leading order, for all small epsilon, or when it lifts off.
 
-    On the side C_1/Gamma(-beta) > 0: eps_0, or with ``epsilon`` the answer at that eps. On the other side: the lift-off
-    time at ``epsilon`` (1/1000 by default, as in the paper's figures), to ``digits`` decimals, and with ``growth`` a
-    table for eps = 10^-10 ... 10^-10000. beta, the alphas and C_1: see :func:`contact_force`.
+    On the side C_1/Gamma(-beta) > 0: epsilon_0, or with ``epsilon`` the answer at that epsilon. On the other side: the
+    lift-off time at ``epsilon`` (1/1000 by default, as in the paper's figures), to ``digits`` decimals, and with
+    ``growth`` a table for epsilon = 10^-10 ... 10^-10000. beta, the alphas and C_1: see :func:`contact_force`.
 
     :raises TypeError: a float.
     :raises ValueError: an argument out of range: see :func:`contact_force`; |tau_start| > 10^6; epsilon <= 0; digits
@@ -189,7 +189,7 @@ def force_statement(start: fmpq | None, epsilon: fmpq | None, bound: fmpq | None
 
 
 def _log_bounds(force: ContactForce, least: arb, digits: int) -> tuple[arb, arb | None]:
-    """Bounds of the logarithm of the largest eps_0; no upper one where the least value may be 0."""
+    """Bounds of the logarithm of the largest epsilon_0; no upper one where the least value may be 0."""
     accuracy = 2 * digits
     lower = force.log_epsilon(least.lower(), accuracy).lower()
     same_sign = least.upper() < 0 or least.lower() > 0
@@ -204,7 +204,8 @@ def _exponential(lower: arb, upper: arb) -> arb | None:
 
 
 def at_epsilon(force: ContactForce, found: Stretches, epsilon: fmpq, lower: arb) -> Verdict:
-    """Whether lambda_N > 0 on [start, infinity) at eps; ``lower`` is at most the logarithm of the largest eps_0."""
+    """Whether lambda_N > 0 on [start, infinity) at epsilon; ``lower`` is at most the logarithm of the largest
+    epsilon_0."""
     start = found.start.lower
     text = force_statement(start, epsilon, None)
     below = below_threshold(epsilon, lower)

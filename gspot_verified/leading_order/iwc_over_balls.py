@@ -1,5 +1,5 @@
-"""The contact force at leading order for every alpha_1, alpha_2, alpha_3 in balls: one eps_0 for all of these systems,
-or one bracket that holds the lift-off time of each.
+"""The contact force at leading order for every alpha_1, alpha_2, alpha_3 in balls: one epsilon_0 for all of these
+systems, or one bracket that holds the lift-off time of each.
 
 Proof page: ``proofs/iwc.md``, section 6.
 """
@@ -169,7 +169,7 @@ def _impact(force: ForceOverBalls, found: Stretches, epsilon: fmpq | None, digit
 
 
 def _at_epsilon(force: ForceOverBalls, found: Stretches, epsilon: fmpq, lower: arb) -> Verdict:
-    """``lower`` is at most the logarithm of the largest eps_0 of every system."""
+    """``lower`` is at most the logarithm of the largest epsilon_0 of every system."""
     text = force_statement(found.start.lower, epsilon, None, _SYSTEM)
     below = below_threshold(epsilon, lower)
     if below is not None:

@@ -29,9 +29,9 @@ _CRITICAL_DIGITS = 15
 class LiftOff(NoTruthValue):
     """lambda_N > 0 on [start, lower], and it has one zero, with a change of sign, in the open interval (lower, upper).
 
-    ``number`` counts the zeros on [start, infinity); ``ratio`` is the time over ((beta-1) ln(1/eps))^(2/3), for
-    beta > 1 and eps < 1; ``whole_line``: lambda_N > 0 to the left of the start as well. Without a proof both ends are
-    None and the verdict says why.
+    ``number`` counts the zeros on [start, infinity); ``ratio`` is the time over ((beta-1) ln(1/epsilon))^(2/3), for
+    beta > 1 and epsilon < 1; ``whole_line``: lambda_N > 0 to the left of the start as well. Without a proof both ends
+    are None and the verdict says why.
     """
 
     ask: ClassVar[str] = ASK_VERDICT
@@ -102,5 +102,5 @@ def lift_off(force: ContactForce, epsilon: fmpq, start: fmpq, digits: int = 15) 
 
 
 def growth_table(force: ContactForce, start: fmpq) -> tuple[LiftOff, ...]:
-    """The lift-off times for eps = 10^-10 ... 10^-10000, to three decimals."""
+    """The lift-off times for epsilon = 10^-10 ... 10^-10000, to three decimals."""
     return tuple(lift_off(force, fmpq(10) ** -exponent, start, _GROWTH_DIGITS) for exponent in GROWTH_EXPONENTS)

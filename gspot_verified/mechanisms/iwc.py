@@ -54,8 +54,8 @@ def iwc(
         raise ValueError("alpha_1, alpha_2, alpha_3: the mechanism has its own")
     if not beta.regularisation.is_papers:
         raise ValueError(
-            f"{beta.name}: the compliant model has k_1 = k_2 = 1/eps^2 and c = 1/eps; for other constants nothing "
-            "is stated (in the leading order they change eps alone)"
+            f"{beta.name}: the compliant model has k_1 = k_2 = 1/epsilon^2 and c = 1/epsilon; for other constants "
+            "nothing is stated (in the leading order they change epsilon alone)"
         )
     if beta.case not in ("I", "II", "III"):
         raise ValueError(f"{beta.name}: the statements are about Cases I, II and III, and here: {beta.reason}")

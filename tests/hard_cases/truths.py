@@ -160,7 +160,7 @@ def canard(_: int) -> Truth:
     return 1 if mpmath.gamma(-2.5) > 0 else -1
 
 
-def small_eps(k: int) -> Truth:
+def small_epsilon(k: int) -> Truth:
     """C = eps (b_hat/p_0) eps^a/Gamma(a) int y^(a-1) e^(-p_0 y - psi(-eps y)/eps) dy, a = beta - 1, by mpmath."""
     with mpmath.workdps(40):
         a, p, eps = mpmath.mpf(13) / 2, mpmath.mpf(1) / 2, mpmath.mpf(10) ** -k
@@ -249,7 +249,7 @@ TRUTHS: dict[str, Callable[[int], Truth]] = {
     "obstructed": obstructed,
     "uniform": uniform,
     "canard": canard,
-    "small-eps": small_eps,
+    "small-epsilon": small_epsilon,
     "fold": fold,
     "fold-curve": fold_curve,
     "tiny-data": tiny_data,

@@ -281,8 +281,8 @@ def test_other_springs_and_dampers() -> None:
     mechanism = lagrangian(**ROD, regularisation=springs)
     assert alphas(mechanism) == ALPHA
     (note,) = classify(mechanism).notes
-    assert note.startswith("compliance k_1 = 2/eps^2, k_2 = 1/3/eps^2, c = 1/2/eps")
-    assert "eps^2 times 7/4" in note
+    assert note.startswith("compliance k_1 = 2/epsilon^2, k_2 = 1/3/epsilon^2, c = 1/2/epsilon")
+    assert "epsilon^2 times 7/4" in note
     assert expand(mechanism, 9).y != expand(lagrangian(**ROD), 9).y
     check_expansion(find_g_spot(mechanism).system, 7)
     assert find_g_spot(lagrangian(**ROD, regularisation={})).system.regularisation.is_papers

@@ -1,4 +1,4 @@
-"""The slow contact force stays positive on a half-line for every eps of an interval, for any beta: Theorem C's
+"""The slow contact force stays positive on a half-line for every epsilon of an interval, for any beta: Theorem C's
 polynomial bounds how f changes with eta, branch and bound does the rest.
 
 Proof page: ``proofs/monotone.md``, section 10.

@@ -1,4 +1,5 @@
-"""By how much the slow manifold lifts off before the leading order, 1 < beta < 5: at one eps, and for all smaller ones.
+"""By how much the slow manifold lifts off before the leading order, 1 < beta < 5: at one epsilon, and for all smaller
+ones.
 
 Proof page: ``proofs/monotone.md``, sections 8 and 9.
 """
@@ -35,9 +36,10 @@ def lead(profile: Profile, lower: fmpq, upper: fmpq) -> arb | None:
 
 
 def uniform_constant(profile: Profile, earliest: fmpq, leading: tuple[fmpq, fmpq]) -> tuple[arb, Evidence] | None:
-    """kappa with tau_LO - kappa (eta/8) tau_LO^(3/2) <= tau_lo <= tau_LO for every eps up to the one of ``profile``.
+    """kappa with tau_LO - kappa (eta/8) tau_LO^(3/2) <= tau_lo <= tau_LO for every epsilon up to the one of
+    ``profile``.
 
-    At that eps ``earliest`` <= tau_lo, and ``leading`` encloses tau_LO. With the hypotheses of the page as
+    At that epsilon ``earliest`` <= tau_lo, and ``leading`` encloses tau_LO. With the hypotheses of the page as
     evidence; None where one is not certain.
     """
     b, n = profile.beta - 1, profile.order

@@ -95,10 +95,10 @@ def compliant_iwc(
 
     Arguments and errors: :func:`gspot_verified.leading_order.iwc.leading_order_iwc`.
 
-    On the side C_1/Gamma(-beta) > 0, for 0 < beta < 5, every eps_0 at leading order is one for the compliant model
-    (Theorem C of the page), and the exact eps_0 is found, for 5 < beta < 13 by cells of eps (six digits, some seconds).
-    On the other side the lift-off time of the compliant model is bracketed at eps, and compared with that at leading
-    order for every smaller eps (1 < beta < 5).
+    On the side C_1/Gamma(-beta) > 0, for 0 < beta < 5, every epsilon_0 at leading order is one for the compliant model
+    (Theorem C of the page), and the exact epsilon_0 is found, for 5 < beta < 13 by cells of epsilon (six digits, some
+    seconds). On the other side the lift-off time of the compliant model is bracketed at epsilon, and compared with that
+    at leading order for every smaller epsilon (1 < beta < 5).
 
     >>> compliant_iwc("5/2").verdict.statement
     'on the slow manifold of the compliant model, λ_N > 0 for every τ in [-10, inf) and every ε in (0, 0.894881353)'
@@ -127,8 +127,9 @@ def iwc_over_balls(
 ) -> CompliantIwc:
     """The same for all alphas in balls at once: :func:`gspot_verified.leading_order.iwc_over_balls.iwc_over_balls`.
 
-    For 0 < beta < 5 a proved eps_0 holds for the compliant model too (Theorem C compares the forces of each system);
-    the exact eps_0, the compliant lift-off time and beta > 5 need one rational beta, as their bounds are made for one.
+    For 0 < beta < 5 a proved epsilon_0 holds for the compliant model too (Theorem C compares the forces of each
+    system); the exact epsilon_0, the compliant lift-off time and beta > 5 need one rational beta, as their bounds are
+    made for one.
     """
     leading = leading_order_over_balls(
         alpha_1, alpha_2, alpha_3, c1=c1, tau_start=tau_start, epsilon=epsilon, digits=digits

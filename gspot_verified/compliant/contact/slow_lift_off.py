@@ -1,4 +1,4 @@
-"""The lift-off time on the slow manifold of the compliant model: at one eps, and against the leading order for all
+"""The lift-off time on the slow manifold of the compliant model: at one epsilon, and against the leading order for all
 smaller ones.
 
 Proof page: ``proofs/monotone.md``, sections 7 to 9.
@@ -31,10 +31,10 @@ _CONSTANT_DIGITS = 4
 
 @dataclass(frozen=True, slots=True)
 class SlowLiftOff(NoTruthValue):
-    """lambda_N > 0 on [start, lower], and it changes sign in the open interval (lower, upper), at eps.
+    """lambda_N > 0 on [start, lower], and it changes sign in the open interval (lower, upper), at epsilon.
 
     ``lead`` bounds by how much that is before the lift-off at leading order (None: not proved). ``uniform``: the
-    statement for every smaller eps, with its constant ``kappa``. ``whole_line``: lambda_N > 0 to the left as well.
+    statement for every smaller epsilon, with its constant ``kappa``. ``whole_line``: lambda_N > 0 to the left as well.
     """
 
     ask: ClassVar[str] = ASK_VERDICT
@@ -76,7 +76,8 @@ class SlowLiftOff(NoTruthValue):
 
 
 def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: int = 15) -> SlowLiftOff:
-    """The first zero of the slow contact force on [start, infinity) at the eps of ``leading``, C_1/Gamma(-beta) < 0.
+    """The first zero of the slow contact force on [start, infinity) at the epsilon of ``leading``, where
+    C_1/Gamma(-beta) < 0.
 
     :raises ValueError: C_1/Gamma(-beta) > 0.
 

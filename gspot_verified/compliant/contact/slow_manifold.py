@@ -1,4 +1,4 @@
-"""The contact force of the compliant model on its slow manifold: is it positive on a half-line, below which eps?
+"""The contact force of the compliant model on its slow manifold: is it positive on a half-line, below which epsilon?
 
 Proof page: ``proofs/monotone.md``. The slow manifold is the one solution with b-hat ~ C_1 (-t)^beta as t -> -infinity
 that grows slower than e^(|T|/2) (``proofs/exact_solution.md``, section 4).
@@ -28,7 +28,7 @@ from gspot_verified.work.ranges import Range
 ABOVE = "its force is above the one at leading order at every τ and every ε (proofs/monotone.md, Theorem C)"
 BY_CELLS = "by Theorem C's polynomial, on cells that cover every such ε (proofs/monotone.md, section 10)"
 THRESHOLD_DIGITS = 8
-"""Digits of the exact eps_0, at most: each costs a share of a second."""
+"""Digits of the exact epsilon_0, at most: each costs a share of a second."""
 CELL_DIGITS = 6
 """The same for beta > 5."""
 
@@ -38,7 +38,7 @@ class SlowManifold(NoTruthValue):
     """What is proved about the contact force of the compliant model on its slow manifold.
 
     ``whole_line``: the verdict, when proved, holds to the left of ``start`` as well; ``start`` is None where the
-    statement itself is for every real tau. ``threshold``: the exact eps_0.
+    statement itself is for every real tau. ``threshold``: the exact epsilon_0.
     """
 
     ask: ClassVar[str] = ASK_VERDICT
@@ -71,7 +71,7 @@ class SlowManifold(NoTruthValue):
 
 
 def impact(leading: IwcResult, epsilon: fmpq | None, digits: int) -> SlowManifold | None:
-    """What is proved where C_1/Gamma(-beta) > 0: at ``epsilon``, or below the exact eps_0; None where nothing is."""
+    """What is proved where C_1/Gamma(-beta) > 0: at ``epsilon``, or below the exact epsilon_0; or None."""
     beta = leading.force.beta
     if epsilon is not None:
         return _at_epsilon(leading, epsilon, digits)
@@ -81,7 +81,7 @@ def impact(leading: IwcResult, epsilon: fmpq | None, digits: int) -> SlowManifol
 
 
 def exact_epsilon_0(leading: IwcResult, digits: int) -> tuple[Threshold | None, bool]:
-    """The exact eps_0 on [start, infinity), and whether it is proved to hold to the left as well; 0 < beta < 13.
+    """The exact epsilon_0 on [start, infinity), and whether it is proved to hold to the left as well; 0 < beta < 13.
 
     None where there is none at leading order to begin with, or none was found.
     """
@@ -96,7 +96,7 @@ def exact_epsilon_0(leading: IwcResult, digits: int) -> tuple[Threshold | None, 
 
 
 def _by_cells(leading: IwcResult, digits: int) -> SlowManifold | None:
-    """beta > 5, where the leading order is no lower bound; None where it has no eps_0 to begin with."""
+    """beta > 5, where the leading order is no lower bound; None where it has no epsilon_0 to begin with."""
     if leading.epsilon_0 is None:
         return None
     start = leading.start
@@ -134,8 +134,8 @@ def _above(leading: IwcResult) -> Evidence | None:
 
 
 def _to_the_left(leading: IwcResult, digits: int) -> bool:
-    """Whether the force is positive to the left of the start at every eps: there it is above the one at leading order,
-    which falls from +infinity to a value at the start that adds to the mean force."""
+    """Whether the force is positive to the left of the start at every epsilon: there it is above the one at leading
+    order, which falls from +infinity to a value at the start that adds to the mean force."""
     value = stretches(leading.force.beta, leading.force.direction, leading.start, digits).start.value
     return leading.whole_line and leading.force.mean >= 0 and bool(value >= 0)
 

@@ -1,5 +1,5 @@
-"""The largest eps_0 such that the slow contact force stays positive on a half-line for every eps < eps_0: exactly, that
-is for the compliant model and not at leading order, where the force grows with eta (beta < 5).
+"""The largest epsilon_0 such that the slow contact force stays positive on a half-line for every epsilon < epsilon_0:
+exactly, that is for the compliant model and not at leading order, where the force grows with eta (beta < 5).
 
 Proof page: ``proofs/monotone.md``, section 6.
 """
@@ -27,10 +27,10 @@ _SPARE_DIGITS = 3
 
 @dataclass(frozen=True, slots=True)
 class Threshold(NoTruthValue):
-    """The force is positive on the half-line for every eps < ``lower``, and not at eps = ``upper``, which ``place``
-    shows (lambda_N <= 0 there). ``every_epsilon``: it is positive at every eps > 0, and both are None. ``upper`` is
-    None when the search ended before; ``steps`` counts the iterations. ``evidence``: what shows that, beside what was
-    proved to begin with; None where it is not certain."""
+    """The force is positive on the half-line for every epsilon < ``lower``, and not at epsilon = ``upper``, which
+    ``place`` shows (lambda_N <= 0 there). ``every_epsilon``: it is positive at every epsilon > 0, and both are None.
+    ``upper`` is None when the search ended before; ``steps`` counts the iterations. ``evidence``: what shows that,
+    beside what was proved to begin with; None where it is not certain."""
 
     ask: ClassVar[str] = ".every_epsilon, or .lower and .upper"
 
@@ -57,10 +57,11 @@ def _text(value: fmpq | None) -> str | None:
 
 
 def exact_threshold(force: ContactForce, start: fmpq, proved: fmpq, digits: int = 8) -> Threshold:
-    """From ``proved``, with the force positive on [start, infinity) for every eps < proved, up to the exact eps_0.
+    """From ``proved``, with the force positive on [start, infinity) for every epsilon < proved, up to the exact
+    epsilon_0.
 
-    While the least value M(eta) is negative (beta > 1) the force is positive for eps in [eps_k, E(M(eta_k))), E(M) the
-    eps at which mean + A eps^p M = 0, because M increases in eta. The last eps_k is ``lower``.
+    While the least value M(eta) is negative (beta > 1) the force is positive for epsilon in [epsilon_k, E(M(eta_k))),
+    E(M) the epsilon at which mean + A epsilon^p M = 0, because M increases in eta. The last epsilon_k is ``lower``.
 
     :raises ValueError: C_1/Gamma(-beta) < 0, or beta > 5 (the force does not increase with eta there).
 

@@ -1,4 +1,4 @@
-"""The exact eps_0 for beta > 5, where the force need not grow with eta: eps is covered by cells from 0 on.
+"""The exact epsilon_0 for beta > 5, where the force need not grow with eta: epsilon is covered by cells from 0 on.
 
 Proof page: ``proofs/monotone.md``, section 10.
 """
@@ -33,9 +33,9 @@ _SPARE_DIGITS = 3
 def threshold_by_cells(
     force: ContactForce, start: fmpq, aim: fmpq, digits: int = 6, left: bool = False
 ) -> tuple[Threshold | None, bool]:
-    """The exact eps_0 on [start, infinity), and (with ``left``) whether it holds to the left of the start as well.
+    """The exact epsilon_0 on [start, infinity), and (with ``left``) whether it holds to the left of the start as well.
 
-    ``aim``: where to look first, any number. None when no eps_0 > 0 was found.
+    ``aim``: where to look first, any number. None when no epsilon_0 > 0 was found.
 
     :raises ValueError: C_1/Gamma(-beta) < 0, or beta not in (1, 13).
     """

@@ -26,9 +26,9 @@ class Profile:
     """f(tau) = sign Gamma(-beta) dG_beta/dtau (tau; eta) = beta s G_b (tau; eta), b = beta - 1, s = sign Gamma(-b),
     at epsilon = 2 eta^3.
 
-    On the slow manifold lambda_N = mean + A eps^p f where C_1/Gamma(-beta) > 0, and mean - A eps^p f on the other side
-    (A, p: :class:`ContactForce`). ``epsilon`` is that of the normal form, epsilon |alpha_1|; ``root`` is eta when it is
-    known as a rational number. f^(n) > 0 on the real line, n = ``order``.
+    On the slow manifold lambda_N = mean + A epsilon^p f where C_1/Gamma(-beta) > 0, and mean - A epsilon^p f on the
+    other side (A, p: :class:`ContactForce`). ``epsilon`` is that of the normal form, epsilon |alpha_1|; ``root`` is eta
+    when it is known as a rational number. f^(n) > 0 on the real line, n = ``order``.
     """
 
     beta: fmpq

@@ -96,11 +96,11 @@ def lift_off_certificate(force: ContactForce, tau: fmpq, epsilon: fmpq) -> Force
 
 
 def iwc_certificate(leading: IwcResult) -> ForceCertificate:
-    """A certificate beside a result at leading order: the same half-line, epsilon a little below eps_0, or the end of
-    the lift-off bracket, rounded to two or three places.
+    """A certificate beside a result at leading order: the same half-line, epsilon a little below epsilon_0, or the end
+    of the lift-off bracket, rounded to two or three places.
 
     :raises ValueError: not 1 < beta < 5.
-    :raises NotProvable: no eps_0 or no bracket was found, or no pieces.
+    :raises NotProvable: no epsilon_0 or no bracket was found, or no pieces.
     """
     if leading.force.takes_impact:
         if leading.every_epsilon or leading.epsilon_0 is None:

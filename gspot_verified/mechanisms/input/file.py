@@ -56,9 +56,9 @@ The keys; one of the tables ``lagrangian``, ``energies``, ``fields`` says how it
     contact.slip             "positive" (if missing), or "negative": the library mirrors x
     contact.y                the distance of the contact point from the surface
     contact.mu               the friction coefficient, a formula of the coordinates (and time)
-    regularisation.k_1       optional, rational > 0: the stiffness in series is k_1/eps^2 (1 if missing)
-    regularisation.k_2       optional, rational > 0: the stiffness of the contact is k_2/eps^2 (1 if missing)
-    regularisation.c         optional, rational >= 0: the damper beside k_1 is c/eps (1 if missing)
+    regularisation.k_1       optional, rational > 0: the stiffness in series is k_1/epsilon^2 (1 if missing)
+    regularisation.k_2       optional, rational > 0: the stiffness of the contact is k_2/epsilon^2 (1 if missing)
+    regularisation.c         optional, rational >= 0: the damper beside k_1 is c/epsilon (1 if missing)
     g_spot.search            true: the values of the point start Newton's method
     g_spot.fixed             m - 4 components of the state that keep their value; two less for each constraint
     g_spot.conditions        in the place of fixed: functions of the state that vanish

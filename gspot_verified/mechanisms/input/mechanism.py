@@ -154,8 +154,8 @@ class Mechanism:
         if not self.regularisation.is_papers:
             r = self.regularisation
             found.append(
-                f"compliance k_1 = {r.k_1}/eps^2, k_2 = {r.k_2}/eps^2, c = {r.c}/eps: Case, beta and side are those "
-                f"of the paper's, with eps^2 times {r.compliance / 2} in the leading order"
+                f"compliance k_1 = {r.k_1}/epsilon^2, k_2 = {r.k_2}/epsilon^2, c = {r.c}/epsilon: Case, beta and side "
+                f"are those of the paper's, with epsilon^2 times {r.compliance / 2} in the leading order"
             )
         return tuple(found)
 

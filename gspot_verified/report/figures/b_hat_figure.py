@@ -19,7 +19,8 @@ _MAX_BETA = 20
 
 
 def scaled_b_hat(beta: fmpq, epsilon: fmpq, tau: fmpq) -> arb:
-    """kappa^beta eps^(-2 beta/3) b-hat/C_1 at a T next to tau/eta: G_beta(tau; eta) (proofs/monotone.md, section 1)."""
+    """kappa^beta epsilon^(-2 beta/3) b-hat/C_1 at a T next to tau/eta: G_beta(tau; eta) (proofs/monotone.md, section
+    1)."""
     with working_bits(_BITS):
         eta = scale(epsilon)
         time = (arb(tau) / eta).mid()

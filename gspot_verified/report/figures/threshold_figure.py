@@ -1,4 +1,4 @@
-"""A figure of the compliant model: the exact eps_0 against beta, beside the one at leading order."""
+"""A figure of the compliant model: the exact epsilon_0 against beta, beside the one at leading order."""
 
 from __future__ import annotations
 
@@ -15,14 +15,15 @@ from gspot_verified.report.pictures.canvas import BLUE, INK, VERMILION, Picture,
 START = fmpq(-10)
 DIGITS = 4
 START_DIGITS = 6
-"""Where floor(beta) is odd the start decides: that is quickly found, and the two eps_0 are close to each other."""
+"""Where floor(beta) is odd the start decides: that is quickly found, and the two epsilon_0 are close to each other."""
 LAST = 7
 BETAS = tuple(fmpq(k, 8) for k in range(10, 8 * LAST) if k % 8)
 
 
 @dataclass(frozen=True, slots=True)
 class ThresholdPoint:
-    """eps_0 at leading order, and an enclosure of the exact one on tau >= -10; |C_1| = 1, alpha_1 = alpha_2 = -1."""
+    """epsilon_0 at leading order, and an enclosure of the exact one on tau >= -10; |C_1| = 1, alpha_1 = alpha_2 =
+    -1."""
 
     beta: fmpq
     leading: fmpq
@@ -52,7 +53,7 @@ def threshold_points(betas: Iterable[fmpq] = BETAS) -> tuple[ThresholdPoint, ...
 
 
 def threshold_picture(points: Sequence[ThresholdPoint]) -> Picture:
-    """The two eps_0 and their quotient, from :func:`threshold_points`.
+    """The two epsilon_0 and their quotient, from :func:`threshold_points`.
 
     :raises ValueError: no points.
     """

@@ -64,8 +64,8 @@ def test_notes_say_how_it_was_read() -> None:
     )  # fmt: skip
     first, second = belt.notes
     assert first.startswith("negative slip: mirrored, the slip velocity counts in the opposite direction")
-    assert second.startswith("compliance k_1 = 2/eps^2, k_2 = 4/eps^2, c = 3/eps: ")
-    assert second.endswith("with eps^2 times 3/8 in the leading order")  # (1/2 + 1/4)/2
+    assert second.startswith("compliance k_1 = 2/epsilon^2, k_2 = 4/epsilon^2, c = 3/epsilon: ")
+    assert second.endswith("with epsilon^2 times 3/8 in the leading order")  # (1/2 + 1/4)/2
 
 
 def test_a_rational_number_is_asked_for() -> None:
