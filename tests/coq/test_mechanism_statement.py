@@ -67,7 +67,7 @@ def in_the_ledger(point: Point) -> list[fmpq]:
     """The same by the ledger's polynomials, on a motion that is linear in t and has this state at t = 0."""
     time = ALGEBRA.symbols["t"]
     motion = {name: ALGEBRA.constant(point[name]) + point[f"{name}'"] * time for name in "pbyvz"}
-    numbers = {"t": fmpq(0), "eps": point["eps"], "alpha1": point["a1"], "alpha3": point["a3"]}
+    numbers = {"t": fmpq(0), "epsilon": point["eps"], "alpha1": point["a1"], "alpha3": point["a3"]}
     numbers["c"] = point["a2"] / (point["a1"] - point["a3"])
     constants = {name: ALGEBRA.constant(value) for name, value in numbers.items()}
     start, *found = [

@@ -97,7 +97,7 @@ def test_a_file_of_the_ledger_meets_the_verdicts_and_the_wrong_formulas_of_the_p
         == parts(ROOT, f"{paper}/section_6/oscillator.py")
         == {"section_6"}
     )
-    assert {"section_5_spaces", "section_5_theorem"} <= parts(ROOT, f"{paper}/section_4/powers_of_eps.py")
+    assert {"section_5_spaces", "section_5_theorem"} <= parts(ROOT, f"{paper}/section_4/powers_of_epsilon.py")
     assert parts(ROOT, f"{paper}/checks/entry.py") == parts(ROOT, "gspot_verified/numbers/dyadic.py") == set()
     chosen = mirrored(ROOT, f"{paper}/section_6/oscillator.py")
     names = ("section_6/test_oscillator", "test_verdicts", "test_teeth", "test_steps")

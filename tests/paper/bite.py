@@ -92,8 +92,8 @@ def unseen_at(symbol: str, points: Iterable[int]) -> Callable[[str], str]:
 def raised(symbol: str) -> Callable[[str], str]:
     """One more power of the symbol in front of a text.
 
-    >>> raised("eps")("eps^2*c")
-    'eps*(eps^2*c)'
+    >>> raised("epsilon")("epsilon^2*c")
+    'epsilon*(epsilon^2*c)'
     """
     return lambda honest: f"{symbol}*({honest})"
 
@@ -101,8 +101,8 @@ def raised(symbol: str) -> Callable[[str], str]:
 def replaced(old: str, new: str) -> Callable[[str], str]:
     """The text with one part of it replaced; the part must occur.
 
-    >>> replaced("eps^2", "eps^3")("eps^2*c")
-    'eps^3*c'
+    >>> replaced("epsilon^2", "epsilon^3")("epsilon^2*c")
+    'epsilon^3*c'
     """
 
     def change(honest: str) -> str:

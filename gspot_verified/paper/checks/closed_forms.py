@@ -22,11 +22,11 @@ from flint import fmpq, fmpq_mpoly, fmpz
 from gspot_verified.functions.symbols import RationalFunction
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 
-ALGEBRA = Algebra("beta k m n i pi e C_1 alpha1 alpha2 alpha3 kappa eps c t s tau x lam slope y u v w")
+ALGEBRA = Algebra("beta k m n i pi e C_1 alpha1 alpha2 alpha3 kappa epsilon c t s tau x lam slope y u v w")
 """The symbols of the formulas; lam is |τ|^(3/2), slope and y stand for values of dΘ/dτ and Θ."""
 INTEGERS = ("k", "m", "n")
 """Symbols that stand for integers >= 0: (-1)^(2k) is 1."""
-POSITIVE = ("pi", "e", "kappa", "eps", "tau", "x", "lam", "u", "v", "w", *INTEGERS)
+POSITIVE = ("pi", "e", "kappa", "epsilon", "tau", "x", "lam", "u", "v", "w", *INTEGERS)
 """Symbols that stand for positive numbers (the integers: not negative) where a sign is asked for."""
 UNIT = "v"
 """A symbol that stands for a number in (0, 1)."""

@@ -17,7 +17,7 @@ Parts = Mapping[str, fmpq_mpoly]
 Route = Callable[[Parts], Sequence[fmpq_mpoly]]
 """From the formulas of a claim, by name, to polynomials that are all zero exactly when the claim holds."""
 
-_GREEK = {"alpha": "α_", "beta": "β", "delta": "δ", "eps": "ε", "lam": "λ", "chi": "χ", "kappa": "κ"} | {
+_GREEK = {"alpha": "α_", "beta": "β", "delta": "δ", "epsilon": "ε", "lam": "λ", "chi": "χ", "kappa": "κ"} | {
     "Gamma": "Γ",
     "pi": "π",
     "tau": "τ",

@@ -77,7 +77,8 @@ class Sizes:
 
 
 def paper_run(beta: fmpq, nu: fmpq) -> PaperRun:
-    """The fate of the run (p, b, y, v, z) = (1/2, -nu |mean|/2, 4 b eps^2, 0, 2 b eps^2), alpha_1 = alpha_2 = -1.
+    """The fate of the run (p, b, y, v, z) = (1/2, -nu |mean|/2, 4 b epsilon^2, 0, 2 b epsilon^2), alpha_1 =
+    alpha_2 = -1.
 
     epsilon_0 is the largest of a list that the proof reaches; nu > 0, beta in (0, 3), not an integer.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 
-ALGEBRA = Algebra("z y eps k1 k2 c d x lam")
+ALGEBRA = Algebra("z y epsilon k1 k2 c d x lam")
 _SYMBOLS = ALGEBRA.symbols
 RATE = {"contact": "-z - (z - y)", "flight": "-z"}
 """ε z' of compl1 with ε² λ_N = z - y, or λ_N = 0."""
@@ -13,9 +13,9 @@ REST = {"contact": "1/2*y", "flight": "0*y"}
 """Where z relaxes to."""
 DECAY = {"contact": 2, "flight": 1}
 """z minus its rest falls like e^(-decay t/ε)."""
-UNDER_FORCE = "-z - eps^2*lam"
+UNDER_FORCE = "-z - epsilon^2*lam"
 """ε z' of compl1."""
-GIVEN = {"z": "-eps^2*lam", "y": "-2*eps^2*lam"}
+GIVEN = {"z": "-epsilon^2*lam", "y": "-2*epsilon^2*lam"}
 """z and y at rest under a given force λ_N."""
 BALANCE = {"z": "-k1*z - lam", "y": "k2*(z - y) - lam"}
 """c z' of compliant1, and the difference of the two sides of compliant2."""
@@ -76,11 +76,11 @@ def settles_under_force() -> bool | None:
     return (rate + _SYMBOLS["d"]).is_zero()
 
 
-def vanish_with_eps() -> bool | None:
+def vanish_with_epsilon() -> bool | None:
     """Whether z and y at rest have a factor ε, and else λ_N alone: they tend to 0 for every λ_N."""
     found = [ALGEBRA.read(text) for text in GIVEN.values()]
-    free = {"eps", "lam"}
-    at_zero = (ALGEBRA.substitute(value, {"eps": ALGEBRA.constant(0)}) for value in found)
+    free = {"epsilon", "lam"}
+    at_zero = (ALGEBRA.substitute(value, {"epsilon": ALGEBRA.constant(0)}) for value in found)
     others = (value.derivative(name) for value in found for name in _SYMBOLS if name not in free)
     return all(value.is_zero() for value in (*at_zero, *others)) and not any(value.is_zero() for value in found)
 
@@ -94,7 +94,7 @@ def balanced_by_the_springs() -> bool | None:
     answers = []
     for name, spring in (("z", "k1"), ("y", "k2")):
         power = -CONSTANTS[spring]
-        images = {spring: ALGEBRA.constant(1), "lam": _SYMBOLS["eps"] ** power * _SYMBOLS["lam"]}
+        images = {spring: ALGEBRA.constant(1), "lam": _SYMBOLS["epsilon"] ** power * _SYMBOLS["lam"]}
         scaled = ALGEBRA.substitute(ALGEBRA.read(BALANCE[name]), images)
         answers.append(ALGEBRA.substitute(scaled, rest).is_zero())
     return all(answers)
@@ -117,12 +117,12 @@ def _deformation() -> Entry:
         Check(
             Rung.EXACT,
             "eq. compl1: the deviation of z from -ε² λ_N decays, and what is left has a factor ε",
-            all_of([settles_under_force(), vanish_with_eps()]),
+            all_of([settles_under_force(), vanish_with_epsilon()]),
         ),
         Check(
             Rung.EXACT,
             "eqs. compliant1 to compliant3: the springs k_1 and k_2 carry the force at these z and y, at rest",
-            all_of([balanced_by_the_springs(), relaxes_by_the_damper(), vanish_with_eps()]),
+            all_of([balanced_by_the_springs(), relaxes_by_the_damper(), vanish_with_epsilon()]),
         ),
         note="For a force that depends on ε this holds as long as ε² λ_N → 0.",
     )

@@ -21,7 +21,7 @@ _TERMS_FROM_CENTRE = 4500
 
 
 @lru_cache
-def force_by_system(beta: fmpq, eps: fmpq, end: fmpq) -> tuple[arb, ...]:
+def force_by_system(beta: fmpq, epsilon: fmpq, end: fmpq) -> tuple[arb, ...]:
     """Enclosures of l(t) at the ends of the steps from START to ``end``, by section 1 of the page.
 
     :raises ValueError: ``end`` is not reached by whole steps.
@@ -32,7 +32,7 @@ def force_by_system(beta: fmpq, eps: fmpq, end: fmpq) -> tuple[arb, ...]:
     with working_bits(BITS):
         state, found = [arb(value) for value in _initial(beta)], []
         for k in range(int(steps)):
-            state = _one_step(state, START + k * _STEP, beta, eps)
+            state = _one_step(state, START + k * _STEP, beta, epsilon)
             found.append(state[3] - state[1])
     return tuple(found)
 
@@ -43,9 +43,9 @@ def _initial(beta: fmpq) -> tuple[fmpq, fmpq, fmpq, fmpq]:
     return b, 2 * b / p, fmpq(0), b / p
 
 
-def _one_step(state: Sequence[arb], start: fmpq, beta: fmpq, eps: fmpq) -> list[arb]:
+def _one_step(state: Sequence[arb], start: fmpq, beta: fmpq, epsilon: fmpq) -> list[arb]:
     """The state one step later, by the series with its remainder; not finite when the ratio is not below 1."""
-    h, rate = arb(_STEP), 1 / arb(eps)
+    h, rate = arb(_STEP), 1 / arb(epsilon)
     term, force_before = list(state), arb(0)
     total, sizes = list(state), [_size(state)]
     power = h
@@ -63,8 +63,8 @@ def _one_step(state: Sequence[arb], start: fmpq, beta: fmpq, eps: fmpq) -> list[
         total = [value + coefficient * power for value, coefficient in zip(total, term, strict=True)]
         sizes = [sizes[-1], _size(term) * power]
         power *= h
-    first = max(2 * beta, (3 + 2 * abs(start)) / eps)
-    ratio = (first * _STEP + 2 * _STEP**2 / eps) / (_TERMS + 1)
+    first = max(2 * beta, (3 + 2 * abs(start)) / epsilon)
+    ratio = (first * _STEP + 2 * _STEP**2 / epsilon) / (_TERMS + 1)
     if not ratio < 1:
         return [nonfinite()] * 4
     rest = 2 * _largest(sizes) * arb(ratio / (1 - ratio))
@@ -72,7 +72,7 @@ def _one_step(state: Sequence[arb], start: fmpq, beta: fmpq, eps: fmpq) -> list[
 
 
 @lru_cache
-def force_by_single_equation(beta: fmpq, eps: fmpq, end: fmpq) -> arb:
+def force_by_single_equation(beta: fmpq, epsilon: fmpq, end: fmpq) -> arb:
     """An enclosure of l(end), by section 2 of the page; not finite when a hypothesis is open.
 
     :raises ValueError: |end| is 0 or above 1/2: the remainder is taken there.
@@ -80,8 +80,8 @@ def force_by_single_equation(beta: fmpq, eps: fmpq, end: fmpq) -> arb:
     if end == 0 or abs(end) > abs(START):
         raise ValueError(f"end must be in [-1/2, 1/2] without 0, not {end}")
     with working_bits(BITS):
-        rows = [_coefficients([arb(i == j) for j in range(4)], beta, eps) for i in range(4)]
-        matrix = arb_mat([[_derivative(row, START, j, beta, eps) for row in rows] for j in range(4)])
+        rows = [_coefficients([arb(i == j) for j in range(4)], beta, epsilon) for i in range(4)]
+        matrix = arb_mat([[_derivative(row, START, j, beta, epsilon) for row in rows] for j in range(4)])
         b, y, _, z = _initial(beta)
         wanted = arb_mat([[arb(b)], [arb(beta * (z - y))], [arb(0)], [arb(0)]])
         try:
@@ -90,14 +90,14 @@ def force_by_single_equation(beta: fmpq, eps: fmpq, end: fmpq) -> arb:
             return nonfinite()
         slope = arb(0)
         for i, row in enumerate(rows):
-            slope += first[i, 0] * _derivative(row, end, 1, beta, eps)
+            slope += first[i, 0] * _derivative(row, end, 1, beta, epsilon)
         return slope / beta
 
 
-def _coefficients(first: list[arb], beta: fmpq, eps: fmpq) -> list[arb]:
+def _coefficients(first: list[arb], beta: fmpq, epsilon: fmpq) -> list[arb]:
     """A_k of smooth_trajectory.md, section 3, divided by k!."""
     found = [first[0], first[1], first[2] / 2, first[3] / 6]
-    small = arb(eps)
+    small = arb(epsilon)
     for k in range(_TERMS_FROM_CENTRE):
         drive = (k + 1 - beta) * found[k + 1] * (k + 1) + (k - beta) * found[k]
         forward = -2 * (k + 3) * (k + 2) * found[k + 3] * (k + 1) + small * drive
@@ -105,12 +105,12 @@ def _coefficients(first: list[arb], beta: fmpq, eps: fmpq) -> list[arb]:
     return found
 
 
-def _derivative(row: list[arb], t: fmpq, order: int, beta: fmpq, eps: fmpq) -> arb:
-    """The derivative of Σ A_k (t/eps)^k/k! of an order up to 3, with its remainder."""
-    x, number, series = t / eps, len(row) - 4, arb_poly(row)
+def _derivative(row: list[arb], t: fmpq, order: int, beta: fmpq, epsilon: fmpq) -> arb:
+    """The derivative of Σ A_k (t/epsilon)^k/k! of an order up to 3, with its remainder."""
+    x, number, series = t / epsilon, len(row) - 4, arb_poly(row)
     for _ in range(order):
         series = series.derivative()
-    size, small = abs(x), eps * (1 + beta) * abs(x) ** 3
+    size, small = abs(x), epsilon * (1 + beta) * abs(x) ** 3
     ratio = 2 * size / (number + 4) + small / ((number + 3) * (number + 4))
     ratio += small * size / ((number + 2) * (number + 3) * (number + 4))
     ratio *= fmpq(102, 100)
@@ -118,7 +118,7 @@ def _derivative(row: list[arb], t: fmpq, order: int, beta: fmpq, eps: fmpq) -> a
         return nonfinite()
     weights = [abs(row[k]) * arb(size) ** k * k**3 for k in range(number, number + 4)]
     rest = 4 * _largest(weights) * arb(ratio / (1 - ratio)) / arb(abs(t)) ** order
-    return add_remainder(series(arb(x)) / arb(eps) ** order, rest)
+    return add_remainder(series(arb(x)) / arb(epsilon) ** order, rest)
 
 
 def _size(values: Sequence[arb]) -> arb:

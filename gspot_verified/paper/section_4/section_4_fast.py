@@ -18,13 +18,13 @@ SECTION = "Section 4"
 _SYMBOLS = ALGEBRA.symbols
 _STATES = Algebra("y v z p")
 PRINTED: dict[str, dict[str, str]] = {
-    "4-fast": {"equation": "-(p*(f1+f2) + 2*f3 + f4) + eps*(alpha3*f0 + (alpha3-alpha1)*f1)"},
+    "4-fast": {"equation": "-(p*(f1+f2) + 2*f3 + f4) + epsilon*(alpha3*f0 + (alpha3-alpha1)*f1)"},
     "4-fast-polynomial": {"polynomial": "-lam*(lam^3 + 2*lam^2 + p*lam + p)"},
     "4-discriminant": {"discriminant": "-p*(4*p^2 - 13*p + 32)"},
     "4-roots-sum": {"sum": "-2 + 0*p", "product": "-p"},
 }
 FAST_RATES = {"y": "v", "v": "p*(z - y)", "z": "-z - (z - y)"}
-"""The fast system in (y, v, z) at b = 0, in units in which eps is 1."""
+"""The fast system in (y, v, z) at b = 0, in units in which epsilon is 1."""
 CUBIC = "lam^3 + 2*lam^2 + p*lam + p"
 """The second factor of the characteristic polynomial."""
 ALLOWED = {"4-stable": "x", "4-saddle": "-x"}
@@ -40,10 +40,10 @@ def _fast() -> Entry:
     p_is = {"p": ALGEBRA.read("alpha1*t")}
 
     def chain_rule(parts: Parts) -> list[fmpq_mpoly]:
-        eps = _SYMBOLS["eps"]
-        images = [eps ** (4 - k) * _SYMBOLS[f"f{k}"] for k in range(5)]
-        slow = ALGEBRA.replaced(ALGEBRA.read(OUTER["4-deviation"]["equation"]), "b", images, eps**4)
-        return [eps * slow - eps**4 * ALGEBRA.substitute(parts["equation"], p_is)]
+        epsilon = _SYMBOLS["epsilon"]
+        images = [epsilon ** (4 - k) * _SYMBOLS[f"f{k}"] for k in range(5)]
+        slow = ALGEBRA.replaced(ALGEBRA.read(OUTER["4-deviation"]["equation"]), "b", images, epsilon**4)
+        return [epsilon * slow - epsilon**4 * ALGEBRA.substitute(parts["equation"], p_is)]
 
     return settled(
         SECTION,
@@ -60,9 +60,9 @@ def _fast() -> Entry:
 
 
 def fast_matrix() -> list[list[fmpq_mpoly]]:
-    """lam I minus the matrix of the fast system in (b, y, v, z) at eps = 0, with p for alpha1 t."""
+    """lam I minus the matrix of the fast system in (b, y, v, z) at epsilon = 0, with p for alpha1 t."""
     rates, states = field(False), ("b0", "y", "v", "z")
-    limit = {"eps": ALGEBRA.constant(0), "alpha1": _SYMBOLS["p"], "t": ALGEBRA.constant(1)}
+    limit = {"epsilon": ALGEBRA.constant(0), "alpha1": _SYMBOLS["p"], "t": ALGEBRA.constant(1)}
     rows = [[-ALGEBRA.substitute(rates[row].derivative(name), limit) for name in states] for row in states]
     return [[value + _SYMBOLS["lam"] * (i == j) for j, value in enumerate(row)] for i, row in enumerate(rows)]
 
@@ -71,7 +71,7 @@ def _polynomial() -> Entry:
     this = _claim("4-fast-polynomial")
 
     def exponential(parts: Parts) -> list[fmpq_mpoly]:
-        equation = ALGEBRA.coefficient_of(ALGEBRA.read(PRINTED["4-fast"]["equation"]), "eps", 0)
+        equation = ALGEBRA.coefficient_of(ALGEBRA.read(PRINTED["4-fast"]["equation"]), "epsilon", 0)
         powers = [_SYMBOLS["lam"] ** k for k in range(5)]
         return [ALGEBRA.replaced(equation, "f", powers, ALGEBRA.constant(0)) - parts["polynomial"]]
 

@@ -1,4 +1,4 @@
-"""Ledger of Section 4 on its inner scale, t = delta^2 s with delta^3 = eps.
+"""Ledger of Section 4 on its inner scale, t = delta^2 s with delta^3 = epsilon.
 
 g0, g1, ... are b and its derivatives in s; f0, f1, ... in the fast time; h0, h1, ... are theta's in tau.
 """
@@ -19,7 +19,7 @@ from gspot_verified.paper.section_4.section_4_outer import PRINTED as OUTER
 SECTION = "Section 4"
 _SYMBOLS = ALGEBRA.symbols
 _DELTA = _SYMBOLS["delta"]
-INNER_SCALE = {"t": ALGEBRA.read("delta^2*s"), "eps": ALGEBRA.read("delta^3")}
+INNER_SCALE = {"t": ALGEBRA.read("delta^2*s"), "epsilon": ALGEBRA.read("delta^3")}
 PRINTED: dict[str, dict[str, str]] = {
     "4-inner": {"equation": "alpha3*g0 - alpha1*s*g1 - 2*g3 + delta*((alpha3-alpha1)*g1 - alpha1*s*g2 - g4)"},
     "4-inner-fast": {"equation": "-2*f3 - f4 + delta^2*alpha1*s*(f1+f2) + delta^3*(alpha3*f0 + (alpha3-alpha1)*f1)"},
@@ -132,7 +132,7 @@ def _inner_slow() -> Entry:
     this = _claim("4-inner-slow")
 
     def reduced(parts: Parts) -> list[fmpq_mpoly]:
-        # b = delta^2 g0, v = delta v: then every rate has the factor delta of eps d/dt = delta d/ds.
+        # b = delta^2 g0, v = delta v: then every rate has the factor delta of epsilon d/dt = delta d/ds.
         rates = slow_rates({"b0": _DELTA**2 * _SYMBOLS["g0"], "v": _DELTA * _SYMBOLS["v"]})
         images = {"s": ALGEBRA.constant(1), "g0": rates["b0"] / _DELTA**3, "y": rates["y"] / _DELTA,
                   "v": rates["v"] / _DELTA**2}  # fmt: skip
@@ -206,7 +206,7 @@ def _theta() -> Entry:
 
 
 def _leading(name: str, order: int, factor: fmpq_mpoly, wanted: fmpq_mpoly) -> list[fmpq_mpoly]:
-    """factor alpha3 x/eps^order = wanted + O(delta), for a recovered variable x."""
+    """factor alpha3 x/epsilon^order = wanted + O(delta), for a recovered variable x."""
     value = factor * scaled(ALGEBRA.read(OUTER["4-deviation-recover"][name]))
     place = 8 + 3 * order
     powers = ALGEBRA.coefficients(value, "delta")

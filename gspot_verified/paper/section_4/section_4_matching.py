@@ -1,4 +1,4 @@
-"""Ledger of Section 4.4: the matching of the inner and the outer solution, and the powers of eps.
+"""Ledger of Section 4.4: the matching of the inner and the outer solution, and the powers of epsilon.
 
 Positive quantities with real exponents enter by their logarithms: K = log κ, E = log ε, D = log δ, S = log(-s), for
 κ, ε, δ > 0 > s. C_1 is a common factor.
@@ -55,7 +55,7 @@ def _powers(name: str) -> dict[str, int]:
 
 def _in_delta(value: fmpq_mpoly) -> fmpq_mpoly:
     """log ε as a multiple of log δ."""
-    return ALGEBRA.substitute(value, {"E": _powers("eps")["delta"] * _SYMBOLS["D"]})
+    return ALGEBRA.substitute(value, {"E": _powers("epsilon")["delta"] * _SYMBOLS["D"]})
 
 
 def _log_time() -> fmpq_mpoly:
@@ -159,10 +159,10 @@ def _exponents() -> Entry:
 
     def chain(parts: Parts) -> list[fmpq_mpoly]:
         # (-t)^beta with t = delta^2 s; one derivative in t is a factor delta^(-2): lambda = -b'/alpha3,
-        # z = -eps^2 lambda, y = 2 z, v = y'.
-        rate, eps = _powers("t")["delta"], _powers("eps")["delta"]
+        # z = -epsilon^2 lambda, y = 2 z, v = y'.
+        rate, epsilon = _powers("t")["delta"], _powers("epsilon")["delta"]
         b = ALGEBRA.read(PRINTED["4-matching"]["outer"]) * rate
-        force, z = b - rate, b - rate + 2 * eps
+        force, z = b - rate, b - rate + 2 * epsilon
         wanted = {"b": b, "lambda": force, "z": z, "y": z, "v": z - rate}
         return [value - wanted[name] for name, value in parts.items()]
 

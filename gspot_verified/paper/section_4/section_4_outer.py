@@ -1,6 +1,6 @@
 """Ledger of Section 4, elimination: one equation for b, the other variables from b, and the same for deviations.
 
-b0, b1, ... are b and its derivatives in t; eps^2 y, eps v, eps^2 z are the paper's y, v, z.
+b0, b1, ... are b and its derivatives in t; epsilon^2 y, epsilon v, epsilon^2 z are the paper's y, v, z.
 """
 
 from __future__ import annotations
@@ -12,29 +12,30 @@ from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 
 SECTION = "Section 4"
 ALGEBRA = Algebra(
-    "alpha1 alpha2 alpha3 beta eps delta t s tau p c lam kappa k x w y v z Y0 Y1 V0 V1 Z0 Z1 "
+    "alpha1 alpha2 alpha3 beta epsilon delta t s tau p c lam kappa k x w y v z Y0 Y1 V0 V1 Z0 Z1 "
     "b0 b1 b2 b3 b4 b5 f0 f1 f2 f3 f4 g0 g1 g2 g3 g4 h0 h1 h2 h3"
 )
 _SYMBOLS = ALGEBRA.symbols
 PRINTED: dict[str, dict[str, str]] = {
     "4-eliminated": {
-        "equation": "alpha3*b0 + alpha1*t*(alpha2-b1) + eps*(alpha3*b1 + alpha1*(alpha2-b1) - alpha1*t*b2)"
-        " - 2*eps^2*b3 - eps^3*b4"
+        "equation": "alpha3*b0 + alpha1*t*(alpha2-b1) + epsilon*(alpha3*b1 + alpha1*(alpha2-b1) - alpha1*t*b2)"
+        " - 2*epsilon^2*b3 - epsilon^3*b4"
     },
     "4-recover": {
-        "y": "eps^2*(alpha3*b0 + alpha1*t*(alpha2-b1) - 2*(alpha2-b1)) - eps^3*b2 - eps^4*b3",
-        "v": "-eps*(alpha3*b0 + alpha1*t*(alpha2-b1)) + 2*eps^2*b2 + eps^3*b3",
-        "z": "eps^2*(alpha3*b0 + alpha1*t*(alpha2-b1) - (alpha2-b1)) - eps^3*b2 - eps^4*b3",
+        "y": "epsilon^2*(alpha3*b0 + alpha1*t*(alpha2-b1) - 2*(alpha2-b1)) - epsilon^3*b2 - epsilon^4*b3",
+        "v": "-epsilon*(alpha3*b0 + alpha1*t*(alpha2-b1)) + 2*epsilon^2*b2 + epsilon^3*b3",
+        "z": "epsilon^2*(alpha3*b0 + alpha1*t*(alpha2-b1) - (alpha2-b1)) - epsilon^3*b2 - epsilon^4*b3",
         "lambda": "alpha2 - b1",
     },
     "4-order": {"order": "3"},
     "4-deviation": {
-        "equation": "alpha3*b0 - alpha1*t*b1 + eps*((alpha3-alpha1)*b1 - alpha1*t*b2) - 2*eps^2*b3 - eps^3*b4"
+        "equation": "alpha3*b0 - alpha1*t*b1 + epsilon*((alpha3-alpha1)*b1 - alpha1*t*b2)"
+        " - 2*epsilon^2*b3 - epsilon^3*b4"
     },
     "4-deviation-recover": {
-        "y": "eps^2*(alpha3*b0 - alpha1*t*b1 + 2*b1) - eps^3*b2 - eps^4*b3",
-        "v": "-eps*(alpha3*b0 - alpha1*t*b1) + 2*eps^2*b2 + eps^3*b3",
-        "z": "eps^2*(alpha3*b0 - alpha1*t*b1 + b1) - eps^3*b2 - eps^4*b3",
+        "y": "epsilon^2*(alpha3*b0 - alpha1*t*b1 + 2*b1) - epsilon^3*b2 - epsilon^4*b3",
+        "v": "-epsilon*(alpha3*b0 - alpha1*t*b1) + 2*epsilon^2*b2 + epsilon^3*b3",
+        "z": "epsilon^2*(alpha3*b0 - alpha1*t*b1 + b1) - epsilon^3*b2 - epsilon^4*b3",
         "lambda": "-b1",
     },
 }
@@ -51,25 +52,25 @@ def claim(identifier: str) -> Claim:
 
 
 def along(value: fmpq_mpoly, function: str = "b", free: bool = True) -> fmpq_mpoly:
-    """eps^4 times a formula in b0, b1, ... (for ``function`` b) along every solution of modelsys1 to modelsys5.
+    """epsilon^4 times a formula in b0, b1, ... (for ``function`` b) along every solution of modelsys1 to modelsys5.
 
-    Other letters: the derivatives are those in fast time, eps d/dt, and nothing is multiplied. Without ``free`` the
+    Other letters: the derivatives are those in fast time, epsilon d/dt, and nothing is multiplied. Without ``free`` the
     term alpha2 is left out: the system of the deviations.
     """
     images = field(free)
     powers = [ALGEBRA.derivative(_SYMBOLS["b0"], images, k) for k in range(5)]
     if function != "b":
         return ALGEBRA.replaced(value, function, powers, ALGEBRA.constant(1))
-    eps = _SYMBOLS["eps"]
-    return ALGEBRA.replaced(value, "b", [eps ** (4 - k) * power for k, power in enumerate(powers)], eps**4)
+    epsilon = _SYMBOLS["epsilon"]
+    return ALGEBRA.replaced(value, "b", [epsilon ** (4 - k) * power for k, power in enumerate(powers)], epsilon**4)
 
 
 def field(free: bool) -> dict[str, fmpq_mpoly]:
-    """The derivation eps d/dt of the model system, with lambda_N = z - y in the scaled y, z."""
+    """The derivation epsilon d/dt of the model system, with lambda_N = z - y in the scaled y, z."""
     drift = "alpha2" if free else "0*t"
     texts = {
-        "t": "eps",
-        "b0": f"eps*({drift} - alpha3*(z-y))",
+        "t": "epsilon",
+        "b0": f"epsilon*({drift} - alpha3*(z-y))",
         "y": "v",
         "v": "b0 + alpha1*t*(z-y)",
         "z": "-z - (z-y)",
@@ -85,8 +86,10 @@ def _eliminated() -> Entry:
     def operators(parts: Parts) -> list[fmpq_mpoly]:
         force = ALGEBRA.read("alpha2 - b1")
         base = ALGEBRA.read("alpha3*b0") + ALGEBRA.read("alpha1*t") * force
-        eps = _SYMBOLS["eps"]
-        return [parts["equation"] - base - eps * _d(base) - 2 * eps**2 * _d(force, 2) - eps**3 * _d(force, 3)]
+        epsilon = _SYMBOLS["epsilon"]
+        return [
+            parts["equation"] - base - epsilon * _d(base) - 2 * epsilon**2 * _d(force, 2) - epsilon**3 * _d(force, 3)
+        ]
 
     this = claim("4-eliminated")
     return settled(
@@ -117,7 +120,7 @@ def _order() -> Entry:
         images, states = field(True), ("b0", "y", "v", "z")
         powers = [ALGEBRA.derivative(_SYMBOLS["b0"], images, k) for k in range(len(states))]
         rows = [[power.derivative(name) for name in states] for power in powers]
-        # A monomial in alpha3 and eps: not 0 for any eps > 0 and alpha3 < 0.
+        # A monomial in alpha3 and epsilon: not 0 for any epsilon > 0 and alpha3 < 0.
         terms = ALGEBRA.determinant(rows).to_dict()
         return [parts["order"] - len(states)] if len(terms) == 1 else []
 
@@ -145,19 +148,19 @@ def _modulo(value: fmpq_mpoly, equation: fmpq_mpoly) -> fmpq_mpoly:
 
 def _solve_the_system(parts: Parts, equation: fmpq_mpoly, drift: str) -> list[fmpq_mpoly]:
     """The recovered variables in the equations of the system, times alpha3."""
-    y, v, z, force, eps = parts["y"], parts["v"], parts["z"], parts["lambda"], _SYMBOLS["eps"]
+    y, v, z, force, epsilon = parts["y"], parts["v"], parts["z"], parts["lambda"], _SYMBOLS["epsilon"]
     return [
         force - ALGEBRA.read(f"{drift} - b1"),
-        z - y - eps**2 * force,
+        z - y - epsilon**2 * force,
         _modulo(_d(y) - v, equation),
         _modulo(_d(v) - ALGEBRA.read("alpha3*b0") - ALGEBRA.read("alpha1*t") * force, equation),
-        _modulo(eps * _d(z) + z + eps**2 * force, equation),
+        _modulo(epsilon * _d(z) + z + epsilon**2 * force, equation),
     ]
 
 
 def _on_solutions(parts: Parts, free: bool) -> list[fmpq_mpoly]:
-    values = {"y": "eps^2*y", "v": "eps*v", "z": "eps^2*z", "lambda": "z-y"}
-    return [along(parts[name], "b", free) - ALGEBRA.read(f"eps^4*alpha3*({text})") for name, text in values.items()]
+    values = {"y": "epsilon^2*y", "v": "epsilon*v", "z": "epsilon^2*z", "lambda": "z-y"}
+    return [along(parts[name], "b", free) - ALGEBRA.read(f"epsilon^4*alpha3*({text})") for name, text in values.items()]
 
 
 def _recover() -> Entry:

@@ -38,7 +38,7 @@ def _beta() -> Entry:
         # (-t)^beta in alpha3 b - alpha1 t b' = 0: alpha3 - alpha1 beta, times the denominator of beta.
         equation = ALGEBRA.read(OUTER["4-deviation"]["equation"])
         powers = [_SYMBOLS["t"] * parts["denominator"], parts["numerator"]]
-        return [ALGEBRA.replaced(ALGEBRA.coefficient_of(equation, "eps", 0), "b", powers, ALGEBRA.constant(0))]
+        return [ALGEBRA.replaced(ALGEBRA.coefficient_of(equation, "epsilon", 0), "b", powers, ALGEBRA.constant(0))]
 
     def rigid(parts: Parts) -> list[fmpq_mpoly]:
         # dt = p ds, lambda_N = -b/p: p' = alpha1 p, b' = alpha2 p + alpha3 b. b = p^beta needs alpha3 = beta alpha1.
@@ -73,9 +73,11 @@ def _slow() -> Entry:
         return _SYMBOLS["alpha1"] * rate + _SYMBOLS["x"] * ALGEBRA.substitute(parts["equation"], _WITH_BETA)
 
     def limits(parts: Parts) -> list[fmpq_mpoly]:
-        found = [parts["equation"] - ALGEBRA.coefficient_of(ALGEBRA.read(OUTER["4-deviation"]["equation"]), "eps", 0)]
+        found = [
+            parts["equation"] - ALGEBRA.coefficient_of(ALGEBRA.read(OUTER["4-deviation"]["equation"]), "epsilon", 0)
+        ]
         for name, power in (("y", 2), ("v", 1), ("z", 2), ("lambda", 0)):
-            orders = ALGEBRA.coefficients(ALGEBRA.read(OUTER["4-deviation-recover"][name]), "eps")
+            orders = ALGEBRA.coefficients(ALGEBRA.read(OUTER["4-deviation-recover"][name]), "epsilon")
             # b' = alpha3 b/(alpha1 t), all times alpha1 t.
             leading = orders.get(power, ALGEBRA.constant(0))
             value = ALGEBRA.replaced(leading, "b", [product * _SYMBOLS["b0"], ALGEBRA.read("alpha3*b0")], product)
@@ -84,9 +86,9 @@ def _slow() -> Entry:
         return [*found, powers_solve(parts), nothing_else_solves(parts)]
 
     def balance(parts: Parts) -> list[fmpq_mpoly]:
-        # The system at eps = 0: v = 0, b + p lambda = 0, lambda = z - y, 0 = -z - lambda; all times alpha1 t.
+        # The system at epsilon = 0: v = 0, b + p lambda = 0, lambda = z - y, 0 = -z - lambda; all times alpha1 t.
         scaled = {"y": parts["y"], "v": parts["v"], "z": parts["z"]}
-        limit = {"eps": ALGEBRA.constant(0), "b0": product * _SYMBOLS["b0"], **scaled}
+        limit = {"epsilon": ALGEBRA.constant(0), "b0": product * _SYMBOLS["b0"], **scaled}
         rates = {name: ALGEBRA.substitute(rate, limit) for name, rate in field(False).items() if name in "yvz"}
         force = parts["lambda"]
         # b' = -alpha3 lambda, so t b' = exponent b is -alpha3 lambda = exponent b alpha1, times alpha1 t.

@@ -15,9 +15,9 @@ from gspot_verified.paper.section_4.section_4_outer import PRINTED as OUTER
 _SYMBOLS = ALGEBRA.symbols
 PRINTED: dict[str, dict[str, str]] = {
     "2-trivial": {"p": "alpha1*t", "b": "c*alpha1*t", "v": "0*t"},
-    "2-trivial-zy": {"z": "-eps^2*c", "y": "-2*eps^2*c"},
+    "2-trivial-zy": {"z": "-epsilon^2*c", "y": "-2*epsilon^2*c"},
 }
-CORRECTED: dict[str, dict[str, str]] = {"2-trivial-zy": {"z": "eps^2*c", "y": "2*eps^2*c"}}
+CORRECTED: dict[str, dict[str, str]] = {"2-trivial-zy": {"z": "epsilon^2*c", "y": "2*epsilon^2*c"}}
 _WITH_C = "c = α_2/(α_1 - α_3) is a symbol"
 
 
@@ -26,16 +26,16 @@ def _claim(identifier: str) -> Claim:
 
 
 def in_model_system(values: Mapping[str, fmpq_mpoly]) -> list[fmpq_mpoly]:
-    """p(0) = 0 and modelsys1 to modelsys5, times eps^2 where lambda_N = (z - y)/eps^2 enters."""
+    """p(0) = 0 and modelsys1 to modelsys5, times epsilon^2 where lambda_N = (z - y)/epsilon^2 enters."""
     p, b, y, v, z = (values[name] for name in "pbyvz")
-    eps, force = _SYMBOLS["eps"], z - y
+    epsilon, force = _SYMBOLS["epsilon"], z - y
     found = [
         ALGEBRA.coefficient_of(p, "t", 0),
         _rate(p) - _SYMBOLS["alpha1"],
-        eps**2 * (_rate(b) - _SYMBOLS["alpha2"]) + _SYMBOLS["alpha3"] * force,
+        epsilon**2 * (_rate(b) - _SYMBOLS["alpha2"]) + _SYMBOLS["alpha3"] * force,
         _rate(y) - v,
-        eps**2 * (_rate(v) - b) - p * force,
-        eps * _rate(z) + z + force,
+        epsilon**2 * (_rate(v) - b) - p * force,
+        epsilon * _rate(z) + z + force,
     ]
     return [with_c(value) for value in found]
 
@@ -116,7 +116,7 @@ def _trivial_zy() -> Entry:
         ),
         this.check(
             "the terms n = 0 of Theorem 1's recursion with symbols α_1, α_3, c",
-            lambda parts: [parts[name] - _SYMBOLS["eps"] ** 2 * first_terms()[name] for name in "zy"],
+            lambda parts: [parts[name] - _SYMBOLS["epsilon"] ** 2 * first_terms()[name] for name in "zy"],
             Rung.POINTS,
         ),
         corrected="z = y/2 = ε² α_2/(α_1 - α_3)",

@@ -31,8 +31,8 @@ PRINTED: dict[str, dict[str, str]] = {
 FRACTION = {"numerator": "x", "denominator": "x + w"}
 """β is an integer j >= 0 plus this fraction, x and w any positive numbers: β > 0 is not an integer."""
 STEPS = {
-    "field": "eps*alpha3*f0 + (eps*(alpha3-alpha1) - alpha1*t)*f1 - alpha1*t*f2 - 2*f3",
-    "recurrence": "-2*f3 + eps*((alpha3-(k+1)*alpha1)*f1 + (alpha3-k*alpha1)*f0)",
+    "field": "epsilon*alpha3*f0 + (epsilon*(alpha3-alpha1) - alpha1*t)*f1 - alpha1*t*f2 - 2*f3",
+    "recurrence": "-2*f3 + epsilon*((alpha3-(k+1)*alpha1)*f1 + (alpha3-k*alpha1)*f0)",
     "first": "(k+1)*(k+2)*(k+3)*(k+4) - (k+1)^3",
     "second": "(k+2)*(k+3)*(k+4) - (k+2)^3",
     "radius": "(4+x)^4 - 2*(4+x)^3 - x*(4+x) - x",
@@ -81,9 +81,9 @@ def _by_orders(parts: Parts) -> list[fmpq_mpoly]:
     whole, size = ALGEBRA.read(OUTER["4-eliminated"]["equation"]), _SYMBOLS["w"]
     near = around(whole, parts["b"], size)
     return [
-        parts["order 0"] - ALGEBRA.coefficient_of(whole, "eps", 0),
+        parts["order 0"] - ALGEBRA.coefficient_of(whole, "epsilon", 0),
         around(whole, parts["b"], ALGEBRA.constant(0)),
-        ALGEBRA.coefficient_of(near, "eps", 0) - size * parts["order n"],
+        ALGEBRA.coefficient_of(near, "epsilon", 0) - size * parts["order n"],
         *by_derivatives(parts["order n"]),
     ]
 
@@ -91,32 +91,32 @@ def _by_orders(parts: Parts) -> list[fmpq_mpoly]:
 def _system(b: tuple[fmpq_mpoly, fmpq_mpoly], names: dict[str, tuple[fmpq_mpoly, fmpq_mpoly]]) -> list[fmpq_mpoly]:
     """modelsys2 to modelsys5 in b, y/ε², v/ε, z/ε², each with its rate."""
     (y, y_rate), (v, v_rate), (z, z_rate) = (names[name] for name in "yvz")
-    eps, force = _SYMBOLS["eps"], z - y
+    epsilon, force = _SYMBOLS["epsilon"], z - y
     return [
         b[1] - _SYMBOLS["alpha2"] + _SYMBOLS["alpha3"] * force,
-        eps * y_rate - v,
-        eps * v_rate - b[0] - _SYMBOLS["alpha1"] * _SYMBOLS["t"] * force,
-        eps * z_rate + z + force,
+        epsilon * y_rate - v,
+        epsilon * v_rate - b[0] - _SYMBOLS["alpha1"] * _SYMBOLS["t"] * force,
+        epsilon * z_rate + z + force,
     ]
 
 
 def _by_system(parts: Parts) -> list[fmpq_mpoly]:
     size, zero = _SYMBOLS["w"], ALGEBRA.constant(0)
-    eps_squared = _SYMBOLS["eps"] ** 2
-    rest = {name: ALGEBRA.read(TRIVIAL["2-trivial-zy"][name]) / eps_squared for name in "yz"} | {"v": zero}
+    epsilon_squared = _SYMBOLS["epsilon"] ** 2
+    rest = {name: ALGEBRA.read(TRIVIAL["2-trivial-zy"][name]) / epsilon_squared for name in "yz"} | {"v": zero}
     unknown = {name: (rest[name] + size * _SYMBOLS[f"{name.upper()}0"], size * _SYMBOLS[f"{name.upper()}1"])
                for name in "yvz"}  # fmt: skip
     line = parts["b"]
     found = _system((line + size * _SYMBOLS["f0"], line.derivative("t") + size * _SYMBOLS["f1"]), unknown)
     orders = [ALGEBRA.coefficients(with_c(value), "w") for value in found]
     at_rest = [value.get(0, zero) for value in orders]
-    first = [ALGEBRA.coefficient_of(value.get(1, zero), "eps", 0) for value in orders]
+    first = [ALGEBRA.coefficient_of(value.get(1, zero), "epsilon", 0) for value in orders]
 
     def without_force(rows: list[fmpq_mpoly]) -> fmpq_mpoly:
         return -_SYMBOLS["alpha3"] * rows[2] - _SYMBOLS["alpha1"] * _SYMBOLS["t"] * rows[0]
 
     free = {name: (_SYMBOLS[f"{name.upper()}0"], _SYMBOLS[f"{name.upper()}1"]) for name in "yvz"}
-    leading = [ALGEBRA.coefficient_of(row, "eps", 0) for row in _system((_SYMBOLS["b0"], _SYMBOLS["b1"]), free)]
+    leading = [ALGEBRA.coefficient_of(row, "epsilon", 0) for row in _system((_SYMBOLS["b0"], _SYMBOLS["b1"]), free)]
     return [
         *at_rest,
         without_force(leading) - parts["order 0"],
@@ -159,23 +159,23 @@ def _unique() -> Entry:
 
 def bounded_in_fast_time() -> bool:
     """Whether ε d/dt of (φ, εφ', ε²φ'', ε³φ''') is the stated one: bounded coefficients for bounded t, ε <= 1."""
-    images = [_SYMBOLS["eps"] ** (4 - k) * _SYMBOLS[f"f{k}"] for k in range(5)]
+    images = [_SYMBOLS["epsilon"] ** (4 - k) * _SYMBOLS[f"f{k}"] for k in range(5)]
     found = ALGEBRA.replaced(ALGEBRA.read(OUTER["4-deviation"]["equation"]), "b", images, ALGEBRA.constant(0))
     stated = ALGEBRA.read(STEPS["field"]) - _SYMBOLS["f4"]
-    return bool((found - _SYMBOLS["eps"] ** 3 * stated).is_zero())
+    return bool((found - _SYMBOLS["epsilon"] ** 3 * stated).is_zero())
 
 
 def bounded_coefficients() -> bool:
     """Whether the recurrence of the page is that of modelSysDev, and its three inequalities hold."""
-    equation, eps = ALGEBRA.read(OUTER["4-deviation"]["equation"]), _SYMBOLS["eps"]
+    equation, epsilon = ALGEBRA.read(OUTER["4-deviation"]["equation"]), _SYMBOLS["epsilon"]
     # The coefficient of t^k in t^i φ^(j), times k! ε^k: k^i A_(k+j-i) ε^(i-j), for i <= 1.
     found = ALGEBRA.constant(0)
     for i, part in ALGEBRA.coefficients(equation, "t").items():
         for j in range(5):
             factor = part.derivative(f"b{j}")
             if not factor.is_zero():
-                found += factor * _SYMBOLS["k"] ** i * eps ** (4 + i - j) * _SYMBOLS[f"f{j - i}"]
-    recurrence = found - eps**3 * (ALGEBRA.read(STEPS["recurrence"]) - _SYMBOLS["f4"])
+                found += factor * _SYMBOLS["k"] ** i * epsilon ** (4 + i - j) * _SYMBOLS[f"f{j - i}"]
+    recurrence = found - epsilon**3 * (ALGEBRA.read(STEPS["recurrence"]) - _SYMBOLS["f4"])
     positive = [rising_signs(ALGEBRA.read(STEPS[name])) for name in ("first", "second", "radius")]
     return bool(recurrence.is_zero()) and all(positive)
 

@@ -159,7 +159,7 @@ def _lift_off_side() -> Entry:
                 "alpha2": fmpq(-1),
                 "alpha3": -beta,
             }
-            values |= {"kappa": fmpq(1), "eps": fmpq(1, 10**6), "slope": slope}
+            values |= {"kappa": fmpq(1), "epsilon": fmpq(1, 10**6), "slope": slope}
             mean = evaluate_text(CORRECTED_FORCE["S-mean-force"]["force"], values, 64).real
             deviation = evaluate_text(FORCE["S-deviation-force"]["force"], values, 64).real
             side = evaluate_text(PRINTED["S-side"]["side"], values, 64).real
@@ -230,7 +230,7 @@ def _growth() -> Entry:
     claim = FormulaClaim(lift_off.PRINTED["S-growth"])
     brackets = lift_off.growth_brackets()
     leading = closed_form(put(appendix.THETA["large leading"], beta="beta-1"))
-    exponent = closed_form(FORCE["S-deviation-force"]["force"]).exponent("eps")
+    exponent = closed_form(FORCE["S-deviation-force"]["force"]).exponent("epsilon")
     return settled(
         SECTION,
         "S-growth",

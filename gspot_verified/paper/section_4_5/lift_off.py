@@ -13,7 +13,7 @@ from gspot_verified.paper.section_4_5.section_4_5 import PRINTED as FORCE
 from gspot_verified.theta_function.value.evaluate import evaluate
 
 PRINTED: dict[str, dict[str, str]] = {"S-growth": {"power": "2/3", "rate": "beta-1"}}
-"""The lift-off time is (rate ln(1/eps))^power; the paper prints the power, the rate is added here."""
+"""The lift-off time is (rate ln(1/epsilon))^power; the paper prints the power, the rate is added here."""
 _EXPONENTS = (10, 100, 1_000, 10_000)
 
 
@@ -36,9 +36,10 @@ class GrowthBracket:
 
 
 def growth_brackets(betas: tuple[fmpq, ...] = (fmpq(3, 2), fmpq(5, 2))) -> list[GrowthBracket]:
-    """Brackets for eps = 10^-10 .. 10^-10000 with C_1/Gamma(-beta) < 0 and the constant in front of Theta' equal to 1.
+    """Brackets for epsilon = 10^-10 .. 10^-10000 with C_1/Gamma(-beta) < 0 and the constant in front of Theta'
+    equal to 1.
 
-    There ln |dTheta/dtau| = ((2 beta - 2)/3) ln(1/eps). Beyond tau = 2, where the search begins, dTheta/dtau has
+    There ln |dTheta/dtau| = ((2 beta - 2)/3) ln(1/epsilon). Beyond tau = 2, where the search begins, dTheta/dtau has
     the sign of 1/Gamma(-beta) for these beta (S-plus-infinity).
     """
     found = []

@@ -30,7 +30,7 @@ from gspot_verified.theta_function.value.evaluate import evaluate
 SECTION = "Section 4.5"
 PRINTED: dict[str, dict[str, str]] = {
     "S-mean-force": {"force": "alpha2/(alpha1-alpha3)"},
-    "S-deviation-force": {"force": "-C_1/alpha3*kappa^(1-beta)*eps^((2*beta-2)/3)*slope"},
+    "S-deviation-force": {"force": "-C_1/alpha3*kappa^(1-beta)*epsilon^((2*beta-2)/3)*slope"},
     "S-force-sign": {"sign of": "C_1*slope"},
     "S-dominance": {"exponent": "(2*beta-2)/3"},
 }
@@ -40,10 +40,10 @@ HYPOTHESES: dict[str, dict[str, str]] = {
     "S-dominance": {"dominates": "1-u", "is dominated": "1+u"},
 }
 """u and w are positive: α_3 < 0; β < 1 and β > 1."""
-INNER = {"front": "C_1*kappa^(-beta)*eps^(2*beta/3)", "tau": "kappa*t*eps^(-2/3)"}
+INNER = {"front": "C_1*kappa^(-beta)*epsilon^(2*beta/3)", "tau": "kappa*t*epsilon^(-2/3)"}
 """b = front Θ(tau, β): eq. bhat_inner with κ s = κ t ε^(-2/3) (entries 4-matching, 4-theta)."""
 _SYSTEM = {
-    "C_1": fmpq(3), "alpha3": fmpq(-2), "kappa": fmpq(4, 5), "eps": fmpq(1, 64),
+    "C_1": fmpq(3), "alpha3": fmpq(-2), "kappa": fmpq(4, 5), "epsilon": fmpq(1, 64),
 }  # fmt: skip
 
 
@@ -112,10 +112,10 @@ def _linear_in_time() -> ClosedForm:
 
 
 def _by_inner_scaling() -> ClosedForm:
-    tau = put(INNER["tau"], t="eps^(2/3)*s")
+    tau = put(INNER["tau"], t="epsilon^(2/3)*s")
     slope = f"({INNER['front']})*slope*({tau})/s"
     printed = INNER_SCALE["4-inner-scaling"]
-    right, factor = put(printed["lambda"], g1=slope), put(printed["lambda factor"], delta="eps^(1/3)")
+    right, factor = put(printed["lambda"], g1=slope), put(printed["lambda factor"], delta="epsilon^(1/3)")
     return closed_form(f"({right})/(({factor})*alpha3)")
 
 
@@ -174,7 +174,7 @@ def _dominance() -> Entry:
         claim.check(
             "it is the exponent of ε in S-deviation-force, and that of λ_N in 4-exponents, for a symbol β",
             lambda forms: [
-                forms["exponent"] / rational(force.exponent("eps")),
+                forms["exponent"] / rational(force.exponent("epsilon")),
                 forms["exponent"] / closed_form(f"({MATCHING['4-exponents']['lambda']})/3"),
             ],
         ),
@@ -188,7 +188,9 @@ def _dominance() -> Entry:
 
 def _is_large(beta: fmpq) -> bool | None:
     """Whether ε^exponent is above 1 for β < 1 and below 1 for β > 1; ``None`` when the ball cannot tell."""
-    power = evaluate_text(f"eps^({PRINTED['S-dominance']['exponent']})", {"beta": beta, "eps": fmpq(1, 10**6)}, 64)
+    power = evaluate_text(
+        f"epsilon^({PRINTED['S-dominance']['exponent']})", {"beta": beta, "epsilon": fmpq(1, 10**6)}, 64
+    )
     above = certainly_less(arb(1), power.real)
     return None if above is None else above is (beta < 1)
 

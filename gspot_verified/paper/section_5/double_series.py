@@ -1,8 +1,8 @@
-"""The extended example as a power series in (t, eps), from one equation for b: no inner scale, no spaces P_n.
+"""The extended example as a power series in (t, epsilon), from one equation for b: no inner scale, no spaces P_n.
 
 With lambda = (alpha2 - b')/alpha3, p' = alpha1 + chi b, p(0) = 0, the system gives (as in Sec. 4, with this p)
-eps (b + p lambda)' + (b + p lambda) + 2 eps^2 lambda'' + eps^3 lambda''' = 0. The coefficient of t^i eps^j determines
-b_ij, by the factor (alpha3 - i alpha1)/alpha3. Numbers are polynomials in chi.
+epsilon (b + p lambda)' + (b + p lambda) + 2 epsilon^2 lambda'' + epsilon^3 lambda''' = 0. The coefficient of
+t^i epsilon^j determines b_ij, by the factor (alpha3 - i alpha1)/alpha3. Numbers are polynomials in chi.
 """
 
 from __future__ import annotations
@@ -16,14 +16,15 @@ from gspot_verified.paper.checks.identities import Algebra
 
 ALPHA = (fmpq(-1), fmpq(-1), fmpq(-3, 2))
 Table = dict[tuple[int, int], fmpq_poly]
-"""The coefficient of t^i eps^j under (i, j)."""
+"""The coefficient of t^i epsilon^j under (i, j)."""
 POWER_OF_DELTA = {"p": 2, "b": 2, "y": 6, "v": 4, "z": 6, "lam": 6}
-"""In front of the scaled variables, lines 1385 to 1390; lam stands for eps^2 lambda_N."""
+"""In front of the scaled variables, lines 1385 to 1390; lam stands for epsilon^2 lambda_N."""
 _ZERO = fmpq_poly([])
 
 
 def scaled_series(algebra: Algebra, name: str, orders: int) -> fmpq_mpoly:
-    """The terms n < orders of a scaled variable in the symbols s, delta, chi: t^i eps^j is s^i delta^(2 i + 3 j)."""
+    """The terms n < orders of a scaled variable in the symbols s, delta, chi: t^i epsilon^j is
+    s^i delta^(2 i + 3 j)."""
     s, delta, chi = (algebra.symbols[symbol] for symbol in ("s", "delta", "chi"))
     tables = example_series(orders + 2)
     table = tables[name] if name != "lam" else _difference(tables["z"], tables["y"])
@@ -38,7 +39,7 @@ def scaled_series(algebra: Algebra, name: str, orders: int) -> fmpq_mpoly:
 
 
 def _difference(left: Table, right: Table) -> Table:
-    """z - y, which is eps^2 lambda."""
+    """z - y, which is epsilon^2 lambda."""
     return {key: left.get(key, _ZERO) - right.get(key, _ZERO) for key in {**left, **right}}
 
 
@@ -83,7 +84,8 @@ def example_series(weight: int) -> dict[str, Table]:
 
 
 def _recovered(force: Table, moment: Callable[[int, int], fmpq_poly], weight: int) -> tuple[Table, Table]:
-    """V = -2 eps^2 lambda' - eps^3 lambda'' - eps (b + p lambda), y = -2 eps^2 lambda - eps^3 lambda' - eps v."""
+    """V = -2 epsilon^2 lambda' - epsilon^3 lambda'' - epsilon (b + p lambda),
+    y = -2 epsilon^2 lambda - epsilon^3 lambda' - epsilon v."""
     v: Table = {}
     y: Table = {}
     for i, j in _keys(weight + 4):

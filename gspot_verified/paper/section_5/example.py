@@ -13,7 +13,7 @@ from gspot_verified.paper.section_2.extended_system import extended_terms
 from gspot_verified.paper.section_5.double_series import example_series, scaled_series
 
 SECTION = "Section 5, example"
-ALGEBRA = Algebra("s delta t eps chi")
+ALGEBRA = Algebra("s delta t epsilon chi")
 _SYMBOLS = ALGEBRA.symbols
 PRINTED: dict[str, dict[str, str]] = {
     "5-example-p": {
@@ -42,14 +42,14 @@ PRINTED: dict[str, dict[str, str]] = {
     },
     "5-example-zbar": {
         "scaled": "-2 - 8*s*delta^2 + 8*delta^3 - 24*s^2*delta^4 + 48*s*delta^5 + (-368*s^3/5 + 6672/5)*delta^6",
-        "first": "-2 - 8*t + 8*eps - 24*t^2 + 48*t*eps - 368*t^3/5 + 6672/5*eps^2",
-        "second": "-2 - 8*t - 24*t^2 - 368/5*t^3 + (8 + 48*t)*eps + 6672/5*eps^2",
+        "first": "-2 - 8*t + 8*epsilon - 24*t^2 + 48*t*epsilon - 368*t^3/5 + 6672/5*epsilon^2",
+        "second": "-2 - 8*t - 24*t^2 - 368/5*t^3 + (8 + 48*t)*epsilon + 6672/5*epsilon^2",
         "error": "delta^7",
     },
 }
 CORRECTED: dict[str, dict[str, str]] = {"5-example-b-error": {"error": "delta^7", "term 7": "2208*chi^3/5"}}
 STATED_ERROR = {"5-example-zbar": ((4, 0), (2, 1), (1, 2), (0, 3))}
-"""O(t^4, eps t^2, eps^2 t, eps^3): the exponents of t and eps."""
+"""O(t^4, epsilon t^2, epsilon^2 t, epsilon^3): the exponents of t and epsilon."""
 _LATEX = {
     "p": r"\tilde{\bar p}=-s+\chi s^2\delta^2+2\chi^2s^3\delta^4+(3\chi^3s^4-96\chi^3s)\delta^6+O(\delta^8)",
     "b": r"\tilde{\bar b}=2s+6\chi s^2\delta^2+\ldots+(\tfrac{138}5\chi^3s^4-\tfrac{10368}5\chi^3s)\delta^6",
@@ -70,7 +70,7 @@ def by_recursion(name: str, orders: int) -> fmpq_mpoly:
 
 
 def by_double_series(name: str, orders: int) -> fmpq_mpoly:
-    """The same terms from the series in (t, eps)."""
+    """The same terms from the series in (t, epsilon)."""
     return scaled_series(ALGEBRA, name, orders)
 
 
@@ -124,7 +124,7 @@ def _b_error() -> Entry:
 def _zbar() -> Entry:
     this = Claim(ALGEBRA, PRINTED["5-example-zbar"])
     chi_is_1 = {"chi": ALGEBRA.constant(1)}
-    inner = {"t": ALGEBRA.read("delta^2*s"), "eps": ALGEBRA.read("delta^3")}
+    inner = {"t": ALGEBRA.read("delta^2*s"), "epsilon": ALGEBRA.read("delta^3")}
 
     def recursion(parts: Parts) -> list[fmpq_mpoly]:
         exact = ALGEBRA.substitute(by_recursion("z", _order(parts)), chi_is_1)
@@ -134,11 +134,11 @@ def _zbar() -> Entry:
     def direct(parts: Parts) -> list[fmpq_mpoly]:
         total = ALGEBRA.constant(0)
         for (i, j), value in example_series(_ORDERS + 3)["z"].items():
-            if j < 2:  # eps^2 in front
+            if j < 2:  # epsilon^2 in front
                 return [ALGEBRA.constant(1)]
             if not any(i >= k and j - 2 >= m for k, m in STATED_ERROR["5-example-zbar"]):
-                total += value(1) * _SYMBOLS["t"] ** i * _SYMBOLS["eps"] ** (j - 2)
-        # Below the stated order in delta, where t^i eps^j counts as 2 i + 3 j.
+                total += value(1) * _SYMBOLS["t"] ** i * _SYMBOLS["epsilon"] ** (j - 2)
+        # Below the stated order in delta, where t^i epsilon^j counts as 2 i + 3 j.
         below = ALGEBRA.coefficients(ALGEBRA.substitute(total, inner), "delta")
         terms = (value * _SYMBOLS["delta"] ** n for n, value in below.items() if n < _order(parts))
         scaled = sum(terms, start=ALGEBRA.constant(0))

@@ -1,4 +1,4 @@
-"""Ledger of Section 5: the deviation from the distinguished trajectory at eps = 0, near the G-spot.
+"""Ledger of Section 5: the deviation from the distinguished trajectory at epsilon = 0, near the G-spot.
 
 w is -t, and T is w^(r - 1) with the unknown exponent r > 0: every hatted variable is a coefficient times a power of w
 times T. m is the derivative of alpha_1 at ξ* (a covector: m xi0, m G). The functions of ξ enter by their Taylor terms.
@@ -21,7 +21,7 @@ _SYMBOLS = ALGEBRA.symbols
 ANSATZ = {"xi": "xi0*w*T", "p": "p0*w^2*T", "b": "b0*w*T", "lambda": "lambda0*T"}
 """Lines 2003 to 2006."""
 DISTINGUISHED = {"xi": "e1*w + e2*w^2", "p": "-alpha1*w + q2*w^2", "lambda": "n0 + n1*w"}
-"""The distinguished trajectory at eps = 0: xi - xi*, p (0 at the G-spot, with the slope alpha1 in t), lambda_N."""
+"""The distinguished trajectory at epsilon = 0: xi - xi*, p (0 at the G-spot, with the slope alpha1 in t), lambda_N."""
 TAYLOR = {
     "F": "F + f1*xi + f2*xi^2", "G": "G + g1*xi + g2*xi^2", "alpha1": "alpha1 + m*xi + m2*xi^2",
     "alpha2": "alpha2 + a1*xi + a2*xi^2", "alpha3": "alpha3 + c1*xi + c2*xi^2",

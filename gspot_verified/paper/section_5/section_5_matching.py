@@ -1,7 +1,7 @@
 """Ledger of Section 5, last part: the perturbation of the distinguished trajectory on the inner scale, and matching.
 
-w is delta = eps^(1/3), and T = eps^(2 (β - 1)/3) = w^(2 (β - 1)) with β > 0 stands in front of the hatted variables.
-g0, g1, ... are the hatted b and its derivatives in s; h0, h1, ... are theta's in tau.
+w is delta = epsilon^(1/3), and T = epsilon^(2 (β - 1)/3) = w^(2 (β - 1)) with β > 0 stands in front of the hatted
+variables. g0, g1, ... are the hatted b and its derivatives in s; h0, h1, ... are theta's in tau.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ PRINTED: dict[str, dict[str, str]] = {
         "b'": "alpha3*y/2", "y'": "v", "v'": "g0 - alpha1*s*y/2", "third order": "g3 + alpha1/2*s*g1 - alpha3/2*g0",
     },
     "5-perturbation-theta": {"equation": "h3 - tau*h1 + beta*h0", "kappa cubed": "-alpha1/2"},
-    "5-matching": {"power of kappa": "-beta", "power of eps": "2*beta/3"},
+    "5-matching": {"power of kappa": "-beta", "power of epsilon": "2*beta/3"},
 }  # fmt: skip
 CORRECTED: dict[str, dict[str, str]] = {
     "5-bpert-v": {"factor": "1"},
@@ -194,19 +194,20 @@ def _matching() -> Entry:
     this = _claim("5-matching")
 
     def exponents(parts: Parts) -> list[fmpq_mpoly]:
-        # kappa^x eps^y (-kappa s)^β against (-t)^β = (eps^(2/3) (-s))^β: the powers of kappa and of eps.
+        # kappa^x epsilon^y (-kappa s)^β against (-t)^β = (epsilon^(2/3) (-s))^β: the powers of kappa and of epsilon.
         beta = _SYMBOLS["beta"]
-        return [parts["power of kappa"] + beta, parts["power of eps"] - beta * fmpq(2, 3)]
+        return [parts["power of kappa"] + beta, parts["power of epsilon"] - beta * fmpq(2, 3)]
 
     def integers(parts: Parts) -> list[fmpq_mpoly]:
-        # At an integer β, Θ is a polynomial: kappa^x eps^y Θ(kappa t eps^(-2/3)) is (-t)^β and positive powers of eps.
+        # At an integer β, Θ is a polynomial: kappa^x epsilon^y Θ(kappa t epsilon^(-2/3)) is (-t)^β and positive powers
+        # of epsilon.
         found = []
         for n in range(2, 8):
             x, y = (ALGEBRA.substitute(value, {"beta": ALGEBRA.constant(n)}) for value in parts.values())
             for j, number in enumerate(theta_polynomial(n)):
-                in_kappa, in_eps = x + (n - 3 * j), y - fmpq(2, 3) * (n - 3 * j)
+                in_kappa, in_epsilon = x + (n - 3 * j), y - fmpq(2, 3) * (n - 3 * j)
                 wrong = number - (-1) ** n if j == 0 else 0
-                found += [in_kappa + 3 * j, in_eps - 2 * j, ALGEBRA.constant(wrong)]
+                found += [in_kappa + 3 * j, in_epsilon - 2 * j, ALGEBRA.constant(wrong)]
         return found
 
     return settled(

@@ -10,7 +10,7 @@ from gspot_verified.paper.section_4 import section_4_fast
 
 SECTION = "Section 5, outer system and matching"
 ALGEBRA = Algebra(
-    "alpha1 alpha2 alpha3 beta eps delta kappa s tau p b y v z lam q G F K w T "
+    "alpha1 alpha2 alpha3 beta epsilon delta kappa s tau p b y v z lam q G F K w T "
     "yd vd zd g0 g1 g2 g3 h0 h1 h2 h3 x1 chi a2 a3 d2 d3 c0"
 )
 _SYMBOLS = ALGEBRA.symbols
@@ -41,24 +41,26 @@ def _jacobian(values: list[fmpq_mpoly]) -> list[list[fmpq_mpoly]]:
 
 def _outer_system() -> Entry:
     this = _claim("5-outer-system")
-    eps = _SYMBOLS["eps"]
+    epsilon = _SYMBOLS["epsilon"]
 
     def general(parts: Parts) -> list[fmpq_mpoly]:
-        # genSysY to genSysLN in y = eps^2 y_o, v = eps v_o, z = eps^2 z_o; yd, vd, zd are eps times the derivatives.
+        # genSysY to genSysLN in y = epsilon^2 y_o, v = epsilon v_o, z = epsilon^2 z_o; yd, vd, zd are epsilon
+        # times the derivatives.
         y, v, z = (
-            ALGEBRA.read(text) for text in ("eps*yd - eps*v", "vd - (b + p*lam)", "eps^2*zd + eps^2*z + eps^2*lam")
+            ALGEBRA.read(text)
+            for text in ("epsilon*yd - epsilon*v", "vd - (b + p*lam)", "epsilon^2*zd + epsilon^2*z + epsilon^2*lam")
         )
-        force = ALGEBRA.read("eps^2*lam - (eps^2*z - eps^2*y)")
+        force = ALGEBRA.read("epsilon^2*lam - (epsilon^2*z - epsilon^2*y)")
         return [
-            y - eps * (_SYMBOLS["yd"] - parts["y"]),
+            y - epsilon * (_SYMBOLS["yd"] - parts["y"]),
             v - (_SYMBOLS["vd"] - parts["v"]),
-            z - eps**2 * (_SYMBOLS["zd"] - parts["z"]),
-            force - eps**2 * (_SYMBOLS["lam"] - parts["lambda"]),
+            z - epsilon**2 * (_SYMBOLS["zd"] - parts["z"]),
+            force - epsilon**2 * (_SYMBOLS["lam"] - parts["lambda"]),
         ]
 
     def inner(parts: Parts) -> list[fmpq_mpoly]:
         # From specialY to specialL: y~ = y_o, v~ = delta^(-1) v_o, b~ = delta^(-2) b, p~ = delta^(-2) p, and
-        # d/ds = delta^(-1) eps d/dt. Each times a power of delta.
+        # d/ds = delta^(-1) epsilon d/dt. Each times a power of delta.
         delta = _SYMBOLS["delta"]
         return [
             delta * parts["y"] - ALGEBRA.read("delta*v"),

@@ -15,7 +15,7 @@ from gspot_verified.paper.section_5.double_series import scaled_series
 
 SECTION = "Section 5, Theorem 1"
 ALGEBRA = Algebra(
-    "alpha1 alpha3 delta eps s n k chi u0 u3 b0 b1 b2 b3 r0 r1 r2 w0 q0 q1 q2 q3 l0 l1 l2 y0 y1 y2 y3 v0 v1 z0 z1 "
+    "alpha1 alpha3 delta epsilon s n k chi u0 u3 b0 b1 b2 b3 r0 r1 r2 w0 q0 q1 q2 q3 l0 l1 l2 y0 y1 y2 y3 v0 v1 z0 z1 "
     "xi1 f g lam a1 a2 a3 p p1 b y v z pd bd yd vd zd xd a2n fn S m0"
 )
 _SYMBOLS = ALGEBRA.symbols
@@ -23,8 +23,8 @@ SCALING = {"xi": 2, "p": 2, "b": 2, "y": 6, "v": 4, "z": 6}
 """Lines 1385 to 1390: the powers of delta in front of the scaled variables."""
 GENERAL = {
     "specialX": ("xd - (f + g*lam)", 0), "specialPP": ("pd - a1", 0), "specialB": ("bd - (a2 - a3*lam)", 0),
-    "specialY": ("yd - v", 4), "specialV": ("vd - (b + p*lam)", 2), "specialZ": ("eps*zd + z + eps^2*lam", 6),
-    "specialL": ("eps^2*lam - (z - y)", 6),
+    "specialY": ("yd - v", 4), "specialV": ("vd - (b + p*lam)", 2), "specialZ": ("epsilon*zd + z + epsilon^2*lam", 6),
+    "specialL": ("epsilon^2*lam - (z - y)", 6),
 }  # fmt: skip
 """Eqs. genSysXi to genSysLN, and the power of delta that each has more than its scaled form."""
 PRINTED: dict[str, dict[str, str]] = {
@@ -68,7 +68,7 @@ def _inner_system() -> Entry:
     this = _claim("5-inner-system")
     # d/dt is delta^(-2) d/ds.
     texts = {name: f"delta^{power}*{name}{'' if name == 'p' else 0}" for name, power in SCALING.items() if name != "xi"}
-    texts |= {f"{name[0]}d": f"delta^{power - 2}*{name}1" for name, power in SCALING.items()} | {"eps": "delta^3"}
+    texts |= {f"{name[0]}d": f"delta^{power - 2}*{name}1" for name, power in SCALING.items()} | {"epsilon": "delta^3"}
     images = {name: ALGEBRA.read(text) for name, text in texts.items()}
 
     def chain_rule(parts: Parts) -> list[fmpq_mpoly]:

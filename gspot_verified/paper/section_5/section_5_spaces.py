@@ -2,7 +2,7 @@
 
 A shift (e, o) says: the term of order n = 2 nu is in P_(nu + e), that of order n = 2 nu + 1 in P_(nu + o). Shifts do
 not depend on nu, so a statement on shifts holds for every n. P_a with a < 0 is {0}, which lies in every space. The
-second route is in t and eps (``powers_of_eps``). Page: proofs/expansion.md.
+second route is in t and epsilon (``powers_of_epsilon``). Page: proofs/expansion.md.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_
 from gspot_verified.paper.checks.identities import Algebra
 from gspot_verified.paper.checks.page import Page
 from gspot_verified.paper.section_2.extended_system import extended_terms
-from gspot_verified.paper.section_4.powers_of_eps import exponents, later, progressions, sums
+from gspot_verified.paper.section_4.powers_of_epsilon import exponents, later, progressions, sums
 from gspot_verified.paper.section_5 import explicit_expansions as explicit
 from gspot_verified.paper.section_5.double_series import POWER_OF_DELTA, example_series
 from gspot_verified.paper.section_5.explicit_expansions import LEMMA, SPACES, Shift
@@ -25,10 +25,10 @@ INDICES = Algebra("n k nu sigma rho")
 LOWEST = {"highest k": "n - 2", "order of xi_k": "k + 2"}
 """Lemma 2, first part: f_n depends on xi_k up to this k, where xi_k delta^(k + 2) stands in xi - xi*."""
 COROLLARY = {
-    "even": {"delta": "2*nu + 2", "rho": "nu + 1 - 3*sigma", "eps": "2*sigma", "t": "nu + 1 - 3*sigma"},
-    "odd": {"delta": "2*nu + 3", "rho": "nu - 3 - 3*sigma", "eps": "3 + 2*sigma", "t": "nu - 3 - 3*sigma"},
+    "even": {"delta": "2*nu + 2", "rho": "nu + 1 - 3*sigma", "epsilon": "2*sigma", "t": "nu + 1 - 3*sigma"},
+    "odd": {"delta": "2*nu + 3", "rho": "nu - 3 - 3*sigma", "epsilon": "3 + 2*sigma", "t": "nu - 3 - 3*sigma"},
 }
-"""Lines 1803 to 1840, for p: the power of delta in front of s^rho, the exponents rho, and those of eps and t."""
+"""Lines 1803 to 1840, for p: the power of delta in front of s^rho, the exponents rho, and those of epsilon and t."""
 
 
 def times(left: Shift, right: Shift) -> list[tuple[int, int]]:
@@ -81,8 +81,8 @@ def lemma_by_induction() -> bool:
     return lies_in(factor, function) and lies_in(times(as_shift, function), function) and lies_in([(0, 0)], function)
 
 
-def lemma_by_powers_of_eps() -> bool:
-    """xi - xi* has no powers of eps that f may not have, and those of f are closed under addition and hold 0."""
+def lemma_by_powers_of_epsilon() -> bool:
+    """xi - xi* has no powers of epsilon that f may not have, and those of f are closed under addition and hold 0."""
     state, function = exponents(SPACES["xi"], UNSCALED["xi"]), exponents(LEMMA["f"], 0)
     if state is None or function is None:
         return False
@@ -114,14 +114,14 @@ def steps() -> dict[str, bool]:
     }
 
 
-def steps_in_powers_of_eps() -> bool:
-    """The same steps for the unscaled variables in t and eps; derivatives in t do not change powers of eps."""
+def steps_in_powers_of_epsilon() -> bool:
+    """The same steps for the unscaled variables in t and epsilon; derivatives in t do not change powers of epsilon."""
     found = {name: exponents(SPACES[name], UNSCALED[name]) for name in SPACES}
     function = exponents(LEMMA["f"], 0)
     e = {name: value for name, value in found.items() if value is not None}
     if function is None or len(e) != len(found):
         return False
-    deformation = later(e["lambda_n"], 2) | later(e["z"], 1)  # z = -eps^2 lambda - eps z'
+    deformation = later(e["lambda_n"], 2) | later(e["z"], 1)  # z = -epsilon^2 lambda - epsilon z'
     return (
         function == e["p"] == e["b"] == e["xi"] == e["lambda_n"]
         and sums(function, e["lambda_n"]) | sums(e["p"], e["lambda_n"]) | later(e["b"], 2) <= e["b"]
@@ -167,7 +167,7 @@ def _lemma() -> Entry:
         Check(
             Rung.EXACT,
             "in t and ε: the spaces are the series without ε¹, and 0, 2, 3, 4, ... are closed under addition",
-            lemma_by_powers_of_eps() or None,
+            lemma_by_powers_of_epsilon() or None,
         ),
         Check(
             Rung.POINTS,
@@ -186,7 +186,7 @@ def _theorem() -> Entry:
         "th:1, the spaces",
         r"p_{2\nu},b_{2\nu},\xi_{2\nu}\in P_{\nu+1},\ \ldots,\ \lambda_{2\nu+1}\in P_{\nu-4}",
         "The terms of Theorem 1 are in the stated spaces, for every order",
-        Page("expansion", (dependence, lemma_by_induction, lemma_by_powers_of_eps)).check("section 4"),
+        Page("expansion", (dependence, lemma_by_induction, lemma_by_powers_of_epsilon)).check("section 4"),
         Check(
             Rung.EXACT,
             "the steps of the induction, each for every ν at once: " + ", ".join(proved),
@@ -195,7 +195,7 @@ def _theorem() -> Entry:
         Check(
             Rung.EXACT,
             "in t and ε: ξ, p, b, λ_N without ε¹; y, z, v without ε⁰ and ε¹; each step stays there",
-            steps_in_powers_of_eps() or None,
+            steps_in_powers_of_epsilon() or None,
         ),
         Check(
             Rung.POINTS,
@@ -207,7 +207,7 @@ def _theorem() -> Entry:
 
 
 def corollary_exponents(name: str) -> bool:
-    """Whether each s^rho delta^n of the unscaled variable is t^rho times an integer power >= 0 of eps = delta^3."""
+    """Whether each s^rho delta^n of the unscaled variable is t^rho times an integer power >= 0 of epsilon = delta^3."""
     rows = progressions(SPACES[name], UNSCALED[name])
     return rows is not None and all(first >= 0 and step >= 0 for first, step in rows)
 
@@ -220,12 +220,12 @@ def printed_exponents(parity: int) -> bool:
     return bool(
         printed["delta"] == n_and_front
         and printed["rho"] == printed["t"] == rho
-        and 3 * printed["eps"] == n_and_front - 2 * rho
+        and 3 * printed["epsilon"] == n_and_front - 2 * rho
     )
 
 
-def example_in_t_and_eps() -> bool:
-    """Every term of the extended example, by the recursion, is the term t^i eps^j of its series in (t, eps)."""
+def example_in_t_and_epsilon() -> bool:
+    """Every term of the extended example, by the recursion, is the term t^i epsilon^j of its series in (t, epsilon)."""
     terms, tables = extended_terms(7, chi=True), example_series(9)
     for name in "pbyvz":
         for n, row in enumerate(terms[name]):
@@ -256,7 +256,7 @@ def _corollary() -> Entry:
         Check(
             Rung.POINTS,
             "the extended example, orders below 7: its terms are those of its series in (t, ε)",
-            example_in_t_and_eps() or None,
+            example_in_t_and_epsilon() or None,
         ),
     )
 

@@ -52,7 +52,7 @@ def value_of(form: ClosedForm, **values: fmpq) -> acb:
 
 
 PARTS = (
-    "2", "beta", "3^beta", "12^(beta/2)", "eps^(beta/3-1)", "kappa^(1/2)", "(-1)^k", "(-1)^(3*k+1)", "i", "i^(3*k)",
+    "2", "beta", "3^beta", "12^(beta/2)", "epsilon^(beta/3-1)", "kappa^(1/2)", "(-1)^k", "(-1)^(3*k+1)", "i", "i^(3*k)",
     "e^(i*pi*beta)", "e^(5*i*pi/2)", "e^(u/2)", "Gamma(1/4)", "Gamma(1/3)", "Gamma(2/3)", "Gamma(1/6)", "Gamma(5/6)",
     "Gamma(-9/4)", "Gamma(7/2)", "Gamma(8/3)", "Gamma(-1/3)", "Gamma(1)", "Gamma(4)", "Gamma(beta)", "Gamma(-beta/3)",
     "Gamma(1/3-beta/3-k)", "Gamma(beta/3+2*k+1/2)", "fac(k)", "Gamma(u+1/2)",
@@ -61,7 +61,7 @@ PARTS = (
 
 @given(st.lists(st.tuples(st.sampled_from(PARTS), st.integers(-3, 3)), min_size=1, max_size=3), st.integers(0, 3))
 def test_a_form_has_the_value_of_its_text(parts: list[tuple[str, int]], k: int) -> None:
-    values = {"beta": fmpq(17, 7), "k": fmpq(k), "eps": fmpq(1, 3), "kappa": fmpq(5, 4), "u": fmpq(3, 5)}
+    values = {"beta": fmpq(17, 7), "k": fmpq(k), "epsilon": fmpq(1, 3), "kappa": fmpq(5, 4), "u": fmpq(3, 5)}
     text = "*".join(f"({part})^({times})" for part, times in parts)
     form = reduce(ClosedForm.__mul__, (closed_form(part) ** times for part, times in parts))
     expected, found = evaluate_text(text, values, 256), value_of(form, **values)
@@ -151,7 +151,7 @@ def test_equal_forms_are_equal_in_balls(first: str, second: str) -> None:
         ("Gamma(-beta)", "Gamma(beta)"),
         ("Gamma(-beta/3)", "Gamma((1-beta)/3)"),
         ("3^beta", "3^(beta+1/2)"),
-        ("eps^(beta/3)", "eps^(beta/2)"),
+        ("epsilon^(beta/3)", "epsilon^(beta/2)"),
         ("(-1)^k", "1"),
         ("i", "-i"),
         ("e^lam", "e^(2*lam)"),
@@ -180,7 +180,7 @@ def test_a_proved_sign_is_the_sign(terms: list[tuple[int, int, int]], u: fmpq, w
     [
         ("1-v", 1), ("v-1", -1), ("Gamma(-v)", -1), ("Gamma((1-v)/3)", 1), ("Gamma(u)", 1), ("Gamma(-u)", None),
         ("u-1", None), ("m", None), ("3*m+1", 1), ("C_1*C_1", None), ("alpha1", None), ("e^(i*lam)", None),
-        ("beta", None), ("1-m", None), ("eps^((2*beta-2)/3)", 1), ("(-1)^k", None), ("0*u", None),
+        ("beta", None), ("1-m", None), ("epsilon^((2*beta-2)/3)", 1), ("(-1)^k", None), ("0*u", None),
         ("sqrt(pi)*3^(beta/3)", 1),
     ],
 )  # fmt: skip
@@ -189,10 +189,10 @@ def test_signs(text: str, sign: int | None) -> None:
 
 
 def test_sums_and_their_errors() -> None:
-    assert (closed_form("2*eps^beta+3*eps^beta") / closed_form("5*eps^beta")).is_one()
+    assert (closed_form("2*epsilon^beta+3*epsilon^beta") / closed_form("5*epsilon^beta")).is_one()
     assert (closed_form("0*beta") + closed_form("beta")).factor == closed_form("beta").factor
     for wrong in (
-        "eps^beta+kappa^beta",
+        "epsilon^beta+kappa^beta",
         "Gamma(beta)+1",
         "(1+beta)^beta",
         "alpha1^beta",
@@ -202,15 +202,15 @@ def test_sums_and_their_errors() -> None:
     ):
         with pytest.raises(ValueError, match=r".+"):
             closed_form(wrong)
-    assert (closed_form("0*eps^beta") + rational(1)).is_one()
-    assert (rational(1) + closed_form("0*eps^beta")).is_one()
+    assert (closed_form("0*epsilon^beta") + rational(1)).is_one()
+    assert (rational(1) + closed_form("0*epsilon^beta")).is_one()
     for pole in (0, -1, -2):
         with pytest.raises(ValueError, match="pole"):
             gamma(ALGEBRA.constant(pole))
     with pytest.raises(ZeroDivisionError):
         rational(0).inverse()
     with pytest.raises(ValueError, match="one power"):
-        closed_form("1+eps").exponent("eps")
+        closed_form("1+epsilon").exponent("epsilon")
 
 
 def test_parts_of_a_turned_form() -> None:
@@ -234,8 +234,8 @@ def test_the_text_of_a_form() -> None:
 
 
 def test_exponents() -> None:
-    form = closed_form("-C_1/alpha3*eps^(beta-1)*eps^2")
-    assert form.exponent("eps") == ALGEBRA.read("beta+1")
+    form = closed_form("-C_1/alpha3*epsilon^(beta-1)*epsilon^2")
+    assert form.exponent("epsilon") == ALGEBRA.read("beta+1")
     assert form.exponent("alpha3") == -1
     assert form.exponent("kappa") == 0
     assert power("12", ALGEBRA.read("beta")).powers.keys() == {"2", "3"}
@@ -270,7 +270,7 @@ def test_claims_are_three_valued() -> None:
 
     assert FormulaClaim({"f": "beta/beta"}).check("equal", whole).agrees is True
     assert FormulaClaim({"f": "2"}).check("not equal", whole).agrees is False
-    assert FormulaClaim({"f": "eps^beta"}).check("not proved to be equal", whole).agrees is None
+    assert FormulaClaim({"f": "epsilon^beta"}).check("not proved to be equal", whole).agrees is None
     assert FormulaClaim({"f": "2"}).check("nothing", lambda _: []).agrees is None
     assert FormulaClaim({"f": "2"}, {"f": "1"}).check("mended", whole).agrees is False
     assert FormulaClaim({"f": "2"}, {"f": "3"}).check("not mended", whole).agrees is None

@@ -76,7 +76,7 @@ def test_the_fast_part_is_below_its_size(beta: fmpq) -> None:
 def test_slow_and_fast_parts_are_one_at_the_start(beta: fmpq) -> None:
     hats = deviation(*run(beta, fmpq(4), fmpq(1, 100)))
     with working_bits(120):
-        # C = eps (b/p) H, and the slow force is -(C/eps) F_b.
+        # C = epsilon (b/p) H, and the slow force is -(C/epsilon) F_b.
         slow = (
             -slow_coefficient(hats, 90) / hats.epsilon * slow_value(hats.time, beta - 1, hats.epsilon, digits=25).value
         )

@@ -128,9 +128,9 @@ def test_the_integrals_are_the_multipliers_of_the_exact_solution() -> None:
 
 @given(st.integers(1, 40), st.integers(1, 39).filter(lambda tenths: tenths % 10))
 @settings(max_examples=25, deadline=None)
-def test_the_exponent_of_c_lies_between_the_bounds_of_section_2(eps: int, beta_tenths: int) -> None:
+def test_the_exponent_of_c_lies_between_the_bounds_of_section_2(epsilon: int, beta_tenths: int) -> None:
     """d ln C/d ln(epsilon) - beta from the certified coefficient at two epsilon."""
-    beta, largest = fmpq(beta_tenths, 10), fmpq(eps, 10**4)
+    beta, largest = fmpq(beta_tenths, 10), fmpq(epsilon, 10**4)
     places = [largest * fmpq(999, 1000), largest]
     data = [Deviation(beta, e, fmpq(1, 2), fmpq(1), fmpq(0), fmpq(4), fmpq(2)) for e in places]
     with working_bits(128):

@@ -13,7 +13,7 @@ from gspot_verified.paper.section_3 import contact_motion as motion
 BETAS = [fmpq(3, 2), fmpq(5, 2)]
 
 
-def runge_kutta(beta: float, eps: float, end: float, steps: int) -> float:
+def runge_kutta(beta: float, epsilon: float, end: float, steps: int) -> float:
     """The deviation of the force in floats: the system of the page, written again."""
     p = 0.5
     b = p / (1 - beta)
@@ -21,7 +21,7 @@ def runge_kutta(beta: float, eps: float, end: float, steps: int) -> float:
 
     def field(t: float, x: list[float]) -> list[float]:
         force = x[3] - x[1]
-        return [beta * force, x[2] / eps, (x[0] - t * force) / eps, (-x[3] - force) / eps]
+        return [beta * force, x[2] / epsilon, (x[0] - t * force) / epsilon, (-x[3] - force) / epsilon]
 
     h, t = (end + 0.5) / steps, -0.5
     for _ in range(steps):
@@ -36,11 +36,11 @@ def runge_kutta(beta: float, eps: float, end: float, steps: int) -> float:
 
 
 @pytest.mark.parametrize("beta", BETAS)
-@pytest.mark.parametrize(("eps", "end"), [(fmpq(1, 20), fmpq(1, 10)), (fmpq(1, 100), fmpq(7, 100))])
-def test_both_series_and_a_plain_run_agree(beta: fmpq, eps: fmpq, end: fmpq) -> None:
-    stepwise = motion.force_by_system(beta, eps, end)[-1]
-    at_once = motion.force_by_single_equation(beta, eps, end)
-    plain = runge_kutta(float(beta.p) / float(beta.q), 1 / float(eps.q), float(end.p) / float(end.q), 4000)
+@pytest.mark.parametrize(("epsilon", "end"), [(fmpq(1, 20), fmpq(1, 10)), (fmpq(1, 100), fmpq(7, 100))])
+def test_both_series_and_a_plain_run_agree(beta: fmpq, epsilon: fmpq, end: fmpq) -> None:
+    stepwise = motion.force_by_system(beta, epsilon, end)[-1]
+    at_once = motion.force_by_single_equation(beta, epsilon, end)
+    plain = runge_kutta(float(beta.p) / float(beta.q), 1 / float(epsilon.q), float(end.p) / float(end.q), 4000)
     with working_bits(200):
         for value in (stepwise, at_once):
             assert value.is_finite()
@@ -83,18 +83,21 @@ def test_the_weights_of_the_page() -> None:
     assert fmpq(1004, 1000) ** 3 <= fmpq(102, 100)
 
 
-def exact_step(state: list[fmpq], start: fmpq, beta: fmpq, eps: fmpq, terms: int) -> tuple[list[fmpq], fmpq]:
+def exact_step(state: list[fmpq], start: fmpq, beta: fmpq, epsilon: fmpq, terms: int) -> tuple[list[fmpq], fmpq]:
     """Section 1 of the page in exact numbers, written again: the polynomials at the end of a step, and the rest."""
     h, c, before = motion._STEP, list(state), fmpq(0)
     total, sizes = list(state), [max(abs(value) for value in state)]
     for k in range(terms):
         b, y, v, z = c
         force = z - y
-        c = [beta * force / (k + 1), *(value / (eps * (k + 1)) for value in (v, b - start * force - before, y - 2 * z))]
+        c = [
+            beta * force / (k + 1),
+            *(value / (epsilon * (k + 1)) for value in (v, b - start * force - before, y - 2 * z)),
+        ]
         before = force
         total = [value + new * h ** (k + 1) for value, new in zip(total, c, strict=True)]
         sizes.append(max(abs(value) for value in c) * h ** (k + 1))
-    rho = (max(2 * beta, (3 + 2 * abs(start)) / eps) * h + 2 / eps * h**2) / (terms + 1)
+    rho = (max(2 * beta, (3 + 2 * abs(start)) / epsilon) * h + 2 / epsilon * h**2) / (terms + 1)
     assert rho < 1
     return total, 2 * max(sizes[-2:]) * rho / (1 - rho)
 
@@ -105,7 +108,7 @@ def is_ball(ball: arb, middle: fmpq, radius: fmpq) -> bool:
 
 
 @pytest.mark.parametrize(
-    ("beta", "eps", "start", "terms"),
+    ("beta", "epsilon", "start", "terms"),
     [
         (fmpq(3, 2), fmpq(1, 2), fmpq(-1, 2), 1),
         (fmpq(3, 2), fmpq(1, 2), fmpq(1, 4), 2),
@@ -116,12 +119,12 @@ def is_ball(ball: arb, middle: fmpq, radius: fmpq) -> bool:
 )
 @pytest.mark.parametrize("state", [[1, 2, 3, 5], [-7, 1, 0, 0], [0, 0, 0, 1]])
 def test_one_step_and_its_remainder(
-    monkeypatch: pytest.MonkeyPatch, beta: fmpq, eps: fmpq, start: fmpq, terms: int, state: list[int]
+    monkeypatch: pytest.MonkeyPatch, beta: fmpq, epsilon: fmpq, start: fmpq, terms: int, state: list[int]
 ) -> None:
     monkeypatch.setattr(motion, "_TERMS", terms)
-    total, rest = exact_step([fmpq(value) for value in state], start, beta, eps, terms)
+    total, rest = exact_step([fmpq(value) for value in state], start, beta, epsilon, terms)
     with working_bits(300):
-        found = motion._one_step([arb(value) for value in state], start, beta, eps)
+        found = motion._one_step([arb(value) for value in state], start, beta, epsilon)
         assert all(is_ball(ball, middle, rest) for ball, middle in zip(found, total, strict=True))
 
 
@@ -136,19 +139,19 @@ def test_a_step_needs_a_ratio_below_1(monkeypatch: pytest.MonkeyPatch, terms: in
 
 def test_the_coefficients_satisfy_the_equation_of_the_page() -> None:
     """(S) without Y, V, Z: ε L''' + 2 L'' + (b - tL)'/ε + (b - tL)/ε² = 0, L = b'/β."""
-    beta, eps, t = fmpq(7, 3), fmpq(2, 5), fmpq_poly([0, 1])
+    beta, epsilon, t = fmpq(7, 3), fmpq(2, 5), fmpq_poly([0, 1])
     first = [fmpq(3), fmpq(-2), fmpq(5), fmpq(7)]
     with working_bits(400), pytest.MonkeyPatch.context() as patch:
         patch.setattr(motion, "_TERMS_FROM_CENTRE", 9)
-        balls = motion._coefficients([arb(value) for value in first], beta, eps)
+        balls = motion._coefficients([arb(value) for value in first], beta, epsilon)
     assert len(balls) == 13
-    b = fmpq_poly([rational(ball) / eps**k for k, ball in enumerate(balls)])
+    b = fmpq_poly([rational(ball) / epsilon**k for k, ball in enumerate(balls)])
     force = b.derivative() / beta
     drive = b - t * force
     slope = force.derivative().derivative()
-    left = eps * slope.derivative() + 2 * slope + drive.derivative() / eps + drive / eps**2
+    left = epsilon * slope.derivative() + 2 * slope + drive.derivative() / epsilon + drive / epsilon**2
     assert [left[k] for k in range(9)] == [0] * 9
-    assert [b[0], b[1] * eps, b[2] * 2 * eps**2, b[3] * 6 * eps**3] == first
+    assert [b[0], b[1] * epsilon, b[2] * 2 * epsilon**2, b[3] * 6 * epsilon**3] == first
 
 
 def rational(ball: arb) -> fmpq:
@@ -163,20 +166,20 @@ def rational(ball: arb) -> fmpq:
 @pytest.mark.parametrize("t", [fmpq(3), fmpq(-4)])
 @pytest.mark.parametrize("largest", range(4))
 def test_the_remainder_of_a_derivative(order: int, t: fmpq, largest: int) -> None:
-    beta, eps, number = fmpq(5, 2), fmpq(3, 7), 1000
-    x = abs(t) / eps
+    beta, epsilon, number = fmpq(5, 2), fmpq(3, 7), 1000
+    x = abs(t) / epsilon
     row = [fmpq(0)] * (number + 4)
     row[3], row[number + largest] = fmpq(1), fmpq(-2) / x ** (number + largest)
-    rho = 2 * x / (number + 4) + eps * (1 + beta) * x**3 / ((number + 3) * (number + 4))
-    rho = fmpq(102, 100) * (rho + eps * (1 + beta) * x**4 / ((number + 2) * (number + 3) * (number + 4)))
+    rho = 2 * x / (number + 4) + epsilon * (1 + beta) * x**3 / ((number + 3) * (number + 4))
+    rho = fmpq(102, 100) * (rho + epsilon * (1 + beta) * x**4 / ((number + 2) * (number + 3) * (number + 4)))
     assert rho < 1
     rest = 4 * 2 * (number + largest) ** 3 * rho / (1 - rho) / abs(t) ** order
     polynomial = fmpq_poly(row)
     for _ in range(order):
         polynomial = polynomial.derivative()
     with working_bits(3000):
-        found = motion._derivative([arb(value) for value in row], t, order, beta, eps)
-        assert is_ball(found, polynomial(t / eps) / eps**order, rest)
+        found = motion._derivative([arb(value) for value in row], t, order, beta, epsilon)
+        assert is_ball(found, polynomial(t / epsilon) / epsilon**order, rest)
 
 
 def test_the_remainder_of_a_derivative_needs_a_thousand_terms_and_a_ratio_below_1() -> None:

@@ -161,7 +161,7 @@ def test_the_fate_of_a_certified_run(
     monkeypatch.setattr(ledger, "load_scene", load)
     monkeypatch.setattr(ledger, "certified_run", run)
     assert ledger.attracted_takes_an_impact(fmpq(2), fmpq(1, 1000)) is answer
-    case = {"beta": fmpq(1, 2), "nu": fmpq(2), "eps": fmpq(1, 1000), "alpha_2": fmpq(1)}
+    case = {"beta": fmpq(1, 2), "nu": fmpq(2), "epsilon": fmpq(1, 1000), "alpha_2": fmpq(1)}
     assert asked == case | {"name": "fig-varsim1"}
 
 

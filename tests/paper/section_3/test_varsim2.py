@@ -54,7 +54,7 @@ def test_a_run_is_that_of_the_caption(monkeypatch: pytest.MonkeyPatch) -> None:
         assert [ledger.run_of(1, FOUR), ledger.run_of(0, FOUR, fmpq(200))] == ["run", "run"]
     finally:
         ledger.run_of.cache_clear()
-    same = {"nu": FOUR, "beta": fmpq(1, 2), "eps": fmpq(1, 1000)}
+    same = {"nu": FOUR, "beta": fmpq(1, 2), "epsilon": fmpq(1, 1000)}
     assert scenes == [("fig-varsim2", same | {"chi": 1, "u": 70}), ("fig-varsim2", same | {"chi": 0, "u": 200})]
 
 

@@ -44,11 +44,11 @@ def test_half_a_unit_of_the_printed_decimal(
 def test_the_powers_agree_in_numbers(beta: fmpq) -> None:
     texts = {name: ledger.ALGEBRA.read(text) for name, text in ledger.PRINTED["4-matching"].items()}
     with working_bits(200):
-        kappa, eps, s, power = arb(fmpq(3, 7)), arb(fmpq(1, 1000)), arb(-5), arb(beta)
-        outer = (-(eps ** arb(fmpq(2, 3))) * s) ** power
-        inner = kappa**-power * eps ** (2 * power / 3) * (-kappa * s) ** power
+        kappa, epsilon, s, power = arb(fmpq(3, 7)), arb(fmpq(1, 1000)), arb(-5), arb(beta)
+        outer = (-(epsilon ** arb(fmpq(2, 3))) * s) ** power
+        inner = kappa**-power * epsilon ** (2 * power / 3) * (-kappa * s) ** power
         assert abs(inner / outer - 1) < arb("1e-50")
-        logs = {"K": kappa.log(), "E": eps.log(), "S": (-s).log(), "beta": power}
+        logs = {"K": kappa.log(), "E": epsilon.log(), "S": (-s).log(), "beta": power}
         total = arb(0)
         for exponents, number in ledger._inner(texts).terms():
             term = arb(number)

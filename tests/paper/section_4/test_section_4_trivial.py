@@ -12,10 +12,10 @@ def test_each_equation_of_the_model_system_is_the_paper_s() -> None:
     left = [
         "7",  # p(0)
         "1 - alpha1",
-        f"eps^2*(2*t - alpha2) + alpha3*{force}",
+        f"epsilon^2*(2*t - alpha2) + alpha3*{force}",
         "4*t - 3*t",
-        f"eps^2*(3 - t^2) - (7+t)*{force}",
-        f"eps*15*t^2 + 5*t^3 + {force}",
+        f"epsilon^2*(3 - t^2) - (7+t)*{force}",
+        f"epsilon*15*t^2 + 5*t^3 + {force}",
     ]
     found = ledger.in_model_system({name: ALGEBRA.read(text) for name, text in values.items()})
     assert found == [with_c(ALGEBRA.read(text)) for text in left]

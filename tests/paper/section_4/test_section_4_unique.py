@@ -22,12 +22,12 @@ def outcome(identifier: str) -> Outcome:
     return ledger.ENTRIES[identifier]().verdict.outcome
 
 
-def scaled_coefficients(alpha1: Fraction, alpha3: Fraction, eps: Fraction, number: int) -> list[Fraction]:
+def scaled_coefficients(alpha1: Fraction, alpha3: Fraction, epsilon: Fraction, number: int) -> list[Fraction]:
     """A_k of the page, by its recurrence."""
     found = [Fraction(1), Fraction(0), Fraction(0), Fraction(0)]
     for k in range(number - 4):
         drive = (alpha3 - (k + 1) * alpha1) * found[k + 1] + (alpha3 - k * alpha1) * found[k]
-        found.append(-2 * found[k + 3] + eps * drive)
+        found.append(-2 * found[k + 3] + epsilon * drive)
     return found
 
 
@@ -38,22 +38,24 @@ def derivative(series: list[Fraction], times: int) -> list[Fraction]:
 
 
 @settings(max_examples=25, deadline=None)
-@given(alpha1=NEGATIVE, alpha3=NEGATIVE, eps=SMALL)
-def test_the_series_solves_the_equation_of_the_deviations(alpha1: Fraction, alpha3: Fraction, eps: Fraction) -> None:
+@given(alpha1=NEGATIVE, alpha3=NEGATIVE, epsilon=SMALL)
+def test_the_series_solves_the_equation_of_the_deviations(
+    alpha1: Fraction, alpha3: Fraction, epsilon: Fraction
+) -> None:
     number = 16
-    series = [a / factorial(k) / eps**k for k, a in enumerate(scaled_coefficients(alpha1, alpha3, eps, number))]
+    series = [a / factorial(k) / epsilon**k for k, a in enumerate(scaled_coefficients(alpha1, alpha3, epsilon, number))]
     f = [derivative(series, j) for j in range(5)]
     for k in range(number - 4):
         before = [f[j][k - 1] if k else Fraction(0) for j in range(3)]
-        value = alpha3 * f[0][k] - alpha1 * before[1] + eps * ((alpha3 - alpha1) * f[1][k] - alpha1 * before[2])
-        assert value - 2 * eps**2 * f[3][k] - eps**3 * f[4][k] == 0
+        value = alpha3 * f[0][k] - alpha1 * before[1] + epsilon * ((alpha3 - alpha1) * f[1][k] - alpha1 * before[2])
+        assert value - 2 * epsilon**2 * f[3][k] - epsilon**3 * f[4][k] == 0
 
 
 @settings(max_examples=25, deadline=None)
-@given(alpha1=NEGATIVE, alpha3=NEGATIVE, eps=SMALL)
-def test_the_coefficients_keep_their_bound(alpha1: Fraction, alpha3: Fraction, eps: Fraction) -> None:
+@given(alpha1=NEGATIVE, alpha3=NEGATIVE, epsilon=SMALL)
+def test_the_coefficients_keep_their_bound(alpha1: Fraction, alpha3: Fraction, epsilon: Fraction) -> None:
     radius = 4 - alpha1 - alpha3
-    for k, value in enumerate(scaled_coefficients(alpha1, alpha3, eps, 40)):
+    for k, value in enumerate(scaled_coefficients(alpha1, alpha3, epsilon, 40)):
         assert abs(value) ** 3 <= radius ** (3 * k) * factorial(k)
 
 
@@ -81,7 +83,7 @@ def test_the_constants_of_the_page() -> None:
 
 def test_the_system_in_rows_vanishes_along_its_own_field() -> None:
     """At ε = 2, with the rates of the field divided by ε; a rate that is wrong by 1 leaves a row."""
-    at_two = {"eps": ALGEBRA.constant(2)}
+    at_two = {"epsilon": ALGEBRA.constant(2)}
     rates = {name: ALGEBRA.substitute(rate, at_two) / 2 for name, rate in field(True).items()}
     names = {name: (ALGEBRA.symbols[name], rates[name]) for name in "yvz"}
 

@@ -74,7 +74,7 @@ def test_the_size_is_tried_at_the_stated_epsilon(monkeypatch: pytest.MonkeyPatch
     honest, tried = ledger.evaluate_text, []
 
     def recorded(text: str, values: Any, bits: int) -> Any:
-        tried.append(values["eps"])
+        tried.append(values["epsilon"])
         return honest(text, values, bits)
 
     monkeypatch.setattr(ledger, "evaluate_text", recorded)

@@ -8,7 +8,7 @@ from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 from gspot_verified.paper.checks.identities import Algebra
 from gspot_verified.paper.section_5.double_series import ALPHA, POWER_OF_DELTA, example_series, scaled_series
 
-CONTEXT = fmpq_mpoly_ctx.get(["t", "eps"], "degrevlex")
+CONTEXT = fmpq_mpoly_ctx.get(["t", "epsilon"], "degrevlex")
 T, EPS = CONTEXT.gens()
 WEIGHT = 24
 

@@ -89,7 +89,7 @@ def test_each_part_of_a_step_is_needed(
 
 
 ONE_BEFORE_FOUR = dict.fromkeys(("p", "b", "xi"), (-5, 0)) | {"f": (-6, -1), "lambda_n": (-6, -1)}
-"""Powers 1, 3, 4, 5, ... of eps: not closed under addition, as 1 + 1 = 2 is missing."""
+"""Powers 1, 3, 4, 5, ... of epsilon: not closed under addition, as 1 + 1 = 2 is missing."""
 
 
 @pytest.mark.parametrize(
@@ -98,16 +98,16 @@ ONE_BEFORE_FOUR = dict.fromkeys(("p", "b", "xi"), (-5, 0)) | {"f": (-6, -1), "la
         ("lemma_by_induction", {"f": (6, -4)}),  # a product has more powers than the space of f
         ("lemma_by_induction", {"f": (-3, -4), "xi": (-5, -6)}),  # f has no constants
         ("lemma_by_induction", {"xi": (4, -3)}),
-        ("lemma_by_powers_of_eps", {"xi": (2, 3)}),  # powers that are no integers
-        ("lemma_by_powers_of_eps", {"f": (-9, -4), "xi": (-8, -3)}),  # f has no constants
-        ("lemma_by_powers_of_eps", {"xi": (1, 0)}),  # eps^1, which f may not have
-        ("lemma_by_powers_of_eps", {"xi": (1, -6)}),  # f is allowed powers that do not occur
-        ("lemma_by_powers_of_eps", {"f": (0, -1)}),  # eps^1 in f
-        ("steps_in_powers_of_eps", {"xi": (2, 3)}),
-        ("steps_in_powers_of_eps", {"p": (1, -6)}),
-        ("steps_in_powers_of_eps", {"y": (-6, -1)}),
-        ("steps_in_powers_of_eps", ONE_BEFORE_FOUR | {"y": (-3, -1), "z": (-3, -1), "v": (-4, -2)}),
-        ("steps_in_powers_of_eps", ONE_BEFORE_FOUR | {"f": (0, -4)}),
+        ("lemma_by_powers_of_epsilon", {"xi": (2, 3)}),  # powers that are no integers
+        ("lemma_by_powers_of_epsilon", {"f": (-9, -4), "xi": (-8, -3)}),  # f has no constants
+        ("lemma_by_powers_of_epsilon", {"xi": (1, 0)}),  # epsilon^1, which f may not have
+        ("lemma_by_powers_of_epsilon", {"xi": (1, -6)}),  # f is allowed powers that do not occur
+        ("lemma_by_powers_of_epsilon", {"f": (0, -1)}),  # epsilon^1 in f
+        ("steps_in_powers_of_epsilon", {"xi": (2, 3)}),
+        ("steps_in_powers_of_epsilon", {"p": (1, -6)}),
+        ("steps_in_powers_of_epsilon", {"y": (-6, -1)}),
+        ("steps_in_powers_of_epsilon", ONE_BEFORE_FOUR | {"y": (-3, -1), "z": (-3, -1), "v": (-4, -2)}),
+        ("steps_in_powers_of_epsilon", ONE_BEFORE_FOUR | {"f": (0, -4)}),
     ],
 )
 def test_each_part_of_a_route_is_needed(
@@ -144,17 +144,17 @@ def test_terms_beyond_the_highest_must_have_negative_orders(monkeypatch: pytest.
         ("5-lemma-orders", ledger, "products_of_factors", lambda: False, 1),
         ("5-lemma-orders", explicit, "lemma_on_a_quartic", lambda: False, 2),
         ("5-lemma", ledger, "lemma_by_induction", lambda: False, 0),
-        ("5-lemma", ledger, "lemma_by_powers_of_eps", lambda: False, 1),
+        ("5-lemma", ledger, "lemma_by_powers_of_epsilon", lambda: False, 1),
         ("5-lemma", explicit, "lemma_on_functions", lambda: False, 2),
         ("5-theorem-1-spaces", ledger, "dependence", lambda: False, 0),
         ("5-theorem-1-spaces", ledger, "lemma_by_induction", lambda: False, 0),
-        ("5-theorem-1-spaces", ledger, "lemma_by_powers_of_eps", lambda: False, 0),
+        ("5-theorem-1-spaces", ledger, "lemma_by_powers_of_epsilon", lambda: False, 0),
         ("5-theorem-1-spaces", ledger, "steps", lambda: {"one": True, "another": False}, 1),
-        ("5-theorem-1-spaces", ledger, "steps_in_powers_of_eps", lambda: False, 2),
+        ("5-theorem-1-spaces", ledger, "steps_in_powers_of_epsilon", lambda: False, 2),
         ("5-theorem-1-spaces", explicit, "in_stated_spaces", lambda found: found.system.name == "random 0", 3),
         ("5-corollary", ledger, "corollary_exponents", lambda name: name != "z", 0),
         ("5-corollary", ledger, "printed_exponents", lambda parity: parity == 0, 1),
-        ("5-corollary", ledger, "example_in_t_and_eps", lambda: False, 2),
+        ("5-corollary", ledger, "example_in_t_and_epsilon", lambda: False, 2),
     ],
 )
 def test_a_step_that_fails_leaves_its_check_open(
@@ -173,7 +173,7 @@ def test_the_steps_are_named() -> None:
     ("row", "place", "holds"),
     [
         ([0, 1], (1, 0), True),  # p: s^1 delta^(0 + 2) is t
-        ([0, 1], (1, 1), False),  # its series has another power of eps
+        ([0, 1], (1, 1), False),  # its series has another power of epsilon
         ([1], (0, 0), False),  # s^0 delta^2: no integer power
         ([0, 0, 0, 0, 1], (4, -2), False),  # s^4 delta^2: a negative power
     ],
@@ -184,4 +184,4 @@ def test_a_term_of_the_example_must_be_one_of_its_series(
     with_chi = {key: [] for key in "byvz"} | {"p": [row]}
     monkeypatch.setattr(ledger, "extended_terms", lambda _, chi: with_chi if chi else {})
     monkeypatch.setattr(ledger, "example_series", lambda _: {name: {place: 1} for name in "pbyvz"})
-    assert ledger.example_in_t_and_eps() is holds
+    assert ledger.example_in_t_and_epsilon() is holds

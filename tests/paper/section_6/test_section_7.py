@@ -69,7 +69,9 @@ def test_the_float_runs_are_of_the_same_start_and_end(monkeypatch: pytest.Monkey
         asked[case] = scene.parameters["beta"]
         return run(*ledger.RUNS[case])
 
-    monkeypatch.setattr(ledger, "load_scene", lambda _, beta, nu, chi, eps, until: scene_of(beta, nu, chi, eps, until))
+    monkeypatch.setattr(
+        ledger, "load_scene", lambda _, beta, nu, chi, epsilon, until: scene_of(beta, nu, chi, epsilon, until)
+    )
     monkeypatch.setattr(ledger, "float_run", float_run)
     monkeypatch.setattr(ledger, "run_of", lambda case: run(*ledger.RUNS[case], IMPACT))
     assert all(ledger.floats_agree(case) for case in ledger.RUNS)
@@ -78,9 +80,9 @@ def test_the_float_runs_are_of_the_same_start_and_end(monkeypatch: pytest.Monkey
     assert not any(ledger.floats_agree(case) for case in ledger.RUNS)
 
 
-def scene_of(beta: fmpq, nu: fmpq, chi: int, eps: fmpq, until: fmpq) -> Any:
+def scene_of(beta: fmpq, nu: fmpq, chi: int, epsilon: fmpq, until: fmpq) -> Any:
     assert nu == fmpq(1, 4)
-    return SimpleNamespace(parameters={"beta": beta, "chi": chi}, epsilon=eps, until=until)
+    return SimpleNamespace(parameters={"beta": beta, "chi": chi}, epsilon=epsilon, until=until)
 
 
 def test_the_statement_names_what_is_run(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -19,9 +19,9 @@ TEETH: Teeth = {
     "2-deformation": (
         Bite("factor", ledger.GIVEN, "z", scaled),
         Bite("factor", ledger.BALANCE, "y", replaced("k2*", f"{GENERIC}*k2*")),
-        Bite("hidden factor", ledger, "UNDER_FORCE", unseen_at("eps", (0, 1))),
+        Bite("hidden factor", ledger, "UNDER_FORCE", unseen_at("epsilon", (0, 1))),
         Bite("hypothesis", ledger.CONSTANTS, "k1", lambda _: 0),
         Bite("hypothesis", ledger.CONSTANTS, "c", lambda _: 0),
-        Bite("order", ledger.GIVEN, "y", raised("eps")),
+        Bite("order", ledger.GIVEN, "y", raised("epsilon")),
     ),
 }

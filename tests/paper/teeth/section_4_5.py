@@ -38,9 +38,9 @@ TEETH: Teeth = {
         Bite("hidden factor", _FORCE, "force", unseen_at("beta", _BETAS)),
         Bite("hidden factor", _FORCE, "force", unseen_at("beta", (2, 4, 5, "1/2", "3/2", "7/3"))),
         # Another time scale than t = ε^(2/3) s, another size of b.
-        Bite("hypothesis", ledger.INNER, "tau", replaced("eps^(-2/3)", "eps^(-1/2)")),
+        Bite("hypothesis", ledger.INNER, "tau", replaced("epsilon^(-2/3)", "epsilon^(-1/2)")),
         Bite("hypothesis", ledger.INNER, "front", replaced("kappa^(-beta)", "kappa^(1-beta)")),
-        Bite("order", _FORCE, "force", raised("eps")),
+        Bite("order", _FORCE, "force", raised("epsilon")),
         Bite("order", _FORCE, "force", raised("kappa")),
     ),
     "S-force-sign": (

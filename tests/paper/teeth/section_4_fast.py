@@ -34,7 +34,7 @@ TEETH: Teeth = {
         Bite("factor", _FAST, "equation", replaced("2*f3", "2000001/1000000*f3")),
         Bite("hidden factor", _FAST, "equation", unseen_at("p", _AT_INTEGERS)),
         Bite("hypothesis", ledger, "along", with_drift),
-        Bite("order", _FAST, "equation", replaced("eps*", "eps^2*")),
+        Bite("order", _FAST, "equation", replaced("epsilon*", "epsilon^2*")),
     ),
     "4-fast-polynomial": (
         Bite("factor", _POLYNOMIAL, "polynomial", scaled),

@@ -21,7 +21,7 @@ def another_power(_: Any) -> Any:
     return ledger.ALGEBRA.read("delta^4")
 
 
-OTHER_SCALE = Bite("hypothesis", ledger.INNER_SCALE, "eps", another_power)
+OTHER_SCALE = Bite("hypothesis", ledger.INNER_SCALE, "epsilon", another_power)
 
 TEETH: Teeth = {
     "4-inner": (

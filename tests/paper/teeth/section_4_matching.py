@@ -26,7 +26,7 @@ def first_decimal(honest: Any) -> Any:
     return (("0.3334", *honest[0][1:]), *honest[1:])
 
 
-OTHER_SCALE = Bite("hypothesis", ledger.INNER_SCALE, "eps", another_power)
+OTHER_SCALE = Bite("hypothesis", ledger.INNER_SCALE, "epsilon", another_power)
 
 TEETH: Teeth = {
     "4-matching": (

@@ -30,11 +30,11 @@ def of_equation(identifier: str) -> tuple[Bite, ...]:
     """Bites at a single equation."""
     return (
         Bite("factor", _PRINTED[identifier], "equation", scaled),
-        Bite("factor", _PRINTED[identifier], "equation", replaced("2*eps^2", "2000001/1000000*eps^2")),
+        Bite("factor", _PRINTED[identifier], "equation", replaced("2*epsilon^2", "2000001/1000000*epsilon^2")),
         Bite("hidden factor", _PRINTED[identifier], "equation", unseen_at("t", _AT_INTEGERS)),
-        Bite("hidden factor", _PRINTED[identifier], "equation", unseen_at("eps", (0, 1))),
+        Bite("hidden factor", _PRINTED[identifier], "equation", unseen_at("epsilon", (0, 1))),
         Bite("hypothesis", ledger, "field", without_contact),
-        Bite("order", _PRINTED[identifier], "equation", replaced("eps^3", "eps^4")),
+        Bite("order", _PRINTED[identifier], "equation", replaced("epsilon^3", "epsilon^4")),
         Bite("order", _PRINTED[identifier], "equation", raised("t")),
     )
 
@@ -46,7 +46,7 @@ def of_recovery(identifier: str) -> tuple[Bite, ...]:
         *(Bite("factor", _PRINTED[identifier], name, scaled) for name in names),
         *(Bite("hidden factor", _PRINTED[identifier], name, unseen_at("t", _AT_INTEGERS)) for name in names),
         Bite("hypothesis", ledger, "field", without_contact),
-        *(Bite("order", _PRINTED[identifier], name, raised("eps")) for name in names),
+        *(Bite("order", _PRINTED[identifier], name, raised("epsilon")) for name in names),
     )
 
 
@@ -55,10 +55,10 @@ TEETH: Teeth = {
     "4-order": (
         Bite("factor", ledger.CORRECTED["4-order"], "order", scaled),
         Bite("factor", _PRINTED["4-order"], "order", lambda _: "4"),
-        Bite("hidden factor", ledger.CORRECTED["4-order"], "order", unseen_at("eps", (0, 1))),
+        Bite("hidden factor", ledger.CORRECTED["4-order"], "order", unseen_at("epsilon", (0, 1))),
         Bite("hypothesis", ledger, "field", without_alpha_3),
         Bite("order", ledger.CORRECTED["4-order"], "order", lambda _: "5"),
-        Bite("order", _PRINTED["4-eliminated"], "equation", replaced("eps^3*b4", "eps^3*b5")),
+        Bite("order", _PRINTED["4-eliminated"], "equation", replaced("epsilon^3*b4", "epsilon^3*b5")),
     ),
     "4-recover": of_recovery("4-recover"),
     "4-deviation": of_equation("4-deviation"),

@@ -30,14 +30,14 @@ TEETH: Teeth = {
         Bite("hidden factor", TRIVIAL, "b", unseen_at("alpha1", _AT_INTEGERS)),
         Bite("hypothesis", QUOTIENT, "alpha2", without_quotient),
         Bite("order", TRIVIAL, "p", raised("t")),
-        Bite("order", TRIVIAL, "b", raised("eps")),
+        Bite("order", TRIVIAL, "b", raised("epsilon")),
     ),
     "2-trivial-zy": (
         *(Bite("factor", CORRECTED_ZY, name, scaled) for name in "zy"),
         Bite("factor", ledger.PRINTED, "2-trivial-zy", lambda _: ledger.CORRECTED["2-trivial-zy"]),
-        Bite("hidden factor", CORRECTED_ZY, "z", unseen_at("eps", _AT_INTEGERS)),
+        Bite("hidden factor", CORRECTED_ZY, "z", unseen_at("epsilon", _AT_INTEGERS)),
         Bite("hidden factor", CORRECTED_ZY, "y", unseen_at("c", _AT_INTEGERS)),
         Bite("hypothesis", QUOTIENT, "alpha2", without_quotient),
-        *(Bite("order", CORRECTED_ZY, name, replaced("eps^2", "eps^3")) for name in "zy"),
+        *(Bite("order", CORRECTED_ZY, name, replaced("epsilon^2", "epsilon^3")) for name in "zy"),
     ),
 }

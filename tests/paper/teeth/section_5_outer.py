@@ -17,9 +17,9 @@ _POINTS = range(-2, 3)
 TEETH: Teeth = {
     "5-outer-system": (
         *(Bite("factor", OUTER, part, scaled) for part in OUTER),
-        *(Bite("hidden factor", OUTER, part, unseen_at("eps", _POINTS)) for part in OUTER),
+        *(Bite("hidden factor", OUTER, part, unseen_at("epsilon", _POINTS)) for part in OUTER),
         NotApplicable("hypothesis", "a change of variables: an identity in all symbols, without hypotheses"),
-        *(Bite("order", OUTER, part, raised("eps")) for part in OUTER),
+        *(Bite("order", OUTER, part, raised("epsilon")) for part in OUTER),
     ),
     "5-fast-system": (
         Bite("factor", FAST, "v", scaled),

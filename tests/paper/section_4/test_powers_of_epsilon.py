@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from gspot_verified.paper.section_4.powers_of_eps import exponents, progressions
+from gspot_verified.paper.section_4.powers_of_epsilon import exponents, progressions
 
 
 @pytest.mark.parametrize(("shift", "front"), [((0, -4), 1), ((1, -4), 0), ((0, -3), 0), ((2, 0), 2)])

@@ -1,6 +1,6 @@
-"""The spaces of Theorem 1 in t and eps: which powers of eps a space allows (proofs/expansion.md, section 1 b).
+"""The spaces of Theorem 1 in t and epsilon: which powers of epsilon a space allows (proofs/expansion.md, section 1 b).
 
-s^k delta^(n + front) is t^k eps^j with n + front = 2 k + 3 j. The powers j do not depend on nu.
+s^k delta^(n + front) is t^k epsilon^j with n + front = 2 k + 3 j. The powers j do not depend on nu.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ Exponents = frozenset[int]
 
 
 def progressions(shift: Shift, front: int) -> list[tuple[int, int]] | None:
-    """(first, step) of the powers of eps, for even and for odd n; ``None`` unless they are integers without nu.
+    """(first, step) of the powers of epsilon, for even and for odd n; ``None`` unless they are integers without nu.
 
     >>> progressions((1, -3), 2)
     [(0, 2), (3, 2)]
@@ -39,7 +39,8 @@ def progressions(shift: Shift, front: int) -> list[tuple[int, int]] | None:
 
 
 def exponents(shift: Shift, front: int) -> Exponents | None:
-    """The powers of eps below the conductor; ``None`` unless they are integers >= 0, all of them from some number on.
+    """The powers of epsilon below the conductor; ``None`` unless they are integers >= 0, all of them from some number
+    on.
 
     >>> sorted(exponents((0, -4), 0))[:4]
     [0, 2, 3, 4]
@@ -56,5 +57,5 @@ def sums(left: Iterable[int], right: Iterable[int]) -> Exponents:
 
 
 def later(found: Iterable[int], by: int) -> Exponents:
-    """The exponents after a factor eps^by."""
+    """The exponents after a factor epsilon^by."""
     return sums(found, (by,))
