@@ -31,6 +31,8 @@ _PROGRAMS = {"PARI/GP": ("gp", "--version-short"), "Sage": ("sage", "--version")
 def measure_cost(full: bool = False, progress: Progress = lambda _: None, kept: KeptParts | None = None) -> Measurement:
     """Measure all parts: two to three minutes of processor time; with ``full`` more than half an hour.
 
+    The command is ``cost``; that word is the subpackage here.
+
     ``progress`` is called with a line of text before each part. Parts in ``kept`` are not measured again; new ones are
     put there.
     """

@@ -74,6 +74,8 @@ class Catalogue(NoTruthValue):
 def measure_hard_cases(names: Sequence[str] = (), progress: Callable[[str], None] = lambda _: None) -> Catalogue:
     """The families of these names, all if none: about ten seconds of processor time.
 
+    The command is ``hard-cases``; that word is the subpackage here.
+
     :raises ValueError: no family has that name.
     """
     known = {family.name: family for family in families()}

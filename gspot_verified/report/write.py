@@ -33,6 +33,8 @@ def write_report(
 ) -> Path:
     """Draw the figures, check the certificates and write the report; returns the path of its ``index.html``.
 
+    The commands are ``verify`` and ``report``; the second word is the subpackage here.
+
     Everything is computed before the first file is touched, and each file is replaced in one step, the start last.
 
     :param directory: made if it does not exist; the folder it is in must exist.

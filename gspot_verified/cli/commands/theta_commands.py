@@ -77,7 +77,7 @@ def side(
         raise ValueError("β: give it as an argument; --beta goes with --state")
     from gspot_verified.signs.gamma.side import side as side_switching
 
-    result = side_switching(lower, lower if upper is None else upper)
+    result = side_switching(lower, upper)
     if as_json:
         print_json(result.to_json())
     else:

@@ -76,6 +76,8 @@ KEYS = {
 def scene_names() -> tuple[str, ...]:
     """The scenes that come with the package: the names that :func:`load_scene` knows.
 
+    The command is ``scenes``; that word is the subpackage here.
+
     >>> scene_names()[:2]
     ('fig-varsim1', 'fig-varsim2')
     """

@@ -148,8 +148,10 @@ def gamma_sign_by_ball(beta: ExactInput, bits: int = 64) -> int | None:
         return sign_of(reciprocal_gamma(-value, bits))
 
 
-def side(lower: ExactInput, upper: ExactInput) -> SideSwitching:
+def side(lower: ExactInput, upper: ExactInput | None = None) -> SideSwitching:
     """The sign of Gamma(-beta) for every beta in [lower, upper]: maximal intervals and the integers between them.
+
+    ``upper`` left out: at one beta.
 
     For ball endpoints the intervals cover the largest range that the balls allow; a pole that only some of the
     allowed ranges hold is listed as undecided.
@@ -164,7 +166,7 @@ def side(lower: ExactInput, upper: ExactInput) -> SideSwitching:
     in Case III the side switches at β = 2
     """
     first, first_inner = _ends(_checked(lower, "lower"))
-    last_inner, last = _ends(_checked(upper, "upper"))
+    last_inner, last = _ends(_checked(lower if upper is None else upper, "upper"))
     if first > last:
         raise ValueError("the range is reversed: lower > upper")
     start = _first_pole(first)

@@ -120,3 +120,8 @@ def test_ends_of_more_digits_than_cpython_prints() -> None:
     found = side(end, 1)
     assert str(found).startswith(f"[{end}, 1): Γ(-β) < 0")
     assert found.to_json()["intervals"][0]["lower"] == end
+
+
+@pytest.mark.parametrize("beta", ["1/2", 3, "-5/2"])
+def test_one_beta(beta: int | str) -> None:
+    assert str(side(beta)) == str(side(beta, beta))
