@@ -21,6 +21,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from functools import reduce
 from numbers import Integral
+from typing import Any
 
 from flint import arb, ctx, fmpq, fmpz
 
@@ -125,7 +126,8 @@ def bits_for_digits(digits: int) -> int:
 def exact(value: ExactInput, name: str) -> Exact:
     """The exact value of an input: ``fmpq`` for a rational or an exact ball, the ball itself for another ``arb``.
 
-    Accepted: int, Fraction, fmpq, fmpz, decimal or fraction strings (``"0.1"`` is 1/10, U+2212 a minus), a finite arb.
+    Accepted: int, Fraction, fmpq, fmpz, decimal or fraction strings (``"0.1"`` is 1/10, U+2212 a minus), a finite arb,
+    and of mpmath an ``mpf`` (its exact binary value) and an ``iv.mpf`` (a ball around it).
 
     :raises TypeError: a float (or any other type); the message says how to pass it on purpose.
     :raises ValueError: a NaN or infinite ball, or a string that is not a number; it names the argument.
@@ -154,7 +156,48 @@ def exact(value: ExactInput, name: str) -> Exact:
         return fmpq(operator.index(value))
     if isinstance(value, Fraction):
         return fmpq(value.numerator, value.denominator)
+    if type(value).__module__.startswith("mpmath."):
+        return _of_mpmath(value, name)
     raise TypeError(f"{name}: expected int, Fraction, fmpq, str or arb, got {type(value).__name__}")
+
+
+def _of_mpmath(value: Any, name: str) -> Exact:
+    """An ``mpf`` is one number, an ``iv.mpf`` a ball; ``mpmath.pi`` is neither: its digits depend on a precision."""
+    if hasattr(value, "_mpi_"):
+        return hull([arb(_of_mantissa(end, name)) for end in value._mpi_])
+    if type(value).__name__ != "mpf":
+        raise TypeError(f"{name}: of mpmath an mpf or an iv.mpf is taken, got {type(value).__name__}")
+    return _of_mantissa(value._mpf_, name)
+
+
+def _of_mantissa(parts: tuple[int, int, int, int], name: str) -> fmpq:
+    """(-1)^sign mantissa 2^exponent. Infinities and NaN are the triples with mantissa 0 and another exponent."""
+    sign, mantissa, exponent, _ = parts
+    if exponent and not mantissa:
+        raise ValueError(f"{name}: the number must be finite")
+    if abs(exponent) > _MAX_BINARY_EXPONENT:
+        raise ValueError(f"{name}: the binary exponent must lie within +-{_MAX_BINARY_EXPONENT}, got {exponent}")
+    whole = fmpz(-mantissa if sign else mantissa)
+    return fmpq(whole << exponent) if exponent >= 0 else fmpq(whole, fmpz(1) << -exponent)
+
+
+def to_mpmath(value: arb) -> Any:
+    """The ``iv.mpf`` with the ends of the ball, rounded outward to the working precision: it contains the ball.
+
+    mpmath is imported here and nowhere else.
+
+    :raises ValueError: the ball is not finite.
+
+    >>> to_mpmath(arb(fmpq(3, 8)))
+    mpi('0.375', '0.375')
+    """
+    from mpmath import iv  # type: ignore[import-untyped]
+    from mpmath.libmp import from_man_exp  # type: ignore[import-untyped]
+
+    if not value.is_finite():
+        raise ValueError(f"the ball must be finite, got {value}")
+    ends = [end.man_exp() for end in (value.lower(), value.upper())]
+    return iv.make_mpf(tuple(from_man_exp(int(mantissa), int(exponent)) for mantissa, exponent in ends))
 
 
 def _point(value: arb) -> Exact:

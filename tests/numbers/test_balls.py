@@ -18,6 +18,7 @@ import pytest
 from flint import acb, arb, arf, ctx, fmpq, fmpz
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from mpmath.libmp import from_man_exp
 from samples.strategies import (
     balls,
     balls_with_number,
@@ -55,6 +56,7 @@ from gspot_verified.numbers.balls import (
     series_length,
     shrink_to_bits,
     sign_of,
+    to_mpmath,
     working_bits,
 )
 from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamma_series
@@ -133,7 +135,7 @@ def test_exact_refuses_floats_and_says_what_to_write(value: float) -> None:
     [
         True, False, np.bool_(True), np.float32(0.5), np.float16(0.5), decimal.Decimal("0.1"), 1j, 1 + 0j,
         np.complex128(1), None, [1], (1, 2), {1}, b"1", bytearray(b"1"), np.array([1, 2]), np.array(1.5), object(),
-        acb(1), arf(1), mpmath.mpf(1), int, range(3),
+        acb(1), arf(1), mpmath.mpc(1), int, range(3),
     ],
     ids=lambda value: f"{type(value).__name__}",
 )  # fmt: skip
@@ -859,3 +861,35 @@ def test_a_hull_with_a_part_of_which_nothing_is_known_says_nothing() -> None:
 def test_a_hull_of_no_parts_is_refused() -> None:
     with pytest.raises(TypeError, match="empty"):
         hull([])
+
+
+@given(st.integers(-(2**200), 2**200), st.integers(-300, 300))
+def test_numbers_of_mpmath_are_exact(mantissa: int, exponent: int) -> None:
+    value = Fraction(mantissa) * Fraction(2) ** exponent
+    number = mpmath.mp.make_mpf(from_man_exp(mantissa, exponent))
+    assert exact(number, "tau") == fmpq(value.numerator, value.denominator)
+
+
+@given(st.fractions(max_denominator=99), st.fractions(min_value=0, max_denominator=99))
+def test_an_interval_of_mpmath_becomes_a_ball_around_it_and_back(lower: Fraction, width: Fraction) -> None:
+    """Through a ball and back the interval can only grow: both ways round outward."""
+    upper = lower + width
+    ends_of_it = [mpmath.mpf(end.numerator) / end.denominator for end in (lower, upper)]
+    interval = mpmath.iv.mpf(ends_of_it)
+    value = exact(interval, "tau")
+    with working_bits(200):
+        value = arb(value)
+        assert value.is_finite()
+        back = to_mpmath(value)
+    assert interval in back
+
+
+def test_what_of_mpmath_is_refused() -> None:
+    for value in (mpmath.mpc(1, 2), mpmath.pi, mpmath.matrix([1])):
+        with pytest.raises(TypeError, match="of mpmath an mpf or an iv"):
+            exact(value, "tau")
+    for value in (mpmath.inf, mpmath.nan, mpmath.mpf("1e50000"), mpmath.iv.mpf(["-inf", 1])):
+        with pytest.raises(ValueError, match="tau: the"):
+            exact(value, "tau")
+    with pytest.raises(ValueError, match="finite"):
+        to_mpmath(arb.nan())
