@@ -71,7 +71,9 @@ def noticing(changed: Iterable[str]) -> list[str]:
             near += mirrored(ROOT, name)
             far += importing(ROOT, name)[1:]
             if name.startswith("gspot_verified/cli/"):
-                near += [path.relative_to(ROOT).as_posix() for path in sorted((ROOT / "tests" / "cli").glob("test_*.py"))]
+                near += [
+                    path.relative_to(ROOT).as_posix() for path in sorted((ROOT / "tests" / "cli").glob("test_*.py"))
+                ]
         elif name == "README.md":
             near.append(name)
         elif name.startswith("proofs/"):

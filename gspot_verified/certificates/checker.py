@@ -10,9 +10,10 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 
 _ROOT = Path(__file__).resolve().parents[2]
 _REJECTED = 1
@@ -20,17 +21,13 @@ _USAGE = 64
 
 
 @dataclass(frozen=True, slots=True)
-class CheckResult(NoTruthValue):
+class CheckResult(NoTruthValue, Written):
     """What the checker said. ``verified`` is True only if it printed its line and left with code 0."""
 
     ask: ClassVar[str] = ".verified is True only if the checker verified the certificate"
 
     verified: bool
     text: str
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {"verified": self.verified, "text": self.text}
 
 
 def checker_path() -> Path:

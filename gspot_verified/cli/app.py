@@ -9,7 +9,6 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from importlib import resources
 from typing import Annotated, Any
 
 import typer
@@ -17,6 +16,8 @@ from typer.core import TyperCommand
 
 QUIET_SECONDS = 10.0
 _running: ContextVar[str] = ContextVar("_running", default="")
+_VERSIONS = {"cost": 2, "verify": 2}
+"""Of the schemas that have changed: a change of what is printed raises it."""
 _NUMBER = re.compile(r"-\.?[0-9].*")
 
 
@@ -25,6 +26,14 @@ def _print_version(wanted: bool) -> None:
         from gspot_verified import __version__
 
         typer.echo(f"gspot-verified {__version__}")
+        raise typer.Exit
+
+
+def _print_schema(command: str | None) -> None:
+    if command is not None:
+        from gspot_verified.cli.schema import schema_of
+
+        _echo_json(schema_of(command, schema_name(command)))
         raise typer.Exit
 
 
@@ -42,6 +51,15 @@ def _options(
     version: Annotated[  # noqa: ARG001  its callback acts
         bool, typer.Option("--version", help="Print the version and leave.", is_eager=True, callback=_print_version)
     ] = False,
+    schema: Annotated[  # noqa: ARG001  its callback acts
+        str | None,
+        typer.Option(
+            metavar="COMMAND",
+            help="Print the schema of a command's --json and leave.",
+            is_eager=True,
+            callback=_print_schema,
+        ),
+    ] = None,
 ) -> None:
     _running.set(context.invoked_subcommand or "")
 
@@ -67,17 +85,18 @@ class NumberArguments(TyperCommand):
         return super().parse_args(ctx, [*options, "--", *numbers])
 
 
-def schema_of(command: str) -> dict[str, Any]:
-    """The schema (JSON Schema, draft 2020-12) of the command's ``--json``."""
-    text = resources.files("gspot_verified.cli").joinpath("schemas", f"{command}.json").read_text(encoding="utf-8")
-    found: dict[str, Any] = json.loads(text)
-    return found
+def schema_name(command: str) -> str:
+    """The name of the schema of the command's ``--json``, with its version; ``--schema`` prints it."""
+    return f"gspot-verified/{command}/{_VERSIONS.get(command, 1)}"
 
 
-def print_json(data: dict[str, Any], schema: str | None = None) -> None:
-    """Data on stdout, with the name of the schema in ``cli/schemas`` that it satisfies: the running command's own."""
-    name = schema_of(schema or _running.get())["$id"]
-    typer.echo(json.dumps({**data, "schema": name}, ensure_ascii=False, indent=2, sort_keys=True))
+def print_json(data: dict[str, Any], command: str | None = None) -> None:
+    """Data on stdout, with the name of the schema that it satisfies: the running command's own."""
+    _echo_json({**data, "schema": schema_name(command or _running.get())})
+
+
+def _echo_json(data: dict[str, Any]) -> None:
+    typer.echo(json.dumps(data, ensure_ascii=False, indent=2, sort_keys=True))
 
 
 def warn(text: str) -> None:

@@ -5,12 +5,13 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar, TypeVar
+from typing import ClassVar, TypeVar
 
 from flint import arb
 
 from gspot_verified.numbers.balls import MAX_WORKING_BITS, bits_for_digits, relative_bits, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 
 _COMPARED_BITS = 64
 _LEAST_GAIN = 4
@@ -25,7 +26,7 @@ class AccuracyWarning(UserWarning):
 
 
 @dataclass(frozen=True, slots=True)
-class Accuracy(NoTruthValue):
+class Accuracy(NoTruthValue, Written):
     """What was asked and what was reached.
 
     ``certain_bits`` is that of the least accurate coefficient, see :func:`certain_bits`. ``attempts`` counts how often
@@ -33,6 +34,7 @@ class Accuracy(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".reached says whether the asked accuracy was reached"
+    written: ClassVar[str] = "digits reached certain_bits working_bits"
 
     digits: int
     certain_bits: int
@@ -49,15 +51,6 @@ class Accuracy(NoTruthValue):
         if self.reached:
             return f"accuracy of {self.digits} digits reached: {bits}"
         return f"ACCURACY NOT REACHED: {self.digits} digits were asked, {bits}"
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {
-            "digits": self.digits,
-            "reached": self.reached,
-            "certain_bits": self.certain_bits,
-            "working_bits": self.working_bits,
-        }
 
 
 def certain_bits(orders: Iterable[Sequence[arb]]) -> int:

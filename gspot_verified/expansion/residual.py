@@ -13,7 +13,7 @@ from typing import Any, ClassVar
 from flint import arb, fmpq
 
 from gspot_verified.expansion.majorants import Graded, graded_functions, rest_of_product, size_of
-from gspot_verified.expansion.series.legend import in_two, state_names
+from gspot_verified.expansion.series.legend import InTwo, in_two, state_names
 from gspot_verified.expansion.series.spaces import SpacePolynomial
 from gspot_verified.expansion.series.terms import NumberTerms, PolynomialTerms
 from gspot_verified.expansion.trajectory import Trajectory
@@ -22,8 +22,8 @@ from gspot_verified.functions.expressions import Expression, in_order
 from gspot_verified.functions.power_series import SeriesOfFunctions, Terms
 from gspot_verified.functions.rings import Ring
 from gspot_verified.numbers.balls import ExactInput, ball_text, exact, working_bits
-from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 
 ONLY_RESIDUAL = (
     "a bound on what is left in the equations; how far the mechanism's own trajectory is from the polynomials "
@@ -39,7 +39,7 @@ class ResidualError(ValueError):
 
 
 @dataclass(frozen=True)
-class ResidualBounds(NoTruthValue):
+class ResidualBounds(NoTruthValue, Written):
     """|residual| <= constants[name] delta^order for all |s| <= s and 0 <= delta <= delta.
 
     xi_1, ..., p, b, y, v, z, lambda_n name eqs. specialX to specialL; start_p, start_b, start_y, start_v, start_J_1,
@@ -47,6 +47,8 @@ class ResidualBounds(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".constants are bounds only where they are finite"
+    meaning: ClassVar[str] = ONLY_RESIDUAL
+    written: ClassVar[str] = "name order s delta meaning state=rows.state contact=rows.contact start"
 
     name: str
     order: int
@@ -54,6 +56,17 @@ class ResidualBounds(NoTruthValue):
     delta: fmpq | arb
     constants: dict[str, arb]
     state: tuple[str, ...] = ()
+
+    @property
+    def rows(self) -> InTwo[arb]:
+        """The constants of the equations."""
+        components = sum(key.startswith("xi_") for key in self.constants)
+        return in_two(self.constants, state_names(self.state, components))
+
+    @property
+    def start(self) -> dict[str, arb]:
+        """The constants of the conditions at s = 0."""
+        return {key[6:]: value for key, value in self.constants.items() if key.startswith("start_")}
 
     def __str__(self) -> str:
         box = f"|s| <= {self.s}, 0 <= delta <= {self.delta}"
@@ -63,25 +76,6 @@ class ResidualBounds(NoTruthValue):
 
     def _equation(self, key: str) -> str:
         return f"equation of {self.state[int(key[3:]) - 1]}" if self.state and key.startswith("xi_") else key
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; a bound that is not finite is None.
-
-        ``state`` and ``contact`` have the constants of the equations, ``start`` those of the conditions at s = 0.
-        """
-        texts = {
-            key: str(Dyadic.from_ball(value)) if value.is_finite() else None for key, value in self.constants.items()
-        }
-        components = sum(key.startswith("xi_") for key in texts)
-        return {
-            "name": self.name,
-            "order": self.order,
-            "s": _text(self.s),
-            "delta": _text(self.delta),
-            "meaning": ONLY_RESIDUAL,
-            **in_two(texts, state_names(self.state, components)),
-            "start": {key[6:]: text for key, text in texts.items() if key.startswith("start_")},
-        }
 
 
 def residual_bounds(trajectory: Trajectory, s: ExactInput, delta: ExactInput, extra: int = _EXTRA) -> ResidualBounds:
@@ -289,7 +283,3 @@ def _norm(term: SpacePolynomial, s: arb) -> arb:
     for value in reversed(term.coefficients()):
         total = total * s + size_of(value)
     return total
-
-
-def _text(value: fmpq | arb) -> str:
-    return str(value) if isinstance(value, fmpq) else str(Dyadic.from_ball(value))

@@ -14,26 +14,31 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar, Literal
 
-from gspot_verified.expansion.series.legend import SCALES, in_two, left_side, state_names
+from gspot_verified.expansion.series.legend import SCALES, InTwo, in_two, left_side, state_names
 from gspot_verified.expansion.series.system import GSpotError, System
 from gspot_verified.expansion.text import exact_text, shown
 from gspot_verified.functions.layers import LayeredFunctions, Layers, dot, entry, product_coefficient
 from gspot_verified.functions.linear import inverse
 from gspot_verified.numbers.evidence import differ, equal, every
 from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
+from gspot_verified.numbers.written import Written
 
 Table = dict[tuple[int, int], Any]
 """The coefficient of t^k epsilon^m under the key (k, m); what is certainly zero is left out."""
 
 
 @dataclass(frozen=True)
-class TimeSeries:
+class TimeSeries(Written):
     """The unscaled variables as polynomials in (t, epsilon); ``xi`` holds xi - xi*, component by component.
 
     ``order`` is the number of orders of delta of the scaled variables that the coefficients stand for.
     """
+
+    scaled: ClassVar[Literal[False]] = False
+    scales: ClassVar[tuple[str, ...]] = SCALES
+    written: ClassVar[str] = "order scaled scales state=rows.state contact=rows.contact"
 
     order: int
     xi: tuple[Table, ...]
@@ -49,6 +54,15 @@ class TimeSeries:
     def names(self) -> tuple[str, ...]:
         """The names of the components."""
         return state_names(self.state, len(self.xi))
+
+    @property
+    def rows(self) -> InTwo[list[tuple[int, int, str]]]:
+        """For each variable [k, m, coefficient of t^k epsilon^m], the coefficient as text."""
+        found = {
+            key: [(k, m, exact_text(value)) for (k, m), value in sorted(table.items())]
+            for key, table in self.tables().items()
+        }
+        return in_two(found, self.names)
 
     def tables(self) -> dict[str, Table]:
         """All tables by name: xi_1, xi_2, ..., p, b, y, v, z, lambda_n."""
@@ -67,21 +81,6 @@ class TimeSeries:
         return (
             "\n".join(lines).replace(" t^0", "").replace(" epsilon^0", "").replace("t^1 ", "t ").replace("^1\n", "\n")
         )
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``: per variable [k, m, coefficient of t^k epsilon^m], the coefficient as text."""
-        return {
-            "order": self.order,
-            "scaled": False,
-            "scales": list(SCALES),
-            **in_two(
-                {
-                    key: [[k, m, exact_text(value)] for (k, m), value in sorted(table.items())]
-                    for key, table in self.tables().items()
-                },
-                self.names,
-            ),
-        }
 
 
 def time_series(system: System, order: int) -> TimeSeries:

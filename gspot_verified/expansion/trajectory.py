@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import ClassVar, Literal
 
 from flint import arb, fmpq
 
 from gspot_verified.expansion.accuracy import Accuracy, certain_bits, until_accurate
-from gspot_verified.expansion.series.legend import DELTA_FACTORS, SCALES, in_two, latex_left_side, left_side
+from gspot_verified.expansion.series.legend import DELTA_FACTORS, SCALES, InTwo, in_two, latex_left_side, left_side
 from gspot_verified.expansion.series.recursion import Recursion
 from gspot_verified.expansion.series.spaces import SpacePolynomial
 from gspot_verified.expansion.series.system import System
@@ -25,6 +25,7 @@ from gspot_verified.expansion.text import (
 from gspot_verified.expansion.time_series import Table, TimeSeries
 from gspot_verified.expansion.values import scaled_value, value_in_time
 from gspot_verified.numbers.balls import ExactInput, bits_for_digits, exact, working_bits
+from gspot_verified.numbers.written import Written
 
 MAX_ORDER = 2000
 _GUARD_BITS = 30
@@ -35,12 +36,16 @@ Terms = tuple[SpacePolynomial, ...]
 
 
 @dataclass(frozen=True)
-class Trajectory:
+class Trajectory(Written):
     """The terms of orders 0..order-1 of delta of the scaled variables; paper, th:1.
 
     ``p[n]`` is p_n(s), a polynomial in the space that the theorem states; ``xi[i][n]`` is the term of component i.
     ``accuracy`` says how accurate coefficients in balls are; None where they are exact.
     """
+
+    scaled: ClassVar[Literal[True]] = True
+    scales: ClassVar[tuple[str, ...]] = SCALES
+    written: ClassVar[str] = "name=system.name order accuracy scaled scales state=rows.state contact=rows.contact"
 
     system: System
     order: int
@@ -52,6 +57,15 @@ class Trajectory:
     z: Terms
     lambda_n: Terms
     accuracy: Accuracy | None = None
+
+    @property
+    def rows(self) -> InTwo[list[list[str]]]:
+        """For each variable and order the coefficients of s^0, s^1, ... as exact text."""
+        found = {
+            key: [[exact_text(value) for value in term.coefficients()] for term in terms]
+            for key, terms in self.terms().items()
+        }
+        return in_two(found, self.system.names)
 
     @property
     def pulls(self) -> bool:
@@ -144,25 +158,6 @@ class Trajectory:
                 parts.append(times_power(polynomial_text(term.coefficients(), style), style, n))
         parts.append(style.rest.format(style.power(style.delta, self.order)))
         return joined(parts)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``: per variable and order the coefficients of s^0, s^1, ... as exact text.
-
-        ``state`` has the components by the mechanism's names, ``contact`` p, b, y, v, z, lambda_n; ``scales`` says how
-        they are scaled.
-        """
-        rows = {
-            key: [[exact_text(value) for value in term.coefficients()] for term in terms]
-            for key, terms in self.terms().items()
-        }
-        return {
-            "name": self.system.name,
-            "order": self.order,
-            "accuracy": None if self.accuracy is None else self.accuracy.to_json(),
-            "scaled": True,
-            "scales": list(SCALES),
-            **in_two(rows, self.system.names),
-        }
 
 
 def expand_system(

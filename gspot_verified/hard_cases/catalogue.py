@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from gspot_verified.cost.times.growth import fitted_exponent
 from gspot_verified.cost.times.rows import seconds_text
 from gspot_verified.hard_cases.family import Family, families
 from gspot_verified.hard_cases.hard_case import HardCase
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written, under
 
 _HEADER = ("", "condition", "bits lost", "double precision", "", "certified", "work", "time")
 _WIDTHS = (62, 10, 9, 40, 6, 50, 6, 8)
@@ -18,10 +19,11 @@ _MARKS = {True: "right", False: "WRONG", None: "-"}
 
 
 @dataclass(frozen=True, slots=True)
-class Measured(NoTruthValue):
+class Measured(NoTruthValue, Written):
     """A family at its levels."""
 
     ask: ClassVar[str] = ".cases holds the rows, each with .certified and .double_right"
+    written: ClassVar[str] = f"{under('family', Family.written)} growth rows=cases"
 
     family: Family
     cases: tuple[HardCase, ...]
@@ -39,16 +41,13 @@ class Measured(NoTruthValue):
             "seconds": fitted_exponent([(case.level, case.seconds) for case in self.decided]),
         }
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {**self.family.to_json(), "growth": self.growth, "rows": [case.to_json() for case in self.cases]}
-
 
 @dataclass(frozen=True, slots=True)
-class Catalogue(NoTruthValue):
+class Catalogue(NoTruthValue, Written):
     """Every family that was asked for."""
 
     ask: ClassVar[str] = ".families holds what was measured, .summary() counts it"
+    written: ClassVar[str] = "families summary"
 
     families: tuple[Measured, ...]
 
@@ -61,10 +60,6 @@ class Catalogue(NoTruthValue):
             "double_right": sum(case.double_right is True for case in cases),
             "double_wrong": sum(case.double_right is False for case in cases),
         }
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {"families": [family.to_json() for family in self.families], "summary": self.summary()}
 
     def __str__(self) -> str:
         blocks = [_aligned(_HEADER), *map(_block, self.families)]

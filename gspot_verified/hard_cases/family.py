@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import tomllib
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import lru_cache
 from importlib import resources
-from typing import Any
+from typing import ClassVar
 
 from gspot_verified.hard_cases import (
     certificate_cases,
@@ -20,6 +20,7 @@ from gspot_verified.hard_cases import (
     uniform_cases,
 )
 from gspot_verified.hard_cases.hard_case import Case
+from gspot_verified.numbers.written import Written
 
 CASES: dict[str, Case] = {
     **theta_cases.CASES,
@@ -35,12 +36,14 @@ CASES: dict[str, Case] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Family:
+class Family(Written):
     """Questions that get harder with a number: ``variable`` says what it is, ``work`` what is counted.
 
     ``part`` is the package that answers. ``formula`` is the usual formula (LaTeX), ``why`` says what is hard in it and
     ``instead`` what the library does.
     """
+
+    written: ClassVar[str] = "name part title variable formula why instead work"
 
     name: str
     part: str
@@ -56,10 +59,6 @@ class Family:
     def case(self) -> Case:
         """The function that asks the question."""
         return CASES[self.name]
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {field.name: getattr(self, field.name) for field in fields(self) if field.name != "levels"}
 
 
 @lru_cache(maxsize=1)

@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
 from gspot_verified.numbers.balls import relative_bits, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 
 RIGHT_DIGITS = 8
 """A value in double precision counts as right when so many digits of it are."""
@@ -20,7 +21,7 @@ Found = arb | fmpq | int | None
 
 
 @dataclass(frozen=True, slots=True)
-class HardCase(NoTruthValue):
+class HardCase(NoTruthValue, Written):
     """What the library and double precision say to one question.
 
     ``condition``: the decimal logarithm of the condition number; for questions with finitely many answers, of the
@@ -33,6 +34,9 @@ class HardCase(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".certified is None where the question stayed undecided, .double_right is True or False"
+    written: ClassVar[str] = (
+        "level asked condition bits_lost=lost double=double_text double_right certified=text decided work seconds"
+    )
 
     level: int
     asked: str
@@ -46,27 +50,17 @@ class HardCase(NoTruthValue):
     seconds: float
 
     @property
+    def decided(self) -> bool:
+        """Whether the library answers."""
+        return self.certified is not None
+
+    @property
     def double_right(self) -> bool | None:
         """Whether double precision gives the certified answer: a value to 8 digits; None where one of the two is not
         there to compare."""
         if self.certified is None or not self.double_text:
             return None
         return agrees(self.double, self.certified)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {
-            "level": self.level,
-            "asked": self.asked,
-            "condition": self.condition,
-            "bits_lost": self.lost,
-            "double": self.double_text,
-            "double_right": self.double_right,
-            "certified": self.text,
-            "decided": self.certified is not None,
-            "work": self.work,
-            "seconds": self.seconds,
-        }
 
 
 Case = Callable[[int], HardCase]

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
 from gspot_verified.numbers.balls import ExactInput, approximate, bits_for_digits, exact, working_bits
 from gspot_verified.numbers.evidence import less
 from gspot_verified.numbers.verdict import Evidence, NoTruthValue
+from gspot_verified.numbers.written import Written
 from gspot_verified.signs.gamma.side import gamma_sign
 from gspot_verified.theta_function.value.evaluate import evaluate
 
@@ -24,7 +25,7 @@ _GUARD_BITS = 64
 
 
 @dataclass(frozen=True, slots=True)
-class ContactForce(NoTruthValue):
+class ContactForce(NoTruthValue, Written):
     """One system and one trajectory: lambda_N(tau, epsilon) = mean - (C_1/alpha_3) kappa^(1-beta) epsilon^p
     dTheta/dtau.
 
@@ -33,12 +34,18 @@ class ContactForce(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".takes_impact says which side it is"
+    written: ClassVar[str] = "beta alpha_1 alpha_2 alpha_3 C1=c1 case mean_force=mean takes_impact"
 
     beta: fmpq
     alpha_1: fmpq
     alpha_2: fmpq
     alpha_3: fmpq
     c1: fmpq
+
+    @property
+    def alphas(self) -> tuple[fmpq, fmpq, fmpq]:
+        """alpha_1, alpha_2, alpha_3."""
+        return self.alpha_1, self.alpha_2, self.alpha_3
 
     @property
     def mean(self) -> fmpq:
@@ -95,19 +102,6 @@ class ContactForce(NoTruthValue):
         with working_bits(self._bits(digits)):
             size = self.amplitude(digits) * arb(small) ** arb(self.exponent)
             return arb(self.mean) + self.direction * size * slope
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; exact rationals as text."""
-        return {
-            "beta": str(self.beta),
-            "alpha_1": str(self.alpha_1),
-            "alpha_2": str(self.alpha_2),
-            "alpha_3": str(self.alpha_3),
-            "C1": str(self.c1),
-            "case": self.case,
-            "mean_force": str(self.mean),
-            "takes_impact": self.takes_impact,
-        }
 
     def _bits(self, digits: int) -> int:
         """Powers cost as many bits as their exponents have."""

@@ -6,14 +6,14 @@ Proof page: ``proofs/iwc.md``, section 6. For rational alphas: :mod:`gspot_verif
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
-from gspot_verified.leading_order.contact_force import MAX_BETA, rational
+from gspot_verified.leading_order.contact_force import MAX_BETA, ContactForce, rational
 from gspot_verified.numbers.balls import ExactInput, ball, bits_for_digits, exact, working_bits
-from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 from gspot_verified.signs.gamma.side import gamma_sign
 
 _GUARD_BITS = 64
@@ -24,7 +24,7 @@ class OpenHypothesis(ArithmeticError):
 
 
 @dataclass(frozen=True, slots=True)
-class ForceOverBalls(NoTruthValue):
+class ForceOverBalls(NoTruthValue, Written):
     """All systems whose alphas lie in three balls, and one C_1; beta is a ball that contains every alpha_3/alpha_1.
 
     Every ball that a method returns contains the value of each of these systems. Make it with
@@ -32,6 +32,7 @@ class ForceOverBalls(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".takes_impact says which side it is"
+    written: ClassVar[str] = ContactForce.written
 
     beta: arb
     alpha_1: arb
@@ -83,19 +84,6 @@ class ForceOverBalls(NoTruthValue):
         """The logarithm of the epsilon with mean + A epsilon^p slope = 0; not finite where both may have one sign."""
         with working_bits(_bits(digits)):
             return (-self.mean(digits) / (self.amplitude(digits) * slope)).log() / self.exponent(digits)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; balls as exact intervals."""
-        return {
-            "beta": str(Dyadic.from_ball(self.beta)),
-            "alpha_1": str(Dyadic.from_ball(self.alpha_1)),
-            "alpha_2": str(Dyadic.from_ball(self.alpha_2)),
-            "alpha_3": str(Dyadic.from_ball(self.alpha_3)),
-            "C1": str(self.c1),
-            "case": self.case,
-            "mean_force": str(Dyadic.from_ball(self.mean())),
-            "takes_impact": self.takes_impact,
-        }
 
 
 def force_over_balls(

@@ -8,7 +8,7 @@ holds for the compliant model is in ``compliant/contact/iwc.py``.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
@@ -24,10 +24,10 @@ from gspot_verified.leading_order.force_refutation import force_refutation
 from gspot_verified.leading_order.lift_off import LEADING, LiftOff, growth_table, lift_off
 from gspot_verified.leading_order.stretches import Bracket, Stretches, minimum, stretches
 from gspot_verified.numbers.balls import ExactInput, ball_text, hull, working_bits
-from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import at_most, less, theorem
 from gspot_verified.numbers.short_text import decimal_text, short_text
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
+from gspot_verified.numbers.written import Written
 from gspot_verified.work.ranges import Range
 
 MAX_DIGITS = 100
@@ -37,7 +37,7 @@ CAVEAT = '"at leading order" is the paper\'s approximation; its error is not bou
 
 
 @dataclass(frozen=True, slots=True)
-class IwcResult(NoTruthValue):
+class IwcResult(NoTruthValue, Written):
     """The verdict for one system and one sign of C_1, and the numbers behind it.
 
     On the side C_1/Gamma(-beta) > 0: ``epsilon_0``, a number certainly below the largest possible one, which
@@ -47,6 +47,10 @@ class IwcResult(NoTruthValue):
     """
 
     ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = (
+        "force start whole_line verdict minimum=minimum.value minimum_at=minimum.ends every_epsilon epsilon_0 "
+        "largest_epsilon lift_off growth"
+    )
 
     force: ContactForce
     start: fmpq
@@ -85,23 +89,6 @@ class IwcResult(NoTruthValue):
         if self.whole_line and not self.every_epsilon and self.verdict.outcome is Outcome.PROVED:
             lines.append(f"  it holds for every τ < {self.start} as well")
         return lines
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; exact rationals as text, balls as exact intervals."""
-        least = self.minimum
-        return {
-            "force": self.force.to_json(),
-            "start": str(self.start),
-            "whole_line": self.whole_line,
-            "verdict": self.verdict.to_json(),
-            "minimum": None if least is None else str(Dyadic.from_ball(least.value)),
-            "minimum_at": None if least is None else [str(least.lower), str(least.upper)],
-            "every_epsilon": self.every_epsilon,
-            "epsilon_0": None if self.epsilon_0 is None else str(self.epsilon_0),
-            "largest_epsilon": None if self.largest_epsilon is None else str(Dyadic.from_ball(self.largest_epsilon)),
-            "lift_off": None if self.lift_off is None else self.lift_off.to_json(),
-            "growth": [row.to_json() for row in self.growth],
-        }
 
 
 def leading_order_iwc(

@@ -7,21 +7,21 @@ Proof page: ``proofs/iwc.md``, section 6.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
 from gspot_verified.leading_order.contact_force import LEAST_TENS, below_threshold, rational, rounded_down
 from gspot_verified.leading_order.force_over_balls import ForceOverBalls, OpenHypothesis, force_over_balls
-from gspot_verified.leading_order.iwc import CAVEAT, MAX_DIGITS, MAX_START, PAPER_EPSILON, force_statement
+from gspot_verified.leading_order.iwc import CAVEAT, MAX_DIGITS, MAX_START, PAPER_EPSILON, IwcResult, force_statement
 from gspot_verified.leading_order.lift_off import LEADING, LiftOff
 from gspot_verified.leading_order.stretches import Bracket, NotAbove, Stretches, first_crossing, minimum
 from gspot_verified.leading_order.stretches_over_ball import SlopeOverBall, stretches_over_ball
 from gspot_verified.numbers.balls import ExactInput, ball_text, hull, working_bits
-from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import at_most, every, less, theorem
 from gspot_verified.numbers.short_text import decimal_text, short_text
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
+from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.refutation import Failure, Refutation, refutation
 from gspot_verified.signs.zeros.slope_at import UndecidedError
 from gspot_verified.work.ranges import Range
@@ -32,7 +32,7 @@ _BY_THEOREM = "the deviation of λ_N is > 0 for every real τ and every ε > 0: 
 
 
 @dataclass(frozen=True, slots=True)
-class IwcOverBalls(NoTruthValue):
+class IwcOverBalls(NoTruthValue, Written):
     """The verdict for all systems with their alphas in the balls, and the numbers behind it.
 
     The attributes are those of :class:`leading_order.iwc.IwcResult`. ``epsilon_0`` is certainly below the
@@ -41,6 +41,8 @@ class IwcOverBalls(NoTruthValue):
     """
 
     ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = IwcResult.written
+    growth: ClassVar[tuple[LiftOff, ...]] = ()
 
     force: ForceOverBalls | None
     start: fmpq
@@ -74,23 +76,6 @@ class IwcOverBalls(NoTruthValue):
         if self.whole_line and not self.every_epsilon and self.verdict.outcome is Outcome.PROVED:
             lines.append(f"  it holds for every τ < {self.start} as well")
         return lines
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``, with the keys of ``IwcResult``; balls as exact intervals."""
-        least = self.minimum
-        return {
-            "force": None if self.force is None else self.force.to_json(),
-            "start": str(self.start),
-            "whole_line": self.whole_line,
-            "verdict": self.verdict.to_json(),
-            "minimum": None if least is None else str(Dyadic.from_ball(least.value)),
-            "minimum_at": None if least is None else [str(least.lower), str(least.upper)],
-            "every_epsilon": self.every_epsilon,
-            "epsilon_0": None if self.epsilon_0 is None else str(self.epsilon_0),
-            "largest_epsilon": None if self.largest_epsilon is None else str(Dyadic.from_ball(self.largest_epsilon)),
-            "lift_off": None if self.lift_off is None else self.lift_off.to_json(),
-            "growth": [],
-        }
 
 
 def iwc_over_balls(

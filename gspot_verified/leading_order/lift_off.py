@@ -6,7 +6,7 @@ Proof page: ``proofs/iwc.md``, section 4.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
@@ -14,9 +14,9 @@ from gspot_verified.leading_order.contact_force import ContactForce
 from gspot_verified.leading_order.force_refutation import force_refutation
 from gspot_verified.leading_order.stretches import NotAbove, first_crossing, stretches
 from gspot_verified.numbers.balls import ball_text, hull, working_bits
-from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.short_text import decimal_text, short_text
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.written import Written
 from gspot_verified.work.ranges import Range
 
 LEADING = "at leading order"
@@ -26,7 +26,7 @@ _CRITICAL_DIGITS = 15
 
 
 @dataclass(frozen=True, slots=True)
-class LiftOff(NoTruthValue):
+class LiftOff(NoTruthValue, Written):
     """lambda_N > 0 on [start, lower], and it has one zero, with a change of sign, in the open interval (lower, upper).
 
     ``number`` counts the zeros on [start, infinity); ``ratio`` is the time over ((beta-1) ln(1/epsilon))^(2/3), for
@@ -35,6 +35,7 @@ class LiftOff(NoTruthValue):
     """
 
     ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = "epsilon bracket zeros=number ratio verdict"
 
     epsilon: fmpq
     lower: fmpq | None
@@ -44,22 +45,16 @@ class LiftOff(NoTruthValue):
     whole_line: bool
     verdict: Verdict
 
+    @property
+    def bracket(self) -> tuple[fmpq, fmpq] | None:
+        """Both ends, where they are known."""
+        return None if self.lower is None or self.upper is None else (self.lower, self.upper)
+
     def __str__(self) -> str:
         if self.lower is None or self.upper is None:
             return f"ε = {short_text(self.epsilon)}: {self.verdict.outcome.value}"
         ratio = "" if self.ratio is None else f", over ((β-1) ln(1/ε))^(2/3): {ball_text(self.ratio, 4)}"
         return f"ε = {short_text(self.epsilon)}: lift-off in {decimal_text(self.lower, self.upper)}{ratio}"
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        known = self.lower is not None and self.upper is not None
-        return {
-            "epsilon": str(self.epsilon),
-            "bracket": [str(self.lower), str(self.upper)] if known else None,
-            "zeros": self.number,
-            "ratio": None if self.ratio is None else str(Dyadic.from_ball(self.ratio)),
-            "verdict": self.verdict.to_json(),
-        }
 
 
 def lift_off(force: ContactForce, epsilon: fmpq, start: fmpq, digits: int = 15) -> LiftOff:

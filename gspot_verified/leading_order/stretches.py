@@ -37,6 +37,11 @@ class Bracket:
     upper: fmpq
     value: arb
 
+    @property
+    def ends(self) -> tuple[fmpq, fmpq]:
+        """Both ends."""
+        return self.lower, self.upper
+
 
 @dataclass(frozen=True, slots=True)
 class Stretches:

@@ -21,7 +21,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from functools import reduce
 from numbers import Integral
-from typing import Any
+from typing import Annotated, Any
 
 from flint import arb, ctx, fmpq, fmpz
 
@@ -334,6 +334,10 @@ def ball_text(value: arb, digits: int = 15) -> str:
     if relative_bits(value) >= 5 or math.isinf(lower) or math.isinf(upper) or max(-lower, upper) < _SMALLEST_SHOWN:
         return value.str(digits)
     return f"[{rounded_text(lower, -1)}, {rounded_text(upper, 1)}]"
+
+
+ShownBall = Annotated[arb, ball_text]
+"""A ball that is written for people."""
 
 
 def rounded_text(value: float, direction: int, digits: int = 3) -> str:

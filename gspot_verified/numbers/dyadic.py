@@ -9,8 +9,10 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
-from flint import arb, fmpz
+if TYPE_CHECKING:
+    from flint import arb
 
 # An exponent is only a number; endpoints as fractions need that many bits.
 _MAX_EXPONENT = 10**24
@@ -61,6 +63,7 @@ class Dyadic:
 
         :raises ValueError: the ball is not finite.
 
+        >>> from flint import arb
         >>> Dyadic.from_ball(arb((1, 0), (1, -(10**9)))).contains_interval(Dyadic.from_ball(arb(1)))
         True
         """
@@ -108,6 +111,8 @@ class Dyadic:
 
     def to_ball(self) -> arb:
         """A ball that contains the interval; equal to it when midpoint and radius fit (a radius has 30 bits)."""
+        from flint import arb, fmpz  # here alone: a verdict, which may hold intervals, loads no arithmetic
+
         middle, radius = self.lower + self.upper, self.upper - self.lower
         return arb((fmpz(middle), fmpz(self.exponent - 1)), (fmpz(radius), fmpz(self.exponent - 1)))
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import enum
 import html
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, ClassVar, NoReturn
+from typing import ClassVar, NoReturn
 
-if TYPE_CHECKING:
-    from gspot_verified.numbers.dyadic import Dyadic
+from gspot_verified.numbers.dyadic import Dyadic
+from gspot_verified.numbers.written import ByName, Written
 
 
 class Outcome(enum.Enum):
@@ -19,7 +19,7 @@ class Outcome(enum.Enum):
     UNDECIDED = "undecided"
 
 
-class Reason(enum.Enum):
+class Reason(ByName):
     """Why a check stayed undecided."""
 
     BUDGET = "the stated budget ended before the question was settled"
@@ -89,7 +89,7 @@ class Evidence:
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class Verdict(Written):
     """The outcome for one statement.
 
     ``evidence`` is what was compared for a proved one, ``against`` for a refuted one: what contradicts a statement is
@@ -107,6 +107,9 @@ class Verdict:
     ...
     TypeError: a verdict has three outcomes; compare .outcome with Outcome.PROVED, REFUTED or UNDECIDED
     """
+
+    definition: ClassVar[str] = "verdict"
+    written: ClassVar[str] = "outcome statement witness reason detail remaining"
 
     outcome: Outcome
     statement: str
@@ -187,14 +190,3 @@ class Verdict:
 
     def _repr_html_(self) -> str:
         return f'<pre class="verdict-{self.outcome.value}">{html.escape(str(self))}</pre>'
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; boxes as exact texts."""
-        return {
-            "outcome": self.outcome.value,
-            "statement": self.statement,
-            "witness": self.witness,
-            "reason": self.reason.name.lower() if self.reason else None,
-            "detail": self.detail,
-            "remaining": [[str(side) for side in box] for box in self.remaining],
-        }

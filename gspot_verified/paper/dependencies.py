@@ -6,21 +6,18 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from gspot_verified.numbers.written import Written
 from gspot_verified.paper.checks.entry import Entry
 
 
 @dataclass(frozen=True, slots=True)
-class Dependencies:
+class Dependencies(Written):
     """Proof pages, certificates (in ``proofs/``) and entries that the checks name; entries named elsewhere."""
 
     pages: tuple[str, ...]
     certificates: tuple[str, ...]
     entries: tuple[str, ...]
     see_also: tuple[str, ...]
-
-    def to_json(self) -> dict[str, list[str]]:
-        """Plain data for ``json.dumps``."""
-        return {name: list(getattr(self, name)) for name in ("pages", "certificates", "entries", "see_also")}
 
 
 def dependencies(entry: Entry, identifiers: Sequence[str]) -> Dependencies:

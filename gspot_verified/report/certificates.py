@@ -11,24 +11,22 @@ from typing import ClassVar
 
 from gspot_verified.certificates.checker import check
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 from gspot_verified.report.parts.proof_page import PROOFS
 
 
 @dataclass(frozen=True, slots=True)
-class CheckedCertificate(NoTruthValue):
+class CheckedCertificate(NoTruthValue, Written):
     """``said``: the checker's line, with the statement that it verified or the reason why it did not."""
 
     ask: ClassVar[str] = ".verified is True only if the checker verified the certificate"
+    written: ClassVar[str] = "name sha256 verified said"
 
     name: str
     sha256: str
     verified: bool
     said: str
     content: bytes
-
-    def to_json(self) -> dict[str, str | bool]:
-        """Plain data for ``json.dumps``, without the content: that is a file."""
-        return {"name": self.name, "sha256": self.sha256, "verified": self.verified, "said": self.said}
 
 
 def checked_certificates(

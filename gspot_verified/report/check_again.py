@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 from gspot_verified.report.certificates import checked_certificates
 from gspot_verified.report.data import checked
 
@@ -16,7 +17,7 @@ _MAX_FILE_BYTES = 200_000_000
 
 
 @dataclass(frozen=True, slots=True)
-class CheckedAgain(NoTruthValue):
+class CheckedAgain(NoTruthValue, Written):
     """``same``: the file has the hash that the report names, and the checker verified it with the same line."""
 
     ask: ClassVar[str] = ".same is True only if the checker verified the file that the report names"
@@ -24,10 +25,6 @@ class CheckedAgain(NoTruthValue):
     name: str
     same: bool
     said: str
-
-    def to_json(self) -> dict[str, str | bool]:
-        """Plain data for ``json.dumps``."""
-        return {"name": self.name, "same": self.same, "said": self.said}
 
 
 def check_report(folder: Path, progress: Callable[[str], None] | None = None) -> list[CheckedAgain]:

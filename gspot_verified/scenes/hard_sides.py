@@ -6,15 +6,15 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from importlib import resources
 from itertools import product
-from typing import Any, ClassVar
+from typing import ClassVar, NamedTuple
 
-from flint import fmpq
+from flint import arb, fmpq
 
 from gspot_verified.leading_order.contact_force import rational
 from gspot_verified.mechanisms.input.toml_table import toml_table
 from gspot_verified.numbers.balls import ball_text
-from gspot_verified.numbers.dyadic import Dyadic
-from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.verdict import NoTruthValue, Verdict
+from gspot_verified.numbers.written import Written
 from gspot_verified.scenes.floats.float_run import METHODS
 from gspot_verified.scenes.scene.file import load_scene
 from gspot_verified.scenes.scene.scene import Scene, SceneError
@@ -71,7 +71,7 @@ class Start:
 
 
 @dataclass(frozen=True)
-class Count(NoTruthValue):
+class Count(NoTruthValue, Written):
     """How the float runs of one solver and tolerance answered at one epsilon and beta, over the starts nu.
 
     ``wrong``: the side that the certified answer excludes, of ``decided`` starts; ``silent``: no event up to the end;
@@ -89,28 +89,48 @@ class Count(NoTruthValue):
     failed: int
     decided: int
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        numbers = {name: getattr(self, name) for name in ("wrong", "silent", "failed", "decided")}
-        place = {"solver": self.solver, "tolerance": self.tolerance}
-        return {**place, "epsilon": str(self.epsilon), "beta": str(self.beta), **numbers}
+
+class StartRow(NamedTuple):
+    """A start, its certified side (``K`` is its sign), and that of the paper's rule; None: undecided."""
+
+    epsilon: fmpq
+    beta: fmpq
+    nu: fmpq
+    side: str | None
+    K: arb
+    shown_K: str
+    asymptotic: str | None
+    rule_fails: bool | None
+    verdict: Verdict
 
 
 @dataclass(frozen=True)
-class WrongSides(NoTruthValue):
+class WrongSides(NoTruthValue, Written):
     """The certified answers, and the counts of the float ones."""
 
     ask: ClassVar[str] = ".counts says how many are wrong"
+    written: ClassVar[str] = "starts counts"
 
     certified: dict[Start, CertifiedSide]
     counts: tuple[Count, ...]
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; exact rationals and intervals as text."""
-        return {
-            "starts": [_start_json(start, found) for start, found in self.certified.items()],
-            "counts": [count.to_json() for count in self.counts],
-        }
+    @property
+    def starts(self) -> list[StartRow]:
+        """Every start with its certified side."""
+        return [
+            StartRow(
+                epsilon=start.epsilon,
+                beta=start.beta,
+                nu=start.nu,
+                side=found.side,
+                K=found.rule.side,
+                shown_K=ball_text(found.rule.side, 3),
+                asymptotic=found.asymptotic,
+                rule_fails=found.rule_fails,
+                verdict=found.verdict,
+            )
+            for start, found in self.certified.items()
+        ]
 
 
 def hard_sides() -> HardSides:
@@ -163,18 +183,3 @@ def _tolerance(text: str) -> float:
     if not 1e-13 <= found <= 1e-2:
         raise SceneError(f"tolerance: expected 1e-13..1e-2, got {text[:40]}")
     return found
-
-
-def _start_json(start: Start, found: CertifiedSide) -> dict[str, Any]:
-    side = found.rule.side
-    return {
-        "epsilon": str(start.epsilon),
-        "beta": str(start.beta),
-        "nu": str(start.nu),
-        "side": found.side,
-        "K": str(Dyadic.from_ball(side)) if side.is_finite() else None,
-        "shown_K": ball_text(side, 3),
-        "asymptotic": found.asymptotic,
-        "rule_fails": found.rule_fails,
-        "verdict": found.verdict.to_json(),
-    }

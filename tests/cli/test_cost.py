@@ -10,7 +10,8 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from gspot_verified.cli import main
-from gspot_verified.cli.app import schema_of
+from gspot_verified.cli.app import schema_name
+from gspot_verified.cli.schema import schema_of
 from gspot_verified.cost import run as chapter
 from gspot_verified.cost.measurement.blueprint import Blueprint
 from gspot_verified.cost.measurement.contest import Contestant
@@ -34,7 +35,7 @@ def short(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def errors(data: Any) -> list[str]:
-    return [error.message for error in Draft202012Validator(schema_of("cost")).iter_errors(data)]
+    return [error.message for error in Draft202012Validator(schema_of("cost", schema_name("cost"))).iter_errors(data)]
 
 
 @pytest.mark.usefixtures("short")

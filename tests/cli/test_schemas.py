@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import json
 from collections.abc import Iterator
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
@@ -14,8 +13,9 @@ import typer
 from jsonschema import Draft202012Validator
 
 from gspot_verified.cli import main
-from gspot_verified.cli.app import app, schema_of
+from gspot_verified.cli.app import app, schema_name
 from gspot_verified.cli.main import load_commands
+from gspot_verified.cli.schema import RESULTS, Schema, schema_of
 from gspot_verified.cost.benchmarks.theta import CostReport
 from gspot_verified.cost.times.curves import Curve
 from gspot_verified.cost.times.rows import Row, Target
@@ -41,9 +41,7 @@ FORMS = (
     "check",
     "hard-cases",
 )
-SCHEMAS = sorted(
-    path.name.removesuffix(".json") for path in resources.files("gspot_verified.cli").joinpath("schemas").iterdir()
-)
+SCHEMAS = sorted(RESULTS)
 STATE = "--state=1/2,-2/11,-8/11000000,0,-4/11000000"
 RUNS = [
     ("theta", "1", "3/2"),
@@ -111,8 +109,12 @@ def printed(capsys: pytest.CaptureFixture[str], *arguments: str) -> dict[str, An
     return found
 
 
+def schema(command: str) -> Schema:
+    return schema_of(command, schema_name(command))
+
+
 def errors(command: str, data: object) -> list[str]:
-    return [error.message for error in Draft202012Validator(schema_of(command)).iter_errors(data)]
+    return [error.message for error in Draft202012Validator(schema(command)).iter_errors(data)]
 
 
 def test_every_command_that_prints_json_has_a_schema() -> None:
@@ -128,12 +130,13 @@ def test_every_command_that_prints_json_has_a_schema() -> None:
 
 @pytest.mark.parametrize("command", SCHEMAS)
 def test_schemas_are_schemas(command: str) -> None:
-    schema = schema_of(command)
-    Draft202012Validator.check_schema(schema)
-    assert schema["$schema"] == "https://json-schema.org/draft/2020-12/schema"
-    assert schema["$id"].startswith(f"gspot-verified/{command}/")
-    for variant in schema.get("anyOf", [schema]):
-        assert variant["properties"]["schema"] == {"const": schema["$id"]}
+    found = schema(command)
+    Draft202012Validator.check_schema(found)
+    assert found["$schema"] == "https://json-schema.org/draft/2020-12/schema"
+    assert found["$id"] == schema_name(command)
+    assert found["$id"].startswith(f"gspot-verified/{command}/")
+    for variant in found["anyOf"]:
+        assert variant["properties"]["schema"] == {"const": found["$id"]}
         assert "schema" in variant["required"]
 
 
@@ -198,6 +201,13 @@ def test_equal_names_mean_equal_things() -> None:
     """A definition that several schemas share is the same in all of them."""
     shared: dict[str, Any] = {}
     for command in SCHEMAS:
-        for name, definition in schema_of(command).get("$defs", {}).items():
+        for name, definition in schema(command).get("$defs", {}).items():
             assert shared.setdefault(name, definition) == definition, (command, name)
     assert {"rational", "enclosure", "verdict"} <= set(shared)
+
+
+def test_the_command_line_prints_a_schema(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["--schema", "sign"]) == 0
+    assert json.loads(capsys.readouterr().out) == schema("sign")
+    assert main(["--schema", "figure"]) == 64
+    assert "expected one of theta, side" in capsys.readouterr().err

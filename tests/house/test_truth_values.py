@@ -43,6 +43,11 @@ PLAIN = {
     "integrator.norm_steps.chosen_step.ChosenStep": "what heuristics chose, which claims nothing",
     "integrator.norm_steps.fast_decay.DecayState": "numbers that a heuristic goes on from",
     "cost.times.measure.Timing": "times that were measured",
+    "compliant.zeros.zero_map.Row": "a part of a map; what is claimed is the map's verdict",
+    "mechanisms.approach.approach_result.SlipPath": "enclosures at some times",
+    "mechanisms.spots.g_spot.GSpot": "a place; its proof is that it exists",
+    "mechanisms.sweep.sweep_grid.Axis": "a range that was asked for",
+    "numbers.written.Written": "what any written class has, not a class of results",
     "expansion.trajectory.Trajectory": "coefficients; what is claimed of them is in .accuracy",
 }
 NO_TRUTH = r"no truth value|three outcomes"
@@ -77,7 +82,7 @@ def says_something(kind: type) -> bool:
 RESULTS = [
     kind
     for kind in classes()
-    if says_something(kind) and not issubclass(kind, Enum | BaseException) and name_of(kind) not in PLAIN
+    if says_something(kind) and not issubclass(kind, Enum | BaseException | tuple | dict) and name_of(kind) not in PLAIN
 ]
 
 

@@ -204,7 +204,7 @@ def _values_at(trajectory: Trajectory, at: str, in_time: bool, digits: int) -> t
     lines = [f"{left_side(key, names, not in_time)} = {ball_text(ball, digits)}" for key, ball in found.items()]
     both = {key: {"value": ball_text(ball, digits), "enclosure": exact_text(ball)} for key, ball in found.items()}
     place = {"t": first, "epsilon": second} if in_time else {"s": first, "delta": second}
-    return {**place, "values_of": VALUES_OF, **in_two(both, names)}, "\n".join([*lines, VALUES_OF])
+    return {**place, "values_of": VALUES_OF, **in_two(both, names)._asdict()}, "\n".join([*lines, VALUES_OF])
 
 
 def _orders(done: int, of: int) -> None:

@@ -6,7 +6,7 @@ Proof page: ``proofs/monotone.md``.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar, Literal
 
 from gspot_verified.compliant.contact.slow_lift_off import SlowLiftOff, slow_lift_off
 from gspot_verified.compliant.contact.slow_manifold import ABOVE, SlowManifold, impact
@@ -19,16 +19,31 @@ from gspot_verified.leading_order.iwc_over_balls import iwc_over_balls as leadin
 from gspot_verified.numbers.balls import ExactInput
 from gspot_verified.numbers.evidence import less, theorem
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Verdict
+from gspot_verified.numbers.written import Written, under
 
 BALLS_CAVEAT = f"{CAVEAT}; the bounds for the compliant model are made for one rational β, and the alphas are balls"
 
 
 @dataclass(frozen=True, slots=True)
-class CompliantIwc(NoTruthValue):
+class StatementOf(NoTruthValue, Written):
+    """What is stated about one of the two systems."""
+
+    ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = f"system {under('verdict', Verdict.written)}"
+
+    system: Literal["leading order", "slow manifold"]
+    verdict: Verdict
+
+
+@dataclass(frozen=True, slots=True)
+class CompliantIwc(NoTruthValue, Written):
     """The result of :func:`compliant_iwc`: the statement at leading order and, where a theorem covers it, the one about
     the compliant model on its slow manifold: ``slow`` where C_1/Gamma(-beta) > 0, ``lift_off`` on the other side."""
 
     ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = (
+        f"{under('leading', IwcResult.written)} slow_manifold=slow slow_lift_off=lift_off statements caveat"
+    )
 
     leading: IwcResult | IwcOverBalls
     slow: SlowManifold | None = None
@@ -45,6 +60,16 @@ class CompliantIwc(NoTruthValue):
         return self.leading.verdict if self.compliant is None else self.compliant.verdict
 
     @property
+    def statements(self) -> tuple[StatementOf, ...]:
+        """What is stated, each with its system and its verdict."""
+        found = [StatementOf("leading order", self.leading.verdict)]
+        if self.compliant is not None:
+            found.append(StatementOf("slow manifold", self.compliant.verdict))
+        if self.lift_off is not None and self.lift_off.uniform is not None:
+            found.append(StatementOf("slow manifold", self.lift_off.uniform))
+        return tuple(found)
+
+    @property
     def caveat(self) -> str | None:
         """What is open; None where a theorem covers it."""
         if self.compliant is not None:
@@ -56,26 +81,6 @@ class CompliantIwc(NoTruthValue):
             return "\n".join([*self.leading.lines(), f"  {self.caveat}"])
         assert self.compliant is not None
         return "\n".join([*self.leading.lines(), *self.compliant.lines()])
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``: the keys of the leading order, and those of the compliant model.
-
-        ``slow_manifold``: {verdict, whole_line, threshold}, or null; ``slow_lift_off``: {epsilon, verdict, bracket,
-        lead, kappa, uniform, whole_line}, or null; ``statements``: what is stated, each with its ``system`` ("leading
-        order" or "slow manifold") and its verdict; ``caveat``: what is open, null where a theorem covers it.
-        """
-        about = [("leading order", self.leading.verdict)]
-        if self.compliant is not None:
-            about.append(("slow manifold", self.compliant.verdict))
-        if self.lift_off is not None and self.lift_off.uniform is not None:
-            about.append(("slow manifold", self.lift_off.uniform))
-        return {
-            **self.leading.to_json(),
-            "slow_manifold": None if self.slow is None else self.slow.to_json(),
-            "slow_lift_off": None if self.lift_off is None else self.lift_off.to_json(),
-            "statements": [{"system": name, **verdict.to_json()} for name, verdict in about],
-            "caveat": self.caveat,
-        }
 
 
 def compliant_iwc(

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
@@ -19,10 +19,10 @@ from gspot_verified.compliant.slow.profile import SLOW, Profile, in_range
 from gspot_verified.leading_order.contact_force import ContactForce
 from gspot_verified.leading_order.lift_off import LiftOff
 from gspot_verified.numbers.balls import approximate, working_bits
-from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import at_most, theorem
 from gspot_verified.numbers.short_text import decimal_text, short_text
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
+from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.refutation import refutation
 from gspot_verified.work.ranges import Range
 
@@ -30,7 +30,7 @@ _CONSTANT_DIGITS = 4
 
 
 @dataclass(frozen=True, slots=True)
-class SlowLiftOff(NoTruthValue):
+class SlowLiftOff(NoTruthValue, Written):
     """lambda_N > 0 on [start, lower], and it changes sign in the open interval (lower, upper), at epsilon.
 
     ``lead`` bounds by how much that is before the lift-off at leading order (None: not proved). ``uniform``: the
@@ -38,6 +38,7 @@ class SlowLiftOff(NoTruthValue):
     """
 
     ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = "epsilon verdict bracket lead kappa uniform whole_line"
 
     epsilon: fmpq
     start: fmpq
@@ -48,6 +49,11 @@ class SlowLiftOff(NoTruthValue):
     whole_line: bool
     verdict: Verdict
     uniform: Verdict | None
+
+    @property
+    def bracket(self) -> tuple[fmpq, fmpq] | None:
+        """Both ends, where they are known."""
+        return None if self.lower is None or self.upper is None else (self.lower, self.upper)
 
     def lines(self) -> list[str]:
         """The lines of the text."""
@@ -60,19 +66,6 @@ class SlowLiftOff(NoTruthValue):
         if self.uniform is not None:
             found.append(str(self.uniform))
         return found
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        known = self.lower is not None and self.upper is not None
-        return {
-            "epsilon": str(self.epsilon),
-            "verdict": self.verdict.to_json(),
-            "bracket": [str(self.lower), str(self.upper)] if known else None,
-            "lead": None if self.lead is None else str(Dyadic.from_ball(self.lead)),
-            "kappa": None if self.kappa is None else str(self.kappa),
-            "uniform": None if self.uniform is None else self.uniform.to_json(),
-            "whole_line": self.whole_line,
-        }
 
 
 def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: int = 15) -> SlowLiftOff:

@@ -7,7 +7,7 @@ that grows slower than e^(|T|/2) (``proofs/exact_solution.md``, section 4).
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
@@ -22,6 +22,7 @@ from gspot_verified.numbers.balls import approximate, working_bits
 from gspot_verified.numbers.evidence import every, less, theorem
 from gspot_verified.numbers.short_text import short_text
 from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Outcome, Reason, Verdict
+from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.refutation import refutation
 from gspot_verified.work.ranges import Range
 
@@ -34,7 +35,7 @@ CELL_DIGITS = 6
 
 
 @dataclass(frozen=True, slots=True)
-class SlowManifold(NoTruthValue):
+class SlowManifold(NoTruthValue, Written):
     """What is proved about the contact force of the compliant model on its slow manifold.
 
     ``whole_line``: the verdict, when proved, holds to the left of ``start`` as well; ``start`` is None where the
@@ -42,6 +43,7 @@ class SlowManifold(NoTruthValue):
     """
 
     ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = "verdict whole_line threshold"
 
     verdict: Verdict
     start: fmpq | None
@@ -60,14 +62,6 @@ class SlowManifold(NoTruthValue):
         if self.start is not None and self.whole_line and self.verdict.outcome is Outcome.PROVED:
             found.append(f"  it holds for every τ < {self.start} as well")
         return found
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {
-            "verdict": self.verdict.to_json(),
-            "whole_line": self.whole_line,
-            "threshold": None if self.threshold is None else self.threshold.to_json(),
-        }
 
 
 def impact(leading: IwcResult, epsilon: fmpq | None, digits: int) -> SlowManifold | None:

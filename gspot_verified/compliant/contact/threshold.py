@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
@@ -19,6 +19,7 @@ from gspot_verified.leading_order.contact_force import ContactForce, below_thres
 from gspot_verified.numbers.balls import approximate, working_bits
 from gspot_verified.numbers.evidence import at_most, every, less
 from gspot_verified.numbers.verdict import Evidence, NoTruthValue
+from gspot_verified.numbers.written import Written
 
 MAX_BETA_OF_THEOREM = 5
 MAX_STEPS = 60
@@ -26,13 +27,14 @@ _SPARE_DIGITS = 3
 
 
 @dataclass(frozen=True, slots=True)
-class Threshold(NoTruthValue):
+class Threshold(NoTruthValue, Written):
     """The force is positive on the half-line for every epsilon < ``lower``, and not at epsilon = ``upper``, which
     ``place`` shows (lambda_N <= 0 there). ``every_epsilon``: it is positive at every epsilon > 0, and both are None.
     ``upper`` is None when the search ended before; ``steps`` counts the iterations. ``evidence``: what shows that,
     beside what was proved to begin with; None where it is not certain."""
 
     ask: ClassVar[str] = ".every_epsilon, or .lower and .upper"
+    written: ClassVar[str] = "epsilon_0=lower fails_at=upper place every_epsilon steps"
 
     lower: fmpq | None
     upper: fmpq | None
@@ -40,16 +42,6 @@ class Threshold(NoTruthValue):
     every_epsilon: bool
     steps: int
     evidence: Evidence | None = field(compare=False, repr=False)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; exact rationals as text."""
-        return {
-            "epsilon_0": _text(self.lower),
-            "fails_at": _text(self.upper),
-            "place": _text(self.place),
-            "every_epsilon": self.every_epsilon,
-            "steps": self.steps,
-        }
 
 
 def _text(value: fmpq | None) -> str | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
@@ -11,10 +11,11 @@ from gspot_verified.compliant.model.normal_form import CompliantModel
 from gspot_verified.numbers.balls import ball_text
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.verdict import NoTruthValue, Reason
+from gspot_verified.numbers.written import Written
 
 
 @dataclass(frozen=True, slots=True)
-class CompliantForce(NoTruthValue):
+class CompliantForce(NoTruthValue, Written):
     """The contact phase at one time: the contact force and b, y, v, z in the units of the paper, in balls.
 
     ``time`` is measured from the G-spot: p = alpha_1 t. The numbers are those of the contact phase, and those of
@@ -24,6 +25,7 @@ class CompliantForce(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".reached says whether the accuracy was reached"
+    written: ClassVar[str] = "model t=time p force b y v z slow fast fast_by_bound by_series digits reached reason"
 
     model: CompliantModel
     time: fmpq
@@ -58,20 +60,6 @@ class CompliantForce(NoTruthValue):
         if self.reason is not None:
             rows.append(f"  {self.reason.value}")
         return "\n".join(rows)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; balls as exact intervals, null when nothing is known."""
-        return {
-            "model": self.model.to_json(),
-            "t": str(self.time),
-            "p": str(self.p),
-            **{name: _enclosure(getattr(self, name)) for name in ("force", "b", "y", "v", "z", "slow", "fast")},
-            "fast_by_bound": self.fast_by_bound,
-            "by_series": self.by_series,
-            "digits": self.digits,
-            "reached": self.reached,
-            "reason": self.reason.name.lower() if self.reason else None,
-        }
 
 
 def _enclosure(value: arb) -> str | None:

@@ -6,12 +6,13 @@ Proof page: ``proofs/exact_solution.md``, section 1.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import ClassVar
 
 from flint import fmpq
 
 from gspot_verified.leading_order.contact_force import rational
 from gspot_verified.numbers.balls import ExactInput
+from gspot_verified.numbers.written import Written
 
 LEAST_EPSILON = fmpq(10) ** -300
 MAX_EPSILON = 10**6
@@ -19,8 +20,10 @@ MAX_BETA = 100
 
 
 @dataclass(frozen=True, slots=True)
-class CompliantModel:
+class CompliantModel(Written):
     """alpha_1, alpha_2, alpha_3 and epsilon of the model; make it with :func:`compliant_model`."""
+
+    written: ClassVar[str] = "alpha_1 alpha_2 alpha_3 epsilon beta"
 
     alpha_1: fmpq
     alpha_2: fmpq
@@ -46,11 +49,6 @@ class CompliantModel:
     def mean_force(self) -> fmpq:
         """lambda on the trivial solution, alpha_2/(alpha_3 - alpha_1); beta is not 1."""
         return self.alpha_2 / (self.alpha_3 - self.alpha_1)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; exact rationals as text."""
-        names = ("alpha_1", "alpha_2", "alpha_3", "epsilon", "beta")
-        return {name: str(getattr(self, name)) for name in names}
 
 
 @dataclass(frozen=True, slots=True)

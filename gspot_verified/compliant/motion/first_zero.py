@@ -6,7 +6,7 @@ Proof pages: ``proofs/force_range.md``; near the initial state ``proofs/contact_
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
@@ -20,6 +20,7 @@ from gspot_verified.numbers.balls import ExactInput, approximate, bits_for_digit
 from gspot_verified.numbers.evidence import Ends, at_most, cover, every, less
 from gspot_verified.numbers.short_text import decimal_text
 from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.written import Written
 
 MAX_DIGITS = 100
 _MARGINS = (fmpq(1, 16), fmpq(1, 4), fmpq(1))
@@ -31,12 +32,13 @@ _AS_SHOWN = "λ_N > 0 before it, dλ_N/dt < 0 at it"
 
 
 @dataclass(frozen=True, slots=True)
-class FirstZero(NoTruthValue):
+class FirstZero(NoTruthValue, Written):
     """When contact is lost: the first zero of the contact force lies between ``lower`` and ``upper`` (times measured
     from the G-spot, p = alpha_1 t; ``start`` is the time of the initial state), the force is > 0 from the start up to
     it and falls through 0 there. Undecided: no bracket."""
 
     ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = "model start lower upper verdict"
 
     model: CompliantModel
     start: fmpq
@@ -49,16 +51,6 @@ class FirstZero(NoTruthValue):
             return str(self.verdict)
         since = decimal_text(self.lower - self.start, self.upper - self.start)
         return f"{self.verdict}\n  t = {decimal_text(self.lower, self.upper)}; since the initial state {since}"
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; exact rationals as text."""
-        return {
-            "model": self.model.to_json(),
-            "start": str(self.start),
-            "lower": None if self.lower is None else str(self.lower),
-            "upper": None if self.upper is None else str(self.upper),
-            "verdict": self.verdict.to_json(),
-        }
 
 
 def contact_lasts(model: CompliantModel, state: CompliantState, until: ExactInput, budget: int = MOST_WORK) -> Verdict:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
@@ -25,9 +25,9 @@ from gspot_verified.compliant.motion.zero_by_series import MOST_WORK
 from gspot_verified.compliant.side.side_later import side
 from gspot_verified.compliant.side.side_rule import side_rule
 from gspot_verified.numbers.balls import ball_text, bits_for_digits, hull, sign_of, working_bits
-from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import equal, every, less, theorem
 from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Outcome, Reason, Verdict
+from gspot_verified.numbers.written import Written
 
 MAX_DIGITS = 80
 _SPARE_DIGITS = 10
@@ -41,7 +41,7 @@ ONE_FLIGHT = "exactly one flight, then contact for ever: an impact without colli
 
 
 @dataclass(frozen=True, slots=True)
-class Event(NoTruthValue):
+class Event(NoTruthValue, Written):
     """Lift-off, touch-down, or the time from which the contact is known to last for ever.
 
     It happens in [lower, upper], times measured from the G-spot (p = alpha_1 t). ``velocity``: v there, in the units of
@@ -50,6 +50,7 @@ class Event(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".strength says what is proved"
+    written: ClassVar[str] = "event=name lower upper v=velocity strength"
 
     name: str
     lower: fmpq
@@ -59,22 +60,13 @@ class Event(NoTruthValue):
     state: ContactState
     evidence: Evidence
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; exact rationals and intervals as text."""
-        return {
-            "event": self.name,
-            "lower": str(self.lower),
-            "upper": str(self.upper),
-            "v": str(Dyadic.from_ball(self.velocity)) if self.velocity.is_finite() else None,
-            "strength": self.strength,
-        }
-
 
 @dataclass(frozen=True, slots=True)
-class Run(NoTruthValue):
+class Run(NoTruthValue, Written):
     """The events of a run from an initial state, in order; the verdict speaks of the whole run."""
 
     ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = "model start=start events verdict"
 
     model: CompliantModel
     state: CompliantState
@@ -95,15 +87,6 @@ class Run(NoTruthValue):
             lines.append(f"  {event.name}: {shown} after the start, v = {ball_text(event.velocity, _SHOWN_DIGITS)}")
             lines.append(f"    {event.strength}")
         return "\n".join(lines)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {
-            "model": self.model.to_json(),
-            "start": str(self.start),
-            "events": [event.to_json() for event in self.events],
-            "verdict": self.verdict.to_json(),
-        }
 
 
 def events(model: CompliantModel, state: CompliantState, digits: int = 15, budget: int = MOST_WORK) -> Run:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import fmpq
 
@@ -12,6 +12,7 @@ from gspot_verified.compliant.model.normal_form import Deviation
 from gspot_verified.compliant.side.side_rule import coefficients
 from gspot_verified.numbers.balls import sign_of, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamma
 
 PAPER_P = fmpq(1, 2)
@@ -20,7 +21,7 @@ _FINER = 4
 
 
 @dataclass(frozen=True, slots=True)
-class SidePoint(NoTruthValue):
+class SidePoint(NoTruthValue, Written):
     """One point of the map: the certain signs of K and of its slow part C/Gamma(-beta), for b-hat/p = 1; None: open."""
 
     ask: ClassVar[str] = ".exact and .slow are 1, -1 or None"
@@ -29,10 +30,6 @@ class SidePoint(NoTruthValue):
     epsilon: fmpq
     exact: int | None
     slow: int | None
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {"beta": str(self.beta), "epsilon": str(self.epsilon), "exact": self.exact, "slow": self.slow}
 
 
 def paper_deviation(beta: fmpq, epsilon: fmpq, p: fmpq = PAPER_P) -> Deviation:

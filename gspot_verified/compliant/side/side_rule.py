@@ -7,7 +7,7 @@ G-spot.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import acb, arb, fmpq
 
@@ -20,6 +20,7 @@ from gspot_verified.numbers.balls import add_remainder, approximate, ball_text, 
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import less
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.written import Written
 from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamma
 
 _ATTEMPTS = 4
@@ -30,7 +31,7 @@ _LINEAR = ("b", "V", "Y", "Z")
 
 
 @dataclass(frozen=True, slots=True)
-class SideRule(NoTruthValue):
+class SideRule(NoTruthValue, Written):
     """C, c_+ and K = C/Gamma(-beta) + 2 Re c_+ of a state in contact, in balls (units of the normal form).
 
     ``slow`` = C, ``fast`` = c_+ (or a ball around 0 where it cannot matter), ``side`` = K; ``verdict``: its sign. For
@@ -39,6 +40,7 @@ class SideRule(NoTruthValue):
     """
 
     ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = "C=slow K=side slow_part=slow_side fast_part=fast_side paper_differs verdict"
 
     state: Deviation
     slow: arb | None
@@ -55,6 +57,11 @@ class SideRule(NoTruthValue):
             return self.slow * reciprocal_gamma(-self.state.beta, int(self.slow.bits()) + _GUARD_BITS)
 
     @property
+    def fast_side(self) -> arb | None:
+        """2 Re c_+; None for p <= 0."""
+        return None if self.fast is None else 2 * self.fast.real
+
+    @property
     def paper_differs(self) -> bool | None:
         """Whether the paper's rule, the sign of C_1/Gamma(-beta), gives the other side; None when a sign is open."""
         part = self.slow_side
@@ -64,30 +71,19 @@ class SideRule(NoTruthValue):
         return exact != slow if exact and slow else None
 
     def __str__(self) -> str:
-        if self.slow_side is None or self.fast is None:
+        if self.slow_side is None or self.fast_side is None:
             about = "p <= 0: the paper's rule, which is about the way to the G-spot, does not apply"
             return "\n".join((str(self.verdict), f"  K = {ball_text(self.side)}", f"  {about}"))
         rule = {True: "the paper's rule gives the other side", False: "the paper's rule gives the same side"}
         lines = [
             str(self.verdict),
             f"  K = {ball_text(self.side)}, of it C/Γ(-β) = {ball_text(self.slow_side)}, "
-            f"2 Re c+ = {ball_text(2 * self.fast.real)}",
+            f"2 Re c+ = {ball_text(self.fast_side)}",
             f"  {rule.get(self.paper_differs, 'whether the paper has the same side is open')}"
             if self.paper_differs is not None
             else "  whether the paper's rule gives the same side is open",
         ]
         return "\n".join(lines)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; balls as exact intervals, None where there is no (finite) one."""
-        return {
-            "C": _interval(self.slow),
-            "K": _interval(self.side),
-            "slow_part": _interval(self.slow_side),
-            "fast_part": _interval(None if self.fast is None else 2 * self.fast.real),
-            "paper_differs": self.paper_differs,
-            "verdict": self.verdict.to_json(),
-        }
 
 
 def _interval(value: arb | None) -> str | None:

@@ -26,9 +26,9 @@ from gspot_verified.numbers.balls import (
     shrink_to_bits,
     working_bits,
 )
-from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import signed
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.written import Written
 from gspot_verified.theta_function.value.routes import shifted_parameter
 
 if TYPE_CHECKING:
@@ -45,13 +45,14 @@ _SERIES_FROM_TAU = -30.0
 
 
 @dataclass(frozen=True, slots=True)
-class SlowValue(NoTruthValue):
+class SlowValue(NoTruthValue, Written):
     """The result of :func:`slow_value`: a ball that contains the exact value, always, and how it was found.
 
     ``reached``: its relative radius is at most 10^-digits; otherwise ``reason`` says why not.
     """
 
     ask: ClassVar[str] = ".sign is a Verdict, .reached says whether the accuracy was reached"
+    written: ClassVar[str] = "value=__str__ enclosure=value digits reached route reason"
 
     value: arb
     digits: int
@@ -69,17 +70,6 @@ class SlowValue(NoTruthValue):
 
     def __str__(self) -> str:
         return ball_text(self.value, self.digits)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; ``enclosure`` is the exact interval, null when nothing is known."""
-        return {
-            "value": str(self),
-            "enclosure": str(Dyadic.from_ball(self.value)) if self.value.is_finite() else None,
-            "digits": self.digits,
-            "reached": self.reached,
-            "route": self.route,
-            "reason": self.reason.name.lower() if self.reason else None,
-        }
 
 
 def slow_value(

@@ -3,24 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar, Literal
 
 from flint import fmpq
 
 from gspot_verified.leading_order.contact_force import ContactForce
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 from gspot_verified.work.ranges import Range
 
 _NOT_HERE = "is what is stated; that it holds is proved elsewhere"
 
 
 @dataclass(frozen=True, slots=True)
-class ForceStatement(NoTruthValue):
+class ForceStatement(NoTruthValue, Written):
     """On the slow manifold lambda > 0 for every tau of the range and every epsilon in (0, epsilon]; |F| <= level where
     F has the sign that lowers the force."""
 
     version: ClassVar[int] = 2
+    kind: ClassVar[Literal["force"]] = "force"
     ask: ClassVar[str] = f".epsilon {_NOT_HERE}"
+    written: ClassVar[str] = "kind alpha=force.alphas c1=force.c1 epsilon level tau"
 
     force: ContactForce
     tau: Range
@@ -30,18 +33,15 @@ class ForceStatement(NoTruthValue):
     def __str__(self) -> str:
         return f"{_on_the_manifold(self.force)}, λ > 0 for every τ in {self.tau} and every ε in (0, {self.epsilon}]"
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data of the certificate."""
-        numbers = {"epsilon": str(self.epsilon), "level": str(self.level), "tau": str(self.tau)}
-        return {"kind": "force", **_system(self.force), **numbers}
-
 
 @dataclass(frozen=True, slots=True)
-class LiftOffStatement(NoTruthValue):
+class LiftOffStatement(NoTruthValue, Written):
     """On the slow manifold lambda < 0 at tau for every epsilon >= epsilon, so contact is lost before; |F| >= level."""
 
     version: ClassVar[int] = 2
+    kind: ClassVar[Literal["lift_off"]] = "lift_off"
     ask: ClassVar[str] = f".epsilon {_NOT_HERE}"
+    written: ClassVar[str] = "kind alpha=force.alphas c1=force.c1 epsilon level tau"
 
     force: ContactForce
     tau: fmpq
@@ -50,15 +50,6 @@ class LiftOffStatement(NoTruthValue):
 
     def __str__(self) -> str:
         return f"{_on_the_manifold(self.force)}, λ < 0 at τ = {self.tau} for every ε ≥ {self.epsilon}"
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data of the certificate."""
-        numbers = {"epsilon": str(self.epsilon), "level": str(self.level), "tau": str(self.tau)}
-        return {"kind": "lift_off", **_system(self.force), **numbers}
-
-
-def _system(force: ContactForce) -> dict[str, Any]:
-    return {"alpha": [str(force.alpha_1), str(force.alpha_2), str(force.alpha_3)], "c1": str(force.c1)}
 
 
 def _on_the_manifold(force: ContactForce) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import ClassVar, Literal
 
 from flint import arb, fmpq
 
@@ -19,6 +19,7 @@ from gspot_verified.compliant.zeros.force_certificate import NotProvable
 from gspot_verified.compliant.zeros.zero_count import SYSTEM, checked_point
 from gspot_verified.numbers.balls import ExactInput, hull, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.pieces import Column, Kind, Piece
 from gspot_verified.theta_function.value.evaluate import evaluate
 from gspot_verified.work.ranges import Range
@@ -32,12 +33,14 @@ _BITS = 64
 
 
 @dataclass(frozen=True, slots=True)
-class SlowZerosStatement(NoTruthValue):
+class SlowZerosStatement(NoTruthValue, Written):
     """Two real zeros of F_(beta-1)(.; epsilon), both simple, for every beta of a range inside [4, 5] that is not an
     integer and every epsilon in (0, epsilon]; 2 eta^3 >= epsilon."""
 
     version: ClassVar[int] = 3
+    kind: ClassVar[Literal["slow_zeros"]] = "slow_zeros"
     ask: ClassVar[str] = ".epsilon is what is stated; that it holds is proved elsewhere"
+    written: ClassVar[str] = "beta epsilon eta kind"
 
     beta: Range
     epsilon: fmpq
@@ -48,10 +51,6 @@ class SlowZerosStatement(NoTruthValue):
             f"two real zeros of {SYSTEM}, both simple, for every β in {self.beta} that is not an integer and every ε "
             f"in (0, {self.epsilon}]"
         )
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data of the certificate."""
-        return {"beta": str(self.beta), "epsilon": str(self.epsilon), "eta": str(self.eta), "kind": "slow_zeros"}
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ Proof page: ``proofs/finite_epsilon_zeros.md``, sections 1 and 2; integers beta:
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar, Literal
 
 from flint import arb, arb_mat, fmpq
 
@@ -17,9 +17,9 @@ from gspot_verified.compliant.slow.slow_signs import CELL, SlowSigns
 from gspot_verified.compliant.zeros.slow_zero_column import slow_zero_column
 from gspot_verified.compliant.zeros.zero_places import polynomial_places, zero_places
 from gspot_verified.numbers.balls import ExactInput, ball_text, exact
-from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import cover, equal, every
 from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.pieces import Column, number_of_zeros
 from gspot_verified.signs.gamma.count_law import number_of_zeros as law
 
@@ -32,7 +32,7 @@ _TRIES = 3
 
 
 @dataclass(frozen=True, slots=True)
-class SlowZeros(NoTruthValue):
+class SlowZeros(NoTruthValue, Written):
     """How many distinct real zeros F_(beta-1)(T; epsilon) has at one beta and one epsilon.
 
     ``number`` is None when it stayed open. ``law`` is the number for Theta, the limit epsilon -> 0. ``column``: the
@@ -40,7 +40,9 @@ class SlowZeros(NoTruthValue):
     ``places``: a ball of T for each zero, in order, without a zero that is too far out.
     """
 
+    system: ClassVar[str] = SYSTEM
     ask: ClassVar[str] = ".number is None when it stayed open; .verdict says whether it was settled"
+    written: ClassVar[str] = "system beta epsilon number number_for_theta=law zeros=places route pieces verdict"
 
     beta: fmpq
     epsilon: fmpq
@@ -49,6 +51,16 @@ class SlowZeros(NoTruthValue):
     column: Column | None
     places: tuple[arb, ...] = ()
     digits: int = 15
+
+    @property
+    def route(self) -> Literal["polynomial", "pieces"]:
+        """How they are counted."""
+        return "polynomial" if self.beta.q == 1 else "pieces"
+
+    @property
+    def pieces(self) -> list[list[str | int]]:
+        """The pieces of the column as they stand in a certificate."""
+        return [] if self.column is None else [piece.to_list() for piece in self.column.pieces]
 
     @property
     def verdict(self) -> Verdict:
@@ -74,20 +86,6 @@ class SlowZeros(NoTruthValue):
         compared = "as for Θ" if self.number == self.law else f"for Θ (ε → 0): {self.law}"
         lines = [f"  T = {ball_text(place, self.digits)}" for place in self.places]
         return "\n".join([f"{self.verdict} ({compared})", *lines])
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {
-            "system": SYSTEM,
-            "beta": str(self.beta),
-            "epsilon": str(self.epsilon),
-            "number": self.number,
-            "number_for_theta": self.law,
-            "zeros": [str(Dyadic.from_ball(place)) for place in self.places],
-            "route": "polynomial" if self.beta.q == 1 else "pieces",
-            "pieces": [] if self.column is None else [piece.to_list() for piece in self.column.pieces],
-            "verdict": self.verdict.to_json(),
-        }
 
 
 def slow_zeros(beta: ExactInput, epsilon: ExactInput, digits: int = 15) -> SlowZeros:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import lru_cache, partial
 from itertools import pairwise
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import ClassVar, NamedTuple
 
 from flint import fmpq
 
@@ -22,6 +22,7 @@ from gspot_verified.compliant.zeros.zero_count import SYSTEM
 from gspot_verified.numbers.balls import approximate
 from gspot_verified.numbers.evidence import at_most, cover, every, theorem
 from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.journal import opened
 from gspot_verified.signs.cover.pieces import Column, Kind, cell_of
 from gspot_verified.signs.cover.subdivision import Progress, Subdivision
@@ -36,17 +37,36 @@ _LEAST_PIECE = fmpq(1, 2**7)
 _FIRST_ETA, _ETA_STEP = fmpq(2, 25), fmpq(1, 10)
 
 
+class Stretch(NamedTuple):
+    """A range of beta and the numbers of zeros there, two where a fold lies in it."""
+
+    beta: tuple[fmpq, fmpq]
+    numbers: tuple[int, ...]
+
+
 @dataclass(frozen=True, slots=True)
-class Row:
+class Row(Written):
     """The columns over beta that hold for all epsilon of [lower, upper]; ``unfinished``: ranges of beta that are left.
 
     ``lower`` = 0: for all epsilon in (0, upper].
     """
 
+    written: ClassVar[str] = "epsilon stretches=stretch_rows unfinished"
+
     lower: fmpq
     upper: fmpq
     columns: tuple[Column, ...]
     unfinished: tuple[tuple[fmpq | None, fmpq], ...]
+
+    @property
+    def epsilon(self) -> tuple[fmpq, fmpq]:
+        """Both ends of the range of epsilon."""
+        return self.lower, self.upper
+
+    @property
+    def stretch_rows(self) -> list[Stretch]:
+        """:meth:`stretches` with names."""
+        return [Stretch((a, b), numbers) for a, b, numbers in self.stretches()]
 
     def ends(self) -> list[tuple[fmpq | None, fmpq]]:
         """The ranges of beta of the columns whose pieces cover the line and tell the number of zeros."""
@@ -76,10 +96,13 @@ class Row:
 
 
 @dataclass(frozen=True, slots=True)
-class ZeroMap(NoTruthValue):
+class ZeroMap(NoTruthValue, Written):
     """What is certified over [beta] x [epsilon], row by row; ``rows`` cover the range of epsilon."""
 
     ask: ClassVar[str] = ".verdict.outcome says whether the whole rectangle is settled"
+    system: ClassVar[str] = SYSTEM
+    by_theorem_below: ClassVar[fmpq] = THEOREM_UP_TO
+    written: ClassVar[str] = "system beta epsilon verdict by_theorem_below examined rows"
 
     beta: tuple[fmpq, fmpq]
     epsilon: tuple[fmpq, fmpq]
@@ -127,27 +150,6 @@ class ZeroMap(NoTruthValue):
                 "  a | b on a range: at each ε there is one β_f; a zeros for β < β_f, b for β > β_f (in the range)"
             )
         return "\n".join(lines)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; exact rationals as text."""
-        return {
-            "system": SYSTEM,
-            "beta": [str(end) for end in self.beta],
-            "epsilon": [str(end) for end in self.epsilon],
-            "verdict": self.verdict.to_json(),
-            "by_theorem_below": str(THEOREM_UP_TO),
-            "examined": self.examined,
-            "rows": [
-                {
-                    "epsilon": [str(row.lower), str(row.upper)],
-                    "stretches": [
-                        {"beta": [str(a), str(b)], "numbers": list(numbers)} for a, b, numbers in row.stretches()
-                    ],
-                    "unfinished": [[str(a), str(b)] for a, b in row.unfinished],
-                }
-                for row in self.rows
-            ],
-        }
 
 
 def zero_map(

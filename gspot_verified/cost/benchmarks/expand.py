@@ -7,7 +7,7 @@ import platform
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import ClassVar
 
 from flint import fmpq
 
@@ -18,6 +18,7 @@ from gspot_verified.cost.times.rows import Row, Target, figure_text, seconds_tex
 from gspot_verified.expansion.series.recursion import Recursion
 from gspot_verified.expansion.series.system import System
 from gspot_verified.mechanisms.shipped import shipped_system
+from gspot_verified.numbers.written import Written
 
 Progress = Callable[[str], None]
 
@@ -30,21 +31,21 @@ _FULL_ORDERS = {"extended": (*_CURVE_ORDERS["extended"], 200), "oscillator": (*_
 
 
 @dataclass(frozen=True, slots=True)
-class Size:
+class Size(Written):
     """At one even order: bits of the longest coefficient of b_n, and the natural logarithm of the largest one."""
+
+    written: ClassVar[str] = "order bits log_of_largest=logarithm"
 
     order: int
     bits: int
     logarithm: float
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {"order": self.order, "bits": self.bits, "log_of_largest": self.logarithm}
-
 
 @dataclass(frozen=True, slots=True)
-class ExpandCost:
+class ExpandCost(Written):
     """What the benchmark measured. ``exponent``: sigma in |b_n| ~ A^n (n!)^sigma, fitted over the last orders."""
+
+    written: ClassVar[str] = "rows curves sizes exponent remarks seconds summary"
 
     rows: tuple[Row, ...]
     curves: tuple[Curve, ...]
@@ -69,18 +70,6 @@ class ExpandCost:
         lines.append("  " + "; ".join(f"{s.order}: {s.bits}, {s.logarithm:.0f}" for s in self.sizes))
         lines.append(f"  {growth_text(self.exponent)}")
         return "\n".join([*lines, "", *self.remarks, self.summary()])
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; all times in seconds."""
-        return {
-            "rows": [row.to_json() for row in self.rows],
-            "curves": [curve.to_json() for curve in self.curves],
-            "sizes": [size.to_json() for size in self.sizes],
-            "exponent": self.exponent,
-            "remarks": list(self.remarks),
-            "seconds": self.seconds,
-            "summary": self.summary(),
-        }
 
 
 def growth_text(exponent: float) -> str:

@@ -10,7 +10,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import ClassVar
 
 from flint import fmpq
 
@@ -21,6 +21,7 @@ from gspot_verified.cost.times.curves import Curve
 from gspot_verified.cost.times.growth import Growth, around, cells, from_one, time_range
 from gspot_verified.cost.times.measure import Contestant, clear_caches, machine_load, measure
 from gspot_verified.cost.times.rows import Row, Target, figure_text, seconds_text
+from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.sign import SignResult, sign
 
 Progress = Callable[[str], None]
@@ -55,8 +56,10 @@ FULL = Plan(60.0, _BOXES, (2, 3, 5, 7, 9, 11, 13), 7, (1, 2, 3, 4, 5, 6), (*rang
 
 
 @dataclass(frozen=True, slots=True)
-class SignCost:
+class SignCost(Written):
     """What the benchmark measured, where, and under which load. ``str`` is the table."""
+
+    written: ClassVar[str] = "rows bisections growth curves remarks full seconds summary"
 
     rows: tuple[Row, ...]
     bisections: tuple[Bisection, ...]
@@ -84,19 +87,6 @@ class SignCost:
         parts = [_HEAD, _table(self.rows), "Bisection alone, β in [1/100, 99/100]"]
         parts[-1] += "".join(f"\n  {_bisection_line(item)}" for item in self.bisections)
         return "\n\n".join([*parts, *map(str, self.growth), "\n".join([*self.remarks, self.summary()])])
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; all times in seconds."""
-        return {
-            "rows": [row.to_json() for row in self.rows],
-            "bisections": [item.to_json() for item in self.bisections],
-            "growth": [item.to_json() for item in self.growth],
-            "curves": [item.to_json() for item in self.curves],
-            "remarks": list(self.remarks),
-            "full": self.full,
-            "seconds": self.seconds,
-            "summary": self.summary(),
-        }
 
 
 def _table(rows: tuple[Row, ...]) -> str:

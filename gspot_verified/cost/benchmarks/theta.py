@@ -6,7 +6,7 @@ import platform
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import ClassVar
 
 from flint import fmpq
 
@@ -16,6 +16,7 @@ from gspot_verified.cost.times import cases
 from gspot_verified.cost.times.curves import Curve, curves
 from gspot_verified.cost.times.measure import machine_load
 from gspot_verified.cost.times.rows import Row, grouped, seconds_text, table
+from gspot_verified.numbers.written import Written
 
 Progress = Callable[[str], None]
 
@@ -27,8 +28,10 @@ _HEAD = (
 
 
 @dataclass(frozen=True, slots=True)
-class CostReport:
+class CostReport(Written):
     """What the benchmark measured, where, and under which load. ``str`` is a table of the rows that matter."""
+
+    written: ClassVar[str] = "rows external curves remarks full seconds summary"
 
     rows: tuple[Row, ...]
     external: tuple[ExternalTime, ...]
@@ -59,18 +62,6 @@ class CostReport:
         if self.external:
             parts.append("Other programs (first call, repeated call)\n" + "\n".join(map(_external_line, self.external)))
         return "\n\n".join([*parts, "\n".join([*self.remarks, self.summary()])])
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; all times in seconds."""
-        return {
-            "rows": [row.to_json() for row in self.rows],
-            "external": [item.to_json() for item in self.external],
-            "curves": [item.to_json() for item in self.curves],
-            "remarks": list(self.remarks),
-            "full": self.full,
-            "seconds": self.seconds,
-            "summary": self.summary(),
-        }
 
 
 def _external_line(item: ExternalTime) -> str:

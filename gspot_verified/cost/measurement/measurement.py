@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass
+from typing import Annotated
+
+from gspot_verified.numbers.written import PAIRS, Written
 
 CERTIFIED, NO_BOUND = "certified", "no bound"
 KINDS = (CERTIFIED, NO_BOUND)
@@ -34,7 +36,7 @@ class Route:
     """
 
     name: str
-    kind: str
+    kind: Annotated[str, KINDS]
     points: tuple[Point, ...]
     exponent: float | None = None
     theory: str = ""
@@ -82,7 +84,7 @@ class Part:
     shares: tuple[Share, ...] = ()
     limit: Limit | None = None
     remarks: tuple[str, ...] = ()
-    targets: tuple[tuple[str, float], ...] = ()
+    targets: Annotated[tuple[tuple[str, float], ...], PAIRS] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,7 +108,7 @@ NO_ANSWER, NOT_ASKED = "no answer", "not asked"
 
 
 @dataclass(frozen=True, slots=True)
-class Measurement:
+class Measurement(Written):
     """All parts, from one run. ``date`` is the day on which it ended; ``load``: the other work on the machine."""
 
     parts: tuple[Part, ...]
@@ -117,7 +119,3 @@ class Measurement:
     load: str
     full: bool
     seconds: float
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; all times in seconds."""
-        return {**asdict(self), "versions": dict(self.versions)}

@@ -5,17 +5,17 @@ dTheta/dtau = -beta Theta(tau, beta - 1), Theta as in :mod:`gspot_verified.cost.
 
 from __future__ import annotations
 
-import enum
 import time
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
 from gspot_verified.cost.times.baseline import LOWER
 from gspot_verified.numbers.balls import approximate, sign_of, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import ByName, Written
 from gspot_verified.theta_function.gamma.initial_values import paper_initial_values
 
 _BITS = 64
@@ -24,7 +24,7 @@ Box = tuple[fmpq, fmpq, fmpq, fmpq]
 """tau from, tau to, beta from, beta to."""
 
 
-class Choice(enum.Enum):
+class Choice(ByName):
     """Which side of a box is halved."""
 
     LONGER = "the longer side"
@@ -32,7 +32,7 @@ class Choice(enum.Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Bisection(NoTruthValue):
+class Bisection(NoTruthValue, Written):
     """How far the bisection of one box came. ``settled`` is the part of the area where dTheta/dtau < 0 was shown."""
 
     ask: ClassVar[str] = ".finished says whether the whole box was settled"
@@ -43,17 +43,6 @@ class Bisection(NoTruthValue):
     evaluations: int
     seconds: float
     finished: bool
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {
-            "box": [str(end) for end in self.box],
-            "choice": self.choice.name.lower(),
-            "settled": self.settled,
-            "evaluations": self.evaluations,
-            "seconds": self.seconds,
-            "finished": self.finished,
-        }
 
 
 def bisect(box: Box, choice: Choice, time_limit: float) -> Bisection:

@@ -10,11 +10,11 @@ import re
 import shutil
 import subprocess
 from dataclasses import dataclass
-from typing import Any
 
 from flint import fmpq
 
 from gspot_verified.cost.times.baseline import right_digits
+from gspot_verified.numbers.written import Written
 from gspot_verified.theta_function.theta import theta
 
 NOT_INSTALLED = "not installed"
@@ -77,7 +77,7 @@ PROGRAMS = (PARI, ORE_ALGEBRA)
 
 
 @dataclass(frozen=True, slots=True)
-class ExternalTime:
+class ExternalTime(Written):
     """What one program needed for one question: first call and repeated call, in seconds; or why there is no time."""
 
     program: str
@@ -88,10 +88,6 @@ class ExternalTime:
     again: float | None
     right: int | None
     note: str = ""
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {name: getattr(self, name) for name in self.__slots__}
 
 
 def ask(program: Program, tau: fmpq, beta: fmpq, digits: int, time_limit: float = 60.0) -> ExternalTime:

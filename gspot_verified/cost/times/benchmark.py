@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import ClassVar
 
 from gspot_verified.cost.times.curves import Curve
 from gspot_verified.cost.times.rows import Row, table
+from gspot_verified.numbers.written import Written
 
 
 @dataclass(frozen=True, slots=True)
-class Benchmark:
+class Benchmark(Written):
     """What was measured. ``str`` is the table under its heading."""
+
+    written: ClassVar[str] = "rows curves remarks seconds summary"
 
     head: str
     rows: tuple[Row, ...]
@@ -26,13 +29,3 @@ class Benchmark:
 
     def __str__(self) -> str:
         return "\n\n".join([self.head, table(self.rows), "\n".join([*self.remarks, self.summary()])])
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; all times in seconds."""
-        return {
-            "rows": [row.to_json() for row in self.rows],
-            "curves": [item.to_json() for item in self.curves],
-            "remarks": list(self.remarks),
-            "seconds": self.seconds,
-            "summary": self.summary(),
-        }

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 from flint import fmpq
 
 from gspot_verified.cost.times.baseline import flint_theta, mpmath_theta
 from gspot_verified.cost.times.measure import Contestant, clear_caches, measure
+from gspot_verified.numbers.written import Written
 from gspot_verified.theta_function.theta import theta
 
 _TAU = fmpq(7, 3)
@@ -19,15 +19,11 @@ _MPMATH_DIGITS = 1_000
 
 
 @dataclass(frozen=True, slots=True)
-class Curve:
+class Curve(Written):
     """Seconds at some numbers of digits, or at another number."""
 
     name: str
     points: tuple[tuple[float, float], ...]
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {"name": self.name, "points": [list(point) for point in self.points]}
 
 
 def curves(full: bool) -> tuple[Curve, ...]:

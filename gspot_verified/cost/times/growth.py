@@ -6,18 +6,19 @@ import math
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from gspot_verified.certificates.text import certificate_text
 from gspot_verified.cost.times.curves import Curve
 from gspot_verified.cost.times.measure import clear_caches
 from gspot_verified.cost.times.rows import seconds_text
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 from gspot_verified.signs.zeros.zeros import ZerosResult, zeros_on_range
 
 
 @dataclass(frozen=True, slots=True)
-class RangeTime(NoTruthValue):
+class RangeTime(NoTruthValue, Written):
     """What one range of beta took, with empty caches before it; the text of the certificate is included.
 
     ``processor`` is processor time, which other work on the machine lengthens less than ``seconds``.
@@ -41,10 +42,6 @@ class RangeTime(NoTruthValue):
         counts = f"{self.columns:4} columns  {self.pieces:5} pieces"
         return f"{words} {times}  {counts}  {seconds_text(each)} for each piece{outcome}"
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {name: getattr(self, name) for name in self.__slots__}
-
 
 def time_range(lower: int, upper: int) -> tuple[RangeTime, ZerosResult, str]:
     """The zeros over (lower, upper), timed; the result, and its certificate ("" when nothing was proved)."""
@@ -58,8 +55,10 @@ def time_range(lower: int, upper: int) -> tuple[RangeTime, ZerosResult, str]:
 
 
 @dataclass(frozen=True, slots=True)
-class Growth:
+class Growth(Written):
     """Times of several ranges, a number for each (its size, or where it lies), and the fitted exponent."""
+
+    written: ClassVar[str] = "name variable points exponent"
 
     name: str
     variable: str
@@ -79,11 +78,6 @@ class Growth:
         power = "not fitted" if self.exponent is None else f"like {self.variable}^{self.exponent:.2f}"
         lines = [f"{self.name}: {power} (asked: about linearly)", *(f"  {item}" for _, item in self.points)]
         return "\n".join(lines)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        points = [[x, item.to_json()] for x, item in self.points]
-        return {"name": self.name, "variable": self.variable, "points": points, "exponent": self.exponent}
 
 
 def fitted_exponent(points: Sequence[tuple[float, float]]) -> float | None:

@@ -13,6 +13,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from gspot_verified.numbers.written import Written
+
 _THETA = "gspot_verified.theta_function"
 _ROOT = Path(__file__).resolve().parents[3]
 
@@ -20,16 +22,12 @@ Call = Callable[[], object]
 
 
 @dataclass(frozen=True, slots=True)
-class Timing:
+class Timing(Written):
     """Seconds: the median and the best of ``repeats`` calls."""
 
     median: float
     best: float
     repeats: int
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {"median": self.median, "best": self.best, "repeats": self.repeats}
 
 
 def timing(seconds: list[float]) -> Timing:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 
 _UNITS = ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs"))
 _HEADER = ("asked", "cold", "warm", "baseline", "mpmath", "figure", "target", "outcome")
@@ -45,7 +46,7 @@ class Target:
 
 
 @dataclass(frozen=True, slots=True)
-class Row(NoTruthValue):
+class Row(NoTruthValue, Written):
     """One measurement. Times are medians in seconds, ``None`` where there is none; ``note`` says why.
 
     ``cold``: the package's caches are empty before each call. ``warm``: the same call again. ``figure`` is what the
@@ -53,6 +54,7 @@ class Row(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".met is True, False or None (no figure)"
+    written: ClassVar[str] = "case asked target figure cold warm baseline mpmath note met outcome"
 
     case: str
     asked: str
@@ -80,11 +82,6 @@ class Row(NoTruthValue):
         if self.figure is None:
             return float("inf")
         return self.figure / self.target.limit if self.target.at_most else self.target.limit / self.figure
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        data = {name: getattr(self, name) for name in self.__slots__ if name != "target"}
-        return {**data, "target": str(self.target), "met": self.met, "outcome": self.outcome}
 
     def cells(self) -> tuple[str, ...]:
         """The texts of the table, in the order of its columns."""

@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Generic, NamedTuple, TypeVar
+
+Value = TypeVar("Value")
 
 DELTA_FACTORS = {"xi": 2, "p": 2, "b": 2, "y": 6, "v": 4, "z": 6, "lambda_n": 0}
 """xi - xi* = delta^2 xi~, y = delta^6 y~, ...; with t = delta^2 s and epsilon = delta^3 the coefficient of
@@ -38,16 +40,23 @@ def state_names(names: Sequence[str], dimension: int) -> tuple[str, ...]:
     return tuple(names) or tuple(f"xi_{i + 1}" for i in range(dimension))
 
 
-def in_two(found: Mapping[str, Any], names: Sequence[str]) -> dict[str, dict[str, Any]]:
-    """What stands under xi_1, xi_2, ..., p, b, ... as {"state": by the names, "contact": p, b, ...}.
+class InTwo(NamedTuple, Generic[Value]):
+    """What belongs to the components of the state, by their names, and to p, b, y, v, z, lambda_n."""
+
+    state: dict[str, Value]
+    contact: dict[str, Value]
+
+
+def in_two(found: Mapping[str, Value], names: Sequence[str]) -> InTwo[Value]:
+    """What stands under xi_1, xi_2, ..., p, b, ... by the names, and by p, b, ...
 
     In two tables, since a component may be called p or y too.
 
     >>> in_two({"xi_1": 1, "p": 2}, ["p"])
-    {'state': {'p': 1}, 'contact': {'p': 2}}
+    InTwo(state={'p': 1}, contact={'p': 2})
     """
     state = {name: found[f"xi_{i + 1}"] for i, name in enumerate(names)}
-    return {"state": state, "contact": {name: value for name, value in found.items() if name in CONTACT}}
+    return InTwo(state, {name: value for name, value in found.items() if name in CONTACT})
 
 
 def left_side(key: str, names: Sequence[str], scaled: bool) -> str:

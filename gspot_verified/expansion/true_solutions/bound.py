@@ -6,18 +6,18 @@ Proof page: ``proofs/uniform.md``, Theorem U1.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar, NamedTuple
 
 from flint import arb, fmpq
 
-from gspot_verified.expansion.series.legend import in_two, left_side
+from gspot_verified.expansion.series.legend import InTwo, in_two, left_side
 from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.expansion.true_solutions.track import Track, track
 from gspot_verified.numbers.balls import ExactInput, add_remainder, ball, ball_text, exact, working_bits
-from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import cover, every, less
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.written import Written
 
 BITS = 128
 
@@ -31,8 +31,17 @@ class Stretch:
     constants: dict[str, arb]
 
 
+class StretchRow(NamedTuple):
+    """Constants on a piece of s."""
+
+    start: fmpq
+    end: fmpq
+    state: dict[str, arb]
+    contact: dict[str, arb]
+
+
 @dataclass(frozen=True)
-class UniformBound(NoTruthValue):
+class UniformBound(NoTruthValue, Written):
     """|true - truncated expansion| <= constants[name] delta^order for start <= s <= end and 0 < delta <= delta.
 
     "True" is every solution of the equations in contact, specialX to specialL, that is within ``within`` delta^order
@@ -42,6 +51,10 @@ class UniformBound(NoTruthValue):
     """
 
     ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = (
+        "name=trajectory.system.name order start end delta within verdict contact_lasts=contact "
+        "state=rows.state contact=rows.contact stretches=stretch_rows"
+    )
 
     trajectory: Trajectory
     start: fmpq
@@ -52,6 +65,17 @@ class UniformBound(NoTruthValue):
     stretches: tuple[Stretch, ...]
     verdict: Verdict
     contact: Verdict
+
+    @property
+    def rows(self) -> InTwo[arb]:
+        """The constants of the whole interval; empty where nothing is proved."""
+        return in_two(self.constants, self.trajectory.system.names) if self.constants else InTwo({}, {})
+
+    @property
+    def stretch_rows(self) -> list[StretchRow]:
+        """The constants of each piece."""
+        names = self.trajectory.system.names
+        return [StretchRow(one.start, one.end, *in_two(one.constants, names)) for one in self.stretches]
 
     @property
     def order(self) -> int:
@@ -93,28 +117,6 @@ class UniformBound(NoTruthValue):
         for key, value in self.constants.items():
             lines.append(f"  K of {left_side(key, names, True)}: {ball_text(value, 4)}")
         return "\n".join([*lines, f"  {self.contact}"])
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``: the constants of the whole interval, and those of each piece."""
-        names = self.trajectory.system.names
-
-        def table(constants: dict[str, arb]) -> dict[str, dict[str, str]]:
-            return in_two({key: str(Dyadic.from_ball(value)) for key, value in constants.items()}, names)
-
-        return {
-            "name": self.trajectory.system.name,
-            "order": self.order,
-            "start": str(self.start),
-            "end": str(self.end),
-            "delta": str(self.delta),
-            "within": str(self.within),
-            "verdict": self.verdict.to_json(),
-            "contact_lasts": self.contact.to_json(),
-            **(table(self.constants) if self.constants else {"state": {}, "contact": {}}),
-            "stretches": [
-                {"start": str(one.start), "end": str(one.end), **table(one.constants)} for one in self.stretches
-            ],
-        }
 
 
 def uniform_bound(

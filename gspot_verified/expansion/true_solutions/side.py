@@ -6,7 +6,7 @@ Proof page: ``proofs/uniform.md``, Theorem U2 and Corollary 2.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
@@ -29,13 +29,14 @@ from gspot_verified.numbers.balls import (
 )
 from gspot_verified.numbers.evidence import cover, every, less
 from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.written import Written
 
 _REACH = 4.0
 _ROOM = fmpq(13, 10)
 
 
 @dataclass(frozen=True)
-class UniformSide(NoTruthValue):
+class UniformSide(NoTruthValue, Written):
     """What becomes of all solutions near the expansion + the slow deviation with C_1, for all delta in (0, delta].
 
     ``side``: "lift-off" (lambda_N reaches 0), "impact" (lambda_N > 0 until it exceeds ``force``), or None: undecided.
@@ -44,6 +45,9 @@ class UniformSide(NoTruthValue):
     """
 
     ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = (
+        "name=trajectory.system.name order=trajectory.order c_1 beta start delta epsilon within side entered verdict"
+    )
 
     trajectory: Trajectory
     c_1: fmpq
@@ -86,22 +90,6 @@ class UniformSide(NoTruthValue):
 
     def _text(self) -> str:
         return ball_text(self.latest(self.delta), 5)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {
-            "name": self.trajectory.system.name,
-            "order": self.trajectory.order,
-            "c_1": str(self.c_1),
-            "beta": str(self.beta),
-            "start": str(self.start),
-            "delta": str(self.delta),
-            "epsilon": str(self.epsilon),
-            "within": str(self.within),
-            "side": self.side,
-            "entered": None if self.entered is None else str(self.entered),
-            "verdict": self.verdict.to_json(),
-        }
 
 
 def uniform_side(

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Annotated, ClassVar
 
 from flint import arb
 
-from gspot_verified.numbers.balls import ball_text
+from gspot_verified.numbers.balls import ShownBall, ball_text
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Outcome, Verdict
+from gspot_verified.numbers.written import Written
 
 LIFT_OFF, IMPACT = "lift-off", "impact without collision"
 RESTS_ON = (
@@ -17,21 +18,30 @@ RESTS_ON = (
 )
 
 
+def _rough(value: arb) -> str:
+    return ball_text(value, 10)
+
+
+RoughBall = Annotated[arb, _rough]
+
+
 @dataclass(frozen=True, slots=True)
-class SlipPath:
+class SlipPath(Written):
     """Enclosures at some times of the path, in order: the time t, the state (angles from their references) and
     p, b, u, λ_N = -b/p there."""
 
-    time: tuple[arb, ...]
+    written: ClassVar[str] = "time p b u force"
+
+    time: tuple[RoughBall, ...]
     states: tuple[tuple[arb, ...], ...]
-    p: tuple[arb, ...]
-    b: tuple[arb, ...]
-    u: tuple[arb, ...]
-    force: tuple[arb, ...]
+    p: tuple[RoughBall, ...]
+    b: tuple[RoughBall, ...]
+    u: tuple[RoughBall, ...]
+    force: tuple[RoughBall, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Approach(NoTruthValue):
+class Approach(NoTruthValue, Written):
     """Where positive slip from a state leads.
 
     ``end`` is "G-spot", "lift-off" or "stick", what is proved to come first; None when it is undecided. ``place`` is
@@ -42,25 +52,34 @@ class Approach(NoTruthValue):
     """
 
     ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = (
+        "name start solved verdict end time place case alphas beta C1=coefficient side side_reason rests_on "
+        "surface_velocity least_slip notes warnings bits path"
+    )
 
     name: str
     start: tuple[tuple[str, str], ...]
     solved: tuple[str, ...]
     verdict: Verdict
     end: str | None
-    time: arb | None
+    time: ShownBall | None
     place: tuple[tuple[str, str], ...]
     case: str | None
-    alphas: tuple[arb, arb, arb] | None
-    beta: arb | None
-    coefficient: arb | None
+    alphas: tuple[ShownBall, ShownBall, ShownBall] | None
+    beta: ShownBall | None
+    coefficient: ShownBall | None
     side: str | None
     side_reason: str
-    least_slip: arb | None
+    least_slip: ShownBall | None
     surface_velocity: str | None
     notes: tuple[str, ...]
     path: SlipPath
     bits: int
+
+    @property
+    def rests_on(self) -> str:
+        """What the result supposes."""
+        return RESTS_ON if self.end == "G-spot" else "proved for rigid slip"
 
     @property
     def exit_code(self) -> int:
@@ -104,35 +123,3 @@ class Approach(NoTruthValue):
 
     def _where(self) -> str:
         return "the G-spot" if self.end == "G-spot" else "there"
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; balls as text."""
-
-        def text(value: arb | None) -> str | None:
-            return None if value is None else ball_text(value)
-
-        return {
-            "name": self.name,
-            "start": dict(self.start),
-            "solved": list(self.solved),
-            "verdict": self.verdict.to_json(),
-            "end": self.end,
-            "time": text(self.time),
-            "place": dict(self.place),
-            "case": self.case,
-            "alphas": None if self.alphas is None else [ball_text(value) for value in self.alphas],
-            "beta": text(self.beta),
-            "C1": text(self.coefficient),
-            "side": self.side,
-            "side_reason": self.side_reason,
-            "rests_on": RESTS_ON if self.end == "G-spot" else "proved for rigid slip",
-            "surface_velocity": self.surface_velocity,
-            "least_slip": text(self.least_slip),
-            "notes": list(self.notes),
-            "warnings": list(self.warnings),
-            "bits": self.bits,
-            "path": {
-                name: [ball_text(value, 10) for value in getattr(self.path, name)]
-                for name in ("time", "p", "b", "u", "force")
-            },
-        }

@@ -7,7 +7,7 @@ elsewhere: what the balls leave open is said to be undecided.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Annotated, ClassVar
 
 from flint import fmpq
 
@@ -16,14 +16,23 @@ from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.g_spot import DEFAULT_BITS, GSpot, find_g_spot
 from gspot_verified.numbers.balls import Exact, ball_text, sign_of, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 from gspot_verified.signs.gamma.side import MAX_BETA, gamma_sign, side_text
 
 _CASES = {"I": "alpha_2 < 0, alpha_1 < alpha_3 < 0", "II": "alpha_2 > 0, alpha_1 < alpha_3 < 0"}
 _CASES["III"] = "alpha_2 < 0, alpha_3 < alpha_1 < 0"
 
 
+def _text(value: Exact) -> str:
+    return str(value) if isinstance(value, fmpq) else ball_text(value)
+
+
+Shown = Annotated[Exact, _text]
+"""A number that is written for people."""
+
+
 @dataclass(frozen=True, slots=True)
-class Classification(NoTruthValue):
+class Classification(NoTruthValue, Written):
     """The result of :func:`classify`.
 
     ``case`` is "I", "II", "III", "none", or None when the balls leave it open; ``reason`` says why. ``beta``,
@@ -35,26 +44,31 @@ class Classification(NoTruthValue):
     """
 
     ask: ClassVar[str] = '.case is "I", "II", "III", "none", or None (undecided)'
+    written: ClassVar[str] = (
+        "name point exact alpha_1 alpha_2 alpha_3 beta mean_force slip_velocity a A B C p case reason "
+        "lift_off_sign_of_C1=lift_off_sign impact_sign_of_C1=impact_sign warnings integer_beta obstructed_order "
+        "fixed notes"
+    )
 
     name: str
     point: tuple[tuple[str, str], ...]
     exact: bool
-    alpha_1: Exact
-    alpha_2: Exact
-    alpha_3: Exact
-    beta: Exact | None
-    mean_force: Exact | None
+    alpha_1: Shown
+    alpha_2: Shown
+    alpha_3: Shown
+    beta: Shown | None
+    mean_force: Shown | None
     case: str | None
     reason: str
     lift_off_sign: int | None
     impact_sign: int | None
     integer_beta: int | None
-    slip_velocity: Exact
-    a: Exact
-    A: Exact
-    B: Exact
-    C: Exact
-    p: Exact
+    slip_velocity: Shown
+    a: Shown
+    A: Shown
+    B: Shown
+    C: Shown
+    p: Shown
     fixed: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     regularisation: Regularisation = PAPER
@@ -110,25 +124,6 @@ class Classification(NoTruthValue):
         lines += [f"  warning: {warning}" for warning in self.warnings]
         return "\n".join(lines)
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; rationals and balls as text."""
-        numbers = ("alpha_1", "alpha_2", "alpha_3", "beta", "mean_force", "slip_velocity", "a", "A", "B", "C", "p")
-        found: dict[str, Any] = {"name": self.name, "point": dict(self.point), "exact": self.exact}
-        for name in numbers:
-            value = getattr(self, name)
-            found[name] = None if value is None else _text(value)
-        return found | {
-            "case": self.case,
-            "reason": self.reason,
-            "lift_off_sign_of_C1": self.lift_off_sign,
-            "impact_sign_of_C1": self.impact_sign,
-            "warnings": list(self.warnings),
-            "integer_beta": self.integer_beta,
-            "obstructed_order": self.obstructed_order,
-            "fixed": list(self.fixed),
-            "notes": list(self.notes),
-        }
-
 
 def classify(mechanism: Mechanism, bits: int = DEFAULT_BITS) -> Classification:
     """Find the mechanism's G-spot and say which of the three cases it is.
@@ -166,7 +161,7 @@ def classify_g_spot(spot: GSpot) -> Classification:
         integer = _integer_in(beta) if approached else None
         lift_off, impact = sides_of(case, beta)
         return Classification(
-            system.name, tuple(spot.values().items()), spot.exact, first, second, third, beta, force, case, reason,
+            system.name, tuple(spot.to_json().items()), spot.exact, first, second, third, beta, force, case, reason,
             lift_off, impact, integer, u, a, A, B, C, p, spot.fixed, spot.mechanism.notes,
             spot.mechanism.regularisation,
         )  # fmt: skip
@@ -221,7 +216,3 @@ def _integer_in(beta: Exact | None) -> int | None:
     # The integers >= 1 next to the midpoint: if the ball holds any such integer, it holds one of these.
     candidates = [max(int(near) + k, 1) for k in (0, 1)] if near is not None else []
     return next((k for k in candidates if beta.overlaps(type(beta)(k))), None)
-
-
-def _text(value: Exact) -> str:
-    return str(value) if isinstance(value, fmpq) else ball_text(value)

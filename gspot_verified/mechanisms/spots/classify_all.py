@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import fmpq
 
@@ -21,13 +21,14 @@ from gspot_verified.mechanisms.spots.g_spot import DEFAULT_BITS, GSpot, find_g_s
 from gspot_verified.mechanisms.spots.g_spot_list import GSpots
 from gspot_verified.numbers.balls import ExactInput, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue, Outcome, Verdict
+from gspot_verified.numbers.written import Written
 
 _FRICTION_BUDGET = 4000
 _NUMBERS = ("alpha_1", "alpha_2", "alpha_3", "u", "a", "A", "B", "C", "mu")
 
 
 @dataclass(frozen=True)
-class AllClassified(NoTruthValue):
+class AllClassified(NoTruthValue, Written):
     """The result of :func:`classify_all`: ``found`` are the G-spots, ``spots`` what each of ``found.spots`` is.
 
     ``vary`` names what depends on a free component, or has not the period of the conditions in an angle: it holds
@@ -35,6 +36,7 @@ class AllClassified(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".verdict.outcome is Outcome.PROVED, REFUTED or UNDECIDED"
+    written: ClassVar[str] = "search=found critical_friction=critical spots vary"
 
     found: GSpots
     spots: tuple[Classification, ...]
@@ -61,19 +63,10 @@ class AllClassified(NoTruthValue):
             for word, names in self.vary
         ]
         lines += [
-            "at the boundary of the region: " + ", ".join(f"{k} = {v}" for k, v in spot.values().items())
+            "at the boundary of the region: " + ", ".join(f"{k} = {v}" for k, v in spot.to_json().items())
             for spot in self.found.boundary
         ]
         return "\n".join([*lines, *(f"G-spot {n}: {spot}" for n, spot in enumerate(self.spots, 1))])
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {
-            "search": self.found.to_json(),
-            "critical_friction": self.critical.to_json(),
-            "spots": [spot.to_json() for spot in self.spots],
-            "vary": {word: list(names) for word, names in self.vary},
-        }
 
 
 def classify_all(

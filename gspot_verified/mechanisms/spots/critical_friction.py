@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property, reduce
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb
 
@@ -22,8 +22,9 @@ from gspot_verified.mechanisms.spots.g_spot import DEFAULT_BITS
 from gspot_verified.mechanisms.spots.g_spot_list import in_words
 from gspot_verified.mechanisms.spots.spot_conditions import take_apart
 from gspot_verified.mechanisms.zeros.all_zeros import Box, Budget, ZeroSearch
-from gspot_verified.numbers.balls import ball_text, hull, working_bits
+from gspot_verified.numbers.balls import ShownBall, ball_text, hull, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 
 DEFAULT_BUDGET = 20_000
 _EXTRA_BITS = 40
@@ -32,7 +33,7 @@ Place = tuple[tuple[str, str], ...]
 
 
 @dataclass(frozen=True)
-class CriticalFriction(NoTruthValue):
+class CriticalFriction(NoTruthValue, Written):
     """The result of :func:`critical_friction`.
 
     For 0 <= mu < ``value``: p > 0 in every configuration with y = 0 in which the mass matrix is positive definite; at
@@ -41,12 +42,23 @@ class CriticalFriction(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".value is a ball, infinite, or None; .is_below is True, False or None"
+    written: ClassVar[str] = "value=finite_value infinite places below=is_below reason"
 
     name: str
     value: arb | None
     places: tuple[Place, ...]
     friction: arb | None
     reason: str = ""
+
+    @property
+    def infinite(self) -> bool:
+        """Whether no friction makes p vanish."""
+        return self.value is not None and not self.value.is_finite()
+
+    @property
+    def finite_value(self) -> ShownBall | None:
+        """The value where it is finite."""
+        return None if self.infinite else self.value
 
     @property
     def is_below(self) -> bool | None:
@@ -71,17 +83,6 @@ class CriticalFriction(NoTruthValue):
         if self.is_below and self.friction is not None:
             text += f"\n  mu = {ball_text(self.friction)} lies below mu_c: p > 0 in every configuration in contact"
         return text
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        finite = self.value is not None and self.value.is_finite()
-        return {
-            "value": ball_text(self.value) if finite and self.value is not None else None,
-            "infinite": self.value is not None and not finite,
-            "places": [dict(place) for place in self.places],
-            "below": self.is_below,
-            "reason": self.reason,
-        }
 
 
 def critical_friction(mechanism: Mechanism, bits: int = DEFAULT_BITS, budget: int = DEFAULT_BUDGET) -> CriticalFriction:

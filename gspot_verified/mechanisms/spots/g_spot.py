@@ -52,7 +52,7 @@ class GSpot:
         """The mechanism it belongs to."""
         return self.shifted.mechanism
 
-    def values(self) -> dict[str, str]:
+    def to_json(self) -> dict[str, str]:
         """The components of the state as text; an angle as ``reference + deviation``."""
         references = {angle.coordinate: angle.name for angle in self.mechanism.angles}
         found = {}
@@ -76,7 +76,7 @@ def find_g_spot(mechanism: Mechanism, bits: int = DEFAULT_BITS) -> GSpot:
 
     >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
     >>> spot = find_g_spot(shipped_mechanism("frictional impact oscillator"))
-    >>> spot.exact, spot.values()["psi"], spot.values()["phi"]
+    >>> spot.exact, spot.to_json()["psi"], spot.to_json()["phi"]
     (True, '-2/5', 'phi_ref')
     """
     shifted = shift(mechanism)

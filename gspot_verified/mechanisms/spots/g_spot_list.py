@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
@@ -11,15 +11,17 @@ from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.g_spot import GSpot
 from gspot_verified.numbers.balls import ball_text
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.written import Written
 
 _SHOWN = 20
 
 
 @dataclass(frozen=True)
-class Left(NoTruthValue):
+class Left(NoTruthValue, Written):
     """A box of states in which G-spots are neither found nor excluded, and why."""
 
     ask: ClassVar[str] = ".why says why the box is left open"
+    written: ClassVar[str] = "box=sides why"
 
     sides: tuple[tuple[str, str], ...]
     why: str
@@ -27,13 +29,9 @@ class Left(NoTruthValue):
     def __str__(self) -> str:
         return ", ".join(f"{word} = {text}" for word, text in self.sides) + f": {self.why}"
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {"box": dict(self.sides), "why": self.why}
-
 
 @dataclass(frozen=True)
-class Patch(NoTruthValue):
+class Patch(NoTruthValue, Written):
     """For all values of ``parameters`` in their intervals exactly one G-spot has the other components in ``box``.
 
     ``dimension`` is that of the curve or surface which the G-spots form there, free components included.
@@ -50,13 +48,9 @@ class Patch(NoTruthValue):
         there = ", ".join(f"{word} in {text}" for word, text in self.box)
         return f"for all {over} exactly one with {there}"
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {"dimension": self.dimension, "parameters": dict(self.parameters), "box": dict(self.box)}
-
 
 @dataclass(frozen=True)
-class GSpots(NoTruthValue):
+class GSpots(NoTruthValue, Written):
     """The G-spots of a mechanism in a region of states.
 
     ``spots`` are proved to lie in the region, each alone in its box. ``boundary`` are proved too, but so near to the
@@ -67,6 +61,7 @@ class GSpots(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".complete is True when all G-spots in the region are listed; .verdict has three outcomes"
+    written: ClassVar[str] = "name verdict complete searched free spots boundary left patch"
 
     name: str
     spots: tuple[GSpot, ...]
@@ -119,22 +114,8 @@ class GSpots(NoTruthValue):
         lines = []
         for title, spots in (("G-spot", self.spots), ("at the boundary of the region", self.boundary)):
             for n, spot in enumerate(spots, 1):
-                lines.append(f"  {title} {n}: " + ", ".join(f"{k} = {v}" for k, v in spot.values().items()))
+                lines.append(f"  {title} {n}: " + ", ".join(f"{k} = {v}" for k, v in spot.to_json().items()))
         return lines
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {
-            "name": self.name,
-            "verdict": self.verdict.to_json(),
-            "complete": self.complete,
-            "searched": dict(self.searched),
-            "free": list(self.free),
-            "spots": [spot.values() for spot in self.spots],
-            "boundary": [spot.values() for spot in self.boundary],
-            "left": [left.to_json() for left in self.left],
-            "patch": None if self.patch is None else self.patch.to_json(),
-        }
 
 
 def shape(dimension: int) -> str:

@@ -85,12 +85,12 @@ in the brackets where one quantity passes zero or the spot vanishes
     conditions = BoxProgram(system.conditions, system.dimension + len(names))
     work = portions(cells(conditions, question.grid, place, point))
     found: list[list[SweepPiece]] = []
-    with open_journal(journal, question, place, first.values()) as kept:
+    with open_journal(journal, question, place, first.to_json()) as kept:
         for pieces in results(question, work, executor or InProcessExecutor(), kept):
             found += pieces
             if progress is not None:
                 progress(len(found), sum(map(len, work)))
-    return _assembled(question, system, place, first.values(), point, found)
+    return _assembled(question, system, place, first.to_json(), point, found)
 
 
 def _assembled(

@@ -7,7 +7,7 @@ spots the parameter is a function of it, whose derivative passes zero once.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
@@ -22,12 +22,13 @@ from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, Tube, try_tu
 from gspot_verified.numbers.balls import approximate, ball_text
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 
 _STEPS = 12
 
 
 @dataclass(frozen=True, slots=True)
-class Fold(NoTruthValue):
+class Fold(NoTruthValue, Written):
     """Exactly one fold: at one value of the parameter in ``value``, the continued spot meets another one.
 
     ``opens`` = 1: both are there for larger values up to ``reach``, none of the two for smaller ones; -1: the other
@@ -54,16 +55,6 @@ class Fold(NoTruthValue):
             f"fold at {self.parameter} = {_text(self.value)}: the continued spot meets another one there and both "
             f"vanish; they are there for {side} {self.parameter}; {point}"
         )
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; exact intervals as text."""
-        return {
-            "parameter": self.parameter,
-            "value": str(self.value),
-            "opens": self.opens,
-            "reach": str(self.reach),
-            "point": {word: str(side) for word, side in self.point},
-        }
 
 
 def fold_next_to(system: ParametricSystem, equations: Equations, tube: Tube, end: fmpq, digits: int) -> Fold | None:

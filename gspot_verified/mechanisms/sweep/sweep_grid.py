@@ -13,6 +13,7 @@ from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.mechanisms.sweep.sweep_cell import Cell
 from gspot_verified.mechanisms.sweep.sweep_start import Origin
 from gspot_verified.numbers.balls import approximate, working_bits
+from gspot_verified.numbers.written import Written
 
 _BITS = 64
 _STEPS = 6
@@ -22,7 +23,7 @@ Index = tuple[int, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Axis:
+class Axis(Written):
     """One parameter's range, cut into equal cells."""
 
     name: str

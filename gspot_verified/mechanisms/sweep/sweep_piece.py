@@ -9,7 +9,7 @@ from __future__ import annotations
 import enum
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 from flint import arb, fmpq
 
@@ -155,3 +155,38 @@ def _not_wider(side: arb) -> arb:
 def interval(value: arb | None) -> Dyadic | None:
     """A ball as an exact interval; None where it says nothing."""
     return None if value is None or not value.is_finite() else Dyadic.from_ball(value)
+
+
+class PassingRow(NamedTuple):
+    """A quantity that vanishes on a piece, the number of the parameter along which it is monotone, and the sign."""
+
+    quantity: str
+    along: int
+    direction: int
+
+
+class PieceRow(NamedTuple):
+    """A piece as a user reads it: what holds on it, with the numbers in balls."""
+
+    lower: tuple[fmpq, ...]
+    upper: tuple[fmpq, ...]
+    kind: Kind
+    case: str | None
+    lift_off_sign_of_C1: int | None
+    impact_sign_of_C1: int | None
+    unsure: tuple[str, ...]
+    passing: PassingRow | None
+    alpha_1: Dyadic | None
+    alpha_2: Dyadic | None
+    alpha_3: Dyadic | None
+    beta: Dyadic | None
+    mean_force: Dyadic | None
+    slip_velocity: Dyadic | None
+
+
+def piece_row(piece: SweepPiece) -> PieceRow:
+    """The piece without its tube."""
+    found = piece.passing
+    passing = None if found is None else PassingRow(found.quantity, found.along, found.direction)
+    what = (piece.kind, piece.case, piece.lift_off_sign, piece.impact_sign, piece.unsure, passing)
+    return PieceRow(piece.lower, piece.upper, *what, *piece.numbers)

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import fmpq
 
 from gspot_verified.mechanisms.sweep.sweep_fold import Fold
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis
-from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, Kind, Passing, SweepPiece
+from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, Kind, Passing, PieceRow, SweepPiece, piece_row
 from gspot_verified.numbers.balls import ExactInput, approximate, exact, float_bounds
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import cover_by_boxes
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.written import Written
 from gspot_verified.signs.gamma.side import side_text
 
 _SLIP = "slip_velocity"
@@ -24,10 +25,11 @@ _UNKNOWN = (Kind.OPEN, Kind.NO_TUBE)
 
 
 @dataclass(frozen=True, slots=True)
-class Crossing(NoTruthValue):
+class Crossing(NoTruthValue, Written):
     """Where a quantity passes zero on a line: between ``lower`` and ``upper``, where it is strictly monotone."""
 
     ask: ClassVar[str] = ".proved says whether it certainly vanishes there, and then exactly once"
+    written: ClassVar[str] = "quantity lower upper direction exactly_once=proved"
 
     quantity: str
     lower: fmpq
@@ -47,16 +49,6 @@ class Crossing(NoTruthValue):
         times = "exactly once" if self.proved else "at most once (it may do so at the end of the range)"
         return f"{what} in {name} = {_bracket(self.lower, self.upper)}, {times}"
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {
-            "quantity": self.quantity,
-            "lower": str(self.lower),
-            "upper": str(self.upper),
-            "direction": self.direction,
-            "exactly_once": self.proved,
-        }
-
 
 _QUANTITIES = {
     "alpha_1": "alpha_1 passes 0",
@@ -67,7 +59,7 @@ _QUANTITIES = {
 
 
 @dataclass(frozen=True, slots=True)
-class Sweep(NoTruthValue):
+class Sweep(NoTruthValue, Written):
     """The result of :func:`sweep`. ``pieces`` cover the range, in the order of their lower ends.
 
     ``start`` is where the spot was proved first, ``spot`` its state there. ``folds``: where it meets another one and
@@ -75,6 +67,9 @@ class Sweep(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".verdict.outcome says whether Case and side are settled on the whole range"
+    written: ClassVar[str] = (
+        "name parameters=axes start=start_values spot verdict crossings notes warnings folds pieces=piece_rows"
+    )
 
     name: str
     axes: tuple[Axis, ...]
@@ -83,6 +78,16 @@ class Sweep(NoTruthValue):
     pieces: tuple[SweepPiece, ...]
     folds: tuple[Fold, ...] = ()
     notes: tuple[str, ...] = ()
+
+    @property
+    def start_values(self) -> dict[str, fmpq]:
+        """The start by the parameters' names."""
+        return {axis.name: value for axis, value in zip(self.axes, self.start, strict=True)}
+
+    @property
+    def piece_rows(self) -> list[PieceRow]:
+        """The pieces without their tubes."""
+        return [piece_row(piece) for piece in self.pieces]
 
     @property
     def verdict(self) -> Verdict:
@@ -199,24 +204,6 @@ class Sweep(NoTruthValue):
             found[text] = found.get(text, 0) + 1
         return found
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; exact rationals and intervals as text."""
-        return {
-            "name": self.name,
-            "parameters": [
-                {"name": axis.name, "lower": str(axis.lower), "upper": str(axis.upper), "cells": axis.cells}
-                for axis in self.axes
-            ],
-            "start": {axis.name: str(value) for axis, value in zip(self.axes, self.start, strict=True)},
-            "spot": dict(self.spot),
-            "verdict": self.verdict.to_json(),
-            "crossings": [crossing.to_json() for crossing in self.crossings],
-            "notes": list(self.notes),
-            "warnings": list(self.warnings),
-            "folds": [fold.to_json() for fold in self.folds],
-            "pieces": [_piece_to_json(piece) for piece in self.pieces],
-        }
-
     def to_csv(self) -> str:
         """One line for each piece: its ends exactly and as decimals, bounds of the numbers rounded outward."""
         names = [axis.name for axis in self.axes]
@@ -250,19 +237,6 @@ def _piece_text(piece: SweepPiece) -> str:
         return "no Case"
     sides = side_text(piece.lift_off_sign, piece.impact_sign)
     return sides if piece.case == "III" else f"Case {piece.case}: {sides.partition(': ')[2]}"
-
-
-def _piece_to_json(piece: SweepPiece) -> dict[str, Any]:
-    data = piece.to_json()
-    del data["tube"]
-    numbers = data.pop("numbers")
-    passing = piece.passing
-    data["passing"] = (
-        None
-        if passing is None
-        else {"quantity": passing.quantity, "along": passing.along, "direction": passing.direction}
-    )
-    return data | dict(zip(NUMBERS, numbers, strict=True))
 
 
 def _csv_line(piece: SweepPiece) -> str:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import enum
 from dataclasses import dataclass
 
+from gspot_verified.numbers.written import Written
+
 
 class Reach(enum.Enum):
     """How far an error reaches."""
@@ -15,15 +17,11 @@ class Reach(enum.Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Consequence:
+class Consequence(Written):
     """The reach of an error, and why."""
 
     reach: Reach
     why: str
-
-    def to_json(self) -> dict[str, str]:
-        """Plain data for ``json.dumps``."""
-        return {"reach": self.reach.value, "why": self.why}
 
 
 def consequence(identifier: str) -> Consequence | None:

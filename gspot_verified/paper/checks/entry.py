@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import enum
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import ClassVar, NamedTuple
 
 from gspot_verified.numbers.evidence import answered, every, less
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
+from gspot_verified.numbers.written import ByName, Written
 from gspot_verified.paper.checks.consequences import Consequence, consequence
 from gspot_verified.paper.checks.formal_proof import FormalProof
 from gspot_verified.paper.checks.paper import Citation, citation, with_printed_numbers
 
 
-class Rung(enum.Enum):
+class Rung(ByName):
     """What a check rests on, the strongest first: what it can settle and whom a reader must trust.
 
     >>> Rung.PAGE.settles, Rung.POINTS.settles, Rung.PAGE.short
@@ -48,7 +48,7 @@ _SHORT = {
 
 
 @dataclass(frozen=True, slots=True)
-class Check(NoTruthValue):
+class Check(NoTruthValue, Written):
     """One route to the claim: what was done and what came out.
 
     ``agrees`` is True when the claim holds on everything this check covers, False when it certainly fails somewhere,
@@ -62,18 +62,17 @@ class Check(NoTruthValue):
     agrees: bool | None
     finding: str = ""
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {
-            "rung": self.rung.name.lower(),
-            "what": self.what,
-            "agrees": self.agrees,
-            "finding": self.finding,
-        }
+
+class Route(NamedTuple):
+    """A way to a claim: what it rests on, what it is, and whether it was run here."""
+
+    rung: str
+    what: str
+    run: bool
 
 
 @dataclass(frozen=True, slots=True)
-class Entry(NoTruthValue):
+class Entry(NoTruthValue, Written):
     """A statement of the paper with its verdict.
 
     ``label`` is the paper's label or "line N" of its source; ``source`` the printed form, transcribed as short LaTeX;
@@ -85,6 +84,11 @@ class Entry(NoTruthValue):
     """
 
     ask: ClassVar[str] = ASK_VERDICT
+    definition: ClassVar[str] = "entry"
+    written: ClassVar[str] = (
+        "identifier label printed=cited.printed verbatim quotations=cited.quotations lines code from_cache formal "
+        "routes section source statement checks verdict rung rests_on corrected note consequence"
+    )
 
     identifier: str
     label: str
@@ -135,42 +139,22 @@ class Entry(NoTruthValue):
         return consequence(self.identifier) if self.verdict.outcome is Outcome.REFUTED else None
 
     @property
-    def routes(self) -> tuple[tuple[str, str, bool], ...]:
+    def routes(self) -> tuple[Route, ...]:
         """Each route to the claim: what it rests on, what it is, and whether it was run here."""
-        found = [(check.rung.short, check.what, True) for check in self.checks]
+        found = [Route(check.rung.short, check.what, True) for check in self.checks]
         if self.formal is not None and not self.formal.run:
-            found.append((Rung.FORMAL.short, ", ".join(name for name, _, _ in self.formal.theorems), False))
+            found.append(Route(Rung.FORMAL.short, ", ".join(one.name for one in self.formal.theorems), False))
         return tuple(found)
+
+    @property
+    def lines(self) -> tuple[tuple[int, int], ...]:
+        """First and last lines of the quotations in the paper's source."""
+        return tuple((quotation.first, quotation.last) for quotation in self.cited.quotations)
 
     @property
     def page_alone(self) -> bool:
         """True when the verdict rests on a proof page and on nothing else: who doubts the page has no other check."""
         return self.rests_on == (Rung.PAGE,)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {
-            "identifier": self.identifier,
-            "label": self.label,
-            "printed": self.cited.printed,
-            "verbatim": self.verbatim,
-            "quotations": [quotation.to_json() for quotation in self.cited.quotations],
-            "lines": [[quotation.first, quotation.last] for quotation in self.cited.quotations],
-            "code": self.code,
-            "from_cache": self.from_cache,
-            "formal": self.formal.to_json() if self.formal is not None else None,
-            "routes": [{"rung": rung, "what": what, "run": run} for rung, what, run in self.routes],
-            "section": self.section,
-            "source": self.source,
-            "statement": self.statement,
-            "checks": [check.to_json() for check in self.checks],
-            "verdict": self.verdict.to_json(),
-            "rung": self.rung.name.lower() if self.rung else None,
-            "rests_on": [rung.name.lower() for rung in self.rests_on],
-            "corrected": self.corrected,
-            "note": self.note,
-            "consequence": found.to_json() if (found := self.consequence) else None,
-        }
 
 
 Builders = Mapping[str, Callable[[], Entry]]

@@ -9,9 +9,10 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import ClassVar, NamedTuple
 
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 
 ROOT = Path(__file__).resolve().parents[3]
 COQ = ROOT / "proofs" / "coq"
@@ -41,21 +42,25 @@ class ProofRun(NoTruthValue):
     failure: str = NOT_ASKED
 
 
+class Theorem(NamedTuple):
+    """Its name, its statement and the file that states it; no text and no file where proofs/coq/ is not."""
+
+    name: str
+    statement: str
+    file: str
+
+
 @dataclass(frozen=True, slots=True)
-class FormalProof(NoTruthValue):
+class FormalProof(NoTruthValue, Written):
     """Theorems that are the claim of an entry: their names, texts and files, and whether they were proved here."""
+
+    written: ClassVar[str] = "theorems run state"
 
     ask = ".run is True or False"
 
-    theorems: tuple[tuple[str, str, str], ...]
-    """Of each its name, its statement and the file that states it; no text and no file where proofs/coq/ is not."""
+    theorems: tuple[Theorem, ...]
     run: bool
     state: str
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        theorems = [{"name": name, "statement": text, "file": file} for name, text, file in self.theorems]
-        return {"theorems": theorems, "run": self.run, "state": self.state}
 
 
 def run_proofs(coq: Path = COQ) -> ProofRun:
@@ -82,8 +87,9 @@ def formal_proof(names: Sequence[str], proofs: ProofRun, coq: Path = COQ) -> For
     :raises ValueError: Statement.v is there, and one of them is not stated.
     """
     if not (coq / "Statement.v").is_file():
-        return FormalProof(tuple((name, "", "") for name in names), False, "not run here: proofs/coq/ is not here")
-    theorems = tuple((name, *statement_of(name, coq)) for name in names)
+        unread = tuple(Theorem(name, "", "") for name in names)
+        return FormalProof(unread, False, "not run here: proofs/coq/ is not here")
+    theorems = tuple(Theorem(name, *statement_of(name, coq)) for name in names)
     missing = [name for name in names if name not in proofs.theorems]
     why = proofs.failure or (f"prove.py did not prove {', '.join(missing)}" if missing else "")
     return FormalProof(theorems, not why, f"not run here: {why}" if why else "run here, by proofs/coq/prove.py")

@@ -12,20 +12,18 @@ from functools import lru_cache
 from importlib import resources
 from typing import Any
 
+from gspot_verified.numbers.written import Written
+
 _SEPARATOR = r"(?:, | and | to |-|–)"
 
 
 @dataclass(frozen=True, slots=True)
-class Quotation:
+class Quotation(Written):
     """Lines ``first`` to ``last`` of the paper's source, exactly."""
 
     first: int
     last: int
     latex: str
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {"first": self.first, "last": self.last, "latex": self.latex}
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
@@ -22,9 +22,10 @@ from gspot_verified.compliant.fast.fast_path_bound import decaying_bounds, oscil
 from gspot_verified.compliant.fast.late_bound import late_bounds
 from gspot_verified.compliant.slow.grid import scale
 from gspot_verified.compliant.slow.slow_solution import slow_value
-from gspot_verified.numbers.balls import ball_text, working_bits
+from gspot_verified.numbers.balls import ShownBall, ball_text, working_bits
 from gspot_verified.numbers.evidence import equal, every, less
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.written import Written
 from gspot_verified.theta_function.value.evaluate import evaluate
 
 START = fmpq(1, 2)
@@ -37,31 +38,21 @@ _RAY = fmpq(131, 100)
 
 
 @dataclass(frozen=True, slots=True)
-class PaperRun(NoTruthValue):
+class PaperRun(NoTruthValue, Written):
     """What one run does for every epsilon in (0, ``epsilon_0``]: ``fate`` is "impact", "lift-off" or "trivial".
 
     ``margin``: a lower bound of lambda/|mean force| up to the G-spot (lift-off) or for all times (impact).
     """
 
     ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = "beta nu fate epsilon_0 margin verdict"
 
     beta: fmpq
     nu: fmpq
     fate: str
     epsilon_0: fmpq | None
     verdict: Verdict
-    margin: arb | None = None
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {
-            "beta": str(self.beta),
-            "nu": str(self.nu),
-            "fate": self.fate,
-            "epsilon_0": None if self.epsilon_0 is None else str(self.epsilon_0),
-            "margin": None if self.margin is None else ball_text(self.margin),
-            "verdict": self.verdict.to_json(),
-        }
+    margin: ShownBall | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import wraps
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from gspot_verified.numbers.written import Written
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -62,8 +64,10 @@ _METADATA: dict[str, dict[str, Any]] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Picture:
+class Picture(Written):
     """A figure: its texts, its SVG (light and dark in one), and a PNG and a PDF on light paper."""
+
+    written: ClassVar[str] = "name title caption alternative"
 
     name: str
     title: str
@@ -89,15 +93,6 @@ class Picture:
         finally:
             unfinished.unlink(missing_ok=True)
         return place
-
-    def to_json(self) -> dict[str, str]:
-        """The texts as plain data for ``json.dumps``; the pictures are files."""
-        return {
-            "name": self.name,
-            "title": self.title,
-            "caption": self.caption,
-            "alternative": self.alternative,
-        }
 
 
 def styled(draw: Callable[[], Picture]) -> Callable[[], Picture]:

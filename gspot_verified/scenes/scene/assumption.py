@@ -4,19 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar, NamedTuple
 
 from flint import arb, fmpq
 
 from gspot_verified.numbers.balls import hull, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 
 CHECKED, VIOLATED, ASSUMED = "checked", "violated", "assumed"
 _SHOWN_BITS, _SHOWN_DIGITS = 400, 20
 
 
+class Bracket(NamedTuple):
+    """Two times after the start."""
+
+    lower: fmpq
+    upper: fmpq
+
+
 @dataclass(frozen=True)
-class Assumption(NoTruthValue):
+class Assumption(NoTruthValue, Written):
     """``assumes``: a condition on the motion; ``effect``: what is left out and would be needed where it fails.
 
     ``standing``: checked along the whole run, violated for certain, or assumed. ``lower``, ``upper``: a bracket of the
@@ -25,6 +33,7 @@ class Assumption(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".standing is checked, violated or assumed"
+    written: ClassVar[str] = "effect assumes standing time why"
 
     effect: str
     assumes: str
@@ -36,6 +45,11 @@ class Assumption(NoTruthValue):
     def __post_init__(self) -> None:
         if (self.standing == CHECKED) != (self.lower is None) or (self.lower is None) != (self.upper is None):
             raise ValueError(f"an assumption that is {self.standing}: from {self.lower} to {self.upper}")
+
+    @property
+    def time(self) -> Bracket | None:
+        """The bracket."""
+        return None if self.lower is None or self.upper is None else Bracket(self.lower, self.upper)
 
     @property
     def when(self) -> str:
@@ -54,17 +68,6 @@ class Assumption(NoTruthValue):
             ASSUMED: f"assumed from {self.when} after the start on ({self.why})",
         }
         return f"without {self.effect}, {self.assumes}: {said[self.standing]}"
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; exact rationals as text."""
-        time = None if self.lower is None else {"lower": str(self.lower), "upper": str(self.upper)}
-        return {
-            "effect": self.effect,
-            "assumes": self.assumes,
-            "standing": self.standing,
-            "time": time,
-            "why": self.why,
-        }
 
 
 def provided(assumptions: Sequence[Assumption]) -> str:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar, NamedTuple
 
 from flint import arb, fmpq
 
 from gspot_verified.numbers.balls import approximate, working_bits
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Verdict
+from gspot_verified.numbers.written import Written
 from gspot_verified.scenes.effects.lift_off import LIFT_OFF, TOUCH_DOWN
 from gspot_verified.scenes.scene.assumption import Assumption
 from gspot_verified.scenes.scene.samples import Samples
@@ -42,8 +43,23 @@ class RunEvent:
             return arb(self.lower).union(arb(self.upper)).str(_SHOWN_DIGITS)
 
 
+class AtTime(NamedTuple):
+    """An event of a simulation."""
+
+    event: str
+    time: float
+
+
+class InBracket(NamedTuple):
+    """An event that is certified."""
+
+    event: str
+    lower: fmpq
+    upper: fmpq
+
+
 @dataclass(frozen=True)
-class SceneRun(NoTruthValue):
+class SceneRun(NoTruthValue, Written):
     """The events of one run in order; ``fate``: what they amount to; ``strength``: simulated or certified.
 
     ``notes``: what went wrong beside the run, as a journal that could not be written. ``assumptions``: what the effects
@@ -51,6 +67,7 @@ class SceneRun(NoTruthValue):
     """
 
     ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = "strength fate events=event_rows verdict assumptions"
 
     strength: str
     fate: str
@@ -60,25 +77,17 @@ class SceneRun(NoTruthValue):
     notes: tuple[str, ...] = ()
     assumptions: tuple[Assumption, ...] = ()
 
+    @property
+    def event_rows(self) -> list[AtTime | InBracket]:
+        """The events with their times: floats where the run is simulated."""
+        if self.strength == SIMULATED:
+            return [AtTime(event.name, approximate(event.lower)) for event in self.events]
+        return [InBracket(event.name, event.lower, event.upper) for event in self.events]
+
     def __str__(self) -> str:
         lines = [f"{self.strength}: {self.fate}", *(f"  {line}" for line in str(self.verdict).splitlines())]
         lines += [f"  {event.name}: t = {event.shown(self.strength)} after the start" for event in self.events]
         return "\n".join(lines + [f"  {assumption}" for assumption in self.assumptions])
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; exact rationals as text, times of a float run as floats."""
-        return {
-            "strength": self.strength,
-            "fate": self.fate,
-            "events": [self._event(event) for event in self.events],
-            "verdict": self.verdict.to_json(),
-            "assumptions": [assumption.to_json() for assumption in self.assumptions],
-        }
-
-    def _event(self, event: RunEvent) -> dict[str, Any]:
-        if self.strength == SIMULATED:
-            return {"event": event.name, "time": approximate(event.lower)}
-        return {"event": event.name, "lower": str(event.lower), "upper": str(event.upper)}
 
 
 def fate_of(names: Sequence[str]) -> str:

@@ -10,7 +10,7 @@ from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import fmpq
 
@@ -18,6 +18,7 @@ from gspot_verified.numbers.balls import ball, hull, working_bits
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import cover, equal, signed
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
+from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.journal import opened
 from gspot_verified.signs.cover.pieces import Column
 from gspot_verified.signs.cover.refutation import Failure, refutation
@@ -33,11 +34,12 @@ DEFAULT_BUDGET = 2_000
 
 
 @dataclass(frozen=True, slots=True)
-class SignResult(NoTruthValue):
+class SignResult(NoTruthValue, Written):
     """The verdict; ``columns`` prove the statement, or ``point`` and ``sign_there`` refute it and ``columns`` prove the
     sign at that point. At one point with an integer beta there are no columns: an integer polynomial is evaluated."""
 
     ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = "statement verdict columns=columns.__len__ pieces examined point sign_there"
 
     statement: SignStatement
     verdict: Verdict
@@ -46,23 +48,16 @@ class SignResult(NoTruthValue):
     sign_there: int | None = None
     examined: int = 0
 
+    @property
+    def pieces(self) -> int:
+        """How many pieces the columns have."""
+        return sum(len(column.pieces) for column in self.columns)
+
     def __str__(self) -> str:
         return str(self.verdict)
 
     def _repr_html_(self) -> str:
         return self.verdict._repr_html_()
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {
-            "statement": self.statement.to_json(),
-            "verdict": self.verdict.to_json(),
-            "columns": len(self.columns),
-            "pieces": sum(len(column.pieces) for column in self.columns),
-            "examined": self.examined,
-            "point": None if self.point is None else [str(value) for value in self.point],
-            "sign_there": self.sign_there,
-        }
 
     @property
     def proved_statement(self) -> SignStatement | None:

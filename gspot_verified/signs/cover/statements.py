@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar, Literal
 
 from flint import fmpq
 
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 from gspot_verified.work.ranges import Range
 
 _MANY_ZEROS = 16
@@ -15,11 +16,13 @@ _RELATION = {1: ">", 0: "=", -1: "<"}
 
 
 @dataclass(frozen=True, slots=True)
-class SignStatement(NoTruthValue):
+class SignStatement(NoTruthValue, Written):
     """dTheta/dtau has the sign ``sign`` at every point of the two ranges."""
 
     version: ClassVar[int] = 1
+    kind: ClassVar[Literal["sign"]] = "sign"
     ask: ClassVar[str] = ".sign is what is stated; that it holds is proved elsewhere"
+    written: ClassVar[str] = "kind tau beta sign"
 
     tau: Range
     beta: Range
@@ -30,17 +33,15 @@ class SignStatement(NoTruthValue):
         beta = f"at β = {self.beta.lower}" if self.beta.is_point else f"every β in {self.beta}"
         return f"dΘ/dτ {_RELATION[self.sign]} 0 {tau} and {beta}"
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data of the certificate."""
-        return {"kind": "sign", "tau": str(self.tau), "beta": str(self.beta), "sign": self.sign}
-
 
 @dataclass(frozen=True, slots=True)
-class ZerosStatement(NoTruthValue):
+class ZerosStatement(NoTruthValue, Written):
     """For every beta of the range that is not an integer dTheta/dtau has exactly counts[floor(beta)] real zeros."""
 
     version: ClassVar[int] = 1
+    kind: ClassVar[Literal["zeros"]] = "zeros"
     ask: ClassVar[str] = ".counts is what is stated; that it holds is proved elsewhere"
+    written: ClassVar[str] = "kind beta counts"
 
     beta: Range
     counts: tuple[tuple[int, int], ...]
@@ -49,17 +50,15 @@ class ZerosStatement(NoTruthValue):
         table = ", ".join(f"N = {count} on ({m}, {m + 1})" for m, count in self.counts)
         return f"for every β in {self.beta} that is not an integer, dΘ/dτ has exactly N real zeros, all simple: {table}"
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data of the certificate."""
-        return {"kind": "zeros", "beta": str(self.beta), "counts": [list(pair) for pair in self.counts]}
-
 
 @dataclass(frozen=True, slots=True)
-class BracketsStatement(NoTruthValue):
+class BracketsStatement(NoTruthValue, Written):
     """dTheta/dtau at one beta has exactly one real zero in each open interval, and no other."""
 
     version: ClassVar[int] = 1
+    kind: ClassVar[Literal["brackets"]] = "brackets"
     ask: ClassVar[str] = ".brackets is what is stated; that it holds is proved elsewhere"
+    written: ClassVar[str] = "kind beta brackets"
 
     beta: fmpq
     brackets: tuple[tuple[fmpq, fmpq], ...]
@@ -69,11 +68,6 @@ class BracketsStatement(NoTruthValue):
         return (
             f"at β = {self.beta} dΘ/dτ has exactly {len(self.brackets)} real zeros, all simple, one in each of: {where}"
         )
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data of the certificate."""
-        brackets = [[str(lower), str(upper)] for lower, upper in self.brackets]
-        return {"kind": "brackets", "beta": str(self.beta), "brackets": brackets}
 
 
 Statement = SignStatement | ZerosStatement | BracketsStatement

@@ -10,12 +10,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq
 
 from gspot_verified.numbers.balls import Exact, ExactInput, exact, sign_of, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamma
 
 MAX_BETA = 10**6
@@ -23,7 +24,7 @@ _MAX_INTERVALS = 100_000
 
 
 @dataclass(frozen=True, slots=True)
-class SignInterval(NoTruthValue):
+class SignInterval(NoTruthValue, Written):
     """A maximal interval of constant sign of Gamma(-beta) inside the range.
 
     ``lower`` and ``upper`` are its ends; ``lower_closed`` and ``upper_closed`` say whether an end belongs to it.
@@ -31,6 +32,9 @@ class SignInterval(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".sign is 1 or -1"
+    written: ClassVar[str] = (
+        "lower upper lower_closed upper_closed sign lift_off_sign_of_C1=lift_off_sign impact_sign_of_C1=impact_sign"
+    )
 
     lower: Fraction
     upper: Fraction
@@ -60,21 +64,9 @@ class SignInterval(NoTruthValue):
             f"{left}{', '.join(self._ends())}{right}: Γ(-β) {sign}; {side_text(self.lift_off_sign, self.impact_sign)}"
         )
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; exact fractions as text."""
-        return {
-            "lower": self._ends()[0],
-            "upper": self._ends()[1],
-            "lower_closed": self.lower_closed,
-            "upper_closed": self.upper_closed,
-            "sign": self.sign,
-            "lift_off_sign_of_C1": self.lift_off_sign,
-            "impact_sign_of_C1": self.impact_sign,
-        }
-
 
 @dataclass(frozen=True, slots=True)
-class SideSwitching(NoTruthValue):
+class SideSwitching(NoTruthValue, Written):
     """The answer of :func:`side`: intervals and integers together cover the range.
 
     ``integers`` are the poles of Gamma(-beta) in the range (1/Gamma(-beta) = 0 there).
@@ -82,6 +74,7 @@ class SideSwitching(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".undecided holds the poles that the balls leave open"
+    written: ClassVar[str] = "intervals integers side_switches_at=switches undecided"
 
     intervals: tuple[SignInterval, ...]
     integers: tuple[int, ...]
@@ -103,15 +96,6 @@ class SideSwitching(NoTruthValue):
         if self.undecided:
             lines.append("undecided (an endpoint's ball holds it): β = " + ", ".join(map(str, self.undecided)))
         return "\n".join(lines)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``."""
-        return {
-            "intervals": [interval.to_json() for interval in self.intervals],
-            "integers": list(self.integers),
-            "side_switches_at": list(self.switches),
-            "undecided": list(self.undecided),
-        }
 
 
 def side_text(lift_off_sign: int | None, impact_sign: int | None) -> str:

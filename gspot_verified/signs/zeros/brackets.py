@@ -9,13 +9,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import fmpq, fmpz
 
 from gspot_verified.numbers.balls import ExactInput, bits_for_digits, exact, working_bits
 from gspot_verified.numbers.short_text import decimal_text
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.pieces import Column, Kind, cell_of, number_of_zeros
 from gspot_verified.signs.cover.statements import BracketsStatement
 from gspot_verified.signs.cover.tails import left_threshold
@@ -33,7 +34,7 @@ _MAX_TAIL = fmpq(10**9)
 
 
 @dataclass(frozen=True, slots=True)
-class Brackets(NoTruthValue):
+class Brackets(NoTruthValue, Written):
     """One open interval with rational ends for each real zero of dTheta/dtau(., beta), in order and disjoint; all zeros
     are simple.
 
@@ -41,6 +42,7 @@ class Brackets(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".brackets holds one interval for each zero, and may be empty"
+    written: ClassVar[str] = "beta number=brackets.__len__ brackets"
 
     beta: fmpq
     brackets: tuple[tuple[fmpq, fmpq], ...]
@@ -64,14 +66,6 @@ class Brackets(NoTruthValue):
     def __str__(self) -> str:
         lines = [f"β = {self.beta}: {len(self.brackets)} real zeros of dΘ/dτ, all simple"]
         return "\n".join([*lines, *(f"  {decimal_text(lower, upper)}" for lower, upper in self.brackets)])
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; exact rationals as text."""
-        return {
-            "beta": str(self.beta),
-            "number": len(self.brackets),
-            "brackets": [[str(lower), str(upper)] for lower, upper in self.brackets],
-        }
 
 
 def zeros_at(beta: ExactInput, digits: int = 15) -> Brackets:

@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, ClassVar
+from typing import Annotated, ClassVar
 
 from flint import fmpq, fmpz
 
 from gspot_verified.numbers.short_text import decimal_text
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.witness import sign_at
 from gspot_verified.signs.gamma.count_law import multiplicity_at_zero, positive_zeros
 from gspot_verified.signs.zeros.brackets import MAX_DIGITS, check_parameter
@@ -21,30 +22,26 @@ _MAX_HALVINGS = 12
 
 
 @dataclass(frozen=True, slots=True)
-class IntegerZeros(NoTruthValue):
+class IntegerZeros(NoTruthValue, Written):
     """The zero tau = 0 with its multiplicity (0: none), and a bracket for each positive zero; these are simple."""
 
     ask: ClassVar[str] = ".brackets holds one interval for each positive zero, and may be empty"
+    written: ClassVar[str] = "beta number multiplicity_at_zero brackets"
 
-    beta: int
+    beta: Annotated[int, fmpq]
     multiplicity_at_zero: int
     brackets: tuple[tuple[fmpq, fmpq], ...]
 
+    @property
+    def number(self) -> int:
+        """How many different zeros there are."""
+        return len(self.brackets) + bool(self.multiplicity_at_zero)
+
     def __str__(self) -> str:
-        number = len(self.brackets) + bool(self.multiplicity_at_zero)
-        lines = [f"β = {self.beta}: {number} real zeros of the polynomial dΘ/dτ"]
+        lines = [f"β = {self.beta}: {self.number} real zeros of the polynomial dΘ/dτ"]
         if self.multiplicity_at_zero:
             lines.append(f"  0, of multiplicity {self.multiplicity_at_zero}")
         return "\n".join([*lines, *(f"  {decimal_text(lower, upper)}" for lower, upper in self.brackets)])
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; exact rationals as text."""
-        return {
-            "beta": str(self.beta),
-            "number": len(self.brackets) + bool(self.multiplicity_at_zero),
-            "multiplicity_at_zero": self.multiplicity_at_zero,
-            "brackets": [[str(lower), str(upper)] for lower, upper in self.brackets],
-        }
 
 
 def zeros_at_integer(beta: int, digits: int = 15) -> IntegerZeros:

@@ -10,11 +10,12 @@ from collections.abc import Callable
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import ClassVar, NamedTuple
 
 from flint import fmpq
 
 from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.cuts import middle_from_integers
 from gspot_verified.signs.cover.journal import opened
 from gspot_verified.signs.cover.pieces import Column, Kind, fold_integer, number_of_zeros
@@ -30,8 +31,16 @@ DEFAULT_BUDGET = 5_000
 _SHOWN = 8
 
 
+class ColumnRow(NamedTuple):
+    """A range of beta, its number of zeros where that is the same for all, and intervals of tau with one each."""
+
+    beta: tuple[fmpq | None, fmpq]
+    zeros: int | None
+    tubes: tuple[tuple[fmpq, fmpq], ...]
+
+
 @dataclass(frozen=True, slots=True)
-class ZerosResult(NoTruthValue):
+class ZerosResult(NoTruthValue, Written):
     """``by_count_law`` is the number of zeros by the theorem. ``columns`` hold the curves as tubes of boxes;
     ``unfinished`` are the ranges of beta left when the budget ended.
 
@@ -40,6 +49,9 @@ class ZerosResult(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".statement is None as long as a range of beta is left"
+    written: ClassVar[str] = (
+        "beta by_count_law route statement examined meetings arrivals columns=column_rows unfinished"
+    )
 
     beta: Range
     by_count_law: ZerosStatement
@@ -74,6 +86,12 @@ class ZerosResult(NoTruthValue):
         """How the number of zeros is proved."""
         return "columns of pieces, and the count law" if self.statement is not None else "the count law"
 
+    @property
+    def column_rows(self) -> list[ColumnRow]:
+        """Every column with its zeros and their tubes."""
+        found = self.columns
+        return [ColumnRow((one.lower, one.upper), number_of_zeros(one), tuple(one.tubes())) for one in found]
+
     def __str__(self) -> str:
         lines = [f"proved: {self.by_count_law}", f"  route: {self.route} (proofs/count_law.md)"]
         if self.statement is not None:
@@ -91,27 +109,6 @@ class ZerosResult(NoTruthValue):
         else:
             lines.append(f"  no tubes: columns are sought for β <= {MAX_BETA}")
         return "\n".join(lines)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; the tubes of every column included."""
-        return {
-            "beta": str(self.beta),
-            "by_count_law": self.by_count_law.to_json(),
-            "route": self.route,
-            "statement": None if self.statement is None else self.statement.to_json(),
-            "examined": self.examined,
-            "meetings": list(self.meetings),
-            "arrivals": list(self.arrivals),
-            "columns": [
-                {
-                    "beta": [str(column.lower), str(column.upper)],
-                    "zeros": number_of_zeros(column),
-                    "tubes": [[str(lower), str(upper)] for lower, upper in column.tubes()],
-                }
-                for column in self.columns
-            ],
-            "unfinished": [[str(lower), str(upper)] for lower, upper in self.unfinished],
-        }
 
 
 def zeros_on_range(

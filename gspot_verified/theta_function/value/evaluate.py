@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb, fmpq, fmpq_poly
 
@@ -25,9 +25,9 @@ from gspot_verified.numbers.balls import (
     shrink_to_bits,
     working_bits,
 )
-from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import signed
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.written import Written
 from gspot_verified.theta_function.value import choice, routes
 from gspot_verified.theta_function.value.integer import polynomial
 from gspot_verified.theta_function.value.majorant import majorant_bound
@@ -44,7 +44,7 @@ _FEW_MORE_BITS = 32
 
 
 @dataclass(frozen=True, slots=True)
-class Evaluation(NoTruthValue):
+class Evaluation(NoTruthValue, Written):
     """The result of :func:`evaluate`.
 
     ``value`` contains the exact result for every exact input in the input balls, always. ``reached`` says whether its
@@ -53,6 +53,7 @@ class Evaluation(NoTruthValue):
     """
 
     ask: ClassVar[str] = ".sign is a Verdict, .reached says whether the accuracy was reached"
+    written: ClassVar[str] = "value=__str__ enclosure=value digits reached route working_bits reason"
 
     value: arb
     digits: int
@@ -74,18 +75,6 @@ class Evaluation(NoTruthValue):
 
     def _repr_html_(self) -> str:
         return f"<code>{self}</code>"
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain data for ``json.dumps``; ``enclosure`` is the exact interval, null when nothing is known."""
-        return {
-            "value": str(self),
-            "enclosure": str(Dyadic.from_ball(self.value)) if self.value.is_finite() else None,
-            "digits": self.digits,
-            "reached": self.reached,
-            "route": self.route,
-            "working_bits": self.working_bits,
-            "reason": self.reason.name.lower() if self.reason else None,
-        }
 
 
 def evaluate(

@@ -119,7 +119,7 @@ def test_the_least_value_rests_on_cells_that_cover_the_half_line(monkeypatch: py
 
 def test_without_a_certain_least_value_no_threshold_is_proved(monkeypatch: pytest.MonkeyPatch) -> None:
     """The numbers are found all the same; the verdict that would rest on them is undecided."""
-    system = iwc("5/2")
+    system = leading_order_iwc("5/2")
     shown = impact(system, None, 4)
     assert shown is not None
     assert shown.verdict.outcome is Outcome.PROVED

@@ -103,7 +103,7 @@ def test_an_interval_that_is_left_out_shows_nothing(monkeypatch: pytest.MonkeyPa
 
 @pytest.mark.slow
 def test_a_cell_of_epsilon_that_is_not_shown_is_not_counted(monkeypatch: pytest.MonkeyPatch) -> None:
-    leading = iwc("13/2")
+    leading = leading_order_iwc("13/2")
     assert leading.epsilon_0 is not None
     found, _ = threshold_by_cells(leading.force, START, leading.epsilon_0, 3)
     assert found is not None

@@ -101,7 +101,7 @@ def test_units_other_than_the_normal_form() -> None:
 @pytest.mark.parametrize(("beta", "alpha_2"), [("3/2", -1), ("3/2", 1)], ids=["one flight", "it never ends"])
 def test_what_follows_a_lift_off_rests_on_it(monkeypatch: pytest.MonkeyPatch, beta: str, alpha_2: int) -> None:
     model = compliant_model(beta, "1e-4", alpha_2=alpha_2)
-    run = compliant_run(model, paper_state(model, 2))
+    run = events(model, paper_state(model, 2))
     assert run.verdict.outcome is Outcome.PROVED
     assert str(run.events[0].evidence) in str(run.verdict.evidence)
 
@@ -111,7 +111,7 @@ def test_what_follows_a_lift_off_rests_on_it(monkeypatch: pytest.MonkeyPatch, be
         return dataclasses.replace(found, verdict=Verdict.undecided("it", Reason.BUDGET, "for the test"))
 
     monkeypatch.setattr("gspot_verified.compliant.motion.run.first_zero", not_shown)
-    assert compliant_run(model, paper_state(model, 2)).verdict.outcome is Outcome.UNDECIDED
+    assert events(model, paper_state(model, 2)).verdict.outcome is Outcome.UNDECIDED
 
 
 def test_a_flight_that_never_ends() -> None:

@@ -102,8 +102,8 @@ def test_a_state_of_fewer_than_4_components() -> None:
 
 
 def test_angles_are_shown_from_their_references() -> None:
-    assert find_g_spot(rod()).values()["theta"] == "theta_ref"
-    near = find_g_spot(rod({"theta": "theta_ref + 1/50"}, search=True)).values()["theta"]
+    assert find_g_spot(rod()).to_json()["theta"] == "theta_ref"
+    near = find_g_spot(rod({"theta": "theta_ref + 1/50"}, search=True)).to_json()["theta"]
     assert near.startswith("theta_ref + [")
 
 

@@ -22,7 +22,7 @@ from gspot_verified.paper.checks.entry import (
     same_sign,
     settled,
 )
-from gspot_verified.paper.checks.formal_proof import FormalProof
+from gspot_verified.paper.checks.formal_proof import FormalProof, Theorem
 
 
 def test_no_answers_are_no_agreement() -> None:
@@ -214,7 +214,7 @@ def test_what_follows_from_an_error_is_said_of_a_refuted_entry_alone() -> None:
 
 @pytest.mark.parametrize("run", [True, False])
 def test_a_formal_proof_that_was_not_run_is_a_route_and_one_that_was_is_among_the_checks(run: bool) -> None:
-    proof = FormalProof((("first", "a text", "a file"), ("second", "another", "a file")), run, "state")
+    proof = FormalProof((Theorem("first", "a text", "a file"), Theorem("second", "another", "a file")), run, "state")
     entry = replace(PROVED, formal=proof)
     ran = [("exact identity or certificate", "check 0", True), ("points only", "check 1", True)]
     assert list(entry.routes) == [*ran, *([] if run else [("formal proof", "first, second", False)])]
