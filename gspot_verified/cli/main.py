@@ -19,7 +19,6 @@ import typer
 from gspot_verified.cli.app import app, signs_of_life
 from gspot_verified.cli.isolation import isolate
 from gspot_verified.cli.output import NOT_WRITTEN
-from gspot_verified.cli.parameters import read_when_needed
 
 USAGE = 64
 INTERNAL = 70
@@ -72,7 +71,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         with signs_of_life():
             load_commands(words)
-            command = read_when_needed(typer.main.get_command(app))
+            command = typer.main.get_command(app)
             code = command(prog_name="gspot-verified", args=words, standalone_mode=False)
     except (ValueError, OSError) as error:
         typer.echo(f"error: {error}", err=True)

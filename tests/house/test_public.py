@@ -72,7 +72,7 @@ def test_help_loads_no_arithmetic() -> None:
     assert in_a_fresh_process(script).endswith("\nFalse\n")
 
 
-HEAVY = {"pydantic", "rich", "numpy", "scipy", "sympy", "mpmath", "matplotlib", "jinja2", "asyncio", "multiprocessing"}
+HEAVY = {"rich", "numpy", "scipy", "sympy", "mpmath", "matplotlib", "jinja2", "asyncio", "multiprocessing"}
 
 
 @pytest.mark.parametrize(
