@@ -1,0 +1,62 @@
+"""Which files stand on a proof page: those whose docstrings cite it, and the ledger's entries that rest on it.
+
+``python docs/extensions/used_by.py`` writes the last column of ``proofs/README.md``; a test compares it.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PROOFS = ROOT / "proofs"
+LIST = PROOFS / "README.md"
+_CITED = re.compile(r"proofs/(\w+)\.md")
+_OF_CHECKER = re.compile(r"\b(\w+)\.md")  # the checker stands beside the pages
+_ROW = re.compile(r"^(\| \[(\w+)\.md\]\(\w+\.md\) \| .* \|) [^|]*\|$", re.MULTILINE)
+
+
+def used_by() -> dict[str, list[str]]:
+    """The files of each page, as the pages write them: from the package's folder on, or from the root."""
+    found: dict[str, list[str]] = {page.stem: [] for page in sorted(PROOFS.glob("*.md")) if page != LIST}
+    package = ROOT / "gspot_verified"
+    for path in sorted(package.rglob("*.py")):
+        for page in cited(path.read_text(encoding="utf-8")):
+            found[page].append(path.relative_to(package).as_posix())
+    checker = ast.get_docstring(ast.parse((PROOFS / "check.py").read_text(encoding="utf-8"))) or ""
+    for page in sorted(set(_OF_CHECKER.findall(checker))):
+        found[page].append("proofs/check.py")
+    return found
+
+
+def cited(source: str) -> list[str]:
+    """The pages that the docstrings of a source name, and those of its calls ``Page("name", steps)``.
+
+    >>> cited('"As in ``proofs/tails.md``."\\nsteps = Page("signs", ())')
+    ['signs', 'tails']
+    """
+    return sorted(set(_cited(ast.parse(source))))
+
+
+def _cited(tree: ast.Module) -> Iterator[str]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
+            yield from _CITED.findall(ast.get_docstring(node) or "")
+        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Page":
+            yield from (arg.value for arg in node.args[:1] if isinstance(arg, ast.Constant))
+
+
+def with_column(text: str, files: dict[str, list[str]]) -> str:
+    """The table of the pages with its last column anew."""
+    return _ROW.sub(lambda row: f"{row[1]} {', '.join(f'`{file}`' for file in files[row[2]])} |", text)
+
+
+def main() -> None:
+    """Write the column."""
+    LIST.write_text(with_column(LIST.read_text(encoding="utf-8"), used_by()), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
