@@ -10,7 +10,7 @@ import pytest
 from house.test_layout import LAYERS, PACKAGE, ROOMS, ROOT
 
 TEXT = (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8")
-PAGES = ("ARCHITECTURE.md", "CONTRIBUTING.md")
+PAGES = ("ARCHITECTURE.md", "CONTRIBUTING.md", "README.md")
 FILES_TO_READ = 21
 
 
@@ -48,7 +48,7 @@ def missing(paths: Sequence[str], page: Path) -> list[str]:
 
 def paths_in(text: str) -> list[str]:
     """What a page names as a path: text between backticks with a slash or a suffix of a file, and targets of links."""
-    quoted = re.findall(r"(?<!`)`([\w./-]+)`(?!`)", text)
+    quoted = re.findall(r"(?<!`)`([\w./-]+)`(?![`\]])", text)
     links = [target.partition("#")[0] for target in re.findall(r"\]\(([^)\s]+)\)", text) if "://" not in target]
     suffixes = (".py", ".md", ".toml", ".json", ".v", ".cff", ".svg", ".cert")
     made = ("build/", "report/index.html", "report/report.json")
