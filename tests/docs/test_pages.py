@@ -5,9 +5,11 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import pages
 import pytest
 from samples import page_examples
 
+import gspot_verified
 from gspot_verified.mechanisms.input import file
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -51,3 +53,8 @@ def test_every_key_of_the_format_is_on_its_page() -> None:
     accepted = {f"{table}.{key}".lstrip(".") for table, keys in file.KEYS.items() for key in keys}
     assert accepted - tables <= listed
     assert len(listed) > 20
+
+
+def test_the_reference_has_every_public_name_once() -> None:
+    found = re.findall(r"^\.\. auto\w+:: gspot_verified\.([\w.]+)$", pages.reference(), re.MULTILINE)
+    assert sorted(found) == sorted(f"{home}.{name}" for name, home in gspot_verified.__homes__.items())
