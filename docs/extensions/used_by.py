@@ -22,8 +22,11 @@ def used_by() -> dict[str, list[str]]:
     """The files of each page, as the pages write them: from the package's folder on, or from the root."""
     found: dict[str, list[str]] = {page.stem: [] for page in sorted(PROOFS.glob("*.md")) if page != LIST}
     package = ROOT / "gspot_verified"
-    for path in sorted(package.rglob("*.py")):
-        for page in cited(path.read_text(encoding="utf-8")):
+    trees = {path: ast.parse(path.read_text(encoding="utf-8")) for path in sorted(package.rglob("*.py"))}
+    named = {(_module(path), name): page for path, tree in trees.items() for name, page in constants(tree)}
+    for path, tree in trees.items():
+        imported = {named[key] for key in _imported(tree) if key in named}
+        for page in sorted({*cited(tree), *imported}):
             found[page].append(path.relative_to(package).as_posix())
     checker = ast.get_docstring(ast.parse((PROOFS / "check.py").read_text(encoding="utf-8"))) or ""
     for page in sorted(set(_OF_CHECKER.findall(checker))):
@@ -31,21 +34,36 @@ def used_by() -> dict[str, list[str]]:
     return found
 
 
-def cited(source: str) -> list[str]:
-    """The pages that the docstrings of a source name, and those of its calls ``Page("name", steps)``.
-
-    >>> cited('"As in ``proofs/tails.md``."\\nsteps = Page("signs", ())')
-    ['signs', 'tails']
-    """
-    return sorted(set(_cited(ast.parse(source))))
-
-
-def _cited(tree: ast.Module) -> Iterator[str]:
+def cited(tree: ast.Module) -> Iterator[str]:
+    """The pages that the docstrings of a source name, and those of its calls ``Page("name", steps)``."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
             yield from _CITED.findall(ast.get_docstring(node) or "")
-        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Page":
-            yield from (arg.value for arg in node.args[:1] if isinstance(arg, ast.Constant))
+        elif (page := _page(node)) is not None:
+            yield page
+
+
+def constants(tree: ast.Module) -> Iterator[tuple[str, str]]:
+    """(name, page) where a source gives a page a name: ``NAME = Page("page", steps)``."""
+    for node in tree.body:
+        if isinstance(node, ast.Assign) and (page := _page(node.value)) is not None:
+            yield from ((target.id, page) for target in node.targets if isinstance(target, ast.Name))
+
+
+def _page(node: ast.AST) -> str | None:
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Page":
+        return next((str(arg.value) for arg in node.args[:1] if isinstance(arg, ast.Constant)), None)
+    return None
+
+
+def _module(path: Path) -> str:
+    return ".".join(path.relative_to(ROOT).with_suffix("").parts)
+
+
+def _imported(tree: ast.Module) -> Iterator[tuple[str, str]]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom):
+            yield from ((node.module or "", alias.name) for alias in node.names)
 
 
 def with_column(text: str, files: dict[str, list[str]]) -> str:

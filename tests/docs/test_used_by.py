@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from pathlib import Path
 
@@ -37,8 +38,19 @@ def test_the_column_follows_the_citations() -> None:
 
 
 def test_what_counts_as_a_citation() -> None:
-    assert used_by.cited('def f():\n    """By ``proofs/tails.md``."""\n') == ["tails"]
-    assert used_by.cited('# proofs/tails.md\nx = "proofs/tails.md"\n') == []
+    def cited(source: str) -> list[str]:
+        return sorted(used_by.cited(ast.parse(source)))
+
+    assert cited('def f():\n    """By ``proofs/tails.md``."""\n') == ["tails"]
+    assert cited('"""By ``proofs/tails.md``."""\ncheck = Page("signs", ()).check("it")\n') == ["signs", "tails"]
+    assert cited('# proofs/tails.md\nx = "proofs/tails.md"\n') == []
+
+
+def test_who_imports_a_page_rests_on_it() -> None:
+    assert list(used_by.constants(ast.parse('LEFT = Page("signs", ())\nother = page("tails")\n'))) == [
+        ("LEFT", "signs")
+    ]
+    assert "paper/section_4_5/cases.py" in used_by.used_by()["signs"]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)

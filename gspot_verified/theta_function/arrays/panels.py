@@ -1,6 +1,7 @@
 """Theta at one beta on a cover of [-64, 64] by panels, each with its Taylor series: for many values of tau.
 
-Where the panels lie and how long the series are is a heuristic; each series carries its own bound.
+Where the panels lie and how long the series are is a heuristic; each series carries its own bound
+(``proofs/local_series.md``).
 """
 
 from __future__ import annotations

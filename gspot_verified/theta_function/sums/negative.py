@@ -38,7 +38,8 @@ def negative_sum(tau: Exact, beta: Exact, terms: int, bits: int) -> arb:
 
 
 def negative_split_sum(tau: fmpq, beta: fmpq, terms: int, bits: int) -> arb:
-    """The same enclosure for rational tau and beta, by binary splitting, from at least ``terms`` terms.
+    """The same enclosure for rational tau and beta, by binary splitting (``proofs/splitting.md``), from at least
+    ``terms`` terms.
 
     Its cost follows the sizes of the integers in tau and beta: use it for rationals of small height. Hypotheses,
     checked: as in :func:`negative_sum`.

@@ -2,7 +2,8 @@
 
 Every route returns a valid enclosure or a ball that is not finite (its hypotheses are not met there). None of them
 raises precision: :mod:`theta_function.value.evaluate` does. A derivative is a shift of beta, by Theta' = -beta
-Theta(beta - 1): d^k Theta/dtau^k (tau, beta) = (-beta)(1 - beta)...(k - 1 - beta) Theta(tau, beta - k).
+Theta(beta - 1) (``proofs/identities.md``): d^k Theta/dtau^k (tau, beta) = (-beta)(1 - beta)...(k - 1 - beta)
+Theta(tau, beta - k).
 """
 
 from __future__ import annotations
