@@ -21,7 +21,7 @@ RECORD = ROOT / "tests" / "costs.json"
 LEAST, LIMIT, KEPT = 0.05, 0.3, 0.9
 """Seconds: what is worth a row; what the fast set may cost a test; what its cheapest case may."""
 BUDGET = 40.0
-_ALWAYS = ("tests/house/test_layout.py", "tests/house/test_public.py")
+_ALWAYS = ("tests/house/test_layout.py", "tests/house/test_public.py", "tests/house/test_architecture.py")
 
 
 def recorded(place: Path = RECORD) -> dict[str, float]:
@@ -75,9 +75,9 @@ def noticing(changed: Iterable[str]) -> list[str]:
                     path.relative_to(ROOT).as_posix() for path in sorted((ROOT / "tests" / "cli").glob("test_*.py"))
                 ]
         elif name == "README.md":
-            near.append(name)
+            near += [name, "tests/docs/test_readme.py"]
         elif name.startswith("proofs/"):
-            near += ["tests/proofs/test_proofs.py", "tests/coq/test_prove.py"]
+            near += ["tests/proofs/test_proofs.py", "tests/docs/test_used_by.py", "tests/coq/test_prove.py"]
         elif name.startswith("docs/"):
             near.append("tests/docs/test_pages.py")
     return list(dict.fromkeys([*near, *_ALWAYS, *far]))

@@ -57,7 +57,8 @@ def test_the_record_is_canonical(tmp_path: Path) -> None:
         (["gspot_verified/numbers/dyadic.py"], ["gspot_verified/numbers/dyadic.py", "tests/numbers/test_dyadic.py"]),
         (["tests/numbers/test_dyadic.py"], ["tests/numbers/test_dyadic.py"]),
         (["proofs/taylor.md"], ["tests/proofs/test_proofs.py"]),
-        (["README.md"], ["README.md"]),
+        (["README.md"], ["README.md", "tests/docs/test_readme.py"]),
+        (["ARCHITECTURE.md"], ["tests/house/test_architecture.py"]),
     ],
 )
 def test_what_can_notice_a_change_comes_first(changed: list[str], first: list[str]) -> None:
