@@ -8,6 +8,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -18,6 +19,7 @@ _OF_CHECKER = re.compile(r"\b(\w+)\.md")  # the checker stands beside the pages
 _ROW = re.compile(r"^(\| \[(\w+)\.md\]\(\w+\.md\) \| .* \|) [^|]*\|$", re.MULTILINE)
 
 
+@cache
 def used_by() -> dict[str, list[str]]:
     """The files of each page, as the pages write them: from the package's folder on, or from the root."""
     found: dict[str, list[str]] = {page.stem: [] for page in sorted(PROOFS.glob("*.md")) if page != LIST}
