@@ -64,8 +64,7 @@ def zeros(
         return (
             zeros_on_range(betas, **given) if epsilon is None else zero_map(betas, _range(epsilon, "epsilon"), **given)
         )
-    assert not isinstance(beta, Range)
-    if given or isinstance(epsilon, Range) or _is_range(epsilon):
+    if given or isinstance(beta, Range) or isinstance(epsilon, Range) or _is_range(epsilon):
         raise ValueError(f"{next(iter(given), 'epsilon')}: it needs a range of beta, such as 1..13")
     accuracy = 15 if digits is None else digits
     if epsilon is not None:
