@@ -10,7 +10,7 @@ from flint import arb, fmpq
 
 from gspot_verified import Outcome, iwc
 from gspot_verified.compliant.contact.iwc import BALLS_CAVEAT, iwc_over_balls
-from gspot_verified.compliant.contact.iwc import iwc as compliant_iwc
+from gspot_verified.compliant.contact.iwc import compliant_iwc
 from gspot_verified.compliant.contact.threshold import slow_force
 from gspot_verified.leading_order.iwc import CAVEAT
 from gspot_verified.leading_order.iwc import iwc as leading_order
