@@ -9,11 +9,10 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified import Outcome, iwc
-from gspot_verified.compliant.contact.iwc import BALLS_CAVEAT, iwc_over_balls
-from gspot_verified.compliant.contact.iwc import compliant_iwc
+from gspot_verified.compliant.contact.iwc import BALLS_CAVEAT, compliant_iwc, iwc_over_balls
 from gspot_verified.compliant.contact.threshold import slow_force
 from gspot_verified.leading_order.iwc import CAVEAT
-from gspot_verified.leading_order.iwc import iwc as leading_order
+from gspot_verified.leading_order.iwc import leading_order_iwc as leading_order
 from gspot_verified.leading_order.iwc_over_balls import iwc_over_balls as leading_order_over_balls
 from gspot_verified.numbers.balls import working_bits
 
