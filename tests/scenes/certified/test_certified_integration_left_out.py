@@ -33,7 +33,7 @@ from gspot_verified.scenes.scene.file import SHIPPED, load_scene
 from gspot_verified.scenes.scene.run import IMPACT, OPEN, REFUTED, SceneRun, agreement
 from gspot_verified.scenes.scene.scene import Scene
 
-HOSTILE = Path(__file__).parent / "hostile"
+HOSTILE = Path(__file__).parents[1] / "hostile"
 CONTACT = ("compliant_contact", "lift_off")
 TANGENTIAL = (*CONTACT, "tangential_motion")
 EPSILON = fmpq(1, 10)

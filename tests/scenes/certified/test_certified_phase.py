@@ -26,7 +26,7 @@ from gspot_verified.scenes.scene.file import load_scene
 from gspot_verified.scenes.scene.run import OPEN
 from gspot_verified.scenes.scene.scene import Scene
 
-CLOSE = Path(__file__).with_name("close_events.toml")
+CLOSE = Path(__file__).parents[1] / "close_events.toml"
 x, y = Variable(0), Variable(1)
 
 
