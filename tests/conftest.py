@@ -68,7 +68,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
     parser.addoption("--fast", action="store_true", help="leave out the tests that costs.json says are costly")
     parser.addoption("--order-seed", metavar="N", default=None, help="run the tests in an order drawn from N")
-    parser.addoption("--record-costs", action="store_true", help="measure every test and write costs.json")
+    parser.addoption("--record-costs", action="store_true", help="measure every test that runs and write costs.json")
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -151,6 +151,12 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
     return found
 
 
+def _left_out(config: pytest.Config) -> dict[str, float]:
+    """The rows of the tests that a run of the fast set does not measure."""
+    known = costs.recorded() if config.getoption("--fast") else {}
+    return {name: known[name] for name in costs.costly(known)}
+
+
 def pytest_sessionfinish(session: pytest.Session) -> None:
     """A worker hands its measurements on; the last process writes them."""
     config = session.config
@@ -160,7 +166,7 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
     if hasattr(config, "workeroutput"):
         config.workeroutput["costs"] = found
     else:
-        costs.record(found)
+        costs.record(_left_out(config) | found)
 
 
 @pytest.hookimpl(optionalhook=True)
