@@ -48,6 +48,7 @@ from gspot_verified.mechanisms.sweep.sweep import sweep as sweep
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep as Sweep
 from gspot_verified.numbers.balls import approximate as approximate
 from gspot_verified.numbers.balls import ball_text as ball_text
+from gspot_verified.numbers.balls import to_mpmath as to_mpmath
 from gspot_verified.numbers.dyadic import Dyadic as Dyadic
 from gspot_verified.numbers.verdict import Outcome as Outcome
 from gspot_verified.numbers.verdict import Reason as Reason
