@@ -60,23 +60,16 @@ def krawczyk_operator(
     except ZeroDivisionError:
         return None
     # Any matrix serves as Y; the midpoints make it an exact one.
-    y = [[inverse[i, j].mid() for j in range(size)] for i in range(size)]
+    y = inverse.mid()
     middle = [side.mid() for side in box]
     moves = [side - centre for side, centre in zip(box, middle, strict=True)]
-    found: Vector = []
-    for i in range(size):
-        total = middle[i]
-        for j in range(size):
-            total = total - y[i][j] * at_middle[j]
-        for j in range(size):
-            entry = arb(1 if i == j else 0)
-            for k in range(size):
-                entry = entry - y[i][k] * over_box[k][j]
-            total = total + entry * moves[j]
-        if not total.is_finite():
-            return None
-        found.append(total)
-    return found
+    shrunk = arb_mat(size, size, [int(i == j) for i in range(size) for j in range(size)]) - y * arb_mat(over_box)
+    found = (_column(middle) - y * _column(at_middle) + shrunk * _column(moves)).entries()
+    return found if all(side.is_finite() for side in found) else None
+
+
+def _column(values: Sequence[arb]) -> arb_mat:
+    return arb_mat(len(values), 1, list(values))
 
 
 def strictly_inside(inner: arb, outer: arb) -> bool:
