@@ -1,1 +1,1 @@
-"""What accuracy costs in time, and the hard cases."""
+"""What accuracy costs in time."""

@@ -1,1 +1,1 @@
-"""Signs: Gamma side-switching."""
+"""Certain signs: of Γ(-β), of dΘ/dτ on ranges, and its zeros."""

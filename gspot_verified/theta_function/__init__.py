@@ -1,1 +1,1 @@
-"""The function Θ(τ, β): initial values, routes with their bounds, evaluation to a given accuracy."""
+"""The function Θ(τ, β): initial values, routes with their bounds, evaluation to a given accuracy, arrays."""

@@ -1,1 +1,1 @@
-"""Appendix A of the paper."""
+"""Appendix A: Θ, its hypergeometric form and its asymptotics."""

@@ -1,1 +1,1 @@
-"""Section 1 of the paper."""
+"""Section 1: the signs of α, the cases, the mass matrix, p < 0."""

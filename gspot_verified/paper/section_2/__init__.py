@@ -1,1 +1,1 @@
-"""Section 2 of the paper."""
+"""Section 2: mechanisms, the contact and restitution, the extended system."""

@@ -1,1 +1,1 @@
-"""Section 3 of the paper."""
+"""Section 3: the simulations, Table 1, flight after lift-off."""

@@ -1,1 +1,1 @@
-"""Sections 4.1 to 4.4 of the paper."""
+"""Sections 4.1 to 4.4: slow, fast, inner and outer expansions, and their matching."""

@@ -1,1 +1,1 @@
-"""Section 4.5 of the paper."""
+"""Section 4.5: the three cases, signs of Γ(-β), the compliant model."""

@@ -1,1 +1,1 @@
-"""Section 5 of the paper."""
+"""Section 5: Theorem 1, its recursion and spaces, matching with the outer solution."""

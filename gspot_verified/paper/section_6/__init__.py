@@ -1,1 +1,1 @@
-"""Sections 6 and 7 and Appendix B of the paper."""
+"""Sections 6 and 7 and Appendix B: the oscillator and its runs."""
