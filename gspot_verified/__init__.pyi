@@ -9,7 +9,6 @@ from gspot_verified.compliant.model.normal_form import CompliantModel as Complia
 from gspot_verified.compliant.model.normal_form import CompliantState as CompliantState
 from gspot_verified.compliant.model.normal_form import compliant_model as compliant_model
 from gspot_verified.compliant.model.normal_form import compliant_state as compliant_state
-from gspot_verified.compliant.motion.compliant_force import SlowManifold as SlowManifold
 from gspot_verified.compliant.motion.compliant_force import force as force
 from gspot_verified.compliant.motion.first_zero import contact_lasts as contact_lasts
 from gspot_verified.compliant.motion.run import events as events

@@ -9,7 +9,7 @@ from flint import fmpq
 from gspot_verified.certificates.checker import CheckResult
 from gspot_verified.compliant.contact.iwc import CompliantIwc
 from gspot_verified.compliant.model.force_result import CompliantForce
-from gspot_verified.compliant.motion.run import Run
+from gspot_verified.compliant.motion.run import CompliantRun
 from gspot_verified.compliant.side.side_rule import SideRule
 from gspot_verified.compliant.zeros.zero_count import SlowZeros
 from gspot_verified.compliant.zeros.zero_map import ZeroMap
@@ -153,7 +153,7 @@ RESULTS: dict[str, tuple[Any, ...]] = {
     "check": (CheckResult,),
     "iwc": (CompliantIwc,),
     "force": ((CompliantForce, _System),),
-    "events": (Run,),
+    "events": (CompliantRun,),
     "simulate": (_SceneRuns,),
     "scenes": (_Scenes,),
     "wrong-sides": (WrongSides,),

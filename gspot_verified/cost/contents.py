@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gspot_verified.cost.measurement.blueprint import Blueprint
-from gspot_verified.cost.measurement.contest import Contestant
+from gspot_verified.cost.measurement.contest import TimedRoute
 from gspot_verified.cost.parts import scene_runs
 from gspot_verified.cost.parts.checked_proofs import CHECKER, FORMAL
 from gspot_verified.cost.parts.expansion_orders import EXPANSIONS
@@ -20,7 +20,7 @@ def blueprints(full: bool) -> tuple[Blueprint, ...]:
     return (THETA, ROUTES, SIGNS, ATLAS, BRACKETS, EXPANSIONS, FINITE_EPSILON, scenes, CHECKER, FORMAL)
 
 
-def contestants_of(key: str) -> tuple[Contestant, ...]:
+def contestants_of(key: str) -> tuple[TimedRoute, ...]:
     """The contestants of one part, with those of the full size.
 
     :raises ValueError: there is no such part.

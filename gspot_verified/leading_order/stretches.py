@@ -114,7 +114,7 @@ def minimum(found: Stretches) -> Bracket:
 
 
 @dataclass(frozen=True, slots=True)
-class Crossing:
+class LevelCrossing:
     """The function is above -level on [start, lower] and has exactly one crossing of it in (lower, upper).
 
     It is strictly decreasing there. ``number``: all crossings on [start, infinity), None when some critical value is
@@ -131,7 +131,7 @@ class NotAbove(ValueError):
     """The function is certainly below -level at the start already."""
 
 
-def first_crossing(found: Stretches, level: Level, digits: int = 15) -> Crossing | None:
+def first_crossing(found: Stretches, level: Level, digits: int = 15) -> LevelCrossing | None:
     """Where the function first falls through -level, when it tends to -infinity; None when balls cannot tell.
 
     :raises NotAbove: it is below -level at the start.
@@ -166,7 +166,7 @@ def first_crossing(found: Stretches, level: Level, digits: int = 15) -> Crossing
         number = sum(a != b for a, b in pairwise([*known, -1]))
         shown += [less(0, height) if sign > 0 else less(height, 0) for sign, height in zip(known, heights, strict=True)]
     evidence = every(shown)
-    return None if evidence is None else Crossing(lower, upper, number, evidence)
+    return None if evidence is None else LevelCrossing(lower, upper, number, evidence)
 
 
 def _height(found: Stretches, level: Level, digits: int) -> Callable[[fmpq], arb]:

@@ -11,7 +11,7 @@ from flint import fmpq
 
 from gspot_verified.compliant.model.normal_form import CompliantModel, CompliantState, compliant_model, compliant_state
 from gspot_verified.compliant.motion.run import IMPACT as LASTING
-from gspot_verified.compliant.motion.run import ONE_FLIGHT, Run, events
+from gspot_verified.compliant.motion.run import ONE_FLIGHT, CompliantRun, events
 from gspot_verified.compliant.motion.run import TRIVIAL as CONSTANT
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.scenes.certified.certified_integration import MAX_STEPS, integrated_run
@@ -97,13 +97,13 @@ def exact_start(scene: Scene) -> tuple[CompliantModel, CompliantState]:
     return model, compliant_state(*(start[name] for name in "pbyvz"))
 
 
-def _fate(run: Run) -> str:
+def _fate(run: CompliantRun) -> str:
     if run.verdict.outcome is not Outcome.PROVED:
         return OPEN
     return {LASTING: IMPACT, CONSTANT: TRIVIAL, ONE_FLIGHT: FLIGHT_THEN_IMPACT}.get(run.verdict.statement, OPEN)
 
 
-def _events(run: Run) -> tuple[RunEvent, ...]:
+def _events(run: CompliantRun) -> tuple[RunEvent, ...]:
     return tuple(
         RunEvent(event.name, fmpq(event.lower - run.start), fmpq(event.upper - run.start)) for event in run.events
     )

@@ -14,15 +14,15 @@ from gspot_verified.cli.app import schema_name
 from gspot_verified.cli.schema import schema_of
 from gspot_verified.cost import run as chapter
 from gspot_verified.cost.measurement.blueprint import Blueprint
-from gspot_verified.cost.measurement.contest import Contestant
+from gspot_verified.cost.measurement.contest import TimedRoute
 from gspot_verified.cost.measurement.file import load, recorded, written
 from gspot_verified.cost.measurement.measurement import CERTIFIED
 
 
 @pytest.fixture
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
-    def contestants() -> tuple[Contestant, ...]:
-        return (Contestant("ours", CERTIFIED, (1,), lambda _: lambda: sum(range(100)), has_memory=False),)
+    def contestants() -> tuple[TimedRoute, ...]:
+        return (TimedRoute("ours", CERTIFIED, (1,), lambda _: lambda: sum(range(100)), has_memory=False),)
 
     sizes: list[bool] = []
 

@@ -17,7 +17,7 @@ from gspot_verified.cli.app import app, schema_name
 from gspot_verified.cli.main import load_commands
 from gspot_verified.cli.schema import RESULTS, Schema, schema_of
 from gspot_verified.cost.benchmarks.theta import CostReport
-from gspot_verified.cost.times.curves import Curve
+from gspot_verified.cost.times.curves import TimeCurve
 from gspot_verified.cost.times.rows import Row, Target
 from gspot_verified.paper.section_4_5 import cases
 from gspot_verified.report.check_again import CheckedAgain
@@ -190,7 +190,7 @@ def test_verify_and_report(capsys: pytest.CaptureFixture[str], monkeypatch: pyte
 
 def test_cost(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     rows = (Row("case", "asked", Target("cold", 0.005, "s"), 0.001), Row("case", "asked", Target("x", 8), None))
-    report = CostReport(rows, (), (Curve("it", ((10, 0.5),)),), ("remark",), False, 1.5)
+    report = CostReport(rows, (), (TimeCurve("it", ((10, 0.5),)),), ("remark",), False, 1.5)
     monkeypatch.setattr("gspot_verified.cost.benchmarks.theta.run", lambda *_: report)
     data = printed(capsys, "cost", "theta")
     assert errors("cost", data) == []

@@ -22,11 +22,11 @@ from gspot_verified.compliant.fast.decaying_coefficient import _before, _beyond,
 from gspot_verified.compliant.fast.fast_bound import fast_bound
 from gspot_verified.compliant.fast.fast_path_bound import _arc, _ray, _tail, oscillating_bounds
 from gspot_verified.compliant.fast.late_bound import late_bounds
-from gspot_verified.compliant.fast.modulus_sum import Piece, modulus_sum
+from gspot_verified.compliant.fast.modulus_sum import PathPiece, modulus_sum
 from gspot_verified.compliant.model.kernel import kernel
 from gspot_verified.compliant.model.normal_form import Deviation
 from gspot_verified.compliant.patches import slow_majorant
-from gspot_verified.compliant.patches.slow_majorant import Region
+from gspot_verified.compliant.patches.slow_majorant import ComplexNeighbourhood
 from gspot_verified.compliant.slow.slow_solution import slow_value
 from gspot_verified.numbers.balls import working_bits
 
@@ -91,8 +91,10 @@ def test_the_exponent_of_the_decaying_coefficient() -> None:
 # Section 3: sums over boxes.
 
 
-def _piece(length: fmpq, exponent: Callable[[arb], arb], slope: Callable[[arb], arb], bend: arb | None = None) -> Piece:
-    return Piece(
+def _piece(
+    length: fmpq, exponent: Callable[[arb], arb], slope: Callable[[arb], arb], bend: arb | None = None
+) -> PathPiece:
+    return PathPiece(
         arb(length),
         lambda x: acb(exponent(x)),
         lambda x: acb(slope(x)),
@@ -147,7 +149,7 @@ def _same(value: acb, other: acb, tolerance: float = 1e-8) -> bool:
     ],
     ids=["circle", "ray", "axis"],
 )
-def test_slope_and_curvature_of_a_piece_are_derivatives(made: Callable[[], Piece]) -> None:
+def test_slope_and_curvature_of_a_piece_are_derivatives(made: Callable[[], PathPiece]) -> None:
     piece, small = made(), arb((1, -30))
     assert piece.length > 0
     for k in (1, 2, 5):
@@ -289,7 +291,7 @@ def _slow_integral(x: mpf, tau: mpf, eta: mpf, start: mpf | int = 0) -> mpf:
 @pytest.mark.parametrize("tau", [fmpq(-8), fmpq(2)])
 def test_the_integral_over_a_region_covers_both_ends(tau: fmpq) -> None:
     """For tau << 0 it falls with the exponent, for tau > 0 it rises: each end of the region, with its distance."""
-    region = Region(fmpq(-1, 2), fmpq(1, 2), fmpq(3, 2), fmpq(1, 5), tau)
+    region = ComplexNeighbourhood(fmpq(-1, 2), fmpq(1, 2), fmpq(3, 2), fmpq(1, 5), tau)
     bound = _upper(region.integral(4))
     true = [_slow_integral(mpf(x), _m(tau), mpf(1) / 5) for x in (2, 6)]
     assert max(true) < bound < 3 * max(true)
@@ -301,7 +303,7 @@ def test_the_integral_over_a_region_covers_both_ends(tau: fmpq) -> None:
 @pytest.mark.parametrize(("lower", "upper"), [(fmpq(1, 4), fmpq(3, 4)), (fmpq(-1, 2), fmpq(-1, 4))])
 def test_the_bound_of_the_coefficients_is_that_of_the_page(lower: fmpq, upper: fmpq) -> None:
     """Γ(1+x) c^(k-x) e^(π|y|) U + |rΓ(-z)| c^(k-x-p) I_p, over the region; every factor at its larger end."""
-    region = Region(lower, upper, fmpq(1, 4), fmpq(9, 4), fmpq(1, 2))
+    region = ComplexNeighbourhood(lower, upper, fmpq(1, 4), fmpq(9, 4), fmpq(1, 2))
     c, d = mpf(2) / 5, mpf(1) / 4
     x = [_m(lower) - d, _m(upper) + d]
     X = mpf(9) / 10
@@ -323,7 +325,7 @@ def test_the_bound_of_the_coefficients_is_that_of_the_page(lower: fmpq, upper: f
 
 
 def test_the_coefficients_are_not_bounded_near_the_pole() -> None:
-    region = Region(fmpq(-3, 4), fmpq(0), fmpq(1, 8), fmpq(1, 10), fmpq(1))
+    region = ComplexNeighbourhood(fmpq(-3, 4), fmpq(0), fmpq(1, 8), fmpq(1, 10), fmpq(1))
     assert all(bound.is_finite() for bound in slow_majorant.slow_majorant(region, 3))
     assert not any(b.is_finite() for b in slow_majorant.slow_majorant(replace(region, distance=fmpq(1, 4)), 3))
     assert not any(b.is_finite() for b in slow_majorant.epsilon_difference(replace(region, distance=fmpq(1, 4)), 2, 3))

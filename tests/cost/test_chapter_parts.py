@@ -10,7 +10,7 @@ from flint import fmpq
 from gspot_verified.compliant.slow.slow_solution import slow_value
 from gspot_verified.cost.contents import blueprints
 from gspot_verified.cost.measurement import contest
-from gspot_verified.cost.measurement.contest import QUICK, Contestant
+from gspot_verified.cost.measurement.contest import QUICK, TimedRoute
 from gspot_verified.cost.measurement.measurement import Part, Route
 from gspot_verified.cost.parts import slow_solution_digits
 from gspot_verified.cost.parts.ode import ode_value, ode_zeros, right_decimals
@@ -25,18 +25,18 @@ SLOW = ("scenes", "formal", "checker")
 PARTS = {blueprint.key: blueprint for blueprint in blueprints(False)}
 
 
-def shortened(contestant: Contestant) -> Contestant:
+def shortened(contestant: TimedRoute) -> TimedRoute:
     return replace(contestant, arguments=contestant.arguments[-1:] if contestant.panel else contestant.arguments[:1])
 
 
-def measured(key: str, monkeypatch: pytest.MonkeyPatch) -> tuple[Part, tuple[Contestant, ...]]:
+def measured(key: str, monkeypatch: pytest.MonkeyPatch) -> tuple[Part, tuple[TimedRoute, ...]]:
     monkeypatch.setattr(contest, "memory_alone", lambda *_: 1024)
     blueprint = PARTS[key]
     few = tuple(map(shortened, blueprint.contestants()))
     return replace(blueprint, contestants=lambda: few).measured(EFFORT), few
 
 
-def excused(route: Route, contestant: Contestant) -> bool:
+def excused(route: Route, contestant: TimedRoute) -> bool:
     """Another program may be absent, or be there and give no answer: then the note says so."""
     return bool(contestant.missing or contestant.seconds) and bool(route.note)
 

@@ -13,7 +13,7 @@ from flint import arb, arb_mat, arb_poly, fmpq
 from gspot_verified.functions.expressions import Constant, Expression, Power, Variable
 from gspot_verified.integrator.box_steps import step as steps
 from gspot_verified.integrator.box_steps.error_set import ErrorSet
-from gspot_verified.integrator.box_steps.step import Curve, Plan, Step, certified_step
+from gspot_verified.integrator.box_steps.step import Plan, PolynomialCurve, Step, certified_step
 from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.integrator.norm_steps import norm_step as norm_steps
 from gspot_verified.integrator.norm_steps.norm_step import Basis, NormPlan, NormStep, StateSet, norm_step
@@ -37,7 +37,7 @@ def exponential(order: int) -> arb_poly:
 
 
 def lohner(field: VectorField, p: arb_poly, radius: arb, h: arb, plan: Plan) -> Step:
-    found = certified_step(field, Curve((p,), ((arb_poly([1]),),)), [radius], h, plan)
+    found = certified_step(field, PolynomialCurve((p,), ((arb_poly([1]),),)), [radius], h, plan)
     assert found is not None
     return found
 
@@ -103,7 +103,7 @@ def test_derivatives_along_a_flow_that_does_not_grow() -> None:
     h, unit = arb((1, -2)), ((arb_poly([1]), arb_poly([])), (arb_poly([]), arb_poly([1])))
     with working_bits(128):
         plan = Plan((arb(1), arb((1, -24))), arb(1), 2, 60, 60)
-        step = certified_step(VectorField([y, ZERO]), Curve((arb_poly([0]),) * 2, unit), [TINY] * 2, h, plan)
+        step = certified_step(VectorField([y, ZERO]), PolynomialCurve((arb_poly([0]),) * 2, unit), [TINY] * 2, h, plan)
         assert step is not None
         assert holds(step.flow[0, 1], h)
         assert step.flow[0, 1].rad() < h * (1 + arb((1, -20)))
@@ -124,9 +124,9 @@ def test_the_tail_of_a_pole_just_outside_the_disc(length: int) -> None:
         kept, left_out = sum(terms[:length], arb(0)), sum(terms[length:], arb(0))
         shown = abs(terms[0] - 1) + (kept - terms[0])  # of h f - dx/dτ, term by term
         plan = Plan((arb(1),), arb(1), 64, length, length)
-        bounds = steps._cauchy_bounds(field, Curve((curve,), ()), plan)
+        bounds = steps._cauchy_bounds(field, PolynomialCurve((curve,), ()), plan)
         assert bounds is not None
-        first = steps._defect(field, Curve((curve,), ()), h, bounds[0], plan)[0]
+        first = steps._defect(field, PolynomialCurve((curve,), ()), h, bounds[0], plan)[0]
         second = norm_steps._defect(field, [curve], h, NormPlan((arb(0), arb(1)), (LINE,), (arb(64),), 64, length))
         assert second is not None
         for bound in (first, second[0]):
@@ -139,7 +139,7 @@ def test_the_tail_of_the_derivatives(change: arb) -> None:
     may change on the tube is added."""
     field, h = pole(128), arb(1)
     with working_bits(128):
-        curve = Curve((arb_poly([0, 1]),), ((arb_poly([1]),),))
+        curve = PolynomialCurve((arb_poly([0, 1]),), ((arb_poly([1]),),))
         for length in (1, 2):
             plan = Plan((arb(1),), arb((1, -40)), 64, 60, length)
             bounds = steps._cauchy_bounds(field, curve, plan)
@@ -161,7 +161,7 @@ def test_deviations_that_grow_by_what_is_beside_the_diagonal(weights: tuple[fmpq
     with working_bits(128):
         w = (arb(first), arb(second))
         plan = Plan(w, arb(1), 2, 60, 60)
-        step = certified_step(field, Curve((arb_poly([0]),) * 2, unit), [r * one for one in w], arb(1), plan)
+        step = certified_step(field, PolynomialCurve((arb_poly([0]),) * 2, unit), [r * one for one in w], arb(1), plan)
         assert step is not None
         for side, one in zip(step.enclosure(arb(1)), w, strict=True):
             true = arb(1).exp() * r * one
@@ -173,7 +173,7 @@ def test_an_enclosure_is_of_the_whole_step() -> None:
     """x = 4 τ goes from 0 to 4, in both kinds of step."""
     line, none = arb_poly([0, 4]), arb(0)
     for step in (
-        Step(Curve((line,), ((arb_poly([1]),),)), arb(1), (none,), (none,), arb_mat([[1]]), SHOWN),
+        Step(PolynomialCurve((line,), ((arb_poly([1]),),)), arb(1), (none,), (none,), arb_mat([[1]]), SHOWN),
         NormStep((line,), arb(1), (none,), LINE, (none,)),
     ):
         (side,) = step.enclosure()
@@ -218,7 +218,7 @@ def test_the_local_error_and_the_midpoint_enter_lohners_set() -> None:
     """A step that ends in 1 ± 2^-5 about 1/3, which is no exact number: the set holds both ends."""
     with working_bits(64):
         local, third = arb((1, -5)), arb(1) / 3
-        curve = Curve((arb_poly([third]),), ((arb_poly([1]),),))
+        curve = PolynomialCurve((arb_poly([third]),), ((arb_poly([1]),),))
         step = Step(curve, arb(1), (local,), (local,), arb_mat([[1]]), SHOWN)
         after = ErrorSet.of_box([arb(0)]).after(step)
         assert after is not None
@@ -260,7 +260,7 @@ def test_the_local_error_is_taken_into_turned_coordinates() -> None:
     with working_bits(64):
         c = (arb(1) / 2).sqrt().mid()
         unit = ((arb_poly([1]), arb_poly([])), (arb_poly([]), arb_poly([1])))
-        curve = Curve((arb_poly([0]),) * 2, unit)
+        curve = PolynomialCurve((arb_poly([0]),) * 2, unit)
         turn = arb_mat([[c, -c], [c, c]])
         after = ErrorSet.of_box([arb(0), arb(0)]).after(Step(curve, arb(1), (local,) * 2, (local, arb(0)), turn, SHOWN))
         assert after is not None

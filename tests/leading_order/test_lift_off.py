@@ -16,7 +16,7 @@ from gspot_verified import Outcome, gamma_sign
 from gspot_verified.leading_order.contact_force import ContactForce, contact_force
 from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.leading_order.lift_off import growth_table, lift_off
-from gspot_verified.leading_order.stretches import Crossing, first_crossing
+from gspot_verified.leading_order.stretches import LevelCrossing, first_crossing
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.signs.zeros.brackets import zeros_at
@@ -89,9 +89,9 @@ def test_without_an_answer_from_the_balls_it_is_undecided(monkeypatch: pytest.Mo
 
 @pytest.mark.parametrize("failures", [0, 1, 2])
 def test_what_the_balls_leave_open_is_tried_once_more(monkeypatch: pytest.MonkeyPatch, failures: int) -> None:
-    answers: list[Crossing | None] = []
+    answers: list[LevelCrossing | None] = []
 
-    def crossing(*arguments: Any) -> Crossing | None:
+    def crossing(*arguments: Any) -> LevelCrossing | None:
         answers.append(None if len(answers) < failures else first_crossing(*arguments))
         return answers[-1]
 
@@ -113,7 +113,7 @@ def test_a_number_of_zeros_that_is_open_is_not_stated(monkeypatch: pytest.Monkey
     assert known.lower is not None
     assert known.upper is not None
     assert known.verdict.evidence is not None
-    crossing = Crossing(known.lower, known.upper, None, known.verdict.evidence)
+    crossing = LevelCrossing(known.lower, known.upper, None, known.verdict.evidence)
     monkeypatch.setattr("gspot_verified.leading_order.lift_off.first_crossing", lambda *_: crossing)
     found = lift_off(contact_force("3/2", c1=-1), fmpq(1, 1000), fmpq(-10))
     assert (found.verdict.outcome, found.number, found.verdict.detail) == (Outcome.PROVED, None, "")

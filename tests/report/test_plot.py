@@ -10,7 +10,7 @@ from flint import arb, fmpq
 
 from gspot_verified import expand, iwc, load, plot
 from gspot_verified.compliant.model.normal_form import compliant_model
-from gspot_verified.compliant.motion.compliant_force import SlowManifold, contact_motion
+from gspot_verified.compliant.motion.compliant_force import SlowMotions, contact_motion
 from gspot_verified.mechanisms.spots.g_spot import find_g_spot
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.report import plot as module
@@ -59,7 +59,7 @@ def test_b_hat_is_that_of_the_model_and_tends_to_theta() -> None:
     with working_bits(100):
         kappa = (arb(1) / 2) ** (arb(1) / 3)
         time = fmpq(*float((arb(tau) / kappa * arb(epsilon) ** (arb(2) / 3)).mid()).as_integer_ratio())
-    motion = contact_motion(compliant_model(beta, epsilon), SlowManifold(fmpq(1))).at(time, 15)
+    motion = contact_motion(compliant_model(beta, epsilon), SlowMotions(fmpq(1))).at(time, 15)
     with working_bits(100):
         mean = arb(fmpq(-1) / (-beta + 1)) * arb(motion.p)
         unit = kappa ** -arb(beta) * arb(epsilon) ** (2 * arb(beta) / 3)

@@ -7,7 +7,7 @@ import random
 from flint import fmpq
 
 from gspot_verified.numbers.balls import sign_of
-from gspot_verified.signs.cover.pieces import Column, Kind, Piece, cell_of, fold_integer
+from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind, cell_of, fold_integer
 from gspot_verified.theta_function.value.evaluate import evaluate
 
 
@@ -36,7 +36,7 @@ def assert_column(column: Column, lower: fmpq | None, upper: fmpq | None, seed: 
             assert_piece(piece, column, source)
 
 
-def assert_piece(piece: Piece, column: Column, source: random.Random) -> None:
+def assert_piece(piece: ColumnPiece, column: Column, source: random.Random) -> None:
     """One random point of the piece."""
     low = column.upper - 3 if column.lower is None else column.lower
     b = between(low, column.upper, source) - 1

@@ -23,7 +23,7 @@ from gspot_verified.cli import main
 from gspot_verified.compliant.zeros.zero_map import zero_map
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.signs.cover import sign
-from gspot_verified.signs.cover.pieces import Column, Kind, Piece
+from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind
 from gspot_verified.signs.cover.sign import SignResult
 from gspot_verified.signs.cover.sign import sign as sign_on_ranges
 from gspot_verified.signs.cover.subdivision import proved_again
@@ -146,7 +146,7 @@ def test_every_changed_piece_of_a_run_over_zeros_gives_the_same_answer(tmp_path:
 
 RATIONALS = st.builds(fmpq, st.integers(-60, 60), st.integers(1, 12))
 PIECES = st.lists(
-    st.builds(Piece, st.sampled_from(Kind), st.none() | RATIONALS, st.none() | RATIONALS, st.integers(-2, 2)),
+    st.builds(ColumnPiece, st.sampled_from(Kind), st.none() | RATIONALS, st.none() | RATIONALS, st.integers(-2, 2)),
     min_size=1,
     max_size=12,
 )
@@ -154,7 +154,7 @@ PIECES = st.lists(
 
 @settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(PIECES, st.sampled_from([(fmpq(2), fmpq(9, 4)), (fmpq(11, 4), fmpq(3)), (fmpq(7, 3), fmpq(7, 3))]))
-def test_along_any_pieces_a_column_is_the_same(pieces: list[Piece], ends: tuple[fmpq, fmpq]) -> None:
+def test_along_any_pieces_a_column_is_the_same(pieces: list[ColumnPiece], ends: tuple[fmpq, fmpq]) -> None:
     assert proved_again(zero_column, Column(*ends, tuple(pieces))) == zero_column(*ends)
 
 

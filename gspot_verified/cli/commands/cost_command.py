@@ -11,7 +11,7 @@ from gspot_verified.cli.app import JsonFlag, app, print_json, progress
 from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
-    from gspot_verified.cost.times.curves import Curve
+    from gspot_verified.cost.times.curves import TimeCurve
 
 _SUBJECTS = ("all", "theta", "sign", "expand", "force", "mechanism", "simulate")
 _NAMES = ", ".join(f'"{name}"' for name in _SUBJECTS[:-1]) + f' or "{_SUBJECTS[-1]}"'
@@ -21,7 +21,7 @@ class Measured(Protocol):
     """What every benchmark gives."""
 
     @property
-    def curves(self) -> tuple[Curve, ...]:
+    def curves(self) -> tuple[TimeCurve, ...]:
         """Curves for the picture."""
         ...
 

@@ -35,7 +35,7 @@ def force(
 
     from gspot_verified.compliant.model.normal_form import compliant_model
     from gspot_verified.compliant.model.state_text import state_from_text
-    from gspot_verified.compliant.motion.compliant_force import SlowManifold
+    from gspot_verified.compliant.motion.compliant_force import SlowMotions
     from gspot_verified.compliant.motion.compliant_force import force as compliant_force
     from gspot_verified.compliant.motion.first_zero import contact_lasts
     from gspot_verified.leading_order.contact_force import rational
@@ -54,7 +54,7 @@ def force(
             raise ValueError("--certify: it needs an initial state, --state")
         lasting = None
         charge = fmpq(gamma_sign(model.beta) or 1) if c1 is None else rational(c1, "c1")
-        result = compliant_force(model, SlowManifold(charge), t, digits)
+        result = compliant_force(model, SlowMotions(charge), t, digits)
         where = f"on its slow manifold, b + (α2/(α3-α1)) p ~ C1 (-t)^β, C1 = {charge}"
     if as_json:
         certified = {} if lasting is None else {"contact_lasts": lasting.to_json()}

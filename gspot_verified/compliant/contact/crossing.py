@@ -34,7 +34,7 @@ class NotBelow(ValueError):
 
 
 @dataclass(frozen=True, slots=True)
-class Crossing:
+class LevelReached:
     """f < level on [start, lower], and f reaches the level in (lower, upper), where it increases; and what shows it."""
 
     lower: fmpq
@@ -42,7 +42,7 @@ class Crossing:
     evidence: Evidence
 
 
-def first_crossing(profile: Profile, start: fmpq, level: Level, digits: int) -> Crossing | None:
+def first_crossing(profile: Profile, start: fmpq, level: Level, digits: int) -> LevelReached | None:
     """The first point of [start, infinity) at which f is the level (> 0 or < 0), to ``digits`` decimals.
 
     None when balls cannot tell, which is so next to a greatest value that nearly is the level.
@@ -61,13 +61,13 @@ def first_crossing(profile: Profile, start: fmpq, level: Level, digits: int) -> 
     parts: list[Ends] = [(start, start)]
     shown = [less(at_start, 0)]
 
-    def crossing(first: fmpq, last: fmpq, rising: Evidence) -> Crossing | None:
+    def crossing(first: fmpq, last: fmpq, rising: Evidence) -> LevelReached | None:
         """Between two points between which f rises, the parts before the first one being settled."""
         lower, upper = narrowed(beyond, first, last, digits)
         before = cover([*parts, (first, lower)], (start, lower))
         ends = [less(excess(lower), 0), less(0, excess(upper)), at_most(upper, last)]
         evidence = every([*shown, before, rising, *ends])
-        return None if evidence is None else Crossing(lower, upper, evidence)
+        return None if evidence is None else LevelReached(lower, upper, evidence)
 
     with working_bits(bits_for_digits(_CELL_DIGITS) + _GUARD_BITS):
         bound = level(_CELL_DIGITS)

@@ -12,7 +12,7 @@ from flint import acb, arb, fmpq
 
 from gspot_verified.compliant.fast.decaying_coefficient import real_saddle
 from gspot_verified.compliant.fast.fast_coefficient import saddle
-from gspot_verified.compliant.fast.modulus_sum import Piece, modulus_sum
+from gspot_verified.compliant.fast.modulus_sum import PathPiece, modulus_sum
 from gspot_verified.compliant.model.kernel import Kernel
 from gspot_verified.numbers.balls import nonfinite
 
@@ -61,7 +61,7 @@ def oscillating_coefficient_bound(weight: Weight, p: fmpq, largest: arb) -> arb:
         return (3 * s * s + 4 * s + small) * rest
 
     first = _depth(lambda depth: _before(weight, start, small, depth, height, largest))
-    inner = Piece(
+    inner = PathPiece(
         first,
         lambda x: start.log() - x + _polynomial(near(x)[0], p),
         near_slope,
@@ -80,7 +80,7 @@ def oscillating_coefficient_bound(weight: Weight, p: fmpq, largest: arb) -> arb:
         s = place(x)
         return direction * direction * (2 * s + 1 - 1 / (1 + s) ** 2)
 
-    outer = Piece(
+    outer = PathPiece(
         reach,
         lambda x: _exponent(place(x), p),
         slope,
@@ -103,7 +103,7 @@ def decaying_coefficient_bound(weight: Weight, p: fmpq, largest: arb) -> arb:
         rest = -start * (sign * x).exp()
         return rest - 1, rest
 
-    def piece(sign: int, length: arb) -> Piece:
+    def piece(sign: int, length: arb) -> PathPiece:
         def slope(x: arb) -> acb:
             s, rest = place(x, sign)
             return sign * (small * rest + s * s * (1 + rest))
@@ -112,7 +112,7 @@ def decaying_coefficient_bound(weight: Weight, p: fmpq, largest: arb) -> arb:
             s, rest = place(x, sign)
             return (3 * s * s + 4 * s + small) * rest
 
-        return Piece(
+        return PathPiece(
             length,
             lambda x: start.log() + sign * x + _polynomial(place(x, sign)[0], p),
             slope,

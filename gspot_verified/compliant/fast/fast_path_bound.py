@@ -10,7 +10,7 @@ from flint import acb, arb, fmpq
 
 from gspot_verified.compliant.fast.decaying_coefficient import real_saddle
 from gspot_verified.compliant.fast.fast_coefficient import saddle
-from gspot_verified.compliant.fast.modulus_sum import Piece, modulus_sum, weakest
+from gspot_verified.compliant.fast.modulus_sum import PathPiece, modulus_sum, weakest
 from gspot_verified.numbers.balls import nonfinite
 
 NAMES = ("b", "force", "Z", "V")
@@ -67,7 +67,7 @@ def _fronts(beta: arb, r: acb, speed: arb) -> list[arb]:
 
 def _ray(
     beta: arb, corner: acb, direction: acb, length: arb, p: arb, exact_p: fmpq, *, saddle_at_start: bool = False
-) -> Piece:
+) -> PathPiece:
     """r = corner + direction x: dE/dr = -(p + r^2 (r + 2)/(1 + r)), d^2E/dr^2 = -2 r - 1 + 1/(1 + r)^2."""
 
     def place(x: arb) -> acb:
@@ -81,7 +81,7 @@ def _ray(
         r = place(x)
         return direction * direction * (1 / (1 + r) ** 2 - 2 * r - 1)
 
-    return Piece(
+    return PathPiece(
         length,
         lambda x: _exponent(place(x), exact_p),
         slope,
@@ -90,7 +90,7 @@ def _ray(
     )
 
 
-def _arc(beta: arb, radius: arb) -> Piece:
+def _arc(beta: arb, radius: arb) -> PathPiece:
     """r = radius e^(i theta), theta from pi/2 down to 0; p = 0."""
 
     def place(x: arb) -> acb:
@@ -100,7 +100,9 @@ def _arc(beta: arb, radius: arb) -> Piece:
         r = place(x)
         return acb(0, 1) * r * r * r * (1 + 1 / (1 + r))
 
-    return Piece(arb.pi() / 2, lambda x: _exponent(place(x), fmpq(0)), slope, lambda x: _fronts(beta, place(x), radius))
+    return PathPiece(
+        arb.pi() / 2, lambda x: _exponent(place(x), fmpq(0)), slope, lambda x: _fronts(beta, place(x), radius)
+    )
 
 
 def _tail(corner: acb, direction: acb, reach: arb, p: arb, height: arb, largest: arb) -> list[arb]:

@@ -17,7 +17,7 @@ _PARTS = 128
 
 
 @dataclass(frozen=True, slots=True)
-class Piece:
+class PathPiece:
     """A piece of a path, x from 0 to ``length``: E, its derivative, bounds of |front| (dr/dx included) on balls of x.
 
     ``curvature``: E'', for a piece that begins at a saddle (E' = 0 at x = 0); None for others.
@@ -30,7 +30,7 @@ class Piece:
     curvature: Callable[[arb], acb] | None = None
 
 
-def modulus_sum(piece: Piece, top: arb, largest: arb) -> list[arb]:
+def modulus_sum(piece: PathPiece, top: arb, largest: arb) -> list[arb]:
     """Bounds of int_0^length |front| e^((Re E - top)/epsilon) dx for every 0 < epsilon <= ``largest``.
 
     Not finite unless Re E <= top is certain on the whole piece.
@@ -46,7 +46,7 @@ def modulus_sum(piece: Piece, top: arb, largest: arb) -> list[arb]:
     return totals
 
 
-def _excess(piece: Piece, top: arb, begin: arb, end: arb, whole: arb) -> arb:
+def _excess(piece: PathPiece, top: arb, begin: arb, end: arb, whole: arb) -> arb:
     """An upper bound of Re E - top on [begin, end]: from the middle by the mean value theorem, or from the saddle."""
     middle = ((begin + end) / 2).mid()
     reach = (end - middle).max(middle - begin).abs_upper()

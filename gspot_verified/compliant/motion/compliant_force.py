@@ -44,7 +44,7 @@ VARIABLES = ("b", "force", "V", "Z")
 
 
 @dataclass(frozen=True, slots=True)
-class SlowManifold:
+class SlowMotions:
     """The motions b-hat ~ C_1 (-t)^beta, t -> -infinity, of the model: multiples of the slow solution."""
 
     c1: fmpq
@@ -52,18 +52,18 @@ class SlowManifold:
 
 @overload
 def force(
-    model: CompliantModel, start: CompliantState | SlowManifold, time: ExactInput, digits: int = 15
+    model: CompliantModel, start: CompliantState | SlowMotions, time: ExactInput, digits: int = 15
 ) -> CompliantForce: ...
 
 
 @overload
 def force(
-    model: CompliantModel, start: CompliantState | SlowManifold, time: ndarray[Any, Any], digits: int = 15
+    model: CompliantModel, start: CompliantState | SlowMotions, time: ndarray[Any, Any], digits: int = 15
 ) -> ndarray[Any, Any]: ...
 
 
 def force(
-    model: CompliantModel, start: CompliantState | SlowManifold, time: Any, digits: int = 15
+    model: CompliantModel, start: CompliantState | SlowMotions, time: Any, digits: int = 15
 ) -> CompliantForce | ndarray[Any, Any]:
     """The contact force of the compliant model at t (p = alpha_1 t), with relative accuracy 10^-digits, and b, y, v, z.
 
@@ -78,7 +78,7 @@ def force(
 
     >>> from gspot_verified import ball_text, compliant_model, compliant_state
     >>> model = compliant_model("5/2", "1e-6")
-    >>> print(ball_text(force(model, SlowManifold(fmpq(1)), "1e-4", digits=8).force, 8))
+    >>> print(ball_text(force(model, SlowMotions(fmpq(1)), "1e-4", digits=8).force, 8))
     [0.66666748 +/- 3.77e-9]
     """
     if type(time).__name__ == "ndarray":  # by name: numpy is not imported before someone uses it
@@ -237,8 +237,8 @@ class ContactMotion:
         )
 
 
-def contact_motion(model: CompliantModel, start: CompliantState | SlowManifold) -> ContactMotion:
+def contact_motion(model: CompliantModel, start: CompliantState | SlowMotions) -> ContactMotion:
     """The contact phase from a state, or on the slow manifold."""
-    if isinstance(start, SlowManifold):
+    if isinstance(start, SlowMotions):
         return ContactMotion(model, None, start.c1)
     return ContactMotion(model, deviation(model, start), None)

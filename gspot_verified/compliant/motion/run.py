@@ -62,7 +62,7 @@ class Event(NoTruthValue, Written):
 
 
 @dataclass(frozen=True, slots=True)
-class Run(NoTruthValue, Written):
+class CompliantRun(NoTruthValue, Written):
     """The events of a run from an initial state, in order; the verdict speaks of the whole run."""
 
     ask: ClassVar[str] = ASK_VERDICT
@@ -89,7 +89,7 @@ class Run(NoTruthValue, Written):
         return "\n".join(lines)
 
 
-def events(model: CompliantModel, state: CompliantState, digits: int = 15, budget: int = MOST_WORK) -> Run:
+def events(model: CompliantModel, state: CompliantState, digits: int = 15, budget: int = MOST_WORK) -> CompliantRun:
     """What the model does from a state in contact with p > 0, at this epsilon: proved, or undecided from some event on.
 
     Contact for ever is proved by an invariant set, not by a large force.
@@ -110,7 +110,9 @@ def events(model: CompliantModel, state: CompliantState, digits: int = 15, budge
     if type(budget) is not int or not 1 <= budget <= MAX_WORK:
         raise ValueError(f"budget must be an int and lie in 1..{MAX_WORK}, got {budget}")
     if (trivial := _trivial(model, state)) is not None:
-        return Run(model, state, (), Verdict.proved(TRIVIAL, trivial, f"λ_N = {model.mean_force}; K = 0, the canard"))
+        return CompliantRun(
+            model, state, (), Verdict.proved(TRIVIAL, trivial, f"λ_N = {model.mean_force}; K = 0, the canard")
+        )
     if not state.p > 0:
         raise ValueError(f"p: expected a state before the G-spot, p > 0, got {state.p}")
     rule = side_rule(model, state)
@@ -118,12 +120,12 @@ def events(model: CompliantModel, state: CompliantState, digits: int = 15, budge
     if sign_of(rule.side) == 1:
         lasting = _lasting_from(model, state, digits + _SPARE_DIGITS, bits, budget)
         if lasting is not None:
-            return Run(model, state, (lasting,), Verdict.proved(IMPACT, lasting.evidence))
+            return CompliantRun(model, state, (lasting,), Verdict.proved(IMPACT, lasting.evidence))
     zero = first_zero(model, state, digits, budget)
     if zero.lower is None or zero.upper is None or zero.verdict.evidence is None:
         detail = f"neither the loss of contact nor its lasting for ever was shown: {zero.verdict.detail}"
         reason = zero.verdict.reason or Reason.HYPOTHESIS
-        return Run(model, state, (), Verdict.undecided("how the first contact ends", reason, detail))
+        return CompliantRun(model, state, (), Verdict.undecided("how the first contact ends", reason, detail))
     return _after_lift_off(model, state, (zero.lower, zero.upper), zero.verdict.evidence, bits)
 
 
@@ -151,7 +153,7 @@ def _lasting_from(model: CompliantModel, state: CompliantState, digits: int, bit
 
 def _after_lift_off(
     model: CompliantModel, state: CompliantState, bracket: tuple[fmpq, fmpq], lost: Evidence, bits: int
-) -> Run:
+) -> CompliantRun:
     """The events from a bracket of lift-off on; ``lost`` is what shows the lift-off."""
     digits, (lower, upper) = int(bits / 3), bracket
     before = contact_state(force(model, state, lower, min(digits, 1_000)), bits + _GUARD_BITS)
@@ -160,15 +162,15 @@ def _after_lift_off(
     end = flight_end(start, bits)
     ended = end.verdict.evidence
     if end.state is None or end.lower is None or end.upper is None or ended is None:
-        return Run(model, state, (lift,), _resting_on([lost], end.verdict))
+        return CompliantRun(model, state, (lift,), _resting_on([lost], end.verdict))
     first, last = lower + model.epsilon * end.lower, upper + model.epsilon * end.upper
     velocity, strength = _velocity(model, end.state), end.verdict.statement
     land = Event("touch-down", first, last, velocity, strength, end.state, ended)
     lasting = lasting_contact(end.state, bits)
     if lasting.outcome is Outcome.PROVED:
         once = theorem("proofs/flight.md", lost, ended, lasting.evidence)
-        return Run(model, state, (lift, land), Verdict.proved(ONE_FLIGHT, once, lasting.detail))
-    return Run(model, state, (lift, land), _resting_on([lost, ended], _second_contact(end.state, bits)))
+        return CompliantRun(model, state, (lift, land), Verdict.proved(ONE_FLIGHT, once, lasting.detail))
+    return CompliantRun(model, state, (lift, land), _resting_on([lost, ended], _second_contact(end.state, bits)))
 
 
 def _resting_on(before: Sequence[Evidence], verdict: Verdict) -> Verdict:

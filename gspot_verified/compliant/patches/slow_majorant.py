@@ -20,7 +20,7 @@ _LARGEST_RADIUS = fmpq(1)
 
 
 @dataclass(frozen=True, slots=True)
-class Region:
+class ComplexNeighbourhood:
     """Real b in [lower, upper] and the complex numbers within ``distance`` of it; 0 < eta <= ``eta``; one tau."""
 
     lower: fmpq
@@ -56,7 +56,7 @@ def _short(value: float) -> arb:
     return arb(fmpq(*value.as_integer_ratio()))
 
 
-def slow_majorant(region: Region, count: int) -> list[arb]:
+def slow_majorant(region: ComplexNeighbourhood, count: int) -> list[arb]:
     """Bounds of |c_k(z)|, k < ``count``, for all z of the region: a circle of radius c round 0, and the axis beyond c.
 
     Not finite unless Re z > -1 in the region.
@@ -86,7 +86,7 @@ def _radius(eta: fmpq) -> fmpq:
     return min(_LARGEST_RADIUS, fmpq(9, 10) / eta)
 
 
-def _on_circle(region: Region, radius: fmpq) -> arb:
+def _on_circle(region: ComplexNeighbourhood, radius: fmpq) -> arb:
     """A bound of |e^(-rho^3/3 + rho tau + h)| on |rho| = c: |phi(x)| <= sum |x|^j/(j + 3) <= |x|/(4 (1 - |x|))."""
     x = region.eta * radius
     phi = arb(x / (4 * (1 - x)))
@@ -104,13 +104,13 @@ def _gamma(least: fmpq, largest: fmpq) -> arb:
     return arb(1 + least).gamma().max(arb(1 + largest).gamma())
 
 
-def _reciprocal_gamma(region: Region) -> arb:
+def _reciprocal_gamma(region: ComplexNeighbourhood) -> arb:
     """A bound of |1/Gamma(-z)| = |Gamma(1 + z) sin(pi z)|/pi."""
     gamma = _gamma(region.lower - region.distance, region.upper + region.distance)
     return gamma * (arb.pi() * region.distance).cosh() / arb.pi()
 
 
-def epsilon_difference(region: Region, terms: int, count: int) -> list[arb]:
+def epsilon_difference(region: ComplexNeighbourhood, terms: int, count: int) -> list[arb]:
     """Bounds of |d^N c_k/d eta^N|/N!, N = ``terms``, k < ``count``, for all z of the region and all eta up to its own.
 
     Not finite unless N + 2 >= Re z.

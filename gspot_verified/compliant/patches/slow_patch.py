@@ -10,7 +10,7 @@ from functools import partial
 from flint import arb, arb_mat, fmpq, fmpq_mat
 
 from gspot_verified.compliant.patches.interpolation import node_product, nodes, substitution
-from gspot_verified.compliant.patches.slow_majorant import Region, epsilon_difference, slow_majorant
+from gspot_verified.compliant.patches.slow_majorant import ComplexNeighbourhood, epsilon_difference, slow_majorant
 from gspot_verified.compliant.slow.slow_jet import slow_jet
 from gspot_verified.compliant.slow.slow_signs import CELL, SlowSigns
 from gspot_verified.numbers.balls import add_remainder, approximate, working_bits
@@ -97,9 +97,9 @@ class SlowPatch:
                 rows[-1] = [rests[-1]] + [arb(0)] * (len(rows[-1]) - 1)
             return arb_mat(rows)
 
-    def _region(self, k: int, distance: fmpq) -> Region:
+    def _region(self, k: int, distance: fmpq) -> ComplexNeighbourhood:
         b, b_radius = self._b
-        return Region(b - b_radius, b + b_radius, distance, self._largest_eta, (k + fmpq(1, 2)) * CELL)
+        return ComplexNeighbourhood(b - b_radius, b + b_radius, distance, self._largest_eta, (k + fmpq(1, 2)) * CELL)
 
     def _rests(self, k: int, distance: fmpq = _NONE) -> list[arb]:
         """For each order a bound of the distance between c_k and its model, for complex b within ``distance``."""

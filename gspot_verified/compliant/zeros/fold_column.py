@@ -16,7 +16,7 @@ from gspot_verified.compliant.slow.slow_signs import SlowSigns
 from gspot_verified.compliant.zeros.polynomial_zeros import number_at_integer
 from gspot_verified.compliant.zeros.slow_zero_column import MAP_REACH, left_end, right_end, tails
 from gspot_verified.numbers.balls import approximate
-from gspot_verified.signs.cover.pieces import Column, Kind, Piece, number_of_zeros
+from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind, number_of_zeros
 from gspot_verified.signs.cover.zero_column import cover, grid
 
 WIDEST = fmpq(1, 4)
@@ -66,11 +66,11 @@ def fold_column(
             if before is None or after is None:
                 continue
             pieces = (
-                Piece(Kind.LEFT, None, min(left, begin)),
+                ColumnPiece(Kind.LEFT, None, min(left, begin)),
                 *before,
-                Piece(Kind.FOLD, begin, end),
+                ColumnPiece(Kind.FOLD, begin, end),
                 *after,
-                Piece(Kind.RIGHT, right, None, tail),
+                ColumnPiece(Kind.RIGHT, right, None, tail),
             )
             column = Column(lower, upper, pieces)
             if numbers_of_zeros(column, epsilon_lower, epsilon_upper) is not None:
@@ -100,7 +100,8 @@ def numbers_of_zeros(column: Column, epsilon_lower: fmpq, epsilon_upper: fmpq) -
     folds = [piece for piece in column.pieces if piece.kind is Kind.FOLD]
     # Beyond the fold G > 0 on its piece.
     pieces = tuple(
-        Piece(Kind.SIGN, piece.lower, piece.upper, 1) if piece.kind is Kind.FOLD else piece for piece in column.pieces
+        ColumnPiece(Kind.SIGN, piece.lower, piece.upper, 1) if piece.kind is Kind.FOLD else piece
+        for piece in column.pieces
     )
     number = number_of_zeros(replace(column, pieces=pieces))
     if number is None:

@@ -18,7 +18,7 @@ from gspot_verified.leading_order.contact_force import ContactForce
 from gspot_verified.leading_order.iwc import IwcResult
 from gspot_verified.numbers.balls import approximate, hull, sign_of, working_bits
 from gspot_verified.signs.cover.column_models import ColumnModels
-from gspot_verified.signs.cover.pieces import Column, Kind, Piece, cell_of
+from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind, cell_of
 from gspot_verified.signs.cover.tails import left_threshold
 from gspot_verified.signs.cover.zero_column import reach_of_cell, right_tail
 from gspot_verified.theta_function.value.evaluate import evaluate
@@ -72,9 +72,9 @@ def force_certificate(force: ContactForce, start: fmpq | None, epsilon: fmpq) ->
         raise NotProvable("the signs of the derivatives far to the right are not certain")
     first = -left_threshold(b, b, cell) if start is None else start
     tail = max(tail, first)
-    pieces = [*_middle(b, sign, level, first, tail), Piece(Kind.RIGHT, tail, None, 0)]
+    pieces = [*_middle(b, sign, level, first, tail), ColumnPiece(Kind.RIGHT, tail, None, 0)]
     if start is None:
-        pieces.insert(0, Piece(Kind.LEFT, None, first))
+        pieces.insert(0, ColumnPiece(Kind.LEFT, None, first))
     column = Column(force.beta, force.beta, tuple(pieces))
     return ForceCertificate(ForceStatement(force, Range(start, None, start is not None, False), epsilon, level), column)
 
@@ -91,7 +91,7 @@ def lift_off_certificate(force: ContactForce, tau: fmpq, epsilon: fmpq) -> Force
     value = evaluate(tau, b, digits=2 * _DIGITS).value
     if not sign * value > level:
         raise NotProvable(f"at τ = {tau} the deviation does not certainly exceed the mean force at ε = {epsilon}")
-    column = Column(force.beta, force.beta, (Piece(Kind.LEVEL, tau, tau + 1),))
+    column = Column(force.beta, force.beta, (ColumnPiece(Kind.LEVEL, tau, tau + 1),))
     return ForceCertificate(LiftOffStatement(force, tau, epsilon, level), column)
 
 
@@ -138,9 +138,9 @@ def _level(force: ContactForce, epsilon: fmpq, direction: int) -> fmpq:
     return fmpq(whole) * fmpq(10) ** -digits
 
 
-def _middle(b: fmpq, sign: int, level: fmpq, start: fmpq, end: fmpq) -> list[Piece]:
+def _middle(b: fmpq, sign: int, level: fmpq, start: fmpq, end: fmpq) -> list[ColumnPiece]:
     """Pieces sign and level from start to end, as wide as the evaluation over them allows."""
-    found: list[Piece] = []
+    found: list[ColumnPiece] = []
     tau, width = start, _FIRST_WIDTH
     while tau < end:
         upper = min(tau + width, end)
@@ -150,7 +150,7 @@ def _middle(b: fmpq, sign: int, level: fmpq, start: fmpq, end: fmpq) -> list[Pie
             if width < _LEAST_WIDTH:
                 raise NotProvable(f"next to τ = {approximate(tau):.6g} neither the sign nor the level is certain")
             continue
-        found.append(Piece(kind, tau, upper, sign if kind is Kind.SIGN else 0))
+        found.append(ColumnPiece(kind, tau, upper, sign if kind is Kind.SIGN else 0))
         tau, width = upper, min(2 * width, _FIRST_WIDTH)
     return found
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from flint import fmpq
 
 from gspot_verified.compliant.slow.slow_signs import CELL, SlowSigns
-from gspot_verified.signs.cover.pieces import Column, Kind, Piece, number_of_zeros
+from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind, number_of_zeros
 from gspot_verified.signs.cover.zero_column import cover, right_tail
 
 MAX_REACH = 256
@@ -37,7 +37,7 @@ def slow_zero_column(
         right = right_end(signs, n, tail, reach, along)
         middle = cover(signs, left, right, least, along) if right is not None and left < right else None
         if right is not None and middle is not None:
-            pieces = (Piece(Kind.LEFT, None, left), *middle, Piece(Kind.RIGHT, right, None, tail))
+            pieces = (ColumnPiece(Kind.LEFT, None, left), *middle, ColumnPiece(Kind.RIGHT, right, None, tail))
             column = Column(lower, upper, pieces)
             if number_of_zeros(column) is not None:
                 return column

@@ -20,7 +20,7 @@ from gspot_verified.compliant.zeros.zero_count import SYSTEM, checked_point
 from gspot_verified.numbers.balls import ExactInput, hull, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
-from gspot_verified.signs.cover.pieces import Column, Kind, Piece
+from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind
 from gspot_verified.theta_function.value.evaluate import evaluate
 from gspot_verified.work.ranges import Range
 
@@ -91,7 +91,7 @@ def slow_zeros_certificate(beta: Range | str, epsilon: ExactInput) -> SlowZerosC
         lower, upper = waiting.pop()
         place = _place(lower - 1, upper - 1, eta)
         if place is not None:
-            found.append(Column(lower, upper, (Piece(Kind.DIP, place, place / _RATIO),)))
+            found.append(Column(lower, upper, (ColumnPiece(Kind.DIP, place, place / _RATIO),)))
         elif upper - lower <= _LEAST_WIDTH:
             raise NotProvable(f"next to β = {lower} the bound of F_(β−1) is negative at no τ that was tried")
         else:

@@ -12,7 +12,7 @@ from typing import ClassVar
 from flint import fmpq
 
 from gspot_verified.cost.peers.sympy_expansion import sympy_extended
-from gspot_verified.cost.times.curves import Curve
+from gspot_verified.cost.times.curves import TimeCurve
 from gspot_verified.cost.times.measure import machine_load
 from gspot_verified.cost.times.rows import Row, Target, figure_text, seconds_text
 from gspot_verified.expansion.series.recursion import Recursion
@@ -48,7 +48,7 @@ class ExpandCost(Written):
     written: ClassVar[str] = "rows curves sizes exponent remarks seconds summary"
 
     rows: tuple[Row, ...]
-    curves: tuple[Curve, ...]
+    curves: tuple[TimeCurve, ...]
     sizes: tuple[Size, ...]
     exponent: float
     remarks: tuple[str, ...]
@@ -100,7 +100,7 @@ def run(full: bool = False, progress: Progress = lambda _: None) -> ExpandCost:
     curves = []
     for name, orders in (_FULL_ORDERS if full else _CURVE_ORDERS).items():
         progress(f"time against order, {name} system")
-        curves.append(Curve(f"{name} system", _times(shipped_system(name), orders)))
+        curves.append(TimeCurve(f"{name} system", _times(shipped_system(name), orders)))
     progress("size of the coefficients")
     sizes = coefficient_sizes(_expansion(shipped_system("extended"), 121)[1])
     remarks = (f"Python {platform.python_version()}, {platform.machine()}; before: {before}; after: {machine_load()}",)

@@ -15,7 +15,7 @@ from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.compliant.motion.first_zero import first_zero
 from gspot_verified.compliant.slow.slow_solution import slow_solution
 from gspot_verified.cost.times.benchmark import Benchmark
-from gspot_verified.cost.times.curves import Curve
+from gspot_verified.cost.times.curves import TimeCurve
 from gspot_verified.cost.times.measure import Contestant, machine_load, measure
 from gspot_verified.cost.times.rows import Row, Target
 from gspot_verified.numbers.balls import approximate, working_bits
@@ -56,7 +56,11 @@ def run(full: bool = False, progress: Progress = lambda _: None) -> Benchmark:
         f"before: {before}; after: {machine_load()}",
     )
     return Benchmark(
-        _HEAD, tuple(rows), (Curve("slow solution, 16 digits", tuple(points)),), remarks, time.perf_counter() - start
+        _HEAD,
+        tuple(rows),
+        (TimeCurve("slow solution, 16 digits", tuple(points)),),
+        remarks,
+        time.perf_counter() - start,
     )
 
 

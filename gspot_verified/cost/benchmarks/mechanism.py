@@ -14,7 +14,7 @@ from gspot_verified.cost.benchmarks.mechanism_approach import approach_rows
 from gspot_verified.cost.benchmarks.mechanism_models import chain, leg
 from gspot_verified.cost.benchmarks.mechanism_sweep import sweep_rows
 from gspot_verified.cost.times.benchmark import Benchmark
-from gspot_verified.cost.times.curves import Curve
+from gspot_verified.cost.times.curves import TimeCurve
 from gspot_verified.cost.times.measure import Contestant, child_environment, machine_load, measure
 from gspot_verified.cost.times.rows import Row, Target
 from gspot_verified.mechanisms.input.mechanism import Mechanism
@@ -46,7 +46,7 @@ def run(full: bool = False, progress: Progress = lambda _: None) -> Benchmark:
         f"Python {platform.python_version()}, {platform.machine()}",
         f"before: {before}; after: {machine_load()}",
     )
-    return Benchmark(_HEAD, tuple(rows), (Curve("reading a leg", points),), remarks, time.perf_counter() - start)
+    return Benchmark(_HEAD, tuple(rows), (TimeCurve("reading a leg", points),), remarks, time.perf_counter() - start)
 
 
 def _time(call: Callable[[], object], repeats: int) -> float:

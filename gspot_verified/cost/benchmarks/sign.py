@@ -17,8 +17,8 @@ from flint import fmpq
 from gspot_verified.certificates.checker import checker_path
 from gspot_verified.certificates.text import certificate_text
 from gspot_verified.cost.peers.bisection import Bisection, Choice, bisect
-from gspot_verified.cost.times.curves import Curve
-from gspot_verified.cost.times.growth import Growth, around, cells, from_one, time_range
+from gspot_verified.cost.times.curves import TimeCurve
+from gspot_verified.cost.times.growth import FittedGrowth, around, cells, from_one, time_range
 from gspot_verified.cost.times.measure import Contestant, clear_caches, machine_load, measure
 from gspot_verified.cost.times.rows import Row, Target, figure_text, seconds_text
 from gspot_verified.numbers.written import Written
@@ -63,20 +63,20 @@ class SignCost(Written):
 
     rows: tuple[Row, ...]
     bisections: tuple[Bisection, ...]
-    growth: tuple[Growth, ...]
+    growth: tuple[FittedGrowth, ...]
     remarks: tuple[str, ...]
     full: bool
     seconds: float
 
     @property
-    def curves(self) -> tuple[Curve, ...]:
+    def curves(self) -> tuple[TimeCurve, ...]:
         """Time against size and against beta, and a line of linear growth, for the picture."""
         drawn = tuple(item.curve for item in self.growth if item.points)
         if not drawn:
             return ()
         x, y = drawn[0].points[0]
         last = max(point for curve in drawn for point, _ in curve.points)
-        return (*drawn, Curve("linear growth", ((x, y), (last, y * last / x))))
+        return (*drawn, TimeCurve("linear growth", ((x, y), (last, y * last / x))))
 
     def summary(self) -> str:
         """One line: how many targets are met, missed, not measured."""
@@ -195,7 +195,7 @@ def _far(box: tuple[int, int]) -> Row:
     return Row("sign", asked, Target("time", 1.0, "s"), seconds if proved else None, seconds)
 
 
-def _growth(plan: Plan, progress: Progress) -> tuple[tuple[Growth, ...], float, str]:
+def _growth(plan: Plan, progress: Progress) -> tuple[tuple[FittedGrowth, ...], float, str]:
     """The three growths; the time and the certificate of the last range (1, k), which is the atlas."""
     first, text = [], ""
     for k in plan.ends:
@@ -212,7 +212,7 @@ def _growth(plan: Plan, progress: Progress) -> tuple[tuple[Growth, ...], float, 
     return (from_one(first), around(second), cells(third)), first[-1].seconds, text
 
 
-def _atlas(plan: Plan, growth: Growth) -> Row:
+def _atlas(plan: Plan, growth: FittedGrowth) -> Row:
     measured = growth.points[-1][1]
     end = plan.ends[-1]
     counted = f"{measured.columns} columns, {measured.pieces} pieces, the text of the certificate included"

@@ -19,7 +19,7 @@ from gspot_verified.cost.peers.lift_off_runs import (
     scene_of,
 )
 from gspot_verified.cost.times.benchmark import Benchmark
-from gspot_verified.cost.times.curves import Curve
+from gspot_verified.cost.times.curves import TimeCurve
 from gspot_verified.cost.times.measure import machine_load
 from gspot_verified.cost.times.rows import Row, Target, seconds_text
 from gspot_verified.numbers.balls import approximate
@@ -59,7 +59,7 @@ def run(full: bool = False, progress: Progress = lambda _: None) -> Benchmark:
         for k in range(count):
             progress(f"{name}, epsilon = 1e-{k + 3}")
             rows.append(_row(name, k))
-    curves: list[Curve] = []
+    curves: list[TimeCurve] = []
     for name in LIMITS:
         for k in _DRAWN[full][name]:
             progress(f"accuracy against time: {name}, epsilon = 1e-{k + 3}")
@@ -97,7 +97,7 @@ def _row(name: str, k: int) -> Row:
     return Row(name, asked, Target("time", LIMITS[name][k], "s"), figure, note="; ".join(notes), **times)
 
 
-def _accuracy(name: str, k: int) -> list[Curve]:
+def _accuracy(name: str, k: int) -> list[TimeCurve]:
     """Right decimals of the time of lift-off against seconds: certified by bits, floats by tolerance; the target."""
     scene: Scene = scene_of(name, k)
     words = f"{name}, ε = 1e-{k + 3}"
@@ -112,7 +112,7 @@ def _accuracy(name: str, k: int) -> list[Curve]:
     for call in heyoka:
         call()  # its first call takes longer
     solvers: dict[str, Sequence[Callable[[], Any]]] = {"scipy Radau": radau, "heyoka": heyoka}
-    found = [Curve(f"certified: {words}", tuple(certified))]
+    found = [TimeCurve(f"certified: {words}", tuple(certified))]
     for solver, calls in solvers.items():
         points = []
         for call in calls:
@@ -121,8 +121,8 @@ def _accuracy(name: str, k: int) -> list[Curve]:
             if decimals is not None:
                 points.append((decimals, seconds))
         if points:
-            found.append(Curve(f"{solver}: {words}", tuple(sorted(points))))
+            found.append(TimeCurve(f"{solver}: {words}", tuple(sorted(points))))
     if certified:
         ends = (1.0, max(decimals for decimals, _ in certified))
-        found.append(Curve(f"aim: {words}", tuple((decimals, LIMITS[name][k]) for decimals in ends)))
+        found.append(TimeCurve(f"aim: {words}", tuple((decimals, LIMITS[name][k]) for decimals in ends)))
     return found

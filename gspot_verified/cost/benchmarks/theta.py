@@ -13,7 +13,7 @@ from flint import fmpq
 from gspot_verified.cost.benchmarks import heavy
 from gspot_verified.cost.peers.external import PROGRAMS, ExternalTime, ask
 from gspot_verified.cost.times import cases
-from gspot_verified.cost.times.curves import Curve, curves
+from gspot_verified.cost.times.curves import TimeCurve, curves
 from gspot_verified.cost.times.measure import machine_load
 from gspot_verified.cost.times.rows import Row, grouped, seconds_text, table
 from gspot_verified.numbers.written import Written
@@ -35,7 +35,7 @@ class CostReport(Written):
 
     rows: tuple[Row, ...]
     external: tuple[ExternalTime, ...]
-    curves: tuple[Curve, ...]
+    curves: tuple[TimeCurve, ...]
     remarks: tuple[str, ...]
     full: bool
     seconds: float

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from gspot_verified.cost.benchmarks.force import forget
-from gspot_verified.cost.measurement.contest import Call, Contestant, Effort, compete
+from gspot_verified.cost.measurement.contest import Call, Effort, TimedRoute, compete
 from gspot_verified.cost.measurement.measurement import Limit, Part, Share
 from gspot_verified.cost.measurement.time_shares import time_shares
 
@@ -24,7 +24,7 @@ class Blueprint:
     question: str
     axis: str
     symbol: str
-    contestants: Callable[[], tuple[Contestant, ...]]
+    contestants: Callable[[], tuple[TimedRoute, ...]]
     profiled: Callable[[bool], tuple[str, Call]] | None = None
     limit: Callable[[bool], Limit] | None = None
     remarks: tuple[str, ...] = ()

@@ -27,7 +27,7 @@ def argument_itself(argument: Any, _: object) -> float:
 
 
 @dataclass(frozen=True, slots=True)
-class Contestant:
+class TimedRoute:
     """A route to be timed: ``call(argument)`` gives the call, made before the time is taken.
 
     ``arguments`` grow; those in ``more`` are for the full size. ``place``: what the result reached, None where it is no
@@ -74,7 +74,7 @@ FULL = Effort(True, 60.0, 1.5)
 
 @dataclass(slots=True)
 class _Record:
-    contestant: Contestant
+    contestant: TimedRoute
     argument: Any
     place: float
     seconds: list[float] = field(default_factory=list)
@@ -86,7 +86,7 @@ def clock() -> float:
     return time.process_time() + children.ru_utime + children.ru_stime
 
 
-def compete(key: str, contestants: tuple[Contestant, ...], effort: Effort) -> tuple[Route, ...]:
+def compete(key: str, contestants: tuple[TimedRoute, ...], effort: Effort) -> tuple[Route, ...]:
     """The routes with their points: first every route up to its patience, then all again, in turn.
 
     So a disturbance of the machine meets all of them. The package's caches are empty before each call.
@@ -117,7 +117,7 @@ def compete(key: str, contestants: tuple[Contestant, ...], effort: Effort) -> tu
     )
 
 
-def _first_calls(contestant: Contestant, effort: Effort) -> tuple[list[_Record], str]:
+def _first_calls(contestant: TimedRoute, effort: Effort) -> tuple[list[_Record], str]:
     if contestant.missing:
         return [], contestant.missing
     found: list[_Record] = []
@@ -134,7 +134,7 @@ def _first_calls(contestant: Contestant, effort: Effort) -> tuple[list[_Record],
     return found, f"no answer: {', '.join(without)}" if without else ""
 
 
-def _timed(contestant: Contestant, argument: Any) -> tuple[float, Any]:
+def _timed(contestant: TimedRoute, argument: Any) -> tuple[float, Any]:
     call = contestant.call(argument)
     forget()
     start = clock()

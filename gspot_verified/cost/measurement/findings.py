@@ -16,7 +16,7 @@ _CERTAIN = math.log(1.25)
 
 
 @dataclass(frozen=True, slots=True)
-class Growth:
+class PowerLaw:
     """Time against place as a power, fitted between ``first`` and ``last``; ``exponent`` None: too few points."""
 
     route: Route
@@ -46,13 +46,13 @@ class Price:
     factor: float
 
 
-def growth(route: Route) -> Growth:
+def growth(route: Route) -> PowerLaw:
     """The exponent over the last four places, where the largest is 3 times the smallest or more."""
     points = sorted(route.points, key=lambda point: point.place)[-_FITTED:]
     if len(points) < 2 or points[-1].place < _LEAST_RATIO * points[0].place or points[0].place <= 0:
-        return Growth(route, None, 0.0, 0.0)
+        return PowerLaw(route, None, 0.0, 0.0)
     exponent = fitted_exponent([(point.place, point.best) for point in points])
-    return Growth(route, exponent, points[0].place, points[-1].place)
+    return PowerLaw(route, exponent, points[0].place, points[-1].place)
 
 
 def crossovers(part: Part) -> list[Crossover]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gspot_verified.cost.measurement.findings import Crossover, Growth, certificate_prices, crossovers, growth
+from gspot_verified.cost.measurement.findings import Crossover, PowerLaw, certificate_prices, crossovers, growth
 from gspot_verified.cost.measurement.measurement import CERTIFIED, CheapAnswer, Measurement, Part, Point, Route
 from gspot_verified.cost.times.rows import seconds_text
 
@@ -87,7 +87,7 @@ def bytes_text(size: int) -> str:
     return f"{size} bytes"
 
 
-def growth_text(item: Growth) -> str:
+def growth_text(item: PowerLaw) -> str:
     """The fitted exponent, where it was fitted, and what theory expects."""
     if item.exponent is None:
         return "not fitted"

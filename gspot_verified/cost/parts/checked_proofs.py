@@ -15,7 +15,7 @@ from typing import Any
 from gspot_verified.certificates.checker import CheckResult, checker_path
 from gspot_verified.certificates.checker import check as run_checker
 from gspot_verified.cost.measurement.blueprint import Blueprint
-from gspot_verified.cost.measurement.contest import Call, Contestant, clock
+from gspot_verified.cost.measurement.contest import Call, TimedRoute, clock
 from gspot_verified.cost.measurement.measurement import CERTIFIED, Limit
 from gspot_verified.cost.parts.zero_parts import atlas_text
 
@@ -61,13 +61,13 @@ def _checker_missing() -> str:
     return ""
 
 
-def _checker_contestants() -> tuple[Contestant, ...]:
+def _checker_contestants() -> tuple[TimedRoute, ...]:
     return (
-        Contestant(
+        TimedRoute(
             "producing", CERTIFIED, _ENDS, lambda end: partial(atlas_text, end), _MORE_ENDS, words=_words,
             exponent=3.0, theory="as in the atlas",
         ),
-        Contestant(
+        TimedRoute(
             "checking", CERTIFIED, _ENDS, _checking, _MORE_ENDS, words=_words, place=_verified,
             missing=_checker_missing(), exponent=3.0, theory="the same pieces, in Python’s integers",
         ),
@@ -152,10 +152,10 @@ def _lines(name: str, _: Any) -> float:
     return float(len((_SOURCES / name).read_text(encoding="utf-8").splitlines()))
 
 
-def _coq_contestants() -> tuple[Contestant, ...]:
+def _coq_contestants() -> tuple[TimedRoute, ...]:
     names = tuple(coq_sources())
     return (
-        Contestant(
+        TimedRoute(
             "coqc", CERTIFIED, names[:_FEW_FILES], _compiling, names[_FEW_FILES:], place=_lines,
             has_memory=False, missing=coq_missing(), exponent=1.0,
             theory="a proof script is read once; single tactics decide",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from gspot_verified.cost.measurement.blueprint import Blueprint, best_time
-from gspot_verified.cost.measurement.contest import Call, Contestant
+from gspot_verified.cost.measurement.contest import Call, TimedRoute
 from gspot_verified.cost.measurement.measurement import CERTIFIED, Limit
 from gspot_verified.cost.peers.sympy_expansion import sympy_extended
 from gspot_verified.expansion.in_balls import expand_in_balls
@@ -35,17 +35,17 @@ def _in_balls(order: int) -> Call:
     return partial(expand_in_balls, shipped_system(_SYSTEM), order, first_bits(order, _DIGITS))
 
 
-def _contestants() -> tuple[Contestant, ...]:
+def _contestants() -> tuple[TimedRoute, ...]:
     return (
-        Contestant(
+        TimedRoute(
             "this library, exact", CERTIFIED, _ORDERS, _exact, _MORE, exponent=5.0,
             theory="n/18 products for each of n/18 blocks, coefficients of about n^2 bits: n^5 with fast products",
         ),
-        Contestant(
+        TimedRoute(
             "this library, in balls", CERTIFIED, _ORDERS, _in_balls, _MORE, exponent=4.0,
             theory="n orders, n products each, with a number of bits that grows like n",
         ),
-        Contestant(
+        TimedRoute(
             "sympy, exact", CERTIFIED, _SYMPY, lambda order: partial(sympy_extended, order), _SYMPY_MORE,
             theory="expressions are expanded before a coefficient is taken from them",
         ),

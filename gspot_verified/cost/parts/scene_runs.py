@@ -9,7 +9,7 @@ from typing import Any
 from flint import fmpq, fmpz
 
 from gspot_verified.cost.measurement.blueprint import Blueprint, best_time
-from gspot_verified.cost.measurement.contest import Call, Contestant
+from gspot_verified.cost.measurement.contest import Call, TimedRoute
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Limit
 from gspot_verified.cost.peers.lift_off_runs import (
     LIMITS,
@@ -41,12 +41,12 @@ def panel_of(name: str, k: int) -> str:
     return f"{name}, ε = 10{'⁻³⁻⁴⁻⁵⁻⁶'[2 * k : 2 * k + 2]}"
 
 
-def contestants(epsilons: dict[str, tuple[int, ...]]) -> tuple[Contestant, ...]:
+def contestants(epsilons: dict[str, tuple[int, ...]]) -> tuple[TimedRoute, ...]:
     """All routes for the scenes at the values of epsilon."""
     return tuple(c for name, ks in epsilons.items() for k in ks for c in _of_one(name, k))
 
 
-def _of_one(name: str, k: int) -> tuple[Contestant, ...]:
+def _of_one(name: str, k: int) -> tuple[TimedRoute, ...]:
     panel = panel_of(name, k)
     scene = scene_of(name, k)
 
@@ -60,21 +60,21 @@ def _of_one(name: str, k: int) -> tuple[Contestant, ...]:
         return f"tolerance {tolerance:g}"
 
     found = [
-        Contestant(
+        TimedRoute(
             "certified, integrator", CERTIFIED, _BITS, by_bits, _MORE_BITS, panel=panel,
             place=lambda _, bracket: bracket_decimals(bracket), words=lambda bits: f"{bits} bits",
         ),
-        Contestant(
+        TimedRoute(
             "scipy Radau", NO_BOUND, _TOLERANCES, lambda t: partial(float_time, scene, "Radau", t),
             panel=panel, place=right, words=tolerance_words,
         ),
-        Contestant(
+        TimedRoute(
             "heyoka", NO_BOUND, _HEYOKA, partial(heyoka_call, scene), panel=panel, place=right,
             words=tolerance_words, missing=heyoka_missing(),
         ),
     ]  # fmt: skip
     if name == "model":
-        exact = Contestant(
+        exact = TimedRoute(
             "certified, exact solution", CERTIFIED, _EXACT_DIGITS,
             lambda digits: partial(exact_bracket, scene, digits), panel=panel,
             place=lambda _, bracket: bracket_decimals(bracket), words=lambda digits: f"{digits} digits",

@@ -10,7 +10,7 @@ import numpy as np
 from flint import fmpq
 
 from gspot_verified.cost.measurement.blueprint import Blueprint
-from gspot_verified.cost.measurement.contest import Call, Contestant
+from gspot_verified.cost.measurement.contest import Call, TimedRoute
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Limit
 from gspot_verified.cost.parts.ode import ode_run
 from gspot_verified.cost.parts.zero_parts import limit_of_pieces
@@ -58,18 +58,18 @@ def _sampled(width: int) -> Call:
     return call
 
 
-def _contestants() -> tuple[Contestant, ...]:
+def _contestants() -> tuple[TimedRoute, ...]:
     return (
-        Contestant(
+        TimedRoute(
             "this library", CERTIFIED, _HALF_WIDTHS, _ours, place=_proved, words=_words,
             theory="the ends are covered by the series at infinity, so a wider range costs almost nothing",
             exponent=0.0,
         ),
-        Contestant(
+        TimedRoute(
             "FLINT 1F2 of boxes, halved", CERTIFIED, _BISECTED, _bisected, _BISECTED_MORE, place=_finished,
             words=_words, theory="boxes shrink like exp(−2 T^(3/2)/3), so time grows faster than any power",
         ),
-        Contestant(
+        TimedRoute(
             "scipy at points", NO_BOUND, _HALF_WIDTHS, _sampled, place=lambda width, _: float(width),
             words=_words, exponent=1.0, theory="points on a grid",
         ),

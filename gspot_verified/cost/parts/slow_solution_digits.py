@@ -12,7 +12,7 @@ from flint import arb, fmpq
 from gspot_verified.compliant.slow.slow_plan import steps_from_below, trapezoid_plan
 from gspot_verified.compliant.slow.slow_solution import slow_value
 from gspot_verified.cost.measurement.blueprint import Blueprint, best_time
-from gspot_verified.cost.measurement.contest import Call, Contestant
+from gspot_verified.cost.measurement.contest import Call, TimedRoute
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Limit
 from gspot_verified.cost.parts.ode import right_decimals
 from gspot_verified.cost.times.baseline import right_digits
@@ -62,36 +62,36 @@ def by_scipy(epsilon: fmpq, tolerance: float) -> float:
     return value / math.gamma(0.5)
 
 
-def _contestants() -> tuple[Contestant, ...]:
+def _contestants() -> tuple[TimedRoute, ...]:
     found = []
     for panel, epsilon in _EPSILONS.items():
         found += [_library(panel, epsilon), _mpmath(panel, epsilon), _scipy(panel, epsilon)]
     return tuple(found)
 
 
-def _library(panel: str, epsilon: fmpq) -> Contestant:
-    return Contestant(
+def _library(panel: str, epsilon: fmpq) -> TimedRoute:
+    return TimedRoute(
         "this library", CERTIFIED, _DIGITS, partial(_ours, epsilon), _MORE, panel=panel, exponent=2.5,
         place=lambda digits, found: float(digits) if found.reached else None,
         theory="about D nodes of the trapezoidal rule or D terms, each an exponential or a product of D digits",
     )  # fmt: skip
 
 
-def _mpmath(panel: str, epsilon: fmpq) -> Contestant:
+def _mpmath(panel: str, epsilon: fmpq) -> TimedRoute:
     def place(digits: int, value: Any) -> float | None:
         return right_digits(value, slow_value(0, B, epsilon, 0, digits + 5).value, digits) or None
 
-    return Contestant(
+    return TimedRoute(
         "mpmath quad", NO_BOUND, _FEW, lambda digits: partial(by_mpmath, epsilon, digits), _FEW_MORE,
         place=place, panel=panel,
     )  # fmt: skip
 
 
-def _scipy(panel: str, epsilon: fmpq) -> Contestant:
+def _scipy(panel: str, epsilon: fmpq) -> TimedRoute:
     def place(_: float, value: float) -> float | None:
         return right_decimals(value, approximate(slow_value(0, B, epsilon, 0, 20).value))
 
-    return Contestant(
+    return TimedRoute(
         "scipy quad", NO_BOUND, (1e-3, 1e-8, 1e-13), lambda tolerance: partial(by_scipy, epsilon, tolerance),
         place=place, words=lambda tolerance: f"tolerance {tolerance:g}", panel=panel,
     )  # fmt: skip

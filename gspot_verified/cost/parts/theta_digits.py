@@ -10,7 +10,7 @@ from typing import Any
 from flint import fmpq
 
 from gspot_verified.cost.measurement.blueprint import Blueprint, best_time
-from gspot_verified.cost.measurement.contest import Call, Contestant
+from gspot_verified.cost.measurement.contest import Call, TimedRoute
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Limit
 from gspot_verified.cost.parts.ode import ode_value, right_decimals
 from gspot_verified.cost.peers.external import PROGRAMS, ExternalTime, Program, ask
@@ -38,22 +38,22 @@ def _of_the_ode(_: float, value: Any) -> float | None:
     return right_decimals(value, approximate(theta(TAU, BETA, digits=20)))
 
 
-def _contestants() -> tuple[Contestant, ...]:
+def _contestants() -> tuple[TimedRoute, ...]:
     return (
-        Contestant(
+        TimedRoute(
             "this library", CERTIFIED, _DIGITS, _ours, _MORE, exponent=1.0,
             theory="binary splitting: O(M(D) log² D) for D digits, so a little above 1",
         ),
-        Contestant(
+        TimedRoute(
             "FLINT, three 1F2", CERTIFIED, _DIGITS, lambda digits: partial(flint_theta, TAU, BETA, 0, digits),
             _MORE[:1], exponent=2.0,
             theory="D/log D terms, each with products of D digits: a little below 2 with fast products",
         ),
-        Contestant(
+        TimedRoute(
             "mpmath hyp1f2", NO_BOUND, _FEW, lambda digits: partial(mpmath_theta, TAU, BETA, 0, digits), _FEW_MORE,
             place=_correct_digits, exponent=2.0, theory="the same sum, on Python integers",
         ),
-        Contestant(
+        TimedRoute(
             "scipy DOP853", NO_BOUND, _TOLERANCES, lambda tolerance: partial(ode_value, TAU, BETA, tolerance),
             place=_of_the_ode, words=lambda tolerance: f"tolerance {tolerance:g}",
             theory="order 8: time grows like 10^(D/8), an exponential and no power",
@@ -62,7 +62,7 @@ def _contestants() -> tuple[Contestant, ...]:
     )  # fmt: skip
 
 
-def _external(program: Program) -> Contestant:
+def _external(program: Program) -> TimedRoute:
     missing = "" if shutil.which(program.executable) else "not installed on this machine"
 
     def call(digits: int) -> Call:
@@ -71,7 +71,7 @@ def _external(program: Program) -> Contestant:
     def place(_: int, answer: Any) -> float | None:
         return answer.right or None
 
-    return Contestant(
+    return TimedRoute(
         program.name, NO_BOUND if program.executable == "gp" else CERTIFIED, (15, 50, 200, 1_000), call, (10_000,),
         place=place, seconds=_own_time, missing=missing,
     )  # fmt: skip

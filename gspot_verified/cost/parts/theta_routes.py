@@ -8,7 +8,7 @@ from typing import Any
 from flint import arb, fmpq
 
 from gspot_verified.cost.measurement.blueprint import Blueprint, best_time
-from gspot_verified.cost.measurement.contest import Call, Contestant
+from gspot_verified.cost.measurement.contest import Call, TimedRoute
 from gspot_verified.cost.measurement.measurement import CERTIFIED, Limit
 from gspot_verified.cost.times.baseline import flint_theta
 from gspot_verified.numbers.balls import working_bits
@@ -28,7 +28,7 @@ _ROUTES = {
 }
 
 
-def _by(route: str, sign: int) -> Contestant:
+def _by(route: str, sign: int) -> TimedRoute:
     name, exponent, theory = _ROUTES[route]
     panel = _PANELS[sign]
 
@@ -36,7 +36,7 @@ def _by(route: str, sign: int) -> Contestant:
         return partial(theta_by, route, fmpq(sign * distance), BETA, digits=DIGITS)
 
     far = route in ("negative", "positive")
-    return Contestant(
+    return TimedRoute(
         name, CERTIFIED, _ALL if far else _NEAR, call, () if far else _MORE,
         place=_distance, words=lambda distance: f"τ = {sign * distance}", exponent=exponent, theory=theory, panel=panel,
     )  # fmt: skip
@@ -46,29 +46,29 @@ def _distance(distance: int, value: Any) -> float | None:
     return float(distance) if not isinstance(value, arb) or value.is_finite() else None
 
 
-def _chosen(sign: int) -> Contestant:
+def _chosen(sign: int) -> TimedRoute:
     def call(distance: int) -> Call:
         return partial(theta, fmpq(sign * distance), BETA, 0, DIGITS)
 
     panel = _PANELS[sign]
-    return Contestant(
+    return TimedRoute(
         "this library’s choice", CERTIFIED, _ALL, call,
         words=lambda distance: f"τ = {sign * distance}", panel=panel,
     )  # fmt: skip
 
 
-def _flint(sign: int) -> Contestant:
+def _flint(sign: int) -> TimedRoute:
     def call(distance: int) -> Call:
         return partial(flint_theta, fmpq(sign * distance), BETA, 0, DIGITS, 1 << 14)
 
     panel = _PANELS[sign]
-    return Contestant(
+    return TimedRoute(
         "FLINT, three 1F2", CERTIFIED, _NEAR, call, _MORE,
         words=lambda distance: f"τ = {sign * distance}", panel=panel, exponent=1.5, theory="the same terms",
     )  # fmt: skip
 
 
-def _contestants() -> tuple[Contestant, ...]:
+def _contestants() -> tuple[TimedRoute, ...]:
     found = []
     for sign, far in ((-1, "negative"), (1, "positive")):
         found += [_chosen(sign), _by("taylor", sign), _by(far, sign), _by("laplace", sign), _flint(sign)]

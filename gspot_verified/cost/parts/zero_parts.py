@@ -10,7 +10,7 @@ from flint import fmpq
 
 from gspot_verified.certificates.text import certificate_text
 from gspot_verified.cost.measurement.blueprint import Blueprint, best_time
-from gspot_verified.cost.measurement.contest import Call, Contestant
+from gspot_verified.cost.measurement.contest import Call, TimedRoute
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Limit
 from gspot_verified.cost.parts.ode import ode_zeros, right_decimals
 from gspot_verified.cost.times.baseline import mpmath_theta
@@ -46,17 +46,17 @@ def _counted_by_ode(end: int) -> Call:
     return call
 
 
-def _atlas_contestants() -> tuple[Contestant, ...]:
+def _atlas_contestants() -> tuple[TimedRoute, ...]:
     def words(end: int) -> str:
         return f"β in (1, {end})"
 
     return (
-        Contestant(
+        TimedRoute(
             "this library", CERTIFIED, _ENDS, lambda end: partial(atlas_text, end), _MORE_ENDS,
             words=words, exponent=3.0,
             theory="a cell (m, m + 1) has about m zeros, pieces and terms in a piece: m² at most, k³ in all",
         ),
-        Contestant(
+        TimedRoute(
             "scipy at points", NO_BOUND, _ENDS, _counted_by_ode, (7,), words=words,
             place=lambda end, _: float(end), exponent=1.0, theory="points on a grid",
         ),
@@ -123,17 +123,17 @@ def _of_the_ode(_: float, found: Any) -> float | None:
     return min((d for d in digits if d is not None), default=None) if None not in digits else None
 
 
-def _bracket_contestants() -> tuple[Contestant, ...]:
+def _bracket_contestants() -> tuple[TimedRoute, ...]:
     return (
-        Contestant(
+        TimedRoute(
             "this library", CERTIFIED, _DIGITS, _brackets, _MORE_DIGITS, exponent=1.0,
             theory="Newton’s steps double the digits, so a few values of that accuracy: like Θ itself",
         ),
-        Contestant(
+        TimedRoute(
             "mpmath findroot", NO_BOUND, _FEW, _findroot, _FEW_MORE, exponent=2.0,
             theory="about ten values by mpmath’s 1F2 for each zero",
         ),
-        Contestant(
+        TimedRoute(
             "scipy DOP853, events", NO_BOUND, _TOLERANCES,
             lambda tolerance: partial(ode_zeros, BETA, -5.0, 5.0, tolerance),
             place=_of_the_ode, words=lambda tolerance: f"tolerance {tolerance:g}",

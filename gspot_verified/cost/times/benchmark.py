@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from gspot_verified.cost.times.curves import Curve
+from gspot_verified.cost.times.curves import TimeCurve
 from gspot_verified.cost.times.rows import Row, table
 from gspot_verified.numbers.written import Written
 
@@ -18,7 +18,7 @@ class Benchmark(Written):
 
     head: str
     rows: tuple[Row, ...]
-    curves: tuple[Curve, ...]
+    curves: tuple[TimeCurve, ...]
     remarks: tuple[str, ...]
     seconds: float
 

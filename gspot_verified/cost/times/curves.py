@@ -19,14 +19,14 @@ _MPMATH_DIGITS = 1_000
 
 
 @dataclass(frozen=True, slots=True)
-class Curve(Written):
+class TimeCurve(Written):
     """Seconds at some numbers of digits, or at another number."""
 
     name: str
     points: tuple[tuple[float, float], ...]
 
 
-def curves(full: bool) -> tuple[Curve, ...]:
+def curves(full: bool) -> tuple[TimeCurve, ...]:
     """First calls at tau = 7/3, up to 10^4 digits (10^5 when ``full``).
 
     A curve ends after the point that takes longer than 1 second (10 when ``full``), mpmath's at 10^3 digits: its next
@@ -42,7 +42,7 @@ def curves(full: bool) -> tuple[Curve, ...]:
     digits, patience = (_DIGITS, 10.0) if full else (_DIGITS[:-2], 1.0)
     last = {"mpmath hyp1f2, β = 1/2": _MPMATH_DIGITS}
     return tuple(
-        Curve(name, curve(call, tuple(count for count in digits if count <= last.get(name, count)), patience))
+        TimeCurve(name, curve(call, tuple(count for count in digits if count <= last.get(name, count)), patience))
         for name, call in calls.items()
     )
 

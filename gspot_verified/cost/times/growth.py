@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from gspot_verified.certificates.text import certificate_text
-from gspot_verified.cost.times.curves import Curve
+from gspot_verified.cost.times.curves import TimeCurve
 from gspot_verified.cost.times.measure import clear_caches
 from gspot_verified.cost.times.rows import seconds_text
 from gspot_verified.numbers.verdict import NoTruthValue
@@ -55,7 +55,7 @@ def time_range(lower: int, upper: int) -> tuple[RangeTime, ZerosResult, str]:
 
 
 @dataclass(frozen=True, slots=True)
-class Growth(Written):
+class FittedGrowth(Written):
     """Times of several ranges, a number for each (its size, or where it lies), and the fitted exponent."""
 
     written: ClassVar[str] = "name variable points exponent"
@@ -70,9 +70,9 @@ class Growth(Written):
         return fitted_exponent([(x, item.processor) for x, item in self.points])
 
     @property
-    def curve(self) -> Curve:
+    def curve(self) -> TimeCurve:
         """The points of the picture."""
-        return Curve(self.name, tuple((x, item.processor) for x, item in self.points))
+        return TimeCurve(self.name, tuple((x, item.processor) for x, item in self.points))
 
     def __str__(self) -> str:
         power = "not fitted" if self.exponent is None else f"like {self.variable}^{self.exponent:.2f}"
@@ -94,18 +94,18 @@ def fitted_exponent(points: Sequence[tuple[float, float]]) -> float | None:
     return above / math.fsum((x - middle_x) ** 2 for x, _ in pairs)
 
 
-def from_one(times: Sequence[RangeTime]) -> Growth:
+def from_one(times: Sequence[RangeTime]) -> FittedGrowth:
     """Ranges (1, k). The larger ones reach to larger beta, where a unit of beta costs more."""
-    return Growth("ranges (1, k)", "(k - 1)", tuple((item.upper - item.lower, item) for item in times))
+    return FittedGrowth("ranges (1, k)", "(k - 1)", tuple((item.upper - item.lower, item) for item in times))
 
 
-def around(times: Sequence[RangeTime]) -> Growth:
+def around(times: Sequence[RangeTime]) -> FittedGrowth:
     """Ranges with one middle: only the size grows, not the mean beta."""
     middle = times[0].lower + times[0].upper if times else 0
     name = f"ranges around β = {middle // 2 if middle % 2 == 0 else middle / 2}"
-    return Growth(name, "size", tuple((item.upper - item.lower, item) for item in times))
+    return FittedGrowth(name, "size", tuple((item.upper - item.lower, item) for item in times))
 
 
-def cells(times: Sequence[RangeTime]) -> Growth:
+def cells(times: Sequence[RangeTime]) -> FittedGrowth:
     """Cells (m, m + 1): only beta grows."""
-    return Growth("cells (m, m + 1)", "m", tuple((item.lower, item) for item in times))
+    return FittedGrowth("cells (m, m + 1)", "m", tuple((item.lower, item) for item in times))

@@ -9,7 +9,14 @@ from dataclasses import replace
 from flint import arb, fmpq
 
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
-from gspot_verified.expansion.true_solutions.growth import Cone, Entry, needed_p, needed_state, phi_of, ranges_of
+from gspot_verified.expansion.true_solutions.growth import (
+    DeviationCone,
+    EntryDeviation,
+    needed_p,
+    needed_state,
+    phi_of,
+    ranges_of,
+)
 from gspot_verified.numbers.balls import approximate, ball
 
 _RATES = (0.95, 0.85, 0.75, 0.65, 0.55, 0.45, 0.35)
@@ -17,7 +24,7 @@ _GAPS = (1.1, 1.2, 1.35)
 _ROUNDS = 3
 
 
-def cones(equations: DeviationEquations, entry: Entry, power: fmpq, top: arb) -> Iterator[Cone]:
+def cones(equations: DeviationEquations, entry: EntryDeviation, power: fmpq, top: arb) -> Iterator[DeviationCone]:
     """Cones that hold the deviation at s_1, the fastest growth first."""
     if not (entry.Y > 0 and entry.V > 0 and entry.N > 0 and entry.q > 0):
         return
@@ -28,13 +35,15 @@ def cones(equations: DeviationEquations, entry: Entry, power: fmpq, top: arb) ->
         for gap in _GAPS:
             a = part * slowest
             if a > 0 and gap * a <= low:
-                start = Cone(arb(a), arb(gap * a), arb(steepest), arb(high), (), arb(0), top)
+                start = DeviationCone(arb(a), arb(gap * a), arb(steepest), arb(high), (), arb(0), top)
                 cone = _filled(equations, entry, power, start)
                 if cone is not None:
                     yield cone
 
 
-def _filled(equations: DeviationEquations, entry: Entry, power: fmpq, cone: Cone) -> Cone | None:
+def _filled(
+    equations: DeviationEquations, entry: EntryDeviation, power: fmpq, cone: DeviationCone
+) -> DeviationCone | None:
     """The cone with A, A_p, B, C for its a and c."""
     least = entry.Y.lower()
     starts = [1.1 * approximate(value / least) + 1e-20 for value in entry.state]

@@ -19,7 +19,7 @@ from gspot_verified.numbers.verdict import Evidence
 
 
 @dataclass(frozen=True)
-class Entry:
+class EntryDeviation:
     """A deviation at s_1: enclosures of Y, V, N over delta^mu, of q, and bounds on |e_xi|, |e_p|, |f| over delta^mu.
 
     ``side`` is the sign of e_lambda, ``begin`` the s at which the run began.
@@ -38,7 +38,7 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class Cone:
+class DeviationCone:
     """aY <= V <= BY, cV <= N <= CV, |e_xi,i| <= A_i Y, |e_p| <= A_p Y; ``top`` is Y_max. Chosen freely."""
 
     a: arb
@@ -69,7 +69,7 @@ class Ranges:
     eta_z: arb
 
 
-def entry_of(track: Track, index: int) -> Entry | None:
+def entry_of(track: Track, index: int) -> EntryDeviation | None:
     """The deviation at the end of a piece, if the sign of e_y is certain there."""
     piece, equations = track.pieces[index], track.equations
     e = piece.end_deviations
@@ -80,7 +80,7 @@ def entry_of(track: Track, index: int) -> Entry | None:
     scale = hull([equations.delta ** ball(track.power), arb(0)])
     q = -(equations.alpha_1 * place + equations.expansion("p", place, 1) + scale * e[equations.p])
     Y, V = -side * e[equations.y], -side * e[equations.v]
-    return Entry(
+    return EntryDeviation(
         side,
         track.pieces[0].start,
         piece.end,
@@ -94,7 +94,7 @@ def entry_of(track: Track, index: int) -> Entry | None:
     )
 
 
-def ranges_of(equations: DeviationEquations, entry: Entry, power: fmpq, cone: Cone) -> Ranges | None:
+def ranges_of(equations: DeviationEquations, entry: EntryDeviation, power: fmpq, cone: DeviationCone) -> Ranges | None:
     """The bars, or None where they are not finite."""
     m, delta, order = equations.dimension, equations.delta, equations.trajectory.order
     least = entry.Y.lower() * delta ** ball(power)
@@ -128,13 +128,13 @@ def ranges_of(equations: DeviationEquations, entry: Entry, power: fmpq, cone: Co
     )
 
 
-def phi_of(equations: DeviationEquations, entry: Entry, found: Ranges) -> arb:
+def phi_of(equations: DeviationEquations, entry: EntryDeviation, found: Ranges) -> arb:
     """phi_0: |f| <= phi_0 V."""
     slow = equations.delta * equations.lag * (1 + found.eta[equations.y])
     return (entry.fast / entry.V.lower()).max((slow + equations.damper * found.eta_z) / equations.rate).upper()
 
 
-def needed_state(equations: DeviationEquations, found: Ranges, cone: Cone, phi: arb) -> list[arb]:
+def needed_state(equations: DeviationEquations, found: Ranges, cone: DeviationCone, phi: arb) -> list[arb]:
     """The right sides of (G5) for A_1, ..., A_m."""
     square = equations.delta * equations.delta
     return [
@@ -145,13 +145,15 @@ def needed_state(equations: DeviationEquations, found: Ranges, cone: Cone, phi: 
     ]
 
 
-def needed_p(equations: DeviationEquations, found: Ranges, cone: Cone) -> arb:
+def needed_p(equations: DeviationEquations, found: Ranges, cone: DeviationCone) -> arb:
     """The right side of (G5) for A_p."""
     square = equations.delta * equations.delta
     return square * _dot(found.bend, cone.A) / cone.a + found.eta[equations.p]
 
 
-def grows(equations: DeviationEquations, entry: Entry, power: fmpq, cone: Cone) -> tuple[arb, Evidence] | None:
+def grows(
+    equations: DeviationEquations, entry: EntryDeviation, power: fmpq, cone: DeviationCone
+) -> tuple[arb, Evidence] | None:
     """|e_lambda| at Y = Y_max from below, (kappa - phi_0 B) Y_max, with (G0) to (G7) as evidence; None where one is not
     certain."""
     found = ranges_of(equations, entry, power, cone)

@@ -35,7 +35,7 @@ class Deviations:
 
 
 @dataclass(frozen=True)
-class Piece:
+class TrackPiece:
     """``deviations`` encloses e delta^-mu for start <= s <= end; ``fast`` bounds |f| delta^-mu, ``force`` encloses
     the deviation of lambda_N, delta^-mu times; ``mean`` is the expansion's lambda_N.
 
@@ -74,7 +74,7 @@ class Rules:
         return ((slow + equations.damper * self.forcing * residual_z) / equations.rate).upper()
 
 
-def advance(rules: Rules, state: Deviations, start: fmpq, end: fmpq) -> Piece | None:
+def advance(rules: Rules, state: Deviations, start: fmpq, end: fmpq) -> TrackPiece | None:
     """The piece, or None when the inequality could not be satisfied."""
     equations, length = rules.equations, ball(end - start)
     frame = frame_at(equations, start, state.turned)
@@ -121,7 +121,7 @@ def advance(rules: Rules, state: Deviations, start: fmpq, end: fmpq) -> Piece | 
     at_end = _turned(later, last)
     if at_end is None:
         return None
-    return Piece(
+    return TrackPiece(
         start,
         end,
         tuple(deviations),

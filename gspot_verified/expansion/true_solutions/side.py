@@ -14,7 +14,7 @@ from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.expansion.true_solutions.bound import BITS, check_interval, rational
 from gspot_verified.expansion.true_solutions.cone_choice import cones
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
-from gspot_verified.expansion.true_solutions.growth import Cone, Entry, entry_of, grows, ranges_of
+from gspot_verified.expansion.true_solutions.growth import DeviationCone, EntryDeviation, entry_of, grows, ranges_of
 from gspot_verified.expansion.true_solutions.slow_deviation import slow_deviation
 from gspot_verified.expansion.true_solutions.track import Track, track
 from gspot_verified.numbers.balls import (
@@ -162,7 +162,7 @@ def uniform_side(
         return UniformSide(*family, side, entry.place, cone.a, ratio, reached, Verdict.proved(statement, evidence))
 
 
-def _first_end(found: Track, start: fmpq, factor: fmpq) -> tuple[Entry, Cone, arb, Evidence] | None:
+def _first_end(found: Track, start: fmpq, factor: fmpq) -> tuple[EntryDeviation, DeviationCone, arb, Evidence] | None:
     """The first end of a piece at which Theorem U2 applies, contact being kept until then; the force reached; and what
     was compared."""
     equations = found.equations

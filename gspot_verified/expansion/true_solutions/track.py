@@ -9,7 +9,7 @@ from flint import arb, fmpq
 
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.expansion.true_solutions.frames import identity, number_of_pieces
-from gspot_verified.expansion.true_solutions.piece import Deviations, Piece, Rules, advance
+from gspot_verified.expansion.true_solutions.piece import Deviations, Rules, TrackPiece, advance
 
 
 @dataclass(frozen=True)
@@ -19,14 +19,14 @@ class Track:
     equations: DeviationEquations
     power: fmpq
     end: fmpq
-    pieces: tuple[Piece, ...]
+    pieces: tuple[TrackPiece, ...]
 
     @property
     def is_whole(self) -> bool:
         """Whether the end was reached."""
         return bool(self.pieces) and bool(self.pieces[-1].end == self.end)
 
-    def z_deviation(self, piece: Piece) -> arb:
+    def z_deviation(self, piece: TrackPiece) -> arb:
         """The deviation of z, delta^-mu times: z = y + lambda/k_2."""
         k_2 = arb(self.equations.trajectory.system.regularisation.k_2)
         y = piece.deviations[self.equations.y]
@@ -46,7 +46,7 @@ def track(
     rules = Rules(equations, power)
     state = Deviations(tuple(centre), tuple(radii), identity(equations.size), fast, fmpq(0), arb(0))
     count = number_of_pieces(equations, start, end)
-    step, pieces = (end - start) / count, list[Piece]()
+    step, pieces = (end - start) / count, list[TrackPiece]()
     for k in range(count):
         piece = advance(rules, state, start + step * k, start + step * (k + 1))
         if piece is None:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from flint import arb, arb_poly
 
-from gspot_verified.integrator.box_steps.step import Curve, Plan
+from gspot_verified.integrator.box_steps.step import Plan, PolynomialCurve
 from gspot_verified.numbers.balls import approximate, current_bits
 
 _SMALLEST_LOG = -1e9
@@ -106,7 +106,7 @@ def limited_by_growth(h: float, norm: float, deviations: Sequence[arb]) -> float
 
 def scaled_curve(
     solution: Sequence[Sequence[arb]], flow: Sequence[Sequence[Sequence[arb]]], middle: Sequence[arb], h: arb
-) -> Curve:
+) -> PolynomialCurve:
     """The Taylor coefficients as polynomials in τ, rounded to exact ones."""
 
     def polynomial(values: Sequence[arb], start: arb) -> arb_poly:
@@ -117,7 +117,7 @@ def scaled_curve(
         return arb_poly(terms)
 
     size = len(middle)
-    return Curve(
+    return PolynomialCurve(
         tuple(polynomial(values, start) for values, start in zip(solution, middle, strict=True)),
         tuple(tuple(polynomial(flow[i][j], arb(int(i == j))) for j in range(size)) for i in range(size)),
     )

@@ -19,7 +19,7 @@ _UNIT_INTERVAL = arb((1, -1), (1, -1))  # exactly [0, 1]
 
 
 @dataclass(frozen=True, slots=True)
-class Curve:
+class PolynomialCurve:
     """The approximation that a step is proved about: polynomials in τ = (t - t_0)/h on [0, 1], with exact coefficients.
 
     ``solution`` begins with the midpoint, ``flow`` (by row and column) with the identity.
@@ -54,7 +54,7 @@ class Step:
     hypothesis of Theorem V1, that the deviation stays below the tube's radius.
     """
 
-    curve: Curve
+    curve: PolynomialCurve
     h: arb
     tube: tuple[arb, ...]
     local: tuple[arb, ...]
@@ -76,7 +76,9 @@ class Step:
         return [add_remainder(p(one), r) for p, r in zip(self.curve.solution, self.local, strict=True)]
 
 
-def certified_step(field: VectorField, curve: Curve, radius: Sequence[arb], h: arb, plan: Plan) -> Step | None:
+def certified_step(
+    field: VectorField, curve: PolynomialCurve, radius: Sequence[arb], h: arb, plan: Plan
+) -> Step | None:
     """The step of length h > 0, or None when a hypothesis of the theorems could not be verified.
 
     ``radius`` bounds the distances of the initial values from the midpoint, component by component.
@@ -122,7 +124,7 @@ def _norm(values: Sequence[arb], weights: Sequence[arb]) -> arb:
     return total
 
 
-def _cauchy_bounds(field: VectorField, curve: Curve, plan: Plan) -> tuple[list[arb], list[list[arb]]] | None:
+def _cauchy_bounds(field: VectorField, curve: PolynomialCurve, plan: Plan) -> tuple[list[arb], list[list[arb]]] | None:
     """Lemma 1: bounds on |f| and on the entries of |J| along the polynomial on the complex disc |τ| <= ρ."""
     box = []
     disc = arb(plan.disc)
@@ -144,7 +146,7 @@ def _tail(plan: Plan, length: int) -> arb:
     return disc ** (1 - length) / (disc - 1)
 
 
-def _defect(field: VectorField, curve: Curve, h: arb, bounds: Sequence[arb], plan: Plan) -> list[arb]:
+def _defect(field: VectorField, curve: PolynomialCurve, h: arb, bounds: Sequence[arb], plan: Plan) -> list[arb]:
     """Lemma 2: bounds on |h f(x) - dx/dτ| for the polynomial x, on [0, 1]."""
     length = plan.length
     with series_length(length):
@@ -162,7 +164,7 @@ def _size(polynomial: arb_poly) -> arb:
     return arb_poly([abs(c) for c in polynomial.coeffs()])(arb(1))
 
 
-def _tube(curve: Curve, plan: Plan) -> list[arb]:
+def _tube(curve: PolynomialCurve, plan: Plan) -> list[arb]:
     """A box of the states within the tube's radius of the polynomial, at all times of the step."""
     return [
         add_remainder(p(_UNIT_INTERVAL), plan.tube * weight)
@@ -198,7 +200,7 @@ def _change(field: VectorField, box: Sequence[arb], reach: arb, plan: Plan) -> l
 
 def _flow(
     field: VectorField,
-    curve: Curve,
+    curve: PolynomialCurve,
     h: arb,
     bounds: list[list[arb]],
     change: list[list[arb]],

@@ -32,7 +32,7 @@ class Length(Protocol):
         """Its length."""
 
 
-class Segment(Protocol):
+class ProvedSegment(Protocol):
     """A proved step of a run, from ``time`` on."""
 
     @property
@@ -51,7 +51,7 @@ class Segment(Protocol):
 class Moment:
     """One time of a run: τ in [0, 1] of a segment."""
 
-    segment: Segment
+    segment: ProvedSegment
     tau: arb
 
     @property
@@ -99,7 +99,7 @@ class Unclear:
 
 @dataclass(frozen=True, slots=True)
 class _Piece:
-    segment: Segment
+    segment: ProvedSegment
     left: arb
     right: arb
 
@@ -151,7 +151,7 @@ class Watch:
         """An enclosure of g."""
         return self._program.mean_values(states)[0]
 
-    def along(self, segment: Segment) -> Crossing | Unclear | None:
+    def along(self, segment: ProvedSegment) -> Crossing | Unclear | None:
         """What happens on the next segment: nothing (g < 0 is proved, or it still rises), a crossing, or unclear."""
         for count, (piece, kind) in enumerate(self._pieces(segment, arb(0), arb(1), 0)):
             self._followed = piece.begin
@@ -186,7 +186,9 @@ class Watch:
     def _negative(self, moment: Moment) -> bool:
         return bool(self.value(moment.states()) < 0)
 
-    def _pieces(self, segment: Segment, left: arb, right: arb, depth: int) -> Iterator[tuple[_Piece, Kind | None]]:
+    def _pieces(
+        self, segment: ProvedSegment, left: arb, right: arb, depth: int
+    ) -> Iterator[tuple[_Piece, Kind | None]]:
         """Pieces in order, each with what is certain on it, or None; FALLING only as long as g leaves 0."""
         piece = _Piece(segment, left, right)
         value, rate = self._program.mean_values(piece.box())

@@ -11,7 +11,7 @@ from flint import arb
 
 from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.mechanisms.approach.capture import Capture
-from gspot_verified.mechanisms.approach.distinguished import Region, force_at, taylor_in_p
+from gspot_verified.mechanisms.approach.distinguished import FlowBounds, force_at, taylor_in_p
 from gspot_verified.mechanisms.approach.slip_flow import SlipNumbers
 from gspot_verified.numbers.balls import add_remainder, hull
 
@@ -49,7 +49,7 @@ def coefficient_above_one(
     ):
         around = hull([side, polynomial(whole)])
         sides.append(add_remainder(around, around.rad()))
-    region = Region.on(field, sides)
+    region = FlowBounds.on(field, sides)
     if region is None:
         return None
     middle = force_at(field, trajectory, at.p, disc, region)

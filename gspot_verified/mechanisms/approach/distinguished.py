@@ -15,7 +15,7 @@ from gspot_verified.numbers.balls import add_remainder, hull, series_length
 
 
 @dataclass(frozen=True, slots=True)
-class Region:
+class FlowBounds:
     """Bounds on a box of (ξ, λ), for (S, R) of :meth:`SlipFlow.by_p`: norms of S_ξ, S_λ and R_ξ; β - 1 there."""
 
     box: tuple[arb, ...]
@@ -26,7 +26,7 @@ class Region:
     exponent: arb
 
     @classmethod
-    def on(cls, field: VectorField, box: Sequence[arb]) -> Region | None:
+    def on(cls, field: VectorField, box: Sequence[arb]) -> FlowBounds | None:
         """On a box; None when something is not finite."""
         size = field.dimension - 1
         values, rows = field.on_box(box)
@@ -84,7 +84,7 @@ def _term(series: arb_series, k: int) -> arb:
     return terms[k] if k < len(terms) else arb(0)
 
 
-def force_at(field: VectorField, found: Distinguished, p: arb, disc: arb, region: Region) -> arb | None:
+def force_at(field: VectorField, found: Distinguished, p: arb, disc: arb, region: FlowBounds) -> arb | None:
     """λ on the distinguished trajectory at p, 0 < p < disc, or None when a hypothesis of Theorem A3 is not certain.
 
     ``region`` must hold the trajectory for all smaller p.

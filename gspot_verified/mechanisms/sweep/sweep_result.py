@@ -25,7 +25,7 @@ _UNKNOWN = (Kind.OPEN, Kind.NO_TUBE)
 
 
 @dataclass(frozen=True, slots=True)
-class Crossing(NoTruthValue, Written):
+class ZeroOnLine(NoTruthValue, Written):
     """Where a quantity passes zero on a line: between ``lower`` and ``upper``, where it is strictly monotone."""
 
     ask: ClassVar[str] = ".proved says whether it certainly vanishes there, and then exactly once"
@@ -118,9 +118,9 @@ class Sweep(NoTruthValue, Written):
         return bool(piece.upper[0] - piece.lower[0] > (axis.upper - axis.lower) * _SHORT_PIECE)
 
     @property
-    def crossings(self) -> tuple[Crossing, ...]:
+    def crossings(self) -> tuple[ZeroOnLine, ...]:
         """On a line: the brackets in which Case or side change."""
-        found: list[Crossing] = []
+        found: list[ZeroOnLine] = []
         for piece in self.pieces if len(self.axes) == 1 else ():
             passing = piece.passing
             if passing is None:
@@ -132,7 +132,7 @@ class Sweep(NoTruthValue, Written):
                 found.pop()
             else:
                 before = passing.before
-            found.append(Crossing(passing.quantity, lower, upper, passing.direction, before, passing.after))
+            found.append(ZeroOnLine(passing.quantity, lower, upper, passing.direction, before, passing.after))
         return tuple(found)
 
     @property
@@ -213,7 +213,7 @@ class Sweep(NoTruthValue, Written):
         return "\n".join([",".join(head), *(_csv_line(piece) for piece in self.pieces)]) + "\n"
 
 
-def _same(last: Crossing, passing: Passing) -> bool:
+def _same(last: ZeroOnLine, passing: Passing) -> bool:
     return (last.quantity, last.direction) == (passing.quantity, passing.direction)
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from flint import arb, fmpq
 
 from gspot_verified.compliant.model.normal_form import compliant_model
-from gspot_verified.compliant.motion.run import ONE_FLIGHT, Run, events
+from gspot_verified.compliant.motion.run import ONE_FLIGHT, CompliantRun, events
 from gspot_verified.compliant.side.side_later import side
 from gspot_verified.numbers.balls import ball_text, certainly_less, sign_of, working_bits
 from gspot_verified.numbers.verdict import Outcome
@@ -27,13 +27,13 @@ POWER = fmpq(4, 3)
 """The velocity before the impact is below MOST ε^POWER."""
 
 
-def run_of(beta: fmpq, nu: fmpq, epsilon: fmpq) -> Run:
+def run_of(beta: fmpq, nu: fmpq, epsilon: fmpq) -> CompliantRun:
     """The certified run from the paper's data with ν."""
     model = compliant_model(beta, epsilon)
     return events(model, paper_state(model, nu), DIGITS)
 
 
-def as_claimed(run: Run) -> bool | None:
+def as_claimed(run: CompliantRun) -> bool | None:
     """One flight, a touch-down after the G-spot, and a small velocity downwards there."""
     if run.verdict.outcome is not Outcome.PROVED:
         return None
@@ -46,7 +46,7 @@ def as_claimed(run: Run) -> bool | None:
         return all_of([after, certainly_less(arb(0), speed), certainly_less(speed, small)])
 
 
-def side_at_touch_down(run: Run) -> bool | None:
+def side_at_touch_down(run: CompliantRun) -> bool | None:
     """Whether K > 0 there: necessary for contact that lasts, and found without the invariant sets."""
     if len(run.events) != 2:
         return None

@@ -16,7 +16,7 @@ from operator import mul
 from flint import arb, arb_poly, fmpq
 
 from gspot_verified.numbers.balls import add_remainder, approximate, sign_of, working_bits
-from gspot_verified.signs.cover.pieces import Column, Kind, Piece, cell_of, end_signs, fold_integer
+from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind, cell_of, end_signs, fold_integer
 from gspot_verified.signs.cover.witness import sign_at
 from gspot_verified.theta_function.boxes.box import omitted_terms
 from gspot_verified.theta_function.boxes.box_choice import bits_for_box, length_for_box
@@ -58,7 +58,7 @@ def areas(column: Column) -> list[Area]:
     found: list[Area] = []
     n = 0 if column.lower is None else cell_of(column.lower, column.upper)
     factor = 1 if column.lower is None or column.lower < 0 else -1  # dTheta/dtau = -beta F
-    run: list[Piece] = []
+    run: list[ColumnPiece] = []
     before = 0
     for piece in column.pieces:
         if piece.kind is Kind.MONOTONE:

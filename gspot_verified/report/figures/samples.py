@@ -34,7 +34,7 @@ _SERIES_DIGITS = 60
 
 
 @dataclass(frozen=True, slots=True)
-class Curve:
+class SampledEnclosures:
     """Enclosures at points: the exact value at ``at[i]`` lies in ``[lower[i], upper[i]]``."""
 
     label: str
@@ -67,17 +67,17 @@ class SeriesError:
     """The relative error of the series cut after ``terms`` terms, and its proved bound."""
 
     terms: int
-    error: Curve
-    bound: Curve
+    error: SampledEnclosures
+    bound: SampledEnclosures
     certain: int
     """At how many points error < bound is certain."""
 
 
-def _curve(label: str, points: Sequence[Fraction], balls: Sequence[arb], digits: int) -> Curve:
+def _curve(label: str, points: Sequence[Fraction], balls: Sequence[arb], digits: int) -> SampledEnclosures:
     bounds = [float_bounds(value) for value in balls]
     accurate = sum(relative_bits(value) >= bits_for_digits(digits) for value in balls)
     at = tuple(float(point) for point in points)
-    return Curve(label, at, tuple(low for low, _ in bounds), tuple(high for _, high in bounds), accurate)
+    return SampledEnclosures(label, at, tuple(low for low, _ in bounds), tuple(high for _, high in bounds), accurate)
 
 
 def grid(first: int, last: int, per_unit: int) -> tuple[Fraction, ...]:
@@ -89,7 +89,7 @@ def grid(first: int, last: int, per_unit: int) -> tuple[Fraction, ...]:
     return tuple(Fraction(k, per_unit) for k in range(first * per_unit, last * per_unit + 1))
 
 
-def theta_curve(beta: str, points: Sequence[Fraction]) -> Curve:
+def theta_curve(beta: str, points: Sequence[Fraction]) -> SampledEnclosures:
     """Theta(tau, beta) at the points.
 
     >>> theta_curve("1", [Fraction(-2)]).middle
@@ -138,7 +138,7 @@ def route_digits(route: str, beta: str, points: Sequence[Fraction], digits: int)
     return tuple(max(0, relative_bits(ball)) * _DIGITS_PER_BIT if ball.is_finite() else math.nan for ball in balls)
 
 
-def reciprocal_gamma_curve(points: Sequence[Fraction]) -> Curve:
+def reciprocal_gamma_curve(points: Sequence[Fraction]) -> SampledEnclosures:
     """1/Gamma(-beta) at the points; exactly 0 at beta = 0, 1, 2, ..."""
     with working_bits(64):
         balls = [reciprocal_gamma(fmpq(-beta.numerator, beta.denominator), 64) for beta in points]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from gspot_verified.cost.times.curves import Curve
+from gspot_verified.cost.times.curves import TimeCurve
 from gspot_verified.report.pictures.canvas import COLOURS, INK, PAPER, STYLES, Picture, canvas, picture, styled
 
 _MARKS = "os^Dv"
@@ -38,7 +38,7 @@ _BESIDE = ((4, 5, "right"), (-7, 1, "right"), (8, -3, "left"))
 _NO_BOUND, _AIM = ("scipy", "heyoka"), "aim"
 
 
-def save_measured(curves: Sequence[Curve], path: Path, subject: str) -> Path:
+def save_measured(curves: Sequence[TimeCurve], path: Path, subject: str) -> Path:
     """The picture of one subject of ``gspot-verified cost``: runs of scenes by scene, the others in one field.
 
     :raises ValueError: no curve has a point, or another suffix.
@@ -46,7 +46,7 @@ def save_measured(curves: Sequence[Curve], path: Path, subject: str) -> Path:
     return runs_picture(curves).save(path) if subject == "simulate" else save_picture(curves, path, LABELS[subject])
 
 
-def runs_picture(curves: Sequence[Curve]) -> Picture:
+def runs_picture(curves: Sequence[TimeCurve]) -> Picture:
     """Time against decimals, a field for each scene and epsilon; names of curves are "route: scene".
 
     :raises ValueError: no curve has a point.
@@ -56,7 +56,7 @@ def runs_picture(curves: Sequence[Curve]) -> Picture:
     return styled(lambda: _draw_runs(curves))()
 
 
-def _draw_runs(curves: Sequence[Curve]) -> Picture:
+def _draw_runs(curves: Sequence[TimeCurve]) -> Picture:
     scenes = list(dict.fromkeys(curve.name.partition(": ")[2] for curve in curves))
     routes = list(dict.fromkeys(curve.name.partition(": ")[0] for curve in curves))
     rows = -(-len(scenes) // 2)
@@ -88,7 +88,7 @@ def _draw_runs(curves: Sequence[Curve]) -> Picture:
     return picture(figure, "cost", RUNS.title, caption, "For each scene lines of time against right decimals.")
 
 
-def cost_picture(curves: Sequence[Curve], labels: Labels = DIGITS) -> Picture:
+def cost_picture(curves: Sequence[TimeCurve], labels: Labels = DIGITS) -> Picture:
     """The times on logarithmic scales.
 
     :raises ValueError: no curve has a point.
@@ -98,7 +98,7 @@ def cost_picture(curves: Sequence[Curve], labels: Labels = DIGITS) -> Picture:
     return styled(lambda: _draw(curves, labels))()
 
 
-def save_picture(curves: Sequence[Curve], path: Path, labels: Labels = DIGITS) -> Path:
+def save_picture(curves: Sequence[TimeCurve], path: Path, labels: Labels = DIGITS) -> Path:
     """Write the picture as PNG, PDF or SVG and return its path.
 
     :raises ValueError: no curve has a point, or another suffix.
@@ -112,7 +112,7 @@ def _name(axes: Any, words: str, at: tuple[float, float], beside: tuple[int, int
     axes.annotate(words, at, beside[:2], textcoords="offset points", **look)
 
 
-def _draw(curves: Sequence[Curve], labels: Labels) -> Picture:
+def _draw(curves: Sequence[TimeCurve], labels: Labels) -> Picture:
     figure = canvas(4.6)
     axes = figure.add_subplot()
     for index, curve in enumerate(curves):

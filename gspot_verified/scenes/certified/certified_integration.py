@@ -19,7 +19,7 @@ from gspot_verified.scenes.certified.certified_phase import CLOCK, CertifiedPhas
 from gspot_verified.scenes.certified.certified_phases import CertifiedPhases, Next
 from gspot_verified.scenes.certified.certified_result import Record, event_of, growth_words, result_of
 from gspot_verified.scenes.certified.conditions import Conditions
-from gspot_verified.scenes.certified.invariant_region import Growth, InvariantRegion
+from gspot_verified.scenes.certified.invariant_region import ExponentialGrowth, InvariantRegion
 from gspot_verified.scenes.certified.run_steps import Progress, RunSteps
 from gspot_verified.scenes.certified.segment_samples import Observer, SegmentSamples, Step
 from gspot_verified.scenes.certified.step_journal import FORMAT, StepJournal
@@ -260,7 +260,7 @@ class _ImpactObserver:
         lift_off_alone = all(event.next_phase == FLIGHT for event in phase.system.events)
         self._may_slip_for_ever = lift_off_alone and not phase.system.supposed  # that is seen step by step alone
         self._sticks = phase.system.phase == STICK
-        self._known: Growth | None = None
+        self._known: ExponentialGrowth | None = None
         self._region: InvariantRegion | None = None
         if phase.system.phase != FLIGHT:
             try:

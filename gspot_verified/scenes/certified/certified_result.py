@@ -16,7 +16,7 @@ from gspot_verified.numbers.evidence import equal, every
 from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
 from gspot_verified.scenes.certified.certified_phase import Open
 from gspot_verified.scenes.certified.conditions import Conditions
-from gspot_verified.scenes.certified.invariant_region import Growth
+from gspot_verified.scenes.certified.invariant_region import ExponentialGrowth
 from gspot_verified.scenes.scene.assumption import ASSUMED, CHECKED, VIOLATED, Assumption, provided
 from gspot_verified.scenes.scene.run import CERTIFIED, NO_EVENT, OPEN, REFUTED, RunEvent, SceneRun, fate_of
 from gspot_verified.scenes.scene.scene import Scene
@@ -49,7 +49,7 @@ class Record:
         return every([equal(len(self.shown), len(self.events)), *self.shown, self.ended])
 
 
-def growth_words(growth: Growth, sticks: bool, since: arb | None) -> str:
+def growth_words(growth: ExponentialGrowth, sticks: bool, since: arb | None) -> str:
     """How λ_N grows; ``since``: from which time on, where that is not the time of the event."""
     rate, motion = rounded_text(float_bounds(growth.rate)[0], -1), "stick" if sticks else "slip"
     begin = "" if since is None else f"from t = {rounded_text(float_bounds(since)[1], 1, 6)} after the start on "

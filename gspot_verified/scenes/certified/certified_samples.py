@@ -13,7 +13,7 @@ from flint import arb, fmpq
 from gspot_verified.compliant.model.flight import Flight
 from gspot_verified.compliant.model.normal_form import CompliantModel
 from gspot_verified.compliant.motion.compliant_force import force
-from gspot_verified.compliant.motion.run import Event, Run
+from gspot_verified.compliant.motion.run import CompliantRun, Event
 from gspot_verified.numbers.balls import bits_for_digits, float_bounds, working_bits
 from gspot_verified.scenes.effects.lift_off import LIFT_OFF, TOUCH_DOWN
 from gspot_verified.scenes.equations.terms import FLIGHT, SLIP
@@ -24,7 +24,7 @@ _COLUMNS = ("p", "b", "y", "v", "z", "lambda_N")
 _LARGEST_RATIO = 1000
 
 
-def certified_samples(run: Run, until: fmpq, points: int, digits: int = 12) -> Samples:
+def certified_samples(run: CompliantRun, until: fmpq, points: int, digits: int = 12) -> Samples:
     """Enclosures at ``points`` equal steps of time from the start to ``until``, as far as the run is known: to the
     touch-down, or where the force is 1000 times its first value; nothing where it is not known whether contact lasts.
 
@@ -70,7 +70,7 @@ def midpoint_and_radius(value: arb) -> tuple[float, float]:
     return middle, math.nextafter(max(high - middle, middle - low), math.inf)
 
 
-def _values(run: Run, time: fmpq, digits: int) -> tuple[str, list[arb]] | None:
+def _values(run: CompliantRun, time: fmpq, digits: int) -> tuple[str, list[arb]] | None:
     """The phase and p, b, y, v, z, lambda_N at one time, measured from the G-spot; None: it is not known."""
     events = {event.name: event for event in run.events}
     lift, land = events.get(LIFT_OFF), events.get(TOUCH_DOWN)

@@ -40,7 +40,7 @@ class ContactPoint:
         return cls(force, -V, -acceleration, rate, -form.kappa * V - acceleration)
 
 
-class Cone(Protocol):
+class GrowthCone(Protocol):
     """Keeps the motion that is in it, with λ' >= ``rate`` λ, for as long as :meth:`is_kept`."""
 
     @property
@@ -102,7 +102,7 @@ class SlowCone:
         return bool(a > 0 and a < form.kappa and grows and left >= 0 and left * self.S >= c * lift)
 
 
-def cones(form: ContactForm, at: ContactPoint, bounds: ContactBounds) -> Iterator[Cone]:
+def cones(form: ContactForm, at: ContactPoint, bounds: ContactBounds) -> Iterator[GrowthCone]:
     """Cones that certainly hold all states at this point, and that may be kept; fast growth first."""
     if not (at.force > 0 and at.W >= 0 and at.G >= 0 and bounds.slope < 0):
         return
@@ -126,7 +126,7 @@ def cones(form: ContactForm, at: ContactPoint, bounds: ContactBounds) -> Iterato
                 yield SlowCone(form, a, c, at.force, at.S)
 
 
-def likely_first(found: list[Cone], bounds: ContactBounds) -> list[Cone]:
+def likely_first(found: list[GrowthCone], bounds: ContactBounds) -> list[GrowthCone]:
     """The cones that have room for a box of states come first."""
     wider = replace(
         bounds, slope=bounds.slope * _LESS, factor=abs(bounds.factor) * 2, constant=abs(bounds.constant) * 2

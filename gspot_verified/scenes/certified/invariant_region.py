@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from flint import arb
 
 from gspot_verified.numbers.balls import add_remainder, approximate, current_bits
-from gspot_verified.scenes.certified.growth_cone import Cone, ContactPoint, cones, likely_first
+from gspot_verified.scenes.certified.growth_cone import ContactPoint, GrowthCone, cones, likely_first
 from gspot_verified.scenes.equations.scaled_system import ScaledSystem
 from gspot_verified.scenes.motions.contact_form import ContactBounds, ContactForm
 
@@ -24,7 +24,7 @@ _BOXES_TRIED = 6
 
 
 @dataclass(frozen=True)
-class Growth:
+class ExponentialGrowth:
     """From the state on lambda_N > 0 grows at least like e^(rate T), T = t/epsilon: as long as the scene slips, which
     it certainly does not any more after the time ``within`` (None: not known); or until lambda_N exceeds ``until``
     times its value at the beginning (None: no such limit), if slip lasts so long."""
@@ -47,7 +47,7 @@ class InvariantRegion:
     def __init__(self, system: ScaledSystem) -> None:
         self._form = ContactForm(system)
 
-    def growth(self, state: Mapping[str, arb]) -> Growth | None:
+    def growth(self, state: Mapping[str, arb]) -> ExponentialGrowth | None:
         """What is certain of all states in the ball; None: nothing was shown."""
         form = self._form
         box = [state[name] for name in form.names]
@@ -60,20 +60,20 @@ class InvariantRegion:
             return None
         found = [cone for cone in cones(form, ContactPoint.of(form, box), bounds) if cone.is_kept(bounds)]
         if form.constant_load:
-            return next((Growth(cone.rate, None) for cone in found if cone.is_kept_for_ever(bounds)), None)
+            return next((ExponentialGrowth(cone.rate, None) for cone in found if cone.is_kept_for_ever(bounds)), None)
         found = likely_first(found, bounds)[:_BOXES_TRIED]
         for cone in found:
             for i in range(len(bounds.stops)):
                 within = self._until_stop(cone, box, bounds, i)
                 if within is not None:
-                    return Growth(cone.rate, None, within)
+                    return ExponentialGrowth(cone.rate, None, within)
         for cone in found:
             times = self._most_times(cone, box)
             if times is not None:
-                return Growth(cone.rate, times)
+                return ExponentialGrowth(cone.rate, times)
         return None
 
-    def _until_stop(self, cone: Cone, box: list[arb], bounds: ContactBounds, i: int) -> arb | None:
+    def _until_stop(self, cone: GrowthCone, box: list[arb], bounds: ContactBounds, i: int) -> arb | None:
         """Theorem R6: a time by which function i has certainly reached 0, with the cone kept until then."""
         form, first, a = self._form, bounds.stops[i], cone.rate
         if not (form.affine and first > 0 and bounds.stop_pushes[i] < 0):
@@ -96,7 +96,7 @@ class InvariantRegion:
                 return time
         return None
 
-    def _most_times(self, cone: Cone, box: list[arb]) -> int | None:
+    def _most_times(self, cone: GrowthCone, box: list[arb]) -> int | None:
         """Theorem R5: how many times λ can be seen to grow, among some powers of 2."""
         if not self._holds_until(cone, box, 2 ** _DOUBLINGS[0]):
             return None
@@ -109,13 +109,13 @@ class InvariantRegion:
                 high = middle
         return 1 << _DOUBLINGS[low]
 
-    def _holds_until(self, cone: Cone, box: list[arb], times: int) -> bool:
+    def _holds_until(self, cone: GrowthCone, box: list[arb], times: int) -> bool:
         largest = (times * box[-1]).upper()
         time = (arb(times).log() / cone.rate).upper()
         impulse = (largest / cone.rate).upper()
         return self._kept_until(cone, box, time, largest, lambda _: impulse) is not None
 
-    def _kept_until(self, cone: Cone, box: list[arb], time: arb, largest: arb, impulse: Impulse) -> arb | None:
+    def _kept_until(self, cone: GrowthCone, box: list[arb], time: arb, largest: arb, impulse: Impulse) -> arb | None:
         """Section 5: a box that is not left for a time, with the cone kept on it, by the bound on ∫λ that is returned.
 
         ``largest``: the range of λ, where it matters.

@@ -33,7 +33,7 @@ is not cut: at a tight tolerance new starts, of low order and short steps, cost 
 
 
 @dataclass(frozen=True)
-class Piece:
+class SolverPiece:
     """What one call of the solver leaves behind. ``next_phase``: of the following piece; None: the run ends here."""
 
     phase: str
@@ -109,9 +109,9 @@ def unchecked(scene: Scene) -> tuple[Assumption, ...]:
     )
 
 
-def _kept_piece(data: Any, path: Path) -> Piece:
+def _kept_piece(data: Any, path: Path) -> SolverPiece:
     try:
-        piece = Piece(**data)
+        piece = SolverPiece(**data)
         if not (all(math.isfinite(x) for row in piece.rows for x in row) and math.isfinite(piece.time)):
             raise ValueError("not a finite number")
     except (TypeError, ValueError) as error:
@@ -131,8 +131,8 @@ def _check(scene: Scene, method: str, tolerance: float, points: int | None) -> N
 
 
 def _pieces(
-    scene: Scene, method: str, tolerance: float, points: int | None, last: Piece | None, cuts: int
-) -> Iterator[Piece]:
+    scene: Scene, method: str, tolerance: float, points: int | None, last: SolverPiece | None, cuts: int
+) -> Iterator[SolverPiece]:
     """The pieces that follow ``last``, of a span cut into ``cuts``; events cut it further."""
     run = _FloatRun(scene)
     end = approximate(scene.until / scene.epsilon)
@@ -199,7 +199,7 @@ class _FloatRun:
         tolerance: float,
         points: tuple[float, int] | None,
         begins: bool,
-    ) -> Piece:
+    ) -> SolverPiece:
         """One call of the solver, to the end of the span or to an event, and what follows it.
 
         ``begins``: whether the phase begins here; otherwise the piece before has this state already.
@@ -212,7 +212,7 @@ class _FloatRun:
         ended = next((end for end, times in hits if len(times)), None)
         rows = _rows(compiled, found, points, begins, ended is not None)
         if ended is None:
-            return Piece(phase, rows, time, after, None, phase)
+            return SolverPiece(phase, rows, time, after, None, phase)
         name, following = ended
         if following == CONTACT:
             following = self.contact_phase(after, at_rest=name == SLIP_STOPS)
@@ -220,7 +220,7 @@ class _FloatRun:
                 name = STICKS if following == STICK else SLIPS[following]
         if following == STICK and "u" in after:
             after["u"] = self._belt
-        return Piece(phase, rows, time, after, name, following)
+        return SolverPiece(phase, rows, time, after, name, following)
 
 
 def _rows(

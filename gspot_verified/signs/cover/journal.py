@@ -14,7 +14,7 @@ from typing import Any, Self
 from flint import fmpq
 
 from gspot_verified.numbers.balls import exact
-from gspot_verified.signs.cover.pieces import Column, Kind, Piece
+from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind
 from gspot_verified.work.journal_file import JournalFile
 
 Answer = Column | tuple[fmpq, fmpq] | None
@@ -73,7 +73,7 @@ def _to_json(answer: Answer) -> Any:
     return None if answer is None else {"witness": [str(value) for value in answer]}
 
 
-def _piece_to_json(piece: Piece) -> list[Any]:
+def _piece_to_json(piece: ColumnPiece) -> list[Any]:
     ends = [None if end is None else str(end) for end in (piece.lower, piece.upper)]
     return [piece.kind.value, *ends, piece.mark]
 
@@ -87,7 +87,9 @@ def _read(line: str, path: Path) -> tuple[str, str, Answer]:
             answer = (_rational(first), _rational(second))
         elif data is not None:
             pieces = tuple(
-                Piece(Kind(kind), None if a is None else _rational(a), None if b is None else _rational(b), int(mark))
+                ColumnPiece(
+                    Kind(kind), None if a is None else _rational(a), None if b is None else _rational(b), int(mark)
+                )
                 for kind, a, b, mark in data["pieces"]
             )
             left, right = data["column"]

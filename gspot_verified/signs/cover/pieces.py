@@ -24,7 +24,7 @@ class Kind(enum.Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Piece:
+class ColumnPiece:
     """One piece of a column; ``None`` as an end is infinity.
 
     ``mark`` is the sign of F (SIGN), the direction of F (MONOTONE), the number of changes of sign (RIGHT), else 0.
@@ -56,7 +56,7 @@ class Column:
 
     lower: fmpq | None
     upper: fmpq
-    pieces: tuple[Piece, ...]
+    pieces: tuple[ColumnPiece, ...]
 
     def tubes(self) -> list[tuple[fmpq, fmpq]]:
         """Intervals of tau that hold exactly one zero each, for every beta of the column: runs of monotone
@@ -83,7 +83,7 @@ def cell_of(lower: fmpq, upper: fmpq) -> int:
     return n - 1 if lower == upper == n + 1 else n
 
 
-def end_signs(piece: Piece, n: int) -> tuple[int, int]:
+def end_signs(piece: ColumnPiece, n: int) -> tuple[int, int]:
     """The signs of F at the two ends of a piece that fixes them (at an infinite end: the sign next to it)."""
     match piece.kind:
         case Kind.SIGN:
@@ -97,13 +97,13 @@ def end_signs(piece: Piece, n: int) -> tuple[int, int]:
             raise ValueError(f"a piece {piece.kind.value} fixes no sign at its ends")
 
 
-def monotone_runs(pieces: tuple[Piece, ...], n: int) -> list[tuple[list[Piece], int, int]]:
+def monotone_runs(pieces: tuple[ColumnPiece, ...], n: int) -> list[tuple[list[ColumnPiece], int, int]]:
     """Maximal runs of monotone pieces with the signs of F before and after; ``n`` is the cell of the column.
 
     A sign is 0 where nothing fixes it.
     """
-    runs: list[tuple[list[Piece], int, int]] = []
-    current: list[Piece] = []
+    runs: list[tuple[list[ColumnPiece], int, int]] = []
+    current: list[ColumnPiece] = []
     before = 0
     for piece in pieces:
         if piece.kind is Kind.MONOTONE:

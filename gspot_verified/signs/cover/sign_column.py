@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from flint import fmpq
 
 from gspot_verified.signs.cover.column_models import ColumnModels
-from gspot_verified.signs.cover.pieces import Column, Kind, Piece, cell_of, fold_integer
+from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind, cell_of, fold_integer
 from gspot_verified.signs.cover.tails import left_threshold
 from gspot_verified.signs.cover.zero_column import (
     FOLD_HALF_WIDTHS,
@@ -50,7 +50,7 @@ def sign_column(question: SignQuestion, lower: fmpq | None, upper: fmpq, along: 
         point = fmpq(-1) if lower is None else (lower + upper) / 2
         if question.sign < 0:
             return (_inner(question.tau), point if lower is not None else upper - 1)
-        return Column(lower, upper, (Piece(Kind.LAPLACE, None, None),))
+        return Column(lower, upper, (ColumnPiece(Kind.LAPLACE, None, None),))
     return _SignSearch(question, lower, upper, along).run()
 
 
@@ -88,18 +88,18 @@ class _SignSearch:
         left = -left_threshold(self.lower - 1, self.upper - 1, self.n, 64 if self.n < 0 else 8)
         right, tail = self._right()
         if self.tau.upper is not None and self.tau.upper <= left:
-            return self._whole(Piece(Kind.LEFT, None, left), 1)
+            return self._whole(ColumnPiece(Kind.LEFT, None, left), 1)
         if tail is not None and self.tau.lower is not None and self.tau.lower >= right:
             return self._whole(tail, self._tail_sign())
         if self._fold_allowed():
             left = min(left, LEAST_LEFT_OF_FOLD)
-        before: list[Piece] = []
-        after: list[Piece] = []
+        before: list[ColumnPiece] = []
+        after: list[ColumnPiece] = []
         begin, end = self.tau.lower, self.tau.upper
         if begin is None or begin < left:
             if self.sign < 0:
                 return self._refuted(_inner(Range(begin, left, False, False)))
-            before, begin = [Piece(Kind.LEFT, None, left)], left
+            before, begin = [ColumnPiece(Kind.LEFT, None, left)], left
         if tail is not None and (end is None or end > right):
             if self._tail_sign() != self.sign:
                 return self._refuted(_inner(Range(right, end, False, False)))
@@ -111,16 +111,16 @@ class _SignSearch:
             return self.witness
         return None if middle is None else Column(self.lower, self.upper, (*before, *middle, *after))
 
-    def _right(self) -> tuple[fmpq, Piece | None]:
+    def _right(self) -> tuple[fmpq, ColumnPiece | None]:
         if self.upper <= 1:
-            return fmpq(0), Piece(Kind.TAYLOR, fmpq(0), None)
+            return fmpq(0), ColumnPiece(Kind.TAYLOR, fmpq(0), None)
         right = right_tail(self.models, self.n, self.reach, 0, self.along)
-        return (fmpq(0), None) if right is None else (right, Piece(Kind.RIGHT, right, None, 0))
+        return (fmpq(0), None) if right is None else (right, ColumnPiece(Kind.RIGHT, right, None, 0))
 
     def _tail_sign(self) -> int:
         return 1 if self.upper <= 1 or self.n % 2 else -1
 
-    def _whole(self, piece: Piece, sign: int) -> Found:
+    def _whole(self, piece: ColumnPiece, sign: int) -> Found:
         if sign != self.sign:
             return self._refuted(_inner(self.tau))
         return Column(self.lower, self.upper, (piece,))
@@ -129,25 +129,25 @@ class _SignSearch:
         self.witness = (tau, (self.lower + self.upper) / 2)
         return self.witness
 
-    def _point(self, tau: fmpq) -> tuple[Piece, ...] | None:
+    def _point(self, tau: fmpq) -> tuple[ColumnPiece, ...] | None:
         """A single tau: a short interval around it; at 0 a hinge serves where F has a zero at an integer."""
         for half_width in _POINT_HALF_WIDTHS:
             if self.models.sign(tau - half_width, tau + half_width) == self.sign:
-                return (Piece(Kind.SIGN, tau - half_width, tau + half_width, self.sign),)
+                return (ColumnPiece(Kind.SIGN, tau - half_width, tau + half_width, self.sign),)
             for begin, end in ((-half_width, tau), (tau, half_width)):
                 if tau == 0 and self._hinge(begin, end):
-                    return (Piece(Kind.HINGE, begin, end),)
+                    return (ColumnPiece(Kind.HINGE, begin, end),)
         if self.models.sign_at_centre(tau) == -self.sign:
             self._refuted(tau)
         return None
 
-    def _middle(self, begin: fmpq, end: fmpq) -> tuple[Piece, ...] | None:
+    def _middle(self, begin: fmpq, end: fmpq) -> tuple[ColumnPiece, ...] | None:
         if begin <= 0 <= end and self.sign > 0 and self._fold_allowed():
             for half_width in FOLD_HALF_WIDTHS:
                 # A fold may reach beyond the range of tau, but not into the pieces of the tails.
                 apart = (begin < -half_width or begin == self.tau.lower) and (half_width < end or end == self.tau.upper)
                 if apart and self.models.fold(-half_width, half_width):
-                    fold = (Piece(Kind.FOLD, -half_width, half_width),)
+                    fold = (ColumnPiece(Kind.FOLD, -half_width, half_width),)
                     return self._joined((begin, -half_width), fold, (half_width, end))
         if begin == end:
             return self._point(begin)
@@ -156,8 +156,8 @@ class _SignSearch:
         return self._cover(begin, end)
 
     def _joined(
-        self, first: tuple[fmpq, fmpq], between: tuple[Piece, ...], second: tuple[fmpq, fmpq]
-    ) -> tuple[Piece, ...] | None:
+        self, first: tuple[fmpq, fmpq], between: tuple[ColumnPiece, ...], second: tuple[fmpq, fmpq]
+    ) -> tuple[ColumnPiece, ...] | None:
         """Covers of two intervals, each possibly empty, with a piece between them."""
         before = self._cover(*first) if first[0] < first[1] else ()
         if before is None:
@@ -183,21 +183,21 @@ class _SignSearch:
         zeros_at_0 = (b for b in (self.n, self.n + 1) if b % 3 and self.lower - 1 <= b <= self.upper - 1)
         return not (self.tau.contains(fmpq(0)) and any(self.question.beta.contains(fmpq(b + 1)) for b in zeros_at_0))
 
-    def _cover(self, begin: fmpq, end: fmpq) -> tuple[Piece, ...] | None:
+    def _cover(self, begin: fmpq, end: fmpq) -> tuple[ColumnPiece, ...] | None:
         waiting = grid(begin, end) if self.along is None else grid_along(begin, end, self.along)
-        found: list[Piece] = []
+        found: list[ColumnPiece] = []
         least = min(_LEAST_WIDTH, (end - begin) / 64)
         while waiting:
             lower, upper = waiting.pop()
             middle = (lower + upper) / 2
             sign = self.models.sign(lower, upper)
             if sign == self.sign:
-                found.append(Piece(Kind.SIGN, lower, upper, sign))
+                found.append(ColumnPiece(Kind.SIGN, lower, upper, sign))
             elif sign == -self.sign or self.models.sign_at_centre(middle) == -self.sign:
                 self._refuted(middle)
                 return None
             elif self._hinge(lower, upper):
-                found.append(Piece(Kind.HINGE, lower, upper))
+                found.append(ColumnPiece(Kind.HINGE, lower, upper))
             elif upper - lower <= least:
                 return None
             else:

@@ -9,7 +9,7 @@ from typing import Protocol
 from flint import fmpq
 
 from gspot_verified.signs.cover.column_models import ColumnModels
-from gspot_verified.signs.cover.pieces import Column, Kind, Piece, cell_of, fold_integer, number_of_zeros
+from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind, cell_of, fold_integer, number_of_zeros
 from gspot_verified.signs.cover.tails import left_threshold
 
 _STEP = fmpq(1, 2)
@@ -42,7 +42,7 @@ def zero_column(lower: fmpq, upper: fmpq, along: Column | None = None) -> Column
     """
     n = cell_of(lower, upper)
     if n < 0:
-        return Column(lower, upper, (Piece(Kind.LAPLACE, None, None),))
+        return Column(lower, upper, (ColumnPiece(Kind.LAPLACE, None, None),))
     reach = reach_of_cell(n)
     models = ColumnModels(lower - 1, upper - 1, reach)
     left = -left_threshold(lower - 1, upper - 1, n)
@@ -55,7 +55,7 @@ def zero_column(lower: fmpq, upper: fmpq, along: Column | None = None) -> Column
         right = right_tail(models, n, reach, changes, along)
         middle = _middle(models, left, right, has_fold, least, along) if right is not None else None
         if right is not None and middle is not None:
-            pieces = (Piece(Kind.LEFT, None, left), *middle, Piece(Kind.RIGHT, right, None, changes))
+            pieces = (ColumnPiece(Kind.LEFT, None, left), *middle, ColumnPiece(Kind.RIGHT, right, None, changes))
             column = Column(lower, upper, pieces)
             if number_of_zeros(column) is not None:
                 return column
@@ -105,7 +105,7 @@ def right_tail(models: CertainSigns, n: int, reach: fmpq, changes: int, along: C
 
 def _middle(
     models: ColumnModels, left: fmpq, right: fmpq, has_fold: bool, least: fmpq, along: Column | None
-) -> tuple[Piece, ...] | None:
+) -> tuple[ColumnPiece, ...] | None:
     if not has_fold:
         return cover(models, left, right, least, along)
     for half_width in FOLD_HALF_WIDTHS:
@@ -114,22 +114,22 @@ def _middle(
             after = cover(models, half_width, right, least, along) if before is not None else None
             if before is None or after is None:
                 return None
-            return (*before, Piece(Kind.FOLD, -half_width, half_width), *after)
+            return (*before, ColumnPiece(Kind.FOLD, -half_width, half_width), *after)
     return None
 
 
 def cover(
     models: CertainSigns, left: fmpq, right: fmpq, least: fmpq, along: Column | None = None
-) -> tuple[Piece, ...] | None:
+) -> tuple[ColumnPiece, ...] | None:
     """Pieces SIGN and MONOTONE from left to right, by bisection; None as soon as one box is narrower than ``least``."""
     waiting = grid(left, right) if along is None else grid_along(left, right, along)
-    found: list[Piece] = []
+    found: list[ColumnPiece] = []
     while waiting:
         lower, upper = waiting.pop()
         if sign := models.sign(lower, upper):
-            found.append(Piece(Kind.SIGN, lower, upper, sign))
+            found.append(ColumnPiece(Kind.SIGN, lower, upper, sign))
         elif direction := models.sign(lower, upper, 1):
-            found.append(Piece(Kind.MONOTONE, lower, upper, direction))
+            found.append(ColumnPiece(Kind.MONOTONE, lower, upper, direction))
         elif upper - lower <= least:
             return None
         else:

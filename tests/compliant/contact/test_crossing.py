@@ -9,7 +9,7 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified.compliant.contact import crossing as crossing_module
-from gspot_verified.compliant.contact.crossing import Crossing, NotBelow, first_crossing
+from gspot_verified.compliant.contact.crossing import LevelReached, NotBelow, first_crossing
 from gspot_verified.compliant.slow.profile import Profile
 from gspot_verified.leading_order.stretches import Level
 from gspot_verified.numbers.balls import approximate, working_bits
@@ -27,7 +27,7 @@ def at(value: fmpq) -> Level:
     return level
 
 
-def crossing(value: fmpq, digits: int = 12, start: fmpq = START) -> Crossing:
+def crossing(value: fmpq, digits: int = 12, start: fmpq = START) -> LevelReached:
     found = first_crossing(WAVE, start, at(value), digits)
     assert found is not None
     assert found.upper - found.lower <= fmpq(1, 10**digits)

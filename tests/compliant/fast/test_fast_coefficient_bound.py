@@ -27,7 +27,7 @@ from gspot_verified.compliant.fast.fast_coefficient_bound import (
     state_weight,
     unit_weight,
 )
-from gspot_verified.compliant.fast.modulus_sum import Piece
+from gspot_verified.compliant.fast.modulus_sum import PathPiece
 from gspot_verified.compliant.model.kernel import kernel
 from gspot_verified.compliant.model.normal_form import Deviation
 from gspot_verified.numbers.balls import working_bits
@@ -148,11 +148,11 @@ def test_the_end_towards_infinity_has_its_hypotheses() -> None:
 
 def sums(
     monkeypatch: pytest.MonkeyPatch, call: Callable[[], arb], depth: int, without: str
-) -> tuple[arb, list[tuple[Piece, arb]]]:
+) -> tuple[arb, list[tuple[PathPiece, arb]]]:
     """What is left when the boxes and one of the ends give nothing, and the pieces that the boxes were laid on."""
-    seen: list[tuple[Piece, arb]] = []
+    seen: list[tuple[PathPiece, arb]] = []
 
-    def nothing(piece: Piece, height: arb, _: arb) -> list[arb]:
+    def nothing(piece: PathPiece, height: arb, _: arb) -> list[arb]:
         seen.append((piece, height))
         return [arb(0)]
 
@@ -168,7 +168,7 @@ def top_of(p: fmpq) -> mpc:
     return next(r for r in roots if r.imag > mpf("1e-20"))
 
 
-def check_piece(piece: Piece, place: Callable[[mpf], mpc], p: fmpq, power: fmpq, length: mpf) -> None:
+def check_piece(piece: PathPiece, place: Callable[[mpf], mpc], p: fmpq, power: fmpq, length: mpf) -> None:
     """E, E', E'' and the front at two points, by mpmath's derivatives of the page's formulas."""
     assert abs(upper(piece.length) - length) < mpf("1e-12")
     assert piece.curvature is not None

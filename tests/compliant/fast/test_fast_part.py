@@ -21,7 +21,7 @@ from gspot_verified.compliant.fast.fast_part import fast_bound_at, fast_part
 from gspot_verified.compliant.fast.fast_path_bound import NAMES, decaying_bounds, oscillating_bounds
 from gspot_verified.compliant.fast.fast_solutions import decaying, oscillating
 from gspot_verified.compliant.fast.late_bound import late_bounds
-from gspot_verified.compliant.fast.modulus_sum import Piece, modulus_sum
+from gspot_verified.compliant.fast.modulus_sum import PathPiece, modulus_sum
 from gspot_verified.compliant.model.kernel import kernel
 from gspot_verified.compliant.model.normal_form import Deviation
 from gspot_verified.numbers.balls import working_bits
@@ -185,13 +185,13 @@ def test_bounds_after_the_g_spot(beta: fmpq, epsilon: fmpq) -> None:
 
 
 def test_a_path_that_rises_above_its_saddle_has_no_bound() -> None:
-    def piece(curvature, height) -> Piece:
-        return Piece(arb(1), lambda x: acb(height(x)), lambda x: acb(2 * x), lambda _: [arb(1)], curvature)
+    def piece(curvature, height) -> PathPiece:
+        return PathPiece(arb(1), lambda x: acb(height(x)), lambda x: acb(2 * x), lambda _: [arb(1)], curvature)
 
     with working_bits(64):
         assert not modulus_sum(piece(None, lambda x: x * x), arb(0), arb(1))[0].is_finite()
         assert modulus_sum(piece(None, lambda x: x * x), arb(2), arb(1))[0] < 1
-        falling = Piece(arb(1), lambda x: acb(-x * x), lambda x: acb(-2 * x), lambda _: [arb(1)], lambda _: acb(-2))
+        falling = PathPiece(arb(1), lambda x: acb(-x * x), lambda x: acb(-2 * x), lambda _: [arb(1)], lambda _: acb(-2))
         total = modulus_sum(falling, arb(0), arb(1))[0]
         assert total > arb(fmpq(7468, 10000))
         assert total < arb(fmpq(19, 25))

@@ -15,7 +15,7 @@ from witnesses.theta import contains_witness, to_fraction
 
 from gspot_verified.compliant.model.force_result import CompliantForce
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state, deviation
-from gspot_verified.compliant.motion.compliant_force import SlowManifold, force
+from gspot_verified.compliant.motion.compliant_force import SlowMotions, force
 from gspot_verified.compliant.motion.contact_series import carried
 from gspot_verified.leading_order.contact_force import contact_force
 from gspot_verified.numbers.balls import relative_bits, working_bits
@@ -151,7 +151,7 @@ def test_first_instants_at_small_epsilon(epsilon: str, late: int) -> None:
 
 def test_the_slow_manifold_is_near_leading_order_and_solves_the_equations() -> None:
     model = compliant_model("7/3", "1e-60", alpha_1=-2)
-    found = force(model, SlowManifold(fmpq(3)), fmpq(10) ** -41, digits=20)
+    found = force(model, SlowMotions(fmpq(3)), fmpq(10) ** -41, digits=20)
     # kappa^3 = -alpha_1/2 = 1, so tau = t/eps^(2/3).
     tau = fmpq(1, 10)
     leading = contact_force("7/3", alpha_1=-2, c1=3).value(tau, "1e-60", digits=20)
@@ -162,14 +162,14 @@ def test_the_slow_manifold_is_near_leading_order_and_solves_the_equations() -> N
 
 def test_slow_motion_between_two_times() -> None:
     model = compliant_model("5/2", "1/20")
-    first = force(model, SlowManifold(fmpq(2)), "-1/4", digits=60)
+    first = force(model, SlowMotions(fmpq(2)), "-1/4", digits=60)
     values = {}
     for name in "byvz":
         lower, upper = ends(getattr(first, name))
         middle = (lower + upper) / 2
         values[name] = fmpq(middle.numerator, middle.denominator)
     state = compliant_state("1/4", *(values[name] for name in "byvz"))
-    second = force(model, SlowManifold(fmpq(2)), "1/8", digits=20)
+    second = force(model, SlowMotions(fmpq(2)), "1/8", digits=20)
     p, later = expected(model, state, fmpq(3, 8))
     assert second.p == p
     check(second, later)
@@ -182,11 +182,11 @@ def test_slow_motion_between_two_times() -> None:
 def test_arrays() -> None:
     model = compliant_model("5/2", "1/100")
     times = np.array([[-0.25, 0.0], [0.125, 0.25]])
-    found = force(model, SlowManifold(fmpq(1)), times)
+    found = force(model, SlowMotions(fmpq(1)), times)
     assert found.shape == (2, 2)
-    assert found[1, 0].overlaps(force(model, SlowManifold(fmpq(1)), fmpq(1, 8)).force)
+    assert found[1, 0].overlaps(force(model, SlowMotions(fmpq(1)), fmpq(1, 8)).force)
     with pytest.raises(ValueError, match="finite"):
-        force(model, SlowManifold(fmpq(1)), np.array([np.nan]))
+        force(model, SlowMotions(fmpq(1)), np.array([np.nan]))
 
 
 def test_bad_input() -> None:
@@ -201,12 +201,12 @@ def test_bad_input() -> None:
     with pytest.raises(ValueError, match="too long after an initial state with p <= 0"):
         force(compliant_model("5/2", "1e-9"), compliant_state("-1/2", 1, -1, 0, 1), 1)
     with pytest.raises(TypeError, match="reached"):
-        bool(force(model, SlowManifold(fmpq(1)), 0))
+        bool(force(model, SlowMotions(fmpq(1)), 0))
 
 
 def test_json() -> None:
     model = compliant_model("5/2", "1/100")
-    data = json.loads(json.dumps(force(model, SlowManifold(fmpq(1)), "1/10").to_json()))
+    data = json.loads(json.dumps(force(model, SlowMotions(fmpq(1)), "1/10").to_json()))
     assert data["reached"] is True
     assert data["p"] == "-1/10"
     assert data["force"].startswith("[")

@@ -19,7 +19,7 @@ from witnesses.slow_solution import on_the_slow_manifold
 from witnesses.theta import contains_witness, to_fraction
 
 from gspot_verified.compliant.model.normal_form import Deviation, compliant_model, compliant_state, deviation
-from gspot_verified.compliant.motion.compliant_force import SlowManifold
+from gspot_verified.compliant.motion.compliant_force import SlowMotions
 from gspot_verified.compliant.motion.compliant_force import force as compliant_force
 from gspot_verified.compliant.motion.contact_series import (
     MAX_WORK,
@@ -231,14 +231,14 @@ def test_the_force_from_a_state_at_or_after_the_g_spot(p: str) -> None:
 
 def test_a_slow_motion_met_after_the_g_spot_goes_on() -> None:
     model = compliant_model("5/2", "1/20")
-    there = compliant_force(model, SlowManifold(fmpq(2)), "1/10", digits=60)
+    there = compliant_force(model, SlowMotions(fmpq(2)), "1/10", digits=60)
     middles = {}
     for name in "byvz":
         lower, upper = ends(getattr(there, name))
         middles[name] = to_fmpq((lower + upper) / 2)
     state = compliant_state("-1/10", **middles)
     later = compliant_force(model, state, "3/10", digits=20)
-    expected = compliant_force(model, SlowManifold(fmpq(2)), "3/10", digits=20)
+    expected = compliant_force(model, SlowMotions(fmpq(2)), "3/10", digits=20)
     assert later.by_series
     assert not expected.by_series
     with working_bits(200):

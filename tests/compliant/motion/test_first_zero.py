@@ -15,7 +15,7 @@ from witnesses.contact import moved
 
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state, deviation
 from gspot_verified.compliant.motion import first_zero as first_zero_module
-from gspot_verified.compliant.motion.compliant_force import SlowManifold, contact_motion
+from gspot_verified.compliant.motion.compliant_force import SlowMotions, contact_motion
 from gspot_verified.compliant.motion.compliant_force import force as compliant_force
 from gspot_verified.compliant.motion.first_zero import _cut, contact_lasts, first_zero
 from gspot_verified.compliant.motion.force_range import ForceRange, slow_range
@@ -162,9 +162,9 @@ def test_a_run_that_never_lifts_off_has_no_bracket() -> None:
 
 def test_the_slow_manifold_needs_no_state() -> None:
     model = compliant_model("5/2", "1/100")
-    motion = contact_motion(model, SlowManifold(fmpq(1)))
+    motion = contact_motion(model, SlowMotions(fmpq(1)))
     value = ForceRange(motion, motion.coefficient(60)).over(fmpq(-5), fmpq(-4))
-    assert value.contains(compliant_force(model, SlowManifold(fmpq(1)), fmpq(-9, 200)).force)
+    assert value.contains(compliant_force(model, SlowMotions(fmpq(1)), fmpq(-9, 200)).force)
 
 
 @pytest.mark.parametrize("unit", [fmpq(1, 3), fmpq(1), fmpq(10) ** 33])

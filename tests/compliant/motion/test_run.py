@@ -13,7 +13,7 @@ from witnesses.theta import contains_witness, to_fraction
 
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
 from gspot_verified.compliant.motion.first_zero import FirstZero, first_zero
-from gspot_verified.compliant.motion.run import IMPACT, ONE_FLIGHT, TRIVIAL, Run, events
+from gspot_verified.compliant.motion.run import IMPACT, ONE_FLIGHT, TRIVIAL, CompliantRun, events
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome, Reason, Verdict
 from gspot_verified.paper.numerics.paper_state import paper_state
@@ -39,7 +39,7 @@ TOUCH_DOWN = {
 }
 
 
-def run_of(beta: str, nu: str, epsilon: str, digits: int = 15) -> Run:
+def run_of(beta: str, nu: str, epsilon: str, digits: int = 15) -> CompliantRun:
     model = compliant_model(beta, epsilon)
     return events(model, paper_state(model, nu), digits)
 

@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from samples.strategies import to_fmpq
 
 from gspot_verified.compliant.patches.interpolation import node_product, nodes, substitution
-from gspot_verified.compliant.patches.slow_majorant import Region, epsilon_difference, slow_majorant
+from gspot_verified.compliant.patches.slow_majorant import ComplexNeighbourhood, epsilon_difference, slow_majorant
 from gspot_verified.compliant.patches.slow_patch import SlowPatch, rational_scale
 from gspot_verified.compliant.slow.slow_jet import slow_jet
 
@@ -89,7 +89,9 @@ def complex_values(z: complex, tau: float, eta: float) -> list[mpmath.mpc]:
 @pytest.mark.parametrize("eta", [0.1, 1.5])
 def test_the_bound_for_complex_b(tau: int, eta: float) -> None:
     """On half of a circle around the interval: the values at conjugate places are conjugate."""
-    region = Region(fmpq(4), fmpq(9, 2), fmpq(2), fmpq(Fraction(eta).numerator, Fraction(eta).denominator), fmpq(tau))
+    region = ComplexNeighbourhood(
+        fmpq(4), fmpq(9, 2), fmpq(2), fmpq(Fraction(eta).numerator, Fraction(eta).denominator), fmpq(tau)
+    )
     bounds = [float(bound.mid()) for bound in slow_majorant(region, 3)]
     assert all(math.isfinite(bound) for bound in bounds)
     for angle in range(0, 181, 45):
@@ -101,9 +103,11 @@ def test_the_bound_for_complex_b(tau: int, eta: float) -> None:
 
 
 def test_the_bound_needs_its_hypotheses() -> None:
-    assert not slow_majorant(Region(fmpq(1), fmpq(2), fmpq(2), fmpq(1), fmpq(0)), 1)[0].is_finite()
-    assert not epsilon_difference(Region(fmpq(4), fmpq(5), fmpq(0), fmpq(1), fmpq(0)), 2, 1)[0].is_finite()
-    assert epsilon_difference(Region(fmpq(4), fmpq(5), fmpq(0), fmpq(1), fmpq(0)), 4, 1)[0].is_finite()
+    assert not slow_majorant(ComplexNeighbourhood(fmpq(1), fmpq(2), fmpq(2), fmpq(1), fmpq(0)), 1)[0].is_finite()
+    assert not epsilon_difference(ComplexNeighbourhood(fmpq(4), fmpq(5), fmpq(0), fmpq(1), fmpq(0)), 2, 1)[
+        0
+    ].is_finite()
+    assert epsilon_difference(ComplexNeighbourhood(fmpq(4), fmpq(5), fmpq(0), fmpq(1), fmpq(0)), 4, 1)[0].is_finite()
 
 
 @pytest.mark.parametrize("terms", [3, 4, 6])
@@ -111,7 +115,7 @@ def test_the_bound_needs_its_hypotheses() -> None:
 def test_differences_in_eta_are_bounded(terms: int, tau: int) -> None:
     """A divided difference at terms + 1 points of (0, eta] is one value of the derivative over its factorial."""
     places = [fmpq(3, 10) * (i + 1) / (terms + 1) for i in range(terms + 1)]
-    bounds = epsilon_difference(Region(fmpq(9, 2), fmpq(9, 2), fmpq(0), places[-1], fmpq(tau)), terms, 3)
+    bounds = epsilon_difference(ComplexNeighbourhood(fmpq(9, 2), fmpq(9, 2), fmpq(0), places[-1], fmpq(tau)), terms, 3)
     table = [slow_jet(fmpq(tau), fmpq(9, 2), 2 * eta**3, 3, 200) for eta in places]
     for k, bound in enumerate(bounds):
         level = [row[k] for row in table]

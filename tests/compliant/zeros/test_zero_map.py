@@ -17,7 +17,7 @@ from gspot_verified.compliant.zeros.fold_column import fold_column, numbers_of_z
 from gspot_verified.compliant.zeros.zero_count import slow_zeros
 from gspot_verified.compliant.zeros.zero_map import Row, zero_map
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.signs.cover.pieces import Column, Kind, Piece
+from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind
 
 BELOW_FOLD = ("43/8..11/2", "19/20..1")
 
@@ -88,9 +88,9 @@ def test_a_fold_is_behind_an_integer_only_where_the_polynomial_has_no_more_zeros
     """F_8 has two zeros up to epsilon = 13.75; two more at that epsilon meet: nothing is said about a range that holds
     it, nor about a column that begins elsewhere."""
     pieces = (
-        Piece(Kind.LEFT, None, fmpq(-1)), Piece(Kind.FOLD, fmpq(-1), fmpq(1)),
-        Piece(Kind.MONOTONE, fmpq(1), fmpq(2), -1), Piece(Kind.SIGN, fmpq(2), fmpq(3), -1),
-        Piece(Kind.MONOTONE, fmpq(3), fmpq(4), 1), Piece(Kind.RIGHT, fmpq(4), None, 1),
+        ColumnPiece(Kind.LEFT, None, fmpq(-1)), ColumnPiece(Kind.FOLD, fmpq(-1), fmpq(1)),
+        ColumnPiece(Kind.MONOTONE, fmpq(1), fmpq(2), -1), ColumnPiece(Kind.SIGN, fmpq(2), fmpq(3), -1),
+        ColumnPiece(Kind.MONOTONE, fmpq(3), fmpq(4), 1), ColumnPiece(Kind.RIGHT, fmpq(4), None, 1),
     )  # fmt: skip
     column = Column(fmpq(9), fmpq(73, 8), pieces)
     assert numbers_of_zeros(column, fmpq(0), fmpq(13)) == (3,)
@@ -117,12 +117,12 @@ def test_below_4_the_theorem_tells() -> None:
 
 def test_from_a_column_beyond_the_fold_there_is_no_way_back() -> None:
     """Columns (5, 3) after a column of 3 zeros that ends where they begin; not across an integer, nor across a gap."""
-    plain = (Piece(Kind.LEFT, None, fmpq(-1)), Piece(Kind.MONOTONE, fmpq(-1), fmpq(2), -1))
-    fold = (plain[0], Piece(Kind.FOLD, fmpq(-1), fmpq(1)), Piece(Kind.MONOTONE, fmpq(1), fmpq(2), -1))
+    plain = (ColumnPiece(Kind.LEFT, None, fmpq(-1)), ColumnPiece(Kind.MONOTONE, fmpq(-1), fmpq(2), -1))
+    fold = (plain[0], ColumnPiece(Kind.FOLD, fmpq(-1), fmpq(1)), ColumnPiece(Kind.MONOTONE, fmpq(1), fmpq(2), -1))
     rest = (
-        Piece(Kind.SIGN, fmpq(2), fmpq(3), -1),
-        Piece(Kind.MONOTONE, fmpq(3), fmpq(4), 1),
-        Piece(Kind.RIGHT, fmpq(4), None, 1),
+        ColumnPiece(Kind.SIGN, fmpq(2), fmpq(3), -1),
+        ColumnPiece(Kind.MONOTONE, fmpq(3), fmpq(4), 1),
+        ColumnPiece(Kind.RIGHT, fmpq(4), None, 1),
     )
     ends = [fmpq(n, 2) for n in (17, 18, 19)]
 
@@ -134,7 +134,7 @@ def test_from_a_column_beyond_the_fold_there_is_no_way_back() -> None:
     assert numbers(Column(fmpq(37, 4), ends[2], fold + rest), second) == [(5, 3)]
     assert numbers(Column(fmpq(37, 4), fmpq(75, 8), plain + rest), second) == [(3,), (5, 3)]
     assert numbers(second, Column(fmpq(39, 4), fmpq(10), plain + rest)) == [(5, 3), (3,)]
-    before = Column(ends[0], ends[1], (plain[0], *fold[1:], *rest[:2], Piece(Kind.RIGHT, fmpq(4), None, 0)))
+    before = Column(ends[0], ends[1], (plain[0], *fold[1:], *rest[:2], ColumnPiece(Kind.RIGHT, fmpq(4), None, 0)))
     assert numbers(before, Column(ends[1], fmpq(37, 4), fold + rest))[-1] == (5, 3)
 
 

@@ -20,7 +20,7 @@ from gspot_verified.compliant.zeros import zero_places as module
 from gspot_verified.compliant.zeros.zero_count import slow_zeros
 from gspot_verified.compliant.zeros.zero_places import polynomial_places, zero_places
 from gspot_verified.numbers.balls import working_bits
-from gspot_verified.signs.cover.pieces import Column, Kind, Piece
+from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind
 
 BETA, EPSILON = fmpq(5, 2), fmpq(1, 10)
 Sign = Callable[[fmpq, fmpq, fmpq, int], int | None]
@@ -92,8 +92,8 @@ def test_a_zero_in_the_right_tail_is_not_jumped_over(
     """The search goes outward by powers of two; a sign that stays open behind the zero must not move it on."""
     found = slow_zeros(beta, epsilon, digits=6)
     assert found.column is not None
-    before = Piece(Kind.SIGN, start - 1, start, 1)
-    pieces = (Piece(Kind.LEFT, None, start - 1), before, Piece(Kind.RIGHT, start, None, 1))
+    before = ColumnPiece(Kind.SIGN, start - 1, start, 1)
+    pieces = (ColumnPiece(Kind.LEFT, None, start - 1), before, ColumnPiece(Kind.RIGHT, start, None, 1))
     column = Column(found.beta, found.beta, pieces)
     with working_bits(100):
         zero = sum(ends(found.places[-1] * scale(found.epsilon)), Fraction(0)) / 2

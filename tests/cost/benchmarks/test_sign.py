@@ -9,7 +9,15 @@ from flint import fmpq
 from gspot_verified.cost.benchmarks import sign as benchmark
 from gspot_verified.cost.benchmarks.sign import Plan, SignCost, run
 from gspot_verified.cost.peers.bisection import Bisection, Choice, bisect, halves, slope
-from gspot_verified.cost.times.growth import Growth, RangeTime, around, cells, fitted_exponent, from_one, time_range
+from gspot_verified.cost.times.growth import (
+    FittedGrowth,
+    RangeTime,
+    around,
+    cells,
+    fitted_exponent,
+    from_one,
+    time_range,
+)
 from gspot_verified.numbers.balls import sign_of
 from gspot_verified.report.pictures.cost_picture import RANGES, save_picture
 from gspot_verified.signs.cover.witness import sign_at
@@ -68,7 +76,7 @@ def test_growth_of_hand_made_times() -> None:
     assert "like size^1.00 (asked: about linearly)" in str(around(times))
     assert [x for x, _ in from_one(times).points] == [2, 4]
     assert cells(times[:1]).exponent is None
-    assert "not fitted" in str(Growth("none", "m", ()))
+    assert "not fitted" in str(FittedGrowth("none", "m", ()))
     assert "not proved" in str(RangeTime(1, 2, 1.0, 1.0, 0, 0, False))
 
 

@@ -9,7 +9,7 @@ from gspot_verified.cost.benchmarks import theta as benchmark
 from gspot_verified.cost.benchmarks.theta import CostReport
 from gspot_verified.cost.peers.external import ExternalTime
 from gspot_verified.cost.times import curves as curves_module
-from gspot_verified.cost.times.curves import Curve, curve
+from gspot_verified.cost.times.curves import TimeCurve, curve
 from gspot_verified.cost.times.rows import Row, Target
 from gspot_verified.report.pictures.cost_picture import save_picture
 
@@ -19,7 +19,7 @@ EXTERNAL = (
     ExternalTime("PARI/GP", "1", "1/2", 20, 0.5, 0.25, 12),
     ExternalTime("Sage ore_algebra", "1", "1/2", 20, None, None, None, "not installed"),
 )
-CURVES = (Curve("ours", ((10, 1e-4), (100, 1e-3))), Curve("none", ()))
+CURVES = (TimeCurve("ours", ((10, 1e-4), (100, 1e-3))), TimeCurve("none", ()))
 
 
 @pytest.fixture
@@ -96,5 +96,5 @@ def test_the_picture_is_a_png(tmp_path: Path) -> None:
 
 def test_a_picture_needs_a_point(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="no point"):
-        save_picture([Curve("none", ())], tmp_path / "cost.png")
+        save_picture([TimeCurve("none", ())], tmp_path / "cost.png")
     assert not list(tmp_path.iterdir())

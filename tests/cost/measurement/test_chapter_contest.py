@@ -12,7 +12,7 @@ import pytest
 from gspot_verified.cost import alone
 from gspot_verified.cost.contents import blueprints, contestants_of
 from gspot_verified.cost.measurement import contest
-from gspot_verified.cost.measurement.contest import QUICK, Contestant, compete, memory_alone
+from gspot_verified.cost.measurement.contest import QUICK, TimedRoute, compete, memory_alone
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND
 from gspot_verified.cost.measurement.time_shares import time_shares
 from gspot_verified.theta_function import theta as package_theta
@@ -32,7 +32,7 @@ def test_every_route_is_asked_at_every_argument() -> None:
         return argument
 
     routes = [
-        Contestant(name, CERTIFIED, (1, 2), lambda x, name=name: partial(call, name, x), more=(3,)) for name in "ab"
+        TimedRoute(name, CERTIFIED, (1, 2), lambda x, name=name: partial(call, name, x), more=(3,)) for name in "ab"
     ]
     found = compete("", tuple(routes), EFFORT)
     assert [[point.place for point in route.points] for route in found] == [[1, 2], [1, 2]]
@@ -43,7 +43,7 @@ def test_every_route_is_asked_at_every_argument() -> None:
 
 def test_further_calls_are_made_in_turn() -> None:
     asked: list[str] = []
-    routes = [Contestant(name, CERTIFIED, (1,), lambda _, name=name: lambda: asked.append(name) or 1) for name in "ab"]
+    routes = [TimedRoute(name, CERTIFIED, (1,), lambda _, name=name: lambda: asked.append(name) or 1) for name in "ab"]
     found = compete("", tuple(routes), replace(QUICK, seconds=60.0))
     assert [route.points[0].repeats for route in found] == [15, 15]
     assert asked[4:10] == ["a", "b", "a", "b", "a", "b"]
@@ -58,7 +58,7 @@ def test_patience_ends_the_larger_arguments(monkeypatch: pytest.MonkeyPatch) -> 
         now[0] += argument
         return argument
 
-    contestant = Contestant("slow", CERTIFIED, (0, 1, 2), lambda x: partial(slow, x))
+    contestant = TimedRoute("slow", CERTIFIED, (0, 1, 2), lambda x: partial(slow, x))
     [route] = compete("", (contestant,), replace(EFFORT, patience=0.5))
     assert [(point.asked, point.best) for point in route.points] == [("0", 0.0), ("1", 1.0)]
 
@@ -68,9 +68,9 @@ def test_an_answer_that_is_none_is_no_point() -> None:
         return None if argument == 2 else float(result)
 
     routes = (
-        Contestant("some", NO_BOUND, (1, 2, 3), lambda x: partial(double, x), place=place),
-        Contestant("none", NO_BOUND, (1,), lambda _: lambda: None),
-        Contestant("absent", NO_BOUND, (1,), lambda _: pytest.fail("was asked"), missing="not installed"),
+        TimedRoute("some", NO_BOUND, (1, 2, 3), lambda x: partial(double, x), place=place),
+        TimedRoute("none", NO_BOUND, (1,), lambda _: lambda: None),
+        TimedRoute("absent", NO_BOUND, (1,), lambda _: pytest.fail("was asked"), missing="not installed"),
     )
     some, none, absent = compete("", routes, EFFORT)
     assert [point.place for point in some.points] == [2, 6]
@@ -80,16 +80,16 @@ def test_an_answer_that_is_none_is_no_point() -> None:
 
 
 def test_a_program_may_tell_its_own_time() -> None:
-    [route] = compete("", (Contestant("own", CERTIFIED, (7,), lambda _: lambda: 3.0, seconds=float),), EFFORT)
+    [route] = compete("", (TimedRoute("own", CERTIFIED, (7,), lambda _: lambda: 3.0, seconds=float),), EFFORT)
     assert route.points[0].best == 3.0
 
 
 def test_the_memory_of_a_program_that_tells_its_own_time_is_not_measured(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(contest, "memory_alone", lambda *_: 1024)
     routes = (
-        Contestant("ours", CERTIFIED, (7, 8), lambda x: partial(double, x)),
-        Contestant("other program", CERTIFIED, (7,), lambda _: lambda: 3.0, seconds=float),
-        Contestant("without", CERTIFIED, (7,), lambda x: partial(double, x), has_memory=False),
+        TimedRoute("ours", CERTIFIED, (7, 8), lambda x: partial(double, x)),
+        TimedRoute("other program", CERTIFIED, (7,), lambda _: lambda: 3.0, seconds=float),
+        TimedRoute("without", CERTIFIED, (7,), lambda x: partial(double, x), has_memory=False),
     )
     found = compete("part", routes, EFFORT)
     assert [[point.memory for point in route.points] for route in found] == [[None, 1024], [None], [None]]
@@ -98,7 +98,7 @@ def test_the_memory_of_a_program_that_tells_its_own_time_is_not_measured(monkeyp
 def test_caches_are_empty_before_each_call(monkeypatch: pytest.MonkeyPatch) -> None:
     emptied: list[str] = []
     monkeypatch.setattr(contest, "forget", lambda: emptied.append("now"))
-    compete("", (Contestant("one", CERTIFIED, (1, 2), lambda x: partial(double, x)),), EFFORT)
+    compete("", (TimedRoute("one", CERTIFIED, (1, 2), lambda x: partial(double, x)),), EFFORT)
     assert len(emptied) == 2
 
 

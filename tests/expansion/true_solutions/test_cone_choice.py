@@ -11,11 +11,11 @@ from gspot_verified.expansion.trajectory import expand_system
 from gspot_verified.expansion.true_solutions.bound import BITS
 from gspot_verified.expansion.true_solutions.cone_choice import cones
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
-from gspot_verified.expansion.true_solutions.growth import Entry, needed_p, needed_state, phi_of, ranges_of
+from gspot_verified.expansion.true_solutions.growth import EntryDeviation, needed_p, needed_state, phi_of, ranges_of
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.testing import extended_example
 
-ENTRY = Entry(
+ENTRY = EntryDeviation(
     1, fmpq(-1), fmpq(2), arb(2, 0.01), arb(4, 0.01), arb(10, 0.01), arb("1.9"), (arb(1),) * 6, arb("0.01"), arb("0.01")
 )
 TOP, POWER = arb(6), fmpq(1)

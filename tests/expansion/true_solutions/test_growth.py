@@ -21,7 +21,7 @@ from gspot_verified.expansion.true_solutions import side
 from gspot_verified.expansion.true_solutions.bound import BITS
 from gspot_verified.expansion.true_solutions.cone_choice import cones
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
-from gspot_verified.expansion.true_solutions.growth import Cone, Entry, entry_of, grows
+from gspot_verified.expansion.true_solutions.growth import DeviationCone, EntryDeviation, entry_of, grows
 from gspot_verified.expansion.true_solutions.side import UniformSide, uniform_side
 from gspot_verified.expansion.true_solutions.slow_deviation import slow_deviation
 from gspot_verified.expansion.true_solutions.track import Track, track
@@ -208,7 +208,7 @@ def test_a_piece_that_is_left_out_or_a_comparison_that_is_not_certain_decides_no
 
 
 @pytest.fixture(scope="module")
-def accepted() -> tuple[DeviationEquations, Entry, Cone]:
+def accepted() -> tuple[DeviationEquations, EntryDeviation, DeviationCone]:
     with working_bits(BITS):
         equations = DeviationEquations(extended("3/2"), fmpq(1, 100))
         centre = slow_deviation(equations, fmpq(3, 2), fmpq(-1), fmpq(-1))
@@ -238,7 +238,7 @@ CHANGES: dict[str, Any] = {
 
 @pytest.mark.parametrize("change", CHANGES)
 def test_a_cone_that_violates_a_hypothesis_proves_nothing(
-    accepted: tuple[DeviationEquations, Entry, Cone], change: str
+    accepted: tuple[DeviationEquations, EntryDeviation, DeviationCone], change: str
 ) -> None:
     equations, entry, cone = accepted
     with working_bits(BITS):
@@ -247,7 +247,7 @@ def test_a_cone_that_violates_a_hypothesis_proves_nothing(
 
 
 def test_the_cone_that_violates_g4_satisfies_the_conditions_on_c_before_it(
-    accepted: tuple[DeviationEquations, Entry, Cone],
+    accepted: tuple[DeviationEquations, EntryDeviation, DeviationCone],
 ) -> None:
     """(G0) and (G3), the others that name C: so (G4) is what rejects it."""
     _, entry, cone = accepted
@@ -257,7 +257,9 @@ def test_the_cone_that_violates_g4_satisfies_the_conditions_on_c_before_it(
         assert smaller < cone.C
 
 
-def test_an_entry_that_violates_a_hypothesis_proves_nothing(accepted: tuple[DeviationEquations, Entry, Cone]) -> None:
+def test_an_entry_that_violates_a_hypothesis_proves_nothing(
+    accepted: tuple[DeviationEquations, EntryDeviation, DeviationCone],
+) -> None:
     equations, entry, cone = accepted
     wrong = (
         replace(entry, q=entry.q / 3),  # (G2): before the cone opens

@@ -16,7 +16,7 @@ from flint import arb, fmpq
 from samples.strategies import ends, to_fmpq
 
 from gspot_verified.expansion.true_solutions import growth
-from gspot_verified.expansion.true_solutions.growth import Cone, Entry, Ranges, grows
+from gspot_verified.expansion.true_solutions.growth import DeviationCone, EntryDeviation, Ranges, grows
 from gspot_verified.numbers.balls import working_bits
 
 BITS = 256
@@ -131,11 +131,11 @@ def concluded(n: Numbers, monkeypatch: pytest.MonkeyPatch) -> arb | None:
         dimension=2, p=2, b=3, y=4, v=5, trajectory=SimpleNamespace(order=n.order), delta=point(n.delta),
         kappa=point(n.kappa), lag=point(n.lag), damper=point(n.damper), rate=point(n.rate),
     )  # fmt: skip
-    entry = Entry(
+    entry = EntryDeviation(
         1, to_fmpq(n.begin), to_fmpq(n.place), wide(n.Y), wide(n.V), wide(n.N), wide(n.q),
         (point(n.state_1), point(n.state_2)), point(n.p), point(n.fast),
     )  # fmt: skip
-    cone = Cone(*map(point, (n.a, n.c, n.B, n.C)), (point(n.A_1), point(n.A_2)), point(n.A_p), point(n.top))
+    cone = DeviationCone(*map(point, (n.a, n.c, n.B, n.C)), (point(n.A_1), point(n.A_2)), point(n.A_p), point(n.top))
     found = Ranges(
         point(n.last),
         [[point(n.drift_11), point(n.drift_12)], [point(n.drift_21), point(n.drift_22)]],

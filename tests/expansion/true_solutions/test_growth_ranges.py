@@ -20,7 +20,7 @@ from samples.uniform_systems import varying_example
 from gspot_verified.expansion.residual import residual_bounds
 from gspot_verified.expansion.trajectory import Trajectory, expand_system
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
-from gspot_verified.expansion.true_solutions.growth import Cone, Entry, Ranges, entry_of, ranges_of
+from gspot_verified.expansion.true_solutions.growth import DeviationCone, EntryDeviation, Ranges, entry_of, ranges_of
 from gspot_verified.expansion.true_solutions.track import Track
 from gspot_verified.numbers.balls import working_bits
 
@@ -39,13 +39,13 @@ def trajectory() -> Trajectory:
 START = fmpq(2)
 
 
-def entry(place: fmpq = START) -> Entry:
-    return Entry(
+def entry(place: fmpq = START) -> EntryDeviation:
+    return EntryDeviation(
         1, fmpq(-1), place, arb(1, (1, -3)), arb(2, (1, -3)), arb(2), arb(4), (arb(1),) * 6, arb(1), arb((1, -3))
     )
 
 
-CONE = Cone(arb((1, -1)), arb(1), arb(4), arb(3), tuple(map(arb, (2, 3, 5, 7, 11, 13))), arb(17), arb(6))
+CONE = DeviationCone(arb((1, -1)), arb(1), arb(4), arb(3), tuple(map(arb, (2, 3, 5, 7, 11, 13))), arb(17), arb(6))
 
 
 def norm(name: str, reach: Fraction, first: int = 0) -> Fraction:
@@ -166,7 +166,7 @@ def test_no_bars_without_their_hypotheses() -> None:
     with working_bits(BITS):
         equations = DeviationEquations(trajectory(), to_fmpq(DELTA))
 
-        def finite(one: Entry, cone: Cone = CONE) -> bool:
+        def finite(one: EntryDeviation, cone: DeviationCone = CONE) -> bool:
             return ranges_of(equations, one, to_fmpq(MU), cone) is not None
 
         assert finite(entry())

@@ -21,7 +21,7 @@ from samples.strategies import ends, to_fraction
 from gspot_verified.expansion.true_solutions import piece as module
 from gspot_verified.expansion.true_solutions.equations import Coupling
 from gspot_verified.expansion.true_solutions.frames import Frame, identity
-from gspot_verified.expansion.true_solutions.piece import Deviations, Piece, Rules, advance
+from gspot_verified.expansion.true_solutions.piece import Deviations, Rules, TrackPiece, advance
 from gspot_verified.numbers.balls import working_bits
 
 BITS = 128
@@ -72,7 +72,7 @@ def state(initial: fmpq, elapsed: fmpq, forced: fmpq, sign: int = 1) -> Deviatio
     return Deviations(centre, radii, turned, arb(initial), elapsed, arb(forced))
 
 
-def advanced(monkeypatch: pytest.MonkeyPatch, start: Deviations) -> tuple[Piece, Given]:
+def advanced(monkeypatch: pytest.MonkeyPatch, start: Deviations) -> tuple[TrackPiece, Given]:
     """One piece in the frame Y = 1, so that W = Q and nothing is wider than the page has it; Q' = Q."""
     equations: Any = Given()
     monkeypatch.setattr(module, "turned_frame", lambda columns, _: columns.mid())
@@ -271,7 +271,7 @@ def test_no_piece_without_a_bound(monkeypatch: pytest.MonkeyPatch) -> None:
     assert advanced(monkeypatch, state(fmpq(0), fmpq(0), fmpq(0)))[0].end == END
     start = state(fmpq(0), fmpq(0), fmpq(0))
 
-    def found(equations: Any, now: Deviations = start, end: fmpq = END) -> Piece | None:
+    def found(equations: Any, now: Deviations = start, end: fmpq = END) -> TrackPiece | None:
         with working_bits(BITS):
             return advance(Rules(equations, POWER), now, START, end)
 

@@ -18,7 +18,7 @@ from gspot_verified.expansion.trajectory import expand_system
 from gspot_verified.expansion.true_solutions import track as module
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.expansion.true_solutions.frames import identity
-from gspot_verified.expansion.true_solutions.piece import Deviations, Piece, Rules
+from gspot_verified.expansion.true_solutions.piece import Deviations, Rules, TrackPiece
 from gspot_verified.expansion.true_solutions.track import Track, track
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.testing import extended_example
@@ -39,7 +39,7 @@ def recorded(monkeypatch: pytest.MonkeyPatch, fails_from: int = 10**6) -> tuple[
     calls: list[Any] = []
     whole = module.advance
 
-    def advance(rules: Rules, state: Deviations, start: fmpq, end: fmpq) -> Piece | None:
+    def advance(rules: Rules, state: Deviations, start: fmpq, end: fmpq) -> TrackPiece | None:
         found = None if len(calls) >= fails_from else whole(rules, state, start, end)
         calls.append((rules, state, start, end, found))
         return found

@@ -25,7 +25,7 @@ from gspot_verified.functions.expressions import (
     Variable,
 )
 from gspot_verified.integrator.box_steps.error_set import ErrorSet
-from gspot_verified.integrator.box_steps.step import Curve, Plan, Step, certified_step
+from gspot_verified.integrator.box_steps.step import Plan, PolynomialCurve, Step, certified_step
 from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Evidence
@@ -38,7 +38,7 @@ def rational(value: object) -> Constant:
     return Constant(fmpq(value) if not isinstance(value, Fraction) else fmpq(value.numerator, value.denominator))
 
 
-def taylor_curve(order: int, h: Fraction, slip: Fraction = Fraction(0)) -> Curve:
+def taylor_curve(order: int, h: Fraction, slip: Fraction = Fraction(0)) -> PolynomialCurve:
     """cos and -sin from (1, 0), with a deliberate error ``slip`` in the last coefficient."""
     rows: list[list[Fraction]] = [[], []]
     cosine, sine = Fraction(1), Fraction(0)
@@ -49,7 +49,7 @@ def taylor_curve(order: int, h: Fraction, slip: Fraction = Fraction(0)) -> Curve
     rows[0][-1] += slip
     solution = tuple(arb_poly([arb(fmpq(c.numerator, c.denominator)).mid() for c in row]) for row in rows)
     flow = ((solution[0], -solution[1]), (solution[1], solution[0]))
-    return Curve(solution, flow)
+    return PolynomialCurve(solution, flow)
 
 
 def plan(tube: str = "1e-6", length: int = 40, **changes: object) -> Plan:
@@ -125,7 +125,7 @@ def test_the_derivatives_begin_with_the_identity() -> None:
     with working_bits(100):
         good = taylor_curve(12, Fraction(1, 2))
         for entry in (arb_poly([2]), good.flow[0][0] + arb_poly([arb(0, "1e-30")])):
-            wrong = Curve(good.solution, ((entry, good.flow[0][1]), good.flow[1]))
+            wrong = PolynomialCurve(good.solution, ((entry, good.flow[0][1]), good.flow[1]))
             assert certified_step(OSCILLATOR, wrong, [arb(0)] * 2, arb((1, -1)), plan("0.5")) is None
 
 
@@ -143,10 +143,10 @@ def test_nothing_that_is_not_finite_passes(value: str) -> None:
         h = arb((1, -1))
         curve = taylor_curve(12, Fraction(1, 2))
         assert certified_step(OSCILLATOR, curve, [arb(value), arb(0)], h, plan("0.5")) is None
-        spoiled = Curve((curve.solution[0] + arb_poly([0, arb(value)]), curve.solution[1]), curve.flow)
+        spoiled = PolynomialCurve((curve.solution[0] + arb_poly([0, arb(value)]), curve.solution[1]), curve.flow)
         assert certified_step(OSCILLATOR, spoiled, [arb(0)] * 2, h, plan("0.5")) is None
         flow = ((curve.flow[0][0] + arb_poly([0, arb(value)]), curve.flow[0][1]), curve.flow[1])
-        assert certified_step(OSCILLATOR, Curve(curve.solution, flow), [arb(0)] * 2, h, plan("0.5")) is None
+        assert certified_step(OSCILLATOR, PolynomialCurve(curve.solution, flow), [arb(0)] * 2, h, plan("0.5")) is None
 
 
 def line(start: str, h: str, function: Expression) -> Step | None:
@@ -157,7 +157,7 @@ def line(start: str, h: str, function: Expression) -> Step | None:
         slope = (field.on_box([at])[0][0] * size).mid()
         if not slope.is_finite():
             slope = arb(0)
-        curve = Curve((arb_poly([at, slope]),), ((arb_poly([1]),),))
+        curve = PolynomialCurve((arb_poly([at, slope]),), ((arb_poly([1]),),))
         return certified_step(field, curve, [arb(0)], size, Plan((arb(1),), arb("0.05").mid(), 2, 12, 12))
 
 
@@ -203,7 +203,7 @@ def test_lohners_set_contains_the_images(seed: int) -> None:
             exact = tuple(value.mid() for value in middle)
             # x -> M x + (exact - M middle) moves the midpoint to an exact point: an affine map with the flow M.
             offset = [e - m for e, m in zip(exact, middle, strict=True)]
-            curve = Curve(tuple(arb_poly([m]) for m in exact), ())
+            curve = PolynomialCurve(tuple(arb_poly([m]) for m in exact), ())
             step = Step(
                 curve,
                 arb(1),

@@ -20,7 +20,7 @@ from gspot_verified.mechanisms.approach import deviation_coefficient
 from gspot_verified.mechanisms.approach.approach import approach
 from gspot_verified.mechanisms.approach.capture import Capture, capture
 from gspot_verified.mechanisms.approach.deviation_coefficient import coefficient_above_one, coefficient_below_one
-from gspot_verified.mechanisms.approach.distinguished import Distinguished, Region
+from gspot_verified.mechanisms.approach.distinguished import Distinguished, FlowBounds
 from gspot_verified.mechanisms.approach.slip_flow import Numbers, SlipFlow, SlipNumbers
 from gspot_verified.mechanisms.approach.slip_state import slip_state
 from gspot_verified.mechanisms.derive.to_system import shift
@@ -169,12 +169,12 @@ def above(
 
     class Given:
         @staticmethod
-        def on(_: VectorField, box: list[arb]) -> Region:
+        def on(_: VectorField, box: list[arb]) -> FlowBounds:
             regions.append(box)
-            return Region(tuple(box), (arb("-0.5"), arb("0.25")), arb(2), arb(3), arb(1) / 16, exponent)
+            return FlowBounds(tuple(box), (arb("-0.5"), arb("0.25")), arb(2), arb(3), arb(1) / 16, exponent)
 
     trajectory = Distinguished((arb_poly([5, 8]), arb_poly([0])), arb_poly([1, 4]), arb(1), 3)
-    monkeypatch.setattr(deviation_coefficient, "Region", Given)
+    monkeypatch.setattr(deviation_coefficient, "FlowBounds", Given)
     monkeypatch.setattr(deviation_coefficient, "taylor_in_p", lambda *_: trajectory)
     monkeypatch.setattr(deviation_coefficient, "force_at", lambda *_: arb("1.5") if middle is None else middle)
     field = cast(VectorField, None)

@@ -14,7 +14,7 @@ from samples.strategies import ends, holds
 
 from gspot_verified.functions.expressions import Constant, Variable
 from gspot_verified.integrator.field.field import VectorField
-from gspot_verified.mechanisms.approach.distinguished import Distinguished, Region, _bounds, force_at, taylor_in_p
+from gspot_verified.mechanisms.approach.distinguished import Distinguished, FlowBounds, _bounds, force_at, taylor_in_p
 from gspot_verified.mechanisms.approach.slip_flow import SlipFlow
 from gspot_verified.mechanisms.derive.to_system import shift
 from gspot_verified.mechanisms.expand import expand
@@ -32,9 +32,9 @@ def parts(order: int, radius: str = "0") -> tuple[VectorField, Distinguished]:
     return field, found
 
 
-def region(field: VectorField, radius: str = "0.05") -> Region:
+def region(field: VectorField, radius: str = "0.05") -> FlowBounds:
     box = [arb(value, radius) for value in (0, 1, 0, 0, 0, 0)]
-    found = Region.on(field, [*box, arb(2, "0.5")])
+    found = FlowBounds.on(field, [*box, arb(2, "0.5")])
     assert found is not None
     return found
 
@@ -88,7 +88,7 @@ def test_hypotheses_that_fail() -> None:
         assert force_at(field, found, arb(0), disc, good) is None
         assert force_at(field, found, arb(0, 1), disc, good) is None
         assert force_at(field, found, p, arb(100), good) is None  # 1/α_1 has a pole on such a disc
-        small = Region.on(field, [*(arb(v, "1e-5") for v in (0, 1, 0, 0, 0, 0)), arb(2, "1e-5")])
+        small = FlowBounds.on(field, [*(arb(v, "1e-5") for v in (0, 1, 0, 0, 0, 0)), arb(2, "1e-5")])
         assert small is not None
         assert force_at(field, found, p, disc, small) is None
 
@@ -105,7 +105,7 @@ FLAT = VectorField([Constant(fmpq(-3)), Constant(fmpq(2)), Constant(fmpq(-5))])
 """S = (-3, 2) and R = -5 everywhere."""
 
 
-def by_hand(**change: arb) -> tuple[Distinguished, Region, Fraction, Fraction]:
+def by_hand(**change: arb) -> tuple[Distinguished, FlowBounds, Fraction, Fraction]:
     """n = 2, p_1 = 1/4, Q = 1, σ_1 = 1/2, σ_2 = 1/3, r = 2, β - 1 = 1: κ = 2; and H, E of Theorem A3."""
     found = Distinguished((arb_poly([1, 2]), arb_poly([0])), arb_poly([4, -8, 16]), arb(1), 2)
     box = (arb("1.25", 1), arb(0, 1), arb(3, 2))
@@ -114,7 +114,7 @@ def by_hand(**change: arb) -> tuple[Distinguished, Region, Fraction, Fraction]:
     d_S, d_R = 3 * geometric, 5 * geometric
     free = 1 - Fraction(1, 2) * last / 4 - Fraction(1, 3) * 2 * last / (4 * 2)
     H = (Fraction(1, 3) * d_R * last / (4 * 2) + d_S / 3) / free
-    return found, Region(box, (), **values), H, (2 * H + d_R) / 2
+    return found, FlowBounds(box, (), **values), H, (2 * H + d_R) / 2
 
 
 def test_theorem_a3_by_hand() -> None:
@@ -200,11 +200,11 @@ def test_a_region_bounds_norms() -> None:
     minus = Constant(fmpq(-1))
     field = VectorField([x * y + force, three * force + minus * y, two * force + minus * half * x * x + y])
     with working_bits(80):
-        found = Region.on(field, [arb(0, 1), arb(0, 2), arb("0.5", "0.5")])
+        found = FlowBounds.on(field, [arb(0, 1), arb(0, 2), arb("0.5", "0.5")])
         assert found is not None
         for bound, exact in ((found.S_state, 3), (found.S_force, 3), (found.R_state, 2)):
             assert exact <= ends(bound)[1] < exact * Fraction(1000001, 1000000)
         assert holds(found.exponent, 2)
         for side, reach in zip(found.S, (3, 5), strict=True):
             assert holds(side, reach) or holds(side, -reach)
-        assert Region.on(VectorField([x / y, y, force]), [arb(0, 1), arb(0, 2), arb(0)]) is None
+        assert FlowBounds.on(VectorField([x / y, y, force]), [arb(0, 1), arb(0, 2), arb(0)]) is None

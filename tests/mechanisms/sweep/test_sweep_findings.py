@@ -22,7 +22,7 @@ from gspot_verified.mechanisms.spots.classify import classify
 from gspot_verified.mechanisms.sweep.sweep import sweep
 from gspot_verified.mechanisms.sweep.sweep_findings import Findings, case_of_signs
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind
-from gspot_verified.mechanisms.sweep.sweep_result import Crossing
+from gspot_verified.mechanisms.sweep.sweep_result import ZeroOnLine
 from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
 from gspot_verified.mechanisms.zeros.tube import Equations
 from gspot_verified.numbers.balls import working_bits
@@ -52,7 +52,7 @@ def exactly(first: Fraction, second: Fraction, third: Fraction) -> tuple[str, in
     return "none", None, None
 
 
-def boundary(crossing: Crossing, alphas: tuple[sympy.Poly, ...]) -> sympy.Poly:
+def boundary(crossing: ZeroOnLine, alphas: tuple[sympy.Poly, ...]) -> sympy.Poly:
     """A polynomial that vanishes where the crossing's quantity does (alpha_1 has a certain sign there, for beta)."""
     first, second, third = alphas
     named = {"alpha_1": first, "alpha_2": second, "alpha_3": third, "alpha_3 - alpha_1": third - first}

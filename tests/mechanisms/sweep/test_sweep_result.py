@@ -14,7 +14,7 @@ from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.sweep.sweep import sweep
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis
 from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, Kind, Passing, SweepPiece
-from gspot_verified.mechanisms.sweep.sweep_result import Crossing, Sweep
+from gspot_verified.mechanisms.sweep.sweep_result import Sweep, ZeroOnLine
 from gspot_verified.numbers.verdict import Outcome
 
 
@@ -22,7 +22,7 @@ from gspot_verified.numbers.verdict import Outcome
 def test_a_bracket_is_shown_outward(lower: Fraction, width: Fraction, direction: int) -> None:
     upper = lower + width
     ends = [fmpq(end.numerator, end.denominator) for end in (lower, upper)]
-    crossing = Crossing("beta - 3", *ends, direction, -direction, direction)
+    crossing = ZeroOnLine("beta - 3", *ends, direction, -direction, direction)
     text = crossing.text("k")
     assert text.startswith("beta passes 3 in k = [")
     assert text.endswith(", exactly once")
@@ -34,7 +34,7 @@ def test_a_bracket_is_shown_outward(lower: Fraction, width: Fraction, direction:
 
 def test_what_is_not_certain_is_not_called_once() -> None:
     for before, after in ((None, 1), (-1, None), (1, 1), (-1, -1), (1, -1)):
-        crossing = Crossing("alpha_1", fmpq(0), fmpq(1), 1, before, after)
+        crossing = ZeroOnLine("alpha_1", fmpq(0), fmpq(1), 1, before, after)
         assert not crossing.proved
         assert "at most once" in crossing.text("k")
 
@@ -105,7 +105,7 @@ def test_only_brackets_of_one_quantity_are_joined() -> None:
         return piece(lower, lower + 1, Kind.CROSSING, Passing(quantity, 0, direction, before, after))
 
     same = line(crossing(10, "alpha_1", 1), crossing(11, "alpha_1", 1)).crossings
-    assert same == (Crossing("alpha_1", fmpq(10), fmpq(12), 1, -1, 1),)
+    assert same == (ZeroOnLine("alpha_1", fmpq(10), fmpq(12), 1, -1, 1),)
     assert same[0].proved
     for second in (crossing(11, "alpha_2", 1), crossing(11, "alpha_1", -1), crossing(12, "alpha_1", 1)):
         found = line(crossing(10, "alpha_1", 1), second, upper=13).crossings

@@ -9,13 +9,13 @@ from matplotlib import image
 
 from gspot_verified.report.figures.atlas import atlas_picture, save_atlas
 from gspot_verified.report.figures.atlas_data import Area, Colour, areas, entries, folds, zero_curves
-from gspot_verified.signs.cover.pieces import Column, Kind, Piece
+from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind
 from gspot_verified.signs.cover.witness import sign_at
 from gspot_verified.signs.zeros.zeros import ZerosResult, zeros_on_range
 
 ZERO, HALF, ONE = fmpq(0), fmpq(1, 2), fmpq(1)
 FIRST, LAST = fmpq(9, 4), fmpq(5, 2)
-LEFT = Piece(Kind.LEFT, None, -ONE)
+LEFT = ColumnPiece(Kind.LEFT, None, -ONE)
 
 
 @pytest.fixture(scope="module")
@@ -23,12 +23,17 @@ def result() -> ZerosResult:
     return zeros_on_range("2..7/2")
 
 
-def column(*pieces: Piece, lower: fmpq = FIRST, upper: fmpq = LAST) -> Column:
+def column(*pieces: ColumnPiece, lower: fmpq = FIRST, upper: fmpq = LAST) -> Column:
     return Column(lower, upper, pieces)
 
 
 def test_colours_are_those_of_the_signs() -> None:
-    pieces = (LEFT, Piece(Kind.SIGN, -ONE, ZERO, -1), Piece(Kind.SIGN, ZERO, ONE, 1), Piece(Kind.RIGHT, ONE, None, 0))
+    pieces = (
+        LEFT,
+        ColumnPiece(Kind.SIGN, -ONE, ZERO, -1),
+        ColumnPiece(Kind.SIGN, ZERO, ONE, 1),
+        ColumnPiece(Kind.RIGHT, ONE, None, 0),
+    )
     found = [(area.colour, area.left, area.right) for area in areas(column(*pieces))]
     # dTheta/dtau = -beta F; beta - 1 in (1, 2): F > 0 beyond the last piece.
     assert found == [
@@ -40,28 +45,28 @@ def test_colours_are_those_of_the_signs() -> None:
 
 @pytest.mark.parametrize(("m", "colour"), [(1, Colour.POSITIVE), (2, Colour.NEGATIVE), (3, Colour.POSITIVE)])
 def test_the_sign_at_infinity_alternates(m: int, colour: Colour) -> None:
-    last = areas(column(LEFT, Piece(Kind.RIGHT, ONE, None, 0), lower=fmpq(m), upper=m + HALF))[-1]
+    last = areas(column(LEFT, ColumnPiece(Kind.RIGHT, ONE, None, 0), lower=fmpq(m), upper=m + HALF))[-1]
     assert (last.colour, last.left, last.right) == (colour, ONE, None)
     assert sign_at(fmpq(40), m + HALF) == (1 if colour is Colour.POSITIVE else -1)
 
 
 def test_a_monotone_run_is_a_tube_or_keeps_the_sign() -> None:
-    run = (Piece(Kind.MONOTONE, -ONE, ZERO, -1), Piece(Kind.MONOTONE, ZERO, HALF, -1))
-    across = areas(column(LEFT, *run, Piece(Kind.SIGN, HALF, ONE, -1), Piece(Kind.RIGHT, ONE, None, 1)))
+    run = (ColumnPiece(Kind.MONOTONE, -ONE, ZERO, -1), ColumnPiece(Kind.MONOTONE, ZERO, HALF, -1))
+    across = areas(column(LEFT, *run, ColumnPiece(Kind.SIGN, HALF, ONE, -1), ColumnPiece(Kind.RIGHT, ONE, None, 1)))
     assert Area(Colour.ONE_ZERO, -ONE, HALF, fmpq(9, 4), fmpq(5, 2)) in across
-    within = areas(column(LEFT, *run, Piece(Kind.SIGN, HALF, ONE, 1)))
+    within = areas(column(LEFT, *run, ColumnPiece(Kind.SIGN, HALF, ONE, 1)))
     assert [(area.colour, area.left, area.right) for area in within] == [(Colour.NEGATIVE, None, ONE)]
 
 
 def test_what_is_not_settled_is_blank() -> None:
-    open_tail = areas(column(LEFT, Piece(Kind.SIGN, -ONE, ONE, 1), Piece(Kind.RIGHT, ONE, None, 1)))
+    open_tail = areas(column(LEFT, ColumnPiece(Kind.SIGN, -ONE, ONE, 1), ColumnPiece(Kind.RIGHT, ONE, None, 1)))
     assert all(area.right is not None and area.right <= 1 for area in open_tail)
-    no_end = areas(column(LEFT, Piece(Kind.MONOTONE, -ONE, ONE, 1)))
+    no_end = areas(column(LEFT, ColumnPiece(Kind.MONOTONE, -ONE, ONE, 1)))
     assert [area.right for area in no_end] == [-ONE]
 
 
 def test_the_fold_holds_two_zeros_below_its_integer_only() -> None:
-    fold = Piece(Kind.FOLD, -HALF, HALF)
+    fold = ColumnPiece(Kind.FOLD, -HALF, HALF)
     below = areas(column(LEFT, fold, lower=fmpq(5, 2), upper=fmpq(3)))
     above = areas(column(LEFT, fold, lower=fmpq(3), upper=fmpq(7, 2)))
     assert [area.colour for area in below] == [Colour.NEGATIVE, Colour.TWO_ZEROS]
@@ -69,7 +74,7 @@ def test_the_fold_holds_two_zeros_below_its_integer_only() -> None:
 
 
 def test_below_one_everything_is_negative() -> None:
-    whole = Piece(Kind.LAPLACE, None, None)
+    whole = ColumnPiece(Kind.LAPLACE, None, None)
     assert areas(Column(ZERO, ONE, (whole,))) == [Area(Colour.NEGATIVE, None, None, ZERO, ONE)]
     assert areas(Column(None, -ONE, (whole,))) == [Area(Colour.POSITIVE, None, None, None, -ONE)]
 

@@ -24,7 +24,7 @@ from gspot_verified.scenes.certified.certified_integration import integrated_run
 from gspot_verified.scenes.certified.certified_phase import Open
 from gspot_verified.scenes.certified.certified_result import Record, event_of, growth_words, result_of, statement
 from gspot_verified.scenes.certified.conditions import Conditions
-from gspot_verified.scenes.certified.invariant_region import Growth
+from gspot_verified.scenes.certified.invariant_region import ExponentialGrowth
 from gspot_verified.scenes.certified_run import certified_run, exact_start
 from gspot_verified.scenes.effects.catalogue import EFFECTS
 from gspot_verified.scenes.floats.float_run import float_run
@@ -438,10 +438,12 @@ def test_a_run_says_nothing_where_its_friction_has_no_sense(A: str, mu: str, lea
 def test_the_words_of_growth_are_rounded_to_the_safe_side() -> None:
     """The rate down, times up: 1/3 and 2/3, and what is known of the end."""
     third = arb(1) / 3
-    lasting = growth_words(Growth(third, None), sticks=False, since=None)
+    lasting = growth_words(ExponentialGrowth(third, None), sticks=False, since=None)
     assert lasting == "λ_N grows at least like exp(0.333 t/ε) for as long as the contact slips"
-    assert growth_words(Growth(third, None, 2 * third), False, None) == f"{lasting}, which ends within 0.667 ε"
-    assert growth_words(Growth(2 * third, 8), True, third) == (
+    assert (
+        growth_words(ExponentialGrowth(third, None, 2 * third), False, None) == f"{lasting}, which ends within 0.667 ε"
+    )
+    assert growth_words(ExponentialGrowth(2 * third, 8), True, third) == (
         "from t = 0.333334 after the start on λ_N grows at least like exp(0.666 t/ε) until it is 8 times as large, "
         "or stick ends"
     )

@@ -17,7 +17,7 @@ from gspot_verified.functions.expressions import Constant, Expression, Variable
 from gspot_verified.integrator.norm_steps.norm_run import NormRun
 from gspot_verified.numbers.balls import approximate, working_bits
 from gspot_verified.scenes.certified.certified_phase import CLOCK, CertifiedPhase, PhaseEnd
-from gspot_verified.scenes.certified.invariant_region import Growth, InvariantRegion
+from gspot_verified.scenes.certified.invariant_region import ExponentialGrowth, InvariantRegion
 from gspot_verified.scenes.equations.scaled_system import ScaledSystem
 from gspot_verified.scenes.floats.float_function import float_function
 from gspot_verified.scenes.motions.contact_form import ContactForm, NotOfThisForm
@@ -47,7 +47,7 @@ SCENES = [
 ]
 
 
-def certain(found: Growth | None) -> Growth:
+def certain(found: ExponentialGrowth | None) -> ExponentialGrowth:
     assert found is not None
     return found
 

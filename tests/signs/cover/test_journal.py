@@ -8,7 +8,7 @@ from killed import killed_after
 
 from gspot_verified.certificates.text import certificate_text
 from gspot_verified.signs.cover.journal import Answer, Journal
-from gspot_verified.signs.cover.pieces import Column, Kind, Piece
+from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind
 from gspot_verified.signs.cover.sign import sign
 from gspot_verified.signs.zeros import zeros
 from gspot_verified.signs.zeros.zeros import zeros_on_range
@@ -53,9 +53,11 @@ ANSWERS: list[tuple[fmpq | None, fmpq, Answer]] = [
     (
         fmpq(3, 2),
         fmpq(2),
-        Column(fmpq(3, 2), fmpq(2), (Piece(Kind.LEFT, None, fmpq(-2)), Piece(Kind.RIGHT, fmpq(-2), None, 1))),
+        Column(
+            fmpq(3, 2), fmpq(2), (ColumnPiece(Kind.LEFT, None, fmpq(-2)), ColumnPiece(Kind.RIGHT, fmpq(-2), None, 1))
+        ),
     ),
-    (None, fmpq(0), Column(None, fmpq(0), (Piece(Kind.LAPLACE, None, None),))),
+    (None, fmpq(0), Column(None, fmpq(0), (ColumnPiece(Kind.LAPLACE, None, None),))),
 ]
 
 

@@ -5,8 +5,8 @@ from flint import fmpq
 
 from gspot_verified.signs.cover.pieces import (
     Column,
+    ColumnPiece,
     Kind,
-    Piece,
     cell_of,
     end_signs,
     fold_integer,
@@ -14,30 +14,30 @@ from gspot_verified.signs.cover.pieces import (
     number_of_zeros,
 )
 
-LEFT = Piece(Kind.LEFT, None, fmpq(-2))
+LEFT = ColumnPiece(Kind.LEFT, None, fmpq(-2))
 
 
-def sign(lower: int, upper: int, mark: int) -> Piece:
-    return Piece(Kind.SIGN, fmpq(lower), fmpq(upper), mark)
+def sign(lower: int, upper: int, mark: int) -> ColumnPiece:
+    return ColumnPiece(Kind.SIGN, fmpq(lower), fmpq(upper), mark)
 
 
-def monotone(lower: int, upper: int, mark: int) -> Piece:
-    return Piece(Kind.MONOTONE, fmpq(lower), fmpq(upper), mark)
+def monotone(lower: int, upper: int, mark: int) -> ColumnPiece:
+    return ColumnPiece(Kind.MONOTONE, fmpq(lower), fmpq(upper), mark)
 
 
-def right(lower: int, mark: int = 0) -> Piece:
-    return Piece(Kind.RIGHT, fmpq(lower), None, mark)
+def right(lower: int, mark: int = 0) -> ColumnPiece:
+    return ColumnPiece(Kind.RIGHT, fmpq(lower), None, mark)
 
 
-def column(lower: str | int, upper: str | int, *pieces: Piece) -> Column:
+def column(lower: str | int, upper: str | int, *pieces: ColumnPiece) -> Column:
     ends = [fmpq(*map(int, str(end).split("/"))) for end in (lower, upper)]
     return Column(ends[0], ends[1], pieces)
 
 
 def test_the_form_in_a_certificate() -> None:
     pieces = [
-        Piece(Kind.LAPLACE, None, None), Piece(Kind.TAYLOR, fmpq(0), None), LEFT, right(3, 1),
-        Piece(Kind.FOLD, fmpq(-1, 2), fmpq(1, 2)), Piece(Kind.HINGE, fmpq(0), fmpq(1, 3)),
+        ColumnPiece(Kind.LAPLACE, None, None), ColumnPiece(Kind.TAYLOR, fmpq(0), None), LEFT, right(3, 1),
+        ColumnPiece(Kind.FOLD, fmpq(-1, 2), fmpq(1, 2)), ColumnPiece(Kind.HINGE, fmpq(0), fmpq(1, 3)),
         sign(1, 2, -1), monotone(-1, 1, 1),
     ]  # fmt: skip
     assert [piece.to_list() for piece in pieces] == [
@@ -80,10 +80,10 @@ def test_fixed_signs_at_the_ends_of_pieces() -> None:
     assert end_signs(sign(0, 1, -1), 3) == (-1, -1)
     assert [end_signs(right(1, v), n) for n in (0, 1) for v in (0, 1)] == [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     for kind in (Kind.LEFT, Kind.FOLD, Kind.LAPLACE, Kind.TAYLOR):
-        assert end_signs(Piece(kind, None, None), 1) == (1, 1)
+        assert end_signs(ColumnPiece(kind, None, None), 1) == (1, 1)
     for kind in (Kind.MONOTONE, Kind.HINGE):
         with pytest.raises(ValueError, match="fixes no sign"):
-            end_signs(Piece(kind, fmpq(0), fmpq(1)), 1)
+            end_signs(ColumnPiece(kind, fmpq(0), fmpq(1)), 1)
 
 
 # All in the cell 2 < beta < 3 (n = 1, F > 0 at both ends of the axis) unless the column says otherwise.
@@ -106,10 +106,10 @@ COUNTS: list[tuple[Column, int | None]] = [
     (column("21/10", "29/10", monotone(-2, 0, -1), sign(0, 1, -1), right(1, 1)), None),
     (column("21/10", "29/10", LEFT, monotone(-2, 0, -1)), None),
     # folds: two zeros below the integer b = 2, none above it
-    (column("5/2", 3, LEFT, sign(-2, -1, 1), Piece(Kind.FOLD, fmpq(-1), fmpq(1)), right(1)), 2),
-    (column(2, 3, LEFT, sign(-2, -1, 1), Piece(Kind.FOLD, fmpq(-1), fmpq(1)), right(1)), 2),
-    (column(3, "7/2", LEFT, sign(-2, -1, 1), Piece(Kind.FOLD, fmpq(-1), fmpq(1)), right(1, 1)), 1),
-    (column(0, 1, Piece(Kind.LAPLACE, None, None)), 0),
+    (column("5/2", 3, LEFT, sign(-2, -1, 1), ColumnPiece(Kind.FOLD, fmpq(-1), fmpq(1)), right(1)), 2),
+    (column(2, 3, LEFT, sign(-2, -1, 1), ColumnPiece(Kind.FOLD, fmpq(-1), fmpq(1)), right(1)), 2),
+    (column(3, "7/2", LEFT, sign(-2, -1, 1), ColumnPiece(Kind.FOLD, fmpq(-1), fmpq(1)), right(1, 1)), 1),
+    (column(0, 1, ColumnPiece(Kind.LAPLACE, None, None)), 0),
 ]
 
 
@@ -119,7 +119,7 @@ def test_counting(found: Column, zeros: int | None) -> None:
 
 
 def test_a_column_from_minus_infinity_has_no_zeros() -> None:
-    whole = Column(None, fmpq(0), (Piece(Kind.LAPLACE, None, None),))
+    whole = Column(None, fmpq(0), (ColumnPiece(Kind.LAPLACE, None, None),))
     assert number_of_zeros(whole) == 0
     assert whole.tubes() == []
 

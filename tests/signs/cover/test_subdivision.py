@@ -14,12 +14,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gspot_verified.signs.cover.journal import Journal
-from gspot_verified.signs.cover.pieces import Column, Kind, Piece
+from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind
 from gspot_verified.signs.cover.subdivision import Examine, State, Subdivision
 from gspot_verified.work.executors import InProcessExecutor
 
 CELLS = [(fmpq(0), fmpq(1)), (fmpq(1), fmpq(2)), (fmpq(2), fmpq(5, 2))]
-LAPLACE = (Piece(Kind.LAPLACE, None, None),)
+LAPLACE = (ColumnPiece(Kind.LAPLACE, None, None),)
 
 
 def narrower_than(width: fmpq) -> Examine:
@@ -246,7 +246,7 @@ def test_a_journal_answers_for_what_is_known_and_keeps_the_rest(tmp_path: Path) 
 
 def test_a_column_that_does_not_come_out_again_is_sought_anew(tmp_path: Path) -> None:
     with Journal(tmp_path / "j", {"question": 1}) as journal:
-        journal.add(fmpq(1), fmpq(2), Column(fmpq(1), fmpq(2), (Piece(Kind.SIGN, fmpq(0), fmpq(1), 1),)))
+        journal.add(fmpq(1), fmpq(2), Column(fmpq(1), fmpq(2), (ColumnPiece(Kind.SIGN, fmpq(0), fmpq(1), 1),)))
         journal.add(fmpq(2), fmpq(5, 2), (fmpq(0), fmpq(2)))
         tree = Subdivision([(fmpq(1), fmpq(2)), (fmpq(2), fmpq(5, 2))], 10, journal=journal)
         for _ in tree.steps(lambda lower, upper, *_: Column(lower, upper, LAPLACE), InProcessExecutor()):
