@@ -51,7 +51,16 @@ def measure_cost(full: bool = False, progress: Progress = lambda _: None, kept: 
     date = datetime.datetime.now(datetime.UTC).date().isoformat()
     load = f"before: {before}; after: {machine_load()}"
     seconds = time.perf_counter() - start
-    return Measurement(tuple(parts), cheap, date, machine(), tuple(sorted(versions().items())), load, full, seconds)
+    return Measurement(
+        parts=tuple(parts),
+        answers=cheap,
+        date=date,
+        machine=machine(),
+        versions=tuple(sorted(versions().items())),
+        load=load,
+        full=full,
+        seconds=seconds,
+    )
 
 
 def question(full: bool) -> dict[str, object]:

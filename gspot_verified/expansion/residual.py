@@ -117,14 +117,14 @@ class _Residual:
         """The constants of specialX to specialL."""
         system, of = self._system, self._of
         functions = _Functions(
-            [*system.F, *system.G, system.alpha_1, system.alpha_2, system.alpha_3],
-            PolynomialTerms(self._ring),
-            self._ring,
-            lambda n: [terms[n] for terms in of.xi] if n < self._order else None,
-            lambda term: _norm(term, self._s),
-            system.point,
-            self._delta,
-            self._end,
+            roots=[*system.F, *system.G, system.alpha_1, system.alpha_2, system.alpha_3],
+            terms=PolynomialTerms(self._ring),
+            ring=self._ring,
+            state=lambda n: [terms[n] for terms in of.xi] if n < self._order else None,
+            norm=lambda term: _norm(term, self._s),
+            point=system.point,
+            delta=self._delta,
+            end=self._end,
         )
         known = {
             name: _padded(terms, self._end, self._zero)
@@ -168,14 +168,14 @@ class _Residual:
         system, of, ring = self._system, self._of, self._ring
         zero = ring.number(0)
         functions = _Functions(
-            list(system.conditions),
-            NumberTerms(ring),
-            ring,
-            lambda n: [terms[n].at_zero() for terms in of.xi] if n < self._order else None,
-            size_of,
-            system.point,
-            self._delta,
-            self._end + 2,
+            roots=list(system.conditions),
+            terms=NumberTerms(ring),
+            ring=ring,
+            state=lambda n: [terms[n].at_zero() for terms in of.xi] if n < self._order else None,
+            norm=size_of,
+            point=system.point,
+            delta=self._delta,
+            end=self._end + 2,
         )
         starts = [(of.p, 0), (of.b, 0), (of.y, 4), (of.v, 2), *[((), 0)] * len(system.J)]
         names = ["p", "b", "y", "v", *(f"J_{i + 1}" for i in range(len(system.J)))]

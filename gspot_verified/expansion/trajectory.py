@@ -217,7 +217,9 @@ def terms_of(system: System, order: int, bits: int, progress: Callable[[int, int
             if progress is not None:
                 progress(n + 1, order)
     p, b, y, v, z, force = (tuple(getattr(recursion, name)) for name in _SCALARS)
-    return Trajectory(system, order, tuple(zip(*recursion.xi, strict=True)), p, b, y, v, z, force)
+    return Trajectory(
+        system=system, order=order, xi=tuple(zip(*recursion.xi, strict=True)), p=p, b=b, y=y, v=v, z=z, lambda_n=force
+    )
 
 
 def certain_bits_of(trajectory: Trajectory) -> int | None:

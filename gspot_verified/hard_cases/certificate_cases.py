@@ -31,16 +31,16 @@ def checked_brackets(k: int) -> HardCase:
         found = check(path)
     said = "VERIFIED by the checker" if found.verified else found.text.splitlines()[-1][:80]
     return HardCase(
-        k,
-        f"a certificate of all zeros of dΘ/dτ, β = 6 − 10^−{k}",
-        log10(6 * fmpq(10) ** k),
-        None,
-        None,
-        "",
-        1 if found.verified else None,
-        said,
-        len(text),
-        seconds,
+        level=k,
+        asked=f"a certificate of all zeros of dΘ/dτ, β = 6 − 10^−{k}",
+        condition=log10(6 * fmpq(10) ** k),
+        lost=None,
+        double=None,
+        double_text="",
+        certified=1 if found.verified else None,
+        text=said,
+        work=len(text),
+        seconds=seconds,
     )
 
 

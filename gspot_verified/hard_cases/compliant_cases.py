@@ -43,16 +43,16 @@ def next_to_the_canard(k: int) -> HardCase:
 
     # K has the sign of minus the deviation of b from the canard's value, at this beta and epsilon.
     return HardCase(
-        k,
-        f"the sign of K, ν = 1 − 10^−{k}, β = 5/2, ε = 1/1000",
-        float(k),
-        bits_lost(deviation_of, 1),
-        -double,
-        f"b − b̄ = {double_text((given - canard) or 0.0)}",
-        sign,
-        f"K = {ball_text(found.side, 3)}",
-        int(nu.q).bit_length(),
-        seconds,
+        level=k,
+        asked=f"the sign of K, ν = 1 − 10^−{k}, β = 5/2, ε = 1/1000",
+        condition=float(k),
+        lost=bits_lost(deviation_of, 1),
+        double=-double,
+        double_text=f"b − b̄ = {double_text((given - canard) or 0.0)}",
+        certified=sign,
+        text=f"K = {ball_text(found.side, 3)}",
+        work=int(nu.q).bit_length(),
+        seconds=seconds,
     )
 
 
@@ -67,16 +67,16 @@ def small_epsilon(k: int) -> HardCase:
     double = slow_coefficient_in_doubles(nearest_double(epsilon))
     asked = f"C, β = 15/2, ν = 2, ε = 10^−{k}"
     return HardCase(
-        k,
-        asked,
-        log10(_SMALL_BETA),
-        None,
-        double,
-        double_text(double),
-        found,
-        ball_text(found),
-        int(found.bits()),
-        seconds,
+        level=k,
+        asked=asked,
+        condition=log10(_SMALL_BETA),
+        lost=None,
+        double=double,
+        double_text=double_text(double),
+        certified=found,
+        text=ball_text(found),
+        work=int(found.bits()),
+        seconds=seconds,
     )
 
 
@@ -109,7 +109,18 @@ def tiny_deviation(k: int) -> HardCase:
     double = float((b > 0) - (b < 0)) * _SIGN_OF_SIDE
     text = f"b = {double_text(b or 0.0)}"
     asked = f"the sign of K, b = −10^−{k}, α₂ = 0"
-    return HardCase(k, asked, 0.0, 0, double, text, sign, f"K = {ball_text(found.side, 3)}", k, seconds)
+    return HardCase(
+        level=k,
+        asked=asked,
+        condition=0.0,
+        lost=0,
+        double=double,
+        double_text=text,
+        certified=sign,
+        text=f"K = {ball_text(found.side, 3)}",
+        work=k,
+        seconds=seconds,
+    )
 
 
 _SIGN_OF_SIDE = -1.0

@@ -45,7 +45,16 @@ def high_degree(n: int) -> HardCase:
         condition = log10(TAU * slope / found.value)
     certified = found.value if found.reached else None
     return HardCase(
-        n, f"Θ(5, {n})", condition, bits_lost(horner), double, double_text(double), certified, str(found), n, seconds
+        level=n,
+        asked=f"Θ(5, {n})",
+        condition=condition,
+        lost=bits_lost(horner),
+        double=double,
+        double_text=double_text(double),
+        certified=certified,
+        text=str(found),
+        work=n,
+        seconds=seconds,
     )
 
 
@@ -59,7 +68,18 @@ def high_order(order: int) -> HardCase:
     assert balls.accuracy is not None
     lost = _BITS - balls.accuracy.certain_bits
     asked = f"the force of the extended system, {order} orders"
-    return HardCase(order, asked, None, lost, double, double_text(double), value, _text(value), order, seconds)
+    return HardCase(
+        level=order,
+        asked=asked,
+        condition=None,
+        lost=lost,
+        double=double,
+        double_text=double_text(double),
+        certified=value,
+        text=_text(value),
+        work=order,
+        seconds=seconds,
+    )
 
 
 def worst(exact: Trajectory, doubles: Trajectory) -> tuple[float, fmpq]:
@@ -103,7 +123,16 @@ def obstructed(k: int) -> HardCase:
     asked = f"a coefficient of the oscillator’s force at order 2, β = 2 + 10^−{k}"
     work = int(value.p).bit_length() + int(value.q).bit_length()
     return HardCase(
-        k, asked, log10(2 * fmpq(10) ** k), bits_lost(in_balls), double, text, value, _text(value), work, seconds
+        level=k,
+        asked=asked,
+        condition=log10(2 * fmpq(10) ** k),
+        lost=bits_lost(in_balls),
+        double=double,
+        double_text=text,
+        certified=value,
+        text=_text(value),
+        work=work,
+        seconds=seconds,
     )
 
 

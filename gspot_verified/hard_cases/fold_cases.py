@@ -38,7 +38,16 @@ def next_to_the_fold(k: int) -> HardCase:
 
     asked = f"the number of zeros of F_4(T; ε), ε = 32 − 10^−{k}"
     condition = log10(32 * fmpq(10) ** k)
-    return _count(k, asked, condition, bits_lost(least_value, 1), double, found, found.digits, seconds)
+    return _count(
+        level=k,
+        asked=asked,
+        condition=condition,
+        lost=bits_lost(least_value, 1),
+        double=double,
+        found=found,
+        work=found.digits,
+        seconds=seconds,
+    )
 
 
 def _count(
@@ -53,7 +62,18 @@ def _count(
 ) -> HardCase:
     places = ", ".join(ball_text(place, 6) for place in found.places)
     text = "undecided" if found.number is None else f"{found.number}: T = {places}"
-    return HardCase(level, asked, condition, lost, double, double_text(double), found.number, text, work, seconds)
+    return HardCase(
+        level=level,
+        asked=asked,
+        condition=condition,
+        lost=lost,
+        double=double,
+        double_text=double_text(double),
+        certified=found.number,
+        text=text,
+        work=work,
+        seconds=seconds,
+    )
 
 
 def next_to_the_fold_curve(k: int) -> HardCase:
@@ -63,7 +83,16 @@ def next_to_the_fold_curve(k: int) -> HardCase:
     double = float(zeros_in_doubles(nearest_double(beta) - 1, 1.0))
     asked = f"the number of zeros of F_(β−1)(T; 1), β = β_f − 10^−{k}"
     pieces = 0 if found.column is None else len(found.column.pieces)
-    return _count(k, asked, log10(beta * 10**k), None, double, found, pieces, seconds)
+    return _count(
+        level=k,
+        asked=asked,
+        condition=log10(beta * 10**k),
+        lost=None,
+        double=double,
+        found=found,
+        work=pieces,
+        seconds=seconds,
+    )
 
 
 @lru_cache(maxsize=1)

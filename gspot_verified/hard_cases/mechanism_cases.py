@@ -38,16 +38,16 @@ def _spots(k: int, side: int) -> HardCase:
 
     texts = {None: "undecided: boxes are left", 0: "none: proved for the whole turn"}
     return HardCase(
-        k,
-        f"the number of G-spots of the rod, μ = 4/3 {'+' if side > 0 else '−'} 10^−{k}",
-        log10(CRITICAL * 10**k),
-        bits_lost(discriminant, 1),
-        double,
-        double_text(double),
-        number,
-        texts.get(number, f"{number}, each alone in its box"),
-        int(friction.q).bit_length(),
-        seconds,
+        level=k,
+        asked=f"the number of G-spots of the rod, μ = 4/3 {'+' if side > 0 else '−'} 10^−{k}",
+        condition=log10(CRITICAL * 10**k),
+        lost=bits_lost(discriminant, 1),
+        double=double,
+        double_text=double_text(double),
+        certified=number,
+        text=texts.get(number, f"{number}, each alone in its box"),
+        work=int(friction.q).bit_length(),
+        seconds=seconds,
     )
 
 
@@ -66,16 +66,16 @@ def side_of_a_mechanism(k: int) -> HardCase:
             return arb(alpha_3) / arb(alpha_1) - 2
 
     return HardCase(
-        k,
-        f"which sign of C₁ lifts off in the oscillator, β = 2 + 10^−{k}",
-        log10(2 * fmpq(10) ** k),
-        bits_lost(distance, 1),
-        double,
-        f"α₃/α₁ = {double_text(ratio)}",
-        sign,
-        f"C₁ {'>' if sign == 1 else '<'} 0, Case {found.case}" if sign else "undecided",
-        int((alpha_3 / alpha_1).q).bit_length(),
-        seconds,
+        level=k,
+        asked=f"which sign of C₁ lifts off in the oscillator, β = 2 + 10^−{k}",
+        condition=log10(2 * fmpq(10) ** k),
+        lost=bits_lost(distance, 1),
+        double=double,
+        double_text=f"α₃/α₁ = {double_text(ratio)}",
+        certified=sign,
+        text=f"C₁ {'>' if sign == 1 else '<'} 0, Case {found.case}" if sign else "undecided",
+        work=int((alpha_3 / alpha_1).q).bit_length(),
+        seconds=seconds,
     )
 
 

@@ -57,7 +57,18 @@ def run_next_to_the_canard(k: int) -> HardCase:
             return arb(near(1, k, -1)) - 1
 
     asked = f"lift-off of a run, ν = 1 − 10^−{k}, β = 5/2, ε = 1/1000"
-    return HardCase(k, asked, float(k), bits_lost(deviation), double, said, certified, text, work, seconds)
+    return HardCase(
+        level=k,
+        asked=asked,
+        condition=float(k),
+        lost=bits_lost(deviation),
+        double=double,
+        double_text=said,
+        certified=certified,
+        text=text,
+        work=work,
+        seconds=seconds,
+    )
 
 
 CASES: dict[str, Case] = {

@@ -35,16 +35,16 @@ def side_next_to_an_integer(k: int) -> HardCase:
             return (-arb(beta)).gamma()
 
     return HardCase(
-        k,
-        f"the sign of Γ(−β), β = 2 + 10^−{k}",
-        log10(2 * fmpq(10) ** k),
-        bits_lost(ball_of, 1),
-        double,
-        double_text(double),
-        sign,
-        _SIDES[sign] if sign else "undecided",
-        int(beta.q).bit_length(),
-        seconds,
+        level=k,
+        asked=f"the sign of Γ(−β), β = 2 + 10^−{k}",
+        condition=log10(2 * fmpq(10) ** k),
+        lost=bits_lost(ball_of, 1),
+        double=double,
+        double_text=double_text(double),
+        certified=sign,
+        text=_SIDES[sign] if sign else "undecided",
+        work=int(beta.q).bit_length(),
+        seconds=seconds,
     )
 
 
@@ -59,16 +59,16 @@ def zeros_that_nearly_meet(k: int) -> HardCase:
     shifted = nearest_double(beta) - 1
     double = float(sign_changes(lambda tau: theta_double(tau, shifted), -2.0, 6.0, 1001))
     return HardCase(
-        k,
-        f"the number of zeros of dΘ/dτ, β = 6 − 10^−{k}",
-        log10(6 * fmpq(10) ** k),
-        bits_lost(lambda bits: flint_attempt(fmpq(0), beta - 1, bits), 1),
-        double,
-        double_text(double),
-        number,
-        f"{number} zeros, two of them {gap_text(gap)} apart",
-        digits,
-        seconds,
+        level=k,
+        asked=f"the number of zeros of dΘ/dτ, β = 6 − 10^−{k}",
+        condition=log10(6 * fmpq(10) ** k),
+        lost=bits_lost(lambda bits: flint_attempt(fmpq(0), beta - 1, bits), 1),
+        double=double,
+        double_text=double_text(double),
+        certified=number,
+        text=f"{number} zeros, two of them {gap_text(gap)} apart",
+        work=digits,
+        seconds=seconds,
     )
 
 
@@ -86,16 +86,16 @@ def zero_far_out(k: int) -> HardCase:
     double = float(sign_changes(lambda tau: theta_double(tau, shifted), 1.0, 100.0, 301))
     place = inside[-1] if inside else fmpq(1)
     return HardCase(
-        k,
-        f"sign changes of dΘ/dτ on (1, 100), β = 3 + 10^−{k}",
-        log10(3 * fmpq(10) ** k),
-        bits_lost(lambda bits: flint_attempt(2 * place, beta - 1, bits), 1),
-        double,
-        double_text(double),
-        len(inside),
-        f"{len(inside)}, at τ = {nearest_double(place):.6g}",
-        _SPARE,
-        seconds,
+        level=k,
+        asked=f"sign changes of dΘ/dτ on (1, 100), β = 3 + 10^−{k}",
+        condition=log10(3 * fmpq(10) ** k),
+        lost=bits_lost(lambda bits: flint_attempt(2 * place, beta - 1, bits), 1),
+        double=double,
+        double_text=double_text(double),
+        certified=len(inside),
+        text=f"{len(inside)}, at τ = {nearest_double(place):.6g}",
+        work=_SPARE,
+        seconds=seconds,
     )
 
 
@@ -107,16 +107,16 @@ def wide_range(x: int) -> HardCase:
     points = [theta_double(-x + (x + 5) * n / _POINTS, -0.5) for n in range(_POINTS + 1)]
     negative = sum(-value / 2 < 0 for value in points)
     return HardCase(
-        x,
-        f"the sign of dΘ/dτ for −{x} < τ < 5, 3/10 < β < 7/10",
-        None,
-        None,
-        -1.0 if negative == len(points) else 0.0,
-        f"negative at {negative} of {len(points)} points of β = 1/2",
-        -1 if proved else None,
-        "dΘ/dτ < 0, proved" if proved else "undecided",
-        pieces,
-        seconds,
+        level=x,
+        asked=f"the sign of dΘ/dτ for −{x} < τ < 5, 3/10 < β < 7/10",
+        condition=None,
+        lost=None,
+        double=-1.0 if negative == len(points) else 0.0,
+        double_text=f"negative at {negative} of {len(points)} points of β = 1/2",
+        certified=-1 if proved else None,
+        text="dΘ/dτ < 0, proved" if proved else "undecided",
+        work=pieces,
+        seconds=seconds,
     )
 
 

@@ -37,7 +37,16 @@ def _value(level: int, asked: str, tau: fmpq, beta: fmpq, condition: float) -> H
     lost = bits_lost(lambda bits: flint_attempt(tau, beta, bits)) if abs(tau) < _FAR else None
     certified = found.value if found.reached else None
     return HardCase(
-        level, asked, condition, lost, double, double_text(double), certified, str(found), found.working_bits, seconds
+        level=level,
+        asked=asked,
+        condition=condition,
+        lost=lost,
+        double=double,
+        double_text=double_text(double),
+        certified=certified,
+        text=str(found),
+        work=found.working_bits,
+        seconds=seconds,
     )
 
 
@@ -55,7 +64,16 @@ def far_right(k: int) -> HardCase:
     work = max(upper.working_bits, lower.working_bits)
     asked = f"Θ(10^{k}, 7/3)/Θ(10^{k}, 1/3)"
     return HardCase(
-        k, asked, log10(_relative_slope(tau)), lost, double, double_text(double), quotient, text, work, seconds
+        level=k,
+        asked=asked,
+        condition=log10(_relative_slope(tau)),
+        lost=lost,
+        double=double,
+        double_text=double_text(double),
+        certified=quotient,
+        text=text,
+        work=work,
+        seconds=seconds,
     )
 
 
@@ -79,7 +97,16 @@ def next_to_a_zero(k: int) -> HardCase:
     certified = found.value if found.reached else None
     asked = f"Θ(τ, 7/3), τ a zero cut to {k} decimals"
     return HardCase(
-        k, asked, condition, lost, double, double_text(double), certified, str(found), found.working_bits, seconds
+        level=k,
+        asked=asked,
+        condition=condition,
+        lost=lost,
+        double=double,
+        double_text=double_text(double),
+        certified=certified,
+        text=str(found),
+        work=found.working_bits,
+        seconds=seconds,
     )
 
 

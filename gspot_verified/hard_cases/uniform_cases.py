@@ -28,7 +28,18 @@ def past_the_g_spot(end: int) -> HardCase:
     proved = found.verdict.outcome is Outcome.PROVED
     text = f"|Δp| ≤ {approximate(found.constants['p'].upper()):.4g} δ^6" if proved else "undecided"
     asked = f"the distance from the expansion up to s = {end}, 0 < δ ≤ 1/20"
-    return HardCase(end, asked, None, None, None, "", 1 if proved else None, text, len(found.stretches), seconds)
+    return HardCase(
+        level=end,
+        asked=asked,
+        condition=None,
+        lost=None,
+        double=None,
+        double_text="",
+        certified=1 if proved else None,
+        text=text,
+        work=len(found.stretches),
+        seconds=seconds,
+    )
 
 
 CASES: dict[str, Case] = {"uniform": past_the_g_spot}

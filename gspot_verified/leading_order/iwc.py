@@ -156,7 +156,16 @@ def _impact(force: ContactForce, start: fmpq, epsilon: fmpq | None, digits: int)
         verdict = Verdict.undecided(text, Reason.BUDGET, f"no ε0 above 10^{LEAST_TENS} was found")
     else:
         verdict = Verdict.proved(force_statement(start, None, epsilon_0), below, _by_theorem(force))
-    return IwcResult(force, start, whole, verdict, least, False, epsilon_0, size)
+    return IwcResult(
+        force=force,
+        start=start,
+        whole_line=whole,
+        verdict=verdict,
+        minimum=least,
+        every_epsilon=False,
+        epsilon_0=epsilon_0,
+        largest_epsilon=size,
+    )
 
 
 def _by_theorem(force: ContactForce) -> str:

@@ -150,7 +150,16 @@ def _impact(force: ForceOverBalls, found: Stretches, epsilon: fmpq | None, digit
     else:
         detail = _BY_THEOREM if force.beta < 1 else ""
         verdict = Verdict.proved(force_statement(start, None, epsilon_0, _SYSTEM), below, detail)
-    return IwcOverBalls(force, start, whole, verdict, least, False, epsilon_0, size)
+    return IwcOverBalls(
+        force=force,
+        start=start,
+        whole_line=whole,
+        verdict=verdict,
+        minimum=least,
+        every_epsilon=False,
+        epsilon_0=epsilon_0,
+        largest_epsilon=size,
+    )
 
 
 def _at_epsilon(force: ForceOverBalls, found: Stretches, epsilon: fmpq, lower: arb) -> Verdict:

@@ -171,7 +171,18 @@ def wrong_sides(chosen: HardSides | None = None, progress: Callable[[str], None]
             pairs = [(float_side(start.load(), solver, _tolerance(tolerance)), side) for start, side in decided.items()]
             silent, failed = (sum(said == word for said, _ in pairs) for word in (NO_EVENT, FAILED))
             wrong = sum(said not in (NO_EVENT, FAILED, side) for said, side in pairs)
-            counts.append(Count(solver, tolerance, epsilon, beta, wrong, silent, failed, len(decided)))
+            counts.append(
+                Count(
+                    solver=solver,
+                    tolerance=tolerance,
+                    epsilon=epsilon,
+                    beta=beta,
+                    wrong=wrong,
+                    silent=silent,
+                    failed=failed,
+                    decided=len(decided),
+                )
+            )
     return WrongSides(certified, tuple(counts))
 
 

@@ -112,7 +112,16 @@ def zeros(
         beta = DEFAULT_BETA if beta is None else beta
         if ".." in beta:
             zeros_over_a_rectangle(
-                outputs, beta, epsilon, budget, picture, certificate, workers, scheduler, journal, as_json
+                outputs=outputs,
+                beta=beta,
+                epsilon=epsilon,
+                budget=budget,
+                picture=picture,
+                certificate=certificate,
+                workers=workers,
+                scheduler=scheduler,
+                journal=journal,
+                as_json=as_json,
             )
         _only_with_a_range(journal, workers, scheduler)
         if picture is not None:

@@ -96,7 +96,17 @@ def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: in
         asked = {"τ": Range(start, start, True, True)}
         against = refutation(f"{where}, λ_N > 0 at τ = {start}", asked, [(start,)], lambda _: ("λ_N < 0", shown))
         assert against is not None  # the start lies in the range that is the start
-        return SlowLiftOff(epsilon, start, None, None, None, None, False, against.verdict, None)
+        return SlowLiftOff(
+            epsilon=epsilon,
+            start=start,
+            lower=None,
+            upper=None,
+            lead=None,
+            kappa=None,
+            whole_line=False,
+            verdict=against.verdict,
+            uniform=None,
+        )
     if crossing is None:
         text = f"{where}, the first zero of λ_N on [{start}, inf)"
         return _open(epsilon, start, text, "a value of λ_N is too close to 0, or nothing was found")
@@ -105,7 +115,17 @@ def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: in
     proved = Verdict.proved(text, crossing.evidence)
     whole = positive_to_the_left(force, profile, start)
     if leading.verdict.outcome is not Outcome.PROVED or leading.lower is None or leading.upper is None:
-        return SlowLiftOff(epsilon, start, lower, upper, None, None, whole, proved, None)
+        return SlowLiftOff(
+            epsilon=epsilon,
+            start=start,
+            lower=lower,
+            upper=upper,
+            lead=None,
+            kappa=None,
+            whole_line=whole,
+            verdict=proved,
+            uniform=None,
+        )
     kappa, uniform = None, None
     found = uniform_constant(profile, lower, (leading.lower, leading.upper))
     if found is not None and found[0].is_finite():
@@ -113,12 +133,32 @@ def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: in
         both = [crossing.evidence, leading.verdict.evidence]
         known = theorem("proofs/monotone.md, section 9", *both, found[1], at_most(found[0], kappa))
         uniform = None if known is None else Verdict.proved(_for_all(epsilon, start, kappa), known)
-    return SlowLiftOff(epsilon, start, lower, upper, lead(profile, lower, upper), kappa, whole, proved, uniform)
+    return SlowLiftOff(
+        epsilon=epsilon,
+        start=start,
+        lower=lower,
+        upper=upper,
+        lead=lead(profile, lower, upper),
+        kappa=kappa,
+        whole_line=whole,
+        verdict=proved,
+        uniform=uniform,
+    )
 
 
 def _open(epsilon: fmpq, start: fmpq, text: str, why: str) -> SlowLiftOff:
     verdict = Verdict.undecided(text, Reason.BUDGET, why)
-    return SlowLiftOff(epsilon, start, None, None, None, None, False, verdict, None)
+    return SlowLiftOff(
+        epsilon=epsilon,
+        start=start,
+        lower=None,
+        upper=None,
+        lead=None,
+        kappa=None,
+        whole_line=False,
+        verdict=verdict,
+        uniform=None,
+    )
 
 
 def _for_all(epsilon: fmpq, start: fmpq, kappa: fmpq) -> str:

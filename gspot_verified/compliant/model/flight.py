@@ -65,12 +65,12 @@ class Flight:
         """The state at a touch-down in ``u``: lambda = 0, Y = Z = Y(0) e^-u."""
         start = self.start
         return ContactState(
-            start.beta,
-            start.epsilon,
-            start.alpha_2,
-            start.p - start.epsilon * u,
-            start.b - start.pull * u,
-            self._moved.derivative()(u),
-            start.Y * (-u).exp(),
-            arb(0),
+            beta=start.beta,
+            epsilon=start.epsilon,
+            alpha_2=start.alpha_2,
+            p=start.p - start.epsilon * u,
+            b=start.b - start.pull * u,
+            V=self._moved.derivative()(u),
+            Y=start.Y * (-u).exp(),
+            force=arb(0),
         )

@@ -18,14 +18,14 @@ def contact_state(value: CompliantForce, bits: int) -> ContactState:
     sigma, small = model.sigma, model.scaled_epsilon
     with working_bits(bits):
         return ContactState(
-            model.beta,
-            small,
-            model.alpha_2 * sigma**3,
-            arb(value.p),
-            value.b * sigma**2,
-            value.v * sigma / small,
-            value.y / small**2,
-            value.force * sigma**2,
+            beta=model.beta,
+            epsilon=small,
+            alpha_2=model.alpha_2 * sigma**3,
+            p=arb(value.p),
+            b=value.b * sigma**2,
+            V=value.v * sigma / small,
+            Y=value.y / small**2,
+            force=value.force * sigma**2,
         )
 
 
@@ -48,7 +48,9 @@ def lift_off_state(before: ContactState, duration: fmpq, bits: int) -> ContactSt
         if not all(duration * abs(rate) < radius for rate, radius in zip(rates, radii, strict=True)):
             box = [nonfinite()] * len(box)
         b, V, _, Z = box
-        return ContactState(before.beta, before.epsilon, before.alpha_2, p, b, V, Z, arb(0))
+        return ContactState(
+            beta=before.beta, epsilon=before.epsilon, alpha_2=before.alpha_2, p=p, b=b, V=V, Y=Z, force=arb(0)
+        )
 
 
 def _rates(state: ContactState, p: arb, b: arb, V: arb, Y: arb, Z: arb) -> tuple[arb, arb, arb, arb]:

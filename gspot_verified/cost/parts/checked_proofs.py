@@ -97,15 +97,16 @@ def _checker_limit(_: bool) -> Limit:
 
 
 CHECKER = Blueprint(
-    "checker",
-    "The independent checker",
-    "The certificate of all zeros for β in (1, k): producing it, and checking it with proofs/check.py, start included.",
-    "k",
-    "k",
-    _checker_contestants,
-    None,
-    _checker_limit,
-    (
+    key="checker",
+    title="The independent checker",
+    question="The certificate of all zeros for β in (1, k): producing it, and checking it with proofs/check.py, "
+    "start included.",
+    axis="k",
+    symbol="k",
+    contestants=_checker_contestants,
+    profiled=None,
+    limit=_checker_limit,
+    remarks=(
         "The checker is one file on Python’s own integers. It shares nothing with the producer, not even FLINT. That "
         "is what its time buys.",
     ),

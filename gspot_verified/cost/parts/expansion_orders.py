@@ -66,12 +66,12 @@ def _limit(full: bool) -> Limit:
 
 
 EXPANSIONS = Blueprint(
-    "expansions",
-    "Expansions",
-    "All terms of Theorem 1 of order below n, extended system; in balls with 15 digits.",
-    "order n",
-    "n",
-    _contestants,
-    lambda full: (f"order {_LIMIT_ORDER[full]}, exact", _exact(_LIMIT_ORDER[full])),
-    _limit,
+    key="expansions",
+    title="Expansions",
+    question="All terms of Theorem 1 of order below n, extended system; in balls with 15 digits.",
+    axis="order n",
+    symbol="n",
+    contestants=_contestants,
+    profiled=lambda full: (f"order {_LIMIT_ORDER[full]}, exact", _exact(_LIMIT_ORDER[full])),
+    limit=_limit,
 )

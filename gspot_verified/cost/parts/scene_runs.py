@@ -112,17 +112,18 @@ def blueprint(full: bool) -> Blueprint:
     """The part, with the values of epsilon of the size."""
     epsilons = _FULL_EPSILONS if full else _QUICK_EPSILONS
     return Blueprint(
-        "scenes",
-        "Certified scenes",
-        "The time of the first lift-off to D decimals, its fate certified or simulated: what the certificate costs.",
-        "decimals D of the time of lift-off",
-        "D",
-        partial(contestants, epsilons),
-        _profiled,
-        _limit,
-        (
+        key="scenes",
+        title="Certified scenes",
+        question="The time of the first lift-off to D decimals, its fate certified or simulated: "
+        "what the certificate costs.",
+        axis="decimals D of the time of lift-off",
+        symbol="D",
+        contestants=partial(contestants, epsilons),
+        profiled=_profiled,
+        limit=_limit,
+        remarks=(
             "A certified run brackets the event and proves that there was none before; a float run stands where its "
             "time is right, which it does not know. heyoka’s equations are compiled before its time is taken.",
         ),
-        tuple((panel_of(name, k), LIMITS[name][k]) for name, ks in epsilons.items() for k in ks),
+        targets=tuple((panel_of(name, k), LIMITS[name][k]) for name, ks in epsilons.items() for k in ks),
     )

@@ -82,15 +82,15 @@ def _limit(_: bool) -> Limit:
 
 
 SIGNS = Blueprint(
-    "signs",
-    "A sign on a whole range",
-    "dΘ/dτ < 0 for every τ in [−T, T] and every β in [1/100, 99/100].",
-    "half-width T of the range of τ",
-    "T",
-    _contestants,
-    lambda _: (_words(_HALF_WIDTHS[-1]), _ours(_HALF_WIDTHS[-1])),
-    _limit,
-    (
+    key="signs",
+    title="A sign on a whole range",
+    question="dΘ/dτ < 0 for every τ in [−T, T] and every β in [1/100, 99/100].",
+    axis="half-width T of the range of τ",
+    symbol="T",
+    contestants=_contestants,
+    profiled=lambda _: (_words(_HALF_WIDTHS[-1]), _ours(_HALF_WIDTHS[-1])),
+    limit=_limit,
+    remarks=(
         f"scipy looks at {_POINTS_OF_A_UNIT} τ in each unit for {_CURVES} β and says nothing about what lies between; "
         "that its time is less proves nothing, for its answer is not one to the question.",
     ),

@@ -117,15 +117,15 @@ def _limit(_: bool) -> Limit:
 
 
 FINITE_EPSILON = Blueprint(
-    "finite-epsilon",
-    "The compliant model at finite ε",
-    "The slow solution F_b(0; ε) of the compliant model, b = −1/2, to D digits, as the first call.",
-    "digits D",
-    "D",
-    _contestants,
-    lambda _: ("ε = 10⁻³, 200 digits", _ours(_EPSILONS["ε = 10⁻³"], 200)),
-    _limit,
-    (
+    key="finite-epsilon",
+    title="The compliant model at finite ε",
+    question="The slow solution F_b(0; ε) of the compliant model, b = −1/2, to D digits, as the first call.",
+    axis="digits D",
+    symbol="D",
+    contestants=_contestants,
+    profiled=lambda _: ("ε = 10⁻³, 200 digits", _ours(_EPSILONS["ε = 10⁻³"], 200)),
+    limit=_limit,
+    remarks=(
         "mpmath and scipy integrate up to a fixed end, chosen by hand; the library bounds what is left out. At "
         "ε = 10⁻¹² doubles lose digits in ψ(r)/ε: the terms of ψ cancel.",
     ),

@@ -95,15 +95,15 @@ def _limit(full: bool) -> Limit:
 
 
 THETA = Blueprint(
-    "theta",
-    "One value of Θ",
-    "Θ(7/3, 1/2) to D digits, as the first call.",
-    "digits D",
-    "D",
-    _contestants,
-    _profiled,
-    _limit,
-    (
+    key="theta",
+    title="One value of Θ",
+    question="Θ(7/3, 1/2) to D digits, as the first call.",
+    axis="digits D",
+    symbol="D",
+    contestants=_contestants,
+    profiled=_profiled,
+    limit=_limit,
+    remarks=(
         "FLINT’s precision is doubled until the accuracy is met, as one would who does not know the cancellation. "
         "A route without a bound stands where its answer is right, which it does not know.",
         "FLINT, mpmath and PARI keep constants (π, Bernoulli numbers) between calls; the median sees them kept.",

@@ -87,15 +87,16 @@ def _limit(_: bool) -> Limit:
 
 
 ROUTES = Blueprint(
-    "routes",
-    "Θ by route",
-    f"Θ(τ, 7/3) to {DIGITS} digits at τ = ∓d, by each series on its own and by the library’s choice among them.",
-    "distance d from τ = 0",
-    "d",
-    _contestants,
-    None,
-    _limit,
-    (
+    key="routes",
+    title="Θ by route",
+    question=f"Θ(τ, 7/3) to {DIGITS} digits at τ = ∓d, by each series on its own and by the library’s choice "
+    "among them.",
+    axis="distance d from τ = 0",
+    symbol="d",
+    contestants=_contestants,
+    profiled=None,
+    limit=_limit,
+    remarks=(
         "A series at infinity has no answer near 0, where its best accuracy is less than asked; for τ < 0 the Taylor "
         "series and the 1F2 lose about |τ|^(3/2) digits. A route makes one attempt, which may reach less than asked.",
     ),

@@ -80,15 +80,15 @@ def _atlas_limit(_: bool) -> Limit:
 
 
 ATLAS = Blueprint(
-    "atlas",
-    "The atlas of zeros",
-    "How many real zeros dΘ/dτ has, and where, for every β in (1, k), with the text of the certificate.",
-    "k",
-    "k",
-    _atlas_contestants,
-    lambda _: (f"β in (1, {_ENDS[-1]})", partial(atlas_text, _ENDS[-1])),
-    _atlas_limit,
-    (
+    key="atlas",
+    title="The atlas of zeros",
+    question="How many real zeros dΘ/dτ has, and where, for every β in (1, k), with the text of the certificate.",
+    axis="k",
+    symbol="k",
+    contestants=_atlas_contestants,
+    profiled=lambda _: (f"β in (1, {_ENDS[-1]})", partial(atlas_text, _ENDS[-1])),
+    limit=_atlas_limit,
+    remarks=(
         f"scipy counts changes of sign between its steps at {_CURVES_OF_A_UNIT} β in each unit: two zeros within a "
         "step are not seen, and nothing is said between the β.",
     ),
@@ -156,13 +156,13 @@ def _limit(full: bool) -> Limit:
 
 
 BRACKETS = Blueprint(
-    "brackets",
-    "Brackets of zeros",
-    "Both real zeros of dΘ/dτ at β = 5/2 in brackets of width 10^−D, and that there are no others.",
-    "digits D",
-    "D",
-    _bracket_contestants,
-    lambda full: (f"{_LIMIT_DIGITS[full]} digits", _brackets(_LIMIT_DIGITS[full])),
-    _limit,
-    ("mpmath and scipy return numbers near zeros; that there are no other zeros is not among what they say.",),
+    key="brackets",
+    title="Brackets of zeros",
+    question="Both real zeros of dΘ/dτ at β = 5/2 in brackets of width 10^−D, and that there are no others.",
+    axis="digits D",
+    symbol="D",
+    contestants=_bracket_contestants,
+    profiled=lambda full: (f"{_LIMIT_DIGITS[full]} digits", _brackets(_LIMIT_DIGITS[full])),
+    limit=_limit,
+    remarks=("mpmath and scipy return numbers near zeros; that there are no other zeros is not among what they say.",),
 )

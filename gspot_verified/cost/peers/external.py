@@ -131,4 +131,6 @@ def _last_line(done: subprocess.CompletedProcess[str]) -> str:
 
 
 def _without(program: Program, tau: fmpq, beta: fmpq, digits: int, note: str) -> ExternalTime:
-    return ExternalTime(program.name, str(tau), str(beta), digits, None, None, None, note)
+    return ExternalTime(
+        program=program.name, tau=str(tau), beta=str(beta), digits=digits, first=None, again=None, right=None, note=note
+    )

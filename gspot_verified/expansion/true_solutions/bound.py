@@ -152,7 +152,17 @@ def uniform_bound(
         names = stretches[0].constants if stretches else ()
         constants = {name: _largest([one.constants[name] for one in stretches]) for name in names}
         verdict = _verdict(found, first, last, small, tube)
-        return UniformBound(trajectory, first, last, small, tube, constants, stretches, verdict, _contact(found, small))
+        return UniformBound(
+            trajectory=trajectory,
+            start=first,
+            end=last,
+            delta=small,
+            within=tube,
+            constants=constants,
+            stretches=stretches,
+            verdict=verdict,
+            contact=_contact(found, small),
+        )
 
 
 def rational(value: ExactInput, name: str) -> fmpq:

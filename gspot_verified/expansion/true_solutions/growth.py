@@ -81,16 +81,16 @@ def entry_of(track: Track, index: int) -> EntryDeviation | None:
     q = -(equations.alpha_1 * place + equations.expansion("p", place, 1) + scale * e[equations.p])
     Y, V = -side * e[equations.y], -side * e[equations.v]
     return EntryDeviation(
-        side,
-        track.pieces[0].start,
-        piece.end,
-        Y,
-        V,
-        equations.kappa * q * Y - side * e[equations.b],
-        q,
-        tuple(value.abs_upper() for value in e[: equations.dimension]),
-        e[equations.p].abs_upper(),
-        piece.end_fast,
+        side=side,
+        begin=track.pieces[0].start,
+        place=piece.end,
+        Y=Y,
+        V=V,
+        N=equations.kappa * q * Y - side * e[equations.b],
+        q=q,
+        state=tuple(value.abs_upper() for value in e[: equations.dimension]),
+        p=e[equations.p].abs_upper(),
+        fast=piece.end_fast,
     )
 
 
@@ -112,19 +112,19 @@ def ranges_of(equations: DeviationEquations, entry: EntryDeviation, power: fmpq,
     bounds, residual_z = equations.residual_below(last)
     ratio = delta ** ball(order - power) / entry.V.lower()
     return Ranges(
-        last,
-        [[(slopes[i][j] + force * slopes[m + i][j]).abs_upper() for j in range(m)] for i in range(m)],
-        [value.abs_upper() for value in values[m : 2 * m]],
-        [value.abs_upper() for value in slopes[2 * m]],
-        [
+        last=last,
+        drift=[[(slopes[i][j] + force * slopes[m + i][j]).abs_upper() for j in range(m)] for i in range(m)],
+        control=[value.abs_upper() for value in values[m : 2 * m]],
+        bend=[value.abs_upper() for value in slopes[2 * m]],
+        push=[
             (second - force * third).abs_upper()
             for second, third in zip(slopes[2 * m + 1], slopes[2 * m + 2], strict=True)
         ],
-        values[2 * m],
-        values[2 * m + 2],
-        force,
-        [bound * ratio for bound in bounds],
-        residual_z * ratio,
+        alpha_1=values[2 * m],
+        alpha_3=values[2 * m + 2],
+        force=force,
+        eta=[bound * ratio for bound in bounds],
+        eta_z=residual_z * ratio,
     )
 
 

@@ -122,15 +122,15 @@ def advance(rules: Rules, state: Deviations, start: fmpq, end: fmpq) -> TrackPie
     if at_end is None:
         return None
     return TrackPiece(
-        start,
-        end,
-        tuple(deviations),
-        fast,
-        add_remainder(-equations.kappa * deviations[equations.y], fast),
-        coupling.force,
-        at_end,
-        tuple(enclosure(later, last)),
-        (rules.fast_start(state, end - start) + forced).upper(),
+        start=start,
+        end=end,
+        deviations=tuple(deviations),
+        fast=fast,
+        force=add_remainder(-equations.kappa * deviations[equations.y], fast),
+        mean=coupling.force,
+        at_end=at_end,
+        end_deviations=tuple(enclosure(later, last)),
+        end_fast=(rules.fast_start(state, end - start) + forced).upper(),
     )
 
 

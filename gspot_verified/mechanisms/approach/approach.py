@@ -213,10 +213,17 @@ class _Attempt:
         if shown is None:
             return self._open("it is not certain that neither lift-off nor stick comes first")
         return self._made(
-            Verdict.proved(text, shown),
-            "G-spot", last.states[-1] + last.capture.time * arb((1, -1), (1, -1)), place, case, alphas, beta,
-            coefficient, side, why,
-        )  # fmt: skip
+            verdict=Verdict.proved(text, shown),
+            end="G-spot",
+            time=last.states[-1] + last.capture.time * arb((1, -1), (1, -1)),
+            place=place,
+            case=case,
+            alphas=alphas,
+            beta=beta,
+            coefficient=coefficient,
+            side=side,
+            why=why,
+        )
 
     def _spot(self, found: Capture) -> list[arb]:
         """The G-spot that is reached; the only one near, where it is isolated, is enclosed more tightly."""
@@ -263,23 +270,59 @@ class _Attempt:
         what = {"lift-off": "the contact force -b/p falls to 0 while p > 0", "stick": "slip stops while p > 0"}
         states = list(event.states)
         return self._made(
-            Verdict.proved(f"{event.name} before any G-spot: {what[event.name]}", every([*self.shown, evidence])),
-            event.name, states[-1], states[:-1], None, None, None, None, None, "no G-spot is reached",
-        )  # fmt: skip
+            verdict=Verdict.proved(
+                f"{event.name} before any G-spot: {what[event.name]}", every([*self.shown, evidence])
+            ),
+            end=event.name,
+            time=states[-1],
+            place=states[:-1],
+            case=None,
+            alphas=None,
+            beta=None,
+            coefficient=None,
+            side=None,
+            why="no G-spot is reached",
+        )
 
     def _open(self, why: str) -> Approach:
         verdict = Verdict.undecided("where slip from this state ends", Reason.BUDGET, why)
-        return self._made(verdict, None, None, [], None, None, None, None, None, why)
+        return self._made(
+            verdict=verdict,
+            end=None,
+            time=None,
+            place=[],
+            case=None,
+            alphas=None,
+            beta=None,
+            coefficient=None,
+            side=None,
+            why=why,
+        )
 
     def _made(
         self, verdict: Verdict, end: str | None, time: arb | None, place: list[arb], case: str | None,
         alphas: tuple[arb, arb, arb] | None, beta: arb | None, coefficient: arb | None, side: str | None, why: str,
     ) -> Approach:  # fmt: skip
         return Approach(
-            self.mechanism.name, self._texts(list(self.start.box)), self.start.solved, verdict, end, time,
-            self._texts(place), case if case != "none" else None, alphas, beta, coefficient, side, why,
-            self.least_slip, self.surface_text, self.mechanism.notes, self._path(), self.bits,
-        )  # fmt: skip
+            name=self.mechanism.name,
+            start=self._texts(list(self.start.box)),
+            solved=self.start.solved,
+            verdict=verdict,
+            end=end,
+            time=time,
+            place=self._texts(place),
+            case=case if case != "none" else None,
+            alphas=alphas,
+            beta=beta,
+            coefficient=coefficient,
+            side=side,
+            side_reason=why,
+            least_slip=self.least_slip,
+            surface_velocity=self.surface_text,
+            notes=self.mechanism.notes,
+            path=self._path(),
+            bits=self.bits,
+        )
 
     def _texts(self, values: list[arb]) -> tuple[tuple[str, str], ...]:
         """Components as text; an angle as ``reference + deviation``."""

@@ -74,7 +74,20 @@ def capture(numbers: SlipNumbers, states: Sequence[arb], least_slip: arb | None)
         slides, stays, less(0, first), less(0, third), _keeps_pressing(at.force, inside),
         *([] if least_slip is None else [less(least_slip, inside.u)]),
     ])  # fmt: skip
-    return None if evidence is None else Capture(box, tuple(reach), inside, time, integral, first, third, evidence)
+    return (
+        None
+        if evidence is None
+        else Capture(
+            box=box,
+            reach=tuple(reach),
+            numbers=inside,
+            time=time,
+            integral_of_b=integral,
+            decay_1=first,
+            decay_3=third,
+            evidence=evidence,
+        )
+    )
 
 
 def _reach(at: Numbers, inside: Numbers) -> tuple[list[arb], arb, arb, arb, arb] | None:

@@ -95,7 +95,7 @@ class SlipNumbers:
         found = self._program.values(list(box[: self._size]))
         p, b, u, first, second, third = found[:6]
         F, G = found[6 : 6 + self._size], found[6 + self._size :]
-        return Numbers(p, b, u, first, second, third, tuple(F), tuple(G))
+        return Numbers(p=p, b=b, u=u, alpha_1=first, alpha_2=second, alpha_3=third, F=tuple(F), G=tuple(G))
 
     def beta_slopes(self, box: Sequence[arb]) -> list[arb]:
         """The partial derivatives of α_3/α_1 on a box."""

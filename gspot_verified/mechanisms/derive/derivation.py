@@ -57,8 +57,11 @@ def _of_fields(mechanism: Mechanism, motion: Fields, prepare: Prepare) -> Derive
     a, b = along(F, u), along(F, v)
     A, B, C = along(G_T, u), along(G_N, u), along(G_N, v)
     p = along(G, v)
-    alpha = along(F, p), along(F, b), negative(along(G, b))
-    return Derived(F, G_T, G_N, G, x, y, u, v, a, b, A, B, C, p, *alpha, mu, None)
+    alpha_1, alpha_2, alpha_3 = along(F, p), along(F, b), negative(along(G, b))
+    return Derived(
+        F=F, G_T=G_T, G_N=G_N, G=G, x=x, y=y, u=u, v=v, a=a, b=b, A=A, B=B, C=C, p=p,
+        alpha_1=alpha_1, alpha_2=alpha_2, alpha_3=alpha_3, mu=mu, mass_matrix=None,
+    )  # fmt: skip
 
 
 def _of_lagrangian(mechanism: Mechanism, motion: Lagrangian, prepare: Prepare) -> Derived[Expression]:
@@ -113,7 +116,25 @@ class _Motion:
         alpha_2 = sum_of(along(F, v_rate), _dot(bend, free), _dot(by_y, [along(F, force) for force in self.forces]))
         alpha_3 = negative(sum_of(along(G, v_rate), _dot(by_y, [along(G, force) for force in self.forces])))
         return Derived(
-            F, G_T, G_N, G, given.x, y, u, v, a, b, A, B, C, p, alpha_1, alpha_2, alpha_3, given.mu, given.rows
+            F=F,
+            G_T=G_T,
+            G_N=G_N,
+            G=G,
+            x=given.x,
+            y=y,
+            u=u,
+            v=v,
+            a=a,
+            b=b,
+            A=A,
+            B=B,
+            C=C,
+            p=p,
+            alpha_1=alpha_1,
+            alpha_2=alpha_2,
+            alpha_3=alpha_3,
+            mu=given.mu,
+            mass_matrix=given.rows,
         )
 
 

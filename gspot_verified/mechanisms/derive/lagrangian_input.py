@@ -48,7 +48,9 @@ def lagrangian_input(mechanism: Mechanism, motion: Lagrangian, prepare: Prepare)
     forces, constraints = tuple(rest[n * n : n * n + n]), tuple(rest[n * n + n :])
     glide = (*(Variable(n + i) for i in range(n)), *[ZERO] * n, *[ONE] * (m - 2 * n))
     x, u = (None, first) if mechanism.x is None else (first, along(glide, first))
-    found = LagrangianInput(n, m, glide, rows, forces, constraints, x, u, y, mu)
+    found = LagrangianInput(
+        n=n, m=m, glide=glide, rows=rows, forces=forces, constraints=constraints, x=x, u=u, y=y, mu=mu
+    )
     _check_velocities(mechanism.name, found)
     return found
 

@@ -61,8 +61,11 @@ def derive(mechanism: Mechanism, substitute: bool = True) -> Derived[Any]:
     A, B, C = lie_derivative(G_T, u, state), lie_derivative(G_N, u, state), lie_derivative(G_N, v, state)
     p = lie_derivative(G, v, state)
     _limit(mechanism, MAX_OPERATIONS, b=b, p=p)
-    alpha = lie_derivative(F, p, state), lie_derivative(F, b, state), -lie_derivative(G, b, state)
-    return Derived(F, G_T, G_N, G, x, y, u, v, a, b, A, B, C, p, *alpha, mu, rows)
+    alpha_1, alpha_2, alpha_3 = lie_derivative(F, p, state), lie_derivative(F, b, state), -lie_derivative(G, b, state)
+    return Derived(
+        F=F, G_T=G_T, G_N=G_N, G=G, x=x, y=y, u=u, v=v, a=a, b=b, A=A, B=B, C=C, p=p,
+        alpha_1=alpha_1, alpha_2=alpha_2, alpha_3=alpha_3, mu=mu, mass_matrix=rows,
+    )  # fmt: skip
 
 
 class Reader:

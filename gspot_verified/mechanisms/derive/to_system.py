@@ -126,9 +126,21 @@ def to_system(
     y, v, p, b, first, second, third = found[2 * m : 2 * m + 7]
     point = tuple(values[word] for word in shifted.mechanism.state)
     return System(
-        name or shifted.mechanism.name, tuple(found[:m]), tuple(found[m : 2 * m]), y, v, p, b, first, second, third,
-        J, point, ring, regularisation=shifted.mechanism.regularisation,
-    )  # fmt: skip
+        name=name or shifted.mechanism.name,
+        F=tuple(found[:m]),
+        G=tuple(found[m : 2 * m]),
+        y=y,
+        v=v,
+        p=p,
+        b=b,
+        alpha_1=first,
+        alpha_2=second,
+        alpha_3=third,
+        J=J,
+        point=point,
+        ring=ring,
+        regularisation=shifted.mechanism.regularisation,
+    )
 
 
 def stays(index: int, value: Any, ring: Ring) -> Expression:

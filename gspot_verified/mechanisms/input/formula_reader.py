@@ -157,18 +157,18 @@ class FormulaReader:
         if mirrored and isinstance(motion, Fields):
             motion = replace(motion, G_T=tuple(map(negative, motion.G_T)))
         return Mechanism(
-            self._name,
-            self.state,
-            motion,
-            x,
-            y,
-            mu,
-            self._parameters,
-            self._angles,
-            found,
-            slip_velocity,
-            mirrored,
-            regularisation,
+            name=self._name,
+            state=self.state,
+            motion=motion,
+            x=x,
+            y=y,
+            mu=mu,
+            parameters=self._parameters,
+            angles=self._angles,
+            place=found,
+            slip_velocity=slip_velocity,
+            mirrored=mirrored,
+            regularisation=regularisation,
         )
 
     def _tangential(self, contact: Contact) -> tuple[Expression | None, Expression | None, bool]:

@@ -124,10 +124,15 @@ class _Search:
 
     def _result(self, spots: Sequence[GSpot], boundary: Sequence[GSpot], patch: Patch | None = None) -> GSpots:
         return GSpots(
-            self._shifted.mechanism.name, tuple(spots), tuple(boundary), tuple(self._left),
-            self._region.searched(self._apart), tuple(self._state[i] for i in self._apart.free), patch,
-            self._region.periods(),
-        )  # fmt: skip
+            name=self._shifted.mechanism.name,
+            spots=tuple(spots),
+            boundary=tuple(boundary),
+            left=tuple(self._left),
+            searched=self._region.searched(self._apart),
+            free=tuple(self._state[i] for i in self._apart.free),
+            patch=patch,
+            periods=self._region.periods(),
+        )
 
     def _full(self, values: Mapping[int, arb]) -> list[arb]:
         return [values.get(i, arb(0)) for i in range(len(self._state))]

@@ -161,10 +161,29 @@ def classify_g_spot(spot: GSpot) -> Classification:
         integer = _integer_in(beta) if approached else None
         lift_off, impact = sides_of(case, beta)
         return Classification(
-            system.name, tuple(spot.to_json().items()), spot.exact, first, second, third, beta, force, case, reason,
-            lift_off, impact, integer, u, a, A, B, C, p, spot.fixed, spot.mechanism.notes,
-            spot.mechanism.regularisation,
-        )  # fmt: skip
+            name=system.name,
+            point=tuple(spot.to_json().items()),
+            exact=spot.exact,
+            alpha_1=first,
+            alpha_2=second,
+            alpha_3=third,
+            beta=beta,
+            mean_force=force,
+            case=case,
+            reason=reason,
+            lift_off_sign=lift_off,
+            impact_sign=impact,
+            integer_beta=integer,
+            slip_velocity=u,
+            a=a,
+            A=A,
+            B=B,
+            C=C,
+            p=p,
+            fixed=spot.fixed,
+            notes=spot.mechanism.notes,
+            regularisation=spot.mechanism.regularisation,
+        )
 
 
 def sign_of_exact(value: Exact) -> int | None:

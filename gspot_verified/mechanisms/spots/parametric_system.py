@@ -70,7 +70,16 @@ def parametric_system(mechanism: Mechanism, parameters: Sequence[str], fixed: Se
     size = len(rows)
     matrix = tuple(tuple(entries[i * size : (i + 1) * size]) for i in range(size))
     return ParametricSystem(
-        mechanism.name, mechanism.state, tuple(parameters), tuple(own), first, second, third, slip, matrix, friction
+        name=mechanism.name,
+        state=mechanism.state,
+        parameters=tuple(parameters),
+        conditions=tuple(own),
+        alpha_1=first,
+        alpha_2=second,
+        alpha_3=third,
+        slip=slip,
+        matrix=matrix,
+        friction=friction,
     )
 
 

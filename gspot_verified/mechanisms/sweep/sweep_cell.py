@@ -171,9 +171,17 @@ class Examination:
 
 def _with_passing(piece: SweepPiece, passing: Passing) -> SweepPiece:
     return SweepPiece(
-        piece.lower, piece.upper, piece.kind, None, None, None, (passing.quantity,), passing, piece.numbers,
-        piece.record,
-    )  # fmt: skip
+        lower=piece.lower,
+        upper=piece.upper,
+        kind=piece.kind,
+        case=None,
+        lift_off_sign=None,
+        impact_sign=None,
+        unsure=(passing.quantity,),
+        passing=passing,
+        numbers=piece.numbers,
+        record=piece.record,
+    )
 
 
 def _graph(on: OnTube, boundary: str) -> Passing | None:

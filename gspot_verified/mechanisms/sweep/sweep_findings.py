@@ -47,7 +47,9 @@ class Findings:
         numbers = tuple(map(interval, (*shown, beta, force, self.numbers["slip_velocity"])))
         settled = (self.case, self.lift_off_sign, self.impact_sign) if kind is Kind.SETTLED else (None, None, None)
         tube = on.tube
-        return SweepPiece(tube.lower, tube.upper, kind, *settled, self.unsure, None, numbers, TubeRecord.of(tube))
+        return SweepPiece(
+            tube.lower, tube.upper, kind, *settled, unsure=self.unsure, numbers=numbers, record=TubeRecord.of(tube)
+        )
 
 
 def equations(system: ParametricSystem) -> Equations:

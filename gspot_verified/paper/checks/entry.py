@@ -231,7 +231,17 @@ def settled(
         replace(check, what=with_printed_numbers(check.what), finding=with_printed_numbers(check.finding))
         for check in checks
     )
-    return Entry(identifier, label, section, source, statement, checks, conclude(statement, checks), corrected, note)
+    return Entry(
+        identifier=identifier,
+        label=label,
+        section=section,
+        source=source,
+        statement=statement,
+        checks=checks,
+        verdict=conclude(statement, checks),
+        corrected=corrected,
+        note=note,
+    )
 
 
 def counts(entries: Sequence[Entry]) -> dict[str, int]:

@@ -29,9 +29,20 @@ def extended(ring: Symbols, chi: Any, alpha_1: Any, alpha_2: Any, alpha_3: Any) 
     point = (ring.number(0),) * 6
     conditions = (state[0], state[1])
     return System(
-        "extended", drift, control, state[2], state[3], state[4], state[5],
-        slope, number(alpha_2), number(alpha_3), conditions, point, ring,
-    )  # fmt: skip
+        name="extended",
+        F=drift,
+        G=control,
+        y=state[2],
+        v=state[3],
+        p=state[4],
+        b=state[5],
+        alpha_1=slope,
+        alpha_2=number(alpha_2),
+        alpha_3=number(alpha_3),
+        J=conditions,
+        point=point,
+        ring=ring,
+    )
 
 
 @lru_cache

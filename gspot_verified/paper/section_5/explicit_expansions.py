@@ -41,11 +41,21 @@ def random_systems() -> list[System]:
     )
     return [
         System(
-            f"random {i}", (first, second, v, b, drift), (_number(0), -third, _number(0), p, control), y, v, p, b,
-            first, second, third, (w,), (fmpq(0),) * 5,
+            name=f"random {i}",
+            F=(first, second, v, b, drift),
+            G=(_number(0), -third, _number(0), p, control),
+            y=y,
+            v=v,
+            p=p,
+            b=b,
+            alpha_1=first,
+            alpha_2=second,
+            alpha_3=third,
+            J=(w,),
+            point=(fmpq(0),) * 5,
         )
         for i, (first, second, third, drift, control) in enumerate(choices)
-    ]  # fmt: skip
+    ]
 
 
 def recursions(orders: int = 8) -> list[Recursion]:

@@ -76,9 +76,27 @@ def integrated_run(
     asked = _asked(scene, every, digits, precisions)
     kept = None if journal is None else StepJournal(journal, question(scene, asked))
     left = precisions if kept is None else _not_left_behind(precisions, kept)
-    best = _best(scene, every, digits, left, sampled, kept, budget, progress)
+    best = _best(
+        scene=scene,
+        every=every,
+        digits=digits,
+        precisions=left,
+        sampled=sampled,
+        kept=kept,
+        budget=budget,
+        progress=progress,
+    )
     if best.record.open is not None and len(left) < len(precisions):  # one that was left behind may have shown more
-        best = _best(scene, every, digits, precisions, sampled, kept, budget, progress)
+        best = _best(
+            scene=scene,
+            every=every,
+            digits=digits,
+            precisions=precisions,
+            sampled=sampled,
+            kept=kept,
+            budget=budget,
+            progress=progress,
+        )
     samples = None if best.samples is None else best.samples.samples()
     found = replace(result_of(scene, best.conditions, best.record), samples=samples)
     return found if kept is None or not kept.failure else replace(found, notes=(kept.failure,))

@@ -126,15 +126,15 @@ class ContactForm:
         half = 2 + slow + stops
         still, push = values[:half], values[half : 2 * half]
         return ContactBounds(
-            still[0],
-            push[0],
-            still[1],
-            push[1],
-            tuple(still[2 : 2 + slow]),
-            tuple(push[2 : 2 + slow]),
-            tuple(values[2 * half :]),
-            tuple(still[2 + slow :]),
-            tuple(push[2 + slow :]),
+            still=still[0],
+            slope=push[0],
+            constant=still[1],
+            factor=push[1],
+            rates=tuple(still[2 : 2 + slow]),
+            pushes=tuple(push[2 : 2 + slow]),
+            stops=tuple(values[2 * half :]),
+            stop_rates=tuple(still[2 + slow :]),
+            stop_pushes=tuple(push[2 + slow :]),
         )
 
 

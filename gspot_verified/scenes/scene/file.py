@@ -141,14 +141,16 @@ def parse_scene(text: str, folder: Path | None = None) -> Scene:
     given = table.table("parameters").all_formulas()
     own = {} if mechanism is None else {key: given.pop(key) for key in list(given) if key in dict(mechanism.parameters)}
     scene = Scene(
-        name,
-        effects,
-        _number(table, "epsilon"),
-        _number(table, "until"),
-        {key: scene_number(value, f"parameters: {key[:40]}") for key, value in given.items()},
-        _start(table.table("start").all_formulas(), mechanism is not None),
-        _number(table, "stop_at_force") if table.has("stop_at_force") else None,
-        mechanism if mechanism is None else mechanism.with_parameters(**{key: _value(own[key], key) for key in own}),
+        name=name,
+        effects=effects,
+        epsilon=_number(table, "epsilon"),
+        until=_number(table, "until"),
+        parameters={key: scene_number(value, f"parameters: {key[:40]}") for key, value in given.items()},
+        start=_start(table.table("start").all_formulas(), mechanism is not None),
+        stop_at_force=_number(table, "stop_at_force") if table.has("stop_at_force") else None,
+        mechanism=mechanism
+        if mechanism is None
+        else mechanism.with_parameters(**{key: _value(own[key], key) for key in own}),
     )
     for key in own:
         checked_owner(scene, key)
