@@ -16,10 +16,14 @@ from gspot_verified.functions.rings import BALLS, Ring
 from gspot_verified.mechanisms.derive.to_system import Shifted
 from gspot_verified.mechanisms.input.mechanism import MechanismError
 from gspot_verified.numbers.balls import ball_text
+from gspot_verified.numbers.evidence import at_most, every, less
+from gspot_verified.numbers.verdict import Evidence
 
 
-def check_mass_matrix(shifted: Shifted, values: Mapping[str, Any], ring: Ring, where: str = "at the G-spot") -> None:
-    """Checks that the leading minors are certainly positive at the point and the friction coefficient is not negative.
+def check_mass_matrix(
+    shifted: Shifted, values: Mapping[str, Any], ring: Ring, where: str = "at the G-spot"
+) -> Evidence | None:
+    """That the leading minors are certainly positive at the point and the friction coefficient is not negative.
 
     :raises MechanismError: one is not, or not certainly.
 
@@ -40,27 +44,31 @@ at the G-spot: its leading minor of size 1 is -1
     numbers = [series[expression][0] for expression in expressions]
     *entries, friction = numbers
     matrix = [entries[i * len(rows) : (i + 1) * len(rows)] for i in range(len(rows))]
+    shown: list[Evidence | None] = []
     if f.mass_matrix is None:
-        _check_positive(f"{name}: no mass matrix gives these fields: {where} A = L_GT u must be positive, it is",
-                        matrix[0][0], ring)  # fmt: skip
-        _check_positive(f"{name}: no mass matrix gives these fields: {where} C = L_GN v must be positive, it is",
-                        matrix[1][1], ring)  # fmt: skip
+        shown.append(_positive(f"{name}: no mass matrix gives these fields: {where} A = L_GT u must be positive, it is",
+                        matrix[0][0], ring))  # fmt: skip
+        shown.append(_positive(f"{name}: no mass matrix gives these fields: {where} C = L_GN v must be positive, it is",
+                        matrix[1][1], ring))  # fmt: skip
     for size, value in enumerate(leading_minors(matrix), start=1):
-        _check_positive(
+        what = (
             f"{name}: no mass matrix gives these fields: {where} A C - B^2 must be positive, it is"
             if f.mass_matrix is None
-            else f"{name}: the mass matrix is not positive definite {where}: its leading minor of size {size} is",
-            value,
-            ring,
+            else f"{name}: the mass matrix is not positive definite {where}: its leading minor of size {size} is"
         )
-    if not friction >= 0:
-        shown = ball_text(friction) if ring is BALLS else friction
-        raise MechanismError(f"{name}: the friction coefficient mu must not be negative {where}, it is {shown}")
+        shown.append(_positive(what, value, ring))
+    pushes = at_most(0, friction)
+    if pushes is None:
+        text = ball_text(friction) if ring is BALLS else friction
+        raise MechanismError(f"{name}: the friction coefficient mu must not be negative {where}, it is {text}")
+    return every([*shown, pushes])
 
 
-def _check_positive(message: str, value: Any, ring: Ring) -> None:
-    if not value > 0:
+def _positive(message: str, value: Any, ring: Ring) -> Evidence:
+    shown = less(0, value)
+    if shown is None:
         raise MechanismError(f"{message} {ball_text(value) if ring is BALLS else value}")
+    return shown
 
 
 def leading_minors(matrix: Sequence[Sequence[Any]]) -> Iterator[Any]:

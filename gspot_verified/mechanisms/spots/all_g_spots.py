@@ -26,14 +26,16 @@ from gspot_verified.mechanisms.spots.g_spot import (
     prove_near,
     shifted_conditions,
 )
-from gspot_verified.mechanisms.spots.g_spot_list import GSpots, Left, Patch, in_words
+from gspot_verified.mechanisms.spots.g_spot_list import Account, GSpots, Left, Patch, in_words
 from gspot_verified.mechanisms.spots.search_region import Region, fixed_name, search_region
 from gspot_verified.mechanisms.spots.spot_conditions import Stage, TakenApart, take_apart
 from gspot_verified.mechanisms.spots.spot_patch import find_patch
 from gspot_verified.mechanisms.spots.whole_state import WholeState
-from gspot_verified.mechanisms.zeros.all_zeros import Budget, Zero, ZeroSearch, clusters
+from gspot_verified.mechanisms.zeros.all_zeros import Box, Budget, Zero, Zeros, ZeroSearch, clusters
 from gspot_verified.mechanisms.zeros.velocity_roots import VelocityRoots
 from gspot_verified.numbers.balls import ExactInput, working_bits
+from gspot_verified.numbers.evidence import differ, equal, every, inside
+from gspot_verified.numbers.verdict import Evidence
 
 DEFAULT_BUDGET = 100_000
 """How many boxes are looked at."""
@@ -48,8 +50,10 @@ class _Partial:
     values: Mapping[int, arb]
     proved: bool = True
     why: str = ""
-    same: tuple[Callable[[Sequence[arb]], bool], ...] = ()
-    """Whether a point, given by enclosures, is certainly this solution."""
+    same: tuple[Callable[[Sequence[arb]], Evidence | None], ...] = ()
+    """For each stage: that a zero of all conditions, given by enclosures, is this solution."""
+    shown: tuple[Evidence | None, ...] = ()
+    """For each stage: that there is this solution."""
 
 
 def find_g_spots(
@@ -106,6 +110,7 @@ class _Search:
         self._region: Region = search_region(shifted.mechanism, conditions, self._apart, box)
         self._whole = WholeState(self._apart, self._region, place_in(shifted, BALLS), self._state)
         self._left: list[Left] = []
+        self._account = Account()
 
     def run(self) -> GSpots:
         partials = [_Partial({})]
@@ -132,6 +137,7 @@ class _Search:
             free=tuple(self._state[i] for i in self._apart.free),
             patch=patch,
             periods=self._region.periods(),
+            account=self._account,
         )
 
     def _full(self, values: Mapping[int, arb]) -> list[arb]:
@@ -151,8 +157,10 @@ class _Search:
     def _decide(self, stage: Stage, partial: _Partial) -> list[_Partial]:
         """Conditions that hold no unknown any more."""
         values = BoxProgram(self._functions(stage), len(self._state), ()).values(self._full(partial.values))
-        if any(value > 0 or value < 0 for value in values):
-            return []
+        for value in values:
+            if (away := differ(0, value)) is not None:
+                self._account.extended([], away)
+                return []
         names = ", ".join(stage.conditions)
         return [replace(partial, proved=False, why=f"{names} may vanish there, with no component left to solve it for")]
 
@@ -162,17 +170,22 @@ class _Search:
             if roots.near is None:
                 return self._by_boxes(stage, partial)
             here = dict(zip(stage.variables, roots.near, strict=True))
+            self._account.extended([roots.near], roots.shown)
             return [_Partial({**partial.values, **here}, False, partial.why or roots.open)]
         found = []
         for point in roots.points:
             others = [other for other in roots.points if other is not point]
 
-            def same(at: Sequence[arb], others: Sequence[Sequence[arb]] = others) -> bool:
+            def same(at: Sequence[arb], others: Sequence[Sequence[arb]] = others) -> Evidence | None:
                 own = [at[i] for i in stage.variables]
-                return not any(all(x.overlaps(y) for x, y in zip(own, other, strict=True)) for other in others)
+                one = equal(len(others) + 1, len(roots.points))
+                return every([one, *(_apart(own, other) for other in others)])
 
             values = {**partial.values, **dict(zip(stage.variables, point, strict=True))}
-            found.append(replace(partial, values=values, same=(*partial.same, same)))
+            found.append(
+                replace(partial, values=values, same=(*partial.same, same), shown=(*partial.shown, roots.shown))
+            )
+        self._account.extended(found, roots.shown)
         return found
 
     def _by_boxes(self, stage: Stage, partial: _Partial) -> list[_Partial]:
@@ -181,27 +194,29 @@ class _Search:
         search = ZeroSearch(program, self._full(partial.values), periods)
         found = search.run([self._region.side(i) for i in stage.variables], self._budget)
         solved = [self._one_zero(search, zero, stage, partial) for zero in found.zeros]
-        for box in found.left if found.stopped and self._budget.boxes <= 0 else clusters(found.left):
+        left = found.left if found.stopped and self._budget.boxes <= 0 else clusters(found.left)
+        for box in left:
             values = {**partial.values, **dict(zip(stage.variables, box, strict=True))}
             why = found.stopped or partial.why or _singular(self._functions(stage), stage, self._full(values))
             solved.append(_Partial(values, False, why))
+        self._account.extended(solved, _all_of(found, left))
         return solved
 
     def _one_zero(self, search: ZeroSearch, zero: Zero, stage: Stage, partial: _Partial) -> _Partial:
         enclosure = search.sharpened(zero)
 
-        def same(at: Sequence[arb]) -> bool:
-            own = [at[i] for i in stage.variables]
-            return any(search.lies_in(own, region) for region in zero.regions)
+        def same(at: Sequence[arb]) -> Evidence | None:
+            return search.same([at[i] for i in stage.variables], zero)
 
         moved = [self._region.within_one_period(i, side) for i, side in zip(stage.variables, enclosure, strict=True)]
         values = {**partial.values, **dict(zip(stage.variables, moved, strict=True))}
-        return replace(partial, values=values, same=(*partial.same, same))
+        return replace(partial, values=values, same=(*partial.same, same), shown=(*partial.shown, zero.evidence))
 
     def _finish(self, partial: _Partial, spots: list[GSpot], boundary: list[GSpot]) -> None:
         """Prove the solution as a zero of all conditions, and sort it: inside, perhaps inside, outside, or open."""
-        position = self._region.position(self._whole.state(partial.values, self._whole.any_free()))
+        position, beyond = self._region.position(self._whole.state(partial.values, self._whole.any_free()))
         if position == "outside":
+            self._account.outside.append(beyond)
             return
         place = self._whole.state(partial.values, self._whole.chosen_free())
         values = dict(enumerate(place))
@@ -219,12 +234,17 @@ class _Search:
             self._leave(values, str(error))
             return
         point = list(spot.system.point)
-        if not all(x.overlaps(y) for x, y in zip(point, place, strict=True)) or not all(s(point) for s in partial.same):
+        stages = sum(1 for stage in self._apart.stages if stage.variables)
+        same = every([equal(len(partial.same), stages), *(same(point) for same in partial.same)])
+        if not all(x.overlaps(y) for x, y in zip(point, place, strict=True)) or same is None:
             self._leave(values, "its proof as a zero of all conditions together is of another point")
             return
-        position = self._region.position(point)
+        position, where = self._region.position(point)
         if position == "inside":
             spots.append(spot)
+            self._account.inside.append(every([spot.shown, same, where]))
+        elif position == "outside":
+            self._account.outside.append(every([spot.shown, same, where]))
         elif position == "boundary":
             boundary.append(spot)
 
@@ -247,38 +267,60 @@ class _Search:
             search = ZeroSearch(program, self._full(partial.values), [self._region.period(i) for i in first.variables])
             share = Budget(min(self._budget.boxes, 2000))
             self._budget.boxes -= share.boxes
-            left = search.run([self._region.side(i) for i in first.variables], share).left
-            for box in left:
+            found = search.run([self._region.side(i) for i in first.variables], share)
+            self._account.extended(found.left, found.evidence)
+            for box in found.left:
                 values = {**partial.values, **dict(zip(first.variables, box, strict=True))}
                 if patch is None and partial.proved:
-                    patch = self._patch(stages, values)
+                    patch = self._patch(stages, values, partial.shown)
                 if len(self._left) < 50 and patch is None:
                     self._leave(values, "no patch of G-spots could be proved, and their absence was not proved either")
         if patch is not None:
             self._left.clear()
         return self._result((), (), patch)
 
-    def _patch(self, stages: Sequence[Stage], values: Mapping[int, arb]) -> Patch | None:
+    def _patch(
+        self, stages: Sequence[Stage], values: Mapping[int, arb], before: Sequence[Evidence | None]
+    ) -> Patch | None:
+        """A patch over a solution of the stages before, which exists by ``before``."""
         functions = [function for stage in stages for function in self._functions(stage)]
         variables = sorted({i for stage in stages for i in stage.variables})
         found = find_patch(functions, variables, self._full(values))
         if found is None:
             return None
         everywhere = {**values, **found.parameters, **found.box}
-        if self._region.position(self._whole.state(everywhere, self._whole.any_free())) != "inside":
-            return None
+        _, inside_region = self._region.position(self._whole.state(everywhere, self._whole.any_free()))
         place = self._whole.state(everywhere, self._whole.chosen_free())
         try:
             with working_bits(64):
-                check_mass_matrix(self._shifted, dict(zip(self._state, place, strict=True)), BALLS)
+                definite = check_mass_matrix(self._shifted, dict(zip(self._state, place, strict=True)), BALLS)
         except MechanismError:
+            return None
+        shown = every([*before, found.shown, inside_region, definite])
+        if shown is None:
             return None
 
         def words(sides: Mapping[int, arb]) -> tuple[tuple[str, str], ...]:
             mechanism, state = self._shifted.mechanism, self._state
             return tuple((state[i], in_words(mechanism, state[i], side)) for i, side in sides.items())
 
-        return Patch(len(found.parameters) + len(self._apart.free), words(found.parameters), words(found.box))
+        return Patch(len(found.parameters) + len(self._apart.free), words(found.parameters), words(found.box), shown)
+
+
+def _apart(left: Sequence[arb], right: Sequence[arb]) -> Evidence | None:
+    """That two boxes do not meet."""
+    return next((shown for x, y in zip(left, right, strict=True) if (shown := differ(x, y)) is not None), None)
+
+
+def _all_of(found: Zeros, gathered: Sequence[Box]) -> Evidence | None:
+    """That each zero is one of those that were found, which are different, or lies in a gathered box."""
+    if found.stopped:
+        return None
+    within = (
+        next((shown for box in gathered if (shown := every(map(inside, part, box))) is not None), None)
+        for part in found.left
+    )
+    return every([found.evidence, *within])
 
 
 def _singular(functions: Sequence[Expression], stage: Stage, state: Sequence[arb]) -> str:

@@ -7,7 +7,7 @@ The m - 4 further unknowns are fixed by conditions J: given, or components of th
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from flint import arb
@@ -26,6 +26,8 @@ from gspot_verified.mechanisms.formulas.symbol import Symbol
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.zeros.newton import NotFoundError, newton_point, proved_box
 from gspot_verified.numbers.balls import ball_text, working_bits
+from gspot_verified.numbers.evidence import every
+from gspot_verified.numbers.verdict import Evidence
 
 DEFAULT_BITS = 128
 
@@ -38,7 +40,8 @@ class NotThereError(GSpotError):
 class GSpot:
     """A G-spot with what Theorem 1 needs there. In balls, work with ``system`` inside ``working_bits(bits)``.
 
-    ``fixed`` names the components that the conditions J keep (empty when J was given as formulas).
+    ``fixed`` names the components that the conditions J keep (empty when J was given as formulas); ``shown``: by it
+    the box holds exactly one, and the mass matrix is positive definite there.
     """
 
     shifted: Shifted
@@ -46,6 +49,7 @@ class GSpot:
     exact: bool
     bits: int
     fixed: tuple[str, ...]
+    shown: Evidence | None = field(default=None, compare=False, repr=False)
 
     @property
     def mechanism(self) -> Mechanism:
@@ -268,8 +272,10 @@ def prove_near(shifted: Shifted, start: Mapping[str, arb], bits: int) -> GSpot:
         raise
     except ValueError as error:
         raise GSpotError(f"{name}: no G-spot found: {error}") from None
-    box = proved_box(program, point)
-    if box is None:
+    found = proved_box(program, point)
+    if found is None:
         raise NotFoundError(f"{name}: no G-spot could be proved near {[ball_text(value, 6) for value in point]}")
-    check_mass_matrix(shifted, dict(zip(shifted.mechanism.state, box, strict=True)), BALLS)
-    return GSpot(shifted, System(**{**vars(system), "point": tuple(box)}), False, bits, fixed)
+    box, inclusion = found
+    definite = check_mass_matrix(shifted, dict(zip(shifted.mechanism.state, box, strict=True)), BALLS)
+    shown = every([inclusion, definite])
+    return GSpot(shifted, System(**{**vars(system), "point": tuple(box)}), False, bits, fixed, shown)

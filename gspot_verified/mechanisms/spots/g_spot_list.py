@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 from flint import arb, fmpq
@@ -10,7 +11,8 @@ from flint import arb, fmpq
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.g_spot import GSpot
 from gspot_verified.numbers.balls import ball_text
-from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.evidence import equal, every
+from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
 _SHOWN = 20
@@ -34,7 +36,8 @@ class Left(NoTruthValue, Written):
 class Patch(NoTruthValue, Written):
     """For all values of ``parameters`` in their intervals exactly one G-spot has the other components in ``box``.
 
-    ``dimension`` is that of the curve or surface which the G-spots form there, free components included.
+    ``dimension`` is that of the curve or surface which the G-spots form there, free components included. ``shown`` is
+    what was compared for it.
     """
 
     ask: ClassVar[str] = ".dimension is that of the curve or surface"
@@ -42,11 +45,46 @@ class Patch(NoTruthValue, Written):
     dimension: int
     parameters: tuple[tuple[str, str], ...]
     box: tuple[tuple[str, str], ...]
+    shown: Evidence | None = field(default=None, compare=False, repr=False)
 
     def __str__(self) -> str:
         over = ", ".join(f"{word} in {text}" for word, text in self.parameters)
         there = ", ".join(f"{word} in {text}" for word, text in self.box)
         return f"for all {over} exactly one with {there}"
+
+
+@dataclass
+class Account:
+    """What a search for all G-spots compared, so that a solution that is lost on the way is missed.
+
+    The search begins with one solution, that nothing is known. Each time that a stage is solved for one solution it has
+    ``extensions`` in its place, by ``stages``. In the end each solution is one G-spot of the region, by ``inside``, or
+    lies outside, by ``outside``, or stays open.
+    """
+
+    extensions: list[int] = field(default_factory=list)
+    stages: list[Evidence | None] = field(default_factory=list)
+    inside: list[Evidence | None] = field(default_factory=list)
+    outside: list[Evidence | None] = field(default_factory=list)
+
+    def extended(self, solutions: Sequence[object], shown: Evidence | None) -> None:
+        """A solution of the stages before has these extensions, all different, and no others."""
+        self.extensions.append(len(solutions))
+        self.stages.append(shown)
+
+    def evidence(self, spots: int, open_places: int) -> Evidence | None:
+        """That these are all G-spots in the region, and nothing is open."""
+        solutions = 1 + sum(number - 1 for number in self.extensions)
+        return every(
+            [
+                equal(open_places, 0),
+                equal(spots, len(self.inside)),
+                equal(len(self.inside) + len(self.outside), solutions),
+                *self.stages,
+                *self.inside,
+                *self.outside,
+            ]
+        )
 
 
 @dataclass(frozen=True)
@@ -58,6 +96,7 @@ class GSpots(NoTruthValue, Written):
     ``complete``. ``searched`` says for each component what the region is. ``free`` are components that no condition
     holds: the spots repeat for all their values. They repeat with ``periods`` too (2 pi times the number given), in
     the angles of which one turn was searched. ``patch`` is given where there are fewer conditions than unknowns.
+    ``account`` is what was compared.
     """
 
     ask: ClassVar[str] = ".complete is True when all G-spots in the region are listed; .verdict has three outcomes"
@@ -71,22 +110,30 @@ class GSpots(NoTruthValue, Written):
     free: tuple[str, ...]
     patch: Patch | None = None
     periods: tuple[tuple[str, fmpq], ...] = ()
+    account: Account = field(default_factory=Account, compare=False, repr=False)
 
     @property
     def complete(self) -> bool:
         """Whether every G-spot in the region is in the list, and everything in the list in the region."""
-        return not self.left and not self.boundary and self.patch is None
+        return self.patch is None and self._all_shown is not None
+
+    @property
+    def _all_shown(self) -> Evidence | None:
+        return self.account.evidence(len(self.spots), len(self.left) + len(self.boundary))
 
     @property
     def verdict(self) -> Verdict:
         """On the statement that the region has G-spots, which are those of the list."""
-        if self.patch is not None:
-            return Verdict.argued(f"{self.name} has G-spots that form a {shape(self.patch.dimension)}", str(self.patch))
-        if self.complete and self.spots:
-            return Verdict.argued(f"{self.name} has exactly {_count(len(self.spots))} in the region searched")
-        statement = f"{self.name} has G-spots in the region searched"
-        if self.complete:
-            return Verdict.argued(statement, witness="every box of the region was excluded")
+        if self.patch is not None and self.patch.shown is not None:
+            form = f"{self.name} has G-spots that form a {shape(self.patch.dimension)}"
+            return Verdict.proved(form, self.patch.shown, str(self.patch))
+        shown = self._all_shown if self.patch is None else None
+        if shown is not None:
+            if self.spots:
+                exactly = f"{self.name} has exactly {_count(len(self.spots))} in the region searched"
+                return Verdict.proved(exactly, shown)
+            statement = f"{self.name} has G-spots in the region searched"
+            return Verdict.refuted(statement, "every box of the region was excluded", shown)
         detail = f"{len(self.spots)} proved, {len(self.boundary)} at the boundary, {len(self.left)} boxes left"
         budget = any("budget" in left.why for left in self.left)
         return Verdict.undecided(

@@ -15,6 +15,8 @@ from gspot_verified.mechanisms.derive.to_system import angle_ball
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.spots.spot_conditions import TakenApart
 from gspot_verified.numbers.balls import Exact, ExactInput, ball, ball_text, certainly_less, exact, hull
+from gspot_verified.numbers.evidence import at_most, equal, every, less
+from gspot_verified.numbers.verdict import Evidence
 
 DEFAULT_BOUND = 10
 """The bound on a component that has neither an interval nor a period, and is not found in closed form."""
@@ -83,15 +85,16 @@ class Region:
             return value
         return value - period * round(float(value.mid() / period.mid()))
 
-    def position(self, point: Sequence[arb]) -> str:
-        """ "inside", "outside", or "boundary" when the balls leave it open."""
-        found = "inside"
+    def position(self, point: Sequence[arb]) -> tuple[str, Evidence | None]:
+        """ "inside" or "outside" with the comparisons, or "boundary" when the balls leave it open."""
+        within: list[Evidence | None] = [equal(len(self._state), len(point))]
         for i, (lower, upper) in self._intervals.items():
-            if certainly_less(point[i], lower) is True or certainly_less(upper, point[i]) is True:
-                return "outside"
-            if not (point[i] >= lower and point[i] <= upper):
-                found = "boundary"
-        return found
+            beyond = less(point[i], lower) or less(upper, point[i])
+            if beyond is not None:
+                return "outside", beyond
+            within += [at_most(lower, point[i]), at_most(point[i], upper)]
+        inside = every(within)
+        return ("boundary", None) if inside is None else ("inside", inside)
 
     def searched(self, apart: TakenApart) -> tuple[tuple[str, str], ...]:
         """For each component in words what was searched."""

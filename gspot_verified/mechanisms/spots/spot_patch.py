@@ -12,8 +12,9 @@ from flint import arb, arb_mat
 
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.expressions import Expression
-from gspot_verified.mechanisms.zeros.krawczyk import krawczyk
+from gspot_verified.mechanisms.zeros.krawczyk import proved_zero
 from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.verdict import Evidence
 
 _STEPS = 40
 _WIDTHS = (-4, -7, -10, -14, -18, -24, -30)
@@ -21,10 +22,14 @@ _WIDTHS = (-4, -7, -10, -14, -18, -24, -30)
 
 @dataclass(frozen=True)
 class Graph:
-    """For all values of ``parameters`` (component: interval) exactly one zero has the other components in ``box``."""
+    """For all values of ``parameters`` (component: interval) exactly one zero has the other components in ``box``.
+
+    ``shown`` is the inclusion that proves it.
+    """
 
     parameters: dict[int, arb]
     box: dict[int, arb]
+    shown: Evidence
 
 
 def find_patch(functions: Sequence[Expression], variables: Sequence[int], place: Sequence[arb]) -> Graph | None:
@@ -41,13 +46,15 @@ def find_patch(functions: Sequence[Expression], variables: Sequence[int], place:
         for width in _WIDTHS:
             parameters = {i: point[i] + arb(0, arb(2) ** width) for i in variables if i not in solved}
             state = [parameters.get(i, side) for i, side in enumerate(place)]
-            box = _proved(program, state, [point[i] for i in solved], width)
-            if box is not None:
-                return Graph(parameters, dict(zip(solved, box, strict=True)))
+            proved = _proved(program, state, [point[i] for i in solved], width)
+            if proved is not None:
+                return Graph(parameters, dict(zip(solved, proved[0], strict=True)), proved[1])
     return None
 
 
-def _proved(program: BoxProgram, state: Sequence[arb], point: Sequence[arb], width: int) -> list[arb] | None:
+def _proved(
+    program: BoxProgram, state: Sequence[arb], point: Sequence[arb], width: int
+) -> tuple[list[arb], Evidence] | None:
     def at(values: Sequence[arb]) -> list[arb]:
         full = list(state)
         for i, value in zip(program.variables, values, strict=True):
@@ -56,7 +63,7 @@ def _proved(program: BoxProgram, state: Sequence[arb], point: Sequence[arb], wid
 
     for more in (1, 3, 6):
         box = [x + arb(0, arb(2) ** (width + more)) for x in point]
-        found = krawczyk(lambda x: program.values(at(x)), lambda x: program.gradients(at(x))[1], box)
+        found = proved_zero(lambda x: program.values(at(x)), lambda x: program.gradients(at(x))[1], box)
         if found is not None:
             return found
     return None

@@ -9,11 +9,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from flint import arb, arb_mat
+from flint import arb, arb_mat, fmpq
 
 from gspot_verified.functions.box_program import BoxProgram, common
-from gspot_verified.mechanisms.zeros.krawczyk import krawczyk, krawczyk_operator
+from gspot_verified.mechanisms.zeros.krawczyk import krawczyk_operator, proved_zero
 from gspot_verified.numbers.balls import current_bits, hull, working_bits
+from gspot_verified.numbers.dyadic import Dyadic
+from gspot_verified.numbers.evidence import cover_by_boxes, differ, equal, every, inside, less
+from gspot_verified.numbers.verdict import Evidence
 
 Box = tuple[arb, ...]
 
@@ -34,20 +37,42 @@ class Budget:
 
 @dataclass
 class Zero:
-    """One zero: ``enclosure`` holds it, and in each box of ``regions`` it is the only one."""
+    """One zero: ``enclosure`` holds it, and in each box of ``regions`` it is the only one.
+
+    ``shown`` has for each of them the inclusion that proves it, and why the zero is no other one, or is this one.
+    """
 
     enclosure: Box
     regions: list[Box]
+    shown: list[Evidence | None]
+
+    @property
+    def evidence(self) -> Evidence | None:
+        """That it is the only zero in each of its regions."""
+        return every([equal(len(self.regions), len(self.shown)), *self.shown])
 
 
 @dataclass
 class Zeros:
-    """Every zero in the box searched is one of ``zeros`` (which may lie just outside), or lies in a box of ``left``."""
+    """Every zero in the box searched is one of ``zeros`` (which may lie just outside), or lies in a box of ``left``.
+
+    ``settled`` says of each box that was dropped why it holds no further zero; ``halved`` of each box that was divided
+    that its halves cover it.
+    """
 
     zeros: list[Zero] = field(default_factory=list)
     left: list[Box] = field(default_factory=list)
     stopped: str = ""
     """Why the search ended before every box was small or excluded; empty when it did not."""
+    settled: list[Evidence] = field(default_factory=list)
+    halved: list[Evidence | None] = field(default_factory=list)
+
+    @property
+    def evidence(self) -> Evidence | None:
+        """That no zero was lost, and that the ``zeros`` are different: one box, and one more with each that was
+        divided, is settled or left."""
+        ended = equal(len(self.settled) + len(self.left), len(self.halved) + 1)
+        return every([ended, *self.settled, *self.halved, *(zero.evidence for zero in self.zeros)])
 
 
 class ZeroSearch:
@@ -94,13 +119,16 @@ class ZeroSearch:
             budget.boxes -= 1
             box = waiting.pop()
             rest = self._pruned(box)
-            if rest is None:
+            if isinstance(rest, Evidence):
+                self.found.settled.append(rest)
                 continue
             width = max(float(side.rad()) / scale for side, scale in zip(rest, self._scale, strict=True))
             if width < least or (width < _COARSE and self._undefined_at_middle(rest)):
                 self.found.left.append(rest)
             else:
-                waiting += self._halves(rest)
+                halves = self._halves(rest)
+                self.found.halved.append(cover_by_boxes(map(_ends, halves), _ends(rest)))
+                waiting += halves
 
     def state(self, box: Sequence[arb]) -> list[arb]:
         """The whole state with these sides as variables."""
@@ -109,21 +137,21 @@ class ZeroSearch:
             state[i] = side
         return state
 
-    def _pruned(self, box: Box) -> Box | None:
-        """A part of the box with all of its zeros that are not known yet; None when there are none."""
-        if self.is_known(box):
-            return None
+    def _pruned(self, box: Box) -> Box | Evidence:
+        """A part of the box with all of its zeros that are not known yet; or why there are none."""
+        if (known := self.known(box)) is not None:
+            return known
         state = self.state(box)
-        if any(value > 0 or value < 0 for value in self._program.values(state)):
-            return None
+        if (away := _not_zero(self._program.values(state))) is not None:
+            return away
         values, rows = self._program.mean_values_and_gradients(state)
         self._rows = rows
-        if any(value > 0 or value < 0 for value in values):
-            return None
+        if (away := _not_zero(values)) is not None:
+            return away
         if len(rows) != self._size:
             return box
-        if self._is_below(state):
-            return None
+        if (below := self._below(state)) is not None:
+            return below
         middle = [side.mid() for side in box]
         near = [[entry.mid() for entry in row] for row in rows]
         contracted = krawczyk_operator(self._program.values(self.state(middle)), rows, near, box)
@@ -131,40 +159,46 @@ class ZeroSearch:
             return box
         sides = []
         for new, old in zip(contracted, box, strict=True):
-            if not new.overlaps(old):
-                return None
+            if (apart := differ(new, old)) is not None:
+                return apart
             sides.append(common(old, new))
         rest = tuple(sides)
         if any(new.rad() >= old.rad() > 0 for new, old in zip(contracted, box, strict=True)):
             return rest
         self._prove_near(rest)
-        return None if self.is_known(rest) else rest
+        return self.known(rest) or rest
 
-    def _is_below(self, state: list[arb]) -> bool:
-        """Whether the objective stays below a value that it takes at a known zero."""
+    def _below(self, state: list[arb]) -> Evidence | None:
+        """That the objective stays below a value that it takes at a known zero."""
         if self._objective is None or self._reached is None:
-            return False
-        return bool(self._objective.mean_values(state)[0] < self._reached)
+            return None
+        return less(self._objective.mean_values(state)[0], self._reached)
 
     def _undefined_at_middle(self, box: Box) -> bool:
         return not all(value.is_finite() for value in self._program.values(self.state([side.mid() for side in box])))
 
-    def is_known(self, box: Sequence[arb]) -> bool:
-        """Whether the box lies in a region whose only zero is known."""
-        return any(self.lies_in(box, region) for zero in self.found.zeros for region in zero.regions)
+    def known(self, box: Sequence[arb]) -> Evidence | None:
+        """That the box lies in a region whose only zero is known."""
+        regions = (region for zero in self.found.zeros for region in zero.regions)
+        return next((shown for region in regions if (shown := self.lies_in(box, region)) is not None), None)
 
-    def lies_in(self, box: Sequence[arb], region: Sequence[arb]) -> bool:
-        """Whether the box, moved by whole periods, lies in the region."""
-        return all(
-            any(outer.contains(moved) for moved in self._copies(side, outer, period))
+    def lies_in(self, box: Sequence[arb], region: Sequence[arb]) -> Evidence | None:
+        """That the box, moved by whole periods, lies in the region."""
+        return every(
+            next(
+                (shown for moved in self._copies(side, outer, period) if (shown := inside(moved, outer)) is not None),
+                None,
+            )
             for side, outer, period in zip(box, region, self._periods, strict=True)
         )
 
-    def _may_meet(self, box: Sequence[arb], other: Sequence[arb]) -> bool:
-        return all(
-            any(outer.overlaps(moved) for moved in self._copies(side, outer, period))
-            for side, outer, period in zip(box, other, self._periods, strict=True)
+    def _apart(self, box: Sequence[arb], other: Sequence[arb]) -> Evidence | None:
+        """That on one side no translate of the box meets the other one."""
+        sides = zip(box, other, self._periods, strict=True)
+        found = (
+            every(differ(moved, outer) for moved in self._copies(side, outer, period)) for side, outer, period in sides
         )
+        return next((shown for shown in found if shown is not None), None)
 
     def _copies(self, side: arb, target: arb, period: arb | None) -> list[arb]:
         """The side moved by the numbers of periods that can bring it to the target."""
@@ -186,7 +220,7 @@ class ZeroSearch:
             )
             found = self._krawczyk(region)
             if found is not None:
-                self._add(tuple(found), region)
+                self._add(tuple(found[0]), region, found[1])
                 return
 
     def sharpened(self, zero: Zero) -> Box:
@@ -196,14 +230,20 @@ class ZeroSearch:
         for _ in range(8 if point is not None else 0):
             region = tuple(x + arb(0, (small * (1 + abs(x))).upper()) for x in point or ())
             found = self._krawczyk(region)
-            if found is not None and any(self.lies_in(found, known) for known in zero.regions):
+            if found is not None and (same := self.same(found[0], zero)) is not None:
                 zero.regions.append(region)
-                return tuple(found)
+                zero.shown.append(every([found[1], same]))
+                return tuple(found[0])
             small = small * 64
         return zero.enclosure
 
-    def _krawczyk(self, region: Sequence[arb]) -> list[arb] | None:
-        return krawczyk(
+    def same(self, box: Sequence[arb], zero: Zero) -> Evidence | None:
+        """That a zero in the box is this one."""
+        found = (self.lies_in(box, region) for region in zero.regions)
+        return next((shown for shown in found if shown is not None), None)
+
+    def _krawczyk(self, region: Sequence[arb]) -> tuple[list[arb], Evidence] | None:
+        return proved_zero(
             lambda at: self._program.values(self.state(at)),
             lambda at: self._program.gradients(self.state(at))[1],
             region,
@@ -227,14 +267,16 @@ class ZeroSearch:
                 break
         return point
 
-    def _add(self, enclosure: Box, region: Box) -> None:
+    def _add(self, enclosure: Box, region: Box, inclusion: Evidence) -> None:
         """Keep a proved zero: a new one, or one more region of a known one, or (when that is not certain) nothing."""
         for zero in self.found.zeros:
-            if any(self.lies_in(enclosure, known) for known in zero.regions):
+            if (same := self.same(enclosure, zero)) is not None:
                 zero.regions.append(region)
+                zero.shown.append(every([inclusion, same]))
                 return
-        if not any(self._may_meet(enclosure, zero.enclosure) for zero in self.found.zeros):
-            self.found.zeros.append(Zero(enclosure, [region]))
+        others = [self._apart(enclosure, zero.enclosure) for zero in self.found.zeros]
+        if None not in others:
+            self.found.zeros.append(Zero(enclosure, [region], [every([inclusion, *others])]))
             if self._objective is not None:
                 (value,) = self._objective.mean_values(self.state(enclosure))
                 if value.is_finite() and (self._reached is None or value > self._reached):
@@ -257,6 +299,18 @@ class ZeroSearch:
         j = weights.index(max(weights))
         widest = widths.index(max(widths))
         return widest if not weights[j] > 0 or widths[widest] > 64 * widths[j] else j
+
+
+def _not_zero(values: Sequence[arb]) -> Evidence | None:
+    """That one of the enclosures does not hold 0."""
+    return next((shown for value in values if (shown := differ(0, value)) is not None), None)
+
+
+def _ends(box: Box) -> tuple[list[fmpq], list[fmpq]]:
+    """The exact ends of its sides."""
+    pairs = [Dyadic.from_ball(side).endpoints() for side in box]
+    lower, upper = ([fmpq(end.numerator, end.denominator) for end in ends] for ends in zip(*pairs, strict=True))
+    return lower, upper
 
 
 def clusters(boxes: Sequence[Box]) -> list[Box]:

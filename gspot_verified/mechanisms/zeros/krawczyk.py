@@ -9,6 +9,9 @@ from collections.abc import Callable, Sequence
 
 from flint import arb, arb_mat
 
+from gspot_verified.numbers.evidence import every, in_interior
+from gspot_verified.numbers.verdict import Evidence
+
 Vector = list[arb]
 Matrix = list[list[arb]]
 
@@ -29,6 +32,16 @@ def krawczyk(
     >>> root is not None and root[0].overlaps(arb(2).sqrt())
     True
     """
+    found = proved_zero(function, jacobian, box)
+    return None if found is None else found[0]
+
+
+def proved_zero(
+    function: Callable[[Vector], Vector],
+    jacobian: Callable[[Vector], Matrix],
+    box: Sequence[arb],
+) -> tuple[Vector, Evidence] | None:
+    """The box K of :func:`krawczyk`, and that it lies in the interior of the given one."""
     middle = [side.mid() for side in box]
     try:
         at_middle = function(middle)
@@ -39,8 +52,8 @@ def krawczyk(
     found = krawczyk_operator(at_middle, over_box, at_centre, box)
     if found is None:
         return None
-    inside = all(strictly_inside(new, old) for new, old in zip(found, box, strict=True))
-    return found if inside else None
+    inclusion = every(in_interior(new, old) for new, old in zip(found, box, strict=True))
+    return None if inclusion is None else (found, inclusion)
 
 
 def krawczyk_operator(

@@ -13,8 +13,9 @@ from gspot_verified.expansion.series.system import GSpotError, System
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.linear import inverse
 from gspot_verified.functions.rings import BALLS
-from gspot_verified.mechanisms.zeros.krawczyk import krawczyk
+from gspot_verified.mechanisms.zeros.krawczyk import proved_zero
 from gspot_verified.numbers.balls import current_bits
+from gspot_verified.numbers.verdict import Evidence
 
 _NEWTON_STEPS = 60
 _INFLATIONS = 12
@@ -45,12 +46,12 @@ def newton_point(system: System, program: BoxProgram) -> list[arb]:
     raise NotFoundError(f"{system.name}: Newton's method finds no G-spot from the given start")
 
 
-def proved_box(program: BoxProgram, point: Sequence[arb]) -> list[arb] | None:
+def proved_box(program: BoxProgram, point: Sequence[arb]) -> tuple[list[arb], Evidence] | None:
     """A box around the point that holds exactly one zero of the program's functions; None when none was proved."""
     radius = arb(2) ** (26 - current_bits())
     for _ in range(_INFLATIONS):
         box = [x + arb(0, (radius * (1 + abs(x))).upper()) for x in point]
-        found = krawczyk(program.values, lambda at: program.gradients(at)[1], box)
+        found = proved_zero(program.values, lambda at: program.gradients(at)[1], box)
         if found is not None:
             return found
         radius = radius * 64

@@ -7,7 +7,7 @@ the velocities.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from flint import arb, arb_mat
 
@@ -16,6 +16,8 @@ from gspot_verified.functions.derivative import partial_derivative
 from gspot_verified.functions.expressions import Expression
 from gspot_verified.functions.straight_line import StraightLine
 from gspot_verified.numbers.balls import add_remainder
+from gspot_verified.numbers.evidence import differ, every, less, signed
+from gspot_verified.numbers.verdict import Evidence
 
 Point = tuple[arb, ...]
 
@@ -24,12 +26,14 @@ Point = tuple[arb, ...]
 class Roots:
     """All zeros, one in each ball of ``points``; or ``open``: why the balls leave their number open.
 
-    ``near`` is then a place that holds all zeros: two meet there, or nearly meet.
+    ``near`` is then a place that holds all zeros: two meet there, or nearly meet. ``shown`` is what was compared: by it
+    the zeros are those of ``points``, or all lie in ``near``.
     """
 
     points: tuple[Point, ...]
     open: str | None = None
     near: Point | None = None
+    shown: Evidence | None = None
 
 
 class VelocityRoots:
@@ -67,11 +71,11 @@ class VelocityRoots:
             solved = _solved(rows, [[-value] for value in constants])
             if solved is None:
                 return Roots((), "the affine conditions may be dependent")
-            return Roots((tuple(row[0] for row in solved),))
+            return Roots((tuple(row[0] for row in solved[0]),), shown=every(solved[1]))
         line = _line(rows, constants, len(self._variables))
         if line is None:
             return Roots((), "the affine conditions may be dependent")
-        start, direction = line
+        start, direction, regular = line
         for i, value in zip(self._variables, start, strict=True):
             state[i] = value
         (constant,) = self._quadratic.values(state)
@@ -83,6 +87,7 @@ class VelocityRoots:
             tuple(_along(start, direction, s) for s in found.points),
             found.open,
             None if found.near is None else _along(start, direction, found.near),
+            every([*regular, found.shown]),
         )
 
 
@@ -93,6 +98,7 @@ class ScalarRoots:
     points: tuple[arb, ...]
     open: str | None = None
     near: arb | None = None
+    shown: Evidence | None = field(default=None, compare=False, repr=False)
 
 
 def quadratic_roots(a: arb, b: arb, c: arb) -> ScalarRoots:
@@ -104,36 +110,41 @@ def quadratic_roots(a: arb, b: arb, c: arb) -> ScalarRoots:
     >>> quadratic_roots(arb(1), arb(0), arb(1))
     ScalarRoots(points=(), open=None, near=None)
     """
-    if a.is_zero():
-        if b > 0 or b < 0:
-            return ScalarRoots((-c / b,))
-        if b.is_zero() and (c > 0 or c < 0):
-            return ScalarRoots(())
-        return ScalarRoots((), "the polynomial may be constant in the velocity")
-    if not (a > 0 or a < 0):
+    leading, slope, constant = signed(a), signed(b), signed(c)
+    if leading is None:
         return ScalarRoots((), "the quadratic coefficient may vanish: a root may come from infinity")
+    if leading[0] == 0:
+        if slope is not None and slope[0] != 0:
+            return ScalarRoots((-c / b,), shown=every([leading[1], slope[1]]))
+        if slope is not None and constant is not None and constant[0] != 0:
+            return ScalarRoots((), shown=every([leading[1], slope[1], constant[1]]))
+        return ScalarRoots((), "the polynomial may be constant in the velocity")
     discriminant = b * b - 4 * a * c
-    if discriminant < 0:
-        return ScalarRoots(())
+    none = less(discriminant, 0)
+    if none is not None:
+        return ScalarRoots((), shown=every([leading[1], none]))
     # Every root lies here: |s + b/(2 a)| = sqrt(discriminant)/(2 |a|).
     near = add_remainder(-b, discriminant.abs_upper().sqrt()) / (2 * a)
-    if not discriminant > 0:
-        return ScalarRoots((), "two roots meet, or nearly meet, or there are none", near)
+    two = less(0, discriminant)
+    if two is None:
+        return ScalarRoots((), "two roots meet, or nearly meet, or there are none", near, leading[1])
     root = discriminant.sqrt()
-    if b > 0 or b < 0:  # no cancellation: the larger root first, the other from the product c/a
-        large = -(b + root) / 2 if b > 0 else (root - b) / 2
-        pair = [large / a, c / large]
+    if slope is not None and slope[0] != 0:  # no cancellation: the larger root first, the other from the product c/a
+        large = -(b + root) / 2 if slope[0] > 0 else (root - b) / 2
+        pair = (large / a, c / large)
     else:
-        pair = [(-b - root) / (2 * a), (root - b) / (2 * a)]
-    if not pair[0] < pair[1]:
-        pair.reverse()
-    if not pair[0] < pair[1]:
-        return ScalarRoots((), "two roots meet, or nearly meet", near)
-    return ScalarRoots(tuple(pair))
+        pair = ((-b - root) / (2 * a), (root - b) / (2 * a))
+    for first, second in (pair, pair[::-1]):
+        apart = less(first, second)
+        if apart is not None:
+            return ScalarRoots((first, second), shown=every([leading[1], two, apart]))
+    return ScalarRoots((), "two roots meet, or nearly meet", near, leading[1])
 
 
-def _line(rows: Sequence[Sequence[arb]], constants: Sequence[arb], size: int) -> tuple[list[arb], list[arb]] | None:
-    """A point w_0 and a direction n: rows w + constants = 0 exactly for w = w_0 + s n."""
+def _line(
+    rows: Sequence[Sequence[arb]], constants: Sequence[arb], size: int
+) -> tuple[list[arb], list[arb], list[Evidence | None]] | None:
+    """A point w_0 and a direction n: rows w + constants = 0 exactly for w = w_0 + s n; and that this is regular."""
     best = None
     for j in range(size):
         others = [k for k in range(size) if k != j]
@@ -145,24 +156,29 @@ def _line(rows: Sequence[Sequence[arb]], constants: Sequence[arb], size: int) ->
             continue
         start, direction = [arb(0)] * size, [arb(0)] * size
         direction[j] = arb(1)
-        for k, (value, slope) in zip(others, solved, strict=True):
+        for k, (value, slope) in zip(others, solved[0], strict=True):
             start[k], direction[k] = value, slope
         size_of = max((float(x.abs_upper()) for x in direction), default=1.0)
         if best is None or size_of < best[0]:
-            best = (size_of, start, direction)
-    return None if best is None else (best[1], best[2])
+            best = (size_of, start, direction, solved[1])
+    return None if best is None else best[1:]
 
 
-def _solved(rows: Sequence[Sequence[arb]], right: Sequence[Sequence[arb]]) -> list[list[arb]] | None:
-    """The solution of a linear system for several right sides; None when the matrix is not certainly regular."""
+def _solved(
+    rows: Sequence[Sequence[arb]], right: Sequence[Sequence[arb]]
+) -> tuple[list[list[arb]], list[Evidence | None]] | None:
+    """The solution of a linear system for several right sides, and that the determinant is not 0 (nothing, for an empty
+    system); None when the matrix is not certainly regular."""
     if not rows:
-        return []
+        return [], []
+    matrix = arb_mat([list(row) for row in rows])
     try:
-        found = arb_mat([list(row) for row in rows]).solve(arb_mat([list(row) for row in right]))
+        found = matrix.solve(arb_mat([list(row) for row in right]))
     except ZeroDivisionError:
         return None
     solved = [[found[i, j] for j in range(len(right[0]))] for i in range(len(rows))]
-    return solved if all(value.is_finite() for row in solved for value in row) else None
+    finite = all(value.is_finite() for row in solved for value in row)
+    return (solved, [differ(0, matrix.det())]) if finite else None
 
 
 def _dot(left: Sequence[arb], right: Sequence[arb]) -> arb:

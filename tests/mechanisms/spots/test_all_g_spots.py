@@ -21,12 +21,15 @@ from gspot_verified.functions.expressions import Variable
 from gspot_verified.mechanisms.input.given import from_fields, lagrangian
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
-from gspot_verified.mechanisms.spots.all_g_spots import _singular, find_g_spots
+from gspot_verified.mechanisms.spots.all_g_spots import _Search, _singular, find_g_spots
 from gspot_verified.mechanisms.spots.g_spot import DEFAULT_BITS, GSpot, find_g_spot
-from gspot_verified.mechanisms.spots.g_spot_list import GSpots, Left, Patch
+from gspot_verified.mechanisms.spots.g_spot_list import Account, GSpots, Left, Patch
+from gspot_verified.mechanisms.spots.search_region import Region
 from gspot_verified.mechanisms.spots.spot_conditions import Stage
+from gspot_verified.mechanisms.zeros.all_zeros import Zeros, ZeroSearch
 from gspot_verified.numbers.balls import working_bits
-from gspot_verified.numbers.verdict import Outcome, Reason
+from gspot_verified.numbers.evidence import less
+from gspot_verified.numbers.verdict import Evidence, Outcome, Reason
 
 CRITICAL = Fraction(4, 3)
 
@@ -581,8 +584,96 @@ def test_what_is_left_open_is_not_called_complete() -> None:
     assert not any("more are left" in line for line in str(replace(found, left=(left,) * 20)).splitlines())
     shown = [line.split(":")[0] for line in lines if line.startswith(("  G-spot", "  at the"))]
     assert shown == [*(f"  G-spot {n}" for n in range(1, 5)), "  at the boundary of the region 1"]
-    patched = replace(found, patch=Patch(2, (("w", "[0, 1]"),), (("s", "[2, 3]"),)))
+    patch = Patch(2, (("w", "[0, 1]"),), (("s", "[2, 3]"),))
+    assert replace(found, patch=patch).verdict.outcome is Outcome.UNDECIDED
+    patched = replace(found, patch=replace(patch, shown=less(0, 1)))
     assert (patched.complete, patched.verdict.outcome) == (False, Outcome.PROVED)
     assert "form a surface" in patched.verdict.statement
     assert "  fix components (fixed, conditions) for isolated G-spots and a complete list" in str(patched)
     assert "  for all w in [0, 1] exactly one with s in [2, 3]" in str(patched)
+
+
+SPIN = {"theta_dot": (0, 100)}
+"""Two of the four spots of the rod lie in this box, two outside."""
+
+
+def test_each_solution_is_accounted_for() -> None:
+    found = find_g_spots(classical_rod(Fraction(7, 5)), SPIN)
+    account = found.account
+    assert (len(account.inside), len(account.outside)) == (2, 2)
+    assert sum(account.extensions) - len(account.extensions) == 3
+    evidence = account.evidence(2, 0)
+    assert evidence is not None
+    assert found.verdict.evidence is not None
+    assert found.verdict.evidence.facts == evidence.facts
+    assert len(evidence.facts) > 20
+    assert account.evidence(3, 0) is None
+    assert account.evidence(2, 1) is None
+    for wrong in (
+        Account(),
+        replace(account, stages=[None, *account.stages[1:]]),
+        replace(account, inside=account.inside[1:]),
+        replace(account, outside=account.outside[1:]),
+        replace(account, outside=[*account.outside[1:], None]),
+        replace(account, inside=[None, *account.inside[1:]]),
+        replace(account, extensions=account.extensions[1:]),
+        replace(account, extensions=[*account.extensions, 0]),
+    ):
+        other = replace(found, account=wrong)
+        assert not other.complete
+        assert other.verdict.outcome is Outcome.UNDECIDED
+    fewer = replace(found, spots=found.spots[1:])
+    assert (fewer.complete, fewer.verdict.outcome) == (False, Outcome.UNDECIDED)
+
+
+def test_a_solution_that_is_lost_leaves_the_list_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of a stage, or at its end."""
+    solve, finish = _Search._solve, _Search._finish
+    for attribute, lossy in (
+        ("_solve", lambda self, *rest: solve(self, *rest)[1:]),
+        ("_finish", lambda self, partial, *rest: rest[0] or finish(self, partial, *rest)),
+    ):
+        with monkeypatch.context() as patched:
+            patched.setattr(_Search, attribute, lossy)
+            found = find_g_spots(classical_rod(Fraction(7, 5)))
+        assert len(found.spots) < 4
+        assert found.verdict.outcome is Outcome.UNDECIDED
+        assert not found.complete
+
+
+def test_what_is_claimed_without_a_comparison_leaves_the_list_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    """That a spot lies outside, or inside; that its zero is that of the stages; that a stage has no zero."""
+    rod = classical_rod(Fraction(7, 5))
+    for place, word in (("outside", 0), ("inside", 4)):
+        with monkeypatch.context() as patched:
+            patched.setattr(Region, "position", lambda *_, place=place: (place, None))
+            found = find_g_spots(rod)
+        assert len(found.spots) == word
+        assert found.verdict.outcome is Outcome.UNDECIDED
+    with monkeypatch.context() as patched:
+        patched.setattr(ZeroSearch, "same", lambda *_: None)
+        assert find_g_spots(rod).left
+    with monkeypatch.context() as patched:
+        patched.setattr(ZeroSearch, "run", lambda *_: Zeros())
+        found = find_g_spots(rod)
+        assert (found.spots, found.left) == ((), ())
+        assert found.verdict.outcome is Outcome.UNDECIDED
+
+
+def test_a_stage_that_is_left_out_proves_no_spot(monkeypatch: pytest.MonkeyPatch) -> None:
+    solve = _Search._solve
+    monkeypatch.setattr(
+        _Search, "_solve", lambda self, stage, part: [part] if part.values else solve(self, stage, part)
+    )
+    found = find_g_spots(classical_rod(Fraction(7, 5)))
+    assert not found.spots
+    assert found.verdict.outcome is Outcome.UNDECIDED
+
+
+def test_a_patch_hands_over_what_shows_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    sphere = polynomial("w^2 + s^2 + r^2 - 1", "w - s^2", ("w", "s", "r"))
+    found = find_g_spots(sphere)
+    assert isinstance(found.verdict.evidence, Evidence)
+    assert sum("lies in the interior" in fact for fact in found.verdict.evidence.facts) == 2
+    monkeypatch.setattr(Region, "position", lambda *_: ("inside", None))
+    assert find_g_spots(sphere).patch is None

@@ -5,6 +5,7 @@ proofs/all_g_spots.md, section 3.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -163,6 +164,64 @@ def test_every_box_that_is_looked_at_counts() -> None:
         budget = Budget(1)
         found = ZeroSearch(BoxProgram([function], 1), [arb(0)], [None]).run([arb(0, 1)], budget)
         assert (len(found.zeros), found.left, found.stopped, budget.boxes) == (zeros, [], "", 0)
+
+
+def test_the_evidence_counts_every_box_and_every_zero() -> None:
+    roots = [Fraction(-1, 2), Fraction(1, 3), Fraction(1, 2)]
+    found = search([with_roots(roots)], [arb(0, 1)])
+    assert found.evidence is not None
+    facts = found.evidence.facts
+    assert facts[0] == f"{len(found.settled)} = {len(found.halved) + 1}"
+    assert len(found.halved) > 1
+    assert any("!=" in fact for fact in facts)
+    assert sum("2 boxes cover" in fact for fact in facts) == len(found.halved)
+    assert sum("lies in the interior of" in fact for fact in facts) == sum(len(zero.regions) for zero in found.zeros)
+    for wrong in (
+        replace(found, settled=found.settled[1:]),
+        replace(found, halved=found.halved[1:]),
+        replace(found, halved=[None, *found.halved[1:]]),
+        replace(found, left=[(arb(0),)]),
+        replace(found, zeros=[replace(found.zeros[0], shown=[])]),
+        replace(found, zeros=[replace(found.zeros[0], shown=[None])]),
+    ):
+        assert wrong.evidence is None
+
+
+@pytest.mark.parametrize("keep", [(0,), (1,), (0, 0), (1, 1), (), (0, 1, 1)], ids=str)
+def test_a_half_that_is_left_out_leaves_no_evidence(keep: tuple[int, ...], monkeypatch: pytest.MonkeyPatch) -> None:
+    """One half forgotten, both, or one taken twice: zeros are missing, and nothing says that these are all."""
+    whole = ZeroSearch._halves
+    function = [X * X * (X * X + c(1)) - c(Fraction(1, 4))]
+    assert search(function, [arb(0, 1)]).evidence is not None
+
+    def some(self: ZeroSearch, box: all_zeros.Box) -> list[all_zeros.Box]:
+        halves = whole(self, box)
+        return [halves[k] for k in keep]
+
+    monkeypatch.setattr(ZeroSearch, "_halves", some)
+    assert search(function, [arb(0, 1)], budget=500).evidence is None
+
+
+def test_halves_that_do_not_cover_their_box_leave_no_evidence(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each half a little too short: between them is a gap, in which no zero would be seen."""
+    whole = ZeroSearch._halves
+
+    def shorter(self: ZeroSearch, box: all_zeros.Box) -> list[all_zeros.Box]:
+        return [tuple(side.mid() + (side - side.mid()) * arb("0.999") for side in half) for half in whole(self, box)]
+
+    monkeypatch.setattr(ZeroSearch, "_halves", shorter)
+    found = search([with_roots([Fraction(-1, 2), Fraction(1, 2)])], [arb(0, 1)])
+    assert len(found.zeros) == 2
+    assert found.evidence is None
+
+
+def test_zeros_that_may_be_one_are_not_called_two(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A zero that cannot be told from those known is not counted, and its box is left."""
+    two = [with_roots([Fraction(-1, 2), Fraction(1, 2)])]
+    monkeypatch.setattr(ZeroSearch, "_apart", lambda *_: None)
+    found = search(two, [arb(0, 1)], budget=200)
+    assert len(found.zeros) == 1
+    assert found.left
 
 
 def test_a_box_without_zeros_is_excluded_by_the_operator() -> None:

@@ -131,3 +131,45 @@ def test_without_a_linear_term_the_roots_are_opposite(middle: arb, a: int) -> No
     assert found.open is None
     assert [holds(point, root) for point, root in zip(found.points, (-2, 2), strict=True)] == [True, True]
     assert ends(found.points[0])[1] < 0 < ends(found.points[1])[0]
+
+
+@pytest.mark.parametrize(
+    ("coefficients", "facts"),
+    [
+        ((1, -3, 2), ["0 < 1", "0 < 1", "1.00000 < 2.00000"]),
+        ((-1, 3, -2), ["-1.00000 < 0", "0 < 1", "1.00000 < 2.00000"]),
+        ((1, 0, 1), ["0 < 1", "-4.00000 < 0"]),
+        ((0, 2, 3), ["0 = 0", "0 < 2"]),
+        ((0, 0, -1), ["0 = 0", "0 = 0", "-1.00000 < 0"]),
+    ],
+)
+def test_each_number_of_roots_has_its_comparisons(coefficients: tuple[int, ...], facts: list[str]) -> None:
+    found = quadratic_roots(*map(arb, coefficients))
+    assert found.open is None
+    assert found.shown is not None
+    assert [fact.replace(".00000", "") for fact in found.shown.facts] == [fact.replace(".00000", "") for fact in facts]
+
+
+@pytest.mark.parametrize("coefficients", [(0, 0, 0), ("0 +/- 1", 1, 1), (0, "0 +/- 1", 1), ("nan", 1, 1)])
+def test_an_open_form_shows_nothing(coefficients: tuple[str | int, ...]) -> None:
+    found = quadratic_roots(*map(arb, coefficients))
+    assert found.open
+    assert found.shown is None
+
+
+def test_a_regular_system_shows_its_determinant() -> None:
+    """2 x - 3 = 0 and x + y = 0; beside it a quadratic function on the line of the affine one."""
+    x, y = Variable(0), Variable(1)
+    affine = [Constant(fmpq(2)) * x - Constant(fmpq(3)), x + y]
+    closed = VelocityRoots.of(affine, 2, (0, 1))
+    assert closed is not None
+    shown = closed.all_roots([arb(0), arb(0)]).shown
+    assert shown is not None
+    assert shown.facts == ("0 != 2.00000",)
+    mixed = VelocityRoots.of([affine[1], x * y + Constant(fmpq(1))], 2, (0, 1))
+    assert mixed is not None
+    found = mixed.all_roots([arb(0), arb(0)])
+    assert len(found.points) == 2
+    assert found.shown is not None
+    assert found.shown.facts[0] == "0 != 1.00000"
+    assert len(found.shown.facts) == 4
