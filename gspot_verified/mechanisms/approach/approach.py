@@ -322,6 +322,7 @@ class _Attempt:
             notes=self.mechanism.notes,
             path=self._path(),
             bits=self.bits,
+            supposed=self.start.supposed,
         )
 
     def _texts(self, values: list[arb]) -> tuple[tuple[str, str], ...]:

@@ -48,7 +48,8 @@ class Approach(NoTruthValue, Written):
     the G-spot, or the state at the event; ``time`` the time until then. At a G-spot ``case``, ``alphas``, ``beta`` and
     ``coefficient`` (C_1) are what they are there; ``side`` is "lift-off", "impact without collision", or None where it
     is undecided or the theory says none, and ``side_reason`` says why. ``least_slip`` bounds u on the path from below;
-    ``notes`` say how the mechanism was read.
+    ``notes`` say how the mechanism was read. ``supposed`` names what is 0 on the contact and was not shown to be
+    exactly 0 in the state that was given: the statement is then about the state on the contact.
     """
 
     ask: ClassVar[str] = ASK_VERDICT
@@ -75,6 +76,7 @@ class Approach(NoTruthValue, Written):
     notes: tuple[str, ...]
     path: SlipPath
     bits: int
+    supposed: tuple[str, ...] = ()
 
     @property
     def rests_on(self) -> str:
@@ -114,12 +116,18 @@ class Approach(NoTruthValue, Written):
     @property
     def warnings(self) -> tuple[str, ...]:
         """What the statement supposes beyond the mechanism."""
-        if self.surface_velocity is None and self.least_slip is not None:
-            return (
-                f"u is not positive here: positive slip needs a surface that moves with a velocity below "
-                f"{ball_text(self.least_slip, 6)}; nothing is said about stick",
+        found = []
+        if self.supposed:
+            found.append(
+                f"the state is supposed to lie on the contact: {', '.join(self.supposed)} = 0 there is not shown, its "
+                "ball holds 0; leave out two components that y = 0 and v = 0 determine"
             )
-        return ()
+        if self.surface_velocity is None and self.least_slip is not None:
+            found.append(
+                f"u is not positive here: positive slip needs a surface that moves with a velocity below "
+                f"{ball_text(self.least_slip, 6)}; nothing is said about stick"
+            )
+        return tuple(found)
 
     def _where(self) -> str:
         return "the G-spot" if self.end == "G-spot" else "there"

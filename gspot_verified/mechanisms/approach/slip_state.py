@@ -21,7 +21,7 @@ from gspot_verified.mechanisms.formulas.symbol import Symbol
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, Place, exact_rational
 from gspot_verified.mechanisms.spots.g_spot import place_in
 from gspot_verified.mechanisms.zeros.krawczyk import krawczyk
-from gspot_verified.numbers.balls import ExactInput, add_remainder, ball_text, current_bits
+from gspot_verified.numbers.balls import ExactInput, add_remainder, ball_text, current_bits, sign_of
 
 _NEWTON_STEPS = 40
 _INFLATIONS = 8
@@ -36,10 +36,14 @@ class StateError(MechanismError):
 
 @dataclass(frozen=True, slots=True)
 class SlipState:
-    """A box of the state (angles from their references) in which the state on the contact lies, and what was solved."""
+    """A box of the state (angles from their references) in which the state on the contact lies, and what was solved.
+
+    ``supposed`` names what is 0 on the contact and was not shown to be 0 in the state that was given: its ball holds 0.
+    """
 
     box: tuple[arb, ...]
     solved: tuple[str, ...]
+    supposed: tuple[str, ...] = ()
 
 
 def slip_state(shifted: Shifted, state: StateInput) -> SlipState:
@@ -66,9 +70,8 @@ def slip_state(shifted: Shifted, state: StateInput) -> SlipState:
     program = BoxProgram(shifted.expressions([shifted.functions.y, shifted.functions.v], BALLS), len(box))
     if missing:
         found = _solved(mechanism, program, box, missing)
-        _check_constraints(shifted, found)
-        return SlipState(found, tuple(missing))
-    _check_constraints(shifted, box)
+        return SlipState(found, tuple(missing), _supposed_constraints(shifted, found))
+    constraints = _supposed_constraints(shifted, box)
     y, v = program.values(box)
     for name, value in (("y", y), ("v", v)):
         if not value.contains(0) or not value.is_finite():
@@ -76,19 +79,30 @@ def slip_state(shifted: Shifted, state: StateInput) -> SlipState:
                 f"{mechanism.name}: the state is not on the contact: {name} = {ball_text(value)} must be 0; "
                 "leave out two components that y = 0 and v = 0 determine"
             )
-    return SlipState(tuple(box), ())
+    supposed = tuple(name for name, value in (("y", y), ("v", v)) if _perhaps_not_zero(value))
+    return SlipState(tuple(box), (), (*supposed, *constraints))
 
 
-def _check_constraints(shifted: Shifted, box: Sequence[arb]) -> None:
-    """A state off a constraint of the mechanism is none of its states, though the equations of motion hold there."""
+def _supposed_constraints(shifted: Shifted, box: Sequence[arb]) -> tuple[str, ...]:
+    """The constraints that hold perhaps; one that fails is an error: such a state is none of the mechanism's, though
+    the equations of motion hold there."""
     if not shifted.constraints:
-        return
+        return ()
+    supposed: list[str] = []
     program = BoxProgram(shifted.expressions(shifted.constraints, BALLS), len(box))
     for i, value in enumerate(program.values(list(box))):
+        count = len(shifted.constraints) // 2
+        what = f"constraint {i + 1}" if i < count else f"the rate of constraint {i + 1 - count}"
         if not value.contains(0) or not value.is_finite():
-            count = len(shifted.constraints) // 2
-            what = f"constraint {i + 1}" if i < count else f"the rate of constraint {i + 1 - count}"
             raise StateError(f"{shifted.mechanism.name}: {what} must be 0 in the state, it is {ball_text(value)}")
+        if _perhaps_not_zero(value):
+            supposed.append(what)
+    return tuple(supposed)
+
+
+def _perhaps_not_zero(value: arb) -> bool:
+    """Whether the ball is more than the exact 0."""
+    return sign_of(value) != 0
 
 
 def _values(shifted: Shifted, state: StateInput, missing: Sequence[str]) -> list[arb]:

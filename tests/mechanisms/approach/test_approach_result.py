@@ -39,6 +39,15 @@ def test_what_is_said_of_each_end() -> None:
     assert moving.warnings[0].startswith("u is not positive here: positive slip needs a surface that moves with a vel")
     assert moving.warnings[0].endswith("below -2.00000; nothing is said about stick")
     assert replace(moving, least_slip=None).warnings == ()
+    first, second = replace(moving, supposed=("y", "v")).warnings
+    assert first.startswith("the state is supposed to lie on the contact: y, v = 0 there is not shown")
+    assert second == moving.warnings[0]
+    assert first in str(replace(found, supposed=("y", "v")))
+    assert found.supposed == ()
+    cosine = shipped_mechanism("frictional impact oscillator")
+    psi = {"psi": "cos(phi_ref + 1/10) - 1", "psi_dot": "9/10*sin(phi_ref + 1/10)"}
+    whole = approach(cosine, {"phi": "phi_ref + 1/10", "phi_dot": "-9/10"} | psi, max_steps=1)
+    assert whole.supposed == ("y", "v")
     assert found.to_json()["rests_on"] != event.to_json()["rests_on"] == "proved for rigid slip"
     assert replace(found, time=None, alphas=None).to_json()["alphas"] is None
     assert len(found.to_json()["alphas"]) == 3

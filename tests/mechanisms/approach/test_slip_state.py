@@ -97,3 +97,22 @@ def test_two_components_or_none_may_be_missing(given: tuple[str, ...]) -> None:
     state = {"phi": "phi_ref", "psi": "-2/5", "phi_dot": "-1"}
     with pytest.raises(StateError, match=r"give all components of the state, or all but the two .* missing: p"):
         slip_state(shift(OSCILLATOR), {word: state[word] for word in given})
+
+
+def test_a_full_state_is_on_the_contact_exactly_or_that_is_said() -> None:
+    """psi = cos(phi) - 1 cut after 50 digits lies 10^-50 off the contact, and the balls do not see it."""
+    state = {"phi": "phi_ref + 1/10", "phi_dot": "-9/10"}
+    with working_bits(400):
+        solved = slip_state(shift(OSCILLATOR), state)
+        assert solved.supposed == ()
+        digits = {
+            word: solved.box[OSCILLATOR.state.index(word)].mid().str(50, radius=False) for word in ("psi", "psi_dot")
+        }
+    with working_bits(160):
+        assert slip_state(shift(OSCILLATOR), state | digits).supposed == ("y", "v")
+    with working_bits(400), pytest.raises(StateError, match="not on the contact"):
+        slip_state(shift(OSCILLATOR), state | digits)
+    model = shift(shipped_mechanism("model system"))
+    with working_bits(160):
+        exact = {word: {"u": 3, "p": "1/2", "b": -2}.get(word, 0) for word in model.mechanism.state}
+        assert slip_state(model, exact).supposed == ()
