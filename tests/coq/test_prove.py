@@ -338,6 +338,11 @@ def test_neither_the_environment_nor_what_was_made_before_is_believed(
     small: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     hostile(small, tmp_path / "home", monkeypatch)
+    truth = tmp_path / "truth"
+    truth.mkdir()
+    small.compile_all(small.read_sources(), truth, 1)
+    for compiled in truth.glob("*.vo"):  # of a statement that was true, beside the sources
+        shutil.copy(compiled, small.HERE)
     write(small, FALSE)
     assert small.prove(1, kernel=False) == 1
     said = capsys.readouterr()
