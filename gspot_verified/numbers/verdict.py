@@ -141,15 +141,6 @@ class Verdict(Written):
         return cls(Outcome.PROVED, statement, detail=detail, evidence=evidence)
 
     @classmethod
-    def argued(cls, statement: str, detail: str = "", witness: str = "") -> Verdict:
-        """The statement holds (with a witness: it fails) by the program around the call, and not by values: where
-        tests/rigour allows that."""
-        evidence = Evidence._of_facts((f"argued: {statement}",))
-        if witness:
-            return cls(Outcome.REFUTED, statement, witness=witness, detail=detail, against=evidence)
-        return cls(Outcome.PROVED, statement, detail=detail, evidence=evidence)
-
-    @classmethod
     def refuted(cls, statement: str, witness: str, evidence: Evidence | None, detail: str = "") -> Verdict:
         """The statement fails at ``witness`` by the evidence: what was compared there.
 

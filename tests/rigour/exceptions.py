@@ -8,13 +8,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from rigour.rules import ARGUED, FLOATS, NEGATION, ORDER, RULES, SAYS, ZERO, Finding
+from rigour.rules import EVIDENCE, FLOATS, NEGATION, ORDER, RULES, SAYS, ZERO, Finding
 
 LIST = Path(__file__).with_name("exceptions.toml")
 
 _FREE_OF = {
     "heuristics": (FLOATS, ORDER, ZERO, NEGATION),
-    "faces": tuple(rule for rule in RULES if rule not in (ARGUED, SAYS)),
+    "faces": tuple(rule for rule in RULES if rule not in (EVIDENCE, SAYS)),
 }
 
 Place = tuple[str, str, str]

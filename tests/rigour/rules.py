@@ -8,16 +8,16 @@ from dataclasses import dataclass
 
 from rigour.types_of_expressions import BALL, FLOAT, UNKNOWN, Kinds
 
-FLOATS, ORDER, NEGATION, ZERO, HULL, EXCEPT, ASSERT, ARGUED, SAYS = (
-    "floats", "order", "negation", "zero", "hull", "except", "assert", "argued", "says"
+FLOATS, ORDER, NEGATION, ZERO, HULL, EXCEPT, ASSERT, EVIDENCE, SAYS = (
+    "floats", "order", "negation", "zero", "hull", "except", "assert", "evidence", "says"
 )  # fmt: skip
-RULES = (FLOATS, ORDER, NEGATION, ZERO, HULL, EXCEPT, ASSERT, ARGUED, SAYS)
+RULES = (FLOATS, ORDER, NEGATION, ZERO, HULL, EXCEPT, ASSERT, EVIDENCE, SAYS)
 
 _ORDERINGS = ("min", "max", "sorted", "sort", "nsmallest", "nlargest", "bisect", "bisect_left", "bisect_right")
 _COMPARED = (ast.Lt, ast.Gt, ast.LtE, ast.GtE, ast.Eq, ast.NotEq)
 _BROAD = ("BaseException", "Exception", "ValueError", "TypeError", "ArithmeticError", "RuntimeError",
           "AttributeError", "LookupError", "AssertionError")  # fmt: skip
-_SAYING = ("proved", "argued", "refuted")
+_SAYING = ("proved", "refuted")
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,8 +56,8 @@ def _broken(node: ast.AST, kinds: Kinds, scopes: dict[int, _Scope]) -> Iterator[
             yield HULL
         if name == "Verdict":
             yield SAYS
-    if _goes_without_values(node):
-        yield ARGUED
+    if _makes_evidence_by_hand(node):
+        yield EVIDENCE
     if isinstance(node, ast.Attribute) and node.attr in _SAYING and ast.unparse(node.value) == "Verdict":
         yield SAYS
     if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not) and _compares_balls(node.operand, kinds):
@@ -77,9 +77,9 @@ def _takes_a_float(node: ast.AST) -> bool:
     return isinstance(node, ast.Attribute) and node.attr == "mid"
 
 
-def _goes_without_values(node: ast.AST) -> bool:
-    """``Verdict.argued``, or evidence made elsewhere than by a comparison of evidence.py."""
-    return isinstance(node, ast.Attribute) and (node.attr == "_of_facts" or ast.unparse(node) == "Verdict.argued")
+def _makes_evidence_by_hand(node: ast.AST) -> bool:
+    """Evidence that is made elsewhere than by a comparison of evidence.py."""
+    return isinstance(node, ast.Attribute) and node.attr == "_of_facts"
 
 
 def _called(node: ast.Call) -> str:

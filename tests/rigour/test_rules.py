@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from rigour.exceptions import LIST, complaints, exceptions
-from rigour.rules import ARGUED, ASSERT, EXCEPT, FLOATS, HULL, NEGATION, ORDER, RULES, SAYS, ZERO, Finding, findings
+from rigour.rules import ASSERT, EVIDENCE, EXCEPT, FLOATS, HULL, NEGATION, ORDER, RULES, SAYS, ZERO, Finding, findings
 from rigour.types_of_expressions import Kinds, kinds_in_files
 
 HEAD = """
@@ -65,9 +65,7 @@ FLAGGED = {
     "a hypothesis about a number": (ASSERT, "assert q > 0"),
     "who says proved": (SAYS, "return Verdict.proved('it holds', unknown)"),
     "who hands the constructor on": (SAYS, "return Verdict.refuted"),
-    "who says proved without values": (ARGUED, "return Verdict.argued('it holds')"),
-    "who argues says proved": (SAYS, "return Verdict.argued('it holds')"),
-    "evidence made by hand": (ARGUED, "return Verdict.proved('it holds', unknown._of_facts(('it holds',)))"),
+    "evidence made by hand": (EVIDENCE, "return Verdict.proved('it holds', unknown._of_facts(('it holds',)))"),
     "who builds a verdict": (SAYS, "return Verdict(Outcome.PROVED, 'it holds')"),
 }
 
