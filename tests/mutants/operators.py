@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import ast
 import copy
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from types import CodeType
@@ -70,18 +70,25 @@ class _Site:
             getattr(self.owner, self.field)[self.position] = node
 
 
-def mutants_of(root: Path, file: str) -> list[Mutant]:
-    """Every mutant of the file, in the order of its text. Equal changes of equal lines in one scope are numbered."""
+def mutants_of(root: Path, file: str, lines: Collection[tuple[str, str]] | None = None) -> list[Mutant]:
+    """Every mutant of the file, in the order of its text. Equal changes of equal lines in one scope are numbered.
+
+    ``lines``: only the changes of these, (scope, before); all of a scope for "*".
+    """
     tree = ast.parse((root / file).read_text(encoding="utf-8"))
     found: list[Mutant] = []
     seen: dict[tuple[str, str, str], int] = {}
+    headers: dict[ast.stmt, str] = {}
     for index, (site, node, changed) in enumerate(_changes(tree)):
-        before = _header(site.statement)
+        if site.statement not in headers:
+            headers[site.statement] = _header(site.statement)
+        before, scope = headers[site.statement], ".".join(site.scope) or "module"
+        if lines is not None and (scope, before) not in lines and (scope, "*") not in lines:
+            continue
         _apply(site, changed)
         # A statement that is taken away is replaced in its owner; the site still holds the old one.
         after = _header(changed) if node is site.statement else _header(site.statement)  # type: ignore[arg-type]
         _apply(site, node)
-        scope = ".".join(site.scope) or "module"
         count = seen[(scope, before, after)] = seen.get((scope, before, after), 0) + 1
         if before != after:
             after = after if count == 1 else f"{after}  # occurrence {count}"

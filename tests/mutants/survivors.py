@@ -51,10 +51,15 @@ def complaints(
     listed, existing = set(listed), list(existing)
     found = [f"survived and is not in the list:\n{entry(m)}" for m in survived if not is_listed(m, listed)]
     found += [f"is in the list and was killed: {mutant}" for mutant in killed if mutant.key in listed]
-    keys = {key for mutant in existing for key in (mutant.key, *_wider(mutant))}
     files = {mutant.file for mutant in existing}
-    gone = sorted(key for key in listed if key[0] in files and key not in keys)
+    gone = stale([key for key in listed if key[0] in files], existing)
     return found + [f"is in the list and exists no longer: {' | '.join(key)}" for key in gone]
+
+
+def stale(listed: Iterable[Key], existing: Iterable[Mutant]) -> list[Key]:
+    """The entries that no mutant of ``existing`` has; these are all mutants of the files that are listed."""
+    keys = {key for mutant in existing for key in (mutant.key, *_wider(mutant))}
+    return sorted(key for key in listed if key not in keys)
 
 
 def entry(mutant: Mutant) -> str:

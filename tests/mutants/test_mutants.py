@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 from mutants.choice import mirrored, parts
-from mutants.operators import code_of, mutants_of
-from mutants.survivors import complaints, entry, read_survivors
+from mutants.operators import Mutant, code_of, mutants_of
+from mutants.survivors import complaints, entry, read_survivors, stale
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -157,6 +157,32 @@ def test_a_whole_scope_is_a_function_with_every_change_of_it(
 def test_the_committed_list_reads() -> None:
     listed = read_survivors(ROOT / "tests" / "mutants" / "survivors.toml")
     assert {key[0] for key in listed if not (ROOT / key[0]).is_file()} == set()
+
+
+def test_every_committed_entry_still_names_a_mutant_of_its_source() -> None:
+    """A line that was changed, or moved to another function, has its survivors judged anew."""
+    listed = read_survivors(ROOT / "tests" / "mutants" / "survivors.toml")
+    lines: dict[str, set[tuple[str, str]]] = {}
+    for file, scope, before, _ in listed:
+        lines.setdefault(file, set()).add((scope, before))
+    assert stale(listed, [mutant for file, some in lines.items() for mutant in mutants_of(ROOT, file, some)]) == []
+
+
+@pytest.mark.parametrize(
+    "source", ["def f():\n    a = b <= c\n", "def g():\n    a = b < c\n", "def f():\n    pass\n", ""]
+)
+def test_an_entry_is_stale_once_its_line_has_changed_moved_or_gone(tmp_path: Path, source: str) -> None:
+    def mutants(text: str) -> list[Mutant]:
+        (tmp_path / "x.py").write_text(text)
+        return mutants_of(tmp_path, "x.py")
+
+    before = mutants("def f():\n    a = b < c\n")
+    assert mutants_of(tmp_path, "x.py", {("f", "a = b < c")}) == mutants_of(tmp_path, "x.py", {("f", "*")}) == before
+    assert mutants_of(tmp_path, "x.py", {("g", "a = b < c"), ("f", "a = b")}) == []
+    listed = [before[0].key, (*before[0].key[:3], "*"), ("x.py", "f", "*", "*")]
+    assert stale(listed, before) == []
+    kept = [key for key in listed if source.startswith("def f():\n    a") and key[2] == "*"]
+    assert stale(listed, mutants(source)) == sorted(set(listed) - set(kept))
 
 
 def run(

@@ -76,12 +76,26 @@ def test_trivial_solution_has_no_deviation() -> None:
         ((2,), {"alpha_3": -3}, "beta: 2 was given"),
         ((2, 0), {}, "epsilon: expected"),
         ((2, "1e-301"), {}, "epsilon: expected"),
+        ((2, 10**6 + 1), {}, "epsilon: expected"),
+        ((2, 10**5 + 1), {"alpha_1": -10}, "epsilon: expected"),
         ((200,), {}, "expected a number in"),
     ],
 )
 def test_bad_models_are_refused(arguments, options, message) -> None:
     with pytest.raises(ValueError, match=message):
         compliant_model(*arguments, **options)
+
+
+def test_the_range_of_epsilon_holds_its_ends_and_is_one_of_the_normal_form() -> None:
+    assert compliant_model(2, 10**6).scaled_epsilon == compliant_model(2, 10**5, alpha_1=-10).scaled_epsilon == 10**6
+    assert compliant_model(2, "1e-300").scaled_epsilon == fmpq(10) ** -300
+
+
+def test_time_runs_against_p() -> None:
+    """p falls at the rate epsilon in the time of the normal form, and T = 0 is p = 0."""
+    model = compliant_model("7/3", "1/10")
+    early, late = (deviation(model, compliant_state(p, 0, -1, 0, 0)) for p in ("1/2", "-1/5"))
+    assert (early.time, late.time) == (-5, 2)
 
 
 def test_no_contact_is_refused() -> None:
