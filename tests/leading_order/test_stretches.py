@@ -227,6 +227,31 @@ def test_an_open_sign_beyond_the_crossing_leaves_the_number_open() -> None:
     assert crossing.number is None
 
 
+def test_an_open_sign_before_the_crossing_leaves_it_open() -> None:
+    beta = fmpq(7, 2)
+    found = stretches(beta, -1, fmpq(-3))
+    first = found.critical[0]
+    unsure = Bracket(first.lower, first.upper, arb(5, 10))
+    assert first_crossing(found, lambda _: arb(-5), 5) is not None
+    assert (
+        first_crossing(Stretches(beta, -1, found.start, (unsure, *found.critical[1:]), False), lambda _: arb(-5), 5)
+        is None
+    )
+
+
+def test_a_crossing_close_to_the_start_with_fifteen_decimals_and_with_two() -> None:
+    """Its lower end is the start itself, above the level, where the last critical value lies below it."""
+    found = stretches(fmpq(7, 2), -1, fmpq(-3))
+    level = arb(fmpq(1, 10**4)) - found.start.value.mid()
+    assert found.critical[-1].value + level < 0
+    close, fine = first_crossing(found, lambda _: level, 2), first_crossing(found, lambda _: level)
+    assert close is not None
+    assert close.lower == -3
+    assert fine is not None
+    assert fine.upper - fine.lower == fmpq(1, 10**15)
+    assert close.lower < fine.lower < fine.upper < close.upper
+
+
 @given(st.fractions(-5, 5, max_denominator=30), st.integers(0, 6))
 def test_narrowed_keeps_the_crossing(root: Fraction, digits: int) -> None:
     target = to_fmpq(root)

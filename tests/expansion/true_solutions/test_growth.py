@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import math
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 import pytest
@@ -141,6 +142,31 @@ def test_undecided_has_no_side() -> None:
     with pytest.raises(ValueError, match="nothing is proved"):
         found.latest("1/10")
     assert found.to_json()["side"] is None
+
+
+def test_undecided_names_no_place_where_it_happens() -> None:
+    assert "after s" not in str(uniform_side(extended("3/2"), 1, "1/10"))
+
+
+def test_the_radii_hold_the_slow_deviation_and_the_tube(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The run begins at the midpoints: the ball of the slow deviation counts, as ``within`` does."""
+
+    class Begun(Exception):
+        pass
+
+    def begin(*arguments: Any) -> Track:
+        middles, radii = arguments[4:6]
+        assert all(value.is_exact() for value in middles)
+        assert all(Fraction(3, 4) <= ends(radius)[0] <= Fraction(4, 5) for radius in radii)
+        raise Begun
+
+    def wide(equations: DeviationEquations, *_: Any) -> list[arb]:
+        return [arb(1, "0.5")] * (equations.dimension + 4)
+
+    monkeypatch.setattr(side, "slow_deviation", wide)
+    monkeypatch.setattr(side, "track", begin)
+    with pytest.raises(Begun):
+        uniform_side(extended("3/2"), 1, "1/50", within="1/4")
 
 
 def test_a_family_that_holds_both_sides_is_undecided() -> None:

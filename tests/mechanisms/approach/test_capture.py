@@ -89,6 +89,13 @@ def test_the_ways_by_hand() -> None:
             assert ends(rate)[1] <= least
 
 
+def test_the_time_left_is_no_less_than_a_third() -> None:
+    """p = 1 and α_1 = -3, exact: 1/3 is no number of arb, and the bound lies above it."""
+    found = _reach(numbers(), numbers(alpha_1=arb(-3)))
+    assert found is not None
+    assert Fraction(1, 3) <= ends(found[1])[0]
+
+
 @pytest.mark.parametrize("name", ["alpha_1", "alpha_3"])
 @pytest.mark.parametrize("value", [arb(0), arb(1), arb(-1, 2), arb("nan")])
 def test_no_ways_without_decay(name: str, value: arb) -> None:

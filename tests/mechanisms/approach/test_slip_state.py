@@ -92,6 +92,14 @@ def test_a_full_state_off_the_contact_is_none(word: str, name: str, off: str) ->
         slip_state(shift(OSCILLATOR), state | {word: moved})
 
 
+@pytest.mark.parametrize("word", ["phi", "phi_dot"])
+def test_a_component_that_is_too_large_for_a_ball_is_named(word: str) -> None:
+    state = {"phi": "phi_ref", "phi_dot": "-1"} | {word: "exp(exp(exp(100)))"}
+    for given in (state, state | {"psi": "-2/5", "psi_dot": "4/5"}):
+        with working_bits(100), pytest.raises(StateError, match=f"{word} is not finite"):
+            slip_state(shift(OSCILLATOR), given)
+
+
 @pytest.mark.parametrize("given", [("phi",), ("phi", "psi", "phi_dot"), ()])
 def test_two_components_or_none_may_be_missing(given: tuple[str, ...]) -> None:
     state = {"phi": "phi_ref", "psi": "-2/5", "phi_dot": "-1"}
