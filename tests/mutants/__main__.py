@@ -87,6 +87,7 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
         if options.record and not found and options.scope is None:
             stated = None if len(chosen) == len(judged) else size
             row = Judged(stated, seed if stated else 0, len(everything), len(killed), argued, len(waived))
+            rows = read_judged(table)  # another run may have written rows since
             if file not in rows or not rows[file].holds(row):
                 rows[file] = row
                 write_judged(table, rows)
