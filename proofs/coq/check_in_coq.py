@@ -78,7 +78,10 @@ PRINTED = re.compile(r' += "((?:[^"]|"")*)"%string\n +: string\n')
 
 
 def beside(path: Path) -> ModuleType:
-    """Another script of the proofs as a module."""
+    """Another script of the proofs as a module: the one that is loaded already, where it is of this file."""
+    known = sys.modules.get(path.stem)
+    if known is not None and known.__spec__ and known.__spec__.origin == str(path):
+        return known
     spec = importlib.util.spec_from_file_location(path.stem, path)
     assert spec
     assert spec.loader

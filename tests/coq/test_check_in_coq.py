@@ -44,6 +44,12 @@ def test_both_checkers_know_the_certificate_of_zeros() -> None:
     assert "N = 1 on (1, 2)" in mutate.checker().check_text(ZEROS.read_bytes())
 
 
+def test_a_script_that_is_loaded_is_not_loaded_twice(script: ModuleType) -> None:
+    """A second module of that name took the place of the first: what the first one had made could not be pickled."""
+    checker = mutate.checker()
+    assert script.beside(mutate.CHECKER) is checker is sys.modules["check"]
+
+
 def test_numbers_and_pieces_as_terms(script: ModuleType) -> None:
     script = script.beside(COQ / "certificate_source.py")
     assert [script.number(text) for text in ("0", "-81/64", "3")] == ["(0 # 1)", "((-81) # 64)", "(3 # 1)"]
