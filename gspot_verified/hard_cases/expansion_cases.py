@@ -1,8 +1,14 @@
-"""Hard cases of the expansions: polynomials of high degree, high orders of Theorem 1, an order that is obstructed."""
+"""Hard cases of the expansions: polynomials of high degree, high orders of Theorem 1, an order that is obstructed.
+
+The usual computation beside them: the library's own recursion of Theorem 1 with doubles as its numbers.
+"""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from flint import arb, fmpq
@@ -11,7 +17,6 @@ from gspot_verified.expansion.in_balls import expand_in_balls
 from gspot_verified.expansion.series.system import GSpotError, System
 from gspot_verified.expansion.trajectory import Trajectory, terms_of
 from gspot_verified.hard_cases.double import double_text
-from gspot_verified.hard_cases.double_ring import Doubles
 from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10, near, nearest_double
 from gspot_verified.hard_cases.timed import timed
 from gspot_verified.mechanisms.expand import expand
@@ -19,6 +24,88 @@ from gspot_verified.mechanisms.shipped import shipped_system
 from gspot_verified.numbers.balls import ball_text, working_bits
 from gspot_verified.theta_function.value.evaluate import evaluate
 from gspot_verified.theta_function.value.integer import polynomial
+
+
+class DoublePolynomial:
+    """A polynomial with doubles as coefficients; zeros at its end are cut off."""
+
+    def __init__(self, coefficients: Any) -> None:
+        self._values = np.trim_zeros(np.asarray(coefficients, dtype=float), "b")
+
+    def coeffs(self) -> list[float]:
+        """The coefficients, from the constant term on."""
+        return [float(value) for value in self._values]
+
+    def length(self) -> int:
+        """How many coefficients there are."""
+        return len(self._values)
+
+    def __add__(self, other: DoublePolynomial) -> DoublePolynomial:
+        return DoublePolynomial(_plus(self._values, other._values))
+
+    def __sub__(self, other: DoublePolynomial) -> DoublePolynomial:
+        return DoublePolynomial(_plus(self._values, -other._values))
+
+    def __neg__(self) -> DoublePolynomial:
+        return DoublePolynomial(-self._values)
+
+    def __mul__(self, other: DoublePolynomial | float) -> DoublePolynomial:
+        if not isinstance(other, DoublePolynomial):
+            return DoublePolynomial(self._values * other)
+        if not (self.length() and other.length()):
+            return DoublePolynomial([])
+        return DoublePolynomial(np.convolve(self._values, other._values))
+
+
+def _plus(left: Any, right: Any) -> Any:
+    total = np.zeros(max(len(left), len(right)))
+    total[: len(left)] += left
+    total[: len(right)] += right
+    return total
+
+
+NOISE = 1e-12
+
+
+class Doubles:
+    """The ring of the recursion (``expansion.rings.Ring``) in double precision; nothing in it is certain."""
+
+    def number(self, value: Any) -> float:
+        """The nearest double."""
+        return value if isinstance(value, float) else int(fmpq(value).p) / int(fmpq(value).q)
+
+    def polynomial(self, coefficients: Sequence[float]) -> DoublePolynomial:
+        """A polynomial."""
+        return DoublePolynomial(coefficients)
+
+    def is_zero(self, value: float) -> bool:
+        """As it looks."""
+        return value == 0
+
+    def is_nonzero(self, value: float) -> bool:
+        """More than what rounding leaves."""
+        return abs(value) > NOISE
+
+    def is_negative(self, value: float) -> bool:
+        """As it looks."""
+        return value < 0
+
+    def sine_cosine(self, value: float) -> tuple[float, float]:
+        """Both."""
+        return math.sin(value), math.cos(value)
+
+    def exponential(self, value: float) -> float:
+        """Its exponential."""
+        return math.exp(value)
+
+    def logarithm(self, value: float) -> float:
+        """Its logarithm."""
+        return math.log(value)
+
+    def power(self, value: float, exponent: fmpq) -> float:
+        """A rational power."""
+        return float(value ** (int(exponent.p) / int(exponent.q)))
+
 
 TAU = fmpq(5)
 _BITS = 256

@@ -2,19 +2,39 @@
 by which sources. One run at a time holds it.
 
 A line that a kill cut short is dropped on the next start. Nothing here is proved: who reads a line checks what it says.
+
+The sources are known by a hash of the package's code and of the version of FLINT below it: what other code left in a
+file is not its own.
 """
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import stat
 import weakref
+from functools import lru_cache
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
-from gspot_verified.work.source_key import source_key
+import flint
+
+_PACKAGE = Path(__file__).resolve().parents[1]
+
+
+@lru_cache(maxsize=1)
+def source_key() -> str:
+    """The hash, of the files as they are when this process first asks.
+
+    >>> len(source_key())
+    64
+    """
+    found = hashlib.sha256(f"{flint.__FLINT_VERSION__}\0".encode())
+    for path in sorted(_PACKAGE.rglob("*.py")):
+        found.update(f"{path.relative_to(_PACKAGE).as_posix()}\0".encode() + path.read_bytes())
+    return found.hexdigest()
 
 
 class JournalFile:

@@ -13,7 +13,7 @@ from gspot_verified import theta
 from gspot_verified.cli import main
 from gspot_verified.hard_cases.catalogue import Catalogue, Measured, measure_hard_cases
 from gspot_verified.hard_cases.double import double_text, real_roots, sign_changes, theta_double
-from gspot_verified.hard_cases.double_ring import DoublePolynomial, Doubles
+from gspot_verified.hard_cases.expansion_cases import DoublePolynomial, Doubles
 from gspot_verified.hard_cases.family import CASES, families
 from gspot_verified.hard_cases.fold_cases import force_in_doubles
 from gspot_verified.hard_cases.hard_case import HardCase, agrees, bits_lost, log10, near, nearest_double

@@ -1,4 +1,7 @@
-"""The benchmark behind ``gspot-verified cost mechanism``: from a mechanism to all of its G-spots."""
+"""The benchmark behind ``gspot-verified cost mechanism``: to all G-spots of a mechanism, and along slip to one.
+
+The mechanisms are planar legs and chains of slender rods, of any size.
+"""
 
 from __future__ import annotations
 
@@ -8,20 +11,107 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from fractions import Fraction
 from functools import partial
+from typing import Any
 
-from gspot_verified.cost.benchmarks.mechanism_approach import approach_rows
-from gspot_verified.cost.benchmarks.mechanism_models import chain, leg
+from gspot_verified.cost.benchmarks.force import forget
 from gspot_verified.cost.benchmarks.mechanism_sweep import sweep_rows
 from gspot_verified.cost.times.benchmark import Benchmark
 from gspot_verified.cost.times.curves import TimeCurve
 from gspot_verified.cost.times.measure import Contestant, child_environment, machine_load, measure
 from gspot_verified.cost.times.rows import Row, Target
+from gspot_verified.mechanisms.approach.approach import approach
+from gspot_verified.mechanisms.input.given import lagrangian
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.spots.all_g_spots import find_g_spots
 from gspot_verified.mechanisms.spots.classify_all import classify_all
 from gspot_verified.mechanisms.spots.critical_friction import critical_friction
+
+
+def leg(links: int, height: str = "2", mu: str = "1", **options: Any) -> Mechanism:
+    """Slender rods of length 1 and mass 1, hinged in a row; the first hangs from a hip at the given height.
+
+    The angles count from the vertical; the contact point is the end of the last rod.
+
+    >>> leg(3).state
+    ('a1', 'a2', 'a3', 'a1_dot', 'a2_dot', 'a3_dot')
+    """
+    return _rods(f"leg of {links} links", links, [], height, mu, options)
+
+
+def chain(links: int, mu: str = "2", **options: Any) -> Mechanism:
+    """The same rods with a first end that moves freely in the plane: two coordinates more.
+
+    >>> len(chain(5).state)
+    14
+    """
+    return _rods(f"chain of {links} links", links, ["X", "Y"], "0", mu, options)
+
+
+def _rods(name: str, links: int, base: list[str], height: str, mu: str, options: dict[str, Any]) -> Mechanism:
+    angles = [f"a{i + 1}" for i in range(links)]
+    weights = [Fraction(1, 2) + links - 1 - i for i in range(links)]
+    rows, forces = [], []
+    for own, slope, sign, gravity in (("cos", "sin", "", ""), ("sin", "cos", "-", f" - {links}"))[: len(base)]:
+        diagonal = [str(links) if word == ("X" if own == "cos" else "Y") else "0" for word in base]
+        moments = list(zip(weights, angles, strict=True))
+        rows.append(diagonal + [f"{weight}*{own}({angle})" for weight, angle in moments])
+        forces.append(
+            " + ".join(f"{sign}{weight}*{slope}({angle})*{angle}_dot^2" for weight, angle in moments) + gravity
+        )
+    for i, angle in enumerate(angles):
+        row = [f"{weights[i]}*{own}({angle})" for own in ("cos", "sin")[: len(base)]]
+        bends = f"-{weights[i]}*sin({angle})"
+        for j, other in enumerate(angles):
+            coupling = _coupling(links, i, j)
+            row.append(f"{coupling}*cos({angle} - {other})" if i != j else str(coupling))
+            bends += f" - {coupling}*sin({angle} - {other})*{other}_dot^2" if i != j else ""
+        rows.append(row)
+        forces.append(bends)
+    x = " + ".join([*base[:1], *(f"sin({angle})" for angle in angles)])
+    y = " - ".join([base[1] if base else height, *(f"cos({angle})" for angle in angles)])
+    return lagrangian(name, [*base, *angles], rows, forces, x, y, mu, **options)
+
+
+def _coupling(links: int, i: int, j: int) -> Fraction:
+    """The coefficient of cos(a_i - a_j) in the mass matrix."""
+    after = links - 1 - max(i, j)
+    return (Fraction(1, 3) if i == j else Fraction(1, 2)) + after
+
+
+CASES = (
+    ("oscillator", {"phi": "phi_ref + 1/10", "phi_dot": "-9/10"}),
+    ("oscillator", {"phi": "phi_ref + 1/10", "phi_dot": "-1/2"}),
+    ("extended", {"x": "0", "u": "3", "p": "1/4", "b": "-1/2"}),
+    ("rod", {"X": "0", "X_dot": "2", "theta": "theta_ref - 1/20", "theta_dot": "1/2"}),
+)
+_SECONDS = 3.0
+
+
+def approach_rows(progress: Callable[[str], None] = lambda _: None) -> list[Row]:
+    """One row for each start: processor time of everything, from the mechanism to the side."""
+    rows = []
+    for name, state in CASES:
+        text = ", ".join(f"{word} = {value}" for word, value in state.items())
+        progress(f"approach of {name} from {text}")
+        forget()
+        start = time.process_time()
+        result = approach(shipped_mechanism(name), state)
+        figure = time.process_time() - start
+        rows.append(
+            Row(
+                "approach",
+                f"{result.name}, {text}",
+                Target("processor time", _SECONDS, "s"),
+                figure,
+                cold=figure,
+                note=f"{result.end}, {result.side}, {result.bits} bits",
+            )
+        )
+    return rows
+
 
 Progress = Callable[[str], None]
 

@@ -1,6 +1,9 @@
 """The figures of the report: atlas, Theta, its slope, routes, side-switching, the series at tau -> -oo; the force.
 
 Each caption is written from the numbers that were certified while the figure was drawn, so it cannot claim more.
+
+What they draw are numbers taken from certified enclosures: the floats bound each ball from outside
+(:func:`gspot_verified.numbers.balls.float_bounds`).
 """
 
 from __future__ import annotations
@@ -10,7 +13,6 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from gspot_verified.report.figures import samples
 from gspot_verified.report.figures.atlas import atlas_picture
 from gspot_verified.report.figures.force_figure import force_picture
 from gspot_verified.report.pictures.canvas import (
@@ -29,6 +31,167 @@ from gspot_verified.signs.zeros.zeros import zeros_on_range
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from flint import arb, fmpq
+
+from gspot_verified.numbers.balls import (
+    ball,
+    bits_for_digits,
+    certainly_less,
+    exact,
+    float_bounds,
+    relative_bits,
+    sign_of,
+    working_bits,
+)
+from gspot_verified.numbers.dyadic import Dyadic
+from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamma
+from gspot_verified.theta_function.theta import theta
+from gspot_verified.theta_function.value.routes import theta_by
+
+_DIGITS_PER_BIT = math.log10(2)
+_BOX_BITS = 6
+_NARROWEST = Fraction(1, 1024)
+_SERIES_DIGITS = 60
+
+
+@dataclass(frozen=True, slots=True)
+class SampledEnclosures:
+    """Enclosures at points: the exact value at ``at[i]`` lies in ``[lower[i], upper[i]]``."""
+
+    label: str
+    at: tuple[float, ...]
+    lower: tuple[float, ...]
+    upper: tuple[float, ...]
+    accurate: int
+    """At how many points the enclosure has the accuracy that was asked for."""
+
+    @property
+    def middle(self) -> tuple[float, ...]:
+        """The middle of each enclosure: where the line is drawn."""
+        return tuple((low + high) / 2 for low, high in zip(self.lower, self.upper, strict=True))
+
+
+@dataclass(frozen=True, slots=True)
+class Boxes:
+    """Enclosures on touching intervals: for *every* tau in ``[edges[i], edges[i+1]]`` the value is in the bounds i."""
+
+    label: str
+    edges: tuple[float, ...]
+    lower: tuple[float, ...]
+    upper: tuple[float, ...]
+    negative: int
+    """How many of the boxes are certainly below 0."""
+
+
+@dataclass(frozen=True, slots=True)
+class SeriesError:
+    """The relative error of the series cut after ``terms`` terms, and its proved bound."""
+
+    terms: int
+    error: SampledEnclosures
+    bound: SampledEnclosures
+    certain: int
+    """At how many points error < bound is certain."""
+
+
+def _curve(label: str, points: Sequence[Fraction], balls: Sequence[arb], digits: int) -> SampledEnclosures:
+    bounds = [float_bounds(value) for value in balls]
+    accurate = sum(relative_bits(value) >= bits_for_digits(digits) for value in balls)
+    at = tuple(float(point) for point in points)
+    return SampledEnclosures(label, at, tuple(low for low, _ in bounds), tuple(high for _, high in bounds), accurate)
+
+
+def grid(first: int, last: int, per_unit: int) -> tuple[Fraction, ...]:
+    """The multiples of 1/per_unit from ``first`` to ``last``.
+
+    >>> [str(point) for point in grid(0, 1, 2)]
+    ['0', '1/2', '1']
+    """
+    return tuple(Fraction(k, per_unit) for k in range(first * per_unit, last * per_unit + 1))
+
+
+def theta_curve(beta: str, points: Sequence[Fraction]) -> SampledEnclosures:
+    """Theta(tau, beta) at the points.
+
+    >>> theta_curve("1", [Fraction(-2)]).middle
+    (2.0,)
+    """
+    return _curve(beta, points, [theta(tau, beta, digits=12) for tau in points], 12)
+
+
+def slope_boxes(beta: str, first: int, last: int) -> Boxes:
+    """dTheta/dtau on a cover of [first, last] by boxes of width 1/8, each the hull of enclosures on narrower boxes."""
+    steps = range(8 * first, 8 * last)
+    parts = [_slope_parts(Dyadic(k, k + 1, -3), beta) for k in steps]
+    bounds = [[float_bounds(value) for value in part] for part in parts]
+    return Boxes(
+        beta,
+        tuple(k / 8 for k in [*steps, 8 * last]),
+        tuple(min(low for low, _ in part) for part in bounds),
+        tuple(max(high for _, high in part) for part in bounds),
+        sum(all(sign_of(value) == -1 for value in part) for part in parts),
+    )
+
+
+def _slope_parts(box: Dyadic, beta: str) -> list[arb]:
+    """Enclosures of dTheta/dtau on pieces that cover the box, halved until they are narrow or 1/1024 wide."""
+    value = theta(box.to_ball(), beta, derivative=1, digits=12)
+    start, end = box.endpoints()
+    if relative_bits(value) >= _BOX_BITS or end - start <= _NARROWEST:
+        return [value]
+    middle = (start + end) / 2
+    return _slope_parts(_interval(start, middle), beta) + _slope_parts(_interval(middle, end), beta)
+
+
+def _interval(start: Fraction, end: Fraction) -> Dyadic:
+    """Both denominators are powers of two."""
+    scale = math.lcm(start.denominator, end.denominator)
+    return Dyadic(int(start * scale), int(end * scale), 1 - scale.bit_length())
+
+
+def route_digits(route: str, beta: str, points: Sequence[Fraction], digits: int) -> tuple[float, ...]:
+    """How many digits the route certifies at each point when it is planned for ``digits``; NaN where it has no answer.
+
+    >>> route_digits("negative", "7/3", [Fraction(1)], 30)
+    (nan,)
+    """
+    balls = (theta_by(route, tau, beta, digits=digits) for tau in points)
+    return tuple(max(0, relative_bits(ball)) * _DIGITS_PER_BIT if ball.is_finite() else math.nan for ball in balls)
+
+
+def reciprocal_gamma_curve(points: Sequence[Fraction]) -> SampledEnclosures:
+    """1/Gamma(-beta) at the points; exactly 0 at beta = 0, 1, 2, ..."""
+    with working_bits(64):
+        balls = [reciprocal_gamma(fmpq(-beta.numerator, beta.denominator), 64) for beta in points]
+    return _curve("1/Gamma(-beta)", points, balls, 15)
+
+
+def series_error(beta: str, terms: int, points: Sequence[Fraction]) -> SeriesError:
+    """\\|Theta - S_N\\|/Theta at tau = -x, S_N the N = ``terms`` terms of the series; its bound: the next term.
+
+    Written out here once more, in balls, so that the figure does not lean on the route that it is about.
+    """
+    errors, bounds, certain = [], [], 0
+    for x in points:
+        value = theta(-x, beta, digits=_SERIES_DIGITS)
+        with working_bits(256):
+            error = abs(value - sum((_term(k, x, beta) for k in range(terms)), arb(0))) / value
+            bound = abs(_term(terms, x, beta)) / value
+        errors.append(error)
+        bounds.append(bound)
+        certain += certainly_less(error, bound) is True
+    return SeriesError(terms, _curve("error", points, errors, 12), _curve("bound", points, bounds, 12), certain)
+
+
+def _term(k: int, x: Fraction, beta: str) -> arb:
+    """(-beta)_(3k) (-1)^k / (3^k k!) x^(beta - 3k)."""
+    parameter = ball(exact(beta, "beta"))
+    coefficient: arb = (-parameter).rising(3 * k) / ((-3) ** k * arb.fac_ui(k))
+    return coefficient * ball(exact(x, "x")) ** (parameter - 3 * k)
+
 
 _ROUTES = {
     "taylor": "Taylor series\nat 0",
@@ -43,9 +206,9 @@ def theta_picture() -> Picture:
     """Theta(tau, beta) for five beta."""
     figure = canvas(3.9)
     axes = figure.add_subplot()
-    points = samples.grid(-6, 2, 16) + samples.grid(2, 3, 16)[1:9]
+    points = grid(-6, 2, 16) + grid(2, 3, 16)[1:9]
     betas = ("1/2", "3/2", "7/3", "5/2", "3")
-    curves = [samples.theta_curve(beta, points) for beta in betas]
+    curves = [theta_curve(beta, points) for beta in betas]
     for curve, colour, style in zip(curves, COLOURS, STYLES, strict=True):
         axes.fill_between(curve.at, curve.lower, curve.upper, color=colour, alpha=0.3, linewidth=0)
         axes.plot(curve.at, curve.middle, color=colour, linestyle=style, label=f"β = {curve.label}")
@@ -70,7 +233,7 @@ def slope_picture() -> Picture:
     figure = canvas(3.9)
     axes = figure.add_subplot()
     betas = ("1/10", "1/4", "1/2", "3/4", "9/10")
-    covers = [samples.slope_boxes(beta, -6, 3) for beta in betas]
+    covers = [slope_boxes(beta, -6, 3) for beta in betas]
     for boxes, colour in zip(covers, COLOURS, strict=True):
         label = f"β = {boxes.label}"
         axes.stairs(
@@ -116,7 +279,7 @@ def routes_picture() -> Picture:
     digits, beta = 30, "7/3"
     points = [Fraction(5 * k, 2) for k in range(-80, 81)]
     at = [float(point) for point in points]
-    found = {route: samples.route_digits(route, beta, points, digits) for route in _ROUTES}
+    found = {route: route_digits(route, beta, points, digits) for route in _ROUTES}
     top = max(value for values in found.values() for value in values if not math.isnan(value))
     rows = figure.subplots(len(_ROUTES), 1, sharex=True, sharey=True)
     for axes, (route, values), colour in zip(rows, found.items(), COLOURS, strict=False):
@@ -145,8 +308,8 @@ def sides_picture() -> Picture:
     """The sign of Gamma(-beta), and the side that lifts off."""
     figure = canvas(3.6)
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(3, 1))
-    points = samples.grid(-1, 4, 32) + samples.grid(4, 7, 128)[1:]
-    curve = samples.reciprocal_gamma_curve(points)
+    points = grid(-1, 4, 32) + grid(4, 7, 128)[1:]
+    curve = reciprocal_gamma_curve(points)
     signed = (
         (GREEN, [low > 0 for low in curve.lower]),
         (VERMILION, [high < 0 for high in curve.upper]),
@@ -196,7 +359,7 @@ def series_picture() -> Picture:
     certain = drawn = 0
     for terms, colour, marker in zip((1, 2, 3, 5), COLOURS, "os^D", strict=False):
         marked: dict[str, Any] = {"color": colour, "marker": marker, "markevery": 4, "markersize": 4}
-        found = samples.series_error("1/2", terms, points)
+        found = series_error("1/2", terms, points)
         upper.plot(found.error.at, found.error.middle, **marked, label=f"N = {terms}")
         upper.plot(found.bound.at, found.bound.middle, color=colour, linestyle="--", linewidth=1)
         ratios = [e / b for e, b in zip(found.error.middle, found.bound.middle, strict=True)]

@@ -8,8 +8,8 @@ import pytest
 from flint import arb
 
 from gspot_verified.cli import main
-from gspot_verified.cost.benchmarks import mechanism, mechanism_approach, mechanism_sweep
-from gspot_verified.cost.benchmarks.mechanism_models import chain, leg
+from gspot_verified.cost.benchmarks import mechanism, mechanism_sweep
+from gspot_verified.cost.benchmarks.mechanism import chain, leg
 from gspot_verified.cost.times.measure import Contestant, Timing, timing
 from gspot_verified.mechanisms.input.given import lagrangian
 from gspot_verified.mechanisms.spots.all_g_spots import find_g_spots
@@ -20,7 +20,7 @@ def test_every_row_has_a_figure(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(mechanism, "measure", lambda contestants, _: {k: once(c) for k, c in contestants.items()})
     monkeypatch.setattr(mechanism, "_chains", lambda *_: [])
     monkeypatch.setattr(mechanism_sweep, "CASES", (("genot_brogliato_rod", {"mu": "1.3..1.6:3"}, 3),))
-    monkeypatch.setattr(mechanism_approach, "CASES", (("model", {"x": "0", "u": "3", "p": "1/2", "b": "-2"}),))
+    monkeypatch.setattr(mechanism, "CASES", (("model", {"x": "0", "u": "3", "p": "1/2", "b": "-2"}),))
     steps: list[str] = []
     report = mechanism.run(progress=steps.append)
     assert len(report.rows) == 15

@@ -495,7 +495,7 @@ def test_no_start_of_newtons_method_finds_a_spot_that_is_not_listed(
 
     import numpy as np
 
-    from gspot_verified.cost.benchmarks.mechanism_models import leg
+    from gspot_verified.cost.benchmarks.mechanism import leg
     from gspot_verified.mechanisms.derive.to_system import shift
     from gspot_verified.mechanisms.spots.all_g_spots import spot_conditions
 

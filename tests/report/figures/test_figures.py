@@ -7,7 +7,7 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 from matplotlib import image
 
-from gspot_verified.report.figures import figures, samples
+from gspot_verified.report.figures import figures
 from gspot_verified.work.executors import as_they_end, executor
 
 
@@ -43,13 +43,13 @@ def test_captions_count_what_was_certified(pictures):
 
 
 def test_slope_caption_says_so_when_a_box_is_not_settled(monkeypatch):
-    monkeypatch.setattr(samples, "slope_boxes", lambda _, first, last: original("3/2", first, last))
+    monkeypatch.setattr(figures, "slope_boxes", lambda _, first, last: original("3/2", first, last))
     caption = figures.slope_picture().caption
     assert "of 360 boxes lie below 0; for the others the sign is not settled here" in caption
     assert "at every τ" not in caption
 
 
-original = samples.slope_boxes
+original = figures.slope_boxes
 
 
 def test_importing_the_report_loads_no_matplotlib():

@@ -15,8 +15,7 @@ from gspot_verified.cli import main
 from gspot_verified.cost.measurement.file import recorded, save
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Measurement, Part, Point, Route
 from gspot_verified.report.data import report_data
-from gspot_verified.report.parts.cost_chart import cost_chart, spread
-from gspot_verified.report.parts.cost_page import cost_figures, shown_measurement
+from gspot_verified.report.parts.cost_page import cost_chart, cost_figures, shown_measurement, spread
 from gspot_verified.report.site import pages
 
 

@@ -14,8 +14,7 @@ from gspot_verified.functions.expressions import Expression, Variable
 from gspot_verified.mechanisms.derive import lie_derivatives
 from gspot_verified.mechanisms.derive.derivation import derive_expressions
 from gspot_verified.mechanisms.derive.derived import Derived
-from gspot_verified.mechanisms.derive.lagrangian_character import check_lagrangian_character
-from gspot_verified.mechanisms.derive.shift import Preparation
+from gspot_verified.mechanisms.derive.to_system import Preparation, check_lagrangian_character
 from gspot_verified.mechanisms.input.given import from_fields
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from samples.strategies import holds, to_fraction
 
-from gspot_verified.expansion.series.cubic_calculus import derivative, integral
+from gspot_verified.expansion.series.spaces import derivative, integral
 from gspot_verified.functions.rings import BALLS, RATIONALS
 from gspot_verified.functions.symbols import Symbols
 

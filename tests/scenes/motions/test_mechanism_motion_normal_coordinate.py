@@ -8,7 +8,7 @@ from flint import fmpq
 from gspot_verified.functions.expressions import Constant, Expression, Variable
 from gspot_verified.scenes.equations.motion import SceneError
 from gspot_verified.scenes.floats.float_function import float_function
-from gspot_verified.scenes.motions.normal_coordinate import NormalCoordinate, free_slope
+from gspot_verified.scenes.motions.mechanism_motion import NormalCoordinate, free_slope
 
 q, h, w, s = (Variable(i) for i in range(4))
 STATE = ("q", "h", "w", "s")

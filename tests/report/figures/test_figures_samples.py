@@ -4,7 +4,7 @@ from fractions import Fraction
 import mpmath
 import pytest
 
-from gspot_verified.report.figures import samples
+from gspot_verified.report.figures import figures
 
 
 def reference(tau, beta, derivative=0):
@@ -24,13 +24,13 @@ def reference(tau, beta, derivative=0):
 
 
 def test_grid_is_exact_and_includes_both_ends():
-    assert samples.grid(-1, 1, 2) == (-1, Fraction(-1, 2), 0, Fraction(1, 2), 1)
+    assert figures.grid(-1, 1, 2) == (-1, Fraction(-1, 2), 0, Fraction(1, 2), 1)
 
 
 @pytest.mark.parametrize("beta", ["1/2", "3/2", "7/3", "-5/4"])
 def test_theta_curve_holds_the_values(beta):
-    points = samples.grid(-4, 2, 4)
-    curve = samples.theta_curve(beta, points)
+    points = figures.grid(-4, 2, 4)
+    curve = figures.theta_curve(beta, points)
     assert curve.accurate == len(points)
     for tau, low, high in zip(points, curve.lower, curve.upper, strict=True):
         assert math.isfinite(low)
@@ -39,7 +39,7 @@ def test_theta_curve_holds_the_values(beta):
 
 
 def test_slope_boxes_touch_cover_and_hold_the_values_inside():
-    boxes = samples.slope_boxes("1/4", -2, 2)
+    boxes = figures.slope_boxes("1/4", -2, 2)
     assert boxes.edges == tuple(k / 8 for k in range(-16, 17))
     assert boxes.negative == len(boxes.lower) == 32
     for left, right, low, high in zip(boxes.edges, boxes.edges[1:], boxes.lower, boxes.upper, strict=False):
@@ -49,28 +49,28 @@ def test_slope_boxes_touch_cover_and_hold_the_values_inside():
 
 
 def test_slope_boxes_do_not_call_a_sign_change_negative():
-    boxes = samples.slope_boxes("3/2", -2, 2)
+    boxes = figures.slope_boxes("3/2", -2, 2)
     assert 0 < boxes.negative < len(boxes.lower)
     assert boxes.negative == sum(high < 0 for high in boxes.upper)
     assert any(low < 0 < high for low, high in zip(boxes.lower, boxes.upper, strict=True))
 
 
 def test_a_box_that_touches_zero_is_not_called_negative():
-    assert samples.slope_boxes("2", -1, 1).negative == 7  # dTheta/dtau = 2 tau
+    assert figures.slope_boxes("2", -1, 1).negative == 7  # dTheta/dtau = 2 tau
 
 
 def test_route_digits_is_nan_where_the_route_has_no_answer():
     points = [Fraction(-50), Fraction(-1), Fraction(50)]
-    negative = samples.route_digits("negative", "7/3", points, 30)
+    negative = figures.route_digits("negative", "7/3", points, 30)
     assert negative[0] >= 30
     assert math.isnan(negative[1])
     assert math.isnan(negative[2])
-    assert all(digits > 25 for digits in samples.route_digits("taylor", "7/3", points, 30))
+    assert all(digits > 25 for digits in figures.route_digits("taylor", "7/3", points, 30))
 
 
 def test_reciprocal_gamma_is_zero_at_the_integers():
-    points = samples.grid(-1, 4, 2)
-    curve = samples.reciprocal_gamma_curve(points)
+    points = figures.grid(-1, 4, 2)
+    curve = figures.reciprocal_gamma_curve(points)
     for beta, low, high in zip(points, curve.lower, curve.upper, strict=True):
         value = mpmath.rgamma(mpmath.mpf(-beta.numerator) / beta.denominator)
         assert low <= value <= high
@@ -80,7 +80,7 @@ def test_reciprocal_gamma_is_zero_at_the_integers():
 @pytest.mark.parametrize("terms", [1, 2, 3, 5])
 def test_series_error_is_below_the_next_term(terms):
     points = [Fraction(k) for k in (1, 3, 10, 30)]
-    found = samples.series_error("1/2", terms, points)
+    found = figures.series_error("1/2", terms, points)
     assert found.certain == len(points)
     with mpmath.workdps(60):
         for x, error, bound in zip(points, found.error.middle, found.bound.middle, strict=True):

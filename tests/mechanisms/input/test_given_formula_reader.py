@@ -14,7 +14,7 @@ from gspot_verified.functions.expressions import Constant, Variable
 from gspot_verified.mechanisms.formulas.rewriting import simplified
 from gspot_verified.mechanisms.formulas.simplify import constant, negative, sum_of
 from gspot_verified.mechanisms.formulas.symbol import Symbol, count_operations
-from gspot_verified.mechanisms.input.formula_reader import (
+from gspot_verified.mechanisms.input.given import (
     MAX_OPERATIONS,
     MAX_PARAMETERS,
     MAX_STATE,

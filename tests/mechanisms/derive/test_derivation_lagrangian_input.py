@@ -8,8 +8,8 @@ import pytest
 
 from gspot_verified.functions.derivative import ONE, ZERO
 from gspot_verified.functions.expressions import Variable
-from gspot_verified.mechanisms.derive.lagrangian_input import LagrangianInput, lagrangian_input
-from gspot_verified.mechanisms.derive.shift import Preparation
+from gspot_verified.mechanisms.derive.derivation import LagrangianInput, lagrangian_input
+from gspot_verified.mechanisms.derive.to_system import Preparation
 from gspot_verified.mechanisms.formulas.rewriting import simplified
 from gspot_verified.mechanisms.input.given import lagrangian
 from gspot_verified.mechanisms.input.mechanism import Lagrangian, MechanismError

@@ -12,9 +12,9 @@ from flint import fmpq, fmpq_poly
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gspot_verified.expansion.series import block_convolution
-from gspot_verified.expansion.series.block_convolution import BlockConvolution
+from gspot_verified.expansion.series import terms
 from gspot_verified.expansion.series.spaces import SpacePolynomial
+from gspot_verified.expansion.series.terms import BlockConvolution
 from gspot_verified.expansion.trajectory import expand_system
 from gspot_verified.functions.convolution import Weights
 from gspot_verified.functions.series import Series
@@ -30,8 +30,8 @@ WEIGHTS: tuple[Weights | None, ...] = (
 
 
 def small_blocks(patch: pytest.MonkeyPatch, length: int = 6, start: int = 12) -> None:
-    patch.setattr(block_convolution, "_LENGTH", length)
-    patch.setattr(block_convolution, "_FROM", start)
+    patch.setattr(terms, "_LENGTH", length)
+    patch.setattr(terms, "_FROM", start)
 
 
 def random_term(n: int, c: int, draw: random.Random) -> SpacePolynomial:

@@ -14,9 +14,9 @@ from samples.strategies import holds
 
 from gspot_verified.functions.expressions import Constant, Expression, Variable
 from gspot_verified.mechanisms.input.given import lagrangian
+from gspot_verified.mechanisms.spots.all_g_spots import WholeState
 from gspot_verified.mechanisms.spots.search_region import search_region
 from gspot_verified.mechanisms.spots.spot_conditions import take_apart
-from gspot_verified.mechanisms.spots.whole_state import WholeState
 
 Q, S, Q_DOT, S_DOT = (Variable(i) for i in range(4))
 WORDS = ("q", "s", "q_dot", "s_dot")

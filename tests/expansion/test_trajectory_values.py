@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from samples.strategies import holds
 
 from gspot_verified.expansion.series.spaces import SpacePolynomial
-from gspot_verified.expansion.values import scaled_value, value_in_time
+from gspot_verified.expansion.trajectory import scaled_value, value_in_time
 from gspot_verified.functions.rings import BALLS, RATIONALS
 
 numbers = st.fractions(-3, 3, max_denominator=30)
