@@ -109,7 +109,9 @@ def _sample(mutants: list[Mutant], size: int | None, seed: int) -> list[Mutant]:
     """The ``size`` mutants whose hashes are least: a larger sample holds a smaller one, and other lines may change."""
 
     def order(mutant: Mutant) -> str:
-        return hashlib.sha256(json.dumps([seed, *mutant.key]).encode()).hexdigest()
+        return hashlib.sha256(
+            json.dumps([seed, mutant.file, mutant.scope, mutant.before, mutant.after]).encode()
+        ).hexdigest()
 
     return sorted(sorted(mutants, key=order)[:size], key=lambda mutant: mutant.index)
 
@@ -173,7 +175,7 @@ class _Run:
             return _SURVIVED if code == 0 else _KILLED
         raise RuntimeError(f"pytest ended with {code} for {mutant}")
 
-    def _journal(self) -> set[tuple[str, str, str, str]]:
+    def _journal(self) -> set[tuple[str, str]]:
         lines = self.journal.read_text(encoding="utf-8").splitlines() if self.journal.is_file() else []
         entries = [json.loads(line) for line in lines]
         return {tuple(e["key"]) for e in entries if e["digest"] == self.digest and e["outcome"] != _SURVIVED}

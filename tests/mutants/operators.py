@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import ast
 import copy
+import re
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -30,25 +31,40 @@ _NAMES = {
 }  # fmt: skip
 _PRECISION = 64
 _UNWRAPPED = ("abs", "sorted", "add_remainder", "union")
+_TOKEN = re.compile(r"\w+|\s+|[<>=!*/&|]+|.")
+_CONTEXT = 24  # letters of the line that are kept on each side of a change
 _NOT_MUTATED = {"annotation", "returns", "decorator_list", "exc", "type_params"}
 
 
 @dataclass(frozen=True)
 class Mutant:
-    """One change of one file. ``line``: where the changed statement begins; ``everywhere``: it runs at import."""
+    """One change of one file. ``line``: where the changed statement begins; ``everywhere``: it runs at import.
+
+    ``change``: the scope and the change with a little of the line around it, which name it in the list of survivors.
+    """
 
     file: str
     scope: str
     before: str
     after: str
+    change: str
     line: int
     everywhere: bool
     index: int
 
     @property
-    def key(self) -> tuple[str, str, str, str]:
-        """What names it in the list of survivors: it lasts as long as its line does."""
-        return self.file, self.scope, self.before, self.after
+    def key(self) -> tuple[str, str]:
+        """What names it in the list of survivors: it lasts as long as what stands around the change."""
+        return self.file, self.change
+
+    @property
+    def wider(self) -> set[tuple[str, str]]:
+        """What names every change of its line (of a table at module level: of its name), and of its function."""
+        name = re.match(r"(\w+)(: [^=]+)? = ", self.before) if self.scope == "module" else None
+        line = f"{name[1]} = " if name else self.before
+        return {(self.file, f"{self.scope}: {line}*")} | (
+            {(self.file, f"{self.scope}: *")} - {(self.file, "module: *")}
+        )
 
     def __str__(self) -> str:
         return f"{self.file}:{self.line} {self.scope}\n    - {self.before}\n    + {self.after}"
@@ -70,20 +86,17 @@ class _Site:
             getattr(self.owner, self.field)[self.position] = node
 
 
-def mutants_of(root: Path, file: str, lines: Collection[tuple[str, str]] | None = None) -> list[Mutant]:
-    """Every mutant of the file, in the order of its text. Equal changes of equal lines in one scope are numbered.
-
-    ``lines``: only the changes of these, (scope, before); all of a scope for "*".
-    """
+def mutants_of(root: Path, file: str, scopes: Collection[str] | None = None) -> list[Mutant]:
+    """Every mutant of the file (of these ``scopes`` alone), in the order of its text. Equal changes are numbered."""
     tree = ast.parse((root / file).read_text(encoding="utf-8"))
     found: list[Mutant] = []
-    seen: dict[tuple[str, str, str], int] = {}
+    seen: dict[tuple[str, ...], int] = {}
     headers: dict[ast.stmt, str] = {}
     for index, (site, node, changed) in enumerate(_changes(tree)):
         if site.statement not in headers:
             headers[site.statement] = _header(site.statement)
         before, scope = headers[site.statement], ".".join(site.scope) or "module"
-        if lines is not None and (scope, before) not in lines and (scope, "*") not in lines:
+        if scopes is not None and scope not in scopes:
             continue
         _apply(site, changed)
         # A statement that is taken away is replaced in its owner; the site still holds the old one.
@@ -91,9 +104,33 @@ def mutants_of(root: Path, file: str, lines: Collection[tuple[str, str]] | None 
         _apply(site, node)
         count = seen[(scope, before, after)] = seen.get((scope, before, after), 0) + 1
         if before != after:
+            change = f"{scope}: {short_change(before, after)}"
+            place = seen[(change,)] = seen.get((change,), 0) + 1
+            change = change if place == 1 else f"{change} #{place}"
             after = after if count == 1 else f"{after}  # occurrence {count}"
-            found.append(Mutant(file, scope, before, after, site.statement.lineno, site.everywhere, index))
+            found.append(Mutant(file, scope, before, after, change, site.statement.lineno, site.everywhere, index))
     return found
+
+
+def short_change(before: str, after: str) -> str:
+    """What changes, between brackets, and what stands next to it.
+
+    >>> short_change("shift = (both & -both).bit_length()", "shift = (both | -both).bit_length()")
+    'shift = (both [& → |] -both).bit_length()'
+    """
+    old, new = _TOKEN.findall(before), _TOKEN.findall(after)
+    shorter = min(len(old), len(new))
+    first = next((k for k in range(shorter) if old[k] != new[k]), shorter)
+    last = next((k for k in range(shorter - first) if old[-1 - k] != new[-1 - k]), shorter - first)
+    middle = f"[{''.join(old[first : len(old) - last])} → {''.join(new[first : len(new) - last])}]"
+    left, right = _nearest(old[:first][::-1]), _nearest(old[len(old) - last :])
+    return "".join([*reversed(left), middle, *right])
+
+
+def _nearest(tokens: list[str]) -> list[str]:
+    """The first of the tokens, and an ellipsis where some are left out."""
+    kept = [token for k, token in enumerate(tokens) if sum(map(len, tokens[:k])) < _CONTEXT]
+    return kept if len(kept) == len(tokens) else [*kept, "…"]
 
 
 def code_of(root: Path, mutant: Mutant) -> CodeType:

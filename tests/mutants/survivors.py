@@ -8,40 +8,31 @@ from pathlib import Path
 
 from mutants.operators import Mutant
 
-Key = tuple[str, str, str, str]
-ANY = "*"
+Key = tuple[str, str]
 
 
 def read_survivors(path: Path) -> dict[Key, str]:
-    """Each listed mutant with the argument why it is equivalent or harmless.
+    """Each listed mutant (file, change) with the argument why it is equivalent or harmless.
 
     :raises ValueError: an entry without an argument, or listed twice.
     """
     found: dict[Key, str] = {}
-    for entry in tomllib.loads(path.read_text(encoding="utf-8")).get("survivor", []):
-        key = (entry["file"], entry["scope"], entry["before"], entry["after"])
-        if key in found:
-            raise ValueError(f"listed twice: {key}")
-        if not entry.get("argument", "").strip():
-            raise ValueError(f"no argument: {key}")
-        if key[2] == ANY and (key[1] == "module" or key[3] != ANY):
-            raise ValueError(f"a whole scope is a function and every change of it: {key}")
-        found[key] = entry["argument"]
+    for file, changes in tomllib.loads(path.read_text(encoding="utf-8")).items():
+        for change, argument in changes.items():
+            if not argument.strip():
+                raise ValueError(f"no argument: {file} {change}")
+            found[file, change] = argument
     return found
 
 
 def is_listed(mutant: Mutant, listed: Iterable[Key]) -> bool:
     """Whether the list argues for this mutant, for every change of its line, or for every change of its function."""
-    return not {mutant.key, *_wider(mutant)}.isdisjoint(listed)
+    return not {mutant.key, *mutant.wider}.isdisjoint(listed)
 
 
 def is_waived(mutant: Mutant, listed: Iterable[Key]) -> bool:
     """Whether the list argues for every change of its line or of its function: then no test is asked."""
-    return not set(_wider(mutant)).isdisjoint(listed)
-
-
-def _wider(mutant: Mutant) -> tuple[Key, Key]:
-    return (mutant.file, mutant.scope, mutant.before, ANY), (mutant.file, mutant.scope, ANY, ANY)
+    return not mutant.wider.isdisjoint(listed)
 
 
 def complaints(
@@ -58,18 +49,17 @@ def complaints(
 
 def stale(listed: Iterable[Key], existing: Iterable[Mutant]) -> list[Key]:
     """The entries that no mutant of ``existing`` has; these are all mutants of the files that are listed."""
-    keys = {key for mutant in existing for key in (mutant.key, *_wider(mutant))}
+    keys = {key for mutant in existing for key in (mutant.key, *mutant.wider)}
     return sorted(key for key in listed if key not in keys)
 
 
 def entry(mutant: Mutant) -> str:
-    """The text to add to the list, its argument left open."""
-    fields = zip(("file", "scope", "before", "after"), mutant.key, strict=True)
-    lines = [f"{name} = {_toml(value)}" for name, value in fields]
-    return "\n".join(["[[survivor]]", *lines, 'argument = ""'])
+    """The lines to add to the list, the argument left open."""
+    return f'["{mutant.file}"]\n{toml_text(mutant.change)} = ""'
 
 
-def _toml(text: str) -> str:
+def toml_text(text: str) -> str:
+    """The text between the quotation marks that leave it as it is."""
     if "'" not in text:
         return f"'{text}'"
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'

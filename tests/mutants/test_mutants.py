@@ -112,16 +112,15 @@ def test_the_list_is_held_against_the_run(tmp_path: Path) -> None:
     assert complaints([], [mutant], [mutant], []) == []
     assert "not in the list" in complaints([], [mutant], [], [mutant])[0]
     assert "was killed" in complaints([mutant.key], [mutant], [mutant], [])[0]
-    gone = (*mutant.key[:3], "a = c < b")
+    gone = ("x.py", "module: a = c [< → <=] b")
     assert "no longer" in complaints([gone], [mutant], [mutant], [])[0]
-    whole_line = (*mutant.key[:3], "*")
+    whole_line = ("x.py", "module: a = *")
     assert complaints([whole_line], [mutant], [], [mutant]) == complaints([whole_line], [mutant], [mutant], []) == []
-    assert "no longer" in complaints([("x.py", "module", "a = 1", "*")], [mutant], [mutant], [])[0]
-    whole_scope = ("x.py", "module", "*", "*")
-    assert complaints([whole_scope], [mutant], [], [mutant]) == complaints([whole_scope], [mutant], [mutant], []) == []
-    assert "not in the list" in complaints([("x.py", "f", "*", "*")], [mutant], [], [mutant])[0]
-    assert "no longer" in complaints([("x.py", "f", "*", "*")], [mutant], [mutant], [])[0]
-    assert complaints([("y.py", *gone[1:])], [mutant], [mutant], []) == []  # of a file that was not run
+    assert "no longer" in complaints([("x.py", "module: b = *")], [mutant], [mutant], [])[0]
+    for scope in ("f: *", "module: *"):  # what is argued as a whole is a function
+        assert "not in the list" in complaints([("x.py", scope)], [mutant], [], [mutant])[0]
+        assert "no longer" in complaints([("x.py", scope)], [mutant], [mutant], [])[0]
+    assert complaints([("y.py", gone[1])], [mutant], [mutant], []) == []  # of a file that was not run
 
 
 def test_an_entry_can_be_read_back_and_needs_an_argument(tmp_path: Path) -> None:
@@ -131,27 +130,34 @@ def test_an_entry_can_be_read_back_and_needs_an_argument(tmp_path: Path) -> None
     path.write_text(entry(mutant))
     with pytest.raises(ValueError, match="no argument"):
         read_survivors(path)
-    argued = entry(mutant).replace('argument = ""', 'argument = "Equal."')
+    argued = entry(mutant).replace(' = ""', ' = "Equal."')
     path.write_text(argued)
     assert read_survivors(path) == {mutant.key: "Equal."}
-    path.write_text(f"{argued}\n\n{argued}")
-    with pytest.raises(ValueError, match="listed twice"):
+    path.write_text(f"{argued}\n{argued.splitlines()[1]}")
+    with pytest.raises(ValueError, match="Cannot overwrite"):
         read_survivors(path)
 
 
-@pytest.mark.parametrize(("scope", "after", "reads"), [("f", "*", True), ("module", "*", False), ("f", "a = 1", False)])
-def test_a_whole_scope_is_a_function_with_every_change_of_it(
-    tmp_path: Path, scope: str, after: str, reads: bool
-) -> None:
-    path = tmp_path / "survivors.toml"
-    path.write_text(
-        f"[[survivor]]\nfile = 'x.py'\nscope = '{scope}'\nbefore = '*'\nafter = '{after}'\nargument = 'A guess.'\n"
-    )
-    if reads:
-        assert list(read_survivors(path)) == [("x.py", scope, "*", after)]
-    else:
-        with pytest.raises(ValueError, match="a whole scope is a function"):
-            read_survivors(path)
+def test_a_change_is_named_by_what_stands_around_it(tmp_path: Path) -> None:
+    """Not by the rest of its line, nor by the value of a constant where every change of it is argued."""
+    line = "return [c(first_argument_of_it, 1), second_argument_of_the_list, LONG_ARGUMENT]"
+    text = f"LIMIT = 5\n\ndef f():\n    if a > 0 and b > 0:\n        {line}\n"
+
+    def mutants(source: str) -> list[Mutant]:
+        (tmp_path / "x.py").write_text(source)
+        return mutants_of(tmp_path, "x.py")
+
+    old, new = mutants(text), mutants(text.replace("LONG_ARGUMENT", "SOMETHING_ELSE"))
+    assert [mutant.change for mutant in old] == [mutant.change for mutant in new]
+    assert [mutant.change for mutant in old][:3] == [
+        "module: LIMIT = [5 → 6]",
+        "f: if [a > 0 and b > 0 → False]:",
+        "f: if [a > 0 and b > 0 → True]:",
+    ]
+    assert old[0].wider == {("x.py", "module: LIMIT = *")} == mutants(text.replace("5", "7"))[0].wider
+    assert old[1].wider == {("x.py", "f: if a > 0 and b > 0:*"), ("x.py", "f: *")}
+    twice = mutants("def f():\n    a = 1\n    a = 1\n")
+    assert [mutant.change for mutant in twice] == ["f: a = [1 → 2]", "f: a = [1 → 2] #2"]
 
 
 def test_the_committed_list_reads() -> None:
@@ -162,10 +168,10 @@ def test_the_committed_list_reads() -> None:
 def test_every_committed_entry_still_names_a_mutant_of_its_source() -> None:
     """A line that was changed, or moved to another function, has its survivors judged anew."""
     listed = read_survivors(ROOT / "tests" / "mutants" / "survivors.toml")
-    lines: dict[str, set[tuple[str, str]]] = {}
-    for file, scope, before, _ in listed:
-        lines.setdefault(file, set()).add((scope, before))
-    assert stale(listed, [mutant for file, some in lines.items() for mutant in mutants_of(ROOT, file, some)]) == []
+    scopes: dict[str, set[str]] = {}
+    for file, change in listed:
+        scopes.setdefault(file, set()).add(change.split(": ")[0])
+    assert stale(listed, [mutant for file, some in scopes.items() for mutant in mutants_of(ROOT, file, some)]) == []
 
 
 @pytest.mark.parametrize(
@@ -177,11 +183,11 @@ def test_an_entry_is_stale_once_its_line_has_changed_moved_or_gone(tmp_path: Pat
         return mutants_of(tmp_path, "x.py")
 
     before = mutants("def f():\n    a = b < c\n")
-    assert mutants_of(tmp_path, "x.py", {("f", "a = b < c")}) == mutants_of(tmp_path, "x.py", {("f", "*")}) == before
-    assert mutants_of(tmp_path, "x.py", {("g", "a = b < c"), ("f", "a = b")}) == []
-    listed = [before[0].key, (*before[0].key[:3], "*"), ("x.py", "f", "*", "*")]
+    assert mutants_of(tmp_path, "x.py", {"f"}) == before
+    assert mutants_of(tmp_path, "x.py", {"g"}) == []
+    listed = [before[0].key, ("x.py", "f: a = b < c*"), ("x.py", "f: *")]
     assert stale(listed, before) == []
-    kept = [key for key in listed if source.startswith("def f():\n    a") and key[2] == "*"]
+    kept = [key for key in listed if source.startswith("def f():\n    a") and key[1] == "f: *"]
     assert stale(listed, mutants(source)) == sorted(set(listed) - set(kept))
 
 
@@ -204,10 +210,7 @@ def run(
     return done.returncode, done.stdout + done.stderr
 
 
-LIVING = (
-    "[[survivor]]\nfile = 'package/source.py'\nscope = 'clamp'\nbefore = 'if value < 0:'\nafter = 'if False:'\n"
-    "argument = 'For this test.'\n"
-)
+LIVING = "['package/source.py']\n'clamp: if [value < 0 → False]:' = 'For this test.'\n"
 
 
 @pytest.mark.slow
@@ -226,7 +229,7 @@ def test_a_survivor_fails_the_run(tmp_path: Path) -> None:
     code, text = run(tmp_path, WEAK)
     assert code == 1
     assert text.count("not in the list") == 1
-    assert "after = 'if False:'" in text
+    assert "'clamp: if [value < 0 → False]:' = \"\"" in text
     assert "package/source.py: 7 mutants, 6 killed" in text
 
 
@@ -240,7 +243,7 @@ def test_an_argued_survivor_does_not_and_a_killed_one_does(tmp_path: Path) -> No
 
 @pytest.mark.slow
 def test_what_is_argued_as_a_whole_is_not_run(tmp_path: Path) -> None:
-    whole = LIVING.replace("'if value < 0:'", "'*'").replace("'if False:'", "'*'")
+    whole = LIVING.replace("if [value < 0 → False]:", "*")
     code, text = run(tmp_path, WEAK, whole)
     assert code == 0
     assert "package/source.py: 7 mutants, 1 killed" in text  # the constant stands outside the function
