@@ -1,0 +1,113 @@
+"""Every sentence of the paper is in a row of the list of claims, or makes none."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from paper.sentences import CLASSES, DATA, IN_A_ROW, Sentence, marked, rows_of, sentences, text_of
+
+from gspot_verified.paper.claims import paper_claims
+
+PAPER = Path(__file__).resolve().parents[3] / "shared" / "paper.tex"
+KEPT = DATA.read_text(encoding="utf-8")
+
+
+def found(text: str) -> list[tuple[int, int, str]]:
+    return [(sentence.first, sentence.last, sentence.words) for sentence in sentences(text)]
+
+
+def test_prose() -> None:
+    text = r"""See Fig.~\ref{a}. We (i.e. you
+and Leine {\em et al.}\/) ask: is $a. B$ so? It
+is so, cf. Sec. 2 % not. This
+and more."""
+    assert found(text) == [(1, 1, "See Fig. ref a"), (2, 2, "We (i.e. you and"), (3, 4, "It is so, cf.")]
+
+
+def test_displays() -> None:
+    text = r"""We have
+\beq
+a = b. \label{x}
+\eeq
+Then
+\begin{equation*} c, \end{equation*}
+Here $d$, and
+$$ e $$
+This is new. Now
+\begin{align} f \end{align}
+\begin{align} g \end{align}
+End."""
+    lines = [(first, last) for first, last, _ in found(text)]
+    assert lines == [(1, 4), (5, 8), (9, 9), (10, 10), (11, 11), (12, 12)]
+
+
+def test_environments_items_captions_and_headings() -> None:
+    text = r"""\begin{document}
+\section{A title. It is not a sentence}
+\label{sec}
+\begin{figure}
+\includegraphics{a. B}
+\caption{One curve. Another \label{c}
+curve}
+\end{figure}
+A theorem:
+\begin{theorem}[Name. It]
+Two are three
+\end{theorem}
+\begin{description}
+\item[Case I.] first
+\item[Case II.] second
+
+\end{description}
+\paragraph*{Example.} Third
+\begin{tabular}{c}
+1. A & 2. B
+\end{tabular}
+\end{document}
+Nothing."""
+    assert [(first, last) for first, last, _ in found(text)] == [
+        *((6, 6), (7, 7), (9, 9), (11, 11), (14, 14), (15, 15), (18, 18), (19, 21))
+    ]
+
+
+def test_a_line_belongs_to_the_sentence_with_the_most_of_it() -> None:
+    assert [
+        row[:2] for row in found("A is a long sentence here. B is\nshort. C is\n a sentence with the end of it.")
+    ] == [*((1, 1), (2, 2), (3, 3))]
+
+
+def test_another_word_is_another_sum() -> None:
+    one, other = sentences("It is so indeed, and now."), sentences("It is so indeed, and then.")
+    assert one[0].words == other[0].words
+    assert one[0].sum != other[0].sum
+
+
+def test_the_file_can_be_written_and_read() -> None:
+    assert text_of(marked(KEPT)) == KEPT
+    with pytest.raises(ValueError, match="unpack"):
+        marked("1\t2\tclaim\n")
+
+
+def test_every_sentence_is_in_a_row_or_makes_no_claim() -> None:
+    """And no row is there without a sentence."""
+    kept, claims = marked(KEPT), paper_claims()
+    assert len(kept) > 500
+    assert {mark for _, mark in kept} - {IN_A_ROW, *CLASSES} == set()
+    assert set(CLASSES) - {mark for _, mark in kept} == set()
+    claiming = [sentence for sentence, mark in kept if mark == IN_A_ROW]
+    assert [sentence for sentence in claiming if not rows_of(sentence, claims)] == []
+    held = {claim for sentence in claiming for claim in rows_of(sentence, claims)}
+    assert [claim for claim in claims if claim not in held] == []
+
+
+def test_a_sentence_without_a_row_is_seen() -> None:
+    claims = paper_claims()
+    assert rows_of(Sentence(claims[0].first, claims[0].first, "", ""), claims) != []
+    assert rows_of(Sentence(1, 40, "", ""), claims) == []
+
+
+def test_the_sentences_are_those_of_the_source() -> None:
+    if not PAPER.is_file():
+        pytest.skip("the paper's source is not at hand")
+    assert sentences(PAPER.read_text(encoding="utf-8")) == [sentence for sentence, _ in marked(KEPT)]
