@@ -35,12 +35,14 @@ class Bite:
 
     ``target`` is a module, a class or an object, with ``name`` its attribute, or a mapping, with ``name`` its key.
     ``change`` makes the wrong value from the honest one. A mapping is changed in place: whoever imported it sees that.
+    ``refutes``: the wrong value is another claim, which the checks must refute; open is not enough.
     """
 
     kind: Kind
     target: Any
     name: str
     change: Callable[[Any], Any]
+    refutes: bool = False
 
     def apply(self, patch: pytest.MonkeyPatch) -> None:
         """Put the wrong value in place until ``patch`` is undone."""

@@ -101,13 +101,19 @@ def force_moves(name: str) -> bool | None:
     return here == _SYMBOLS["m"] - _SYMBOLS["u"] * _SYMBOLS["r"]
 
 
-def in_finite_time(images: Mapping[str, str]) -> bool | None:
-    """Whether α_1 < 0: t is the integral of p ds = q e^(α_1 s) ds, and p → 0."""
-    return rising_signs(-ALGEBRA.read(images["alpha1"]))
+def reaches(images: Mapping[str, str]) -> bool | None:
+    """Whether α_1, α_3 < 0: p = q e^(α_1 s) → 0, t is its integral, and b, of e^(α_1 s) and e^(α_3 s), → 0 too."""
+    return all_of(rising_signs(-ALGEBRA.read(images[name])) for name in ("alpha1", "alpha3"))
+
+
+def is_stable(name: str) -> bool | None:
+    """The same by Hurwitz: the matrix of Gspot1, Gspot2 has trace < 0 < determinant; so p decays, and t is finite."""
+    rows = [[ALGEBRA.read(RATES[rate]).derivative(by) for by in "pb"] for rate in "pb"]
+    trace, determinant = (in_case(name, str(value)) for value in (rows[0][0] + rows[1][1], ALGEBRA.determinant(rows)))
+    return rising_signs(-trace) and rising_signs(determinant)
 
 
 def _case(name: str) -> Entry:
-    reaches = in_finite_time(CASES[name])
     return settled(
         SECTION,
         name,
@@ -118,12 +124,13 @@ def _case(name: str) -> Entry:
         Check(
             Rung.EXACT,
             "the solution b = c p + (b(0) - c p(0)) e^(α_3 s) of Gspot1, Gspot2, c = α_2/(α_1 - α_3), for all values",
-            all_of([solves(name), stays_and_ends(name), reaches]),
+            all_of([solves(name), stays_and_ends(name), reaches(CASES[name])]),
         ),
         Check(
             Rung.EXACT,
-            "the equation λ_N' = -α_2 + (α_3 - α_1) λ_N of the force: its sign, or its one stable point",
-            all_of([force_moves(name), reaches]),
+            "the equation λ_N' = -α_2 + (α_3 - α_1) λ_N of the force: its sign, or its one stable point; the trace and "
+            "the determinant of Gspot1, Gspot2",
+            all_of([force_moves(name), is_stable(name)]),
         ),
         note="On the one line α_2 p = (α_1 - α_3) b the G-spot is reached for α_1 < 0 < α_3, α_2 > 0 too."
         if name == "1-case-III"

@@ -21,7 +21,8 @@ def read(text: str) -> fmpq_mpoly:
 @pytest.mark.parametrize("name", ledger.CASES)
 def test_every_step_holds_in_every_case(name: str) -> None:
     assert [step(name) for step in STEPS] == [True, True, True]
-    assert ledger.in_finite_time(ledger.CASES[name]) is True
+    assert ledger.reaches(ledger.CASES[name]) is True
+    assert ledger.is_stable(name) is True
 
 
 @pytest.mark.parametrize("name", ledger.CASES)
@@ -65,9 +66,24 @@ def test_other_signs(
     assert [step(name) for step in STEPS] == steps
 
 
-def test_only_a_negative_alpha_1_ends_in_finite_time() -> None:
-    for text, answer in (("-w", True), ("w", False), ("u-w", False), ("0*u", False)):
-        assert ledger.in_finite_time({"alpha1": text}) is answer
+@pytest.mark.parametrize(
+    ("alpha1", "alpha3", "answer"),
+    [
+        ("-w", "-u", True),
+        ("w", "-u", False),
+        ("-w", "u", False),
+        ("u-w", "-u", False),
+        ("0*u", "-u", False),
+        ("-w", "0*u", False),
+        ("w", "u", False),  # the determinant is positive
+    ],
+)
+def test_the_g_spot_is_reached_for_two_negative_rates_only(
+    monkeypatch: pytest.MonkeyPatch, alpha1: str, alpha3: str, answer: bool
+) -> None:
+    assert ledger.reaches({"alpha1": alpha1, "alpha3": alpha3}) is answer
+    monkeypatch.setitem(ledger.CASES, "1-case-I", {"alpha1": alpha1, "alpha2": "-m", "alpha3": alpha3})
+    assert ledger.is_stable("1-case-I") is answer
 
 
 @pytest.mark.parametrize(
@@ -106,8 +122,10 @@ def test_what_a_case_says(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
     entry = ledger.ENTRIES[name]()
     assert ("infty" in entry.source) is ("∞" in entry.statement) is ledger.GROWS[name]
     assert bool(entry.note) is (name == "1-case-III")
-    monkeypatch.setattr(ledger, "in_finite_time", lambda _: False)
-    assert answers(ledger.ENTRIES[name]) == [False, False]
+    for step, found in (("reaches", [False, True]), ("is_stable", [True, False])):
+        with monkeypatch.context() as patch:
+            patch.setattr(ledger, step, lambda _: False)
+            assert answers(ledger.ENTRIES[name]) == found
 
 
 STRONG = strong_direction.ENTRIES["1-strong-stable"]

@@ -16,6 +16,12 @@ def without_sign(key: str, text: str) -> Any:
     return lambda honest: {**honest, key: text}
 
 
+def slower_rate_zero(name: str) -> list[Bite]:
+    """α_3 = 0 in Cases I and II: b then ends at another value than 0, and the G-spot is not reached."""
+    images = {"alpha1": "-u", "alpha3": "0*w"}
+    return [] if name == "1-case-III" else [Bite("hypothesis", ledger.CASES, name, lambda honest: honest | images, True)]
+
+
 def _teeth(name: str) -> tuple[Tooth, ...]:
     other = {"1-case-I": ("alpha2", "m"), "1-case-II": ("alpha1", "-u+w"), "1-case-III": ("alpha2", "m")}[name]
     return (
@@ -23,6 +29,7 @@ def _teeth(name: str) -> tuple[Tooth, ...]:
         Bite("factor", ledger.RATES, "p", replaced("alpha1*p", "1000003/1000000*alpha1*p")),
         Bite("hidden factor", ledger.RATES, "b", unseen_at("p", range(1, 4))),
         Bite("hypothesis", ledger.CASES, name, without_sign(*other)),
+        *slower_rate_zero(name),
         Bite("hypothesis", ledger.START, name, lambda _: "n*u"),
         Bite("hypothesis", ledger.GROWS, name, lambda honest: not honest),
         NotApplicable("order", "exact solutions; no order of an error occurs"),
