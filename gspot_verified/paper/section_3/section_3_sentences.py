@@ -111,9 +111,9 @@ def _oscillations() -> Entry:
 
 
 def parted(beta: fmpq, low: fmpq, high: fmpq) -> bool | None:
-    """Whether for every ε up to the stated one the two runs have different fates."""
-    both = [varsim1.for_every_epsilon(beta, nu) for nu in (low, high)]
-    return None if all_of(both) is not True else varsim1.expected(beta, low) != varsim1.expected(beta, high)
+    """Whether for every ε up to the stated one of the two runs lifts off and the other takes an impact."""
+    found = {varsim1.proved_fate(beta, nu) for nu in (low, high)}
+    return None if None in found else found == {varsim1.IMPACT, varsim1.LIFT_OFF}
 
 
 def sides_differ(beta: fmpq, low: fmpq, high: fmpq) -> bool | None:

@@ -46,58 +46,82 @@ def test_a_time_near_two_in_the_scaled_one(power: int, time: fmpq) -> None:
     assert varsim1._some_time(fmpq(1, 10**power)) == time
 
 
-def test_which_fate() -> None:
-    fates = {nu: varsim1.expected(fmpq(3, 2), nu) for nu in varsim1.FACTORS}
-    assert list(fates.values()) == ["impact", "impact", "trivial", "lift-off", "lift-off"]
-    assert varsim1.expected(fmpq(1, 2), fmpq(1)) != "trivial"
-    assert varsim1.expected(fmpq(1), fmpq(1)) != "trivial"
+def test_the_fates_that_the_text_names() -> None:
+    """Panel (a): all impacts; (b): above b(0) of the trivial solution; (c): below it."""
+    assert [list(row.values()) for row in varsim1.FATES.values()] == [
+        ["impact"] * 5,
+        ["impact", "impact", "trivial", "lift-off", "lift-off"],
+        ["lift-off", "lift-off", "trivial", "impact", "impact"],
+    ]
+    assert all(tuple(row) == varsim1.FACTORS for row in varsim1.FATES.values())
+    assert list(varsim1.FATES) == list(varsim1.PANELS)
 
 
-@pytest.mark.parametrize(("margin", "answer"), [(fmpq(1, 9), True), (fmpq(0), None), (fmpq(-1), None), (None, None)])
-def test_a_margin_must_be_positive(monkeypatch: pytest.MonkeyPatch, margin: fmpq | None, answer: bool | None) -> None:
+def test_the_trivial_solution_for_every_epsilon() -> None:
+    found = {(beta, nu) for beta in varsim1.PANELS for nu in varsim1.FACTORS if varsim1.is_trivial(beta, nu)}
+    assert found == {(fmpq(3, 2), 1), (fmpq(5, 2), 1)}
+
+
+def test_a_run_that_is_not_seen_to_be_trivial_is_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert not varsim1.is_trivial(fmpq(3, 2), fmpq(1001, 1000))
+    monkeypatch.setattr(varsim1, "is_trivial", lambda *_: False)
+    assert varsim1.proved_fate(*TRIVIAL) is None  # Theorem A' says nothing at ν = 1
+
+
+@pytest.mark.parametrize(("margin", "proved"), [(fmpq(1, 9), True), (fmpq(0), False), (fmpq(-1), False), (None, False)])
+def test_a_margin_must_be_positive(monkeypatch: pytest.MonkeyPatch, margin: fmpq | None, proved: bool) -> None:
     monkeypatch.setattr(varsim1, "margin_up_to", lambda *_: margin)
-    assert varsim1.for_every_epsilon(*IMPACT) is answer
-    assert varsim1.for_every_epsilon(*TRIVIAL) is True
-
-
-@pytest.mark.parametrize("part", ["b", "V", "Y", "Z"])
-@pytest.mark.parametrize("position", range(3))
-def test_a_deviation_in_one_part_is_not_trivial(monkeypatch: pytest.MonkeyPatch, part: str, position: int) -> None:
-    hats = [SimpleNamespace(b=0, V=0, Y=0, Z=0) for _ in varsim1.POINTS]
-    waiting = iter(hats)
-    monkeypatch.setattr(varsim1, "deviation", lambda *_: next(waiting))
-    assert varsim1._is_trivial(*TRIVIAL)
-    setattr(hats[position], part, fmpq(1, 10**9))
-    waiting = iter(hats)
-    assert not varsim1._is_trivial(*TRIVIAL)
+    assert varsim1.proved_fate(*IMPACT) == ("impact" if proved else None)
+    assert varsim1.proved_fate(*LIFT_OFF) == ("lift-off" if proved else None)
+    assert varsim1.proved_fate(*TRIVIAL) == "trivial"
 
 
 @pytest.mark.parametrize(
-    ("run", "side", "lasts", "lower", "answer"),
+    ("run", "found", "answer"),
     [
-        (IMPACT, 1, True, None, True),
-        (IMPACT, 1, False, None, None),
-        (IMPACT, 0, True, None, None),
-        (IMPACT, -1, True, None, False),
-        (LIFT_OFF, -1, True, fmpq(1, 9), True),
+        (IMPACT, ["impact"], True),
+        (IMPACT, ["impact", "lift-off"], False),
+        (IMPACT, ["impact", None], None),
+        (LIFT_OFF, ["impact"], False),
+        (LIFT_OFF, ["lift-off before the G-spot"], False),
+        (TRIVIAL, ["lift-off"], False),
+        (TRIVIAL, [None], None),
+    ],
+)
+def test_fates_beside_that_of_the_figure(run: Any, found: list[str | None], answer: bool | None) -> None:
+    assert varsim1.are_drawn(*run, found) is answer
+
+
+@pytest.mark.parametrize("part", ["b", "V", "Y", "Z"])
+def test_a_deviation_in_one_part_is_not_trivial(monkeypatch: pytest.MonkeyPatch, part: str) -> None:
+    hat = SimpleNamespace(b=0, V=0, Y=0, Z=0)
+    monkeypatch.setattr(varsim1, "deviation", lambda *_: hat)
+    monkeypatch.setattr(varsim1, "contact_lasts", lambda *_: SimpleNamespace(outcome=Outcome.PROVED))
+    monkeypatch.setattr(varsim1, "side_rule", lambda *_: SimpleNamespace(side=0))
+    assert varsim1.fate_at(*IMPACT, fmpq(1, 1000)) == "trivial"
+    setattr(hat, part, fmpq(1, 10**9))
+    assert varsim1.fate_at(*IMPACT, fmpq(1, 1000)) is None
+
+
+@pytest.mark.parametrize(
+    ("run", "side", "lasts", "lower", "fate"),
+    [
+        (IMPACT, 1, True, None, "impact"),
+        (IMPACT, 1, False, fmpq(1, 9), None),
+        (IMPACT, 0, True, fmpq(1, 9), None),
+        (LIFT_OFF, -1, True, fmpq(1, 9), "lift-off"),
         (LIFT_OFF, -1, True, None, None),
-        (LIFT_OFF, -1, True, fmpq(0), False),
-        (LIFT_OFF, -1, True, fmpq(-1), False),
-        (LIFT_OFF, 0, True, fmpq(1, 9), None),
-        (LIFT_OFF, 1, True, fmpq(1, 9), False),
-        (TRIVIAL, 0, True, None, True),
+        (LIFT_OFF, -1, True, fmpq(0), "lift-off before the G-spot"),
+        (LIFT_OFF, -1, True, fmpq(-1), "lift-off before the G-spot"),
+        (TRIVIAL, 0, True, None, "trivial"),
         (TRIVIAL, 0, False, None, None),
     ],
 )
-def test_the_answer_at_points(
-    monkeypatch: pytest.MonkeyPatch, run: Any, side: int, lasts: bool, lower: fmpq | None, answer: bool | None
+def test_the_fate_at_one_epsilon(
+    monkeypatch: pytest.MonkeyPatch, run: Any, side: int, lasts: bool, lower: fmpq | None, fate: str | None
 ) -> None:
     outcome = Outcome.PROVED if lasts else Outcome.UNDECIDED
     monkeypatch.setattr(varsim1, "side_rule", lambda *_: SimpleNamespace(side=side))
     monkeypatch.setattr(varsim1, "contact_lasts", lambda *_: SimpleNamespace(outcome=outcome))
     monkeypatch.setattr(varsim1, "first_zero", lambda *_, **__: SimpleNamespace(lower=lower))
-    assert varsim1.at_points(*run) is answer
-    at_first = iter([outcome])
-    monkeypatch.setattr(varsim1, "contact_lasts", lambda *_: SimpleNamespace(outcome=next(at_first, Outcome.UNDECIDED)))
-    if run is TRIVIAL:
-        assert varsim1.at_points(*run) is None  # it lasts at the first point alone
+    assert varsim1.fate_at(*run, fmpq(1, 1000)) == fate

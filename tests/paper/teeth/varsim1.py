@@ -13,14 +13,14 @@ ENTRIES = ledger.ENTRIES
 _OTHER = {"impact": "lift-off", "lift-off": "impact", "trivial": "lift-off"}
 
 
-def other_fate(honest: Any) -> Any:
-    """The other curve of the figure for every run."""
-    return lambda beta, nu: _OTHER[honest(beta, nu)]
+def other_fate(nu: fmpq) -> Any:
+    """The other curve of the figure for one run."""
+    return lambda honest: {**honest, nu: _OTHER[honest[nu]]}
 
 
 def only_at_points(honest: Any) -> Any:
-    """The fate is wrong where the points are looked at, and right for the theorem."""
-    return lambda beta, nu: False if honest(beta, nu) is True else honest(beta, nu)
+    """The fate is another one where single ε are looked at, and the same in the theorem."""
+    return lambda *run: _OTHER[honest(*run)]
 
 
 def _teeth(beta: fmpq, nu: fmpq) -> tuple[Tooth, ...]:
@@ -31,9 +31,9 @@ def _teeth(beta: fmpq, nu: fmpq) -> tuple[Tooth, ...]:
         else Bite("hypothesis", ledger, "EPSILON_0", lambda honest: dict.fromkeys(honest, fmpq(1, 2)))
     )
     return (
-        Bite("factor", ledger, "expected", other_fate),
-        Bite("hidden factor", ledger, "at_points", only_at_points),
+        Bite("hidden factor", ledger, "fate_at", only_at_points),
         hypothesis,
+        Bite("factor", ledger.FATES, beta, other_fate(nu), refutes=True),
         NotApplicable("order", "the claim is on what a run does for every ε ≤ ε0; no order of an error occurs"),
     )
 
