@@ -36,8 +36,10 @@ SEQUENCES: dict[str, tuple[str, ...]] = {
 }
 UNTIL = {"6-first-start": "113/1000", "6-second-start": "137/1000"}
 LINES = {"6-first-start": "lines 2230 to 2232", "6-second-start": "lines 2232 to 2234"}
-JUST_AFTER = (fmpq(1, 1000), fmpq(105, 100_000))
-"""Where "just after t = 10^-3" is read to lie."""
+PRINTED_TIME = fmpq(1, 1000)
+"""Lift-off "takes place just after" it."""
+ROUNDED = fmpq(3, 2)
+"""Below this multiple of it a later time has the one digit that is printed."""
 FLOATS = ("LSODA", 1e-8)
 TAU_START = fmpq(-10)
 ALGEBRA = Algebra("beta kappa u")
@@ -131,10 +133,10 @@ def leading_bracket() -> tuple[arb, arb] | None:
 
 
 def is_just_after(first: arb, last: arb) -> bool | None:
-    """Whether both times lie in the stated interval."""
+    """Whether both times are later than the printed one and round to it."""
     with working_bits(96):
-        inside = first > JUST_AFTER[0] and last < JUST_AFTER[1]
-        outside = last < JUST_AFTER[0] or first > JUST_AFTER[1]
+        inside = first > PRINTED_TIME and last < ROUNDED * PRINTED_TIME
+        outside = last < PRINTED_TIME or first > ROUNDED * PRINTED_TIME
     return True if inside else False if outside else None
 
 
@@ -154,7 +156,7 @@ def simulated_delay() -> fmpq | None:
 
 def floats_are_just_after(delay: fmpq | None) -> bool | None:
     """The same for the float run."""
-    return None if delay is None else JUST_AFTER[0] < delay < JUST_AFTER[1]
+    return None if delay is None else PRINTED_TIME < delay < ROUNDED * PRINTED_TIME
 
 
 def _time() -> Entry:
@@ -164,8 +166,8 @@ def _time() -> Entry:
         "6-lift-off-time",
         "lines 2250 to 2252",
         r"\text{lift-off takes place just after } t=10^{-3}",
-        "First start, ε = 10^-6: at leading order the contact lifts off between 1.000 and 1.050 times 10^-3 after "
-        "p = 0, with the C_1 of this start",
+        "First start, ε = 10^-6: at leading order the contact lifts off later than 10^-3 after p = 0, at a time that "
+        "rounds to the one printed digit, with the C_1 of this start",
         Check(
             Rung.BALLS,
             "proofs/iwc.md, section 4, at both ends of the ball of C_1; proofs/approach.md for C_1",

@@ -124,6 +124,26 @@ def test_a_float_run_beside_a_certified_one(
     assert ledger.floats_agree(0, QUARTER) is answer
 
 
+@pytest.mark.parametrize(
+    ("claimed", "found", "answer"),
+    [
+        ((IMPACT, STICK, LIFT_OFF), True, True),
+        ((STICK,), True, True),
+        ((IMPACT, LIFT_OFF), True, False),
+        ((IMPACT,), True, False),
+        ((STICK,), False, False),
+        ((STICK,), None, None),
+        ((LIFT_OFF,), None, None),
+    ],
+)
+def test_stick_is_claimed_and_found_first(
+    monkeypatch: pytest.MonkeyPatch, claimed: tuple[str, ...], found: bool | None, answer: bool | None
+) -> None:
+    monkeypatch.setitem(ledger.RUNS, (0, FOUR), claimed)
+    monkeypatch.setattr(ledger, "sticks_by_the_exact_solution", lambda nu: found if nu == FOUR else not found)
+    assert ledger.sticks_first(FOUR) is answer
+
+
 def test_what_is_counted(monkeypatch: pytest.MonkeyPatch) -> None:
     runs = {
         (0, QUARTER): run((STICK, 1), (LIFT_OFF, 2)),

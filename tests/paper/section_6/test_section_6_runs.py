@@ -121,12 +121,12 @@ def test_a_larger_coefficient_lifts_off_earlier(monkeypatch: pytest.MonkeyPatch)
     ("first", "last", "answer"),
     [
         ("0.00101", "0.00104", True),
-        ("0.0010004", "0.0010499", True),
+        ("0.0010004", "0.0014999", True),
         ("0.0009995", "0.00102", None),
-        ("0.00102", "0.0010505", None),
+        ("0.00102", "0.0015005", None),
         ("0.0009", "0.0011", None),
         ("0.0008", "0.0009995", False),
-        ("0.0010505", "0.0011", False),
+        ("0.0015005", "0.0016", False),
         ("0.001", "0.00102", None),
     ],
 )
@@ -136,7 +136,7 @@ def test_just_after(first: str, last: str, answer: bool | None) -> None:
 
 
 def test_a_delay_that_is_just_after() -> None:
-    found = [ledger.floats_are_just_after(fmpq(n, 10**7)) for n in (9995, 10000, 10005, 10495, 10500, 10505)]
+    found = [ledger.floats_are_just_after(fmpq(n, 10**7)) for n in (9995, 10000, 10005, 14995, 15000, 15005)]
     assert found == [False, False, True, True, False, False]
     assert ledger.floats_are_just_after(None) is None
 

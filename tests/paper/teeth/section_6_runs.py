@@ -14,8 +14,8 @@ _OTHER = {"6-first-start": "-1/2", "6-second-start": "-9/10"}
 
 
 def later(honest: Any) -> Any:
-    """The float run lifts off a tenth of 10^-3 later."""
-    return lambda: honest() + fmpq(1, 10**4)
+    """The float run lifts off 10^-3 later."""
+    return lambda: honest() + fmpq(1, 10**3)
 
 
 def other_events(name: str) -> Any:
@@ -42,9 +42,10 @@ TEETH: Teeth = {
     "6-first-start": _start("6-first-start"),
     "6-second-start": _start("6-second-start"),
     "6-lift-off-time": (
-        Bite("factor", ledger, "JUST_AFTER", lambda _: (fmpq(1, 1000), fmpq(1026, 10**6))),
+        Bite("factor", ledger, "PRINTED_TIME", lambda honest: honest * fmpq(11, 10), refutes=True),
         Bite("hidden factor", ledger, "simulated_delay", later),
         Bite("hypothesis", ledger, "STARTS", lambda honest: {**honest, "6-first-start": "-8/10"}),
         Bite("order", ledger, "EPSILON", lambda honest: 2 * honest),
+        Bite("factor", ledger, "PRINTED_TIME", lambda honest: honest / 2, refutes=True),
     ),
 }

@@ -25,14 +25,16 @@ def faster(honest: Any) -> Any:
 
 def _run(chi: int, nu: fmpq) -> tuple[Tooth, ...]:
     wrong = (ledger.STICK, ledger.LIFT_OFF) if len(ledger.RUNS[chi, nu]) == 1 else ledger.RUNS[chi, nu][::-1]
+    shorter = ledger.RUNS[chi, nu][:-1]
     return (
-        Bite("factor", ledger, "RUNS", sequence((chi, nu), wrong)),
+        Bite("factor", ledger, "RUNS", sequence((chi, nu), shorter), refutes=True),
         Bite("hidden factor", ledger, "slip_velocity", faster)
         if chi == 0
         else Bite("hidden factor", ledger, "_FLOAT_NEAR", lambda _: fmpq(0)),
         Bite("hypothesis", ledger, "BETA", lambda _: fmpq(5, 2) if nu < 1 else fmpq(3, 2))
         if chi == 0
         else Bite("hypothesis", ledger, "FIRST_SLIP", lambda _: fmpq(1, 10) if nu < 1 else fmpq(900)),
+        Bite("factor", ledger, "RUNS", sequence((chi, nu), wrong), refutes=True),
         _NO_ORDER,
     )
 
@@ -40,7 +42,7 @@ def _run(chi: int, nu: fmpq) -> tuple[Tooth, ...]:
 TEETH: Teeth = {
     **{ledger.identifier(chi, nu): _run(chi, nu) for chi, nu in ledger.RUNS},
     "3-varsim2-caption": (
-        Bite("factor", ledger, "WITHOUT_STICK", lambda honest: honest + 1),
+        Bite("factor", ledger, "WITHOUT_STICK", lambda honest: honest + 1, refutes=True),
         Bite("hidden factor", ledger, "_FLOAT_NEAR", lambda _: fmpq(0)),
         Bite("hypothesis", ledger, "FIRST_SLIP", lambda _: fmpq(900)),
         _NO_ORDER,
