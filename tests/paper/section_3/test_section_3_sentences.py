@@ -127,13 +127,21 @@ def test_the_statement_has_the_epsilon_that_the_proof_reaches(monkeypatch: pytes
     assert ledger.ENTRIES["3-separatrix"]().statement.startswith(before.replace("500", "700"))
 
 
-@pytest.mark.parametrize("name", ["alpha_2", "alpha_3 - alpha_1"])
-def test_each_sign_of_case_i_is_needed(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
-    assert ledger.trivial_force()
-    assert ledger.trivial_product()
-    monkeypatch.setitem(ledger.CASE_I, name, f"-({ledger.CASE_I[name]})")
-    assert not ledger.trivial_force()
-    assert not ledger.trivial_product()
+@pytest.mark.parametrize(
+    ("table", "name", "text", "answers"),
+    [
+        ("TRIVIAL", "p", "-alpha1*t", [False, True]),
+        ("TRIVIAL", "b", "-c*alpha1*t", [False, True]),
+        ("REST", "z", "3*epsilon^2*c", [True, False]),
+        ("REST", "y", "epsilon^2*c/2", [True, False]),
+    ],
+)
+def test_each_route_to_the_trivial_signs_has_its_own_formulas(
+    monkeypatch: pytest.MonkeyPatch, table: str, name: str, text: str, answers: list[bool]
+) -> None:
+    rows = getattr(ledger, table)
+    monkeypatch.setitem(rows["2-trivial" if table == "TRIVIAL" else "2-trivial-zy"], name, text)
+    assert [check.agrees for check in ledger.ENTRIES["3-case-I-trivial"]().checks] == answers
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from flint import fmpq
-from paper.bite import Bite, NotApplicable, Teeth, raised, unseen_at
+from paper.bite import Bite, NotApplicable, Teeth, raised, scaled, unseen_at
 
 from gspot_verified.paper.section_4_5 import compliant_model as ledger
 
@@ -20,12 +20,13 @@ def one_at_a_half(honest: str) -> str:
 
 TEETH: Teeth = {
     "C-cases-I-II": (
-        NotApplicable("factor", _POSITIVE_FACTOR),
+        Bite("factor", ledger, "DEVIATION", scaled),
         Bite("hidden factor", _PRINTED["C-cases-I-II"], "side", one_at_a_half),
         Bite("hidden factor", ledger, "DEVIATION", one_at_a_half),
         Bite("hypothesis", _HYPOTHESES["C-cases-I-II"], "beta", lambda _: "2*v"),
         Bite("hypothesis", _HYPOTHESES["C-cases-I-II"], "C_1", lambda _: "x-1"),
         Bite("order", _PRINTED["C-cases-I-II"], "side", raised("C_1")),
+        Bite("factor", _PRINTED["C-cases-I-II"], "side", lambda _: "-1", refutes=True),
     ),
     "C-iwc-case-III": (
         Bite("factor", ledger, "BELOW", lambda share: share * fmpq(102, 100)),

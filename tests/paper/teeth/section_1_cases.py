@@ -19,7 +19,9 @@ def without_sign(key: str, text: str) -> Any:
 def slower_rate_zero(name: str) -> list[Bite]:
     """α_3 = 0 in Cases I and II: b then ends at another value than 0, and the G-spot is not reached."""
     images = {"alpha1": "-u", "alpha3": "0*w"}
-    return [] if name == "1-case-III" else [Bite("hypothesis", ledger.CASES, name, lambda honest: honest | images, True)]
+    return (
+        [] if name == "1-case-III" else [Bite("hypothesis", ledger.CASES, name, lambda honest: honest | images, True)]
+    )
 
 
 def _teeth(name: str) -> tuple[Tooth, ...]:

@@ -31,9 +31,16 @@ TEETH: Teeth = {
         NotApplicable("order", "the rates are exact; no order of an error occurs"),
     ),
     "3-case-I-trivial": (
-        Bite("factor", ledger.CASE_I, "alpha_2", lambda _: "y"),
-        Bite("hidden factor", ledger.CASE_I, "alpha_2", unseen_at("y", range(1, 3))),
-        Bite("hypothesis", ledger.CASE_I, "alpha_3 - alpha_1", lambda _: "-u"),
+        *(
+            Bite("factor", ledger.TRIVIAL_SIGNS, name, lambda sign: f"-({sign})", refutes=True)
+            for name in ("b p", "force")
+        ),
+        Bite("hidden factor", ledger.TRIVIAL["2-trivial"], "b", lambda text: f"(1-2*t^2)*({text})"),
+        Bite("hidden factor", ledger.REST["2-trivial-zy"], "y", lambda text: f"({text})/4"),
+        *(
+            Bite("hypothesis", ledger.CASE_I, *other)
+            for other in (("alpha2", lambda _: "x"), ("alpha3", lambda _: "-u-w-x"))
+        ),
         NotApplicable("order", "signs of exact expressions; no order of an error occurs"),
     ),
     "3-case-II": (
