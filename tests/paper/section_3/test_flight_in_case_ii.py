@@ -41,14 +41,20 @@ def test_what_is_run_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("wrong", ["-m + v*u - b*u^2/2", "-m + v*u + b*u^2/2 - alpha2*u^3/6"])
 def test_a_distance_that_bends_back_is_not_positive(monkeypatch: pytest.MonkeyPatch, wrong: str) -> None:
     monkeypatch.setattr(ledger, "is_free_motion", lambda: True)
-    assert ledger.opens_convexly()
+    assert ledger.never_closes() is True
     assert ledger.is_a_sum_of_positive_terms()
     monkeypatch.setitem(ledger.FLIGHT, "y", wrong)
-    assert not ledger.opens_convexly()
+    assert ledger.never_closes() is False
     assert ledger.is_a_sum_of_positive_terms() is None
 
 
 @pytest.mark.parametrize("wrong", ["-2*m + v*u + b*u^2/2", "-m - v*u + b*u^2/2"])
 def test_a_distance_begins_at_0_with_a_positive_slope(monkeypatch: pytest.MonkeyPatch, wrong: str) -> None:
     monkeypatch.setitem(ledger.FLIGHT, "y", wrong)
-    assert not ledger.opens_convexly()
+    assert ledger.never_closes() is None
+
+
+def test_a_falling_b_ends_the_flight(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ledger, "SIGN", -1)
+    assert ledger.never_closes() is False
+    assert ledger.motion_increases() is False

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from flint import fmpq
 from paper.bite import Bite, NotApplicable, Teeth, replaced, unseen_at
 
 from gspot_verified.paper.section_3 import flight_in_case_ii as ledger
@@ -14,7 +13,7 @@ TEETH: Teeth = {
         Bite("factor", ledger.FLIGHT, "y", replaced("alpha2*u^3/6", "1000003/6000000*alpha2*u^3")),
         Bite("hidden factor", ledger.FLIGHT, "v", unseen_at("u", range(3))),
         Bite("hypothesis", ledger.AT_LIFT_OFF, "v", lambda _: "m*rate - d"),
-        Bite("hypothesis", ledger.CASE_II, "alpha_2", lambda _: fmpq(-1)),
+        Bite("hypothesis", ledger, "SIGN", lambda sign: -sign, refutes=True),
         NotApplicable("order", "free motion is exact; no order of an error occurs"),
     ),
 }
