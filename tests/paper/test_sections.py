@@ -70,8 +70,6 @@ UNDETECTED = {
 
 UNSEEN_BY_ONE_ROUTE = {
     ("5-example-zbar", "error"),  # the second route has the error O(t^4, ε t^2, ε^2 t, ε^3) instead
-    ("5-matching", "power of kappa"),  # the first check is the page on Θ alone
-    ("5-matching", "power of epsilon"),
 }
 
 

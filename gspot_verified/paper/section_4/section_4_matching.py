@@ -8,15 +8,18 @@ from __future__ import annotations
 
 from decimal import ROUND_HALF_EVEN, Decimal
 
-from flint import fmpq, fmpq_mpoly
+from flint import arb, fmpq, fmpq_mpoly
 
+from gspot_verified.numbers.balls import certainly_less, working_bits
 from gspot_verified.paper.appendix_a.theta_pages import NEGATIVE
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.formulas import evaluate_text
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 from gspot_verified.paper.section_4.section_4_inner import INNER_SCALE, scaled
 from gspot_verified.paper.section_4.section_4_outer import ALGEBRA as OUTER_ALGEBRA
 from gspot_verified.paper.section_4.section_4_outer import PRINTED as OUTER
 from gspot_verified.paper.section_4.section_4_slow import PRINTED as SLOW
+from gspot_verified.theta_function.value.routes import theta_by
 
 SECTION = "Section 4"
 ALGEBRA = Algebra("beta K E D S alpha1")
@@ -32,6 +35,9 @@ PRINTED: dict[str, dict[str, str]] = {
 CORRECTED: dict[str, dict[str, str]] = {"4-matching-middle": {"middle": "beta*(2*E/3 + S)"}}
 LEADING = "beta"
 """The power of -τ in Θ ~ (-τ)^β, by proofs/negative.md."""
+KAPPA, EPSILON, PLACES = fmpq(5, 4), fmpq(1, 64), (fmpq(-16), fmpq(-64))
+"""κ, ε and two s at which both sides are compared in numbers, for BETAS."""
+BETAS = (fmpq(1, 2), fmpq(3, 2), fmpq(7, 3))
 TABLE = (
     ("0.3333", "b", fmpq(1, 2)), ("1.0", "b", fmpq(3, 2)), ("1.6667", "b", fmpq(5, 2)),
     ("1.0", "v", fmpq(1, 2)), ("1.6667", "v", fmpq(3, 2)), ("2.3333", "v", fmpq(5, 2)),
@@ -67,6 +73,28 @@ def _log_time() -> fmpq_mpoly:
 def _inner(parts: Parts) -> fmpq_mpoly:
     """log of κ^(-β) ε^(2β/3) (-κ s)^β: Θ(κ s, β) with its leading term."""
     return parts["scale"] + ALGEBRA.read(LEADING) * parts["argument"]
+
+
+def defects(beta: fmpq) -> list[arb]:
+    """|κ^(-β) ε^(2β/3) Θ(κ s, β)/(-t)^β - 1| at the two places, with Θ by its integral."""
+    found = []
+    for place in PLACES:
+        with working_bits(128):
+            logs = {"K": arb(KAPPA).log(), "E": arb(EPSILON).log(), "S": arb(-place).log()}
+            scale, argument, outer = (
+                evaluate_text(PRINTED["4-matching"][name], {"beta": beta, **logs}, 128).real
+                for name in ("scale", "argument", "outer")
+            )
+            time = 2 * logs["E"] / 3 + logs["S"]
+            value = theta_by("laplace", -argument.exp(), beta, digits=30)
+            found.append(abs((scale - outer * time).exp() * value - 1))
+    return found
+
+
+def sides_approach(beta: fmpq) -> bool | None:
+    """Whether the sides differ by less than 10^-3 at the first place, and by a fortieth of that at four times it."""
+    first, second = defects(beta)
+    return all_of([certainly_less(first, arb(fmpq(1, 1000))), certainly_less(40 * second, first)])
 
 
 def _matching() -> Entry:
@@ -106,6 +134,12 @@ def _matching() -> Entry:
         NEGATIVE.carries(this.check(f"{leading}; the exponents of κ, ε and -s on both sides, β a symbol", exponents)),
         NEGATIVE.carries(
             this.check(f"{leading}; both sides solve the slow equation and agree at τ = -1", slow_equation)
+        ),
+        Check(
+            Rung.POINTS,
+            f"both sides in numbers, Θ by its integral: at κ = {KAPPA}, ε = {EPSILON}, β = {', '.join(map(str, BETAS))} "
+            "they differ less the larger -s is, like s^(-3)",
+            all_of(sides_approach(beta) for beta in BETAS),
         ),
         note="κ > 0 (entry 4-theta), so that s → −∞ is τ → −∞.",
     )

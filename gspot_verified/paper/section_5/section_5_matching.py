@@ -216,8 +216,9 @@ def _matching() -> Entry:
         "lines 2079 to 2083",
         r"\hat b(s)=b_0\kappa^{-\beta}\epsilon^{2\beta/3}\Theta(\kappa s,\beta)",
         "The inner solution b_0 κ^(-β) ε^(2β/3) Θ(κ s, β) matches b_0 (-t)^β of the outer solution",
-        NEGATIVE.check("Θ(τ, β) ~ (-τ)^β as τ → −∞"),
-        NEGATIVE.carries(this.check("the powers of κ and ε, for every β, given this", exponents)),
+        NEGATIVE.carries(
+            this.check("Θ(τ, β) ~ (-τ)^β as τ → −∞; the powers of κ and ε, for every β, given this", exponents)
+        ),
         this.check("Θ as a polynomial at β = 2, ..., 7: (-t)^β and positive powers of ε", integers, Rung.POINTS),
         note="This b is the unscaled deviation: ε^(2β/3) times the hatted b of lines 2053 to 2071.",
     )

@@ -30,7 +30,7 @@ OTHER_SCALE = Bite("hypothesis", ledger.INNER_SCALE, "epsilon", another_power)
 
 TEETH: Teeth = {
     "4-matching": (
-        *(Bite("factor", _MATCHING, name, scaled) for name in _MATCHING),
+        *(Bite("factor", _MATCHING, name, scaled, refutes=True) for name in _MATCHING),
         Bite("factor", ledger, "LEADING", scaled),
         *(Bite("hidden factor", _MATCHING, name, unseen_at("beta", _TRIED)) for name in _MATCHING),
         Bite("hidden factor", ledger, "LEADING", unseen_at("beta", _TRIED)),

@@ -48,6 +48,6 @@ TEETH: Teeth = {
         *(Bite("factor", MATCHING, part, scaled) for part in MATCHING),
         *(Bite("hidden factor", MATCHING, part, unseen_at("beta", range(2, 8))) for part in MATCHING),
         Bite("hypothesis", ledger, "theta_polynomial", scaled),
-        *(Bite("order", MATCHING, part, lambda text: f"{text} + 1") for part in MATCHING),
+        *(Bite("order", MATCHING, part, lambda text: f"{text} + 1", refutes=True) for part in MATCHING),
     ),
 }
