@@ -137,8 +137,8 @@ def _matching() -> Entry:
         ),
         Check(
             Rung.POINTS,
-            f"both sides in numbers, Θ by its integral: at κ = {KAPPA}, ε = {EPSILON}, β = {', '.join(map(str, BETAS))} "
-            "they differ less the larger -s is, like s^(-3)",
+            f"both sides in numbers, Θ by its integral: at κ = {KAPPA}, ε = {EPSILON}, β = "
+            f"{', '.join(map(str, BETAS))} they differ less the larger -s is, like s^(-3)",
             all_of(sides_approach(beta) for beta in BETAS),
         ),
         note="κ > 0 (entry 4-theta), so that s → −∞ is τ → −∞.",

@@ -5,6 +5,9 @@ A shift (e, o) says: the term of order n = 2 nu is in P_(nu + e), that of order 
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
+from typing import Any
+
 from flint import fmpq, fmpq_poly
 
 from gspot_verified.expansion.series.recursion import Recursion
@@ -58,8 +61,8 @@ def random_systems() -> list[System]:
     ]
 
 
-def recursions(orders: int = 8) -> list[Recursion]:
-    """The terms n < orders of the random systems."""
+def recursions(orders: int = 12) -> list[Recursion]:
+    """The terms n < orders of the random systems; p and λ_N have no odd ones before the order 9."""
     found = []
     for system in random_systems():
         recursion = Recursion(system)
@@ -69,23 +72,29 @@ def recursions(orders: int = 8) -> list[Recursion]:
     return found
 
 
-def in_stated_spaces(recursion: Recursion) -> bool:
-    """Whether all terms are in the spaces of ``SPACES``."""
-    for name, shift in SPACES.items():
-        for n, term in enumerate(getattr(recursion, name)):
-            for part in term if name == "xi" else [term]:
-                index = n // 2 + shift[n % 2]
-                powers = [k for k, value in enumerate(part.coefficients()) if value != 0]
-                if any(k > index or (index - k) % 3 for k in powers):
-                    return False
-    return True
+def rows_of(recursion: Recursion) -> list[tuple[str, list[list[fmpq]]]]:
+    """The coefficients of s^0, s^1, ... of the terms of each variable, and of each component of ξ."""
+    found = [(name, [term.coefficients() for term in getattr(recursion, name)]) for name in SPACES if name != "xi"]
+    return found + [("xi", [term[i].coefficients() for term in recursion.xi]) for i in range(len(recursion.xi[0]))]
+
+
+def outside_their_spaces(rows: Iterable[tuple[str, Sequence[Sequence[Any]]]]) -> list[str]:
+    """The terms, by name and order, that are not in the spaces of ``SPACES``."""
+    found = []
+    for name, terms in rows:
+        for n, coefficients in enumerate(terms):
+            index = n // 2 + SPACES[name][n % 2]
+            powers = [k for k, value in enumerate(coefficients) if value != 0]
+            if any(k > index or (index - k) % 3 for k in powers):
+                found.append(f"{name} of the order {n}")
+    return found
 
 
 def equations_hold(recursion: Recursion) -> bool:
     """Eqs. specialX to specialL and pbc for all terms found, by ordinary polynomials and no step of the recursion."""
     terms = len(recursion.p)
     rests = residuals(recursion, terms, terms)
-    return all(value.is_zero() for row in rests for value in row) and all(_plain(term)[0] == 0 for term in recursion.p)
+    return all(value.is_zero() for row in rests for value in row) and all(plain(term)[0] == 0 for term in recursion.p)
 
 
 def residuals(recursion: Recursion, terms: int, orders: int) -> list[list[fmpq_poly]]:
@@ -93,7 +102,7 @@ def residuals(recursion: Recursion, terms: int, orders: int) -> list[list[fmpq_p
     zero = fmpq_poly([])
 
     def row(found: list[SpacePolynomial]) -> list[fmpq_poly]:
-        return [_plain(term) for term in found[:terms]] + [zero] * (orders - terms)
+        return [plain(term) for term in found[:terms]] + [zero] * (orders - terms)
 
     series = {name: row(getattr(recursion, name)) for name in SPACES if name != "xi"}
     system = recursion.system
@@ -128,10 +137,10 @@ def residuals(recursion: Recursion, terms: int, orders: int) -> list[list[fmpq_p
 
 def synchronised(recursion: Recursion) -> bool:
     """The components p, b, y, v of xi~ are p~, b~, delta^4 y~, delta^2 v~ for every s, and w(0) = 0."""
-    rows = [[_plain(term[i]) for term in recursion.xi] for i in range(5)]
+    rows = [[plain(term[i]) for term in recursion.xi] for i in range(5)]
     places = (("p", 0), ("b", 0), ("y", 4), ("v", 2))
     for row, (name, later) in zip(rows, places, strict=False):
-        own = [_plain(term) for term in getattr(recursion, name)]
+        own = [plain(term) for term in getattr(recursion, name)]
         if any(row[n] != (own[n - later] if n >= later else 0) for n in range(len(row))):
             return False
     return all(value[0] == 0 for value in rows[4])
@@ -159,25 +168,28 @@ class _Plain:
         return term[0]
 
 
-def _plain(term: SpacePolynomial) -> fmpq_poly:
+def plain(term: SpacePolynomial) -> fmpq_poly:
+    """A term as an ordinary polynomial in s."""
     return fmpq_poly(term.coefficients())
 
 
-def lemma_on_a_quartic(orders: int = 8, scale: int = 2) -> bool:
-    """f = c0 + c1 u + ... + c4 u^4 at u = sum of xi_k delta^(k + 2): f_n has no xi_k, k > n - 2, and c1 xi_(n-2).
+def highest_in_a_quartic(orders: int = 8, scale: int = 2) -> dict[int, int]:
+    """By n: the highest k with ξ_k in f_n, f = c0 + c1 u + ... + c4 u^4 at u = sum of xi_k delta^(k + scale).
 
-    ``scale``: another power of delta in front of xi~, for which this is wrong.
+    Only where f_n holds some ξ_k, the highest one times c1 alone; otherwise -1.
     """
     algebra = Algebra("delta c0 c1 c2 c3 c4 " + " ".join(f"x{k}" for k in range(orders)))
     delta = algebra.symbols["delta"]
     u = sum((algebra.symbols[f"x{k}"] * delta ** (k + scale) for k in range(orders)), start=algebra.constant(0))
     f = sum((algebra.symbols[f"c{j}"] * u**j for j in range(5)), start=algebra.constant(0))
     terms = algebra.coefficients(f, "delta")
+    found = {}
     for n in range(orders):
         slopes = [terms.get(n, algebra.constant(0)).derivative(f"x{k}") for k in range(orders)]
-        if any(slope != (algebra.symbols["c1"] if k == n - 2 else 0) for k, slope in enumerate(slopes) if k >= n - 2):
-            return False
-    return True
+        held = [k for k, slope in enumerate(slopes) if not slope.is_zero()]
+        if held:
+            found[n] = held[-1] if slopes[held[-1]] == algebra.symbols["c1"] else -1
+    return found
 
 
 def lemma_on_functions(orders: int = 10) -> bool:
@@ -199,10 +211,10 @@ def lemma_on_functions(orders: int = 10) -> bool:
                 return False
         changed = [[*row[:-1], row[-1] + row[-1]] for row in probe]
         other = _series(functions, changed, orders)
-        wanted = _plain(probe[0][-1]) * slope[0] + _plain(probe[1][-1]) * slope[1]
+        wanted = plain(probe[0][-1]) * slope[0] + plain(probe[1][-1]) * slope[1]
         if any(found[f][n] != other[f][n] for n in range(orders - 1)):
             return False
-        if _plain(other[f][orders - 1]) - _plain(found[f][orders - 1]) != wanted:
+        if plain(other[f][orders - 1]) - plain(found[f][orders - 1]) != wanted:
             return False
     return True
 

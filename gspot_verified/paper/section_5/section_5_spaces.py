@@ -9,8 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
-from gspot_verified.paper.checks.identities import Algebra
+from flint import fmpq_mpoly
+
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 from gspot_verified.paper.checks.page import Page
 from gspot_verified.paper.section_2.extended_system import extended_terms
 from gspot_verified.paper.section_4.powers_of_epsilon import exponents, later, progressions, sums
@@ -52,25 +54,48 @@ def moved(shift: Shift, by: int, later_orders: int = 0) -> list[tuple[int, int]]
     return cases
 
 
-def dependence() -> bool:
+def by_derivatives(parts: Parts) -> list[fmpq_mpoly]:
     """The order n - (k + 2) of df/dxi_k in f_n: 0 at the highest k and negative beyond, for every n."""
-    n, k, highest = INDICES.symbols["n"], INDICES.symbols["k"], INDICES.read(LOWEST["highest k"])
-    left = n - INDICES.read(LOWEST["order of xi_k"])
-    beyond = INDICES.substitute(left, {"k": highest + k})
-    return INDICES.substitute(left, {"k": highest}).is_zero() and bool(beyond == -k)
+    k, left = INDICES.symbols["k"], INDICES.symbols["n"] - parts["order of xi_k"]
+    beyond = INDICES.substitute(left, {"k": parts["highest k"] + k})
+    return [INDICES.substitute(left, {"k": parts["highest k"]}), beyond + k]
 
 
-def products_of_factors() -> bool:
+def by_products(parts: Parts) -> list[fmpq_mpoly]:
     """A product of m factors ξ_k has the order n = Σ (k + 2): k = n - 2 for m = 1, and less for m > 1.
 
     rho >= 0 is the sum of the other k, nu + 1 the number of the other factors, for m > 1: n - 2 - k = rho + 2 nu + 2.
     """
-    order = INDICES.read(LOWEST["order of xi_k"])
+    order, highest = parts["order of xi_k"], parts["highest k"]
     others = INDICES.substitute(order, {"k": INDICES.symbols["rho"]}) + 2 * INDICES.symbols["nu"]
-    highest = INDICES.read(LOWEST["highest k"])
-    alone = INDICES.substitute(highest, {"n": order}) - INDICES.symbols["k"]
-    below = INDICES.substitute(highest, {"n": order + others}) - INDICES.symbols["k"]
-    return alone.is_zero() and bool(below == INDICES.read("rho + 2*nu + 2"))
+    alone, below = (
+        INDICES.substitute(highest, {"n": total}) - INDICES.symbols["k"] for total in (order, order + others)
+    )
+    return [alone, below - INDICES.read("rho + 2*nu + 2")]
+
+
+def wrong_in_a_quartic(orders: int = 8) -> list[int]:
+    """The n at which f_n of a quartic has another highest ξ_k than stated, or another factor of it than f_ξ."""
+    found, stated = explicit.highest_in_a_quartic(orders), INDICES.read(LOWEST["highest k"])
+    wrong = []
+    for n in range(orders):
+        left = INDICES.substitute(stated, {"n": INDICES.constant(n)})
+        if n in found:
+            right = left == found[n]
+        else:
+            right = left.is_constant() and not left.is_zero() and left.leading_coefficient() < 0
+        wrong += [] if right else [n]
+    return wrong
+
+
+def dependence() -> bool:
+    """Whether f_n depends on ξ_k as stated."""
+    return all(value.is_zero() for value in by_derivatives({k: INDICES.read(text) for k, text in LOWEST.items()}))
+
+
+def scaling_is_that_of_xi() -> bool:
+    """ξ_k has the order k + 2, by line 1385."""
+    return bool(INDICES.read(LOWEST["order of xi_k"]) == INDICES.symbols["k"] + UNSCALED["xi"])
 
 
 def lemma_by_induction() -> bool:
@@ -132,25 +157,28 @@ def steps_in_powers_of_epsilon() -> bool:
 
 
 def _lemma_orders() -> Entry:
+    this = Claim(INDICES, LOWEST)
     return settled(
         SECTION,
         "5-lemma-orders",
         "thm:expansion, first part",
         r"f_n=f_n(\xi_0,\ldots,\xi_{n-2}),\quad \partial f_n/\partial\xi_{n-2}=f_\xi(\xi^*)",
         "f_n depends on ξ_k with k <= n - 2 only, linearly on ξ_(n-2) with the coefficient f_ξ(ξ*)",
-        Page("expansion", (dependence,)).check(
-            "section 1: ∂f_n/∂ξ_k = (f_ξ)_(n-2-k), and n - 2 - k is 0 at k = n - 2, negative beyond, for every n"
+        Page("expansion", (scaling_is_that_of_xi,)).carries(
+            this.check(
+                "section 1: ∂f_n/∂ξ_k = (f_ξ)_(n-2-k), and n - 2 - k is 0 at k = n - 2, negative beyond, for every n",
+                by_derivatives,
+            )
         ),
-        Check(
-            Rung.EXACT,
+        this.check(
             "Taylor's formula: a product of m factors ξ_k δ^(k+2) of the order n, for every n and m: its highest k is "
             "n - 2 for m = 1 and lower for m > 1",
-            products_of_factors() or None,
+            by_products,
         ),
         Check(
             Rung.POINTS,
             "a quartic with symbols as coefficients, all orders below 8, ξ_k as symbols",
-            explicit.lemma_on_a_quartic() or None,
+            not wrong_in_a_quartic(),
         ),
         note="With f in C^n and n = 0 the error O(δ^(n+1)) of eq. f_kdef needs C^1.",
     )
@@ -177,20 +205,29 @@ def _lemma() -> Entry:
     )
 
 
+def outside_in_the_example(orders: int = 12) -> list[str]:
+    """The terms of the extended example that are not in their stated space; ξ holds p and b."""
+    terms = extended_terms(orders, chi=True)
+    return explicit.outside_their_spaces([*terms.items(), ("xi", terms["p"]), ("xi", terms["b"])])
+
+
 def _theorem() -> Entry:
     proved = steps()
     found = explicit.recursions()
+    outside = [place for recursion in found for place in explicit.outside_their_spaces(explicit.rows_of(recursion))]
+    others = outside_in_the_example()
     return settled(
         SECTION,
         "5-theorem-1-spaces",
         "th:1, the spaces",
         r"p_{2\nu},b_{2\nu},\xi_{2\nu}\in P_{\nu+1},\ \ldots,\ \lambda_{2\nu+1}\in P_{\nu-4}",
         "The terms of Theorem 1 are in the stated spaces, for every order",
-        Page("expansion", (dependence, lemma_by_induction, lemma_by_powers_of_epsilon)).check("section 4"),
-        Check(
-            Rung.EXACT,
-            "the steps of the induction, each for every ν at once: " + ", ".join(proved),
-            all(proved.values()) or None,
+        Page("expansion", (dependence, lemma_by_induction, lemma_by_powers_of_epsilon)).carries(
+            Check(
+                Rung.EXACT,
+                "section 4, the steps of the induction, each for every ν at once: " + ", ".join(proved),
+                all(proved.values()) or None,
+            )
         ),
         Check(
             Rung.EXACT,
@@ -200,7 +237,14 @@ def _theorem() -> Entry:
         Check(
             Rung.POINTS,
             f"{len(found)} nonlinear systems, all orders below {len(found[0].p)}",
-            all_of(explicit.in_stated_spaces(r) or None for r in found),
+            not outside,
+            f"not in their spaces: {', '.join(outside)}" if outside else "",
+        ),
+        Check(
+            Rung.POINTS,
+            "the extended example with a symbol χ, all orders below 12",
+            not others,
+            f"not in their spaces: {', '.join(others)}" if others else "",
         ),
         note="Line 1744 prints P_ν-3 for P_(ν-3).",
     )

@@ -42,9 +42,16 @@ def test_the_residuals_are_taken_of_all_terms() -> None:
 
 
 def test_the_quartic_needs_the_scale_of_xi() -> None:
-    assert explicit.lemma_on_a_quartic()
-    assert not explicit.lemma_on_a_quartic(scale=1)  # f_n has x_(n-1)
-    assert not explicit.lemma_on_a_quartic(scale=3)  # f_n has no x_(n-2)
+    for scale in (1, 2, 3):
+        assert explicit.highest_in_a_quartic(6, scale) == {n: n - scale for n in range(scale, 6)}
+
+
+def test_terms_outside_their_spaces() -> None:
+    rows = [explicit.rows_of(recursion) for recursion in explicit.recursions(10)]
+    assert {name for name, _ in rows[0]} == set(explicit.SPACES)
+    assert [explicit.outside_their_spaces(row) for row in rows] == [[], [], []]
+    wrong = [("p", [[0, 1], [1]]), ("lambda_n", [[1], [], [0, 0, 1]]), ("v", [[], [], [2], [0, 1]])]
+    assert explicit.outside_their_spaces(wrong) == ["p of the order 1", "lambda_n of the order 2", "v of the order 3"]
 
 
 @pytest.mark.parametrize("order", [2, 8, 9])

@@ -119,17 +119,21 @@ def test_each_part_of_a_route_is_needed(
 
 
 @pytest.mark.parametrize(
-    ("step", "name", "wrong"),
+    ("wrong", "answers"),
     [
-        ("dependence", "highest k", "n - 1"),
-        ("dependence", "highest k", "n - 3"),
-        ("products_of_factors", "highest k", "n - 1"),
-        ("products_of_factors", "highest k", "2*n - k - 4"),  # right for one factor, wrong for more
+        ("n - 1", [False, False, False]),
+        ("n - 3", [False, False, False]),
+        ("2*n - k - 4", [False, False, False]),  # right for one factor, wrong for more
+        ("0*n - 2", [False, False, False]),
     ],
 )
-def test_each_part_of_a_dependence_is_needed(monkeypatch: pytest.MonkeyPatch, step: str, name: str, wrong: str) -> None:
-    monkeypatch.setitem(ledger.LOWEST, name, wrong)
-    assert getattr(ledger, step)() is False
+def test_another_highest_term_is_refuted_by_each_route(
+    monkeypatch: pytest.MonkeyPatch, wrong: str, answers: list[bool]
+) -> None:
+    assert ledger.dependence() is True
+    monkeypatch.setitem(ledger.LOWEST, "highest k", wrong)
+    assert ledger.dependence() is False
+    assert [check.agrees for check in ledger.ENTRIES["5-lemma-orders"]().checks] == answers
 
 
 def test_terms_beyond_the_highest_must_have_negative_orders(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -137,21 +141,29 @@ def test_terms_beyond_the_highest_must_have_negative_orders(monkeypatch: pytest.
     assert ledger.dependence() is False
 
 
+def test_the_quartic_by_its_orders(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert ledger.wrong_in_a_quartic() == []
+    monkeypatch.setitem(ledger.LOWEST, "highest k", "n - 1")
+    assert ledger.wrong_in_a_quartic(4) == [1, 2, 3]
+    monkeypatch.setitem(ledger.LOWEST, "highest k", "1/2*n - 1")
+    assert ledger.wrong_in_a_quartic(5) == [0 + 3, 4]
+    monkeypatch.setattr(explicit, "highest_in_a_quartic", lambda _: {2: 0, 3: -1})
+    monkeypatch.setitem(ledger.LOWEST, "highest k", "n - 2")
+    assert ledger.wrong_in_a_quartic(4) == [3]
+
+
 @pytest.mark.parametrize(
     ("identifier", "target", "name", "wrong", "position"),
     [
-        ("5-lemma-orders", ledger, "dependence", lambda: False, 0),
-        ("5-lemma-orders", ledger, "products_of_factors", lambda: False, 1),
-        ("5-lemma-orders", explicit, "lemma_on_a_quartic", lambda: False, 2),
+        ("5-lemma-orders", ledger, "scaling_is_that_of_xi", lambda: False, 0),
         ("5-lemma", ledger, "lemma_by_induction", lambda: False, 0),
         ("5-lemma", ledger, "lemma_by_powers_of_epsilon", lambda: False, 1),
         ("5-lemma", explicit, "lemma_on_functions", lambda: False, 2),
         ("5-theorem-1-spaces", ledger, "dependence", lambda: False, 0),
         ("5-theorem-1-spaces", ledger, "lemma_by_induction", lambda: False, 0),
         ("5-theorem-1-spaces", ledger, "lemma_by_powers_of_epsilon", lambda: False, 0),
-        ("5-theorem-1-spaces", ledger, "steps", lambda: {"one": True, "another": False}, 1),
-        ("5-theorem-1-spaces", ledger, "steps_in_powers_of_epsilon", lambda: False, 2),
-        ("5-theorem-1-spaces", explicit, "in_stated_spaces", lambda found: found.system.name == "random 0", 3),
+        ("5-theorem-1-spaces", ledger, "steps", lambda: {"one": True, "another": False}, 0),
+        ("5-theorem-1-spaces", ledger, "steps_in_powers_of_epsilon", lambda: False, 1),
         ("5-corollary", ledger, "corollary_exponents", lambda name: name != "z", 0),
         ("5-corollary", ledger, "printed_exponents", lambda parity: parity == 0, 1),
         ("5-corollary", ledger, "example_in_t_and_epsilon", lambda: False, 2),
@@ -166,7 +178,9 @@ def test_a_step_that_fails_leaves_its_check_open(
 
 def test_the_steps_are_named() -> None:
     (what,) = [check.what for check in ledger.ENTRIES["5-theorem-1-spaces"]().checks if "induction" in check.what]
-    assert what == "the steps of the induction, each for every ν at once: " + ", ".join(ledger.steps())
+    assert what == "proofs/expansion.md: section 4, the steps of the induction, each for every ν at once: " + ", ".join(
+        ledger.steps()
+    )
 
 
 @pytest.mark.parametrize(

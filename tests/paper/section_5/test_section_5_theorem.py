@@ -79,35 +79,68 @@ def test_every_beta_is_tried_and_one_wrong_rank_is_noticed(monkeypatch: pytest.M
 
     wrong = fmpq(-1)
     monkeypatch.setattr(ledger, "rank_defect", defect)
-    assert ledger.unique_only_off_integers()
+    assert ledger.unique_by_rank()
     assert {int(beta) for beta in tried if beta.denominator == 1} == {1, 2, 3, 4, 5}
     assert len({beta for beta in tried if beta.denominator != 1}) == 5
     for wrong in set(tried):  # noqa: B007
-        assert not ledger.unique_only_off_integers()
+        assert ledger.unique_by_rank() is None
+
+
+def test_an_integer_that_is_allowed_has_more_than_one_expansion(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert ledger.determined() is True
+    assert ledger.unique_by_rank() is True
+    monkeypatch.delitem(ledger.HYPOTHESES, "k - beta")
+    assert ledger.determined() is False
+    assert ledger.unique_by_rank() is False
+    monkeypatch.setattr(ledger, "is_triangular", lambda: False)
+    assert ledger.determined() is None
 
 
 @pytest.mark.parametrize(
-    ("stated", "before", "felt", "first"),
+    ("stated", "before", "answer"),
     [
-        ("M", {"x": 0}, False, True),
-        ("M", {"x": 1}, False, False),
-        ("M", {"x": 1, "y": 0}, False, True),
-        ("M - 1", {"x": 0}, False, False),
-        ("M + 1", {"x": 0}, True, False),
-        ("M + 1", {"x": 1}, False, True),
-        ("M + 1", {"x": 1, "y": 0}, True, True),
-        ("2*M", {"x": 0}, True, False),
-        ("M - n + 1", {"x": 0}, True, False),  # enough for n > 0 only
+        ("M", {"x": 0}, True),
+        ("M", {"x": 1}, None),
+        ("M", {"x": 1, "y": 0}, True),
+        ("M - 1", {"x": 0}, None),
+        ("M + 1", {"x": 0}, False),
+        ("M + 1", {"x": 1}, True),
+        ("M + 1", {"x": 1, "y": 0}, False),
+        ("2*M", {"x": 0}, False),
+        ("M - n + 1", {"x": 0}, None),  # later for n > 0 only
     ],
 )
 def test_which_orders_feel_the_truncation(
-    monkeypatch: pytest.MonkeyPatch, stated: str, before: dict[str, int], felt: bool, first: bool
+    monkeypatch: pytest.MonkeyPatch, stated: str, before: dict[str, int], answer: bool | None
 ) -> None:
     monkeypatch.setattr(ledger, "RESIDUAL_ORDERS", {"equations": "M", "tried": stated})
     monkeypatch.setattr(ledger, "KNOWN_BEFORE", {"equations": {"x": 0}, "tried": before})
-    assert ledger.felt_by_truncation("tried") is felt
-    assert ledger.stated_is_first("tried") is first
-    assert ledger.truncation_is_felt_at_the_stated_orders() is (first and not felt)
+    assert ledger.orders_by_dependence() is answer
+
+
+@pytest.mark.parametrize(
+    ("begins", "answer"),
+    [
+        ([(2, 2), (4, 4)], True),
+        ([(2, 2), (5, 4)], True),
+        ([(3, 2), (5, 4)], None),
+        ([(2, 2), (3, 4)], False),
+        ([], None),
+    ],
+)
+def test_residuals_that_begin_as_stated(begins: list[tuple[int, int]], answer: bool | None) -> None:
+    assert ledger.begins_as_stated("equations", begins) is answer
+    assert ledger.begins_as_stated("conditions", [(first + 2, terms) for first, terms in begins]) is answer
+
+
+def test_the_conditions_of_truncated_sums() -> None:
+    """y_0 is a constant that is not 0: at M = 4 the terms δ⁶ y_0 and δ⁶ v_2 are left, with the order M + 2."""
+    for recursion in explicit.recursions(8):
+        assert [ledger.conditions_begin(recursion, terms) for terms in (2, 4)] == [6, 6]
+        at_rest, recursion.p[1] = recursion.p[1], recursion.y[0]
+        assert ledger.conditions_begin(recursion, 4) == 3
+        recursion.p[1], recursion.xi[0][4] = at_rest, recursion.y[0]
+        assert ledger.conditions_begin(recursion, 4) == 2
 
 
 def changed_orders(name: str, order: int) -> set[tuple[int, int]]:
@@ -141,11 +174,10 @@ def test_the_residual_of_an_order_knows_the_terms_that_the_table_says() -> None:
         ("5-theorem-1", ledger, "dependence", lambda: False, 0, None),
         ("5-theorem-1", ledger, "is_triangular", lambda: False, 0, None),
         ("5-theorem-1", ledger, "divisors_are_justified", lambda: False, 0, None),
-        ("5-theorem-1", ledger, "unique_only_off_integers", lambda: False, 1, None),
+        ("5-theorem-1", ledger, "rank_defect", lambda *_: 0, 1, None),
         ("5-theorem-1", explicit, "equations_hold", lambda found: found.system.name == "random 0", 2, None),
         ("5-theorem-1", explicit, "synchronised", lambda found: found.system.name == "random 0", 2, None),
         ("5-theorem-1-orders", ledger, "dependence", lambda: False, 0, None),
-        ("5-theorem-1-orders", ledger, "truncation_is_felt_at_the_stated_orders", lambda: False, 0, None),
         ("5-theorem-1-orders", ledger, "residual_begins", lambda _, terms: min(terms, 4), 1, False),
     ],
 )

@@ -13,10 +13,10 @@ _NOTHING_HIDDEN = NotApplicable("hidden factor", "a space is one pair of shifts 
 
 TEETH: Teeth = {
     "5-lemma-orders": (
-        Bite("factor", ledger.LOWEST, "highest k", scaled),
-        Bite("hidden factor", ledger.LOWEST, "highest k", unseen_at("n", range(8))),
+        Bite("factor", ledger.LOWEST, "highest k", scaled, refutes=True),
+        Bite("hidden factor", ledger.LOWEST, "highest k", unseen_at("n", range(8)), refutes=True),
         Bite("hypothesis", ledger.LOWEST, "order of xi_k", lambda _: "k + 1"),
-        Bite("order", ledger.LOWEST, "highest k", lambda text: f"{text} + 1"),
+        Bite("order", ledger.LOWEST, "highest k", lambda text: f"{text} + 1", refutes=True),
     ),
     "5-lemma": (
         _NO_FACTOR,
@@ -32,9 +32,9 @@ TEETH: Teeth = {
         _NOTHING_HIDDEN,
         Bite("hypothesis", LEMMA, "f", lambda shift: (shift[0] + 3, shift[1])),
         Bite("hypothesis", LEMMA, "f", lambda shift: (shift[0], shift[1] + 3)),
-        *(Bite("order", SPACES, name, lambda shift: (shift[0] + 1, shift[1])) for name in SPACES),
-        *(Bite("order", SPACES, name, lambda shift: (shift[0], shift[1] + 1)) for name in SPACES),
-        *(Bite("order", SPACES, name, lambda shift: (shift[0], shift[1] - 3)) for name in SPACES),
+        *(Bite("order", SPACES, name, lambda shift: (shift[0] + 1, shift[1]), refutes=True) for name in SPACES),
+        *(Bite("order", SPACES, name, lambda shift: (shift[0], shift[1] + 1), refutes=True) for name in SPACES),
+        *(Bite("order", SPACES, name, lambda shift: (shift[0], shift[1] - 3), refutes=True) for name in SPACES),
     ),
     "5-corollary": (
         *(Bite("factor", row, name, scaled) for row in ledger.COROLLARY.values() for name in row),

@@ -24,7 +24,7 @@ TEETH: Teeth = {
     "5-theorem-1": (
         Bite("factor", IMAGE, "image", replaced("k*alpha1", "1000003/1000000*k*alpha1")),
         Bite("hidden factor", IMAGE, "image", unseen_at("k", range(6))),
-        *(Bite("hypothesis", ledger, "HYPOTHESES", without(key)) for key in ledger.HYPOTHESES),
+        *(Bite("hypothesis", ledger, "HYPOTHESES", without(key), key == "k - beta") for key in ledger.HYPOTHESES),
         Bite("order", IMAGE, "image", raised("k")),
     ),
     "5-theorem-1-orders": (
@@ -32,6 +32,6 @@ TEETH: Teeth = {
         *(Bite("hidden factor", ORDERS, kind, unseen_at("M", (2, 4, 6))) for kind in ORDERS),
         Bite("hypothesis", ledger.KNOWN_BEFORE, "conditions", lambda honest: honest | {"xi": 1}),
         Bite("hypothesis", ledger.KNOWN_BEFORE, "equations", lambda honest: honest | {"z": -1}),
-        *(Bite("order", ORDERS, kind, lambda text: f"{text} + 1") for kind in ORDERS),
+        *(Bite("order", ORDERS, kind, lambda text: f"{text} + 1", refutes=True) for kind in ORDERS),
     ),
 }
