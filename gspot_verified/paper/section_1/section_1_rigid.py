@@ -8,7 +8,7 @@ from gspot_verified.paper.checks.entry import Builders, Entry, settled
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 
 SECTION = "Section 1"
-ALGEBRA = Algebra("b p q lam lamT mu B C alpha1 alpha2 alpha3")
+ALGEBRA = Algebra("b p q lam lamT mu A B C alpha1 alpha2 alpha3")
 _SYMBOLS = ALGEBRA.symbols
 PRINTED: dict[str, dict[str, str]] = {
     "1-force": {"p times the force": "-b", "p": "C - mu*B"},
@@ -36,10 +36,14 @@ def _force() -> Entry:
         at_zero = ALGEBRA.substitute(slip, {"lam": ALGEBRA.constant(0)})
         return [parts["p"] * at_zero + slip.derivative("lam") * parts["p times the force"]]
 
-    def coefficients(parts: Parts) -> list[fmpq_mpoly]:
-        slip = acceleration_in_slip()
-        rest = slip - slip.derivative("lam") * _SYMBOLS["lam"]
-        return [slip.derivative("lam") - parts["p"], rest + parts["p times the force"]]
+    def by_newton(parts: Parts) -> list[fmpq_mpoly]:
+        # Newton's law, (C X - B V, A V - B X) = D (λ_T, λ_N), D = A C - B², for X = du/dt - a and V = dv/dt - b.
+        a, b, c = (_SYMBOLS[name] for name in "ABC")
+        determinant = a * c - b**2
+        friction = ALGEBRA.read(TANGENTIAL).derivative("lam")
+        # B times the first line and C times the second: X drops out.
+        inertia, push = c * a - b * b, determinant * (b * friction + c)
+        return [inertia * parts["p"] - push, parts["p times the force"] + _SYMBOLS["b"]]
 
     return settled(
         SECTION,
@@ -48,7 +52,9 @@ def _force() -> Entry:
         r"\lambda_N=-b/p,\quad p=C-\mu B",
         "Contact with positive slip is sustained (dv/dt = 0) for λ_N = -b/p, p = C - μ B, where p is not 0",
         this.check("the normal acceleration with λ_T = -μ λ_N vanishes at this force", vanishes),
-        this.check("p is its factor of λ_N, and b what is left", coefficients),
+        this.check(
+            "Newton's law with the mass matrix: the tangential acceleration drops out, and V = p λ_N", by_newton
+        ),
         note="So for p < 0 the force is positive exactly for b > 0 (the sentence after it).",
     )
 

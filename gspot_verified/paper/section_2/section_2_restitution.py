@@ -37,11 +37,12 @@ INELASTIC: dict[str, int] = {"k_1": -1, "k_2": 1}
 """The signs of the powers of n in k_1 → 0, k_2 → ∞."""
 LOSSY = (fmpq(1, 16), fmpq(1, 64))
 """k_1 = 1/k_2 at which the coefficient is enclosed, with c = p = 1: ρ = k_1², ζ² = k_1."""
-ONE_CONTACT = (fmpq(1), fmpq(10**4))
-"""Two values of p, with k_1 = k_2 = c = 1: ρ = 1, ζ² = p."""
+STIFFNESS = fmpq(1, 400)
+ONE_CONTACT = (fmpq(1, 25), fmpq(10**4))
+"""Two values of p, with k_1 = STIFFNESS, k_2 = c = 1: ρ = k_1, ζ² = p."""
 HEIGHT = fmpq(3, 4)
 """Between 8/11 and -sin 4 (Theorem Q2)."""
-APART = (fmpq(3, 4), fmpq(9, 10))
+APART = (fmpq(1, 2), fmpq(9, 10))
 """e is below the first one and above the second one there."""
 
 
@@ -204,8 +205,8 @@ def _inelastic() -> Entry:
 
 
 def coefficients() -> tuple[arb, arb]:
-    """e of the contact with k_1 = k_2 = c = 1 for the two p."""
-    first, second = (coefficient(fmpq(1), root(p)) for p in ONE_CONTACT)
+    """e of the contact for the two p."""
+    first, second = (coefficient(STIFFNESS, root(p)) for p in ONE_CONTACT)
     return first, second
 
 
@@ -216,12 +217,13 @@ def they_differ() -> bool | None:
         return all_of([certainly_less(first, arb(APART[0])), certainly_less(arb(APART[1]), second)])
 
 
-def the_bound_says_so() -> bool | None:
-    """Whether Theorem Q2 puts the second one above the gap."""
+def the_bounds_differ() -> bool | None:
+    """Whether Theorem Q3 puts the first one below the gap, and Theorem Q2 the second one above it."""
+    low, high = (root(p) for p in ONE_CONTACT)
     with working_bits(64):
-        above = certainly_less(elastic_loss(fmpq(1), root(ONE_CONTACT[1])), arb(1 - APART[1] ** 2))
-        below = certainly_less(coefficients()[0], arb(APART[0]))
-        return all_of([above, below])
+        below = certainly_less(inelastic_bound(STIFFNESS, low), arb(APART[0]))
+        above = certainly_less(elastic_loss(STIFFNESS, high), arb(1 - APART[1] ** 2))
+    return True if below and above else None
 
 
 def _not_fixed() -> Entry:
@@ -231,18 +233,16 @@ def _not_fixed() -> Entry:
         "2-restitution-not-fixed",
         "lines 568 to 570",
         r"k_1,\ k_2,\ c\ \text{fixed}\ \not\Rightarrow\ e\ \text{fixed}",
-        f"k_1 = k_2 = c = 1: e < {APART[0]} for p = {ONE_CONTACT[0]} and e > {APART[1]} for p = {ONE_CONTACT[1]}, and "
-        "p depends on the mechanism, on its configuration and on the direction of slip",
+        f"k_1 = {STIFFNESS}, k_2 = c = 1: e < {APART[0]} for p = {ONE_CONTACT[0]} and e > {APART[1]} for p = "
+        f"{ONE_CONTACT[1]}, and p depends on the mechanism, on its configuration and on the direction of slip",
         Check(
             Rung.BALLS,
             "e for both p, by the exact motion",
             they_differ(),
             f"{ball_text(first, 4)}, {ball_text(second, 4)}",
         ),
-        Check(
-            Rung.BALLS,
-            "proofs/restitution.md: Theorem Q2 for the larger p, the exact motion for the smaller one",
-            the_bound_says_so(),
+        Page("restitution", (*Q2.steps, creeps)).carries(
+            Check(Rung.EXACT, "Theorem Q3 for the smaller p, Theorem Q2 for the larger one", the_bounds_differ())
         ),
     )
 

@@ -81,7 +81,7 @@ def wrong_in_a_quartic(orders: int = 8) -> list[int]:
     for n in range(orders):
         left = INDICES.substitute(stated, {"n": INDICES.constant(n)})
         if n in found:
-            right = left == found[n]
+            right = (left - found[n]).is_zero()
         else:
             right = left.is_constant() and not left.is_zero() and left.leading_coefficient() < 0
         wrong += [] if right else [n]

@@ -74,4 +74,21 @@ def test_the_texts_name_what_is_enclosed() -> None:
     lossy = ledger.ENTRIES["2-restitution-inelastic"]().checks[-1].what
     assert "for c = p = 1, k_1 = 1/k_2 = 1/16 and 1/64: e falls" in lossy
     statement = ledger.ENTRIES["2-restitution-not-fixed"]().statement
-    assert statement.startswith("k_1 = k_2 = c = 1: e < 3/4 for p = 1 and e > 9/10 for p = 10000, and p depends")
+    assert statement.startswith("k_1 = 1/400, k_2 = c = 1: e < 1/2 for p = 1/25 and e > 9/10 for p = 10000, and")
+    assert "p depends on the mechanism" in statement
+
+
+@pytest.mark.parametrize(
+    ("apart", "answers"),
+    [
+        ((fmpq(9, 20), fmpq(9, 10)), [True, None]),  # the bound of Theorem Q3 is 0.4506
+        ((fmpq(1, 2), fmpq(24, 25)), [True, None]),
+        ((fmpq(1, 100), fmpq(9, 10)), [False, None]),
+    ],
+)
+def test_the_two_routes_to_a_coefficient_that_is_not_fixed(
+    monkeypatch: pytest.MonkeyPatch, apart: tuple[fmpq, fmpq], answers: list[bool | None]
+) -> None:
+    assert [ledger.they_differ(), ledger.the_bounds_differ()] == [True, True]
+    monkeypatch.setattr(ledger, "APART", apart)
+    assert [ledger.they_differ(), ledger.the_bounds_differ()] == answers

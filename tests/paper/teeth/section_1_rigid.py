@@ -11,8 +11,8 @@ _EXACT = NotApplicable("order", "exact equations; no order of an error occurs")
 
 TEETH: Teeth = {
     "1-force": (
-        Bite("factor", ledger.PRINTED["1-force"], "p times the force", scaled),
-        Bite("factor", ledger.PRINTED["1-force"], "p", replaced("mu*B", "1000003/1000000*mu*B")),
+        Bite("factor", ledger.PRINTED["1-force"], "p times the force", scaled, refutes=True),
+        Bite("factor", ledger.PRINTED["1-force"], "p", replaced("mu*B", "1000003/1000000*mu*B"), refutes=True),
         Bite("hidden factor", ledger.PRINTED["1-force"], "p", unseen_at("mu", (0, 1))),
         Bite("hypothesis", ledger, "TANGENTIAL", lambda _: "mu*lam"),
         _EXACT,

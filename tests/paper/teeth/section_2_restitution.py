@@ -27,6 +27,8 @@ TEETH: Teeth = {
         Bite("factor", ledger, "APART", lambda honest: (honest[0] * fmpq(9, 10), honest[1])),
         Bite("hidden factor", ledger, "APART", lambda honest: (honest[0], fmpq(9999, 10000))),
         Bite("hypothesis", ledger, "ONE_CONTACT", lambda _: (fmpq(1), fmpq(4))),
+        # One p alone: the coefficient is one number.
+        Bite("hypothesis", ledger, "ONE_CONTACT", lambda honest: (honest[0], honest[0])),
         NotApplicable("order", "two numbers are compared; no order of an error occurs"),
     ),
 }
