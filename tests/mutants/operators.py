@@ -32,6 +32,7 @@ _NAMES = {
 _PRECISION = 64
 _UNWRAPPED = ("abs", "sorted", "add_remainder", "union")
 _TOKEN = re.compile(r"\w+|\s+|[<>=!*/&|]+|.")
+_ONE_QUOTE = str.maketrans({'"': "'", "\\": None})  # which quotes ast.unparse chooses hangs on Python's version
 _CONTEXT = 24  # letters of the line that are kept on each side of a change
 _NOT_MUTATED = {"annotation", "returns", "decorator_list", "exc", "type_params"}
 
@@ -118,7 +119,7 @@ def short_change(before: str, after: str) -> str:
     >>> short_change("shift = (both & -both).bit_length()", "shift = (both | -both).bit_length()")
     'shift = (both [& → |] -both).bit_length()'
     """
-    old, new = _TOKEN.findall(before), _TOKEN.findall(after)
+    old, new = (_TOKEN.findall(text.translate(_ONE_QUOTE)) for text in (before, after))
     shorter = min(len(old), len(new))
     first = next((k for k in range(shorter) if old[k] != new[k]), shorter)
     last = next((k for k in range(shorter - first) if old[-1 - k] != new[-1 - k]), shorter - first)
