@@ -32,6 +32,7 @@ KINDS = (
     "approaches",
     "friction",
     "side",
+    "iwc",
     "expansions",
     "mechanism_expansions",
     "certificates",

@@ -18,6 +18,7 @@ from attack import (
     crossings,
     expansions,
     friction,
+    iwc,
     journals,
     kept,
     mechanism_expansions,
@@ -31,9 +32,10 @@ from attack import (
 )
 from attack.answers import AGREED, Answer, Attack, Tally, undecided, worst, wrong
 from attack.runner import KINDS, answered, draw_of
-from flint import arb
+from flint import arb, fmpq
 
 from gspot_verified import Outcome
+from gspot_verified.compliant.contact.iwc import CompliantIwc
 from gspot_verified.integrator.field.event import Crossing, Watch
 from gspot_verified.paper.cache import Cache
 from gspot_verified.paper.checks.entry import Entry
@@ -50,6 +52,7 @@ SLICE = {
     "approaches": (1, 2, 3),
     "friction": range(4),
     "side": range(2),
+    "iwc": range(3),
     "expansions": range(4),
     "mechanism_expansions": (2, 3, 5),
     "certificates": (*range(11), 12),
@@ -166,6 +169,16 @@ def believing(data: bytes, limits: Any) -> str:  # noqa: ARG001
     return "whatever is stated"
 
 
+def moved(result: CompliantIwc) -> CompliantIwc:
+    """The largest epsilon too large, the lift-off too late."""
+    leading, late = result.leading, fmpq(1, 10)
+    if leading.epsilon_0 is not None:
+        leading = replace(leading, epsilon_0=leading.epsilon_0 * (1 + late))
+    if (time := leading.lift_off) is not None and time.lower is not None and time.upper is not None:
+        leading = replace(leading, lift_off=replace(time, lower=time.lower + late, upper=time.upper + late))
+    return replace(result, leading=leading)
+
+
 LIES: dict[str, tuple[Callable[[pytest.MonkeyPatch], None], int]] = {
     "theta": (lying(theta, "evaluate", lambda e: replace(e, value=shifted(e.value), reached=False)), 6),
     "signs": (lying(signs, "number_of_zeros", lambda n: n + 1), 6),
@@ -177,6 +190,7 @@ LIES: dict[str, tuple[Callable[[pytest.MonkeyPatch], None], int]] = {
     "crossings": (lambda patch: patch.setattr(crossings, "Watch", NarrowWatch), 4),
     "mechanisms": (lying(mechanisms, "classify_all", lambda f: replace(f, spots=f.spots[:-1])), 8),
     "side": (lying(side, "side_rule", lambda r: replace(r, side=-r.side)), 3),
+    "iwc": (lying(iwc, "iwc", moved), 6),
     "expansions": (lying(expansions, "expand_system", lambda t: replace(t, b=(*t.b[:2], *t.p[2:]))), 3),
     "mechanism_expansions": (
         lying(mechanism_expansions, "expand_system", lambda t: replace(t, lambda_n=(*t.lambda_n[:1], *t.p[1:]))), 8,
