@@ -22,12 +22,20 @@ from gspot_verified.paper.section_1 import (
     section_1_mass_matrix,
     section_1_negative_p,
     section_1_rigid,
+    section_1_sentences,
 )
-from gspot_verified.paper.section_2 import general_system, lagrangian, section_2_contact, section_2_restitution
+from gspot_verified.paper.section_2 import (
+    general_system,
+    lagrangian,
+    section_2_contact,
+    section_2_restitution,
+    section_2_sentences,
+)
 from gspot_verified.paper.section_3 import (
     after_lift_off,
     flight_in_case_ii,
     section_3,
+    section_3_captions,
     section_3_sentences,
     section_3_smoothness,
     table_1,
@@ -40,11 +48,12 @@ from gspot_verified.paper.section_4 import (
     section_4_matching,
     section_4_oscillating,
     section_4_outer,
+    section_4_reference,
     section_4_slow,
     section_4_trivial,
     section_4_unique,
 )
-from gspot_verified.paper.section_4_5 import cases, compliant_model, section_4_5, strong_direction
+from gspot_verified.paper.section_4_5 import cases, compliant_model, same_situation, section_4_5, strong_direction
 from gspot_verified.paper.section_5 import (
     example,
     section_5_ansatz,
@@ -52,12 +61,13 @@ from gspot_verified.paper.section_5 import (
     section_5_matching,
     section_5_outer,
     section_5_recursion,
+    section_5_sentences,
     section_5_side,
     section_5_smoothest,
     section_5_spaces,
     section_5_theorem,
 )
-from gspot_verified.paper.section_6 import section_6, section_6_runs, section_6_theta, section_7
+from gspot_verified.paper.section_6 import section_6, section_6_runs, section_6_sentences, section_6_theta, section_7
 from gspot_verified.work.executors import InProcessExecutor, as_they_end
 
 PARTS: dict[str, Builders] = {
@@ -67,20 +77,24 @@ PARTS: dict[str, Builders] = {
     "Section 1, signs of the α's": section_1_alpha_signs.ENTRIES,
     "Section 1, Cases I, II and III": section_1_cases.ENTRIES,
     "Section 1, the ratio β": section_4_slow.RATIO_ENTRIES,
+    "Section 1, sentences": section_1_sentences.ENTRIES,
     "Section 2, the general system": general_system.ENTRIES,
     "Section 2, the surface": section_2_contact.ENTRIES,
     "Section 2, coefficients of restitution": section_2_restitution.ENTRIES,
     "Section 2, the motivating example": section_4_trivial.ENTRIES,
     "Section 2, the extended example": lagrangian.ENTRIES,
+    "Section 2, sentences": section_2_sentences.ENTRIES,
     "Section 3, sides of the simulations": section_3.ENTRIES,
     "Section 3, the runs of the simulations": varsim1.ENTRIES,
     "Section 3, sentences on the simulations": section_3_sentences.ENTRIES,
+    "Section 3, captions and panels": section_3_captions.ENTRIES,
     "Section 3, smoothness": section_3_smoothness.ENTRIES,
     "Section 3, Table 1": table_1.ENTRIES,
     "Section 3, the flight in Case II": flight_in_case_ii.ENTRIES,
     "Section 3, after lift-off": after_lift_off.ENTRIES,
     "Section 3, the runs of the extended system": varsim2.ENTRIES,
     "Section 4, elimination and deviations": section_4_outer.ENTRIES,
+    "Section 4, a reference": section_4_reference.ENTRIES,
     "Section 4.1, the distinguished trajectory": section_4_unique.ENTRIES,
     "Section 4, fast system": section_4_fast.ENTRIES,
     "Section 4, slow system": section_4_slow.ENTRIES,
@@ -90,9 +104,11 @@ PARTS: dict[str, Builders] = {
     "Section 4.5, formulas and signs": section_4_5.ENTRIES,
     "Section 4.5, the strong direction": strong_direction.ENTRIES,
     "Section 4.5, Cases I, II and III": cases.ENTRIES,
+    "Section 4.5, the side of the impact": same_situation.ENTRIES,
     "Section 4.5, the compliant model itself": compliant_model.ENTRIES,
     "Section 5, the count of conditions": section_5_count.ENTRIES,
     "Section 5, the recursion": section_5_recursion.ENTRIES,
+    "Section 5, sentences": section_5_sentences.ENTRIES,
     "Section 5, the smoothest graph": section_5_smoothest.ENTRIES,
     "Section 5, Theorem 1": section_5_theorem.ENTRIES,
     "Section 5, the spaces of Theorem 1": section_5_spaces.ENTRIES,
@@ -104,6 +120,7 @@ PARTS: dict[str, Builders] = {
     "Section 6 and Appendix B, the oscillator": section_6.ENTRIES,
     "Section 6, Cases and simulations": section_6_runs.ENTRIES,
     "Section 6, the expansion and Θ": section_6_theta.ENTRIES,
+    "Section 6, sentences": section_6_sentences.ENTRIES,
     "Section 7, after the first flight": section_7.ENTRIES,
     "Appendix A": appendix_a.ENTRIES,
 }

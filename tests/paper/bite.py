@@ -115,6 +115,19 @@ def replaced(old: str, new: str) -> Callable[[str], str]:
     return change
 
 
+def reads_as(old: str, new: str, then: tuple[str, str] | None = None) -> Callable[[Any], Any]:
+    """The paper's words with one of them replaced, wherever a function gives them; the word must occur."""
+
+    def change(honest: Any) -> Any:
+        def words(label: str) -> str:
+            text = replaced(old, new)(honest(label))
+            return replaced(*then)(text) if then else text
+
+        return words
+
+    return change
+
+
 def missing_kinds(teeth: Sequence[Tooth]) -> list[Kind]:
     """The kinds for which there is neither a bite nor an argument why there is none."""
     present = {tooth.kind for tooth in teeth if isinstance(tooth, Bite) or tooth.why.strip()}

@@ -1,0 +1,191 @@
+"""Ledger of Section 1: sentences that other sentences and formulas of the paper contradict, and the slope of an impact.
+
+P is the normal impulse of the compression, r > 0 the coefficient of restitution, s > 0 the rise of v with the impulse
+in restitution.
+"""
+
+from __future__ import annotations
+
+from flint import fmpq_mpoly
+
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.formulas import mended
+from gspot_verified.paper.checks.identities import Algebra, rising_signs
+from gspot_verified.paper.checks.words import Place, held_against
+from gspot_verified.paper.section_1 import section_1_negative_p
+from gspot_verified.paper.section_2.section_2_contact import CONSTANTS
+
+SECTION = "Section 1"
+ALGEBRA = Algebra("r P s A B C mu p T dP")
+_SYMBOLS = ALGEBRA.symbols
+STIFFNESS = {"printed": 2, "corrected": -2}
+"""The power of ε that the stiffness of the surface scales like."""
+IMPULSE = {"printed": "-r*P", "corrected": "r*P"}
+"""The normal impulse in restitution."""
+COLOURS = "lines 299 to 301, 347 to 348, 376 to 377, 393 to 396, 1471 to 1472"
+IN_THE_TEXT = {
+    "Figure 3": Place("Sec. 1.3", r"dashed (\w+) line in Figs"),
+    "Figure 4": Place("Sec. 1.4", r"dashed \((\w+)\) line in Fig\.~\\ref\{fig:qual\}"),
+    "Figure 3 again": Place("Sec. 5.2", r"dashed \((\w+)\) line in Fig\.~\\ref\{fig:Gspot3\}"),
+}
+IN_THE_CAPTION = {
+    "Figure 3": Place("caption", r"The dashed line \((\w+) online\)"),
+    "Figure 4": Place("caption", r"thick dashed \((\w+) online\) line"),
+}
+"""The colour of the distinguished trajectory."""
+SLOPE = {"v": "p", "u": "B - mu*A"}
+"""The claimed slope dv/du of an impact in positive slip, as a quotient."""
+
+
+def is_the_power_of_the_springs(power: int) -> bool | None:
+    """Whether the power is that of k_1 and of k_2."""
+    return power == CONSTANTS["k1"] == CONSTANTS["k2"]
+
+
+def deformation_vanishes(power: int) -> bool | None:
+    """Whether the deformation under a given force, the force over the stiffness, has a positive power of ε."""
+    return -power > 0
+
+
+def _stiffness() -> Entry:
+    def check(what: str, holds: list[bool | None], finding: str) -> Check:
+        return Check(Rung.EXACT, what, mended(*holds), finding)
+
+    powers = (STIFFNESS["printed"], STIFFNESS["corrected"])
+    return settled(
+        SECTION,
+        "1-stiffness",
+        "lines 332 to 335",
+        r"\text{stiffness scales like }\epsilon^2",
+        "The stiffness of the compliant constraint scales like ε²",
+        check(
+            "eq. compliant3: k_1 = k_2 = 1/ε²",
+            [is_the_power_of_the_springs(power) for power in powers],
+            f"the power of ε is {CONSTANTS['k1']} (so also in the abstract and in Sec. 1.4)",
+        ),
+        check(
+            "line 557: the deformation under a given force must tend to 0",
+            [deformation_vanishes(power) for power in powers],
+            f"force over stiffness has the power {-STIFFNESS['printed']} of ε: it grows",
+        ),
+        corrected="The stiffness scales like 1/ε²",
+    )
+
+
+def has_the_sign(value: fmpq_mpoly) -> bool | None:
+    """Whether the value is positive for all positive symbols (True) or negative (False)."""
+    return True if rising_signs(value) else False if rising_signs(-value) else None
+
+
+def impulse_is_positive(form: str) -> bool | None:
+    """Whether the impulse in restitution is positive, as λ_N >= 0 asks."""
+    return has_the_sign(ALGEBRA.read(IMPULSE[form]))
+
+
+def leaves(form: str) -> bool | None:
+    """Whether v at the end is positive: in restitution it rises from 0 by s times the impulse."""
+    return has_the_sign(_SYMBOLS["s"] * ALGEBRA.read(IMPULSE[form]))
+
+
+def _poisson() -> Entry:
+    forms = ("printed", "corrected")
+    return settled(
+        SECTION,
+        "1-poisson",
+        "lines 206 to 208",
+        r"\text{the normal impulse in restitution is }-r\text{ times that in compression}",
+        "Poisson's impact law: the normal impulse in restitution is -r times that in compression, r > 0",
+        Check(
+            Rung.EXACT,
+            "the normal impulse is an integral of λ_N >= 0 (line 153), in both phases",
+            mended(*map(impulse_is_positive, forms)),
+            "-r times a positive impulse is negative",
+        ),
+        Check(
+            Rung.EXACT,
+            "v⁺ >= 0 (line 199): v rises from 0 with the impulse of the restitution",
+            mended(*map(leaves, forms)),
+            "v⁺ = -r s P < 0: the contact point would end inside the surface",
+        ),
+        corrected="The normal impulse in restitution is r times that in compression",
+        note="The sentence before has the sign of works: the work of λ_N in restitution is -r² times that in "
+        "compression, which is negative.",
+    )
+
+
+def _colours() -> Entry:
+    return settled(
+        SECTION,
+        "1-colours",
+        COLOURS,
+        r"\text{dashed red line in Figs. 3 and 4}",
+        "The distinguished trajectory is the dashed red line of Figures 3 and 4",
+        *(
+            held_against(COLOURS, f"{figure}: text and caption", words, IN_THE_CAPTION[figure.removesuffix(" again")])
+            for figure, words in IN_THE_TEXT.items()
+        ),
+        corrected="The dashed line is green, if the captions are right",
+        note="The figures decide; text and captions cannot both be right.",
+    )
+
+
+def _rates() -> dict[str, fmpq_mpoly]:
+    return {name: ALGEBRA.read(text) for name, text in section_1_negative_p.RATES.items()}
+
+
+def slope_by_rates() -> bool | None:
+    """Whether dv/dP is p and dv/du the claimed quotient: p = C - μB in one, B - μA in the other."""
+    rates, parts = _rates(), {name: ALGEBRA.read(text) for name, text in SLOPE.items()}
+    parameter = {"p": ALGEBRA.read("C - mu*B")}
+    return (rates["v"] * parts["u"] - rates["u"] * ALGEBRA.substitute(parts["v"], parameter)).is_zero()
+
+
+def slope_by_impulses() -> bool | None:
+    """The same from the changes of v and u by an impulse dP with T = -μ dP; in stick u is kept for v alone."""
+    impulses = {"P": _SYMBOLS["dP"], "T": -_SYMBOLS["mu"] * _SYMBOLS["dP"]}
+    change = {
+        name: ALGEBRA.substitute(ALGEBRA.read(text), impulses) for name, text in section_1_negative_p.STICK.items()
+    }
+    images = {"p": ALGEBRA.read("C - mu*B")}
+    parts = {name: ALGEBRA.substitute(ALGEBRA.read(text), images) for name, text in SLOPE.items()}
+    return (change["v"] * parts["u"] - change["u"] * parts["v"]).is_zero()
+
+
+def factor_is_not_zero() -> bool | None:
+    """Whether B times the factor is -(A C - B²) + A p: negative for p <= 0, as B > 0 there, and so near p = 0."""
+    factor = ALGEBRA.read(SLOPE["u"]) * _SYMBOLS["B"]
+    known = ALGEBRA.substitute(ALGEBRA.read("-(A*C - B^2) + A*p"), {"p": ALGEBRA.read("C - mu*B")})
+    return (factor - known).is_zero()
+
+
+def _slope() -> Entry:
+    return settled(
+        SECTION,
+        "1-impact-slope",
+        "lines 210 to 214 and 320 to 322",
+        r"\frac{dv}{du}=\frac{p}{B-\mu A}",
+        "Rigid impact, forces other than those of contact left out: in positive slip dv/du = p/(B - μA), where A, B, "
+        "C, μ depend on the configuration alone and so are constant in the impact: a straight line whose slope is "
+        "proportional to p; B - μA < 0 for p <= 0 and for small p > 0",
+        Check(
+            Rung.EXACT,
+            "dv/dP over du/dP, P the normal impulse",
+            all_of([slope_by_rates(), factor_is_not_zero()]),
+        ),
+        Check(
+            Rung.EXACT,
+            "the changes of v and u by a normal impulse with the tangential one at the bound of friction",
+            all_of([slope_by_impulses(), factor_is_not_zero()]),
+        ),
+        note="In stick u = 0: the line is vertical, and the corner is where slip ends. Near the G-spot p is small, "
+        "and so is the change of v along the line.",
+    )
+
+
+ENTRIES: Builders = {
+    "1-stiffness": _stiffness,
+    "1-poisson": _poisson,
+    "1-colours": _colours,
+    "1-impact-slope": _slope,
+}
+"""Sentences of Sec. 1."""

@@ -1,0 +1,282 @@
+"""Ledger of Section 2: sentences on the constraint, the contact and the extended example, held against its formulas.
+
+lp, lm: the forward and the backward force, lp = c λ_N, lm = (1 - c) λ_N; q is p⁻; x5 is p; d is positive; D = AC - B².
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Iterable
+
+from flint import fmpq_mpoly
+
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.formulas import mended
+from gspot_verified.paper.checks.identities import Algebra, Claim, Parts, rising_signs
+from gspot_verified.paper.section_2 import lagrangian
+
+SECTION = "Section 2"
+ALGEBRA = Algebra("x u p b y v z alpha1 alpha2 alpha3 chi a c lam lp lm kplus kminus q x5 k2 d A B C D mu")
+_SYMBOLS = ALGEBRA.symbols
+ALLOWED: dict[str, Callable[[int, int], bool]] = {"printed": operator.gt, "corrected": operator.ge}
+"""y > 0, and y >= 0."""
+G_SPOT, SURFACE = {"y": 0, "v": 0}, {"y": 0}
+"""Line 502; line 508."""
+PART = {"part": "alpha3*lp"}
+PART_CORRECTED = {"part": "-alpha3*lp"}
+EXTENDED = {
+    "x": "u", "u": "a + kplus*lp + kminus*lm",
+    "p": "alpha1 + chi*b", "b": "alpha2 - c*alpha3*lam", "y": "v", "v": "b + p*c*lam + q*(1 - c)*lam",
+    "z": "-z - (z - y)",
+}  # fmt: skip
+"""xdot, udot, newex1 to newex5: the rates, that of z times ε; ε² λ_N = z - y."""
+NORMAL = "pbyvz"
+TANGENTIAL = "xu"
+FORCE = "k2*(z - y)"
+"""compliant2 for y < z."""
+OTHER = {"p^-": "C + mu*B", "k^+": "B - mu*A", "k^-": "B + mu*A"}
+"""dv/dt and du/dt for each unit of λ_N: in negative slip, in positive, in negative slip."""
+
+
+def holds_at_the_g_spot(form: str) -> bool | None:
+    """Whether the constraint allows the G-spot."""
+    return ALLOWED[form](G_SPOT["y"], 0)
+
+
+def holds_in_contact(form: str) -> bool | None:
+    """Whether it allows the rigid contact."""
+    return ALLOWED[form](SURFACE["y"], 0)
+
+
+def _unilateral() -> Entry:
+    forms = ("printed", "corrected")
+    return settled(
+        SECTION,
+        "2-unilateral",
+        "lines 431 to 435",
+        "y>0",
+        "The unilateral constraint is y > 0",
+        Check(
+            Rung.EXACT,
+            "line 502: y = 0 at a G-spot",
+            mended(*map(holds_at_the_g_spot, forms)),
+            "y > 0 leaves out every G-spot",
+        ),
+        Check(
+            Rung.EXACT,
+            "line 508: contact is y = 0",
+            mended(*map(holds_in_contact, forms)),
+            "y > 0 leaves out every contact",
+        ),
+        corrected="y >= 0",
+    )
+
+
+def _contact_part() -> Entry:
+    this = Claim(ALGEBRA, PART, PART_CORRECTED)
+
+    def by_the_equation(parts: Parts) -> list[fmpq_mpoly]:
+        rate = ALGEBRA.read(EXTENDED["b"])
+        free = ALGEBRA.substitute(rate, {"lam": ALGEBRA.constant(0)})
+        forward = {"lp": _SYMBOLS["c"] * _SYMBOLS["lam"]}
+        return [rate - free - ALGEBRA.substitute(parts["part"], forward)]
+
+    def by_the_fields(parts: Parts) -> list[fmpq_mpoly]:
+        # λ_N = lp + lm, λ_T = -μ (lp - lm); G_T is H/(2 μ).
+        fields = lagrangian.PRINTED["2-extended"]
+        forces = ALGEBRA.read(fields["N6"]) * ALGEBRA.read("lp + lm") - ALGEBRA.read(f"({fields['H6']})*(lp - lm)/2")
+        same = ALGEBRA.read(fields["mu"]) - ALGEBRA.read("1 - x5")
+        return [forces - parts["part"], same]
+
+    return settled(
+        SECTION,
+        "2-contact-part",
+        "lines 643 to 646",
+        r"\text{the contact-dependent part of }\dot b\text{ is }\alpha_3^*\lambda^+",
+        "The part of db/dt that depends on contact is α_3* λ⁺ in the extended example",
+        this.check("eq. newex2 less its value without contact, λ⁺ = c λ_N", by_the_equation),
+        this.check("the sixth components of the printed G_T and G_N, in forward and backward slip", by_the_fields),
+        corrected="The part is -α_3* λ⁺",
+        note="In the findings lp is λ⁺ and lm is λ⁻.",
+    )
+
+
+def enters(name: str, rates: str) -> bool | None:
+    """Whether the variable enters one of these rates in forward slip, for every χ; λ_N is a function of y and z."""
+    images = {"c": ALGEBRA.constant(1), "lp": _SYMBOLS["lam"], "lm": ALGEBRA.constant(0)}
+    found = [ALGEBRA.substitute(ALGEBRA.read(EXTENDED[rate]), images).derivative(name) for rate in rates]
+    return not all(value.is_zero() for value in found)
+
+
+def one_of(answers: Iterable[bool | None]) -> bool | None:
+    """Whether one is True; open when one is open."""
+    found = list(answers)
+    return None if None in found or not found else any(found)
+
+
+def denied(answer: bool | None) -> bool | None:
+    """The contrary; open when the answer is."""
+    return None if answer is None else not answer
+
+
+def chi_brings(name: str) -> bool | None:
+    """Whether the terms with χ have the variable."""
+    parts = [ALGEBRA.read(text).derivative("chi") for text in EXTENDED.values()]
+    if all(value.is_zero() for value in parts):
+        return None
+    return not all(value.derivative(name).is_zero() for value in parts)
+
+
+def chi_couples_b_to_p() -> bool | None:
+    """Whether the terms with χ are χ b in the rate of p."""
+    parts = {name: ALGEBRA.read(text).derivative("chi") * _SYMBOLS["chi"] for name, text in EXTENDED.items()}
+    others = all(value.is_zero() for name, value in parts.items() if name != "p")
+    return others and (parts["p"] - _SYMBOLS["chi"] * _SYMBOLS["b"]).is_zero()
+
+
+def _coupling() -> Entry:
+    slip = one_of(enters(name, NORMAL) for name in TANGENTIAL)
+    terms = one_of(chi_brings(name) for name in TANGENTIAL)
+    right = chi_couples_b_to_p()
+    return settled(
+        SECTION,
+        "2-coupling",
+        "lines 661 to 664",
+        r"\alpha_1=\alpha_1^*+\chi b\ \text{allows two-way coupling between normal and tangential dynamics}",
+        "The term χ b of α_1 couples the tangential dynamics (x, u) back to the normal dynamics",
+        Check(
+            Rung.EXACT,
+            "newex1 to newex5 in slip: the rates of p, b, y, v, z, derived by x and by u",
+            mended(slip, right),
+            "neither x nor u enters, for any χ",
+        ),
+        Check(
+            Rung.EXACT,
+            "all terms with χ, in slip and in stick",
+            mended(terms, right),
+            "the one term with χ is χ b in the rate of p",
+        ),
+        corrected="χ couples b back to p. The tangential motion acts on the normal one by stick alone, for χ = 0 too",
+    )
+
+
+def fields_have(state: str) -> bool | None:
+    """Whether a component of F, G_T, G_N or μ has the state."""
+    fields = lagrangian.PRINTED["2-extended"]
+    names = [name for name in fields if name[0] in "FHN" or name == "mu"]
+    return not all(lagrangian.ALGEBRA.read(fields[name]).derivative(state).is_zero() for name in names)
+
+
+def _tangential() -> Entry:
+    normal = [*(enters(name, NORMAL) for name in TANGENTIAL), enters("x", NORMAL + TANGENTIAL)]
+    return settled(
+        SECTION,
+        "2-tangential",
+        "lines 612 to 617 and 929 to 931",
+        r"x\ \text{is a cyclic coordinate; no transition to stick without }u",
+        "x enters no equation of the extended example; in slip the equations for p, b, y, v, z, which for χ = 0 are "
+        "those of the motivating example, have no u either: they say nothing of a stop",
+        Check(
+            Rung.EXACT,
+            "xdot, udot, newex1 to newex5, derived by x and by u",
+            denied(one_of(normal)),
+        ),
+        Check(
+            Rung.EXACT,
+            "the components of the printed F, G_T, G_N and μ, derived by ξ_1; by ξ_2 there is ξ_1' = ξ_2 alone",
+            all_of([denied(fields_have("x1")), only_place_has_the_velocity()]),
+        ),
+    )
+
+
+def only_place_has_the_velocity() -> bool | None:
+    """Whether ξ_2 enters F_1 = ξ_2 and nothing else."""
+    fields = lagrangian.PRINTED["2-extended"]
+    names = [name for name in fields if (name[0] in "FHN" or name == "mu") and name != "F1"]
+    read = lagrangian.ALGEBRA.read
+    return all(read(fields[name]).derivative("x2").is_zero() for name in names) and read(fields["F1"]) == read("x2")
+
+
+def force_is_positive_below() -> bool | None:
+    """Whether λ_N > 0 for y = z - d: contact."""
+    below = ALGEBRA.substitute(ALGEBRA.read(FORCE), {"y": _SYMBOLS["z"] - _SYMBOLS["d"]})
+    return rising_signs(below)
+
+
+def force_vanishes_at_the_surface_alone() -> bool | None:
+    """Whether the force of contact is 0 at y = z and falls with y: no other y has the force 0 of flight."""
+    force = ALGEBRA.read(FORCE)
+    return ALGEBRA.substitute(force, {"y": _SYMBOLS["z"]}).is_zero() and rising_signs(-force.derivative("y"))
+
+
+def _contact_condition() -> Entry:
+    return settled(
+        SECTION,
+        "2-contact-condition",
+        "lines 551 to 555",
+        r"\text{lift-off and touch-down are given by the same condition } y=z",
+        "With λ_N of eq. compliant2 contact ends and begins at y = z, and λ_N is continuous there: for every z and "
+        "every k_2 > 0 the force is positive exactly for y < z",
+        Check(Rung.EXACT, "the force at y = z - d, for every d > 0, is positive", force_is_positive_below()),
+        Check(
+            Rung.EXACT,
+            "the force of contact falls with y and is that of flight, 0, at y = z alone",
+            force_vanishes_at_the_surface_alone(),
+        ),
+    )
+
+
+def sums_to_twice_c() -> bool | None:
+    """Whether p + p⁻ = 2C."""
+    return (ALGEBRA.read(OTHER["p^-"]) + ALGEBRA.read("C - mu*B - 2*C")).is_zero()
+
+
+def forward_force_slows() -> bool | None:
+    """Whether B k⁺ = -(AC - B²) + A p and k⁻ = k⁺ + 2μA: with p = 0, B = C/μ > 0 and AC - B² > 0 the signs follow."""
+    parts = {name: ALGEBRA.read(text) for name, text in OTHER.items()}
+    first = _SYMBOLS["B"] * parts["k^+"] - ALGEBRA.read("-(A*C - B^2) + A*(C - mu*B)")
+    second = parts["k^-"] - parts["k^+"] - ALGEBRA.read("2*mu*A")
+    return first.is_zero() and second.is_zero()
+
+
+def signs_at_p_0() -> bool | None:
+    """B C times p⁻, -k⁺, k⁻ at C = μB, A = (B² + D)/C, by positive symbols: all are positive."""
+    images = {"C": ALGEBRA.read("mu*B")}
+    answers = []
+    for name, sign in (("p^-", 1), ("k^+", -1), ("k^-", 1)):
+        value = ALGEBRA.read(OTHER[name])
+        slope = value.derivative("A")
+        rest = value - slope * _SYMBOLS["A"]
+        whole = (rest * _SYMBOLS["C"] + slope * ALGEBRA.read("B^2 + D")) * _SYMBOLS["B"]
+        answers.append(rising_signs(sign * ALGEBRA.substitute(whole, images)))
+    return all(answers)
+
+
+def _signs() -> Entry:
+    return settled(
+        SECTION,
+        "2-signs-at-p-0",
+        "lines 680 to 687",
+        r"p\approx0:\quad p^->0,\quad k^+<0,\quad k^->0",
+        "Where p = 0, and so near it: the Painlevé parameter of negative slip is positive, p⁻ = 2C - p, and the "
+        "contact force of positive (negative) slip accelerates the contact point backwards (forwards), k⁺ < 0 < k⁻",
+        Check(
+            Rung.EXACT,
+            "p + p⁻ = 2C; B k⁺ = -(AC - B²) + A p; k⁻ = k⁺ + 2μA = B + μA with B = C/μ > 0",
+            all_of([sums_to_twice_c(), forward_force_slows()]),
+        ),
+        Check(Rung.EXACT, "C = μB and A = (B² + D)/C put in, D = AC - B², all symbols positive", signs_at_p_0()),
+        note="A, C and AC - B² are positive: 1-mass-matrix. The paper says it of typical contacts; at p = 0 it holds "
+        "for all.",
+    )
+
+
+ENTRIES: Builders = {
+    "2-unilateral": _unilateral,
+    "2-contact-condition": _contact_condition,
+    "2-tangential": _tangential,
+    "2-contact-part": _contact_part,
+    "2-coupling": _coupling,
+    "2-signs-at-p-0": _signs,
+}
+"""Sentences of Sec. 2."""

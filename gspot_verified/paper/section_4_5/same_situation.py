@@ -1,0 +1,65 @@
+"""Ledger of Section 4.5: the side of the impact in Case III, held against Cases I and II."""
+
+from __future__ import annotations
+
+from flint import fmpq
+
+from gspot_verified.numbers.balls import sign_of
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.paper.checks.formulas import mended
+from gspot_verified.paper.section_4_5.section_4_5_signs import PRINTED as SIGNS
+from gspot_verified.signs.gamma.side import gamma_sign
+from gspot_verified.theta_function.value.evaluate import evaluate
+
+BETA = fmpq(3, 2)
+"""In Case III, and β < 4."""
+FORCE = {"printed": {"far left": 1, "zero": 1}, "corrected": {"far left": -1, "zero": -1}}
+"""The signs of the deviation of λ_N; as printed those of Cases I and II."""
+
+
+def sign_of_the_coefficient() -> int | None:
+    """C_1 on the side of the impact: the sign of Γ(-β); in Cases I and II it is negative."""
+    return gamma_sign(BETA)
+
+
+def is_so_far_left(form: str) -> bool | None:
+    """Whether C_1 dΘ/dτ has the stated sign for τ large and negative, where dΘ/dτ < 0."""
+    found = sign_of_the_coefficient()
+    return None if found is None else found * int(SIGNS["S-minus-infinity"]["sign"]) == FORCE[form]["far left"]
+
+
+def is_so_at_zero(form: str) -> bool | None:
+    """The same at τ = 0, with an enclosure of dΘ/dτ."""
+    slope, found = sign_of(evaluate(0, BETA, derivative=1).value), sign_of_the_coefficient()
+    return None if slope is None or found is None else found * slope == FORCE[form]["zero"]
+
+
+def _same_situation() -> Entry:
+    forms = ("printed", "corrected")
+    return settled(
+        "Section 4.5",
+        "S-same-situation",
+        "lines 1304 to 1305, 2300 to 2304",
+        r"\text{for the other sign of }C_1\Gamma(-\beta)\text{ we are in the same situation as above}",
+        "Case III on the side of the impact is in the situation of Cases I and II: the deviation of λ_N is positive "
+        "at τ → -∞, 0 and ∞ (and y-hat is negative at s = 0)",
+        Check(
+            Rung.EXACT,
+            f"β = {BETA}, τ → -∞: C_1 has the sign of Γ(-β), and dΘ/dτ < 0 (S-minus-infinity)",
+            mended(*map(is_so_far_left, forms)),
+            "C_1 > 0, so the deviation of λ_N is negative there",
+        ),
+        Check(
+            Rung.BALLS,
+            f"β = {BETA}, τ = 0: an enclosure of dΘ/dτ",
+            mended(*map(is_so_at_zero, forms)),
+            "dΘ/dτ < 0 there, so the deviation of λ_N is negative and that of y positive",
+        ),
+        corrected="An impact occurs, for another reason: for small ε the mean force, which is positive, dominates "
+        "until the deviation is large, and that is positive (S-iwc-case-III)",
+        note="At τ = 0 the sign is that of Γ((1-β)/3) on this side: negative for every β in (1, 4).",
+    )
+
+
+ENTRIES: Builders = {"S-same-situation": _same_situation}
+"""The side of the impact in Case III."""

@@ -1,0 +1,171 @@
+"""Ledger of Section 5: a count of equations, the synchronisation, and formulas with a bracket too many or too few."""
+
+from __future__ import annotations
+
+import re
+
+from flint import fmpq_mpoly
+
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.paper.checks.formulas import mended
+from gspot_verified.paper.checks.identities import Algebra
+from gspot_verified.paper.checks.words import quoted
+from gspot_verified.paper.section_5.section_5_recursion import ALGEBRA
+from gspot_verified.paper.section_5.section_5_recursion import PRINTED as RECURSION
+
+SECTION = "Section 5, Theorem 1"
+KINDS = {"printed": {"differential": 4, "algebraic": 1}, "corrected": {"differential": 3, "algebraic": 2}}
+"""Line 1652."""
+LEFT = dict(RECURSION["5-orders"])
+"""The left-hand sides B, Y, V, Z, L of specialBn to specialLn; the right-hand sides are known."""
+UNKNOWNS = {"b0": "b1", "y0": "y1", "v0": "v1", "z0": "z1", "l0": "l1"}
+"""b_n, y_n, v_n, z_n, λ_n and their derivatives in s."""
+RATE = "k"
+"""A symbol for d/ds, with s frozen."""
+DIFFERENCES = Algebra("lam p b y v P B Y V a1 a2 a3")
+EXTENDED = {"p": "a1", "b": "a2 - a3*lam", "y": "v", "v": "b + p*lam"}
+"""genSysP to genSysV."""
+FUNCTIONS = {"P": "a1", "B": "a2 - a3*lam", "Y": "V", "V": "B + P*lam"}
+"""gensys2 to gensys5 for the functions of the state."""
+BRACKETS = "lines 2050 to 2058, 2521 to 2543"
+PLACES = {
+    "lines 2054 and 2056": (r"\\epsilon\^\{(\(2\(\\beta-1\)/3)\}", 2),
+    "line 2538": (
+        r"\\dot\{\\phi\}(\\left\(k_\{\\phi\}\\left\(\\phi-\\phi_0\\right\)\)\+c_\{\\phi\}\\dot\{\\phi\}\\right\))",
+        1,
+    ),
+}
+"""A pattern with a printed group of brackets, and how often it is there."""
+
+
+def _left_sides() -> list[fmpq_mpoly]:
+    return [ALGEBRA.read(LEFT[name]) for name in "BYVZL"]
+
+
+def counted_by_derivatives(form: str) -> bool | None:
+    """Whether so many of the equations have the derivative of an unknown, and so many have none."""
+    found = [any(not left.derivative(rate).is_zero() for rate in UNKNOWNS.values()) for left in _left_sides()]
+    return {"differential": found.count(True), "algebraic": found.count(False)} == KINDS[form]
+
+
+def counted_by_the_order(form: str) -> bool | None:
+    """Whether the order of the whole system, the degree of its determinant in d/ds, is that of the first kind."""
+    rows = [
+        [left.derivative(name) + left.derivative(rate) * ALGEBRA.symbols[RATE] for name, rate in UNKNOWNS.items()]
+        for left in _left_sides()
+    ]
+    powers = ALGEBRA.coefficients(ALGEBRA.determinant(rows), RATE)
+    total = sum(KINDS[form].values())
+    return None if not powers else max(powers) == KINDS[form]["differential"] and total == len(rows)
+
+
+def _kinds() -> Entry:
+    forms = ("printed", "corrected")
+    return settled(
+        SECTION,
+        "5-kinds",
+        "lines 1651 to 1653",
+        r"\text{four coupled ODEs and one algebraic equation}",
+        "specialBn to specialZn are four differential equations for b_n, y_n, v_n, z_n, λ_n, specialLn is algebraic",
+        Check(
+            Rung.EXACT,
+            "which of the five left-hand sides have the derivative of an unknown",
+            mended(*map(counted_by_derivatives, forms)),
+            "specialBn, specialYn and specialVn; in specialZn the derivative is that of z_(n-1), which is known",
+        ),
+        Check(
+            Rung.EXACT,
+            "the degree in d/ds of the determinant of the five equations",
+            mended(*map(counted_by_the_order, forms)),
+            "the order is three, as that of third-order_b",
+        ),
+        corrected="Three differential equations (specialBn to specialVn) and two algebraic ones (specialZn, specialLn)",
+    )
+
+
+def difference_of(name: str) -> fmpq_mpoly:
+    """The rate of a variable less that of its function of the state."""
+    return DIFFERENCES.read(EXTENDED[name]) - DIFFERENCES.read(FUNCTIONS[name.upper()])
+
+
+def differences_are_linear() -> bool | None:
+    """Whether the differences p - P, b - B, y - Y, v - V have rates that are linear in them, without a free term.
+
+    So they are 0 at all times when they are at one (λ_N is continuous): a linear equation has one solution.
+    """
+    read = DIFFERENCES.read
+    wanted = {"p": "0*p", "b": "0*b", "y": "v - V", "v": "b - B + (p - P)*lam"}
+    return all((difference_of(name) - read(text)).is_zero() for name, text in wanted.items())
+
+
+def differences_follow_one_by_one() -> bool | None:
+    """The same in the order p, b, v, y: each rate is 0 once those before are equal."""
+    equal: dict[str, fmpq_mpoly] = {}
+    for name in "pbvy":
+        if not DIFFERENCES.substitute(difference_of(name), equal).is_zero():
+            return False
+        equal[name] = DIFFERENCES.symbols[name.upper()]
+    return True
+
+
+def _synchronised() -> Entry:
+    return settled(
+        SECTION,
+        "5-synchronised",
+        "lines 1331 to 1336",
+        r"p(t_0)=\mathcal P(\xi(t_0)),\ldots\ \Rightarrow\ p(t)=\mathcal P(\xi(t)),\ldots",
+        "The further variables p, b, y, v are equal to the functions of the state at all times when they are so at one",
+        Check(
+            Rung.EXACT,
+            "the four differences satisfy a linear homogeneous equation (λ_N continuous)",
+            differences_are_linear(),
+        ),
+        Check(
+            Rung.EXACT,
+            "one after another: p - P and b - B are constant, then v - V, then y - Y",
+            differences_follow_one_by_one(),
+        ),
+        note="The functions of the state satisfy the same equations: 2-slip-equations.",
+    )
+
+
+def brackets_close(place: str) -> bool | None:
+    """Whether each bracket that opens in the printed group is closed there, in order."""
+    pattern, times = PLACES[place]
+    found = re.findall(pattern, quoted(BRACKETS))
+    if len(found) != times:
+        return None
+    return all(_closes(group) for group in found)
+
+
+def _closes(text: str) -> bool:
+    depth = 0
+    for letter in text:
+        depth += {"(": 1, ")": -1}.get(letter, 0)
+        if depth < 0:
+            return False
+    return depth == 0
+
+
+def _brackets() -> Entry:
+    return settled(
+        SECTION,
+        "5-brackets",
+        BRACKETS,
+        r"\epsilon^{(2(\beta-1)/3},\quad\dot\phi\,(k_\phi(\phi-\phi_0))+c_\phi\dot\phi)",
+        "Every bracket of the perturbed variables (lines 2054, 2056) and of α_2 (line 2538) is closed",
+        *(
+            Check(
+                Rung.EXACT,
+                f"{place}: each bracket with its partner",
+                brackets_close(place),
+                "one bracket has no partner",
+            )
+            for place in PLACES
+        ),
+        corrected="2(β-1)/3; (k_φ (φ - φ_0) + c_φ φ-dot)",
+    )
+
+
+ENTRIES: Builders = {"5-synchronised": _synchronised, "5-kinds": _kinds, "5-brackets": _brackets}
+"""Sentences of Sec. 5."""

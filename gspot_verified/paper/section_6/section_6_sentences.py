@@ -1,0 +1,168 @@
+"""Ledger of Section 6: sentences on the oscillator that other sentences and formulas contradict."""
+
+from __future__ import annotations
+
+from flint import arb, fmpq
+
+from gspot_verified.numbers.balls import working_bits
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.paper.checks.formulas import mended
+from gspot_verified.paper.checks.identities import rising_signs
+from gspot_verified.paper.checks.words import Place, held_against
+from gspot_verified.paper.section_6 import oscillator, section_6_runs
+from gspot_verified.paper.section_6.oscillator import ALGEBRA
+
+SECTION = "Section 6 and Appendix B"
+_SYMBOLS = ALGEBRA.symbols
+SOURCES = "lines 106 to 108, 121 to 122, 2096 to 2098"
+ELSEWHERE = {
+    "the Introduction": Place("line 108", r"first studied by Leine \{\\em et al\.\}\\/ \\cite\{(\w+)\}"),
+    "the caption of Figure 1": Place("line 121", r"proposed by \\cite\{(Leine\w+)\}"),
+}
+HERE = Place("line 2097", r"oscillator proposed by \\cite\{(leine\w+)\}")
+"""Who proposed the oscillator."""
+CURVES = "lines 2224 to 2225 and 2247 to 2250"
+IN_THE_CAPTION = {
+    "the simulation": Place("caption", r"The (\w+) curves were obtained by numerical simulation"),
+    "Θ": Place("caption", r"the (\w+) curves are given by the suitable scaled \$\\Theta\$"),
+}
+IN_THE_TEXT = {
+    "the simulation": Place("text", r"The (\w+) curve is simulation"),
+    "Θ": Place("text", r"The (\w+) curve is computed using the suitably scaled hypergeometric \$\\Theta\$"),
+}
+"""The colours of Figure 13."""
+BELT = {"printed": "0*l", "corrected": "-l*om"}
+"""The velocity of the surface: x of line 2136 has none; one that is fast enough backwards."""
+STARTS = (fmpq(-9, 10), fmpq(-1, 2))
+"""φ-dot of the two starts, in the units m_1 = l = g = 1; φ = φ* + 1/10, cos φ* = 3/5."""
+AWAY = fmpq(1, 10)
+BETAS = {"printed": "lam", "corrected": "18/7 - lam"}
+"""Every β = lam > 0; every β below 18/7, at the distance lam > 0."""
+HIGHEST = fmpq(18, 7)
+CASE_III_AT = fmpq(7, 3)
+
+
+def _attribution() -> Entry:
+    return settled(
+        SECTION,
+        "6-attribution",
+        SOURCES,
+        r"\text{a frictional impact oscillator proposed by [leine2008]}",
+        "The oscillator was proposed in the work that line 2097 cites",
+        *(held_against(SOURCES, f"line 2097 and {where}", HERE, place) for where, place in ELSEWHERE.items()),
+        corrected="One work is cited in all three places; lines 108 and 121 name the one of 2002",
+    )
+
+
+def _colours() -> Entry:
+    return settled(
+        SECTION,
+        "6-colours",
+        CURVES,
+        r"\text{blue: simulation, red: }\Theta\qquad\text{red: simulation, blue: }\Theta",
+        "Figure 13: in the caption and in the text the same curve is the simulation, and the same one is Θ",
+        *(
+            held_against(CURVES, f"the curve of {what}", IN_THE_CAPTION[what], IN_THE_TEXT[what])
+            for what in IN_THE_TEXT
+        ),
+        corrected="The caption or the text has the two colours exchanged",
+        note="The figure decides.",
+    )
+
+
+def slips_forwards_at_the_g_spot(form: str) -> bool | None:
+    """Whether u = dx/dt less the velocity of the surface is positive at the G-spot, for all l and g."""
+    velocity = oscillator.along(ALGEBRA.read(oscillator.MOTION["x"]), {"phi": _SYMBOLS["w"]})
+    slip = oscillator.at_g_spot(velocity - ALGEBRA.read(BELT[form]))
+    return True if rising_signs(slip) else False if rising_signs(-slip) else None
+
+
+def slips_forwards_at_the_starts(form: str) -> bool | None:
+    """The same at the two starts of the simulations."""
+    place = oscillator.G_SPOT
+    cosine, sine = (fmpq(*map(int, place[name].split("/"))) for name in "CS")
+    belt = ALGEBRA.substitute(ALGEBRA.read(BELT[form]), {"l": ALGEBRA.constant(1), "om": ALGEBRA.constant(1)})
+    moving = fmpq(0) if belt.is_zero() else belt.leading_coefficient()
+    with working_bits(64):
+        here = arb(cosine) * arb(AWAY).cos() - arb(sine) * arb(AWAY).sin()
+        slips = [here * rate - moving for rate in STARTS]
+        if all(slip > 0 for slip in slips):
+            return True
+        return False if all(slip < 0 for slip in slips) else None
+
+
+def _positive_slip() -> Entry:
+    forms = ("printed", "corrected")
+    return settled(
+        SECTION,
+        "6-positive-slip",
+        "lines 2134 to 2140, 2167 to 2174, 2193 to 2200",
+        r"\text{positive slip},\quad x=l\sin\phi,\quad u=l\cos\phi\,\dot\phi",
+        "With x = l sin φ the slip u = dx/dt is positive at the G-spot and at the two starts",
+        Check(
+            Rung.EXACT,
+            "u at the G-spot, for all m_1, l, g",
+            mended(*map(slips_forwards_at_the_g_spot, forms)),
+            "u = -3/5 sqrt(g l) < 0",
+        ),
+        Check(
+            Rung.BALLS,
+            "u at the two starts: cos(φ* + 1/10) > 0 and φ-dot < 0",
+            mended(*map(slips_forwards_at_the_starts, forms)),
+            "u < 0 at both",
+        ),
+        corrected="u = dx/dt less the velocity of the belt, which must be below -3/5 sqrt(g l) and is not given",
+    )
+
+
+def damps(form: str) -> bool | None:
+    """Whether c_ψ >= 0 for these β: True by positive coefficients in lam > 0, False when it falls for ever."""
+    found = ALGEBRA.substitute(ALGEBRA.read(oscillator.PARAMETERS["cpsi"]), {"beta": ALGEBRA.read(BETAS[form])})
+    if rising_signs(found):
+        return True
+    slope = found.derivative("lam")
+    return False if rising_signs(-slope) and slope.derivative("lam").is_zero() else None
+
+
+def has_a_case(form: str) -> bool | None:
+    """Whether there are κ >= 0 with a Case for these β: not above 10/3, where α_2 > 0; at 7/3 Case III, κ = 0."""
+    if form == "printed":
+        return False if section_6_runs.ends_before_10_3() is True else None
+    first, second, third = (
+        section_6_runs.number(name, CASE_III_AT, fmpq(0)) for name in ("alpha_1", "alpha_2", "alpha_3")
+    )
+    return max(first, second) < 0 and third < first and CASE_III_AT < HIGHEST
+
+
+def _any_beta() -> Entry:
+    forms = ("printed", "corrected")
+    return settled(
+        SECTION,
+        "6-any-beta",
+        "lines 2156 to 2165, 2184 to 2185",
+        r"\beta\ \text{may take any desired value}",
+        "The oscillator of two springs and two dampers (no negative constant) may have any β > 0, in some Case",
+        Check(
+            Rung.EXACT,
+            "c_ψ = 25/108 (18 - 7β) m_1 sqrt(g/l) of line 2160",
+            mended(*map(damps, forms)),
+            "negative for every β > 18/7: the damper would drive",
+        ),
+        Check(
+            Rung.EXACT,
+            "α_2 for k_ψ >= 0, as κ >= 0, and β >= 10/3",
+            mended(*map(has_a_case, forms)),
+            "α_2 > 0 and α_3 < α_1 < 0: none of the three Cases",
+        ),
+        corrected="0 < β <= 18/7",
+        note="With a damper and a spring of negative constants every β can be had: 6-classes.",
+    )
+
+
+ENTRIES: Builders = {
+    "6-attribution": _attribution,
+    "6-positive-slip": _positive_slip,
+    "6-any-beta": _any_beta,
+    "6-colours": _colours,
+}
+"""Sentences of Sec. 6."""

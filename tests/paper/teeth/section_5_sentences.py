@@ -1,0 +1,34 @@
+"""Another count, other differences, mended brackets (Sec. 5)."""
+
+from __future__ import annotations
+
+from paper.bite import GENERIC, Bite, NotApplicable, Teeth, reads_as, replaced, unseen_at
+
+from gspot_verified.paper.section_5 import section_5_sentences as ledger
+
+ENTRIES = ledger.ENTRIES
+_COUNT = "a count of equations; a factor changes none"
+_WORDS = "brackets are counted; there is no formula"
+
+TEETH: Teeth = {
+    "5-kinds": (
+        NotApplicable("factor", _COUNT),
+        Bite("hidden factor", ledger.LEFT, "Z", lambda honest: f"{honest} + z1"),
+        Bite("hypothesis", ledger.KINDS, "printed", lambda _: ledger.KINDS["corrected"]),
+        Bite("hypothesis", ledger.LEFT, "V", replaced("v1", "v0")),
+        NotApplicable("order", _COUNT),
+    ),
+    "5-synchronised": (
+        Bite("factor", ledger.EXTENDED, "v", replaced("p*lam", f"{GENERIC}*p*lam")),
+        Bite("hidden factor", ledger.FUNCTIONS, "B", unseen_at("lam", (0, 1))),
+        Bite("hypothesis", ledger.EXTENDED, "y", lambda _: "V + b"),
+        Bite("order", ledger.FUNCTIONS, "V", replaced("P*lam", "P^2*lam")),
+    ),
+    "5-brackets": (
+        NotApplicable("factor", _WORDS),
+        NotApplicable("hidden factor", _WORDS),
+        Bite("hypothesis", ledger, "quoted", reads_as(r"\phi_0\right))+", r"\phi_0\right)+")),
+        Bite("hypothesis", ledger, "quoted", reads_as(r"{(2(\beta-1)/3}", r"{2(\beta-1)/3}")),
+        NotApplicable("order", _WORDS),
+    ),
+}

@@ -1,0 +1,54 @@
+"""Mended sentences on the oscillator (Sec. 6)."""
+
+from __future__ import annotations
+
+from flint import fmpq
+from paper.bite import Bite, NotApplicable, Teeth, raised, reads_as, replaced
+
+from gspot_verified.paper.checks import words
+from gspot_verified.paper.section_6 import oscillator, section_6_runs
+from gspot_verified.paper.section_6 import section_6_sentences as ledger
+
+ENTRIES = ledger.ENTRIES
+_WORDS = "words are compared; there is no formula"
+_SIGN = "exact signs; a positive factor changes none"
+
+TEETH: Teeth = {
+    "6-attribution": (
+        NotApplicable("factor", _WORDS),
+        NotApplicable("hidden factor", _WORDS),
+        Bite("hypothesis", words, "quoted", reads_as("leine2008", "leine2002", then=("Leine2002", "leine2002"))),
+        Bite("hypothesis", words, "quoted", reads_as("proposed by", "of")),
+        NotApplicable("order", _WORDS),
+    ),
+    "6-positive-slip": (
+        NotApplicable("factor", _SIGN),
+        NotApplicable("hidden factor", _SIGN),
+        Bite("hypothesis", ledger.BELT, "printed", lambda _: "-l*om"),
+        Bite("hypothesis", ledger.BELT, "corrected", lambda _: "-l*om/2"),
+        Bite("hypothesis", oscillator.G_SPOT, "w", lambda _: "om"),
+        NotApplicable("order", _SIGN),
+    ),
+    "6-any-beta": (
+        NotApplicable("factor", _SIGN),
+        NotApplicable("hidden factor", _SIGN),
+        Bite("hypothesis", ledger.BETAS, "printed", lambda _: "18/7 - lam"),
+        Bite("hypothesis", ledger.BETAS, "corrected", lambda _: "19/7 - lam"),
+        Bite("hypothesis", oscillator.PARAMETERS, "cpsi", replaced("18 - 7*beta", "18 + 7*beta")),
+        Bite("hypothesis", section_6_runs.ALPHAS, "alpha_2", lambda honest: f"-({honest})"),
+        Bite("hypothesis", ledger, "CASE_III_AT", lambda _: fmpq(1, 2)),
+        Bite("order", oscillator.PARAMETERS, "cpsi", raised("beta")),
+    ),
+    "6-colours": (
+        NotApplicable("factor", _WORDS),
+        NotApplicable("hidden factor", _WORDS),
+        Bite("hypothesis", words, "quoted", reads_as("blue curves", "red curves")),
+        Bite(
+            "hypothesis",
+            words,
+            "quoted",
+            reads_as("red curves", "blue curves", then=("The blue curves", "The red curves")),
+        ),
+        NotApplicable("order", _WORDS),
+    ),
+}
