@@ -21,7 +21,9 @@ from gspot_verified.paper.section_1 import (
     section_1_cases,
     section_1_mass_matrix,
     section_1_negative_p,
+    section_1_outcomes,
     section_1_rigid,
+    section_1_rod,
     section_1_sentences,
 )
 from gspot_verified.paper.section_2 import (
@@ -77,6 +79,8 @@ PARTS: dict[str, Builders] = {
     "Section 1, signs of the α's": section_1_alpha_signs.ENTRIES,
     "Section 1, Cases I, II and III": section_1_cases.ENTRIES,
     "Section 1, the ratio β": section_4_slow.RATIO_ENTRIES,
+    "Section 1, outcomes of rigid slip": section_1_outcomes.ENTRIES,
+    "Section 1, the falling rod": section_1_rod.ENTRIES,
     "Section 1, sentences": section_1_sentences.ENTRIES,
     "Section 2, the general system": general_system.ENTRIES,
     "Section 2, the surface": section_2_contact.ENTRIES,

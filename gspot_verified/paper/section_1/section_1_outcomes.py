@@ -1,0 +1,187 @@
+"""Ledger of Section 1: how rigid slip ends with constant α's: it leaves, lifts off, or reaches the G-spot.
+
+Gspot1, Gspot2: p = q e^(α_1 s), q > 0, and b = c p + K e^(α_3 s), c (α_1 - α_3) = α_2, or
+b = (K + α_2 q s) e^(α_1 s) for α_1 = α_3. Signs stand for the α's: 1, 0, -1; u, w, m, r are positive.
+"""
+
+from __future__ import annotations
+
+from itertools import product
+
+from flint import fmpq_mpoly
+
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.identities import Algebra, rising_signs
+from gspot_verified.paper.section_1.section_1_cases import RATES
+
+SECTION = "Section 1"
+ALGEBRA = Algebra("p b c K q s E lam alpha1 alpha2 alpha3 u w m r")
+_SYMBOLS = ALGEBRA.symbols
+SIGNS = (1, -1)
+"""Of α_1 and of α_3: none is 0."""
+JORDAN = "(K + alpha2*q*s)*E"
+"""b for α_1 = α_3, where E is e^(α_1 s) and p is q E."""
+LEAVES, G_SPOT = "leaves", "G-spot"
+FOURTH = {"alpha1": "-w", "alpha2": "m", "alpha3": "-u-w"}
+"""α_1, α_3 < 0 in none of the Cases I, II, III: α_2 > 0 and α_3 < α_1."""
+ATTRACTED = {"< -1": "I", "< 1": "II", "> -1": "III", "> 1": None}
+"""α_1 < α_3 or α_1 > α_3, and the sign of α_2: the Case, for α_1, α_3 < 0."""
+
+
+def _rates() -> dict[str, fmpq_mpoly]:
+    return {name: ALGEBRA.read(text) for name, text in RATES.items()}
+
+
+def solutions_are_right() -> bool | None:
+    """Whether the line b = c p is invariant, deviations from it grow like e^(α_3 s), and the form for α_1 = α_3 is one.
+
+    p grows like e^(α_1 s).
+    """
+    rates, p = _rates(), _SYMBOLS["p"]
+    on_line = ALGEBRA.substitute(rates["b"], {"b": _SYMBOLS["c"] * p})
+    line = _SYMBOLS["c"] * rates["p"] - on_line - p * ALGEBRA.read("c*(alpha1 - alpha3) - alpha2")
+    growth = rates["b"].derivative("b") - _SYMBOLS["alpha3"], rates["p"] - _SYMBOLS["alpha1"] * p
+    value = ALGEBRA.read(JORDAN)
+    slope = ALGEBRA.derivative(value, {"s": ALGEBRA.constant(1), "E": ALGEBRA.read("alpha1*E")})
+    equal = {"b": value, "p": ALGEBRA.read("q*E"), "alpha3": _SYMBOLS["alpha1"]}
+    jordan = slope - ALGEBRA.substitute(rates["b"], equal)
+    return all(found.is_zero() for found in (line, *growth, jordan))
+
+
+def end_of(first: int, third: int, apart: bool) -> str | None:
+    """Where a state goes as s → ∞ for these signs of α_1 and α_3, K not 0 where ``apart``, if it does not lift off.
+
+    ``None``: to a point that is not the G-spot.
+    """
+    if first > 0 or (apart and third > 0):
+        return LEAVES  # p → ∞, or p → 0 and |b| → ∞
+    if first < 0 and not (apart and third == 0):
+        return G_SPOT
+    return None
+
+
+def ends_by_the_solution() -> bool | None:
+    """Whether every state leaves or goes to the G-spot, for all signs of α_1 and α_3."""
+    ends = [end_of(first, third, apart) for first, third, apart in product(SIGNS, SIGNS, (True, False))]
+    return None if None in ends else solutions_are_right()
+
+
+def bounded_states_go_to_the_g_spot() -> bool | None:
+    """Whether the matrix of the flow has the eigenvalues α_1 and α_3 alone: real, and not 0.
+
+    A linear flow without an eigenvalue on the imaginary axis is hyperbolic: what stays bounded tends to the origin.
+    """
+    rates = _rates()
+    rows = [
+        [rates[name].derivative(other) - (_SYMBOLS["lam"] if name == other else 0) for other in "pb"] for name in "pb"
+    ]
+    polynomial = ALGEBRA.determinant(rows) - ALGEBRA.read("(alpha1 - lam)*(alpha3 - lam)")
+    return (polynomial.is_zero() and 0 not in SIGNS) or None
+
+
+def keeps_the_sign_of_p() -> bool | None:
+    """Whether the rate of p is a multiple of p: p = 0 is never reached, and p never changes its sign."""
+    rate = _rates()["p"]
+    return ALGEBRA.substitute(rate, {"p": ALGEBRA.constant(0)}).is_zero()
+
+
+def p_is_an_exponential() -> bool | None:
+    """Whether p = q E, E = e^(α_1 s), solves Gspot1, with q > 0 positive for every s."""
+    value = ALGEBRA.read("q*E")
+    slope = ALGEBRA.derivative(value, {"E": ALGEBRA.read("alpha1*E")})
+    return (slope - ALGEBRA.substitute(_rates()["p"], {"p": value})).is_zero() and rising_signs(value)
+
+
+def _outcomes() -> Entry:
+    return settled(
+        SECTION,
+        "1-three-outcomes",
+        "lines 261 to 265",
+        r"\text{from slip there are three outcomes: it leaves, it lifts off, it reaches the G-spot}",
+        "Rigid slip with constant α's, α_1 α_3 not 0: from p > 0, b < 0 the state leaves every bounded set with "
+        "b < 0 < p, or reaches b = 0 with p > 0, or tends to the G-spot",
+        Check(
+            Rung.EXACT,
+            "the solutions for α_1 ≠ α_3 and for α_1 = α_3: each part tends to 0 or is unbounded, p > 0 for ever",
+            all_of([ends_by_the_solution(), p_is_an_exponential()]),
+        ),
+        Check(
+            Rung.EXACT,
+            "the eigenvalues of the flow are α_1 and α_3: no bounded state but those that tend to the origin",
+            all_of([bounded_states_go_to_the_g_spot(), keeps_the_sign_of_p()]),
+        ),
+        note="For α_1 = 0 > α_3 and for α_3 = 0 > α_1 there is a fourth outcome: with α = (-1, -1, 0) p tends to 0 and "
+        "b to b(0) - p(0); with α = (0, -1, -1) p is constant and b tends to -p.",
+    )
+
+
+def _rescaled_time() -> Entry:
+    return settled(
+        SECTION,
+        "1-rescaled-time",
+        "lines 1000 to 1003",
+        r"\text{the system can only be defined for }p>0",
+        "In the time of eq. time_rescale a state with p > 0 has p > 0 for ever: the rescaled system says nothing "
+        "beyond the G-spot",
+        Check(Rung.EXACT, "Gspot1: the rate of p is a multiple of p", keeps_the_sign_of_p()),
+        Check(Rung.EXACT, "p = p(0) e^(α_1 s) > 0", p_is_an_exponential()),
+        note="Its formulas are defined for p < 0 too, where the time runs backwards.",
+    )
+
+
+def fourth_lifts_off() -> bool | None:
+    """Whether r = λ_N = -b/p falls at a rate below -m for every r > 0: b = 0 is reached at a finite s, with p > 0."""
+    images = {name: ALGEBRA.read(text) for name, text in FOURTH.items()}
+    rates, p = _rates(), _SYMBOLS["p"]
+    at_force = {"b": -_SYMBOLS["r"] * p}
+    slope = ALGEBRA.substitute(-(rates["b"] * p - _SYMBOLS["b"] * rates["p"]), at_force)  # p² dr/ds
+    found = ALGEBRA.substitute(slope, images)
+    below = -found - _SYMBOLS["m"] * p**2
+    return rising_signs(below)
+
+
+def fourth_goes_above() -> bool | None:
+    """Whether the slope c of the line that all states approach is positive there: b > 0 in the end."""
+    images = {name: ALGEBRA.read(text) for name, text in FOURTH.items()}
+    drift, second = (ALGEBRA.substitute(ALGEBRA.read(text), images) for text in ("alpha1 - alpha3", "alpha2"))
+    return rising_signs(drift) and rising_signs(second)
+
+
+def others_are_cases() -> bool | None:
+    """Whether of the four orders and signs with α_1, α_3 < 0 one alone is no Case, and it is ``FOURTH``."""
+    open_one = [key for key, case in ATTRACTED.items() if case is None]
+    images = {name: ALGEBRA.read(text) for name, text in FOURTH.items()}
+    order = ">" if rising_signs(images["alpha1"] - images["alpha3"]) else "<"
+    sign = 1 if rising_signs(images["alpha2"]) else -1
+    ends = [end_of(first, third, True) for first, third in product(SIGNS, SIGNS) if (first, third) != (-1, -1)]
+    return open_one == [f"{order} {sign}"] and ends == [LEAVES] * 3
+
+
+def _attracting() -> Entry:
+    return settled(
+        SECTION,
+        "1-attracting-signs",
+        "lines 269 to 273",
+        r"\text{the third possibility can only occur under specific sign combinations: Cases I, II, III}",
+        "Rigid slip with constant α's, none of them 0, α_1 ≠ α_3: outside Cases I, II and III no state of slip "
+        "reaches the G-spot, but for those of one line (α_1 < 0 < α_3 and α_2 > 0)",
+        Check(
+            Rung.EXACT,
+            "states off the line leave unless α_1, α_3 < 0; there λ_N' < -α_2 in the fourth one: lift-off",
+            all_of([solutions_are_right(), others_are_cases(), fourth_lifts_off()]),
+        ),
+        Check(
+            Rung.EXACT,
+            "states off the line leave unless α_1, α_3 < 0; the line that they approach has b > 0 in the fourth",
+            all_of([solutions_are_right(), others_are_cases(), fourth_goes_above()]),
+        ),
+        note="That the three Cases do: 1-case-I, 1-case-II, 1-case-III.",
+    )
+
+
+ENTRIES: Builders = {
+    "1-three-outcomes": _outcomes,
+    "1-attracting-signs": _attracting,
+    "1-rescaled-time": _rescaled_time,
+}
+"""How rigid slip ends."""
