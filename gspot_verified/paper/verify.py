@@ -69,7 +69,14 @@ from gspot_verified.paper.section_5 import (
     section_5_spaces,
     section_5_theorem,
 )
-from gspot_verified.paper.section_6 import section_6, section_6_runs, section_6_sentences, section_6_theta, section_7
+from gspot_verified.paper.section_6 import (
+    section_6,
+    section_6_relaxation,
+    section_6_runs,
+    section_6_sentences,
+    section_6_theta,
+    section_7,
+)
 from gspot_verified.work.executors import InProcessExecutor, as_they_end
 
 PARTS: dict[str, Builders] = {
@@ -124,6 +131,7 @@ PARTS: dict[str, Builders] = {
     "Section 6 and Appendix B, the oscillator": section_6.ENTRIES,
     "Section 6, Cases and simulations": section_6_runs.ENTRIES,
     "Section 6, the expansion and Θ": section_6_theta.ENTRIES,
+    "Section 6, relaxation and units": section_6_relaxation.ENTRIES,
     "Section 6, sentences": section_6_sentences.ENTRIES,
     "Section 7, after the first flight": section_7.ENTRIES,
     "Appendix A": appendix_a.ENTRIES,

@@ -150,7 +150,7 @@ def at_g_spot(value: fmpq_mpoly) -> fmpq_mpoly:
     first = {name: ALGEBRA.read(text) for name, text in (PARAMETERS | G_SPOT).items()}
     value = ALGEBRA.substitute(value, first)
     value = ALGEBRA.substitute(value, {"g": ALGEBRA.read("l*om^2"), "R": ALGEBRA.read("25/34*I")})
-    return _without_quotients(value)
+    return without_quotients(value)
 
 
 def g_spot_is_consistent() -> list[fmpq_mpoly]:
@@ -159,7 +159,7 @@ def g_spot_is_consistent() -> list[fmpq_mpoly]:
     return [circle, at_g_spot(ALGEBRA.read(f"R*({_DETERMINANT}) - 1"))]
 
 
-def _without_quotients(value: fmpq_mpoly) -> fmpq_mpoly:
+def without_quotients(value: fmpq_mpoly) -> fmpq_mpoly:
     """m_1 I = 1 and l J = 1 used in every term."""
     for inverse, name in (("I", "m1"), ("J", "l")):
         found = _ZERO
