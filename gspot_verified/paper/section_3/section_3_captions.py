@@ -8,6 +8,7 @@ from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_
 from gspot_verified.paper.checks.formulas import mended
 from gspot_verified.paper.checks.identities import Algebra
 from gspot_verified.paper.checks.words import Place, said
+from gspot_verified.paper.section_3 import section_3_sentences
 
 SECTION = "Section 3"
 ALGEBRA = Algebra("p b y v z lam alpha1 alpha2 alpha3")
@@ -160,9 +161,37 @@ def _panels() -> Entry:
     )
 
 
+def rate_in_flight() -> bool | None:
+    """Whether modelsys2 is b' = α_2 and modelsys4 v' = b where λ_N = 0."""
+    none = {"lam": ALGEBRA.constant(0)}
+    rates = {name: ALGEBRA.substitute(ALGEBRA.read(EQUATIONS[name][1]), none) for name in ("modelsys2", "modelsys4")}
+    wanted = {"modelsys2": "alpha2", "modelsys4": "b"}
+    return all((value - ALGEBRA.read(wanted[name])).is_zero() for name, value in rates.items())
+
+
+def flight_has_these_rates() -> bool | None:
+    """Whether the flight of 3-flight-ends, u after lift-off, has b' = α_2 and v' = b at its begin and later."""
+    algebra, read = section_3_sentences.ALGEBRA, section_3_sentences.ALGEBRA.read
+    b, v = (read(section_3_sentences.FLIGHT[name]) for name in "bv")
+    return (b.derivative("u") - algebra.symbols["alpha2"]).is_zero() and (v.derivative("u") - b).is_zero()
+
+
+def _after_contact() -> Entry:
+    return settled(
+        SECTION,
+        "3-after-contact",
+        "lines 911 to 912",
+        r"\text{after lift-off }\lambda_N=0,\ \dot b=\alpha_2^*",
+        "Without contact λ_N = 0 (compl2), and so b' = α_2* and v' = b",
+        Check(Rung.EXACT, "modelsys2 and modelsys4 with λ_N = 0", rate_in_flight()),
+        Check(Rung.EXACT, "the flight of 3-flight-ends, derived", flight_has_these_rates()),
+    )
+
+
 ENTRIES: Builders = {
     "3-trivial-shown": _trivial_shown,
     "3-caption-equations": _equations,
     "3-panels": _panels,
+    "3-after-contact": _after_contact,
 }
 """The captions and the panels."""

@@ -6,9 +6,13 @@ import re
 
 from flint import fmpq_mpoly
 
+from gspot_verified.expansion.series.system import GSpotError
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.spots.g_spot import find_g_spot
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
 from gspot_verified.paper.checks.formulas import mended
 from gspot_verified.paper.checks.identities import Algebra
+from gspot_verified.paper.checks.page import Page
 from gspot_verified.paper.checks.words import quoted
 from gspot_verified.paper.section_5.section_5_recursion import ALGEBRA
 from gspot_verified.paper.section_5.section_5_recursion import PRINTED as RECURSION
@@ -36,6 +40,12 @@ PLACES = {
     ),
 }
 """A pattern with a printed group of brackets, and how often it is there."""
+
+
+UNIQUE = "lines 1363 to 1369"
+SIZES = (1, 2, 3)
+"""Sizes of the Jacobian at which Cramer's rule is written out with symbols."""
+MECHANISM = "falling rod of Génot and Brogliato"
 
 
 def _left_sides() -> list[fmpq_mpoly]:
@@ -129,6 +139,47 @@ def _synchronised() -> Entry:
     )
 
 
+def cofactors_invert() -> bool | None:
+    """Whether the matrix of cofactors times the Jacobian is its determinant times 1: J⁻¹ exists where that is not 0."""
+    answers = []
+    for size in SIZES:
+        algebra = Algebra(" ".join(f"j{row}{column}" for row in range(size) for column in range(size)))
+        rows = [[algebra.symbols[f"j{row}{column}"] for column in range(size)] for row in range(size)]
+        whole = algebra.determinant(rows)
+        for i in range(size):
+            for k in range(size):
+                # row i of the cofactors' transpose, times column k: the expansion of a determinant by column i
+                replaced = [[row[k] if column == i else row[column] for column in range(size)] for row in rows]
+                expected = whole if i == k else algebra.constant(0)
+                answers.append((algebra.determinant(replaced) - expected).is_zero())
+    return all(answers)
+
+
+def one_in_a_box() -> bool | None:
+    """Whether the library's Krawczyk test proves one G-spot of a mechanism in a box, where it is not rational."""
+    try:
+        return find_g_spot(shipped_mechanism(MECHANISM)).exact is False
+    except GSpotError:
+        return None
+
+
+def _unique() -> Entry:
+    return settled(
+        SECTION,
+        "5-locally-unique",
+        UNIQUE,
+        r"[\mathcal P_\xi,\mathcal B_\xi,\mathcal Y_\xi,\mathcal V_\xi,\mathcal J_\xi]\ \text{non-singular}",
+        "For continuously differentiable functions: where p = b = y = v = 0 and J = 0 with a regular Jacobian, there "
+        "is no other such place near by",
+        Page("krawczyk", (cofactors_invert,)).check(
+            "with x_0 = ξ*, f(ξ*) = 0 and Y the inverse of the Jacobian: K = ξ* + (I - Y A)(X - ξ*), and I - Y A tends "
+            "to 0 as the box X shrinks to ξ*; so K lies inside a small X, which has one zero",
+        ),
+        Check(Rung.POINTS, "the same test in balls at a G-spot of a mechanism", one_in_a_box()),
+        note="It is the inverse function theorem.",
+    )
+
+
 def brackets_close(place: str) -> bool | None:
     """Whether each bracket that opens in the printed group is closed there, in order."""
     pattern, times = PLACES[place]
@@ -167,5 +218,10 @@ def _brackets() -> Entry:
     )
 
 
-ENTRIES: Builders = {"5-synchronised": _synchronised, "5-kinds": _kinds, "5-brackets": _brackets}
+ENTRIES: Builders = {
+    "5-synchronised": _synchronised,
+    "5-locally-unique": _unique,
+    "5-kinds": _kinds,
+    "5-brackets": _brackets,
+}
 """Sentences of Sec. 5."""

@@ -34,4 +34,11 @@ TEETH: Teeth = {
         Bite("hypothesis", ledger.CASES, "c", lambda _: "I"),
         NotApplicable("order", _SIGN),
     ),
+    "3-after-contact": (
+        Bite("factor", ledger.EQUATIONS, "modelsys2", lambda _: ("b", "2*alpha2 - alpha3*lam")),
+        Bite("hidden factor", ledger.EQUATIONS, "modelsys4", lambda _: ("v", "b + b*(b - 1)*alpha3 + p*lam")),
+        Bite("hypothesis", ledger.EQUATIONS, "modelsys2", lambda _: ("b", "alpha2 - alpha3*lam - alpha3")),
+        Bite("hypothesis", ledger.section_3_sentences.FLIGHT, "b", lambda _: "b - alpha2*u"),
+        NotApplicable("order", "exact equations; no order of an error occurs"),
+    ),
 }

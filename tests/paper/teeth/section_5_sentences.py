@@ -4,9 +4,17 @@ from __future__ import annotations
 
 from paper.bite import GENERIC, Bite, NotApplicable, Teeth, reads_as, replaced, unseen_at
 
+from gspot_verified.expansion.series.system import GSpotError
+from gspot_verified.paper.checks.identities import Algebra
 from gspot_verified.paper.section_5 import section_5_sentences as ledger
 
 ENTRIES = ledger.ENTRIES
+
+
+def _no_place(_: object) -> None:
+    raise GSpotError("a singular Jacobian")
+
+
 _COUNT = "a count of equations; a factor changes none"
 _WORDS = "brackets are counted; there is no formula"
 
@@ -23,6 +31,12 @@ TEETH: Teeth = {
         Bite("hidden factor", ledger.FUNCTIONS, "B", unseen_at("lam", (0, 1))),
         Bite("hypothesis", ledger.EXTENDED, "y", lambda _: "V + b"),
         Bite("order", ledger.FUNCTIONS, "V", replaced("P*lam", "P^2*lam")),
+    ),
+    "5-locally-unique": (
+        Bite("factor", Algebra, "determinant", lambda honest: lambda *rows: 2 * honest(*rows) + 1),
+        NotApplicable("hidden factor", "an identity in symbols; no points are sampled"),
+        Bite("hypothesis", ledger, "find_g_spot", lambda _: _no_place),
+        NotApplicable("order", "no order of an error occurs"),
     ),
     "5-brackets": (
         NotApplicable("factor", _WORDS),
