@@ -81,6 +81,7 @@ _CONSEQUENCES = {
         Reach.LOCAL, "The conclusion, an impact, holds; the argument for it is another one than in Cases I and II."
     ),
     "5-kinds": Consequence(Reach.NONE, "The third-order equation that follows is right."),
+    "5-letters": Consequence(Reach.NONE, "The equations that follow from it do not contain ξ."),
     "5-brackets": Consequence(Reach.NONE, "The exponents and the factor are meant as the corrected ones."),
     "5-monomial": Consequence(Reach.NONE, "The coefficient that the argument uses is right."),
     "5-xinprime": Consequence(Reach.LOCAL, "One wrong index in a formula of the recursion."),

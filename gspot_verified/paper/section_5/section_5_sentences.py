@@ -13,7 +13,7 @@ from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, sett
 from gspot_verified.paper.checks.formulas import mended
 from gspot_verified.paper.checks.identities import Algebra
 from gspot_verified.paper.checks.page import Page
-from gspot_verified.paper.checks.words import quoted
+from gspot_verified.paper.checks.words import Place, held_against, quoted
 from gspot_verified.paper.section_5.section_5_recursion import ALGEBRA
 from gspot_verified.paper.section_5.section_5_recursion import PRINTED as RECURSION
 
@@ -42,6 +42,15 @@ PLACES = {
 """A pattern with a printed group of brackets, and how often it is there."""
 
 
+LETTERS = "lines 1395 to 1405, 2037 to 2045"
+FUNCTIONS_OF_XI = {
+    letter: (
+        Place("line 1396", rf"\\tilde\{{\\xi\}}\^\\prime &=.*?({letter})\(\\xi\)(?=.*?specialX)"),
+        Place("line 2038", rf"\\tilde\{{\\xi\}}\^\\prime&=.*?(\\tilde\{{{letter}\}})\(\\xi\)"),
+    )
+    for letter in "FG"
+}
+"""What stands before (ξ) in the two equations for ξ."""
 UNIQUE = "lines 1363 to 1369"
 SIZES = (1, 2, 3)
 """Sizes of the Jacobian at which Cramer's rule is written out with symbols."""
@@ -218,10 +227,23 @@ def _brackets() -> Entry:
     )
 
 
+def _letters() -> Entry:
+    return settled(
+        SECTION,
+        "5-letters",
+        LETTERS,
+        r"\tilde\xi'=\tilde F(\xi)+\tilde G(\xi)\lambda_N",
+        "The slow system of the inner scale has the functions of specialX",
+        *(held_against(LETTERS, f"{letter} in both", *places) for letter, places in FUNCTIONS_OF_XI.items()),
+        corrected="F(ξ) + G(ξ) λ_N: nothing is defined with F and G with a tilde",
+    )
+
+
 ENTRIES: Builders = {
     "5-synchronised": _synchronised,
     "5-locally-unique": _unique,
     "5-kinds": _kinds,
+    "5-letters": _letters,
     "5-brackets": _brackets,
 }
 """Sentences of Sec. 5."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from paper.bite import GENERIC, Bite, NotApplicable, Teeth, reads_as, replaced, unseen_at
 
 from gspot_verified.expansion.series.system import GSpotError
+from gspot_verified.paper.checks import words
 from gspot_verified.paper.checks.identities import Algebra
 from gspot_verified.paper.section_5 import section_5_sentences as ledger
 
@@ -16,6 +17,7 @@ def _no_place(_: object) -> None:
 
 
 _COUNT = "a count of equations; a factor changes none"
+_LETTERS = "letters are compared; there is no formula"
 _WORDS = "brackets are counted; there is no formula"
 
 TEETH: Teeth = {
@@ -37,6 +39,12 @@ TEETH: Teeth = {
         NotApplicable("hidden factor", "an identity in symbols; no points are sampled"),
         Bite("hypothesis", ledger, "find_g_spot", lambda _: _no_place),
         NotApplicable("order", "no order of an error occurs"),
+    ),
+    "5-letters": (
+        NotApplicable("factor", _LETTERS),
+        NotApplicable("hidden factor", _LETTERS),
+        Bite("hypothesis", words, "quoted", reads_as(r"\tilde{F}", "F", then=(r"\tilde{G}", "G"))),
+        NotApplicable("order", _LETTERS),
     ),
     "5-brackets": (
         NotApplicable("factor", _WORDS),

@@ -1,0 +1,138 @@
+"""Ledger of Section 5: the spaces of the right-hand sides of Theorem 1's steps, and the slow system of the inner scale.
+
+The term of order n = 2ν of a series is in P_(ν + e), that of order n = 2ν + 1 in P_(ν + o): a pair (e, o) for each
+series. P_j lies in P_k when k - j is 0, 3, 6, ...; a product of P_j and P_k is in P_(j + k).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.identities import Algebra
+
+SECTION = "Section 5, Theorem 1"
+Pair = tuple[int, int]
+SERIES: dict[str, Pair] = {"alpha": (0, -4), "lambda": (0, -4), "p": (1, -3), "z": (0, -1)}
+"""The spaces of Theorem 1, and of a function by Lemma 2."""
+CLAIMED: dict[str, Pair] = {"r_b": (0, -4), "r_v": (1, -3), "r": (1, -3)}
+"""Lines 1622, 1636 and 1675."""
+ORDERS = range(24)
+"""n, where the monomials are written out."""
+ALGEBRA = Algebra("y z lam d delta")
+SCALED = {"specialZ": "-z - lam", "specialL": "z - y"}
+"""δ z' and λ_N of the inner scale."""
+SLOW = {"z": "y/2", "lam": "-y/2"}
+"""Lines 2036 and 2045."""
+
+
+def is_part_of(inner: int, outer: int) -> bool:
+    """Whether P_inner lies in P_outer for every ν: the difference of the indices does not depend on ν."""
+    return outer >= inner and (outer - inner) % 3 == 0
+
+
+def product_of(first: Pair, second: Pair) -> tuple[list[int], list[int]]:
+    """The indices less ν of the products of two terms whose orders have the sum 2ν, and 2ν + 1."""
+    even = [first[0] + second[0], first[1] + second[1] - 1]  # two odd orders 2a + 1, 2b + 1: a + b = ν - 1
+    return even, [first[0] + second[1], first[1] + second[0]]
+
+
+def right_sides() -> dict[str, tuple[list[int], list[int]]]:
+    """The indices less ν of all parts of r_b, r_v and r."""
+    alpha, force, p, z = (SERIES[name] for name in ("alpha", "lambda", "p", "z"))
+    sums_b, sums_v = product_of(alpha, force), product_of(p, force)
+    r_b, r_v = CLAIMED["r_b"], CLAIMED["r_v"]
+    # r = 2 r_b'' + α_3 z_(n-1)''' + α_1 s r_b + α_3 r_v; n - 1 = 2(ν - 1) + 1 for n = 2ν, and 2ν for n = 2ν + 1
+    return {
+        "r_b": ([alpha[0], *sums_b[0]], [alpha[1], *sums_b[1]]),
+        "r_v": sums_v,
+        "r": ([r_b[0] - 2, z[1] - 1 - 3, r_b[0] + 1, r_v[0]], [r_b[1] - 2, z[0] - 3, r_b[1] + 1, r_v[1]]),
+    }
+
+
+def by_indices(name: str) -> bool | None:
+    """Whether each part lies in the claimed space, for every ν."""
+    even, odd = right_sides()[name]
+    return all(is_part_of(j, CLAIMED[name][0]) for j in even) and all(is_part_of(j, CLAIMED[name][1]) for j in odd)
+
+
+def monomials(pair: Pair, n: int) -> set[int]:
+    """The powers of s in the space of the term of order n."""
+    return set(range(n // 2 + pair[n % 2], -1, -3)) if n >= 0 else set()
+
+
+def _products(first: Pair, second: Pair, n: int) -> Iterator[int]:
+    for k in range(n + 1):
+        yield from (a + b for a in monomials(first, k) for b in monomials(second, n - k))
+
+
+def by_monomials(name: str) -> bool | None:
+    """The same, with all monomials of all products written out for the orders in ORDERS."""
+    alpha, force, p, z = (SERIES[key] for key in ("alpha", "lambda", "p", "z"))
+    answers = []
+    for n in ORDERS:
+        found: Iterable[int]
+        if name == "r_b":
+            found = {*monomials(alpha, n), *_products(alpha, force, n)}
+        elif name == "r_v":
+            found = _products(p, force, n)
+        else:
+            lower = {k - 2 for k in monomials(CLAIMED["r_b"], n)} | {k - 3 for k in monomials(z, n - 1)}
+            found = lower | {k + 1 for k in monomials(CLAIMED["r_b"], n)} | monomials(CLAIMED["r_v"], n)
+        answers.append({k for k in found if k >= 0} <= monomials(CLAIMED[name], n))
+    return all_of(answers)
+
+
+def _right_sides() -> Entry:
+    return settled(
+        SECTION,
+        "5-right-sides",
+        "lines 1622 to 1623, 1636 to 1637, 1675 to 1676",
+        r"r_{b,2\nu}\in P_\nu,\ r_{b,2\nu+1}\in P_{\nu-4};\ r_{v,n},r_n:\ P_{\nu+1},\ P_{\nu-3}",
+        "With the terms of lower order in the spaces of Theorem 1, r_b, r_v and r of order n are in the stated spaces, "
+        "for every n",
+        Check(
+            Rung.EXACT,
+            "the indices of the products of two terms, of derivatives and of s times a term, ν a symbol",
+            all_of(by_indices(name) for name in CLAIMED),
+        ),
+        Check(
+            Rung.POINTS,
+            f"all monomials for n < {len(ORDERS)}",
+            all_of(by_monomials(name) for name in CLAIMED),
+        ),
+        note="r_b and r_v have terms of lower orders of λ and of p of the orders up to n (step 1).",
+    )
+
+
+def rests_there() -> bool | None:
+    """Whether z = y/2 and λ_N = -y/2 make the right-hand side of δ z' vanish, with λ_N = z - y."""
+    images = {name: ALGEBRA.read(text) for name, text in SLOW.items()}
+    force = ALGEBRA.substitute(ALGEBRA.read(SCALED["specialL"]), images) - images["lam"]
+    return force.is_zero() and ALGEBRA.substitute(ALGEBRA.read(SCALED["specialZ"]), images).is_zero()
+
+
+def goes_there() -> bool | None:
+    """Whether the deviation d = z - y/2 at fixed y has δ d' = -2 d: one fast direction, which is stable."""
+    force = {"lam": ALGEBRA.read(SCALED["specialL"])}
+    rate = ALGEBRA.substitute(ALGEBRA.read(SCALED["specialZ"]), force)
+    deviation = {"z": ALGEBRA.read(SLOW["z"]) + ALGEBRA.symbols["d"]}
+    return (ALGEBRA.substitute(rate, deviation) + 2 * ALGEBRA.symbols["d"]).is_zero()
+
+
+def _inner_slow() -> Entry:
+    return settled(
+        SECTION,
+        "5-inner-slow",
+        "lines 2035 to 2045",
+        r"\tilde z\to\tilde y/2,\quad\lambda_N=-\tilde y/2",
+        "On the inner scale z is the one fast variable: at fixed y it goes to y/2 like e^(-2s/δ), and then λ_N = -y/2; "
+        "the other equations do not contain z or δ",
+        Check(Rung.EXACT, "specialZ and specialL at rest", rests_there()),
+        Check(Rung.EXACT, "the deviation of z from y/2 in specialZ", goes_there()),
+        note="The printed slow system has F and G with a tilde: 5-letters.",
+    )
+
+
+ENTRIES: Builders = {"5-right-sides": _right_sides, "5-inner-slow": _inner_slow}
+"""Right-hand sides and the slow system."""
