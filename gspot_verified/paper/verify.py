@@ -98,6 +98,7 @@ PARTS: dict[str, Builders] = {
     "Section 2, sentences": section_2_sentences.ENTRIES,
     "Section 3, sides of the simulations": section_3.ENTRIES,
     "Section 3, the runs of the simulations": varsim1.ENTRIES,
+    "Section 3, the trivial solution in Case I": section_4_trivial.IN_CASE_I,
     "Section 3, sentences on the simulations": section_3_sentences.ENTRIES,
     "Section 3, captions and panels": section_3_captions.ENTRIES,
     "Section 3, smoothness": section_3_smoothness.ENTRIES,

@@ -78,7 +78,8 @@ def _coefficients() -> Entry:
             f"c_1 = {by_equation[1]} (x is β)",
         ),
         Check(Rung.EXACT, "Lagrange inversion at the saddle point, as polynomials in β", by_inversion == by_equation),
-        note="proofs/asymptotic_coefficients.md; any k: theta_function.asymptotic_coefficients",
+        note="For every k: proofs/asymptotic_coefficients.md, with DLMF 16.11.8. In numbers for any k: "
+        "theta_function.asymptotic_coefficients.",
     )
 
 

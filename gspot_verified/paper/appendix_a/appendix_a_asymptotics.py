@@ -12,7 +12,14 @@ from flint import arb, fmpq
 from gspot_verified.numbers.balls import ball_text, certainly_less, working_bits
 from gspot_verified.paper.appendix_a import asymptotic_errors as errors
 from gspot_verified.paper.appendix_a import hypergeometric as printed
-from gspot_verified.paper.appendix_a.theta_pages import CONNECTION, INITIAL_VALUES, POSITIVE, SADDLE
+from gspot_verified.paper.appendix_a.theta_pages import (
+    COEFFICIENTS,
+    CONNECTION,
+    EVERY_K,
+    INITIAL_VALUES,
+    POSITIVE,
+    SADDLE,
+)
 from gspot_verified.paper.checks.closed_forms import ALGEBRA, ClosedForm
 from gspot_verified.paper.checks.entry import Check, Entry, Rung, all_of, settled
 from gspot_verified.paper.checks.formulas import Forms, FormulaClaim, closed_form, mended, put, quotient
@@ -32,6 +39,24 @@ _SMALL_SOURCE = (
 )
 
 
+STEPS: dict[str, str] = {"e": "3*i/(2*x^(3/2))", "e_1": "3/(2*tau^(3/2))"}
+"""From one term of a series to the next, without c_k: 3/(2 λ) with λ = τ^(3/2), which is -i x^(3/2) at τ = x e^(iπ)."""
+
+
+def every_coefficient(series: str) -> Check:
+    """That the c_k of a series are those of the equation for every k, not for the ones alone that were computed."""
+    claim = FormulaClaim({series: printed.SERIES[series]})
+    return EVERY_K.carries(
+        claim.check(
+            f"the c_k of the series: for k < {COEFFICIENTS} by calculation, for every k since the equation determines "
+            "c_k from those before it, with a factor 3k",
+            lambda forms: [
+                closed_form(put(printed.SERIES[series], k="k+1")) / forms[series] / closed_form(STEPS[series])
+            ],
+        )
+    )
+
+
 def small(j: int, betas: Sequence[fmpq]) -> Entry:
     """Formula j + 1 of th:4."""
     claim = FormulaClaim(printed.SMALL)
@@ -48,6 +73,7 @@ def small(j: int, betas: Sequence[fmpq]) -> Entry:
                 lambda forms: _by_dlmf(j, forms),
             ),
         ),
+        every_coefficient("e"),
         Check(
             Rung.POINTS,
             f"4 terms of e_r + i e_i and 9 of h at {len(checked)} points: the error is at most twice the "
@@ -107,6 +133,7 @@ def large(j: int, betas: Sequence[fmpq]) -> Entry:
                 lambda forms: [_step(j, forms)],
             ),
         ),
+        every_coefficient("e_1"),
         Check(
             Rung.POINTS,
             f"4 terms of e_1 at {len(points)} points, integers β among them: the error is at most twice the first "
@@ -231,6 +258,7 @@ def theta_large(betas: Sequence[fmpq]) -> Entry:
                 lambda forms: [closed_form(put(printed.INTEGER_POLYNOMIAL, m="0")) / forms["integer leading"]],
             ),
         ),
+        every_coefficient("e_1"),
         Check(
             Rung.POINTS,
             f"4 terms against the Taylor series at {len(points)} points: the error is at most twice the first "

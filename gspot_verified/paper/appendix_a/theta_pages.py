@@ -131,6 +131,7 @@ def fourier_transform_inverts() -> bool:
 
 LAPLACE = Page("laplace", (integrand_is_a_derivative, moments_obey_the_equation, moments_move_with_beta))
 NEGATIVE = Page("negative", (powers_solve_the_equation, powers_move_with_beta))
+EVERY_K = Page("asymptotic_coefficients", (saddle_has_the_exponents_of_the_equation, saddle_obeys_the_recurrence))
 POSITIVE = Page("positive", (saddle_has_the_exponents_of_the_equation, saddle_obeys_the_recurrence))
 INITIAL_VALUES = Page("initial_values", (moments_obey_the_equation, polynomial_solves_the_equation))
 CONNECTION = Page("connection", (fourier_transform_inverts, moments_obey_the_equation, moments_move_with_beta))

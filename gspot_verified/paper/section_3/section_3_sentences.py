@@ -14,14 +14,10 @@ from gspot_verified.compliant.motion.first_zero import first_zero
 from gspot_verified.compliant.side.side_rule import side_rule
 from gspot_verified.numbers.balls import sign_of
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.paper.checks.closed_forms import ClosedForm, rational
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
-from gspot_verified.paper.checks.formulas import Forms, FormulaClaim, closed_form, put
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 from gspot_verified.paper.numerics.paper_state import paper_state
 from gspot_verified.paper.section_3 import varsim1
-from gspot_verified.paper.section_4.section_4_trivial import CORRECTED as REST
-from gspot_verified.paper.section_4.section_4_trivial import PRINTED as TRIVIAL
 from gspot_verified.scenes.certified_run import INTEGRATOR, certified_run
 from gspot_verified.scenes.scene.file import load_scene
 from gspot_verified.scenes.scene.run import IMPACT
@@ -39,10 +35,6 @@ SEPARATED = (fmpq(3, 2), fmpq(5, 2))
 """The β of panels (b) and (c)."""
 PAIRS = ((fmpq(1, 4), fmpq(4)), (fmpq(1, 2), fmpq(2)))
 """ν on the two sides of the trivial solution ν = 1."""
-CASE_I = {"alpha1": "-u-w", "alpha2": "-x", "alpha3": "-w"}
-"""Case I (Sec. 1) by positive symbols."""
-TRIVIAL_SIGNS = {"b p": "1", "force": "-1"}
-"""Signs on the trivial solution in Case I, as printed."""
 CASE_II = {"beta": fmpq(1, 2), "alpha_2": fmpq(1)}
 ATTRACTED, OTHERS = (fmpq(2), fmpq(4)), (fmpq(1, 4), fmpq(1, 2))
 """ν above and below 1: p, b with α_2 p < (α_1 - α_3) b, and not."""
@@ -149,38 +141,6 @@ def _separatrix() -> Entry:
         ),
         note="For data off the slow manifold the separatrix is K = 0, which holds states near the trivial solution "
         "that are not on it (proofs/first_integrals.md).",
-    )
-
-
-def on_trivial(text: str) -> list[str]:
-    """A formula of 2-trivial or 2-trivial-zy in Case I, before and after t = 0."""
-    image = put(text, c="alpha2/(alpha1-alpha3)")
-    return [put(image, t=time, **CASE_I) for time in ("tau", "-tau")]
-
-
-def _trivial_in_case_i() -> Entry:
-    line, rest = TRIVIAL["2-trivial"], REST["2-trivial-zy"]
-    claim = FormulaClaim(TRIVIAL_SIGNS)
-
-    def by_the_line(forms: Forms) -> list[ClosedForm]:
-        product, force = (on_trivial(text.format(**line)) for text in ("({b})*({p})", "-({b})/({p})"))
-        signed = [(forms["b p"], text) for text in product] + [(forms["force"], text) for text in force]
-        return [sign * closed_form(text) for sign, text in signed]
-
-    def by_the_deformation(forms: Forms) -> list[ClosedForm]:
-        force = on_trivial("({z}-({y}))/epsilon^2".format(**rest))
-        return [sign * closed_form(text) for text in force for sign in (forms["force"], rational(-1) * forms["b p"])]
-
-    return settled(
-        SECTION,
-        "3-case-I-trivial",
-        "lines 766 to 767",
-        r"bp>0,\text{ implying }\lambda_N<0",
-        "In Case I the trivial solution has b p > 0 and λ_N < 0, for all α's of Case I, at every t other than 0",
-        claim.check_sign("b p and λ_N = -b/p with b and p of 2-trivial, for all values of the symbols", by_the_line),
-        claim.check_sign(
-            "λ_N = (z - y)/ε² with the corrected z and y of 2-trivial-zy, and b p = -p² λ_N", by_the_deformation
-        ),
     )
 
 
@@ -292,7 +252,6 @@ def _flight_ends() -> Entry:
 
 ENTRIES: Builders = {
     "3-oscillations": _oscillations,
-    "3-case-I-trivial": _trivial_in_case_i,
     "3-case-II": _case_ii,
     "3-separatrix": _separatrix,
     "3-flight-ends": _flight_ends,

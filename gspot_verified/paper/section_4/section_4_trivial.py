@@ -1,4 +1,4 @@
-"""Ledger of the trivial solution of the motivating example (Sec. 2)."""
+"""Ledger of the trivial solution of the motivating example (Sec. 2), and of its signs in Case I (Sec. 3)."""
 
 from __future__ import annotations
 
@@ -6,7 +6,9 @@ from collections.abc import Mapping
 
 from flint import fmpq_mpoly
 
+from gspot_verified.paper.checks.closed_forms import ClosedForm, rational
 from gspot_verified.paper.checks.entry import Builders, Entry, Rung, settled
+from gspot_verified.paper.checks.formulas import Forms, FormulaClaim, closed_form, put
 from gspot_verified.paper.checks.identities import Claim, Parts
 from gspot_verified.paper.section_2.extended_system import extended_terms
 from gspot_verified.paper.section_4.section_4_outer import ALGEBRA, around, with_c
@@ -18,6 +20,10 @@ PRINTED: dict[str, dict[str, str]] = {
     "2-trivial-zy": {"z": "-epsilon^2*c", "y": "-2*epsilon^2*c"},
 }
 CORRECTED: dict[str, dict[str, str]] = {"2-trivial-zy": {"z": "epsilon^2*c", "y": "2*epsilon^2*c"}}
+CASE_I = {"alpha1": "-u-w", "alpha2": "-x", "alpha3": "-w"}
+"""Case I (Sec. 1) by positive symbols."""
+TRIVIAL_SIGNS = {"b p": "1", "force": "-1"}
+"""Signs on the trivial solution in Case I, as printed."""
 _WITH_C = "c = α_2/(α_1 - α_3) is a symbol"
 
 
@@ -126,8 +132,42 @@ def _trivial_zy() -> Entry:
     )
 
 
+def on_trivial(text: str) -> list[str]:
+    """A formula of 2-trivial or 2-trivial-zy in Case I, before and after t = 0."""
+    image = put(text, c="alpha2/(alpha1-alpha3)")
+    return [put(image, t=time, **CASE_I) for time in ("tau", "-tau")]
+
+
+def _trivial_in_case_i() -> Entry:
+    line, rest = PRINTED["2-trivial"], CORRECTED["2-trivial-zy"]
+    claim = FormulaClaim(TRIVIAL_SIGNS)
+
+    def by_the_line(forms: Forms) -> list[ClosedForm]:
+        product, force = (on_trivial(text.format(**line)) for text in ("({b})*({p})", "-({b})/({p})"))
+        signed = [(forms["b p"], text) for text in product] + [(forms["force"], text) for text in force]
+        return [sign * closed_form(text) for sign, text in signed]
+
+    def by_the_deformation(forms: Forms) -> list[ClosedForm]:
+        force = on_trivial("({z}-({y}))/epsilon^2".format(**rest))
+        return [sign * closed_form(text) for text in force for sign in (forms["force"], rational(-1) * forms["b p"])]
+
+    return settled(
+        "Section 3",
+        "3-case-I-trivial",
+        "lines 766 to 767",
+        r"bp>0,\text{ implying }\lambda_N<0",
+        "In Case I the trivial solution has b p > 0 and λ_N < 0, for all α's of Case I, at every t other than 0",
+        claim.check_sign("b p and λ_N = -b/p with b and p of 2-trivial, for all values of the symbols", by_the_line),
+        claim.check_sign(
+            "λ_N = (z - y)/ε² with the corrected z and y of 2-trivial-zy, and b p = -p² λ_N", by_the_deformation
+        ),
+    )
+
+
 ENTRIES: Builders = {
     "2-trivial": _trivial,
     "2-trivial-zy": _trivial_zy,
 }
 """The trivial solution of Sec. 2."""
+IN_CASE_I: Builders = {"3-case-I-trivial": _trivial_in_case_i}
+"""Its signs in Case I (Sec. 3)."""

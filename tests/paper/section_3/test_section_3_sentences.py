@@ -128,23 +128,6 @@ def test_the_statement_has_the_epsilon_that_the_proof_reaches(monkeypatch: pytes
 
 
 @pytest.mark.parametrize(
-    ("table", "name", "text", "answers"),
-    [
-        ("TRIVIAL", "p", "-alpha1*t", [False, True]),
-        ("TRIVIAL", "b", "-c*alpha1*t", [False, True]),
-        ("REST", "z", "3*epsilon^2*c", [True, False]),
-        ("REST", "y", "epsilon^2*c/2", [True, False]),
-    ],
-)
-def test_each_route_to_the_trivial_signs_has_its_own_formulas(
-    monkeypatch: pytest.MonkeyPatch, table: str, name: str, text: str, answers: list[bool]
-) -> None:
-    rows = getattr(ledger, table)
-    monkeypatch.setitem(rows["2-trivial" if table == "TRIVIAL" else "2-trivial-zy"], name, text)
-    assert [check.agrees for check in ledger.ENTRIES["3-case-I-trivial"]().checks] == answers
-
-
-@pytest.mark.parametrize(
     ("outcome", "fate", "answer"),
     [
         (Outcome.PROVED, IMPACT, True),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from gspot_verified.paper.section_4 import section_4_trivial as ledger
 from gspot_verified.paper.section_4.section_4_outer import ALGEBRA, with_c
 
@@ -19,3 +21,20 @@ def test_each_equation_of_the_model_system_is_the_paper_s() -> None:
     ]
     found = ledger.in_model_system({name: ALGEBRA.read(text) for name, text in values.items()})
     assert found == [with_c(ALGEBRA.read(text)) for text in left]
+
+
+@pytest.mark.parametrize(
+    ("table", "name", "text", "answers"),
+    [
+        ("2-trivial", "p", "-alpha1*t", [False, True]),
+        ("2-trivial", "b", "-c*alpha1*t", [False, True]),
+        ("2-trivial-zy", "z", "3*epsilon^2*c", [True, False]),
+        ("2-trivial-zy", "y", "epsilon^2*c/2", [True, False]),
+    ],
+)
+def test_each_route_to_the_trivial_signs_has_its_own_formulas(
+    monkeypatch: pytest.MonkeyPatch, table: str, name: str, text: str, answers: list[bool]
+) -> None:
+    rows = ledger.PRINTED if table == "2-trivial" else ledger.CORRECTED
+    monkeypatch.setitem(rows[table], name, text)
+    assert [check.agrees for check in ledger.IN_CASE_I["3-case-I-trivial"]().checks] == answers

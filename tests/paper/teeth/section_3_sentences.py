@@ -30,19 +30,6 @@ TEETH: Teeth = {
         Bite("hypothesis", ledger, "AT", lambda honest: (*honest, fmpq(-1))),
         NotApplicable("order", "the rates are exact; no order of an error occurs"),
     ),
-    "3-case-I-trivial": (
-        *(
-            Bite("factor", ledger.TRIVIAL_SIGNS, name, lambda sign: f"-({sign})", refutes=True)
-            for name in ("b p", "force")
-        ),
-        Bite("hidden factor", ledger.TRIVIAL["2-trivial"], "b", lambda text: f"(1-2*t^2)*({text})"),
-        Bite("hidden factor", ledger.REST["2-trivial-zy"], "y", lambda text: f"({text})/4"),
-        *(
-            Bite("hypothesis", ledger.CASE_I, *other)
-            for other in (("alpha2", lambda _: "x"), ("alpha3", lambda _: "-u-w-x"))
-        ),
-        NotApplicable("order", "signs of exact expressions; no order of an error occurs"),
-    ),
     "3-case-II": (
         Bite("factor", ledger.CASE_II, "alpha_2", lambda honest: -honest),
         Bite("hidden factor", ledger, "case_ii", negative_for(fmpq(4))),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from paper.bite import Bite, Teeth, raised, replaced, scaled, unseen_at
+from paper.bite import Bite, NotApplicable, Teeth, raised, replaced, scaled, unseen_at
 
 from gspot_verified.paper.section_4 import section_4_trivial as ledger
 from gspot_verified.paper.section_4.section_4_outer import QUOTIENT
@@ -13,7 +13,7 @@ TRIVIAL, CORRECTED_ZY = ledger.PRINTED["2-trivial"], ledger.CORRECTED["2-trivial
 _AT_INTEGERS = range(-3, 4)
 
 
-ENTRIES = ledger.ENTRIES
+ENTRIES = {**ledger.ENTRIES, **ledger.IN_CASE_I}
 
 
 def without_quotient(_: Any) -> Any:
@@ -39,5 +39,18 @@ TEETH: Teeth = {
         Bite("hidden factor", CORRECTED_ZY, "y", unseen_at("c", _AT_INTEGERS)),
         Bite("hypothesis", QUOTIENT, "alpha2", without_quotient),
         *(Bite("order", CORRECTED_ZY, name, replaced("epsilon^2", "epsilon^3")) for name in "zy"),
+    ),
+    "3-case-I-trivial": (
+        *(
+            Bite("factor", ledger.TRIVIAL_SIGNS, name, lambda sign: f"-({sign})", refutes=True)
+            for name in ("b p", "force")
+        ),
+        Bite("hidden factor", ledger.PRINTED["2-trivial"], "b", lambda text: f"(1-2*t^2)*({text})"),
+        Bite("hidden factor", ledger.CORRECTED["2-trivial-zy"], "y", lambda text: f"({text})/4"),
+        *(
+            Bite("hypothesis", ledger.CASE_I, *other)
+            for other in (("alpha2", lambda _: "x"), ("alpha3", lambda _: "-u-w-x"))
+        ),
+        NotApplicable("order", "signs of exact expressions; no order of an error occurs"),
     ),
 }
