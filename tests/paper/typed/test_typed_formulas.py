@@ -1,0 +1,160 @@
+"""The formulas that the ledger holds as typed texts are those of the paper's LaTeX: compared by a program."""
+
+from __future__ import annotations
+
+import json
+import re
+from functools import cache
+from importlib import resources
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+import sympy
+from paper.bite import scaled
+from paper.paper_reader import read
+from paper.typed import general_system, motivating_example
+from paper.typed.latex_formula import Sides, formula, pieces, sides, tokens
+from paper.typed.row import Row
+from paper.typed.unread import UNREAD, UNTYPED
+
+from gspot_verified.paper.checks.formulas import closed_form
+from gspot_verified.paper.section_1 import section_1_rigid
+from gspot_verified.paper.section_2 import lagrangian
+from gspot_verified.paper.section_4 import (
+    section_4_fast,
+    section_4_inner,
+    section_4_matching,
+    section_4_outer,
+    section_4_slow,
+    section_4_trivial,
+    section_4_unique,
+)
+from gspot_verified.paper.section_5 import (
+    example,
+    section_5_ansatz,
+    section_5_matching,
+    section_5_outer,
+    section_5_recursion,
+)
+from gspot_verified.paper.section_6 import oscillator
+
+PAPER = Path(__file__).resolve().parents[4] / "shared" / "paper.tex"
+REPAIRED = {r"\phi_0\right))+c_": r"\phi_0\right)+c_"}
+"""Line 2538 has a closing bracket too many."""
+POLYNOMIALS: tuple[ModuleType, ...] = (
+    section_1_rigid, lagrangian, section_4_trivial, section_4_outer, section_4_unique, section_4_fast, section_4_slow,
+    section_4_inner, section_4_matching, section_5_recursion, example, section_5_outer, section_5_ansatz,
+    section_5_matching, oscillator,
+)  # fmt: skip
+_FUNCTIONS = {"exp", "log", "Gamma", "sqrt"}
+ROWS = motivating_example.ROWS + general_system.ROWS
+IDS = [f"{row.entry}: {row.part}, line {row.first}" for row in ROWS]
+
+
+@cache
+def quoted() -> dict[int, str]:
+    """The lines of the source that the data of the ledger hold."""
+    text = resources.files("gspot_verified.paper").joinpath("paper_source.json").read_text(encoding="utf-8")
+    found: dict[int, str] = {}
+    for citation in json.loads(text)["citations"].values():
+        for quotation in citation["quotations"]:
+            found |= dict(enumerate(quotation["latex"].split("\n"), quotation["first"]))
+    return found
+
+
+def printed_text(row: Row, latex: str = "") -> str:
+    """What stands at the place of a row, read with its names."""
+    latex = latex or "\n".join(quoted()[line] for line in range(row.first, row.last + 1))
+    for wrong, right in REPAIRED.items():
+        latex = latex.replace(wrong, right)
+    if row.layout == "inline":
+        latex = r"\\".join(re.findall(r"\$([^$]*)\$", latex))
+    if row.layout in ("matrix", "row"):
+        latex = latex.replace("&", "," if row.layout == "matrix" else "=")
+    if row.layout == "1F2":
+        for old in (r"{}_1F_2\left(", r"\right)", ";"):
+            latex = latex.replace(old, ",")
+    return row.printed(Sides(sides(pieces(latex)[row.piece]), row.names))
+
+
+def same(row: Row, first: str, second: str) -> bool:
+    """Whether two texts are one function."""
+    if row.layout == "closed form":
+        one, other = closed_form(first), closed_form(second)
+        return one.is_zero() if other.is_zero() else (one / other).is_one()
+    difference = rational(first) - rational(second)
+    return bool(sympy.cancel(sympy.together(difference)) == 0 or sympy.simplify(difference) == 0)
+
+
+def rational(text: str) -> Any:
+    """A text as sympy has it; all symbols stand for positive numbers, as logarithms of some are taken."""
+    names = set(re.findall(r"[A-Za-z_]\w*", text)) - _FUNCTIONS
+    symbols: dict[str, Any] = {name: sympy.Symbol(name, positive=True) for name in names}
+    return sympy.sympify(text.replace("^", "**"), locals=symbols | {"Gamma": sympy.gamma})
+
+
+@pytest.mark.parametrize("row", ROWS, ids=IDS)
+def test_the_typed_formula_is_the_printed_one(row: Row) -> None:
+    text = printed_text(row)
+    assert same(row, row.text, text), text
+    if not same(row, row.text, "0"):
+        assert not same(row, scaled(row.text), text)
+
+
+def test_every_typed_polynomial_is_read_or_has_a_reason() -> None:
+    typed = {(entry, part) for module in POLYNOMIALS for entry, parts in module.PRINTED.items() for part in parts}
+    # The fields of the extended example stand in three entries.
+    seen = {(row.entry, row.part) for row in ROWS}
+    seen |= {
+        (entry, row.part) for row in ROWS for entry in ("2-lagrangian", "2-quantities") if row.entry == "2-extended"
+    }
+    assert typed - seen - set(UNTYPED) == set()
+    assert set(UNTYPED) & seen == set()
+
+
+def test_every_display_is_read_or_has_a_reason() -> None:
+    if not PAPER.is_file():
+        pytest.skip("the paper's source is not at hand")
+    displays = read(PAPER.read_text(encoding="utf-8")).displays
+    compared = {d.first for d in displays if any(d.first <= row.last and row.first <= d.last for row in ROWS)}
+    assert {d.first for d in displays} - compared == set(UNREAD)
+    assert (len(displays), len(compared)) == (144, 84)
+
+
+@pytest.mark.parametrize(
+    ("latex", "text"),
+    [
+        (r"2b/p", "2*b/p"),
+        (r"-\left[p\,b^2+\frac{1}{2}\right]", "-(p*b^2+1/2)"),
+        (r"{\frac {138\,{b}^{4}}{5}}", "138*b^4/5"),
+        (r"3^{p/3-1}(p)^{-b}", "3^(p/3-1)*p^(-b)"),
+        (r"k!\Gamma\left(\frac{p}{3}\right)", "fac(k)*Gamma(p/3)"),
+    ],
+)
+def test_the_reader_of_formulas(latex: str, text: str) -> None:
+    read_text, orders = formula(tokens(latex), {name: name for name in "bpk"})
+    assert orders == []
+    if "!" in latex:
+        read_text, text = (one.replace("fac", "Gamma") for one in (read_text, text))
+    assert sympy.simplify(rational(read_text) - rational(text)) == 0
+
+
+@pytest.mark.parametrize("latex", [r"b+q", r"\alpha_1 b", r"(b", r"b)", r"\frac{b}", r"b+"])
+def test_what_is_not_told_is_refused(latex: str) -> None:
+    with pytest.raises(ValueError, match=r"is not in the names|is missing before|not read"):
+        formula(tokens(latex), {"b": "b"})
+
+
+def test_equations_sides_and_orders() -> None:
+    found = pieces(
+        r"\dot p&=b,\label{eq:x} \quad v=\begin{pmatrix}0\\ b^{2,3}\end{pmatrix}+\mathcal{O}\left({b}^{7}\right)."
+    )
+    assert [len(sides(piece)) for piece in found] == [2, 2, 1]
+    assert formula(sides(found[2])[0], {"b": "b", "2,3": "2"}) == ("(((b)^((2)))+0)", ["((((b))^(7)))"])
+
+
+def test_the_longest_name_is_read_first() -> None:
+    names = {r"\hat{b}": "g0", r"\frac{d\hat{b}}{ds}": "g1", "s": "s", r"\alpha_1^*": "alpha1"}
+    assert formula(tokens(r"\alpha_1^*s\frac{d\hat b}{ds}"), names)[0] == "((alpha1)*(s)*(g1))"

@@ -1,0 +1,43 @@
+"""What is not compared with the paper's LaTeX, and why."""
+
+from __future__ import annotations
+
+NOT_QUOTED = "no entry's label cites these lines, so the data of the ledger do not hold them"
+DEFINITION = "a definition or a premise; no entry holds it as a text"
+NO_TEXT = "held as code, not as a text"
+UNREAD: dict[int, str] = {
+    **dict.fromkeys((143, 158, 194, 246, 441, 451, 468, 473, 501, 621, 632, 757, 841, 967), DEFINITION),
+    **dict.fromkeys((1021, 1144, 1184, 1202, 1337, 1348, 1353, 1360, 1366, 1375, 1409, 1414, 1427), DEFINITION),
+    **dict.fromkeys((1726, 1731, 1942, 1988, 1996, 2004, 2026, 2038, 2107, 2113, 2194, 2199), DEFINITION),
+    **dict.fromkeys((530, 534, 546, 575, 591, 650, 668, 977, 1040, 1384, 1603), NOT_QUOTED),
+    **dict.fromkeys((460, 478, 1496, 1530), NO_TEXT),
+    1030: "held by cases, t <= 0 and t >= 0",
+    **dict.fromkeys((1794, 1801, 1808), "two terms side by side in one formula"),
+    2051: "brackets that do not match (lines 2054 to 2056)",
+    2418: "c_0 = 1: held as the first of computed coefficients",
+}
+"""Displays by their first line, and why none of their formulas is compared."""
+UNTYPED: dict[tuple[str, str], str] = {
+    **{("4-roots-sum", part): "numbers in a sentence" for part in ("sum", "product")},
+    **{("1-beta", part): "a formula in a sentence that is not quoted alone" for part in ("numerator", "denominator")},
+    **{
+        ("5-orders", f"{sum_} {part}"): "in the name of the sum"
+        for sum_ in "bv"
+        for part in ("left", "right", "first", "last")
+    },
+    **{("5-xinprime", part): "in the name of the sum" for part in ("left", "right", "first", "last")},
+    **{("5-matching", f"power of {name}"): "read as one product" for name in ("kappa", "epsilon")},
+    **{("2-stick", part): "read as one quotient" for part in ("numerator", "denominator")},
+    **{
+        ("S-gamma-intervals", f"{sign} {end}"): "an interval in a sentence"
+        for sign in ("negative", "positive")
+        for end in ("from", "to")
+    },
+    ("4-order", "order"): "a number in a sentence",
+    ("5-orders", "p_0"): NOT_QUOTED,
+    ("5-example-b", "error"): "the order of 5-example-b-error in its corrected form",
+    ("5-example-b-error", "term 7"): "what the printed order says: no term of order 7",
+    ("5-ansatz-solution", "r"): "a formula in a sentence that is not quoted alone",
+    ("5-bpert-v", "factor"): "brackets that do not match (line 2056)",
+}
+"""Parts of the tables of polynomials that no row reads, and why."""
