@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import ast
 import json
 import re
 from functools import cache
 from importlib import resources
+from operator import add, mul, sub, truediv
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -19,6 +21,7 @@ from paper.typed.latex_formula import Sides, formula, pieces, sides, tokens
 from paper.typed.row import Row
 from paper.typed.unread import UNREAD, UNTYPED
 
+from gspot_verified.functions.symbols import RationalFunction, Symbols
 from gspot_verified.paper.checks.formulas import closed_form
 from gspot_verified.paper.section_1 import section_1_rigid
 from gspot_verified.paper.section_2 import lagrangian
@@ -49,6 +52,7 @@ POLYNOMIALS: tuple[ModuleType, ...] = (
     section_5_matching, oscillator,
 )  # fmt: skip
 _FUNCTIONS = {"exp", "log", "Gamma", "sqrt"}
+_OPERATIONS: dict[type, Any] = {ast.Add: add, ast.Sub: sub, ast.Mult: mul, ast.Div: truediv}
 ROWS = motivating_example.ROWS + general_system.ROWS
 IDS = [f"{row.entry}: {row.part}, line {row.first}" for row in ROWS]
 
@@ -84,14 +88,46 @@ def same(row: Row, first: str, second: str) -> bool:
     if row.layout == "closed form":
         one, other = closed_form(first), closed_form(second)
         return one.is_zero() if other.is_zero() else (one / other).is_one()
-    difference = rational(first) - rational(second)
-    return bool(sympy.cancel(sympy.together(difference)) == 0 or sympy.simplify(difference) == 0)
+    try:
+        ring = Symbols(*sorted(_names(first) | _names(second)), "unit")
+        return rational(first, ring) == rational(second, ring)
+    except NoRationalFunction:
+        return bool(sympy.simplify(by_sympy(first) - by_sympy(second)) == 0)
 
 
-def rational(text: str) -> Any:
+class NoRationalFunction(ValueError):
+    """A formula with another power than an integer, or with a function."""
+
+
+def _names(text: str) -> set[str]:
+    return set(re.findall(r"[A-Za-z_]\w*", text)) - _FUNCTIONS
+
+
+def rational(text: str, ring: Symbols) -> RationalFunction:
+    """A text as an exact rational function."""
+
+    def value(node: ast.expr) -> RationalFunction:
+        match node:
+            case ast.Constant(value=int(number)):
+                return ring.number(number)
+            case ast.Name(id=name):
+                return ring.symbol(name)
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                return -value(operand)
+            case ast.BinOp(left=left, op=ast.Pow(), right=right):
+                exponent = value(right).constant()
+                if exponent is not None and exponent.q == 1:
+                    return value(left) ** int(exponent.p)
+            case ast.BinOp(left=left, op=operation, right=right):
+                return _OPERATIONS[type(operation)](value(left), value(right))
+        raise NoRationalFunction(ast.unparse(node))
+
+    return value(ast.parse(text.replace("^", "**"), mode="eval").body)
+
+
+def by_sympy(text: str) -> Any:
     """A text as sympy has it; all symbols stand for positive numbers, as logarithms of some are taken."""
-    names = set(re.findall(r"[A-Za-z_]\w*", text)) - _FUNCTIONS
-    symbols: dict[str, Any] = {name: sympy.Symbol(name, positive=True) for name in names}
+    symbols: dict[str, Any] = {name: sympy.Symbol(name, positive=True) for name in _names(text)}
     return sympy.sympify(text.replace("^", "**"), locals=symbols | {"Gamma": sympy.gamma})
 
 
@@ -138,7 +174,7 @@ def test_the_reader_of_formulas(latex: str, text: str) -> None:
     assert orders == []
     if "!" in latex:
         read_text, text = (one.replace("fac", "Gamma") for one in (read_text, text))
-    assert sympy.simplify(rational(read_text) - rational(text)) == 0
+    assert sympy.simplify(by_sympy(read_text) - by_sympy(text)) == 0
 
 
 @pytest.mark.parametrize("latex", [r"b+q", r"\alpha_1 b", r"(b", r"b)", r"\frac{b}", r"b+"])
