@@ -150,10 +150,10 @@ def answered(answers: Iterable[tuple[str, bool | None]], wanted: bool) -> Eviden
     >>> print(answered([("by hand", True)], True), answered([("by hand", True), ("by sympy", None)], True))
     by hand: it holds None
     """
-    found = list(answers)
-    if not found or any(answer is not wanted for _, answer in found):
+    given = list(answers)
+    if not given or any(answer is not wanted for _, answer in given):
         return None
-    return Evidence._of_facts(tuple(f"{name}: it {'holds' if wanted else 'fails'}" for name, _ in found))
+    return Evidence._of_facts(tuple(f"{name}: it {'holds' if wanted else 'fails'}" for name, _ in given))
 
 
 def theorem(page: str, *hypotheses: Evidence | None) -> Evidence | None:

@@ -74,9 +74,9 @@ class Evidence:
 
     @classmethod
     def _of_facts(cls, facts: tuple[str, ...]) -> Evidence:
-        found = object.__new__(cls)
-        object.__setattr__(found, "facts", facts)
-        return found
+        evidence = object.__new__(cls)
+        object.__setattr__(evidence, "facts", facts)
+        return evidence
 
     def __setattr__(self, name: str, value: object) -> NoReturn:
         raise AttributeError("evidence does not change")
@@ -99,10 +99,10 @@ class Verdict(Written):
     :raises ValueError: proved or refuted without evidence, refuted without a witness, or undecided without a reason.
 
     >>> from gspot_verified import sign
-    >>> found = sign("0", "1/2").verdict
-    >>> print(found)
+    >>> verdict = sign("0", "1/2").verdict
+    >>> print(verdict)
     proved: dΘ/dτ < 0 at τ = 0 and at β = 1/2
-    >>> bool(found)
+    >>> bool(verdict)
     Traceback (most recent call last):
     ...
     TypeError: a verdict has three outcomes; compare .outcome with Outcome.PROVED, REFUTED or UNDECIDED

@@ -61,8 +61,8 @@ class Written:
     def to_json(self) -> dict[str, Any]:
         """Plain data for ``json.dumps``: exact rationals as text, balls as exact intervals (null: not finite)."""
         kind: Any = type(self)
-        found: dict[str, Any] = form(kind).write(self)
-        return found
+        data: dict[str, Any] = form(kind).write(self)
+        return data
 
 
 @dataclass(frozen=True, slots=True)
@@ -251,11 +251,11 @@ def _hint(kind: Any, path: str) -> Any:
     owner = next((each for each in kind.__mro__ if name in vars(each) or name in vars(each).get(_NOTES, ())), None)
     if owner is None:
         raise TypeError(f"{kind.__name__} has no attribute {name!r}")
-    found = owner.__dict__.get(name)
-    if isinstance(found, property | cached_property):
-        found = found.fget if isinstance(found, property) else found.func
-    if isinstance(found, types.FunctionType):
-        place, note = found.__globals__, found.__annotations__["return"]
+    attribute = owner.__dict__.get(name)
+    if isinstance(attribute, property | cached_property):
+        attribute = attribute.fget if isinstance(attribute, property) else attribute.func
+    if isinstance(attribute, types.FunctionType):
+        place, note = attribute.__globals__, attribute.__annotations__["return"]
     else:
         place, note = vars(sys.modules[owner.__module__]), vars(owner)[_NOTES][name]
     asked = type("Asked", (), {_NOTES: {name: note}})
