@@ -87,12 +87,12 @@ class BoxProgram:
         for i in self.variables:
             middle[i] = box[i].mid()
         moves = [box[i] - middle[i] for i in self.variables]
-        found = []
+        enclosures = []
         for value, centre, row in zip(values, self.values(middle), rows, strict=True):
             for slope, move in zip(row, moves, strict=True):
                 centre = centre + slope * move
-            found.append(common(value, centre) if value.is_finite() and centre.is_finite() else value)
-        return found, rows
+            enclosures.append(common(value, centre) if value.is_finite() and centre.is_finite() else value)
+        return enclosures, rows
 
     def _at_this_precision(self) -> list[arb]:
         bits = current_bits()

@@ -216,15 +216,15 @@ def _numbers(value: fmpq) -> tuple[int, int]:
 
 def in_order(roots: Iterable[Expression]) -> list[Expression]:
     """All expressions that the roots are made of, each once, parts before wholes."""
-    found: dict[Expression, None] = {}
+    ordered: dict[Expression, None] = {}
     waiting = [(root, False) for root in roots]
     while waiting:
         node, ready = waiting.pop()
-        if node in found:
+        if node in ordered:
             continue
         if ready:
-            found[node] = None
+            ordered[node] = None
         else:
             waiting.append((node, True))
             waiting += [(part, False) for part in node.parts()]
-    return list(found)
+    return list(ordered)

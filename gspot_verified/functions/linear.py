@@ -48,12 +48,12 @@ def solve_from_above(right: Any, diagonal: Sequence[Any], above: Sequence[Any], 
         return _solve_in_integers(right, diagonal, above)
     values = right.coeffs()
     values += [ring.number(0)] * (len(diagonal) - len(values))
-    found: list[Any] = []
+    coefficients: list[Any] = []
     last = ring.number(0)
     for value, factor, coupling in zip(reversed(values), reversed(diagonal), reversed(above), strict=True):
         last = (value - coupling * last) / factor
-        found.append(last)
-    return ring.polynomial(found[::-1])
+        coefficients.append(last)
+    return ring.polynomial(coefficients[::-1])
 
 
 def _solve_in_integers(right: fmpq_poly, diagonal: Sequence[fmpq], above: Sequence[fmpq]) -> fmpq_poly:
@@ -66,9 +66,9 @@ def _solve_in_integers(right: fmpq_poly, diagonal: Sequence[fmpq], above: Sequen
         unit = unit.lcm(value.q)
     numerator = right.numer() * unit
     q, x = fmpz(1), fmpz(0)
-    found: list[tuple[fmpz, fmpz]] = []
+    solved: list[tuple[fmpz, fmpz]] = []
     for i in range(len(diagonal) - 1, -1, -1):
         x = numerator[i] * q - (above[i] * unit).p * x
         q = q * (diagonal[i] * unit).p
-        found.append((x, q))
-    return fmpq_poly(fmpz_poly([x * (q // own) for x, own in reversed(found)]), right.denom() * q)
+        solved.append((x, q))
+    return fmpq_poly(fmpz_poly([x * (q // own) for x, own in reversed(solved)]), right.denom() * q)

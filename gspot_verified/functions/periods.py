@@ -29,10 +29,10 @@ def period_factor(functions: Sequence[Expression], index: int) -> fmpq | None:
     code = StraightLine()
     rates: list[fmpq] = []
     for function in functions:
-        found = _rates(code, code.value(function), index)
-        if found is None:
+        function_rates = _rates(code, code.value(function), index)
+        if function_rates is None:
             return None
-        rates += found
+        rates += function_rates
     if not rates:
         return None
     # All rates are integer multiples of ``common``, so 2 pi/common is a period.

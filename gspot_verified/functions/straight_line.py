@@ -77,18 +77,18 @@ class StraightLine:
 
     def needed(self, names: Iterable[str]) -> list[str]:
         """The names of all values that these are computed from, and their own, in an order to compute them."""
-        found: dict[str, None] = {}
+        ordered: dict[str, None] = {}
         waiting = [(name, False) for name in names]
         while waiting:
             name, ready = waiting.pop()
-            if name in found:
+            if name in ordered:
                 continue
             if ready:
-                found[name] = None
+                ordered[name] = None
             else:
                 waiting.append((name, True))
                 waiting += [(part, False) for part in self.operands(name)]
-        return list(found)
+        return list(ordered)
 
     def lines(self, names: Iterable[str]) -> list[str]:
         """Python lines that compute these values from x0, x1, ... and the constants c0, c1, ..."""
@@ -105,11 +105,11 @@ class StraightLine:
 
     def _named(self, operation: str, *operands: Any, name: str | None = None) -> str:
         definition = (operation, operands)
-        found = self._names.get(definition)
-        if found is None:
-            found = self._names[definition] = name or f"v{len(self._names)}"
-            self._definitions[found] = definition
-        return found
+        value_name = self._names.get(definition)
+        if value_name is None:
+            value_name = self._names[definition] = name or f"v{len(self._names)}"
+            self._definitions[value_name] = definition
+        return value_name
 
     def constant(self, value: Any) -> str:
         """The name of a rational or a ball."""
