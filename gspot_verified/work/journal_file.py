@@ -31,10 +31,10 @@ def source_key() -> str:
     >>> len(source_key())
     64
     """
-    found = hashlib.sha256(f"{flint.__FLINT_VERSION__}\0".encode())
+    digest = hashlib.sha256(f"{flint.__FLINT_VERSION__}\0".encode())
     for path in sorted(_PACKAGE.rglob("*.py")):
-        found.update(f"{path.relative_to(_PACKAGE).as_posix()}\0".encode() + path.read_bytes())
-    return found.hexdigest()
+        digest.update(f"{path.relative_to(_PACKAGE).as_posix()}\0".encode() + path.read_bytes())
+    return digest.hexdigest()
 
 
 class JournalFile:
