@@ -142,11 +142,11 @@ def check_lie_derivatives(system: System, seed: int = 0) -> None:
         for values in _near(system, [side for _, left, right in laws for side in (left, right)], random.Random(seed)):
             compared += 1
             for name, left, right in laws:
-                found, wanted = values[left][0], values[right][0]
+                computed, wanted = values[left][0], values[right][0]
                 _require(
-                    not BALLS.is_nonzero(found - wanted),
+                    not BALLS.is_nonzero(computed - wanted),
                     system,
-                    f"{name} fails near the G-spot: {found} is not {wanted}",
+                    f"{name} fails near the G-spot: {computed} is not {wanted}",
                 )
     _require(compared > 0, system, "no point near the G-spot was found at which the functions are defined")
 

@@ -38,8 +38,8 @@ def _strategies() -> Any:
 def rationals(most: int = 3, denominators: int = 3) -> SearchStrategy[fmpq]:
     """Small rationals."""
     st = _strategies()
-    found: SearchStrategy[fmpq] = st.builds(fmpq, st.integers(-most, most), st.integers(1, denominators))
-    return found
+    strategy: SearchStrategy[fmpq] = st.builds(fmpq, st.integers(-most, most), st.integers(1, denominators))
+    return strategy
 
 
 def polynomials(variables: list[int], constant: bool = False, lowest: int = 1) -> SearchStrategy[Expression]:
@@ -61,8 +61,8 @@ def polynomials(variables: list[int], constant: bool = False, lowest: int = 1) -
             terms.append(Constant(draw(rationals())))
         return plus(*terms)
 
-    found: SearchStrategy[Expression] = st.composite(build)()
-    return found
+    strategy: SearchStrategy[Expression] = st.composite(build)()
+    return strategy
 
 
 def systems(max_dimension: int = 6, analytic: bool = False) -> SearchStrategy[System]:
@@ -120,8 +120,8 @@ def systems(max_dimension: int = 6, analytic: bool = False) -> SearchStrategy[Sy
             system = sheared(system, index, shift)
         return system
 
-    found: SearchStrategy[System] = st.composite(build)()
-    return found
+    strategy: SearchStrategy[System] = st.composite(build)()
+    return strategy
 
 
 def _analytic(variables: list[int]) -> SearchStrategy[Expression]:
@@ -140,15 +140,15 @@ def _analytic(variables: list[int]) -> SearchStrategy[Expression]:
         return functions[kind] * plus(one, Variable(j))
 
     index = st.sampled_from(variables)
-    found: SearchStrategy[Expression] = st.builds(make, st.integers(0, 3), rationals(), index, index)
-    return found
+    strategy: SearchStrategy[Expression] = st.builds(make, st.integers(0, 3), rationals(), index, index)
+    return strategy
 
 
 def states(system: System, radius: fmpq = _RADIUS) -> SearchStrategy[tuple[fmpq, ...]]:
     """States whose components differ by at most ``radius`` from those of a rational G-spot."""
     st = _strategies()
     offset = st.integers(-64, 64).map(lambda step: radius * fmpq(step, 64))
-    found: SearchStrategy[tuple[fmpq, ...]] = st.tuples(
+    strategy: SearchStrategy[tuple[fmpq, ...]] = st.tuples(
         *(offset.map(lambda change, start=value: start + change) for value in system.point)
     )
-    return found
+    return strategy
