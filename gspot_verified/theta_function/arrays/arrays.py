@@ -42,17 +42,17 @@ def theta_array(
     result = np.empty(taus.size, dtype=object)
     for value, where in _by_beta(betas):
         points = taus.ravel()[where]
-        found: list[arb]
+        enclosures: list[arb]
         if points.dtype == np.float64 and isinstance(value, fmpq):
             _check(points, value, derivative)
             if digits <= DOUBLE_DIGITS:
                 middles, radii = float_batch(points, value, derivative)
-                found = [arb(m, r) for m, r in zip(middles.tolist(), radii.tolist(), strict=True)]
+                enclosures = [arb(m, r) for m, r in zip(middles.tolist(), radii.tolist(), strict=True)]
             else:
-                found = ball_batch(points, value, derivative, digits)
+                enclosures = ball_batch(points, value, derivative, digits)
         else:
-            found = [evaluate(_exact_entry(entry), value, derivative, digits).value for entry in points]
-        result[where] = found
+            enclosures = [evaluate(_exact_entry(entry), value, derivative, digits).value for entry in points]
+        result[where] = enclosures
     return result.reshape(taus.shape)
 
 
@@ -69,8 +69,8 @@ def theta_of_floats(
     :raises TypeError: ``tau`` has other entries than doubles, or an array is masked.
     :raises ValueError: an entry is NaN, infinite, or outside the domain.
 
-    >>> found = theta_of_floats(np.array([0.5, -1.25]), "7/3")
-    >>> bool((found.radius <= 1e-15 * abs(found.midpoint)).all())
+    >>> values = theta_of_floats(np.array([0.5, -1.25]), "7/3")
+    >>> bool((values.radius <= 1e-15 * abs(values.midpoint)).all())
     True
     """
     _without_mask(tau, "tau")
@@ -122,12 +122,12 @@ def _by_beta(betas: np.ndarray[Any, Any]) -> Iterator[tuple[Any, Any]]:
         for entry, group in zip(entries, groups, strict=True):
             yield exact(_exact_entry(entry, "beta"), "beta"), group
         return
-    found: dict[Any, list[int]] = {}
+    indices: dict[Any, list[int]] = {}
     for index, entry in enumerate(flat):
         if isinstance(entry, arb):  # no hash unless it is exact
             entry = Dyadic.from_ball(entry) if entry.is_finite() else ("not finite", index)
-        found.setdefault(entry, []).append(index)
-    for where in found.values():
+        indices.setdefault(entry, []).append(index)
+    for where in indices.values():
         yield exact(_exact_entry(flat[where[0]], "beta"), "beta"), np.array(where)
 
 

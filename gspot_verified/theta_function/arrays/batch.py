@@ -103,9 +103,9 @@ def float_batch(points: FloatArray, beta: fmpq, derivative: int) -> tuple[FloatA
         elif len(used):
             left = _in_doubles(points, panels, used, cover, (beta, derivative), (middles, radii))
     if len(left):
-        found = list(_in_balls(points, left, beta, derivative, DOUBLE_DIGITS))
-        places = np.array([index for index, _ in found], dtype=np.intp)
-        middles[places], radii[places] = float_balls([value for _, value in found])
+        enclosures = list(_in_balls(points, left, beta, derivative, DOUBLE_DIGITS))
+        places = np.array([index for index, _ in enclosures], dtype=np.intp)
+        middles[places], radii[places] = float_balls([value for _, value in enclosures])
     return middles, radii
 
 
@@ -115,7 +115,7 @@ def _in_doubles(
     used: IndexArray,
     cover: _Cover,
     function: tuple[fmpq, int],
-    found: tuple[FloatArray, FloatArray],
+    results: tuple[FloatArray, FloatArray],
 ) -> IndexArray:
     """Fill what doubles reach; the indices of the points that are left."""
     series = [_float_panel(*function, *_place(cover, i)) for i in used]
@@ -135,9 +135,9 @@ def _in_doubles(
     bounds = errors.take(columns)
     good = accepted(sizes) & (bounds <= _RELATIVE * np.abs(values))
     if all_used and good.all():
-        found[0][:], found[1][:] = values, bounds
+        results[0][:], results[1][:] = values, bounds
         return np.empty(0, dtype=np.intp)
-    found[0][chosen[good]], found[1][chosen[good]] = values[good], bounds[good]
+    results[0][chosen[good]], results[1][chosen[good]] = values[good], bounds[good]
     rest = np.ones(len(points), dtype=np.bool_)
     rest[chosen[good]] = False
     return np.flatnonzero(rest)
@@ -155,12 +155,12 @@ def _float_panel(beta: fmpq, derivative: int, cell: int, number: int, count: int
 
 def ball_batch(points: FloatArray, beta: fmpq, derivative: int, digits: int) -> list[arb]:
     """Balls of d^k Theta/dtau^k at every point with relative accuracy 10^-digits."""
-    found: list[arb] = [arb(0)] * len(points)
+    enclosures: list[arb] = [arb(0)] * len(points)
     if _vanishes(beta, derivative):
-        return found
+        return enclosures
     for index, value in _in_balls(points, np.arange(len(points)), beta, derivative, digits):
-        found[index] = value
-    return found
+        enclosures[index] = value
+    return enclosures
 
 
 def _vanishes(beta: fmpq, derivative: int) -> bool:

@@ -76,8 +76,8 @@ def _values(centre: fmpq, beta: fmpq, bits: int) -> tuple[arb, arb, arb]:
         plan = choice.taylor_plan(math.copysign(farthest, approximate(centre)), approximate(beta), bits)
         return taylor_derivatives(centre, beta, plan.length, plan.bits)
     digits = math.ceil(bits / _LOG2_10)
-    found = [evaluate(centre, beta, derivative, digits).value for derivative in range(3)]
-    return found[0], found[1], found[2]
+    values = [evaluate(centre, beta, derivative, digits).value for derivative in range(3)]
+    return values[0], values[1], values[2]
 
 
 def _length(centre: fmpq, half_width: fmpq, beta: fmpq, goal: int) -> int:

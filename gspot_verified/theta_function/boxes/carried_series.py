@@ -129,8 +129,8 @@ def values_at(series: Table, scale: fmpq, u: fmpq) -> Polynomials:
         at, unit, slope = arb(u), arb(scale), series.derivative()
         curvature = slope.derivative()(at) / (2 * unit * unit)
         return arb_poly([series(at)]), arb_poly([slope(at) / unit]), arb_poly([curvature])
-    found = _weights(scale, u, series.nrows(), current_bits()) * series
-    values, columns = found.entries(), series.ncols()
+    product = _weights(scale, u, series.nrows(), current_bits()) * series
+    values, columns = product.entries(), series.ncols()
     return (
         arb_poly(values[:columns]),
         arb_poly(values[columns : 2 * columns]),

@@ -114,16 +114,16 @@ def _merge(left: _Node, right: _Node) -> _Node:
 def _common_factors(q: int, longest: int) -> dict[int, fmpz]:
     """For each block length L: what divides P of the left and Q of the right of two reduced blocks of L terms."""
     primes = [n for n in range(2, 6 * q + 1) if 6 * q % n == 0 and fmpz(n).is_prime()]
-    found: dict[int, fmpz] = {}
+    factors: dict[int, fmpz] = {}
     removed, length = fmpz(1), _REDUCED_FROM
     while length <= longest:
         coprime = fmpz.fac_ui(fmpz(length))
         for prime in primes:
             coprime //= fmpz(prime) ** _valuation_of_factorial(length, prime)
-        found[length] = coprime**6 // removed
+        factors[length] = coprime**6 // removed
         removed *= coprime**6
         length *= 2
-    return found
+    return factors
 
 
 def _valuation_of_factorial(n: int, prime: int) -> int:

@@ -49,5 +49,5 @@ def _of_ball(z: arb, halvings: int) -> arb:
 def reciprocal_gamma_series(argument: arb, slope: arb, length: int) -> list[arb]:
     """Enclosures of the first ``length`` Taylor coefficients of 1/Gamma(argument + slope t) at t = 0."""
     with series_length(length):
-        found = list(arb_series([argument, slope], length).rgamma().coeffs())
-    return found + [arb(0)] * (length - len(found))  # flint leaves out exact zeros at the end
+        coefficients = list(arb_series([argument, slope], length).rgamma().coeffs())
+    return coefficients + [arb(0)] * (length - len(coefficients))  # flint leaves out exact zeros at the end

@@ -44,10 +44,10 @@ class Block:
 
 def block(numerator: fmpz_poly, denominator: fmpz_poly, length: int, stride: int = 1) -> Block:
     """The block of ``length`` = 2^n terms whose neighbours have the quotient numerator(k)/denominator(k)."""
-    found = Block(numerator, denominator, denominator, 1, stride)
-    while found.length < length:
-        found = found._doubled()
-    return found
+    doubled = Block(numerator, denominator, denominator, 1, stride)
+    while doubled.length < length:
+        doubled = doubled._doubled()
+    return doubled
 
 
 _Node = tuple[fmpz, fmpz, fmpz]

@@ -54,10 +54,10 @@ class MatrixBlock:
 
     def of_length(self, length: int) -> MatrixBlock:
         """The block of ``length`` = 2^n steps, from this one of a single step, freed of its common factor."""
-        found = self._reduced()
-        while found.length < length:
-            found = found._doubled()
-        return found
+        block = self._reduced()
+        while block.length < length:
+            block = block._doubled()
+        return block
 
 
 def _shifted(matrix: Polynomials, shift: fmpz_poly) -> Polynomials:

@@ -25,9 +25,9 @@ def continued(
     middle = s^2 point. ``settled`` is applied to each coefficient as it comes: it may only widen.
     """
     zero, one, two = start
-    found = [zero, one, two]
+    coefficients = [zero, one, two]
     for k, factor in enumerate(factors):
         following = zero * factor + one * (middle / ((k + 2) * (k + 3)))
         zero, one, two = one, two, following if settled is None else settled(following)
-        found.append(two)
-    return found
+        coefficients.append(two)
+    return coefficients

@@ -36,10 +36,10 @@ def splitting_sum(tau: fmpq, beta: fmpq, length: int, bits: int, block_length: i
     for j in range(3):
         if values[j].is_zero():
             continue
-        found, following = split_sum(terms, j, blocks, bits)
+        partial_sum, following = split_sum(terms, j, blocks, bits)
         with working_bits(bits):
             scale = values[j] * (tau**j / (1 + (j > 1)))
-            total += scale * found
+            total += scale * partial_sum
         with working_bits(64):
             rest += (scale * following).abs_upper()
     with working_bits(64):

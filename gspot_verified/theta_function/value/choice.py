@@ -109,8 +109,8 @@ def negative_plan(x: float, beta: float, goal: int) -> NegativePlan | None:
         lost = 2 * largest if beta < 0 else -largest
         enough = -(goal + 3) * _LN2 - lost + largest
         if k > settled:
-            found = _enveloping_terms(k, term, enough, x, beta)
-            return None if found is None else _negative_plan(found, x, beta, goal, lost)
+            terms = _enveloping_terms(k, term, enough, x, beta)
+            return None if terms is None else _negative_plan(terms, x, beta, goal, lost)
         if 3 * k > beta and k >= 1 and term < enough:
             return _negative_plan(k, x, beta, goal, lost)
         # Next to an integer a factor is tiny, but a float cannot tell how tiny: count it as 1/2.

@@ -65,10 +65,10 @@ class Evaluation(NoTruthValue, Written):
     @property
     def sign(self) -> Verdict:
         """The certified sign: proved, or undecided with the reason."""
-        found = signed(self.value)
-        if found is None:
+        certain_sign = signed(self.value)
+        if certain_sign is None:
             return Verdict.undecided("the sign", self.reason or Reason.WIDE_INPUT, f"value in {self}")
-        return Verdict.proved(f"the value is {('zero', 'positive', 'negative')[found[0]]}", found[1])
+        return Verdict.proved(f"the value is {('zero', 'positive', 'negative')[certain_sign[0]]}", certain_sign[1])
 
     def __str__(self) -> str:
         return ball_text(self.value, self.digits)
@@ -123,41 +123,43 @@ def enclosure(tau: ExactInput, beta: ExactInput, derivative: int, digits: int) -
     return _enclose(point, parameter, derivative, goal, None)[0]
 
 
-_Found = tuple[arb, str, int, Reason | None]
+_Enclosed = tuple[arb, str, int, Reason | None]
 """An enclosure, its route, the bits that were asked of the route, and why it is wider than asked (if it is)."""
 
 
-def _enclose(tau: Exact, beta: Exact, derivative: int, goal: int, max_bits: int | None) -> _Found:
+def _enclose(tau: Exact, beta: Exact, derivative: int, goal: int, max_bits: int | None) -> _Enclosed:
     if derivative and isinstance(beta, fmpq) and beta.q == 1 and 0 <= beta.p < derivative:
         return arb(0), "polynomial", 0, None
     shifted, factor = shifted_parameter(beta, derivative, goal) if derivative else (beta, fmpq(1))
-    found: _Found | None = None
+    enclosed: _Enclosed | None = None
     if max_bits is None and isinstance(tau, fmpq) and isinstance(shifted, fmpq):
         near = near_value(tau, shifted, goal + 2)
         if near is not None and relative_bits(near[0]) >= goal + 2:
-            found = near[0], "taylor", near[1], None
-    if found is None:
-        found = _exact_polynomial(tau, shifted, goal)
-    if found is None:
+            enclosed = near[0], "taylor", near[1], None
+    if enclosed is None:
+        enclosed = _exact_polynomial(tau, shifted, goal)
+    if enclosed is None:
         worth = min(goal + 2, _bits_of_input(tau, shifted))
-        found = _of_inputs(tau, shifted, worth, max_bits)
-        if worth < goal + 2 and relative_bits(found[0]) >= worth:  # the result depends on its inputs less than most do
+        enclosed = _of_inputs(tau, shifted, worth, max_bits)
+        if (
+            worth < goal + 2 and relative_bits(enclosed[0]) >= worth
+        ):  # the result depends on its inputs less than most do
             finer = _of_inputs(tau, shifted, goal + 2, max_bits)
-            found = (_tighter(finer[0], found[0]), *finer[1:])
-    value, route, bits, reason = found
+            enclosed = (_tighter(finer[0], enclosed[0]), *finer[1:])
+    value, route, bits, reason = enclosed
     if derivative:
         with working_bits(goal + 32):
             value = value * factor
     elif bits <= goal + _FEW_MORE_BITS and route == "taylor":
-        return found
+        return enclosed
     return shrink_to_bits(value, goal + 16), route, bits, reason
 
 
-def _of_inputs(tau: Exact, beta: Exact, goal: int, max_bits: int | None) -> _Found:
-    found = _approach(tau, beta, goal, max_bits)
+def _of_inputs(tau: Exact, beta: Exact, goal: int, max_bits: int | None) -> _Enclosed:
+    enclosed = _approach(tau, beta, goal, max_bits)
     if isinstance(tau, arb) and not tau.is_exact():
-        return _centred(found, tau, beta, goal, max_bits)
-    return found
+        return _centred(enclosed, tau, beta, goal, max_bits)
+    return enclosed
 
 
 def _bits_of_input(tau: Exact, beta: Exact) -> int:
@@ -185,7 +187,7 @@ def _cached_polynomial(n: int) -> fmpq_poly:
     return polynomial(n)
 
 
-def _exact_polynomial(tau: Exact, beta: Exact, goal: int) -> _Found | None:
+def _exact_polynomial(tau: Exact, beta: Exact, goal: int) -> _Enclosed | None:
     """Theta at an integer beta and a rational tau, exactly, while its integers stay small."""
     if not (isinstance(tau, fmpq) and isinstance(beta, fmpq) and beta.q == 1 and beta.p >= 0):
         return None
@@ -196,7 +198,7 @@ def _exact_polynomial(tau: Exact, beta: Exact, goal: int) -> _Found | None:
         return arb(_cached_polynomial(n)(tau)), "polynomial", goal, None
 
 
-def _approach(tau: Exact, beta: Exact, goal: int, max_bits: int | None) -> _Found:
+def _approach(tau: Exact, beta: Exact, goal: int, max_bits: int | None) -> _Enclosed:
     """Raise the precision until ``goal`` relative bits are certain, or the budget ends, or balls forbid more."""
     budget = max_bits or 8 * goal + 16_384
     wanted = min(goal, budget)
@@ -234,13 +236,13 @@ def _tighter(first: arb, second: arb) -> arb:
         return first.intersection(second)
 
 
-def _centred(found: _Found, tau: arb, beta: Exact, goal: int, max_bits: int | None) -> _Found:
+def _centred(enclosed: _Enclosed, tau: arb, beta: Exact, goal: int, max_bits: int | None) -> _Enclosed:
     """The common part with the mean value form over the ball tau."""
     center = _approach(tau.mid(), beta, goal, max_bits)[0]
     with working_bits(goal + 64):
         below = beta - 1
     form = mean_value_form(beta, tau.rad(), center, _attempt(tau, below, goal)[1], goal + 64)
-    return _tighter(found[0], form), *found[1:]
+    return _tighter(enclosed[0], form), *enclosed[1:]
 
 
 def _majorant(tau: Exact, beta: Exact) -> arb:
