@@ -99,5 +99,5 @@ class ColumnModels:
         # All powers of eta: with those that a box asks for, the changes stay open next to an integer.
         start, b = self._carried.values(tau), self._carried.range_of_b
         with working_bits(_BOX_BITS + 2 * n):
-            found = [range_of(c) for c in coefficients(start, b, tau, fmpq(1), max(n + 1, 3))]
-        return right_changes(found[: n + 1], self.centre - self.radius, self.centre + self.radius, n)
+            ranges = [range_of(c) for c in coefficients(start, b, tau, fmpq(1), max(n + 1, 3))]
+        return right_changes(ranges[: n + 1], self.centre - self.radius, self.centre + self.radius, n)

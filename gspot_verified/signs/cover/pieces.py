@@ -63,13 +63,13 @@ class Column:
         pieces of one direction between two certain signs, of which the first is the opposite of the second."""
         if self.lower is None:
             return []
-        found = []
+        tubes = []
         for run, before, after in monotone_runs(self.pieces, cell_of(self.lower, self.upper)):
             lower, upper = run[0].lower, run[-1].upper
             crosses = 0 not in (before, after) and before != after and {piece.mark for piece in run} == {after}
             if crosses and lower is not None and upper is not None:
-                found.append((lower, upper))
-        return found
+                tubes.append((lower, upper))
+        return tubes
 
 
 def cell_of(lower: fmpq, upper: fmpq) -> int:

@@ -43,8 +43,8 @@ def refutation(
 
     >>> from gspot_verified.numbers.evidence import less
     >>> asked, half = {"x": Range.parse("[0..1)", "x")}, fmpq(1, 2)
-    >>> found = refutation("x < 1/2", asked, [(fmpq(1),), (fmpq(3, 4),)], lambda x: ("x > 1/2", less(half, x)))
-    >>> found.point, found.verdict.witness
+    >>> refuted = refutation("x < 1/2", asked, [(fmpq(1),), (fmpq(3, 4),)], lambda x: ("x > 1/2", less(half, x)))
+    >>> refuted.point, refuted.verdict.witness
     ((3/4,), 'x > 1/2 at x = 3/4')
     """
     for point in candidates:
@@ -52,11 +52,11 @@ def refutation(
         within = [_inside(values, number) for (_, values), number in places]
         if any(part is None for part in within):
             continue
-        found = failure(*point)
-        shown = None if found is None else every([*within, found[1]])
-        if found is not None and shown is not None:
+        failed = failure(*point)
+        shown = None if failed is None else every([*within, failed[1]])
+        if failed is not None and shown is not None:
             where = ", ".join(f"{name} = {number}" for (name, _), number in places)
-            return Refutation(Verdict.refuted(statement, f"{found[0]} at {where}", shown), point)
+            return Refutation(Verdict.refuted(statement, f"{failed[0]} at {where}", shown), point)
     return None
 
 

@@ -67,8 +67,8 @@ class SignResult(NoTruthValue, Written):
         if self.point is None or self.sign_there is None:
             return None
         tau, beta = (Range(value, value, True, True) for value in self.point)
-        found = SignStatement(tau, beta, self.sign_there)
-        return found if self.columns or _at_integer(tau, beta) else None
+        at_point = SignStatement(tau, beta, self.sign_there)
+        return at_point if self.columns or _at_integer(tau, beta) else None
 
 
 def sign(
@@ -107,9 +107,9 @@ def sign(
         return SignResult(
             statement, _undecided(statement, Reason.BUDGET, "nothing was examined", [(beta.lower, beta.upper)])
         )
-    found = find_witness(tau, beta, sign)
-    if found is not None:
-        return _refuted(statement, found, 0)
+    witness = find_witness(tau, beta, sign)
+    if witness is not None:
+        return _refuted(statement, witness, 0)
     there = sign_at(*_point(tau, beta)) if _at_integer(tau, beta) else None
     if there is not None and (same := equal(there, sign)) is not None:
         return SignResult(statement, Verdict.proved(str(statement), same))
@@ -148,10 +148,10 @@ def _cells(beta: Range) -> list[tuple[fmpq | None, fmpq]]:
 def _refuted(statement: SignStatement, point: tuple[fmpq, fmpq], examined: int) -> SignResult:
     def failure(tau: fmpq, beta: fmpq) -> Failure | None:
         value = value_at(tau, beta)
-        found = None if value is None else signed(value)
-        if found is None or found[0] == statement.sign:
+        certain_sign = None if value is None else signed(value)
+        if certain_sign is None or certain_sign[0] == statement.sign:
             return None
-        return f"dΘ/dτ {({1: '>', 0: '=', -1: '<'})[found[0]]} 0", found[1]
+        return f"dΘ/dτ {({1: '>', 0: '=', -1: '<'})[certain_sign[0]]} 0", certain_sign[1]
 
     against = refutation(str(statement), {"τ": statement.tau, "β": statement.beta}, [point], failure)
     tau, beta = point
@@ -167,8 +167,8 @@ def _columns_at(tau: fmpq, beta: fmpq, sign: int) -> tuple[Column, ...]:
     ranges = Range(tau, tau, True, True), Range(beta, beta, True, True)
     if _at_integer(*ranges) or abs(beta) > MAX_BETA or not sign:
         return ()
-    found = sign_column(SignQuestion(*ranges, sign if beta < 0 else -sign), beta, beta)
-    return (found,) if isinstance(found, Column) else ()
+    column = sign_column(SignQuestion(*ranges, sign if beta < 0 else -sign), beta, beta)
+    return (column,) if isinstance(column, Column) else ()
 
 
 def _at_integer(tau: Range, beta: Range) -> bool:

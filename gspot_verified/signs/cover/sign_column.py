@@ -185,21 +185,21 @@ class _SignSearch:
 
     def _cover(self, begin: fmpq, end: fmpq) -> tuple[ColumnPiece, ...] | None:
         waiting = grid(begin, end) if self.along is None else grid_along(begin, end, self.along)
-        found: list[ColumnPiece] = []
+        pieces: list[ColumnPiece] = []
         least = min(_LEAST_WIDTH, (end - begin) / 64)
         while waiting:
             lower, upper = waiting.pop()
             middle = (lower + upper) / 2
             sign = self.models.sign(lower, upper)
             if sign == self.sign:
-                found.append(ColumnPiece(Kind.SIGN, lower, upper, sign))
+                pieces.append(ColumnPiece(Kind.SIGN, lower, upper, sign))
             elif sign == -self.sign or self.models.sign_at_centre(middle) == -self.sign:
                 self._refuted(middle)
                 return None
             elif self._hinge(lower, upper):
-                found.append(ColumnPiece(Kind.HINGE, lower, upper))
+                pieces.append(ColumnPiece(Kind.HINGE, lower, upper))
             elif upper - lower <= least:
                 return None
             else:
                 waiting += [(middle, upper), (lower, middle)]
-        return tuple(found)
+        return tuple(pieces)

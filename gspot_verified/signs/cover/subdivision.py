@@ -152,5 +152,5 @@ class Subdivision:
 
 def proved_again(examine: Examine, known: Column) -> Column | tuple[fmpq, fmpq] | None:
     """The range's examination along the pieces of a column; without them where that column does not come out."""
-    found = examine(known.lower, known.upper, known)
-    return found if found == known else examine(known.lower, known.upper)
+    again = examine(known.lower, known.upper, known)
+    return again if again == known else examine(known.lower, known.upper)

@@ -25,8 +25,8 @@ def sign_at(tau: fmpq, beta: fmpq) -> int | None:
     (0, -1)
     """
     value = value_at(tau, beta)
-    found = None if value is None else signed(value)
-    return None if found is None else found[0]
+    certain_sign = None if value is None else signed(value)
+    return None if certain_sign is None else certain_sign[0]
 
 
 def value_at(tau: fmpq, beta: fmpq) -> fmpq | arb | None:
@@ -42,8 +42,8 @@ def find_witness(tau: Range, beta: Range, sign: int) -> tuple[fmpq, fmpq] | None
     """A point of the two ranges where dTheta/dtau certainly has another sign than ``sign``, if one is met."""
     for b in _samples(beta, _beta_points(beta)):
         for t in _samples(tau, [fmpq(0), fmpq(3, 4), fmpq(-3, 4), fmpq(5), fmpq(-5)]):
-            found = sign_at(t, b)
-            if found is not None and found != sign:
+            certain_sign = sign_at(t, b)
+            if certain_sign is not None and certain_sign != sign:
                 return t, b
     return None
 

@@ -88,8 +88,8 @@ def right_tail(models: CertainSigns, n: int, reach: fmpq, changes: int, along: C
         within = place is not None and (place / _STEP).q == 1 and _STEP <= place <= last * _STEP
         return place if place is not None and within and mark == changes == models.changes(place, n) else None
     if changes:
-        found = (k * _STEP for k in range(1, last + 1) if models.changes(k * _STEP, n) == 1)
-        return next(found, None)
+        places = (k * _STEP for k in range(1, last + 1) if models.changes(k * _STEP, n) == 1)
+        return next(places, None)
     if models.changes(last * _STEP, n) != 0:
         return None
     # The number of changes does not grow with T (Budan and Fourier), so bisection finds the least T.
@@ -123,19 +123,19 @@ def cover(
 ) -> tuple[ColumnPiece, ...] | None:
     """Pieces SIGN and MONOTONE from left to right, by bisection; None as soon as one box is narrower than ``least``."""
     waiting = grid(left, right) if along is None else grid_along(left, right, along)
-    found: list[ColumnPiece] = []
+    pieces: list[ColumnPiece] = []
     while waiting:
         lower, upper = waiting.pop()
         if sign := models.sign(lower, upper):
-            found.append(ColumnPiece(Kind.SIGN, lower, upper, sign))
+            pieces.append(ColumnPiece(Kind.SIGN, lower, upper, sign))
         elif direction := models.sign(lower, upper, 1):
-            found.append(ColumnPiece(Kind.MONOTONE, lower, upper, direction))
+            pieces.append(ColumnPiece(Kind.MONOTONE, lower, upper, direction))
         elif upper - lower <= least:
             return None
         else:
             middle = (lower + upper) / 2
             waiting += [(middle, upper), (lower, middle)]
-    return tuple(found)
+    return tuple(pieces)
 
 
 def grid(left: fmpq, right: fmpq, step: fmpq = _STEP) -> list[tuple[fmpq, fmpq]]:

@@ -172,10 +172,10 @@ def side(lower: ExactInput, upper: ExactInput | None = None) -> SideSwitching:
 
 
 def _checked(value: ExactInput, name: str) -> Exact:
-    found = exact(value, name)
-    if not -MAX_BETA <= found <= MAX_BETA:
+    number = exact(value, name)
+    if not -MAX_BETA <= number <= MAX_BETA:
         raise ValueError(f"{name}: |beta| must be at most {MAX_BETA}")
-    return found
+    return number
 
 
 def _ends(value: Exact) -> tuple[Fraction, Fraction]:

@@ -106,13 +106,13 @@ def _changes(slope: SlopeAt) -> list[tuple[fmpq, fmpq]]:
     wanted = count_law.number_of_zeros(slope.beta)
     n = int(slope.beta.floor()) - 1
     start = -left_threshold(slope.beta - 1, slope.beta - 1, n)
-    found: list[tuple[fmpq, fmpq]] = []
+    intervals: list[tuple[fmpq, fmpq]] = []
     points = [start, *(upper for _, upper in reversed(grid(start, _reach(slope.beta), _step(slope.beta))))]
     signs = [slope.sign(point) for point in points]
     for (left, before), (right, after) in pairwise(zip(points, signs, strict=True)):
         if before != after:
-            found.append((left, right))
-    return found if len(found) == wanted else []
+            intervals.append((left, right))
+    return intervals if len(intervals) == wanted else []
 
 
 def _step(beta: fmpq) -> fmpq:

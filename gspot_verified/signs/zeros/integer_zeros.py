@@ -71,9 +71,9 @@ def _isolate(beta: int, number: int) -> list[tuple[fmpq, fmpq]]:
     for _ in range(_MAX_HALVINGS):
         points = [step * (2 * k + 1) / 2 for k in range(int((reach / step).ceil()))]
         signs = [(point, sign) for point in points if (sign := sign_at(point, fmpq(beta)))]
-        found = [(a, b) for (a, first), (b, second) in pairwise(signs) if first != second]
-        if len(found) == number:
-            return found
+        intervals = [(a, b) for (a, first), (b, second) in pairwise(signs) if first != second]
+        if len(intervals) == number:
+            return intervals
         step /= 2
     raise ArithmeticError("the positive zeros were not separated; please report this")
 

@@ -63,13 +63,13 @@ class ZerosResult(NoTruthValue, Written):
     @property
     def meetings(self) -> tuple[int, ...]:
         """The beta at which two zeros meet at tau = 0 and vanish as beta increases: those with a fold."""
-        found = {
+        folds = {
             fold_integer(column.lower, column.upper)
             for column in self.columns
             for piece in column.pieces
             if piece.kind is Kind.FOLD and column.lower is not None
         }
-        return tuple(sorted(n + 1 for n in found if n is not None))
+        return tuple(sorted(n + 1 for n in folds if n is not None))
 
     @property
     def arrivals(self) -> tuple[int, ...]:
@@ -89,8 +89,8 @@ class ZerosResult(NoTruthValue, Written):
     @property
     def column_rows(self) -> list[ColumnRow]:
         """Every column with its zeros and their tubes."""
-        found = self.columns
-        return [ColumnRow((one.lower, one.upper), number_of_zeros(one), tuple(one.tubes())) for one in found]
+        columns = self.columns
+        return [ColumnRow((one.lower, one.upper), number_of_zeros(one), tuple(one.tubes())) for one in columns]
 
     def __str__(self) -> str:
         lines = [f"proved: {self.by_count_law}", f"  route: {self.route} (proofs/count_law.md)"]
@@ -155,10 +155,10 @@ def _examine(lower: fmpq | None, upper: fmpq, along: Column | None = None) -> Co
 
 def _counts(columns: tuple[Column, ...]) -> tuple[tuple[int, int], ...]:
     """The number for each cell (m, m + 1), on which all columns of the cell must agree."""
-    found: dict[int, int] = {}
+    counts: dict[int, int] = {}
     for column in columns:
         assert column.lower is not None
         m, count = int((column.lower).floor()), number_of_zeros(column)
-        if count is None or found.setdefault(m, count) != count:
+        if count is None or counts.setdefault(m, count) != count:
             raise ArithmeticError(f"columns over ({m}, {m + 1}) disagree on the number of zeros; please report this")
-    return tuple(sorted(found.items()))
+    return tuple(sorted(counts.items()))
