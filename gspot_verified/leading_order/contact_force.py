@@ -165,10 +165,10 @@ def rational(value: ExactInput, name: str) -> fmpq:
 
     :raises ValueError: a ball.
     """
-    found = exact(value, name)
-    if not isinstance(found, fmpq):
+    number = exact(value, name)
+    if not isinstance(number, fmpq):
         raise ValueError(f"{name}: expected one exact number, got a ball")
-    return found
+    return number
 
 
 def below_threshold(epsilon: fmpq, lower: arb) -> Evidence | None:

@@ -129,14 +129,14 @@ def leading_order_iwc(
         raise ValueError("growth: the table needs beta > 1 and the sign of C_1 with C_1/Gamma(-beta) < 0")
     if force.takes_impact:
         return _impact(force, start, small, digits)
-    found = lift_off(force, PAPER_EPSILON if small is None else small, start, digits)
+    loss = lift_off(force, PAPER_EPSILON if small is None else small, start, digits)
     rows = growth_table(force, start) if growth else ()
-    return IwcResult(force, start, found.whole_line, found.verdict, lift_off=found, growth=rows)
+    return IwcResult(force, start, loss.whole_line, loss.verdict, lift_off=loss, growth=rows)
 
 
 def _impact(force: ContactForce, start: fmpq, epsilon: fmpq | None, digits: int) -> IwcResult:
-    found = stretches(force.beta, force.direction, start, digits)
-    least = minimum(found)
+    shape = stretches(force.beta, force.direction, start, digits)
+    least = minimum(shape)
     # lambda_N > 0 where the mean force and the least deviation are both >= 0, one of them > 0: dTheta/dtau < 0 for
     # beta < 1 by proofs/signs.md, without numbers.
     whole = force.beta < 1
@@ -145,12 +145,12 @@ def _impact(force: ContactForce, start: fmpq, epsilon: fmpq | None, digits: int)
         by = theorem("proofs/signs.md", less(force.beta, 1), nowhere_less) if whole else nowhere_less
         verdict = Verdict.proved(force_statement(None if whole else start, epsilon, None), by, _by_theorem(force))
         return IwcResult(force, start, whole, verdict, least, every_epsilon=True)
-    whole = found.whole_line and bool(found.critical)
+    whole = shape.whole_line and bool(shape.critical)
     log_lower, log_upper = _log_bounds(force, least.value, digits)
     size = None if log_upper is None else _exponential(log_lower, log_upper)
     epsilon_0 = rounded_down(log_lower, digits)
     if epsilon is not None:
-        verdict = at_epsilon(force, found, epsilon, log_lower)
+        verdict = at_epsilon(force, shape, epsilon, log_lower)
     elif epsilon_0 is None or (below := below_threshold(epsilon_0, log_lower)) is None:
         text = f"{LEADING}, some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
         verdict = Verdict.undecided(text, Reason.BUDGET, f"no ε0 above 10^{LEAST_TENS} was found")
@@ -199,16 +199,16 @@ def _exponential(lower: arb, upper: arb) -> arb | None:
         return hull([lower.exp(), upper.exp()])
 
 
-def at_epsilon(force: ContactForce, found: Stretches, epsilon: fmpq, lower: arb) -> Verdict:
+def at_epsilon(force: ContactForce, shape: Stretches, epsilon: fmpq, lower: arb) -> Verdict:
     """Whether lambda_N > 0 on [start, infinity) at epsilon; ``lower`` is at most the logarithm of the largest
     epsilon_0."""
-    start = found.start.lower
+    start = shape.start.lower
     text = force_statement(start, epsilon, None)
     below = below_threshold(epsilon, lower)
     if below is not None:
         return Verdict.proved(text, below, _by_theorem(force))
     # The place of the least value first, as a heuristic: whichever serves is a witness.
-    pieces = sorted([found.start, *found.critical], key=lambda piece: piece.value.mid())
+    pieces = sorted([shape.start, *shape.critical], key=lambda piece: piece.value.mid())
     places = [(piece.lower + piece.upper) / 2 for piece in pieces]
     against = force_refutation(force, text, Range(start, None, True, False), places, epsilon)
     if against is not None:

@@ -117,24 +117,24 @@ def iwc_over_balls(
         verdict = Verdict.proved(force_statement(None, small, None, _SYSTEM), by, _BY_THEOREM)
         return IwcOverBalls(force, start, True, verdict, every_epsilon=True)
     try:
-        found = stretches_over_ball(force.beta, force.direction, start, digits)
+        shape = stretches_over_ball(force.beta, force.direction, start, digits)
     except UndecidedError as error:
         return IwcOverBalls(force, start, False, Verdict.undecided(text, Reason.WIDE_INPUT, str(error)))
-    if not all(piece.value.is_finite() for piece in (found.start, *found.critical)):
+    if not all(piece.value.is_finite() for piece in (shape.start, *shape.critical)):
         detail = "dΘ/dτ at the start or at a critical point has no finite ball"
         return IwcOverBalls(force, start, False, Verdict.undecided(text, Reason.WIDE_INPUT, detail))
     if force.takes_impact:
-        return _impact(force, found, small, digits)
-    return _lift_off(force, found, PAPER_EPSILON if small is None else small, digits)
+        return _impact(force, shape, small, digits)
+    return _lift_off(force, shape, PAPER_EPSILON if small is None else small, digits)
 
 
-def _impact(force: ForceOverBalls, found: Stretches, epsilon: fmpq | None, digits: int) -> IwcOverBalls:
-    start, least = found.start.lower, minimum(found)
+def _impact(force: ForceOverBalls, shape: Stretches, epsilon: fmpq | None, digits: int) -> IwcOverBalls:
+    start, least = shape.start.lower, minimum(shape)
     nowhere_less = every([less(1, force.beta), at_most(0, least.value.lower())])
     if nowhere_less is not None:
         verdict = Verdict.proved(force_statement(start, epsilon, None, _SYSTEM), nowhere_less)
         return IwcOverBalls(force, start, False, verdict, least, every_epsilon=True)
-    whole = found.whole_line and bool(found.critical)
+    whole = shape.whole_line and bool(shape.critical)
     lower = force.log_epsilon(least.value.lower(), 2 * digits).lower()
     upper = force.log_epsilon(least.value.upper(), 2 * digits).upper()
     size = None
@@ -143,7 +143,7 @@ def _impact(force: ForceOverBalls, found: Stretches, epsilon: fmpq | None, digit
             size = hull([lower.exp(), upper.exp()])
     epsilon_0 = rounded_down(lower, digits)
     if epsilon is not None:
-        verdict = _at_epsilon(force, found, epsilon, lower)
+        verdict = _at_epsilon(force, shape, epsilon, lower)
     elif epsilon_0 is None or (below := below_threshold(epsilon_0, lower)) is None:
         text = f"{_SYSTEM}, some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
         verdict = Verdict.undecided(text, Reason.WIDE_INPUT, f"no ε0 above 10^{LEAST_TENS} serves all of them")
@@ -162,14 +162,14 @@ def _impact(force: ForceOverBalls, found: Stretches, epsilon: fmpq | None, digit
     )
 
 
-def _at_epsilon(force: ForceOverBalls, found: Stretches, epsilon: fmpq, lower: arb) -> Verdict:
+def _at_epsilon(force: ForceOverBalls, shape: Stretches, epsilon: fmpq, lower: arb) -> Verdict:
     """``lower`` is at most the logarithm of the largest epsilon_0 of every system."""
-    text = force_statement(found.start.lower, epsilon, None, _SYSTEM)
+    text = force_statement(shape.start.lower, epsilon, None, _SYSTEM)
     below = below_threshold(epsilon, lower)
     if below is not None:
         return Verdict.proved(text, below)
-    pieces = sorted([found.start, *found.critical], key=lambda piece: piece.value.mid())
-    against = _refutation(force, text, found.start.lower, [(p.lower + p.upper) / 2 for p in pieces], epsilon)
+    pieces = sorted([shape.start, *shape.critical], key=lambda piece: piece.value.mid())
+    against = _refutation(force, text, shape.start.lower, [(p.lower + p.upper) / 2 for p in pieces], epsilon)
     if against is not None:
         return against.verdict
     return Verdict.undecided(text, Reason.WIDE_INPUT, "ε is not below the ε0 of all of them, nor above")
@@ -188,11 +188,11 @@ def _refutation(force: ForceOverBalls, text: str, start: fmpq, places: list[fmpq
     return refutation(text, {"τ": Range(start, None, True, False)}, ((tau,) for tau in places), failure)
 
 
-def _lift_off(force: ForceOverBalls, found: Stretches, epsilon: fmpq, digits: int) -> IwcOverBalls:
-    start, where = found.start.lower, f"{_SYSTEM}, at ε = {short_text(epsilon)}"
+def _lift_off(force: ForceOverBalls, shape: Stretches, epsilon: fmpq, digits: int) -> IwcOverBalls:
+    start, where = shape.start.lower, f"{_SYSTEM}, at ε = {short_text(epsilon)}"
     crossing, verdict = None, None
     try:
-        crossing = first_crossing(found, lambda places: force.level(epsilon, places), digits)
+        crossing = first_crossing(shape, lambda places: force.level(epsilon, places), digits)
     except NotAbove:
         against = _refutation(force, f"{where}, λ_N > 0 at τ = {start}", start, [start], epsilon)
         verdict = None if against is None else against.verdict
@@ -212,5 +212,5 @@ def _lift_off(force: ForceOverBalls, found: Stretches, epsilon: fmpq, digits: in
     if force.beta > 1 and epsilon < 1:
         with working_bits(128):
             ratio = hull([arb(lower), arb(upper)]) / ((force.beta - 1) * -arb(epsilon).log()) ** arb(fmpq(2, 3))
-    time = LiftOff(epsilon, lower, upper, number, ratio, found.whole_line, verdict)
-    return IwcOverBalls(force, start, found.whole_line, verdict, lift_off=time)
+    time = LiftOff(epsilon, lower, upper, number, ratio, shape.whole_line, verdict)
+    return IwcOverBalls(force, start, shape.whole_line, verdict, lift_off=time)

@@ -69,9 +69,9 @@ def lift_off(force: ContactForce, epsilon: fmpq, start: fmpq, digits: int = 15) 
     where = f"{LEADING} at ε = {short_text(epsilon)}"
     least = max(digits, _CRITICAL_DIGITS)
     for accuracy in (least, 4 * least):
-        found = stretches(force.beta, force.direction, start, accuracy)
+        shape = stretches(force.beta, force.direction, start, accuracy)
         try:
-            crossing = first_crossing(found, lambda places: force.level(epsilon, places), digits)
+            crossing = first_crossing(shape, lambda places: force.level(epsilon, places), digits)
         except NotAbove:
             text = f"{where}, λ_N > 0 at τ = {start}"
             against = force_refutation(force, text, Range(start, start, True, True), [start], epsilon)
@@ -93,7 +93,7 @@ def lift_off(force: ContactForce, epsilon: fmpq, start: fmpq, digits: int = 15) 
             law = (arb(force.beta - 1) * -arb(epsilon).log()) ** arb(fmpq(2, 3))
             ratio = hull([arb(lower), arb(upper)]) / law
     proved = Verdict.proved(text, crossing.evidence, count)
-    return LiftOff(epsilon, lower, upper, number, ratio, found.whole_line, proved)
+    return LiftOff(epsilon, lower, upper, number, ratio, shape.whole_line, proved)
 
 
 def growth_table(force: ContactForce, start: fmpq) -> tuple[LiftOff, ...]:

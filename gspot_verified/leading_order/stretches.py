@@ -70,8 +70,8 @@ def stretches(beta: fmpq, sign: int, start: fmpq, digits: int = 15) -> Stretches
 
     :raises ValueError: beta <= 0 or an integer, or sign is not 1 or -1.
 
-    >>> found = stretches(fmpq(5, 2), -1, fmpq(-10))
-    >>> len(found.critical), found.whole_line
+    >>> shape = stretches(fmpq(5, 2), -1, fmpq(-10))
+    >>> len(shape.critical), shape.whole_line
     (1, True)
     """
     if beta <= 0 or beta.q == 1:
@@ -95,19 +95,19 @@ def _bracket(beta: fmpq, sign: int, lower: fmpq, upper: fmpq, digits: int) -> Br
         return Bracket(lower, upper, sign * slope)
 
 
-def minimum(found: Stretches) -> Bracket:
+def minimum(shape: Stretches) -> Bracket:
     """The least value on [start, infinity), enclosed, and an interval of that half-line in which it is attained.
 
     The interval is the start alone or one bracket, unless the balls leave open which of them has the least value.
 
     :raises ValueError: the function tends to -infinity.
     """
-    if not found.rises:
+    if not shape.rises:
         raise ValueError("sign: the function tends to -infinity, it has no least value")
-    pieces = [found.start, *found.critical]
+    pieces = [shape.start, *shape.critical]
     with working_bits(max(64, *(int(piece.value.bits()) + 64 for piece in pieces))):
-        lower, upper = found.start.value.lower(), found.start.value.upper()
-        for piece in found.critical:
+        lower, upper = shape.start.value.lower(), shape.start.value.upper()
+        for piece in shape.critical:
             lower, upper = lower.min(piece.value.lower()), upper.min(piece.value.upper())
         possible = [piece for piece in pieces if not piece.value.lower() > upper]
         return Bracket(possible[0].lower, possible[-1].upper, hull([lower, upper]))
@@ -131,16 +131,16 @@ class NotAbove(ValueError):
     """The function is certainly below -level at the start already."""
 
 
-def first_crossing(found: Stretches, level: Level, digits: int = 15) -> LevelCrossing | None:
+def first_crossing(shape: Stretches, level: Level, digits: int = 15) -> LevelCrossing | None:
     """Where the function first falls through -level, when it tends to -infinity; None when balls cannot tell.
 
     :raises NotAbove: it is below -level at the start.
     :raises ValueError: it tends to +infinity.
     """
-    if found.rises:
+    if shape.rises:
         raise ValueError("sign: the function tends to +infinity, it need not fall through a level")
     value = level(2 * digits + _SPARE_DIGITS)
-    pieces = [found.start, *found.critical]
+    pieces = [shape.start, *shape.critical]
     with working_bits(int(value.bits()) + 64):
         heights = [bracket.value + value for bracket in pieces]
     signs = [sign_of(height) for height in heights]
@@ -151,7 +151,7 @@ def first_crossing(found: Stretches, level: Level, digits: int = 15) -> LevelCro
         return None
     before = len(pieces) if following is None else following
     first = pieces[before - 1].upper
-    height_at = _height(found, level, digits)
+    height_at = _height(shape, level, digits)
     below = _below(height_at)
     last = _far(first, below) if following is None else pieces[following].lower
     if last is None:
@@ -169,16 +169,16 @@ def first_crossing(found: Stretches, level: Level, digits: int = 15) -> LevelCro
     return None if evidence is None else LevelCrossing(lower, upper, number, evidence)
 
 
-def _height(found: Stretches, level: Level, digits: int) -> Callable[[fmpq], arb]:
+def _height(shape: Stretches, level: Level, digits: int) -> Callable[[fmpq], arb]:
     """sign * dTheta/dtau + level at a point, with a few rising accuracies until its sign is certain."""
 
     def height(tau: fmpq) -> arb:
         value = nonfinite()
         for attempt in range(_TRIES):
             accuracy = (digits + _SPARE_DIGITS) * 2**attempt
-            slope, bound = evaluate(tau, found.beta, derivative=1, digits=accuracy).value, level(accuracy)
+            slope, bound = evaluate(tau, shape.beta, derivative=1, digits=accuracy).value, level(accuracy)
             with working_bits(bits_for_digits(accuracy) + 64):
-                value = found.sign * slope + bound
+                value = shape.sign * slope + bound
             if sign_of(value):
                 break
         return value

@@ -53,13 +53,13 @@ class SlopeOverBall:
 
     def enclosure(self, lower: fmpq, upper: fmpq, derivative: int) -> arb:
         """All values on [lower, upper]: by a Taylor model, or by evaluation over the balls where none is finite."""
-        found = nonfinite()
+        enclosure = nonfinite()
         if self.series is not None:
             middle, half = approximate((lower + upper) / 2), approximate((upper - lower) / 2)
             order = order_for_box(abs(middle), half, approximate(self.upper), bits_for_digits(self.digits) + 32)
-            found = taylor_model(self.series, lower, upper, order, derivative).enclosure()
-        if found.is_finite():
-            return found
+            enclosure = taylor_model(self.series, lower, upper, order, derivative).enclosure()
+        if enclosure.is_finite():
+            return enclosure
         place: fmpq | arb = lower
         if lower < upper:
             with working_bits(bits_for_digits(self.digits) + 128):
@@ -87,8 +87,8 @@ def stretches_over_ball(beta: arb, sign: int, start: fmpq, digits: int = 15) -> 
     :raises ValueError: beta is not certainly > 0, or the ball holds an integer; sign is not 1 or -1.
     :raises UndecidedError: the ball is too wide for brackets that are apart.
 
-    >>> found = stretches_over_ball(arb("2.5", "1e-6"), -1, fmpq(-10))
-    >>> len(found.critical), found.whole_line
+    >>> shape = stretches_over_ball(arb("2.5", "1e-6"), -1, fmpq(-10))
+    >>> len(shape.critical), shape.whole_line
     (1, True)
     """
     lower, upper = ends(beta)
@@ -123,10 +123,10 @@ def _certain_brackets(
     """Each interval widened until d^2Theta/dtau^2 has certain, opposite signs at its ends for every beta."""
     wide = slope.upper - slope.lower
     places = digits if wide == 0 else min(digits, max(1, math.floor(-math.log10(max(approximate(wide), 1e-300)))))
-    found = tuple(_widened(slope, left, right, fmpq(1, 10**places)) for left, right in rough)
-    if any(before[1] >= after[0] for before, after in pairwise(found)):
+    brackets = tuple(_widened(slope, left, right, fmpq(1, 10**places)) for left, right in rough)
+    if any(before[1] >= after[0] for before, after in pairwise(brackets)):
         raise UndecidedError("the ball of beta is too wide: two critical points cannot be kept apart")
-    return found
+    return brackets
 
 
 def _widened(slope: SlopeOverBall, left: fmpq, right: fmpq, step: fmpq) -> tuple[fmpq, fmpq]:
