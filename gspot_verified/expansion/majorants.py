@@ -66,19 +66,19 @@ def graded_functions(
     """
     order = len(norms[nodes[0]])
     enlarged = [(ratio, _changes(nodes, starts, components, arb(ratio))) for ratio in _ratios(nodes)]
-    found: dict[Expression, Graded] = {}
+    graded: dict[Expression, Graded] = {}
     for node in nodes:
         match node:
             case Constant() | Variable():
                 rest = arb(0)
             case Sum(terms):
-                rest = _sum([found[part].rest for part in terms])
+                rest = _sum([graded[part].rest for part in terms])
             case Product(left, right):
-                rest = rest_of_product(found[left], found[right])
+                rest = rest_of_product(graded[left], graded[right])
             case _:
                 rest = _least([changes[node] / arb(ratio) ** order for ratio, changes in enlarged])
-        found[node] = Graded(norms[node], rest)
-    return found
+        graded[node] = Graded(norms[node], rest)
+    return graded
 
 
 def _ratios(nodes: Sequence[Expression]) -> tuple[fmpq, ...]:
@@ -92,7 +92,7 @@ def _changes(
     ratio: arb,
 ) -> dict[Expression, arb]:
     """Bounds on the norm of f - f_0 at ``ratio`` D; a bound that is not finite where there is none."""
-    found: dict[Expression, arb] = {}
+    changes: dict[Expression, arb] = {}
     for node in nodes:
         match node:
             case Constant():
@@ -100,22 +100,22 @@ def _changes(
             case Variable(index):
                 change = components[index](ratio)
             case Sum(terms):
-                change = _sum([found[part] for part in terms])
+                change = _sum([changes[part] for part in terms])
             case Product(left, right):
-                a, b = found[left], found[right]
+                a, b = changes[left], changes[right]
                 change = size_of(starts[left]) * b + a * size_of(starts[right]) + a * b
             case Power(base, exponent):
-                change = _power_change(arb(starts[base]), found[base], exponent)
+                change = _power_change(arb(starts[base]), changes[base], exponent)
             case Exponential(argument):
-                change = size_of(arb(starts[argument]).exp()) * found[argument].expm1()
+                change = size_of(arb(starts[argument]).exp()) * changes[argument].expm1()
             case Logarithm(argument):
-                change = _logarithm_change(arb(starts[argument]), found[argument])
+                change = _logarithm_change(arb(starts[argument]), changes[argument])
             case Sine(argument) | Cosine(argument):
-                change = _rotation_change(arb(starts[argument]), found[argument], isinstance(node, Sine))
+                change = _rotation_change(arb(starts[argument]), changes[argument], isinstance(node, Sine))
             case _:
                 raise TypeError(f"no bound for {type(node).__name__}")
-        found[node] = change
-    return found
+        changes[node] = change
+    return changes
 
 
 def _power_change(start: arb, change: arb, exponent: fmpq) -> arb:

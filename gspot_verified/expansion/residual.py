@@ -89,8 +89,8 @@ def residual_bounds(trajectory: Trajectory, s: ExactInput, delta: ExactInput, ex
 
     >>> from gspot_verified import expand
     >>> from gspot_verified.testing import extended_example
-    >>> found = residual_bounds(expand(extended_example(chi=1), 6), s=1, delta="1/10")
-    >>> print(found.constants["z"], found.constants["y"])
+    >>> bounds = residual_bounds(expand(extended_example(chi=1), 6), s=1, delta="1/10")
+    >>> print(bounds.constants["z"], bounds.constants["y"])
     48.0000000000000 0
     """
     box = exact(s, "s"), exact(delta, "delta")
@@ -135,10 +135,10 @@ class _Residual:
             Graded(tuple(_norm(term, self._s) * self._delta**n for n, term in enumerate(terms)), arb(0))
             for terms in (force, p)
         )
-        found: dict[str, arb] = {}
+        constants: dict[str, arb] = {}
 
         def settle(name: str, terms: Sequence[SpacePolynomial], rest: arb) -> None:
-            found[name] = self._constant(name, terms, rest, lambda term: _norm(term, self._s))
+            constants[name] = self._constant(name, terms, rest, lambda term: _norm(term, self._s))
 
         for i, (drift, control) in enumerate(zip(system.F, system.G, strict=True)):
             slope = [term.derivative() for term in _padded(of.xi[i], self._end, self._zero)]
@@ -161,7 +161,7 @@ class _Residual:
         settle("z", slow, arb(0))
         pressed = [a + (d - c).scale(second) for a, c, d in zip(force, z, y, strict=True)]
         settle("lambda_n", pressed, arb(0))
-        return found
+        return constants
 
     def conditions(self) -> dict[str, arb]:
         """The constants of the conditions at s = 0, divided by delta^2."""
@@ -179,15 +179,15 @@ class _Residual:
         )
         starts = [(of.p, 0), (of.b, 0), (of.y, 4), (of.v, 2), *[((), 0)] * len(system.J)]
         names = ["p", "b", "y", "v", *(f"J_{i + 1}" for i in range(len(system.J)))]
-        found = {}
+        constants = {}
         for name, condition, (terms, shift) in zip(names, system.conditions, starts, strict=True):
             wanted = _padded([zero] * shift + [term.at_zero() for term in terms], self._end, zero)
             left = [value - other for value, other in zip(functions[condition][2:], wanted, strict=True)]
             rest = functions.graded(condition).rest / self._delta**2
-            found[f"start_{name}"] = self._constant(f"start_{name}", left, rest, size_of)
+            constants[f"start_{name}"] = self._constant(f"start_{name}", left, rest, size_of)
         if any(ring.is_nonzero(term.at_zero()) for term in of.p):
             raise ResidualError(f"{system.name}: p does not vanish at s = 0")
-        return found
+        return constants
 
     def _constant(self, name: str, terms: Sequence[Any], rest: arb, norm: Callable[[Any], arb]) -> arb:
         """The sum of the norms of the orders from M on over delta^M; the orders below M must vanish."""

@@ -58,11 +58,11 @@ class TimeSeries(Written):
     @property
     def rows(self) -> InTwo[list[tuple[int, int, str]]]:
         """For each variable [k, m, coefficient of t^k epsilon^m], the coefficient as text."""
-        found = {
+        rows = {
             key: [(k, m, exact_text(value)) for (k, m), value in sorted(table.items())]
             for key, table in self.tables().items()
         }
-        return in_two(found, self.names)
+        return in_two(rows, self.names)
 
     def tables(self) -> dict[str, Table]:
         """All tables by name: xi_1, xi_2, ..., p, b, y, v, z, lambda_n."""
@@ -162,9 +162,9 @@ class _Solver:
         factor = index * alpha_1 - alpha_3
         if not self._ring.is_nonzero(factor):
             raise GSpotError(f"{system.name}: beta = alpha_3/alpha_1 is, or may be, the integer {k}")
-        found = (index * right_v - right_b) / factor
-        force[-1][-1] = found
-        self._b.rows[-1].append(right_v - alpha_1 * found)
+        force_coefficient = (index * right_v - right_b) / factor
+        force[-1][-1] = force_coefficient
+        self._b.rows[-1].append(right_v - alpha_1 * force_coefficient)
 
     def _start_layer(self, m: int) -> None:
         """p, b and xi at t = 0."""
@@ -190,17 +190,17 @@ class _Solver:
                 ) from None
         wanted = [zero, start_b, before[0], before[1], *[zero] * len(self._system.J)]
         right = [w - r for w, r in zip(wanted, rest, strict=True)]
-        found = [sum((a * value for a, value in zip(row, right, strict=True)), zero) for row in self._inverse]
-        self._conditions.push(found)
-        for series, value in zip(self._xi, found, strict=True):
+        start_xi = [sum((a * value for a, value in zip(row, right, strict=True)), zero) for row in self._inverse]
+        self._conditions.push(start_xi)
+        for series, value in zip(self._xi, start_xi, strict=True):
             series.rows[-1].append(value)
 
     def _tried(self, values: list[Any]) -> list[Any]:
         """The conditions at this power of epsilon for xi(0) = ``values`` at this power."""
         self._conditions.push(values)
-        found = [self._conditions[condition].rows[-1][0] for condition in self._system.conditions]
+        conditions = [self._conditions[condition].rows[-1][0] for condition in self._system.conditions]
         self._conditions.pop()
-        return found
+        return conditions
 
     def _recover(self, m: int) -> None:
         """Z and Y of this layer."""

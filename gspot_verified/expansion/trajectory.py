@@ -61,9 +61,9 @@ def _ball(value: Value, place: Point, bits: int, rational: bool) -> arb:
             return ball(value((ball(place[0]), ball(place[1])), True))
     for multiple in _PRECISIONS:
         with working_bits(multiple * bits):
-            found = ball(value((ball(place[0]), ball(place[1])), True))
-            if relative_bits(found) >= bits - _LOST_BITS:
-                return found
+            enclosure = ball(value((ball(place[0]), ball(place[1])), True))
+            if relative_bits(enclosure) >= bits - _LOST_BITS:
+                return enclosure
     with working_bits(bits):
         return ball(value(place, False))
 
@@ -128,11 +128,11 @@ class Trajectory(Written):
     @property
     def rows(self) -> InTwo[list[list[str]]]:
         """For each variable and order the coefficients of s^0, s^1, ... as exact text."""
-        found = {
+        rows = {
             key: [[exact_text(value) for value in term.coefficients()] for term in terms]
             for key, terms in self.terms().items()
         }
-        return in_two(found, self.system.names)
+        return in_two(rows, self.system.names)
 
     @property
     def pulls(self) -> bool:
@@ -253,8 +253,8 @@ def expand_system(
         trajectory = terms_of(system, order, bits, progress)
         return trajectory, certain_bits_of(trajectory)
 
-    found, accuracy = until_accurate(attempt, digits, first_bits(order, digits))
-    return replace(found, accuracy=accuracy)
+    expansion, accuracy = until_accurate(attempt, digits, first_bits(order, digits))
+    return replace(expansion, accuracy=accuracy)
 
 
 def checked_order(order: int) -> int:

@@ -47,7 +47,7 @@ class InTwo(NamedTuple, Generic[Value]):
     contact: dict[str, Value]
 
 
-def in_two(found: Mapping[str, Value], names: Sequence[str]) -> InTwo[Value]:
+def in_two(values: Mapping[str, Value], names: Sequence[str]) -> InTwo[Value]:
     """What stands under xi_1, xi_2, ..., p, b, ... by the names, and by p, b, ...
 
     In two tables, since a component may be called p or y too.
@@ -55,8 +55,8 @@ def in_two(found: Mapping[str, Value], names: Sequence[str]) -> InTwo[Value]:
     >>> in_two({"xi_1": 1, "p": 2}, ["p"])
     InTwo(state={'p': 1}, contact={'p': 2})
     """
-    state = {name: found[f"xi_{i + 1}"] for i, name in enumerate(names)}
-    return InTwo(state, {name: value for name, value in found.items() if name in CONTACT})
+    state = {name: values[f"xi_{i + 1}"] for i, name in enumerate(names)}
+    return InTwo(state, {name: value for name, value in values.items() if name in CONTACT})
 
 
 def left_side(key: str, names: Sequence[str], scaled: bool) -> str:

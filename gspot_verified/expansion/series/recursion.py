@@ -137,8 +137,8 @@ class Recursion:
                     f"s^{k} at order {order} of delta is obstructed, there is no unique expansion"
                 )
         couplings = [ring.number((k + 1) * (k + 2) * (k + 3)) * compliance for k in exponents]
-        found = solve_from_above(right.in_space(space).cubic, factors, couplings, ring)
-        return SpacePolynomial(space, found, ring)
+        coefficients = solve_from_above(right.in_space(space).cubic, factors, couplings, ring)
+        return SpacePolynomial(space, coefficients, ring)
 
     def _step_3(self, n: int, r_b: SpacePolynomial) -> None:
         """y_n, v_n, z_n, lambda_n from b_n."""
@@ -201,7 +201,7 @@ class Recursion:
             *[zero] * len(self.system.J),
         ]
         right = [w - r for w, r in zip(wanted, rest, strict=True)]
-        found = [self._applied(row, right) for row in self._inverse]
+        constants = [self._applied(row, right) for row in self._inverse]
         self._conditions.drop_last()
-        self._conditions.extend(found)
-        return found
+        self._conditions.extend(constants)
+        return constants

@@ -102,10 +102,10 @@ class SpacePolynomial:
 
     def coefficients(self) -> list[Any]:
         """The coefficients of s^0, s^1, ..., up to the highest that is not zero."""
-        found: list[Any] = []
+        coefficients: list[Any] = []
         for value in self.cubic.coeffs():
-            found += [self.ring.number(0)] * ((self.n - len(found)) % 3) + [value]
-        return found
+            coefficients += [self.ring.number(0)] * ((self.n - len(coefficients)) % 3) + [value]
+        return coefficients
 
     def is_zero(self) -> bool:
         """Whether every coefficient is zero."""

@@ -120,8 +120,8 @@ class BlockConvolution:
         numerator, denominator = sum_of_fractions([*self._near(n, c), *self._far(n, c)])
         if not numerator:
             return SpacePolynomial.zero(-1)
-        found = SpacePolynomial((c - n) % 3 + 3 * numerator.degree(), fmpq_poly(numerator, denominator))
-        return found if self._for_all is None else found.scale(self._for_all * n)
+        total = SpacePolynomial((c - n) % 3 + 3 * numerator.degree(), fmpq_poly(numerator, denominator))
+        return total if self._for_all is None else total.scale(self._for_all * n)
 
     def forget(self, n: int) -> None:
         """The terms from order n on are no longer those that they were."""

@@ -147,11 +147,13 @@ def uniform_bound(
     with working_bits(BITS):
         equations = DeviationEquations(trajectory, small)
         size = equations.size
-        found = track(equations, fmpq(trajectory.order), first, last, [arb(0)] * size, [ball(tube)] * size, ball(tube))
-        stretches = tuple(Stretch(one.start, one.end, _constants(found, i)) for i, one in enumerate(found.pieces))
+        tracked = track(
+            equations, fmpq(trajectory.order), first, last, [arb(0)] * size, [ball(tube)] * size, ball(tube)
+        )
+        stretches = tuple(Stretch(one.start, one.end, _constants(tracked, i)) for i, one in enumerate(tracked.pieces))
         names = stretches[0].constants if stretches else ()
         constants = {name: _largest([one.constants[name] for one in stretches]) for name in names}
-        verdict = _verdict(found, first, last, small, tube)
+        verdict = _verdict(tracked, first, last, small, tube)
         return UniformBound(
             trajectory=trajectory,
             start=first,
@@ -161,7 +163,7 @@ def uniform_bound(
             constants=constants,
             stretches=stretches,
             verdict=verdict,
-            contact=_contact(found, small),
+            contact=_contact(tracked, small),
         )
 
 
@@ -170,10 +172,10 @@ def rational(value: ExactInput, name: str) -> fmpq:
 
     :raises ValueError: it is a ball.
     """
-    found = exact(value, name)
-    if not isinstance(found, fmpq):
+    number = exact(value, name)
+    if not isinstance(number, fmpq):
         raise ValueError(f"{name} must be a rational number")
-    return found
+    return number
 
 
 def check_interval(trajectory: Trajectory, start: fmpq, end: fmpq, delta: fmpq) -> None:
@@ -189,12 +191,12 @@ def check_interval(trajectory: Trajectory, start: fmpq, end: fmpq, delta: fmpq) 
         raise ValueError(f"delta must be positive, got {delta}")
 
 
-def _constants(found: Track, i: int) -> dict[str, arb]:
+def _constants(tracked: Track, i: int) -> dict[str, arb]:
     """K of every variable on one piece."""
-    piece, m = found.pieces[i], found.equations.dimension
+    piece, m = tracked.pieces[i], tracked.equations.dimension
     names = [*(f"xi_{j + 1}" for j in range(m)), "p", "b", "y", "v"]
     values = dict(zip(names, piece.deviations, strict=True))
-    values |= {"z": found.z_deviation(piece), "lambda_n": piece.force}
+    values |= {"z": tracked.z_deviation(piece), "lambda_n": piece.force}
     return {name: value.abs_upper() for name, value in values.items()}
 
 
@@ -205,25 +207,25 @@ def _largest(values: list[arb]) -> arb:
     return largest
 
 
-def _verdict(found: Track, start: fmpq, end: fmpq, delta: fmpq, within: fmpq) -> Verdict:
-    order = found.equations.trajectory.order
+def _verdict(tracked: Track, start: fmpq, end: fmpq, delta: fmpq, within: fmpq) -> Verdict:
+    order = tracked.equations.trajectory.order
     statement = (
         f"every solution in contact within {within} delta^{order} of the expansion at s = {start} is within "
         f"K delta^{order} of it for {start} <= s <= {end} and 0 < delta <= {delta}"
     )
-    covered = cover(((piece.start, piece.end) for piece in found.pieces), (start, end))
+    covered = cover(((piece.start, piece.end) for piece in tracked.pieces), (start, end))
     if covered is not None:
         return Verdict.proved(statement, covered)
-    reached = found.pieces[-1].end if found.pieces else start
+    reached = tracked.pieces[-1].end if tracked.pieces else start
     detail = f"the inequality of Theorem U1 fails from s = {reached} on; a smaller delta or a shorter interval may do"
     return Verdict.undecided(statement, Reason.HYPOTHESIS, detail)
 
 
-def _contact(found: Track, delta: fmpq) -> Verdict:
+def _contact(tracked: Track, delta: fmpq) -> Verdict:
     statement = f"lambda_N of these solutions is positive there, for 0 < delta <= {delta}"
-    scale = found.equations.small**found.equations.trajectory.order
-    pressing = every(less(0, piece.mean + scale * piece.force) for piece in found.pieces)
-    if found.is_whole and pressing is not None:
+    scale = tracked.equations.small**tracked.equations.trajectory.order
+    pressing = every(less(0, piece.mean + scale * piece.force) for piece in tracked.pieces)
+    if tracked.is_whole and pressing is not None:
         return Verdict.proved(statement, pressing)
     return Verdict.undecided(
         statement, Reason.HYPOTHESIS, "an enclosure of lambda_N holds numbers that are not positive"

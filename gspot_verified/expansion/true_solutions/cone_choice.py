@@ -51,20 +51,20 @@ def _filled(
     steepest, high = cone.B, cone.C
     cone = replace(cone, A=tuple(map(arb, starts)), A_p=arb(start_p))
     for _ in range(_ROUNDS):
-        found = ranges_of(equations, entry, power, cone)
-        if found is None:
+        ranges = ranges_of(equations, entry, power, cone)
+        if ranges is None:
             return None
-        phi = phi_of(equations, entry, found)
-        needed = [1.15 * approximate(value) for value in needed_state(equations, found, cone, phi)]
-        q_last = approximate(entry.q) + approximate(found.alpha_1.abs_upper()) * approximate(
-            found.last - ball(entry.place)
+        phi = phi_of(equations, entry, ranges)
+        needed = [1.15 * approximate(value) for value in needed_state(equations, ranges, cone, phi)]
+        q_last = approximate(entry.q) + approximate(ranges.alpha_1.abs_upper()) * approximate(
+            ranges.last - ball(entry.place)
         )
         largest = 1.15 * math.sqrt(max(approximate(equations.kappa) * q_last, 0.0))
         C = high.max(arb(largest))
         cone = replace(
             cone,
             A=tuple(arb(max(pair)) for pair in zip(starts, needed, strict=True)),
-            A_p=arb(max(start_p, 1.15 * approximate(needed_p(equations, found, cone)))),
+            A_p=arb(max(start_p, 1.15 * approximate(needed_p(equations, ranges, cone)))),
             C=C,
             B=steepest.max(arb(1.15 * approximate(C))),
         )

@@ -137,6 +137,6 @@ class DeviationEquations:
         level = fmpq((reach * _LEVELS).ceil(), _LEVELS)
         if level not in self._residuals:
             self._residuals[level] = residual_bounds(self.trajectory, level, self._exact_delta).constants
-        found = self._residuals[level]
+        constants = self._residuals[level]
         names = [*(f"xi_{i + 1}" for i in range(self.dimension)), "p", "b", "y", "v"]
-        return [found[name] for name in names], found["z"]
+        return [constants[name] for name in names], constants["z"]

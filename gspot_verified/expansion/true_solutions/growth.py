@@ -128,27 +128,27 @@ def ranges_of(equations: DeviationEquations, entry: EntryDeviation, power: fmpq,
     )
 
 
-def phi_of(equations: DeviationEquations, entry: EntryDeviation, found: Ranges) -> arb:
+def phi_of(equations: DeviationEquations, entry: EntryDeviation, ranges: Ranges) -> arb:
     """phi_0: |f| <= phi_0 V."""
-    slow = equations.delta * equations.lag * (1 + found.eta[equations.y])
-    return (entry.fast / entry.V.lower()).max((slow + equations.damper * found.eta_z) / equations.rate).upper()
+    slow = equations.delta * equations.lag * (1 + ranges.eta[equations.y])
+    return (entry.fast / entry.V.lower()).max((slow + equations.damper * ranges.eta_z) / equations.rate).upper()
 
 
-def needed_state(equations: DeviationEquations, found: Ranges, cone: DeviationCone, phi: arb) -> list[arb]:
+def needed_state(equations: DeviationEquations, ranges: Ranges, cone: DeviationCone, phi: arb) -> list[arb]:
     """The right sides of (G5) for A_1, ..., A_m."""
     square = equations.delta * equations.delta
     return [
-        square * _dot(found.drift[i], cone.A) / cone.a
-        + found.control[i] * (equations.kappa / cone.a + phi)
-        + found.eta[i]
+        square * _dot(ranges.drift[i], cone.A) / cone.a
+        + ranges.control[i] * (equations.kappa / cone.a + phi)
+        + ranges.eta[i]
         for i in range(equations.dimension)
     ]
 
 
-def needed_p(equations: DeviationEquations, found: Ranges, cone: DeviationCone) -> arb:
+def needed_p(equations: DeviationEquations, ranges: Ranges, cone: DeviationCone) -> arb:
     """The right side of (G5) for A_p."""
     square = equations.delta * equations.delta
-    return square * _dot(found.bend, cone.A) / cone.a + found.eta[equations.p]
+    return square * _dot(ranges.bend, cone.A) / cone.a + ranges.eta[equations.p]
 
 
 def grows(
@@ -156,21 +156,22 @@ def grows(
 ) -> tuple[arb, Evidence] | None:
     """|e_lambda| at Y = Y_max from below, (kappa - phi_0 B) Y_max, with (G0) to (G7) as evidence; None where one is not
     certain."""
-    found = ranges_of(equations, entry, power, cone)
-    if found is None:
+    ranges = ranges_of(equations, entry, power, cone)
+    if ranges is None:
         return None
     kappa, delta, mu, order = equations.kappa, equations.delta, ball(power), equations.trajectory.order
     a, c, B, C = cone.a, cone.c, cone.B, cone.C
-    phi = phi_of(equations, entry, found)
+    phi = phi_of(equations, entry, ranges)
     least = entry.Y.lower()
-    q_first, q_last = entry.q.lower(), (entry.q + found.alpha_1.abs_upper() * (found.last - ball(entry.place))).upper()
-    pressed = found.force.abs_upper() * cone.A_p / a + found.eta[equations.v]
+    q_first = entry.q.lower()
+    q_last = (entry.q + ranges.alpha_1.abs_upper() * (ranges.last - ball(entry.place))).upper()
+    pressed = ranges.force.abs_upper() * cone.A_p / a + ranges.eta[equations.v]
     pi = q_last * phi + pressed
     square = delta * delta
-    nu = found.alpha_3.abs_upper() * phi + square * _dot(found.push, cone.A) / a + found.eta[equations.b]
-    stretch = found.alpha_1 - found.alpha_3
+    nu = ranges.alpha_3.abs_upper() * phi + square * _dot(ranges.push, cone.A) / a + ranges.eta[equations.b]
+    stretch = ranges.alpha_1 - ranges.alpha_3
     against, along = stretch.max(arb(0)).upper(), (-stretch).max(arb(0)).upper()
-    sigma = mu / (a * found.last)
+    sigma = mu / (a * ranges.last)
     evidence = every([
         # (G0) the cone at s_1
         less(0, entry.V - a * entry.Y), less(0, entry.N - c * entry.V),
@@ -183,14 +184,14 @@ def grows(
         less(0, C * (C - pi) - kappa * q_last - kappa * along / a - nu),
         # (G5) what is slaved
         *(less(value, bound * least) for bound, value in zip(cone.A, entry.state, strict=True)),
-        *(less(value, bound) for bound, value in zip(cone.A, needed_state(equations, found, cone, phi), strict=True)),
-        less(entry.p, cone.A_p * least), less(needed_p(equations, found, cone), cone.A_p),
+        *(less(value, bound) for bound, value in zip(cone.A, needed_state(equations, ranges, cone, phi), strict=True)),
+        less(entry.p, cone.A_p * least), less(needed_p(equations, ranges, cone), cone.A_p),
         # (G6) p falls
-        less(found.alpha_1, 0),
+        less(ranges.alpha_1, 0),
         # (G7) what holds at delta_0 holds below
         less(sigma, 1),
         less((ball(fmpq(order, 2)) + 1) * sigma, arb(order) - mu - 1),
-        less(found.alpha_1.abs_upper() * mu / a, q_last),
+        less(ranges.alpha_1.abs_upper() * mu / a, q_last),
         less(delta, equations.rate * ball(entry.place - entry.begin)),
         less(phi * B, kappa),
     ])  # fmt: skip

@@ -139,13 +139,13 @@ def uniform_side(
         until = fmpq(round(8 * _REACH / scale), 8)
         if not first < until:
             raise ValueError(f"start must be less than {until}, got {first}")
-        found = track(equations, power, first, until, [value.mid() for value in deviation], radii, ball(tube))
+        tracked = track(equations, power, first, until, [value.mid() for value in deviation], radii, ball(tube))
         family = (trajectory, amount, beta, first, small, tube, tuple(deviation))
         whole = (
             f"for every epsilon <= {small**3} and every state within {tube} delta^mu of the expansion and the slow "
             f"deviation with C_1 = {amount} at s = {first}, mu = {power}"
         )
-        ends = _first_end(found, first, factor)
+        ends = _first_end(tracked, first, factor)
         if ends is None:
             detail = "no deviation that was followed lies in a cone of Theorem U2; a smaller delta may do"
             statement = f"{whole}: lift-off or impact"
@@ -162,25 +162,25 @@ def uniform_side(
         return UniformSide(*family, side, entry.place, cone.a, ratio, reached, Verdict.proved(statement, evidence))
 
 
-def _first_end(found: Track, start: fmpq, factor: fmpq) -> tuple[EntryDeviation, DeviationCone, arb, Evidence] | None:
+def _first_end(tracked: Track, start: fmpq, factor: fmpq) -> tuple[EntryDeviation, DeviationCone, arb, Evidence] | None:
     """The first end of a piece at which Theorem U2 applies, contact being kept until then; the force reached; and what
     was compared."""
-    equations = found.equations
-    scale = hull([equations.delta ** ball(found.power), arb(0)])
+    equations = tracked.equations
+    scale = hull([equations.delta ** ball(tracked.power), arb(0)])
     before: list[Evidence] = []
-    for index, piece in enumerate(found.pieces):
+    for index, piece in enumerate(tracked.pieces):
         pressing = less(0, piece.mean + scale * piece.force)
         if pressing is None:
             return None
         before.append(pressing)
-        entry = entry_of(found, index)
+        entry = entry_of(tracked, index)
         if entry is None:
             continue
         wanted = equations.mean_force * (1 if entry.side < 0 else factor)
         top = (_ROOM * wanted / equations.kappa).upper()
-        for cone in cones(equations, entry, found.power, top):
-            grown = grows(equations, entry, found.power, cone)
-            ranges = ranges_of(equations, entry, found.power, cone)
+        for cone in cones(equations, entry, tracked.power, top):
+            grown = grows(equations, entry, tracked.power, cone)
+            ranges = ranges_of(equations, entry, tracked.power, cone)
             if grown is None or ranges is None:
                 continue
             reached, grows_until = grown
@@ -189,7 +189,7 @@ def _first_end(found: Track, start: fmpq, factor: fmpq) -> tuple[EntryDeviation,
             else:
                 ended = every([less(0, ranges.force), less(wanted, reached + ranges.force)])
                 reached = wanted.lower()
-            parts = found.pieces[: index + 1]
+            parts = tracked.pieces[: index + 1]
             whole = cover(((part.start, part.end) for part in parts), (start, piece.end))
             evidence = every([*before, whole, grows_until, ended])
             if evidence is not None:
