@@ -66,13 +66,13 @@ def _flow(
 
 
 def _times(rows: Sequence[Series], vector: Series) -> Series:
-    found = []
+    product = []
     for row in rows:
         total = row[0] * vector[0]
         for entry, value in zip(row[1:], vector[1:], strict=True):
             total = total + entry * value
-        found.append(total)
-    return found
+        product.append(total)
+    return product
 
 
 def _columns(rows: Sequence[Series]) -> list[Series]:
@@ -92,5 +92,5 @@ def _exact(series: arb_series, length: int) -> arb_series:
 
 
 def _midpoints(series: arb_series, length: int) -> list[arb]:
-    found = [value.mid() for value in series.coeffs()]
-    return found + [arb(0)] * (length - len(found))
+    midpoints = [value.mid() for value in series.coeffs()]
+    return midpoints + [arb(0)] * (length - len(midpoints))

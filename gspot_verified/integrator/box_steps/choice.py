@@ -93,8 +93,8 @@ def supersolution(rows: Sequence[Sequence[float]], start: Sequence[float], push:
         more = np.linalg.solve(shifted, np.maximum(np.array(push) - np.dot(shifted, r), 0.0))
     except np.linalg.LinAlgError:
         return [1.0] * size
-    found = 1.001 * (r + np.maximum(more, 0.0))
-    return [float(value) for value in np.maximum(found, _LEAST_SHARE * max(float(found.max()), 1.0))]
+    solution = 1.001 * (r + np.maximum(more, 0.0))
+    return [float(value) for value in np.maximum(solution, _LEAST_SHARE * max(float(solution.max()), 1.0))]
 
 
 def limited_by_growth(h: float, norm: float, deviations: Sequence[arb]) -> float:

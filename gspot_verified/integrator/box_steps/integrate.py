@@ -136,8 +136,8 @@ def integrate(field: VectorField, box: Sequence[arb], time: arb, max_steps: int 
     >>> from gspot_verified.functions.expressions import Variable
     >>> oscillator = VectorField([Variable(1), -Variable(0)])
     >>> with working_bits(100):
-    ...     found = integrate(oscillator, [arb(1), arb(0)], arb(2) * arb.pi())
-    ...     found.end[0].overlaps(arb(1)), found.end[0].rel_accuracy_bits() > 80
+    ...     orbit = integrate(oscillator, [arb(1), arb(0)], arb(2) * arb.pi())
+    ...     orbit.end[0].overlaps(arb(1)), orbit.end[0].rel_accuracy_bits() > 80
     (True, True)
     """
     if not (time.is_finite() and time > 0):

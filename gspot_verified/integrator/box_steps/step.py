@@ -64,11 +64,11 @@ class Step:
     def enclosure(self, tau: arb = _UNIT_INTERVAL) -> list[arb]:
         """The states at every time of the ball ``tau`` inside [0, 1]; by the mean value form."""
         middle = tau.mid()
-        found = []
+        box = []
         for p, r in zip(self.curve.solution, self.tube, strict=True):
             value = p(middle) if tau.is_exact() else p(middle) + p.derivative()(tau) * (tau - middle)
-            found.append(add_remainder(value, r))
-        return found
+            box.append(add_remainder(value, r))
+        return box
 
     def end(self) -> list[arb]:
         """The end of the solution from the midpoint."""
@@ -103,14 +103,14 @@ def certified_step(
         return None
     reach = reach.upper()
     flow = _flow(field, curve, h, entries, _change(field, box, reach, plan), growth, plan)
-    found = Step(
+    step = Step(
         curve, h,
         tuple((reach * weight).upper() for weight in w),
         tuple((growth * defect * weight).upper() for weight in w),
         flow, stays,
     )  # fmt: skip
-    finite = all(value.is_finite() for value in (*found.enclosure(), *found.end(), *flow.entries()))
-    return found if finite else None
+    finite = all(value.is_finite() for value in (*step.enclosure(), *step.end(), *flow.entries()))
+    return step if finite else None
 
 
 def _norm(values: Sequence[arb], weights: Sequence[arb]) -> arb:
@@ -151,12 +151,12 @@ def _defect(field: VectorField, curve: PolynomialCurve, h: arb, bounds: Sequence
     length = plan.length
     with series_length(length):
         series = field.series([arb_series(p.coeffs(), length) for p in curve.solution])
-    found = []
+    defects = []
     for p, f, bound in zip(curve.solution, series, bounds, strict=True):
         rest = arb_poly(f.coeffs()) * h - p.derivative()
         total = h * bound * _tail(plan, length)
-        found.append(_size(rest) + total)
-    return found
+        defects.append(_size(rest) + total)
+    return defects
 
 
 def _size(polynomial: arb_poly) -> arb:
@@ -216,7 +216,7 @@ def _flow(
     tail = _tail(plan, length)
     # What the series of J leave out, and how far J may be from it on the tube.
     loose = [[tail * bounds[i][k] + change[i][k] for k in range(size)] for i in range(size)]
-    found = arb_mat(size, size)
+    flow = arb_mat(size, size)
     for j in range(size):
         sizes = [_size(curve.flow[k][j]) for k in range(size)]
         defects = []
@@ -228,5 +228,5 @@ def _flow(
             defects.append(_size(product * h - curve.flow[i][j].derivative()) + h * total)
         worst = growth * _norm(defects, plan.weights)
         for i in range(size):
-            found[i, j] = add_remainder(curve.flow[i][j](arb(1)), worst * plan.weights[i])
-    return found
+            flow[i, j] = add_remainder(curve.flow[i][j](arb(1)), worst * plan.weights[i])
+    return flow

@@ -238,21 +238,21 @@ class Watch:
 
 
 def first_crossing(
-    watches: Sequence[Watch], found: Sequence[Crossing | Unclear | None]
+    watches: Sequence[Watch], hits: Sequence[Crossing | Unclear | None]
 ) -> tuple[Crossing, Evidence] | None:
     """Of what :meth:`Watch.along` found on one segment the crossing before which no other function has a zero, and the
     signs that show it; None: that is not certain of any.
     """
-    for hit in found:
+    for hit in hits:
         if isinstance(hit, Crossing):
-            others = [watch.excluded(hit.end) for watch, other in zip(watches, found, strict=True) if other is not hit]
+            others = [watch.excluded(hit.end) for watch, other in zip(watches, hits, strict=True) if other is not hit]
             evidence = every([hit.evidence, *others])
             if evidence is not None:
                 return hit, evidence
     return None
 
 
-def rivals(hit: Crossing, watches: Sequence[Watch], found: Sequence[Crossing | Unclear | None]) -> list[str]:
+def rivals(hit: Crossing, watches: Sequence[Watch], hits: Sequence[Crossing | Unclear | None]) -> list[str]:
     """The names of the other functions that may have a zero up to the end of a crossing."""
-    pairs = zip(watches, found, strict=True)
+    pairs = zip(watches, hits, strict=True)
     return [watch.name for watch, other in pairs if other is not hit and watch.excluded(hit.end) is None]

@@ -70,8 +70,8 @@ class VectorField:
                 for row in table
             )
             program = self._compiled["second"] = self._function(_REAL, names, f"[{shown}]")
-        found: list[list[list[arb]]] = program(box, self._at_this_precision())
-        return found
+        derivatives: list[list[list[arb]]] = program(box, self._at_this_precision())
+        return derivatives
 
     def on_complex_box(self, box: Sequence[acb]) -> tuple[list[acb], list[list[acb]]]:
         """The same on a complex box; where all of it is finite, f is holomorphic on a neighbourhood of the box."""
@@ -90,20 +90,20 @@ class VectorField:
         return list(known)
 
     def _degrees_of_code(self, degrees: Sequence[int]) -> list[int | None]:
-        found: dict[str, int | None] = {}
+        degree_of: dict[str, int | None] = {}
         for name in self._code.needed(self._roots):
             operation, operands = self._code.definition(name)
-            parts = [found[part] for part in self._code.operands(name)]
+            parts = [degree_of[part] for part in self._code.operands(name)]
             known = [part for part in parts if part is not None]
             if operation == "variable":
-                found[name] = degrees[operands[0]]
+                degree_of[name] = degrees[operands[0]]
             elif operation == "constant":
-                found[name] = 0
+                degree_of[name] = 0
             elif len(known) < len(parts) or operation not in _DEGREES:
-                found[name] = None
+                degree_of[name] = None
             else:
-                found[name] = _DEGREES[operation](known)
-        return [found[root] for root in self._roots]
+                degree_of[name] = _DEGREES[operation](known)
+        return [degree_of[root] for root in self._roots]
 
     def series(self, state: Sequence[arb_series]) -> list[arb_series]:
         """The power series of f along a curve; its terms enclose the Taylor coefficients.
@@ -166,10 +166,10 @@ def as_series(value: Any, length: int) -> arb_series:
 
     :raises NoSeriesError: the series is shorter.
     """
-    found = value if isinstance(value, arb_series) else arb_series([value], length)
-    if found.prec < length:
-        raise NoSeriesError(f"a series of length {found.prec} where {length} terms are needed")
-    return found
+    series = value if isinstance(value, arb_series) else arb_series([value], length)
+    if series.prec < length:
+        raise NoSeriesError(f"a series of length {series.prec} where {length} terms are needed")
+    return series
 
 
 def _complex_square(value: acb) -> acb:

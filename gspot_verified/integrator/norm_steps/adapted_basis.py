@@ -53,19 +53,19 @@ def adapted_basis(rows: Sequence[Sequence[float]]) -> AdaptedBasis:
     for cluster in _clusters(values, zero):
         first = values[cluster[0]]
         slow = float(np.abs(values[cluster]).max()) <= zero
-        found: Matrix
+        block: Matrix
         if len(cluster) == 1:
-            found = vectors[:, cluster].real
+            block = vectors[:, cluster].real
         elif len(cluster) == 2 and first.imag != 0 and first == np.conj(values[cluster[1]]):
-            found = np.stack([vectors[:, cluster[0]].real, vectors[:, cluster[0]].imag], axis=1)
+            block = np.stack([vectors[:, cluster[0]].real, vectors[:, cluster[0]].imag], axis=1)
         else:
-            found = _subspace(matrix, values[cluster])
+            block = _subspace(matrix, values[cluster])
             if not slow:
-                inner: Matrix = np.array(np.linalg.lstsq(found, np.dot(matrix, found), rcond=None)[0], dtype=np.float64)
+                inner: Matrix = np.array(np.linalg.lstsq(block, np.dot(matrix, block), rcond=None)[0], dtype=np.float64)
                 largest = float(np.abs(values[cluster]).max())
-                found = np.dot(found, _norm_of_lyapunov(inner, _CLOSE * largest))
+                block = np.dot(block, _norm_of_lyapunov(inner, _CLOSE * largest))
         blocks += [1] * len(cluster) if slow else [len(cluster)]
-        columns.append(found)
+        columns.append(block)
     basis = np.concatenate(columns, axis=1)
     if not np.linalg.cond(basis) < _LARGEST_CONDITION:
         basis, blocks = np.eye(len(matrix)), [1] * len(matrix)
@@ -118,7 +118,7 @@ def pieces_along(
 
     ``jacobian``: the coefficients of J by powers of τ; ``dependency``: how many times wider than J its enclosure is.
     """
-    found: list[tuple[float, float, AdaptedBasis]] = []
+    pieces: list[tuple[float, float, AdaptedBasis]] = []
     waiting = [(0.0, 1.0)]
     while waiting:
         a, b = waiting.pop()
@@ -126,16 +126,16 @@ def pieces_along(
         basis = adapted_basis([[float(entry) for entry in row] for row in middle])
         ends = [middle + dependency * (_at(jacobian, end) - middle) for end in (a, b)]
         excess = max(_growth(basis, end) for end in ends) - max(basis.rate, 0.0)
-        if excess * h > _EXCESS and len(found) + len(waiting) < most:
+        if excess * h > _EXCESS and len(pieces) + len(waiting) < most:
             waiting += [((a + b) / 2, b), (a, (a + b) / 2)]
         else:
-            found.append((a, b, basis))
-    return found
+            pieces.append((a, b, basis))
+    return pieces
 
 
 def _at(jacobian: NDArray[np.float64], tau: float) -> Matrix:
-    found: Matrix = np.tensordot(tau ** np.arange(len(jacobian)), jacobian, axes=1)
-    return found
+    matrix: Matrix = np.tensordot(tau ** np.arange(len(jacobian)), jacobian, axes=1)
+    return matrix
 
 
 def _growth(basis: AdaptedBasis, matrix: Matrix) -> float:

@@ -101,11 +101,11 @@ class Steps:
 
 
 def _written(values: Sequence[arb]) -> list[list[Any]]:
-    found = []
+    written = []
     for value in values:
         mantissa, exponent = value.mid().man_exp()
-        found.append([format(int(mantissa), "x"), int(exponent)])
-    return found
+        written.append([format(int(mantissa), "x"), int(exponent)])
+    return written
 
 
 def _read(values: Any) -> list[arb]:
@@ -113,9 +113,9 @@ def _read(values: Any) -> list[arb]:
 
     :raises ValueError: an entry is no number, or one of a hostile size.
     """
-    found = []
+    numbers = []
     for digits, exponent in values:
         if type(exponent) is not int or abs(exponent) > _LARGEST_EXPONENT or len(digits) > _LARGEST_TEXT:
             raise ValueError("a number out of range")
-        found.append(arb((int(digits, 16), exponent)))
-    return found
+        numbers.append(arb((int(digits, 16), exponent)))
+    return numbers

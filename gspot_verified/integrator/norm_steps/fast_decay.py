@@ -101,18 +101,18 @@ class FastDecay:
                 best = max(best, length)
         return best
 
-    def accepts(self, found: SlowCurve | None, bits: int) -> bool:
+    def accepts(self, curve: SlowCurve | None, bits: int) -> bool:
         """Whether a curve is good enough; what is learned of lengths and of the time to wait."""
-        if found is None:
+        if curve is None:
             self._wait(0.0)
             return False
-        if found.start > -_DEAD * bits:
-            self._wait(max(0.0, -found.start * math.log(2)))
+        if curve.start > -_DEAD * bits:
+            self._wait(max(0.0, -curve.start * math.log(2)))
             return False
-        if found.tail > -_ACCEPTED * bits:
+        if curve.tail > -_ACCEPTED * bits:
             self.failed()
             return False
-        change = 2 ** ((-bits + _TAIL_BITS - found.tail) / (len(found.jacobian) - 1))
+        change = 2 ** ((-bits + _TAIL_BITS - curve.tail) / (len(curve.jacobian) - 1))
         self._length *= min(change, _LARGEST_CHANGE)
         self._limit *= _RECOVERY
         return True

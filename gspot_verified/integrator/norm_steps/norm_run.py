@@ -156,10 +156,10 @@ class NormRun:
                 return None
             length = rounded(length)
             try:
-                found = slow_curve(self.field, self.set.middle, length, self._curve.order, bits)
-                if not self._decay.accepts(found, bits) or found is None:
+                curve = slow_curve(self.field, self.set.middle, length, self._curve.order, bits)
+                if not self._decay.accepts(curve, bits) or curve is None:
                     continue
-                step = self._along(found, length)
+                step = self._along(curve, length)
             except (NoSeriesError, np.linalg.LinAlgError):
                 step = None
             if step is not None:
@@ -167,13 +167,13 @@ class NormRun:
             self._decay.failed()
         return None
 
-    def _along(self, found: SlowCurve, length: float) -> NormStep | None:
+    def _along(self, curve: SlowCurve, length: float) -> NormStep | None:
         """The step along a slow curve, in shorter pieces where the enclosures of J on longer ones let errors grow."""
-        before = max(*(log2_of(side.rad()) for side in self.set.enclosure()), found.start)
+        before = max(*(log2_of(side.rad()) for side in self.set.enclosure()), curve.start)
         for dependency in _DEPENDENCIES:
-            pieces = pieces_along(found.jacobian, length, _MOST_PIECES, dependency)
-            plan = self._plan_of(found.solution, arb(length), pieces)
-            step = self._proved(found.solution, arb(length), plan)
+            pieces = pieces_along(curve.jacobian, length, _MOST_PIECES, dependency)
+            plan = self._plan_of(curve.solution, arb(length), pieces)
+            step = self._proved(curve.solution, arb(length), plan)
             if step is None or max(map(log2_of, step.tube)) < before + _GROWTH_BITS:
                 break
         return step

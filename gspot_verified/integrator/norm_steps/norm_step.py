@@ -30,10 +30,10 @@ class Basis:
 
     def starts(self) -> list[int]:
         """The first column of each block, and the number of columns."""
-        found = [0]
+        starts = [0]
         for size in self.blocks:
-            found.append(found[-1] + size)
-        return found
+            starts.append(starts[-1] + size)
+        return starts
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,11 +46,11 @@ class StateSet:
 
     def enclosure(self) -> list[arb]:
         """A box of the states."""
-        found = []
+        box = []
         for m, row in zip(self.middle, _row_norms(self.basis), strict=True):
             reach = sum((a * b for a, b in zip(row, self.radii, strict=True)), arb(0))
-            found.append(add_remainder(m, reach.upper()))
-        return found
+            box.append(add_remainder(m, reach.upper()))
+        return box
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,11 +83,11 @@ class NormStep:
     def enclosure(self, tau: arb = UNIT_INTERVAL) -> list[arb]:
         """The states at every time of the ball ``tau`` inside [0, 1]; by the mean value form."""
         middle = tau.mid()
-        found = []
+        box = []
         for p, r in zip(self.solution, self.tube, strict=True):
             value = p(middle) if tau.is_exact() else p(middle) + p.derivative()(tau) * (tau - middle)
-            found.append(add_remainder(value, r))
-        return found
+            box.append(add_remainder(value, r))
+        return box
 
     def end(self, middle: Sequence[arb]) -> StateSet:
         """The set at τ = 1 about other exact states."""
@@ -213,11 +213,11 @@ def _rates(field: VectorField, box: Sequence[arb], basis: Basis, inverse: arb_ma
     if not all(value.is_finite() for value in values):
         return None
     turned = inverse * arb_mat(rows) * basis.S
-    found = _norms(turned, basis, basis)
+    rates = _norms(turned, basis, basis)
     starts, table = basis.starts(), turned.table()
     for j, (a, b) in enumerate(pairwise(starts)):
-        found[j, j] = _logarithmic_norm([row[a:b] for row in table[a:b]])
-    return found if all(value.is_finite() for value in found.entries()) else None
+        rates[j, j] = _logarithmic_norm([row[a:b] for row in table[a:b]])
+    return rates if all(value.is_finite() for value in rates.entries()) else None
 
 
 def _logarithmic_norm(block: Sequence[Sequence[arb]]) -> arb:
@@ -261,14 +261,14 @@ def _defect(field: VectorField, solution: Sequence[arb_poly], h: arb, plan: Norm
     tails = _tails(field, solution, plan)
     if tails is None:
         return None
-    found = []
+    defects = []
     for p, f, tail in zip(solution, series, tails, strict=True):
         rest = arb_poly(f.coeffs()) * h - p.derivative()
         total = (arb_poly([abs(c) for c in rest.coeffs()])(arb(1)) + h * tail).upper()
         if not total.is_finite():
             return None
-        found.append(total)
-    return found
+        defects.append(total)
+    return defects
 
 
 def _tails(field: VectorField, solution: Sequence[arb_poly], plan: NormPlan) -> list[arb] | None:

@@ -48,10 +48,10 @@ def slow_curve(field: VectorField, middle: Sequence[arb], h: float, order: int, 
     """
     size, unit = len(middle), arb((1, -bits))
     values, rows = field.on_box(middle)
-    found = spectral_basis([[approximate(entry) for entry in row] for row in rows], FAST / h)
-    if found is None:
+    spectral = spectral_basis([[approximate(entry) for entry in row] for row in rows], FAST / h)
+    if spectral is None:
         return None
-    basis, slow = found
+    basis, slow = spectral
     x = [[fixed(m, bits), fixed(h * v, bits)] + [0] * (order - 1) for m, v in zip(middle, values, strict=True)]
     start = [row[0] for row in x]
     solver: _Solver | None = None
@@ -131,10 +131,10 @@ class _Solver:
         right = np.dot(right, self._inverse.T)
         start = np.dot(self._inverse, np.array([approximate(value * unit) for value in gap]))
         ordered = np.concatenate([start[self._slow], right.ravel()[self._kept]])
-        found: Matrix = np.dot(self._band.solve(ordered * self._scale).reshape(order + 1, size), self._basis.T)
-        if not np.isfinite(found).all():
+        corrections: Matrix = np.dot(self._band.solve(ordered * self._scale).reshape(order + 1, size), self._basis.T)
+        if not np.isfinite(corrections).all():
             raise np.linalg.LinAlgError("a correction is not finite")
-        return found
+        return corrections
 
 
 class _Band:
@@ -160,17 +160,17 @@ class _Band:
         """The solution for one right-hand side."""
         from scipy.linalg.lapack import dgbtrs
 
-        found: NDArray[np.float64] = dgbtrs(self._factors, *self._widths, right, self._pivots)[0]
-        return found
+        solution: NDArray[np.float64] = dgbtrs(self._factors, *self._widths, right, self._pivots)[0]
+        return solution
 
 
 def _coefficients(entries: list[list[arb_series]], order: int) -> NDArray[np.float64]:
-    found = np.zeros((order + 1, len(entries), len(entries)))
+    coefficients = np.zeros((order + 1, len(entries), len(entries)))
     for i, row in enumerate(entries):
         for j, entry in enumerate(row):
             for k, value in enumerate(entry.coeffs()[: order + 1]):
-                found[k, i, j] = approximate(value)
-    return found
+                coefficients[k, i, j] = approximate(value)
+    return coefficients
 
 
 def _scaled(value: float, shift: int) -> int:

@@ -52,10 +52,10 @@ class TaylorRecurrence:
             known = [fixed(value, fraction_bits) for value in self._code.constants]
             self._constants[fraction_bits] = known
         try:
-            found: Coefficients = self._program(list(start), known, order, step, fraction_bits)
+            coefficients: Coefficients = self._program(list(start), known, order, step, fraction_bits)
         except (ZeroDivisionError, ValueError) as error:  # a divisor, or the argument of an integer square root
             raise NoSeriesError(f"at the start: {error}") from error
-        return found
+        return coefficients
 
     def _compiled(self) -> Callable[..., Any]:
         names = [name for name in self._code.needed(self._roots) if name[0] != "c"]
@@ -167,13 +167,13 @@ def _first(operation: str, base: Any, fraction_bits: int, *more: Any) -> int:
             raise NoSeriesError(f"no {operation} of {start.str(5)}")
         match operation:
             case "power":
-                found = (start.log() * more[0] / more[1]).exp()
+                value = (start.log() * more[0] / more[1]).exp()
             case "exp":
-                found = start.exp()
+                value = start.exp()
             case "log":
-                found = start.log()
+                value = start.log()
             case "sin":
-                found = start.sin()
+                value = start.sin()
             case _:
-                found = start.cos()
-        return fixed(found, fraction_bits)
+                value = start.cos()
+        return fixed(value, fraction_bits)
