@@ -32,10 +32,10 @@ def above_on_cell(beta: fmpq, start: fmpq, roots: tuple[fmpq, fmpq], bound: arb)
         return drift(beta, derivative, roots, leading_enclosures(beta, lower, upper, count))
 
     with working_bits(bits_for_digits(_DIGITS) + 64):
-        found = _rising_from(profile, start, change)
-        if found is None:
+        rising_tail = _rising_from(profile, start, change)
+        if rising_tail is None:
             return None
-        right, rises = found
+        right, rises = rising_tail
         if (beyond := less(bound, profile.value(right, _DIGITS) + change(right, right, 0))) is None:
             return None
         parts: list[Ends] = [(right, None)]

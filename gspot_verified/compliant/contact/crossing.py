@@ -54,10 +54,10 @@ def first_crossing(profile: Profile, start: fmpq, level: Level, digits: int) -> 
     at_start = excess(start)
     if (above := less(0, at_start)) is not None:
         raise NotBelow(above)
-    found = rising_from(profile, start, _CELL_DIGITS)
-    if found is None:
+    rising_tail = rising_from(profile, start, _CELL_DIGITS)
+    if rising_tail is None:
         return None
-    right, rises = found
+    right, rises = rising_tail
     parts: list[Ends] = [(start, start)]
     shown = [less(at_start, 0)]
 
@@ -100,15 +100,15 @@ def _excess(profile: Profile, level: Level, digits: int) -> Callable[[fmpq], arb
     """f - level at a point, with a few rising accuracies until its sign is certain."""
 
     def excess(tau: fmpq) -> arb:
-        found = nonfinite()
+        difference = nonfinite()
         for attempt in range(_TRIES):
             accuracy = (digits + _SPARE_DIGITS) * 2**attempt
             value, bound = profile.value(tau, accuracy), level(accuracy)
             with working_bits(bits_for_digits(accuracy) + _GUARD_BITS):
-                found = value - bound
-            if sign_of(found):
+                difference = value - bound
+            if sign_of(difference):
                 break
-        return found
+        return difference
 
     return excess
 

@@ -62,12 +62,12 @@ class CompliantIwc(NoTruthValue, Written):
     @property
     def statements(self) -> tuple[StatementOf, ...]:
         """What is stated, each with its system and its verdict."""
-        found = [StatementOf("leading order", self.leading.verdict)]
+        stated = [StatementOf("leading order", self.leading.verdict)]
         if self.compliant is not None:
-            found.append(StatementOf("slow manifold", self.compliant.verdict))
+            stated.append(StatementOf("slow manifold", self.compliant.verdict))
         if self.lift_off is not None and self.lift_off.uniform is not None:
-            found.append(StatementOf("slow manifold", self.lift_off.uniform))
-        return tuple(found)
+            stated.append(StatementOf("slow manifold", self.lift_off.uniform))
+        return tuple(stated)
 
     @property
     def caveat(self) -> str | None:

@@ -38,15 +38,15 @@ def least_value(profile: Profile, start: fmpq, digits: int = 8) -> LeastValue | 
     """The least value of f on [start, infinity), to the relative accuracy 10^-digits unless it is nearly 0 or
     :data:`MAX_CELLS` cells do not suffice; None when no point was found beyond which f certainly increases.
 
-    >>> found = least_value(Profile.at_root(fmpq(5, 2), fmpq(1, 2)), fmpq(-10))
-    >>> bool(found.upper - found.lower < fmpq(1, 10**7)), bool(found.upper < 0)
+    >>> least = least_value(Profile.at_root(fmpq(5, 2), fmpq(1, 2)), fmpq(-10))
+    >>> bool(least.upper - least.lower < fmpq(1, 10**7)), bool(least.upper < 0)
     (True, True)
     """
     accuracy = digits + _SPARE_DIGITS
-    found = rising_from(profile, start, accuracy)
-    if found is None:
+    rising_tail = rising_from(profile, start, accuracy)
+    if rising_tail is None:
         return None
-    right, rises = found
+    right, rises = rising_tail
     with working_bits(bits_for_digits(accuracy) + _GUARD_BITS):
         end, first = profile.value(right, accuracy), profile.value(start, accuracy)
         settled = end.lower()  # a lower bound of f beyond ``right`` and on the cells that are done

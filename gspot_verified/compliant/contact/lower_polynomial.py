@@ -34,15 +34,15 @@ def lower_terms(b: fmpq) -> tuple[Term, ...]:
     >>> [tuple(map(str, term)) for term in lower_terms(fmpq(9, 2))]
     [('1', '4', '1/8'), ('2', '5', '-1/10')]
     """
-    found = []
+    terms = []
     m = 1
     while 4 * m <= b:
         last = m + 1
         while last + 1 + 3 * m <= b:
             last += 2
-        found += [Term(k, k + 3 * m, series_coefficients(k)[m - 1]) for k in range(m, last + 1)]
+        terms += [Term(k, k + 3 * m, series_coefficients(k)[m - 1]) for k in range(m, last + 1)]
         m += 1
-    return tuple(found)
+    return tuple(terms)
 
 
 @lru_cache(maxsize=4096)
@@ -57,12 +57,12 @@ def leading_enclosures(beta: fmpq, lower: fmpq, upper: fmpq, count: int) -> list
     """Enclosures of f_0^(k) on [lower, upper], k < count: where k > b it increases; below by the mean value theorem."""
     count = max(count, int(beta.floor()) + 1)
     left, middle, right = (leading_derivatives(beta, tau, count) for tau in (lower, (lower + upper) / 2, upper))
-    found: list[arb] = [arb(0)] * count
+    enclosures: list[arb] = [arb(0)] * count
     with working_bits(_BITS):
         wide = arb(0, (upper - lower) / 2)
         for k in range(count - 1, -1, -1):
-            found[k] = hull([left[k], right[k]]) if k > beta - 1 else middle[k] + wide * found[k + 1]
-    return found
+            enclosures[k] = hull([left[k], right[k]]) if k > beta - 1 else middle[k] + wide * enclosures[k + 1]
+    return enclosures
 
 
 def drift(beta: fmpq, derivative: int, roots: tuple[fmpq, fmpq], enclosures: Sequence[arb]) -> arb:

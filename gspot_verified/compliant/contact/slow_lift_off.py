@@ -57,15 +57,15 @@ class SlowLiftOff(NoTruthValue, Written):
 
     def lines(self) -> list[str]:
         """The lines of the text."""
-        found = [str(self.verdict)]
+        lines = [str(self.verdict)]
         if self.lead is not None:
             gap = short_text(rounded_up(self.lead, _CONSTANT_DIGITS))
-            found.append(f"  before the lift-off at leading order, by at most {gap} (proofs/monotone.md, section 8)")
+            lines.append(f"  before the lift-off at leading order, by at most {gap} (proofs/monotone.md, section 8)")
         if self.whole_line:
-            found.append(f"  λ_N > 0 for every τ < {self.start} as well")
+            lines.append(f"  λ_N > 0 for every τ < {self.start} as well")
         if self.uniform is not None:
-            found.append(str(self.uniform))
-        return found
+            lines.append(str(self.uniform))
+        return lines
 
 
 def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: int = 15) -> SlowLiftOff:
@@ -77,8 +77,8 @@ def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: in
     >>> from gspot_verified.leading_order.contact_force import contact_force
     >>> from gspot_verified.leading_order.lift_off import lift_off
     >>> system = contact_force("3/2", c1=-1)
-    >>> found = slow_lift_off(system, lift_off(system, fmpq(1, 1000), fmpq(-10), 6), fmpq(-10), 6)
-    >>> found.lower, found.upper, bool(found.lead < fmpq(9, 100)), found.kappa
+    >>> zero = slow_lift_off(system, lift_off(system, fmpq(1, 1000), fmpq(-10), 6), fmpq(-10), 6)
+    >>> zero.lower, zero.upper, bool(zero.lead < fmpq(9, 100)), zero.kappa
     (441259/125000, 3530073/1000000, True, 179/100)
     """
     if force.takes_impact:
@@ -127,11 +127,11 @@ def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: in
             uniform=None,
         )
     kappa, uniform = None, None
-    found = uniform_constant(profile, lower, (leading.lower, leading.upper))
-    if found is not None and found[0].is_finite():
-        kappa = rounded_up(found[0], _CONSTANT_DIGITS)
+    constant = uniform_constant(profile, lower, (leading.lower, leading.upper))
+    if constant is not None and constant[0].is_finite():
+        kappa = rounded_up(constant[0], _CONSTANT_DIGITS)
         both = [crossing.evidence, leading.verdict.evidence]
-        known = theorem("proofs/monotone.md, section 9", *both, found[1], at_most(found[0], kappa))
+        known = theorem("proofs/monotone.md, section 9", *both, constant[1], at_most(constant[0], kappa))
         uniform = None if known is None else Verdict.proved(_for_all(epsilon, start, kappa), known)
     return SlowLiftOff(
         epsilon=epsilon,

@@ -52,16 +52,16 @@ class SlowManifold(NoTruthValue, Written):
 
     def lines(self) -> list[str]:
         """The lines of the text."""
-        found = [str(self.verdict)]
+        lines = [str(self.verdict)]
         exact = self.threshold
         if exact is not None and exact.lower is not None and exact.upper is not None and exact.place is not None:
-            found.append(
+            lines.append(
                 f"  the largest ε0 possible lies in [{short_text(exact.lower)}, {short_text(exact.upper)}]: "
                 f"at the upper end λ_N < 0 at τ = {approximate(exact.place):.6g}"
             )
         if self.start is not None and self.whole_line and self.verdict.outcome is Outcome.PROVED:
-            found.append(f"  it holds for every τ < {self.start} as well")
-        return found
+            lines.append(f"  it holds for every τ < {self.start} as well")
+        return lines
 
 
 def impact(leading: IwcResult, epsilon: fmpq | None, digits: int) -> SlowManifold | None:

@@ -58,8 +58,8 @@ def exact_threshold(force: ContactForce, start: fmpq, proved: fmpq, digits: int 
     :raises ValueError: C_1/Gamma(-beta) < 0, or beta > 5 (the force does not increase with eta there).
 
     >>> from gspot_verified.leading_order.contact_force import contact_force
-    >>> found = exact_threshold(contact_force("5/2"), fmpq(-10), fmpq(4, 5), 6)
-    >>> found.lower <= fmpq(8948813, 10**7) <= found.upper, found.upper - found.lower < fmpq(1, 10**5)
+    >>> largest = exact_threshold(contact_force("5/2"), fmpq(-10), fmpq(4, 5), 6)
+    >>> largest.lower <= fmpq(8948813, 10**7) <= largest.upper, largest.upper - largest.lower < fmpq(1, 10**5)
     (True, True)
     """
     if not force.takes_impact:

@@ -30,8 +30,8 @@ def real_saddle(p: fmpq) -> arb:
     numerator, denominator = p.p, p.q
     roots: Any = fmpz_poly([numerator, numerator, 2 * denominator, denominator]).complex_roots()
     # Of three real roots -1 lies between the least one and the others; of one root and a pair too.
-    found: arb = next(root.real for root, _ in roots if root.real < -1 and root.imag.is_zero())
-    return found
+    least_root: arb = next(root.real for root, _ in roots if root.real < -1 and root.imag.is_zero())
+    return least_root
 
 
 def decaying_coefficient(state: Deviation, bits: int) -> arb:
@@ -53,8 +53,8 @@ def decaying_coefficient(state: Deviation, bits: int) -> arb:
             return exponent.exp() * -data.polynomial(-x, -rest)
 
         middle = holomorphic_integral(integrand, start, end, _MAX_EVALUATIONS).real
-        found = add_remainder(add_remainder(middle, _before(data, start, height)), _beyond(data, end, height))
-        return -found * height.exp() * data.beta / (2 * arb.pi())
+        integral = add_remainder(add_remainder(middle, _before(data, start, height)), _beyond(data, end, height))
+        return -integral * height.exp() * data.beta / (2 * arb.pi())
 
 
 def _exponent(data: Kernel, x: Number, log_rest: Number) -> Number:

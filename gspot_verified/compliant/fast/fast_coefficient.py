@@ -30,8 +30,8 @@ def saddle(p: fmpq) -> acb:
     """
     numerator, denominator = p.p, p.q
     roots: Any = fmpz_poly([numerator, numerator, 2 * denominator, denominator]).complex_roots()
-    found: acb = next(root for root, _ in roots if root.imag > 0)
-    return found
+    upper_root: acb = next(root for root, _ in roots if root.imag > 0)
+    return upper_root
 
 
 def fast_coefficient(state: Deviation, bits: int) -> acb:

@@ -138,23 +138,23 @@ def fast_part(state: Deviation, p: fmpq, names: tuple[str, ...], bits: int) -> d
     waves, height = oscillating(state.beta, state.epsilon, p, names, bits)
     with working_bits(bits + _bits(state)):
         swing = fast * height.exp()
-        found = {name: 2 * (swing * wave).real for name, wave in zip(names, waves, strict=True)}
+        oscillating_parts = {name: 2 * (swing * wave).real for name, wave in zip(names, waves, strict=True)}
         steady = _decaying_bounds(state, p)
         sizes = {name: abs(swing * wave).abs_lower() for name, wave in zip(names, waves, strict=True)}
         if all(steady[name] < sizes[name] * arb(2) ** -bits for name in names):
-            return {name: add_remainder(value, steady[name]) for name, value in found.items()}
+            return {name: add_remainder(value, steady[name]) for name, value in oscillating_parts.items()}
     falls, depth = decaying(state.beta, state.epsilon, p, names, bits)
     with working_bits(bits + _bits(state)):
         fall = _decaying_coefficient(state, bits) * depth.exp()
-        return {name: found[name] + fall * rest for name, rest in zip(names, falls, strict=True)}
+        return {name: oscillating_parts[name] + fall * rest for name, rest in zip(names, falls, strict=True)}
 
 
 def _decaying_bounds(state: Deviation, p: fmpq) -> dict[str, arb]:
     """Bounds of the hats of c_Q Q from T = -p/epsilon on."""
     fall = (real_saddle(state.p) * (state.p - p) / state.epsilon).exp() * _coefficients(state).decaying
     front = arb(1) / (state.epsilon * state.beta)
-    found = zip(NAMES, _decaying(state.beta, state.epsilon, state.p), strict=True)
-    return {name: fall * bound * (arb(1) if name == "b" else front) for name, bound in found}
+    named_bounds = zip(NAMES, _decaying(state.beta, state.epsilon, state.p), strict=True)
+    return {name: fall * bound * (arb(1) if name == "b" else front) for name, bound in named_bounds}
 
 
 @lru_cache(maxsize=16)

@@ -97,11 +97,11 @@ def oscillating(beta: fmpq, epsilon: fmpq, p: fmpq, names: tuple[str, ...], bits
             return [acb(nonfinite(), nonfinite()) for _ in names], height
         incoming, outgoing = (replace(flat, direction=d, height=height) for d in (left, right))
         goal = (bits + 8 + 8 * approximate(beta)) * math.log(2)
-        found = []
+        integrals = []
         for name in names:
             multiplier, front = MULTIPLIERS[name], _front(name, beta, epsilon)
-            found.append(front * (outgoing.integral(multiplier, goal) - incoming.integral(multiplier, goal)))
-        return found, height
+            integrals.append(front * (outgoing.integral(multiplier, goal) - incoming.integral(multiplier, goal)))
+        return integrals, height
 
 
 def _front(name: str, beta: fmpq, epsilon: fmpq) -> arb:

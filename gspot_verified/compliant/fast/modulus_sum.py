@@ -50,13 +50,13 @@ def _excess(piece: PathPiece, top: arb, begin: arb, end: arb, whole: arb) -> arb
     """An upper bound of Re E - top on [begin, end]: from the middle by the mean value theorem, or from the saddle."""
     middle = ((begin + end) / 2).mid()
     reach = (end - middle).max(middle - begin).abs_upper()
-    found = (piece.exponent(middle).real - top + abs(piece.slope(whole).real) * reach).upper()
+    excess = (piece.exponent(middle).real - top + abs(piece.slope(whole).real) * reach).upper()
     if piece.curvature is not None:
         # x = 0 is the saddle, top its value: Re E - top <= sup Re E'' x^2/2, E'' over [0, end].
         bend = piece.curvature(hull([arb(0), end])).real.upper()
         if bend < 0:
-            found = found.min((bend * begin * begin / 2).upper()) if found.is_finite() else bend * begin * begin / 2
-    return found
+            excess = excess.min((bend * begin * begin / 2).upper()) if excess.is_finite() else bend * begin * begin / 2
+    return excess
 
 
 def weakest(bounds: list[list[arb]]) -> list[arb]:

@@ -85,10 +85,10 @@ def force(
         import numpy as np
 
         times = cast("ndarray[Any, Any]", time)
-        found = np.empty(times.shape, dtype=object)
+        forces = np.empty(times.shape, dtype=object)
         for index, entry in np.ndenumerate(times):
-            found[index] = force(model, start, _entry(entry), digits).force
-        return found
+            forces[index] = force(model, start, _entry(entry), digits).force
+        return forces
     moment = rational(time, "t")
     if not 1 <= digits <= MAX_DIGITS:
         raise ValueError(f"digits must lie in 1..{MAX_DIGITS}, got {digits}")
@@ -132,10 +132,10 @@ class ContactMotion:
         soon = work <= _WORK_OF_FIRST_INSTANTS and self.model.scaled_epsilon < _LEAST_EPSILON_OF_QUADRATURE
         if late or soon:
             return self._accurate(time, digits, by_series=True)
-        found = self._accurate(time, digits, by_series=False)
-        if not found.reached and work <= MAX_WORK:
+        contact_force = self._accurate(time, digits, by_series=False)
+        if not contact_force.reached and work <= MAX_WORK:
             return self._accurate(time, digits, by_series=True)
-        return found
+        return contact_force
 
     def _since(self, time: fmpq) -> fmpq:
         """How long after the state a time is, in T."""
@@ -145,15 +145,15 @@ class ContactMotion:
     def _accurate(self, time: fmpq, digits: int, by_series: bool) -> CompliantForce:
         goal = bits_for_digits(digits)
         bits = goal + _GUARD_BITS
-        found = None
+        contact_force = None
         for _ in range(_ATTEMPTS):
-            found = self._by_series(time, digits, bits) if by_series else self._once(time, digits, bits)
-            if found.reached:
-                return found
-            certain = relative_bits(found.force)
+            contact_force = self._by_series(time, digits, bits) if by_series else self._once(time, digits, bits)
+            if contact_force.reached:
+                return contact_force
+            certain = relative_bits(contact_force.force)
             bits = bits + (goal - certain if certain > 0 else bits) + _GUARD_BITS
-        assert found is not None
-        return found
+        assert contact_force is not None
+        return contact_force
 
     def hats(
         self, p: fmpq, bits: int, names: tuple[str, ...] = VARIABLES

@@ -112,8 +112,8 @@ def first_zero(model: CompliantModel, state: CompliantState, digits: int = 25, b
     >>> model = compliant_model("3/2", "1e-9")
     >>> b, small = fmpq(-2), model.epsilon
     >>> data = compliant_state("1/2", b, 4 * small**2 * b, 0, 2 * small**2 * b)
-    >>> found = first_zero(model, data)
-    >>> print(found.verdict.outcome.value, decimal_text(found.lower + fmpq(1, 2), found.upper + fmpq(1, 2))[:20])
+    >>> zero = first_zero(model, data)
+    >>> print(zero.verdict.outcome.value, decimal_text(zero.lower + fmpq(1, 2), zero.upper + fmpq(1, 2))[:20])
     proved 0.500006988019767490
     """
     if not 1 <= digits <= MAX_DIGITS:
@@ -122,11 +122,11 @@ def first_zero(model: CompliantModel, state: CompliantState, digits: int = 25, b
     assert motion.state is not None
     start = state.p / model.alpha_1
     text = "in the compliant model, from this initial state, the contact force has its first zero in the bracket"
-    found = _by_force_range(motion, start, text, digits, budget) if state.p > 0 else None
-    if found is None:
-        found = _by_series(motion, start, text, digits, budget)
-    if found is not None:
-        return found
+    zero = _by_force_range(motion, start, text, digits, budget) if state.p > 0 else None
+    if zero is None:
+        zero = _by_series(motion, start, text, digits, budget)
+    if zero is not None:
+        return zero
     before = "the bound of the fast part does not show it, and " if state.p > 0 else ""
     detail = f"{before}the power series found no bracket within its budget of {budget} (its work, rate times time)"
     return FirstZero(model, start, Verdict.undecided(text, Reason.BUDGET, detail))
@@ -189,8 +189,8 @@ def _force_range(motion: ContactMotion) -> ForceRange:
 def _unit(motion: ContactMotion) -> fmpq:
     """About (epsilon/2)^(-1/3), the unit of tau in T; any number is right."""
     with working_bits(_START_BITS):
-        found = (arb(motion.model.scaled_epsilon) / 2).root(3)
-        return fmpq(*approximate(1 / found).as_integer_ratio())
+        eta = (arb(motion.model.scaled_epsilon) / 2).root(3)
+        return fmpq(*approximate(1 / eta).as_integer_ratio())
 
 
 def _positive(force: ForceRange, first: fmpq, last: fmpq) -> Evidence | None:

@@ -91,9 +91,9 @@ class _Shown:
     pieces: list[Ends] = field(default_factory=list)
     evidence: list[Evidence] = field(default_factory=list)
 
-    def note(self, piece: _Piece, found: Evidence) -> None:
+    def note(self, piece: _Piece, positive: Evidence) -> None:
         self.pieces.append((piece.time(piece.left), piece.time(piece.right)))
-        self.evidence.append(found)
+        self.evidence.append(positive)
 
 
 def positive_by_series(state: Deviation, mean: fmpq, duration: fmpq, work: int = MOST_WORK) -> Evidence | None:
@@ -145,9 +145,9 @@ def _not_positive(
             waiting = [_Piece(cell, mean, fmpq(0), fmpq(1))]
             while waiting:
                 piece = waiting.pop()
-                found = piece.shown_positive()
-                if found is not None:
-                    shown.note(piece, found)
+                positive = piece.shown_positive()
+                if positive is not None:
+                    shown.note(piece, positive)
                     continue
                 falls = piece.slope() < 0 and piece.force_at(piece.right) < 0
                 if falls or piece.right - piece.left <= _LEAST_PIECE:

@@ -68,7 +68,7 @@ def slow_majorant(region: ComplexNeighbourhood, count: int) -> list[arb]:
         radius = _radius(region.eta)
         around = _gamma(least, largest) * (arb.pi() * region.distance).exp() * _on_circle(region, radius)
         reciprocal = _reciprocal_gamma(region)
-        found = []
+        bounds = []
         for k in range(count):
             if k - largest >= 2:
                 total = reciprocal * region.integral(k)
@@ -77,8 +77,8 @@ def slow_majorant(region: ComplexNeighbourhood, count: int) -> list[arb]:
                 p = max(2, math.ceil(approximate(k - least)))
                 beyond = _power(radius, k - least - p, k - largest - p) * _bound(region.tau, fmpq(-p), region.eta)
                 total = around * _power(radius, k - least, k - largest) + reciprocal * beyond
-            found.append(total / math.factorial(k))
-        return found
+            bounds.append(total / math.factorial(k))
+        return bounds
 
 
 def _radius(eta: fmpq) -> fmpq:
@@ -120,7 +120,7 @@ def epsilon_difference(region: ComplexNeighbourhood, terms: int, count: int) -> 
             return [nonfinite()] * count
         factor = _reciprocal_gamma(region)
         kept: dict[int, arb] = {}
-        found = []
+        bounds = []
         for k in range(count):
             total = arb(0)
             for m, coefficient in enumerate(series_coefficients(terms), 1):
@@ -128,5 +128,5 @@ def epsilon_difference(region: ComplexNeighbourhood, terms: int, count: int) -> 
                 if power not in kept:
                     kept[power] = region.integral(power)
                 total += abs(coefficient) * kept[power]
-            found.append(factor * total / math.factorial(k))
-        return found
+            bounds.append(factor * total / math.factorial(k))
+        return bounds

@@ -43,8 +43,8 @@ def paper_deviation(beta: fmpq, epsilon: fmpq, p: fmpq = PAPER_P) -> Deviation:
 def side_point(beta: fmpq, epsilon: fmpq) -> SidePoint:
     """The signs at one point, certain or None.
 
-    >>> found = side_point(fmpq(13, 2), fmpq(1, 1000))
-    >>> found.exact, found.slow
+    >>> point = side_point(fmpq(13, 2), fmpq(1, 1000))
+    >>> point.exact, point.slow
     (1, -1)
     """
     state = paper_deviation(beta, epsilon)
@@ -62,12 +62,12 @@ def side_map(
     betas: Sequence[fmpq], epsilons: Sequence[fmpq], progress: Callable[[int, int], None] | None = None
 ) -> list[SidePoint]:
     """The signs at every point of the grid, beta by beta; ``progress`` is told how many of how many betas are done."""
-    found = []
+    points = []
     for done, beta in enumerate(betas, 1):
-        found += [side_point(beta, epsilon) for epsilon in epsilons]
+        points += [side_point(beta, epsilon) for epsilon in epsilons]
         if progress is not None:
             progress(done, len(betas))
-    return found
+    return points
 
 
 def agreement_limits(points: Sequence[SidePoint]) -> dict[fmpq, fmpq | None]:
@@ -78,11 +78,11 @@ def agreement_limits(points: Sequence[SidePoint]) -> dict[fmpq, fmpq | None]:
     >>> agreement_limits(points)
     {13/2: 1/100000}
     """
-    found: dict[fmpq, fmpq | None] = {}
+    limits: dict[fmpq, fmpq | None] = {}
     for beta in dict.fromkeys(point.beta for point in points):
-        found[beta] = None
+        limits[beta] = None
         for point in sorted((p for p in points if p.beta == beta), key=lambda p: p.epsilon):
             if not point.exact or point.exact != point.slow:
                 break
-            found[beta] = point.epsilon
-    return found
+            limits[beta] = point.epsilon
+    return limits

@@ -28,7 +28,7 @@ def series_coefficients(k: int) -> tuple[fmpq, ...]:
     """
     if k == 0:
         return (fmpq(1),)
-    found = []
+    coefficients = []
     for m in range(1, k + 1):
         total = fmpq(0)
         for j in range(1, k - m + 2):
@@ -36,8 +36,8 @@ def series_coefficients(k: int) -> tuple[fmpq, ...]:
             # c_(k-j, m-1): m - 1 = 0 only with k - j = 0.
             if (m == 1 and k == j) or 1 <= m - 1 <= k - j:
                 total += fmpq(j * (-1) ** (j + 1), 2 * (j + 3)) * lower[max(m - 2, 0)]
-        found.append(total / k)
-    return tuple(found)
+        coefficients.append(total / k)
+    return tuple(coefficients)
 
 
 def epsilon_sum(derivatives: Sequence[arb], eta: arb, terms: int) -> arb:
@@ -74,10 +74,10 @@ def epsilon_remainder(tau: arb, b: Exact, eta: arb, terms: int, places: Sequence
 
 def theta_derivatives(first: Sequence[arb], tau: arb, b: Exact, count: int) -> list[arb]:
     """``count`` derivatives of Theta from the first three, by Theta^(n+3) = tau Theta^(n+1) + (n - b) Theta^(n)."""
-    found = list(first)
+    derivatives = list(first)
     for n in range(count - 3):
-        found.append(tau * found[n + 1] + (n - b) * found[n])
-    return found[:count]
+        derivatives.append(tau * derivatives[n + 1] + (n - b) * derivatives[n])
+    return derivatives[:count]
 
 
 def epsilon_series(

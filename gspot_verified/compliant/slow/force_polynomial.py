@@ -24,13 +24,13 @@ def force_polynomial(n: int, epsilon: fmpq) -> fmpq_poly:
     if n < 0 or epsilon <= 0:
         raise ValueError("expected n >= 0 and epsilon > 0")
     time = fmpq_poly([0, 1])
-    found = [fmpq_poly([1])]
+    polynomials = [fmpq_poly([1])]
     for c in range(1, n + 1):
         # What lies before F_0 has a factor 0.
-        first, second, third, fourth = [*reversed(found[-4:]), *[fmpq_poly([])] * 4][:4]
+        first, second, third, fourth = [*reversed(polynomials[-4:]), *[fmpq_poly([])] * 4][:4]
         older = third - fmpq(c - 3, 2) * fourth
-        found.append(-time * first + (c - 1) * (time * second + first) + (c - 1) * (c - 2) * 2 / epsilon * older)
-    return found[n]
+        polynomials.append(-time * first + (c - 1) * (time * second + first) + (c - 1) * (c - 2) * 2 / epsilon * older)
+    return polynomials[n]
 
 
 def distinct_real_zeros(polynomial: fmpq_poly, lower: fmpq | None = None, upper: fmpq | None = None) -> int:

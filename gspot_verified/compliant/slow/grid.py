@@ -52,11 +52,11 @@ def _nodes(step: fmpq, index: int, bits: int) -> tuple[arb, ...]:
     # A product of up to _BLOCK factors: each multiplication adds 2^-bits relative.
     with working_bits(bits + _BLOCK.bit_length() + 8):
         ratio, node = arb(step).exp(), (arb(step) * (_BLOCK * index)).exp()
-        found = [node]
+        nodes = [node]
         for _ in range(_BLOCK - 1):
             node = node * ratio
-            found.append(node)
-        return tuple(found)
+            nodes.append(node)
+        return tuple(nodes)
 
 
 def _new_block(epsilon: Exact, step: fmpq, index: int, bits: int) -> tuple[tuple[arb, ...], tuple[arb, ...]]:
@@ -83,15 +83,15 @@ def cubic_exponent(eta: arb, nodes: tuple[arb, ...]) -> list[arb]:
     """
     bits = current_bits()
     series = _half_phi(_series_length(eta, nodes, bits), bits)
-    found = []
+    exponents = []
     for rho in nodes:
         x = eta * rho
         cube = rho * rho * rho
         if x < _SERIES_BELOW:
-            found.append(cube * (_half_phi_at(x, *series) - fmpq(1, 3)))
+            exponents.append(cube * (_half_phi_at(x, *series) - fmpq(1, 3)))
         else:
-            found.append((x - x * x / 2 - x * x * x / 3 - x.log1p()) / (2 * eta * eta * eta))
-    return found
+            exponents.append((x - x * x / 2 - x * x * x / 3 - x.log1p()) / (2 * eta * eta * eta))
+    return exponents
 
 
 def _series_length(eta: arb, nodes: tuple[arb, ...], bits: int) -> int:

@@ -84,14 +84,14 @@ class Profile:
             with working_bits(bits):
                 return [self.direction * value for value in values]
         eta = self.eta(2 * bits)
-        found = []
+        derivatives = []
         with working_bits(2 * bits):
             time = tau / self.root if self.root is not None else tau / eta
         for k in orders:
             value = slow_value(time, self.beta, self.epsilon, k + 1, digits).value
             with working_bits(bits):
-                found.append(self.direction * value * eta ** arb(self.beta - k - 1))
-        return found
+                derivatives.append(self.direction * value * eta ** arb(self.beta - k - 1))
+        return derivatives
 
     def value(self, tau: fmpq, digits: int) -> arb:
         """f(tau)."""

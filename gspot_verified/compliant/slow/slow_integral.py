@@ -69,12 +69,12 @@ def _sums(tau: arb, b: arb, count: int, nodes: Grid) -> list[arb]:
         (exponent + rho * tau + slope * k).exp()
         for k, rho, exponent in zip(range(nodes.first, nodes.last + 1), nodes.nodes, nodes.exponents, strict=True)
     ]
-    found = []
+    sums = []
     for j in range(count):
         if j:
             terms = [term * rho for term, rho in zip(terms, nodes.nodes, strict=True)]
-        found.append(sum(terms, arb(0)))
-    return found
+        sums.append(sum(terms, arb(0)))
+    return sums
 
 
 def _left_of_the_nodes(tau: arb, b: arb, eta: arb, plan: TrapezoidPlan, nodes: Grid) -> arb:

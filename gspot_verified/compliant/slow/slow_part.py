@@ -28,12 +28,12 @@ def slow_part(beta: fmpq, epsilon: fmpq, p: fmpq, names: tuple[str, ...], bits: 
     with working_bits(bits + 64 + 2 * int(epsilon.height_bits()) + int(p.height_bits())):
         front = 1 / arb(epsilon * beta)
         force = {order - 1: front * value for order, value in values.items() if order}
-        found = {}
+        hats = {}
         if "b" in names:
-            found["b"] = values[0]
+            hats["b"] = values[0]
         if "force" in names:
-            found["force"] = force[0]
+            hats["force"] = force[0]
         if "V" in names or "Z" in names:
             speed = force[3] + force[2] + (p - 2) * force[1] + epsilon * (beta - 1) * force[0]
-            found["V"], found["Z"] = speed, -force[1] - force[0] - speed
-        return {name: found[name] for name in names}
+            hats["V"], hats["Z"] = speed, -force[1] - force[0] - speed
+        return {name: hats[name] for name in names}

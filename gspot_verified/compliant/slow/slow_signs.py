@@ -53,12 +53,12 @@ class SlowSigns:
             beyond = _range(self._cell(k + 1).entries()[-width:])
             reach = ball(max(abs(lower - centre), abs(upper - centre)))
             ranges = [_range(moved[row * width : (row + 1) * width]) for row in range(self._order)]
-            found = []
+            enclosures = []
             for j in range(count):
                 inner = sum((weight * ranges[j + i] for i, weight in enumerate(total[j])), arb(0))
                 rest = math.comb(self._order, j) * reach ** (self._order - j) * beyond
-                found.append(add_remainder(inner, rest))
-            return found
+                enclosures.append(add_remainder(inner, rest))
+            return enclosures
 
     def sign(self, lower: fmpq, upper: fmpq, derivative: int = 0) -> int | None:
         """The sign of the derivative on [lower, upper], or None."""

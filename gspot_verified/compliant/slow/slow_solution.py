@@ -63,10 +63,10 @@ class SlowValue(NoTruthValue, Written):
     @property
     def sign(self) -> Verdict:
         """The certified sign: proved, or undecided with the reason."""
-        found = signed(self.value)
-        if found is None:
+        certain_sign = signed(self.value)
+        if certain_sign is None:
             return Verdict.undecided("the sign", self.reason or Reason.WIDE_INPUT, f"value in {self}")
-        return Verdict.proved(f"the value is {('zero', 'positive', 'negative')[found[0]]}", found[1])
+        return Verdict.proved(f"the value is {('zero', 'positive', 'negative')[certain_sign[0]]}", certain_sign[1])
 
     def __str__(self) -> str:
         return ball_text(self.value, self.digits)
@@ -190,10 +190,10 @@ def slow_solution(
         import numpy as np
 
         points = cast("ndarray[Any, Any]", time)
-        found = np.empty(points.shape, dtype=object)
+        values = np.empty(points.shape, dtype=object)
         for index, entry in np.ndenumerate(points):
-            found[index] = slow_value(_entry(entry), b, epsilon, derivative, digits).value
-        return found
+            values[index] = slow_value(_entry(entry), b, epsilon, derivative, digits).value
+        return values
     return slow_value(cast("ExactInput", time), b, epsilon, derivative, digits).value
 
 

@@ -54,8 +54,8 @@ def fold_point(epsilon: ExactInput, digits: int = 8, meeting: int = 6) -> FoldPo
     :param meeting: 6 or 9.
     :raises ValueError: an argument outside its domain.
 
-    >>> found = fold_point(1, 5)
-    >>> found is not None and found.lower < fmpq(5670239, 10**6) < found.upper
+    >>> fold = fold_point(1, 5)
+    >>> fold is not None and fold.lower < fmpq(5670239, 10**6) < fold.upper
     True
     """
     small = checked_point(epsilon, "epsilon")
@@ -93,8 +93,8 @@ def _search(epsilon: fmpq, meeting: int) -> tuple[fmpq, fmpq]:
 
 def _negative_minimum(b: fmpq, epsilon: fmpq, place: fmpq) -> tuple[fmpq, bool]:
     """Where the first minimum is if it is negative; else ``place`` and False."""
-    found, value = nearest_minimum(b, epsilon)
-    return (found, True) if found is not None and value < 0 else (place, False)
+    minimum, value = nearest_minimum(b, epsilon)
+    return (minimum, True) if minimum is not None and value < 0 else (place, False)
 
 
 def _convexity(signs: SlowSigns, begin: fmpq, end: fmpq) -> arb:

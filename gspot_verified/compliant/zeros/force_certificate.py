@@ -57,8 +57,8 @@ def force_certificate(force: ContactForce, start: fmpq | None, epsilon: fmpq) ->
     :raises NotProvable: the pieces were not found; at a larger epsilon than the exact one there are none.
 
     >>> from gspot_verified.leading_order.contact_force import contact_force
-    >>> found = force_certificate(contact_force("5/2", c1=-1), fmpq(-10), fmpq(4, 5))
-    >>> str(found.statement).endswith("for every τ in [-10, inf) and every ε in (0, 4/5]")
+    >>> certificate = force_certificate(contact_force("5/2", c1=-1), fmpq(-10), fmpq(4, 5))
+    >>> str(certificate.statement).endswith("for every τ in [-10, inf) and every ε in (0, 4/5]")
     True
     """
     _checked(force, 1)
@@ -140,7 +140,7 @@ def _level(force: ContactForce, epsilon: fmpq, direction: int) -> fmpq:
 
 def _middle(b: fmpq, sign: int, level: fmpq, start: fmpq, end: fmpq) -> list[ColumnPiece]:
     """Pieces sign and level from start to end, as wide as the evaluation over them allows."""
-    found: list[ColumnPiece] = []
+    pieces: list[ColumnPiece] = []
     tau, width = start, _FIRST_WIDTH
     while tau < end:
         upper = min(tau + width, end)
@@ -150,9 +150,9 @@ def _middle(b: fmpq, sign: int, level: fmpq, start: fmpq, end: fmpq) -> list[Col
             if width < _LEAST_WIDTH:
                 raise NotProvable(f"next to τ = {approximate(tau):.6g} neither the sign nor the level is certain")
             continue
-        found.append(ColumnPiece(kind, tau, upper, sign if kind is Kind.SIGN else 0))
+        pieces.append(ColumnPiece(kind, tau, upper, sign if kind is Kind.SIGN else 0))
         tau, width = upper, min(2 * width, _FIRST_WIDTH)
-    return found
+    return pieces
 
 
 def _kind(b: fmpq, sign: int, level: fmpq, lower: fmpq, upper: fmpq) -> Kind | None:

@@ -53,10 +53,10 @@ def force_discriminant(n: int) -> fmpq_poly:
     polynomial = values[-1]
     for node, value in reversed(list(zip(nodes, values, strict=True))[:-1]):
         polynomial = polynomial * (inverse - node) + value
-    found = fmpq_poly([])
+    discriminant = fmpq_poly([])
     for (_, power), coefficient in polynomial.discriminant("T").to_dict().items():
-        found += fmpq_poly([0] * power + [coefficient])
-    return found
+        discriminant += fmpq_poly([0] * power + [coefficient])
+    return discriminant
 
 
 def _lifted(polynomial: fmpq_poly, variable: fmpq_mpoly) -> fmpq_mpoly:

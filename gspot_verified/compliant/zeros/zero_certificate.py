@@ -86,18 +86,18 @@ def slow_zeros_certificate(beta: Range | str, epsilon: ExactInput) -> SlowZerosC
     if betas.lower is None or betas.upper is None or not _LEAST_BETA <= betas.lower < betas.upper <= _MOST_BETA:
         raise ValueError("beta: the range must lie inside [4, 5]")
     eta = rational_scale(small, 1)
-    waiting, found = _cut(betas.lower, betas.upper), []
+    waiting, columns = _cut(betas.lower, betas.upper), []
     while waiting:
         lower, upper = waiting.pop()
         place = _place(lower - 1, upper - 1, eta)
         if place is not None:
-            found.append(Column(lower, upper, (ColumnPiece(Kind.DIP, place, place / _RATIO),)))
+            columns.append(Column(lower, upper, (ColumnPiece(Kind.DIP, place, place / _RATIO),)))
         elif upper - lower <= _LEAST_WIDTH:
             raise NotProvable(f"next to β = {lower} the bound of F_(β−1) is negative at no τ that was tried")
         else:
             middle = (lower + upper) / 2
             waiting += [(middle, upper), (lower, middle)]
-    return SlowZerosCertificate(SlowZerosStatement(betas, small, eta), tuple(found))
+    return SlowZerosCertificate(SlowZerosStatement(betas, small, eta), tuple(columns))
 
 
 def _cut(lower: fmpq, upper: fmpq) -> list[tuple[fmpq, fmpq]]:

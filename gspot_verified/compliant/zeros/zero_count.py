@@ -144,7 +144,7 @@ def _column(beta: fmpq, epsilon: fmpq) -> Column | None:
             jet = slow_jet((k + fmpq(1, 2)) * CELL, b, epsilon, order + 1, bits)
             return arb_mat(order + 1, 1, jet)
 
-        found = slow_zero_column(SlowSigns(expansion, order, bits + 32), beta, beta, n, fmpq(1, 2 ** (bits // 4)))
-        if found is not None:
-            return found
+        column = slow_zero_column(SlowSigns(expansion, order, bits + 32), beta, beta, n, fmpq(1, 2 ** (bits // 4)))
+        if column is not None:
+            return column
     return None

@@ -79,20 +79,20 @@ class Row(Written):
 
     def stretches(self) -> list[tuple[fmpq, fmpq, tuple[int, ...]]]:
         """Maximal ranges of beta inside one cell with the same number; a range with (N + 2, N) holds a fold."""
-        found: list[tuple[fmpq, fmpq, tuple[int, ...]]] = []
+        stretches: list[tuple[fmpq, fmpq, tuple[int, ...]]] = []
         for column in self.columns:
             numbers = numbers_of_zeros(column, self.lower, self.upper)
             assert numbers is not None
             assert column.lower is not None
-            last = found[-1] if found else None
+            last = stretches[-1] if stretches else None
             joined = last is not None and last[1] == column.lower and column.lower.q != 1
             if last is not None and joined and last[2] == numbers[1:]:
                 numbers = last[2]  # at the common end the fold is behind
             if last is not None and joined and last[2] == numbers:
-                found[-1] = (last[0], column.upper, numbers)
+                stretches[-1] = (last[0], column.upper, numbers)
             else:
-                found.append((column.lower, column.upper, numbers))
-        return found
+                stretches.append((column.lower, column.upper, numbers))
+        return stretches
 
 
 @dataclass(frozen=True, slots=True)
@@ -228,13 +228,13 @@ def _ends(given: Range | str, name: str, least: fmpq, largest: fmpq) -> tuple[fm
 
 def _columns(lower: fmpq, upper: fmpq) -> list[tuple[fmpq | None, fmpq]]:
     """The part beyond the theorem, cut at the multiples of 1/8."""
-    found: list[tuple[fmpq | None, fmpq]] = []
+    columns: list[tuple[fmpq | None, fmpq]] = []
     begin = max(lower, THEOREM_UP_TO)
     while begin < upper:
         end = min(upper, ((begin / _COLUMN).floor() + 1) * _COLUMN)
-        found.append((begin, end))
+        columns.append((begin, end))
         begin = end
-    return found
+    return columns
 
 
 def _rows(lower: fmpq, upper: fmpq) -> list[tuple[fmpq, fmpq]]:
