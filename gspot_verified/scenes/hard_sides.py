@@ -122,14 +122,14 @@ class WrongSides(NoTruthValue, Written):
                 epsilon=start.epsilon,
                 beta=start.beta,
                 nu=start.nu,
-                side=found.side,
-                K=found.rule.side,
-                shown_K=ball_text(found.rule.side, 3),
-                asymptotic=found.asymptotic,
-                rule_fails=found.rule_fails,
-                verdict=found.verdict,
+                side=certified.side,
+                K=certified.rule.side,
+                shown_K=ball_text(certified.rule.side, 3),
+                asymptotic=certified.asymptotic,
+                rule_fails=certified.rule_fails,
+                verdict=certified.verdict,
             )
-            for start, found in self.certified.items()
+            for start, certified in self.certified.items()
         ]
 
 
@@ -188,9 +188,9 @@ def wrong_sides(chosen: HardSides | None = None, progress: Callable[[str], None]
 
 def _tolerance(text: str) -> float:
     try:
-        found = float(text)
+        tolerance = float(text)
     except ValueError:
         raise SceneError(f"tolerance: expected a number, got {text[:40]!r}") from None
-    if not 1e-13 <= found <= 1e-2:
+    if not 1e-13 <= tolerance <= 1e-2:
         raise SceneError(f"tolerance: expected 1e-13..1e-2, got {text[:40]}")
-    return found
+    return tolerance

@@ -70,8 +70,8 @@ def certified_side(scene: Scene) -> CertifiedSide:
     :raises NotCovered: the scene is not the linear model scene from a state in contact with p > 0.
 
     >>> from gspot_verified.scenes.scene.file import load_scene
-    >>> found = certified_side(load_scene("fig-varsim1", beta="13/2", nu=2))
-    >>> found.side, found.rule_fails
+    >>> certified = certified_side(load_scene("fig-varsim1", beta="13/2", nu=2))
+    >>> certified.side, certified.rule_fails
     ('contact is lost', True)
     """
     model, state = exact_start(scene)
@@ -79,9 +79,9 @@ def certified_side(scene: Scene) -> CertifiedSide:
     if (negative := less(rule.side, 0)) is not None:
         return CertifiedSide(LOST, rule, Verdict.proved(LOST, negative, "K < 0"))
     if sign_of(rule.side) == 1 and model.scaled_epsilon > _SERIES_FROM:
-        found = _by_series(model, state)
-        if found is not None:
-            return CertifiedSide(found.statement, rule, found)
+        verdict = _by_series(model, state)
+        if verdict is not None:
+            return CertifiedSide(verdict.statement, rule, verdict)
     run = compliant_run(model, state, 3)
     if run.verdict.outcome is Outcome.PROVED and run.verdict.statement == LASTING:
         return CertifiedSide(LASTS, rule, Verdict.proved(LASTS, run.verdict.evidence, run.verdict.detail))

@@ -98,8 +98,8 @@ def integrated_run(
             progress=progress,
         )
     samples = None if best.samples is None else best.samples.samples()
-    found = replace(result_of(scene, best.conditions, best.record), samples=samples)
-    return found if kept is None or not kept.failure else replace(found, notes=(kept.failure,))
+    result = replace(result_of(scene, best.conditions, best.record), samples=samples)
+    return result if kept is None or not kept.failure else replace(result, notes=(kept.failure,))
 
 
 @dataclass(frozen=True)
@@ -125,12 +125,12 @@ def _best(
     """The attempt that shows most, of those at the precisions that are tried one after the other."""
     best: _Attempt | None = None
     for precision in precisions:
-        found = _attempt(scene, every, precision, sampled, kept, budget, progress)
-        if best is None or found.reach() >= best.reach():
-            best = found
-        record = found.record
+        attempt = _attempt(scene, every, precision, sampled, kept, budget, progress)
+        if best is None or attempt.reach() >= best.reach():
+            best = attempt
+        record = attempt.record
         narrow = all(_narrow(event, scene.epsilon, digits) for event in record.events)
-        if (narrow and not found.conditions.lost) if record.open is None else record.open.budget:
+        if (narrow and not attempt.conditions.lost) if record.open is None else record.open.budget:
             break
     assert best is not None
     return best
@@ -200,24 +200,24 @@ def _run(scene: Scene, conditions: Conditions, samples: SegmentSamples | None, s
         if samples is not None:
             observer = samples.beside(observer, phase.system, began)
         steps.begins(now.phase, began)
-        found = phase.run(start, end - began, at_zero, observer, steps)
-        if isinstance(found, Open):
-            record.open = replace(found, time=began + found.time)
+        phase_end = phase.run(start, end - began, at_zero, observer, steps)
+        if isinstance(phase_end, Open):
+            record.open = replace(phase_end, time=began + phase_end.time)
             return record
-        start = {**start, **found.states, CLOCK: began + found.time}
+        start = {**start, **phase_end.states, CLOCK: began + phase_end.time}
         # The phase was followed for (end - began).upper(): an event after ``end`` is none of this run.
         after = less(end, start[CLOCK])
-        if found.event is None or after is not None:
-            record.ended = found.evidence if found.event is None else every([found.evidence, after])
+        if phase_end.event is None or after is not None:
+            record.ended = phase_end.evidence if phase_end.event is None else every([phase_end.evidence, after])
             return record
-        shown = every([found.evidence, at_most(start[CLOCK], end)])
+        shown = every([phase_end.evidence, at_most(start[CLOCK], end)])
         if shown is None:
-            record.open = Open(f"whether {found.event.name} comes before the end of the time", start[CLOCK])
+            record.open = Open(f"whether {phase_end.event.name} comes before the end of the time", start[CLOCK])
             return record
-        if found.event.left_out:
-            record.violated = found.event.left_out, start[CLOCK], shown
+        if phase_end.event.left_out:
+            record.violated = phase_end.event.left_out, start[CLOCK], shown
             return record
-        following = phases.after(now.phase, found.event, start)
+        following = phases.after(now.phase, phase_end.event, start)
         record.events.append(event_of(following.event, start[CLOCK], scene.epsilon))
         record.shown.append(shown)
         now = following.phase
@@ -290,19 +290,19 @@ class _ImpactObserver:
         limited = self._known is not None and self._known.until is not None
         if self._region is None or (self._known is not None and not limited):
             return False
-        found = self._region.growth(states)
+        growth = self._region.growth(states)
         time = self._began + segment.end_time
-        if found is None or (limited and found.until is not None):
+        if growth is None or (limited and growth.until is not None):
             return False
-        shown = every([less(0, found.rate), at_most(time, self._end)])
+        shown = every([less(0, growth.rate), at_most(time, self._end)])
         if shown is None:
             return False
-        self._known = found
+        self._known = growth
         if not limited:
             self._record.events.append(event_of(IMPACT, time, self._epsilon))
             self._record.multiples.append(None)
             self._record.shown.append(shown)
-        self._record.multiples[-1] = found.until
-        self._record.remarks.append(growth_words(found, self._sticks, time * self._epsilon if limited else None))
-        self._record.for_ever = found.until is None and found.within is None and self._may_slip_for_ever
+        self._record.multiples[-1] = growth.until
+        self._record.remarks.append(growth_words(growth, self._sticks, time * self._epsilon if limited else None))
+        self._record.for_ever = growth.until is None and growth.within is None and self._may_slip_for_ever
         return self._record.for_ever

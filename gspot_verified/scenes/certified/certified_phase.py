@@ -108,9 +108,9 @@ class CertifiedPhase:
             doubt = self._doubt(segment, arb(0), arb(1))
             if doubt is not None:
                 return Open(f"{doubt} may be negative in contact, where the friction has no sense", segment.time)
-            found = [watch.along(segment) for watch in watches]
-            if any(hit is not None for hit in found):
-                return self._ended(watches, found, segment, start)
+            hits = [watch.along(segment) for watch in watches]
+            if any(hit is not None for hit in hits):
+                return self._ended(watches, hits, segment, start)
             quiet = [watch.excluded(Moment(segment, arb(1))) for watch in watches]
             at_end = self._named(segment.states(arb(1)), start)
             passed = every([less(0, segment.step.h), *quiet])
@@ -137,8 +137,8 @@ class CertifiedPhase:
 
     def _named(self, states: Sequence[arb], start: Mapping[str, arb]) -> dict[str, arb]:
         """The states by name; one whose rate is 0 has its first value, without rounding errors."""
-        found = dict(zip(self.names, states, strict=True))
-        return found | {name: start[name] for name in self._resting}
+        named = dict(zip(self.names, states, strict=True))
+        return named | {name: start[name] for name in self._resting}
 
     def _order(self, event: PhaseEvent, box: list[arb]) -> int | None:
         """Which derivative of the event's function takes it away from 0 at the start; None: it is not certain."""
@@ -155,21 +155,21 @@ class CertifiedPhase:
     def _ended(
         self,
         watches: list[Watch],
-        found: list[Crossing | Unclear | None],
+        hits: list[Crossing | Unclear | None],
         segment: NormSegment,
         start: Mapping[str, arb],
     ) -> PhaseEnd | Open:
         """The event that certainly comes first in this segment."""
-        first = first_crossing(watches, found)
+        first = first_crossing(watches, hits)
         if first is not None:
             crossing, evidence = first
-            event = next(event for event, hit in zip(self.system.events, found, strict=True) if hit is crossing)
+            event = next(event for event, hit in zip(self.system.events, hits, strict=True) if hit is crossing)
             return PhaseEnd(event, crossing.time, self._named(crossing.states, start), evidence)
-        for hit in found:
+        for hit in hits:
             if isinstance(hit, Crossing):
-                others = " and ".join(rivals(hit, watches, found))
+                others = " and ".join(rivals(hit, watches, hits))
                 return Open(f"simultaneous {hit.name} and {others}: their order is not certain", hit.time)
-        unclear = next(hit for hit in found if isinstance(hit, Unclear))
+        unclear = next(hit for hit in hits if isinstance(hit, Unclear))
         return Open(f"{unclear.name}: {self._why(segment)}", unclear.time)
 
     def _why(self, segment: NormSegment) -> str:

@@ -86,10 +86,10 @@ class CertifiedPhases:
             return Following(event.name, self._begins(event.next_phase, touching=False, at_rest=True, order=2))
         if event.name != SLIP_STOPS:
             return Following(event.name, self._touching(phase, states))
-        found = self._resting(states, touching=False)
-        if isinstance(found, Open):
-            return Following(event.name, found)
-        return Following(STICKS if found.phase == STICK else SLIPS[found.phase], found)
+        resting = self._resting(states, touching=False)
+        if isinstance(resting, Open):
+            return Following(event.name, resting)
+        return Following(STICKS if resting.phase == STICK else SLIPS[resting.phase], resting)
 
     def _touching(self, phase: str, states: dict[str, arb]) -> Next | Open:
         """Contact that has just closed."""
@@ -124,15 +124,15 @@ class CertifiedPhases:
 
     def _begins(self, phase: str, touching: bool, at_rest: bool, order: int | None = None) -> Next:
         """The phase, with lift-off or touch-down at zero where y = z, and the end of slip where the contact rests."""
-        found: dict[str, int | None] = {}
+        orders: dict[str, int | None] = {}
         for event in self[phase].system.events:
             opens = phase == FLIGHT or event.next_phase == FLIGHT
             stops = phase in (SLIP, REVERSE) and event.next_phase in (STICK, CONTACT)
             if opens and touching:
-                found[event.name] = None
+                orders[event.name] = None
             if stops and at_rest:
-                found[event.name] = order
-        return Next(phase, found)
+                orders[event.name] = order
+        return Next(phase, orders)
 
     def _hold(self, states: dict[str, arb]) -> None:
         if "u" in states:

@@ -92,23 +92,23 @@ def event_of(name: str, time: arb, epsilon: fmpq) -> RunEvent:
 
 def _assumptions(scene: Scene, conditions: Conditions, record: Record) -> tuple[Assumption, ...]:
     """How each condition of the scene stands after this run."""
-    found = []
+    assumptions = []
     for effect in scene.conditional():
         assert effect.condition is not None
         text, start = effect.condition.text, (fmpq(0), fmpq(0))
         if record.violated is not None and record.violated[0] == effect.name:
-            found.append(Assumption(effect.name, text, VIOLATED, *bracket(record.violated[1], scene.epsilon)))
+            assumptions.append(Assumption(effect.name, text, VIOLATED, *bracket(record.violated[1], scene.epsilon)))
         elif effect.name in conditions.unknown:
-            found.append(Assumption(effect.name, text, ASSUMED, *start, conditions.unknown[effect.name]))
+            assumptions.append(Assumption(effect.name, text, ASSUMED, *start, conditions.unknown[effect.name]))
         elif effect.name in conditions.lost:
             since = bracket(conditions.certain_until, scene.epsilon)
-            found.append(Assumption(effect.name, text, ASSUMED, *since, "neither it nor its contrary is certain"))
+            assumptions.append(Assumption(effect.name, text, ASSUMED, *since, "neither it nor its contrary is certain"))
         elif record.open is not None:
             since = bracket(record.seen, scene.epsilon)
-            found.append(Assumption(effect.name, text, ASSUMED, *since, _NOT_FURTHER))
+            assumptions.append(Assumption(effect.name, text, ASSUMED, *since, _NOT_FURTHER))
         else:
-            found.append(Assumption(effect.name, text, CHECKED))
-    return tuple(found)
+            assumptions.append(Assumption(effect.name, text, CHECKED))
+    return tuple(assumptions)
 
 
 def result_of(scene: Scene, conditions: Conditions, record: Record) -> SceneRun:

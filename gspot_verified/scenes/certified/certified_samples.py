@@ -40,10 +40,10 @@ def certified_samples(run: CompliantRun, until: fmpq, points: int, digits: int =
     first: float | None = None
     for k in range(points):
         time = until * k / (points - 1)
-        found = _values(run, run.start + time, digits)
-        if found is None:
+        sample = _values(run, run.start + time, digits)
+        if sample is None:
             break
-        phase, values = found
+        phase, values = sample
         pairs = [midpoint_and_radius(value) for value in values]
         first = pairs[-1][0] if first is None else first
         if not all(math.isfinite(part) for pair in pairs for part in pair) or pairs[-1][0] > _LARGEST_RATIO * first:
@@ -80,8 +80,8 @@ def _values(run: CompliantRun, time: fmpq, digits: int) -> tuple[str, list[arb]]
     elif time > lift.lower:
         known = land is not None and lift.upper < time < land.lower
         return (FLIGHT, _in_flight(run.model, lift, time, digits)) if known else None
-    found = force(run.model, run.state, time, digits)
-    return SLIP, [arb(found.p), found.b, found.y, found.v, found.z, found.force]
+    contact = force(run.model, run.state, time, digits)
+    return SLIP, [arb(contact.p), contact.b, contact.y, contact.v, contact.z, contact.force]
 
 
 def _in_flight(model: CompliantModel, lift: Event, time: fmpq, digits: int) -> list[arb]:

@@ -126,12 +126,12 @@ def cones(form: ContactForm, at: ContactPoint, bounds: ContactBounds) -> Iterato
                 yield SlowCone(form, a, c, at.force, at.S)
 
 
-def likely_first(found: list[GrowthCone], bounds: ContactBounds) -> list[GrowthCone]:
+def likely_first(candidates: list[GrowthCone], bounds: ContactBounds) -> list[GrowthCone]:
     """The cones that have room for a box of states come first."""
     wider = replace(
         bounds, slope=bounds.slope * _LESS, factor=abs(bounds.factor) * 2, constant=abs(bounds.constant) * 2
     )
-    return sorted(found, key=lambda cone: not cone.is_kept(wider))
+    return sorted(candidates, key=lambda cone: not cone.is_kept(wider))
 
 
 def _load(bounds: ContactBounds, force: arb) -> arb:

@@ -58,16 +58,18 @@ class InvariantRegion:
         bounds = form.bounds(box)
         if not bounds.are_finite():
             return None
-        found = [cone for cone in cones(form, ContactPoint.of(form, box), bounds) if cone.is_kept(bounds)]
+        kept_cones = [cone for cone in cones(form, ContactPoint.of(form, box), bounds) if cone.is_kept(bounds)]
         if form.constant_load:
-            return next((ExponentialGrowth(cone.rate, None) for cone in found if cone.is_kept_for_ever(bounds)), None)
-        found = likely_first(found, bounds)[:_BOXES_TRIED]
-        for cone in found:
+            return next(
+                (ExponentialGrowth(cone.rate, None) for cone in kept_cones if cone.is_kept_for_ever(bounds)), None
+            )
+        kept_cones = likely_first(kept_cones, bounds)[:_BOXES_TRIED]
+        for cone in kept_cones:
             for i in range(len(bounds.stops)):
                 within = self._until_stop(cone, box, bounds, i)
                 if within is not None:
                     return ExponentialGrowth(cone.rate, None, within)
-        for cone in found:
+        for cone in kept_cones:
             times = self._most_times(cone, box)
             if times is not None:
                 return ExponentialGrowth(cone.rate, times)

@@ -72,13 +72,13 @@ class MechanismTerms(Terms):
         if self.phase == FLIGHT:
             return [scaled(self.epsilon, rate) for rate in f.F]
         if self.phase == SLIP:
-            found = [plus(rate, times(push, self.force)) for rate, push in zip(f.F, f.G, strict=True)]
+            rates = [plus(rate, times(push, self.force)) for rate, push in zip(f.F, f.G, strict=True)]
         else:
-            found = [
+            rates = [
                 plus(rate, times(n, self.force), times(t, self.friction))
                 for rate, n, t in zip(f.F, f.G_N, f.G_T, strict=True)
             ]
-        return [scaled(self.epsilon, rate) for rate in found]
+        return [scaled(self.epsilon, rate) for rate in rates]
 
     @property
     def u(self) -> Expression:

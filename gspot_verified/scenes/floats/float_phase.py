@@ -56,7 +56,7 @@ class FloatPhase:
 
         size = len(self.states)
         try:
-            found = solve_ivp(
+            solution = solve_ivp(
                 lambda t, y: self._rates([*map(float, y), t]),
                 span,
                 np.array(state),
@@ -69,9 +69,9 @@ class FloatPhase:
             )
         except (ArithmeticError, ValueError) as error:
             raise SceneError(f"the float run failed in {self.phase}: {error}") from None
-        if not found.success:
-            raise SceneError(f"the float run failed in {self.phase}: {found.message}")
-        return found
+        if not solution.success:
+            raise SceneError(f"the float run failed in {self.phase}: {solution.message}")
+        return solution
 
     def rows(self, times: Sequence[float], states: ndarray[Any, Any]) -> list[list[float]]:
         """t in the paper's units and the read-out, for each time; ``states`` has one column for each."""

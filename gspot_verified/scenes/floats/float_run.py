@@ -205,12 +205,12 @@ class _FloatRun:
         ``begins``: whether the phase begins here; otherwise the piece before has this state already.
         """
         compiled = self._phase(phase)
-        found = compiled.integrate([state[name] for name in compiled.states], span, method, tolerance)
-        time = float(found.t[-1])
-        after = {**state, **dict(zip(compiled.states, map(float, found.y[:, -1]), strict=True))}
-        hits = zip(compiled.ends, found.t_events, strict=True)
+        solution = compiled.integrate([state[name] for name in compiled.states], span, method, tolerance)
+        time = float(solution.t[-1])
+        after = {**state, **dict(zip(compiled.states, map(float, solution.y[:, -1]), strict=True))}
+        hits = zip(compiled.ends, solution.t_events, strict=True)
         ended = next((end for end, times in hits if len(times)), None)
-        rows = _rows(compiled, found, points, begins, ended is not None)
+        rows = _rows(compiled, solution, points, begins, ended is not None)
         if ended is None:
             return SolverPiece(phase, rows, time, after, None, phase)
         name, following = ended
@@ -224,17 +224,17 @@ class _FloatRun:
 
 
 def _rows(
-    compiled: FloatPhase, found: Any, points: tuple[float, int] | None, begins: bool, ends: bool
+    compiled: FloatPhase, solution: Any, points: tuple[float, int] | None, begins: bool, ends: bool
 ) -> list[list[float]]:
     import numpy as np
 
     if points is None:
         skipped = 0 if begins else 1
-        return compiled.rows(found.t[skipped:], found.y[:, skipped:])
+        return compiled.rows(solution.t[skipped:], solution.y[:, skipped:])
     end, count = points
-    first, last = float(found.t[0]), float(found.t[-1])
+    first, last = float(solution.t[0]), float(solution.t[-1])
     equal = (end * k / (count - 1) for k in range(count))
     times = {time for time in equal if first < time <= last}
     times |= ({first} if begins else set()) | ({last} if ends else set())
     at: Sequence[float] = sorted(times)
-    return compiled.rows(at, np.column_stack([found.sol(time) for time in at])) if at else []
+    return compiled.rows(at, np.column_stack([solution.sol(time) for time in at])) if at else []

@@ -70,11 +70,11 @@ class _Compaction:
         return fmpq(1), node
 
     def _sum(self, terms: Sequence[Scaled]) -> Scaled:
-        found: dict[Expression, fmpq] = {}
+        factors: dict[Expression, fmpq] = {}
         for factor, core in terms:
-            found[core] = found.get(core, fmpq(0)) + factor
+            factors[core] = factors.get(core, fmpq(0)) + factor
         kept = sorted(
-            ((core, factor) for core, factor in found.items() if factor != 0),
+            ((core, factor) for core, factor in factors.items() if factor != 0),
             key=lambda term: self._rank.get(term[0], -1),
         )
         if not kept:
@@ -108,15 +108,15 @@ def _product(left: Expression, right: Expression) -> Expression:
         return Product(left, right)
     powers = {base: first.get(base, fmpq(0)) + second.get(base, fmpq(0)) for base in {**first, **second}}
     parts = [_power(base, exponent) for base, exponent in powers.items() if exponent != 0]
-    found: Expression = ONE
+    product: Expression = ONE
     for part in parts:
-        found = part if found is ONE else Product(found, part)
-    return found
+        product = part if product is ONE else Product(product, part)
+    return product
 
 
 def _factors(core: Expression) -> Mapping[Expression, fmpq]:
     """The bases of a product with their exponents; a long product counts as one."""
-    found: dict[Expression, fmpq] = {}
+    exponents: dict[Expression, fmpq] = {}
     waiting = [core]
     while waiting:
         node = waiting.pop()
@@ -124,7 +124,7 @@ def _factors(core: Expression) -> Mapping[Expression, fmpq]:
             waiting += [node.right, node.left]
             continue
         base, exponent = (node.base, node.exponent) if isinstance(node, Power) else (node, fmpq(1))
-        found[base] = found.get(base, fmpq(0)) + exponent
-        if len(found) > _LONGEST_PRODUCT:
+        exponents[base] = exponents.get(base, fmpq(0)) + exponent
+        if len(exponents) > _LONGEST_PRODUCT:
             return {core: fmpq(1)}
-    return found
+    return exponents

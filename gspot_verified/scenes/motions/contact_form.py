@@ -180,10 +180,10 @@ def _constant(expression: Expression) -> fmpq:
 
     :raises NotOfThisForm: it is not seen to be one.
     """
-    found = _rational(expression)
-    if found is None:
+    value = _rational(expression)
+    if value is None:
         raise NotOfThisForm("a coefficient of the contact is not a constant")
-    return found
+    return value
 
 
 def _rational(expression: Expression) -> fmpq | None:

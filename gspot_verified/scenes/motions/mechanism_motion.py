@@ -55,10 +55,10 @@ class NormalCoordinate:
         :raises SceneError: there is none: the contact has no free translation along its normal.
         """
         size = len(state)
-        found = [(i, slope) for i in range(size) if (slope := free_slope(y, i, size)) is not None]
+        slopes = [(i, slope) for i in range(size) if (slope := free_slope(y, i, size)) is not None]
         rates = [(j, slope) for j in range(size) if (slope := free_slope(v, j, size)) is not None]
         used = variable_indices([y])
-        pair = next(((i, j) for i in found for j in rates if i[0] != j[0] and j[0] not in used), None)
+        pair = next(((i, j) for i in slopes for j in rates if i[0] != j[0] and j[0] not in used), None)
         if pair is None:
             raise SceneError(
                 f"{name}: no component of the state in which y is linear with a constant factor (a free translation "
@@ -158,15 +158,15 @@ class MechanismMotion:
         """The components on which what is seen depends, and those on which their rates depend."""
         seen = ["b", "p", *self._sees, *(("a", "A", "B", "C", "mu") if "u" in self._sees else ())]
         waiting = variable_indices(self._functions[name] for name in seen)
-        found: set[int] = set()
+        needed: set[int] = set()
         while waiting:
             i = waiting.pop()
-            if i < self._size and i not in found:
-                found.add(i)
+            if i < self._size and i not in needed:
+                needed.add(i)
                 waiting |= variable_indices(
                     self._functions[name] for name in (*(f"{part} {i}" for part in _FIELDS), "mu")
                 )
-        return sorted(found)
+        return sorted(needed)
 
     @property
     def depends_on_place(self) -> bool:
@@ -197,9 +197,9 @@ class MechanismMotion:
             made = self._shifted.expressions(numbered, RATIONALS)
         except NotRationalError:
             made = self._shifted.expressions(numbered, BALLS)
-        found = dict(zip(wanted, made, strict=True))
-        F, G, G_T, G_N = (tuple(found[f"{part} {i}"] for i in kept) for part in _FIELDS)
-        scalars = (found.get(name, ZERO) for name in (*_SCALARS, "x"))
+        expressions = dict(zip(wanted, made, strict=True))
+        F, G, G_T, G_N = (tuple(expressions[f"{part} {i}"] for i in kept) for part in _FIELDS)
+        scalars = (expressions.get(name, ZERO) for name in (*_SCALARS, "x"))
         functions = Functions(F, G, G_T, G_N, *scalars)
         return MechanismTerms(phase, states, self._epsilon, values, functions, "u" in self._sees)
 
@@ -211,20 +211,20 @@ class MechanismMotion:
     def shown(self, terms: Terms) -> dict[str, Expression]:
         """p and b, u and x where an effect sees them, and the kept components."""
         assert isinstance(terms, MechanismTerms)
-        found = {name: getattr(terms.functions, name) for name in ("p", "b", *self._sees)}
+        shown = {name: getattr(terms.functions, name) for name in ("p", "b", *self._sees)}
         references = {angle.coordinate: f"{angle.coordinate} - {angle.name}" for angle in self.mechanism.angles}
-        return found | {references.get(name, name): terms.state(name) for name in self.kept if name not in found}
+        return shown | {references.get(name, name): terms.state(name) for name in self.kept if name not in shown}
 
     @cached_property
     def _given(self) -> dict[str, fmpq]:
         """The components that the scene gives, exactly, and y, v, z."""
         mechanism = self.mechanism
         solved = {mechanism.state[i]: word for i, word in ((self._normal.place, "y"), (self._normal.velocity, "v"))}
-        found: dict[str, fmpq] = {}
+        given: dict[str, fmpq] = {}
         components = {}
         for name, value in self._start.items():
             if name in ("y", "v", "z"):
-                found[name] = rational(value, f"start: {name}")
+                given[name] = rational(value, f"start: {name}")
             elif name in solved:
                 raise SceneError(f"start: {name} follows from {solved[name]} in this scene: give {solved[name]}")
             elif name == "nu":
@@ -234,7 +234,7 @@ class MechanismMotion:
                 raise SceneError(f"start: this scene has no state {name[:40]!r}; give {', '.join(names)}, y, v, z")
             else:
                 components[name] = state_formula(mechanism, name, value)
-        missing = [name for name in "yvz" if name not in found]
+        missing = [name for name in "yvz" if name not in given]
         if len(missing) not in (0, 3):
             raise SceneError(f"start: the state {missing[0]} is missing; give y, v and z, or none of them")
         placed = replace(mechanism, place=Place(tuple(components.items())))
@@ -243,7 +243,7 @@ class MechanismMotion:
         except (NotRationalError, ValueError) as error:
             raise SceneError(f"start: every component must be a rational number, an angle with a reference counted "
                              f"from it: {error}") from None  # fmt: skip
-        return {**dict.fromkeys("yvz", fmpq(0)), **found, **values}
+        return {**dict.fromkeys("yvz", fmpq(0)), **given, **values}
 
     def _component(self, i: int) -> fmpq:
         name, motion = self.mechanism.state[i], self.mechanism.motion
@@ -294,6 +294,6 @@ class MechanismMotion:
         y, v = constant(given["y"]), constant(given["v"])
         solved = self._normal.solved(y, v)
         functions = self._shifted.expressions(list(solved.values()), BALLS)
-        found = BoxProgram(functions, self._size).values(state)
-        state[self._normal.place], state[self._normal.velocity] = found
+        normal_values = BoxProgram(functions, self._size).values(state)
+        state[self._normal.place], state[self._normal.velocity] = normal_values
         return state

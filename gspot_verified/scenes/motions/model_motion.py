@@ -48,46 +48,46 @@ class ModelMotion:
     def shown(self, terms: Terms) -> dict[str, Expression]:
         """p, b; u and x if they are integrated."""
         assert isinstance(terms, ModelTerms)
-        found = {"p": terms.p, "b": terms.state("b")}
+        shown = {"p": terms.p, "b": terms.state("b")}
         seen = [name for effect in self._effects for name in effect.sees]
         if "u" in seen:
-            found["u"] = terms.u
+            shown["u"] = terms.u
         if "x" in seen:
-            found["x"] = terms.state("x")
-        return found
+            shown["x"] = terms.state("x")
+        return shown
 
     def start(self, values: Mapping[str, fmpq]) -> dict[str, fmpq]:
         """p, b, y, v, z (u, x), exactly; at rest on the surface where y, v, z are not given.
 
         At rest: v = 0, y and z where dv/dt = 0 and dz/dt = 0; 2 b epsilon^2/p and y/2 with the paper's stiffness.
         """
-        found = dict(self._start)
-        factor = found.pop("nu", None)
+        start = dict(self._start)
+        factor = start.pop("nu", None)
         needed = ("p", *(name for effect in self._effects for name in effect.sees))
         for name in needed:
-            if name not in found:
+            if name not in start:
                 raise SceneError(f"start: the state {name} is missing")
-        if ("b" in found) == (factor is not None):
+        if ("b" in start) == (factor is not None):
             raise SceneError("start: give b or nu, one of them")
         if factor is not None:
             drift = (values["beta"] - 1) * values["alpha_1"]
             if drift == 0:
                 raise SceneError("start: nu needs a trivial solution; at beta = 1 there is none: give b")
-            found["b"] = -factor * found["p"] * abs(values["alpha_2"] / drift)
-        for name in found:
+            start["b"] = -factor * start["p"] * abs(values["alpha_2"] / drift)
+        for name in start:
             if name not in ("p", "b", "y", "v", "z", *needed):
                 raise SceneError(f"start: this scene has no state {name!r}")
-        at_rest = [name for name in "yvz" if name not in found]
+        at_rest = [name for name in "yvz" if name not in start]
         if len(at_rest) not in (0, 3):
             raise SceneError(f"start: the state {at_rest[0]} is missing; give y, v and z, or none of them")
         if at_rest:
-            found |= self._at_rest(found, values)
-        return found
+            start |= self._at_rest(start, values)
+        return start
 
-    def _at_rest(self, found: Mapping[str, fmpq], values: Mapping[str, fmpq]) -> dict[str, fmpq]:
-        if found["p"] <= 0:
-            raise SceneError(f"start: at rest on the surface p must be > 0, got {found['p']}; give y, v and z")
-        depth = self._epsilon**2 * found["b"] / found["p"]
+    def _at_rest(self, start: Mapping[str, fmpq], values: Mapping[str, fmpq]) -> dict[str, fmpq]:
+        if start["p"] <= 0:
+            raise SceneError(f"start: at rest on the surface p must be > 0, got {start['p']}; give y, v and z")
+        depth = self._epsilon**2 * start["b"] / start["p"]
         k_1, k_2 = values["k_1"], values["k_2"]
         return {"y": depth * (1 / k_1 + 1 / k_2), "v": fmpq(0), "z": depth / k_1}
 

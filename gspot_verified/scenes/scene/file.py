@@ -115,8 +115,8 @@ def scene_file_schema() -> dict[str, Any]:
     'gspot-verified/scene-file/1'
     """
     place = resources.files("gspot_verified.scenes").joinpath("data", "scene_file.json")
-    found: dict[str, Any] = json.loads(place.read_text(encoding="utf-8"))
-    return found
+    schema: dict[str, Any] = json.loads(place.read_text(encoding="utf-8"))
+    return schema
 
 
 def parse_scene(text: str, folder: Path | None = None) -> Scene:

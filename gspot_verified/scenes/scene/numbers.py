@@ -33,8 +33,8 @@ def scene_number(value: ExactInput, name: str) -> fmpq:
         )
     if isinstance(value, str) and len(value) > MAX_BITS:
         raise SceneError(f"{name}: a number of {len(value)} characters; at most {MAX_BITS} bits are allowed")
-    found = rational(value, name)
-    size = max(int(found.p).bit_length(), int(found.q).bit_length())
+    number = rational(value, name)
+    size = max(int(number.p).bit_length(), int(number.q).bit_length())
     if size > MAX_BITS:
         raise SceneError(f"{name}: a number of {size} bits; at most {MAX_BITS} are allowed")
-    return found
+    return number

@@ -51,8 +51,8 @@ def check_start(
     if "tangential_motion" in effects and "stick" not in effects:
         slip = _slip_sign(motion, values)
         if slip < 0:
-            found = _text(motion.slip_velocity(values))
-            raise SceneError(f"start: u must be >= 0 (positive slip) where stick is left out, got {found}")
+            velocity = _text(motion.slip_velocity(values))
+            raise SceneError(f"start: u must be >= 0 (positive slip) where stick is left out, got {velocity}")
 
 
 def check_rigid_force(motion: Motion, values: Mapping[str, fmpq]) -> None:
@@ -207,15 +207,15 @@ class Scene:
 
     def defaults(self) -> dict[str, fmpq]:
         """The parameters of this scene's effects, and of the model, with their default values."""
-        found = {name: value for effect in self.used() for name, value in effect.parameters.items()}
-        return {**found, **self.motion.parameters}
+        parameters = {name: value for effect in self.used() for name, value in effect.parameters.items()}
+        return {**parameters, **self.motion.parameters}
 
     def values(self) -> dict[str, fmpq]:
         """The parameters with the values that they have; the velocity of the surface is in it where it is known."""
-        found = {**self.defaults(), **self.parameters}
+        values = {**self.defaults(), **self.parameters}
         if self.has_unknown_surface_velocity:
-            del found["belt_velocity"]
-        return found
+            del values["belt_velocity"]
+        return values
 
     @property
     def has_unknown_surface_velocity(self) -> bool:
@@ -301,8 +301,8 @@ class Scene:
     def scaled_initial(self, watched: Sequence[Effect] = ()) -> dict[str, fmpq]:
         """The same with Y, V, Z: the value at T = 0 of every state that is integrated in some phase; ``watched`` as in
         :meth:`system`."""
-        found, small = self._motion_watching(tuple(watched)).start(self.values()), self.epsilon
-        return found | {"Y": found["y"] / small**2, "V": found["v"] / small, "Z": found["z"] / small**2}
+        start, small = self._motion_watching(tuple(watched)).start(self.values()), self.epsilon
+        return start | {"Y": start["y"] / small**2, "V": start["v"] / small, "Z": start["z"] / small**2}
 
     def first_phase(self) -> str:
         """Flight, stick, slip or reverse slip, as y, z and the slip velocity at the start say."""
