@@ -65,8 +65,8 @@ def expand(
         trajectory = terms_of(replace(find_g_spot(source, bits).system, state=source.state), order, bits, progress)
         return trajectory, certain_bits_of(trajectory)
 
-    found, accuracy = until_accurate(attempt, digits, first_bits(order, digits))
-    return replace(found, accuracy=accuracy)
+    expansion, accuracy = until_accurate(attempt, digits, first_bits(order, digits))
+    return replace(expansion, accuracy=accuracy)
 
 
 def _in_balls(system: System, order: int, bits: int, progress: Callable[[int, int], None] | None) -> Trajectory:

@@ -29,11 +29,11 @@ from gspot_verified.numbers.balls import ExactInput, approximate, ball, ball_tex
 from gspot_verified.numbers.evidence import every
 from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
 
-MAX_STEPS = 600
-_PRECISIONS = (160, 400)
-_SAMPLES = 4
-_DISC_BITS = 9
-_FEWEST_TERMS = 4
+MAX_STEPS = 600  # validated steps: a limit against endless work
+_PRECISIONS = (160, 400)  # bits, tried in turn: any is correct, more keep the last balls narrow
+_SAMPLES = 4  # parts of a step that are checked, and points of it that are kept for pictures
+_DISC_BITS = 9  # the disc of Theorem A3 (proofs/approach.md) has at least the radius 2^-9
+_FEWEST_TERMS = 4  # of the distinguished trajectory's polynomial in p: any number is correct
 _TOO_CLOSE = "lift-off and stick happen too close together to tell which comes first"
 
 
@@ -54,19 +54,19 @@ def approach(
 
     >>> from gspot_verified import load
     >>> model = load("model system")
-    >>> found = approach(model, {"x": 0, "u": 3, "p": "1/2", "b": "-2"})
-    >>> found.end, found.side, found.coefficient < 0
+    >>> result = approach(model, {"x": 0, "u": 3, "p": "1/2", "b": "-2"})
+    >>> result.end, result.side, result.coefficient < 0
     ('G-spot', 'lift-off', True)
     """
     shifted = shift(mechanism)
     velocity = None if surface_velocity is None else exact(surface_velocity, "surface_velocity")
     for bits in _PRECISIONS:
         with working_bits(bits):
-            found = _Attempt(shifted, state, velocity, bits, max_steps).result()
-        known = found.coefficient is not None and sign_of(found.coefficient) in (1, -1)
-        if found.exit_code == 0 or known:  # more bits would not say more
-            return found
-    return found
+            outcome = _Attempt(shifted, state, velocity, bits, max_steps).result()
+        known = outcome.coefficient is not None and sign_of(outcome.coefficient) in (1, -1)
+        if outcome.exit_code == 0 or known:  # more bits would not say more
+            return outcome
+    return outcome
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,26 +139,26 @@ class _Attempt:
                 quiet = every(watch.excluded(Moment(segment, arb(1))) for watch in watches)
             self._remember(segment)
             states = segment.after.enclosure()
-            found = capture(self.numbers, states, self.surface)
-            if found is None:
+            neighbourhood = capture(self.numbers, states, self.surface)
+            if neighbourhood is None:
                 loose = capture(self.numbers, states, None)
                 if caught is None and loose is not None and self._near(states, exponent_for(loose, self.bits)):
                     slip = ball_text(loose.numbers.u, 6)
                     return self._open(f"u may fall to the surface's velocity just where p vanishes: u = {slip} there")
                 continue
-            supposed = self.hypotheses.checked(found.box)
+            supposed = self.hypotheses.checked(neighbourhood.box)
             if isinstance(supposed, str):
                 continue
             if caught is None:
                 if quiet is None:
                     continue
-                self.shown += [quiet, found.evidence, supposed]
-            caught = _Caught(states, found)
-            exponent = exponent_for(found, self.bits)
+                self.shown += [quiet, neighbourhood.evidence, supposed]
+            caught = _Caught(states, neighbourhood)
+            exponent = exponent_for(neighbourhood, self.bits)
             if marked is None and self._near(states, exponent):
                 marked = caught
             if marked is not None and self._near(
-                states, last_exponent_for(found, exponent, self.bits, self.flow.dimension)
+                states, last_exponent_for(neighbourhood, exponent, self.bits, self.flow.dimension)
             ):
                 break
         if caught is not None and marked is not None:
@@ -169,10 +169,10 @@ class _Attempt:
         """A hypothesis on the mechanism that is not certain on some part of the segment."""
         self.shown.append(segment.step.evidence)
         for k in range(_SAMPLES):
-            found = self.hypotheses.checked(segment.states(arb((2 * k + 1, -3), (1, -3))))  # [k/4, (k + 1)/4]
-            if isinstance(found, str):
-                return found
-            self.shown.append(found)
+            checked = self.hypotheses.checked(segment.states(arb((2 * k + 1, -3), (1, -3))))  # [k/4, (k + 1)/4]
+            if isinstance(checked, str):
+                return checked
+            self.shown.append(checked)
         return None
 
     def _remember(self, segment: Segment) -> None:
@@ -225,9 +225,9 @@ class _Attempt:
             why=why,
         )
 
-    def _spot(self, found: Capture) -> list[arb]:
+    def _spot(self, neighbourhood: Capture) -> list[arb]:
         """The G-spot that is reached; the only one near, where it is isolated, is enclosed more tightly."""
-        box = list(found.box)
+        box = list(neighbourhood.box)
         if len(box) != 4:
             return box
         tight = krawczyk(self.numbers.conditions, self.numbers.condition_rows, box)
@@ -328,11 +328,11 @@ class _Attempt:
     def _texts(self, values: list[arb]) -> tuple[tuple[str, str], ...]:
         """Components as text; an angle as ``reference + deviation``."""
         references = {angle.coordinate: angle.name for angle in self.mechanism.angles}
-        found = []
+        components = []
         for word, value in zip(self.mechanism.state, values, strict=False):
             text = ball_text(value)
-            found.append((word, f"{references[word]} + {text}" if word in references else text))
-        return tuple(found)
+            components.append((word, f"{references[word]} + {text}" if word in references else text))
+        return tuple(components)
 
     def _path(self) -> SlipPath:
         numbers = [self.numbers.on(states) for _, states in self.rows]

@@ -116,18 +116,18 @@ class Approach(NoTruthValue, Written):
     @property
     def warnings(self) -> tuple[str, ...]:
         """What the statement supposes beyond the mechanism."""
-        found = []
+        texts = []
         if self.supposed:
-            found.append(
+            texts.append(
                 f"the state is supposed to lie on the contact: {', '.join(self.supposed)} = 0 there is not shown, its "
                 "ball holds 0; leave out two components that y = 0 and v = 0 determine"
             )
         if self.surface_velocity is None and self.least_slip is not None:
-            found.append(
+            texts.append(
                 f"u is not positive here: positive slip needs a surface that moves with a velocity below "
                 f"{ball_text(self.least_slip, 6)}; nothing is said about stick"
             )
-        return tuple(found)
+        return tuple(texts)
 
     def _where(self) -> str:
         return "the G-spot" if self.end == "G-spot" else "there"

@@ -15,7 +15,7 @@ from gspot_verified.numbers.balls import add_remainder, current_bits
 from gspot_verified.numbers.evidence import every, in_interior, less
 from gspot_verified.numbers.verdict import Evidence
 
-_INFLATIONS = 4
+_INFLATIONS = 4  # tries to inflate a box until nothing leaves it: any number is correct
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,19 +50,19 @@ def capture(numbers: SlipNumbers, states: Sequence[arb], least_slip: arb | None)
     rounding = arb(2) ** (8 - current_bits())
     inside = at
     for _ in range(_INFLATIONS):
-        found = _reach(at, inside)
-        if found is None:
+        bounds = _reach(at, inside)
+        if bounds is None:
             return None
         # A component that does not move here may move in the neighbourhood: inflate until nothing leaves it.
         box = tuple(
             add_remainder(side, 2 * far + rounding * (1 + abs(side)))
-            for side, far in zip(states, found[0], strict=False)
+            for side, far in zip(states, bounds[0], strict=False)
         )
         inside = numbers.on(box)
-        found = _reach(at, inside)
-        if found is None:
+        bounds = _reach(at, inside)
+        if bounds is None:
             return None
-        reach, time, integral, first, third = found
+        reach, time, integral, first, third = bounds
         stays = every(
             in_interior(add_remainder(old, far), new) for old, new, far in zip(states, box, reach, strict=False)
         )

@@ -20,18 +20,18 @@ def coefficient_above_one(
     numbers: SlipNumbers,
     field: VectorField,
     states: Sequence[arb],
-    found: Capture,
+    neighbourhood: Capture,
     place: Sequence[arb],
     order: int,
     disc: arb,
 ) -> arb | None:
     """C_1 from a state at a small p, where β > 1; None when a hypothesis is not certain.
 
-    ``field`` is (S, R), ``found`` the capture of ``states``, ``place`` encloses the G-spot; ``order`` and ``disc`` are
-    those of the distinguished trajectory's polynomial.
+    ``field`` is (S, R), ``neighbourhood`` the capture of ``states``, ``place`` encloses the G-spot; ``order`` and
+    ``disc`` are those of the distinguished trajectory's polynomial.
     """
     at = numbers.on(states)
-    inside = found.numbers
+    inside = neighbourhood.numbers
     if not inside.alpha_3 < inside.alpha_1:
         return None
     goal = inside.alpha_2 / (inside.alpha_3 - inside.alpha_1)
@@ -45,7 +45,7 @@ def coefficient_above_one(
     whole = hull([arb(0), at.p.upper()])
     sides = []
     for polynomial, side in zip(
-        (*trajectory.state, trajectory.force), (*found.box, hull([at.force, goal])), strict=True
+        (*trajectory.state, trajectory.force), (*neighbourhood.box, hull([at.force, goal])), strict=True
     ):
         around = hull([side, polynomial(whole)])
         sides.append(add_remainder(around, around.rad()))
@@ -71,10 +71,10 @@ def coefficient_above_one(
 
 
 def coefficient_below_one(
-    numbers: SlipNumbers, states: Sequence[arb], found: Capture, place: Sequence[arb]
+    numbers: SlipNumbers, states: Sequence[arb], neighbourhood: Capture, place: Sequence[arb]
 ) -> arb | None:
     """C_1 < 0 from a state at a small p, where β < 1; None when a hypothesis is not certain."""
-    at, inside, star = numbers.on(states), found.numbers, numbers.on(place)
+    at, inside, star = numbers.on(states), neighbourhood.numbers, numbers.on(place)
     # λ grows at least like exp(growth s): the integral of 1/λ.
     push = inside.alpha_2.upper().max(arb(0))
     growth = (inside.alpha_3 - inside.alpha_1).lower() - push / at.force.lower()
@@ -83,9 +83,9 @@ def coefficient_below_one(
     inverse_force = 1 / (at.force.lower() * growth)
     F, G = _largest(inside.F), _largest(inside.G)
     p, second = at.p.abs_upper(), inside.alpha_2.abs_upper()
-    first, third = found.decay_1, found.decay_3
-    distance = F * p / first**2 + G * (found.integral_of_b + second * p / first**2) / third
-    slopes = sum((slope.abs_upper() for slope in numbers.beta_slopes(found.box)), arb(0))
+    first, third = neighbourhood.decay_1, neighbourhood.decay_3
+    distance = F * p / first**2 + G * (neighbourhood.integral_of_b + second * p / first**2) / third
+    slopes = sum((slope.abs_upper() for slope in numbers.beta_slopes(neighbourhood.box)), arb(0))
     omega = second * inverse_force + inside.alpha_1.abs_upper() * slopes * distance
     beta = star.alpha_3 / star.alpha_1
     value = (-star.alpha_1) ** beta * at.b * at.p ** (-beta) * add_remainder(arb(0), omega).exp()

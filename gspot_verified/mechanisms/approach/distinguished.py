@@ -75,8 +75,8 @@ def taylor_in_p(field: VectorField, place: Sequence[arb], order: int) -> Disting
         with series_length(k + 1):
             R = field.series([arb_series(row, k + 1) for row in (*rows, [*force, arb(0)])])[size]
         force.append(_term(R, k) / (k - exponent))
-    found = [arb_poly(row) for row in rows]
-    return Distinguished(tuple(found), arb_poly(force), exponent, order)
+    polynomials = [arb_poly(row) for row in rows]
+    return Distinguished(tuple(polynomials), arb_poly(force), exponent, order)
 
 
 def _term(series: arb_series, k: int) -> arb:
@@ -84,15 +84,15 @@ def _term(series: arb_series, k: int) -> arb:
     return terms[k] if k < len(terms) else arb(0)
 
 
-def force_at(field: VectorField, found: Distinguished, p: arb, disc: arb, region: FlowBounds) -> arb | None:
+def force_at(field: VectorField, trajectory: Distinguished, p: arb, disc: arb, region: FlowBounds) -> arb | None:
     """λ on the distinguished trajectory at p, 0 < p < disc, or None when a hypothesis of Theorem A3 is not certain.
 
     ``region`` must hold the trajectory for all smaller p.
     """
-    n = found.order
+    n = trajectory.order
     if not (p > 0 and p < disc):
         return None
-    bounds = _bounds(field, found, disc)
+    bounds = _bounds(field, trajectory, disc)
     if bounds is None:
         return None
     last = p.upper()
@@ -110,17 +110,17 @@ def force_at(field: VectorField, found: Distinguished, p: arb, disc: arb, region
     E = (region.R_state * H + d_R) / gap
     whole = hull([arb(0), last])
     power = last ** (n + 1)
-    widths = (*[H] * len(found.state), E)
-    for polynomial, side, width in zip((*found.state, found.force), region.box, widths, strict=True):
+    widths = (*[H] * len(trajectory.state), E)
+    for polynomial, side, width in zip((*trajectory.state, trajectory.force), region.box, widths, strict=True):
         if not side.contains_interior(add_remainder(polynomial(whole), width * power)):
             return None
-    return add_remainder(found.force(p), E * power)
+    return add_remainder(trajectory.force(p), E * power)
 
 
-def _bounds(field: VectorField, found: Distinguished, disc: arb) -> tuple[arb, arb] | None:
+def _bounds(field: VectorField, trajectory: Distinguished, disc: arb) -> tuple[arb, arb] | None:
     """Bounds on |S| and |R| along the polynomials on the complex disc |p| <= disc."""
     box = []
-    for polynomial in (*found.state, found.force):
+    for polynomial in (*trajectory.state, trajectory.force):
         start, *rest = polynomial.coeffs() or [arb(0)]
         reach = arb_poly([0, *(abs(c) for c in rest)])(disc)
         box.append(acb(add_remainder(start, reach), add_remainder(arb(0), reach)))

@@ -40,8 +40,8 @@ class SlipFlow:
         f = shifted.functions
         scalars = (f.y, f.v, f.p, f.b, f.u, f.alpha_1, f.alpha_2, f.alpha_3)
         size = len(f.F)
-        found = shifted.expressions([*f.F, *f.G, *scalars], BALLS)
-        return cls(tuple(found[:size]), tuple(found[size : 2 * size]), *found[2 * size :])
+        expressions = shifted.expressions([*f.F, *f.G, *scalars], BALLS)
+        return cls(tuple(expressions[:size]), tuple(expressions[size : 2 * size]), *expressions[2 * size :])
 
     @property
     def dimension(self) -> int:
@@ -92,9 +92,9 @@ class SlipNumbers:
 
     def on(self, box: Sequence[arb]) -> Numbers:
         """On one box."""
-        found = self._program.values(list(box[: self._size]))
-        p, b, u, first, second, third = found[:6]
-        F, G = found[6 : 6 + self._size], found[6 + self._size :]
+        values = self._program.values(list(box[: self._size]))
+        p, b, u, first, second, third = values[:6]
+        F, G = values[6 : 6 + self._size], values[6 + self._size :]
         return Numbers(p=p, b=b, u=u, alpha_1=first, alpha_2=second, alpha_3=third, F=tuple(F), G=tuple(G))
 
     def beta_slopes(self, box: Sequence[arb]) -> list[arb]:

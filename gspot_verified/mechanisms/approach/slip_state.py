@@ -23,8 +23,8 @@ from gspot_verified.mechanisms.spots.g_spot import place_in
 from gspot_verified.mechanisms.zeros.krawczyk import krawczyk
 from gspot_verified.numbers.balls import ExactInput, add_remainder, ball_text, current_bits, sign_of
 
-_NEWTON_STEPS = 40
-_INFLATIONS = 8
+_NEWTON_STEPS = 40  # a limit of effort
+_INFLATIONS = 8  # tries, each 32 times as wide: any number is correct, Krawczyk's test decides
 
 StateInput = Mapping[str, ExactInput]
 """A number, or a formula of parameters and reference angles such as "phi_ref + 1/10", for components of the state."""
@@ -69,8 +69,8 @@ def slip_state(shifted: Shifted, state: StateInput) -> SlipState:
     box = _values(shifted, state, missing)
     program = BoxProgram(shifted.expressions([shifted.functions.y, shifted.functions.v], BALLS), len(box))
     if missing:
-        found = _solved(mechanism, program, box, missing)
-        return SlipState(found, tuple(missing), _supposed_constraints(shifted, found))
+        solution = _solved(mechanism, program, box, missing)
+        return SlipState(solution, tuple(missing), _supposed_constraints(shifted, solution))
     constraints = _supposed_constraints(shifted, box)
     y, v = program.values(box)
     for name, value in (("y", y), ("v", v)):
@@ -113,13 +113,13 @@ def _values(shifted: Shifted, state: StateInput, missing: Sequence[str]) -> list
     values |= {word: start.get(word, constant(0)) for word in missing}
     placed = replace(mechanism, place=Place(tuple(values.items())))
     try:
-        found = place_in(replace(shifted, mechanism=placed), BALLS)
+        components = place_in(replace(shifted, mechanism=placed), BALLS)
     except ValueError as error:
         raise StateError(f"{mechanism.name}: {error}") from None
-    for word, value in found.items():
+    for word, value in components.items():
         if not value.is_finite():
             raise StateError(f"{mechanism.name}: {word} is not finite")
-    return [found[word] for word in mechanism.state]
+    return [components[word] for word in mechanism.state]
 
 
 def state_formula(mechanism: Mechanism, word: str, value: ExactInput) -> Expression:
@@ -174,8 +174,8 @@ def _solved(mechanism: Mechanism, program: BoxProgram, box: list[arb], missing: 
     width = reduce(arb.max, (side.rad() for side in box), arb(0))
     radius = 16 * width + arb(2) ** (16 - current_bits())
     for _ in range(_INFLATIONS):
-        found = krawczyk(values, rows, [add_remainder(value, radius * (1 + abs(value))) for value in pair])
-        if found is not None:
-            return tuple(put(found))
+        solution = krawczyk(values, rows, [add_remainder(value, radius * (1 + abs(value))) for value in pair])
+        if solution is not None:
+            return tuple(put(solution))
         radius = radius * 32
     raise refusal

@@ -70,28 +70,28 @@ def lagrangian_input(mechanism: Mechanism, motion: Lagrangian, prepare: Prepare)
     forces, constraints = tuple(rest[n * n : n * n + n]), tuple(rest[n * n + n :])
     glide = (*(Variable(n + i) for i in range(n)), *[ZERO] * n, *[ONE] * (m - 2 * n))
     x, u = (None, first) if mechanism.x is None else (first, along(glide, first))
-    found = LagrangianInput(
+    given = LagrangianInput(
         n=n, m=m, glide=glide, rows=rows, forces=forces, constraints=constraints, x=x, u=u, y=y, mu=mu
     )
-    _check_velocities(mechanism.name, found)
-    return found
+    _check_velocities(mechanism.name, given)
+    return given
 
 
-def _check_velocities(name: str, found: LagrangianInput) -> None:
-    velocities = set(range(found.n, 2 * found.n))
+def _check_velocities(name: str, given: LagrangianInput) -> None:
+    velocities = set(range(given.n, 2 * given.n))
 
     def depend(functions: Sequence[Expression]) -> bool:
         return bool(variable_indices(functions) & velocities)
 
-    if depend([found.y, *([] if found.x is None else [found.x])]):
+    if depend([given.y, *([] if given.x is None else [given.x])]):
         raise MechanismError(f"{name}: x and y must not depend on velocities")
-    if depend(simplified(*(partial_derivative(found.u, i, found.m) for i in sorted(velocities)))):
+    if depend(simplified(*(partial_derivative(given.u, i, given.m) for i in sorted(velocities)))):
         raise MechanismError(f"{name}: the slip velocity must be linear in the velocities")
-    if depend(found.constraints):
+    if depend(given.constraints):
         raise MechanismError(f"{name}: a constraint must not depend on velocities")
-    if depend([entry for row in found.rows for entry in row]):
+    if depend([entry for row in given.rows for entry in row]):
         raise MechanismError(f"{name}: the mass matrix must not depend on velocities")
-    if depend([found.mu]):
+    if depend([given.mu]):
         raise MechanismError(
             f"{name}: the friction coefficient must not depend on velocities: L_G p must vanish (Lagrangian "
             "character, Sec. 2, eq. lagrangian2), and where p = C - mu B = 0 with A C > B^2, a coefficient mu(u) gives "

@@ -14,7 +14,7 @@ from gspot_verified.mechanisms.derive.derived import Derived
 from gspot_verified.mechanisms.formulas.in_sympy import to_sympy
 from gspot_verified.mechanisms.input.mechanism import Lagrangian, Mechanism, MechanismError
 
-MAX_OPERATIONS = 10_000
+MAX_OPERATIONS = 10_000  # of b and p in sympy; a fifth for u and v: a limit against endless derivatives
 
 
 def lie_derivative(field: Sequence[Any], function: Any, state: Sequence[Any]) -> Any:
@@ -38,8 +38,8 @@ def derive(mechanism: Mechanism, substitute: bool = True) -> Derived[Any]:
 
     >>> from gspot_verified.mechanisms.input.given import lagrangian
     >>> drop = lagrangian("drop", ["x", "y"], [[2, 0], [0, 2]], [0, "-2*g"], "x", "y", "1/2", {"g": 1})
-    >>> found = derive(drop)
-    >>> found.v, found.b, found.p
+    >>> derived = derive(drop)
+    >>> derived.v, derived.b, derived.p
     (y_dot, -1, 1/2)
     """
     read = Reader(mechanism, substitute)
@@ -149,27 +149,27 @@ def minor(rows: Sequence[Sequence[Any]], over: Sequence[int], columns: Sequence[
     return sympy.Add(*terms)
 
 
-def lagrangian_conditions(mechanism: Mechanism, found: Derived[Any]) -> dict[str, Any]:
+def lagrangian_conditions(mechanism: Mechanism, derived: Derived[Any]) -> dict[str, Any]:
     """What eqs. lagrangian1 and lagrangian2 say must vanish identically, by name."""
     state = mechanism.symbols
     checks = {
         f"L_{name} {letter}": lie_derivative(field, function, state)
-        for name, field in (("GT", found.G_T), ("GN", found.G_N))
-        for letter, function in (("x", found.x), ("y", found.y))
+        for name, field in (("GT", derived.G_T), ("GN", derived.G_N))
+        for letter, function in (("x", derived.x), ("y", derived.y))
         if function is not None
     }
     if not isinstance(mechanism.motion, Lagrangian):  # there it is the symmetry of the mass matrix, which is checked
-        checks["L_GN u - L_GT v"] = found.B - lie_derivative(found.G_T, found.v, state)
-    checks["L_G p"] = lie_derivative(found.G, found.p, state)
+        checks["L_GN u - L_GT v"] = derived.B - lie_derivative(derived.G_T, derived.v, state)
+    checks["L_G p"] = lie_derivative(derived.G, derived.p, state)
     return checks
 
 
-def check_lagrangian_conditions(mechanism: Mechanism, found: Derived[Any]) -> None:
+def check_lagrangian_conditions(mechanism: Mechanism, derived: Derived[Any]) -> None:
     """Checks eqs. lagrangian1, lagrangian2 and B = L_GN u = L_GT v as identities in the state.
 
     :raises MechanismError: one of them is not the zero function, or was not shown to be.
     """
-    for name, function in lagrangian_conditions(mechanism, found).items():
+    for name, function in lagrangian_conditions(mechanism, derived).items():
         if not vanishes_identically(function):
             raise MechanismError(
                 f"{mechanism.name}: {name} must vanish (Lagrangian character, Sec. 2, eqs. lagrangian1, lagrangian2), "

@@ -16,7 +16,7 @@ from gspot_verified.functions.expressions import Expression
 from gspot_verified.mechanisms.formulas.simplify import constant, power_of, product_of, sum_of
 
 Row = Sequence[Expression]
-_BY_MINORS = 3
+_BY_MINORS = 3  # up to this size the inverse is adjugate over determinant, which is the shorter formula
 
 
 class SingularMatrixError(ValueError):
@@ -49,11 +49,11 @@ class MassInverse:
         """M^-1 times a vector."""
         if self._size <= _BY_MINORS:
             return [product_of(_dot(row, right), self._scale) for row in self._adjugate]
-        found = [product_of(part, inverse) for part, inverse in zip(self._forward(right), self._pivots, strict=True)]
+        solution = [product_of(part, inverse) for part, inverse in zip(self._forward(right), self._pivots, strict=True)]
         for i in reversed(range(self._size)):
-            later = [_minus(self._lower[j][i], found[j]) for j in range(i + 1, self._size)]
-            found[i] = sum_of(found[i], *later)
-        return found
+            later = [_minus(self._lower[j][i], solution[j]) for j in range(i + 1, self._size)]
+            solution[i] = sum_of(solution[i], *later)
+        return solution
 
     def form(self, left: Row, right: Row) -> Expression:
         """left^T M^-1 right."""
@@ -64,10 +64,10 @@ class MassInverse:
 
     def _forward(self, right: Row) -> list[Expression]:
         """L^-1 times a vector."""
-        found: list[Expression] = []
+        solution: list[Expression] = []
         for i, part in enumerate(right):
-            found.append(sum_of(part, *(_minus(self._lower[i][j], found[j]) for j in range(i))))
-        return found
+            solution.append(sum_of(part, *(_minus(self._lower[i][j], solution[j]) for j in range(i))))
+        return solution
 
 
 def _eliminated(rows: Sequence[Row]) -> tuple[list[list[Expression]], list[Expression]]:

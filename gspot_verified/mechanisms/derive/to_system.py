@@ -43,8 +43,8 @@ from gspot_verified.mechanisms.formulas.simplify import (
 from gspot_verified.mechanisms.formulas.symbol import PI, Symbol, symbol_names
 from gspot_verified.mechanisms.input.mechanism import Lagrangian, Mechanism, MechanismError, ReferenceAngle
 
-_MAX_TURNS = 64
-_MAX_MULTIPLIED_OUT = 64
+_MAX_TURNS = 64  # largest multiple of a reference angle whose sine and cosine are computed: they grow long
+_MAX_MULTIPLIED_OUT = 64  # terms: longer products stay products
 
 
 class Preparation:
@@ -139,17 +139,17 @@ def _multiple(angle: ReferenceAngle, count: int) -> tuple[fmpq, fmpq]:
     return sine, cosine
 
 
-def check_lagrangian_character(mechanism: Mechanism, found: Derived[Expression]) -> None:
+def check_lagrangian_character(mechanism: Mechanism, derived: Derived[Expression]) -> None:
     """Checks eqs. lagrangian1, lagrangian2 and B = L_GN u = L_GT v as identities in the state.
 
     :raises MechanismError: one of them is not the zero function, or was not shown to be.
     """
     if isinstance(mechanism.motion, Lagrangian):
         return
-    places = [found.y] if found.x is None else [found.x, found.y]
-    checks = [along(field, function) for function in places for field in (found.G_T, found.G_N)]
-    checks.append(minus(found.B, along(found.G_T, found.v)))
-    checks.append(along(found.G, found.p))
+    places = [derived.y] if derived.x is None else [derived.x, derived.y]
+    checks = [along(field, function) for function in places for field in (derived.G_T, derived.G_N)]
+    checks.append(minus(derived.B, along(derived.G_T, derived.v)))
+    checks.append(along(derived.G, derived.p))
     if all(check is ZERO for check in checks):
         return
     from gspot_verified.mechanisms.derive.lie_derivatives import check_lagrangian_conditions, derive
@@ -179,8 +179,8 @@ class Shifted:
         motion = self.mechanism.motion
         if not isinstance(motion, Lagrangian):
             return ()
-        found = self.prepare(motion.constraints)
-        return (*found, *(along(self.functions.F, constraint) for constraint in found))
+        prepared = self.prepare(motion.constraints)
+        return (*prepared, *(along(self.functions.F, constraint) for constraint in prepared))
 
     def expressions(
         self, functions: Sequence[Expression], ring: Ring, symbols: Mapping[str, Expression] | None = None
@@ -251,14 +251,14 @@ def to_system(
     f = shifted.functions
     m = len(shifted.mechanism.state)
     scalars = [f.y, f.v, f.p, f.b, f.alpha_1, f.alpha_2, f.alpha_3]
-    found = shifted.expressions([*f.F, *f.G, *scalars, *conditions], ring)
-    J = tuple(found[2 * m + 7 :])
-    y, v, p, b, first, second, third = found[2 * m : 2 * m + 7]
+    expressions = shifted.expressions([*f.F, *f.G, *scalars, *conditions], ring)
+    J = tuple(expressions[2 * m + 7 :])
+    y, v, p, b, first, second, third = expressions[2 * m : 2 * m + 7]
     point = tuple(values[word] for word in shifted.mechanism.state)
     return System(
         name=name or shifted.mechanism.name,
-        F=tuple(found[:m]),
-        G=tuple(found[m : 2 * m]),
+        F=tuple(expressions[:m]),
+        G=tuple(expressions[m : 2 * m]),
         y=y,
         v=v,
         p=p,

@@ -31,11 +31,11 @@ from gspot_verified.mechanisms.formulas.simplify import (
 )
 from gspot_verified.mechanisms.formulas.symbol import PI, Symbol
 
-MAX_LENGTH = 10_000
-MAX_DEPTH = 50
-MAX_POWER = 64
-MAX_NESTED_FUNCTIONS = 6
-MAX_DIGITS = 100
+MAX_LENGTH = 10_000  # characters; this and the next four: limits against hostile input
+MAX_DEPTH = 50  # open brackets and powers, far below Python's own limit of recursion
+MAX_POWER = 64  # of an exponent, and of the product of nested ones
+MAX_NESTED_FUNCTIONS = 6  # derivatives of nested functions grow fast
+MAX_DIGITS = 100  # characters of one number
 
 _TOKEN = re.compile(
     rf"\s*(?:(?P<number>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(?P<name>[{LETTERS}_][{LETTERS}0-9_]*)"

@@ -39,7 +39,7 @@ def to_sympy(expression: Expression, state: Sequence[str] = ()) -> Any:
     def constant_of(value: Any) -> Any:
         return rational(value) if isinstance(value, fmpq) else _symbol(Constant(value))
 
-    found = translated(
+    translations = translated(
         [expression],
         Target(
             variable=lambda index: sympy.Symbol(state[index]),
@@ -51,7 +51,7 @@ def to_sympy(expression: Expression, state: Sequence[str] = ()) -> Any:
             other=_symbol,
         ),
     )
-    return found[0]
+    return translations[0]
 
 
 def _symbol(node: Expression) -> Any:
@@ -124,5 +124,5 @@ def sympy_formula(text: str, names: Mapping[str, Any]) -> Any:
     """
     import sympy
 
-    found = to_sympy(parse_formula(text, {name: Symbol(name) for name in names}))
-    return found.xreplace({sympy.Symbol(name): value for name, value in names.items()})
+    expression = to_sympy(parse_formula(text, {name: Symbol(name) for name in names}))
+    return expression.xreplace({sympy.Symbol(name): value for name, value in names.items()})

@@ -65,5 +65,5 @@ def nearest(name: str, known: Iterable[str]) -> str:
     >>> nearest("thetta", ["theta", "phi"])
     "; did you mean 'theta'?"
     """
-    found = get_close_matches(name[:40], list(known)[:1000], 1)
-    return f"; did you mean {found[0]!r}?" if found else ""
+    matches = get_close_matches(name[:40], list(known)[:1000], 1)
+    return f"; did you mean {matches[0]!r}?" if matches else ""

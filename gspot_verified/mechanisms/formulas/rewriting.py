@@ -77,5 +77,5 @@ def along(field: Sequence[Expression], function: Expression) -> Expression:
     >>> along([Variable(1), constant(-1)], Variable(0))
     Variable(index=1)
     """
-    (found,) = simplified(lie_derivative(function, field))
-    return found
+    (derivative,) = simplified(lie_derivative(function, field))
+    return derivative

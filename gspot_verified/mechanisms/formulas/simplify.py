@@ -27,9 +27,8 @@ from gspot_verified.functions.expressions import (
 )
 from gspot_verified.mechanisms.formulas.symbol import Symbol
 
-MAX_NUMBER_BITS = 20_000
-_OPENED = 12
-_HALF = fmpq(1, 2)
+MAX_NUMBER_BITS = 20_000  # numerator and denominator together: a limit against powers of powers
+_OPENED = 12  # terms or factors: longer sums and products count as one, any number is correct
 
 
 class NumberTooLargeError(ValueError):
@@ -71,12 +70,12 @@ def sum_of(*terms: Expression) -> Expression:
     >>> sum_of(y, x, product_of(constant(-1), y)) == x
     True
     """
-    found: dict[frozenset[tuple[Expression, str]], tuple[fmpq, Expression]] = {}
+    collected: dict[frozenset[tuple[Expression, str]], tuple[fmpq, Expression]] = {}
     for coefficient, rest in _opened(terms):
         key = frozenset((base, str(exponent)) for base, exponent in _factors(rest).items())
-        before, first = found.get(key, (fmpq(0), rest))
-        found[key] = before + coefficient, first
-    kept = [(c, rest) for c, rest in found.values() if c != 0]
+        before, first = collected.get(key, (fmpq(0), rest))
+        collected[key] = before + coefficient, first
+    kept = [(c, rest) for c, rest in collected.values() if c != 0]
     made = [_scaled(c, rest) for c, rest in sorted(kept, key=lambda term: _rank(term[1]))]
     if not made:
         return ZERO
@@ -84,14 +83,14 @@ def sum_of(*terms: Expression) -> Expression:
 
 
 def _opened(terms: Iterable[Expression]) -> list[tuple[fmpq, Expression]]:
-    found = []
+    opened = []
     for term in terms:
         coefficient, rest = split(term)
         if isinstance(rest, Sum) and len(rest.terms) <= _OPENED:
-            found += [(coefficient * inner, part) for inner, part in map(split, rest.terms)]
+            opened += [(coefficient * inner, part) for inner, part in map(split, rest.terms)]
         else:
-            found.append((coefficient, rest))
-    return found
+            opened.append((coefficient, rest))
+    return opened
 
 
 def _rank(rest: Expression) -> tuple[int, int, str]:
@@ -161,7 +160,7 @@ def _scaled(coefficient: fmpq, rest: Expression) -> Expression:
 
 def _factors(expression: Expression) -> dict[Expression, fmpq]:
     """The bases of a product with their exponents; a long product counts as one base."""
-    found: dict[Expression, fmpq] = {}
+    exponents: dict[Expression, fmpq] = {}
     waiting = [expression]
     while waiting:
         node = waiting.pop()
@@ -169,10 +168,10 @@ def _factors(expression: Expression) -> dict[Expression, fmpq]:
             waiting += [node.right, node.left]
         elif node is not ONE:
             base, exponent = (node.base, node.exponent) if isinstance(node, Power) else (node, fmpq(1))
-            found[base] = found.get(base, fmpq(0)) + exponent
-        if len(found) > _OPENED:
+            exponents[base] = exponents.get(base, fmpq(0)) + exponent
+        if len(exponents) > _OPENED:
             return {expression: fmpq(1)}
-    return found
+    return exponents
 
 
 def power_of(base: Expression, exponent: fmpq) -> Expression:

@@ -77,7 +77,7 @@ from gspot_verified.mechanisms.input.given import from_energies, from_fields, la
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.input.toml_table import TomlTable, formula_value, shown_value, toml_table
 
-MAX_BYTES = 200_000
+MAX_BYTES = 200_000  # of a file: a limit against hostile input
 KEYS: dict[str, tuple[str, ...]] = {
     "": (
         "format",
@@ -174,10 +174,10 @@ def _contact(table: TomlTable) -> dict[str, Any]:
     if table.has("x") and table.has("slip_velocity"):
         raise MechanismError('table "contact": x or slip_velocity, not both')
     tangential = "slip_velocity" if table.has("slip_velocity") else "x"
-    found: dict[str, Any] = {"x": None, tangential: table.formula(tangential)}
+    contact: dict[str, Any] = {"x": None, tangential: table.formula(tangential)}
     if table.has("slip"):
-        found["slip"] = table.text("slip")
-    return found | {"y": table.formula("y"), "mu": table.formula("mu")}
+        contact["slip"] = table.text("slip")
+    return contact | {"y": table.formula("y"), "mu": table.formula("mu")}
 
 
 def _regularisation(table: TomlTable) -> dict[str, Any]:
@@ -187,25 +187,25 @@ def _regularisation(table: TomlTable) -> dict[str, Any]:
 
 def _g_spot(table: TomlTable) -> dict[str, Any]:
     table.only(KEYS)
-    found: dict[str, Any] = {"place": table.table("point").all_formulas()}
+    g_spot: dict[str, Any] = {"place": table.table("point").all_formulas()}
     if table.has("search"):
-        found["search"] = table.get("search", bool, "true or false")
+        g_spot["search"] = table.get("search", bool, "true or false")
     if table.has("fixed") and table.has("conditions"):
         raise MechanismError('table "g_spot": fixed or conditions, not both')
     if table.has("fixed"):
-        found["fixed"] = table.words("fixed")
+        g_spot["fixed"] = table.words("fixed")
     if table.has("conditions"):
-        found["conditions"] = table.formulas("conditions")
-    return found
+        g_spot["conditions"] = table.formulas("conditions")
+    return g_spot
 
 
 def _angles(table: TomlTable) -> dict[str, tuple[Any, Any]]:
-    found = {}
+    angles = {}
     for name in table.names():
         angle = table.table(name)
         angle.only(KEYS, "angles.*")
-        found[name] = (angle.formula("sine"), angle.formula("cosine"))
-    return found
+        angles[name] = (angle.formula("sine"), angle.formula("cosine"))
+    return angles
 
 
 def _by_fields(table: TomlTable, common: dict[str, Any]) -> Mechanism:

@@ -31,9 +31,9 @@ from gspot_verified.numbers.balls import ExactInput
 Formula = str | int | Any
 """A text in the language of :mod:`formula`, an int, or a sympy expression."""
 
-MAX_STATE = 40
-MAX_PARAMETERS = 500
-MAX_OPERATIONS = 2000
+MAX_STATE = 40  # components; this and the next two: limits against hostile input
+MAX_PARAMETERS = 500  # far more than a mechanism has
+MAX_OPERATIONS = 2000  # in all formulas together
 
 
 @dataclass(frozen=True)
@@ -113,13 +113,13 @@ class FormulaReader:
 
     def _read(self, formula: Any, where: str, names: Mapping[str, Expression]) -> Expression:
         try:
-            found = self._expression(formula, where, names)
+            expression = self._expression(formula, where, names)
         except (TypeError, ValueError, ZeroDivisionError) as error:
             raise MechanismError(f"{self._name}: {where}: {error}") from None
-        self._operations += count_operations(found)
+        self._operations += count_operations(expression)
         if self._operations > MAX_OPERATIONS:
             raise MechanismError(f"{self._name}: the formulas have more than {MAX_OPERATIONS} operations")
-        return found
+        return expression
 
     def _expression(self, formula: Any, where: str, names: Mapping[str, Expression]) -> Expression:
         if isinstance(formula, str):
@@ -158,7 +158,7 @@ class FormulaReader:
             given["conditions"] = tuple(self(f, f"condition {i + 1}") for i, f in enumerate(given["conditions"]))
         if given.get("fixed") is not None:
             given["fixed"] = tuple(self.component(word, "G-spot:") for word in given["fixed"])
-        found = Place(values, **given)
+        g_spot_place = Place(values, **given)
         y, mu = self(contact.y, "y"), self(contact.mu, "mu")
         if mirrored and isinstance(motion, Fields):
             motion = replace(motion, G_T=tuple(map(negative, motion.G_T)))
@@ -171,7 +171,7 @@ class FormulaReader:
             mu=mu,
             parameters=self._parameters,
             angles=self._angles,
-            place=found,
+            place=g_spot_place,
             slip_velocity=slip_velocity,
             mirrored=mirrored,
             regularisation=regularisation,
@@ -191,7 +191,7 @@ class FormulaReader:
         return None, negative(velocity) if mirrored else velocity, mirrored
 
 
-MAX_COORDINATES = 12
+MAX_COORDINATES = 12  # the inverse of the mass matrix grows fast with their number
 
 Parameters = Mapping[str, Formula | ExactInput | None]
 Angles = Mapping[str, tuple[ExactInput, ExactInput]]

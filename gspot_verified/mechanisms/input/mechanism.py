@@ -126,38 +126,38 @@ class Mechanism:
         """
         waiting = {name: value for name, value in self.parameters if value is not None}
         uses = {name: symbol_names([value]) & set(waiting) for name, value in waiting.items()}
-        found: dict[str, Expression] = {}
+        values: dict[str, Expression] = {}
         while waiting:
-            ready = [name for name in waiting if uses[name] <= set(found)]
+            ready = [name for name in waiting if uses[name] <= set(values)]
             if not ready:
                 raise MechanismError(
                     f"{self.name}: parameters whose values use each other in a circle: {', '.join(list(waiting)[:20])}"
                 )
             for name in ready:
-                table: dict[Expression, Expression] = {Symbol(used): found[used] for used in uses[name]}
+                table: dict[Expression, Expression] = {Symbol(used): values[used] for used in uses[name]}
                 try:
-                    (found[name],) = replaced([waiting.pop(name)], table)
+                    (values[name],) = replaced([waiting.pop(name)], table)
                 except (ZeroDivisionError, NumberTooLargeError) as error:
                     raise MechanismError(f"{self.name}: parameter {name}: {error}") from None
-        return found
+        return values
 
     @property
     def notes(self) -> tuple[str, ...]:
         """What a reader of results must know of how the mechanism was read."""
-        found = []
+        texts = []
         if self.mirrored:
             what = "x" if self.x is not None else "the slip velocity"
-            found.append(
+            texts.append(
                 f"negative slip: mirrored, {what} counts in the opposite direction, so that u > 0 and "
                 "lambda_T = -mu lambda_N"
             )
         if not self.regularisation.is_papers:
             r = self.regularisation
-            found.append(
+            texts.append(
                 f"compliance k_1 = {r.k_1}/epsilon^2, k_2 = {r.k_2}/epsilon^2, c = {r.c}/epsilon: Case, beta and side "
                 f"are those of the paper's, with epsilon^2 times {r.compliance / 2} in the leading order"
             )
-        return tuple(found)
+        return tuple(texts)
 
     @property
     def symbols(self) -> tuple[Any, ...]:
@@ -173,9 +173,9 @@ def exact_rational(value: ExactInput, name: str) -> fmpq:
     :raises MechanismError: it is none; the message names it.
     """
     try:
-        found = exact(value, name)
+        number = exact(value, name)
     except (TypeError, ValueError) as error:
         raise MechanismError(str(error)) from None
-    if not isinstance(found, fmpq):
+    if not isinstance(number, fmpq):
         raise MechanismError(f"{name}: must be a rational number")
-    return found
+    return number

@@ -11,8 +11,8 @@ from typing import Any
 from gspot_verified.mechanisms.formulas.names import nearest
 from gspot_verified.mechanisms.input.mechanism import MechanismError
 
-MAX_DIGITS = 100
-MAX_EXPONENT = 100
+MAX_DIGITS = 100  # characters of a decimal number, with its exponent
+MAX_EXPONENT = 100  # of ten: 1e999999999 would fill the memory
 Number = str | int | Fraction
 _FORMULA = 'a formula: a text or a number (a text for a fraction: "1/3")'
 _EXPONENT = re.compile(r"[^eE]*[0-9](?:[eE]([+-]?[0-9_]+))?")
@@ -72,8 +72,8 @@ class TomlTable:
 
     def text(self, name: str) -> str:
         """A text."""
-        found: str = self.get(name, str, "a text")
-        return found
+        text: str = self.get(name, str, "a text")
+        return text
 
     def table(self, name: str) -> TomlTable:
         """A table; empty if it is missing."""
@@ -81,11 +81,11 @@ class TomlTable:
 
     def words(self, name: str) -> list[str]:
         """A list of names."""
-        found = self.get(name, list, "a list of names")
-        for item in found:
+        words = self.get(name, list, "a list of names")
+        for item in words:
             if not isinstance(item, str) or isinstance(item, Decimal):
                 raise MechanismError(f'key "{self.key(name)}" must be a list of names, got {shown_value(item)} in it')
-        return list(found)
+        return list(words)
 
     def formula(self, name: str) -> Number:
         """A formula."""

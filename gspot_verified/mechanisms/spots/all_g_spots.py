@@ -79,7 +79,7 @@ class WholeState:
 DEFAULT_BUDGET = 100_000
 """How many boxes are looked at."""
 
-_EXTRA_BITS = 40
+_EXTRA_BITS = 40  # working bits beyond those asked for: any number is correct
 
 
 @dataclass(frozen=True)
@@ -110,8 +110,8 @@ def find_g_spots(
     :raises MechanismError: the mechanism is not complete, or the box names no component of the state.
 
     >>> from gspot_verified import load
-    >>> found = find_g_spots(load("genot_brogliato_rod", mu="7/5"))
-    >>> len(found.spots), found.complete
+    >>> g_spots = find_g_spots(load("genot_brogliato_rod", mu="7/5"))
+    >>> len(g_spots.spots), g_spots.complete
     (4, True)
     >>> find_g_spots(load("genot_brogliato_rod", mu="13/10")).verdict.outcome.value
     'refuted'
@@ -127,8 +127,8 @@ def spot_conditions(shifted: Shifted) -> dict[str, Expression]:
     """p, b, y, v and the conditions J that the mechanism gives, as functions of its (shifted) state."""
     functions, place = shifted.functions, shifted.mechanism.place
     J = shifted_conditions(shifted)
-    found = shifted.expressions([functions.p, functions.b, functions.y, functions.v, *J], BALLS)
-    conditions = dict(zip(["p", "b", "y", "v", *(f"J_{i + 1}" for i in range(len(J)))], found, strict=True))
+    expressions = shifted.expressions([functions.p, functions.b, functions.y, functions.v, *J], BALLS)
+    conditions = dict(zip(["p", "b", "y", "v", *(f"J_{i + 1}" for i in range(len(J)))], expressions, strict=True))
     given = place_in(shifted, BALLS)
     for word in place.fixed or ():
         if word not in given:
@@ -211,7 +211,7 @@ class _Search:
             here = dict(zip(stage.variables, roots.near, strict=True))
             self._account.extended([roots.near], roots.shown)
             return [_Partial({**partial.values, **here}, False, partial.why or roots.open)]
-        found = []
+        solved = []
         for point in roots.points:
             others = [other for other in roots.points if other is not point]
 
@@ -221,24 +221,24 @@ class _Search:
                 return every([one, *(_apart(own, other) for other in others)])
 
             values = {**partial.values, **dict(zip(stage.variables, point, strict=True))}
-            found.append(
+            solved.append(
                 replace(partial, values=values, same=(*partial.same, same), shown=(*partial.shown, roots.shown))
             )
-        self._account.extended(found, roots.shown)
-        return found
+        self._account.extended(solved, roots.shown)
+        return solved
 
     def _by_boxes(self, stage: Stage, partial: _Partial) -> list[_Partial]:
         program = BoxProgram(self._functions(stage), len(self._state), stage.variables)
         periods = [self._region.period(i) for i in stage.variables]
         search = ZeroSearch(program, self._full(partial.values), periods)
-        found = search.run([self._region.side(i) for i in stage.variables], self._budget)
-        solved = [self._one_zero(search, zero, stage, partial) for zero in found.zeros]
-        left = found.left if found.stopped and self._budget.boxes <= 0 else clusters(found.left)
+        zeros = search.run([self._region.side(i) for i in stage.variables], self._budget)
+        solved = [self._one_zero(search, zero, stage, partial) for zero in zeros.zeros]
+        left = zeros.left if zeros.stopped and self._budget.boxes <= 0 else clusters(zeros.left)
         for box in left:
             values = {**partial.values, **dict(zip(stage.variables, box, strict=True))}
-            why = found.stopped or partial.why or _singular(self._functions(stage), stage, self._full(values))
+            why = zeros.stopped or partial.why or _singular(self._functions(stage), stage, self._full(values))
             solved.append(_Partial(values, False, why))
-        self._account.extended(solved, _all_of(found, left))
+        self._account.extended(solved, _all_of(zeros, left))
         return solved
 
     def _one_zero(self, search: ZeroSearch, zero: Zero, stage: Stage, partial: _Partial) -> _Partial:
@@ -306,9 +306,9 @@ class _Search:
             search = ZeroSearch(program, self._full(partial.values), [self._region.period(i) for i in first.variables])
             share = Budget(min(self._budget.boxes, 2000))
             self._budget.boxes -= share.boxes
-            found = search.run([self._region.side(i) for i in first.variables], share)
-            self._account.extended(found.left, found.evidence)
-            for box in found.left:
+            zeros = search.run([self._region.side(i) for i in first.variables], share)
+            self._account.extended(zeros.left, zeros.evidence)
+            for box in zeros.left:
                 values = {**partial.values, **dict(zip(first.variables, box, strict=True))}
                 if patch is None and partial.proved:
                     patch = self._patch(stages, values, partial.shown)
@@ -324,10 +324,10 @@ class _Search:
         """A patch over a solution of the stages before, which exists by ``before``."""
         functions = [function for stage in stages for function in self._functions(stage)]
         variables = sorted({i for stage in stages for i in stage.variables})
-        found = find_patch(functions, variables, self._full(values))
-        if found is None:
+        graph = find_patch(functions, variables, self._full(values))
+        if graph is None:
             return None
-        everywhere = {**values, **found.parameters, **found.box}
+        everywhere = {**values, **graph.parameters, **graph.box}
         _, inside_region = self._region.position(self._whole.state(everywhere, self._whole.any_free()))
         place = self._whole.state(everywhere, self._whole.chosen_free())
         try:
@@ -335,7 +335,7 @@ class _Search:
                 definite = check_mass_matrix(self._shifted, dict(zip(self._state, place, strict=True)), BALLS)
         except MechanismError:
             return None
-        shown = every([*before, found.shown, inside_region, definite])
+        shown = every([*before, graph.shown, inside_region, definite])
         if shown is None:
             return None
 
@@ -343,7 +343,7 @@ class _Search:
             mechanism, state = self._shifted.mechanism, self._state
             return tuple((state[i], in_words(mechanism, state[i], side)) for i, side in sides.items())
 
-        return Patch(len(found.parameters) + len(self._apart.free), words(found.parameters), words(found.box), shown)
+        return Patch(len(graph.parameters) + len(self._apart.free), words(graph.parameters), words(graph.box), shown)
 
 
 def _apart(left: Sequence[arb], right: Sequence[arb]) -> Evidence | None:
@@ -351,15 +351,15 @@ def _apart(left: Sequence[arb], right: Sequence[arb]) -> Evidence | None:
     return next((shown for x, y in zip(left, right, strict=True) if (shown := differ(x, y)) is not None), None)
 
 
-def _all_of(found: Zeros, gathered: Sequence[Box]) -> Evidence | None:
+def _all_of(zeros: Zeros, gathered: Sequence[Box]) -> Evidence | None:
     """That each zero is one of those that were found, which are different, or lies in a gathered box."""
-    if found.stopped:
+    if zeros.stopped:
         return None
     within = (
         next((shown for box in gathered if (shown := every(map(inside, part, box))) is not None), None)
-        for part in found.left
+        for part in zeros.left
     )
-    return every([found.evidence, *within])
+    return every([zeros.evidence, *within])
 
 
 def _singular(functions: Sequence[Expression], stage: Stage, state: Sequence[arb]) -> str:

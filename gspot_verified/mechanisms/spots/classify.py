@@ -81,21 +81,21 @@ class Classification(NoTruthValue, Written):
     @property
     def warnings(self) -> tuple[str, ...]:
         """What makes a motion through this G-spot impossible, or not certainly possible, as the paper means it."""
-        found = []
+        texts = []
         if self.mean_force is not None and sign_of_exact(self.mean_force) in (-1, None):
             may = "is" if sign_of_exact(self.mean_force) == -1 else "may be"
-            found.append(
+            texts.append(
                 f"the mean force {may} tensile (negative): the distinguished trajectory would have to pull on the "
                 "surface, no contact does that"
             )
         slip = sign_of_exact(self.slip_velocity)
         if slip != 1:
             velocity = {-1: "u < 0", 0: "u = 0", None: "u is not certainly positive"}[slip]
-            found.append(
+            texts.append(
                 f"{velocity} at the G-spot: no positive slip on a surface at rest; "
                 "the paper's theory applies only on a surface that moves with a velocity below u"
             )
-        return tuple(found)
+        return tuple(texts)
 
     def __str__(self) -> str:
         case = "undecided" if self.case is None else f"Case {self.case}" if self.case != "none" else "no Case"

@@ -23,7 +23,7 @@ from gspot_verified.numbers.balls import ExactInput, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue, Outcome, Verdict
 from gspot_verified.numbers.written import Written
 
-_FRICTION_BUDGET = 4000
+_FRICTION_BUDGET = 4000  # boxes: the critical friction is an extra here, a fifth of its own budget
 _NUMBERS = ("alpha_1", "alpha_2", "alpha_3", "u", "a", "A", "B", "C", "mu")
 
 
@@ -82,27 +82,29 @@ def classify_all(
     :raises MechanismError: the mechanism is not complete, or the box names no component of the state.
 
     >>> from gspot_verified import load
-    >>> found = classify_all(load("genot_brogliato_rod", mu="7/5"))
-    >>> [spot.case for spot in found.spots]
+    >>> result = classify_all(load("genot_brogliato_rod", mu="7/5"))
+    >>> [spot.case for spot in result.spots]
     ['none', 'none', 'none', 'none']
-    >>> found = classify_all(load("genot_brogliato_rod", mu="13/10"))
-    >>> found.exit_code, found.critical.is_below
+    >>> result = classify_all(load("genot_brogliato_rod", mu="13/10"))
+    >>> result.exit_code, result.critical.is_below
     (1, True)
     """
-    found = _with_the_exact_one(find_g_spots(mechanism, box, bits, budget), mechanism, bits)
-    spots = tuple(classify_g_spot(spot) for spot in found.spots)
-    return AllClassified(found, spots, critical_friction(mechanism, bits, _FRICTION_BUDGET), _vary(mechanism, found))
+    g_spots = _with_the_exact_one(find_g_spots(mechanism, box, bits, budget), mechanism, bits)
+    spots = tuple(classify_g_spot(spot) for spot in g_spots.spots)
+    return AllClassified(
+        g_spots, spots, critical_friction(mechanism, bits, _FRICTION_BUDGET), _vary(mechanism, g_spots)
+    )
 
 
-def _with_the_exact_one(found: GSpots, mechanism: Mechanism, bits: int) -> GSpots:
+def _with_the_exact_one(g_spots: GSpots, mechanism: Mechanism, bits: int) -> GSpots:
     """The list with the rational G-spot that the mechanism names in the place of its enclosure."""
-    if found.left and not found.spots:
-        return found
+    if g_spots.left and not g_spots.spots:
+        return g_spots
     try:
         named = find_g_spot(mechanism, bits)
     except ValueError:
-        return found
-    return replace(found, spots=tuple(named if _is_named(spot, named) else spot for spot in found.spots))
+        return g_spots
+    return replace(g_spots, spots=tuple(named if _is_named(spot, named) else spot for spot in g_spots.spots))
 
 
 def _is_named(spot: GSpot, named: GSpot) -> bool:
@@ -112,7 +114,7 @@ def _is_named(spot: GSpot, named: GSpot) -> bool:
         return named.exact and spot.fixed == named.fixed and all((x - y).contains(0) for x, y in pairs)
 
 
-def _vary(mechanism: Mechanism, found: GSpots) -> tuple[tuple[str, tuple[str, ...]], ...]:
+def _vary(mechanism: Mechanism, g_spots: GSpots) -> tuple[tuple[str, tuple[str, ...]], ...]:
     """Which of the numbers of a classification differ where a free component, or a whole turn of an angle, differs.
 
     The mass matrix and mu are among them: where they differ, a translate may be no G-spot.
@@ -124,9 +126,9 @@ def _vary(mechanism: Mechanism, found: GSpots) -> tuple[tuple[str, tuple[str, ..
     parts = {name: shifted.expressions(own, BALLS) for name, own in parts.items()}
     state = mechanism.state
     listed = []
-    for word in found.free:
+    for word in g_spots.free:
         listed.append((word, [name for name, own in parts.items() if _holds(own, state.index(word))]))
-    for word, period in found.periods:
+    for word, period in g_spots.periods:
         inside = [name for name, own in parts.items() if not _has_period(own, state.index(word), period)]
         listed.append((word, inside))
     return tuple((word, tuple(inside)) for word, inside in listed if inside)

@@ -26,8 +26,8 @@ from gspot_verified.numbers.balls import ShownBall, ball_text, hull, working_bit
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 
-DEFAULT_BUDGET = 20_000
-_EXTRA_BITS = 40
+DEFAULT_BUDGET = 20_000  # how many boxes are looked at: a limit against endless work
+_EXTRA_BITS = 40  # working bits beyond those asked for: any number is correct
 
 Place = tuple[tuple[str, str], ...]
 
@@ -93,8 +93,8 @@ def critical_friction(mechanism: Mechanism, bits: int = DEFAULT_BITS, budget: in
     :raises MechanismError: the mechanism is not complete.
 
     >>> from gspot_verified import load
-    >>> found = critical_friction(load("genot_brogliato_rod"))
-    >>> found.value is not None and found.value.overlaps(arb(4) / 3)
+    >>> critical = critical_friction(load("genot_brogliato_rod"))
+    >>> critical.value is not None and critical.value.overlaps(arb(4) / 3)
     True
     """
     with working_bits(bits + _EXTRA_BITS):

@@ -29,7 +29,7 @@ from gspot_verified.numbers.balls import ball_text, working_bits
 from gspot_verified.numbers.evidence import every
 from gspot_verified.numbers.verdict import Evidence
 
-DEFAULT_BITS = 128
+DEFAULT_BITS = 128  # working bits of the search and of its proof: more give a narrower box
 
 
 class NotThereError(GSpotError):
@@ -59,13 +59,13 @@ class GSpot:
     def to_json(self) -> dict[str, str]:
         """The components of the state as text; an angle as ``reference + deviation``."""
         references = {angle.coordinate: angle.name for angle in self.mechanism.angles}
-        found = {}
+        components = {}
         for word, value in zip(self.mechanism.state, self.system.point, strict=True):
             text = str(value) if self.exact else ball_text(value)
             if word in references:
                 text = references[word] if text == "0" else f"{references[word]} + {text}"
-            found[word] = text
-        return found
+            components[word] = text
+        return components
 
 
 def find_g_spot(mechanism: Mechanism, bits: int = DEFAULT_BITS) -> GSpot:
@@ -243,10 +243,10 @@ def _proved(shifted: Shifted, bits: int) -> GSpot:
         raise GSpotError(f"{name}: no G-spot found: {error}") from None
     spot = prove_near(shifted, start, bits)
     if not shifted.mechanism.place.search:
-        for word, found, given in zip(shifted.mechanism.state, spot.system.point, start.values(), strict=True):
-            if not found.overlaps(given):
+        for word, enclosure, given in zip(shifted.mechanism.state, spot.system.point, start.values(), strict=True):
+            if not enclosure.overlaps(given):
                 raise NotThereError(
-                    f"{name}: not a G-spot: {word} = {ball_text(given)}, the nearest has {ball_text(found)}"
+                    f"{name}: not a G-spot: {word} = {ball_text(given)}, the nearest has {ball_text(enclosure)}"
                 )
     return spot
 
@@ -272,10 +272,10 @@ def prove_near(shifted: Shifted, start: Mapping[str, arb], bits: int) -> GSpot:
         raise
     except ValueError as error:
         raise GSpotError(f"{name}: no G-spot found: {error}") from None
-    found = proved_box(program, point)
-    if found is None:
+    proved = proved_box(program, point)
+    if proved is None:
         raise NotFoundError(f"{name}: no G-spot could be proved near {[ball_text(value, 6) for value in point]}")
-    box, inclusion = found
+    box, inclusion = proved
     definite = check_mass_matrix(shifted, dict(zip(shifted.mechanism.state, box, strict=True)), BALLS)
     shown = every([inclusion, definite])
     return GSpot(shifted, System(**{**vars(system), "point": tuple(box)}), False, bits, fixed, shown)

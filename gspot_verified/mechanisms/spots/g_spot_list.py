@@ -15,7 +15,7 @@ from gspot_verified.numbers.evidence import equal, every
 from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
-_SHOWN = 20
+_SHOWN = 20  # open boxes that the text lists
 
 
 @dataclass(frozen=True)

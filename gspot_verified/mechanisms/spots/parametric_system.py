@@ -12,7 +12,7 @@ from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.spots.g_spot import shifted_conditions, symbolic_place
 from gspot_verified.numbers.balls import working_bits
 
-_CONSTANT_BITS = 320
+_CONSTANT_BITS = 320  # far more than a sweep works with, so that constants are not what makes balls wide
 
 
 @dataclass(frozen=True)
@@ -63,10 +63,13 @@ def parametric_system(mechanism: Mechanism, parameters: Sequence[str], fixed: Se
     scalars = [f.alpha_1, f.alpha_2, f.alpha_3, f.u, f.mu]
     with working_bits(_CONSTANT_BITS):
         own_variables = {name: Variable(len(mechanism.state) + j) for j, name in enumerate(parameters)}
-        found = shifted.expressions(
+        expressions = shifted.expressions(
             [*conditions, *scalars, *(entry for row in rows for entry in row)], BALLS, own_variables
         )
-    own, (first, second, third, slip, friction, *entries) = found[: len(conditions)], found[len(conditions) :]
+    own, (first, second, third, slip, friction, *entries) = (
+        expressions[: len(conditions)],
+        expressions[len(conditions) :],
+    )
     size = len(rows)
     matrix = tuple(tuple(entries[i * size : (i + 1) * size]) for i in range(size))
     return ParametricSystem(
@@ -89,11 +92,11 @@ def _extra_conditions(shifted: Shifted, fixed: Sequence[str]) -> list[Expression
     given = mechanism.place.conditions
     wanted = len(mechanism.state) - 4
     if given is not None:
-        found = shifted_conditions(shifted)
+        conditions = shifted_conditions(shifted)
     else:
         place = symbolic_place(shifted)
         own = [Variable(mechanism.state.index(word)) - place[word] for word in fixed]
-        found = [*shifted.constraints, *own]
-    if len(found) != wanted:
-        raise MechanismError(f"{mechanism.name}: {wanted} conditions J are needed, got {len(found)}")
-    return found
+        conditions = [*shifted.constraints, *own]
+    if len(conditions) != wanted:
+        raise MechanismError(f"{mechanism.name}: {wanted} conditions J are needed, got {len(conditions)}")
+    return conditions

@@ -99,7 +99,7 @@ class Region:
     def searched(self, apart: TakenApart) -> tuple[tuple[str, str], ...]:
         """For each component in words what was searched."""
         explicit = {each.index: each.condition for each in apart.explicit}
-        found = []
+        rows = []
         for i, word in enumerate(self._state):
             if i in self._given:
                 lower, upper = self._given[i]
@@ -117,8 +117,8 @@ class Region:
                 text = f"[-{DEFAULT_BOUND}, {DEFAULT_BOUND}] (default bound)"
             else:
                 text = "every value"
-            found.append((word, text))
-        return tuple(found)
+            rows.append((word, text))
+        return tuple(rows)
 
 
 def fixed_name(word: str) -> str:
@@ -154,7 +154,7 @@ def search_region(
 def _intervals(
     mechanism: Mechanism, box: Mapping[str, tuple[ExactInput, ExactInput]]
 ) -> dict[int, tuple[Exact, Exact]]:
-    found = {}
+    intervals = {}
     for word, pair in box.items():
         if word not in mechanism.state:
             raise MechanismError(
@@ -166,8 +166,8 @@ def _intervals(
             raise MechanismError(f"{mechanism.name}: {error}") from None
         if not _is_interval(lower, upper):
             raise MechanismError(f"{mechanism.name}: box: the interval of {word} is empty or reversed")
-        found[mechanism.state.index(word)] = (lower, upper)
-    return found
+        intervals[mechanism.state.index(word)] = (lower, upper)
+    return intervals
 
 
 def _is_interval(lower: Exact, upper: Exact) -> bool:

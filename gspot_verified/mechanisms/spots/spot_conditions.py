@@ -59,11 +59,11 @@ def take_apart(conditions: Mapping[str, Expression], dimension: int, kept: Seque
     """
     remaining = dict(conditions)
     explicit: list[Explicit] = []
-    while (found := _affine(remaining, dimension, kept)) is not None:
-        explicit = [Explicit(old.index, old.condition, _with(old.value, found, dimension)) for old in explicit]
-        explicit.append(found)
-        del remaining[found.condition]
-        remaining = {name: _with(function, found, dimension) for name, function in remaining.items()}
+    while (affine := _affine(remaining, dimension, kept)) is not None:
+        explicit = [Explicit(old.index, old.condition, _with(old.value, affine, dimension)) for old in explicit]
+        explicit.append(affine)
+        del remaining[affine.condition]
+        remaining = {name: _with(function, affine, dimension) for name, function in remaining.items()}
     depends = {name: _depends(function) for name, function in remaining.items()}
     solved = {each.index for each in explicit}
     used = frozenset[int]().union(*depends.values())
@@ -87,8 +87,8 @@ def _affine(remaining: Mapping[str, Expression], dimension: int, kept: Sequence[
     return None
 
 
-def _with(function: Expression, found: Explicit, dimension: int) -> Expression:
-    return _replaced(function, found.index, found.value, dimension)
+def _with(function: Expression, explicit: Explicit, dimension: int) -> Expression:
+    return _replaced(function, explicit.index, explicit.value, dimension)
 
 
 def _replaced(function: Expression, index: int, value: Expression, dimension: int) -> Expression:

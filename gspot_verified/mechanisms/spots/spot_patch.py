@@ -16,8 +16,8 @@ from gspot_verified.mechanisms.zeros.krawczyk import proved_zero
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Evidence
 
-_STEPS = 40
-_WIDTHS = (-4, -7, -10, -14, -18, -24, -30)
+_STEPS = 40  # of Gauss-Newton: a limit of effort
+_WIDTHS = (-4, -7, -10, -14, -18, -24, -30)  # exponents of the half widths, the widest patch first: any is correct
 
 
 @dataclass(frozen=True)
@@ -38,10 +38,10 @@ def find_patch(functions: Sequence[Expression], variables: Sequence[int], place:
     The other components keep the balls that ``place`` gives: the patch holds for each choice of numbers in them.
     """
     with working_bits(64):
-        found = _point_near(functions, variables, place)
-        if found is None:
+        start = _point_near(functions, variables, place)
+        if start is None:
             return None
-        point, solved = found
+        point, solved = start
         program = BoxProgram(functions, len(place), solved)
         for width in _WIDTHS:
             parameters = {i: point[i] + arb(0, arb(2) ** width) for i in variables if i not in solved}
@@ -63,9 +63,9 @@ def _proved(
 
     for more in (1, 3, 6):
         box = [x + arb(0, arb(2) ** (width + more)) for x in point]
-        found = proved_zero(lambda x: program.values(at(x)), lambda x: program.gradients(at(x))[1], box)
-        if found is not None:
-            return found
+        zero = proved_zero(lambda x: program.values(at(x)), lambda x: program.gradients(at(x))[1], box)
+        if zero is not None:
+            return zero
     return None
 
 

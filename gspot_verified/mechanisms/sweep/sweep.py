@@ -30,9 +30,9 @@ from gspot_verified.numbers.balls import Exact, ExactInput, working_bits
 from gspot_verified.work.executors import InProcessExecutor
 from gspot_verified.work.ranges import Range
 
-DEFAULT_CELLS = {1: 64, 2: 32}
-MAX_CELLS = 1_000_000
-_MAX_DIGITS = 15
+DEFAULT_CELLS = {1: 64, 2: 32}  # on each axis, by the number of parameters
+MAX_CELLS = 1_000_000  # a limit against endless work
+_MAX_DIGITS = 15  # of a bracket: BITS = 80 leave about 24 decimals
 _OTHER = "the continued spot"
 
 Over = Mapping[str, str | tuple[ExactInput, ExactInput] | tuple[ExactInput, ExactInput, int]]
@@ -84,13 +84,13 @@ in the brackets where one quantity passes zero or the spot vanishes
     system = parametric_system(mechanism, names, first.fixed)
     conditions = BoxProgram(system.conditions, system.dimension + len(names))
     work = portions(cells(conditions, question.grid, place, point))
-    found: list[list[SweepPiece]] = []
+    pieces_by_cell: list[list[SweepPiece]] = []
     with open_journal(journal, question, place, first.to_json()) as kept:
         for pieces in results(question, work, executor or InProcessExecutor(), kept):
-            found += pieces
+            pieces_by_cell += pieces
             if progress is not None:
-                progress(len(found), sum(map(len, work)))
-    return _assembled(question, system, place, first.to_json(), point, found)
+                progress(len(pieces_by_cell), sum(map(len, work)))
+    return _assembled(question, system, place, first.to_json(), point, pieces_by_cell)
 
 
 def _assembled(
@@ -99,11 +99,11 @@ def _assembled(
     place: tuple[fmpq, ...],
     spot: Mapping[str, str],
     point: Sequence[arb],
-    found: Sequence[Sequence[SweepPiece]],
+    pieces_by_cell: Sequence[Sequence[SweepPiece]],
 ) -> Sweep:
     """The pieces that hold the continued spot are kept; of the others it is said that they may hold another."""
-    pieces = [piece for cell in found for piece in cell]
-    neighbours = _neighbours(question.grid, found)
+    pieces = [piece for cell in pieces_by_cell for piece in cell]
+    neighbours = _neighbours(question.grid, pieces_by_cell)
     folds: list[Fold] = []
     with working_bits(BITS):
         own = linked(question.equations(), pieces, neighbours.__getitem__, place, point)
@@ -124,11 +124,11 @@ def _other(piece: SweepPiece) -> SweepPiece:
     )  # fmt: skip
 
 
-def _neighbours(grid: Grid, found: Sequence[Sequence[SweepPiece]]) -> list[list[int]]:
+def _neighbours(grid: Grid, pieces_by_cell: Sequence[Sequence[SweepPiece]]) -> list[list[int]]:
     """For each piece the numbers of those that may touch it: in its cell and in the cells around."""
     numbers: dict[tuple[int, ...], range] = {}
     total = 0
-    for index, pieces in zip(grid.indices(), found, strict=True):
+    for index, pieces in zip(grid.indices(), pieces_by_cell, strict=True):
         numbers[index] = range(total, total + len(pieces))
         total += len(pieces)
     near: list[list[int]] = []
@@ -142,7 +142,7 @@ def _axes(mechanism: Mechanism, parameters: Over) -> tuple[Axis, ...]:
     if len(parameters) not in DEFAULT_CELLS:
         raise ValueError(f"a sweep has one or two parameters, got {len(parameters)}")
     mechanism.with_parameters(**dict.fromkeys(parameters))
-    found = []
+    axes = []
     for name, given in parameters.items():
         lower, upper, count = _ends(name, given)
         cells_asked = DEFAULT_CELLS[len(parameters)] if count is None else count
@@ -150,13 +150,13 @@ def _axes(mechanism: Mechanism, parameters: Over) -> tuple[Axis, ...]:
             raise ValueError(f"{name}: the number of cells must be an int >= 1")
         if not lower < upper:
             raise ValueError(f"{name}: the range must have a lower end below its upper end, got {lower}..{upper}")
-        found.append(Axis(name, lower, upper, cells_asked))
+        axes.append(Axis(name, lower, upper, cells_asked))
     total = 1
-    for axis in found:
+    for axis in axes:
         total *= axis.cells
     if total > MAX_CELLS:
         raise ValueError(f"a sweep has at most {MAX_CELLS} cells, got {total}")
-    return tuple(found)
+    return tuple(axes)
 
 
 def _ends(name: str, given: Any) -> tuple[fmpq, fmpq, int | None]:

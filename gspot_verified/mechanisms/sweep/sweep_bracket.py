@@ -14,8 +14,8 @@ from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
 from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, Quantity
 from gspot_verified.numbers.balls import sign_of
 
-_STEPS = 12
-_LEAST = fmpq(1, 2**20)
+_STEPS = 12  # of Newton's method: a limit of effort
+_LEAST = fmpq(1, 2**20)  # the size that a place near 0 counts with, so that its bracket has a width
 
 Pick = Callable[[OnTube], Quantity]
 """The quantity in question, next to a tube."""
@@ -106,7 +106,7 @@ def _power_of_two(value: fmpq, least: fmpq = _LEAST) -> fmpq:
     """The power of two next above |value| and ``least``."""
     size = max(abs(value), least)
     exponent = int(size.p.bit_length()) - int(size.q.bit_length())
-    found = fmpq(2) ** exponent
-    while found < size:
-        found *= 2
-    return found
+    power = fmpq(2) ** exponent
+    while power < size:
+        power *= 2
+    return power

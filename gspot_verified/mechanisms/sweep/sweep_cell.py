@@ -21,11 +21,11 @@ from gspot_verified.mechanisms.sweep.sweep_trace import Choice, TubeTrace
 from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, Tube
 from gspot_verified.numbers.balls import approximate, sign_of, working_bits
 
-BITS = 80
-_BUDGET = 128
-_DEPTH_OF_A_LINE, _DEPTH_OF_A_MAP, _DEPTH_OF_A_TUBE = 24, 4, 8
-_HOPELESS_FROM = 3
-_FAR_STEEPER = 8
+BITS = 80  # working precision: any is correct, 53 would be too few for brackets of 15 digits
+_BUDGET = 128  # boxes of one cell: a limit against endless work
+_DEPTH_OF_A_LINE, _DEPTH_OF_A_MAP, _DEPTH_OF_A_TUBE = 24, 4, 8  # halvings of a cell: limits of effort
+_HOPELESS_FROM = 3  # halvings after which it is asked whether smaller pieces could say more
+_FAR_STEEPER = 8  # times: then only this side is halved; any factor is correct
 _NOT_A_BOUNDARY = (*HYPOTHESES, TOO_LARGE, SEVERAL)
 
 Box = tuple[tuple[fmpq, ...], tuple[fmpq, ...]]
@@ -86,8 +86,8 @@ class Examination:
         self.left = _BUDGET
         self.sides = [high - low for low, high in zip(cell.lower, cell.upper, strict=True)]
         with working_bits(BITS):
-            found = self._examine((cell.lower, cell.upper), 0, Known())
-        return sorted(found, key=lambda piece: piece.lower)
+            pieces = self._examine((cell.lower, cell.upper), 0, Known())
+        return sorted(pieces, key=lambda piece: piece.lower)
 
     def _examine(self, box: Box, depth: int, known: Known) -> list[SweepPiece]:
         lower, upper = box
@@ -104,10 +104,10 @@ class Examination:
                 else self._halves(box, depth, known, self._longest(box))
             )
         self.origins.append(Origin.of(on))
-        found = findings(on, known.signs)
-        if not found.unsure:
-            return [found.piece(on, Kind.SETTLED)]
-        boundary = found.unsure[0] if len(found.unsure) == 1 and found.unsure[0] not in _NOT_A_BOUNDARY else None
+        facts = findings(on, known.signs)
+        if not facts.unsure:
+            return [facts.piece(on, Kind.SETTLED)]
+        boundary = facts.unsure[0] if len(facts.unsure) == 1 and facts.unsure[0] not in _NOT_A_BOUNDARY else None
         if boundary is not None:
             if line:
                 cut = bracket(self.equations, on, partial(quantity, name=boundary), self.digits, self._tube)
@@ -116,10 +116,10 @@ class Examination:
             elif last:
                 passing = _graph(on, boundary)
                 if passing is not None:
-                    return [_with_passing(found.piece(on, Kind.CROSSING), passing)]
-        if last or (depth >= _HOPELESS_FROM and _hopeless(on, found.unsure)):
-            return [found.piece(on, Kind.OPEN)]
-        steepest = _steepest(on, found.unsure)
+                    return [_with_passing(facts.piece(on, Kind.CROSSING), passing)]
+        if last or (depth >= _HOPELESS_FROM and _hopeless(on, facts.unsure)):
+            return [facts.piece(on, Kind.OPEN)]
+        steepest = _steepest(on, facts.unsure)
         return self._halves(box, depth, known, self._longest(box) if steepest is None else steepest)
 
     def _tube(
@@ -134,16 +134,16 @@ class Examination:
         first, second = sorted(halves, key=lambda half: nearest.distance(*half))
         kept = self.left // 2  # what the first half may not use up
         self.left -= kept
-        found = self._examine(first, depth + 1, known)
+        pieces = self._examine(first, depth + 1, known)
         self.left += kept
         if len(box[0]) == 1:
-            facing = min(found, key=lambda piece: _gap(piece, second))
+            facing = min(pieces, key=lambda piece: _gap(piece, second))
             if facing.kind is Kind.NO_TUBE:
-                return [*found, SweepPiece(*second, Kind.NO_TUBE)]
-        found += self._examine(second, depth + 1, known)
-        if all(piece.kind is Kind.NO_TUBE for piece in found):
+                return [*pieces, SweepPiece(*second, Kind.NO_TUBE)]
+        pieces += self._examine(second, depth + 1, known)
+        if all(piece.kind is Kind.NO_TUBE for piece in pieces):
             return [SweepPiece(*box, Kind.NO_TUBE)]
-        return found
+        return pieces
 
     def _longest(self, box: Box) -> int:
         """The side that was cut least often."""

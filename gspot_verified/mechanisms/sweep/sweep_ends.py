@@ -59,10 +59,10 @@ def _vanished(lower: fmpq, upper: fmpq, fold: Fold) -> list[SweepPiece]:
 
 def without_gaps(pieces: Sequence[SweepPiece]) -> list[SweepPiece]:
     """On a line: neighbours without a tube are one piece."""
-    found: list[SweepPiece] = []
+    joined: list[SweepPiece] = []
     for piece in pieces:
-        if found and found[-1].kind is piece.kind is Kind.NO_TUBE:
-            found[-1] = replace(found[-1], upper=piece.upper)
+        if joined and joined[-1].kind is piece.kind is Kind.NO_TUBE:
+            joined[-1] = replace(joined[-1], upper=piece.upper)
         else:
-            found.append(piece)
-    return found
+            joined.append(piece)
+    return joined

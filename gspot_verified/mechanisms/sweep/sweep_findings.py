@@ -24,7 +24,7 @@ HYPOTHESES = ("the mass matrix is positive definite", "mu >= 0")
 TOO_LARGE = "beta <= 10^6"
 SEVERAL = "beta - n for several n"
 
-_SEVERAL = 2
+_SEVERAL = 2  # a piece with more than three integers beta is halved: any number is correct
 _CASES = {(-1, 1): "I", (1, 1): "II", (-1, -1): "III"}
 
 
@@ -145,6 +145,6 @@ def _side(beta: arb, known: Mapping[str, int]) -> tuple[int | None, int | None, 
 
 
 def _integer(value: arb) -> int:
-    found = value.unique_fmpz()
-    assert found is not None
-    return int(found)
+    integer = value.unique_fmpz()
+    assert integer is not None
+    return int(integer)

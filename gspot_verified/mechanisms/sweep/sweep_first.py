@@ -30,15 +30,15 @@ def first_spot(mechanism: Mechanism, number: int | None) -> GSpot:
             return find_g_spot(mechanism)
         except GSpotError as error:
             wrong = str(error)
-    found = find_g_spots(mechanism)
-    if not found.spots:
-        raise GSpotError(f"{wrong}\n{found}")
-    if number is None and (len(found.spots) > 1 or not found.complete):
-        raise ValueError(f"{wrong}: choose one by its number, spot=1\n{found}")
+    g_spots = find_g_spots(mechanism)
+    if not g_spots.spots:
+        raise GSpotError(f"{wrong}\n{g_spots}")
+    if number is None and (len(g_spots.spots) > 1 or not g_spots.complete):
+        raise ValueError(f"{wrong}: choose one by its number, spot=1\n{g_spots}")
     chosen = 1 if number is None else number
-    if type(chosen) is not int or not 1 <= chosen <= len(found.spots):
-        raise ValueError(f"spot: expected a number in 1..{len(found.spots)}, got {chosen!r}\n{found}")
-    return found.spots[chosen - 1]
+    if type(chosen) is not int or not 1 <= chosen <= len(g_spots.spots):
+        raise ValueError(f"spot: expected a number in 1..{len(g_spots.spots)}, got {chosen!r}\n{g_spots}")
+    return g_spots.spots[chosen - 1]
 
 
 def with_place_of(mechanism: Mechanism, spot: GSpot) -> Mechanism:

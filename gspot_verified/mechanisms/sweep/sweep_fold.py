@@ -24,7 +24,7 @@ from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 
-_STEPS = 12
+_STEPS = 12  # of Newton's method: a limit of effort
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,11 +162,11 @@ def _fold(system: ParametricSystem, short: OnTube, along: int, direction: int, e
     m = system.dimension
     (lower,), (upper,) = short.tube.lower, short.tube.upper
     moves = [arb(0, arb((upper - lower) / 2).upper())]
-    found = [line + rest for line, rest in zip(short.tube.line(moves), short.tube.found, strict=True)]
-    state = found[: m - 1]
+    enclosure = [line + rest for line, rest in zip(short.tube.line(moves), short.tube.found, strict=True)]
+    state = enclosure[: m - 1]
     state.insert(along, arb((lower + upper) / 2) + moves[0])
     point = tuple(zip(system.state, map(Dyadic.from_ball, state), strict=True))
-    return Fold(system.parameters[0], Dyadic.from_ball(found[m - 1]), direction, end, point)
+    return Fold(system.parameters[0], Dyadic.from_ball(enclosure[m - 1]), direction, end, point)
 
 
 def _text(value: Dyadic) -> str:

@@ -15,9 +15,9 @@ from gspot_verified.mechanisms.sweep.sweep_start import Origin
 from gspot_verified.numbers.balls import approximate, working_bits
 from gspot_verified.numbers.written import Written
 
-_BITS = 64
-_STEPS = 6
-_SMALL = 1e-6
+_BITS = 64  # working precision of a search that proves nothing
+_STEPS = 6  # of Newton's method from a neighbour's spot: further away it may end at another spot
+_SMALL = 1e-6  # relative size of the last step: the tube finds the rest
 
 Index = tuple[int, ...]
 
@@ -56,11 +56,11 @@ class Grid:
 
     def cell_of(self, place: Sequence[fmpq]) -> Index:
         """A cell that holds the parameter values."""
-        found = []
+        index = []
         for axis, value in zip(self.axes, place, strict=True):
             number = int(((value - axis.lower) * axis.cells / (axis.upper - axis.lower)).floor())
-            found.append(min(max(number, 0), axis.cells - 1))
-        return tuple(found)
+            index.append(min(max(number, 0), axis.cells - 1))
+        return tuple(index)
 
     def neighbours(self, index: Index) -> Iterator[Index]:
         """The cells that share a side with a cell."""
@@ -77,11 +77,11 @@ def cells(program: BoxProgram, grid: Grid, place: Sequence[fmpq], spot: Sequence
     """
     with working_bits(_BITS):
         origins = _followed(program, grid, place, spot)
-    found = []
+    placed = []
     for index in grid.indices():
         near = origins.get(index) or next((origins[n] for n in grid.neighbours(index) if n in origins), None)
-        found.append(Cell(*grid.ends(index), near))
-    return found
+        placed.append(Cell(*grid.ends(index), near))
+    return placed
 
 
 def _followed(program: BoxProgram, grid: Grid, place: Sequence[fmpq], spot: Sequence[arb]) -> dict[Index, Origin]:
@@ -89,11 +89,11 @@ def _followed(program: BoxProgram, grid: Grid, place: Sequence[fmpq], spot: Sequ
     first = grid.cell_of(place)
     if start is None:
         return {}
-    found: dict[Index, Origin] = {}
+    origins: dict[Index, Origin] = {}
     waiting: deque[tuple[Index, Origin]] = deque([(first, start)])
     while waiting:
         index, near = waiting.popleft()
-        if index in found:
+        if index in origins:
             continue
         lower, upper = grid.ends(index)
         middle = tuple((low + high) / 2 for low, high in zip(lower, upper, strict=True))
@@ -101,9 +101,9 @@ def _followed(program: BoxProgram, grid: Grid, place: Sequence[fmpq], spot: Sequ
         jump = max(abs(approximate(new) - approximate(old)) for new, old in zip(predicted, near.centre, strict=True))
         origin = _corrected(program, middle, predicted, jump / 2 + _SMALL)
         if origin is not None:
-            found[index] = origin
-            waiting.extend((other, origin) for other in grid.neighbours(index) if other not in found)
-    return found or {first: start}
+            origins[index] = origin
+            waiting.extend((other, origin) for other in grid.neighbours(index) if other not in origins)
+    return origins or {first: start}
 
 
 def _corrected(program: BoxProgram, place: tuple[fmpq, ...], centre: Sequence[arb], reach: float) -> Origin | None:

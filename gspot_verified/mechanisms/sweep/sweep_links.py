@@ -17,14 +17,14 @@ from gspot_verified.mechanisms.zeros.tube import Equations, Tube
 
 def common_place(first: SweepPiece, second: SweepPiece) -> tuple[fmpq, ...] | None:
     """The middle of what two pieces share, if that is a point (one parameter) or a part of a side (two)."""
-    found, wide = [], 0
+    place, wide = [], 0
     for low, high, other_low, other_high in zip(first.lower, first.upper, second.lower, second.upper, strict=True):
         start, end = max(low, other_low), min(high, other_high)
         if start > end:
             return None
         wide += start < end
-        found.append((start + end) / 2)
-    return tuple(found) if wide >= len(found) - 1 else None
+        place.append((start + end) / 2)
+    return tuple(place) if wide >= len(place) - 1 else None
 
 
 def same_zero(equations: Equations, first: Tube, second: Tube, place: Sequence[fmpq]) -> bool:
@@ -49,22 +49,22 @@ def linked(
 ) -> set[int]:
     """The numbers of the pieces whose zero is the given spot, continued: ``spot`` encloses it at ``place``."""
     tubes = [piece.tube() for piece in pieces]
-    found: set[int] = set()
+    numbers: set[int] = set()
     waiting: deque[int] = deque()
     for number, (piece, tube) in enumerate(zip(pieces, tubes, strict=True)):
         if tube is not None and piece.holds(place) and tube.holds_at(place, spot):
-            found.add(number)
+            numbers.add(number)
             waiting.append(number)
     while waiting:
         number = waiting.popleft()
         own = tubes[number]
         for other in neighbours(number):
             its = tubes[other]
-            shared = None if other in found or its is None else common_place(pieces[number], pieces[other])
+            shared = None if other in numbers or its is None else common_place(pieces[number], pieces[other])
             if shared is not None and own is not None and its is not None and same_zero(equations, own, its, shared):
-                found.add(other)
+                numbers.add(other)
                 waiting.append(other)
-    return found
+    return numbers
 
 
 def _exact(value: arb) -> fmpq:

@@ -20,7 +20,7 @@ from gspot_verified.numbers.verdict import NoTruthValue
 NUMBERS = ("alpha_1", "alpha_2", "alpha_3", "beta", "mean_force", "slip_velocity")
 """What is enclosed on a piece; None where it is not defined for all its parameter values, or not certainly."""
 
-_RADIUS_BITS = 28
+_RADIUS_BITS = 28  # two less than FLINT's 30 for a radius: room to come back without rounding up
 
 Intervals = tuple[Dyadic, ...]
 
@@ -59,11 +59,11 @@ class TubeRecord:
     def tube(self, lower: tuple[fmpq, ...], upper: tuple[fmpq, ...]) -> Tube:
         """The tube over its box of parameters. Centre and slopes come back exactly."""
         k = len(lower)
-        centre, slopes, within, found = (
+        centre, slopes, within, rests = (
             [side.to_ball() for side in part] for part in (self.centre, self.slopes, self.within, self.found)
         )
         rows = tuple(tuple(slopes[i * k : (i + 1) * k]) for i in range(len(centre)))
-        return Tube(lower, upper, tuple(centre), rows, tuple(within), tuple(found))
+        return Tube(lower, upper, tuple(centre), rows, tuple(within), tuple(rests))
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,7 +186,7 @@ class PieceRow(NamedTuple):
 
 def piece_row(piece: SweepPiece) -> PieceRow:
     """The piece without its tube."""
-    found = piece.passing
-    passing = None if found is None else PassingRow(found.quantity, found.along, found.direction)
+    boundary = piece.passing
+    passing = None if boundary is None else PassingRow(boundary.quantity, boundary.along, boundary.direction)
     what = (piece.kind, piece.case, piece.lift_off_sign, piece.impact_sign, piece.unsure, passing)
     return PieceRow(piece.lower, piece.upper, *what, *piece.numbers)

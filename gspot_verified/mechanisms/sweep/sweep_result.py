@@ -19,8 +19,8 @@ from gspot_verified.numbers.written import Written
 from gspot_verified.signs.gamma.side import side_text
 
 _SLIP = "slip_velocity"
-_SHORT, _DECIMALS = 12, 16
-_SHORT_PIECE = fmpq(1, 10**6)
+_SHORT, _DECIMALS = 12, 16  # a rational of so many characters is shown as it is, a longer one with so many decimals
+_SHORT_PIECE = fmpq(1, 10**6)  # of the range: a shorter piece next to a fold counts as its bracket
 _UNKNOWN = (Kind.OPEN, Kind.NO_TUBE)
 
 
@@ -120,20 +120,20 @@ class Sweep(NoTruthValue, Written):
     @property
     def crossings(self) -> tuple[ZeroOnLine, ...]:
         """On a line: the brackets in which Case or side change."""
-        found: list[ZeroOnLine] = []
+        zeros: list[ZeroOnLine] = []
         for piece in self.pieces if len(self.axes) == 1 else ():
             passing = piece.passing
             if passing is None:
                 continue
             (lower,), (upper,) = piece.lower, piece.upper
-            last = found[-1] if found else None
+            last = zeros[-1] if zeros else None
             if last is not None and last.upper == lower and _same(last, passing):
                 lower, before = last.lower, last.before
-                found.pop()
+                zeros.pop()
             else:
                 before = passing.before
-            found.append(ZeroOnLine(passing.quantity, lower, upper, passing.direction, before, passing.after))
-        return tuple(found)
+            zeros.append(ZeroOnLine(passing.quantity, lower, upper, passing.direction, before, passing.after))
+        return tuple(zeros)
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -142,15 +142,15 @@ class Sweep(NoTruthValue, Written):
         tensile = sum(piece.case == "I" for piece in cases)
         signs = [None if number is None else number.sign() for number in (piece.number(_SLIP) for piece in cases)]
         wrong, unknown = sum(sign in (-1, 0) for sign in signs), signs.count(None)
-        found = []
+        texts = []
         if tensile:
-            found.append(f"in Case I ({tensile} pieces) the mean force is tensile (negative), no contact does that")
+            texts.append(f"in Case I ({tensile} pieces) the mean force is tensile (negative), no contact does that")
         if wrong or unknown:
-            found.append(
+            texts.append(
                 f"u <= 0 at the G-spot on {wrong} pieces, perhaps on {unknown} more: no positive slip on a surface at "
                 "rest"
             )
-        return tuple(found)
+        return tuple(texts)
 
     def at(self, **values: ExactInput) -> SweepPiece:
         """A piece that holds these parameter values.
@@ -167,14 +167,14 @@ class Sweep(NoTruthValue, Written):
 
     def stretches(self) -> list[tuple[fmpq, fmpq, SweepPiece]]:
         """On a line: maximal ranges on which kind, Case and side are the same, with their first pieces."""
-        found: list[tuple[fmpq, fmpq, SweepPiece]] = []
+        stretches: list[tuple[fmpq, fmpq, SweepPiece]] = []
         for piece in self.pieces if len(self.axes) == 1 else ():
             (lower,), (upper,) = piece.lower, piece.upper
-            if found and _alike(found[-1][2], piece):
-                found[-1] = (found[-1][0], upper, found[-1][2])
+            if stretches and _alike(stretches[-1][2], piece):
+                stretches[-1] = (stretches[-1][0], upper, stretches[-1][2])
             else:
-                found.append((lower, upper, piece))
-        return found
+                stretches.append((lower, upper, piece))
+        return stretches
 
     def __str__(self) -> str:
         where = ", ".join(f"{axis.name} = {value}" for axis, value in zip(self.axes, self.start, strict=True))
@@ -198,11 +198,11 @@ class Sweep(NoTruthValue, Written):
         )
 
     def _counts(self) -> dict[str, int]:
-        found: dict[str, int] = {}
+        counts: dict[str, int] = {}
         for piece in self.pieces:
             text = _piece_text(piece)
-            found[text] = found.get(text, 0) + 1
-        return found
+            counts[text] = counts.get(text, 0) + 1
+        return counts
 
     def to_csv(self) -> str:
         """One line for each piece: its ends exactly and as decimals, bounds of the numbers rounded outward."""

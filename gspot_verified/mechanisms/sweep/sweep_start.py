@@ -10,8 +10,8 @@ from flint import arb, fmpq
 from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, try_tube
 from gspot_verified.numbers.balls import approximate
 
-_TRIES = 8
-_WIDER = 2
+_TRIES = 8  # each from what the last one says: a limit of effort
+_WIDER = 2  # times the widths that are expected: room for Krawczyk's operator to contract into
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,8 +13,8 @@ from flint import arb, fmpq, fmpz
 
 from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, Tube, try_tube
 
-_LONGEST = 4_000
-_RADIUS_BITS = 30
+_LONGEST = 4_000  # bits: a limit against hostile journals
+_RADIUS_BITS = 30  # the length of a radius' mantissa in FLINT
 
 Place = tuple[int, int]
 """A number m 2^e as (m, e)."""
@@ -40,13 +40,13 @@ class TubeTrace:
         number = len(self.met)
         if number < len(self._known):
             choice = self._known[number]
-            found = None if choice is None else _proved(equations, lower, upper, choice)
-            if choice is None or found is not None:
+            on = None if choice is None else _proved(equations, lower, upper, choice)
+            if choice is None or on is not None:
                 self.met.append(choice)
-                return found
-        found = search()
-        self.met.append(None if found is None else _choice(found.tube))
-        return found
+                return on
+        on = search()
+        self.met.append(None if on is None else _choice(on.tube))
+        return on
 
 
 def read_choice(data: Any) -> Choice:
@@ -71,13 +71,13 @@ def _place(value: arb) -> Place:
 
 
 def _places(data: Any) -> tuple[Place, ...]:
-    found = tuple((mantissa, exponent) for mantissa, exponent in data)
-    for mantissa, exponent in found:
+    places = tuple((mantissa, exponent) for mantissa, exponent in data)
+    for mantissa, exponent in places:
         if type(mantissa) is not int or type(exponent) is not int:
             raise ValueError("a number must be two integers")
         if mantissa.bit_length() > _LONGEST or abs(exponent) > _LONGEST:
             raise ValueError("a number is out of range")
-    return found
+    return places
 
 
 def _proved(equations: Equations, lower: Sequence[fmpq], upper: Sequence[fmpq], choice: Choice) -> OnTube | None:

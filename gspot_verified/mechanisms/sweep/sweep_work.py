@@ -28,8 +28,8 @@ from gspot_verified.mechanisms.zeros.tube import Equations
 from gspot_verified.work.executors import InProcessExecutor
 from gspot_verified.work.journal_file import JournalFile
 
-_PORTION = 32
-_VERSION = 2
+_PORTION = 32  # cells of one task, and of one line of the journal
+_VERSION = 2  # of the journal's form, which its first line names
 
 Pieces = list[list[SweepPiece]]
 """The pieces of each cell of a portion."""
@@ -93,8 +93,8 @@ def examine(question: Question, cells: Sequence[Cell], known: Choices | None = N
 
 def proved_again(question: Question, cells: Sequence[Cell], known: Choices, expected: str) -> tuple[Pieces, Choices]:
     """The examination along known tubes; without them where other pieces come out than those of the digest."""
-    found = examine(question, cells, known)
-    return found if digest(found[0]) == expected else examine(question, cells)
+    examined = examine(question, cells, known)
+    return examined if digest(examined[0]) == expected else examine(question, cells)
 
 
 def digest(pieces: Pieces) -> str:
@@ -138,13 +138,13 @@ def open_journal(
 
 def _recalled(journal: JournalFile) -> dict[int, tuple[str, Choices]]:
     """Of each portion the digest and the choices."""
-    found: dict[int, tuple[str, Choices]] = {}
+    recalled: dict[int, tuple[str, Choices]] = {}
     for line in journal.lines:
         try:
             number, expected, data = json.loads(line)
             if type(number) is not int:
                 raise ValueError("a portion has a number")
-            found[number] = str(expected), [[read_choice(tube) for tube in cell] for cell in data]
+            recalled[number] = str(expected), [[read_choice(tube) for tube in cell] for cell in data]
         except (ValueError, TypeError, KeyError, IndexError, RecursionError) as error:
             raise ValueError(f"{journal.path}: a line of the journal cannot be read: {error}") from None
-    return found
+    return recalled

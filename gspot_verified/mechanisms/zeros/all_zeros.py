@@ -23,9 +23,9 @@ Box = tuple[arb, ...]
 PASSES = ((64, -26), (160, -70), (400, -180))
 """Working precision and the exponent of the least relative width, one pass after the other."""
 
-_NEWTON_STEPS = 12
-_MANY = 500
-_COARSE = 2.0**-6
+_NEWTON_STEPS = 12  # a limit of effort
+_MANY = 500  # small boxes: isolated zeros leave a few, a curve of zeros leaves ever more
+_COARSE = 2.0**-6  # relative width below which a box where a function is undefined is not halved again
 
 
 @dataclass
@@ -195,10 +195,10 @@ class ZeroSearch:
     def _apart(self, box: Sequence[arb], other: Sequence[arb]) -> Evidence | None:
         """That on one side no translate of the box meets the other one."""
         sides = zip(box, other, self._periods, strict=True)
-        found = (
+        by_side = (
             every(differ(moved, outer) for moved in self._copies(side, outer, period)) for side, outer, period in sides
         )
-        return next((shown for shown in found if shown is not None), None)
+        return next((shown for shown in by_side if shown is not None), None)
 
     def _copies(self, side: arb, target: arb, period: arb | None) -> list[arb]:
         """The side moved by the numbers of periods that can bring it to the target."""
@@ -218,9 +218,9 @@ class ZeroSearch:
                 x + arb(0, arb(factor) * side.rad() + least * (1 + abs(x)).upper())
                 for x, side in zip(point, box, strict=True)
             )
-            found = self._krawczyk(region)
-            if found is not None:
-                self._add(tuple(found[0]), region, found[1])
+            proved = self._krawczyk(region)
+            if proved is not None:
+                self._add(tuple(proved[0]), region, proved[1])
                 return
 
     def sharpened(self, zero: Zero) -> Box:
@@ -229,18 +229,18 @@ class ZeroSearch:
         point = self._newton(zero.enclosure, small)
         for _ in range(8 if point is not None else 0):
             region = tuple(x + arb(0, (small * (1 + abs(x))).upper()) for x in point or ())
-            found = self._krawczyk(region)
-            if found is not None and (same := self.same(found[0], zero)) is not None:
+            proved = self._krawczyk(region)
+            if proved is not None and (same := self.same(proved[0], zero)) is not None:
                 zero.regions.append(region)
-                zero.shown.append(every([found[1], same]))
-                return tuple(found[0])
+                zero.shown.append(every([proved[1], same]))
+                return tuple(proved[0])
             small = small * 64
         return zero.enclosure
 
     def same(self, box: Sequence[arb], zero: Zero) -> Evidence | None:
         """That a zero in the box is this one."""
-        found = (self.lies_in(box, region) for region in zero.regions)
-        return next((shown for shown in found if shown is not None), None)
+        by_region = (self.lies_in(box, region) for region in zero.regions)
+        return next((shown for shown in by_region if shown is not None), None)
 
     def _krawczyk(self, region: Sequence[arb]) -> tuple[list[arb], Evidence] | None:
         return proved_zero(

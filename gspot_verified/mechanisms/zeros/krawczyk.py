@@ -32,8 +32,8 @@ def krawczyk(
     >>> root is not None and root[0].overlaps(arb(2).sqrt())
     True
     """
-    found = proved_zero(function, jacobian, box)
-    return None if found is None else found[0]
+    proved = proved_zero(function, jacobian, box)
+    return None if proved is None else proved[0]
 
 
 def proved_zero(
@@ -49,11 +49,11 @@ def proved_zero(
         at_centre = jacobian(middle)
     except ValueError:
         return None
-    found = krawczyk_operator(at_middle, over_box, at_centre, box)
-    if found is None:
+    image = krawczyk_operator(at_middle, over_box, at_centre, box)
+    if image is None:
         return None
-    inclusion = every(in_interior(new, old) for new, old in zip(found, box, strict=True))
-    return None if inclusion is None else (found, inclusion)
+    inclusion = every(in_interior(new, old) for new, old in zip(image, box, strict=True))
+    return None if inclusion is None else (image, inclusion)
 
 
 def krawczyk_operator(
@@ -77,8 +77,8 @@ def krawczyk_operator(
     middle = [side.mid() for side in box]
     moves = [side - centre for side, centre in zip(box, middle, strict=True)]
     shrunk = arb_mat(size, size, [int(i == j) for i in range(size) for j in range(size)]) - y * arb_mat(over_box)
-    found = (_column(middle) - y * _column(at_middle) + shrunk * _column(moves)).entries()
-    return found if all(side.is_finite() for side in found) else None
+    image = (_column(middle) - y * _column(at_middle) + shrunk * _column(moves)).entries()
+    return image if all(side.is_finite() for side in image) else None
 
 
 def _column(values: Sequence[arb]) -> arb_mat:

@@ -17,8 +17,8 @@ from gspot_verified.mechanisms.zeros.krawczyk import proved_zero
 from gspot_verified.numbers.balls import current_bits
 from gspot_verified.numbers.verdict import Evidence
 
-_NEWTON_STEPS = 60
-_INFLATIONS = 12
+_NEWTON_STEPS = 60  # a limit of effort, also for starts from which it wanders first
+_INFLATIONS = 12  # tries, each 64 times as wide: any number is correct, Krawczyk's test decides
 
 
 class NotFoundError(GSpotError):
@@ -51,8 +51,8 @@ def proved_box(program: BoxProgram, point: Sequence[arb]) -> tuple[list[arb], Ev
     radius = arb(2) ** (26 - current_bits())
     for _ in range(_INFLATIONS):
         box = [x + arb(0, (radius * (1 + abs(x))).upper()) for x in point]
-        found = proved_zero(program.values, lambda at: program.gradients(at)[1], box)
-        if found is not None:
-            return found
+        proved = proved_zero(program.values, lambda at: program.gradients(at)[1], box)
+        if proved is not None:
+            return proved
         radius = radius * 64
     return None

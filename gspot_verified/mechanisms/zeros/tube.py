@@ -16,7 +16,7 @@ from gspot_verified.numbers.balls import nonfinite
 
 Rows = list[list[arb]]
 
-_CONTRACTIONS = 3
+_CONTRACTIONS = 3  # each makes the enclosure of the slopes narrower, none is needed: proofs/sweep.md
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,16 +169,16 @@ def try_tube(
     error = arb_mat(n, n, [1 if i == j else 0 for i in range(n) for j in range(n)]) - preconditioner * by_state
     moved = preconditioner * arb_mat(n, 1, residual)
     spread = error * arb_mat(n, 1, list(within))
-    found = tuple(spread[i, 0] - moved[i, 0] for i in range(n))
-    if not all(value.is_finite() for value in found):
+    rests = tuple(spread[i, 0] - moved[i, 0] for i in range(n))
+    if not all(value.is_finite() for value in rests):
         return None
-    if all(strictly_inside(new, old) for new, old in zip(found, within, strict=True)):
-        tube = Tube(tuple(lower), tuple(upper), tuple(centre), tuple(map(tuple, slopes)), tuple(within), found)
+    if all(strictly_inside(new, old) for new, old in zip(rests, within, strict=True)):
+        tube = Tube(tuple(lower), tuple(upper), tuple(centre), tuple(map(tuple, slopes)), tuple(within), rests)
         turning = _turning(error, preconditioner * arb_mat(along[:n]), within, len(moves))
         own = zip(at_centre[n:], over_tube[n:], along[n:], rows[n:], strict=True)
         quantities = [Quantity(value, over, line, row[:n]) for value, over, line, row in own]
         return Attempt(OnTube(tube, quantities, turning), (), (), ())
-    return _next(centre, slopes, preconditioner, at_centre[:n], along[:n], found)
+    return _next(centre, slopes, preconditioner, at_centre[:n], along[:n], rests)
 
 
 def _turning(error: arb_mat, residual: arb_mat, within: Sequence[arb], k: int) -> Rows:
@@ -212,7 +212,7 @@ def _next(
     preconditioner: arb_mat,
     at_centre: Sequence[arb],
     along: Sequence[Sequence[arb]],
-    found: Sequence[arb],
+    rests: Sequence[arb],
 ) -> Attempt:
     """A better centre, better slopes, and widths around what the operator gave. A heuristic: any choice is correct."""
     n, k = len(centre), len(slopes[0])
@@ -223,7 +223,7 @@ def _next(
     tiny = arb(2) ** -60
     widths = []
     for i in range(n):
-        width = (abs(found[i] + step[i, 0]).upper() * 2 + tiny * (1 + abs(centre[i]))).upper()
+        width = (abs(rests[i] + step[i, 0]).upper() * 2 + tiny * (1 + abs(centre[i]))).upper()
         widths.append(arb(0, width))
     return Attempt(None, new_centre, new_slopes, tuple(widths))
 

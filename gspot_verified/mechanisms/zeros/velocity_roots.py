@@ -82,12 +82,12 @@ class VelocityRoots:
         slopes, hessian = self._slopes.gradients(state)
         linear = _dot(slopes, direction)
         curvature = _dot([_dot(row, direction) for row in hessian], direction) / 2
-        found = quadratic_roots(curvature, linear, constant)
+        roots = quadratic_roots(curvature, linear, constant)
         return Roots(
-            tuple(_along(start, direction, s) for s in found.points),
-            found.open,
-            None if found.near is None else _along(start, direction, found.near),
-            every([*regular, found.shown]),
+            tuple(_along(start, direction, s) for s in roots.points),
+            roots.open,
+            None if roots.near is None else _along(start, direction, roots.near),
+            every([*regular, roots.shown]),
         )
 
 
@@ -104,8 +104,8 @@ class ScalarRoots:
 def quadratic_roots(a: arb, b: arb, c: arb) -> ScalarRoots:
     """All real zeros of a s^2 + b s + c, in disjoint balls, for every choice of the coefficients in their balls.
 
-    >>> found = quadratic_roots(arb(1), arb(-3), arb(2))
-    >>> found.points[0].overlaps(arb(1)), found.points[1].overlaps(arb(2)), found.open
+    >>> roots = quadratic_roots(arb(1), arb(-3), arb(2))
+    >>> roots.points[0].overlaps(arb(1)), roots.points[1].overlaps(arb(2)), roots.open
     (True, True, None)
     >>> quadratic_roots(arb(1), arb(0), arb(1))
     ScalarRoots(points=(), open=None, near=None)
@@ -173,10 +173,10 @@ def _solved(
         return [], []
     matrix = arb_mat([list(row) for row in rows])
     try:
-        found = matrix.solve(arb_mat([list(row) for row in right]))
+        solution = matrix.solve(arb_mat([list(row) for row in right]))
     except ZeroDivisionError:
         return None
-    solved = [[found[i, j] for j in range(len(right[0]))] for i in range(len(rows))]
+    solved = [[solution[i, j] for j in range(len(right[0]))] for i in range(len(rows))]
     finite = all(value.is_finite() for row in solved for value in row)
     return (solved, [differ(0, matrix.det())]) if finite else None
 
