@@ -37,12 +37,12 @@ def checked_certificates(
     :raises ValueError: the checker is not there, or it could not run.
     :raises OSError: a file cannot be read.
     """
-    found = []
+    certificates = []
     for path in _certificates(folder):
         if progress is not None:
             progress(f"checking {path.name}")
-        found.append(checked(path))
-    return found
+        certificates.append(checked(path))
+    return certificates
 
 
 def certificate_checks(folder: Path = PROOFS) -> dict[str, Callable[[], CheckedCertificate]]:

@@ -11,9 +11,7 @@ from typing import Any, ClassVar
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 from gspot_verified.report.certificates import checked_certificates
-from gspot_verified.report.data import checked
-
-_MAX_FILE_BYTES = 200_000_000
+from gspot_verified.report.data import checked, report_text
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,24 +33,28 @@ def check_report(folder: Path, progress: Callable[[str], None] | None = None) ->
     path = folder / "report.json"
     if not path.is_file():
         raise ValueError(f"--check: there is no file {path}")
-    if path.stat().st_size > _MAX_FILE_BYTES:
-        raise ValueError(f"{path}: larger than {_MAX_FILE_BYTES} bytes, so it is not a report")
     try:
-        report: dict[str, Any] = checked(json.loads(path.read_text(encoding="utf-8")))
+        report: dict[str, Any] = checked(json.loads(report_text(path)))
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{path}: {error}") from error
     if not report["certificates"]:
         raise ValueError(f"{path}: it names no certificate")
-    here = {found.name: found for found in checked_certificates(folder / "certificates", progress)}
+    here = {certificate.name: certificate for certificate in checked_certificates(folder / "certificates", progress)}
     results = []
     for named in report["certificates"]:
-        found = here.pop(named["name"], None)
-        if found is None:
+        certificate = here.pop(named["name"], None)
+        if certificate is None:
             results.append(CheckedAgain(named["name"], False, "the file is missing"))
-        elif found.sha256 != named["sha256"]:
-            results.append(CheckedAgain(found.name, False, f"another file than the report names; now: {found.said}"))
+        elif certificate.sha256 != named["sha256"]:
+            results.append(
+                CheckedAgain(certificate.name, False, f"another file than the report names; now: {certificate.said}")
+            )
         else:
-            results.append(CheckedAgain(found.name, found.verified and found.said == named["said"], found.said))
+            results.append(
+                CheckedAgain(
+                    certificate.name, certificate.verified and certificate.said == named["said"], certificate.said
+                )
+            )
     return results + [
         CheckedAgain(other.name, False, f"the report does not name it; {other.said}") for other in here.values()
     ]

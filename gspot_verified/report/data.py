@@ -8,6 +8,7 @@ import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from importlib import metadata
+from pathlib import Path
 from typing import Any
 
 from gspot_verified.numbers.verdict import Outcome, Reason
@@ -19,7 +20,8 @@ from gspot_verified.report.hard_cases import NONE, check_hard_cases
 from gspot_verified.report.parts.proof_page import proof_pages
 from gspot_verified.report.pictures.canvas import Picture
 
-SCHEMA = 6
+SCHEMA = 6  # one more with each change of form: only this one is read
+_MAX_FILE_BYTES = 200_000_000  # far more than a report: a limit against hostile input
 
 _OUTCOMES = [outcome.value for outcome in Outcome]
 _STANDINGS = [standing.value for standing in Standing]
@@ -37,10 +39,10 @@ def versions() -> dict[str, str]:
     """What computed the report, by name. No date and no host, so that two runs agree."""
     import flint
 
-    found = {name: _installed(name) for name in _VERSIONS}
-    found["python"] = f"{platform.python_implementation()} {platform.python_version()}"
-    found["FLINT"] = flint.__FLINT_VERSION__
-    return found
+    by_name = {name: _installed(name) for name in _VERSIONS}
+    by_name["python"] = f"{platform.python_implementation()} {platform.python_version()}"
+    by_name["FLINT"] = flint.__FLINT_VERSION__
+    return by_name
 
 
 def _installed(name: str) -> str:
@@ -82,6 +84,16 @@ def report_data(
     )
 
 
+def report_text(path: Path) -> str:
+    """The text of a ``report.json``.
+
+    :raises ValueError: the file is larger than a report, or not UTF-8.
+    """
+    if path.stat().st_size > _MAX_FILE_BYTES:
+        raise ValueError(f"larger than {_MAX_FILE_BYTES} bytes, so it is not a report")
+    return path.read_text(encoding="utf-8")
+
+
 def checked(report: object) -> dict[str, Any]:
     """The report itself, when it has the form that this version writes.
 
@@ -92,39 +104,39 @@ def checked(report: object) -> dict[str, Any]:
     ...
     ValueError: report: this version reads schema 6, the file has schema 1
     """
-    found = _mapping(report, "report")
-    if type(found.get("schema")) is not int or found["schema"] != SCHEMA:
-        raise ValueError(f"report: this version reads schema {SCHEMA}, the file has schema {found.get('schema')!r}")
-    entries = _sequence(found, "entries", "report")
+    data = _mapping(report, "report")
+    if type(data.get("schema")) is not int or data["schema"] != SCHEMA:
+        raise ValueError(f"report: this version reads schema {SCHEMA}, the file has schema {data.get('schema')!r}")
+    entries = _sequence(data, "entries", "report")
     for number, entry in enumerate(entries):
         _check_entry(entry, f"entries[{number}]")
     for identifier, times in Counter(entry["identifier"] for entry in entries).items():
         if times > 1:
             raise ValueError(f"entries: the identifier {identifier!r} occurs {times} times")
-    _check_counts(found, entries)
-    for number, claim in enumerate(_sequence(found, "claims", "report")):
+    _check_counts(data, entries)
+    for number, claim in enumerate(_sequence(data, "claims", "report")):
         _check_claim(
             claim, f"claims[{number}]", {entry["identifier"]: entry["verdict"]["outcome"] for entry in entries}
         )
-    standings = {name: sum(claim["standing"] == name for claim in found["claims"]) for name in _STANDINGS}
-    if found.get("standings") != standings:
-        raise ValueError(f"standings: the file says {found.get('standings')}, its claims give {standings}")
-    check_hard_cases(found.get("hard_cases"))
-    for number, picture in enumerate(_sequence(found, "figures", "report")):
+    standings = {name: sum(claim["standing"] == name for claim in data["claims"]) for name in _STANDINGS}
+    if data.get("standings") != standings:
+        raise ValueError(f"standings: the file says {data.get('standings')}, its claims give {standings}")
+    check_hard_cases(data.get("hard_cases"))
+    for number, picture in enumerate(_sequence(data, "figures", "report")):
         _texts(_mapping(picture, f"figures[{number}]"), _PICTURE_TEXTS, f"figures[{number}]")
         _file_name(picture["name"], f"figures[{number}].name")
-    for number, certificate in enumerate(_sequence(found, "certificates", "report")):
+    for number, certificate in enumerate(_sequence(data, "certificates", "report")):
         _texts(_mapping(certificate, f"certificates[{number}]"), _CERTIFICATE_TEXTS, f"certificates[{number}]")
         _file_name(certificate["name"], f"certificates[{number}].name")
         if not isinstance(certificate.get("verified"), bool):
             raise ValueError(f"certificates[{number}].verified: expected true or false")
-    proofs = _mapping(found.get("proofs"), "proofs")
+    proofs = _mapping(data.get("proofs"), "proofs")
     _texts(proofs, list(proofs), "proofs")
     for name in proofs:
         _file_name(name, "proofs")
-    known = _mapping(found.get("versions"), "versions")
+    known = _mapping(data.get("versions"), "versions")
     _texts(known, _VERSIONS, "versions")
-    return found
+    return data
 
 
 def _check_counts(report: dict[str, Any], entries: Sequence[dict[str, Any]]) -> None:
@@ -152,9 +164,9 @@ def _check_claim(value: object, where: str, outcomes: Mapping[str, str]) -> None
     lines = _sequence(claim, "lines", where)
     if len(lines) != 2 or any(type(line) is not int for line in lines):
         raise ValueError(f"{where}.lines: expected two line numbers, got {lines}")
-    found = {outcomes.get(name) for name in _sequence(claim, "entries", where)}
-    if found:
-        given = "refuted" if "refuted" in found else "proved" if found == {"proved"} else "undecided"
+    verdicts = {outcomes.get(name) for name in _sequence(claim, "entries", where)}
+    if verdicts:
+        given = "refuted" if "refuted" in verdicts else "proved" if verdicts == {"proved"} else "undecided"
         if claim["standing"] != given:
             raise ValueError(f"{where}.standing: the file says {claim['standing']}, its entries give {given}")
     elif claim["standing"] in ("proved", "refuted"):

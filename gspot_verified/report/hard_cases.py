@@ -22,9 +22,9 @@ def measurements() -> dict[str, Callable[[], dict[str, Any]]]:
     return {f"hard cases: {family.title}": partial(_measured, family) for family in families()}
 
 
-def hard_cases(found: Iterable[dict[str, Any]]) -> dict[str, Any]:
+def hard_cases(plain: Iterable[dict[str, Any]]) -> dict[str, Any]:
     """The families that were measured, as the report holds them."""
-    kept = list(found)
+    kept = list(plain)
     return {"families": kept, "summary": _summary([row for family in kept for row in family["rows"]])}
 
 

@@ -89,8 +89,8 @@ _NAMES: dict[str, Callable[..., Picture]] = {
 _KINDS: dict[type, Callable[..., Picture]] = {
     Mechanism: phase_plane_picture,
     Trajectory: expansion_picture,
-    CompliantIwc: lambda found, **options: contact_force_picture(found.leading.force, **options),
-    IwcResult: lambda found, **options: contact_force_picture(found.force, **options),
-    ZerosResult: lambda found: atlas_picture(found, with_texts=True),
+    CompliantIwc: lambda result, **options: contact_force_picture(result.leading.force, **options),
+    IwcResult: lambda result, **options: contact_force_picture(result.force, **options),
+    ZerosResult: lambda result: atlas_picture(result, with_texts=True),
     ZeroMap: zero_map_picture,
 }

@@ -67,14 +67,14 @@ def pages(report: dict[str, Any], measurement: Measurement | None = None) -> dic
         "standings": {name.value: report["standings"][name.value] for name in Standing},
         "figures": report["figures"],
     }
-    found = {
+    by_address = {
         f"{_address(title)}": _page("section", common, title=title, parts=parts) for title, parts in sections.items()
     }
     for name, page in proofs.items():
-        found[page["address"]] = _page("proof", common, name=name, page=page)
+        by_address[page["address"]] = _page("proof", common, name=name, page=page)
     for path in dict.fromkeys(entry["file"] for entry in entries if entry["code_address"]):
-        found[code_address(path)] = _page("code", common, path=path, listing=code_page(path))
-    return found | {
+        by_address[code_address(path)] = _page("code", common, path=path, listing=code_page(path))
+    return by_address | {
         "index.html": _page("start", common, rungs=_rungs(report), page_alone=report["page_alone"]),
         "statements.html": _page("statements", common, **_script()),
         "claims.html": _page("claims", common, claims=_claims(report["claims"], entries)),
@@ -148,18 +148,18 @@ def _proofs(report: dict[str, Any], entries: Sequence[dict[str, Any]]) -> dict[s
     """The proof pages that are here in the version that was meant, with who uses them."""
     texts = {name: proof_text(name, digest) for name, digest in report["proofs"].items()}
     here = {name: text for name, text in texts.items() if text is not None}
-    found: dict[str, dict[str, Any]] = {}
+    by_name: dict[str, dict[str, Any]] = {}
     for name, text in here.items():
-        found[name] = {
+        by_name[name] = {
             "address": f"proof-{name}.html",
             "title": page_title(text),
             "body": _safe(proof_html(name, text, list(here))),
             "links": [other for other in linked_pages(text) if other in here],
             "used_by_entries": [entry for entry in entries if name in entry["pages"]],
         }
-    for name, page in found.items():
-        page["used_by_pages"] = [other for other, known in found.items() if name in known["links"]]
-    return found
+    for name, page in by_name.items():
+        page["used_by_pages"] = [other for other, known in by_name.items() if name in known["links"]]
+    return by_name
 
 
 def _graph(entries: Sequence[dict[str, Any]], proofs: dict[str, dict[str, Any]]) -> str:
@@ -206,10 +206,10 @@ def _address(section: str) -> str:
 
 def _by_section(entries: Sequence[dict[str, Any]]) -> dict[str, dict[str, list[dict[str, Any]]]]:
     """The entries under the sections of the paper and their parts, in order of first appearance."""
-    found: dict[str, dict[str, list[dict[str, Any]]]] = {}
+    sections: dict[str, dict[str, list[dict[str, Any]]]] = {}
     for entry in entries:
-        found.setdefault(_main_section(entry), {}).setdefault(entry["section"], []).append(entry)
-    return found
+        sections.setdefault(_main_section(entry), {}).setdefault(entry["section"], []).append(entry)
+    return sections
 
 
 @lru_cache(maxsize=1)

@@ -14,15 +14,13 @@ from gspot_verified.cost.measurement.file import load, recorded, written
 from gspot_verified.cost.measurement.measurement import Measurement
 from gspot_verified.paper.checks.entry import Entry
 from gspot_verified.report.certificates import CheckedCertificate, certificate_checks
-from gspot_verified.report.data import report_data
+from gspot_verified.report.data import report_data, report_text
 from gspot_verified.report.figures.figures import drawings
 from gspot_verified.report.hard_cases import hard_cases, measurements
 from gspot_verified.report.parts.cost_page import cost_figures
 from gspot_verified.report.pictures.canvas import Picture
 from gspot_verified.report.site import pages, style
 from gspot_verified.work.executors import InProcessExecutor, as_they_end
-
-_MAX_FILE_BYTES = 200_000_000
 
 
 def write_report(
@@ -70,12 +68,12 @@ def computed(
     """Figures, certificates and hard cases: parts that do not depend on each other, the longest kind first."""
     certificates, figures, families = certificate_checks(), drawings(), measurements()
     calls: dict[str, Callable[[], Any]] = {**dict(reversed(certificates.items())), **figures, **families}
-    found: dict[str, Any] = {}
+    results: dict[str, Any] = {}
     for name, result in as_they_end(pool, calls):
-        found[name] = result
-        say(f"{name}: done, {len(found)} of {len(calls)} parts of the report")
-    drawn = tuple(found[name] for name in figures)
-    return drawn, [found[name] for name in certificates], hard_cases(found[name] for name in families)
+        results[name] = result
+        say(f"{name}: done, {len(results)} of {len(calls)} parts of the report")
+    drawn = tuple(results[name] for name in figures)
+    return drawn, [results[name] for name in certificates], hard_cases(results[name] for name in families)
 
 
 def render_report(path: Path, directory: Path, cost: Path | None = None) -> Path:
@@ -89,12 +87,10 @@ def render_report(path: Path, directory: Path, cost: Path | None = None) -> Path
     :raises ValueError: the file is not JSON, has another schema, or is malformed; the message names the file.
     :raises OSError: the file cannot be read.
     """
-    if path.stat().st_size > _MAX_FILE_BYTES:
-        raise ValueError(f"{path}: larger than {_MAX_FILE_BYTES} bytes, so it is not a report")
     beside = path.parent / "cost.json"
     measurement = load(cost or beside) if cost is not None or beside.is_file() else recorded()
     try:
-        report = json.loads(path.read_text(encoding="utf-8"))
+        report = json.loads(report_text(path))
         made = pages(report, measurement)
     except UnicodeDecodeError:
         raise ValueError(f"{path}: not UTF-8 text") from None

@@ -5,7 +5,7 @@ import os
 
 import pytest
 
-from gspot_verified.report import write
+from gspot_verified.report import data, write
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +82,7 @@ def test_a_bad_file_is_rejected_and_the_page_is_kept(tmp_path, content, message)
 
 
 def test_a_file_that_is_too_large_is_rejected_before_it_is_read(tmp_path, monkeypatch):
-    monkeypatch.setattr(write, "_MAX_FILE_BYTES", 3)
+    monkeypatch.setattr(data, "_MAX_FILE_BYTES", 3)
     (tmp_path / "report.json").write_text("[[[[")
     with pytest.raises(ValueError, match="larger than 3 bytes"):
         write.render_report(tmp_path / "report.json", tmp_path)

@@ -31,9 +31,9 @@ _WORDS = {
     Colour.ONE_ZERO: "one zero at each β",
     Colour.TWO_ZEROS: "two zeros at each β",
 }
-_LEAST_REACH = fmpq(2)
-_HEIGHT = 6.9
-_LINE = 128
+_LEAST_REACH = fmpq(2)  # in tau: an atlas without tubes shows this much
+_HEIGHT = 6.9  # inches of the axes; the caption and the legend come on top
+_LINE = 128  # characters of the caption in a line
 
 
 def save_atlas(result: ZerosResult, path: Path) -> Path:

@@ -22,10 +22,10 @@ from gspot_verified.theta_function.boxes.box import omitted_terms
 from gspot_verified.theta_function.boxes.box_choice import bits_for_box, length_for_box
 from gspot_verified.theta_function.boxes.parameter_series import parameter_series
 
-_WIDTH = fmpq(1, 2**10)
-_SAMPLES_PER_UNIT = 24
-_LEAST_SAMPLES = 2
-_FOLD_SAMPLES = 12
+_WIDTH = fmpq(1, 2**10)  # of the interval around a drawn zero: less than a pixel
+_SAMPLES_PER_UNIT = 24  # points of a curve of zeros in a unit of beta
+_LEAST_SAMPLES = 2  # of a column, however low
+_FOLD_SAMPLES = 12  # points of each branch at a fold, dense towards it
 _TAIL_STEPS = (*[fmpq(5, 8)] * 10, *[fmpq(1, 4)] * 24)
 
 
@@ -55,7 +55,7 @@ ZeroCurve = tuple[tuple[float, float], ...]
 
 def areas(column: Column) -> list[Area]:
     """The areas of one column of :func:`signs.zeros.zeros.zeros_on_range`; what is left out is not settled."""
-    found: list[Area] = []
+    joined: list[Area] = []
     n = 0 if column.lower is None else cell_of(column.lower, column.upper)
     factor = 1 if column.lower is None or column.lower < 0 else -1  # dTheta/dtau = -beta F
     run: list[ColumnPiece] = []
@@ -66,27 +66,27 @@ def areas(column: Column) -> list[Area]:
             continue
         left, right = end_signs(piece, n)
         if run:
-            _add(found, column, _run_colour(factor, before, left), run[0].lower, run[-1].upper)
+            _add(joined, column, _run_colour(factor, before, left), run[0].lower, run[-1].upper)
             run = []
         before = right
         if piece.kind is Kind.FOLD and _two_zeros(column):
-            _add(found, column, Colour.TWO_ZEROS, piece.lower, piece.upper)
+            _add(joined, column, Colour.TWO_ZEROS, piece.lower, piece.upper)
         elif not (piece.kind is Kind.RIGHT and piece.mark):
             whole = piece.kind is Kind.LAPLACE
-            _add(found, column, _sign_colour(factor * left), None if whole else piece.lower, piece.upper)
-    return found
+            _add(joined, column, _sign_colour(factor * left), None if whole else piece.lower, piece.upper)
+    return joined
 
 
-def _add(found: list[Area], column: Column, colour: Colour | None, left: fmpq | None, right: fmpq | None) -> None:
+def _add(joined: list[Area], column: Column, colour: Colour | None, left: fmpq | None, right: fmpq | None) -> None:
     """Append an area, joined to its neighbour where both have one sign."""
     if colour is None:
         return
-    last = found[-1] if found else None
+    last = joined[-1] if joined else None
     signs = (Colour.NEGATIVE, Colour.POSITIVE)
     if last is not None and last.colour is colour and colour in signs and last.right is not None and last.right == left:
-        found.pop()
+        joined.pop()
         left = last.left
-    found.append(Area(colour, left, right, column.lower, column.upper))
+    joined.append(Area(colour, left, right, column.lower, column.upper))
 
 
 def _run_colour(factor: int, before: int, after: int) -> Colour | None:
@@ -107,12 +107,12 @@ def _two_zeros(column: Column) -> bool:
 
 def folds(columns: Sequence[Column]) -> list[fmpq]:
     """The beta at which two zeros meet at tau = 0 in a certified fold box."""
-    found = set()
+    betas = set()
     for column in columns:
         if column.lower is not None and any(piece.kind is Kind.FOLD for piece in column.pieces):
             n = fold_integer(column.lower, column.upper)
-            found |= set() if n is None else {n + 1}
-    return [fmpq(beta) for beta in sorted(found)]
+            betas |= set() if n is None else {n + 1}
+    return [fmpq(beta) for beta in sorted(betas)]
 
 
 def entries(columns: Sequence[Column]) -> list[fmpq]:
@@ -155,7 +155,7 @@ def zero_curves(column: Column, limit: fmpq) -> list[ZeroCurve]:
         tubes.append((betas, last, limit))
     reach = max((abs(end) for _, left, right in tubes for end in (left, right)), default=fmpq(0))
     models: dict[fmpq, _Slope] = {}
-    found: list[ZeroCurve] = []
+    curves: list[ZeroCurve] = []
     for betas, left, right in tubes:
         curve = []
         for beta in betas:
@@ -164,8 +164,8 @@ def zero_curves(column: Column, limit: fmpq) -> list[ZeroCurve]:
             tau = _zero(models[beta], left, right)
             if tau is not None:
                 curve.append((approximate(tau), approximate(beta)))
-        found += [tuple(curve)] if len(curve) > 1 else []
-    return found
+        curves += [tuple(curve)] if len(curve) > 1 else []
+    return curves
 
 
 class _Slope:

@@ -12,10 +12,10 @@ from gspot_verified.numbers.balls import ExactInput, ball, exact, float_bounds, 
 from gspot_verified.report.pictures.canvas import COLOURS, INK, STYLES, Picture, canvas, picture, styled
 from gspot_verified.theta_function.value.evaluate import evaluate
 
-_EPSILONS = (fmpq(1), fmpq(1, 10), fmpq(1, 1000))
+_EPSILONS = (fmpq(1), fmpq(1, 10), fmpq(1, 1000))  # from far to close to leading order
 _POINTS = tuple(fmpq(k, 12) for k in range(-48, 37))
-_BITS = 100
-_MAX_BETA = 20
+_BITS = 100  # beyond what a picture shows; any is correct
+_MAX_BETA = 20  # a limit of effort
 
 
 def scaled_b_hat(beta: fmpq, epsilon: fmpq, tau: fmpq) -> arb:

@@ -52,9 +52,9 @@ from gspot_verified.theta_function.theta import theta
 from gspot_verified.theta_function.value.routes import theta_by
 
 _DIGITS_PER_BIT = math.log10(2)
-_BOX_BITS = 6
-_NARROWEST = Fraction(1, 1024)
-_SERIES_DIGITS = 60
+_BOX_BITS = 6  # an enclosure with so many certain bits is narrow: its box is not halved again
+_NARROWEST = Fraction(1, 1024)  # nor is a box of this width
+_SERIES_DIGITS = 60  # the smallest errors drawn are near 1e-19: the value must be far more accurate
 
 
 @dataclass(frozen=True, slots=True)
@@ -279,10 +279,10 @@ def routes_picture() -> Picture:
     digits, beta = 30, "7/3"
     points = [Fraction(5 * k, 2) for k in range(-80, 81)]
     at = [float(point) for point in points]
-    found = {route: route_digits(route, beta, points, digits) for route in _ROUTES}
-    top = max(value for values in found.values() for value in values if not math.isnan(value))
+    certified = {route: route_digits(route, beta, points, digits) for route in _ROUTES}
+    top = max(value for values in certified.values() for value in values if not math.isnan(value))
     rows = figure.subplots(len(_ROUTES), 1, sharex=True, sharey=True)
-    for axes, (route, values), colour in zip(rows, found.items(), COLOURS, strict=False):
+    for axes, (route, values), colour in zip(rows, certified.items(), COLOURS, strict=False):
         axes.fill_between(at, values, color=colour, alpha=0.25, linewidth=0)
         axes.plot(at, values, color=colour)
         axes.axhline(digits, color=INK, linewidth=0.8, linestyle=(0, (4, 3)))
@@ -359,12 +359,12 @@ def series_picture() -> Picture:
     certain = drawn = 0
     for terms, colour, marker in zip((1, 2, 3, 5), COLOURS, "os^D", strict=False):
         marked: dict[str, Any] = {"color": colour, "marker": marker, "markevery": 4, "markersize": 4}
-        found = series_error("1/2", terms, points)
-        upper.plot(found.error.at, found.error.middle, **marked, label=f"N = {terms}")
-        upper.plot(found.bound.at, found.bound.middle, color=colour, linestyle="--", linewidth=1)
-        ratios = [e / b for e, b in zip(found.error.middle, found.bound.middle, strict=True)]
-        lower.plot(found.error.at, ratios, **marked)
-        certain, drawn = certain + found.certain, drawn + len(points)
+        errors = series_error("1/2", terms, points)
+        upper.plot(errors.error.at, errors.error.middle, **marked, label=f"N = {terms}")
+        upper.plot(errors.bound.at, errors.bound.middle, color=colour, linestyle="--", linewidth=1)
+        ratios = [e / b for e, b in zip(errors.error.middle, errors.bound.middle, strict=True)]
+        lower.plot(errors.error.at, ratios, **marked)
+        certain, drawn = certain + errors.certain, drawn + len(points)
     upper.plot([], [], color=INK, linestyle="--", linewidth=1, label="bound")
     upper.set(xscale="log", yscale="log", ylabel="|Θ − sum| / Θ", xlim=(1, 32), ylim=(1e-19, 1e7))
     upper.legend(loc="lower left", ncols=2)

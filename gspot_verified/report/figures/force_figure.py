@@ -14,10 +14,10 @@ from gspot_verified.numbers.balls import ball, working_bits
 from gspot_verified.report.pictures.canvas import COLOURS, INK, STYLES, Picture, canvas, picture, styled
 from gspot_verified.theta_function.value.evaluate import evaluate
 
-_B = fmpq(3, 2)
-_EPSILONS = (fmpq(1), fmpq(1, 10), fmpq(1, 1000))
-_TUBE_EPSILON = fmpq(1, 100)
-_BITS = 100
+_B = fmpq(3, 2)  # beta - 1 of the drawn curves
+_EPSILONS = (fmpq(1), fmpq(1, 10), fmpq(1, 1000))  # from far to close to leading order
+_TUBE_EPSILON = fmpq(1, 100)  # where excess and bound are drawn
+_BITS = 100  # beyond what a picture shows; any is correct
 
 
 @dataclass(frozen=True, slots=True)

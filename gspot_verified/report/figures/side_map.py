@@ -13,7 +13,6 @@ from gspot_verified.report.pictures.canvas import BLUE, INK, ORANGE, Picture, ca
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_HEIGHT = 4.6
 _TITLE = "The side rule at finite ε, for the paper's initial data"
 
 
@@ -28,7 +27,7 @@ def side_map_picture(points: Sequence[SidePoint]) -> Picture:
 
 
 def _draw(points: Sequence[SidePoint]) -> Picture:
-    figure = canvas(_HEIGHT)
+    figure = canvas(4.6)
     axes = figure.add_subplot()
     _squares(axes, points)
     limits = {beta: limit for beta, limit in agreement_limits(points).items() if limit is not None}

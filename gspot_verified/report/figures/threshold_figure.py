@@ -12,11 +12,11 @@ from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.numbers.balls import approximate
 from gspot_verified.report.pictures.canvas import BLUE, INK, VERMILION, Picture, canvas, picture, styled
 
-START = fmpq(-10)
-DIGITS = 4
+START = fmpq(-10)  # where the statements begin: the default of the command iwc
+DIGITS = 4  # of the exact epsilon_0: more than a picture shows
 START_DIGITS = 6
 """Where floor(beta) is odd the start decides: that is quickly found, and the two epsilon_0 are close to each other."""
-LAST = 7
+LAST = 7  # end of the range of beta
 BETAS = tuple(fmpq(k, 8) for k in range(10, 8 * LAST) if k % 8)
 
 
@@ -42,14 +42,14 @@ def threshold_points(betas: Iterable[fmpq] = BETAS) -> tuple[ThresholdPoint, ...
     >>> [point.ratio > 1 for point in threshold_points([fmpq(3, 2), fmpq(21, 4)])]
     [True, False]
     """
-    found = []
+    points = []
     for beta in betas:
         leading = leading_order_iwc(beta, tau_start=START)
         digits = START_DIGITS if int(beta.floor()) % 2 else DIGITS
         exact = exact_epsilon_0(leading, digits)[0]
         if leading.epsilon_0 is not None and exact is not None and exact.lower is not None and exact.upper is not None:
-            found.append(ThresholdPoint(beta, leading.epsilon_0, exact.lower, exact.upper))
-    return tuple(found)
+            points.append(ThresholdPoint(beta, leading.epsilon_0, exact.lower, exact.upper))
+    return tuple(points)
 
 
 def threshold_picture(points: Sequence[ThresholdPoint]) -> Picture:

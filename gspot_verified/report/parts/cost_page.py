@@ -28,9 +28,9 @@ from gspot_verified.cost.measurement.text import (
 from gspot_verified.cost.times.rows import seconds_text
 from gspot_verified.report.pictures.canvas import COLOURS, GRID, INK, PAPER, two_themes
 
-_WIDTH, _LEFT, _RIGHT, _TOP, _BOTTOM = 760.0, 74.0, 196.0, 48.0, 46.0
-_HEIGHT, _SMALL_HEIGHT = 300.0, 190.0
-_LINE = 14.0
+_WIDTH, _LEFT, _RIGHT, _TOP, _BOTTOM = 760.0, 74.0, 196.0, 48.0, 46.0  # pixels: a chart and its margins
+_HEIGHT, _SMALL_HEIGHT = 300.0, 190.0  # pixels: a panel that is alone, and one of several
+_LINE = 14.0  # pixels between two names at the right
 _TICKS = {-7: "0.1 µs", -6: "1 µs", -5: "10 µs", -4: "0.1 ms", -3: "1 ms", -2: "10 ms", -1: "0.1 s", 0: "1 s",
           1: "10 s", 2: "100 s", 3: "1000 s"}  # fmt: skip
 _FONT = "font-family:system-ui,-apple-system,'Segoe UI','DejaVu Sans',sans-serif"
@@ -117,8 +117,8 @@ def _place_ticks(first: float, last: float) -> list[float]:
     """Powers of ten over a long range; over a short one 1, 2, 5 or every number too."""
     decades = range(math.floor(math.log10(first)), math.ceil(math.log10(last)) + 1)
     for digits in ((1,), (1, 3), (1, 2, 5), (1, 2, 3, 4, 5, 6, 7, 8)):
-        found = [digit * 10.0**power for power in decades for digit in digits]
-        inside = [value for value in found if first * 0.999 <= value <= last * 1.001]
+        ticks = [digit * 10.0**power for power in decades for digit in digits]
+        inside = [value for value in ticks if first * 0.999 <= value <= last * 1.001]
         if len(inside) >= 4:
             break
     return inside
@@ -165,14 +165,14 @@ def spread(wanted: Sequence[float], distance: float, lowest: float, highest: flo
     >>> spread([10, 11, 50], 14, 0, 100)
     [10, 24, 50]
     """
-    found: list[float] = []
+    placed: list[float] = []
     for value in wanted:
-        found.append(max(value, lowest, found[-1] + distance) if found else max(value, lowest))
+        placed.append(max(value, lowest, placed[-1] + distance) if placed else max(value, lowest))
     limit = highest
-    for number in range(len(found) - 1, -1, -1):
-        found[number] = min(found[number], limit)
-        limit = found[number] - distance
-    return found
+    for number in range(len(placed) - 1, -1, -1):
+        placed[number] = min(placed[number], limit)
+        limit = placed[number] - distance
+    return placed
 
 
 def _stroke(x: float, y: float, to_x: float, to_y: float, colour: str, width: float, dashes: str = "") -> str:
@@ -242,7 +242,7 @@ def _part(part: Part, has_figure: bool) -> dict[str, Any]:
 
 def _route(route: Route) -> dict[str, Any]:
     ends = first_and_last(route)
-    found = growth(route)
+    fitted = growth(route)
     memories = [point.memory for point in route.points if point.memory is not None]
     return {
         "name": panel_words(route.panel) + route.name,
@@ -251,7 +251,7 @@ def _route(route: Route) -> dict[str, Any]:
         "note": route.note,
         "ends": [] if ends is None else [(place_text(end.place), seconds_text(end.best)) for end in ends],
         "memory": bytes_text(max(memories)) if memories else "",
-        "growth": growth_text(found) if found.exponent is not None else "",
+        "growth": growth_text(fitted) if fitted.exponent is not None else "",
         "theory": route.theory,
         "points": [
             {

@@ -6,8 +6,8 @@ import html
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-_ROW, _COLUMN, _WIDTH = 22, 300, 190
-_SWEEPS = 6
+_ROW, _COLUMN, _WIDTH = 22, 300, 190  # pixels: from row to row, from column to column, and of a box
+_SWEEPS = 6  # to and fro over the columns: any number is correct
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,12 +49,12 @@ def _columns(edges: Mapping[str, Sequence[str]]) -> list[list[str]]:
     named = {other for others in edges.values() for other in others}
     column = [name for name, others in edges.items() if others and name not in named]
     seen = set(column)
-    found = []
+    columns = []
     while column:
-        found.append(column)
+        columns.append(column)
         column = list(dict.fromkeys(other for name in column for other in edges[name] if other not in seen))
         seen |= set(column)
-    return found
+    return columns
 
 
 def _ordered(columns: Sequence[Sequence[str]], edges: Mapping[str, Sequence[str]]) -> list[list[str]]:
@@ -63,14 +63,16 @@ def _ordered(columns: Sequence[Sequence[str]], edges: Mapping[str, Sequence[str]
     for name, others in edges.items():
         for other in others:
             neighbours[other].add(name)
-    found = [list(column) for column in columns]
+    ordered = [list(column) for column in columns]
     for sweep in range(_SWEEPS):
-        height = {name: row / len(column) for column in found for row, name in enumerate(column)}
-        for number in range(1, len(found)) if sweep % 2 == 0 else range(len(found) - 1, -1, -1):
-            heights = {name: [height[other] for other in neighbours[name] if other in height] for name in found[number]}
-            found[number].sort(key=lambda name: sum(heights[name]) / len(heights[name]))
-            height |= {name: row / len(found[number]) for row, name in enumerate(found[number])}
-    return found
+        height = {name: row / len(column) for column in ordered for row, name in enumerate(column)}
+        for number in range(1, len(ordered)) if sweep % 2 == 0 else range(len(ordered) - 1, -1, -1):
+            heights = {
+                name: [height[other] for other in neighbours[name] if other in height] for name in ordered[number]
+            }
+            ordered[number].sort(key=lambda name: sum(heights[name]) / len(heights[name]))
+            height |= {name: row / len(ordered[number]) for row, name in enumerate(ordered[number])}
+    return ordered
 
 
 def _curve(start: tuple[int, int], end: tuple[int, int]) -> str:

@@ -34,7 +34,7 @@ def typeset(text: str) -> str:
     """
     parts = re.split(r"(\s+)", text)
     kinds = [_kind(part) for part in parts]
-    found: list[str] = []
+    pieces: list[str] = []
     run: list[str] = []
 
     def close() -> None:
@@ -44,9 +44,9 @@ def typeset(text: str) -> str:
         if run:
             words = "".join(run)
             body = words.rstrip(_TRAILING)
-            found.append(f'<span class="formula">{formula(body)}</span>{html.escape(words[len(body) :], quote=False)}')
+            pieces.append(f'<span class="formula">{formula(body)}</span>{html.escape(words[len(body) :], quote=False)}')
             run.clear()
-        found.extend(reversed(spaces))
+        pieces.extend(reversed(spaces))
 
     for index, (part, kind) in enumerate(zip(parts, kinds, strict=True)):
         following = next((k for k in kinds[index + 1 :] if k != "space"), "prose")
@@ -58,9 +58,9 @@ def typeset(text: str) -> str:
             run.append(part)
         else:
             close()
-            found.append(html.escape(part, quote=False))
+            pieces.append(html.escape(part, quote=False))
     close()
-    return "".join(found)
+    return "".join(pieces)
 
 
 def _is_open(run: list[str]) -> bool:
@@ -88,18 +88,18 @@ def formula(source: str) -> str:
     """A formula as HTML."""
     for typed, printed in _TYPED.items():
         source = source.replace(typed, printed)
-    found, place = [], 0
+    pieces, place = [], 0
     while place < len(source):
         letter = source[place]
         if letter in "_^" and place + 1 < len(source):
             inner, place = _index(source, place + 1, letter == "^")
             tag = "sub" if letter == "_" else "sup"
-            found.append(f"<{tag}>{formula(inner)}</{tag}>")
+            pieces.append(f"<{tag}>{formula(inner)}</{tag}>")
         elif letter == "*" and place and source[place - 1].isalnum() and not _follows(source, place + 1):
-            found.append("<sup>*</sup>")
+            pieces.append("<sup>*</sup>")
             place += 1
         elif letter == "*" and _follows(source, place + 1):
-            found.append("·")
+            pieces.append("·")
             place += 1
         elif _is_letter(letter):
             end = place + 1
@@ -107,12 +107,12 @@ def formula(source: str) -> str:
                 end += 1
             while end < len(source) and "̀" <= source[end] <= "ͯ":  # an accent belongs to its letter
                 end += 1
-            found.append(_word(source[place:end]))
+            pieces.append(_word(source[place:end]))
             place = end
         else:
-            found.append(html.escape(letter, quote=False))
+            pieces.append(html.escape(letter, quote=False))
             place += 1
-    return "".join(found)
+    return "".join(pieces)
 
 
 def _follows(source: str, place: int) -> bool:

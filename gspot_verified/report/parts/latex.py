@@ -17,6 +17,7 @@ _MACROS = {
     "beq": r"\begin{equation}", "eeq": r"\end{equation}",
     "mathsterling": "£", "mbox": r"\text", "bf": "", "nonumber": "", "dddot": r"\dddot", "allowbreak": "",
 }  # fmt: skip
+# How many children each element has.
 _PARTS = {"mfrac": 2, "msub": 2, "msup": 2, "msubsup": 3, "munder": 2, "mover": 2, "munderover": 3, "mroot": 2}
 _ELEMENTS = {*_PARTS, "math", "mrow", "mi", "mo", "mn", "mtext", "mspace", "msqrt", "mtable", "mtr", "mtd", "mstyle"}
 _ELEMENTS |= {"mpadded", "mphantom", "menclose"}
@@ -79,14 +80,14 @@ def latex_formula(source: str, display: bool = False) -> str:
         IndexError, StopIteration,
     )  # fmt: skip
     try:
-        found = convert(_prepared(source), display="block" if display else "inline")
+        element = convert(_prepared(source), display="block" if display else "inline")
     except faults as error:
         raise NotTypeset(str(error) or type(error).__name__) from error
-    unknown = re.search(r"\\[A-Za-z]+", html.unescape(found))
+    unknown = re.search(r"\\[A-Za-z]+", html.unescape(element))
     if unknown:
         raise NotTypeset(unknown[0])
-    _check(found)
-    return found
+    _check(element)
+    return element
 
 
 def _check(markup: str) -> None:
@@ -133,14 +134,14 @@ def _paragraphs(text: str, number: Callable[[str], str | None]) -> str:
 
 def _line(text: str, number: Callable[[str], str | None]) -> str:
     """Words and formulas, without paragraphs."""
-    found: list[str] = []
+    pieces: list[str] = []
     place = 0
     for match in _FORMULA.finditer(text):
-        found.append(_prose(text[place : match.start()], number))
-        found.append(_formula(match))
+        pieces.append(_prose(text[place : match.start()], number))
+        pieces.append(_formula(match))
         place = match.end()
-    found.append(_prose(text[place:], number))
-    return "".join(found)
+    pieces.append(_prose(text[place:], number))
+    return "".join(pieces)
 
 
 def _table(body: str, number: Callable[[str], str | None]) -> str:
@@ -196,10 +197,10 @@ def _prose(text: str, number: Callable[[str], str | None]) -> str:
         text = re.sub(pattern, "", text)
 
     def reference(match: re.Match[str]) -> str:
-        found = number(match[2])
-        if found is None:
+        label = number(match[2])
+        if label is None:
             return f"[{match[2]}]"
-        bare = found.rpartition(" ")[2]
+        bare = label.rpartition(" ")[2]
         return bare if bare.startswith("(") or match[1] == "ref" else f"({bare})"
 
     text = re.sub(r"\\(eqref|eq|ref|autoref)\{([^}]*)\}", reference, text)

@@ -54,8 +54,8 @@ _STYLE: dict[Any, Any] = {
     "svg.fonttype": "path",
 }
 
-_WIDTH = 7.2
-_RESOLUTION = 160
+_WIDTH = 7.2  # inches, of every picture
+_RESOLUTION = 160  # dots an inch, of a PNG
 _METADATA: dict[str, dict[str, Any]] = {
     "png": {"Software": None},
     "pdf": {"CreationDate": None, "Creator": None, "Producer": None},

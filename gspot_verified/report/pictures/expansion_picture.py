@@ -19,13 +19,13 @@ from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.numbers.balls import ball, float_bounds, working_bits
 from gspot_verified.report.pictures.canvas import COLOURS, STYLES, Picture, canvas, picture, styled
 
-_BITS = 200
-_STEPS = 16
-_PARTS = 12
-_MOST_CURVES = 4
-_RANGES = (fmpq(1, 4), fmpq(1, 10), fmpq(1, 25), fmpq(1, 100), fmpq(1, 1000))
-_SHOWN_DECADES = fmpq(1, 30)
-S = fmpq(1)
+_BITS = 200  # the residual is a difference of nearly equal numbers
+_STEPS = 16  # from the largest delta to the smallest
+_PARTS = 12  # of 0 <= s <= S, at whose ends the residual is taken
+_MOST_CURVES = 4  # one for each order M: more would hide each other
+_RANGES = (fmpq(1, 4), fmpq(1, 10), fmpq(1, 25), fmpq(1, 100), fmpq(1, 1000))  # largest delta, tried in turn
+_SMALLEST = fmpq(1, 30)  # the smallest delta over the largest
+S = fmpq(1)  # the bound holds for |s| <= S: proofs/residual.md
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +53,7 @@ def residual_curves(trajectory: Trajectory) -> tuple[ResidualCurve, ...]:
     cut = {order: truncated(trajectory, order) for order in orders}
     for largest in _RANGES:
         bounds = {order: residual_bounds(cut[order], S, largest) for order in orders}
-        if all(_constant(found).is_finite() for found in bounds.values()):
+        if all(_constant(bound).is_finite() for bound in bounds.values()):
             return tuple(_curve(cut[order], bounds[order], largest) for order in orders)
     raise ValueError(f"{trajectory.system.name}: no finite bound on the residual for delta <= {_RANGES[-1]}")
 
@@ -78,7 +78,7 @@ def _curve(trajectory: Trajectory, bounds: ResidualBounds, largest: fmpq) -> Res
     deltas, sizes, limits = [], [], []
     with working_bits(_BITS):
         residual = Residual(trajectory)
-        constant, ratio = _constant(bounds), arb(_SHOWN_DECADES) ** (arb(1) / _STEPS)
+        constant, ratio = _constant(bounds), arb(_SMALLEST) ** (arb(1) / _STEPS)
         delta = arb(largest)
         for _ in range(_STEPS + 1):
             size = max(residual.size(fmpq(k, _PARTS) * S, delta) for k in range(-_PARTS, _PARTS + 1))
@@ -107,12 +107,13 @@ class Residual:
         values = {name: _sum(getattr(path, name), s, delta) for name in ("p", "b", "y", "v", "z", "lambda_n")}
         slopes = {name: _sum(getattr(path, name), s, delta, slope=True) for name in ("p", "b", "y", "v", "z")}
         state = [ball(start) + delta**2 * value for start, value in zip(path.system.point, xi, strict=True)]
-        found = self._program.values(state)
+        functions = self._program.values(state)
         m, force = self._dimension, values["lambda_n"]
-        first, second, third = found[2 * m :]
+        first, second, third = functions[2 * m :]
         springs = path.system.regularisation
         residuals = [
-            _sum(terms, s, delta, slope=True) - found[i] - found[m + i] * force for i, terms in enumerate(path.xi)
+            _sum(terms, s, delta, slope=True) - functions[i] - functions[m + i] * force
+            for i, terms in enumerate(path.xi)
         ]
         return [
             *residuals,

@@ -24,15 +24,15 @@ from gspot_verified.numbers.balls import ball, working_bits
 from gspot_verified.report.pictures.canvas import BLUE, GREEN, INK, ORANGE, PURPLE, Picture, canvas, picture, styled
 
 _OWN = " The given start: middles of enclosures at certified points of its path; lines between them are only drawn."
-_BITS = 80
-_ORDER = 13
-_STEPS = 220
-_REACH = 6
-_NEWTON = 30
-_SHRINKS = 12
+_BITS = 80  # beyond what a picture shows
+_ORDER = 13  # of the expansion that starts the distinguished trajectory
+_STEPS = 220  # of Runge-Kutta in a run
+_REACH = 6  # how long a run is, in units of the longer of 1/|alpha_1| and 1/|alpha_3|
+_NEWTON = 30  # steps: a limit of effort
+_SHRINKS = 12  # halvings of the window, where no states in contact are found
 _STARTS = (fmpq(1, 12), fmpq(1, 4), fmpq(1, 2), fmpq(1), fmpq(3, 2), fmpq(2))
 """Of -b at the start, in units of the picture."""
-_BACK = 16
+_BACK = 16  # the expansion serves over this part of the way to the window's edge
 
 Run = tuple[tuple[float, float], ...]
 
@@ -92,7 +92,7 @@ class RigidSlip:
     def run(self, state: Sequence[arb], span: float) -> Run:
         """(p, b) along the run, by the classical Runge-Kutta method."""
         step, current = arb(span / _STEPS), list(state)
-        found = [self.place(current)]
+        places = [self.place(current)]
         for _ in range(_STEPS):
             first = self.slope(current)
             second = self.slope(_moved(current, first, step / 2))
@@ -102,8 +102,8 @@ class RigidSlip:
             current = _moved(current, mean, step)
             if not all(value.is_finite() for value in current):
                 break
-            found.append(self.place(current))
-        return tuple(found)
+            places.append(self.place(current))
+        return tuple(places)
 
 
 def _moved(state: Sequence[arb], slope: Sequence[arb], step: arb) -> list[arb]:

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 _PANELS = (("lambda_N", "λ_N"), ("y", "y/ε²"), ("b", "b"))
 _MARKS = {"lift-off": "o", "touch-down": "*", "stick": "s", IMPACT: "v"}
 _OTHER_MARK = "D"
-_MARGIN = 0.6
+_MARGIN = 0.6  # of the height before the G-spot
 
 
 @dataclass(frozen=True)

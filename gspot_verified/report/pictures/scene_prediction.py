@@ -18,14 +18,14 @@ from gspot_verified.numbers.balls import approximate, working_bits
 from gspot_verified.scenes.scene.scene import Scene
 from gspot_verified.theta_function.value.evaluate import evaluate
 
-ORDER = 15
-_POINTS = 160
-_BITS = 80
+ORDER = 15  # of the expansion; that of two orders less is compared
+_POINTS = 160  # of a curve
+_BITS = 80  # beyond what a picture shows
 _REACH = 5
 """The expansion is shown for |t| up to so many units epsilon^(2/3)/kappa, as far as its orders agree."""
-_AGREE = 0.02
-_LAST_TAU = fmpq(3)
-_FIRST_TAU = fmpq(-12)
+_AGREE = 0.02  # two orders whose forces differ more are no picture of the trajectory
+_LAST_TAU = fmpq(3)  # a little past the G-spot
+_FIRST_TAU = fmpq(-12)  # where the curve begins
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,10 +77,10 @@ def _agreeing(series: Sequence[Trajectory], step: fmpq, epsilon: fmpq) -> list[l
     rows = []
     for k in range(_POINTS // 2 + 1):
         both = ({n: approximate(v) for n, v in s.evaluate_in_time(k * step, epsilon).items()} for s in series)
-        before, found = both
-        if not abs(found["lambda_n"] - before["lambda_n"]) <= _AGREE * abs(found["lambda_n"]):
+        before, higher = both
+        if not abs(higher["lambda_n"] - before["lambda_n"]) <= _AGREE * abs(higher["lambda_n"]):
             break
-        rows.append([found[name] for name in ("p", "b", "y", "lambda_n")])
+        rows.append([higher[name] for name in ("p", "b", "y", "lambda_n")])
     return rows
 
 

@@ -41,7 +41,7 @@ _OTHERS = {
     Kind.FOLD: (VERMILION, "next to a fold"),
     Kind.BEYOND: ("#d9dcdf", "beyond a fold"),
 }
-_TALLEST = 12.0
+_TALLEST = 12.0  # |beta| beyond which the curve is cut off
 
 
 def save_sweep(result: Sweep, path: Path) -> Path:

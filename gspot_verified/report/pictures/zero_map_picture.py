@@ -26,10 +26,14 @@ from gspot_verified.report.pictures.canvas import (
 )
 
 _COLOURS = {0: PAPER, 1: BLUE, 2: ORANGE, 3: GREEN, 4: PURPLE}
-_LAW_BELOW_4 = ((1, 1), (2, 2), (3, 1))
-_DRAWN_FROM = 1e-6
-_FOLDS_PER_DECADE = 6
-_FOLD_DIGITS = 6
+_LAW_BELOW_4 = (
+    (1, 1),
+    (2, 2),
+    (3, 1),
+)  # (m, zeros for m < beta < m + 1), for every epsilon: proofs/finite_epsilon_zeros.md, 4 (a)
+_DRAWN_FROM = 1e-6  # the axis of epsilon is logarithmic: 0 is drawn here
+_FOLDS_PER_DECADE = 6  # of epsilon: points of a curve of folds
+_FOLD_DIGITS = 6  # of beta: more than a picture shows
 
 
 def save_zero_map(result: ZeroMap, path: Path) -> Path:
@@ -110,13 +114,13 @@ def _draw(result: ZeroMap) -> Picture:
 def _folds(least: float, most: float, meeting: int, betas: tuple[fmpq, fmpq]) -> list[tuple[float, float]]:
     """Middles of the brackets of one fold, where they lie in the picture."""
     count = max(2, math.ceil(_FOLDS_PER_DECADE * math.log10(most / least)))
-    found = []
+    middles = []
     for i in range(count + 1):
         epsilon = fmpq(*(least * (most / least) ** (i / count)).as_integer_ratio())
         point = fold_point(epsilon, _FOLD_DIGITS, meeting) if betas[0] < meeting else None
         if point is not None and betas[0] <= point.lower and point.upper <= betas[1]:
-            found.append((approximate((point.lower + point.upper) / 2), approximate(epsilon)))
-    return found
+            middles.append((approximate((point.lower + point.upper) / 2), approximate(epsilon)))
+    return middles
 
 
 def _caption(result: ZeroMap, folds: list[int]) -> str:
