@@ -3,6 +3,7 @@ statements for every epsilon below a bound, at one epsilon, and brackets of the 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -25,8 +26,10 @@ Force = Callable[[System, Fraction, Fraction], mpmath.mpf]
 """Of the alphas, epsilon and tau."""
 _OFF = 1e-9
 """A force that is known to be negative is less than minus this."""
-_SEEN = 1e-3
-"""A force whose least sample is above this is positive."""
+_SEEN = 1e-9
+"""A force that is above this is positive."""
+_LEAST = 1e-200
+"""Smaller numbers are no floats."""
 
 
 @dataclass(frozen=True)
@@ -138,8 +141,8 @@ def _statement(question: Question, found: Any, force: Force, bound: fmpq | None,
         places.append(to_fraction(minimum.lower))
     if (exact := getattr(found, "threshold", None)) is not None and exact.place is not None:
         places.append(to_fraction(exact.place))
-    if verdict.outcome is Outcome.REFUTED and "at τ = " in verdict.statement:
-        places = [question.start]
+    if verdict.outcome is Outcome.REFUTED:  # what is said is that the force is negative there, for every system
+        places = [Fraction(re.findall(r"τ = ([-+.0-9/e]+)", verdict.witness)[-1])]
     values = [(float(force(system, below, tau)), float(tau)) for system in systems for tau in places]
     least = min(values)
     told = f"at ε = {float(below)} the least sample is {least[0]} at τ = {least[1]}"
@@ -151,13 +154,13 @@ def _statement(question: Question, found: Any, force: Force, bound: fmpq | None,
         if min(before, default=0.0) < -_OFF:
             return wrong(f"{told}\n  before the start: {before}")
         return _above(question, found, force, told)
-    return wrong(told) if least[0] > _SEEN else AGREED
+    return wrong(told) if max(values)[0] > _SEEN else AGREED
 
 
 def _above(question: Question, found: Any, force: Force, told: str) -> Answer:
     """The largest epsilon is no larger than stated: just above the upper end some sample is negative."""
     minimum, largest = getattr(found, "minimum", None), getattr(found, "largest_epsilon", None)
-    if question.epsilon is not None or minimum is None or largest is None or not largest.is_finite() or largest > 50:
+    if question.epsilon is not None or minimum is None or largest is None or not _LEAST < largest < 50:
         return AGREED
     above = Fraction(float(largest.upper())) * Fraction(1001, 1000)
     places = _places(to_fraction(minimum.lower), to_fraction(minimum.upper), 6)
