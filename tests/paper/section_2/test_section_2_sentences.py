@@ -1,0 +1,41 @@
+"""Sentences of Sec. 2: which variables enter, and the signs near p = 0, also at numbers."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gspot_verified.paper.section_2 import section_2_sentences as ledger
+
+_POSITIVE = st.fractions(min_value="1/50", max_value=50)
+
+
+@given(_POSITIVE, _POSITIVE, _POSITIVE)
+def test_signs_where_p_is_0(a: float, b: float, excess: float) -> None:
+    """For A, B > 0 and C with A C - B² = excess > 0, μ = C/B."""
+    c = (b**2 + excess) / a
+    mu = c / b
+    assert c + mu * b > 0
+    assert b - mu * a < 0 < b + mu * a
+
+
+@pytest.mark.parametrize(
+    ("answers", "one", "contrary"),
+    [((True, False), True, False), ((False, False), False, True), ((True, None), None, None), ((), None, None)],
+)
+def test_three_values(answers: tuple[bool | None, ...], one: bool | None, contrary: bool | None) -> None:
+    assert ledger.one_of(answers) is one
+    assert ledger.denied(ledger.one_of(answers)) is contrary
+
+
+@pytest.mark.parametrize(("name", "rates", "answer"), [("b", "p", True), ("u", "x", True), ("u", "pbyvz", False)])
+def test_what_enters(name: str, rates: str, answer: bool) -> None:
+    assert ledger.enters(name, rates) is answer
+
+
+def test_without_chi_nothing_is_brought(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert ledger.chi_brings("b") is True
+    monkeypatch.setitem(ledger.EXTENDED, "p", "alpha1")
+    assert ledger.chi_brings("u") is None
+    assert ledger.chi_couples_b_to_p() is False

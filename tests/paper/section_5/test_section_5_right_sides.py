@@ -1,0 +1,33 @@
+"""Spaces of polynomials by indices and by monomials say the same."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gspot_verified.paper.section_5 import section_5_right_sides as ledger
+
+
+@given(st.integers(-12, 12), st.integers(-12, 12))
+def test_one_space_in_another(inner: int, outer: int) -> None:
+    """The claim by indices is that of the monomials of all orders, even and odd."""
+    shifts = range(0, 60, 2)
+    inside = all(ledger.monomials((inner, 0), n) <= ledger.monomials((outer, 0), n) for n in shifts)
+    assert inside is ledger.is_part_of(inner, outer)
+
+
+@pytest.mark.parametrize("name", ["r_b", "r_v", "r"])
+def test_smaller_spaces_do_not_hold_them(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    assert ledger.by_indices(name) is ledger.by_monomials(name) is True
+    even, odd = ledger.CLAIMED[name]
+    for smaller in ((even - 3, odd), (even, odd - 3), (even + 1, odd)):
+        with monkeypatch.context() as patch:
+            patch.setitem(ledger.CLAIMED, name, smaller)
+            assert ledger.by_indices(name) is ledger.by_monomials(name) is False
+
+
+def test_monomials() -> None:
+    assert ledger.monomials((1, -3), 4) == {3, 0}
+    assert ledger.monomials((1, -3), 3) == set()
+    assert ledger.monomials((0, -4), -1) == set()

@@ -1,0 +1,39 @@
+"""The real part of the oscillation's rate, and units of polynomials."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.paper.section_6 import section_6_relaxation as ledger
+from gspot_verified.paper.section_6.oscillator import ALGEBRA
+
+
+@pytest.mark.parametrize("p", ["1/100", "1/16", "1/4", "1/2"])
+def test_the_real_part(p: str) -> None:
+    value = fmpq(*map(int, p.split("/")))
+    found = ledger.real_part(arb(value))
+    roots = np.roots([1, 2, float(value.p) / float(value.q), float(value.p) / float(value.q)])
+    pair = [root.real for root in roots if abs(root.imag) > 1e-9]
+    assert found is not None
+    assert found.is_finite()
+    assert all(abs(found.mid() - arb(real)) < found.rad() + 1e-9 for real in pair)
+
+
+def test_no_rate_without_a_sign_change() -> None:
+    assert ledger.real_part(arb(0)) is None
+    assert ledger.relaxation(None) is None
+    assert ledger.relaxation(arb(1)) is None
+
+
+@pytest.mark.parametrize(("value", "answer"), [("0.0009", True), ("0.0007", False), ("0.002", False)])
+def test_about(value: str, answer: bool) -> None:
+    assert ledger.lies_in(arb(value), ledger.ABOUT) is answer
+    assert ledger.lies_in(arb("0.001", "0.0001"), ledger.ABOUT) is None
+
+
+def test_units_of_a_polynomial() -> None:
+    assert ledger.has_unit(ALGEBRA.read("m1*l^2*om + 3*cphi"), (2, 1, 1))
+    assert not ledger.has_unit(ALGEBRA.read("m1*l^2*om + m1*l"), (2, 1, 1))
+    assert ledger.has_unit(ALGEBRA.constant(0), (5, 5, 5))
