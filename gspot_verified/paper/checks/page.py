@@ -22,7 +22,9 @@ class Page:
 
     :raises ValueError: there is no step.
 
-    >>> Page("negative", (lambda: 1 + 1 == 2,)).check("the sum").agrees
+    There is no check that says yes because a page is cited: the claim is compared with what the page states.
+
+    >>> Page("negative", (lambda: 1 + 1 == 2,)).carries(Check(Rung.EXACT, "the sum", 3 + 4 == 7)).agrees
     True
     """
 
@@ -37,10 +39,6 @@ class Page:
     def path(self) -> str:
         """The file, as seen from the root of the project."""
         return f"proofs/{self.name}.md"
-
-    def check(self, what: str) -> Check:
-        """That the page proves the claim."""
-        return self._on_page(what, True, "")
 
     def refutation(self, what: str, finding: str) -> Check:
         """That the page proves what contradicts the claim: the finding."""
