@@ -31,14 +31,14 @@ ExactInput = int | Fraction | fmpq | fmpz | str | arb
 Exact = fmpq | arb
 """What :func:`exact` makes of it: a rational, or a finite ball."""
 
-MAX_DIGITS = 1_000_000
-MAX_WORKING_BITS = 64_000_000
-MAX_SERIES_LENGTH = 100_000
-_MAX_DECIMAL_EXPONENT = 100_000
-_MAX_BINARY_EXPONENT = 40_000
-_SMALLEST_SHOWN = 1e-300
-_MAX_STRING = 2_000_000
-_LOG2_10 = math.log2(10)
+MAX_DIGITS = 1_000_000  # a limit of input: ValueError beyond it
+MAX_WORKING_BITS = 64_000_000  # nearly twenty times what a million digits take, against endless work
+MAX_SERIES_LENGTH = 100_000  # a limit of input: ValueError beyond it
+_MAX_DECIMAL_EXPONENT = 100_000  # of a text, whose power of 10 is made exactly; a limit of input: ValueError beyond it
+_MAX_BINARY_EXPONENT = 40_000  # a limit of input: ValueError beyond it
+_SMALLEST_SHOWN = 1e-300  # below it doubles are no longer exact enough for endpoints: the ball is shown as it is
+_MAX_STRING = 2_000_000  # characters of a text; a limit of input: ValueError beyond it
+_LOG2_10 = math.log2(10)  # bits of a decimal digit
 
 _FRACTION = re.compile(r"([+-]?[0-9]+)(?:/([0-9]+))?")
 _DECIMAL = re.compile(r"([+-]?)([0-9]*)\.?([0-9]*)(?:[eE]([+-]?[0-9]{1,9}))?")
@@ -121,6 +121,15 @@ def bits_for_digits(digits: int) -> int:
     if not 1 <= digits <= MAX_DIGITS:
         raise ValueError(f"digits must lie in 1..{MAX_DIGITS}, got {digits}")
     return math.ceil(int(digits) * _LOG2_10) + 1
+
+
+def digits_for_bits(bits: int) -> int:
+    """The least number of decimal digits with 10^-digits <= 2^-bits.
+
+    >>> digits_for_bits(53)
+    16
+    """
+    return math.ceil(bits / _LOG2_10)
 
 
 def exact(value: ExactInput, name: str) -> Exact:

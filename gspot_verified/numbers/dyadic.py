@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
 # An exponent is only a number; endpoints as fractions need that many bits.
 _MAX_EXPONENT = 10**24
-_MAX_SHIFT = 10_000_000
-_KEPT = 1_000
+_MAX_SHIFT = 10_000_000  # bits; beyond it ends are rounded outward, and no fraction is made
+_KEPT = 1_000  # bits below the larger end, of a ball whose ends differ by more than that
 _TEXT = re.compile(r"\[(-?0x[0-9a-f]+), (-?0x[0-9a-f]+)\]p(-?(?:0|[1-9][0-9]{0,23}))")
 
 

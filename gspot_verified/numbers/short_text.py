@@ -8,8 +8,8 @@ from fractions import Fraction
 
 from flint import fmpq
 
-_SHOWN_BITS = 512
-_MOST_PLACES = 2_000
+_SHOWN_BITS = 512  # of a decimal's mantissa; a longer number is shown as a fraction
+_MOST_PLACES = 2_000  # of a decimal; beyond them a fraction
 _CONTEXT = decimal.Context(prec=decimal.MAX_PREC, Emax=decimal.MAX_EMAX, Emin=decimal.MIN_EMIN)
 """Nothing is rounded in it."""
 

@@ -47,6 +47,7 @@ from gspot_verified.numbers.balls import (
     certainly_at_most,
     certainly_less,
     current_bits,
+    digits_for_bits,
     exact,
     float_bounds,
     hull,
@@ -260,6 +261,13 @@ def test_bits_stand_for_the_digits(digits: int) -> None:
     assert 10**digits <= 2**bits < 8 * 10**digits
     assert bits_for_digits(np.int64(digits)) == bits  # type: ignore[arg-type]
     assert type(bits) is int
+
+
+@pytest.mark.parametrize("bits", [1, 3, 4, 10, 53, 64, 1_000, 100_000])
+def test_digits_stand_for_the_bits(bits: int) -> None:
+    digits = digits_for_bits(bits)
+    assert 10 ** (digits - 1) < 2**bits <= 10**digits
+    assert type(digits) is int
 
 
 def test_the_largest_number_of_digits() -> None:

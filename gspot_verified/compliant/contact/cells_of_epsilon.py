@@ -18,9 +18,9 @@ from gspot_verified.numbers.balls import bits_for_digits, working_bits
 from gspot_verified.numbers.evidence import Ends, cover, equal, every, less
 from gspot_verified.numbers.verdict import Evidence
 
-MAX_CELLS = 250
-_DIGITS = 15
-_MOST_RIGHT = 60
+MAX_CELLS = 250  # intervals of tau, against endless work; then nothing is said
+_DIGITS = 15  # of f on the cells: its sign is wanted
+_MOST_RIGHT = 60  # tau up to which a rising f is looked for; then nothing is said
 
 
 def above_on_cell(beta: fmpq, start: fmpq, roots: tuple[fmpq, fmpq], bound: arb) -> Evidence | None:

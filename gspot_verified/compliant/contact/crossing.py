@@ -18,11 +18,11 @@ from gspot_verified.numbers.balls import bits_for_digits, nonfinite, sign_of, wo
 from gspot_verified.numbers.evidence import Ends, at_most, cover, every, less
 from gspot_verified.numbers.verdict import Evidence
 
-MAX_CELLS = 2_000
-_CELL_DIGITS = 15
-_GUARD_BITS = 64
-_SPARE_DIGITS = 12
-_TRIES = 3
+MAX_CELLS = 2_000  # against endless work; then None
+_CELL_DIGITS = 15  # of f on whole cells: one that stays open is halved
+_GUARD_BITS = 64  # bits beyond those asked for, lost on the way; any number is right
+_SPARE_DIGITS = 12  # of f near its zero, where the difference loses them; any number is right
+_TRIES = 3  # each with twice the digits; then the sign stays open
 
 
 class NotBelow(ValueError):

@@ -13,8 +13,8 @@ from gspot_verified.numbers.balls import bits_for_digits, working_bits
 from gspot_verified.numbers.evidence import at_most, every, less
 from gspot_verified.numbers.verdict import Evidence
 
-_DIGITS = 15
-_GUARD_BITS = 64
+_DIGITS = 15  # of f and its derivatives, for a bound that is shown with four
+_GUARD_BITS = 64  # bits beyond those asked for, lost on the way; any number is right
 
 
 def lead(profile: Profile, lower: fmpq, upper: fmpq) -> arb | None:

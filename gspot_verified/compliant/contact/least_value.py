@@ -16,10 +16,10 @@ from gspot_verified.numbers.balls import approximate, bits_for_digits, working_b
 from gspot_verified.numbers.evidence import at_most, cover, equal, every, less
 from gspot_verified.numbers.verdict import Evidence
 
-MAX_CELLS = 2_000
-MAX_RIGHT = fmpq(10**4)
-_GUARD_BITS = 64
-_SPARE_DIGITS = 4
+MAX_CELLS = 2_000  # against endless work; the enclosure is then wider than asked for
+MAX_RIGHT = fmpq(10**4)  # tau up to which a rising f is looked for; then None
+_GUARD_BITS = 64  # bits beyond those asked for, lost on the way; any number is right
+_SPARE_DIGITS = 4  # beyond those asked for, on the cells
 
 
 @dataclass(frozen=True, slots=True)

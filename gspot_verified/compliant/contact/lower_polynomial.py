@@ -15,8 +15,8 @@ from gspot_verified.compliant.slow.epsilon_series import series_coefficients, th
 from gspot_verified.compliant.slow.profile import Profile
 from gspot_verified.numbers.balls import hull, working_bits
 
-_BITS = 128
-_DIGITS = 40
+_BITS = 128  # of the arithmetic with those digits
+_DIGITS = 40  # of Theta and two derivatives, from which the recurrence makes all others
 
 
 class Term(NamedTuple):

@@ -26,7 +26,7 @@ from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.refutation import refutation
 from gspot_verified.work.ranges import Range
 
-_CONSTANT_DIGITS = 4
+_CONSTANT_DIGITS = 4  # to which kappa and the gap are rounded up
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,9 +21,9 @@ from gspot_verified.numbers.evidence import at_most, every, less
 from gspot_verified.numbers.verdict import Evidence, NoTruthValue
 from gspot_verified.numbers.written import Written
 
-MAX_BETA_OF_THEOREM = 5
-MAX_STEPS = 60
-_SPARE_DIGITS = 3
+MAX_BETA_OF_THEOREM = 5  # Theorem C needs beta < 5: proofs/monotone.md
+MAX_STEPS = 60  # of epsilon, upwards, against endless work; the bound so far holds
+_SPARE_DIGITS = 3  # beyond those asked for, besides what the exponent loses
 
 
 @dataclass(frozen=True, slots=True)

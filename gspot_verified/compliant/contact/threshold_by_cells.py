@@ -23,11 +23,11 @@ from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.evidence import Ends, at_most, cover, every
 from gspot_verified.numbers.verdict import Evidence
 
-MAX_BETA = 13
-MAX_CELLS = 60
-_SHARE = fmpq(97, 100)
-_LEAST_WIDTH = fmpq(1, 2**40)
-_SPARE_DIGITS = 3
+MAX_BETA = 13  # so far the search has been tried; section 10 of the page holds for every beta
+MAX_CELLS = 60  # of epsilon, against endless work; what they cover holds
+_SHARE = fmpq(97, 100)  # of the way to the end that is guessed from the last cell: a heuristic
+_LEAST_WIDTH = fmpq(1, 2**40)  # relative; a narrower cell is given up
+_SPARE_DIGITS = 3  # beyond those asked for, which rounding takes
 
 
 def threshold_by_cells(

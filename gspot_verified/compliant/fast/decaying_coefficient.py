@@ -15,8 +15,7 @@ from gspot_verified.compliant.model.normal_form import Deviation
 from gspot_verified.numbers.balls import add_remainder, approximate, nonfinite, working_bits
 from gspot_verified.theta_function.sums.quadrature import holomorphic_integral
 
-_MAX_EVALUATIONS = 50_000
-_GUARD_BITS = 32
+_GUARD_BITS = 32  # bits beyond those asked for, lost on the way; any number is right
 
 Number = TypeVar("Number", arb, acb)
 
@@ -52,7 +51,7 @@ def decaying_coefficient(state: Deviation, bits: int) -> arb:
             exponent = (data.beta - 1) * x.log(analytic) + _exponent(data, x, u) - height
             return exponent.exp() * -data.polynomial(-x, -rest)
 
-        middle = holomorphic_integral(integrand, start, end, _MAX_EVALUATIONS).real
+        middle = holomorphic_integral(integrand, start, end).real
         integral = add_remainder(add_remainder(middle, _before(data, start, height)), _beyond(data, end, height))
         return -integral * height.exp() * data.beta / (2 * arb.pi())
 

@@ -15,8 +15,8 @@ from gspot_verified.compliant.model.kernel import Kernel, kernel
 from gspot_verified.compliant.model.normal_form import Deviation
 from gspot_verified.numbers.balls import hull, nonfinite, working_bits
 
-_BITS = 64
-_PARTS = 400
+_BITS = 64  # of a bound, of which a few digits count; any number is right
+_PARTS = 400  # boxes on each half of the path: more of them make the bound less
 
 
 @dataclass(frozen=True, slots=True)

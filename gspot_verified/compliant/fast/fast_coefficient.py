@@ -17,8 +17,7 @@ from gspot_verified.compliant.model.normal_form import Deviation
 from gspot_verified.numbers.balls import add_remainder, approximate, nonfinite, working_bits
 from gspot_verified.theta_function.sums.quadrature import holomorphic_integral
 
-_MAX_EVALUATIONS = 50_000
-_GUARD_BITS = 32
+_GUARD_BITS = 32  # bits beyond those asked for, lost on the way; any number is right
 
 
 def saddle(p: fmpq) -> acb:
@@ -75,7 +74,7 @@ class FastPath:
             exponent = (data.beta - 1) * log_s + data.exponent(s, log_start + u) - height
             return exponent.exp() * data.polynomial(s, rest)
 
-        middle = holomorphic_integral(integrand, lower, arb(0), _MAX_EVALUATIONS)
+        middle = holomorphic_integral(integrand, lower, arb(0))
         return _widened(middle, self.before(lower))
 
     def first(self) -> arb:
@@ -116,7 +115,7 @@ class FastPath:
             return exponent.exp() * data.polynomial(s, rest) / rest
 
         last = self.last()
-        middle = holomorphic_integral(integrand, arb(0), last, _MAX_EVALUATIONS)
+        middle = holomorphic_integral(integrand, arb(0), last)
         return direction * _widened(middle, self.beyond(last))
 
     def last(self) -> arb:

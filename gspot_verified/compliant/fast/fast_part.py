@@ -25,8 +25,8 @@ from gspot_verified.compliant.model.kernel import kernel
 from gspot_verified.compliant.model.normal_form import Deviation
 from gspot_verified.numbers.balls import add_remainder, nonfinite, working_bits
 
-_BITS = 64
-_LEVELS = 4
+_BITS = 64  # of a bound, of which a few digits count; any number is right
+_LEVELS = 4  # values of p below the first one that share their bounds; any number is right
 
 
 @dataclass(frozen=True, slots=True)

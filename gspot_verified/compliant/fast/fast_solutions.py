@@ -16,8 +16,7 @@ from gspot_verified.compliant.fast.fast_coefficient import saddle
 from gspot_verified.numbers.balls import add_remainder, approximate, nonfinite, working_bits
 from gspot_verified.theta_function.sums.quadrature import holomorphic_integral
 
-_MAX_EVALUATIONS = 50_000
-_GUARD_BITS = 32
+_GUARD_BITS = 32  # bits beyond those asked for, lost on the way; any number is right
 
 Multiplier = Callable[[acb, acb], acb]
 """A factor of w as a function of r and 1 + r, without 1/(epsilon beta)."""
@@ -58,7 +57,7 @@ class Ray:
             exponent = -(self.beta + 1) * base.log(analytic) + self.exponent(r, analytic) - self.height
             return exponent.exp() * multiplier(r, 1 + r)
 
-        middle = holomorphic_integral(integrand, arb(0), last, _MAX_EVALUATIONS)
+        middle = holomorphic_integral(integrand, arb(0), last)
         bound = self._beyond(last)
         around = add_remainder(arb(0), bound)
         return self.direction * (middle + acb(around, around))

@@ -13,7 +13,7 @@ from gspot_verified.compliant.slow.grid import scale
 from gspot_verified.compliant.slow.slow_solution import slow_value
 from gspot_verified.numbers.balls import approximate, ball, nonfinite
 
-_DIGITS = 6
+_DIGITS = 6  # of one part of a bound, of which a few count
 
 
 _POWERS = {"b": (0, fmpq(1)), "force": (1, fmpq(1)), "Z": (1, fmpq(4, 3)), "V": (2, fmpq(7, 3))}

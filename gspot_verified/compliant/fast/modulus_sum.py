@@ -13,7 +13,7 @@ from flint import acb, arb, fmpq
 
 from gspot_verified.numbers.balls import hull, nonfinite
 
-_PARTS = 128
+_PARTS = 128  # boxes on a path: more of them make the bound less
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,9 +14,9 @@ from gspot_verified.leading_order.contact_force import rational
 from gspot_verified.numbers.balls import ExactInput
 from gspot_verified.numbers.written import Written
 
-LEAST_EPSILON = fmpq(10) ** -300
-MAX_EPSILON = 10**6
-MAX_BETA = 100
+LEAST_EPSILON = fmpq(10) ** -300  # of epsilon |alpha_1|: slow_solution.py goes as far down
+MAX_EPSILON = 10**6  # of epsilon |alpha_1|: slow_solution.py goes as far up
+MAX_BETA = 100  # a limit of input: ValueError beyond it
 
 
 @dataclass(frozen=True, slots=True)

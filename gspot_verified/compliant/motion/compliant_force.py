@@ -33,12 +33,12 @@ from gspot_verified.numbers.verdict import Reason
 if TYPE_CHECKING:
     from numpy import ndarray
 
-MAX_DIGITS = 1_000
-_ATTEMPTS = 4
-_GUARD_BITS = 16
-_NEGLIGIBLE_BITS = 8
-_LEAST_EPSILON_OF_QUADRATURE = fmpq(1, 20_000)
-_WORK_OF_FIRST_INSTANTS = 1_500
+MAX_DIGITS = 1_000  # as many as slow_solution.py gives
+_ATTEMPTS = 4  # with as many bits more as were missing; then what was reached
+_GUARD_BITS = 16  # bits beyond those asked for, lost on the way; any number is right
+_NEGLIGIBLE_BITS = 8  # that a bounded fast part may cost before it is computed; any number is right
+_LEAST_EPSILON_OF_QUADRATURE = fmpq(1, 20_000)  # below it the fast part is only bounded; any number is right
+_WORK_OF_FIRST_INSTANTS = 1_500  # rate times time, up to which the power series comes first below that epsilon
 
 VARIABLES = ("b", "force", "V", "Z")
 

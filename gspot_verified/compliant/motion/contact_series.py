@@ -17,9 +17,9 @@ from gspot_verified.numbers.balls import add_remainder, approximate, nonfinite, 
 MAX_WORK = 10_000
 """The largest rate times duration (section 3 of the page) that is tried."""
 
-_GUARD_BITS = 64
-_LOST_BITS = 1.2
-_STEPS_PER_BIT = 2
+_GUARD_BITS = 64  # bits beyond those asked for, lost on the way; any number is right
+_LOST_BITS = 1.2  # for each unit of work; chosen by trial: any number is right
+_STEPS_PER_BIT = 2  # how many steps for work as large as the bits; chosen by trial: any number is right
 
 
 def series_rate(state: Deviation, duration: fmpq) -> fmpq:

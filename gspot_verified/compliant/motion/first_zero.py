@@ -22,12 +22,12 @@ from gspot_verified.numbers.short_text import decimal_text
 from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
-MAX_DIGITS = 100
+MAX_DIGITS = 100  # of the bracket; a limit of input: ValueError beyond it
 _MARGINS = (fmpq(1, 16), fmpq(1, 4), fmpq(1))
-_MOST_PIECES = 400
-_NEWTON_STEPS = 8
-_START_BITS = 60
-_FIRST_INSTANTS = fmpq(500)
+_MOST_PIECES = 400  # of time, against endless work; then nothing is said
+_NEWTON_STEPS = 8  # of the secant method, against endless work
+_START_BITS = 60  # of what only says where to look, and of a factor of enclosures
+_FIRST_INSTANTS = fmpq(500)  # in T: where the fast part hides the sign so long, the power series tells it
 _AS_SHOWN = "λ_N > 0 before it, dλ_N/dt < 0 at it"
 
 

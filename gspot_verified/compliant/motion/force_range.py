@@ -15,9 +15,9 @@ from gspot_verified.compliant.motion.compliant_force import ContactMotion
 from gspot_verified.compliant.slow.slow_solution import slow_value
 from gspot_verified.numbers.balls import approximate, hull, nonfinite, working_bits
 
-_DIGITS = 12
-_HEURISTIC_DIGITS = 5
-_BITS = 64
+_DIGITS = 12  # of the slow part: an interval of times is wider
+_HEURISTIC_DIGITS = 5  # of a value that only says whether to go on
+_BITS = 64  # beyond the heights of the inputs; any number is right
 
 
 def slow_range(beta: fmpq, epsilon: fmpq, first: fmpq, last: fmpq, order: int) -> arb:

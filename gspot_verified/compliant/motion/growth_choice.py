@@ -10,7 +10,7 @@ from gspot_verified.compliant.model.flight import ContactState
 from gspot_verified.compliant.motion.growth_set import excess, slopes
 from gspot_verified.numbers.balls import approximate
 
-_STEPS = 12
+_STEPS = 12  # between the two ends, in geometric progression
 LAGS = (fmpq(1, 4), fmpq(3, 10), fmpq(1, 8), fmpq(1, 20))
 
 

@@ -8,9 +8,9 @@ from flint import fmpq
 
 from gspot_verified.compliant.motion.force_range import ForceRange
 
-_PIECES_BEFORE = 12
-_SCALED_STEP = fmpq(1)
-_LAST_SCALED = 60
+_PIECES_BEFORE = 12  # times before the G-spot, the denser the nearer
+_SCALED_STEP = fmpq(1)  # in tau, after the G-spot
+_LAST_SCALED = 60  # tau up to which the force is looked at
 
 
 def rough_zero(force: ForceRange, start: fmpq, unit: fmpq) -> fmpq | None:

@@ -29,11 +29,11 @@ from gspot_verified.numbers.evidence import equal, every, less, theorem
 from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Outcome, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
-MAX_DIGITS = 80
-_SPARE_DIGITS = 10
-_GUARD_BITS = 64
-_TEXT_BITS = 400
-_SHOWN_DIGITS = 30
+MAX_DIGITS = 80  # of the brackets; a limit of input: ValueError beyond it
+_SPARE_DIGITS = 10  # beyond those asked for, which the flight takes
+_GUARD_BITS = 64  # bits beyond those asked for, lost on the way; any number is right
+_TEXT_BITS = 400  # so that a bracket of 80 digits stays what it is in the text
+_SHOWN_DIGITS = 30  # at most, in the text
 
 IMPACT = "contact for ever: an impact without collision"
 TRIVIAL = "contact for ever on the trivial solution: the force is constant"

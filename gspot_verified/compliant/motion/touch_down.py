@@ -16,8 +16,8 @@ from gspot_verified.numbers.evidence import at_most, equal, every, less, theorem
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
 
 _PAGE = "proofs/flight.md"
-_DOUBLINGS = 1_100
-_GUARD_BITS = 32
+_DOUBLINGS = 1_100  # of the time of flight, against endless work
+_GUARD_BITS = 32  # bits beyond those asked for, lost on the way; any number is right
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,10 +19,10 @@ MOST_WORK = 3_000
 """Rate times duration up to which a stretch is looked at, unless a caller says otherwise."""
 
 _STRETCHES = (30, 300)
-_WORK_OF_A_CELL = 3
-_LEAST_PIECE = fmpq(1, 2**24)
-_BITS = 128
-_BITS_OF_LARGE = 30
+_WORK_OF_A_CELL = 3  # rate times time of one power series; chosen by trial: any number is right
+_LEAST_PIECE = fmpq(1, 2**24)  # of a cell; a shorter one is not cut
+_BITS = 128  # where only a sign is wanted
+_BITS_OF_LARGE = 30  # a force so much above the state's size is taken to grow for ever: the search gives up
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,9 +13,9 @@ from flint import arb, fmpq, fmpq_mat
 
 from gspot_verified.numbers.balls import working_bits
 
-_NODE_BITS = 12
-_PIECES = 96
-_BOUND_BITS = 64
+_NODE_BITS = 12  # of a node, so that the matrices have short entries; any different nodes are right
+_PIECES = 96  # of [-1, 1] on which the product is bounded: more make the bound less
+_BOUND_BITS = 64  # of a bound, of which a few digits count; any number is right
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,8 +15,8 @@ from gspot_verified.compliant.slow.slow_integral import tangent_bound
 from gspot_verified.compliant.slow.slow_plan import peak
 from gspot_verified.numbers.balls import approximate, nonfinite, working_bits
 
-_BITS = 64
-_LARGEST_RADIUS = fmpq(1)
+_BITS = 64  # of a bound, of which a few digits count; any number is right
+_LARGEST_RADIUS = fmpq(1)  # of the circle in rho: any with eta c < 1 is right, proofs/finite_epsilon_zeros.md, 5.1
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,15 +15,15 @@ from gspot_verified.compliant.slow.slow_jet import slow_jet
 from gspot_verified.compliant.slow.slow_signs import CELL, SlowSigns
 from gspot_verified.numbers.balls import add_remainder, approximate, working_bits
 
-_BITS = 96
-_JET_BITS = 64
-_SCALE_BITS = 30
-_MORE_ORDERS = 11
-_DISTANCE = fmpq(2)
-_STEP = fmpq(1, 32)
-_NONE = fmpq(0)
+_BITS = 96  # of the polynomials in b and eta: their remainders are wider
+_JET_BITS = 64  # of the values at the nodes, likewise
+_SCALE_BITS = 30  # of the rational cube root: the side on which it lies is tested
+_MORE_ORDERS = 11  # in tau, beyond b: with more the remainder is less; chosen by trial: any number is right
+_DISTANCE = fmpq(2)  # R of proofs/finite_epsilon_zeros.md, 5.3: any R > 0 is right
+_STEP = fmpq(1, 32)  # r of proofs/finite_epsilon_zeros.md, 5.4: any r > 0 is right
+_NONE = fmpq(0)  # r = 0 of 5.4: real b alone
 _B_NODES = {fmpq(1): 18, fmpq(1, 2): 14, fmpq(1, 4): 12, fmpq(1, 8): 10, fmpq(0): 1}
-_LEAST_ETA_NODES = 6
+_LEAST_ETA_NODES = 6  # the bound of 5.2 needs b - 2, more make it less
 
 
 class SlowPatch:

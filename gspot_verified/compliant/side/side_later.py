@@ -17,10 +17,9 @@ from gspot_verified.compliant.slow.slow_coefficient import cubic_coefficients, c
 from gspot_verified.numbers.balls import add_remainder, approximate, nonfinite, working_bits
 from gspot_verified.theta_function.sums.quadrature import holomorphic_integral
 
-_MAX_EVALUATIONS = 50_000
-_GUARD_BITS = 32
-_BISECTIONS = 80
-_SERIES_BELOW = fmpq(2, 5)
+_GUARD_BITS = 32  # bits beyond those asked for, lost on the way; any number is right
+_BISECTIONS = 80  # beyond the bits of a double; any start > 0 is right
+_SERIES_BELOW = fmpq(2, 5)  # |s| on the whole path: the series holds below 1/2, and boxes are wide
 
 
 def side(state: ContactState, bits: int) -> arb:
@@ -85,7 +84,7 @@ def _half(data: Kernel, start: arb, last: arb, exponent: Exponent, height: arb) 
         total = (data.beta - 1) * s.log(analytic) + exponent(s, analytic) - height
         return total.exp() * (data.b + s * data.V + s * s * (data.Y - s * data.force) / (1 + s))
 
-    return direction * holomorphic_integral(integrand, arb(0), last, _MAX_EVALUATIONS)
+    return direction * holomorphic_integral(integrand, arb(0), last)
 
 
 def _beyond(data: Kernel, start: arb, last: arb, height: arb) -> arb:

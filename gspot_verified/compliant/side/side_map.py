@@ -15,9 +15,9 @@ from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamma
 
-PAPER_P = fmpq(1, 2)
-_BITS = 40
-_FINER = 4
+PAPER_P = fmpq(1, 2)  # of the paper's initial data
+_BITS = 40  # with which a sign is asked for at first
+_FINER = 4  # times as many bits where the sign stayed open
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,8 +23,8 @@ from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Ve
 from gspot_verified.numbers.written import Written
 from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamma
 
-_ATTEMPTS = 4
-_GUARD_BITS = 16
+_ATTEMPTS = 4  # with rising precision; then the sign stays open
+_GUARD_BITS = 16  # bits beyond those asked for, lost on the way; any number is right
 # The bound for all epsilon up to 1/64 of the rate of decay: the fast part is below e^-64 beyond it.
 _BOUND_FACTOR = 64
 _LINEAR = ("b", "V", "Y", "Z")

@@ -14,7 +14,7 @@ from gspot_verified.compliant.slow.slow_integral import tangent_bound
 from gspot_verified.numbers.balls import Exact, add_remainder, ball, nonfinite, working_bits
 from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamma
 
-_BOUND_BITS = 64
+_BOUND_BITS = 64  # of a bound, of which a few digits count; any number is right
 
 
 @lru_cache(maxsize=128)

@@ -15,7 +15,7 @@ from gspot_verified.numbers.balls import Exact, add_remainder, approximate, ball
 
 # Below this x = eta rho the exponent is summed: the closed form would lose 3 log2(1/x) bits and more.
 _SERIES_BELOW = fmpq(1, 16)
-_BLOCK = 16
+_BLOCK = 16  # nodes that are kept together; each is made from the one before
 
 
 @dataclass(frozen=True, slots=True)

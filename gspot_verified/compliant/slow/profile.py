@@ -18,7 +18,7 @@ from gspot_verified.signs.gamma.side import gamma_sign
 from gspot_verified.theta_function.value.evaluate import evaluate
 
 SLOW = "on the slow manifold of the compliant model"
-_GUARD_BITS = 32
+_GUARD_BITS = 32  # bits beyond those asked for, lost on the way; any number is right
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,6 @@ Every route returns a valid enclosure or a ball that is not finite. None of them
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 
 from flint import arb, fmpq
@@ -16,12 +15,11 @@ from gspot_verified.compliant.slow.recurrence import climbed
 from gspot_verified.compliant.slow.series_plan import series_plan
 from gspot_verified.compliant.slow.slow_integral import slow_moments
 from gspot_verified.compliant.slow.slow_plan import bits_lost, steps_from_below, trapezoid_plan
-from gspot_verified.numbers.balls import Exact, approximate, nonfinite, working_bits
+from gspot_verified.numbers.balls import Exact, approximate, digits_for_bits, nonfinite, working_bits
 from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamma
 from gspot_verified.theta_function.value.evaluate import evaluate
 
-_LOG10_2 = math.log10(2)
-_ORDER = 4
+_ORDER = 4  # consecutive b that the recurrence in b begins with: proofs/slow_integral.md
 
 Route = Callable[[Exact, Exact, Exact, int], arb]
 """From T, b, epsilon and the bits wanted to an enclosure of G_b(eta T; eta)."""
@@ -51,7 +49,7 @@ def series(time: Exact, b: Exact, epsilon: Exact, goal: int) -> arb:
     with working_bits(plan.bits + 32):
         exact_eta = scale(epsilon)
         tau = exact_eta * time
-    digits = math.ceil(plan.bits * _LOG10_2)
+    digits = digits_for_bits(plan.bits)
     first = [evaluate(tau, b, derivative=j, digits=digits).value for j in range(3)]
     places = [(arb(rising), arb(falling)) for rising, falling in plan.places]
     return epsilon_series(first, tau, b, exact_eta, places, plan.bits)

@@ -14,8 +14,8 @@ from gspot_verified.compliant.slow.epsilon_series import series_coefficients
 from gspot_verified.compliant.slow.slow_plan import log_integrand, peak
 
 ORDERS = (3, 4, 5, 6, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80, 96)
-_GUARD_BITS = 16
-_LN2 = math.log(2)
+_GUARD_BITS = 16  # bits beyond those asked for, lost on the way; any number is right
+_LN2 = math.log(2)  # nats of a bit
 
 
 class SeriesPlan(NamedTuple):

@@ -14,10 +14,9 @@ from gspot_verified.compliant.model.normal_form import Deviation
 from gspot_verified.numbers.balls import add_remainder, approximate, nonfinite, working_bits
 from gspot_verified.theta_function.sums.quadrature import holomorphic_integral
 
-_MAX_EVALUATIONS = 50_000
-_GUARD_BITS = 32
-_FARTHEST_X = fmpq(1, 16)
-_BISECTIONS = 80
+_GUARD_BITS = 32  # bits beyond those asked for, lost on the way; any number is right
+_FARTHEST_X = fmpq(1, 16)  # a hypothesis: x_1 <= 1/16, proofs/first_integrals.md, section 3
+_BISECTIONS = 80  # beyond the bits of a double; any height is right
 
 
 def slow_coefficient(state: Deviation, bits: int) -> arb:
@@ -54,7 +53,7 @@ def _scaled(data: Kernel, bits: int) -> arb:
         exponent = beta * u - p * y - x * x * y * cubic_quotient(x, series) - height
         return exponent.exp() * (data.b - x * data.V + x * x * (data.Y + x * data.force) / (1 - x))
 
-    middle = height.exp() * holomorphic_integral(integrand, lower, upper, _MAX_EVALUATIONS).real
+    middle = height.exp() * holomorphic_integral(integrand, lower, upper).real
     last = epsilon * upper.exp()
     if not (p > 0 and last <= _FARTHEST_X and epsilon * lower.exp() <= fmpq(1, 2) and epsilon <= fmpq(1, 2)):
         return nonfinite()
@@ -105,7 +104,7 @@ def _logistic(data: Kernel, bits: int) -> arb:
         exponent = beta * log_x + data.exponent(-x, log_rest) - height
         return exponent.exp() * data.polynomial(-x, rest)
 
-    middle = height.exp() * holomorphic_integral(integrand, lower, upper, _MAX_EVALUATIONS).real
+    middle = height.exp() * holomorphic_integral(integrand, lower, upper).real
     if not upper >= 0:
         return nonfinite()
     left = data.size * (push * lower.exp() + beta * lower).exp() / beta

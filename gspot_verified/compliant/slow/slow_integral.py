@@ -13,7 +13,7 @@ from flint import arb, fmpq
 from gspot_verified.compliant.slow.grid import Grid, cubic_exponent, grid, scale
 from gspot_verified.numbers.balls import Exact, add_remainder, ball, nonfinite, working_bits
 
-_BOUND_BITS = 64
+_BOUND_BITS = 64  # of a bound, of which a few digits count; any number is right
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,7 @@ from gspot_verified.compliant.slow.slow_plan import bits_lost, steps_from_below,
 from gspot_verified.numbers.balls import approximate, working_bits
 from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamma
 
-_ORDER = 4
+_ORDER = 4  # consecutive b that the recurrence in b begins with: proofs/slow_integral.md
 
 
 def slow_jet(tau: fmpq, b: fmpq, epsilon: fmpq, count: int, bits: int) -> list[arb]:

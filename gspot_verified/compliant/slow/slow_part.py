@@ -5,14 +5,11 @@ Proof page: ``proofs/fast_part.md``, section 8.
 
 from __future__ import annotations
 
-import math
-
 from flint import arb, fmpq
 
 from gspot_verified.compliant.slow.slow_solution import MAX_DIGITS, slow_value
-from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.balls import digits_for_bits, working_bits
 
-_LOG10_2 = math.log10(2)
 _ORDER = {"b": (0,), "force": (1,), "V": (1, 2, 3, 4), "Z": (1, 2, 3, 4)}
 
 
@@ -21,7 +18,7 @@ def slow_part(beta: fmpq, epsilon: fmpq, p: fmpq, names: tuple[str, ...], bits: 
 
     V = lambda''' + lambda'' + (p - 2) lambda' + epsilon (beta - 1) lambda,   Z = -lambda' - lambda - V.
     """
-    digits = min(MAX_DIGITS, math.ceil(bits * _LOG10_2) + 1)
+    digits = min(MAX_DIGITS, digits_for_bits(bits) + 1)
     time = -p / epsilon
     needed = sorted({order for name in names for order in _ORDER[name]})
     values = {order: slow_value(time, beta, epsilon, order, digits).value for order in needed}

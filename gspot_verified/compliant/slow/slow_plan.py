@@ -13,12 +13,12 @@ from flint import fmpq
 from gspot_verified.compliant.slow.slow_integral import TrapezoidPlan
 
 _ANGLES = tuple(math.pi / 6 * 7 / 8 * 2 ** (-k / 2) for k in range(50))
-_GUARD_BITS = 24
-_STEP_BITS = 4
+_GUARD_BITS = 24  # bits beyond those asked for, lost on the way; any number is right
+_STEP_BITS = 4  # of the rule's step: few different ones share their grids
 # Working bits in few sizes, so that grids are shared.
 _BITS_MULTIPLE = 32
-_NEWTON_STEPS = 60
-_LARGE_ETA = 4.0
+_NEWTON_STEPS = 60  # against endless work; any place is right
+_LARGE_ETA = 4.0  # from which on few steps of the recurrence are taken, as they cancel; any number is right
 
 
 def steps_from_below(b: float, tau: float, bits: int, eta: float = 0.0) -> int:

@@ -34,14 +34,14 @@ from gspot_verified.theta_function.value.routes import shifted_parameter
 if TYPE_CHECKING:
     from numpy import ndarray
 
-MAX_TENS = 300
-MAX_EPSILON = 10**6
-MAX_B = 200
-MAX_DERIVATIVE = 100
-MAX_SCALED_TIME = 10**6
-MAX_DIGITS = 1_000
-_SERIES_BELOW = 1e-9
-_SERIES_FROM_TAU = -30.0
+MAX_TENS = 300  # decimal exponent of 1/epsilon and of -T: plans are made in floats
+MAX_EPSILON = 10**6  # a limit of input: ValueError beyond it
+MAX_B = 200  # of |b|; a limit of input: ValueError beyond it
+MAX_DERIVATIVE = 100  # a limit of input: ValueError beyond it
+MAX_SCALED_TIME = 10**6  # of tau; a limit of input: ValueError beyond it
+MAX_DIGITS = 1_000  # a limit of input: ValueError beyond it
+_SERIES_BELOW = 1e-9  # epsilon, below which the series in eta comes first; any number is right
+_SERIES_FROM_TAU = -30.0  # tau, from which on it does; any number is right
 
 
 @dataclass(frozen=True, slots=True)

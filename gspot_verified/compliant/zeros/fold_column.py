@@ -19,13 +19,13 @@ from gspot_verified.numbers.balls import approximate
 from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind, number_of_zeros
 from gspot_verified.signs.cover.zero_column import cover, grid
 
-WIDEST = fmpq(1, 4)
+WIDEST = fmpq(1, 4)  # in beta, with a fold; a wider range is cut
 _HALF_WIDTHS = (fmpq(1, 4), fmpq(1, 8), fmpq(1, 2), fmpq(3, 4), fmpq(1, 16))
-_PARTS = 3
-_SEARCH_STEP = fmpq(1, 32)
-_SEARCH_BITS = 40
-_FAR = 0.5
-_SEARCH_FROM, _SEARCH_TO = fmpq(-6), fmpq(8)
+_PARTS = 3  # of a cell of tau, on the fold's piece: shorter boxes, more certain signs
+_SEARCH_STEP = fmpq(1, 32)  # in tau, where a minimum is looked for: a heuristic
+_SEARCH_BITS = 40  # for the same search
+_FAR = 0.5  # a minimum as large as that has no fold near it: a heuristic
+_SEARCH_FROM, _SEARCH_TO = fmpq(-6), fmpq(8)  # in tau, where a minimum is looked for: a heuristic
 
 
 def fold_column(

@@ -20,16 +20,16 @@ from gspot_verified.compliant.zeros.zero_count import checked_point
 from gspot_verified.leading_order.stretches import narrowed
 from gspot_verified.numbers.balls import ExactInput, bits_for_digits, working_bits
 
-MAX_DIGITS = 40
+MAX_DIGITS = 40  # of beta; a limit of input: ValueError beyond it
 MEETINGS = (6, 9)
-_LEAST_EPSILON, _MAX_EPSILON = fmpq(1, 10**9), fmpq(500)
-_SEARCH_STEP = fmpq(1, 8)
-_SEARCHES = 6
+_LEAST_EPSILON, _MAX_EPSILON = fmpq(1, 10**9), fmpq(500)  # limits of input: ValueError beyond them
+_SEARCH_STEP = fmpq(1, 8)  # in beta, downwards from the meeting: a heuristic
+_SEARCHES = 6  # bisections of that step: a heuristic
 # The curve from 9 passes beta = 8 here, a double zero of F_7; beyond, the curve from 12 comes into (8, 9).
 _LEAVES_8 = fmpq(1527, 1000)
 _HALF_WIDTHS = (fmpq(1, 16), fmpq(1, 64), fmpq(1, 256))
 _TAU_WIDTHS = (fmpq(1, 4), fmpq(1, 8), fmpq(1, 2))
-_SPARE_BITS = 64
+_SPARE_BITS = 64  # bits beyond those asked for, lost on the way; any number is right
 
 
 @dataclass(frozen=True, slots=True)

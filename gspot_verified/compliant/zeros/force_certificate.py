@@ -24,9 +24,9 @@ from gspot_verified.signs.cover.zero_column import reach_of_cell, right_tail
 from gspot_verified.theta_function.value.evaluate import evaluate
 from gspot_verified.work.ranges import Range
 
-_DIGITS = 12
-_LEAST_WIDTH = fmpq(1, 2**20)
-_FIRST_WIDTH = fmpq(1, 2)
+_DIGITS = 12  # of values whose signs are wanted
+_LEAST_WIDTH = fmpq(1, 2**20)  # of a piece in tau; where a narrower one is needed nothing is provable
+_FIRST_WIDTH = fmpq(1, 2)  # of a piece in tau; halved where nothing is certain
 
 
 class NotProvable(ValueError):

@@ -11,9 +11,9 @@ from gspot_verified.compliant.slow.slow_signs import CELL, SlowSigns
 from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind, number_of_zeros
 from gspot_verified.signs.cover.zero_column import cover, right_tail
 
-MAX_REACH = 256
-MAP_REACH = 16
-_FIRST_REACH = 8
+MAX_REACH = 256  # tau up to which tails are looked for, against endless work
+MAP_REACH = 16  # the same in a map: a column that needs more is cut
+_FIRST_REACH = 8  # tau up to which they are looked for at first, then twice as far
 
 
 def slow_zero_column(

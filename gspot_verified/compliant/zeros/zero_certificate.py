@@ -24,12 +24,12 @@ from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind
 from gspot_verified.theta_function.value.evaluate import evaluate
 from gspot_verified.work.ranges import Range
 
-_LEAST_BETA, _MOST_BETA = fmpq(4), fmpq(5)
+_LEAST_BETA, _MOST_BETA = fmpq(4), fmpq(5)  # a hypothesis: proofs/finite_epsilon_zeros.md, section 4 (f)
 _RATIO = fmpq(7, 9)  # its cube is a little less than 1/2
 _PLACES = [fmpq(7 * k, 64) for k in range(9, 22)]
-_FIRST_WIDTH, _LEAST_WIDTH = fmpq(1, 16), fmpq(1, 1024)
-_DIGITS = 12
-_BITS = 64
+_FIRST_WIDTH, _LEAST_WIDTH = fmpq(1, 16), fmpq(1, 1024)  # of a column in beta: to begin with, and at last
+_DIGITS = 12  # of values whose signs are wanted
+_BITS = 64  # of their arithmetic
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,12 +23,12 @@ from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.pieces import Column, number_of_zeros
 from gspot_verified.signs.gamma.count_law import number_of_zeros as law
 
-MAX_BETA = 40
-MAX_DIGITS = 100
+MAX_BETA = 40  # a limit of input: ValueError beyond it
+MAX_DIGITS = 100  # of the places of zeros; a limit of input: ValueError beyond it
 SYSTEM = "λ − λ̄ on the slow manifold of the compliant model with α₁ = −1"
-_MORE_ORDERS = 10
-_FIRST_BITS = 80
-_TRIES = 3
+_MORE_ORDERS = 10  # in tau, beyond b: with more the remainder is less; chosen by trial: any number is right
+_FIRST_BITS = 80  # at the first try, then twice as many
+_TRIES = 3  # then the number stays open
 
 
 @dataclass(frozen=True, slots=True)

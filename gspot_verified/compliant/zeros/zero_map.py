@@ -29,12 +29,12 @@ from gspot_verified.signs.cover.subdivision import Progress, Subdivision
 from gspot_verified.work.executors import InProcessExecutor
 from gspot_verified.work.ranges import Range
 
-LEAST_BETA, THEOREM_UP_TO, MAX_BETA = fmpq(1), fmpq(4), fmpq(10)
-MAX_EPSILON = fmpq(100)
-DEFAULT_BUDGET = 2_000
-_COLUMN = fmpq(1, 8)
-_LEAST_PIECE = fmpq(1, 2**7)
-_FIRST_ETA, _ETA_STEP = fmpq(2, 25), fmpq(1, 10)
+LEAST_BETA, THEOREM_UP_TO, MAX_BETA = fmpq(1), fmpq(4), fmpq(10)  # limits of input; between them section 4 (a)'s
+MAX_EPSILON = fmpq(100)  # a limit of input: ValueError beyond it
+DEFAULT_BUDGET = 2_000  # ranges of beta that are examined, against endless work
+_COLUMN = fmpq(1, 8)  # of beta: the cuts to begin with, and the widest range with a fold
+_LEAST_PIECE = fmpq(1, 2**7)  # of tau; a column that needs narrower ones is cut
+_FIRST_ETA, _ETA_STEP = fmpq(2, 25), fmpq(1, 10)  # where epsilon is cut into rows: a heuristic
 
 
 class Stretch(NamedTuple):

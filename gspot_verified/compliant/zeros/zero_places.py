@@ -17,9 +17,9 @@ from gspot_verified.leading_order.stretches import narrowed
 from gspot_verified.numbers.balls import bits_for_digits, hull, sign_of, working_bits
 from gspot_verified.signs.cover.pieces import Column, Kind, cell_of
 
-_MAX_TAIL = 10**6
-_SPARE_BITS = 48
-_TRIES = 3
+_MAX_TAIL = 10**6  # tau beyond which the zero in the right tail is left out
+_SPARE_BITS = 48  # bits beyond those asked for, lost on the way; any number is right
+_TRIES = 3  # each with twice the bits; then a wider ball
 
 
 def zero_places(beta: fmpq, epsilon: fmpq, column: Column, digits: int) -> list[arb]:

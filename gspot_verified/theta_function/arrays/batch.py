@@ -32,15 +32,15 @@ from gspot_verified.theta_function.value.routes import shifted_parameter
 DOUBLE_DIGITS = 15
 """The relative accuracy that doubles can hold with a bound."""
 
-_DOUBLE_GOAL = 56
-_GUARD = 12
+_DOUBLE_GOAL = 56  # bits of a panel's series: a few more than a double has
+_GUARD = 12  # bits beyond those asked for, lost on the way; any number is right
 # With fewer points in a panel one value after the other costs less than the panel's series.
 _LEAST_POINTS = 3
-_MANY_POINTS = 10_000
-_FARTHEST_OF_ONE_POLYNOMIAL = 10.0
-_POINTS_OF_A_PANEL = 40
-_MOST_BITS = 1_200
-_RELATIVE = 0.999e-15
+_MANY_POINTS = 10_000  # from which on short panels are worth their series
+_FARTHEST_OF_ONE_POLYNOMIAL = 10.0  # |tau| up to which one series at 0 loses few digits; any number is right
+_POINTS_OF_A_PANEL = 40  # that cost as much as the panel's series; any number is right
+_MOST_BITS = 1_200  # beyond them panels cost more than they save; any number is right
+_RELATIVE = 0.999e-15  # a little below 10^-15, for what the comparison itself rounds
 
 BoolArray = np.ndarray[Any, np.dtype[np.bool_]]
 

@@ -13,7 +13,7 @@ from gspot_verified.numbers.verdict import NoTruthValue
 
 FloatArray = np.ndarray[Any, np.dtype[np.float64]]
 
-_SMALLEST = 2.0**-900
+_SMALLEST = 2.0**-900  # a midpoint above it has no rounding error: far above 2^-1022
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -18,13 +18,13 @@ from gspot_verified.theta_function.sums.local_series import REACH
 FloatArray = np.ndarray[Any, np.dtype[np.float64]]
 IndexArray = np.ndarray[Any, np.dtype[np.intp]]
 
-_UNIT = 2.0**-53
+_UNIT = 2.0**-53  # u: the relative rounding error of a double
 _REACH = int(REACH.p) / int(REACH.q)  # exact: 1 + 2^-10
-_ACCEPTED = 1.0 + 2.0**-11
-_SMALLEST = 2.0**-900
-_UNDERFLOW = 2.0**-880
-_ROUNDED_UP = 1.0 + 2.0**-30
-_BLOCK = 4_096
+_ACCEPTED = 1.0 + 2.0**-11  # bound of |s| as computed: statement F1
+_SMALLEST = 2.0**-900  # a coefficient below it is replaced by 0: far above 2^-1022
+_UNDERFLOW = 2.0**-880  # what underflows, at most: statement F2
+_ROUNDED_UP = 1.0 + 2.0**-30  # covers what the sum of the bound rounds: statement F2
+_BLOCK = 4_096  # points at a time: they stay in the processor's cache
 
 
 class FloatPolynomial(NamedTuple):

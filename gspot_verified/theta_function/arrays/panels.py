@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from flint import arb, fmpq
 
-from gspot_verified.numbers.balls import Exact, approximate, working_bits
+from gspot_verified.numbers.balls import Exact, approximate, digits_for_bits, working_bits
 from gspot_verified.theta_function.sums.local_series import LocalSeries, local_series
 from gspot_verified.theta_function.sums.taylor import taylor_derivatives
 from gspot_verified.theta_function.value import choice
@@ -22,11 +22,10 @@ from gspot_verified.theta_function.value.routes import shifted_parameter
 FARTHEST = 64
 """Panels cover -FARTHEST <= tau < FARTHEST."""
 
-_NEAR = 8
-_CANCELLATION_PAYS = 24
-_GUARD = 40
-_LOST_IN_A_CELL = 16
-_LOG2_10 = math.log2(10)
+_NEAR = 8  # |tau| up to which each panel has its own value from the series at 0
+_CANCELLATION_PAYS = 24  # -tau up to which the series at 0 is worth its lost digits
+_GUARD = 40  # bits that the derivatives and the series lose; any number is right
+_LOST_IN_A_CELL = 16  # bits, from the middle of a cell to its panels; any number is right
 
 
 class Layout(NamedTuple):
@@ -75,7 +74,7 @@ def _values(centre: fmpq, beta: fmpq, bits: int) -> tuple[arb, arb, arb]:
         # One length for many centres, so that they share their polynomial.
         plan = choice.taylor_plan(math.copysign(farthest, approximate(centre)), approximate(beta), bits)
         return taylor_derivatives(centre, beta, plan.length, plan.bits)
-    digits = math.ceil(bits / _LOG2_10)
+    digits = digits_for_bits(bits)
     values = [evaluate(centre, beta, derivative, digits).value for derivative in range(3)]
     return values[0], values[1], values[2]
 

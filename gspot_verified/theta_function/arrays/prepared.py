@@ -12,7 +12,7 @@ from gspot_verified.theta_function.arrays.panels import FARTHEST, is_tame, panel
 from gspot_verified.theta_function.value.evaluate import evaluate
 from gspot_verified.theta_function.value.routes import checked_arguments
 
-_GUARD = 10
+_GUARD = 10  # bits beyond those asked for, lost on the way; any number is right
 
 
 class PreparedTheta:
@@ -68,4 +68,4 @@ class PreparedTheta:
         return evaluate(point, self._beta, self._derivative, self._digits).value
 
 
-_MOST_DIGITS = 300
+_MOST_DIGITS = 300  # a limit of input: ValueError beyond it

@@ -14,9 +14,9 @@ from flint import arb, arb_mat, fmpq
 from gspot_verified.numbers.balls import add_remainder, nonfinite, working_bits
 from gspot_verified.theta_function.boxes.parameter_series import ParameterSeries
 
-_HIGHEST_DERIVATIVE = 2
-_HALF = fmpq(1, 2)
-_KEPT_ENTRIES = 12_000
+_HIGHEST_DERIVATIVE = 2  # in tau: proofs/box.md, section 4, has rows for 0, 1, 2
+_HALF = fmpq(1, 2)  # exact, made once
+_KEPT_ENTRIES = 12_000  # of a matrix that is kept: many of them fit in memory
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ import math
 
 GOAL_BITS = 40
 """Bits of a model that shall be right, about."""
-_MAX_LENGTH = 20_000
+_MAX_LENGTH = 20_000  # against endless work
 
 
 def growth_bits(reach: float, size: float) -> float:

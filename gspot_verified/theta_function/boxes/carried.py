@@ -19,7 +19,7 @@ from gspot_verified.theta_function.boxes.carried_series import (
     values_at,
 )
 
-_STEP = fmpq(1)
+_STEP = fmpq(1)  # between the points at which values are kept
 
 
 class CarriedTheta:

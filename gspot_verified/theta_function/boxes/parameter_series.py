@@ -16,8 +16,8 @@ from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamm
 _CAUCHY_RADIUS = 6
 """The radius in b of the disc of Cauchy's estimate; 6/3 = 2 in the arguments of 1/Gamma."""
 
-_LEAST_RECIPROCAL = fmpq(113, 100)
-_HALF = fmpq(1, 2)
+_LEAST_RECIPROCAL = fmpq(113, 100)  # g = 1.13 >= 1/Gamma on u > 0: proofs/box.md, section 1
+_HALF = fmpq(1, 2)  # exact, made once
 
 
 class ParameterModel(NamedTuple):

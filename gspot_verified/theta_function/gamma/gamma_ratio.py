@@ -24,9 +24,9 @@ _NUMERATOR = (
 )
 # How the work is cut; any choice is correct.
 _LEAF = 4
-_REDUCED_FROM = 32
-_SHARE = 0.085
-_BITS_PER_TERM = 10
+_REDUCED_FROM = 32  # terms of the shortest block whose common factor is taken out
+_SHARE = 0.085  # of the leaves that remain, for the next block
+_BITS_PER_TERM = 10  # the ratio of the terms is -1/1024
 
 _Node = tuple[fmpz, fmpz, fmpz]
 _Polynomials = tuple[fmpz_poly, fmpz_poly, fmpz_poly]

@@ -16,13 +16,12 @@ from gspot_verified.theta_function.gamma.reduced_gamma import pays, reduced_init
 
 InitialValues = tuple[arb, arb, arb]
 
-_HALF = fmpq(1, 2)
-_THIRD = fmpq(1, 3)
-_TWO_THIRDS = fmpq(2, 3)
-_REDUCED_FROM_BITS = 2_000
-# Below these bits Python's steps count; up to this denominator no argument of 1/Gamma is nearer to a zero than 1/1000.
-_FEW_BITS = 600
-_FAR_FROM_POLES = 333
+_HALF = fmpq(1, 2)  # exact, made once
+_THIRD = fmpq(1, 3)  # likewise
+_TWO_THIRDS = fmpq(2, 3)  # likewise
+_REDUCED_FROM_BITS = 2_000  # from which on reduced_gamma.py is cheaper, where it pays
+_FEW_BITS = 600  # below them Python's steps count
+_FAR_FROM_POLES = 333  # denominator up to which no argument of 1/Gamma is nearer to a zero than 1/1000
 
 
 def initial_values(beta: Exact, bits: int) -> InitialValues:

@@ -8,8 +8,8 @@ from gspot_verified.numbers.balls import Exact, current_bits
 
 # From these bits on an integer root, if its index is small, costs less than FLINT's exp(y log x).
 _ROOT_FROM_BITS = 600
-_LARGEST_ROOT = 16
-_LARGEST_POWER = 10_000
+_LARGEST_ROOT = 16  # index of a root that is cheap
+_LARGEST_POWER = 10_000  # exponent before the root is drawn, likewise
 
 
 def positive_power(base: arb, exponent: Exact) -> arb:

@@ -9,7 +9,7 @@ from flint import arb, arb_series
 
 from gspot_verified.numbers.balls import Exact, hull, series_length
 
-_MAX_HALVINGS = 12
+_MAX_HALVINGS = 12  # of a wide ball, against endless work; then it is not finite
 # Nearer to a zero than 1/1000 the reflection is used.
 _NEARNESS = 1_000
 # From here on Gamma of a rational by its own series (gamma_fmpq) is faster than Gamma of a ball.

@@ -13,8 +13,8 @@ from gspot_verified.theta_function.gamma.power import positive_power
 
 # Up to 3,456 bits FLINT has a table; from here on two accelerated series are cheaper than two values of its Gamma.
 _RATIOS_FROM_BITS = 3_457
-_MAX_BETA = 100
-_MAX_DENOMINATOR = 1_000
+_MAX_BETA = 100  # so far the shifts by integers are cheap
+_MAX_DENOMINATOR = 1_000  # so far the series with its powers of q is cheap
 # Denominators at which FLINT knows Gamma through elliptic integrals.
 _CHEAP = (1, 2, 3, 4, 6)
 

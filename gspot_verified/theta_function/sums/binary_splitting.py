@@ -11,7 +11,7 @@ from flint import arb, fmpz, fmpz_poly
 
 from gspot_verified.numbers.balls import working_bits
 
-_BITS_OF_A_BOUND = 64
+_BITS_OF_A_BOUND = 64  # of a bound, of which a few digits count; any number is right
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,7 +15,7 @@ from gspot_verified.theta_function.sums.recurrence import continued
 REACH = 1 + fmpq(1, 1024)
 """The series holds on |s| <= REACH, a little more than the panel |s| <= 1."""
 
-_BITS_OF_A_BOUND = 64
+_BITS_OF_A_BOUND = 64  # of a bound, of which a few digits count; any number is right
 
 
 class LocalSeries(NamedTuple):

@@ -11,7 +11,7 @@ from gspot_verified.numbers.balls import Exact, add_remainder, ball, current_bit
 from gspot_verified.theta_function.gamma.power import positive_power
 from gspot_verified.theta_function.sums.binary_splitting import block, split_sum
 
-_BLOCK_LENGTH = 8
+_BLOCK_LENGTH = 8  # terms in one leaf of the splitting; any power of 2 is right
 
 
 def negative_sum(tau: Exact, beta: Exact, terms: int, bits: int) -> arb:

@@ -15,9 +15,9 @@ from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamm
 from gspot_verified.theta_function.sums.finite_part import near_integers, weight
 from gspot_verified.theta_function.sums.saddle_series import saddle_series, split_length, split_saddle_series
 
-_SHARE = fmpq(9, 10)
-_THREE_QUARTERS = fmpq(3, 4)
-_BITS_OF_A_BOUND = 64
+_SHARE = fmpq(9, 10)  # of the disc of convergence: any in (0, 1) is right, proofs/positive.md
+_THREE_QUARTERS = fmpq(3, 4)  # exact, made once
+_BITS_OF_A_BOUND = 64  # of a bound, of which a few digits count; any number is right
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,8 +6,12 @@ from collections.abc import Callable
 
 from flint import acb, arb
 
+MAX_EVALUATIONS = 50_000  # of one integrand, against endless work: beyond them the ball gets wide
 
-def holomorphic_integral(integrand: Callable[[acb, bool], acb], lower: arb, upper: arb, max_evaluations: int) -> acb:
+
+def holomorphic_integral(
+    integrand: Callable[[acb, bool], acb], lower: arb, upper: arb, max_evaluations: int = MAX_EVALUATIONS
+) -> acb:
     """The integral of ``integrand`` over [lower, upper], by FLINT's Petras quadrature, at the current precision.
 
     ``integrand(z, analytic)`` must return an enclosure over the box z, and, when ``analytic`` is true, a non-finite

@@ -12,9 +12,9 @@ from flint import arb, fmpq, fmpz, fmpz_poly
 from gspot_verified.numbers.balls import Exact, current_bits, working_bits
 from gspot_verified.theta_function.sums.matrix_splitting import MatrixBlock, Polynomials, split_matrix_sum
 
-_BLOCK = 64
-_LEAST_BITS = 64
-_TERMS_OF_A_LEAF = 8
+_BLOCK = 64  # terms with one working precision
+_LEAST_BITS = 64  # of small terms
+_TERMS_OF_A_LEAF = 8  # of the splitting; any power of 2 is right
 
 
 def saddle_series(large: arb, beta: Exact, terms: int) -> arb:

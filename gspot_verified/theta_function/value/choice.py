@@ -17,9 +17,9 @@ from gspot_verified.theta_function.sums.laplace import LaplacePlan
 from gspot_verified.theta_function.sums.positive import SaddlePlan
 from gspot_verified.theta_function.value.magnitudes import largest_term, log_moment, log_term, log_theta, stationary
 
-_LN2 = math.log(2)
-_GUARD = 8
-_TINY = 1e-60
+_LN2 = math.log(2)  # nats of a bit
+_GUARD = 8  # bits beyond those asked for, lost on the way; any number is right
+_TINY = 1e-60  # in place of tau = 0, which has no logarithm
 # Discs of the saddle point and the share of them that is used, both in percent.
 _DISCS = (
     (72, 90),
@@ -35,13 +35,13 @@ _DISCS = (
     (10, 90),
     (6, 90),
 )
-SPLITTING_FROM_BITS = 900
-_TERMS_ONE_BY_ONE = 40
-_SPLITTING_HEIGHT = 256
+SPLITTING_FROM_BITS = 900  # by trial: from there on splitting is faster than the floating series
+_TERMS_ONE_BY_ONE = 40  # beyond the turn of the terms' sizes; then they are counted by a formula
+_SPLITTING_HEIGHT = 256  # bits of the integers of one term with which splitting is fast
 # Work of the floating series, in terms times bits, from which another route is faster.
 _QUADRATURE_FROM_WORK = 20_000_000
-_QUADRATURE_BELOW_GOAL = 400
-_SPLITTING_FROM_WORK = 100_000_000
+_QUADRATURE_BELOW_GOAL = 400  # bits up to which the quadrature is
+_SPLITTING_FROM_WORK = 100_000_000  # from which on splitting is faster with fewer bits, too
 
 
 class TaylorPlan(NamedTuple):

@@ -18,8 +18,8 @@ from gspot_verified.theta_function.value.routes import (
 
 # Measured with FLINT 3.6 on one core of an x86-64 server, 20,000 to 100,000 digits; within a factor of about 3.
 _SECONDS_OF_A_PRODUCT = 1.2e-10
-_PRODUCTS_OF_A_SADDLE_TERM = 1.5
-_PRODUCTS_OF_A_NEGATIVE_TERM = 1.0
+_PRODUCTS_OF_A_SADDLE_TERM = 1.5  # a guess: later terms have fewer bits
+_PRODUCTS_OF_A_NEGATIVE_TERM = 1.0  # a guess: all terms have all bits
 # Splitting, with short integers in beta and tau and with long ones (most of it is Gamma then).
 _SPLITTING = {"negative": (5e-10, 1.2e-9), "positive": (3e-9, 8e-9), "splitting": (3.5e-9, 1.4e-8)}
 _SHORT_HEIGHT = {"negative": 66, "positive": 66, "splitting": 8}

@@ -35,10 +35,10 @@ from gspot_verified.theta_function.value.mean_value import mean_value_form
 from gspot_verified.theta_function.value.near import near_value
 from gspot_verified.theta_function.value.routes import BudgetError, checked_arguments, shifted_parameter
 
-_EXACT_POLYNOMIAL_BITS = 100_000
+_EXACT_POLYNOMIAL_BITS = 100_000  # of an integer polynomial's value that is cheap; beyond it the routes
 # Where every route failed at a lower goal, rounding may have hidden a hypothesis: once more with this many bits.
 _LEAST_SECOND_GOAL = 128
-_ROOM = 64
+_ROOM = 64  # bits beyond those of the inputs
 # A value with no more bits than these above the goal is handed out as it is.
 _FEW_MORE_BITS = 32
 

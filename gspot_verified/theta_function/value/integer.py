@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from flint import fmpq, fmpq_poly, fmpz
 
-MAX_DEGREE = 20_000
+MAX_DEGREE = 20_000  # so that the coefficients fit in memory; ValueError beyond it
 
 
 def polynomial(n: int) -> fmpq_poly:

@@ -14,15 +14,15 @@ from flint import arb, fmpq
 from gspot_verified.theta_function.sums.taylor import taylor_sum
 from gspot_verified.theta_function.value.chains import chain_sum
 
-_FARTHEST_RIGHT = 20
-_FARTHEST_LEFT = 12
-_LARGEST_BETA = 8
-_MOST_BITS = 800
-_LONGEST_HEIGHT = 40
+_FARTHEST_RIGHT = 20  # tau, up to which the series at 0 is the quickest
+_FARTHEST_LEFT = 12  # -tau, likewise
+_LARGEST_BETA = 8  # |beta|, likewise
+_MOST_BITS = 800  # likewise; beyond it the routes are compared
+_LONGEST_HEIGHT = 40  # bits of beta's numerator and denominator: a few machine words in the recurrence
 # Bits of the integers that one term of a chain brings in.
 _LONGEST_FACTOR = 300
-_GUARD = 8
-_LN2 = math.log(2)
+_GUARD = 8  # bits beyond those asked for, lost on the way; any number is right
+_LN2 = math.log(2)  # nats of a bit
 
 
 def near_value(tau: fmpq, beta: fmpq, goal: int) -> tuple[arb, int] | None:

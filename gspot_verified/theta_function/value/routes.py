@@ -32,27 +32,27 @@ from gspot_verified.theta_function.sums.taylor import taylor_sum
 from gspot_verified.theta_function.value import choice
 from gspot_verified.theta_function.value.near import one_value
 
-MAX_TAU = 10**12
-MAX_BETA = 10**4
-MAX_DERIVATIVE = 1_000
+MAX_TAU = 10**12  # of |tau|; a limit of input: ValueError beyond it
+MAX_BETA = 10**4  # of |beta|; a limit of input: ValueError beyond it
+MAX_DERIVATIVE = 1_000  # a limit of input: ValueError beyond it
 _SHORT_TAU_BITS, _SHORT_BETA_BITS = MAX_TAU.bit_length(), MAX_BETA.bit_length()
-MAX_HEIGHT_BITS = 50_000
+MAX_HEIGHT_BITS = 50_000  # of numerator and denominator; a limit of input: ValueError beyond it
 
 # What a route may use, so that an answer comes within minutes and a few GiB, or not at all.
 _MAX_TAYLOR_BITS = 2**34
-_MAX_WIDE_TAYLOR_BITS = 2**29
-_BITS_OF_A_BALL = 1_000
-_LONG_SERIES = 1_000
-_MAX_NEAR_INTEGERS = 16
-MAX_SPLITTING_BITS = 2**33
-MAX_TERM_BITS = 2**36
-_MAX_GENERIC_GAMMA_BITS = 400_000
-_SMALL_HEIGHT_BITS = 32
-_SMALL_DENOMINATOR = 1_000
-_MAX_LONG_DENOMINATOR_BITS = 1_000_000
-_MAX_LAPLACE_BITS = 20_000
-_MAX_LAPLACE_LOSS = 4_000
-_MAX_EXACT_FACTOR_BITS = 100_000
+_MAX_WIDE_TAYLOR_BITS = 2**29  # the same where tau or beta is a ball
+_BITS_OF_A_BALL = 1_000  # what a coefficient takes besides its mantissa, at most
+_LONG_SERIES = 1_000  # terms; a shorter series of few bits is summed by near.py
+_MAX_NEAR_INTEGERS = 16  # next to a ball of beta: each has a term of its own
+MAX_SPLITTING_BITS = 2**33  # of the integers that binary splitting ends with
+MAX_TERM_BITS = 2**36  # terms times bits of a series at infinity
+_MAX_GENERIC_GAMMA_BITS = 400_000  # up to which FLINT's Gamma of any ball takes minutes at most
+_SMALL_HEIGHT_BITS = 32  # of a rational whose Gamma is quasi-linear
+_SMALL_DENOMINATOR = 1_000  # with which it is so at any number of bits
+_MAX_LONG_DENOMINATOR_BITS = 1_000_000  # up to which a longer denominator takes minutes at most
+_MAX_LAPLACE_BITS = 20_000  # up to which the quadrature takes minutes at most
+_MAX_LAPLACE_LOSS = 4_000  # working bits beyond four times the goal
+_MAX_EXACT_FACTOR_BITS = 100_000  # of an exact factor that is cheap; else a ball
 
 
 class BudgetError(ValueError):
