@@ -16,8 +16,8 @@ from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 
 _ROOT = Path(__file__).resolve().parents[2]
-_REJECTED = 1
-_USAGE = 64
+_REJECTED = 1  # the exit code with which check.py rejects
+_USAGE = 64  # the exit code of a wrong command line
 
 
 @dataclass(frozen=True, slots=True)

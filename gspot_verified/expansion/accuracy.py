@@ -13,10 +13,10 @@ from gspot_verified.numbers.balls import MAX_WORKING_BITS, bits_for_digits, rela
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 
-_COMPARED_BITS = 64
-_LEAST_GAIN = 4
-_ROOM = 32
-_MOST_TIMES_FIRST = 16
+_COMPARED_BITS = 64  # for sizes alone
+_LEAST_GAIN = 4  # certain bits that an attempt must win, or it was the last
+_ROOM = 32  # bits beyond those that were missing
+_MOST_TIMES_FIRST = 16  # the first precision, against endless work; then AccuracyWarning
 
 T = TypeVar("T")
 

@@ -14,8 +14,8 @@ from gspot_verified.expansion.trajectory import Trajectory, certain_bits_of, che
 from gspot_verified.functions.rings import BALLS
 from gspot_verified.numbers.balls import working_bits
 
-_LEAST_BITS = 32
-_MOST_BITS = 1_000_000
+_LEAST_BITS = 32  # a limit of input: ValueError beyond it
+_MOST_BITS = 1_000_000  # a limit of input: ValueError beyond it
 
 
 def expand_in_balls(

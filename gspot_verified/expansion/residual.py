@@ -29,9 +29,9 @@ ONLY_RESIDUAL = (
     "a bound on what is left in the equations; how far the mechanism's own trajectory is from the polynomials "
     "is not proved"
 )
-_BITS = 128
-_EXTRA = 8
-_LEAST_EXTRA = 4
+_BITS = 128  # with which the constants are computed; less make them larger
+_EXTRA = 8  # orders beyond M that are exact where nothing is asked: more make the constants less
+_LEAST_EXTRA = 4  # a hypothesis: N >= M + 4, proofs/residual.md
 
 
 class ResidualError(ValueError):

@@ -29,7 +29,7 @@ from gspot_verified.expansion.time_series import Table, TimeSeries
 from gspot_verified.numbers.balls import ExactInput, ball, bits_for_digits, exact, relative_bits, working_bits
 from gspot_verified.numbers.written import Written
 
-_LOST_BITS = 10
+_LOST_BITS = 10  # that a value may lack before more are used
 _PRECISIONS = (1, 2, 4, 8)
 """Multiples of the bits asked for. An exact value costs more than all of them together once coefficients are long."""
 
@@ -94,9 +94,9 @@ def _bivariate(table: Mapping[tuple[int, int], Any], at: Point) -> Any:
     return total
 
 
-MAX_ORDER = 2000
-_GUARD_BITS = 30
-_BITS_PER_ORDER = 3
+MAX_ORDER = 2000  # a limit of input: ValueError beyond it
+_GUARD_BITS = 30  # bits beyond those asked for, lost on the way; any number is right
+_BITS_PER_ORDER = 3  # of the first attempt, by trial: more follow where they are too few
 _SCALARS = ("p", "b", "y", "v", "z", "lambda_n")
 
 Terms = tuple[SpacePolynomial, ...]

@@ -123,7 +123,7 @@ def common(first: arb, second: arb) -> arb:
     return first if second.contains(first) else first.intersection(second)
 
 
-_HALF = arb(1) / 2
+_HALF = arb(1) / 2  # exact, made once
 
 
 def square(value: arb) -> arb:

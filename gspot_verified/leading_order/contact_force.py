@@ -18,10 +18,10 @@ from gspot_verified.numbers.written import Written
 from gspot_verified.signs.gamma.side import gamma_sign
 from gspot_verified.theta_function.value.evaluate import evaluate
 
-MAX_BETA = 100
-LEAST_TENS = -100_000
-_MOST_TENS = 100
-_GUARD_BITS = 64
+MAX_BETA = 100  # a limit of input: ValueError beyond it
+LEAST_TENS = -100_000  # decimal exponent of the least epsilon_0 that is written down
+_MOST_TENS = 100  # decimal exponent at which epsilon_0 is cut off
+_GUARD_BITS = 64  # bits beyond those asked for, lost on the way; any number is right
 
 
 @dataclass(frozen=True, slots=True)

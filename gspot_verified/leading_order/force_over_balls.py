@@ -16,7 +16,7 @@ from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 from gspot_verified.signs.gamma.side import gamma_sign
 
-_GUARD_BITS = 64
+_GUARD_BITS = 64  # bits beyond those asked for, lost on the way; any number is right
 
 
 class OpenHypothesis(ArithmeticError):

@@ -11,7 +11,7 @@ from gspot_verified.numbers.evidence import less
 from gspot_verified.signs.cover.refutation import Failure, Refutation, refutation
 from gspot_verified.work.ranges import Range
 
-_DIGITS = 40
+_DIGITS = 40  # of the force, whose sign is wanted
 
 
 def force_refutation(

@@ -30,9 +30,9 @@ from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Outcome, R
 from gspot_verified.numbers.written import Written
 from gspot_verified.work.ranges import Range
 
-MAX_DIGITS = 100
-MAX_START = 10**6
-PAPER_EPSILON = fmpq(1, 1000)
+MAX_DIGITS = 100  # a limit of input: ValueError beyond it
+MAX_START = 10**6  # of |tau_start|; a limit of input: ValueError beyond it
+PAPER_EPSILON = fmpq(1, 1000)  # of the paper's figures
 CAVEAT = '"at leading order" is the paper\'s approximation; its error is not bounded here'
 
 

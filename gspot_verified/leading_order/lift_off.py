@@ -21,8 +21,8 @@ from gspot_verified.work.ranges import Range
 
 LEADING = "at leading order"
 GROWTH_EXPONENTS = (10, 100, 1_000, 10_000)
-_GROWTH_DIGITS = 3
-_CRITICAL_DIGITS = 15
+_GROWTH_DIGITS = 3  # of the times in a table
+_CRITICAL_DIGITS = 15  # of the critical points, at least: values there settle signs
 
 
 @dataclass(frozen=True, slots=True)

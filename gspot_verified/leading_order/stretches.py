@@ -24,9 +24,9 @@ from gspot_verified.theta_function.value.evaluate import evaluate
 Level = Callable[[int], arb]
 """A number, enclosed to as many decimal digits as asked."""
 
-_MAX_TAU = fmpq(10**12)
-_SPARE_DIGITS = 12
-_TRIES = 3
+_MAX_TAU = fmpq(10**12)  # as far as routes.py evaluates
+_SPARE_DIGITS = 12  # beyond those asked for, lost in the difference with the level
+_TRIES = 3  # each with twice the digits; then the sign stays open
 
 
 @dataclass(frozen=True, slots=True)

@@ -30,9 +30,9 @@ from gspot_verified.theta_function.boxes.box_choice import bits_for_box, degree_
 from gspot_verified.theta_function.boxes.parameter_series import parameter_series
 from gspot_verified.theta_function.value.evaluate import evaluate
 
-_MODEL_REACH = 32
-_MOST_WIDENINGS = 40
-_SPARE_DIGITS = 12
+_MODEL_REACH = 32  # |tau| up to which one Taylor model serves; beyond it evaluation over the ball
+_MOST_WIDENINGS = 40  # each twice as wide, against endless work
+_SPARE_DIGITS = 12  # beyond those asked for, which enclosures lose
 
 
 class SlopeOverBall:

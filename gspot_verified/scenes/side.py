@@ -34,8 +34,8 @@ from gspot_verified.scenes.scene.scene import Scene, SceneError
 
 LOST, LASTS = "contact is lost", "contact lasts"
 NO_EVENT, FAILED = "no event", "failed"
-_SERIES_FROM = fmpq(1, 1500)
-_DIGITS, _BITS = 13, 60
+_SERIES_FROM = fmpq(1, 1500)  # epsilon, above which the power series is asked first; any number is right
+_DIGITS, _BITS = 13, 60  # of the state from which lasting contact is shown
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,8 +21,8 @@ from gspot_verified.functions.rings import BALLS
 from gspot_verified.numbers.balls import ball, working_bits
 from gspot_verified.numbers.verdict import Outcome
 
-_SAMPLES = 3
-_BITS = 128
+_SAMPLES = 3  # points at which a law is compared
+_BITS = 128  # of the values that are compared
 _DISTANCES = (4, 12, 40)
 
 

@@ -23,8 +23,8 @@ from gspot_verified.testing.examples import sheared
 if TYPE_CHECKING:
     from hypothesis.strategies import DrawFn, SearchStrategy
 
-_MAX_TERMS = 3
-_RADIUS = fmpq(1, 16)
+_MAX_TERMS = 3  # of a drawn polynomial: small cases shrink and run fast
+_RADIUS = fmpq(1, 16)  # of the states around the G-spot
 
 
 def _strategies() -> Any:

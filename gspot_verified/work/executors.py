@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 _Result = TypeVar("_Result")
 
-_MAX_WORKERS = 1_024
+_MAX_WORKERS = 1_024  # a limit of input: ValueError beyond it
 
 
 class InProcessExecutor(Executor):

@@ -19,7 +19,7 @@ from gspot_verified.numbers.evidence import cover, every, less
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
-BITS = 128
+BITS = 128  # of all bounds here; less make them wider
 
 
 @dataclass(frozen=True)

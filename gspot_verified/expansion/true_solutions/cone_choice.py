@@ -21,7 +21,7 @@ from gspot_verified.numbers.balls import approximate, ball
 
 _RATES = (0.95, 0.85, 0.75, 0.65, 0.55, 0.45, 0.35)
 _GAPS = (1.1, 1.2, 1.35)
-_ROUNDS = 3
+_ROUNDS = 3  # in which the constants of a cone are adjusted to each other
 
 
 def cones(equations: DeviationEquations, entry: EntryDeviation, power: fmpq, top: arb) -> Iterator[DeviationCone]:

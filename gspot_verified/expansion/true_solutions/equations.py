@@ -16,7 +16,7 @@ from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.numbers.balls import add_remainder, ball, hull, nonfinite
 
-_LEVELS = 4
+_LEVELS = 4  # of s in a unit: constants of the residual are shared up to the next one
 
 
 @dataclass(frozen=True)

@@ -16,8 +16,8 @@ from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.integrator.box_steps.choice import turned_basis
 from gspot_verified.numbers.balls import approximate, ball
 
-_DEGREE = 12
-_PIECES = 14
+_DEGREE = 12  # of the flow's polynomial in s
+_PIECES = 14  # in a unit of tau
 
 
 @dataclass(frozen=True)

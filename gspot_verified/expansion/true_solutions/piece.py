@@ -15,7 +15,7 @@ from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.expansion.true_solutions.frames import Frame, frame_at, larger, matrix_value, turned_frame
 from gspot_verified.numbers.balls import add_remainder, ball, hull
 
-_ATTEMPTS = 40
+_ATTEMPTS = 40  # to guess bounds that hold; then nothing is said
 
 
 @dataclass(frozen=True)

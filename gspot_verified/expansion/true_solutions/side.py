@@ -31,8 +31,8 @@ from gspot_verified.numbers.evidence import cover, every, less
 from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
-_REACH = 4.0
-_ROOM = fmpq(13, 10)
+_REACH = 4.0  # tau up to which a cone is looked for: a heuristic
+_ROOM = fmpq(13, 10)  # above the force that is to be reached, for what is subtracted from it
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.numbers.balls import ball
 from gspot_verified.theta_function.theta import theta
 
-_DIGITS = 36
+_DIGITS = 36  # of the centre of the family; its ball counts
 
 
 def slow_deviation(equations: DeviationEquations, beta: fmpq, c_1: fmpq, s: fmpq) -> list[arb]:

@@ -10,15 +10,15 @@ from flint import arb, arb_poly
 from gspot_verified.integrator.box_steps.step import Plan, PolynomialCurve
 from gspot_verified.numbers.balls import approximate, current_bits
 
-_SMALLEST_LOG = -1e9
-_POWER_STEPS = 12
-_LARGEST_GROWTH = 8.0
-_LEAST_GROWTH = 1.0
-_DISC = 4
-_ROUNDING_BITS = 12
-_FLOW_BITS = 24
-_SLACK = 0.25
-_LEAST_SHARE = 1e-30
+_SMALLEST_LOG = -1e9  # stands for the logarithm of 0
+_POWER_STEPS = 12  # of the power method for the weights
+_LARGEST_GROWTH = 8.0  # e^8: of errors in one step
+_LEAST_GROWTH = 1.0  # e^1: room that wide sets have too
+_DISC = 4  # radius of Cauchy's disc, in steps
+_ROUNDING_BITS = 12  # above the last one, for what rounding adds to a deviation
+_FLOW_BITS = 24  # to which the derivatives of the flow are followed
+_SLACK = 0.25  # above the largest eigenvalue, so that the matrix is certainly one with a solution
+_LEAST_SHARE = 1e-30  # of the largest component: all are > 0
 
 
 def order_for(bits: int) -> int:

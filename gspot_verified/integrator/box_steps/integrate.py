@@ -30,9 +30,9 @@ from gspot_verified.numbers.balls import current_bits
 from gspot_verified.numbers.evidence import every, inside
 from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
 
-MAX_STEPS = 20_000
-_HALVINGS = 40
-_GUARD_BITS = 10
+MAX_STEPS = 20_000  # against endless work; then the run is open
+_HALVINGS = 40  # of a step that is not proved; then the run is open
+_GUARD_BITS = 10  # of the working ones that the last terms of the series need not reach
 
 
 @dataclass(frozen=True, slots=True)

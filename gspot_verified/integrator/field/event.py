@@ -20,8 +20,8 @@ from gspot_verified.numbers.balls import current_bits, hull
 from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.verdict import Evidence
 
-_LEAST_DEPTH, _BITS_PER_HALVING = 26, 3
-_MAX_PIECES = 2000
+_LEAST_DEPTH, _BITS_PER_HALVING = 26, 3  # halvings of a segment: at least so many, more with more bits
+_MAX_PIECES = 2000  # of one segment, against endless work; then it is unclear
 
 
 class Length(Protocol):

@@ -16,12 +16,12 @@ from numpy.typing import NDArray
 
 Matrix = NDArray[np.float64]
 
-_CLOSE = 0.3
-_EXCESS = 0.3
-_SWEEPS = 3
-_ZERO = 1e-7
-_LARGEST_CONDITION = 1e12
-_LEAST_COUPLING = 2.0**-14
+_CLOSE = 0.3  # relative distance of eigenvalues that share a block
+_EXCESS = 0.3  # growth beyond what is needed, as an exponent, from which on a piece is halved
+_SWEEPS = 3  # over all components, for the units
+_ZERO = 1e-7  # of the largest eigenvalue: less counts as 0
+_LARGEST_CONDITION = 1e12  # of a basis that floats can invert; else the identity
+_LEAST_COUPLING = 2.0**-14  # of the largest eigenvalue: a smaller entry that is not 0 counts as that
 
 
 @dataclass(frozen=True, slots=True)

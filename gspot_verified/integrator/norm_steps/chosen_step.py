@@ -17,8 +17,8 @@ from flint import arb, arb_mat, arb_poly
 from gspot_verified.integrator.norm_steps.fast_decay import DecayState
 from gspot_verified.integrator.norm_steps.norm_step import Basis, NormPlan
 
-_LARGEST_EXPONENT = 10**6
-_LARGEST_TEXT = 10**5
+_LARGEST_EXPONENT = 10**6  # of a number in a journal, which may hold anything
+_LARGEST_TEXT = 10**5  # digits of its mantissa, likewise
 
 
 @dataclass(frozen=True, slots=True)

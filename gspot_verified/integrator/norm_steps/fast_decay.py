@@ -9,16 +9,16 @@ from typing import Any
 
 from gspot_verified.integrator.norm_steps.slow_curve import FAST, SlowCurve
 
-_SHARE = 0.12
-_COUNTED = 0.02
-_LEAST_GAIN = 20.0
-_DEAD = 0.62
-_ACCEPTED = 0.8
-_TAIL_BITS = 16.0
-_LARGEST_CHANGE = 8.0
-_RECOVERY = 1.3
-_GAIN_AT_CONSTANT_RATES = 64.0
-_RESOLVED = 5.0
+_SHARE = 0.12  # of the time in which eigenvalues change, for a slow step
+_COUNTED = 0.02  # an eigenvalue with less in one step is not asked for its change
+_LEAST_GAIN = 20.0  # in steps that resolve everything: a slow step must be worth as many
+_DEAD = 0.62  # of the working bits: a part that has decayed by them is left out
+_ACCEPTED = 0.8  # of the working bits that the last coefficients must be below 1
+_TAIL_BITS = 16.0  # above the last one, at which the last coefficients are aimed
+_LARGEST_CHANGE = 8.0  # of the length, from one slow step to the next
+_RECOVERY = 1.3  # of the limit of the length, with each step that succeeds
+_GAIN_AT_CONSTANT_RATES = 64.0  # in steps, where no eigenvalue changes
+_RESOLVED = 5.0  # eigenvalue times length of the fastest part that is not left out
 
 
 @dataclass(frozen=True, slots=True)

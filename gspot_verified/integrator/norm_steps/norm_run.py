@@ -24,16 +24,16 @@ from gspot_verified.numbers.balls import approximate
 from gspot_verified.numbers.evidence import less
 from gspot_verified.numbers.verdict import Evidence
 
-MAX_STEPS = 200_000
-_HALVINGS = 30
+MAX_STEPS = 200_000  # where no budget is given
+_HALVINGS = 30  # of a step that is not proved; then the run is open
 _PIECES = (1, 4)
-_MARGIN_BITS, _LEAST_MARGIN_BITS = 24, 6
-_NARROW = 2.0**-60
-_MOST_PIECES = 256
-_SLOW_TRIES = 3
+_MARGIN_BITS, _LEAST_MARGIN_BITS = 24, 6  # of a tube beyond what is expected: of a narrow set, of a wide one
+_NARROW = 2.0**-60  # radii below which there is room for a wide margin
+_MOST_PIECES = 256  # of one slow step
+_SLOW_TRIES = 3  # lengths of a slow step; then a resolved one
 _DEPENDENCIES = (4.0, 16.0, 64.0)
-_GROWTH_BITS = 6.0
-_LARGEST_EXPONENT = 600.0
+_GROWTH_BITS = 6.0  # that a tube may be wider than the set before it; else shorter pieces are tried
+_LARGEST_EXPONENT = 600.0  # of a growth factor that doubles can hold
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,11 +20,11 @@ from gspot_verified.integrator.norm_steps.adapted_basis import Matrix, spectral_
 from gspot_verified.integrator.norm_steps.taylor_recurrence import fixed
 from gspot_verified.numbers.balls import approximate, series_length
 
-_ITERATIONS = 10
-_FACTORISATIONS = 2
-_NEGLIGIBLE = 1e-18
-_GAIN_BITS = 8.0
-FAST = 30.0
+_ITERATIONS = 10  # of Newton's method, against endless work
+_FACTORISATIONS = 2  # after which the matrix is kept: it changes little
+_NEGLIGIBLE = 1e-18  # relative size of a coefficient of J that is left out: below the last bit of a double
+_GAIN_BITS = 8.0  # by which an iteration must lower the residual, or it was the last
+FAST = 30.0  # eigenvalue times length from which on a direction is left to decay
 
 
 @dataclass(frozen=True)

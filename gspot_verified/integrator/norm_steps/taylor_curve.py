@@ -12,16 +12,16 @@ from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.integrator.norm_steps.taylor_recurrence import TaylorRecurrence, fixed
 from gspot_verified.numbers.balls import approximate, current_bits
 
-_GUARD_BITS = 32
-_ORDER_PER_BIT = 0.4
-_NOISE_BITS = 10
-_TAIL_BITS = 6
-_LARGEST_CHANGE = 2.0
-_KEPT_CHANGE = 1.08
-_LARGEST_TRIES = 4
-_FIRST_LENGTH = 0.25
-_STEP_BITS = 8
-_LARGEST_SUM_BITS = 3
+_GUARD_BITS = 32  # of the working ones that the coefficients do not use
+_ORDER_PER_BIT = 0.4  # terms for each bit: by trial the quickest
+_NOISE_BITS = 10  # of a coefficient that may be rounding errors alone
+_TAIL_BITS = 6  # above the last one, at which the last coefficients are aimed
+_LARGEST_CHANGE = 2.0  # of the length, from one try to the next
+_KEPT_CHANGE = 1.08  # below it the coefficients are scaled, not made again
+_LARGEST_TRIES = 4  # lengths of one step
+_FIRST_LENGTH = 0.25  # of a run, before anything is known
+_STEP_BITS = 8  # of a length
+_LARGEST_SUM_BITS = 3  # by which a coefficient may exceed the first two
 _DISCS = (2, 4, 8)
 
 

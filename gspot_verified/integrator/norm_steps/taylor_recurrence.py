@@ -17,7 +17,7 @@ from gspot_verified.functions.straight_line import StraightLine
 from gspot_verified.integrator.field.no_series import NoSeriesError
 from gspot_verified.numbers.balls import working_bits
 
-_GUARD_BITS = 16
+_GUARD_BITS = 16  # for one function's value at the start
 
 Coefficients = list[list[int]]
 

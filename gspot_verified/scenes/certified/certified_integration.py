@@ -29,14 +29,14 @@ from gspot_verified.scenes.scene.run import IMPACT, RunEvent, SceneRun
 from gspot_verified.scenes.scene.run_journal import question
 from gspot_verified.scenes.scene.scene import Scene, SceneError
 
-MAX_EVENTS = 200
-MAX_STEPS = 20_000
+MAX_EVENTS = 200  # of one run, against endless work; then the run is open
+MAX_STEPS = 20_000  # where no budget is given, against endless work
 BITS = (192, 320, 576)
 SMALL = fmpq(1, 10**6)
 """From here on down 192 bits are too few for a mechanism: its runs begin at 320. The model system has enough."""
-MAX_DIGITS = 80
-_DIGIT_BITS = 3.33
-_SPARE_DIGITS = 5
+MAX_DIGITS = 80  # of the brackets; a limit of input: ValueError beyond it
+_DIGIT_BITS = 3.33  # bits of a decimal digit
+_SPARE_DIGITS = 5  # by which a bracket must be narrower than what is asked for, or more bits are tried
 
 
 def integrated_run(

@@ -23,8 +23,8 @@ from gspot_verified.numbers.verdict import Evidence
 from gspot_verified.scenes.equations.scaled_system import PhaseEvent, ScaledSystem
 
 CLOCK = "T"
-_WIDE = 2.0**-20
-_HALVINGS = 6
+_WIDE = 2.0**-20  # relative radius from which on an open end speaks of wide sets; no verdict rests on it
+_HALVINGS = 6  # of a segment on which a sign stays open; then the run is open
 _AT_THE_END = "an event may fall on the end of the time"
 
 

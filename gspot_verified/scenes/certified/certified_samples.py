@@ -19,9 +19,9 @@ from gspot_verified.scenes.effects.lift_off import LIFT_OFF, TOUCH_DOWN
 from gspot_verified.scenes.equations.terms import FLIGHT, SLIP
 from gspot_verified.scenes.scene.samples import RADIUS, Samples
 
-MAX_POINTS = 100_000
+MAX_POINTS = 100_000  # a limit of input: ValueError beyond it
 _COLUMNS = ("p", "b", "y", "v", "z", "lambda_N")
-_LARGEST_RATIO = 1000
+_LARGEST_RATIO = 1000  # of lambda_N to its first value: beyond it the trajectory is not drawn
 
 
 def certified_samples(run: CompliantRun, until: fmpq, points: int, digits: int = 12) -> Samples:

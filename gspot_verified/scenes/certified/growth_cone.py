@@ -14,11 +14,11 @@ from flint import arb, fmpq
 from gspot_verified.numbers.balls import approximate
 from gspot_verified.scenes.motions.contact_form import ContactBounds, ContactForm
 
-_TRIES = 12
-_SLOW_TRIES = 10
-_LARGEST_C = 0.9
-_SLOW_SHARES = 3
-_LESS = 0.75
+_TRIES = 12  # rates a of a fast cone, each less by the root of 2
+_SLOW_TRIES = 10  # rates a of a slow cone, likewise
+_LARGEST_C = 0.9  # of what c may be, so that room is left; any cone is tested
+_SLOW_SHARES = 3  # values of c for each a, each the half of the last
+_LESS = 0.75  # of the slope, beside twice the loads: the box that a likely cone has room for
 
 
 @dataclass(frozen=True)

@@ -17,10 +17,10 @@ from gspot_verified.scenes.motions.contact_form import ContactBounds, ContactFor
 
 CLOCK = "T"
 _DOUBLINGS = (3, 4, 6, 8, 10, 13, 16, 20, 24, 30, 40)
-_ROUNDS = 6
-_LONGER = 1.5
-_STOP_TRIES = 3
-_BOXES_TRIED = 6
+_ROUNDS = 6  # in which a box is enlarged until it is not left; then nothing is said
+_LONGER = 1.5  # by which a time is made longer, so that a bound can hold; any factor is right
+_STOP_TRIES = 3  # such times; then nothing is said
+_BOXES_TRIED = 6  # of the cones, the likely ones first, against endless work
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from gspot_verified.numbers.balls import approximate
 from gspot_verified.scenes.certified.step_journal import StepJournal
 
 Progress = Callable[[str], None]
-QUIET_SECONDS = 2.0
+QUIET_SECONDS = 2.0  # between two signs of life
 
 
 class RunSteps(Steps):

@@ -13,7 +13,7 @@ from gspot_verified.scenes.equations.scaled_system import ScaledSystem
 from gspot_verified.scenes.scene.samples import RADIUS, Samples
 from gspot_verified.scenes.scene.scene import Scene
 
-SAMPLES_OF_A_STEP = 4
+SAMPLES_OF_A_STEP = 4  # and the start of the first: enough for a smooth picture
 
 
 class Step(Protocol):

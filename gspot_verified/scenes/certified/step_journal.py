@@ -14,8 +14,8 @@ from typing import Any
 
 from gspot_verified.work.journal_file import JournalFile
 
-FORMAT = 1
-_DIGEST_LENGTH = 16
+FORMAT = 1  # of the lines; another one is not read
+_DIGEST_LENGTH = 16  # hexadecimal digits, 64 bits: against damage, not against intent
 
 
 class StepJournal:

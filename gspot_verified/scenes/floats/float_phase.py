@@ -15,7 +15,7 @@ from gspot_verified.scenes.scene.scene import Scene, SceneError
 if TYPE_CHECKING:
     from numpy import ndarray
 
-_ABSOLUTE = 1e-3
+_ABSOLUTE = 1e-3  # tolerance, as a share of the relative one
 
 
 class FloatPhase:

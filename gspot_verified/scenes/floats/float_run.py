@@ -24,9 +24,9 @@ from gspot_verified.scenes.scene.samples import Samples
 from gspot_verified.scenes.scene.scene import Scene, SceneError
 
 METHODS = ("Radau", "LSODA", "BDF")
-MAX_PHASES = 200
-MAX_POINTS = 1_000_000
-LEAST_EPSILON = fmpq(1, 10**12)
+MAX_PHASES = 200  # of one run, against endless work
+MAX_POINTS = 1_000_000  # a limit of input: ValueError beyond it
+LEAST_EPSILON = fmpq(1, 10**12)  # below it doubles resolve the fast time no longer: SceneError
 PIECES = 64
 """With a journal the span of the run is cut into so many equal pieces, and solvers start anew at each. Without one it
 is not cut: at a tight tolerance new starts, of low order and short steps, cost many times the run."""

@@ -22,7 +22,7 @@ from gspot_verified.functions.expressions import (
 )
 from gspot_verified.scenes.equations.scaled_system import operations
 
-_LONGEST_PRODUCT = 12
+_LONGEST_PRODUCT = 12  # bases of a product that is opened; a longer one counts as one base
 Scaled = tuple[fmpq, Expression]
 
 

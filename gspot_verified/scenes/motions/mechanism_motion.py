@@ -84,7 +84,7 @@ def free_slope(function: Expression, index: int, size: int) -> fmpq | None:
     return None if value is None or value == 0 else value
 
 
-_BITS = 160
+_BITS = 160  # for signs and texts at the start
 _SCALED = ("Y", "V", "Z")
 _FIELDS = ("F", "G", "G_T", "G_N")
 _SCALARS = ("a", "b", "A", "B", "C", "p", "mu", "u")

@@ -13,7 +13,7 @@ from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 
 CHECKED, VIOLATED, ASSUMED = "checked", "violated", "assumed"
-_SHOWN_BITS, _SHOWN_DIGITS = 400, 20
+_SHOWN_BITS, _SHOWN_DIGITS = 400, 20  # of a bracket in the text, which its digits round
 
 
 class Bracket(NamedTuple):

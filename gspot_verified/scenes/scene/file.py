@@ -56,7 +56,7 @@ from gspot_verified.scenes.scene.numbers import scene_number
 from gspot_verified.scenes.scene.scene import Scene, SceneError, checked_owner
 
 SHIPPED = ("fig-varsim1", "fig-varsim2", "oscillator", "oscillator-canard", "extended", "rod")
-MAX_BYTES = 100_000
+MAX_BYTES = 100_000  # of a scene file, so that a wrong file is refused at once
 KEYS = {
     "": (
         "format",

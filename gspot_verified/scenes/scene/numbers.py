@@ -10,7 +10,7 @@ from gspot_verified.leading_order.contact_force import rational
 from gspot_verified.numbers.balls import ExactInput
 from gspot_verified.scenes.equations.motion import SceneError
 
-MAX_BITS = 2000
+MAX_BITS = 2000  # of a numerator or denominator, small enough to compute with
 _UNIT = re.compile(
     r"\s*[+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?(?:/[0-9]+)?\s*(?![eE][+-]?[0-9]+)([A-Za-zµμ°%][A-Za-z0-9µμ°%/^* ]*)\s*"
 )

@@ -22,7 +22,7 @@ OPEN = "open"
 REFUTED = "an effect that is left out matters"
 NO_EVENT = "no event"
 FLIGHT_THEN_IMPACT = f"{LIFT_OFF}, {TOUCH_DOWN}, {IMPACT}"
-_SHOWN_BITS, _SHOWN_DIGITS = 400, 30
+_SHOWN_BITS, _SHOWN_DIGITS = 400, 30  # of a bracket in the text, which its digits round
 
 
 @dataclass(frozen=True)

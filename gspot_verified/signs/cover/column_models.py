@@ -30,11 +30,11 @@ from gspot_verified.theta_function.boxes.parameter_series import parameter_serie
 
 # Signs on boxes ask for little: fewer terms are faster, and a box that stays open is cut.
 _CARRIED_BITS = 24
-_GOAL_BITS = 36
-_BOX_BITS = 64
-_GOAL_BITS_IN_B = 60
-_LEAST_DOUBLED_RADIUS = fmpq(1, 64)
-_KEPT_BOXES = 64
+_GOAL_BITS = 36  # of the series on a box
+_BOX_BITS = 64  # of its arithmetic
+_GOAL_BITS_IN_B = 60  # of the model that dF/db is taken from, which loses more
+_LEAST_DOUBLED_RADIUS = fmpq(1, 64)  # in b: a tiny radius would lose dF/db
+_KEPT_BOXES = 64  # whose ranges serve F, F' and F''
 
 
 class ColumnModels:

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from flint import fmpq
 
-_LEAST_RATIO = 4
-_LARGEST_EXPONENT = 2_000
+_LEAST_RATIO = 4  # of two distances from an integer: below it halving is as good
+_LARGEST_EXPONENT = 2_000  # of a distance 2^-k: beyond it halving is as good
 
 
 def middle(lower: fmpq, upper: fmpq) -> fmpq:

@@ -29,8 +29,8 @@ from gspot_verified.signs.cover.witness import find_witness, sign_at, value_at
 from gspot_verified.work.executors import InProcessExecutor
 from gspot_verified.work.ranges import Range
 
-MAX_BETA = 200
-DEFAULT_BUDGET = 2_000
+MAX_BETA = 200  # up to which a proof is sought: the independent checker goes as far (proofs/check.md)
+DEFAULT_BUDGET = 2_000  # ranges of beta that are examined, against endless work
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,8 +22,8 @@ from gspot_verified.work.ranges import Range
 MAX_REACH = 60
 """Pieces between the tails are sought for |tau| up to here."""
 
-_NEAR_INTEGER = fmpq(1, 16)
-_LEAST_WIDTH = fmpq(1, 2**9)
+_NEAR_INTEGER = fmpq(1, 16)  # in beta: the right tail may begin further out there
+_LEAST_WIDTH = fmpq(1, 2**9)  # of a piece in tau; a column that needs narrower ones is cut
 _POINT_HALF_WIDTHS = tuple(fmpq(1, 2**j) for j in (3, 6, 12, 24, 48))
 
 Found = Column | tuple[fmpq, fmpq] | None

@@ -11,7 +11,7 @@ from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 from gspot_verified.work.ranges import Range
 
-_MANY_ZEROS = 16
+_MANY_ZEROS = 16  # beta from which on columns must be narrower to begin with
 _RELATION = {1: ">", 0: "=", -1: "<"}
 
 

@@ -10,11 +10,11 @@ from gspot_verified.theta_function.value.evaluate import evaluate
 from gspot_verified.theta_function.value.integer import polynomial
 from gspot_verified.work.ranges import Range
 
-_MAX_TAU = 10**12
-_MAX_BETA = 10**4
-_MAX_BITS = 4_000
-_MAX_DEGREE = 400
-_MAX_INTEGERS = 24
+_MAX_TAU = 10**12  # as far as routes.py evaluates
+_MAX_BETA = 10**4  # likewise
+_MAX_BITS = 4_000  # of numerator and denominator; a longer point is no witness
+_MAX_DEGREE = 400  # of an integer polynomial that is evaluated exactly
+_MAX_INTEGERS = 24  # of an infinite range that are tried
 _NEAR = (fmpq(1, 2**3), fmpq(1, 2**10), fmpq(1, 2**60), fmpq(1, 2**200))
 
 

@@ -12,15 +12,15 @@ from gspot_verified.signs.cover.column_models import ColumnModels
 from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind, cell_of, fold_integer, number_of_zeros
 from gspot_verified.signs.cover.tails import left_threshold
 
-_STEP = fmpq(1, 2)
+_STEP = fmpq(1, 2)  # of the grid in tau, to begin with
 FOLD_HALF_WIDTHS = tuple(fmpq(1, 2**j) for j in range(1, 7))
 LEAST_LEFT_OF_FOLD = fmpq(-1)
 """The tail on the left holds nearly up to 0 next to an integer: it makes room for a fold."""
 
-_NARROW = fmpq(1, 16)
-_LEAST_WIDTH = fmpq(1, 2**7)
-_POINT_WIDTH = fmpq(1, 2**120)
-_LONGEST_CUT = 512
+_NARROW = fmpq(1, 16)  # in beta: in a wider range the last zero is to be bracketed too
+_LEAST_WIDTH = fmpq(1, 2**7)  # of a piece in tau; a column that needs narrower ones is cut
+_POINT_WIDTH = fmpq(1, 2**120)  # likewise at one beta, which cannot be cut
+_LONGEST_CUT = 512  # bits of a cut that is taken from a journal, which may hold anything
 
 
 class CertainSigns(Protocol):

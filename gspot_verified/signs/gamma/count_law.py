@@ -11,7 +11,7 @@ from gspot_verified.numbers.balls import ExactInput, exact
 from gspot_verified.signs.cover.statements import ZerosStatement
 from gspot_verified.work.ranges import Range
 
-MAX_CELLS = 1_000
+MAX_CELLS = 1_000  # a limit of input: ValueError beyond it
 
 
 def number_of_zeros(beta: ExactInput) -> int:

@@ -19,8 +19,8 @@ from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamma
 
-MAX_BETA = 10**6
-_MAX_INTERVALS = 100_000
+MAX_BETA = 10**6  # a limit of input: ValueError beyond it
+_MAX_INTERVALS = 100_000  # a limit of input: ValueError beyond it
 
 
 @dataclass(frozen=True, slots=True)

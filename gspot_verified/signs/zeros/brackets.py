@@ -24,13 +24,13 @@ from gspot_verified.signs.cover.zero_column import grid, reach_of_cell, zero_col
 from gspot_verified.signs.gamma import count_law
 from gspot_verified.signs.zeros.slope_at import SlopeAt, UndecidedError
 
-MAX_BETA = 200
-MAX_DIGITS = 2_000
-_MANY = 50
-_NEAR_FOLD = fmpq(1, 64)
-_FIRST_DIGITS = 12
-_MOST_STEPS = 12
-_MAX_TAIL = fmpq(10**9)
+MAX_BETA = 200  # columns are sought as far (signs/cover/sign.py)
+MAX_DIGITS = 2_000  # a limit of input: ValueError beyond it
+_MANY = 50  # beta from which on zeros are nearer to each other than the wider step allows
+_NEAR_FOLD = fmpq(1, 64)  # in beta: two zeros are near each other there, and a column beside the integer is easier
+_FIRST_DIGITS = 12  # of the first bracket; Newton's method doubles them
+_MOST_STEPS = 12  # of Newton's method, against endless work
+_MAX_TAIL = fmpq(10**9)  # tau up to which the last zero is looked for
 
 
 @dataclass(frozen=True, slots=True)

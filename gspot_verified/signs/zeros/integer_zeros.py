@@ -18,7 +18,7 @@ from gspot_verified.signs.cover.witness import sign_at
 from gspot_verified.signs.gamma.count_law import multiplicity_at_zero, positive_zeros
 from gspot_verified.signs.zeros.brackets import MAX_DIGITS, check_parameter
 
-_MAX_HALVINGS = 12
+_MAX_HALVINGS = 12  # of the grid, against endless work
 
 
 @dataclass(frozen=True, slots=True)

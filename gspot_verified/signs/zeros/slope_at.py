@@ -12,8 +12,8 @@ from gspot_verified.numbers.balls import approximate, bits_for_digits, sign_of, 
 from gspot_verified.theta_function.boxes.carried import CarriedTheta
 from gspot_verified.theta_function.value.evaluate import evaluate
 
-_MOST_CARRIED_DIGITS = 50
-_SPARE_BITS = 24
+_MOST_CARRIED_DIGITS = 50  # beyond them the series near 0 cost more than the values
+_SPARE_BITS = 24  # bits beyond those asked for, lost on the way; any number is right
 
 
 class UndecidedError(ArithmeticError):

@@ -26,9 +26,9 @@ from gspot_verified.signs.gamma.count_law import numbers_on
 from gspot_verified.work.executors import InProcessExecutor
 from gspot_verified.work.ranges import Range
 
-MAX_BETA = 200
-DEFAULT_BUDGET = 5_000
-_SHOWN = 8
+MAX_BETA = 200  # columns are sought as far (signs/cover/sign.py)
+DEFAULT_BUDGET = 5_000  # ranges of beta that are examined, against endless work
+_SHOWN = 8  # ranges in the text, at most
 
 
 class ColumnRow(NamedTuple):
