@@ -25,7 +25,7 @@ def contestants_of(key: str) -> tuple[TimedRoute, ...]:
 
     :raises ValueError: there is no such part.
     """
-    found = [blueprint for blueprint in blueprints(True) if blueprint.key == key]
-    if not found:
+    matches = [blueprint for blueprint in blueprints(True) if blueprint.key == key]
+    if not matches:
         raise ValueError(f"part: expected one of {', '.join(b.key for b in blueprints(True))}, got {key!r}")
-    return found[0].contestants()
+    return matches[0].contestants()

@@ -90,10 +90,10 @@ def _processor() -> str:
 
 def versions() -> dict[str, str]:
     """What was measured, by name; a program that is not there is not named."""
-    found = {"Python": platform.python_version(), "FLINT": flint.__FLINT_VERSION__}
+    by_name = {"Python": platform.python_version(), "FLINT": flint.__FLINT_VERSION__}
     for name in _PACKAGES:
         try:
-            found[name] = importlib.metadata.version(name)
+            by_name[name] = importlib.metadata.version(name)
         except importlib.metadata.PackageNotFoundError:
             continue
     for name, (program, option) in _PROGRAMS.items():
@@ -102,5 +102,5 @@ def versions() -> dict[str, str]:
         done = subprocess.run([program, option], capture_output=True, text=True, check=False)
         match = re.search(r"\d+(\.\d+)+", done.stdout)
         if match:
-            found[name] = match[0]
-    return found
+            by_name[name] = match[0]
+    return by_name

@@ -22,11 +22,11 @@ from gspot_verified.numbers.written import Written
 
 Progress = Callable[[str], None]
 
-_EXTENDED = ((15, 0.1), (60, 5.0), (120, 60.0))
-_OSCILLATOR = ((15, 2.0), (40, 60.0))
-_SYMPY_ORDER = 10
+_EXTENDED = ((15, 0.1), (60, 5.0), (120, 60.0))  # (order, at most so many seconds)
+_OSCILLATOR = ((15, 2.0), (40, 60.0))  # the same for the oscillator
+_SYMPY_ORDER = 10  # of delta
 _SYMPY_TARGET = Target("sympy / ours", 100.0, at_most=False)
-_CURVE_ORDERS = {"extended": (8, 15, 30, 60, 90, 120), "oscillator": (6, 10, 15, 20, 30, 40)}
+_CURVE_ORDERS = {"extended": (8, 15, 30, 60, 90, 120), "oscillator": (6, 10, 15, 20, 30, 40)}  # without --full
 _FULL_ORDERS = {"extended": (*_CURVE_ORDERS["extended"], 200), "oscillator": (*_CURVE_ORDERS["oscillator"], 50)}
 
 
@@ -137,13 +137,13 @@ def _against_sympy() -> Row:
     for _ in range(3):
         clear_cache()
         start = time.perf_counter()
-        found = sympy_extended(_SYMPY_ORDER)
+        terms = sympy_extended(_SYMPY_ORDER)
         theirs.append(time.perf_counter() - start)
         seconds, recursion = _expansion(shipped_system("extended"), _SYMPY_ORDER)
         ours.append(seconds)
     same = all(
         [fmpq(c.numerator, c.denominator) for c in mine if c] == [c for c in term.coefficients() if c != 0]
-        for mine, term in zip(found, recursion.b, strict=True)
+        for mine, term in zip(terms, recursion.b, strict=True)
     )
     note = f"sympy {seconds_text(min(theirs))}, ours {seconds_text(min(ours))}; b_n {'equal' if same else 'DIFFERENT'}"
     return Row("sympy", f"extended system, order {_SYMPY_ORDER}", _SYMPY_TARGET, min(theirs) / min(ours), note=note)
@@ -151,12 +151,12 @@ def _against_sympy() -> Row:
 
 def coefficient_sizes(recursion: Recursion) -> tuple[Size, ...]:
     """The sizes at every twelfth order."""
-    found = []
+    sizes = []
     for order in range(12, len(recursion.b), 12):
         values = [value for value in recursion.b[order].coefficients() if value != 0]
         bits = max(int(value.height_bits()) for value in values)
-        found.append(Size(order, bits, max(_logarithm(value) for value in values)))
-    return tuple(found)
+        sizes.append(Size(order, bits, max(_logarithm(value) for value in values)))
+    return tuple(sizes)
 
 
 def _logarithm(value: fmpq) -> float:

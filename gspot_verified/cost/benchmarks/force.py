@@ -22,14 +22,14 @@ from gspot_verified.numbers.balls import approximate, working_bits
 
 Progress = Callable[[str], None]
 
-TENS = (1, 3, 6, 12, 100)
-_TAUS = (-10, -3, 0, 3, 10)
-_B = fmpq(3, 2)
-_FEW, _MANY = 16, 50
-_SMALL_FROM = 6
+TENS = (1, 3, 6, 12, 100)  # epsilon = 10^-n
+_TAUS = (-10, -3, 0, 3, 10)  # on both sides of the G-spot, and there
+_B = fmpq(3, 2)  # beta - 1
+_FEW, _MANY = 16, 50  # digits of a value
+_SMALL_FROM = 6  # n: from epsilon = 10^-6 on the limits are stricter
 _LIMITS = {(_FEW, True): 0.5e-3, (_MANY, True): 3e-3, (_FEW, False): 20e-3, (_MANY, False): 30e-3}
 """Seconds per value of the slow solution, by digits and by epsilon <= 1e-6."""
-_ZERO_LIMIT = 0.5
+_ZERO_LIMIT = 0.5  # seconds for a bracket of a zero
 _HEAD = (
     "Times are medians. Slow solution: per value, mean over five τ, called again (nodes at this ε are kept).\n"
     "From a state: the initial values of Fig. varsim1, β = 5/2, ν = 1/2, the package's caches empty before each call."

@@ -87,7 +87,7 @@ CASES = (
     ("extended", {"x": "0", "u": "3", "p": "1/4", "b": "-1/2"}),
     ("rod", {"X": "0", "X_dot": "2", "theta": "theta_ref - 1/20", "theta_dot": "1/2"}),
 )
-_SECONDS = 3.0
+_SECONDS = 3.0  # the target for one path
 
 
 def approach_rows(progress: Callable[[str], None] = lambda _: None) -> list[Row]:

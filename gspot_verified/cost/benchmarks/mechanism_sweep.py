@@ -16,7 +16,7 @@ CASES = (
     ("frictional_impact_oscillator_all_parameters", {"c_psi": "1/4..1/2:1000"}, 1_000),
 )
 LONG_CASES = (("oscillator", {"beta": "1/2..9/2:200", "kappa": "-1..1:50"}, 10_000),)
-_SECONDS_PER_CELL = 30 / 10_000
+_SECONDS_PER_CELL = 30 / 10_000  # the target: half a minute for the largest case
 
 
 def sweep_rows(full: bool = False, progress: Callable[[str], None] = lambda _: None) -> list[Row]:

@@ -26,12 +26,12 @@ from gspot_verified.signs.cover.sign import SignResult, sign
 
 Progress = Callable[[str], None]
 
-_BETA = (fmpq(1, 100), fmpq(99, 100))
-_COMPARED = (-4, 10)
-_FAR = ((-10, 10), (-50, 50))
+_BETA = (fmpq(1, 100), fmpq(99, 100))  # nearly 0..1, for bisection needs a closed range
+_COMPARED = (-4, 10)  # range of tau where the bisection is run to its end or its limit
+_FAR = ((-10, 10), (-50, 50))  # wide ranges of tau
 _SPEED = Target("bisection / ours", 100.0, at_most=False)
 _CHECKER = Target("checker / producer", 20.0)
-_ATLAS_END = 13
+_ATLAS_END = 13  # as far as proofs/zeros_1_13.cert
 _HEAD = (
     "Wall time in seconds of one process, one core; the package's caches are empty before each call of ours.\n"
     "bisection: wide balls (τ, β) through three FLINT 1F2, halved until settled; the faster of two forms."
@@ -50,7 +50,7 @@ class Plan:
     cells: tuple[int, ...]
 
 
-_BOXES = ((-2, 10), (-4, 10), (-10, 10), (-50, 50))
+_BOXES = ((-2, 10), (-4, 10), (-10, 10), (-50, 50))  # ranges of tau for the bisections
 QUICK = Plan(5.0, _BOXES, (2, 3, 4, 5, 7), 4, (1, 2, 3), tuple(range(1, 9)))
 FULL = Plan(60.0, _BOXES, (2, 3, 5, 7, 9, 11, 13), 7, (1, 2, 3, 4, 5, 6), (*range(1, 13), 16, 20, 25))
 

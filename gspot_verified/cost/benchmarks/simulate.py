@@ -9,6 +9,8 @@ from functools import partial
 from typing import Any
 
 from gspot_verified.cost.peers.lift_off_runs import (
+    CERTIFIED_BITS,
+    HEYOKA_TOLERANCES,
     LIMITS,
     bracket_decimals,
     certified_bracket,
@@ -30,17 +32,14 @@ from gspot_verified.scenes.scene.scene import Scene
 
 Progress = Callable[[str], None]
 
-QUICK, FULL = 2, 4
+QUICK, FULL = 2, 4  # how many epsilons: 1e-3, 1e-4, 1e-5, 1e-6
 _DRAWN: dict[bool, dict[str, tuple[int, ...]]] = {
     False: {"model": (0, 1), "extended": (0, 1), "oscillator": (0,)},
     True: dict.fromkeys(LIMITS, (0, 1, 2)),
 }
-_QUICK_OSCILLATOR = 2
-_BITS = 192
-_TOLERANCE = 1e-10
-_CERTIFIED_BITS = (160, 192, 256)
-_TOLERANCES = (1e-4, 1e-7, 1e-10)
-_HEYOKA = (1e-8, 1e-12, 1e-15)
+_BITS = 192  # working precision of the timed runs
+_TOLERANCE = 1e-10  # of the float runs beside them
+_TOLERANCES = (1e-4, 1e-7, 1e-10)  # of Radau in the curves
 _HEAD = (
     "Processor time of one run, until after the first lift-off. cold: the equations are compiled; warm: the same call\n"
     "again; baseline: scipy, Radau, relative tolerance 1e-10. Certified by the integrator at 192 bits, with the width\n"
@@ -55,7 +54,7 @@ def run(full: bool = False, progress: Progress = lambda _: None) -> Benchmark:
     load_scene("fig-varsim1", until="0.1")  # libraries are loaded before anything is timed
     certified_bracket(scene_of("model", 0), _BITS)
     for name in LIMITS:
-        count = FULL if full else (_QUICK_OSCILLATOR if name == "oscillator" else QUICK)
+        count = FULL if full else QUICK
         for k in range(count):
             progress(f"{name}, epsilon = 1e-{k + 3}")
             rows.append(_row(name, k))
@@ -74,13 +73,13 @@ def run(full: bool = False, progress: Progress = lambda _: None) -> Benchmark:
 
 def _timed(call: Callable[[], Any]) -> tuple[Any, float]:
     start = time.process_time()
-    found = call()
-    return found, time.process_time() - start
+    answer = call()
+    return answer, time.process_time() - start
 
 
 def _row(name: str, k: int) -> Row:
     scene = scene_of(name, k)
-    found, cold = _timed(lambda: integrated_run(scene, bits=(_BITS,)))
+    certified, cold = _timed(lambda: integrated_run(scene, bits=(_BITS,)))
     _, warm = _timed(lambda: integrated_run(scene, bits=(_BITS,)))
     time_of_floats, baseline = _timed(lambda: float_time(scene, "Radau", _TOLERANCE))
     notes = [] if time_of_floats is not None else ["scipy reports no lift-off"]
@@ -88,11 +87,11 @@ def _row(name: str, k: int) -> Row:
         call = heyoka_call(scene, _TOLERANCE)
         seconds = min(_timed(call)[1] for _ in range(3))
         notes.append(f"heyoka, tolerance {_TOLERANCE:g}: {seconds_text(seconds)}")
-    asked = f"ε = 1e-{k + 3}: {found.fate}"
-    if found.events:
-        width = found.events[0].upper - found.events[0].lower
+    asked = f"ε = 1e-{k + 3}: {certified.fate}"
+    if certified.events:
+        width = certified.events[0].upper - certified.events[0].lower
         asked += f", bracket {approximate(width):.0e}"
-    figure = None if found.fate == OPEN else cold
+    figure = None if certified.fate == OPEN else cold
     times = {"cold": cold, "warm": warm, "baseline": baseline}
     return Row(name, asked, Target("time", LIMITS[name][k], "s"), figure, note="; ".join(notes), **times)
 
@@ -103,16 +102,16 @@ def _accuracy(name: str, k: int) -> list[TimeCurve]:
     words = f"{name}, ε = 1e-{k + 3}"
     certified = [
         (bracket_decimals(bracket), seconds)
-        for bits in _CERTIFIED_BITS
+        for bits in CERTIFIED_BITS
         for bracket, seconds in [_timed(lambda bits=bits: certified_bracket(scene, bits))]  # type: ignore[misc]
         if bracket is not None
     ]
     radau = [partial(float_time, scene, "Radau", tolerance) for tolerance in _TOLERANCES]
-    heyoka = [] if heyoka_missing() else [heyoka_call(scene, tolerance) for tolerance in _HEYOKA]
+    heyoka = [] if heyoka_missing() else [heyoka_call(scene, tolerance) for tolerance in HEYOKA_TOLERANCES]
     for call in heyoka:
         call()  # its first call takes longer
     solvers: dict[str, Sequence[Callable[[], Any]]] = {"scipy Radau": radau, "heyoka": heyoka}
-    found = [TimeCurve(f"certified: {words}", tuple(certified))]
+    curves = [TimeCurve(f"certified: {words}", tuple(certified))]
     for solver, calls in solvers.items():
         points = []
         for call in calls:
@@ -121,8 +120,8 @@ def _accuracy(name: str, k: int) -> list[TimeCurve]:
             if decimals is not None:
                 points.append((decimals, seconds))
         if points:
-            found.append(TimeCurve(f"{solver}: {words}", tuple(sorted(points))))
+            curves.append(TimeCurve(f"{solver}: {words}", tuple(sorted(points))))
     if certified:
         ends = (1.0, max(decimals for decimals, _ in certified))
-        found.append(TimeCurve(f"aim: {words}", tuple((decimals, LIMITS[name][k]) for decimals in ends)))
-    return found
+        curves.append(TimeCurve(f"aim: {words}", tuple((decimals, LIMITS[name][k]) for decimals in ends)))
+    return curves

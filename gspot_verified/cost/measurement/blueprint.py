@@ -19,8 +19,8 @@ from gspot_verified.cost.measurement.contest import Call, Effort, TimedRoute, co
 from gspot_verified.cost.measurement.measurement import Limit, Part, Share
 
 _PACKAGE = Path(__file__).resolve().parents[2]
-_SHOWN = 5
-_LEAST = 0.02
+_SHOWN = 5  # the largest shares of a profile
+_LEAST = 0.02  # smaller shares are noise
 
 
 def time_shares(call: Callable[[], object], clock: Callable[[], float] = time.perf_counter) -> tuple[Share, ...]:
@@ -89,11 +89,11 @@ class Blueprint:
 
 def best_time(call: Call, repeats: int = 3, fresh: bool = True) -> float:
     """The least processor time of some calls; ``fresh``: with empty caches."""
-    found = []
+    times = []
     for _ in range(repeats):
         if fresh:
             forget()
         start = time.process_time()
         call()
-        found.append(time.process_time() - start)
-    return max(min(found), 1e-9)
+        times.append(time.process_time() - start)
+    return max(min(times), 1e-9)

@@ -17,8 +17,8 @@ from gspot_verified.cost.measurement.measurement import Point, Route
 from gspot_verified.cost.times.measure import child_environment
 
 Call = Callable[[], object]
-_MEMORY_LIMIT = 600.0
-_MOST_REPEATS = 15
+_MEMORY_LIMIT = 600.0  # seconds for the process in which memory is measured
+_MOST_REPEATS = 15  # of one call, however short
 
 
 def argument_itself(argument: Any, _: object) -> float:
@@ -120,7 +120,7 @@ def compete(key: str, contestants: tuple[TimedRoute, ...], effort: Effort) -> tu
 def _first_calls(contestant: TimedRoute, effort: Effort) -> tuple[list[_Record], str]:
     if contestant.missing:
         return [], contestant.missing
-    found: list[_Record] = []
+    records: list[_Record] = []
     without: list[str] = []
     for argument in contestant.all_arguments if effort.full else contestant.arguments:
         seconds, result = _timed(contestant, argument)
@@ -128,10 +128,10 @@ def _first_calls(contestant: TimedRoute, effort: Effort) -> tuple[list[_Record],
         if place is None:
             without.append(contestant.words(argument))
         else:
-            found.append(_Record(contestant, argument, place, [seconds]))
+            records.append(_Record(contestant, argument, place, [seconds]))
         if seconds > effort.patience:
             break
-    return found, f"no answer: {', '.join(without)}" if without else ""
+    return records, f"no answer: {', '.join(without)}" if without else ""
 
 
 def _timed(contestant: TimedRoute, argument: Any) -> tuple[float, Any]:

@@ -17,7 +17,7 @@ from gspot_verified.cost.measurement.measurement import KINDS, Measurement, Part
 
 SCHEMA = "gspot-verified/cost/2"
 """Also the schema of ``gspot-verified cost --json``."""
-_MAX_BYTES = 20_000_000
+_MAX_BYTES = 20_000_000  # far more than a measurement: a limit against hostile input
 _KEY = re.compile(r"[a-z][a-z-]{0,40}")
 _DATE = re.compile(r"\d{4}-\d{2}-\d{2}")
 
@@ -87,9 +87,9 @@ def parsed(text: str) -> Measurement:
     data.pop("schema")
     if isinstance(data.get("versions"), dict):
         data["versions"] = [list(pair) for pair in sorted(data["versions"].items())]
-    found: Measurement = _object(Measurement, data, "measurement")
-    _check(found)
-    return found
+    measurement: Measurement = _object(Measurement, data, "measurement")
+    _check(measurement)
+    return measurement
 
 
 def part_of(data: object) -> Part:
@@ -97,9 +97,9 @@ def part_of(data: object) -> Part:
 
     :raises ValueError: it is not of that form, or out of range; the message names the place.
     """
-    found: Part = _object(Part, data, "part")
-    _check_part(found)
-    return found
+    part: Part = _object(Part, data, "part")
+    _check_part(part)
+    return part
 
 
 def _no_constant(name: str) -> float:

@@ -10,8 +10,8 @@ from itertools import pairwise
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Part, Point, Route
 from gspot_verified.cost.times.growth import fitted_exponent
 
-_FITTED = 4
-_LEAST_RATIO = 3.0
+_FITTED = 4  # places: the growth is that of the last ones
+_LEAST_RATIO = 3.0  # of the largest place to the smallest: over less an exponent says nothing
 _CERTAIN = math.log(1.25)
 
 
@@ -57,12 +57,12 @@ def growth(route: Route) -> PowerLaw:
 
 def crossovers(part: Part) -> list[Crossover]:
     """Every place where two routes of one panel change order, by a quarter at least on either side."""
-    found = []
+    changes = []
     for number, first in enumerate(part.routes):
         for second in part.routes[number + 1 :]:
             if first.panel == second.panel:
-                found += _crossings(first, second)
-    return found
+                changes += _crossings(first, second)
+    return changes
 
 
 def _crossings(first: Route, second: Route) -> list[Crossover]:
@@ -70,27 +70,27 @@ def _crossings(first: Route, second: Route) -> list[Crossover]:
     times = [(x, time_at(first.points, x), time_at(second.points, x)) for x in places]
     both = [(x, one, other) for x, one, other in times if one is not None and other is not None]
     certain = [(x, math.log(one / other)) for x, one, other in both if abs(math.log(one / other)) > _CERTAIN]
-    found = []
+    changes = []
     for (x, before), (next_x, after) in pairwise(certain):
         if before * after < 0:
             place = x * (next_x / x) ** (before / (before - after))
             names = (second.name, first.name) if after > 0 else (first.name, second.name)
-            found.append(Crossover(*names, place, first.panel))
-    return found
+            changes.append(Crossover(*names, place, first.panel))
+    return changes
 
 
 def certificate_prices(part: Part) -> list[Price]:
     """One for each panel: at the farthest place of a route without a bound to which a certified one has a time."""
-    found = []
+    prices = []
     for panel in dict.fromkeys(route.panel for route in part.routes):
         routes = [route for route in part.routes if route.panel == panel]
         places = sorted({point.place for route in routes if route.kind == NO_BOUND for point in route.points})
         for place in reversed(places):
             sure, cheap = (_fastest(routes, kind, place) for kind in (CERTIFIED, NO_BOUND))
             if sure is not None and cheap is not None:
-                found.append(Price(panel, place, sure[1], cheap[1], sure[0] / cheap[0]))
+                prices.append(Price(panel, place, sure[1], cheap[1], sure[0] / cheap[0]))
                 break
-    return found
+    return prices
 
 
 def _fastest(routes: Sequence[Route], kind: str, place: float) -> tuple[float, str] | None:

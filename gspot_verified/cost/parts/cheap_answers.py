@@ -26,9 +26,9 @@ from gspot_verified.signs.zeros.brackets import zeros_at
 from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamma
 from gspot_verified.theta_function.value.routes import shifted_parameter, theta_by
 
-_TERMS = 2_000
+_TERMS = 2_000  # of each chain: a limit, as a user would set one
 _SIGNS = {1: "positive", -1: "negative", 0: "zero"}
-_BITS = 400
+_BITS = 400  # enough for a difference of size r^3 of terms of size r
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,10 +19,10 @@ from gspot_verified.cost.measurement.contest import Call, TimedRoute, clock
 from gspot_verified.cost.measurement.measurement import CERTIFIED, Limit
 from gspot_verified.cost.parts.zero_parts import atlas_text
 
-_ENDS, _MORE_ENDS = (2, 3, 4), (5, 7)
+_ENDS, _MORE_ENDS = (2, 3, 4), (5, 7)  # atlases for beta in (1, end); more in full
 _SOURCES = Path(__file__).resolve().parents[3] / "proofs" / "coq"
-_FEW_FILES = 3
-_LIMIT_CALLS = 3
+_FEW_FILES = 3  # of proofs/coq; the rest in full
+_LIMIT_CALLS = 3  # of which the fastest counts
 _LIBRARY = "GSpot"
 _FOLDERS: dict[str, Path] = {}
 _TEXTS: dict[int, str] = {}
@@ -41,8 +41,8 @@ def _checking(end: int) -> Call:
     return partial(run_checker, file)
 
 
-def _verified(end: int, found: CheckResult) -> float | None:
-    return float(end) if found.verified else None
+def _verified(end: int, result: CheckResult) -> float | None:
+    return float(end) if result.verified else None
 
 
 def _folder(name: str) -> Path:
@@ -85,12 +85,12 @@ def _checker_limit(_: bool) -> Limit:
             int(number)
 
     def least(call: Call) -> float:
-        found = []
+        times = []
         for _ in range(_LIMIT_CALLS):
             start = clock()
             call()
-            found.append(clock() - start)
-        return min(found)
+            times.append(clock() - start)
+        return min(times)
 
     words = f"starting Python and reading the {len(numbers)} integers of the certificate"
     return Limit(_words(end), words, least(reading), least(check))

@@ -13,10 +13,10 @@ from gspot_verified.expansion.series.recursion import Recursion
 from gspot_verified.expansion.trajectory import first_bits
 from gspot_verified.mechanisms.shipped import shipped_system
 
-_ORDERS, _MORE = (8, 15, 30, 60), (90, 120, 200)
-_SYMPY, _SYMPY_MORE = (4, 6), (8, 10)
+_ORDERS, _MORE = (8, 15, 30, 60), (90, 120, 200)  # of delta; more in full
+_SYMPY, _SYMPY_MORE = (4, 6), (8, 10)  # fewer orders: sympy is slow
 _SYSTEM, _DIGITS = "extended", 15
-_LIMIT_ORDER = {False: 60, True: 120}
+_LIMIT_ORDER = {False: 60, True: 120}  # by whether the measurement is full
 
 
 def _exact(order: int) -> Call:

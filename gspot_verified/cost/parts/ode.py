@@ -10,6 +10,8 @@ from flint import fmpq
 from gspot_verified.numbers.balls import approximate
 from gspot_verified.theta_function.gamma.initial_values import initial_values
 
+TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12)  # relative and absolute, for the curves of the solver
+
 
 def ode_run(beta: fmpq, end: float, tolerance: float, **options: Any) -> Any:
     """``solve_ivp`` on theta''' = tau theta' - beta theta from the initial values at 0 to ``end``."""
@@ -35,10 +37,10 @@ def ode_zeros(beta: fmpq, first: float, last: float, tolerance: float) -> list[f
     def derivative(_: float, y: Any) -> float:
         return float(y[1])
 
-    found: list[float] = []
+    zeros: list[float] = []
     for end in (first, last):
-        found += ode_run(beta, end, tolerance, events=derivative).t_events[0].tolist()
-    return sorted(found)
+        zeros += ode_run(beta, end, tolerance, events=derivative).t_events[0].tolist()
+    return sorted(zeros)
 
 
 def right_decimals(value: float, known: float) -> float | None:

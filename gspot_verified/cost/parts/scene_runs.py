@@ -12,6 +12,8 @@ from gspot_verified.cost.measurement.blueprint import Blueprint, best_time
 from gspot_verified.cost.measurement.contest import Call, TimedRoute
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Limit
 from gspot_verified.cost.peers.lift_off_runs import (
+    CERTIFIED_BITS,
+    HEYOKA_TOLERANCES,
     LIMITS,
     NAMES,
     bracket_decimals,
@@ -27,13 +29,13 @@ from gspot_verified.integrator.box_steps.choice import order_for
 from gspot_verified.scenes.certified.certified_integration import integrated_run
 from gspot_verified.scenes.certified.segment_samples import SAMPLES_OF_A_STEP
 
+# epsilon = 10^-(k + 3): the k of each scene.
 _QUICK_EPSILONS: dict[str, tuple[int, ...]] = {"model": (0, 2), "extended": (0,), "oscillator": (0,)}
 _FULL_EPSILONS: dict[str, tuple[int, ...]] = dict.fromkeys(NAMES, (0, 1, 2, 3))
-_BITS, _MORE_BITS = (160, 192, 256), (384,)
-_EXACT_DIGITS = (15, 30, 60)
-_TOLERANCES = (1e-4, 1e-7, 1e-10, 1e-12)
-_HEYOKA = (1e-8, 1e-12, 1e-15)
-_LIMIT_BITS, _CALLS = 192, 10_000
+_MORE_BITS = (384,)  # in full
+_EXACT_DIGITS = (15, 30, 60)  # of the exact solution's bracket
+_TOLERANCES = (1e-4, 1e-7, 1e-10, 1e-12)  # of Radau
+_LIMIT_BITS, _CALLS = 192, 10_000  # working precision of the run; products that are timed together
 
 
 def panel_of(name: str, k: int) -> str:
@@ -59,9 +61,9 @@ def _of_one(name: str, k: int) -> tuple[TimedRoute, ...]:
     def tolerance_words(tolerance: float) -> str:
         return f"tolerance {tolerance:g}"
 
-    found = [
+    routes = [
         TimedRoute(
-            "certified, integrator", CERTIFIED, _BITS, by_bits, _MORE_BITS, panel=panel,
+            "certified, integrator", CERTIFIED, CERTIFIED_BITS, by_bits, _MORE_BITS, panel=panel,
             place=lambda _, bracket: bracket_decimals(bracket), words=lambda bits: f"{bits} bits",
         ),
         TimedRoute(
@@ -69,7 +71,7 @@ def _of_one(name: str, k: int) -> tuple[TimedRoute, ...]:
             panel=panel, place=right, words=tolerance_words,
         ),
         TimedRoute(
-            "heyoka", NO_BOUND, _HEYOKA, partial(heyoka_call, scene), panel=panel, place=right,
+            "heyoka", NO_BOUND, HEYOKA_TOLERANCES, partial(heyoka_call, scene), panel=panel, place=right,
             words=tolerance_words, missing=heyoka_missing(),
         ),
     ]  # fmt: skip
@@ -79,8 +81,8 @@ def _of_one(name: str, k: int) -> tuple[TimedRoute, ...]:
             lambda digits: partial(exact_bracket, scene, digits), panel=panel,
             place=lambda _, bracket: bracket_decimals(bracket), words=lambda digits: f"{digits} digits",
         )  # fmt: skip
-        found.insert(1, exact)
-    return tuple(found)
+        routes.insert(1, exact)
+    return tuple(routes)
 
 
 def _profiled(_: bool) -> tuple[str, Call]:

@@ -18,11 +18,11 @@ from gspot_verified.cost.peers.bisection import Bisection, Choice, bisect
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.signs.cover.sign import SignResult, sign
 
-_HALF_WIDTHS = (1, 2, 4, 8, 16, 50)
-_BISECTED, _BISECTED_MORE = (1, 2, 3), (4,)
-_BETA = (fmpq(1, 100), fmpq(99, 100))
-_PATIENCE = 60.0
-_POINTS_OF_A_UNIT, _CURVES, _TOLERANCE = 20, 11, 1e-9
+_HALF_WIDTHS = (1, 2, 4, 8, 16, 50)  # of the range of tau around 0
+_BISECTED, _BISECTED_MORE = (1, 2, 3), (4,)  # half widths for the bisection; more in full
+_BETA = (fmpq(1, 100), fmpq(99, 100))  # nearly 0..1, for bisection needs a closed range
+_PATIENCE = 60.0  # seconds for a bisection
+_POINTS_OF_A_UNIT, _CURVES, _TOLERANCE = 20, 11, 1e-9  # how densely scipy looks
 
 
 def _words(width: int) -> str:
@@ -33,16 +33,16 @@ def _ours(width: int) -> Callable[[], SignResult]:
     return partial(sign, f"[-{width}..{width}]", f"[{_BETA[0]}..{_BETA[1]}]")
 
 
-def _proved(width: int, found: Any) -> float | None:
-    return float(width) if found.verdict.outcome is Outcome.PROVED else None
+def _proved(width: int, result: Any) -> float | None:
+    return float(width) if result.verdict.outcome is Outcome.PROVED else None
 
 
 def _bisected(width: int) -> Call:
     return partial(bisect, (fmpq(-width), fmpq(width), *_BETA), Choice.BETTER, _PATIENCE)
 
 
-def _finished(width: int, found: Bisection) -> float | None:
-    return float(width) if found.finished else None
+def _finished(width: int, bisection: Bisection) -> float | None:
+    return float(width) if bisection.finished else None
 
 
 def _sampled(width: int) -> Call:

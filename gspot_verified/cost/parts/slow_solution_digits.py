@@ -18,11 +18,11 @@ from gspot_verified.cost.parts.ode import right_decimals
 from gspot_verified.cost.times.baseline import right_digits
 from gspot_verified.numbers.balls import approximate, bits_for_digits, working_bits
 
-B = fmpq(-1, 2)
-_EPSILONS = {"ε = 10⁻³": fmpq(1, 10**3), "ε = 10⁻¹²": fmpq(1, 10**12)}
-_DIGITS, _MORE = (15, 50, 100, 200), (500, 1_000)
-_FEW, _FEW_MORE = (15, 50), (100, 200)
-_LAST = 12
+B = fmpq(-1, 2)  # below 0, as the integral that defines F_b needs
+_EPSILONS = {"ε = 10⁻³": fmpq(1, 10**3), "ε = 10⁻¹²": fmpq(1, 10**12)}  # by the names of the panels
+_DIGITS, _MORE = (15, 50, 100, 200), (500, 1_000)  # more in full
+_FEW, _FEW_MORE = (15, 50), (100, 200)  # fewer digits: mpmath is slower
+_LAST = 12  # x^2 where the integral is cut off: the integrand is about exp(-2 x^6)
 
 
 def _ours(epsilon: fmpq, digits: int) -> Call:
@@ -63,16 +63,16 @@ def by_scipy(epsilon: fmpq, tolerance: float) -> float:
 
 
 def _contestants() -> tuple[TimedRoute, ...]:
-    found = []
+    routes = []
     for panel, epsilon in _EPSILONS.items():
-        found += [_library(panel, epsilon), _mpmath(panel, epsilon), _scipy(panel, epsilon)]
-    return tuple(found)
+        routes += [_library(panel, epsilon), _mpmath(panel, epsilon), _scipy(panel, epsilon)]
+    return tuple(routes)
 
 
 def _library(panel: str, epsilon: fmpq) -> TimedRoute:
     return TimedRoute(
         "this library", CERTIFIED, _DIGITS, partial(_ours, epsilon), _MORE, panel=panel, exponent=2.5,
-        place=lambda digits, found: float(digits) if found.reached else None,
+        place=lambda digits, value: float(digits) if value.reached else None,
         theory="about D nodes of the trapezoidal rule or D terms, each an exponential or a product of D digits",
     )  # fmt: skip
 

@@ -12,18 +12,17 @@ from flint import fmpq
 from gspot_verified.cost.measurement.blueprint import Blueprint, best_time
 from gspot_verified.cost.measurement.contest import Call, TimedRoute
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Limit
-from gspot_verified.cost.parts.ode import ode_value, right_decimals
+from gspot_verified.cost.parts.ode import TOLERANCES, ode_value, right_decimals
 from gspot_verified.cost.peers.external import PROGRAMS, ExternalTime, Program, ask
 from gspot_verified.cost.times.baseline import flint_theta, mpmath_theta, right_digits
 from gspot_verified.cost.times.limits import products_of_the_series
 from gspot_verified.numbers.balls import approximate
 from gspot_verified.theta_function.theta import theta
 
-TAU, BETA = fmpq(7, 3), fmpq(1, 2)
-_DIGITS, _MORE = (15, 50, 200, 1_000, 3_000, 10_000), (30_000, 100_000)
-_FEW, _FEW_MORE = (15, 50, 200), (1_000,)
-_TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12)
-_LIMIT_DIGITS = {False: 10_000, True: 100_000}
+TAU, BETA = fmpq(7, 3), fmpq(1, 2)  # the value that is computed
+_DIGITS, _MORE = (15, 50, 200, 1_000, 3_000, 10_000), (30_000, 100_000)  # more in full
+_FEW, _FEW_MORE = (15, 50, 200), (1_000,)  # fewer digits: mpmath is slower
+_LIMIT_DIGITS = {False: 10_000, True: 100_000}  # by whether the measurement is full
 
 
 def _ours(digits: int) -> Call:
@@ -54,7 +53,7 @@ def _contestants() -> tuple[TimedRoute, ...]:
             place=_correct_digits, exponent=2.0, theory="the same sum, on Python integers",
         ),
         TimedRoute(
-            "scipy DOP853", NO_BOUND, _TOLERANCES, lambda tolerance: partial(ode_value, TAU, BETA, tolerance),
+            "scipy DOP853", NO_BOUND, TOLERANCES, lambda tolerance: partial(ode_value, TAU, BETA, tolerance),
             place=_of_the_ode, words=lambda tolerance: f"tolerance {tolerance:g}",
             theory="order 8: time grows like 10^(D/8), an exponential and no power",
         ),

@@ -15,10 +15,11 @@ from gspot_verified.numbers.balls import working_bits
 from gspot_verified.theta_function.theta import theta
 from gspot_verified.theta_function.value.routes import theta_by
 
-BETA, DIGITS = fmpq(7, 3), 50
-_NEAR, _ALL = (1, 3, 10, 30, 100, 300), (1, 3, 10, 30, 100, 300, 1_000, 10_000, 1_000_000)
-_MORE = (1_000,)
-_LIMIT_TAU, _LIMIT_BITS = -1_000_000, 200
+BETA, DIGITS = fmpq(7, 3), 50  # of every value
+_NEAR = (1, 3, 10, 30, 100, 300)  # |tau| for the series around 0
+_ALL = (*_NEAR, 1_000, 10_000, 1_000_000)  # |tau| for the routes that reach everywhere
+_MORE = (1_000,)  # in full
+_LIMIT_TAU, _LIMIT_BITS = -1_000_000, 200  # where the asymptotic series needs hardly more than (-tau)^beta
 _PANELS = {-1: "τ < 0", 1: "τ > 0"}
 _ROUTES = {
     "taylor": ("Taylor series at 0", 1.5, "|τ|^(3/2) terms, for the largest term is like exp(2 |τ|^(3/2)/3)"),
@@ -69,10 +70,10 @@ def _flint(sign: int) -> TimedRoute:
 
 
 def _contestants() -> tuple[TimedRoute, ...]:
-    found = []
+    routes = []
     for sign, far in ((-1, "negative"), (1, "positive")):
-        found += [_chosen(sign), _by("taylor", sign), _by(far, sign), _by("laplace", sign), _flint(sign)]
-    return tuple(found)
+        routes += [_chosen(sign), _by("taylor", sign), _by(far, sign), _by("laplace", sign), _flint(sign)]
+    return tuple(routes)
 
 
 def _limit(_: bool) -> Limit:

@@ -12,7 +12,7 @@ from gspot_verified.certificates.text import certificate_text
 from gspot_verified.cost.measurement.blueprint import Blueprint, best_time
 from gspot_verified.cost.measurement.contest import Call, TimedRoute
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Limit
-from gspot_verified.cost.parts.ode import ode_zeros, right_decimals
+from gspot_verified.cost.parts.ode import TOLERANCES, ode_zeros, right_decimals
 from gspot_verified.cost.times.baseline import mpmath_theta
 from gspot_verified.numbers.balls import approximate, bits_for_digits, working_bits
 from gspot_verified.signs.cover.pieces import Column
@@ -21,20 +21,19 @@ from gspot_verified.signs.zeros.zeros import zeros_on_range
 from gspot_verified.theta_function.arrays.prepared import PreparedTheta
 from gspot_verified.theta_function.theta import theta
 
-_ENDS, _MORE_ENDS = (2, 3, 4, 5), (7, 9, 11, 13)
-_CURVES_OF_A_UNIT, _TOLERANCE = 20, 1e-9
-BETA = fmpq(5, 2)
-_DIGITS, _MORE_DIGITS = (15, 50, 200, 500), (1_000, 2_000)
-_FEW, _FEW_MORE = (15, 50), (200,)
-_TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12)
-_CALLS = 1_000
-_LIMIT_DIGITS = {False: 500, True: 2_000}
+_ENDS, _MORE_ENDS = (2, 3, 4, 5), (7, 9, 11, 13)  # atlases for beta in (1, end); more in full
+_CURVES_OF_A_UNIT, _TOLERANCE = 20, 1e-9  # how densely scipy looks
+BETA = fmpq(5, 2)  # of the zeros that are bracketed
+_DIGITS, _MORE_DIGITS = (15, 50, 200, 500), (1_000, 2_000)  # more in full
+_FEW, _FEW_MORE = (15, 50), (200,)  # fewer digits: mpmath is slower
+_CALLS = 1_000  # timed together: one is too short
+_LIMIT_DIGITS = {False: 500, True: 2_000}  # by whether the measurement is full
 
 
 def atlas_text(end: int) -> str | None:
     """The certificate of the zeros for every beta in (1, end); None where nothing is proved."""
-    found = zeros_on_range(f"1..{end}")
-    return None if found.statement is None else certificate_text(found.statement, found.columns)
+    zeros = zeros_on_range(f"1..{end}")
+    return None if zeros.statement is None else certificate_text(zeros.statement, zeros.columns)
 
 
 def _counted_by_ode(end: int) -> Call:
@@ -115,11 +114,11 @@ def _findroot(digits: int) -> Call:
     return call
 
 
-def _of_the_ode(_: float, found: Any) -> float | None:
+def _of_the_ode(_: float, zeros: Any) -> float | None:
     known = zeros_at(BETA, 18).brackets
-    if len(found) != len(known):
+    if len(zeros) != len(known):
         return None
-    digits = [right_decimals(x, approximate(lower)) for x, (lower, _) in zip(found, known, strict=True)]
+    digits = [right_decimals(x, approximate(lower)) for x, (lower, _) in zip(zeros, known, strict=True)]
     return min((d for d in digits if d is not None), default=None) if None not in digits else None
 
 
@@ -134,7 +133,7 @@ def _bracket_contestants() -> tuple[TimedRoute, ...]:
             theory="about ten values by mpmath’s 1F2 for each zero",
         ),
         TimedRoute(
-            "scipy DOP853, events", NO_BOUND, _TOLERANCES,
+            "scipy DOP853, events", NO_BOUND, TOLERANCES,
             lambda tolerance: partial(ode_zeros, BETA, -5.0, 5.0, tolerance),
             place=_of_the_ode, words=lambda tolerance: f"tolerance {tolerance:g}",
         ),

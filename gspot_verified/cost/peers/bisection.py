@@ -18,7 +18,7 @@ from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import ByName, Written
 from gspot_verified.theta_function.gamma.initial_values import paper_initial_values
 
-_BITS = 64
+_BITS = 64  # boxes are wide: more bits make hardly an enclosure narrower
 
 Box = tuple[fmpq, fmpq, fmpq, fmpq]
 """tau from, tau to, beta from, beta to."""

@@ -19,7 +19,6 @@ from gspot_verified.theta_function.theta import theta
 
 NOT_INSTALLED = "not installed"
 _TRACE = re.compile(r"Warning|at top-level|in function|\^")
-_GUARD_DIGITS = 10
 
 # getwalltime counts milliseconds: the call is repeated until 200 of them have passed (a longer one is not repeated).
 _PARI = """
@@ -71,8 +70,8 @@ class Program:
         return self.script.format(tau=f"({tau})", beta=f"({beta})", digits=digits + self.guard_digits)
 
 
-PARI = Program("PARI/GP", "gp", ("-q", "-f"), _PARI, _GUARD_DIGITS)
-ORE_ALGEBRA = Program("Sage ore_algebra", "sage", ("--python", "-"), _SAGE, 0)
+PARI = Program("PARI/GP", "gp", ("-q", "-f"), _PARI, guard_digits=10)
+ORE_ALGEBRA = Program("Sage ore_algebra", "sage", ("--python", "-"), _SAGE, guard_digits=0)
 PROGRAMS = (PARI, ORE_ALGEBRA)
 
 

@@ -29,8 +29,10 @@ _UNTIL = {
     "oscillator": ("0.105", "0.117", "0.114", "0.113"),
 }
 """Just after the first lift-off."""
-_REFERENCE_BITS = 320
-_MOST_DECIMALS = 16.0
+CERTIFIED_BITS = (160, 192, 256)  # working precisions at which brackets are compared
+HEYOKA_TOLERANCES = (1e-8, 1e-12, 1e-15)  # down to the last digit of a double
+_REFERENCE_BITS = 320  # more than any run that is compared with it
+_MOST_DECIMALS = 16.0  # of a double
 
 Interval = tuple[fmpq, fmpq]
 _known: dict[tuple[str, int], Interval] = {}
@@ -87,10 +89,10 @@ def bracket_decimals(bracket: Interval) -> float:
 def right_decimals(name: str, k: int, time: fmpq) -> float | None:
     """How many decimals of a time of lift-off without a bound are right; None where not one is."""
     if (name, k) not in _known:
-        found = certified_bracket(scene_of(name, k), _REFERENCE_BITS)
-        if found is None:
+        bracket = certified_bracket(scene_of(name, k), _REFERENCE_BITS)
+        if bracket is None:
             return None
-        _known[name, k] = found
+        _known[name, k] = bracket
     lower, upper = _known[name, k]
     error = max(abs(approximate(time - lower)), abs(approximate(time - upper)))
     decimals = min(_MOST_DECIMALS, round(-math.log10(error), 1))

@@ -24,18 +24,18 @@ from gspot_verified.theta_function.arrays.prepared import PreparedTheta
 from gspot_verified.theta_function.gamma.initial_values import initial_values
 from gspot_verified.theta_function.theta import theta
 
-BETAS = (fmpq(1, 2), fmpq(7, 3), fmpq(13, 2), fmpq(7, 5), fmpq(355, 113))
+BETAS = (fmpq(1, 2), fmpq(7, 3), fmpq(13, 2), fmpq(7, 5), fmpq(355, 113))  # with small and large denominators
 NEAR = tuple(fmpq(*pair) for pair in ((1, 10), (1, 1), (-1, 1), (10, 1), (-10, 1), (50, 1), (-50, 1)))
-DIGITS = (16, 50, 1_000, 10_000)
-REACHES = (2.0, 10.0, 50.0)
-POINTS = 20_000
+DIGITS = (16, 50, 1_000, 10_000)  # of one value
+REACHES = (2.0, 10.0, 50.0)  # of tau on both sides, for many values
+POINTS = 20_000  # values in one array
 
-_MPMATH_DIGITS = 50
-_FEW_DIGITS = 16
-_MOST_REPEATS = 101
-_SECONDS = 0.15
-_MOST_MORE_BITS = 4_000
-_TOLERANCE = 1e-13
+_MPMATH_DIGITS = 50  # more take mpmath too long
+_FEW_DIGITS = 16  # up to these the target of a first call is another one
+_MOST_REPEATS = 101  # of one call, within the seconds below
+_SECONDS = 0.15  # for each question
+_MOST_MORE_BITS = 4_000  # beyond eight times the goal: then no precision is said to suffice
+_TOLERANCE = 1e-13  # near the least that doubles allow
 _FIRST_CALL = {
     True: Target("FLINT / first call", 0.9, at_most=False),
     False: Target("FLINT / first call", 1.0, at_most=False),

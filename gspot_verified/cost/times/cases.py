@@ -20,14 +20,14 @@ from gspot_verified.cost.times.measure import (
 from gspot_verified.cost.times.rows import Row, Target, seconds_text
 from gspot_verified.theta_function.theta import theta
 
-HALF = fmpq(1, 2)
-SEVEN_THIRDS = fmpq(7, 3)
+HALF = fmpq(1, 2)  # a beta of small height
+SEVEN_THIRDS = fmpq(7, 3)  # a tau and a beta without special values
 BETAS = (HALF, SEVEN_THIRDS, fmpq(-5, 2))
 NEAR = tuple(sign * size for size in (fmpq(1, 10), SEVEN_THIRDS, fmpq(10)) for sign in (1, -1))
 FAR = tuple(fmpq(sign * size) for size in (10**6, 10**12) for sign in (1, -1))
-FAR_BITS = 1 << 14
-MPMATH_DIGITS = 1_000
-SPEED = {1_000: 8.0, 10_000: 60.0, 100_000: 150.0}
+FAR_BITS = 1 << 14  # a limit for the baseline far out
+MPMATH_DIGITS = 1_000  # beyond them mpmath takes too long
+SPEED = {1_000: 8.0, 10_000: 60.0, 100_000: 150.0}  # the target: how many times faster than the baseline, by digits
 
 _AS_FAST = Target("cold / baseline", 1.5)
 _CHEAPER = Target("repeated / first", 1.0)
@@ -55,10 +55,10 @@ def _times(
         return theta(tau, beta, derivative, digits)
 
     limit = {} if bits is None else {"max_bits": bits}
-    found: dict[str, object] = {}
+    answers: dict[str, object] = {}
 
     def keep(name: str, value: object) -> None:
-        found[name] = value
+        answers[name] = value
 
     contestants = {
         "cold": Contestant(ours, clear_caches, repeats),
@@ -76,14 +76,14 @@ def _times(
     ours()
     times |= measure({"warm": Contestant(ours, repeats=repeats)})
     notes = []
-    answer = found["baseline"]
+    answer = answers["baseline"]
     if isinstance(answer, Answer) and answer.attempts > 1:
         times["first attempt"] = timing([answer.seconds[0]])
     if answer is None:
         spent = times.pop("baseline").median
         notes.append(f"baseline: no answer within {bits} bits ({seconds_text(spent)} spent)")
-    if "mpmath" in found:
-        notes += _mpmath_note(found["mpmath"], tau, beta, digits, derivative)
+    if "mpmath" in answers:
+        notes += _mpmath_note(answers["mpmath"], tau, beta, digits, derivative)
     return times, "; ".join(notes)
 
 

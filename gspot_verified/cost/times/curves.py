@@ -13,9 +13,9 @@ from gspot_verified.cost.times.measure import Contestant, clear_caches, measure
 from gspot_verified.numbers.written import Written
 from gspot_verified.theta_function.theta import theta
 
-_TAU = fmpq(7, 3)
-_DIGITS = (10, 30, 100, 300, 1_000, 3_000, 10_000, 30_000, 100_000)
-_MPMATH_DIGITS = 1_000
+_TAU = fmpq(7, 3)  # where the curves of time over digits are measured
+_DIGITS = (10, 30, 100, 300, 1_000, 3_000, 10_000, 30_000, 100_000)  # the last two in full only
+_MPMATH_DIGITS = 1_000  # beyond them mpmath takes too long
 
 
 @dataclass(frozen=True, slots=True)

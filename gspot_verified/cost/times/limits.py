@@ -22,10 +22,10 @@ from gspot_verified.theta_function.arrays.arrays import theta_of_floats
 from gspot_verified.theta_function.theta import theta
 from gspot_verified.theta_function.value import choice
 
-_PRODUCTS_OF_A_LEVEL = 3
+_PRODUCTS_OF_A_LEVEL = 3  # binary splitting of one chain: P, Q and T
 _SPLITTING = Target("time / its products", 20.0)
 _TRAFFIC = Target("time / memory traffic", 200.0)
-_BYTES_OF_A_VALUE = 24
+_BYTES_OF_A_VALUE = 24  # one double is read, middle and radius are written
 
 
 def many_digits(digits: tuple[int, ...] = (10_000, 100_000)) -> Iterator[Row]:

@@ -53,12 +53,12 @@ def measure(contestants: dict[str, Contestant], seconds: float = 1.0) -> dict[st
 
     Each is called once at least, and not again once its calls have taken ``seconds``.
     """
-    found: dict[str, list[float]] = {name: [] for name in contestants}
+    spent: dict[str, list[float]] = {name: [] for name in contestants}
     for turn in range(max(contestant.repeats for contestant in contestants.values())):
         for name, contestant in contestants.items():
-            if turn == 0 or (turn < contestant.repeats and sum(found[name]) < seconds):
-                found[name].append(_seconds(contestant))
-    return {name: timing(times) for name, times in found.items()}
+            if turn == 0 or (turn < contestant.repeats and sum(spent[name]) < seconds):
+                spent[name].append(_seconds(contestant))
+    return {name: timing(times) for name, times in spent.items()}
 
 
 def _seconds(contestant: Contestant) -> float:

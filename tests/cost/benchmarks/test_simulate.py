@@ -28,7 +28,7 @@ def short(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(simulate, "_DRAWN", {False: {"model": (0,)}})
     monkeypatch.setattr(simulate, "_TOLERANCES", (1e-4, 1e-6))
     monkeypatch.setattr(simulate, "_TOLERANCE", 1e-6)
-    monkeypatch.setattr(simulate, "_CERTIFIED_BITS", (160, 256))
+    monkeypatch.setattr(simulate, "CERTIFIED_BITS", (160, 256))
     monkeypatch.setattr(simulate, "heyoka_missing", lambda: "not installed on this machine")
 
 
