@@ -14,7 +14,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperCommand
 
-QUIET_SECONDS = 10.0
+QUIET_SECONDS = 10.0  # between two signs of life on stderr
 _running: ContextVar[str] = ContextVar("_running", default="")
 _VERSIONS = {"cost": 2, "verify": 2}
 """Of the schemas that have changed: a change of what is printed raises it."""

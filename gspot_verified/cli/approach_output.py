@@ -32,12 +32,12 @@ def components(text: str) -> dict[str, str]:
     >>> components("p=1/2, b=-1")
     {'p': '1/2', 'b': '-1'}
     """
-    found: dict[str, str] = {}
+    values: dict[str, str] = {}
     for part in text.split(","):
         word, equals, value = part.partition("=")
         if not equals or not word.strip() or not value.strip():
             raise ValueError(f'--from: expected "name=value,name=value", got {part.strip()[:60]!r}')
-        if word.strip() in found:
+        if word.strip() in values:
             raise ValueError(f"--from: {word.strip()[:60]} is given twice")
-        found[word.strip()] = value.strip()
-    return found
+        values[word.strip()] = value.strip()
+    return values

@@ -20,8 +20,8 @@ from gspot_verified.cli.app import app, signs_of_life
 from gspot_verified.cli.isolation import isolate
 from gspot_verified.cli.output import NOT_WRITTEN
 
-USAGE = 64
-INTERNAL = 70
+USAGE = 64  # as in sysexits.h: a command line that cannot be run
+INTERNAL = 70  # as in sysexits.h: a fault of the program
 CLOSED_PIPE = 141
 """128 + SIGPIPE: what a shell shows for a program that a closed pipe ended."""
 

@@ -40,8 +40,8 @@ class Outputs:
         if path.exists() and not path.is_file():
             raise ValueError(f"{option}: {path} is not an ordinary file")
         if suffixes and path.suffix.lower() not in suffixes:
-            found = f"the suffix {path.suffix!r} of {path}" if path.suffix else f"{path} without a suffix"
-            raise ValueError(f"{option}: cannot write {found}; allowed: {', '.join(suffixes)}")
+            refused = f"the suffix {path.suffix!r} of {path}" if path.suffix else f"{path} without a suffix"
+            raise ValueError(f"{option}: cannot write {refused}; allowed: {', '.join(suffixes)}")
         _check_folder(option, path.parent)
         place = path.resolve()
         if place in self._taken:

@@ -190,11 +190,11 @@ def schema_of(command: str, name: str) -> Schema:
 
 def _joined(kinds: tuple[Any, ...], name: str) -> Schema:
     """The keys of all the types in one object, and the name of the schema."""
-    found: Schema = {"required": ["schema"], "properties": {"schema": {"const": name}}}
+    joined: Schema = {"required": ["schema"], "properties": {"schema": {"const": name}}}
     for schema in (form(kind).schema for kind in kinds):
-        found["required"] += schema["required"]
-        found["properties"] |= schema["properties"]
-    return {"type": "object", "additionalProperties": False, **found}
+        joined["required"] += schema["required"]
+        joined["properties"] |= schema["properties"]
+    return {"type": "object", "additionalProperties": False, **joined}
 
 
 def _collect(part: Any, definitions: Schema) -> None:

@@ -27,12 +27,12 @@ def zeros_at_finite_epsilon(beta: str, epsilon: str, digits: int, as_json: bool)
 
     if ".." in epsilon:
         raise ValueError("--epsilon: a range of ε needs a range of β, such as 5..6")
-    found = slow_zeros(beta, epsilon, digits)
+    zeros = slow_zeros(beta, epsilon, digits)
     if as_json:
-        print_json(found.to_json())
+        print_json(zeros.to_json())
     else:
-        typer.echo(str(found))
-    raise typer.Exit(found.verdict.exit_code)
+        typer.echo(str(zeros))
+    raise typer.Exit(zeros.verdict.exit_code)
 
 
 def zeros_over_a_rectangle(
@@ -59,18 +59,18 @@ def zeros_over_a_rectangle(
         raise ValueError("--picture needs a range of ε, such as 0..10")
     proof = None if certificate is None else _certificate(beta, epsilon)
     with executor(workers, scheduler) as pool:
-        found = zero_map(beta, epsilon, budget=budget, executor=pool, journal=journal, progress=_show)
+        zeros = zero_map(beta, epsilon, budget=budget, executor=pool, journal=journal, progress=_show)
     if picture is not None:
         from gspot_verified.report.pictures.zero_map_picture import save_zero_map
 
-        outputs.write("--picture", picture, lambda: save_zero_map(found, picture))
+        outputs.write("--picture", picture, lambda: save_zero_map(zeros, picture))
     if proof is not None and certificate is not None:
         outputs.write("--certificate", certificate, partial(proof.write, certificate))
     if as_json:
-        print_json(found.to_json())
+        print_json(zeros.to_json())
     else:
-        typer.echo(str(found))
-    outputs.leave(found.verdict.exit_code)
+        typer.echo(str(zeros))
+    outputs.leave(zeros.verdict.exit_code)
 
 
 def _certificate(beta: str, epsilon: str) -> SlowZerosCertificate:

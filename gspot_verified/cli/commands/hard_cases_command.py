@@ -24,8 +24,8 @@ def hard_cases(
     """
     from gspot_verified.hard_cases.catalogue import measure_hard_cases
 
-    found = measure_hard_cases(families or (), progress)
+    catalogue = measure_hard_cases(families or (), progress)
     if as_json:
-        print_json(found.to_json())
+        print_json(catalogue.to_json())
     else:
-        typer.echo(str(found))
+        typer.echo(str(catalogue))

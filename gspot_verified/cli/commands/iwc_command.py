@@ -70,9 +70,9 @@ def iwc(
         place, rational = certificate, leading
 
         def write() -> None:
-            found = iwc_certificate(rational)
-            found.write(place)
-            progress(f"{place}: {found.statement}")
+            proof = iwc_certificate(rational)
+            proof.write(place)
+            progress(f"{place}: {proof.statement}")
 
         outputs.write("--certificate", place, write)
     outputs.leave(result.verdict.exit_code)

@@ -24,8 +24,8 @@ def _known_names(typed: str) -> list[str]:
     """What a shell may complete: the names of the package, and files."""
     from gspot_verified.mechanisms.shipped import SHORT_NAMES
 
-    found = [path for path in Path().glob(f"{glob.escape(typed)}*") if not path.name.startswith(".")]
-    files = [str(path) for path in found if path.is_dir() or path.suffix == ".toml"]
+    paths = [path for path in Path().glob(f"{glob.escape(typed)}*") if not path.name.startswith(".")]
+    files = [str(path) for path in paths if path.is_dir() or path.suffix == ".toml"]
     return [*(name for name in SHORT_NAMES if name.startswith(typed)), *sorted(files)]
 
 
@@ -79,9 +79,9 @@ def classify(
     from gspot_verified.mechanisms.spots.all_g_spots import DEFAULT_BUDGET
     from gspot_verified.mechanisms.spots.classify_all import classify_all
 
-    found = classify_all(mechanism, _box(box or []), budget=DEFAULT_BUDGET if budget is None else budget)
-    _print(found.to_json(), str(found), as_json)
-    raise typer.Exit(found.exit_code)
+    classified = classify_all(mechanism, _box(box or []), budget=DEFAULT_BUDGET if budget is None else budget)
+    _print(classified.to_json(), str(classified), as_json)
+    raise typer.Exit(classified.exit_code)
 
 
 def _print(data: dict[str, Any], text: str, as_json: bool) -> None:
@@ -94,19 +94,19 @@ def _print(data: dict[str, Any], text: str, as_json: bool) -> None:
 def _box(given: list[str]) -> dict[str, tuple[Any, Any]]:
     from gspot_verified.work.ranges import Range
 
-    found = {}
+    intervals = {}
     for text in given:
         word, equals, interval = text.partition("=")
         word = word.strip()
         if not equals or ".." not in interval:
             raise ValueError(f'--box: expected "component=lower..upper", got {text[:60]!r}')
-        if word in found:
+        if word in intervals:
             raise ValueError(f"--box: {word[:60]} is given twice")
         parsed = Range.parse(interval, f"--box, {word[:60]}")
         if parsed.lower is None or parsed.upper is None:
             raise ValueError(f"--box, {word[:60]}: the interval must be finite")
-        found[word] = (parsed.lower, parsed.upper)
-    return found
+        intervals[word] = (parsed.lower, parsed.upper)
+    return intervals
 
 
 @app.command(epilog="Example: gspot-verified expand extended --order 7 --chi symbolic")
@@ -200,9 +200,9 @@ def _values_at(trajectory: Trajectory, at: str, in_time: bool, digits: int) -> t
 
     first, second = _numbers(at, "--at", "1,1/10")
     value = trajectory.evaluate_in_time if in_time else trajectory.evaluate
-    found, names = value(first, second, digits), trajectory.system.names
-    lines = [f"{left_side(key, names, not in_time)} = {ball_text(ball, digits)}" for key, ball in found.items()]
-    both = {key: {"value": ball_text(ball, digits), "enclosure": exact_text(ball)} for key, ball in found.items()}
+    values, names = value(first, second, digits), trajectory.system.names
+    lines = [f"{left_side(key, names, not in_time)} = {ball_text(ball, digits)}" for key, ball in values.items()]
+    both = {key: {"value": ball_text(ball, digits), "enclosure": exact_text(ball)} for key, ball in values.items()}
     place = {"t": first, "epsilon": second} if in_time else {"s": first, "delta": second}
     return {**place, "values_of": VALUES_OF, **in_two(both, names)._asdict()}, "\n".join([*lines, VALUES_OF])
 

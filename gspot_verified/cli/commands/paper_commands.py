@@ -90,10 +90,10 @@ def _formal_proofs() -> ProofRun:
     from gspot_verified.paper.checks.formal_proof import run_proofs
 
     progress("the formal proofs of proofs/coq/, by Coq")
-    found = run_proofs()
-    if found.failure:
-        warn(f"the formal proofs do not count: {found.failure}")
-    return found
+    run = run_proofs()
+    if run.failure:
+        warn(f"the formal proofs do not count: {run.failure}")
+    return run
 
 
 @app.command(epilog="Example: gspot-verified report report/report.json --output report")
@@ -136,10 +136,10 @@ def report(
 def _check_again(folder: Path, as_json: bool) -> None:
     from gspot_verified.report.check_again import check_report
 
-    found = check_report(folder, progress)
+    results = check_report(folder, progress)
     if as_json:
-        print_json({"certificates": [result.to_json() for result in found]})
+        print_json({"certificates": [result.to_json() for result in results]})
     else:
-        for result in found:
+        for result in results:
             typer.echo(f"{'verified' if result.same else 'FAILED':9}  {result.name}  {result.said}")
-    raise typer.Exit(0 if all(result.same for result in found) else 1)
+    raise typer.Exit(0 if all(result.same for result in results) else 1)

@@ -194,18 +194,18 @@ def _zeros_at(
             typer.echo(str(at_integer))
         return
     try:
-        found = zeros_at(beta, digits)
+        isolated = zeros_at(beta, digits)
     except UndecidedError as error:
         typer.echo(f"undecided: {error}", err=True)
         raise typer.Exit(2) from None
     if certificate is not None:
         outputs.write(
-            "--certificate", certificate, lambda: write_certificate(certificate, found.statement, [found.column])
+            "--certificate", certificate, lambda: write_certificate(certificate, isolated.statement, [isolated.column])
         )
     if as_json:
-        print_json(found.to_json())
+        print_json(isolated.to_json())
     else:
-        typer.echo(str(found))
+        typer.echo(str(isolated))
     outputs.leave(0)
 
 
@@ -249,7 +249,7 @@ def _show_tubes() -> Callable[[Progress], None]:
             return
         said = time.monotonic()
         column = step.node.column
-        found = "" if column is None else f"; β in [{column.lower}, {column.upper}]: {len(column.tubes())} tubes"
-        progress(f"{step.examined} ranges of β examined, {step.finished} settled, {step.waiting} waiting{found}")
+        tubes = "" if column is None else f"; β in [{column.lower}, {column.upper}]: {len(column.tubes())} tubes"
+        progress(f"{step.examined} ranges of β examined, {step.finished} settled, {step.waiting} waiting{tubes}")
 
     return show

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from gspot_verified.scenes.scene.run import SceneRun
     from gspot_verified.scenes.scene.scene import Scene
 
-_PICTURE_POINTS = 61
-_FILE_POINTS = 101
+_PICTURE_POINTS = 61  # samples for a picture, if their number is not given
+_FILE_POINTS = 101  # the same for a file
 
 
 @app.command(epilog="Example: gspot-verified simulate fig-varsim1 --beta 3/2 --nu 2 --epsilon 1e-3")
@@ -133,25 +133,25 @@ def scenes(as_json: JsonFlag = False) -> None:
 
 def _given(words: list[str], **options: str | None) -> dict[str, str]:
     """What --set and the options of their own say; each setting once."""
-    found = _settings(words)
+    settings = _settings(words)
     for name, value in options.items():
         if value is None:
             continue
         for same in (name, "eps") if name == "epsilon" else (name,):
-            if same in found:
+            if same in settings:
                 raise ValueError(f"give --{name} or --set {same}=..., not both")
-        found[name] = value
-    return found
+        settings[name] = value
+    return settings
 
 
 def _settings(words: list[str]) -> dict[str, str]:
-    found: dict[str, str] = {}
+    settings: dict[str, str] = {}
     for word in words:
         name, equals, value = (part.strip() for part in word.partition("="))
-        if not equals or not name.isidentifier() or name in found:
+        if not equals or not name.isidentifier() or name in settings:
             raise ValueError(f"--set: expected name=value, each name once, got {word[:60]!r}")
-        found[name] = value
-    return found
+        settings[name] = value
+    return settings
 
 
 def _moving(scene: Scene) -> str:

@@ -69,15 +69,15 @@ def sweep(
 
 
 def _assignments(option: str, texts: list[str]) -> dict[str, str]:
-    found: dict[str, str] = {}
+    values: dict[str, str] = {}
     for text in texts:
         key, equals, value = (part.strip() for part in text.partition("="))
         if not equals or not key:
             raise ValueError(f'{option}: expected "name=value", got {text[:60]!r}')
-        if key in found:
+        if key in values:
             raise ValueError(f"{option}: {key[:60]} is given twice")
-        found[key] = value
-    return found
+        values[key] = value
+    return values
 
 
 def _replace(path: Path, text: str) -> None:

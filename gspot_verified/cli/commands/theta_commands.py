@@ -8,7 +8,7 @@ import typer
 
 from gspot_verified.cli.app import JsonFlag, NumberArguments, app, print_json, progress
 
-_SLOW_DIGITS = 20_000
+_SLOW_DIGITS = 20_000  # from here on a computation takes long enough to announce it
 
 
 @app.command(

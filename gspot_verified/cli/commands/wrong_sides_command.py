@@ -33,28 +33,28 @@ def wrong_sides(
     from gspot_verified.scenes.hard_sides import hard_sides, wrong_sides
 
     chosen = hard_sides().restricted(epsilons=epsilon, betas=beta, nus=nu, solvers=solver, tolerances=tolerance)
-    found = wrong_sides(chosen, progress)
+    counted = wrong_sides(chosen, progress)
     if as_json:
-        print_json(found.to_json())
+        print_json(counted.to_json())
     else:
-        _show(found)
-    raise typer.Exit(0 if all(side.side is not None for side in found.certified.values()) else 2)
+        _show(counted)
+    raise typer.Exit(0 if all(side.side is not None for side in counted.certified.values()) else 2)
 
 
-def _show(found: WrongSides) -> None:
-    epsilons = list(dict.fromkeys(count.epsilon for count in found.counts))
-    betas = list(dict.fromkeys(count.beta for count in found.counts))
+def _show(counted: WrongSides) -> None:
+    epsilons = list(dict.fromkeys(count.epsilon for count in counted.counts))
+    betas = list(dict.fromkeys(count.beta for count in counted.counts))
     typer.echo("wrong sides of decided starts; s: runs without an event, f: runs that failed")
     for epsilon in epsilons:
         typer.echo(f"ε = {epsilon}".ljust(24) + "".join(f"β = {beta}".ljust(14) for beta in betas).rstrip())
-        here = [count for count in found.counts if count.epsilon == epsilon]
+        here = [count for count in counted.counts if count.epsilon == epsilon]
         for solver, tolerance in dict.fromkeys((count.solver, count.tolerance) for count in here):
             cells = [_cell(c) for c in here if (c.solver, c.tolerance) == (solver, tolerance)]
             typer.echo(f"  {solver} {tolerance}".ljust(24) + "".join(cell.ljust(14) for cell in cells).rstrip())
-        rule = "".join(_rule(found, epsilon, beta).ljust(14) for beta in betas).rstrip()
+        rule = "".join(_rule(counted, epsilon, beta).ljust(14) for beta in betas).rstrip()
         typer.echo("  the paper's rule".ljust(24) + rule)
     typer.echo("certified sides:")
-    for start, side in found.certified.items():
+    for start, side in counted.certified.items():
         place = f"  ε = {start.epsilon}, β = {start.beta}, ν = {start.nu}: "
         typer.echo(place + f"{side.verdict}" + ("; the paper's rule gives the other side" if side.rule_fails else ""))
 
@@ -64,7 +64,7 @@ def _cell(count: Count) -> str:
     return f"{count.wrong}/{count.decided}{extra}"
 
 
-def _rule(found: WrongSides, epsilon: object, beta: object) -> str:
-    answers = [s.rule_fails for start, s in found.certified.items() if (start.epsilon, start.beta) == (epsilon, beta)]
+def _rule(counted: WrongSides, epsilon: object, beta: object) -> str:
+    answers = [s.rule_fails for start, s in counted.certified.items() if (start.epsilon, start.beta) == (epsilon, beta)]
     known = [answer for answer in answers if answer is not None]
     return f"{sum(known)}/{len(known)}"
