@@ -14,7 +14,7 @@ from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written, under
 
 _HEADER = ("", "condition", "bits lost", "double precision", "", "certified", "work", "time")
-_WIDTHS = (62, 10, 9, 40, 6, 50, 6, 8)
+_WIDTHS = (62, 10, 9, 40, 6, 50, 6, 8)  # characters of the columns
 _MARKS = {True: "right", False: "WRONG", None: "-"}
 
 
@@ -72,16 +72,20 @@ def measure_hard_cases(names: Sequence[str] = (), progress: Callable[[str], None
     The command is ``hard-cases``; that word is the subpackage here.
 
     :raises ValueError: no family has that name.
+
+    >>> family = measure_hard_cases(["fold"]).families[0]
+    >>> [(case.certified, case.double) for case in family.cases]
+    [(2, 2.0), (2, 2.0), (2, 2.0), (2, 0.0), (2, 0.0)]
     """
     known = {family.name: family for family in families()}
     for name in names:
         if name not in known:
             raise ValueError(f"no family of hard cases is named {name[:40]!r}; there are: {', '.join(known)}")
-    found = []
+    results = []
     for family in [known[name] for name in dict.fromkeys(names)] or families():
         progress(family.title)
-        found.append(measured(family))
-    return Catalogue(tuple(found))
+        results.append(measured(family))
+    return Catalogue(tuple(results))
 
 
 def measured(family: Family) -> Measured:
@@ -103,17 +107,17 @@ def summary_text(summary: dict[str, int]) -> str:
     )
 
 
-def _block(found: Measured) -> str:
-    family = found.family
+def _block(measurement: Measured) -> str:
+    family = measurement.family
     lines = [f"{family.title} ({family.name}; {family.part}): {family.variable}"]
-    lines += [_row(case) for case in found.cases]
-    grown = [f"{word} like (level)^{power:.2f}" for word, power in _powers(found) if power is not None]
+    lines += [_row(case) for case in measurement.cases]
+    grown = [f"{word} like (level)^{power:.2f}" for word, power in _powers(measurement) if power is not None]
     return "\n".join([*lines, *([f"  {', '.join(grown)}"] if grown else [])])
 
 
-def _powers(found: Measured) -> list[tuple[str, float | None]]:
-    growth = found.growth
-    return [(found.family.work, growth["work"]), ("time", growth["seconds"])]
+def _powers(measurement: Measured) -> list[tuple[str, float | None]]:
+    growth = measurement.growth
+    return [(measurement.family.work, growth["work"]), ("time", growth["seconds"])]
 
 
 def _row(case: HardCase) -> str:

@@ -10,16 +10,15 @@ from flint import fmpq
 from gspot_verified.certificates.checker import check
 from gspot_verified.certificates.text import certificate_text
 from gspot_verified.hard_cases.hard_case import Case, HardCase, log10, near
+from gspot_verified.hard_cases.sign_cases import SPARE
 from gspot_verified.hard_cases.timed import timed
 from gspot_verified.signs.zeros.brackets import zeros_at
-
-_SPARE = 8
 
 
 def brackets_certificate(k: int) -> str:
     """The certificate of the zeros of dTheta/dtau at beta = 6 - 10^-k, apart from each other."""
-    found = zeros_at(near(6, k, -1), k // 2 + _SPARE)
-    return certificate_text(found.statement, [found.column])
+    zeros = zeros_at(near(6, k, -1), k // 2 + SPARE)
+    return certificate_text(zeros.statement, [zeros.column])
 
 
 def checked_brackets(k: int) -> HardCase:
@@ -28,8 +27,8 @@ def checked_brackets(k: int) -> HardCase:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "brackets.cert"
         path.write_text(text, encoding="utf-8")
-        found = check(path)
-    said = "VERIFIED by the checker" if found.verified else found.text.splitlines()[-1][:80]
+        result = check(path)
+    said = "VERIFIED by the checker" if result.verified else result.text.splitlines()[-1][:80]
     return HardCase(
         level=k,
         asked=f"a certificate of all zeros of dΘ/dτ, β = 6 − 10^−{k}",
@@ -37,7 +36,7 @@ def checked_brackets(k: int) -> HardCase:
         lost=None,
         double=None,
         double_text="",
-        certified=1 if found.verified else None,
+        certified=1 if result.verified else None,
         text=said,
         work=len(text),
         seconds=seconds,

@@ -13,10 +13,10 @@ from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10
 from gspot_verified.hard_cases.timed import timed
 from gspot_verified.numbers.balls import ball_text, sign_of, working_bits
 
-BETA = fmpq(5, 2)
-EPSILON = fmpq(1, 1000)
-START = fmpq(1, 2)
-_SMALL_BETA, _SMALL_NU = fmpq(15, 2), fmpq(2)
+BETA = fmpq(5, 2)  # of the run of the paper's Fig. varsim1 next to the canard
+EPSILON = fmpq(1, 1000)  # of the same run
+START = fmpq(1, 2)  # its p at the start
+_SMALL_BETA, _SMALL_NU = fmpq(15, 2), fmpq(2)  # of the case of small epsilon
 
 
 def start(beta: fmpq, epsilon: fmpq, nu: fmpq) -> tuple[CompliantModel, CompliantState]:
@@ -30,8 +30,8 @@ def next_to_the_canard(k: int) -> HardCase:
     """The sign of K for nu = 1 - 10^-k, epsilon = 1/1000, beta = 5/2; nu = 1 is the canard."""
     nu = near(1, k, -1)
     model, state = start(BETA, EPSILON, nu)
-    found, seconds = timed(lambda: side_rule(model, state))
-    sign = sign_of(found.side)
+    rule, seconds = timed(lambda: side_rule(model, state))
+    sign = sign_of(rule.side)
     mean = 1 / (nearest_double(BETA) - 1)
     given = -nearest_double(nu) * mean / 2
     canard = -mean / 2
@@ -50,7 +50,7 @@ def next_to_the_canard(k: int) -> HardCase:
         double=-double,
         double_text=f"b − b̄ = {double_text((given - canard) or 0.0)}",
         certified=sign,
-        text=f"K = {ball_text(found.side, 3)}",
+        text=f"K = {ball_text(rule.side, 3)}",
         work=int(nu.q).bit_length(),
         seconds=seconds,
     )
@@ -62,8 +62,8 @@ def small_epsilon(k: int) -> HardCase:
     epsilon = fmpq(1, 10**k)
     model, state = start(_SMALL_BETA, epsilon, _SMALL_NU)
     rule, seconds = timed(lambda: side_rule(model, state))
-    found = rule.slow
-    assert found is not None
+    coefficient = rule.slow
+    assert coefficient is not None
     double = slow_coefficient_in_doubles(nearest_double(epsilon))
     asked = f"C, β = 15/2, ν = 2, ε = 10^−{k}"
     return HardCase(
@@ -73,9 +73,9 @@ def small_epsilon(k: int) -> HardCase:
         lost=None,
         double=double,
         double_text=double_text(double),
-        certified=found,
-        text=ball_text(found),
-        work=int(found.bits()),
+        certified=coefficient,
+        text=ball_text(coefficient),
+        work=int(coefficient.bits()),
         seconds=seconds,
     )
 
@@ -103,8 +103,8 @@ def tiny_deviation(k: int) -> HardCase:
     """The sign of K for a deviation of size 10^-k and no mean force."""
     state = compliant_state(START, -fmpq(1, 10**k), -fmpq(4, 10**k) * EPSILON**2, 0, -fmpq(2, 10**k) * EPSILON**2)
     model = compliant_model(BETA, EPSILON, alpha_2=0)
-    found, seconds = timed(lambda: side_rule(model, state))
-    sign = sign_of(found.side)
+    rule, seconds = timed(lambda: side_rule(model, state))
+    sign = sign_of(rule.side)
     b = -nearest_double(fmpq(1, 10**k))
     double = float((b > 0) - (b < 0)) * _SIGN_OF_SIDE
     text = f"b = {double_text(b or 0.0)}"
@@ -117,7 +117,7 @@ def tiny_deviation(k: int) -> HardCase:
         double=double,
         double_text=text,
         certified=sign,
-        text=f"K = {ball_text(found.side, 3)}",
+        text=f"K = {ball_text(rule.side, 3)}",
         work=k,
         seconds=seconds,
     )

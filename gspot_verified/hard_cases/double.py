@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-_MOST_TERMS = 4_000
-_GRID = 4_001
+_MOST_TERMS = 4_000  # a limit, as a user would set one
+_GRID = 4_001  # points at which signs are compared
 
 
 def theta_series(beta: float) -> list[float]:

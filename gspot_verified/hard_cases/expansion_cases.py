@@ -64,7 +64,7 @@ def _plus(left: Any, right: Any) -> Any:
     return total
 
 
-NOISE = 1e-12
+NOISE = 1e-12  # what a user takes for a rounding error of zero
 
 
 class Doubles:
@@ -107,15 +107,15 @@ class Doubles:
         return float(value ** (int(exponent.p) / int(exponent.q)))
 
 
-TAU = fmpq(5)
-_BITS = 256
-_OBSTRUCTED_ORDER = 3
-_DOUBLE_BITS = 53
+TAU = fmpq(5)  # of the polynomial Theta(5, n)
+_BITS = 256  # from which the bits lost at high orders are counted
+_OBSTRUCTED_ORDER = 3  # the first with the divisor beta - 2
+_DOUBLE_BITS = 53  # of a double's mantissa
 
 
 def high_degree(n: int) -> HardCase:
     """The polynomial Theta(5, n)."""
-    found, seconds = timed(lambda: evaluate(TAU, n))
+    evaluation, seconds = timed(lambda: evaluate(TAU, n))
     coefficients = polynomial(n).coeffs()
     with np.errstate(all="ignore"):
         double = float(np.polyval([nearest_double(fmpq(c)) for c in reversed(coefficients)], float(TAU.p)))
@@ -129,8 +129,8 @@ def high_degree(n: int) -> HardCase:
 
     slope = evaluate(TAU, n, 1).value
     with working_bits(64):
-        condition = log10(TAU * slope / found.value)
-    certified = found.value if found.reached else None
+        condition = log10(TAU * slope / evaluation.value)
+    certified = evaluation.value if evaluation.reached else None
     return HardCase(
         level=n,
         asked=f"Θ(5, {n})",
@@ -139,7 +139,7 @@ def high_degree(n: int) -> HardCase:
         double=double,
         double_text=double_text(double),
         certified=certified,
-        text=str(found),
+        text=str(evaluation),
         work=n,
         seconds=seconds,
     )
@@ -189,8 +189,8 @@ def in_doubles(system: System, order: int) -> Trajectory:
 def obstructed(k: int) -> HardCase:
     """The first coefficient of the oscillator's force with the divisor beta - 2, beta = 2 + 10^-k."""
     system = shipped_system("oscillator", beta=near(2, k))
-    found, seconds = timed(lambda: expand(system, _OBSTRUCTED_ORDER))
-    value = found.lambda_n[-1].coefficients()[-1]
+    trajectory, seconds = timed(lambda: expand(system, _OBSTRUCTED_ORDER))
+    value = trajectory.lambda_n[-1].coefficients()[-1]
     double: float | None = None
     try:
         double = in_doubles(system, _OBSTRUCTED_ORDER).lambda_n[-1].coefficients()[-1]

@@ -16,17 +16,17 @@ from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10
 from gspot_verified.hard_cases.timed import timed
 from gspot_verified.numbers.balls import ball_text, working_bits
 
-FOLD_EPSILON = fmpq(1)
-_FOLD_DIGITS = 25
-_GRID = 600
-_NODES = 120
-_REACH = 2.4
+FOLD_EPSILON = fmpq(1)  # of the curve of folds that starts at beta = 6, epsilon = 0
+_FOLD_DIGITS = 25  # more than beta and beta_f of any level have in common
+_GRID = 600  # points in T, of a user who looks for changes of sign
+_NODES = 120  # of Gauss's quadrature
+_REACH = 2.4  # in y = r^(1/3): beyond it the integrand is below a double's last digit
 
 
 def next_to_the_fold(k: int) -> HardCase:
     """The number of zeros at beta = 5, epsilon = 32 - 10^-k: at epsilon = 32 two of them meet."""
     epsilon = near(32, k, -1)
-    found, seconds = timed(lambda: slow_zeros(5, epsilon))
+    zeros, seconds = timed(lambda: slow_zeros(5, epsilon))
     small = nearest_double(epsilon)
     double = float(real_roots([1.0, 0.0, 0.0, -16 / small, 6 / small]))
 
@@ -44,8 +44,8 @@ def next_to_the_fold(k: int) -> HardCase:
         condition=condition,
         lost=bits_lost(least_value, 1),
         double=double,
-        found=found,
-        work=found.digits,
+        zeros=zeros,
+        work=zeros.digits,
         seconds=seconds,
     )
 
@@ -56,12 +56,12 @@ def _count(
     condition: float,
     lost: int | None,
     double: float,
-    found: SlowZeros,
+    zeros: SlowZeros,
     work: int,
     seconds: float,
 ) -> HardCase:
-    places = ", ".join(ball_text(place, 6) for place in found.places)
-    text = "undecided" if found.number is None else f"{found.number}: T = {places}"
+    places = ", ".join(ball_text(place, 6) for place in zeros.places)
+    text = "undecided" if zeros.number is None else f"{zeros.number}: T = {places}"
     return HardCase(
         level=level,
         asked=asked,
@@ -69,7 +69,7 @@ def _count(
         lost=lost,
         double=double,
         double_text=double_text(double),
-        certified=found.number,
+        certified=zeros.number,
         text=text,
         work=work,
         seconds=seconds,
@@ -79,17 +79,17 @@ def _count(
 def next_to_the_fold_curve(k: int) -> HardCase:
     """The number of zeros of F_(beta-1)(T; 1) at beta = beta_f - 10^-k; beta_f: where two of them meet."""
     beta = the_fold().lower - fmpq(1, 10**k)
-    found, seconds = timed(lambda: slow_zeros(beta, FOLD_EPSILON))
+    zeros, seconds = timed(lambda: slow_zeros(beta, FOLD_EPSILON))
     double = float(zeros_in_doubles(nearest_double(beta) - 1, 1.0))
     asked = f"the number of zeros of F_(β−1)(T; 1), β = β_f − 10^−{k}"
-    pieces = 0 if found.column is None else len(found.column.pieces)
+    pieces = 0 if zeros.column is None else len(zeros.column.pieces)
     return _count(
         level=k,
         asked=asked,
         condition=log10(beta * 10**k),
         lost=None,
         double=double,
-        found=found,
+        zeros=zeros,
         work=pieces,
         seconds=seconds,
     )
@@ -98,9 +98,9 @@ def next_to_the_fold_curve(k: int) -> HardCase:
 @lru_cache(maxsize=1)
 def the_fold() -> FoldPoint:
     """The fold of epsilon = 1, which starts from beta = 6 at epsilon = 0, to 25 digits in beta."""
-    found = fold_point(FOLD_EPSILON, _FOLD_DIGITS)
-    assert found is not None
-    return found
+    fold = fold_point(FOLD_EPSILON, _FOLD_DIGITS)
+    assert fold is not None
+    return fold
 
 
 def zeros_in_doubles(b: float, epsilon: float) -> int:

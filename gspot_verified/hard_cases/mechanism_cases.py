@@ -12,7 +12,7 @@ from gspot_verified.mechanisms.spots.all_g_spots import find_g_spots
 from gspot_verified.mechanisms.spots.classify import classify
 from gspot_verified.numbers.balls import working_bits
 
-CRITICAL = fmpq(4, 3)
+CRITICAL = fmpq(4, 3)  # the rod's critical mu: below it it has no G-spot
 
 
 def spots_that_nearly_meet(k: int) -> HardCase:
@@ -28,8 +28,8 @@ def spots_that_are_gone(k: int) -> HardCase:
 def _spots(k: int, side: int) -> HardCase:
     friction = CRITICAL + side * fmpq(1, 10**k)
     mechanism = load("genot_brogliato_rod", mu=friction)
-    found, seconds = timed(lambda: find_g_spots(mechanism))
-    number = len(found.spots) if found.complete else None
+    g_spots, seconds = timed(lambda: find_g_spots(mechanism))
+    number = len(g_spots.spots) if g_spots.complete else None
     double = 2.0 * real_roots([1.0, -3 * nearest_double(friction), 4.0])
 
     def discriminant(bits: int) -> arb:
@@ -54,9 +54,9 @@ def _spots(k: int, side: int) -> HardCase:
 def side_of_a_mechanism(k: int) -> HardCase:
     """The sign of C_1 that lifts off in the oscillator, beta = 2 + 10^-k."""
     mechanism = load("oscillator", beta=near(2, k))
-    found, seconds = timed(lambda: classify(mechanism))
-    sign = found.lift_off_sign
-    alpha_1, alpha_3 = (exact(value) for value in (found.alpha_1, found.alpha_3))
+    classification, seconds = timed(lambda: classify(mechanism))
+    sign = classification.lift_off_sign
+    alpha_1, alpha_3 = (exact(value) for value in (classification.alpha_1, classification.alpha_3))
     first, third = nearest_double(alpha_1), nearest_double(alpha_3)
     ratio = third / first
     double = None if ratio == round(ratio) else (1.0 if int(ratio) % 2 == 0 else -1.0)
@@ -73,7 +73,7 @@ def side_of_a_mechanism(k: int) -> HardCase:
         double=double,
         double_text=f"α₃/α₁ = {double_text(ratio)}",
         certified=sign,
-        text=f"C₁ {'>' if sign == 1 else '<'} 0, Case {found.case}" if sign else "undecided",
+        text=f"C₁ {'>' if sign == 1 else '<'} 0, Case {classification.case}" if sign else "undecided",
         work=int((alpha_3 / alpha_1).q).bit_length(),
         seconds=seconds,
     )

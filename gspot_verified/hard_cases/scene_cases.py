@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from flint import arb, fmpq
+from flint import arb
 
+from gspot_verified.hard_cases.compliant_cases import BETA, EPSILON
 from gspot_verified.hard_cases.double import double_text
 from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, near
 from gspot_verified.hard_cases.timed import timed
@@ -15,9 +16,7 @@ from gspot_verified.scenes.scene.file import load_scene
 from gspot_verified.scenes.scene.run import RunEvent
 from gspot_verified.scenes.scene.scene import Scene, SceneError
 
-BETA = fmpq(5, 2)
-EPSILON = fmpq(1, 1000)
-_PRECISIONS = (128, 256, 384)
+_PRECISIONS = (128, 256, 384)  # bits, tried in turn
 _SOLVER, _TOLERANCE = "LSODA", 1e-10
 
 

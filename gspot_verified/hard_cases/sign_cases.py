@@ -17,8 +17,8 @@ from gspot_verified.signs.gamma.side import gamma_sign
 from gspot_verified.signs.zeros.brackets import zeros_at
 
 _SIDES = {1: "Γ(−β) > 0", -1: "Γ(−β) < 0"}
-_SPARE = 8
-_POINTS = 200
+SPARE = 8  # digits beyond those that tell the closest zeros apart
+_POINTS = 200  # at which a user looks at the sign
 
 
 def side_next_to_an_integer(k: int) -> HardCase:
@@ -51,10 +51,10 @@ def side_next_to_an_integer(k: int) -> HardCase:
 def zeros_that_nearly_meet(k: int) -> HardCase:
     """The number of real zeros of dTheta/dtau at beta = 6 - 10^-k: two of them meet at tau = 0 when beta = 6."""
     beta = near(6, k, -1)
-    digits = k // 2 + _SPARE
-    found, seconds = timed(lambda: zeros_at(beta, digits))
-    number = len(found.brackets)
-    middles = [(lower + upper) / 2 for lower, upper in found.brackets]
+    digits = k // 2 + SPARE
+    zeros, seconds = timed(lambda: zeros_at(beta, digits))
+    number = len(zeros.brackets)
+    middles = [(lower + upper) / 2 for lower, upper in zeros.brackets]
     gap = min(after - before for before, after in pairwise(middles))
     shifted = nearest_double(beta) - 1
     double = float(sign_changes(lambda tau: theta_double(tau, shifted), -2.0, 6.0, 1001))
@@ -80,8 +80,8 @@ def gap_text(gap: fmpq) -> str:
 def zero_far_out(k: int) -> HardCase:
     """The number of sign changes of dTheta/dtau on (1, 100) at beta = 3 + 10^-k: one, which comes in from infinity."""
     beta = near(3, k)
-    found, seconds = timed(lambda: zeros_at(beta, _SPARE))
-    inside = [lower for lower, upper in found.brackets if lower > 1 and upper < 100]
+    zeros, seconds = timed(lambda: zeros_at(beta, SPARE))
+    inside = [lower for lower, upper in zeros.brackets if lower > 1 and upper < 100]
     shifted = nearest_double(beta) - 1
     double = float(sign_changes(lambda tau: theta_double(tau, shifted), 1.0, 100.0, 301))
     place = inside[-1] if inside else fmpq(1)
@@ -94,16 +94,16 @@ def zero_far_out(k: int) -> HardCase:
         double_text=double_text(double),
         certified=len(inside),
         text=f"{len(inside)}, at τ = {nearest_double(place):.6g}",
-        work=_SPARE,
+        work=SPARE,
         seconds=seconds,
     )
 
 
 def wide_range(x: int) -> HardCase:
     """The sign of dTheta/dtau on (-x, 5), for all beta in (3/10, 7/10) at once."""
-    found, seconds = timed(lambda: sign_on_ranges(f"-{x}..5", "3/10..7/10"))
-    proved = found.verdict.outcome is Outcome.PROVED
-    pieces = sum(len(column.pieces) for column in found.columns)
+    signs, seconds = timed(lambda: sign_on_ranges(f"-{x}..5", "3/10..7/10"))
+    proved = signs.verdict.outcome is Outcome.PROVED
+    pieces = sum(len(column.pieces) for column in signs.columns)
     points = [theta_double(-x + (x + 5) * n / _POINTS, -0.5) for n in range(_POINTS + 1)]
     negative = sum(-value / 2 < 0 for value in points)
     return HardCase(

@@ -15,10 +15,10 @@ from gspot_verified.numbers.balls import ball_text, working_bits
 from gspot_verified.signs.zeros.brackets import zeros_at
 from gspot_verified.theta_function.value.evaluate import evaluate
 
-SEVEN_THIRDS = fmpq(7, 3)
-TAU = fmpq(2)
-_DERIVATIVE_DIGITS = 30
-_FAR = 100
+SEVEN_THIRDS = fmpq(7, 3)  # a beta without special values
+TAU = fmpq(2)  # of Theta next to an integer beta
+_DERIVATIVE_DIGITS = 30  # for the condition number only
+_FAR = 100  # |tau| from which the bits lost are not counted: FLINT takes too long
 
 
 def next_to_an_integer(k: int) -> HardCase:
@@ -32,10 +32,10 @@ def far_left(x: int) -> HardCase:
 
 
 def _value(level: int, asked: str, tau: fmpq, beta: fmpq, condition: float) -> HardCase:
-    found, seconds = timed(lambda: evaluate(tau, beta))
+    evaluation, seconds = timed(lambda: evaluate(tau, beta))
     double = theta_double(nearest_double(tau), nearest_double(beta))
     lost = bits_lost(lambda bits: flint_attempt(tau, beta, bits)) if abs(tau) < _FAR else None
-    certified = found.value if found.reached else None
+    certified = evaluation.value if evaluation.reached else None
     return HardCase(
         level=level,
         asked=asked,
@@ -44,8 +44,8 @@ def _value(level: int, asked: str, tau: fmpq, beta: fmpq, condition: float) -> H
         double=double,
         double_text=double_text(double),
         certified=certified,
-        text=str(found),
-        work=found.working_bits,
+        text=str(evaluation),
+        work=evaluation.working_bits,
         seconds=seconds,
     )
 
@@ -90,11 +90,11 @@ def _relative_slope(tau: fmpq) -> arb:
 def next_to_a_zero(k: int) -> HardCase:
     """Theta(tau_k, 7/3) where tau_k is a zero cut to k decimals."""
     tau = zero_below(k)
-    found, seconds = timed(lambda: evaluate(tau, SEVEN_THIRDS))
+    evaluation, seconds = timed(lambda: evaluate(tau, SEVEN_THIRDS))
     double = theta_double(nearest_double(tau), 7 / 3)
     lost = bits_lost(lambda bits: flint_attempt(tau, SEVEN_THIRDS, bits))
     condition = _by_tau(tau, SEVEN_THIRDS)
-    certified = found.value if found.reached else None
+    certified = evaluation.value if evaluation.reached else None
     asked = f"Θ(τ, 7/3), τ a zero cut to {k} decimals"
     return HardCase(
         level=k,
@@ -104,8 +104,8 @@ def next_to_a_zero(k: int) -> HardCase:
         double=double,
         double_text=double_text(double),
         certified=certified,
-        text=str(found),
-        work=found.working_bits,
+        text=str(evaluation),
+        work=evaluation.working_bits,
         seconds=seconds,
     )
 

@@ -8,8 +8,8 @@ from typing import TypeVar
 
 from gspot_verified.cost.times.measure import clear_caches
 
-_REPEATS = 5
-_LONG = 0.02
+_REPEATS = 5  # of a short call
+_LONG = 0.02  # seconds: then no further repeat
 
 T = TypeVar("T")
 
@@ -24,6 +24,6 @@ def timed(call: Callable[[], T]) -> tuple[T, float]:
     while len(seconds) < _REPEATS and sum(seconds) < _LONG:
         clear_caches()
         start = time.process_time()
-        found = call()
+        answer = call()
         seconds.append(time.process_time() - start)
-    return found, min(seconds)
+    return answer, min(seconds)

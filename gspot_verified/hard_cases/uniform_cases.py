@@ -12,9 +12,9 @@ from gspot_verified.mechanisms.load import load
 from gspot_verified.numbers.balls import approximate
 from gspot_verified.numbers.verdict import Outcome
 
-ORDER = 6
-START = fmpq(-3)
-DELTA = fmpq(1, 20)
+ORDER = 6  # of delta, of the expansion
+START = fmpq(-3)  # s, before the G-spot at s = 0
+DELTA = fmpq(1, 20)  # the statement is for all smaller ones
 
 
 def bound_until(end: int) -> UniformBound:
@@ -24,9 +24,9 @@ def bound_until(end: int) -> UniformBound:
 
 def past_the_g_spot(end: int) -> HardCase:
     """Whether that is proved for all delta up to 1/20: 1 where it is; the constant of p is shown."""
-    found, seconds = timed(lambda: bound_until(end))
-    proved = found.verdict.outcome is Outcome.PROVED
-    text = f"|Δp| ≤ {approximate(found.constants['p'].upper()):.4g} δ^6" if proved else "undecided"
+    bound, seconds = timed(lambda: bound_until(end))
+    proved = bound.verdict.outcome is Outcome.PROVED
+    text = f"|Δp| ≤ {approximate(bound.constants['p'].upper()):.4g} δ^6" if proved else "undecided"
     asked = f"the distance from the expansion up to s = {end}, 0 < δ ≤ 1/20"
     return HardCase(
         level=end,
@@ -37,7 +37,7 @@ def past_the_g_spot(end: int) -> HardCase:
         double_text="",
         certified=1 if proved else None,
         text=text,
-        work=len(found.stretches),
+        work=len(bound.stretches),
         seconds=seconds,
     )
 
