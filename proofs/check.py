@@ -118,7 +118,7 @@ HYPOTHESES = {
 NUMBER = "-?(?:0|[1-9][0-9]{0,3999})(?:/[1-9][0-9]{0,3999})?"
 RANGE = rf"([\[(])(-inf|{NUMBER}), (inf|{NUMBER})([\])])"
 POINTS = {"laplace": 0, "taylor": 0, "left": 1, "right": 1, "sign": 2, "monotone": 2, "fold": 2, "hinge": 2}
-POINTS |= {"level": 2, "dip": 2}
+POINTS |= {"level": 2, "dip": 2}  # of the points that a piece of each kind names: how many
 VALUES: dict[str, tuple[int, ...]] = {"right": (0, 1), "sign": (-1, 1), "monotone": (-1, 1)}  # of v, s and d
 
 Range = namedtuple("Range", "start end closed text")  # of τ or β; closed at the start, closed at the end; in words
@@ -455,10 +455,10 @@ class Local:
             degree = min(self.degree, degree_for(Fraction(self.radius, self.unit), self.x, 6.0))
             basis = [[Model([(i == j) << self.few_bits] + [0] * (degree - 1), 0) for j in range(3)] for i in range(3)]
             starts = ([Model(value.m, 0) for value in self.anchors[index]], *basis)
-            found = [self.expand(index * STEP - self.x, STEP, start) for start in starts]
+            expansions = [self.expand(index * STEP - self.x, STEP, start) for start in starts]
             while len(self.kept_series) > 1:
                 del self.kept_series[next(iter(self.kept_series))]
-            self.kept_series[index] = found, sum(a.bytes() for series in found for a in series)
+            self.kept_series[index] = expansions, sum(a.bytes() for series in expansions for a in series)
         return self.kept_series[index][0]
 
     def carried(self, index: int, u: Fraction) -> list[Model]:
@@ -546,12 +546,12 @@ class ColumnCheck:
     def local(self, low: Fraction, high: Fraction, bits: int, tau: Fraction) -> Local:
         """F on the disc around [low, high]; those not used for the longest time make room."""
         key = (low, high, bits, start_for(bits, 0, tau))
-        found = self.locals.pop(key, None) or Local(low, high, bits, tau, self.meter)
-        self.locals[key] = found
+        disc = self.locals.pop(key, None) or Local(low, high, bits, tau, self.meter)
+        self.locals[key] = disc
         half = self.limits.memory * 10**6 // 2
         while len(self.locals) > 1 and sum(one.bytes() for one in self.locals.values()) > half:
             del self.locals[next(iter(self.locals))]
-        return found
+        return disc
 
     def parts(self, box: Box, order: int, bits: int) -> Enclosed:
         """F^(order), or a positive multiple of ∂F/∂b + w F if order = -1."""
@@ -595,8 +595,8 @@ class ColumnCheck:
             one, two = (low, b, start, end), (b, high, start, end)
         else:
             one, two = (low, high, start, tau), (low, high, tau, end)
-        found = self.sign(one, order, splits - 1, bits)
-        return found if found and self.sign(two, order, splits - 1, bits) == found else 0
+        sign = self.sign(one, order, splits - 1, bits)
+        return sign if sign and self.sign(two, order, splits - 1, bits) == sign else 0
 
     def compared(self, value: int, unit: tuple[int, int], b: Fraction, level: Fraction) -> int:
         """The sign of value x^b/2^p - level for value ≥ 0, level > 0, b = h/n ≥ 0, in integers: both sides to the n."""
@@ -715,15 +715,15 @@ class ColumnCheck:
             require(start < 0 < end and at_an_end, f"{name} is not around τ = 0 at β = 3, 6, 9, ...")
             require(self.fold_holds(box), f"{name}: a hypothesis of the fold is not confirmed {self.limits.effort()}")
             return 1
-        found = self.sign(box, 0 if kind == "sign" else 1)
-        require(found, f"{name}: no sign is confirmed {self.limits.effort()}")
+        sign_on_box = self.sign(box, 0 if kind == "sign" else 1)
+        require(sign_on_box, f"{name}: no sign is confirmed {self.limits.effort()}")
         if kind == "hinge":
             require(0 in points, f"{name} does not begin or end at τ = 0")
-            sign = found if start == 0 else -found
+            sign = sign_on_box if start == 0 else -sign_on_box
             require(sign == (-1 if cell % 3 == 1 else 1), f"{name}: F(0, b) has the other sign")
             return sign
-        require(found == value, f"{name}: the sign is {found}, not {value}")
-        return found if kind == "sign" else 0
+        require(sign_on_box == value, f"{name}: the sign is {sign_on_box}, not {value}")
+        return sign_on_box if kind == "sign" else 0
 
 
 # ---------------------------------------------------------------------------------------------------------------------
@@ -741,8 +741,8 @@ def sign_holds(check: ColumnCheck, tau: Range, beta: Range, sign: int) -> None:
         require(kind != "monotone" and (kind, piece.value) != ("right", 1), f"a piece {kind} gives no sign")
         require(kind != "fold" or column.start % 3 == 0, "a fold at the upper end of its column has zeros")
         require(kind not in ("fold", "hinge") or not zero, f"τ = 0 is a zero in a piece {kind} at an integer β")
-        found = check.piece_sign(piece) * (-1 if beta.end > 0 else 1)
-        require(found == sign, f"a piece {kind} gives dΘ/dτ the sign {found}, not {sign}")
+        given = check.piece_sign(piece) * (-1 if beta.end > 0 else 1)
+        require(given == sign, f"a piece {kind} gives dΘ/dτ the sign {given}, not {sign}")
 
 
 def number_of_zeros(check: ColumnCheck, points: Sequence[Fraction] = ()) -> int:
@@ -773,8 +773,8 @@ def number_of_zeros(check: ColumnCheck, points: Sequence[Fraction] = ()) -> int:
 
 def zeros_hold(check: ColumnCheck, counts: dict[int, int]) -> None:
     """On one column: the number of zeros is the one that is claimed for its cell."""
-    found, claimed = number_of_zeros(check), counts.get(check.column.cell + 1)
-    require(found == claimed, f"{found} zeros on the column from β = {check.column.start!s:.50}, not {claimed}")
+    number, claimed = number_of_zeros(check), counts.get(check.column.cell + 1)
+    require(number == claimed, f"{number} zeros on the column from β = {check.column.start!s:.50}, not {claimed}")
 
 
 def brackets_hold(check: ColumnCheck, beta: Fraction, brackets: list[tuple[Fraction, Fraction]]) -> None:
@@ -913,8 +913,8 @@ class Checker:
         text = f"dΘ/dτ {'=><'[sign]} 0 {tau.text} and {beta.text}".replace("and for every", "and every")
         if tau.start == tau.end and beta.start == beta.end and beta.end in range(self.limits.beta + 1):
             require(not self.columns, "at one point with an integer β there is no column")
-            found = self.sign_at_integer(tau.start, int(beta.end))
-            require(found == sign, f"the sign at this integer β is {found}, not {sign}")
+            exact_sign = self.sign_at_integer(tau.start, int(beta.end))
+            require(exact_sign == sign, f"the sign at this integer β is {exact_sign}, not {sign}")
             return text
         require(sign, "the sign 0 is possible at one point with an integer β ≥ 0 only")
         require(not has(beta, 0), "the range of β holds 0")
@@ -953,13 +953,13 @@ class Checker:
         require(beta > 0 and beta.denominator > 1, "β is not positive, or it is an integer")
         pairs = isinstance(brackets, list) and all(isinstance(pair, list) and len(pair) == 2 for pair in brackets)
         require(pairs and len(self.columns) == 1, "the brackets are not a list of pairs, or there is not one column")
-        found = [(rational(low), rational(high)) for low, high in brackets]
-        order = all(low < high for low, high in found) and all(one[1] <= two[0] for one, two in pairwise(found))
+        intervals = [(rational(low), rational(high)) for low, high in brackets]
+        order = all(low < high for low, high in intervals) and all(one[1] <= two[0] for one, two in pairwise(intervals))
         require(order, "the brackets are not in order or overlap")
         check_cover(self.columns, beta, beta, "columns")
-        self.on_each_column(brackets_hold, beta, found)
+        self.on_each_column(brackets_hold, beta, intervals)
         where = ", ".join(f"({low}, {high})" for low, high in brackets) or "none"
-        number = f"exactly {len(found)} real zeros, all simple"
+        number = f"exactly {len(intervals)} real zeros, all simple"
         return f"dΘ/dτ at β = {beta} has {number}, one in each of the intervals: {where}"
 
     def check_one_column(self, beta: Fraction) -> None:
@@ -1038,7 +1038,7 @@ def check_text(data: bytes, limits: Limits | None = None, workers: int = 1) -> s
 # ---------------------------------------------------------------------------------------------------------------------
 
 USAGE = "usage: python check.py [--workers N] [--limit NAME=NUMBER]... CERTIFICATE"
-STATUS = {"VERIFIED": 0, "REJECTED": 1, "usage": 64}
+STATUS = {"VERIFIED": 0, "REJECTED": 1, "usage": 64}  # exit codes; 64 as in sysexits.h
 
 
 class Usage(Exception):
