@@ -44,15 +44,15 @@ def assumptions_of(number: int, stated: dict[str, str], folder: Path) -> dict[st
     return axioms_printed(done.stdout, list(stated))
 
 
-def differences(found: dict[str, list[str]], expected: dict[str, list[str]]) -> list[str]:
-    """How the axioms found differ from the list, and which are none of the four allowed."""
+def differences(printed: dict[str, list[str]], expected: dict[str, list[str]]) -> list[str]:
+    """How the axioms printed by Coq differ from the list, and which are none of the four allowed."""
     wrong = [
-        f"{name} uses {', '.join(found.get(name, ['none']))}, listed {', '.join(expected.get(name, ['none']))}"
-        for name in sorted({*found, *expected})
-        if found.get(name) != expected.get(name)
+        f"{name} uses {', '.join(printed.get(name, ['none']))}, listed {', '.join(expected.get(name, ['none']))}"
+        for name in sorted({*printed, *expected})
+        if printed.get(name) != expected.get(name)
     ]
     return wrong + [f"{name}: not an axiom of the classical reals: {axiom}"
-                    for name, axioms in found.items() for axiom in axioms if axiom not in AXIOMS]  # fmt: skip
+                    for name, axioms in printed.items() for axiom in axioms if axiom not in AXIOMS]  # fmt: skip
 
 
 def check_kernel(folder: Path) -> None:

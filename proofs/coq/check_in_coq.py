@@ -143,7 +143,7 @@ def claim_printed(output: str, text: str) -> tuple[str, str]:
     second = PRINTED.match(output, first.end()) if first else None
     if first is None or second is None:
         raise RuntimeError(f"What Coq prints is not understood:\n{output:.500}")
-    held, claim = (found[1].replace('""', '"') for found in (first, second))
+    held, claim = (match[1].replace('""', '"') for match in (first, second))
     if held != text or not text.partition("\n")[0].endswith(f',"statement":{claim},"version":1}}'):
         raise RuntimeError("Coq was given another text than that of the file.")
     return claim, output[second.end() :]

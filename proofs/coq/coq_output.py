@@ -64,7 +64,7 @@ def strange_references(glob: str, read: Iterable[str], believed: dict[str, set[s
     :param read: the files that are read by who wants to know what is stated.
     :param believed: names that need not be read, by file.
     """
-    found = set()
+    strange = set()
     allowed = {f"{LIBRARY}.{file}" for file in read}
     for line in glob.splitlines():
         kind, *words = line.split()
@@ -76,7 +76,7 @@ def strange_references(glob: str, read: Iterable[str], believed: dict[str, set[s
                 or library.partition(".")[0] in ELSEWHERE
                 or (file != library and name in {"<>", *believed.get(file, ())} and file in believed)
             ):
-                found.add(f"{library}: {name}")
+                strange.add(f"{library}: {name}")
         elif not re.fullmatch(r"DIGEST|F[\w.]+|def|binder|ind|constr|rec|proj", kind):
-            found.add(line)
-    return sorted(found)
+            strange.add(line)
+    return sorted(strange)

@@ -93,15 +93,15 @@ def unproved(texts: dict[str, bytes]) -> list[str]:
 
 def other_texts(texts: dict[str, bytes]) -> list[str]:
     """The sources that are not what is written from the bytes of a certificate."""
-    found = []
+    others = []
     for name, path in CERTIFICATES.items():
         try:
             same = texts[name] == source(path.stem, path.read_bytes().decode()).encode()
         except (OSError, ValueError, LookupError, TypeError):  # no file, or no certificate
             same = False
         if not same:
-            found.append(f"{name}: {path.name}")
-    return found
+            others.append(f"{name}: {path.name}")
+    return others
 
 
 def statements(texts: dict[str, bytes]) -> dict[str, str]:
@@ -109,17 +109,17 @@ def statements(texts: dict[str, bytes]) -> dict[str, str]:
 
     :raises ValueError: two files state one name, or a comment holds what looks like a statement.
     """
-    found: dict[str, str] = {}
+    files: dict[str, str] = {}
     for file in STATED_IN:
         text = texts[f"{file}.v"].decode()
         names = STATED.findall(code(text))
         if names != STATED.findall(text):
             raise ValueError(f"{file}.v: a comment looks like a statement")
         for name in names:
-            if name in found:
-                raise ValueError(f"{found[name]}.v and {file}.v both state {name}")
-            found[name] = file
-    return found
+            if name in files:
+                raise ValueError(f"{files[name]}.v and {file}.v both state {name}")
+            files[name] = file
+    return files
 
 
 def digests(texts: dict[str, bytes]) -> dict[str, str]:
@@ -238,10 +238,10 @@ def prove_in(folder: Path, texts: dict[str, bytes], jobs: int, kernel: bool) -> 
         if strange := strange_references((folder / f"{file}.glob").read_text(encoding="utf-8"), READ, BELIEVED):
             raise Refused("\n".join([f"{file}.v speaks of what nobody reads:", *strange]))
     names = statements(texts)
-    found = assumptions(names, folder, jobs)
+    axioms = assumptions(names, folder, jobs)
     for name in names:
-        print(f"{name}: {', '.join(axiom.split('.')[-1] for axiom in found[name]) or 'no axiom'}")
-    if wrong := differences(found, listed()):
+        print(f"{name}: {', '.join(axiom.split('.')[-1] for axiom in axioms[name]) or 'no axiom'}")
+    if wrong := differences(axioms, listed()):
         raise Refused("\n".join(["The axioms differ from assumptions.txt:", *wrong]))
     if kernel:
         say("coqchk on all that was compiled: 80 to 100 s on a free core")
@@ -250,7 +250,7 @@ def prove_in(folder: Path, texts: dict[str, bytes], jobs: int, kernel: bool) -> 
         raise Refused("A source changed while it was compiled")
     version = run(["coqc", "--print-version"], folder).stdout.split()[0]
     built = digests(compiled([name for name in texts if name != PROJECT], folder))
-    return known_run(texts, found) | {"coq": version, "kernel": kernel, "compiled": built}
+    return known_run(texts, axioms) | {"coq": version, "kernel": kernel, "compiled": built}
 
 
 def prove(jobs: int, kernel: bool) -> int:

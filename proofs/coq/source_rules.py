@@ -42,10 +42,10 @@ def project_files(text: str) -> list[str]:
 
     :raises ValueError: it has not its one form, names a file twice, or one like a library.
     """
-    found = PROJECT.fullmatch(text)
-    if found is None:
+    match = PROJECT.fullmatch(text)
+    if match is None:
         raise ValueError(f"_CoqProject is not '-R . {LIBRARY}', an empty line and one name of a file on each line")
-    names = found[1].split()
+    names = match[1].split()
     if len(set(names)) < len(names) or {name.removesuffix(".v") for name in names} & {*ELSEWHERE, LIBRARY}:
         raise ValueError("_CoqProject names a file twice, or one with the name of a library")
     return names
@@ -95,14 +95,14 @@ def refusals(text: str, files: list[str]) -> list[str]:
         said = sentences(code(text))
     except ValueError as error:
         return [str(error)]
-    found, depth = [], 0
+    refused, depth = [], 0
     for sentence in said:
         word = sentence.partition(" ")[0]
         depth += (word == "Section") - (word == "End")
         known = COMMAND.fullmatch(sentence) or TACTIC.fullmatch(sentence)
         if not known or FORBIDDEN.search(sentence) or (word in WITHIN_A_SECTION and depth < 1):
-            found.append(f"{sentence:.60}")
+            refused.append(f"{sentence:.60}")
         elif word == "From" and sentence.split()[1] == LIBRARY:
             required = sentence.removeprefix(f"From {LIBRARY} Require ").removeprefix("Import ").split()
-            found += [f"{sentence:.60}" for name in required if f"{name}.v" not in files]
-    return found
+            refused += [f"{sentence:.60}" for name in required if f"{name}.v" not in files]
+    return refused
