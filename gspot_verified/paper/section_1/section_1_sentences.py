@@ -16,7 +16,7 @@ from gspot_verified.paper.section_1 import section_1_negative_p
 from gspot_verified.paper.section_2.section_2_contact import CONSTANTS
 
 SECTION = "Section 1"
-ALGEBRA = Algebra("r P s A B C mu p T dP")
+ALGEBRA = Algebra("r P s A B C mu p T dP a b lamT lam")
 _SYMBOLS = ALGEBRA.symbols
 STIFFNESS = {"printed": 2, "corrected": -2}
 """The power of ε that the stiffness of the surface scales like."""
@@ -33,6 +33,12 @@ IN_THE_CAPTION = {
     "Figure 4": Place("caption", r"thick dashed \((\w+) online\) line"),
 }
 """The colour of the distinguished trajectory."""
+MIRROR = {"a": "-a", "B": "-B", "lamT": "-lamT"}
+"""The tangential direction reversed: u, x, a, B and λ_T change their signs."""
+PROJECTED = {"u": "a + lamT*A + lam*B", "v": "b + lamT*B + lam*C"}
+"""udynamics and vdynamics."""
+FRICTION = {"forwards": "-mu*lam", "backwards": "mu*lam"}
+"""λ_T of eq. Coulomb for u > 0 and for u < 0."""
 SLOPE = {"v": "p", "u": "B - mu*A"}
 """The claimed slope dv/du of an impact in positive slip, as a quotient."""
 
@@ -182,7 +188,55 @@ def _slope() -> Entry:
     )
 
 
+def mirrored(text: str) -> fmpq_mpoly:
+    """A formula with the tangential direction reversed."""
+    return ALGEBRA.substitute(ALGEBRA.read(text), {name: ALGEBRA.read(image) for name, image in MIRROR.items()})
+
+
+def equations_are_mirrored() -> bool | None:
+    """Whether du/dt changes its sign and dv/dt is kept, and Coulomb's law of u < 0 becomes that of u > 0."""
+    read = ALGEBRA.read
+    motion = (mirrored(PROJECTED["u"]) + read(PROJECTED["u"])).is_zero() and mirrored(PROJECTED["v"]) == read(
+        PROJECTED["v"]
+    )
+    friction = (
+        mirrored("lamT") == -_SYMBOLS["lamT"] and (read(FRICTION["forwards"]) + read(FRICTION["backwards"])).is_zero()
+    )
+    return motion and friction
+
+
+def negative_slip_is_positive_slip() -> bool | None:
+    """Whether the accelerations of negative slip are those of positive slip, mirrored (that of u reversed)."""
+
+    def in_slip(name: str, way: str) -> fmpq_mpoly:
+        return ALGEBRA.substitute(ALGEBRA.read(PROJECTED[name]), {"lamT": ALGEBRA.read(FRICTION[way])})
+
+    backwards = {name: str(in_slip(name, "backwards")) for name in "uv"}
+    return (
+        mirrored(backwards["v"]) == in_slip("v", "forwards")
+        and (mirrored(backwards["u"]) + in_slip("u", "forwards")).is_zero()
+    )
+
+
+def _mirror() -> Entry:
+    return settled(
+        SECTION,
+        "1-mirror",
+        "lines 172 to 175",
+        r"\text{without loss of generality, only positive slip}",
+        "Negative slip is positive slip with the tangential direction reversed: x, u, a, B and λ_T change their signs, "
+        "and C + μB of negative slip becomes p = C - μB",
+        Check(Rung.EXACT, "udynamics, vdynamics and Coulomb's law, mirrored", equations_are_mirrored()),
+        Check(
+            Rung.EXACT,
+            "the accelerations of negative slip, mirrored, are those of positive slip",
+            negative_slip_is_positive_slip(),
+        ),
+    )
+
+
 ENTRIES: Builders = {
+    "1-mirror": _mirror,
     "1-stiffness": _stiffness,
     "1-poisson": _poisson,
     "1-colours": _colours,

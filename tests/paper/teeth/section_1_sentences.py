@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from paper.bite import GENERIC, Bite, NotApplicable, Teeth, reads_as, replaced, unseen_at
+from paper.bite import GENERIC, Bite, NotApplicable, Teeth, reads_as, replaced, scaled, unseen_at
 
 from gspot_verified.paper.checks import words
 from gspot_verified.paper.section_1 import section_1_negative_p
@@ -13,6 +13,13 @@ _SIGN = "the sign of a product; a positive factor changes none"
 _WORDS = "words are compared; there is no formula"
 
 TEETH: Teeth = {
+    "1-mirror": (
+        Bite("factor", ledger.FRICTION, "backwards", scaled),
+        Bite("hidden factor", ledger.PROJECTED, "v", unseen_at("B", (0, 1))),
+        Bite("hypothesis", ledger.MIRROR, "B", lambda _: "B"),
+        Bite("hypothesis", ledger.PROJECTED, "v", replaced("lamT*B", "lamT*C")),
+        NotApplicable("order", "exact symmetries; no order of an error occurs"),
+    ),
     "1-stiffness": (
         NotApplicable("factor", "a power of ε; a factor changes none"),
         NotApplicable("hidden factor", "a power of ε; a factor changes none"),
