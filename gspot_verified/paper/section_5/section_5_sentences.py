@@ -54,6 +54,9 @@ FUNCTIONS_OF_XI = {
 UNIQUE = "lines 1363 to 1369"
 SIZES = (1, 2, 3)
 """Sizes of the Jacobian at which Cramer's rule is written out with symbols."""
+DIMENSION = Algebra("m")
+AT_THE_G_SPOT = {"P, B, Y, V": "4", "J": "m - 4"}
+"""How many functions vanish at the G-spot."""
 MECHANISM = "falling rod of Génot and Brogliato"
 
 
@@ -164,6 +167,12 @@ def cofactors_invert() -> bool | None:
     return all(answers)
 
 
+def as_many_as_components() -> bool | None:
+    """Whether the functions are m for every m, as the components of ξ: the Jacobian is square."""
+    total = sum((DIMENSION.read(f"{text} + 0*m") for text in AT_THE_G_SPOT.values()), start=DIMENSION.constant(0))
+    return (total - DIMENSION.symbols["m"]).is_zero()
+
+
 def one_in_a_box() -> bool | None:
     """Whether the library's Krawczyk test proves one G-spot of a mechanism in a box, where it is not rational."""
     try:
@@ -180,9 +189,14 @@ def _unique() -> Entry:
         r"[\mathcal P_\xi,\mathcal B_\xi,\mathcal Y_\xi,\mathcal V_\xi,\mathcal J_\xi]\ \text{non-singular}",
         "For continuously differentiable functions: where p = b = y = v = 0 and J = 0 with a regular Jacobian, there "
         "is no other such place near by",
-        Page("krawczyk", (cofactors_invert,)).check(
-            "with x_0 = ξ*, f(ξ*) = 0 and Y the inverse of the Jacobian: K = ξ* + (I - Y A)(X - ξ*), and I - Y A tends "
-            "to 0 as the box X shrinks to ξ*; so K lies inside a small X, which has one zero",
+        Page("krawczyk", (cofactors_invert,)).carries(
+            Check(
+                Rung.EXACT,
+                "as many functions as components of ξ, and Y the inverse of the Jacobian at x_0 = ξ*, f(ξ*) = 0: "
+                "K = ξ* + (I - Y A)(X - ξ*), where I - Y A tends to 0 as the box X shrinks to ξ*; so K lies inside a "
+                "small X, which has one zero",
+                as_many_as_components(),
+            )
         ),
         Check(Rung.POINTS, "the same test in balls at a G-spot of a mechanism", one_in_a_box()),
         note="It is the inverse function theorem.",

@@ -37,6 +37,7 @@ TEETH: Teeth = {
     "5-locally-unique": (
         Bite("factor", Algebra, "determinant", lambda honest: lambda *rows: 2 * honest(*rows) + 1),
         NotApplicable("hidden factor", "an identity in symbols; no points are sampled"),
+        Bite("hypothesis", ledger.AT_THE_G_SPOT, "J", lambda _: "m - 5"),
         Bite("hypothesis", ledger, "find_g_spot", lambda _: _no_place),
         NotApplicable("order", "no order of an error occurs"),
     ),
