@@ -48,6 +48,9 @@ def check(file: Path, workers: int = 1, limits: Sequence[str] = ()) -> CheckResu
     """Check one certificate. ``limits``: texts ``NAME=NUMBER`` for limits of the checker that are raised on purpose.
 
     :raises ValueError: there is no such file, an option is not one of the checker's, or the checker could not run.
+
+    >>> check(checker_path().with_name("iwc_0_1.cert")).text
+    'VERIFIED dΘ/dτ < 0 for every τ in (-inf, inf) and every β in (0, 1)'
     """
     if not file.exists():
         raise ValueError(f"there is no file {file}")

@@ -68,6 +68,14 @@ def write_certificate(path: Path, statement: Statement, columns: Sequence[Column
 
     :raises OSError: it cannot be written; its folder is not made.
     :raises ValueError: see :func:`certificate_text`.
+
+    >>> from gspot_verified import sign
+    >>> proved = sign("0..1", "1/4..3/4")
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder) / "sign.cert"
+    ...     write_certificate(file, proved.statement, proved.columns)
+    ...     file.read_text() == certificate_text(proved.statement, proved.columns)
+    True
     """
     if not path.parent.is_dir():
         raise FileNotFoundError(f"there is no folder {path.parent}")

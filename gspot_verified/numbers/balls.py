@@ -321,7 +321,11 @@ def float_bounds(value: arb) -> tuple[float, float]:
 
 
 def approximate(value: Exact) -> float:
-    """A float near the (midpoint of the) value. For heuristics only: it carries no bound."""
+    """A float near the (midpoint of the) value. For heuristics only: it carries no bound.
+
+    >>> approximate(fmpq(1, 3)), approximate(arb(2, "0.1"))
+    (0.3333333333333333, 2.0)
+    """
     if isinstance(value, arb):
         return float(value.mid())
     try:

@@ -29,6 +29,11 @@ def check_report(folder: Path, progress: Callable[[str], None] | None = None) ->
     """Every certificate that the report in ``folder`` names, and every other one that lies in its folder.
 
     :raises ValueError: there is no report.json, it is malformed, or it names no certificate.
+
+    >>> check_report(Path("nowhere"))
+    Traceback (most recent call last):
+    ...
+    ValueError: --check: there is no file nowhere/report.json
     """
     path = folder / "report.json"
     if not path.is_file():

@@ -86,6 +86,13 @@ def render_report(path: Path, directory: Path, cost: Path | None = None) -> Path
         file, or else the measurement that comes with the package.
     :raises ValueError: the file is not JSON, has another schema, or is malformed; the message names the file.
     :raises OSError: the file cannot be read.
+
+    >>> import tempfile
+    >>> with tempfile.NamedTemporaryFile(suffix=".json") as file:
+    ...     render_report(Path(file.name), Path("pages"))  # an empty file
+    Traceback (most recent call last):
+    ...
+    ValueError: ...json: Expecting value: line 1 column 1 (char 0)
     """
     beside = path.parent / "cost.json"
     measurement = load(cost or beside) if cost is not None or beside.is_file() else recorded()

@@ -132,6 +132,9 @@ def compliant_state(p: ExactInput, b: ExactInput, y: ExactInput, v: ExactInput, 
 
     :raises TypeError: a float.
     :raises ValueError: a ball; z <= y (not in contact: the contact force would not be positive).
+
+    >>> compliant_state("1/2", -1, "-1e-6", 0, "-5e-7").y
+    -1/1000000
     """
     values = [rational(value, name) for value, name in zip((p, b, y, v, z), "pbyvz", strict=True)]
     state = CompliantState(*values)

@@ -62,6 +62,11 @@ def contact_lasts(model: CompliantModel, state: CompliantState, until: ExactInpu
     the work of the power series (rate times time).
 
     :raises ValueError: ``until`` is before the state.
+
+    >>> from gspot_verified import compliant_model, compliant_state
+    >>> state = compliant_state("1/2", "-1/6", "-1/15000", 0, "-1/30000")
+    >>> contact_lasts(compliant_model("5/2", "1/100"), state, 0).outcome.value
+    'proved'
     """
     end = rational(until, "until")
     motion = contact_motion(model, state)

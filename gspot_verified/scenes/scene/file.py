@@ -124,6 +124,18 @@ def parse_scene(text: str, folder: Path | None = None) -> Scene:
 
     :raises SceneError: a part of the scene is wrong.
     :raises MechanismError: no TOML, a key is wrong, or the mechanism is.
+
+    >>> scene = parse_scene('''
+    ... format = 1
+    ... name = "the model at a smaller epsilon"
+    ... effects = ["compliant_contact", "lift_off"]
+    ... epsilon = "1/2000"
+    ... until = 1
+    ... parameters = {alpha_1 = -1, alpha_2 = -1, beta = "3/2"}
+    ... start = {p = "1/2", nu = 2}
+    ... ''')
+    >>> scene.epsilon, scene.system("slip").states
+    (1/2000, ('b', 'Y', 'V', 'Z'))
     """
     if len(text) > MAX_BYTES:
         raise SceneError(f"a scene may have at most {MAX_BYTES} characters")

@@ -85,6 +85,10 @@ def paper_initial_values(beta: Exact, bits: int) -> InitialValues:
 
     Defined away from beta = 0, 1, 2, ... and, for t01-t03 one each, away from beta = j, j + 3, j + 6, ...; where one
     is not defined (or the ball holds such a point) the result is not finite.
+
+    >>> own, papers = initial_values(fmpq(1, 2), 64), paper_initial_values(fmpq(1, 2), 64)
+    >>> all(one.overlaps(other) for one, other in zip(own, papers, strict=True))
+    True
     """
     with working_bits(bits):
         center = ball(beta)
