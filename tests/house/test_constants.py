@@ -12,7 +12,7 @@ from house.test_layout import FILES, name_of
 
 FOLDERS = (
     "numbers", "functions", "work", "theta_function", "signs", "leading_order", "expansion", "integrator", "compliant",
-    "mechanisms", "scenes", "certificates", "testing",
+    "mechanisms", "scenes", "certificates", "testing", "cost", "hard_cases", "report", "cli",
 )  # fmt: skip
 NUMBERS = {"fmpq", "fmpz", "arb", "math"}
 """The names from which a number may be made; a table or a text is no number."""

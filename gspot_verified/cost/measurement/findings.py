@@ -12,7 +12,7 @@ from gspot_verified.cost.times.growth import fitted_exponent
 
 _FITTED = 4  # places: the growth is that of the last ones
 _LEAST_RATIO = 3.0  # of the largest place to the smallest: over less an exponent says nothing
-_CERTAIN = math.log(1.25)
+_CERTAIN = math.log(1.25)  # times that differ by less than a quarter are noise
 
 
 @dataclass(frozen=True, slots=True)

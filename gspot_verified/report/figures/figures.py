@@ -51,7 +51,7 @@ from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamm
 from gspot_verified.theta_function.theta import theta
 from gspot_verified.theta_function.value.routes import theta_by
 
-_DIGITS_PER_BIT = math.log10(2)
+_DIGITS_PER_BIT = math.log10(2)  # relative_bits counts in bits
 _BOX_BITS = 6  # an enclosure with so many certain bits is narrow: its box is not halved again
 _NARROWEST = Fraction(1, 1024)  # nor is a box of this width
 _SERIES_DIGITS = 60  # the smallest errors drawn are near 1e-19: the value must be far more accurate
