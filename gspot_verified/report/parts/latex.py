@@ -38,6 +38,7 @@ _DROPPED = (
     r"\\(?:label|includegraphics|vspace|hspace|cite)(?:\[[^\]]*\])?\{[^}]*\}",
     r"\\(?:begin|end)\{(?:center|figure|table)\*?\}(?:\[[^\]]*\])?",
     r"\\(?:noindent|centering|bigskip|medskip|smallskip|newpage)\b",
+    r"\\/",
 )
 
 
