@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from paper.typed.row import CONSTANTS, QUOTIENT, Row, jets, of_side, order_of, rows
 
-from gspot_verified.paper.section_1 import section_1_rigid
+from gspot_verified.paper.section_1 import section_1_cases, section_1_rigid
 from gspot_verified.paper.section_2 import general_system, lagrangian
 from gspot_verified.paper.section_4 import (
     section_4_fast,
@@ -42,6 +42,13 @@ def _section_1_and_2() -> list[Row]:
         ("y", 492, 494, 0, of_side(1)),
         ("v", 495, 496, 0, of_side(1)),
     )
+    forced = CONSTANTS | {rf"\alpha_{k}(\xi)": f"alpha{k}" for k in (1, 2, 3)}
+    for entry, table, read, first, last in (
+        ("1-rescaled", section_1_rigid.RATES, forced, (486, 488), (489, 491)),
+        ("1-case-I", section_1_cases.RATES, names, (253, 253), (254, 254)),
+    ):
+        for part, lines in (("p", first), ("b", last)):
+            found.append(Row(entry, f"{part}, rate", {f"{part}, rate": table[part]}, *lines, 0, of_side(1), read))
     for part, line in (("p", 602), ("b", 603), ("v", 605)):
         found.append(
             Row(
