@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import json
 import re
+from collections.abc import Iterator, Sequence
 from functools import cache
 from importlib import resources
 from operator import add, mul, sub, truediv
@@ -137,6 +138,47 @@ def test_the_typed_formula_is_the_printed_one(row: Row) -> None:
     assert same(row, row.text, text), text
     if not same(row, row.text, "0"):
         assert not same(row, scaled(row.text), text)
+
+
+def changed(latex: str) -> Iterator[str]:
+    """The lines with one other digit, or one other sign, but for labels and signs of an error term."""
+    plain = re.sub(r"\\label\{[^}]*\}|[+]\s*\\mathcal", lambda found: " " * len(found[0]), latex)
+    for found in re.finditer(r"[\d+-]", plain):
+        new = {"+": "-", "-": "+"}.get(found[0]) or {"9": "8"}.get(found[0]) or str(int(found[0]) + 1)
+        yield latex[: found.start()] + new + latex[found.end() :]
+
+
+def unnoticed(rows: Sequence[Row]) -> list[str]:
+    """Changes of some lines that change what a row reads, and that none of their rows notices."""
+    latex = "\n".join(quoted()[line] for line in range(rows[0].first, rows[0].last + 1))
+    found = []
+    for wrong in changed(latex):
+        answers = []
+        for row in rows:
+            try:
+                text = printed_text(row, wrong)
+                answers += [same(row, row.text, text)] if text != printed_text(row, latex) else []
+            except (ValueError, IndexError, ZeroDivisionError):
+                answers.append(False)
+        found += [wrong] if answers and all(answers) else []
+    return found
+
+
+def by_lines(rows: Sequence[Row]) -> list[list[Row]]:
+    """The rows that read the same lines."""
+    places = dict.fromkeys((row.first, row.last) for row in rows)
+    return [[row for row in rows if (row.first, row.last) == place] for place in places]
+
+
+@pytest.mark.parametrize("first", [602, 1066, 1671, 2429, 2453])
+def test_a_changed_sign_or_digit_of_the_paper_is_noticed(first: int) -> None:
+    (rows,) = [rows for rows in by_lines(ROWS) if rows[0].first == first]
+    assert unnoticed(rows) == []
+
+
+@pytest.mark.slow
+def test_every_changed_sign_or_digit_of_the_paper_is_noticed() -> None:
+    assert [wrong for rows in by_lines(ROWS) for wrong in unnoticed(rows)] == []
 
 
 def test_every_typed_polynomial_is_read_or_has_a_reason() -> None:
