@@ -145,7 +145,7 @@ LONGEST = (
     "3-after-lift-off",
     "6-second-start",
     "6-first-start",
-    "3-case-II",
+    "3-case-II-starts",
     "3-impact-to-stick",
     "7-lift-off-again",
     "3-sides",

@@ -51,6 +51,11 @@ _CONSEQUENCES = {
     "3-sides": Consequence(
         Reach.CONCLUSION, "Of two sets of initial values the sentence names the wrong one as the set of impacts."
     ),
+    "3-case-II": Consequence(
+        Reach.CONCLUSION,
+        "In Case II, too, a canard stands between the impact and the lift-off; the starts beside it that pass the "
+        "G-spot and lift off shrink to it as ε → 0.",
+    ),
     "3-table-1-b-5_2": Consequence(
         Reach.LOCAL, "One measured exponent; the theoretical one beside it is right, and so is the conclusion."
     ),

@@ -119,11 +119,21 @@ def margin_up_to(beta: fmpq, nu: fmpq, largest: fmpq) -> arb | None:
         return _MARGINS[0 if beta < 1 else 1 if beta < 2 else 2](beta - 1, nu, largest, sizes)
 
 
+def least_share(beta: fmpq, largest: fmpq) -> arb | None:
+    """beta < 1: a lower bound of lambda-hat over its value at the start, for all times and every epsilon <= largest
+    (section 3); None when a hypothesis fails there. The share does not depend on nu and alpha_2, and has no bound."""
+    with working_bits(_BITS):
+        sizes = sizes_up_to(beta, largest) if beta < 1 else None
+        return None if sizes is None or not (sizes.ratio < 1 and sizes.fast < fmpq(1, 2)) else _least_share(sizes)
+
+
+def _least_share(sizes: Sizes) -> arb:
+    return (1 - 2 * sizes.fast).min((1 - sizes.ratio) * (1 - sizes.fast) - sizes.late)
+
+
 def _case_one(_b: fmpq, nu: fmpq, _largest: fmpq, sizes: Sizes) -> arb | None:
     """b < 0: F increases (section 3)."""
-    early = (1 + nu) * (1 - 2 * sizes.fast)
-    late = (1 + nu) * ((1 - sizes.ratio) * (1 - sizes.fast) - sizes.late)
-    return early.min(late) - 1
+    return (1 + nu) * _least_share(sizes) - 1
 
 
 def _first_panel(b: fmpq, nu: fmpq, largest: fmpq, sizes: Sizes) -> arb | None:

@@ -9,13 +9,14 @@ from typing import Any
 
 from flint import fmpq, fmpq_mpoly, fmpz_poly
 
-from gspot_verified.compliant.model.normal_form import CompliantModel, CompliantState, compliant_model
+from gspot_verified.compliant.model.normal_form import CompliantModel, CompliantState, compliant_model, deviation
 from gspot_verified.compliant.motion.first_zero import first_zero
 from gspot_verified.compliant.side.side_rule import side_rule
-from gspot_verified.numbers.balls import sign_of
+from gspot_verified.numbers.balls import approximate, sign_of
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
+from gspot_verified.paper.numerics.paper_runs import least_share
 from gspot_verified.paper.numerics.paper_state import paper_state
 from gspot_verified.paper.section_3 import varsim1
 from gspot_verified.scenes.certified_run import INTEGRATOR, certified_run
@@ -35,9 +36,16 @@ SEPARATED = (fmpq(3, 2), fmpq(5, 2))
 """The β of panels (b) and (c)."""
 PAIRS = ((fmpq(1, 4), fmpq(4)), (fmpq(1, 2), fmpq(2)))
 """ν on the two sides of the trivial solution ν = 1."""
+CASE_II_SIGNS = {"alpha_1": "-u - x", "alpha_2": "y", "alpha_3": "-x"}
+"""Case II by positive symbols."""
+TRIVIAL = {"b": "-r*p", "v": "0*p", "y": "-2*e^2*r", "z": "-e^2*r"}
+"""The trivial solution with the force r, p = α_1 t, e for ε."""
 CASE_II = {"beta": fmpq(1, 2), "alpha_2": fmpq(1)}
+REACHES = varsim1.EPSILON_0[CASE_II["beta"]]
 ATTRACTED, OTHERS = (fmpq(2), fmpq(4)), (fmpq(1, 4), fmpq(1, 2))
 """ν above and below 1: p, b with α_2 p < (α_1 - α_3) b, and not."""
+NEAR = fmpq(99, 100)
+"""A ν so close to 1 that contact lasts until after p = 0 and is lost then."""
 EPSILONS = (fmpq(1, 1000), fmpq(1, 2000))
 FLIGHT = {"b": "b + alpha2*u", "v": "v + b*u + alpha2*u^2/2", "y": "y + v*u + b*u^2/2 + alpha2*u^3/6"}
 """Free motion a time u after lift-off from b, v, y; z falls like e^(-u/ε)."""
@@ -169,32 +177,115 @@ def side_is(nu: fmpq, epsilon: fmpq, sign: int) -> bool | None:
     return None if found is None else found == sign
 
 
+def trivial_keeps_contact() -> bool | None:
+    """Whether in Case II the trivial solution solves modelsys2 to modelsys5 with the force r = α_2/(α_3 - α_1) > 0."""
+    first, second, third = (ALGEBRA.read(CASE_II_SIGNS[f"alpha_{n}"]) for n in (1, 2, 3))
+    b, v, y, z = (ALGEBRA.read(TRIVIAL[name]) for name in "bvyz")
+    force, p, small = (_SYMBOLS[name] for name in "rpe")
+    rates = [value.derivative("p") * first for value in (b, v, y, z)]
+    left = [
+        rates[0] - (force * (third - first) - third * force),
+        rates[1] - (b + p * force),
+        rates[2] - v,
+        small * rates[3] + z + small**2 * force,
+        z - y - small**2 * force,
+    ]
+    positive = [rising_signs(value) for value in (second, third - first, -first, -third)]
+    return True if all(value.is_zero() for value in left) and all(positive) else None
+
+
+def lost_after(nu: fmpq, epsilon: fmpq) -> bool | None:
+    """Whether contact lasts until after p = 0 and is lost then."""
+    found = first_zero(*case_ii(nu, epsilon), digits=6)
+    return None if found.lower is None else found.lower > 0
+
+
+def _passes_and_lifts_off(epsilon: fmpq) -> Check:
+    found = first_zero(*case_ii(NEAR, epsilon), digits=6)
+    return Check(
+        Rung.BALLS,
+        f"proofs/force_range.md: the first zero of λ_N for β = {CASE_II['beta']}, α_1 = -1, α_2 = {CASE_II['alpha_2']}"
+        f", ν = {NEAR}, ε = {epsilon}",
+        False if lost_after(NEAR, epsilon) else None,
+        ""
+        if found.lower is None
+        else f"contact lasts until t = {approximate(found.lower):.6g} after p = 0, and is lost",
+    )
+
+
 def _case_ii() -> Entry:
-    reached = [(nu, epsilon) for nu in ATTRACTED for epsilon in EPSILONS]
-    lost = [(nu, epsilon) for nu in OTHERS for epsilon in EPSILONS]
     return settled(
         SECTION,
         "3-case-II",
         "lines 768 to 770",
         r"\text{Case II: all initial conditions that pass the G-spot take an impact}",
-        "Case II with β = 1/2, α_1 = -1, α_2 = 1, the initial values of fig. varsim1, ε = 1/1000 and 1/2000: ν = 2, 4 "
-        "(attracted to the G-spot) keep contact for ever and take an impact; ν = 1/4, 1/2 lose contact before p = 0",
+        "Case II, the model system: every start from which contact lasts until p = 0 takes an impact",
+        Check(
+            Rung.EXACT,
+            "the trivial solution, for all α's of Case II and every ε > 0",
+            False if trivial_keeps_contact() else None,
+            "λ_N = α_2/(α_3 - α_1) > 0 for ever: contact is not lost and the force does not grow",
+        ),
+        _passes_and_lifts_off(EPSILONS[0]),
+        corrected="of the starts of fig. varsim1 those with ν > 1 take an impact; ν = 1 is the trivial solution, a "
+        "canard; those with ν < 1 lose contact, before p = 0 or, close to ν = 1, after it (3-case-II-starts)",
+        note="As ε → 0 the starts that pass and are not attracted shrink to the trivial solution: at a fixed ν < 1 "
+        "contact is lost before p = 0 once ε is small. On the slow manifold, for every β in (0, 1) and every ε, the "
+        "impact is that of C_1 < 0 (C-cases-I-II). The paper shows no picture of Case II.",
+    )
+
+
+def same_share() -> bool | None:
+    """Whether the deviation of every start is 1 - ν times one, which is a multiple of that of panel (a)."""
+    size = case_ii(fmpq(1), EPSILONS[0])[0].mean_force
+    hats = [deviation(*case_ii(nu, epsilon)) for nu in (*ATTRACTED, *OTHERS) for epsilon in EPSILONS]
+    factors = [(1 - nu) * size for nu in (*ATTRACTED, *OTHERS) for _ in EPSILONS]
+    panel = [deviation(*varsim1.initial_state(CASE_II["beta"], nu, EPSILONS[0])) for nu in ATTRACTED]
+    forms = [form for hat in (*hats, *panel) for form in (hat.V, hat.Y - 4 * hat.b, hat.Z - 2 * hat.b)]
+    proportional = all(hat.b == factor * hat.p for hat, factor in zip(hats, factors, strict=True))
+    return True if size > 0 and proportional and all(form == 0 for form in forms) else None
+
+
+def share_grows() -> bool | None:
+    """Whether λ-hat over its value at the start is positive for all times, for every ε <= REACHES."""
+    share = least_share(CASE_II["beta"], REACHES)
+    return True if share is not None and share > 0 else None
+
+
+def _case_ii_starts() -> Entry:
+    reached = [(nu, epsilon) for nu in ATTRACTED for epsilon in EPSILONS]
+    lost = [(nu, epsilon) for nu in OTHERS for epsilon in EPSILONS]
+    later = [(NEAR, epsilon) for epsilon in EPSILONS]
+    return settled(
+        SECTION,
+        "3-case-II-starts",
+        "lines 768 to 770",
+        r"\text{Case II: which initial conditions take an impact}",
+        f"Case II with β = {CASE_II['beta']}, α_1 = -1, α_2 > 0, the initial values of fig. varsim1, every ε in "
+        f"(0, {REACHES}]: for every ν > 1 contact lasts for ever and λ_N → +∞, an impact; for every ν in (0, 1) "
+        "contact is lost, and for ν close enough to 1 after p = 0",
         Check(
             Rung.BALLS,
-            "certified runs by the validated integrator; proofs/force_range.md for the first zero of λ_N before p = 0",
+            "proofs/paper_runs.md, Corollary (Case II): λ_N is its mean times 1 + (ν - 1) u, u > 0 and u → ∞, the same "
+            "u for every ν",
+            all_of([same_share(), share_grows()]),
+        ),
+        Check(
+            Rung.POINTS,
+            "ε = 1/1000 and 1/2000: certified runs for ν = 2, 4, the first zero of λ_N before p = 0 for ν = 1/4, 1/2 "
+            f"and after it for ν = {NEAR}, and the sign of K",
             all_of(
                 [
                     *(attracted_takes_an_impact(*run) for run in reached),
                     *(other_lifts_off_before(*run) for run in lost),
+                    *(lost_after(*run) for run in later),
+                    *(side_is(*run, 1) for run in reached),
+                    *(side_is(*run, -1) for run in (*lost, *later)),
                 ]
             ),
         ),
-        Check(
-            Rung.POINTS,
-            "the sign of K of each start",
-            all_of([*(side_is(*run, 1) for run in reached), *(side_is(*run, -1) for run in lost)]),
-        ),
-        note="On the slow manifold for every ε: C-cases-I-II. The paper shows no picture of Case II.",
+        note="ν = 1 is the trivial solution. The states with ν > 1 are those with α_2 p < (α_1 - α_3) b: rigid slip "
+        "takes them to the G-spot (1-case-II).",
     )
 
 
@@ -253,6 +344,7 @@ def _flight_ends() -> Entry:
 ENTRIES: Builders = {
     "3-oscillations": _oscillations,
     "3-case-II": _case_ii,
+    "3-case-II-starts": _case_ii_starts,
     "3-separatrix": _separatrix,
     "3-flight-ends": _flight_ends,
 }

@@ -15,7 +15,15 @@ from gspot_verified.compliant.slow.slow_coefficient import slow_coefficient
 from gspot_verified.compliant.slow.slow_solution import slow_value
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.paper.numerics.paper_runs import CANDIDATES, START, margin_up_to, paper_run, sizes_up_to
+from gspot_verified.paper.numerics.paper_runs import (
+    CANDIDATES,
+    START,
+    least_share,
+    margin_up_to,
+    paper_run,
+    sizes_up_to,
+)
+from gspot_verified.paper.numerics.paper_state import paper_state
 
 BETAS = (fmpq(1, 2), fmpq(3, 2), fmpq(5, 2))
 FACTORS = (fmpq(1, 4), fmpq(1, 2), fmpq(1), fmpq(2), fmpq(4))
@@ -56,6 +64,26 @@ def test_the_force_stays_above_the_margin(beta: fmpq) -> None:
             for place in (START, START / 2, fmpq(0), -epsilon if fate == "impact" else START / 10):
                 value = force(model, state, -place, digits=6).force
                 assert value > margin * abs(model.mean_force)
+
+
+def test_the_share_of_the_start_in_the_force() -> None:
+    beta, largest = BETAS[0], fmpq(1, 100)
+    least = least_share(beta, largest)
+    assert least is not None
+    assert 0 < least < 1
+    for alpha_2, nu in ((fmpq(1), fmpq(2)), (fmpq(3), fmpq(99, 100)), (fmpq(-1), fmpq(4))):
+        model = compliant_model(beta, largest / 3, alpha_2=alpha_2)
+        state = paper_state(model, nu)
+        first = deviation(model, state).force
+        for place in (START, START / 3, fmpq(0), -largest / 3):
+            share = (force(model, state, -place, digits=6).force - model.mean_force) / first
+            assert share > least
+    assert least_share(BETAS[1], largest) is None
+    assert least_share(beta, fmpq(1, 2)) is None
+    with working_bits(64):
+        margin = margin_up_to(beta, fmpq(4), largest)
+        assert margin is not None
+        assert (5 * least - 1).overlaps(margin)
 
 
 @pytest.mark.parametrize("beta", BETAS)

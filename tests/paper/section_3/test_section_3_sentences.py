@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -162,6 +163,62 @@ def test_the_fate_of_a_certified_run(
 def test_lift_off_before_the_g_spot(monkeypatch: pytest.MonkeyPatch, upper: fmpq | None, answer: bool | None) -> None:
     monkeypatch.setattr(ledger, "first_zero", lambda *_, **__: SimpleNamespace(upper=upper))
     assert ledger.other_lifts_off_before(fmpq(1, 4), fmpq(1, 1000)) is answer
+
+
+@pytest.mark.parametrize(
+    ("lower", "answer"), [(None, None), (fmpq(-1, 9), False), (fmpq(0), False), (fmpq(1, 2), True)]
+)
+def test_lift_off_after_the_g_spot(monkeypatch: pytest.MonkeyPatch, lower: fmpq | None, answer: bool | None) -> None:
+    monkeypatch.setattr(ledger, "first_zero", lambda *_, **__: SimpleNamespace(lower=lower))
+    assert ledger.lost_after(ledger.NEAR, fmpq(1, 1000)) is answer
+    assert ledger._passes_and_lifts_off(fmpq(1, 1000)).agrees is (False if answer else None)
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("b", "r*p"),
+        ("v", "r*p"),
+        ("y", "2*e^2*r"),
+        ("z", "e^2*r"),
+        ("y", "-e^2*r"),
+        ("alpha_1", "-x"),  # α_3 = α_1: no trivial solution
+        ("alpha_2", "-y"),
+        ("alpha_3", "-u - 2*x"),  # Case III
+        ("alpha_3", "x"),
+    ],
+)
+def test_the_trivial_solution_of_case_ii(monkeypatch: pytest.MonkeyPatch, name: str, text: str) -> None:
+    assert ledger.trivial_keeps_contact() is True
+    monkeypatch.setitem(ledger.TRIVIAL if name in ledger.TRIVIAL else ledger.CASE_II_SIGNS, name, text)
+    assert ledger.trivial_keeps_contact() is None
+
+
+def test_close_to_the_trivial_solution_of_case_ii_the_side_changes() -> None:
+    model, trivial = ledger.case_ii(fmpq(1), fmpq(1, 1000))
+    assert model.mean_force == 2
+    hats = ledger.deviation(model, trivial)
+    assert (hats.b, hats.V, hats.Y, hats.Z) == (0, 0, 0, 0)
+    assert ledger.lost_after(fmpq(99, 100), fmpq(1, 1000)) is True
+    assert ledger.side_is(fmpq(101, 100), fmpq(1, 1000), 1) is True
+
+
+@pytest.mark.parametrize(
+    ("change", "answer"),
+    [({}, True), ({"V": fmpq(1, 9)}, None), ({"Y": fmpq(1)}, None), ({"Z": fmpq(1)}, None), ({"b": fmpq(7)}, None)],
+)
+def test_another_start_has_another_share(
+    monkeypatch: pytest.MonkeyPatch, change: dict[str, fmpq], answer: bool | None
+) -> None:
+    honest = ledger.deviation
+    monkeypatch.setattr(ledger, "deviation", lambda *state: replace(honest(*state), **change))
+    assert ledger.same_share() is answer
+
+
+@pytest.mark.parametrize(("share", "answer"), [(None, None), (-1, None), (0, None), (1, True)])
+def test_the_share_must_be_positive(monkeypatch: pytest.MonkeyPatch, share: int | None, answer: bool | None) -> None:
+    monkeypatch.setattr(ledger, "least_share", lambda *_: share)
+    assert ledger.share_grows() is answer
 
 
 @pytest.mark.parametrize(("side", "answers"), [(1, [True, False]), (-1, [False, True]), (None, [None, None])])

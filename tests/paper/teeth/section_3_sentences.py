@@ -31,11 +31,19 @@ TEETH: Teeth = {
         NotApplicable("order", "the rates are exact; no order of an error occurs"),
     ),
     "3-case-II": (
+        Bite("factor", ledger.TRIVIAL, "b", replaced("-r*p", "-1000003/1000000*r*p")),
+        Bite("hidden factor", ledger.TRIVIAL, "b", unseen_at("p", range(1, 3))),
+        Bite("hypothesis", ledger.CASE_II_SIGNS, "alpha_2", lambda _: "-y"),
+        Bite("hypothesis", ledger, "NEAR", lambda _: fmpq(1, 2)),
+        NotApplicable("order", "the counterexamples are one exact solution and one run; no order of an error occurs"),
+    ),
+    "3-case-II-starts": (
         Bite("factor", ledger.CASE_II, "alpha_2", lambda honest: -honest),
         Bite("hidden factor", ledger, "case_ii", negative_for(fmpq(4))),
+        Bite("hypothesis", ledger, "REACHES", lambda _: fmpq(1, 2)),
         Bite("hypothesis", ledger, "ATTRACTED", lambda honest: (*honest, fmpq(1, 2))),
         Bite("hypothesis", ledger, "OTHERS", lambda honest: (*honest, fmpq(2))),
-        NotApplicable("order", "the claim is on runs at two ε; no order of an error occurs"),
+        NotApplicable("order", "the claim is on what runs do for every ε ≤ ε0; no order of an error occurs"),
     ),
     "3-separatrix": (
         Bite("factor", ledger, "PAIRS", lambda honest: ((fmpq(1, 4), fmpq(1, 2)), *honest)),
