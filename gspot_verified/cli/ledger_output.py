@@ -9,7 +9,7 @@ import typer
 
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.entry import Entry, Rung, counts, rung_counts
-from gspot_verified.paper.claims import PaperClaim, Standing, paper_claims, standing_counts
+from gspot_verified.paper.claims import WHY, PaperClaim, Standing, paper_claims, standing_counts
 
 _ANSWERS = {True: "agrees", False: "fails", None: "could not tell"}
 _KEPT = "cached"
@@ -73,6 +73,8 @@ def print_claims(named: Sequence[Entry], further: Sequence[Entry]) -> None:
     for claim in _about(named):
         standing = _standing(claim, outcomes)
         typer.echo(f"the paper's claim, lines {claim.first} to {claim.last}: {standing}: {claim.words}")
+        if claim.why:
+            typer.echo(f"  {WHY.get(claim.proved_as, 'why')}: {claim.why}")
     total = ", ".join(f"{number} {outcome}" for outcome, number in counts(named).items())
     typer.echo(f"of {len(named)} named: {total}; the paper makes {len(paper_claims())} claims")
     typer.echo(what_was_run([*named, *further]))

@@ -115,7 +115,9 @@ class _Scenes(TypedDict):
 class _Claim(TypedDict):
     lines: tuple[int, int]
     claim: str
-    standing: Literal["proved", "refuted", "undecided", "premise", "not checkable", "not run"]
+    standing: Literal[
+        "proved", "proved under a condition", "overtaken", "refuted", "undecided", "premise", "not checkable", "not run"
+    ]
     entries: list[str]
     why: str
 

@@ -20,10 +20,16 @@ class Standing(enum.Enum):
     """What became of a claim."""
 
     PROVED = "proved"
+    PROVED_UNDER = "proved under a condition"
+    OVERTAKEN = "overtaken"
     REFUTED = "refuted"
     UNDECIDED = "undecided"
     PREMISE = "premise"
     NOT_CHECKABLE = "not checkable"
+
+
+WHY = {Standing.PROVED_UNDER: "condition", Standing.OVERTAKEN: "known now"}
+"""What the text beside a claim is, where its entries are proved and prove something else than its words."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +37,9 @@ class PaperClaim:
     """A claim in lines ``first`` to ``last`` of the source, of which the first one begins with ``begins``.
 
     Either ``entries`` names entries of the ledger, or ``why`` says why there is none (a premise needs no reason).
+    ``proved_as`` is the standing when all entries are proved: ``PROVED``; ``PROVED_UNDER`` where they prove less than
+    the claim, and ``why`` is the condition; ``OVERTAKEN`` where the claim says that something is open or cannot be
+    shown, and ``why`` is what is known now. Where ``why`` is not empty, it stands wherever the claim stands.
     """
 
     first: int
@@ -40,9 +49,10 @@ class PaperClaim:
     entries: tuple[str, ...]
     without_entries: Standing | None
     why: str
+    proved_as: Standing = Standing.PROVED
 
     def standing(self, outcomes: Mapping[str, Outcome]) -> Standing:
-        """Refuted when one of its entries is, proved when all are; else undecided, or what the row itself says.
+        """Refuted when one of its entries is, ``proved_as`` when all are proved; else undecided, or what the row says.
 
         >>> claim = PaperClaim(1, 2, "", "x", ("a", "b"), None, "")
         >>> claim.standing({"a": Outcome.PROVED, "b": Outcome.PROVED}), claim.standing({"a": Outcome.PROVED})
@@ -53,7 +63,7 @@ class PaperClaim:
         found = {outcomes.get(name) for name in self.entries}
         if Outcome.REFUTED in found:
             return Standing.REFUTED
-        return Standing.PROVED if found == {Outcome.PROVED} else Standing.UNDECIDED
+        return self.proved_as if found == {Outcome.PROVED} else Standing.UNDECIDED
 
     def to_json(self, outcomes: Mapping[str, Outcome]) -> dict[str, Any]:
         """Plain data for ``json.dumps``."""
@@ -71,6 +81,7 @@ _WITHOUT = {
     "not_checkable": Standing.NOT_CHECKABLE,
     "undecided": Standing.UNDECIDED,
 }
+_WITH = {"under": Standing.PROVED_UNDER, "overtaken": Standing.OVERTAKEN}
 
 
 @lru_cache(maxsize=1)
@@ -86,10 +97,19 @@ def paper_claims() -> tuple[PaperClaim, ...]:
 
 def _claim(row: Mapping[str, Any]) -> PaperClaim:
     kind = next((key for key in _WITHOUT if key in row), None)
-    why = row[kind] if kind in ("not_checkable", "undecided") else ""
+    limit = next((key for key in _WITH if key in row), None)
+    why = row[limit] if limit else row[kind] if kind in ("not_checkable", "undecided") else ""
     first, last = row["lines"]
-    without = _WITHOUT[kind] if kind else None
-    return PaperClaim(first, last, row["begins"], row["claim"], tuple(row.get("entries", ())), without, why)
+    return PaperClaim(
+        first=first,
+        last=last,
+        begins=row["begins"],
+        words=row["claim"],
+        entries=tuple(row.get("entries", ())),
+        without_entries=_WITHOUT[kind] if kind else None,
+        why=why,
+        proved_as=_WITH[limit] if limit else Standing.PROVED,
+    )
 
 
 def standing_counts(outcomes: Mapping[str, Outcome]) -> dict[str, int]:

@@ -13,18 +13,20 @@ from typing import Any
 
 from gspot_verified.numbers.verdict import Outcome, Reason
 from gspot_verified.paper.checks.entry import Entry, Rung, counts, rung_counts
-from gspot_verified.paper.claims import Standing, paper_claims, standing_counts
+from gspot_verified.paper.claims import WHY, Standing, paper_claims, standing_counts
 from gspot_verified.paper.dependencies import dependencies
 from gspot_verified.report.certificates import CheckedCertificate
 from gspot_verified.report.hard_cases import NONE, check_hard_cases
 from gspot_verified.report.parts.proof_page import proof_pages
 from gspot_verified.report.pictures.canvas import Picture
 
-SCHEMA = 6  # one more with each change of form: only this one is read
+SCHEMA = 7  # one more with each change of form: only this one is read
 _MAX_FILE_BYTES = 200_000_000  # far more than a report: a limit against hostile input
 
 _OUTCOMES = [outcome.value for outcome in Outcome]
 _STANDINGS = [standing.value for standing in Standing]
+_LIMITED = [standing.value for standing in WHY]
+"""The standings of a claim whose entries are proved and prove something else than its words."""
 _RUNGS = [rung.name.lower() for rung in Rung]
 _REASONS = [reason.name.lower() for reason in Reason]
 _ENTRY_TEXTS = ("identifier", "label", "printed", "section", "source", "statement", "corrected", "note", "code")
@@ -102,7 +104,7 @@ def checked(report: object) -> dict[str, Any]:
     >>> checked({"schema": 1})
     Traceback (most recent call last):
     ...
-    ValueError: report: this version reads schema 6, the file has schema 1
+    ValueError: report: this version reads schema 7, the file has schema 1
     """
     data = _mapping(report, "report")
     if type(data.get("schema")) is not int or data["schema"] != SCHEMA:
@@ -167,9 +169,11 @@ def _check_claim(value: object, where: str, outcomes: Mapping[str, str]) -> None
     verdicts = {outcomes.get(name) for name in _sequence(claim, "entries", where)}
     if verdicts:
         given = "refuted" if "refuted" in verdicts else "proved" if verdicts == {"proved"} else "undecided"
-        if claim["standing"] != given:
+        if claim["standing"] != given and not (given == "proved" and claim["standing"] in _LIMITED):
             raise ValueError(f"{where}.standing: the file says {claim['standing']}, its entries give {given}")
-    elif claim["standing"] in ("proved", "refuted"):
+        if claim["standing"] in _LIMITED and not claim["why"].strip():
+            raise ValueError(f"{where}.why: {claim['standing']}, and nothing says by what")
+    elif claim["standing"] in ("proved", "refuted", *_LIMITED):
         raise ValueError(f"{where}.standing: {claim['standing']} without an entry")
 
 

@@ -16,7 +16,7 @@ from gspot_verified.cost.measurement.measurement import Measurement
 from gspot_verified.numbers.verdict import Outcome, Reason
 from gspot_verified.paper.checks.entry import Rung
 from gspot_verified.paper.checks.paper import printed_number
-from gspot_verified.paper.claims import Standing
+from gspot_verified.paper.claims import WHY, Standing
 from gspot_verified.report.data import checked
 from gspot_verified.report.parts.code_page import code_address, code_page
 from gspot_verified.report.parts.cost_page import shown_measurement
@@ -178,7 +178,15 @@ def _graph(entries: Sequence[dict[str, Any]], proofs: dict[str, dict[str, Any]])
 
 def _claims(claims: Sequence[dict[str, Any]], entries: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
     by_name = {entry["identifier"]: entry for entry in entries}
-    return [{**claim, "entries": [by_name[name] for name in claim["entries"] if name in by_name]} for claim in claims]
+    labels = {standing.value: words.capitalize() for standing, words in WHY.items()}
+    return [
+        {
+            **claim,
+            "entries": [by_name[name] for name in claim["entries"] if name in by_name],
+            "label": labels.get(claim["standing"], ""),
+        }
+        for claim in claims
+    ]
 
 
 def _rungs(report: dict[str, Any]) -> list[tuple[Rung, int, int]]:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from gspot_verified.cli import main
-from gspot_verified.cli.ledger_output import claims_data, paper_data, print_paper, what_was_run
+from gspot_verified.cli.ledger_output import claims_data, paper_data, print_claims, print_paper, what_was_run
 from gspot_verified.paper.checks.entry import Entry
-from gspot_verified.paper.claims import paper_claims
+from gspot_verified.paper.claims import WHY, Standing, paper_claims
 from gspot_verified.paper.verify import verify_claims
 
 
@@ -87,6 +88,22 @@ def test_the_data_hold_every_claim_of_the_paper(named: list[Entry]) -> None:
     data = json.loads(json.dumps(paper_data(named)))
     assert len(data["claims"]) == sum(data["standings"].values()) == len(paper_claims())
     assert {"premise", "not checkable", "undecided"} <= {row["standing"] for row in data["claims"]}
+
+
+def test_a_condition_stands_wherever_its_claim_stands(capsys: pytest.CaptureFixture[str], named: list[Entry]) -> None:
+    limited = [claim for claim in paper_claims() if claim.proved_as is not Standing.PROVED]
+    entries = [replace(named[0], identifier=name) for name in {name for claim in limited for name in claim.entries}]
+    print_claims(entries, [])
+    lines = capsys.readouterr().out.splitlines()
+    for data in (claims_data(entries, []), paper_data(entries)):
+        rows = {(*row["lines"], row["claim"]): row for row in data["claims"]}
+        for claim in limited:
+            row = rows[claim.first, claim.last, claim.words]
+            assert (row["standing"], row["why"]) == (claim.proved_as.value, claim.why)
+    for claim in limited:
+        head = f"the paper's claim, lines {claim.first} to {claim.last}: {claim.proved_as.value}: {claim.words}"
+        assert lines[lines.index(head) + 1] == f"  {WHY[claim.proved_as]}: {claim.why}"
+    assert {WHY[claim.proved_as] for claim in limited} == {"condition", "known now"}
 
 
 def test_every_count_has_its_denominator(capsys: pytest.CaptureFixture[str], named: list[Entry]) -> None:

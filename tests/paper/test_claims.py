@@ -2,18 +2,32 @@
 
 import re
 import tomllib
+from collections.abc import Mapping
+from dataclasses import replace
 from importlib import resources
 from pathlib import Path
 
 import pytest
 
 from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.checks.entry import Entry
 from gspot_verified.paper.claims import PaperClaim, Standing, paper_claims, standing_counts
 from gspot_verified.paper.verify import PARTS
 
 PAPER = Path(__file__).resolve().parents[3] / "shared" / "paper.tex"
 ENTRIES = [identifier for builders in PARTS.values() for identifier in builders]
-KEYS = {"lines", "begins", "claim", "entries", "premise", "not_checkable", "undecided"}
+KEYS = {"lines", "begins", "claim", "entries", "premise", "not_checkable", "undecided", "under", "overtaken"}
+VALUE = r"\b(?:[εβνχ]|u\(0\)) ?(?:=|<=) ?\d|ε in \(0|10\^-\d"
+RESTRICTIONS = {
+    "at leading order": "leading order",
+    "slow manifold": "slow manifold",
+    "constant α's": "constant|rigid slip",
+    "formal series|expansion in polynomials": "series|expansion|polynomial|Theorem 1|Step",
+    "begins with": "at lift-off",
+    VALUE: f"{VALUE}|Figure|Table|panel|Panel|start|[βε] <|β = ",
+}
+"""What a statement is restricted by, and one of the words by which a claim that is proved by it says so."""
+UNIVERSAL = r"\b(?:all|every|always|never|any|each|only|none|no other|exactly|for ever|unique|whenever)\b"
 
 
 @pytest.fixture
@@ -34,6 +48,8 @@ def test_rows_are_well_formed_and_in_order():
         assert len({"entries", "premise", "not_checkable", "undecided"} & set(row)) == 1, row
         assert row.get("premise", True) is True
         assert row.get("entries", ["x"])
+        limits = {"under", "overtaken"} & set(row)
+        assert len(limits) == 0 or (len(limits) == 1 and "entries" in row and row[limits.pop()].strip()), row
     claims = paper_claims()
     assert [claim.first for claim in claims] == sorted(claim.first for claim in claims)
     assert all(claim.first <= claim.last and claim.words for claim in claims)
@@ -90,6 +106,61 @@ def test_standing(outcomes, standing):
     known = {name: outcome for name, outcome in zip("ab", outcomes, strict=True) if outcome}
     assert claim.standing(known) is standing
     assert PaperClaim(1, 1, "", "x", (), Standing.PREMISE, "").standing(known) is Standing.PREMISE
+    for limited in (Standing.PROVED_UNDER, Standing.OVERTAKEN):
+        found = replace(claim, proved_as=limited, why="β > 1").standing(known)
+        assert found is (limited if standing is Standing.PROVED else standing)
+
+
+def unsaid(claim: PaperClaim, statements: Mapping[str, str]) -> list[str]:
+    """The restrictions of the entries of a claim that neither its words nor its condition say."""
+    said = f"{claim.words} {claim.why}"
+    return [
+        f"{name}: {restriction}"
+        for name in claim.entries
+        for restriction, words in RESTRICTIONS.items()
+        if re.search(restriction, statements[name]) and not re.search(words, said)
+    ]
+
+
+def quantified(claim: PaperClaim, statements: Mapping[str, str]) -> bool:
+    """Whether a claim on all of something has an entry on all of something, or a condition."""
+    found = " ".join(statements[name] for name in claim.entries)
+    return bool(claim.why or not re.search(UNIVERSAL, claim.words) or re.search(UNIVERSAL, found, re.IGNORECASE))
+
+
+def test_a_claim_that_stands_proved_says_what_its_entries_are_restricted_by(whole_ledger: list[Entry]) -> None:
+    statements = {entry.identifier: entry.statement for entry in whole_ledger}
+    outcomes = {entry.identifier: entry.verdict.outcome for entry in whole_ledger}
+    proved = [
+        claim
+        for claim in paper_claims()
+        if claim.entries and claim.standing(outcomes) not in (Standing.REFUTED, Standing.UNDECIDED)
+    ]
+    assert len(proved) > 100
+    assert {claim.first: missing for claim in proved if (missing := unsaid(claim, statements))} == {}
+    assert [claim for claim in proved if not quantified(claim, statements)] == []
+    limited = {claim for claim in paper_claims() if claim.proved_as is not Standing.PROVED}
+    assert limited <= set(proved), "a condition where nothing is proved"
+
+
+@pytest.mark.parametrize(
+    ("words", "why", "statement", "passes"),
+    [
+        ("all starts take an impact", "", "β = 1/2, ν = 2 and 4: an impact", False),
+        ("all starts take an impact", "β = 1/2, ν = 2 and 4", "β = 1/2, ν = 2 and 4: an impact", True),
+        ("Figure 6: the five runs", "", "Panel (a), ν = 1/4: an impact", True),
+        ("the canard divides them", "", "at leading order it lifts off", False),
+        ("the canard divides them", "at leading order", "at leading order it lifts off", True),
+        ("the force grows", "", "on the slow manifold the force grows", False),
+        ("there is one trajectory", "", "there is exactly one expansion in polynomials", False),
+        ("every state reaches it", "", "the state p = 1 reaches it", False),
+        ("every state reaches it", "", "every initial value reaches it", True),
+        ("every state reaches it", "", "every initial value reaches it, for constant α's", False),
+    ],
+)
+def test_what_a_claim_must_say(words: str, why: str, statement: str, passes: bool) -> None:
+    claim = PaperClaim(1, 1, "", words, ("a",), None, why)
+    assert (unsaid(claim, {"a": statement}) == [] and quantified(claim, {"a": statement})) is passes
 
 
 def test_the_counts_have_the_denominator():

@@ -62,11 +62,11 @@ def set_in(report, path, value):
 @pytest.mark.parametrize(
     ("path", "value", "message"),
     [
-        (["schema"], 1, "reads schema 6"),
+        (["schema"], 1, "reads schema 7"),
         (["standings", "premise"], 1, "standings: the file says"),
         (["entries", 0, "from_cache"], None, r"entries\[0\].from_cache: expected true or false"),
-        (["schema"], True, "reads schema 6"),
-        (["schema"], "1", "reads schema 6"),
+        (["schema"], True, "reads schema 7"),
+        (["schema"], "1", "reads schema 7"),
         (["counts"], {"proved": 3, "refuted": 1, "undecided": 0}, "its entries give"),
         (["counts"], {"proved": True, "refuted": 1, "undecided": 2}, "its entries give"),
         (["counts"], None, "counts: expected an object"),
@@ -112,6 +112,12 @@ def set_in(report, path, value):
             "proved",
             r"claims\[1\].standing: the file says proved, its entries give undecided",
         ),
+        (
+            ["claims", 1, "standing"],
+            "overtaken",
+            r"claims\[1\].standing: the file says overtaken, its entries give undecided",
+        ),
+        (["claims", BARE, "standing"], "overtaken", rf"claims\[{BARE}\].standing: overtaken without an entry"),
         (["claims"], None, "expected a list under 'claims'"),
         (["proofs", "a/b"], 64 * "0", "proofs: expected letters, digits"),
         (["entries", 0, "dependencies", "pages"], [1], r"entries\[0\].dependencies.pages: expected texts"),
@@ -159,3 +165,16 @@ def test_the_rungs_are_counted_by_outcome(report):
     assert report["page_alone"] == 1
     assert {rung for rung, number in report["rungs"]["proved"].items() if number} == {"page"}
     assert {rung for rung, number in report["rungs"]["refuted"].items() if number} == {"exact"}
+
+
+@pytest.mark.parametrize("standing", ["proved under a condition", "overtaken"])
+def test_a_condition_without_words_is_no_condition(report, standing):
+    row = report["claims"][1]
+    row.update(entries=["t01"], standing=standing, why="β > 1")
+    report["standings"] = {
+        name: sum(row["standing"] == name for row in report["claims"]) for name in report["standings"]
+    }
+    assert checked(report) is report
+    row["why"] = " "
+    with pytest.raises(ValueError, match=rf"claims\[1\].why: {standing}, and nothing says by what"):
+        checked(report)

@@ -3,14 +3,16 @@
 import html
 import json
 import re
+from dataclasses import replace
 from html.parser import HTMLParser
 from urllib.parse import quote, unquote
 
 import pytest
 
 from gspot_verified.paper.checks.entry import Check, Rung, settled
-from gspot_verified.paper.claims import paper_claims
+from gspot_verified.paper.claims import WHY, Standing, paper_claims
 from gspot_verified.report.data import report_data
+from gspot_verified.report.parts.formulas import typeset
 from gspot_verified.report.site import pages, style
 
 IN_EVERY_FOLDER = {"style.css", "figures", "certificates", "cost.json"}
@@ -208,6 +210,22 @@ def test_the_claims_have_their_denominator(site):
     assert not any("badge proved" in row for row in rows)  # none of the ledger's entries is in this report
     [table] = re.findall(r"How much of the paper.*?</table>", site["index.html"], re.S)
     assert sum(map(int, re.findall(r"<td>(\d+)</td>", table))) == len(paper_claims())
+
+
+def test_a_condition_stands_beside_its_claim(entries):
+    limited = [claim for claim in paper_claims() if claim.proved_as is not Standing.PROVED]
+    proved = [replace(entries[0], identifier=name) for name in {name for claim in limited for name in claim.entries}]
+    site = pages(report_data(proved, []))
+    rows = re.findall(r'<tr id="line-.*?</tr>', site["claims.html"], re.S)
+    assert limited
+    for claim in limited:
+        [row] = [row for row in rows if f">{typeset(claim.words)}<br>" in row]
+        assert f'<span class="label">{WHY[claim.proved_as].capitalize()}:</span>' in row
+        assert typeset(claim.why) in row
+        assert f">{claim.proved_as.value}</span>" in row
+    for standing in WHY:
+        number = sum(claim.proved_as is standing for claim in limited)
+        assert re.search(rf'<th scope="row">{standing.value}: [^<]+</th><td>{number}</td>', site["index.html"])
 
 
 def test_certificates_are_listed_with_what_the_checker_said(site):
