@@ -56,8 +56,8 @@ _CONSEQUENCES = {
         "In Case II, too, a canard stands between the impact and the lift-off; the starts beside it that pass the "
         "G-spot and lift off shrink to it as ε → 0.",
     ),
-    "3-table-1-b-5_2": Consequence(
-        Reach.LOCAL, "One measured exponent; the theoretical one beside it is right, and so is the conclusion."
+    "3-table-1-one-series": Consequence(
+        Reach.LOCAL, "Which series of ε was used is not printed; the theoretical exponents are right."
     ),
     "3-table-1-y-1_2": Consequence(
         Reach.LOCAL, "One measured exponent; the theoretical one beside it is right, and so is the conclusion."

@@ -1,6 +1,6 @@
 """How b-hat, v-hat, y-hat at the G-spot scale with epsilon, from the paper's initial data: bounds for all small ones.
 
-Proof page: ``proofs/scaling_exponents.md`` (Theorems E1 to E3).
+Proof page: ``proofs/scaling_exponents.md`` (Theorems E1 to E3, E5).
 """
 
 from __future__ import annotations
@@ -95,12 +95,23 @@ def fast_share(beta: fmpq, name: str, largest: fmpq) -> arb:
 def regression_error(beta: fmpq, name: str, largest: fmpq) -> arb:
     """Theorem E3: the slope of the regression of ln|q-hat| on ln(epsilon) at p = 0 differs from the limit by at most
     this, for every series of epsilon in (0, ``largest``] whose neighbours differ by a factor 101/100 or more."""
-    share = fast_share(beta, name, largest)
     with working_bits(_BITS):
-        if not share < 1:
-            return nonfinite()
-        change = -2 * (1 - share).log() / arb(LEAST_RATIO).log()
-        return (exponent_error(beta, name, largest) + change).abs_upper()
+        return (exponent_error(beta, name, largest) + _fast_change(beta, name, largest)).abs_upper()
+
+
+def pair_error(beta: fmpq, largest: fmpq) -> arb:
+    """Theorem E5: the slopes of v-hat at beta + 1 and of y-hat at beta over one series as in E3 differ by at most this:
+    their integrals N are the same."""
+    with working_bits(_BITS):
+        coefficients = _coefficient_error(beta, largest) + _coefficient_error(beta + 1, largest)
+        changes = _fast_change(beta, "y", largest) + _fast_change(beta + 1, "v", largest)
+        return (coefficients + changes).abs_upper()
+
+
+def _fast_change(beta: fmpq, name: str, largest: fmpq) -> arb:
+    """How much the fast part changes a slope between neighbours (page, section 5)."""
+    share = fast_share(beta, name, largest)
+    return -2 * (1 - share).log() / arb(LEAST_RATIO).log() if share < 1 else nonfinite()
 
 
 def regression_slope(logarithms: Sequence[arb], epsilons: Sequence[fmpq]) -> arb:

@@ -20,6 +20,7 @@ from gspot_verified.paper.numerics.scaling_exponents import (
     exponent_error,
     fast_share,
     limit_exponent,
+    pair_error,
     quantity,
     regression_error,
     regression_slope,
@@ -55,6 +56,27 @@ def test_the_bound_falls_like_the_cube_root(beta: fmpq, name: str) -> None:
     with working_bits(64):
         quotient = exponent_error(beta, name, fmpq(1, 10**9)) / exponent_error(beta, name, fmpq(1, 10**12))
     assert 9 < quotient < 12
+
+
+@pytest.mark.parametrize("beta", [fmpq(1, 2), fmpq(3, 2)])
+def test_v_and_y_of_the_next_beta_scale_alike(beta: fmpq) -> None:
+    largest = fmpq(1, 1500)
+    first, second = quantity(beta + 1, "v"), quantity(beta, "y")
+    assert (first.index, first.power, first.factor) == (second.index, second.power, second.factor)
+    assert limit_exponent(beta + 1, "v") == limit_exponent(beta, "y")
+    error = pair_error(beta, largest)
+    assert error < regression_error(beta, "y", largest) / 8
+    for place in (largest, fmpq(1, 10**4)):
+        places = [place, place / 2, place / 7]
+        with working_bits(96):
+            slopes = [
+                regression_slope([abs(deviations(b, NU, e)[name]).log() for e in places], places)
+                for b, name in ((beta + 1, "v"), (beta, "y"))
+            ]
+            assert abs(slopes[0] - slopes[1]) < error
+            if place == largest:
+                assert abs(slopes[0] - slopes[1]) > error / 100
+    assert not pair_error(beta, fmpq(1, 500)).is_finite()
 
 
 def test_without_its_hypotheses_there_is_no_bound() -> None:

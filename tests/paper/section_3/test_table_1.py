@@ -24,6 +24,8 @@ def test_a_printed_number_is_known_to_half_a_unit_of_the_fourth_decimal() -> Non
 def test_the_decades_are_those_of_the_statement() -> None:
     assert ledger.epsilons(ledger.DECADES) == [fmpq(1, 10**k) for k in (3, 4, 5, 6)]
     assert ledger.epsilons((2000, 5, 3)) == [fmpq(1, 2000), fmpq(1, 10000), fmpq(1, 50000)]
+    assert ledger.epsilons((1000, fmpq(3, 2), 3)) == [fmpq(1, 1000), fmpq(1, 1500), fmpq(1, 2250)]
+    assert ledger.text_of((1000, fmpq(3, 2), 3)) == "ε = 1/1000 and on, each 2/3 of the one before, 3 in all"
     assert ledger.text_of((2000, 5, 3)) == "ε = 1/2000 and on, each 1/5 of the one before, 3 in all"
 
 
@@ -81,9 +83,24 @@ def test_what_is_measured(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_number_that_no_series_gives(monkeypatch: pytest.MonkeyPatch, error: str, answer: bool | None) -> None:
     monkeypatch.setattr(ledger, "regression_error", lambda *_: arb(error))
     monkeypatch.setattr(ledger, "limit_exponent", lambda *_: fmpq(1, 2))
-    assert ledger.can_be_the_number("0.7", "b", BETAS[0]) is answer
-    assert ledger.can_be_the_number("0.3", "b", BETAS[0]) is answer
-    assert ledger.can_be_the_number("0.5", "b", BETAS[0]) is None
+    for text, expected in (("0.7", answer), ("0.3", answer), ("0.5", None)):
+        assert ledger.can_be_the_number(text, "b", BETAS[0], fmpq(1, 2000)) is expected
+
+
+@pytest.mark.parametrize(
+    ("error", "answer"), [("0.001", False), ("0.00109", False), ("0.0011", None), ("0.002", None), ("nan", None)]
+)
+def test_two_numbers_that_no_one_series_gives(monkeypatch: pytest.MonkeyPatch, error: str, answer: bool | None) -> None:
+    monkeypatch.setattr(ledger, "pair_error", lambda beta, _: arb(error if beta == BETAS[1] else 0))
+    assert ledger.can_be_of_one_series(fmpq(1, 2000)) is answer
+
+
+def test_a_number_is_an_erratum_only_if_no_series_of_its_own_gives_it() -> None:
+    assert ledger.is_the_number("1.6635", ledger.slope("b", BETAS[2], (1000, fmpq(3, 2), 3))) is True
+    assert ledger.can_be_the_number("1.6635", "b", BETAS[2], fmpq(1, 2500)) is False
+    assert ledger.can_be_the_number("1.6635", "b", BETAS[2], fmpq(1, 2000)) is None
+    assert ledger.can_be_the_number("1.6538", "y", BETAS[0], ledger.LARGEST) is False
+    assert max(max(ledger.epsilons(series)) for every in ledger.SERIES.values() for series in every) == fmpq(1, 1000)
 
 
 @pytest.mark.parametrize(("first", "answer"), [(999, None), (1000, True), (1001, True)])
@@ -100,13 +117,13 @@ def test_a_series_that_begins_above_the_stated_epsilon_shows_nothing(
 
 def test_every_measured_number_has_its_entry_and_its_note() -> None:
     missing = {(name, beta) for name in ledger.MEASURED for beta in BETAS} - set(ledger.SERIES)
-    assert missing == {("b", BETAS[2]), ("y", BETAS[0])}
+    assert missing == {("y", BETAS[0])}
     for name in ledger.MEASURED:
         for beta in BETAS:
             assert (ledger.identifier(name, beta) in ledger.ENTRIES) is True
             note = ledger._notes(name, beta)
             assert ("vanishes twice" in note) is ((name, beta) == ("t", BETAS[1]))
-            assert ("no power law" in note) is ((name, beta) == ("b", BETAS[2]))
+            assert ("Theorem E3" in note) is ((name, beta) == ("b", BETAS[2]))
 
 
 def test_formulas_at_one_beta() -> None:

@@ -98,6 +98,13 @@ def _teeth() -> Teeth:
             rows = _possible if (name, beta) in ledger.SERIES else _impossible
             found[ledger.identifier(name, beta)] = rows(name, beta)
         found[f"3-table-1-theory-{name}"] = _theory(name)
+    (name, beta), (_, other) = ledger.PAIR
+    found["3-table-1-one-series"] = (
+        Bite("factor", ledger, "MEASURED", in_row(ledger.MEASURED, name, beta, lambda _: ledger.MEASURED["y"][other])),
+        Bite("hidden factor", ledger, "MEASURED", in_row(ledger.MEASURED, "y", ledger.BETAS[0], lambda _: "1.6653")),
+        Bite("hypothesis", ledger, "COMMON", lambda _: fmpq(1, 300)),
+        Bite("order", ledger, "pair_error", lambda honest: lambda *a: honest(*a) * 10),
+    )
     return found
 
 
