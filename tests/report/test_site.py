@@ -5,12 +5,14 @@ import json
 import re
 from dataclasses import replace
 from html.parser import HTMLParser
+from importlib import resources
 from urllib.parse import quote, unquote
 
 import pytest
 
 from gspot_verified.paper.checks.entry import Check, Rung, settled
 from gspot_verified.paper.claims import WHY, Standing, paper_claims
+from gspot_verified.paper.verify import PARTS
 from gspot_verified.report.data import report_data
 from gspot_verified.report.parts.formulas import typeset
 from gspot_verified.report.site import pages, style
@@ -250,15 +252,58 @@ def test_one_entry_reads_well(entries):
     assert "the undecided statement." in site["open.html"]
 
 
-def test_prose_about_the_questions_needs_its_verdicts():
-    """The paragraphs of the start are shown only where every statement that they stand on is proved."""
-    names = ["S-iwc", "C-cases-I-II", "S-side", "S-iwc-case-III", "C-iwc-case-III", "C-lift-off", "S-switching"]
-    checks = (Check(Rung.EXACT, "one", True), Check(Rung.PAGE, "two", True))
-    known = [settled("Section 4.5", name, "line 1", "x", "s", *checks) for name in names]
-    words = "On one side of the distinguished trajectory"
-    assert words in pages(report_data(known, []))["index.html"]
-    undecided = settled("Section 4.5", names[3], "line 1", "x", "s", checks[0])
-    assert words not in pages(report_data([*known[:3], undecided, *known[4:]], []))["index.html"]
+def test_a_finding_of_the_start_is_the_statement_of_its_entry():
+    start = resources.files("gspot_verified.report").joinpath("pages", "start.html.j2").read_text(encoding="utf-8")
+    names = [name for found in re.findall(r"{% set (?:after|way) = (.*?) %}", start) for name in json.loads(found)]
+    ledger = {identifier for builders in PARTS.values() for identifier in builders}
+    assert set(names) <= ledger
+    assert {"S-iwc", "C-cases-I-II", "3-case-II", "5-theorem-1"} <= set(names)
+    holds = (Check(Rung.EXACT, "one", True), Check(Rung.PAGE, "two", True))
+    fails = (Check(Rung.EXACT, "one", False, "f"), Check(Rung.PAGE, "two", False, "f"))
+    outcomes = {name: (holds, fails, holds[:1])[k % 3] for k, name in enumerate(names)}
+    entries = [settled("Section 4.5", n, "line 1", "x", f"says {n}", *outcomes[n], corrected=f"for {n}") for n in names]
+    page = pages(report_data(entries, []))["index.html"]
+    shown = re.findall(r"<li>(<a class=\"chip.*?)</li>", page.replace("\n", " "))
+    assert len(shown) == page.count("<li>", page.index("What happens after")) == len(names)
+    for item, entry in zip(shown, entries, strict=True):
+        text = " ".join(re.sub(r"<[^>]*>", " ", item).split())
+        outcome = entry.verdict.outcome.value
+        mended = f" Correct: {typeset(entry.corrected)}" if outcome == "refuted" else ""
+        assert text == f"{entry.identifier}: {outcome} {typeset(entry.statement)}{mended}"
+
+
+MECHANICS = (
+    r"[Α-Ωα-ω]|\b(?:impacts?|lifts?|contact|force|trajector\w+|slip|stick|canard|expansion|smooth\w*|unique\w*)\b"
+)
+WITHOUT_CLAIM = {
+    "Θ(τ, β), the solution of θ‴ − τθ′ + βθ = 0 whose initial values are the paper’s eqs.",  # what Θ is
+    "next to an integer, a zero, a fold or the canard, where terms cancel, where numbers leave the range of doubles, "
+    "where a Jacobian is nearly singular.",  # what is asked
+    "exp, log, sin(πx), π;",  # functions of FLINT
+    "Γ and 1/Γ, factorials and rising factorials;",
+}
+
+
+def sentences_of(template):
+    """What a template says by itself, without headings and without what it takes from the data, block by block."""
+    text = re.sub(r"\{%.*?%\}|\{\{.*?\}\}|\{#.*?#\}|<(cite|h\d)\b.*?</\1>", " ", template, flags=re.S)
+    for block in re.split(r"</?(?:p|li|dd|dt|figcaption|t[dhr]|ul|ol|dl|table|summary|div)\b[^>]*>", text):
+        plain = html.unescape(re.sub(r"<[^>]+>", "", block)).replace("\xa0", " ")
+        yield from re.split(r"(?<=[.;:?!])\s+", " ".join(plain.split()))
+
+
+def test_no_page_claims_anything_but_through_an_entry():
+    """A sentence on mechanics that stands in a template is nobody's statement: nothing has checked it."""
+    folder = resources.files("gspot_verified.report").joinpath("pages")
+    templates = {file.name: file.read_text(encoding="utf-8") for file in folder.iterdir() if file.name.endswith(".j2")}
+    assert len(templates) > 10
+    found = {
+        (name, said) for name, text in templates.items() for said in sentences_of(text) if re.search(MECHANICS, said)
+    }
+    assert {row for row in found if row[1] not in WITHOUT_CLAIM} == set()
+    assert {said for _, said in found} == WITHOUT_CLAIM
+    old = "<p>So on the impact side of Cases I and II the contact force never\nvanishes, at every ε.</p>"
+    assert [said for said in sentences_of(old) if re.search(MECHANICS, said)]
 
 
 def test_colours_of_text_have_contrast():

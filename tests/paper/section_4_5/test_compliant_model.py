@@ -9,8 +9,11 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified.compliant.contact.lower_polynomial import Term, lower_terms
+from gspot_verified.compliant.contact.threshold import slow_force
 from gspot_verified.compliant.slow.epsilon_series import series_coefficients
+from gspot_verified.leading_order.contact_force import contact_force
 from gspot_verified.leading_order.iwc import leading_order_iwc
+from gspot_verified.numbers.balls import sign_of
 from gspot_verified.paper.section_4_5 import compliant_model as ledger
 
 
@@ -108,3 +111,15 @@ def test_a_threshold_without_its_number_or_its_place_leaves_the_check_open(
     entry = ledger.ENTRIES["C-iwc-case-III"]()
     assert [check.agrees for check in entry.checks] == [True, None]
     assert f"β = {beta}:" not in entry.checks[1].finding
+
+
+@pytest.mark.parametrize(("alpha_2", "sign"), [(fmpq(-1), -1), (fmpq(0), 1), (fmpq(1), 1)])
+def test_in_case_i_the_force_may_vanish_where_its_deviation_does_not(alpha_2: fmpq, sign: int) -> None:
+    """C-cases-I-II is about the deviation: in Case I (α_2 < 0) the mean force is negative, and early the sum is too."""
+    force = contact_force(fmpq(1, 2), alpha_2=alpha_2)
+    assert force.c1 < 0
+    early, late = (slow_force(force, fmpq(tau), fmpq(1, 1000)) for tau in (-20, 0))
+    assert sign_of(early) == sign
+    assert sign_of(late) == 1
+    assert sign < 0 or early > 1
+    assert sign > 0 or abs(early + fmpq(80, 10**4)) < fmpq(1, 10**4)
