@@ -1,8 +1,9 @@
 """The sign of Gamma(-beta) over a range of beta, and which side of the canard lifts off.
 
 Paper, Sec. 4.5. β > 1 (Case III): lift-off where C_1/Γ(-β) < 0, an impact without collision (IWC) where it is
-positive. 0 < β < 1 (Cases I and II): every trajectory that reaches the G-spot in contact has C_1 < 0 and takes an
-IWC (or C_1 = 0, the trivial solution, in Case II). β < 0 is in no Case: no side.
+positive. 0 < β < 1 (Cases I and II): as ε → 0 every trajectory that reaches the G-spot in contact has C_1 < 0 and takes
+an IWC (or C_1 = 0, the trivial solution, in Case II); at a given ε starts next to that one pass and lift off.
+β < 0 is in no Case: no side.
 Proof page: ``proofs/side_switching.md``.
 """
 
@@ -49,7 +50,7 @@ class SignInterval(NoTruthValue, Written):
 
     @property
     def impact_sign(self) -> int | None:
-        """The sign of C_1 that takes an IWC; -1, the only one that occurs, for 0 < beta < 1; None for beta < 0."""
+        """The sign of C_1 that takes an IWC; None for beta < 0. For 0 < beta < 1 it is -1, the only one as ε → 0."""
         return self.sign if self.lower >= 0 else None
 
     def _ends(self) -> tuple[str, str]:
@@ -82,7 +83,7 @@ class SideSwitching(NoTruthValue, Written):
 
     @property
     def switches(self) -> tuple[int, ...]:
-        """The integers where the side switches: 2, 3, ... Below 1 only C_1 < 0 occurs, below 0 nothing is said."""
+        """The integers where the side switches: 2, 3, ... Below 1 C_1 < 0 takes an IWC, below 0 nothing is said."""
         return tuple(n for n in self.integers if n >= 2)
 
     def __str__(self) -> str:
@@ -103,7 +104,7 @@ def side_text(lift_off_sign: int | None, impact_sign: int | None) -> str:
     if impact_sign is None:
         return "no side: the Cases I, II and III have β > 0"
     if lift_off_sign is None:
-        return "Cases I and II: only C1 < 0 occurs, it takes an IWC"
+        return "Cases I and II: C1 < 0 takes an IWC, and as ε → 0 no other sign occurs"
     lift_off, impact = (f"C1 {'>' if sign > 0 else '<'} 0" for sign in (lift_off_sign, impact_sign))
     return f"Case III: {lift_off} lifts off, {impact} takes an IWC"
 
@@ -144,7 +145,7 @@ def side(lower: ExactInput, upper: ExactInput | None = None) -> SideSwitching:
     :raises ValueError: not a number, a reversed range, |beta| > 10^6, or more than 10^5 intervals.
 
     >>> print(side("1/2", 2))
-    [1/2, 1): Γ(-β) < 0; Cases I and II: only C1 < 0 occurs, it takes an IWC
+    [1/2, 1): Γ(-β) < 0; Cases I and II: C1 < 0 takes an IWC, and as ε → 0 no other sign occurs
     (1, 2): Γ(-β) > 0; Case III: C1 < 0 lifts off, C1 > 0 takes an IWC
     Γ(-β) has a pole at β = 1, 2
     in Case III the side switches at β = 2

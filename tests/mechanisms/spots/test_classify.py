@@ -55,7 +55,7 @@ def test_cases_of_the_extended_system(alphas: tuple[Any, Any, Any], case: str, r
         assert found.beta == fmpq(beta.numerator, beta.denominator)
     else:
         assert found.beta is None
-    # A side is given in Case III only; in Cases I and II only C_1 < 0 occurs; in no Case nothing is said.
+    # A side is given in Case III only; in Cases I and II C_1 < 0 takes an IWC; in no Case nothing is said.
     assert (found.lift_off_sign, found.impact_sign) == {"III": (-1, 1), "none": (None, None)}.get(case, (None, -1))
     data = json.loads(json.dumps(found.to_json()))
     assert (data["lift_off_sign_of_C1"], data["impact_sign_of_C1"]) == (found.lift_off_sign, found.impact_sign)

@@ -56,7 +56,7 @@ def test_pieces_cover_the_range_and_alternate(lower: Fraction, width: Fraction) 
             assert gamma_sign_by_ball(middle) == interval.sign
         assert interval.lower_closed == (interval.lower == lower and gamma_sign(lower) != 0)
         assert interval.upper_closed == (interval.upper == upper and gamma_sign(upper) != 0)
-        # Paper, Sec. 4.5: both signs of C_1 occur for beta > 1 only; for 0 < beta < 1 only C_1 < 0 does.
+        # Paper, Sec. 4.5: both signs of C_1 occur for beta > 1 only; for 0 < beta < 1 only C_1 < 0 does as eps -> 0.
         case_iii, some_case = interval.lower >= 1, interval.lower >= 0
         assert interval.lift_off_sign == (-interval.sign if case_iii else None)
         assert interval.impact_sign == (interval.sign if case_iii else -1 if some_case else None)

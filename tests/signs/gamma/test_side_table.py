@@ -60,7 +60,8 @@ def test_words() -> None:
     assert str(side("-2", "-1")) == f"[-2, -1]: Γ(-β) > 0; {no_case}"
     assert str(side("-1", "0")) == f"[-1, 0): Γ(-β) > 0; {no_case}\nΓ(-β) has a pole at β = 0"
     assert str(side("0", "1/2")) == (
-        "(0, 1/2]: Γ(-β) < 0; Cases I and II: only C1 < 0 occurs, it takes an IWC\nΓ(-β) has a pole at β = 0"
+        "(0, 1/2]: Γ(-β) < 0; Cases I and II: C1 < 0 takes an IWC, and as ε → 0 no other sign occurs\n"
+        "Γ(-β) has a pole at β = 0"
     )
     assert str(side("3/2", 3)) == (
         "[3/2, 2): Γ(-β) > 0; Case III: C1 < 0 lifts off, C1 > 0 takes an IWC\n"
