@@ -196,7 +196,7 @@ def _run(scene: Scene, conditions: Conditions, samples: SegmentSamples | None, s
         began, phase = start[CLOCK], phases[now.phase]
         record.seen = began
         observer: Observer = _ImpactObserver(phase, began, end, scene.epsilon, record)
-        observer = _ConditionObserver(observer, conditions, phases, now.phase, began, record)
+        observer = _ConditionObserver(observer, conditions, phases, now.phase, began, end, record)
         if samples is not None:
             observer = samples.beside(observer, phase.system, began)
         steps.begins(now.phase, began)
@@ -245,8 +245,8 @@ def _checked_start(
 
 
 class _ConditionObserver:
-    """Looks at the end of each segment whether a condition that could not be followed has certainly failed by then;
-    up to there those that are followed hold."""
+    """Looks at the end of each segment whether a condition that could not be followed has certainly failed by then, and
+    before the end of the time; up to there those that are followed hold."""
 
     def __init__(
         self,
@@ -255,16 +255,18 @@ class _ConditionObserver:
         phases: CertifiedPhases,
         phase: str,
         began: arb,
+        end: arb,
         record: Record,
     ) -> None:
         self._inner, self._conditions, self._phases, self._phase = inner, conditions, phases, phase
-        self._began, self._record = began, record
+        self._began, self._end, self._record = began, end, record
 
     def __call__(self, segment: Step, states: Mapping[str, arb]) -> bool:
         time = self._record.seen = self._began + segment.end_time
         for event, value in self._phases.conditions(self._phase, {**states, CLOCK: time}):
-            if (negative := less(value, 0)) is not None:
-                self._record.violated = event.left_out, self._conditions.since(event, time), negative
+            failed = every([less(value, 0), at_most(time, self._end)])
+            if failed is not None:
+                self._record.violated = event.left_out, self._conditions.since(event, time), failed
                 return True
         return self._inner(segment, states)
 
