@@ -53,7 +53,8 @@ class Samples:
     def _npz(self, stream: IO[bytes]) -> None:
         import numpy as np
 
-        np.savez_compressed(stream, allow_pickle=False, phase=np.array(self.phases), **self.columns)
+        numbers: dict[str, Any] = {name: np.asarray(column, dtype=float) for name, column in self.columns.items()}
+        np.savez_compressed(stream, phase=np.array(self.phases), **numbers)  # no objects: nothing is pickled
 
 
 def _in_one_step(place: Path, write: Callable[[IO[bytes]], None]) -> None:

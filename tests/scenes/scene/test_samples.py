@@ -129,6 +129,51 @@ def test_files_hold_the_arrays(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("suffix", [".csv", ".npz"])
+def test_a_file_holds_numbers_of_every_row_and_nothing_else(tmp_path: Path, suffix: str) -> None:
+    """A column of objects is no trajectory (it would be pickled), and a row without a phase is not dropped in
+    silence."""
+    place = tmp_path / f"run{suffix}"
+    SAMPLES.save(place)
+    before = place.read_bytes()
+    words = Samples({"t": np.array([0.0, 0.1]), "b": np.array(["a", {}], dtype=object)}, ("slip", "flight"))
+    with pytest.raises((TypeError, ValueError)):
+        words.save(place)
+    assert place.read_bytes() == before
+    if suffix == ".npz":
+        with np.load(place, allow_pickle=False) as found:
+            assert set(found.files) == {"t", "b", "phase"}
+    else:
+        with pytest.raises(ValueError, match="shorter"):
+            Samples(SAMPLES.columns, ("slip",)).save(place)
+        assert place.read_bytes() == before
+
+
+def test_the_rights_are_those_of_a_file_made_by_open(tmp_path: Path) -> None:
+    before = os.umask(0o026)
+    try:
+        made = SAMPLES.save(tmp_path / "run.csv")
+        (tmp_path / "opened").write_text("")
+        assert os.umask(0o026) == 0o026
+    finally:
+        os.umask(before)
+    assert made.stat().st_mode & 0o777 == (tmp_path / "opened").stat().st_mode & 0o777 == 0o640
+
+
+def test_an_interruption_just_after_the_file_is_in_its_place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is passed on, and no error about the part that is gone hides it."""
+    put = os.replace
+
+    def interrupted(*given: Any) -> None:
+        put(*given)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(os, "replace", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        SAMPLES.save(tmp_path / "run.csv")
+    assert [path.name for path in tmp_path.iterdir()] == ["run.csv"]
+
+
+@pytest.mark.parametrize("suffix", [".csv", ".npz"])
 def test_a_full_disk_leaves_the_old_file_and_nothing_else(
     tmp_path: Path, suffix: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
