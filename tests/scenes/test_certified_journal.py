@@ -121,6 +121,24 @@ def hostile(data: dict[str, Any]) -> None:
     data["step"]["margins"][0] = ["1", 10**9]
 
 
+def bare(count: int, path: Path) -> list[dict[str, int]]:
+    """A journal of three lines of which all but ``count`` were dropped and one was added, read again."""
+    made = StepJournal(path, {"question": 1})
+    for number in range(3):
+        made.add({"step": number})
+    made.cut(count)
+    assert made.lines == [{"step": number} for number in range(count)]
+    made.add({"step": 7})
+    del made  # its lock
+    return StepJournal(path, {"question": 1}).lines
+
+
+@pytest.mark.parametrize("count", range(4))
+def test_after_lines_were_dropped_the_next_one_follows_on_the_last_that_is_left(tmp_path: Path, count: int) -> None:
+    """Each digest rests on the line before it: after a cut to no line, to one, to more, the file can be read."""
+    assert bare(count, tmp_path / "journal") == [*({"step": number} for number in range(count)), {"step": 7}]
+
+
 @pytest.mark.parametrize("change", [shrunk, moved, lengthened, uncovered, rated, hostile])
 def test_a_changed_step_is_never_believed(
     whole: Whole, tmp_path: Path, change: Callable[[dict[str, Any]], None]

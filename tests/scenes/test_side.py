@@ -161,8 +161,34 @@ def test_without_the_sign_of_k_a_loss_rests_on_the_lift_off_of_the_run(monkeypat
     assert (found.side, found.verdict.outcome) == (LOST, Outcome.PROVED)
     assert "cover" in str(found.verdict.evidence)
     runs = side.compliant_run
-    monkeypatch.setattr(side, "compliant_run", lambda *given: dataclasses.replace(runs(*given), events=()))
-    assert certified_side(scene).verdict.outcome is Outcome.UNDECIDED
+    for names in ((), ("touch-down",)):  # only a lift-off is a loss of contact
+
+        def renamed(*given: Any, names: tuple[str, ...] = names) -> Any:
+            run = runs(*given)
+            events = [dataclasses.replace(run.events[0], name=name) for name in names]
+            return dataclasses.replace(run, events=tuple(events))
+
+        monkeypatch.setattr(side, "compliant_run", renamed)
+        assert certified_side(scene).verdict.outcome is Outcome.UNDECIDED
+
+
+def test_what_the_power_series_is_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    """α₁ = −1/2, so that no unit is 1: the mean force is λ_N of the start less its deviation, and the time reaches to
+    the p of the state that lasts, as dp/dT = −ε."""
+    scene = load_scene("fig-varsim1", beta="3/2", nu="1/4", epsilon="1/100", alpha_1="-1/2")
+    asked, lasting = [], []
+    series, lasts = side.positive_by_series, side.lasting_contact
+    monkeypatch.setattr(side, "positive_by_series", lambda *given: asked.append(given) or series(*given))
+    monkeypatch.setattr(side, "lasting_contact", lambda *given: lasting.append(given[0]) or lasts(*given))
+    assert certified_side(scene).side == LASTS
+    ((start, mean, until),) = asked
+    state = scene.initial()
+    force = (state["z"] - state["y"]) / scene.epsilon**2
+    assert mean == 4 * force - start.force  # the unit of time is 2
+    assert (start.p, start.epsilon) == (state["p"], scene.epsilon / 2)
+    rest = lasting[-1].p + until * start.epsilon - start.p
+    assert rest.rad() < 1e-15
+    assert rest.contains(0)
 
 
 def test_what_a_float_run_says(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -23,6 +23,25 @@ def test_it_is_the_certified_run() -> None:
     assert found.verdict.outcome.value == "proved"
 
 
+def test_what_is_left_out_and_what_is_given(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The page's 15 decimals and 20 000 steps, Radau at 1e-10; each that is given is passed on, a 0 too."""
+    scene, asked = load_scene("fig-varsim1"), list[tuple[Any, ...]]()
+    for name in ("certified_run", "float_run"):
+        monkeypatch.setattr(f"gspot_verified.scenes.simulate.{name}", lambda *given: asked.append(given))
+    simulate(scene)
+    simulate(scene, digits=0, budget=0, route="integrator", points=0, journal=Path("x"), progress=print)
+    simulate(scene, floats=True)
+    simulate(scene, floats=True, method="BDF", tolerance=0.0, points=0, journal=Path("x"))
+    silent = asked[0][-1]
+    assert asked == [
+        (scene, 15, None, None, None, 20_000, silent),
+        (scene, 0, "integrator", 0, Path("x"), 0, print),
+        (scene, "Radau", 1e-10, None, None),
+        (scene, "BDF", 0.0, 0, Path("x")),
+    ]
+    silent("nothing is shown")
+
+
 def test_or_the_float_run() -> None:
     scene = load_scene("fig-varsim1", beta="3/2", nu=2)
     found = simulate(scene, floats=True, method="LSODA", tolerance=1e-6, points=5)

@@ -1,0 +1,103 @@
+"""Enclosures of the exact solution and of the flight: against a float run, and where they must end."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.compliant.motion.run import events
+from gspot_verified.numbers.evidence import less
+from gspot_verified.numbers.verdict import Reason, Verdict
+from gspot_verified.scenes.certified import certified_samples as module
+from gspot_verified.scenes.certified.certified_samples import MAX_POINTS, certified_samples, midpoint_and_radius
+from gspot_verified.scenes.certified_run import exact_start
+from gspot_verified.scenes.floats.float_run import float_run
+from gspot_verified.scenes.scene.file import load_scene
+
+COLUMNS = ("t", "p", "b", "y", "v", "z", "lambda_N")
+
+
+def test_in_units_other_than_1_also_where_the_bracket_of_the_lift_off_is_wide() -> None:
+    """α₁ = −2. With 4 digits the lift-off has a bracket, and with it everything in flight a radius: the float run,
+    whose error is some 1e-8, lies within it."""
+    scene = load_scene("fig-varsim1", beta="3/2", nu=2, alpha_1=-2, epsilon="1/10", until=3)
+    seen = float_run(scene, "LSODA", points=7).samples
+    assert seen is not None
+    places = {round(time, 9): i for i, time in enumerate(seen.columns["t"].tolist())}
+    run = events(*exact_start(scene), 4)
+    found = certified_samples(run, scene.until, 7)
+    assert found.phases == ("slip",) * 2 + ("flight",) * 5
+    assert set(found.columns) == {name + end for name in COLUMNS for end in ("", "_radius")}
+    for i, time in enumerate(found.columns["t"].tolist()):
+        for name in COLUMNS:
+            middle, radius = found.columns[name][i], found.columns[name + "_radius"][i]
+            size = np.abs(found.columns[name]).max()
+            assert abs(seen.columns[name][places[round(time, 9)]] - middle) <= radius + 2e-7 * size, (name, time)
+            assert 0 <= radius <= (1e-13 if i < 2 else 1e-3) * size, (name, time)
+    assert found.columns["b_radius"][-1] > 1e-6
+
+
+def values(force: str | arb, **others: arb) -> SimpleNamespace:
+    state = {name: arb(1) for name in "bvyz"} | others
+    return SimpleNamespace(p=fmpq(1), **state, force=arb(force))
+
+
+def fake(*, known: bool = True, found: tuple[Any, ...] = ()) -> Any:
+    verdict = Verdict.proved("lasts", less(0, 1)) if known else Verdict.undecided("?", Reason.BUDGET, "for the test")
+    return SimpleNamespace(events=found, verdict=verdict, start=fmpq(0), model=None, state=None)
+
+
+@pytest.mark.parametrize(
+    ("last", "rows"),
+    [
+        (values("3999.99"), 3),  # up to 1000 times the first, not less
+        (values("4000"), 3),
+        (values("4000.01"), 2),
+        (values("1e400"), 2),
+        (values("nan"), 2),
+        (values("4", b=arb("1e309")), 2),
+        (values("4", z=arb.nan()), 2),
+    ],
+)
+def test_they_end_where_a_force_is_1000_times_the_first_or_no_float_holds_a_value(
+    monkeypatch: pytest.MonkeyPatch, last: SimpleNamespace, rows: int
+) -> None:
+    steps = iter([values("4"), values("5"), last])
+    monkeypatch.setattr(module, "force", lambda *_: next(steps))
+    found = certified_samples(fake(), fmpq(1), 3)
+    assert len(found.phases) == len(found.columns["t"]) == rows
+    assert all(np.isfinite(column).all() for column in found.columns.values())
+
+
+def test_without_a_proof_that_the_contact_lasts_there_is_no_sample(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "force", lambda *_: values("4"))
+    assert certified_samples(fake(known=False), fmpq(1), MAX_POINTS).phases == ()
+    assert certified_samples(fake(), fmpq(1), 2).columns["t"].tolist() == [0.0, 1.0]
+    for points in (-1, 0, 1, MAX_POINTS + 1):
+        with pytest.raises(ValueError, match=r"points: expected 2\.\.100000, got"):
+            certified_samples(fake(known=False), fmpq(1), points)
+
+
+def test_between_the_ends_of_a_bracket_nothing_is_known(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Lift-off in [2, 4], touch-down in [6, 8]: at its lower end the first is not yet; at its upper end it may be."""
+    monkeypatch.setattr(module, "force", lambda *_: values("4"))
+    monkeypatch.setattr(module, "_in_flight", lambda *_: [arb(0)] * 6)
+    lift = SimpleNamespace(name="lift-off", lower=fmpq(2), upper=fmpq(4))
+    land = SimpleNamespace(name="touch-down", lower=fmpq(6), upper=fmpq(8))
+    known = {
+        time: None if (at := module._values(fake(known=False, found=(lift, land)), fmpq(time), 12)) is None else at[0]
+        for time in range(9)
+    }
+    assert known == dict.fromkeys((0, 1, 2), "slip") | dict.fromkeys((3, 4), None) | {5: "flight"} | dict.fromkeys(
+        (6, 7, 8), None
+    )
+    assert module._values(fake(found=(lift,)), fmpq(5), 12) is None
+
+
+@pytest.mark.parametrize("ball", [arb("1e400"), arb("-1e400"), arb(0, arb("1e400")), arb("inf"), arb.nan()])
+def test_what_no_float_holds_has_an_infinite_radius(ball: arb) -> None:
+    assert midpoint_and_radius(ball)[1] == float("inf")
