@@ -238,6 +238,22 @@ def test_only_decided_starts_count_and_silence_is_not_wrong(monkeypatch: pytest.
     assert [row["side"] for row in found.to_json()["starts"]] == [LOST, LOST, LASTS, LOST, None]
 
 
+def test_all_of_the_set_is_asked_where_nothing_is_chosen(monkeypatch: pytest.MonkeyPatch) -> None:
+    shipped = hard_sides.hard_sides().restricted(epsilons=["1/100"], betas=["5/2"], nus=["2"])
+    fake({fmpq(2): LOST}, {fmpq(2): LOST}, monkeypatch)
+    monkeypatch.setattr(hard_sides, "hard_sides", lambda: shipped)
+    found = hard_sides.wrong_sides()
+    assert len(found.counts) == len(shipped.solvers) * len(shipped.tolerances) > 1
+    assert {(count.wrong, count.decided) for count in found.counts} == {(0, 1)}
+
+
+def test_the_tightest_and_the_loosest_tolerance() -> None:
+    assert hard_sides.hard_sides().restricted(tolerances=["1e-13", "1e-2"]).tolerances == ("1e-13", "1e-2")
+    for beyond in ("9e-14", "1.001e-2", "nan", "inf", "-1e-6"):
+        with pytest.raises(SceneError, match=r"tolerance: expected 1e-13\.\.1e-2, got"):
+            hard_sides.hard_sides().restricted(tolerances=[beyond])
+
+
 def test_the_shipped_set() -> None:
     found = hard_sides.hard_sides()
     assert len(list(found.starts())) == 72

@@ -15,6 +15,7 @@ from samples.strategies import ends, holds, to_fmpq
 
 from gspot_verified.functions.expressions import Constant, Expression, Sine, Variable
 from gspot_verified.mechanisms.zeros.velocity_roots import VelocityRoots, quadratic_roots
+from gspot_verified.numbers.balls import working_bits
 
 NUMBER = st.fractions(-20, 20, max_denominator=12)
 Q, V, W = Variable(0), Variable(1), Variable(2)
@@ -173,3 +174,22 @@ def test_a_regular_system_shows_its_determinant() -> None:
     assert found.shown is not None
     assert found.shown.facts[0] == "0 != 1.00000"
     assert len(found.shown.facts) == 4
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_small_root_beside_a_large_one_is_as_narrow(sign: int) -> None:
+    """s^2 - sign (10^12 + 10^-12) s + 1, with the roots sign 10^12 and sign 10^-12: a difference leaves no digit."""
+    with working_bits(100):
+        found = quadratic_roots(arb(1), -sign * (arb(10) ** 12 + arb(10) ** -12), arb(1))
+        small, large = found.points if sign == 1 else found.points[::-1]
+        for root, power in ((small, -12), (large, 12)):
+            assert root.overlaps(sign * arb(10) ** power)
+            assert root.rad() < abs(root) * arb(10) ** -25
+
+
+def test_one_quadratic_condition_alone_needs_no_determinant() -> None:
+    closed = VelocityRoots.of([V * V - Q], 2, [1])
+    assert closed is not None
+    found = closed.all_roots([arb(4), arb(0)])
+    assert found.shown is not None
+    assert found.shown.facts == ("0 < 1.00000", "0 < 16.0000", "-2.00000 < 2.00000")

@@ -1,0 +1,91 @@
+"""A phase in floats: what ends it, from which side, and what the solver is told; nothing of it is proved."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+import scipy.integrate
+from flint import fmpq
+
+from gspot_verified.mechanisms.input.given import lagrangian
+from gspot_verified.scenes.floats.float_phase import FloatPhase
+from gspot_verified.scenes.scene.file import load_scene
+from gspot_verified.scenes.scene.scene import Scene, SceneError
+
+MODEL = load_scene("fig-varsim1", epsilon="1/4", p="1/2")
+STATE = {"b": -1.0, "Y": -3.0, "V": 0.5, "Z": -1.0}
+POINT = [STATE[name] for name in FloatPhase(MODEL, "slip", None).states]
+STICK = ("compliant_contact", "lift_off", "tangential_motion", "stick")
+
+
+def block() -> Scene:
+    made = lagrangian("block", ["X", "H"], [[1, "1/4"], ["1/4", 1]], ["-1/2", -1], "X", "H", "1/4")
+    return Scene("test", STICK, fmpq(1, 10), fmpq(1), {}, {"X_dot": "1"}, None, made)
+
+
+def test_only_friction_guards_a_stick() -> None:
+    """Lift-off ends a stick too, and is no direction of slip that could follow at its start."""
+    phase = FloatPhase(block(), "stick", None)
+    assert {name for name, _ in phase.ends} == {"lift-off", "slip forwards", "slip backwards"}
+    assert [name for name, _ in phase.guards] == ["slip", "reverse slip"]
+    assert FloatPhase(block(), "slip", None).guards == []
+
+
+@pytest.mark.parametrize(
+    ("time", "value"),
+    [(0.0, 10.0), (2.0, 10.0), (2.0625, 8.0), (4.0, 8.0)],  # p = 1/2 - T/4, 0 at T = 2
+)
+def test_a_large_force_ends_a_contact_where_p_is_negative(time: float, value: float) -> None:
+    phase = FloatPhase(MODEL, "slip", 10.0)
+    assert phase.shown(POINT, time)["p"] == 0.5 - time / 4
+    assert phase.ends[-1] == ("impact without collision", None)
+    event = phase._events[-1]
+    assert event(time, np.array(POINT)) == value  # lambda_N = 2
+    assert (event.terminal, event.direction) == (True, -1.0)
+    assert len(phase.ends) == len(phase._events) == 2
+    for without in (FloatPhase(MODEL, "slip", None), FloatPhase(MODEL, "flight", 10.0)):
+        assert [name for name, _ in without.ends] in (["lift-off"], ["touch-down"])
+        assert len(without._events) == 1
+
+
+def test_rows_are_in_the_units_of_the_paper() -> None:
+    """t = epsilon T, y = epsilon^2 Y, v = epsilon V; at T = 1, p = 1/4 and the force is Z - Y."""
+    phase = FloatPhase(MODEL, "slip", None)
+    (row,) = phase.rows([1.0], np.array([POINT]).T)
+    expected = {"p": 0.25, "b": -1.0, "y": -3 / 16, "v": 1 / 8, "z": -1 / 16, "lambda_N": 2.0}
+    assert row[0] == 0.25
+    assert dict(zip(phase.names, row[1:], strict=True)) == expected
+    assert phase.shown(POINT, 1.0) == expected
+    with pytest.raises(ValueError, match="zip"):
+        phase.rows([1.0, 2.0], np.array([POINT]).T)
+
+
+def test_what_the_solver_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The absolute tolerance is a thousandth of the relative one; the Jacobian matrix is that of the rates, by
+    differences; a solver that stops or breaks is an error of the scene."""
+    told: dict[str, Any] = {}
+
+    def solve(function: Any, span: Any, state: Any, **options: Any) -> Any:
+        told.update(options, function=function, span=span, state=state)
+        return SimpleNamespace(success=True)
+
+    monkeypatch.setattr(scipy.integrate, "solve_ivp", solve)
+    phase = FloatPhase(MODEL, "slip", None)
+    phase.integrate(POINT, (0.0, 3.0), "BDF", 1e-6)
+    assert (told["method"], told["span"], told["rtol"], told["dense_output"]) == ("BDF", (0.0, 3.0), 1e-6, True)
+    assert told["atol"] == pytest.approx(1e-9)
+    assert told["state"].tolist() == POINT
+    assert told["events"] == phase._events
+    slopes, size = told["jac"](1.0, np.array(POINT)), len(POINT)
+    assert slopes.shape == (size, size)
+    for j in range(size):
+        step = 1e-3 * np.eye(size)[j]
+        up, down = (np.array(told["function"](1.0, np.array(POINT) + sign * step)) for sign in (1, -1))
+        assert slopes[:, j] == pytest.approx((up - down) / 2e-3, abs=1e-9)
+    for said in (lambda *_, **__: SimpleNamespace(success=False, message="too stiff"), lambda *_, **__: 1 / 0):
+        monkeypatch.setattr(scipy.integrate, "solve_ivp", said)
+        with pytest.raises(SceneError, match=r"^the float run failed in slip: (too stiff|division by zero)$"):
+            phase.integrate(POINT, (0.0, 3.0), "BDF", 1e-6)
