@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import sys
 import tomllib
 from importlib import resources
@@ -9,8 +10,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from flint import fmpq
 from jsonschema import Draft202012Validator
 
+from gspot_verified.functions.expressions import Constant
 from gspot_verified.mechanisms.input.mechanism import MechanismError
 from gspot_verified.scenes.scene.file import SHIPPED, load_scene, parse_scene, scene_file_schema
 from gspot_verified.scenes.scene.scene import SceneError
@@ -166,3 +169,112 @@ def test_what_is_no_text_file_is_not_read(tmp_path: Path) -> None:
     text = TEXT.replace("until", 'mechanism = "pipe.toml"\nuntil', 1)
     with pytest.raises(SceneError, match=r"there is no file 'pipe\.toml'"):
         parse_scene(text, tmp_path)
+
+
+def test_the_longest_name_and_the_longest_file(tmp_path: Path) -> None:
+    """80 characters of a name, 100 000 bytes of a file; one more is refused, and so is a line feed in a name."""
+    assert parse_scene(TEXT.replace("mine", "m" * 80)).name == "m" * 80
+    for name in ("m" * 81, "  ", "a\\nb", "a\\u0007"):
+        with pytest.raises(SceneError, match='key "name" must be one line of visible text, at most 80 characters'):
+            parse_scene(TEXT.replace("mine", name))
+    longest = TEXT + "#" * (100_000 - len(TEXT))
+    path = tmp_path / "scene.toml"
+    path.write_text(longest, encoding="utf-8")
+    assert load_scene(path) == parse_scene(longest) == parse_scene(TEXT)
+    path.write_text(longest + "#", encoding="utf-8")
+    with pytest.raises(SceneError, match="a scene file may have at most 100000 bytes"):
+        load_scene(path)
+    with pytest.raises(SceneError, match="a scene may have at most 100000 characters"):
+        parse_scene(longest + "#")
+
+
+def test_a_mark_of_byte_order_is_no_part_of_the_text(tmp_path: Path) -> None:
+    path = tmp_path / "scene.toml"
+    path.write_bytes(b"\xef\xbb\xbf" + TEXT.encode())
+    assert load_scene(path) == parse_scene(TEXT)
+
+
+def test_a_file_that_cannot_be_read_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "scene.toml"
+    path.write_text(TEXT)
+
+    def refused(*_: object, **__: object) -> None:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(Path, "open", refused)
+    with pytest.raises(SceneError, match=r"scene\.toml: cannot be read: Permission denied$"):
+        load_scene(path)
+
+
+MECHANISM_TEXT = """
+format = 1
+name = "a rod"
+mechanism = "rod"
+effects = ["compliant_contact", "lift_off"]
+epsilon = "1e-3"
+until = "1/3"
+stop_at_force = 5
+[parameters]
+k_1 = 2
+mu = "5/4"
+[start]
+theta = "theta_ref - 1/10"
+theta_dot = "1"
+"""
+
+
+def test_every_key_of_a_file_comes_to_its_place() -> None:
+    """Parameters of the mechanism go to it, the others to the scene; a formula of the start stays a text."""
+    found = parse_scene(MECHANISM_TEXT)
+    assert (found.epsilon, found.until, found.stop_at_force) == (fmpq(1, 1000), fmpq(1, 3), fmpq(5))
+    assert found.effects == ("compliant_contact", "lift_off")
+    assert found.parameters == {"k_1": fmpq(2)}
+    assert found.start == {"theta": "theta_ref - 1/10", "theta_dot": "1"}
+    assert found.mechanism is not None
+    assert dict(found.mechanism.parameters)["mu"] == Constant(fmpq(5, 4))
+    plain = parse_scene(TEXT)
+    assert (plain.stop_at_force, plain.mechanism, plain.parameters) == (None, None, {})
+    assert plain.start == {"p": fmpq(1, 2), "b": fmpq(-1)}
+    with pytest.raises(SceneError, match="unknown parameter 'mu'"):
+        parse_scene(TEXT + '[parameters]\nmu = "5/4"\n')
+    with pytest.raises((SceneError, MechanismError), match='"format" must be 1'):
+        parse_scene(TEXT.replace("format = 1", "format = 2"))
+
+
+def test_a_mechanism_s_file_is_looked_for_beside_the_scene(tmp_path: Path) -> None:
+    from gspot_verified.mechanisms.shipped import shipped_mechanism
+
+    place = resources.files("gspot_verified.mechanisms").joinpath("data", "falling_rod.toml")
+    (tmp_path / "mine.toml").write_text(place.read_text(encoding="utf-8"), encoding="utf-8")
+    text = MECHANISM_TEXT.replace('mechanism = "rod"', 'mechanism = "mine.toml"')
+    found = parse_scene(text, tmp_path).mechanism
+    assert found is not None
+    assert found.state == shipped_mechanism("rod").state
+    (tmp_path / "scene.toml").write_text(text, encoding="utf-8")
+    assert load_scene(tmp_path / "scene.toml").mechanism == found
+    with pytest.raises(SceneError, match=r"there is no file 'mine\.toml'"):
+        parse_scene(text, tmp_path / "elsewhere")
+    with pytest.raises(SceneError, match=r"there is no file 'x+'$"):
+        parse_scene(text.replace("mine.toml", "x" * 996 + ".toml"), tmp_path)
+
+
+def test_a_parameter_of_the_mechanism_and_of_an_effect_is_refused() -> None:
+    """One mechanism whose parameter is called k_1, as the stiffness of the contact is."""
+    from gspot_verified.mechanisms.shipped import shipped_mechanism
+    from gspot_verified.scenes.scene import file
+
+    rod = shipped_mechanism("rod")
+    clash = dataclasses.replace(rod, parameters=(*rod.parameters, ("k_1", fmpq(1))))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(file, "shipped_mechanism", lambda _: clash)
+        with pytest.raises(SceneError, match="parameter 'k_1' is one of the mechanism and of an effect"):
+            parse_scene(MECHANISM_TEXT)
+
+
+def test_a_name_that_is_nearly_one_of_the_package() -> None:
+    with pytest.raises(SceneError, match=r"no scene of that name; did you mean 'fig-varsim[12]'"):
+        load_scene("fig-varsim")
+    with pytest.raises(SceneError, match=f"^no scene file '{'x' * 60}', and no scene of that name; there are: fig-"):
+        load_scene("x" * 61)
+    with pytest.raises(SceneError, match="no scene file"):
+        load_scene(Path("rod"))  # a path is no name
