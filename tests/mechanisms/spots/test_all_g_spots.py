@@ -23,7 +23,7 @@ from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.spots.all_g_spots import _Search, _singular, find_g_spots
 from gspot_verified.mechanisms.spots.g_spot import DEFAULT_BITS, GSpot, find_g_spot
-from gspot_verified.mechanisms.spots.g_spot_list import Account, GSpots, Left, Patch
+from gspot_verified.mechanisms.spots.g_spot_list import Account, GSpots, Left, Patch, in_words
 from gspot_verified.mechanisms.spots.search_region import Region
 from gspot_verified.mechanisms.spots.spot_conditions import Stage
 from gspot_verified.mechanisms.zeros.all_zeros import Zeros, ZeroSearch
@@ -405,11 +405,24 @@ def test_results_have_text_and_plain_data() -> None:
     text = str(found)
     assert "exactly 4 G-spots" in text
     assert text.count("G-spot 4") == 1
+    words = ", ".join(f"{name} = {value}" for name, value in found.spots[0].to_json().items())
+    assert f"  G-spot 1: {words}" in text.splitlines()
+    assert "theta_dot = " in words
     data = json.loads(json.dumps(found.to_json()))
     assert data["verdict"]["outcome"] == "proved"
     assert len(data["spots"]) == 4
     with pytest.raises(TypeError, match="complete"):
         bool(found)
+
+
+def test_only_an_angle_is_counted_from_its_reference() -> None:
+    """The second angle from its own one; its velocity from none, though the mechanism has angles."""
+    rod = shipped_mechanism("rod")
+    (angle,) = rod.angles
+    other = replace(angle, coordinate="eta")
+    both = replace(rod, angles=(other, angle))
+    said = [in_words(both, word, arb(1) / 2) for word in ("theta", "eta", "theta_dot", "X")]
+    assert said == [f"{name}0.500000000000000" for name in ("theta_ref + ", "eta_ref + ", "", "")]
 
 
 def sloped(surface: str) -> Mechanism:

@@ -230,3 +230,72 @@ def test_a_box_without_zeros_is_excluded_by_the_operator() -> None:
     program = BoxProgram([X + Y - c(Fraction(3, 2)), X - Y - c(Fraction(3, 2))], 2)
     found = ZeroSearch(program, [arb(0)] * 2, [None] * 2).run([arb(0, 1), arb(0, 1)], budget)
     assert (found.zeros, found.left, found.stopped, budget.boxes) == ([], [], "", 0)
+
+
+@settings(deadline=None, max_examples=25)
+@given(
+    st.sets(st.fractions(-1, 1, max_denominator=30), min_size=1, max_size=5),
+    st.fractions(-1, 1, max_denominator=30),
+    st.sampled_from([-1, 1]),
+)
+def test_with_an_objective_the_zeros_at_which_it_is_largest_are_found(
+    roots: set[Fraction], centre: Fraction, sign: int
+) -> None:
+    """sign (x - centre)^2, which two zeros may share; a zero may be left out only where it is certainly less."""
+    distance = X - c(centre)
+    with working_bits(100):
+        wanted = BoxProgram([c(sign) * (distance * distance)], 1, [0])
+        program = BoxProgram([with_roots(sorted(roots))], 1, [0])
+        found = ZeroSearch(program, [arb(0)], [None], wanted).run([arb(0, 1)], Budget(20_000))
+    assert not found.left
+    assert found.evidence is not None
+    values = {root: sign * (root - centre) ** 2 for root in roots}
+    best = max(values.values())
+    for root, value in values.items():
+        count = sum(holds(zero.enclosure[0], root) for zero in found.zeros)
+        assert count == 1 if value == best else count <= 1
+
+
+def test_with_an_objective_boxes_below_a_known_zero_are_dropped_unsearched() -> None:
+    """sin on [0, 100 pi] with the objective -x: the zeros far to the right cost next to nothing."""
+    with working_bits(100):
+        program, wanted = BoxProgram([Sine(X)], 1, [0]), BoxProgram([c(-1) * X], 1, [0])
+        counts = []
+        for objective in (None, wanted):
+            budget = Budget(20_000)
+            found = ZeroSearch(program, [arb(0)], [None], objective).run([arb("157", "158")], budget)
+            assert not found.left
+            assert found.evidence is not None
+            counts.append((len(found.zeros), 20_000 - budget.boxes))
+    assert any(zero.enclosure[0].contains(0) for zero in found.zeros)
+    (every_zero, all_boxes), (few, boxes) = counts
+    assert every_zero == 101
+    assert few <= 101
+    assert boxes < all_boxes
+
+
+def test_without_an_objective_value_yet_no_box_is_below_it() -> None:
+    with working_bits(100):
+        state = [arb(0, 1)]
+        one = BoxProgram([X], 1, [0])
+        assert ZeroSearch(one, [arb(0)], [None], one)._below(state) is None
+        made = ZeroSearch(one, [arb(0)], [None], one)
+        for reached, below in (("1.5", True), ("1", False), ("0.5", False)):
+            made._reached = arb(reached)
+            assert (made._below(state) is not None) is below
+        assert ZeroSearch(one, [arb(0)], [None])._below(state) is None
+
+
+@given(st.fractions(-20, 20, max_denominator=50), st.fractions(-20, 20, max_denominator=50), st.integers(-9, 9))
+def test_a_box_is_found_again_any_number_of_periods_away(place: Fraction, period: Fraction, turns: int) -> None:
+    if period == 0:
+        return
+    with working_bits(100):
+        one = ZeroSearch(BoxProgram([Sine(X)], 1, [0]), [arb(0)], [arb(to_fmpq(period))])
+        side, small = arb(to_fmpq(place)), arb(0, arb(to_fmpq(abs(period) / 8)))
+        target = side + turns * arb(to_fmpq(period)) + small
+        assert one.lies_in([side], [target]) is not None
+        assert one._apart([side], [target]) is None
+        beside = target + arb(to_fmpq(period / 2))
+        assert one.lies_in([side], [beside]) is None
+        assert one._apart([side], [beside]) is not None
