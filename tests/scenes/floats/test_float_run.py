@@ -19,6 +19,7 @@ from gspot_verified.scenes.floats import float_run as module
 from gspot_verified.scenes.floats.float_run import (
     MAX_PHASES,
     MAX_POINTS,
+    PIECES,
     SolverPiece,
     _check,
     _FloatRun,
@@ -344,3 +345,22 @@ def test_times_of_events_are_in_the_units_of_the_paper(monkeypatch: pytest.Monke
     assert run.samples.phases == ("slip", "slip", "flight", "flight")
     assert run.samples.columns["t"].tolist() == [0.0, 0.5, 1.0, 1.0]
     assert (run.fate, run.verdict.statement) == ("lift-off", "lift-off")
+
+
+def test_only_a_run_with_a_journal_is_cut(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """And it goes on after the last piece that the journal has."""
+    asked: list[tuple[Any, ...]] = []
+    row = [0.0] * 7
+
+    def pieces(*given: Any) -> Any:
+        asked.append(given)
+        return iter([SolverPiece("slip", [row], float(len(asked)), {}, None, "slip")])
+
+    monkeypatch.setattr(module, "_pieces", pieces)
+    float_run(SCENE, "BDF", 1e-6, 7)
+    for _ in range(2):
+        float_run(SCENE, "BDF", 1e-6, 7, tmp_path / "journal")
+    assert [given[:4] for given in asked] == [(SCENE, "BDF", 1e-6, 7)] * 3
+    assert [(None if last is None else last.time, cuts) for *_, last, cuts in asked] == [
+        (None, 1), (None, PIECES), (2.0, PIECES)
+    ]  # fmt: skip
