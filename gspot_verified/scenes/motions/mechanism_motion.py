@@ -89,7 +89,8 @@ _SCALED = ("Y", "V", "Z")
 _FIELDS = ("F", "G", "G_T", "G_N")
 _SCALARS = ("a", "b", "A", "B", "C", "p", "mu", "u")
 _FUNCTIONS = ("y", "v", "p", "b", "u", "x")
-_RESERVED = (*_SCALED, "z", "lambda_N", "t", "T")
+_RESERVED = (*_SCALED, "z", "lambda_N", "t", "T", "phase")
+_RESERVED_END = "_radius"  # of the columns that certified samples have beside the others
 
 
 class MechanismMotion:
@@ -135,6 +136,7 @@ class MechanismMotion:
         own = {name: getattr(f, name) for name in _FUNCTIONS}
         clash = [name for name in own if name in state and own[name] is not Variable(state.index(name))]
         clash += [name for name in _RESERVED if name in self.kept or (name == "z" and name in state)]
+        clash += [name for name in self.kept if name.endswith(_RESERVED_END)]
         if clash:
             raise SceneError(f"{self.mechanism.name}: scenes use the name {clash[0]!r}; give this component another")
 

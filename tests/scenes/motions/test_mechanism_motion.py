@@ -386,3 +386,16 @@ def test_what_is_no_phase_is_refused() -> None:
         motion.start({})
     with pytest.raises(ValueError, match="touch-down ends a flight, not the phase slip"):
         CertifiedPhases(load_scene("rod"))._touching("slip", {})
+
+
+@pytest.mark.parametrize("name", ["phase", "q_radius", "lambda_N", "t"])
+def test_a_component_with_the_name_of_a_column_of_samples_is_refused(name: str) -> None:
+    """Beside the columns of samples stand their phases and, of a certified run, their radii."""
+
+    def named(word: str) -> Scene:
+        turns = lagrangian("turns", [word, "Y"], [[1, 0], [0, 1]], [0, f"-1 - cos({word})/4"], word, "Y", "1/3")
+        return Scene("test", CONTACT, EPSILON, fmpq(1), {}, {word: "0", f"{word}_dot": "1"}, None, turns)
+
+    assert named("radius").system("slip").states[0] == "radius"
+    with pytest.raises(SceneError, match=f"^turns: scenes use the name '{name}'; give this component another$"):
+        named(name)

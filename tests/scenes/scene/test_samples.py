@@ -148,6 +148,15 @@ def test_a_file_holds_numbers_of_every_row_and_nothing_else(tmp_path: Path, suff
         assert place.read_bytes() == before
 
 
+def test_a_column_may_have_any_name(tmp_path: Path) -> None:
+    """Also that of an argument of NumPy's."""
+    words = ("file", "allow_pickle", "args", "kwds")
+    made = Samples({name: np.array([float(i)]) for i, name in enumerate(words)}, ("slip",))
+    with np.load(made.save(tmp_path / "run.npz"), allow_pickle=False) as found:
+        assert {name: found[name].tolist() for name in words} == {name: [float(i)] for i, name in enumerate(words)}
+        assert found["phase"].tolist() == ["slip"]
+
+
 def test_the_rights_are_those_of_a_file_made_by_open(tmp_path: Path) -> None:
     before = os.umask(0o026)
     try:
