@@ -399,3 +399,16 @@ def test_a_component_with_the_name_of_a_column_of_samples_is_refused(name: str) 
     assert named("radius").system("slip").states[0] == "radius"
     with pytest.raises(SceneError, match=f"^turns: scenes use the name '{name}'; give this component another$"):
         named(name)
+
+
+def test_components_are_integrated_in_the_order_of_the_state() -> None:
+    """Three of ten, the second, seventh and ninth."""
+    mass = [[int(i == j) for j in range(5)] for i in range(5)]
+    forces = [0, "-r", 0, "-w_dot", "-1 - r/4 - w_dot/4"]
+    many = lagrangian("many", ["q", "r", "s", "w", "h"], mass, forces, "q", "h", "1/3")
+    start = dict.fromkeys(("q", "r", "s", "w", "r_dot", "s_dot", "w_dot"), "0") | {"q_dot": "1"}
+    system = Scene("test", CONTACT, EPSILON, fmpq(1), {}, start, None, many).system("slip")
+    assert system.states == ("r", "r_dot", "w_dot", "Y", "V", "Z")
+    rates = float_function(system.right_hand_side)([1.0, 2.0, 3.0, -1.0, 0.0, 0.0, 0.0])
+    assert rates[:3] == pytest.approx([2e-3, -1e-3, -3e-3])
+    assert rates[4] == pytest.approx(-1 - 1 / 4 - 3 / 4 + 1)

@@ -12,6 +12,8 @@ from gspot_verified.functions.derivative import substitute
 from gspot_verified.functions.expressions import Constant, Expression
 from gspot_verified.mechanisms.input.mechanism import MechanismError
 from gspot_verified.paper.numerics.paper_state import paper_state
+from gspot_verified.scenes.effects.catalogue import EFFECTS
+from gspot_verified.scenes.effects.effect import Effect
 from gspot_verified.scenes.equations.scaled_system import ScaledSystem, operations
 from gspot_verified.scenes.floats.float_function import float_function
 from gspot_verified.scenes.scene.file import SHIPPED, load_scene, parse_scene
@@ -221,3 +223,75 @@ def test_phases_and_settings_that_are_not_there() -> None:
 
 def test_epsilon_has_a_short_form() -> None:
     assert load_scene("fig-varsim1", eps="1e-5").epsilon == load_scene("fig-varsim1", epsilon="1e-5").epsilon
+
+
+def names(effects: tuple[Effect, ...]) -> list[str]:
+    return [effect.name for effect in effects]
+
+
+@pytest.mark.parametrize(
+    ("scene", "left_out", "conditional"),
+    [
+        (MODEL, ["tangential_motion", "stick", "tangential_place", "belt", "two_way_coupling"], []),
+        (smaller("compliant_contact"), ["lift_off", "tangential_motion", "stick", "tangential_place", "belt",
+         "two_way_coupling"], ["lift_off"]),
+        (smaller("compliant_contact", "lift_off", "tangential_motion"), ["stick", "tangential_place", "belt",
+         "two_way_coupling"], ["stick"]),
+        # beside a mechanism: its u is no constant, and chi belongs to the model
+        (load_scene("oscillator"), ["tangential_motion", "stick", "tangential_place"], ["tangential_motion"]),
+        (load_scene("rod"), ["tangential_place", "belt"], []),
+    ],
+    ids=["model", "contact", "u", "oscillator", "rod"],
+)  # fmt: skip
+def test_what_is_left_out_and_what_that_assumes(scene: Scene, left_out: list[str], conditional: list[str]) -> None:
+    assert sorted(names(scene.left_out())) == sorted(left_out)
+    assert names(scene.conditional()) == conditional
+    assert set(scene.assumes()) == set(left_out)
+    assert all(scene.assumes().values())
+
+
+def test_what_a_condition_needs_is_integrated_beside_the_rest() -> None:
+    """The rod in contact: theta and its velocity; u needs X_dot too. Of a lift-off nothing more is needed."""
+    made = load_scene("rod")
+    start = {**made.start, "X_dot": fmpq(2)}
+    rod = Scene("test", ("compliant_contact",), made.epsilon, made.until, {}, start, None, made.mechanism)
+    slip, lift = EFFECTS["tangential_motion"], EFFECTS["lift_off"]
+    alone = rod.system("slip")
+    assert alone.states == rod.system("slip", (lift,)).states == ("theta", "theta_dot", "Y", "V", "Z")
+    watched = rod.system("slip", (slip,))
+    assert watched.states == ("theta", "X_dot", "theta_dot", "Y", "V", "Z")
+    assert [event.left_out for event in watched.events] == ["tangential_motion"]
+    assert {event.left_out for event in rod.system("slip", (lift, slip)).events} == {"lift_off", "tangential_motion"}
+    assert "X_dot" in rod.scaled_initial((slip,))
+    assert "X_dot" not in rod.scaled_initial((lift,))
+    assert rod.system("slip") == alone  # as if nothing had been watched
+
+
+def test_the_scaled_start_is_exact() -> None:
+    found = MODEL.with_settings(epsilon="1/7", y="-2/9", v="3/5", z="-1/9", b=-2, p="1/3")
+    assert found.scaled_initial() == {
+        "p": fmpq(1, 3), "b": -2, "y": fmpq(-2, 9), "v": fmpq(3, 5), "z": fmpq(-1, 9),
+        "Y": fmpq(-98, 9), "V": fmpq(21, 5), "Z": fmpq(-49, 9),
+    }  # fmt: skip
+
+
+def test_each_setting_comes_to_its_place() -> None:
+    """A number of the mechanism, one of an effect, a formula of the start; what is None stays; b and nu take turns."""
+    made = load_scene("rod", mu="7/3", k_1=5, theta="theta_ref - 1/20", epsilon="1/9", until=3, theta_dot=None)
+    assert made.mechanism is not None
+    assert dict(made.mechanism.parameters)["mu"] == Constant(fmpq(7, 3))
+    assert made.parameters["k_1"] == 5
+    assert (made.start["theta"], made.epsilon, made.until) == ("theta_ref - 1/20", fmpq(1, 9), 3)
+    assert made.start["theta_dot"] == load_scene("rod").start["theta_dot"]
+    assert "nu" not in MODEL.with_settings(b=-1).start
+    assert "b" not in MODEL.with_settings(b=-1).with_settings(nu=3).start
+    with pytest.raises(SceneError, match="no setting 'nus'; did you mean 'nu'"):
+        MODEL.with_settings(nus=3)
+
+
+def test_a_start_without_rigid_slip_needs_no_force_of_it() -> None:
+    """p < 0 at the start is no error where the run does not stop at a multiple of -b/p."""
+    text = TEXT.replace("p = 0.5", "p = -0.5\ny = 0\nv = 0\nz = 0")
+    assert parse_scene(text).initial()["p"] == fmpq(-1, 2)
+    with pytest.raises(SceneError, match="no force of rigid slip"):
+        parse_scene(text.replace("until = 1", "until = 1\nstop_at_force = 2"))
