@@ -140,6 +140,9 @@ def test_a_file_holds_numbers_of_every_row_and_nothing_else(tmp_path: Path, suff
         words.save(place)
     assert place.read_bytes() == before
     if suffix == ".npz":
+        with pytest.raises(ValueError, match="allow_pickle=False"):
+            Samples(SAMPLES.columns, ("slip", None)).save(place)  # type: ignore[arg-type]
+        assert place.read_bytes() == before
         with np.load(place, allow_pickle=False) as found:
             assert set(found.files) == {"t", "b", "phase"}
     else:
