@@ -114,6 +114,11 @@ def test_what_the_exact_solution_covers() -> None:
         exact_start(replace(SCENE, effects=("compliant_contact",)))
     with pytest.raises(NotCovered, match="covers scenes with compliant_contact, lift_off, not one that differs in"):
         exact_start(load_scene("fig-varsim2"))
+    coupled = load_scene("fig-varsim2", chi=0)
+    others = ("tangential_motion", "stick", "tangential_place", "two_way_coupling")
+    far = replace(coupled, effects=("compliant_contact", *others), start={**coupled.start, "x": fmpq(0)})
+    with pytest.raises(NotCovered, match=f"differs in: {', '.join(sorted(['lift_off', *others]))}$"):
+        exact_start(far)
     with pytest.raises(NotCovered, match="not a mechanism"):
         exact_start(load_scene("rod"))
     with pytest.raises(NotCovered, match="does not cover this scene: beta"):

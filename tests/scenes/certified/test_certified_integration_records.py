@@ -229,3 +229,23 @@ def test_a_run_of_too_many_events_is_open(monkeypatch: pytest.MonkeyPatch) -> No
     assert len(run.events) == MAX_EVENTS == 200
     assert run.fate == OPEN
     assert "the budget of 200 events ended (t = [0.5" in run.verdict.detail
+
+
+def test_a_phase_that_stops_says_when_from_the_start_of_the_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Lift-off at T = 60, and the flight is followed for 15. A journal that could be written needs no note."""
+
+    def ends(phase: CertifiedPhase, start: dict[str, arb], *_: object) -> PhaseEnd | Open:
+        assert SHOWN is not None
+        if phase.system.phase == "flight":
+            return Open("it is hard", arb(15))
+        return PhaseEnd(phase.system.events[0], arb(60), {**start, "Y": arb(0), "Z": arb(0)}, SHOWN)
+
+    monkeypatch.setattr(CertifiedPhase, "run", ends)
+    scene = load_scene("fig-varsim1", epsilon="1/64", until=2)
+    for journal in (None, tmp_path / "journal"):
+        run = integrated_run(scene, bits=(128,), journal=journal)
+        assert [event.name for event in run.events] == ["lift-off"]
+        assert run.verdict.detail.startswith("it is hard (t = 1.171875000 after the start)")
+        assert run.notes == ()

@@ -283,6 +283,9 @@ def test_each_setting_comes_to_its_place() -> None:
     assert made.parameters["k_1"] == 5
     assert (made.start["theta"], made.epsilon, made.until) == ("theta_ref - 1/20", fmpq(1, 9), 3)
     assert made.start["theta_dot"] == load_scene("rod").start["theta_dot"]
+    assert type(load_scene("rod", theta_dot=1).start["theta_dot"]) is fmpq  # a number is one, a text may be a formula
+    with pytest.raises(SceneError, match="theta_dot: a number of 2001 bits"):
+        load_scene("rod", theta_dot=2**2000)
     assert "nu" not in MODEL.with_settings(b=-1).start
     assert "b" not in MODEL.with_settings(b=-1).with_settings(nu=3).start
     with pytest.raises(SceneError, match="no setting 'nus'; did you mean 'nu'"):
