@@ -139,6 +139,16 @@ def test_after_lines_were_dropped_the_next_one_follows_on_the_last_that_is_left(
     assert bare(count, tmp_path / "journal") == [*({"step": number} for number in range(count)), {"step": 7}]
 
 
+def test_a_line_that_is_no_table_is_damaged(tmp_path: Path) -> None:
+    """Also where its digest is right."""
+    made = StepJournal(tmp_path / "journal", {"question": 1})
+    made.add({"step": 1})
+    made.add([1])  # type: ignore[arg-type]
+    del made  # its lock
+    with pytest.raises(ValueError, match="line 3 of the journal is damaged"):
+        StepJournal(tmp_path / "journal", {"question": 1})
+
+
 @pytest.mark.parametrize("change", [shrunk, moved, lengthened, uncovered, rated, hostile])
 def test_a_changed_step_is_never_believed(
     whole: Whole, tmp_path: Path, change: Callable[[dict[str, Any]], None]

@@ -8,6 +8,7 @@ from __future__ import annotations
 import dataclasses
 import json
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -189,6 +190,44 @@ def test_what_the_power_series_is_asked(monkeypatch: pytest.MonkeyPatch) -> None
     rest = lasting[-1].p + until * start.epsilon - start.p
     assert rest.rad() < 1e-15
     assert rest.contains(0)
+
+
+def refused(*_: object) -> None:
+    raise AssertionError("this route was not to be asked")
+
+
+def test_the_power_series_looks_on_until_a_state_lasts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A first time at which nothing is shown, then one at which the contact lasts; no other route is needed."""
+    scene = load_scene("fig-varsim1", beta="3/2", nu="1/4", epsilon="1/100", alpha_1="-1/2")
+    lasts, asked = side.lasting_contact, []
+
+    def second(*given: Any) -> Verdict:
+        asked.append(given)
+        return Verdict.undecided("?", Reason.BUDGET, "for the test") if len(asked) == 1 else lasts(*given)
+
+    monkeypatch.setattr(side, "lasting_contact", second)
+    monkeypatch.setattr(side, "compliant_run", refused)
+    found = certified_side(scene)
+    assert (found.side, found.verdict.outcome) == (LASTS, Outcome.PROVED)
+    assert len(asked) >= 2
+
+
+def test_a_zero_by_the_power_series_is_a_loss_and_none_is_left_to_the_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = load_scene("fig-varsim1", beta="3/2", nu="1/4", epsilon="1/100")
+    shown = less(0, 1)
+    monkeypatch.setattr(side, "later_times", lambda _: ())
+    with monkeypatch.context() as patch:
+        patch.setattr(side, "zero_by_series", lambda *_: SimpleNamespace(evidence=shown))
+        patch.setattr(side, "compliant_run", refused)
+        found = certified_side(scene)
+        assert (found.side, found.verdict.outcome, found.verdict.evidence) == (LOST, Outcome.PROVED, shown)
+    monkeypatch.setattr(side, "zero_by_series", lambda *_: None)
+    open_run = SimpleNamespace(verdict=Verdict.undecided("?", Reason.BUDGET, "for the test"), events=())
+    monkeypatch.setattr(side, "compliant_run", lambda *_: open_run)
+    found = certified_side(scene)
+    assert (found.side, found.verdict.outcome) == (None, Outcome.UNDECIDED)
+    assert found.asymptotic is not None
+    assert found.rule_fails is None  # it cannot be wrong where nothing is known
 
 
 def test_what_a_float_run_says(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 from flint import arb, fmpq
+from hypothesis import given
+from hypothesis import strategies as st
 
+from gspot_verified.compliant.model.flight import ContactState
 from gspot_verified.compliant.motion.run import events
+from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.evidence import less
 from gspot_verified.numbers.verdict import Reason, Verdict
 from gspot_verified.scenes.certified import certified_samples as module
@@ -101,3 +106,49 @@ def test_between_the_ends_of_a_bracket_nothing_is_known(monkeypatch: pytest.Monk
 @pytest.mark.parametrize("ball", [arb("1e400"), arb("-1e400"), arb(0, arb("1e400")), arb("inf"), arb.nan()])
 def test_what_no_float_holds_has_an_infinite_radius(ball: arb) -> None:
     assert midpoint_and_radius(ball)[1] == float("inf")
+
+
+@given(
+    st.floats(allow_nan=False, allow_infinity=False, allow_subnormal=True),
+    st.integers(0, 5),
+    st.sampled_from([0, 1, -1]),
+)
+def test_floats_hold_a_ball_between_any_two_of_them(low: float, apart: int, beyond: int) -> None:
+    """Between neighbours the midpoint is rounded to one of them, and the radius must reach the other."""
+    high = low
+    for _ in range(apart):
+        high = math.nextafter(high, math.inf)
+    if math.isinf(high):
+        return
+    with working_bits(2200):
+        first, last = (arb(x) + beyond * arb(2) ** -1080 for x in (low, high))
+        ball = (first + last) / 2 + arb(0, ((last - first) / 2).upper())
+        middle, radius = midpoint_and_radius(ball)
+        if math.isfinite(radius):
+            assert arb(middle) - arb(radius) <= first
+            assert last <= arb(middle) + arb(radius)
+        else:
+            assert abs(low) > 1e308
+
+
+def test_the_flight_of_each_lift_off_in_the_bracket_lies_in_the_enclosure() -> None:
+    """One exact state, lift-off in [1, 3/2]: the values for a lift-off at either end, and between them."""
+    scene = load_scene("fig-varsim1", beta="3/2", nu=2, alpha_1=-2, epsilon="1/10")
+    model, _ = exact_start(scene)
+    one = arb(1)
+    state = ContactState(
+        beta=model.beta, epsilon=model.scaled_epsilon, alpha_2=model.alpha_2 * model.sigma**3,
+        p=-one / 2, b=one / 4, V=3 * one, Y=-one, force=arb(0),
+    )  # fmt: skip
+    ends = fmpq(1), fmpq(5, 4), fmpq(3, 2)
+
+    def flight(lower: fmpq, upper: fmpq) -> list[arb]:
+        return module._in_flight(model, SimpleNamespace(state=state, lower=lower, upper=upper), fmpq(2), 12)  # type: ignore[arg-type]
+
+    wide = flight(ends[0], ends[-1])
+    for end in ends:
+        for whole, part in zip(wide, flight(end, end), strict=True):
+            assert whole.is_finite()
+            assert whole.contains(part)
+    assert wide[0].is_exact() or wide[0].rad() < 1e-12  # p is a function of time alone
+    assert all(value.rad() > 1e-3 for value in wide[1:4])

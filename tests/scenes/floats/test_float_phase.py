@@ -52,13 +52,13 @@ def test_a_large_force_ends_a_contact_where_p_is_negative(time: float, value: fl
 
 
 def test_rows_are_in_the_units_of_the_paper() -> None:
-    """t = epsilon T, y = epsilon^2 Y, v = epsilon V; at T = 1, p = 1/4 and the force is Z - Y."""
+    """t = epsilon T, y = epsilon^2 Y, v = epsilon V; at T = 1/2, p = 3/8 and the force is Z - Y."""
     phase = FloatPhase(MODEL, "slip", None)
-    (row,) = phase.rows([1.0], np.array([POINT]).T)
-    expected = {"p": 0.25, "b": -1.0, "y": -3 / 16, "v": 1 / 8, "z": -1 / 16, "lambda_N": 2.0}
-    assert row[0] == 0.25
+    (row,) = phase.rows([0.5], np.array([POINT]).T)
+    expected = {"p": 0.375, "b": -1.0, "y": -3 / 16, "v": 1 / 8, "z": -1 / 16, "lambda_N": 2.0}
+    assert row[0] == 0.125
     assert dict(zip(phase.names, row[1:], strict=True)) == expected
-    assert phase.shown(POINT, 1.0) == expected
+    assert phase.shown(POINT, 0.5) == expected
     with pytest.raises(ValueError, match="zip"):
         phase.rows([1.0, 2.0], np.array([POINT]).T)
 

@@ -63,3 +63,24 @@ def test_sums_that_vanish() -> None:
     zero = Sum((X, number(-1) * X))
     found = compact([zero * Y, Sum((zero, Y)), Sine(zero)])
     assert list(found.values()) == [number(0), Y, Sine(number(0))]
+
+
+@given(st.lists(st.integers(-3, 3).filter(bool), min_size=2, max_size=5))
+def test_powers_of_one_base_are_counted(exponents: list[int]) -> None:
+    """A factor that comes twice in one product is cancelled once by its inverse; (2 + cos x)^k is never 0."""
+    base = Sum((number(2), Cosine(X)))
+    left: Expression = base
+    for exponent in exponents:
+        left = Product(left, Power(base, fmpq(exponent)) if exponent != 1 else base)
+    for root in (left, Product(Product(left, Y), Power(base, fmpq(-1))), Product(Power(base, fmpq(-1)), left)):
+        (found,) = compact([root]).values()
+        for point in ([0.3, -0.7], [1.25, 0.5]):
+            (before,), (after,) = float_function([root])(point), float_function([found])(point)
+            assert abs(before - after) <= 1e-12 * abs(before)
+
+
+def test_a_square_is_cancelled_by_its_inverse_alone() -> None:
+    square = Product(X, X)
+    for exponent, expected in ((-2, Y), (-1, None)):
+        root = Product(Product(square, Y), Power(X, fmpq(exponent)))
+        assert compact([root])[root] == (root if expected is None else expected)
