@@ -125,8 +125,8 @@ def test_floats_hold_a_ball_between_any_two_of_them(low: float, apart: int, beyo
         ball = (first + last) / 2 + arb(0, ((last - first) / 2).upper())
         middle, radius = midpoint_and_radius(ball)
         if math.isfinite(radius):
-            assert arb(middle) - arb(radius) <= first
-            assert last <= arb(middle) + arb(radius)
+            assert arb(middle) - arb(radius) <= ball.lower()
+            assert ball.upper() <= arb(middle) + arb(radius)
         else:
             assert abs(low) > 1e308
 
