@@ -108,27 +108,24 @@ def test_what_no_float_holds_has_an_infinite_radius(ball: arb) -> None:
     assert midpoint_and_radius(ball)[1] == float("inf")
 
 
-@given(
-    st.floats(allow_nan=False, allow_infinity=False, allow_subnormal=True),
-    st.integers(0, 5),
-    st.sampled_from([0, 1, -1]),
-)
-def test_floats_hold_a_ball_between_any_two_of_them(low: float, apart: int, beyond: int) -> None:
-    """Between neighbours the midpoint is rounded to one of them, and the radius must reach the other."""
+FLOATS = st.floats(allow_nan=False, allow_infinity=False, allow_subnormal=True)
+
+
+@given(FLOATS, st.integers(0, 5), st.one_of(st.none(), FLOATS))
+def test_floats_hold_a_ball_between_any_two_of_them(low: float, apart: int, other: float | None) -> None:
+    """Also where the bounds of the ball are its ends, and the midpoint of neighbours is rounded to one of them."""
     high = low
     for _ in range(apart):
         high = math.nextafter(high, math.inf)
+    low, high = (low, high) if other is None else sorted((low, other))
     if math.isinf(high):
         return
-    with working_bits(2200):
-        first, last = (arb(x) + beyond * arb(2) ** -1080 for x in (low, high))
-        ball = (first + last) / 2 + arb(0, ((last - first) / 2).upper())
-        middle, radius = midpoint_and_radius(ball)
-        if math.isfinite(radius):
-            assert arb(middle) - arb(radius) <= ball.lower()
-            assert ball.upper() <= arb(middle) + arb(radius)
-        else:
-            assert abs(low) > 1e308
+    with pytest.MonkeyPatch.context() as patch, working_bits(2200):
+        patch.setattr(module, "float_bounds", lambda _: (low, high))
+        middle, radius = midpoint_and_radius(arb(0))
+        assert arb(middle) - arb(radius) <= arb(low)
+        assert arb(high) <= arb(middle) + arb(radius)
+        assert radius <= math.nextafter(high / 2 - low / 2, math.inf) * (1 + 1e-15) + 1e-323 + abs(middle) * 2.0**-52
 
 
 def test_the_flight_of_each_lift_off_in_the_bracket_lies_in_the_enclosure() -> None:
