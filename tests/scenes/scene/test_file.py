@@ -254,6 +254,11 @@ def test_a_mechanism_s_file_is_looked_for_beside_the_scene(tmp_path: Path) -> No
     assert load_scene(tmp_path / "scene.toml").mechanism == found
     with pytest.raises(SceneError, match=r"there is no file 'mine\.toml'"):
         parse_scene(text, tmp_path / "elsewhere")
+    longest = f"{'./' * 495}/mine.toml"
+    assert len(longest) == 1000
+    assert parse_scene(text.replace("mine.toml", longest), tmp_path).mechanism == found
+    with pytest.raises(SceneError, match=r"there is no file '\./"):
+        parse_scene(text.replace("mine.toml", f"./{longest}"), tmp_path)
     with pytest.raises(SceneError, match=r"there is no file 'x+'$"):
         parse_scene(text.replace("mine.toml", "x" * 996 + ".toml"), tmp_path)
 
