@@ -412,3 +412,34 @@ def test_components_are_integrated_in_the_order_of_the_state() -> None:
     rates = float_function(system.right_hand_side)([1.0, 2.0, 3.0, -1.0, 0.0, 0.0, 0.0])
     assert rates[:3] == pytest.approx([2e-3, -1e-3, -3e-3])
     assert rates[4] == pytest.approx(-1 - 1 / 4 - 3 / 4 + 1)
+
+
+@pytest.mark.parametrize("phase", ["slip", "flight"])
+def test_forces_that_depend_on_the_height_and_its_rate_have_their_units(phase: str) -> None:
+    """epsilon = 1/2: v' = -1 - 5 y - 7 v + lambda with y = Y/4 and v = V/2."""
+    soft = lagrangian("soft", ["X", "H"], [[1, 0], [0, 1]], [0, "-1 - 5*H - 7*H_dot"], "X", "H", 0)
+    made = Scene("test", CONTACT, fmpq(1, 2), fmpq(1), {}, {"X": "0", "X_dot": "1"}, None, soft)
+    system = made.system(phase)
+    assert system.states == ("Y", "V", "Z")
+    force = 2.0 if phase == "slip" else 0.0
+    rates = float_function(system.right_hand_side)([-3.0, 0.5, -1.0, 0.0])
+    assert rates == pytest.approx([0.5, -1 + 15 / 4 - 7 / 4 + force, 1.0 - force])
+    assert float_function([system.shown("b")])([-3.0, 0.5, -1.0, 0.0]) == pytest.approx([-1 + 15 / 4 - 7 / 4])
+
+
+@pytest.mark.parametrize(
+    ("forces", "x", "depends"),
+    [
+        ([0, -1], "X", False),
+        ([0, -1], "2*X + 1", False),
+        ([0, "-1 - X"], "X", True),  # a force that the place changes
+        ([0, -1], "X + X^2", True),  # no constant slope
+        ([0, -1], "sin(H)", True),
+        ([0, -1], None, True),  # nothing is said of the place
+    ],
+)
+def test_whether_the_place_along_the_surface_matters(forces: list[str | int], x: str | None, depends: bool) -> None:
+    start = {"X": "0", "X_dot": "1"}
+    slips = {} if x is not None else {"slip_velocity": "X_dot"}
+    made = lagrangian("block", ["X", "H"], [[1, 0], [0, 1]], forces, x, "H", 0, **slips)  # type: ignore[arg-type]
+    assert Scene("test", CONTACT, EPSILON, fmpq(1), {}, start, None, made).motion.depends_on_place is depends
