@@ -298,3 +298,16 @@ def test_a_start_without_rigid_slip_needs_no_force_of_it() -> None:
     assert parse_scene(text).initial()["p"] == fmpq(-1, 2)
     with pytest.raises(SceneError, match="no force of rigid slip"):
         parse_scene(text.replace("until = 1", "until = 1\nstop_at_force = 2"))
+
+
+def test_the_velocity_of_the_surface_is_known_where_it_is_given() -> None:
+    """The oscillator: a surface that moves, at a velocity which the paper does not say."""
+    made = load_scene("oscillator")
+    assert made.has_unknown_surface_velocity
+    assert "belt_velocity" not in made.values()
+    assert made.not_followed(EFFECTS["tangential_motion"]) == "the velocity of the surface is not given"
+    told = made.with_settings(belt_velocity=-3)
+    assert not told.has_unknown_surface_velocity
+    assert told.values()["belt_velocity"] == -3
+    assert told.not_followed(EFFECTS["tangential_motion"]) is None
+    assert not ALL.has_unknown_surface_velocity
