@@ -58,8 +58,13 @@ class SlowPatch:
         return SlowSigns(partial(self._expansion, lower, upper, False), self.order, _BITS)
 
     def slopes(self, lower: fmpq, upper: fmpq) -> SlowSigns:
-        """Of dG/db, likewise."""
+        """Of dG/db, likewise.
+
+        :raises ValueError: [lower, upper] is not in the patch; the patch has one b only, so that its model is constant.
+        """
         self._check(lower, upper)
+        if not self._b[1]:
+            raise ValueError("a patch of one b has no slopes in b")
         return SlowSigns(partial(self._expansion, lower, upper, True), self.order, _BITS)
 
     def _check(self, lower: fmpq, upper: fmpq) -> None:

@@ -6,6 +6,7 @@ Page: proofs/finite_epsilon_zeros.md.
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
@@ -20,6 +21,7 @@ from gspot_verified.compliant.patches.interpolation import node_product, nodes, 
 from gspot_verified.compliant.patches.slow_majorant import ComplexNeighbourhood, epsilon_difference, slow_majorant
 from gspot_verified.compliant.patches.slow_patch import SlowPatch, rational_scale
 from gspot_verified.compliant.slow.slow_jet import slow_jet
+from gspot_verified.numbers.balls import working_bits
 
 PATCHES = {
     "small": (fmpq(4), fmpq(9, 2), fmpq(0), fmpq(1, 1000)),
@@ -163,6 +165,52 @@ def test_the_cube_root_is_enclosed(epsilon: fmpq) -> None:
     assert low > 0
     assert 2 * low**3 <= epsilon <= 2 * high**3
     assert high / low < 1 + fmpq(1, 10**6)
+
+
+@pytest.mark.parametrize("name", PATCHES)
+def test_the_remainders_are_those_of_the_page(name: str) -> None:
+    """Sum |L_j| prod |z - b_i| S/R^M + prod |eta - eta_j| D_N, each term where there is such a range."""
+    b_lower, b_upper, low, high = PATCHES[name]
+    model, k, radius = SlowPatch(b_lower, b_upper, low, high), 1, (b_upper - b_lower) / 2
+    eta, least = rational_scale(high, 1), rational_scale(low, -1)
+    points = {fmpq(1, 2): 14, fmpq(1, 8): 10}[b_upper - b_lower]
+    in_eta = 1 if low == high else max(6, math.ceil(Fraction(int(b_upper.p), int(b_upper.q))) - 1)
+    orders = model.order + 1
+    for distance in (fmpq(0), fmpq(1, 32)):
+        near = ComplexNeighbourhood(b_lower, b_upper, distance, eta, (k + fmpq(1, 2)) * fmpq(1, 2))
+        with working_bits(120):
+            weight = node_product(points, distance / radius) * (radius / 2) ** points * nodes(in_eta).lebesgue
+            pages = [weight * bound for bound in slow_majorant(replace(near, distance=distance + 2), orders)]
+            if low < high:
+                factor = node_product(in_eta, fmpq(0)) * ((eta - least) / 2) ** in_eta
+                differences = epsilon_difference(near, in_eta, orders)
+                pages = [page + factor * more for page, more in zip(pages, differences, strict=True)]
+            found = model._rests(k, distance)
+            assert len(found) == len(pages) == orders
+            assert all(page.is_finite() and page > 0 for page in pages)
+            assert all(abs(rest / page - 1) < fmpq(1, 2**25) for rest, page in zip(found, pages, strict=True))
+
+
+def test_the_last_row_of_the_slopes_bounds_the_slope_of_the_last_coefficient() -> None:
+    """By a difference of jets at both ends of the range of b, for some b between them; and by the page, S/r."""
+    b_lower, b_upper, low, high = PATCHES["large"]
+    model, k = SlowPatch(b_lower, b_upper, low, high), 2
+    last = model._expansion(b_lower, b_upper, True, k).tolist()[-1]
+    assert all(entry.is_zero() for entry in last[1:])
+    first, second = (slow_jet(fmpq(5, 4), b, fmpq(13, 2), model.order + 1, 80)[-1] for b in (b_lower, b_upper))
+    assert abs((second - first) / (b_upper - b_lower)) < last[0]
+    near = ComplexNeighbourhood(b_lower, b_upper, fmpq(1, 32), rational_scale(high, 1), fmpq(5, 4))
+    assert abs(last[0] / (32 * slow_majorant(near, model.order + 1)[-1]) - 1) < fmpq(1, 2**25)
+
+
+def test_at_one_b_there_is_no_slope() -> None:
+    """The model does not change with b there: it says nothing about dG/db, which is 36.3 here."""
+    model = SlowPatch(fmpq(5), fmpq(5), fmpq(1), fmpq(1))
+    step = fmpq(1, 1000)
+    after, before = (slow_jet(fmpq(1), b, fmpq(1), 1, 100)[0] for b in (5 + step, 5 - step))
+    assert (after - before) / (2 * step) > 36
+    with pytest.raises(ValueError, match="one b"):
+        model.slopes(fmpq(5), fmpq(5))
 
 
 def test_beyond_the_patch_nothing_is_known() -> None:
