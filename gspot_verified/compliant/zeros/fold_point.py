@@ -128,6 +128,8 @@ def _is_positive(b: fmpq, epsilon: fmpq, tau: tuple[fmpq, fmpq], convexity: arb,
             if value - slope * slope / (4 * convexity) > 0:
                 return True
             step = slope / (2 * half_curvature)
+        if not step.is_finite():
+            return None
         following = place - _rounded(step, bits)
         if not tau[0] < following < tau[1] or following == place:
             return None
@@ -138,5 +140,5 @@ def _is_positive(b: fmpq, epsilon: fmpq, tau: tuple[fmpq, fmpq], convexity: arb,
 def _rounded(value: arb, bits: int) -> fmpq:
     with working_bits(4 * bits + 64):
         scaled = (value.mid() * 2**bits).floor().unique_fmpz()
-    assert scaled is not None
+    assert scaled is not None  # an exact number
     return fmpq(scaled, 2**bits)

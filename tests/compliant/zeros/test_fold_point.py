@@ -12,7 +12,7 @@ from flint import arb, fmpq
 
 from gspot_verified.compliant.zeros import fold_point as fold_point_module
 from gspot_verified.compliant.zeros.fold_column import fold_parts
-from gspot_verified.compliant.zeros.fold_point import _convexity, fold_point
+from gspot_verified.compliant.zeros.fold_point import _convexity, _is_positive, fold_point
 from gspot_verified.compliant.zeros.zero_count import slow_zeros
 from gspot_verified.numbers.balls import exact, working_bits
 
@@ -124,3 +124,37 @@ def test_the_least_epsilon_is_within_the_range(monkeypatch: pytest.MonkeyPatch) 
     with pytest.raises(ValueError, match="epsilon"):
         fold_point("0.999e-9")
     assert inspect.signature(fold_point).parameters["digits"].default == 8
+
+
+def _parabola(monkeypatch: pytest.MonkeyPatch, least: fmpq, place: fmpq, curvature: arb) -> None:
+    """least + curvature (tau - place)^2 in the place of the slow solution."""
+
+    def jet(tau: fmpq, *_: object) -> list[arb]:
+        away = arb(tau - place)
+        return [least + curvature * away * away, 2 * curvature * away, curvature]
+
+    monkeypatch.setattr(fold_point_module, "slow_jet", jet)
+
+
+@pytest.mark.parametrize("curvature", [fmpq(1, 100), fmpq(1, 10), fmpq(10)])
+def test_positive_is_said_of_the_whole_interval(monkeypatch: pytest.MonkeyPatch, curvature: fmpq) -> None:
+    """A parabola whose minimum is not where Newton begins: its sign there decides, however flat it is."""
+    for least, answer in ((fmpq(1, 10**6), True), (fmpq(-1, 10**6), False)):
+        _parabola(monkeypatch, least, fmpq(1, 3), arb(curvature))
+        assert _is_positive(fmpq(4), fmpq(1), (fmpq(-1), fmpq(1)), arb(curvature), 64) is answer
+    # A lower bound of the curvature that is too small by a share 2^-20 still suffices; one that is far too small not.
+    _parabola(monkeypatch, fmpq(1, 10**6), fmpq(0), arb(curvature))
+    assert _is_positive(fmpq(4), fmpq(1), (fmpq(-1), fmpq(1)), arb(curvature) * (1 - arb((1, -20))), 64) is True
+
+
+def test_a_minimum_outside_the_interval_and_one_that_is_not_found_leave_the_sign_open(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    interval = (fmpq(-1), fmpq(1))
+    _parabola(monkeypatch, fmpq(-1), fmpq(3), arb(1))
+    assert _is_positive(fmpq(4), fmpq(1), interval, arb(1), 64) is None
+    _parabola(monkeypatch, fmpq(0), fmpq(0), arb(1))
+    assert _is_positive(fmpq(4), fmpq(1), interval, arb(1), 64) is None
+    # G'' is not known there: no Newton step can be made.
+    _parabola(monkeypatch, fmpq(1, 100), fmpq(1, 2), arb(1, 2))
+    assert _is_positive(fmpq(4), fmpq(1), interval, arb(fmpq(1, 1000)), 64) is None
