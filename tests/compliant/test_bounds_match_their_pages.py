@@ -17,7 +17,7 @@ from flint import arb, fmpq
 from mpmath import mpf
 from samples.strategies import ends, to_fraction
 
-from gspot_verified.compliant.fast.fast_bound import FastBound, fast_bound
+from gspot_verified.compliant.fast.fast_bound import FastBound, _from_minus_one, _to_infinity, fast_bound
 from gspot_verified.compliant.fast.fast_coefficient import FastPath, fast_coefficient, saddle
 from gspot_verified.compliant.model.kernel import kernel
 from gspot_verified.compliant.model.normal_form import Deviation
@@ -278,6 +278,26 @@ def test_the_rate_is_above_the_exponent_on_the_whole_path(beta: fmpq, p: fmpq) -
     places += [top + mpmath.expjpi(mpf(1) / 3) * mpf(k) / 20 for k in range(200)]
     highest = max((mpmath.log(1 + s) + s * (m - 1 + s / 2 + s * s / 3)).real for s in places)
     assert highest <= lower < highest + mpf("0.02")
+
+
+@pytest.mark.parametrize("p", [fmpq(1, 3), fmpq(50)])
+def test_the_rate_of_each_box_is_above_the_exponent_at_its_ends(p: fmpq) -> None:
+    """Both pieces in 400 boxes, the finer the nearer to the saddle; for p = 50 most of |P(s)| is p |1 + s|."""
+    m = _m(p)
+    top = next(r for r in mpmath.polyroots([1, 2, m, m], maxsteps=200, extraprec=200) if r.imag > 0)
+    with working_bits(64):
+        path = _path(replace(STATE, p=p, epsilon=fmpq(1, 50)), 64)
+        first, last = path.first(), path.last()
+        pieces = [
+            (list(_from_minus_one(path.data, path.top, first)), first, lambda u: (1 + top) * mpmath.exp(u) - 1),
+            (list(_to_infinity(path.data, path.top, last)), last, lambda x: top + mpmath.expjpi(mpf(1) / 3) * x),
+        ]
+    for boxes, far, place in pieces:
+        places = [place(_ends(far)[0] * mpf(k) ** 2 / 400**2) for k in range(401)]
+        values = [(mpmath.log(1 + s) + s * (m - 1 + s / 2 + s * s / 3)).real for s in places]
+        assert len(boxes) == 400
+        for box, *both in zip(boxes, values, values[1:], strict=False):
+            assert max(both) <= _ends(box.rate)[0] <= max(both) + abs(both[0] - both[1]) + mpf("0.02") * (1 + m)
 
 
 def test_the_fast_bound_is_refused_without_its_hypotheses(monkeypatch: pytest.MonkeyPatch) -> None:
