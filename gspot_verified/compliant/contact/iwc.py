@@ -148,6 +148,5 @@ def iwc_over_balls(
     everywhere = leading.every_epsilon and leading.whole_line
     start = None if everywhere else leading.start
     at = None if epsilon is None else rational(epsilon, "epsilon")
-    bound = None if leading.every_epsilon else leading.epsilon_0
-    text = force_statement(start, at, bound, f"{SLOW}, {FOR_ALL}")
+    text = force_statement(start, at, leading.epsilon_0, f"{SLOW}, {FOR_ALL}")
     return CompliantIwc(leading, SlowManifold(Verdict.proved(text, above, ABOVE), start, leading.whole_line))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import json
+from dataclasses import replace
 
 import pytest
 from flint import arb, fmpq
@@ -121,3 +122,28 @@ def test_the_caveat_names_what_is_open() -> None:
     assert lifted.lift_off is not None
     assert lifted.compliant is lifted.lift_off
     assert lifted.verdict is lifted.lift_off.verdict
+    assert lifted.lift_off.uniform is not None
+    assert [statement.verdict for statement in lifted.statements[1:]] == [lifted.verdict, lifted.lift_off.uniform]
+    at_one_epsilon = replace(lifted, lift_off=replace(lifted.lift_off, uniform=None))
+    assert at_one_epsilon.statements == lifted.statements[:2]
+
+
+def test_over_balls_the_half_line_is_named_unless_a_theorem_holds_on_the_whole_line() -> None:
+    """At beta = 7/2 the function falls below 0 to the left of 5; from there on it is positive, for every epsilon."""
+    with working_bits(128):
+        late, early = ((arb(-1), arb(second), arb(third, fmpq(1, 10**9))) for second, third in ((-1, -3.5), (1, -0.5)))
+    from_5 = iwc_over_balls(*late, tau_start=5)
+    everywhere = iwc_over_balls(*early, tau_start=5)
+    for found, where in ((from_5, "every τ in [5, inf)"), (everywhere, "every real τ")):
+        assert found.leading.every_epsilon
+        assert found.slow is not None
+        assert found.slow.verdict.outcome is Outcome.PROVED
+        assert found.slow.verdict.statement.endswith(
+            f"for all α1, α2, α3 in the balls, λ_N > 0 for {where} and every ε > 0"
+        )
+    assert (from_5.slow.start, everywhere.slow.start) == (fmpq(5), None)  # type: ignore[union-attr]
+    assert not iwc_over_balls(*late, tau_start=5).leading.whole_line
+    bounded = iwc_over_balls(*late)
+    assert bounded.slow is not None
+    assert bounded.leading.epsilon_0 is not None
+    assert "every ε in (0, " in bounded.slow.verdict.statement

@@ -5,6 +5,7 @@ Page: proofs/monotone.md.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -17,14 +18,14 @@ from gspot_verified import Outcome, iwc
 from gspot_verified.compliant.contact import crossing
 from gspot_verified.compliant.contact.crossing import first_crossing
 from gspot_verified.compliant.contact.delay import uniform_constant
-from gspot_verified.compliant.contact.slow_lift_off import SlowLiftOff, slow_lift_off
+from gspot_verified.compliant.contact.slow_lift_off import SlowLiftOff, rounded_up, slow_lift_off
 from gspot_verified.compliant.contact.taylor_cell import TaylorCell
 from gspot_verified.compliant.contact.threshold import slow_force
 from gspot_verified.compliant.contact.to_the_left import positive_to_the_left
 from gspot_verified.compliant.slow.profile import Profile
 from gspot_verified.leading_order.contact_force import ContactForce, contact_force
 from gspot_verified.leading_order.lift_off import lift_off
-from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.balls import exact, working_bits
 
 START = fmpq(-10)
 KNOWN = {
@@ -220,5 +221,39 @@ def test_without_a_hypothesis_of_the_constant_nothing_is_said_for_smaller_epsilo
     found = slow_lift_off(force, leading, START, 6)
     assert found.uniform is not None
     assert str(leading.verdict.evidence) in str(found.uniform.evidence)
+    not_finite = (arb("nan"), found.verdict.evidence)
+    monkeypatch.setattr("gspot_verified.compliant.contact.slow_lift_off.uniform_constant", lambda *_: not_finite)
+    without = slow_lift_off(force, leading, START, 6)
+    assert (without.kappa, without.uniform) == (None, None)
+    assert (without.verdict.outcome, without.bracket) == (Outcome.PROVED, found.bracket)
+    monkeypatch.undo()
     monkeypatch.setattr("gspot_verified.compliant.contact.delay.at_most", lambda *_: None)
     assert slow_lift_off(force, leading, START, 6).uniform is None
+
+
+def test_the_bracket_and_the_lines_of_the_text() -> None:
+    found = found_at(contact_force("3/2", c1=-1), fmpq(1, 1000), 6)
+    assert found.bracket == (found.lower, found.upper) != (None, None)
+    assert replace(found, lower=None).bracket is replace(found, upper=None).bracket is None
+    assert found.lead is not None
+    first, second, third, fourth = found.lines()
+    assert (first, third) == (str(found.verdict), "  λ_N > 0 for every τ < -10 as well")
+    assert second.startswith("  before the lift-off at leading order, by at most 0.08")
+    assert found.lead <= exact(second.split("at most ")[1].split()[0], "lead")
+    assert fourth == str(found.uniform)
+    assert replace(found, lead=None, uniform=None).lines() == [first, third]
+    assert replace(found, whole_line=False).lines() == [first, second, fourth]
+
+
+@pytest.mark.parametrize("value", ["0.0123451", "0.01234", "9.9999", "99995", "1e-30", "2"])
+def test_rounded_up_to_a_decimal_that_is_not_less(value: str) -> None:
+    """One of four digits, at most the second one above."""
+    true = exact(value, "value")
+    with working_bits(100):
+        found = rounded_up(arb(true), 4)
+        assert arb(true) <= found
+    assert found - true <= true * fmpq(1, 10**3)
+    tens = found * 10**40
+    while tens > 10**5:
+        tens /= 10
+    assert tens.q == 1

@@ -1,4 +1,4 @@
-"""Exact eps_0: known values, points on both sides, and the least value against a scan.
+"""Exact eps_0: known values, and points on both sides.
 
 Page: proofs/monotone.md.
 """
@@ -16,34 +16,15 @@ from hypothesis import strategies as st
 from samples.strategies import to_fmpq
 
 from gspot_verified.compliant.contact import threshold
-from gspot_verified.compliant.contact.least_value import LeastValue, least_value
+from gspot_verified.compliant.contact.least_value import LeastValue
 from gspot_verified.compliant.contact.slow_manifold import impact
 from gspot_verified.compliant.contact.threshold import exact_threshold, slow_force
-from gspot_verified.compliant.slow.profile import Profile
 from gspot_verified.leading_order.contact_force import contact_force
 from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.numbers.verdict import Outcome
 
 NOT_INTEGER = st.fractions(Fraction(1, 9), Fraction(44, 9), max_denominator=9).filter(lambda b: b.denominator > 1)
 START = fmpq(-10)
-
-
-@settings(max_examples=10, deadline=None)
-@given(
-    st.fractions(Fraction(1, 9), 12, max_denominator=9).filter(lambda b: b.denominator > 1),
-    st.fractions(Fraction(1, 10), 1, max_denominator=20),
-    st.fractions(-9, 6, max_denominator=7),
-)
-def test_the_least_value_is_below_a_scan_and_attained(beta: Fraction, root: Fraction, start: Fraction) -> None:
-    profile = Profile.at_root(to_fmpq(beta), to_fmpq(root))
-    found = least_value(profile, to_fmpq(start), 6)
-    assert found is not None
-    assert found.place >= to_fmpq(start)
-    assert profile.value(found.place, 20) <= found.upper
-    assert found.lower <= found.upper
-    assert found.upper - found.lower <= abs(found.upper) * fmpq(1, 10**5)
-    for k in range(25):
-        assert profile.value(to_fmpq(start + Fraction(k * k, 20)), 12) >= found.lower
 
 
 @pytest.mark.parametrize(
@@ -104,17 +85,17 @@ def test_far_out_of_range_it_stops_with_what_was_proved() -> None:
     assert (found.lower, found.upper, found.every_epsilon) == (fmpq(10) ** 100, None, False)
 
 
-def test_the_least_value_rests_on_cells_that_cover_the_half_line(monkeypatch: pytest.MonkeyPatch) -> None:
-    profile = Profile.at_root(fmpq(5, 2), fmpq(1, 2))
-    found = least_value(profile, START, 4)
-    assert found is not None
-    assert "cover [-10, inf]" in str(found.evidence)
-    monkeypatch.setattr(
-        "gspot_verified.compliant.contact.least_value.halves", lambda lower, upper: ((lower, (lower + upper) / 2),)
-    )
-    lost = least_value(profile, START, 4)
-    assert lost is not None
-    assert lost.evidence is None
+def test_what_was_proved_to_begin_with_is_not_given_away(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Neither by rounding to fewer digits, nor where no least value is found."""
+    force = contact_force("5/2")
+    proved = fmpq(89488135, 10**8)
+    found = exact_threshold(force, START, proved, 3)
+    assert found.upper is not None
+    assert found.lower == proved < found.upper
+    assert found.evidence is not None
+    monkeypatch.setattr(threshold, "least_value", lambda *_: None)
+    found = exact_threshold(force, START, proved, 3)
+    assert (found.lower, found.upper, found.place, found.every_epsilon) == (proved, None, None, False)
 
 
 def test_without_a_certain_least_value_no_threshold_is_proved(monkeypatch: pytest.MonkeyPatch) -> None:
