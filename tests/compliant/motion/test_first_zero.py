@@ -17,8 +17,9 @@ from gspot_verified.compliant.model.normal_form import compliant_model, complian
 from gspot_verified.compliant.motion import first_zero as first_zero_module
 from gspot_verified.compliant.motion.compliant_force import SlowMotions, contact_motion
 from gspot_verified.compliant.motion.compliant_force import force as compliant_force
-from gspot_verified.compliant.motion.first_zero import _cut, contact_lasts, first_zero
+from gspot_verified.compliant.motion.first_zero import _bracket, _cut, _outward, _unit, contact_lasts, first_zero
 from gspot_verified.compliant.motion.force_range import ForceRange, slow_range
+from gspot_verified.compliant.motion.rough_zero import rough_zero
 from gspot_verified.compliant.slow.slow_solution import slow_value
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome
@@ -142,8 +143,38 @@ def test_a_bracket_that_is_rounded_inward_is_none(monkeypatch: pytest.MonkeyPatc
     model, state = paper_run("5/2", "1/2", "1e-6")
     assert first_zero(model, state, digits=6).verdict.outcome is Outcome.PROVED
     monkeypatch.setattr(first_zero_module, "_outward", lambda lower, upper: (upper, lower))
-    found = first_zero(model, state, digits=6)
+    found = first_zero(model, state, digits=6, budget=30)
     assert (found.verdict.outcome, found.lower, found.upper) == (Outcome.UNDECIDED, None, None)
+
+
+@pytest.mark.parametrize("width", [fmpq(10, 10**6), fmpq(105, 10**7), fmpq(99, 10**6)])
+def test_a_bracket_is_rounded_to_one_digit_beyond_its_width(width: fmpq) -> None:
+    for first in (fmpq(1, 3), fmpq(-1, 3), fmpq(0), fmpq(1, 7) * 10**5):
+        lower, upper = _outward(first, first + width)
+        assert lower <= first
+        assert first + width <= upper
+        for end, inside in ((lower, first), (upper, first + width)):
+            assert (end * 10**6).q == 1
+            assert abs(end - inside) < fmpq(1, 10**6)
+
+
+def test_the_width_of_a_bracket_is_the_one_asked_for() -> None:
+    """In units of (epsilon/2)^(-1/3): on each side the half of it from the zero."""
+    for epsilon, alpha_1 in (("1e-6", -1), ("2e-12", -1), ("1e-6", -8)):
+        model = compliant_model(alpha_1=alpha_1, alpha_2=-1, alpha_3=fmpq(5 * alpha_1, 2), epsilon=epsilon)
+        motion = contact_motion(model, compliant_state(1, 1, 0, 0, 1))
+        with working_bits(100):
+            assert (arb(_unit(motion)) ** 3 * model.scaled_epsilon / 2 - 1).abs_upper() < arb(10) ** -14
+    model, state = paper_run("5/2", "1/2", "1e-6")
+    motion, width = contact_motion(model, state), fmpq(1, 10**5)
+    rough = rough_zero(ForceRange(motion, motion.coefficient(60)), fmpq(-(10**6), 2), _unit(motion))
+    assert rough is not None
+    found = _bracket(motion, rough, width, 8)
+    narrow = _bracket(motion, rough, width / 10**6, 14)
+    assert found is not None
+    assert narrow is not None
+    assert found.upper - found.lower == width
+    assert found.lower + width * 49 / 100 < narrow.lower < narrow.upper < found.upper - width * 49 / 100
 
 
 def test_a_slope_that_is_not_negative_gives_no_bracket(monkeypatch: pytest.MonkeyPatch) -> None:
