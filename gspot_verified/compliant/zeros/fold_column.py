@@ -19,7 +19,6 @@ from gspot_verified.numbers.balls import approximate
 from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind, number_of_zeros
 from gspot_verified.signs.cover.zero_column import cover, grid
 
-WIDEST = fmpq(1, 4)  # in beta, with a fold; a wider range is cut
 _HALF_WIDTHS = (fmpq(1, 4), fmpq(1, 8), fmpq(1, 2), fmpq(3, 4), fmpq(1, 16))
 _PARTS = 3  # of a cell of tau, on the fold's piece: shorter boxes, more certain signs
 _SEARCH_STEP = fmpq(1, 32)  # in tau, where a minimum is looked for: a heuristic

@@ -16,7 +16,7 @@ from typing import ClassVar, NamedTuple
 from flint import fmpq
 
 from gspot_verified.compliant.patches.slow_patch import SlowPatch
-from gspot_verified.compliant.zeros.fold_column import WIDEST, fold_column, numbers_of_zeros
+from gspot_verified.compliant.zeros.fold_column import fold_column, numbers_of_zeros
 from gspot_verified.compliant.zeros.slow_zero_column import MAP_REACH, slow_zero_column
 from gspot_verified.compliant.zeros.zero_count import SYSTEM
 from gspot_verified.numbers.balls import approximate
@@ -209,7 +209,7 @@ def examine(
     if along is None or all(piece.kind is not Kind.FOLD for piece in along.pieces):
         signs = patch.signs(lower - 1, upper - 1)
         column = slow_zero_column(signs, lower, upper, n, _LEAST_PIECE, MAP_REACH, along)
-    if column is None and upper - lower <= min(_COLUMN, WIDEST):
+    if column is None:
         return fold_column(lower, upper, n, epsilon_lower, epsilon_upper, _LEAST_PIECE, along)
     return column
 

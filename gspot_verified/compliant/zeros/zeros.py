@@ -79,9 +79,9 @@ def _is_range(value: Range | ExactInput | None) -> bool:
     return isinstance(value, Range) or (isinstance(value, str) and ".." in value)
 
 
-def _range(value: Range | ExactInput, name: str) -> Range:
+def _range(value: Range | ExactInput, name: str) -> Range | str:
     if isinstance(value, Range | str):
-        return value if isinstance(value, Range) else Range.parse(value, name)
+        return value
     point = exact(value, name)
     if not isinstance(point, fmpq):
         raise ValueError(f"{name}: expected a range or one exact number, got a ball")

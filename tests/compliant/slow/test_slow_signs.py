@@ -6,9 +6,10 @@ Page: proofs/finite_epsilon_zeros.md.
 from __future__ import annotations
 
 from fractions import Fraction
+from math import comb, factorial
 
 import pytest
-from flint import arb_mat, fmpq
+from flint import arb, arb_mat, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from samples.strategies import to_fmpq
@@ -61,6 +62,31 @@ def test_coefficients_hold_at_every_point_of_the_interval(
             assert enclosure.overlaps(value)
             if lower == upper:
                 assert enclosure.rad() < (1 + abs(value)) * fmpq(1, 10**6)
+
+
+@pytest.mark.parametrize("order", [1, 2, 3])
+@pytest.mark.parametrize("ends", [(0, 2), (2, 4), (1, 4), (0, 3), (1, 3)])
+def test_the_remainder_reaches_to_both_ends(order: int, ends: tuple[int, int]) -> None:
+    """e^tau by few terms, so that the remainder is most of the radius."""
+
+    def expansion(k: int) -> arb_mat:
+        with working_bits(100):
+            place = (k + fmpq(1, 2)) * CELL
+            middle = arb(place).exp()
+            return arb_mat([[middle / factorial(j)] for j in range(order + 1)])
+
+    signs = SlowSigns(expansion, order, 100)
+    lower, upper = (3 * CELL + end * CELL / 4 for end in ends)
+    for j, found in enumerate(signs.coefficients(lower, upper, order)):
+        for place in (lower, upper):
+            with working_bits(100):
+                assert found.contains((arb(place).exp() / factorial(j)).mid())
+    # The page: reach^(K-j) binom(K, j) c_K at the middle of the next cell, and no more than that.
+    for j, found in enumerate(signs.coefficients(lower, lower, order)):
+        with working_bits(100):
+            reach = abs(lower - fmpq(7, 4))
+            page = comb(order, j) * arb(reach) ** (order - j) * arb(fmpq(9, 4)).exp() / factorial(order)
+            assert abs(found.rad() - page) <= page * fmpq(1, 2**25) + arb(10) ** -25
 
 
 def test_an_interval_across_two_cells_is_refused() -> None:

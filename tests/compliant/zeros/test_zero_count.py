@@ -103,6 +103,10 @@ def test_texts_and_data() -> None:
         "proved: the number of real zeros of λ − λ̄ on the slow manifold of the compliant model with α₁ = −1, "
         "β = 119/20, ε = 1/10: 1 (for Θ (ε → 0): 3)\n  T = [7.394"
     )
+    assert str(slow_zeros("5/2", "1/10", 3)).splitlines()[0].endswith("ε = 1/10: 2 (as for Θ)")
+    still_open = replace(found, number=None, places=())
+    assert str(still_open) == str(still_open.verdict)
+    assert still_open.verdict.outcome is Outcome.UNDECIDED
     data = found.to_json()
     assert (data["number"], data["number_for_theta"], data["route"], len(data["zeros"])) == (1, 3, "pieces", 1)
     assert slow_zeros(5, 1).to_json()["route"] == "polynomial"

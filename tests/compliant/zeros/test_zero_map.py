@@ -15,9 +15,10 @@ from flint import arb, fmpq
 
 from gspot_verified.compliant.zeros.fold_column import fold_column, numbers_of_zeros
 from gspot_verified.compliant.zeros.zero_count import slow_zeros
-from gspot_verified.compliant.zeros.zero_map import Row, zero_map
+from gspot_verified.compliant.zeros.zero_map import Row, examine, zero_map
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind
+from gspot_verified.work.ranges import Range
 
 BELOW_FOLD = ("43/8..11/2", "19/20..1")
 
@@ -51,10 +52,12 @@ def test_the_law_between_4_and_5_up_to_epsilon_32() -> None:
 
 
 def test_a_column_across_the_fold_against_points() -> None:
-    """epsilon = 1: beta_f = 5.670239."""
+    """epsilon = 1: beta_f = 5.670239. It is found where pieces of one sign each do not suffice."""
     lower, upper = fmpq(565, 100), fmpq(569, 100)
     column = fold_column(lower, upper, 4, fmpq(1), fmpq(1), fmpq(1, 128))
     assert column is not None
+    assert examine(lower, upper, epsilon_lower=fmpq(1), epsilon_upper=fmpq(1)) == column
+    assert examine(lower, upper, column, epsilon_lower=fmpq(1), epsilon_upper=fmpq(1)) == column
     assert numbers_of_zeros(column, fmpq(1), fmpq(1)) == (3, 1)
     assert (slow_zeros(lower, 1, 2).number, slow_zeros(upper, 1, 2).number) == (3, 1)
 
@@ -195,6 +198,16 @@ def test_data() -> None:
 def test_refused(beta: str, epsilon: str, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         zero_map(beta, epsilon)
+
+
+@pytest.mark.parametrize("ends", [(None, fmpq(6)), (fmpq(5), None)])
+def test_an_infinite_end_is_refused(ends: tuple[fmpq | None, fmpq | None]) -> None:
+    for beta, epsilon, name in (
+        (Range(*ends, False, False), "1", "beta"),
+        ("5..6", Range(*ends, False, False), "epsilon"),
+    ):
+        with pytest.raises(ValueError, match=f"{name}: the range must lie inside"):
+            zero_map(beta, epsilon)
 
 
 def test_a_ball_is_refused() -> None:
