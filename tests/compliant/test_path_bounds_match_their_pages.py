@@ -21,6 +21,7 @@ from gspot_verified.compliant.fast import fast_path_bound, late_bound
 from gspot_verified.compliant.fast.decaying_coefficient import _before, _beyond, _exponent
 from gspot_verified.compliant.fast.fast_bound import fast_bound
 from gspot_verified.compliant.fast.fast_path_bound import _arc, _ray, _tail, decaying_bounds, oscillating_bounds
+from gspot_verified.compliant.fast.fast_solutions import Ray
 from gspot_verified.compliant.fast.late_bound import late_bounds
 from gspot_verified.compliant.fast.modulus_sum import PathPiece, modulus_sum
 from gspot_verified.compliant.model.kernel import kernel
@@ -224,6 +225,27 @@ def test_the_tail_of_a_ray_is_that_of_the_page() -> None:
     ]
     for case in refused:
         assert not any(bound.is_finite() for bound in tail(*case)), case
+
+
+@pytest.mark.parametrize("decaying", [False, True])
+def test_the_tail_of_a_fast_solution_is_that_of_the_page(decaying: bool) -> None:
+    """Section 2, with Re d^3 = 1 and 1/2; it is refused where a hypothesis fails."""
+    epsilon, p, height, reach = fmpq(1, 3), fmpq(1, 2), fmpq(1), fmpq(12)
+    for angle, cube in ((fmpq(2, 3), 1), (fmpq(-1, 9), mpf(1) / 2)):
+        corner, way = mpmath.mpc(-1, 2) / 2, mpmath.expjpi(_m(angle))
+        size, end = abs(corner), corner + way * 12
+        D = cube * 144 - (2 * size + 1) * 12 - (size**2 + size + 2 + mpf(1) / 2)
+        value = (end - end**2 / 2 - end**3 / 3 - mpmath.log(abs(1 + end)) - end / 2).real * 3
+        page = 2 * (size + 12) * mpmath.exp(value - 1) / (3 * D - mpf(1) / 12)
+        ray = Ray(
+            arb(1), arb(epsilon), arb(p), acb(fmpq(-1, 2), 1), acb(0, arb.pi() * angle).exp(), arb(height), decaying
+        )
+        assert _is_the_bound(ray._beyond(arb(reach)), page)
+        assert not ray._beyond(arb(fmpq(31, 10))).is_finite()  # R < |c| + 2
+        assert not replace(ray, p=arb(200))._beyond(arb(reach)).is_finite()  # D(R) < 0
+        assert not replace(ray, epsilon=arb(10**4))._beyond(arb(reach)).is_finite()  # the divisor
+        for direction in (acb(1, 0), acb(0, arb.pi() / 3).exp(), acb(0, arb.pi() / 6).exp()):
+            assert replace(ray, direction=direction)._beyond(arb(reach)).is_finite() is (direction.real == 1)
 
 
 def test_both_tails_of_the_waves_and_that_of_the_decaying_solution_are_counted(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -9,10 +9,11 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
-from flint import arb, fmpq
+from flint import acb, arb, fmpq
 from samples.strategies import ends
 
 from gspot_verified.compliant.fast.fast_coefficient import fast_coefficient
+from gspot_verified.compliant.fast.fast_solutions import Ray, decaying, oscillating
 from gspot_verified.compliant.model.normal_form import Deviation
 from gspot_verified.compliant.side.side_rule import coefficients
 from gspot_verified.compliant.slow.epsilon_series import epsilon_series
@@ -75,6 +76,19 @@ def test_ends_of_the_path_of_the_fast_coefficient() -> None:
     coarse, fine = fast_coefficient(state, 4), fast_coefficient(state, 200)
     assert _contained(coarse.real, _exact(fine.real))
     assert _contained(coarse.imag, _exact(fine.imag))
+
+
+@pytest.mark.parametrize("p", [fmpq(1, 2), fmpq(-1)])
+def test_ends_of_the_rays_of_the_fast_solutions(monkeypatch: pytest.MonkeyPatch, p: fmpq) -> None:
+    """The rays are cut where the integrand is no small number yet, as far as its bound allows."""
+    arguments = fmpq(1, 2), fmpq(40), p, ("b", "V"), 240
+    waves, falls = oscillating(*arguments)[0], decaying(*arguments)[0]
+    monkeypatch.setattr(Ray, "_last", lambda self, _: (5 * abs(self.corner) + 4).mid())
+    cut_waves, cut_falls = oscillating(*arguments)[0], decaying(*arguments)[0]
+    for cut, whole in zip([*cut_waves, *map(acb, cut_falls)], [*waves, *map(acb, falls)], strict=True):
+        assert whole.real.rad() < cut.real.rad() / 1000
+        assert _contained(cut.real, _exact(whole.real))
+        assert _contained(cut.imag, _exact(whole.imag))
 
 
 def test_the_bound_that_stands_for_the_fast_part() -> None:

@@ -4,18 +4,24 @@ epsilon and all times they are for."""
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 
 import mpmath
 import pytest
 from flint import acb, arb, fmpq
+from hypothesis import example, given
+from hypothesis import strategies as st
+from samples.strategies import ends, to_fmpq
 from witnesses.theta import contains_witness, to_fraction
 
+from gspot_verified.compliant.fast import fast_part as fast_part_module
 from gspot_verified.compliant.fast.decaying_coefficient import decaying_coefficient, real_saddle
 from gspot_verified.compliant.fast.fast_coefficient import fast_coefficient, saddle
 from gspot_verified.compliant.fast.fast_coefficient_bound import (
     decaying_coefficient_bound,
     oscillating_coefficient_bound,
     state_weight,
+    unit_weight,
 )
 from gspot_verified.compliant.fast.fast_part import fast_bound_at, fast_part
 from gspot_verified.compliant.fast.fast_path_bound import NAMES, decaying_bounds, oscillating_bounds
@@ -205,6 +211,74 @@ def test_the_fast_part_is_below_its_bound(p: fmpq) -> None:
     for name in NAMES:
         assert values[name].is_finite()
         assert abs(values[name]) < bounds[name]
+
+
+def _height(p: fmpq) -> mpmath.mpf:
+    """Re g_p(r_+), by mpmath's own roots."""
+    place = number(p)
+    top = next(r for r in mpmath.polyroots([1, 2, place, place], maxsteps=200, extraprec=300) if r.imag > 0)
+    return mpmath.re(top * (1 - place - top / 2 - top**2 / 3) - mpmath.log(1 + top))
+
+
+@pytest.mark.parametrize("p", [fmpq(1, 10**6), fmpq(1, 50), fmpq(1, 2), fmpq(5, 2), fmpq(40)])
+def test_the_height_of_the_saddle(p: fmpq) -> None:
+    with mpmath.workdps(40), working_bits(120):
+        assert contains_witness(fast_part_module._height(p), to_fraction(_height(p)), 12)
+
+
+@given(st.fractions(Fraction(1, 10**6), 50, max_denominator=10**6), st.fractions(0, 1, max_denominator=300))
+@example(Fraction(17), Fraction(1, 1))
+@example(Fraction(1), Fraction(15, 17))
+@example(Fraction(1), Fraction(31, 33))
+@example(Fraction(1), Fraction(6, 7))
+def test_a_level_lies_between_the_time_and_the_first_one(first: Fraction, share: Fraction) -> None:
+    start, p = to_fmpq(first), to_fmpq(first * share)
+    level = fast_part_module._level(start, p)
+    assert p <= level <= start
+    assert level - p <= start / 4 or p > start * 3 / 4
+    if share < 1:
+        assert start - level >= (start - p) / 2 or p <= start * 3 / 4
+        assert level < start or p == 0 or p > start * 3 / 4
+
+
+@pytest.mark.parametrize("paper", [False, True])
+@pytest.mark.parametrize("p", [fmpq(1, 2), fmpq(12, 25), fmpq(1, 10), fmpq(0), fmpq(-1, 10)])
+def test_the_bound_of_the_fast_part_is_that_of_the_page(p: fmpq, paper: bool) -> None:
+    """Section 8: 2 B_c B_P e^(-(G(p_0) - G(p_1))/eps) + B_cQ B_Q e^(-|r_3|(T - T_0)), with 1/(eps beta) but in b.
+
+    The data of the paper's runs: section 9, a factor eps and the weight s^(beta-2)."""
+    epsilon = fmpq(1, 50)
+    state = replace(STATE, epsilon=epsilon)
+    if paper:
+        state = replace(state, V=fmpq(0), Y=2 * state.b / state.p, Z=state.b / state.p)
+    found = fast_bound_at(state, p)
+    first, beta, small = state.p, state.beta, arb(epsilon)
+    level = {fmpq(12, 25): first * fmpq(31, 32), fmpq(1, 10): first / 4}.get(p, p)
+    with working_bits(64), mpmath.workdps(30):
+        weight, front = state_weight(kernel(state)), number(beta) / (2 * mpmath.pi)
+        if paper:
+            weight = unit_weight(arb(beta))
+            front *= number(epsilon) * abs(number(beta) - 1) * abs(number(state.b / first))
+        swing = front * _top(oscillating_coefficient_bound(weight, first, small))
+        fall = front * _top(decaying_coefficient_bound(weight, first, small))
+        corner = min(mpmath.polyroots([1, 2, number(first), number(first)], extraprec=200), key=mpmath.re)
+        steady = [fall * _top(bound) for bound in decaying_bounds(arb(beta), first, small)]
+        drop = mpmath.exp(mpmath.re(corner) * number(first - max(p, fmpq(0))) / number(epsilon))
+        if p > 0:
+            swing *= mpmath.exp(-(_height(first) - _height(level)) / number(epsilon))
+            waves = [_top(bound) for bound in oscillating_bounds(arb(beta), level, small)]
+        else:
+            swing *= mpmath.exp(-_height(first) / number(epsilon))
+            waves = [_top(bound) for bound in late_bounds(beta, epsilon, -p / epsilon)]
+        for name, wave, fallen in zip(NAMES, waves, steady, strict=True):
+            page = (2 * swing * wave + fallen * drop) / (1 if name == "b" else number(epsilon * beta))
+            assert page * (1 - mpmath.mpf("1e-15")) <= _top(found[name]) <= page * (1 + mpmath.mpf("1e-7"))
+
+
+def _top(value: arb) -> mpmath.mpf:
+    assert value.is_finite()
+    upper = ends(value)[1]
+    return mpmath.mpf(upper.numerator) / upper.denominator
 
 
 def test_no_bound_before_the_state_or_after_the_g_spot() -> None:
