@@ -133,6 +133,16 @@ def test_the_trapezoidal_rule_is_finite_exactly_where_its_hypotheses_hold() -> N
         assert not slow_moments(arb(1), fmpq(-3, 2), epsilon, 1, good)[0].is_finite()
 
 
+def test_the_rest_beyond_the_last_node_wants_a_falling_integrand_not_a_falling_exponential_alone() -> None:
+    """rho^14 e^E rises at rho = 2.2, where E already falls: the geometric series would have a ratio above 1."""
+    good = TrapezoidPlan(fmpq(1, 20), -200, 60, fmpq(1, 4), fmpq(1, 4), fmpq(6), 200)
+    assert slow_moments(arb(1), fmpq(-15), fmpq(1), 1, good)[0].is_finite()
+    rho, eta = mpmath.exp(mpf(4) / 5), _eta(fmpq(1))
+    assert -15 < rho * _slope(rho, mpf(1), eta, mpf(1)) < 0
+    assert not slow_moments(arb(1), fmpq(-15), fmpq(1), 1, replace(good, last=16))[0].is_finite()
+    assert slow_moments(arb(1), fmpq(-3, 2), fmpq(1), 1, replace(good, last=16))[0].is_finite()
+
+
 def test_the_trapezoidal_rule_contains_the_integral() -> None:
     tau, epsilon, b = fmpq(1, 2), fmpq(1, 3), fmpq(-3, 2)
     plan = TrapezoidPlan(fmpq(1, 20), -600, 80, fmpq(1, 4), fmpq(1, 4), fmpq(3), 200)

@@ -64,6 +64,18 @@ def test_series_in_eta_with_one_order() -> None:
     assert _contained(found, _exact(integral(fmpq(0), b, epsilon, 300)))
 
 
+@pytest.mark.parametrize("orders", [2, 3, 5])
+def test_series_in_eta_with_several_orders(orders: int) -> None:
+    """At tau = 1: each further order makes the radius smaller, and the value stays inside."""
+    epsilon, b, tau = fmpq(2, 10**15), fmpq(-1, 2), fmpq(1)
+    with working_bits(400):
+        first = [evaluate(tau, b, derivative=j, digits=100).value for j in range(3)]
+        eta = scale(epsilon)
+    found = epsilon_series(first, arb(tau), b, eta, [(arb(1), arb(4))] * orders, 400)
+    assert _contained(found, _exact(integral(tau * 10**5, b, epsilon, 300)))
+    assert arb(10) ** (-5 * orders - 4) < found.rad() < arb(10) ** (6 - 5 * orders)
+
+
 @pytest.mark.parametrize("epsilon", [fmpq(1), fmpq(1, 100_000)])
 @pytest.mark.parametrize("beta", [fmpq(1, 2), fmpq(3)])
 def test_ends_of_the_integral_of_the_slow_coefficient(beta: fmpq, epsilon: fmpq) -> None:

@@ -9,7 +9,6 @@ from flint import arb, fmpq
 
 from gspot_verified.compliant.model.normal_form import CompliantModel
 from gspot_verified.numbers.balls import ball_text
-from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.verdict import NoTruthValue, Reason
 from gspot_verified.numbers.written import Written
 
@@ -60,7 +59,3 @@ class CompliantForce(NoTruthValue, Written):
         if self.reason is not None:
             rows.append(f"  {self.reason.value}")
         return "\n".join(rows)
-
-
-def _enclosure(value: arb) -> str | None:
-    return str(Dyadic.from_ball(value)) if value.is_finite() else None

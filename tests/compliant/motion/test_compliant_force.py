@@ -149,6 +149,43 @@ def test_first_instants_at_small_epsilon(epsilon: str, late: int) -> None:
         assert found.force.overlaps(series["force"] + model.mean_force)
 
 
+def test_from_a_state_at_or_after_the_g_spot_for_some_time() -> None:
+    """By the power series alone: soon after the state it serves, long after it the time is refused."""
+    model = compliant_model("5/2", "1/10")
+    small = model.epsilon
+    for p in ("0", "-1/10"):
+        state = compliant_state(p, "-1/3", -2 * small**2, small / 7, -(small**2))
+        found = force(model, state, -state.p + 2 * small)
+        assert found.by_series
+        check(found, expected(model, state, 2 * small)[1])
+        with pytest.raises(ValueError, match="too long after an initial state"):
+            force(model, state, 10_000)
+
+
+@pytest.mark.parametrize("alpha_1", [-1, -3])
+def test_the_force_is_the_sum_of_its_parts(alpha_1: int) -> None:
+    model = compliant_model("5/2", "1/10", alpha_1=alpha_1)
+    found = force(model, some_state(model), "1/50", digits=20)
+    assert not found.by_series
+    assert not found.fast_by_bound
+    with working_bits(100):
+        assert abs(found.slow + found.fast - found.force) < arb(10) ** -18
+        assert abs(found.fast) > arb(10) ** -6
+
+
+def test_where_the_quadrature_does_not_serve_the_series_does(monkeypatch: pytest.MonkeyPatch) -> None:
+    model = compliant_model("5/2", "1/10")
+    state = some_state(model)
+    honest = force(model, state, "-1/4")
+    monkeypatch.setattr(
+        "gspot_verified.compliant.motion.compliant_force.fast_part",
+        lambda _, __, names, ___: dict.fromkeys(names, arb(0, 1)),
+    )
+    found = force(model, state, "-1/4")
+    assert (honest.by_series, found.by_series, found.reached) == (False, True, True)
+    assert found.force.overlaps(honest.force)
+
+
 def test_the_slow_manifold_is_near_leading_order_and_solves_the_equations() -> None:
     model = compliant_model("7/3", "1e-60", alpha_1=-2)
     found = force(model, SlowMotions(fmpq(3)), fmpq(10) ** -41, digits=20)

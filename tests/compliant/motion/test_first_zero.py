@@ -106,6 +106,34 @@ def test_the_slow_part_over_an_interval_holds_its_values(beta: fmpq, order: int)
         assert narrow.rad() < found.rad() / 100 + arb(10) ** -12
 
 
+@pytest.mark.parametrize("beta", [fmpq(2), fmpq(3), fmpq(4)])
+def test_the_slow_part_over_an_interval_ends_with_its_last_value(beta: fmpq) -> None:
+    """A polynomial whose derivatives are all > 0 or all < 0 there: Taylor's formula is exact at the far end."""
+    epsilon, first, last = fmpq(1, 30), fmpq(500), fmpq(600)
+    found = slow_range(beta, epsilon, first, last, 0)
+    true = [slow_value(place, beta, epsilon, digits=20).value for place in (first, last)]
+    sign = 1 if beta.p % 2 == 0 else -1
+    assert all(sign * slow_value(first, beta, epsilon, k, 20).value > 0 for k in range(1, int(beta.p) + 1))
+    with working_bits(100):
+        end, width = found.upper() if sign > 0 else found.lower(), abs(true[1] - true[0])
+        assert 0 <= sign * (end - true[1]) + width / 10**12 < width / 10**6
+        assert abs(found.mid() - true[0]) <= found.rad()
+
+
+def test_the_fast_part_is_bounded_where_it_is_largest() -> None:
+    """Before the G-spot it falls with time; after it the bound of section 7 is the one at the later end."""
+    model, state = paper_run("5/2", "1/2", "1/100")
+    motion = contact_motion(model, state)
+    force = ForceRange(motion, motion.coefficient(60))
+    for first, last, place in ((-3, -1, -3), (-2, 0, -2), (0, 2, 2), (1, 4, 4)):
+        over, there = force._fast(fmpq(first), fmpq(last)), force._fast(fmpq(place), fmpq(place))
+        assert over.is_finite()
+        assert over == there
+        for other in range(first, last + 1):
+            assert force._fast(fmpq(other), fmpq(other)) <= over
+    assert force._fast(fmpq(1), fmpq(1)) < force._fast(fmpq(4), fmpq(4))
+
+
 def test_the_force_over_an_interval_holds_its_values() -> None:
     model, state = paper_run("5/2", "1/2", "1/100")
     motion = contact_motion(model, state)

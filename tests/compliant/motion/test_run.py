@@ -12,8 +12,9 @@ from witnesses.flight import lift_off_by_series
 from witnesses.theta import contains_witness, to_fraction
 
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
+from gspot_verified.compliant.motion.contact_series import MAX_WORK
 from gspot_verified.compliant.motion.first_zero import FirstZero, first_zero
-from gspot_verified.compliant.motion.run import IMPACT, ONE_FLIGHT, TRIVIAL, CompliantRun, events
+from gspot_verified.compliant.motion.run import IMPACT, ONE_FLIGHT, TRIVIAL, CompliantRun, _second_contact, events
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome, Reason, Verdict
 from gspot_verified.paper.numerics.paper_state import paper_state
@@ -138,6 +139,27 @@ def test_a_budget_that_ends_is_named() -> None:
     assert short.events == ()
     assert "its budget of 2 (its work, rate times time)" in short.verdict.detail
     assert events(model, paper_state(model, 2)).events
+
+
+@pytest.mark.parametrize(("value", "outcome"), [(arb(-1), Outcome.PROVED), (arb(1), None), (arb(0, 1), None)])
+def test_a_contact_is_lost_again_only_where_k_is_certainly_negative(
+    monkeypatch: pytest.MonkeyPatch, value: arb, outcome: Outcome | None
+) -> None:
+    state = run_of("3/2", "2", "1e-6").events[1].state
+    monkeypatch.setattr("gspot_verified.compliant.motion.run.side", lambda *_: value)
+    found = _second_contact(state, 60)
+    assert found.outcome is (outcome or Outcome.UNDECIDED)
+    assert (found.reason is Reason.HYPOTHESIS) is (outcome is None)
+    assert outcome is None or found.statement == "one flight, then a contact that is lost again"
+
+
+def test_the_budget_has_an_end() -> None:
+    model = compliant_model("3/2", "1e-6")
+    trivial = paper_state(model, 1)
+    assert events(model, trivial, budget=MAX_WORK).verdict.statement == TRIVIAL
+    for budget in (MAX_WORK + 1, True, 2.5):
+        with pytest.raises(ValueError, match="budget"):
+            events(model, trivial, budget=budget)  # type: ignore[arg-type]
 
 
 def test_bad_input() -> None:

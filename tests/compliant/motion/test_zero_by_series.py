@@ -222,6 +222,15 @@ def test_at_the_state_itself_the_force_is_compared() -> None:
     assert positive_by_series(hats, -hats.force, fmpq(0)) is None
 
 
+@pytest.mark.parametrize("ends", [(fmpq(0), fmpq(1)), (fmpq(1, 4), fmpq(1, 3))])
+def test_halves_join_in_the_middle(ends: tuple[fmpq, fmpq]) -> None:
+    model, state = motion("1/10")
+    cell = next(iter(series_cells(deviation(model, state), fmpq(1, 3), 1, 128)))
+    left, right = _Piece(cell, fmpq(2), *ends).halves()
+    assert (left.left, right.right, left.mean, right.mean) == (*ends, 2, 2)
+    assert left.right == right.left == sum(ends) / 2
+
+
 def test_the_slope_of_a_piece_is_that_of_the_force() -> None:
     """d lambda/dT = -(2 Z - Y + V): the difference quotient of the force, and little else over a short piece."""
     model, state = motion("1/10")

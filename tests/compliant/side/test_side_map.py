@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
-from flint import fmpq
+import pytest
+from flint import acb, arb, fmpq
 
-from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state, deviation
-from gspot_verified.compliant.side.side_map import SidePoint, agreement_limits, paper_deviation, side_map
+from gspot_verified.compliant.model.normal_form import Deviation, compliant_model, compliant_state, deviation
+from gspot_verified.compliant.side import side_map as side_map_module
+from gspot_verified.compliant.side.side_map import (
+    SidePoint,
+    agreement_limits,
+    paper_deviation,
+    side_map,
+    side_point,
+)
 from gspot_verified.compliant.side.side_rule import side_rule
 
 
@@ -32,3 +40,30 @@ def test_where_both_rules_agree() -> None:
     assert limits[fmpq(13, 2)] == fmpq(1, 2000)
     open_point = SidePoint(fmpq(2), fmpq(1), None, 1)
     assert agreement_limits([open_point]) == {fmpq(2): None}
+
+
+def test_the_agreement_ends_at_the_first_point_that_is_open_or_differs() -> None:
+    """Both open is no agreement; what agrees beyond a point that does not is not counted."""
+    for exact, slow in ((None, None), (None, 1), (1, None), (1, -1)):
+        row = [SidePoint(fmpq(2), fmpq(1, 100), -1, -1), SidePoint(fmpq(2), fmpq(1, 10), exact, slow)]
+        assert agreement_limits([SidePoint(fmpq(2), fmpq(1), 1, 1), *row]) == {fmpq(2): fmpq(1, 100)}
+        assert agreement_limits(row[1:]) == {fmpq(2): None}
+
+
+def test_an_open_sign_is_looked_at_more_closely_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[int] = []
+    honest = side_map_module.coefficients
+
+    def rough(state: Deviation, bits: int) -> tuple[arb, acb, arb]:
+        asked.append(bits)
+        slow, fast, side = honest(state, bits)
+        return slow, fast, side + arb(0, 10) if len(asked) in still_open else side
+
+    monkeypatch.setattr(side_map_module, "coefficients", rough)
+    still_open: set[int] = set()
+    for exact, calls in ((1, 1), (1, 2), (None, 2)):
+        assert side_point(fmpq(13, 2), fmpq(1, 1000)) == SidePoint(fmpq(13, 2), fmpq(1, 1000), exact, -1)
+        assert len(asked) == calls
+        assert sorted(set(asked)) == asked
+        asked.clear()
+        still_open.add(len(still_open) + 1)

@@ -129,6 +129,23 @@ def _rational(text: str) -> fmpq:
     return fmpq(int(numerator), int(denominator or 1))
 
 
+def test_the_route_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Powers of eta at small epsilon, if they serve; else the integral; a polynomial at an integer b."""
+    assert slow_value(0, "1/2", "1e-60").route == "series"
+    assert slow_value(0, "1/2", "1").route == "integral"
+    assert slow_value(0, 2, "1e-60").route == "polynomial"
+    monkeypatch.setitem(ROUTES, "series", lambda *_: arb("nan"))
+    found = slow_value(0, "1/2", "1e-60")
+    assert (found.route, found.reached) == ("integral", True)
+
+
+@pytest.mark.parametrize("b", [fmpq(-200), fmpq(200)])
+def test_the_largest_parameters_are_within_the_range(b: fmpq) -> None:
+    assert slow_value(1, b, 1, digits=3).reached
+    with pytest.raises(ValueError, match="b: the library covers"):
+        slow_value(1, b * fmpq(201, 200), 1, digits=3)
+
+
 def test_derivatives_are_shifts() -> None:
     first = slow_value("1/3", "5/2", "1/50", 1, digits=20).value
     with working_bits(100):

@@ -7,18 +7,21 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-from flint import fmpq
+from flint import arb, fmpq
 from must_reject.mutate import checker, mutated, put_piece, state, text_of
+from samples.strategies import to_fmpq
 
 from gspot_verified.compliant.slow.slow_solution import slow_value
 from gspot_verified.compliant.zeros.force_certificate import (
     ForceCertificate,
     NotProvable,
+    _level,
     force_certificate,
     lift_off_certificate,
 )
 from gspot_verified.leading_order.contact_force import contact_force
 from gspot_verified.leading_order.iwc import leading_order_iwc
+from gspot_verified.numbers.balls import working_bits
 
 check = checker()
 BETAS = ("3/2", "7/3", "5/2", "7/2", "9/2")
@@ -154,6 +157,19 @@ def test_wrong_certificates_of_lift_off_are_rejected(name: str, mutation: Any, m
 def test_other_betas_are_refused(beta: str) -> None:
     with pytest.raises(ValueError, match="1 < beta < 5"):
         force_certificate(contact_force(beta), fmpq(-1), fmpq(1, 100))
+
+
+@pytest.mark.parametrize("beta", ["3/2", "9/2"])
+@pytest.mark.parametrize("epsilon", ["1/1000", "1e-20", "3"])
+def test_the_level_is_rounded_away_from_what_would_prove_more(beta: str, epsilon: str) -> None:
+    """Down for the force, up for lift-off; twelve digits."""
+    force = contact_force(beta)
+    small = to_fmpq(Fraction(epsilon))
+    with working_bits(200):
+        exact = force.level(small, 40) / force.beta
+        below, above = _level(force, small, -1), _level(force, small, 1)
+        assert 0 < below < exact < above
+        assert above - below < exact * arb(10) ** -11
 
 
 def test_the_whole_line() -> None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 from fractions import Fraction
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +20,7 @@ from samples.strategies import to_fmpq
 
 from gspot_verified.compliant.slow.slow_solution import slow_value
 from gspot_verified.compliant.zeros.force_certificate import NotProvable
-from gspot_verified.compliant.zeros.zero_certificate import _bound, _place, slow_zeros_certificate
+from gspot_verified.compliant.zeros.zero_certificate import _bound, _cut, _place, slow_zeros_certificate
 from gspot_verified.compliant.zeros.zero_count import slow_zeros
 from gspot_verified.numbers.balls import working_bits
 
@@ -85,6 +86,23 @@ def test_the_one_in_the_repository() -> None:
     data = (ROOT / "proofs" / "zeros_4_5.cert").read_bytes()
     assert "for every β in (4, 5) that is not an integer, every ε in (0, 10]," in check.check_text(data)
     assert slow_zeros_certificate("4..5", 10).text().encode() == data
+
+
+def test_it_is_written_as_a_file(tmp_path: Path) -> None:
+    GOOD.write(tmp_path / "zeros.cert")
+    assert (tmp_path / "zeros.cert").read_bytes() == GOOD.text().encode()
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper"), [("4", "5"), ("9/2", "73/16"), ("65/16", "131/32"), ("401/100", "402/100")]
+)
+def test_a_range_is_cut_at_the_multiples_of_a_sixteenth(lower: str, upper: str) -> None:
+    ends = to_fmpq(Fraction(lower)), to_fmpq(Fraction(upper))
+    parts = _cut(*ends)[::-1]
+    assert (parts[0][0], parts[-1][1]) == ends
+    assert all(first[1] == second[0] for first, second in pairwise(parts))
+    assert all((16 * first[1]).q == 1 for first in parts[:-1])
+    assert all(0 < b - a <= fmpq(1, 16) for a, b in parts)
 
 
 def test_one_beta() -> None:
