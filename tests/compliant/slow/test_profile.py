@@ -16,7 +16,7 @@ from samples.strategies import to_fmpq
 
 from gspot_verified import evaluate
 from gspot_verified.compliant.contact.threshold import slow_force
-from gspot_verified.compliant.slow.profile import Profile
+from gspot_verified.compliant.slow.profile import Profile, in_range
 from gspot_verified.leading_order.contact_force import contact_force
 
 PARAMETERS = st.fractions(Fraction(1, 10), Fraction(49, 10), max_denominator=12).filter(lambda b: b.denominator > 1)
@@ -47,6 +47,27 @@ def test_the_derivatives(beta: Fraction, root: Fraction, tau: Fraction) -> None:
     assert rest.is_finite()
     assert rest.contains(0)
     assert abs(rest).upper() < 10**-9 * (1 + abs(f[0]).upper() + abs(place) * abs(f[1]).upper())
+
+
+@pytest.mark.parametrize("beta", [fmpq(1, 2), fmpq(3, 2), fmpq(5, 2), fmpq(7, 2)])
+def test_at_leading_order_it_is_the_limit(beta: fmpq) -> None:
+    """f^(k) = sign Gamma(-beta) d^(k+1) Theta/dtau^(k+1); at a small eta the difference is small."""
+    tau = fmpq(2, 3)
+    leading = Profile.leading_order(beta).derivatives(tau, range(1, 4), 20)
+    nearby = Profile.at_root(beta, fmpq(1, 10**9)).derivatives(tau, range(1, 4), 20)
+    for k, value, near in zip(range(1, 4), leading, nearby, strict=True):
+        assert value.overlaps(evaluate(tau, beta, derivative=k + 1, digits=25).value * Profile(beta, fmpq(0)).direction)
+        assert abs(value - near) < fmpq(1, 10**7)
+        assert abs(value) > fmpq(1, 100)
+
+
+def test_the_range_of_the_slow_solution() -> None:
+    force = contact_force("5/2", alpha_1=-2)
+    for epsilon, inside in (
+        (fmpq(10) ** -300 / 2, True), (fmpq(10) ** 6 / 2, True),
+        (fmpq(10) ** -301, False), (fmpq(10) ** 6, False), (fmpq(0), False), (fmpq(-1), False),
+    ):  # fmt: skip
+        assert in_range(force, epsilon) is inside
 
 
 def test_below_1_it_is_the_integral_by_another_program() -> None:
