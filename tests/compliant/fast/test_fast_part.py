@@ -73,6 +73,26 @@ def test_fast_solutions_by_another_contour(beta: fmpq, p: fmpq, epsilon: fmpq) -
         assert contains_witness(found, witness, 12)
 
 
+def test_any_admissible_corner_serves_and_no_other(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The path may bend at any point above the axis from which it goes on to the right of 0, or on the axis there."""
+    arguments = fmpq(3, 2), fmpq(1, 5), fmpq(1, 2), ("b", "V"), 60
+
+    def values(corner: acb) -> list[acb]:
+        monkeypatch.setattr("gspot_verified.compliant.fast.fast_solutions._corner", lambda *_: corner)
+        waves, height = oscillating(*arguments)
+        with working_bits(120):
+            return [wave * height.exp() for wave in waves]
+
+    first, *others = [values(corner) for corner in (acb(0, 1), acb(fmpq(1, 3)), acb(fmpq(1, 2), 2), acb(-1, 1))]
+    for other in others:
+        for one, two in zip(first, other, strict=True):
+            assert one.real.is_finite()
+            assert two.real.is_finite()
+            assert one.overlaps(two)
+    for corner in (acb(-3, 1), acb(-1), acb(0), acb(1, -1), acb(fmpq(-1, 2), fmpq(1, 10))):
+        assert not any(value.real.is_finite() or value.imag.is_finite() for value in values(corner))
+
+
 @pytest.mark.parametrize("p", [fmpq(1, 3), fmpq(-1, 4)])
 def test_the_decaying_coefficient_by_its_definition(p: fmpq) -> None:
     state = replace(STATE, p=p, epsilon=fmpq(1, 7))
