@@ -17,8 +17,10 @@ from gspot_verified.compliant.zeros.force_certificate import (
     NotProvable,
     _level,
     force_certificate,
+    iwc_certificate,
     lift_off_certificate,
 )
+from gspot_verified.compliant.zeros.force_statements import LiftOffStatement
 from gspot_verified.leading_order.contact_force import contact_force
 from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.numbers.balls import working_bits
@@ -52,9 +54,14 @@ def test_force_up_to_nearly_the_largest_epsilon(beta: str) -> None:
 def test_lift_off_is_certified_just_beyond_the_leading_order_time(beta: str) -> None:
     charge = -contact_force(beta).c1
     force = contact_force(beta, c1=charge)
-    time = leading_order_iwc(beta, c1=charge).lift_off
+    leading = leading_order_iwc(beta, c1=charge)
+    time = leading.lift_off
     assert time is not None
     assert time.upper is not None
+    beside = iwc_certificate(leading).statement
+    assert isinstance(beside, LiftOffStatement)
+    assert (1000 * beside.tau).q == 1
+    assert time.upper < beside.tau <= time.upper + fmpq(1, 1000)
     found = lift_off_certificate(force, time.upper + fmpq(1, 1000), fmpq(1, 1000))
     assert "λ < 0 at τ = " in check.check_text(found.text().encode())
     with pytest.raises(NotProvable):
