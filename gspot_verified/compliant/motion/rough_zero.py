@@ -24,7 +24,7 @@ def rough_zero(force: ForceRange, start: fmpq, unit: fmpq) -> fmpq | None:
 
 
 def _samples(start: fmpq, unit: fmpq) -> Iterator[fmpq]:
-    """From the initial state to the G-spot in steps that shrink, then in steps of 1/2 in tau."""
+    """From the initial state to the G-spot in steps that shrink, then in steps of 1 in tau."""
     for k in range(_PIECES_BEFORE):
         yield start * fmpq((_PIECES_BEFORE - k) ** 2, _PIECES_BEFORE**2)
     for k in range(int(_LAST_SCALED / _SCALED_STEP)):
