@@ -117,7 +117,8 @@ def test_texts_and_data() -> None:
 @pytest.mark.parametrize(
     ("beta", "epsilon", "digits", "message"),
     [
-        (0, 1, 15, "beta"), ("-1/2", 1, 15, "beta"), (41, 1, 15, "beta"), ("nan", 1, 15, "beta"),
+        (0, 1, 15, r"beta: expected a number in \(0, 40\]"), ("-1/2", 1, 15, r"beta: expected a number in \(0, 40\]"),
+        (41, 1, 15, r"beta: expected a number in \(0, 40\]"), ("nan", 1, 15, "beta"),
         ("5/2", 0, 15, "epsilon"), ("5/2", -1, 15, "epsilon"), ("5/2", "1e-301", 15, "epsilon"),
         ("5/2", 10**7, 15, "epsilon"), (arb(2, 1), 1, 15, "beta: expected one exact number"),
         ("5/2", arb(2, 1), 15, "epsilon: expected one exact number"), ("5/2", 1, 0, "digits"),
