@@ -13,7 +13,7 @@ from itertools import product
 
 import mpmath
 import pytest
-from flint import arb, fmpq
+from flint import acb, arb, fmpq
 from mpmath import mpf
 from samples.strategies import ends, to_fraction
 
@@ -23,6 +23,7 @@ from gspot_verified.compliant.model.kernel import kernel
 from gspot_verified.compliant.model.normal_form import Deviation
 from gspot_verified.compliant.slow.epsilon_series import epsilon_remainder
 from gspot_verified.compliant.slow.grid import _half_phi, _half_phi_at
+from gspot_verified.compliant.slow.slow_coefficient import cubic_coefficients, cubic_quotient
 from gspot_verified.compliant.slow.slow_integral import TrapezoidPlan, slow_moments, tangent_bound
 from gspot_verified.numbers.balls import working_bits
 
@@ -239,6 +240,19 @@ def test_rest_of_the_series_of_phi(length: int) -> None:
         value = _half_phi_at(arb(x), *_half_phi(length, 400))
     page = _m(x) ** length / (2 * (length + 3))
     assert page * (1 - mpf("1e-15")) <= _radius(value) <= page * (1 + mpf("1e-7"))
+
+
+@pytest.mark.parametrize("length", [1, 2, 7])
+def test_rest_of_the_series_of_the_cubic_quotient(length: int) -> None:
+    """|x|^n/((n + 3)(1 - |x|)) in both parts, and none where |x| may reach 1/2."""
+    x = fmpq(1, 20)
+    with working_bits(400):
+        series = cubic_coefficients(length)
+        value = cubic_quotient(acb(0, x), series)
+        assert not cubic_quotient(acb(0, fmpq(1, 2)), series).real.is_finite()
+    page = _m(x) ** length / ((length + 3) * (1 - _m(x)))
+    for part in (value.real, value.imag):
+        assert page * (1 - mpf("1e-15")) <= _radius(part) <= page * (1 + mpf("1e-7"))
 
 
 def _path(state: Deviation, bits: int = 20) -> FastPath:
