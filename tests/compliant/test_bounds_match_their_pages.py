@@ -283,6 +283,9 @@ def test_the_ends_of_the_fast_path_are_refused_without_their_hypotheses() -> Non
         path = _path(STATE)
         assert path.before(arb(-2)).is_finite()
         assert not path.before(arb(-1)).is_finite()  # |1 + s| > 1/4
+        border = (1 / (4 * abs(1 + path.top))).log()
+        assert path.before(border - arb((1, -60))).is_finite()
+        assert not path.before(border + arb((1, -60))).is_finite()
         assert path.beyond(arb(9)).is_finite()
         for last in (0, 1, 2):
             assert not path.beyond(arb(last)).is_finite()
