@@ -124,7 +124,9 @@ def least_share(beta: fmpq, largest: fmpq) -> arb | None:
     (section 3); None when a hypothesis fails there. The share does not depend on nu and alpha_2, and has no bound."""
     with working_bits(_BITS):
         sizes = sizes_up_to(beta, largest) if beta < 1 else None
-        return None if sizes is None or not (sizes.ratio < 1 and sizes.fast < fmpq(1, 2)) else _least_share(sizes)
+        if sizes is None or not (sizes.ratio < 1 and sizes.fast < fmpq(1, 2)):
+            return None
+        return _least_share(sizes)
 
 
 def _least_share(sizes: Sizes) -> arb:

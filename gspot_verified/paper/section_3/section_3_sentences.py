@@ -12,7 +12,8 @@ from flint import fmpq, fmpq_mpoly, fmpz_poly
 from gspot_verified.compliant.model.normal_form import CompliantModel, CompliantState, compliant_model, deviation
 from gspot_verified.compliant.motion.first_zero import first_zero
 from gspot_verified.compliant.side.side_rule import side_rule
-from gspot_verified.numbers.balls import approximate, sign_of
+from gspot_verified.numbers.balls import sign_of
+from gspot_verified.numbers.short_text import decimal_text
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
@@ -208,8 +209,8 @@ def _passes_and_lifts_off(epsilon: fmpq) -> Check:
         f", ν = {NEAR}, ε = {epsilon}",
         False if lost_after(NEAR, epsilon) else None,
         ""
-        if found.lower is None
-        else f"contact lasts until t = {approximate(found.lower):.6g} after p = 0, and is lost",
+        if found.lower is None or found.upper is None
+        else f"contact lasts until a t in {decimal_text(found.lower, found.upper)} after p = 0, and is lost",
     )
 
 

@@ -169,7 +169,7 @@ def test_lift_off_before_the_g_spot(monkeypatch: pytest.MonkeyPatch, upper: fmpq
     ("lower", "answer"), [(None, None), (fmpq(-1, 9), False), (fmpq(0), False), (fmpq(1, 2), True)]
 )
 def test_lift_off_after_the_g_spot(monkeypatch: pytest.MonkeyPatch, lower: fmpq | None, answer: bool | None) -> None:
-    monkeypatch.setattr(ledger, "first_zero", lambda *_, **__: SimpleNamespace(lower=lower))
+    monkeypatch.setattr(ledger, "first_zero", lambda *_, **__: SimpleNamespace(lower=lower, upper=fmpq(2)))
     assert ledger.lost_after(ledger.NEAR, fmpq(1, 1000)) is answer
     assert ledger._passes_and_lifts_off(fmpq(1, 1000)).agrees is (False if answer else None)
 
