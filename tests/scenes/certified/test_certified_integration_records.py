@@ -1,4 +1,7 @@
-"""What is kept of a run: which precisions are tried, which attempt is taken, growth, and conditions at the end."""
+"""What is kept of a run: which precisions are tried, which attempt is taken, growth, and conditions at the end.
+
+Page: proofs/left_out_effects.md.
+"""
 
 from __future__ import annotations
 
