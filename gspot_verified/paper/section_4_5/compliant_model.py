@@ -6,7 +6,7 @@ The page is proofs/monotone.md; its steps on coefficients and exponents are run 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 
 from flint import acb, arb, fmpq
@@ -24,6 +24,7 @@ from gspot_verified.paper.checks.closed_forms import ClosedForm
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, same_sign, settled
 from gspot_verified.paper.checks.formulas import Forms, FormulaClaim, closed_form, evaluate_text, put
 from gspot_verified.paper.checks.page import Page
+from gspot_verified.theta_function.sums.quadrature import holomorphic_integral
 
 SECTION = "Section 4.5"
 PRINTED: dict[str, dict[str, str]] = {
@@ -44,6 +45,7 @@ BELOW_ONE = (fmpq(1, 2), fmpq(3, 4), fmpq(9, 10))
 """β of Cases I and II with a whole 1/(1 - β): the quadrature has no branch point."""
 TAUS = (fmpq(-20), fmpq(0), fmpq(6))
 _FAR = 12
+"""F: from this ρ on the integral is bounded by hand."""
 EPSILON = fmpq(1, 1000)
 START = fmpq(-10)
 BELOW = fmpq(99, 100)
@@ -96,20 +98,29 @@ def _over_the_side(identifier: str, forms: Forms, room: str) -> list[ClosedForm]
     return [closed_form(put(DEVIATION, **images)) / forms["side"], closed_form(put(room, **images))]
 
 
+def weight_of(epsilon: fmpq, tau: fmpq, power: int) -> Callable[[acb, bool], acb]:
+    """x ↦ e^(ψ(r)/ε + ρτ), ψ(r) = r - r²/2 - r³/3 - log(1 + r), r = ηρ, ρ = x^power; not finite at a cut of log."""
+    eta = (arb(epsilon) / 2).root(3)
+
+    def weight(x: acb, analytic: bool) -> acb:
+        r = eta * x**power
+        return ((r - r**2 / 2 - r**3 / 3 - (1 + r).log(analytic)) / epsilon + x**power * tau).exp()
+
+    return weight
+
+
 def positive_integral(beta: fmpq, tau: fmpq, epsilon: fmpq) -> arb:
     """ε^(β-1) times the integral of r^(-β) e^(ψ(r)/ε + rT), α_1 = -1, by quadrature in x = ρ^(1-β), r = ηρ, τ = ηT."""
     with working_bits(64):
-        eta = (arb(epsilon) / 2).root(3)
         power = int((1 / (1 - beta)).p)
-
-        def weight(x: acb, _: bool) -> acb:
-            r = eta * x**power
-            return ((r - r**2 / 2 - r**3 / 3 - (1 + r).log()) / epsilon + x**power * tau).exp()
-
-        # Beyond ρ = 12 the exponent is below -ρ³/3 + ρτ, whose slope is there at most τ - 12².
-        near = acb.integral(weight, 0, arb(_FAR) ** arb(1 - beta), rel_tol=arb(2) ** -40).real * power
-        rest = arb(_FAR) ** arb(-beta) * arb(_FAR * tau - fmpq(_FAR**3, 3)).exp() / (_FAR**2 - tau)
-        return (near + rest * arb(fmpq(1, 2), fmpq(1, 2))) * (2 * eta**2) ** arb(beta - 1)
+        near = holomorphic_integral(weight_of(epsilon, tau, power), arb(0), arb(_FAR) ** arb(1 - beta)).real * power
+        # log(1 + r) >= r - r²/2, so ψ(r) <= -r³/3 and, as η³ = ε/2, the exponent is at most g = -ρ³/6 + ρτ. For ρ >= F
+        # its slope is at most -(F²/2 - τ) < 0: the rest is at most F^(-β) e^(g(F))/(F²/2 - τ).
+        falls = fmpq(_FAR**2, 2) - tau
+        assert falls > 0
+        rest = arb(_FAR) ** arb(-beta) * arb(_FAR * tau - fmpq(_FAR**3, 6)).exp() / falls
+        scale = 2 * (arb(epsilon) / 2).root(3) ** 2
+        return (near + rest * arb(fmpq(1, 2), fmpq(1, 2))) * scale ** arb(beta - 1)
 
 
 def is_the_factor_times_an_integral(force: ContactForce, values: Sequence[arb], epsilon: fmpq) -> bool | None:

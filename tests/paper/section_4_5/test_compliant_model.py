@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from flint import arb, fmpq
+from flint import acb, arb, fmpq
 
 from gspot_verified.compliant.contact.lower_polynomial import Term, lower_terms
 from gspot_verified.compliant.contact.threshold import slow_force
@@ -123,3 +123,23 @@ def test_in_case_i_the_force_may_vanish_where_its_deviation_does_not(alpha_2: fm
     assert sign_of(late) == 1
     assert sign < 0 or early > 1
     assert sign > 0 or abs(early + fmpq(80, 10**4)) < fmpq(1, 10**4)
+
+
+@pytest.mark.parametrize("epsilon", [fmpq(1, 1000), fmpq(10), fmpq(1000)])
+@pytest.mark.parametrize("beta", ledger.BELOW_ONE)
+def test_the_tail_of_the_integral_holds_what_is_cut_off(
+    monkeypatch: pytest.MonkeyPatch, beta: fmpq, epsilon: fmpq
+) -> None:
+    """Cut early, where the tail is a large part, the ball still meets that of a late cut."""
+    late = {tau: ledger.positive_integral(beta, tau, epsilon) for tau in (fmpq(-20), fmpq(0), fmpq(1))}
+    for far in (2, 3):
+        monkeypatch.setattr(ledger, "_FAR", far)
+        for tau, whole in late.items():
+            early = ledger.positive_integral(beta, tau, epsilon)
+            assert early.is_finite()
+            assert whole.is_finite()
+            assert early.overlaps(whole)
+
+
+def test_the_integrand_is_refused_where_its_logarithm_is_not_holomorphic() -> None:
+    assert not ledger.weight_of(fmpq(1, 1000), fmpq(0), 2)(acb(arb(0, 40), arb(0, 40)), True).is_finite()
