@@ -345,6 +345,12 @@ def every_page_that_is_named_exists(path: Path) -> None:
     assert [page for page in pages if not (ROOT / page).is_file()] == []
 
 
+def quadrature_is_called_where_its_contract_stands(path: Path) -> None:
+    """An integrand that ignores ``analytic`` gives a wrong ball without a warning."""
+    calls = [n for n in ast.walk(tree_of(path)) if isinstance(n, ast.Attribute) and ast.unparse(n) == "acb.integral"]
+    assert not calls or path == PACKAGE / "theta_function" / "sums" / "quadrature.py"
+
+
 RULES = (
     imports_point_downwards,
     only_balls_touches_the_context_of_flint,
@@ -354,6 +360,7 @@ RULES = (
     modules_have_docstrings,
     whoever_adds_a_remainder_names_a_proof_page,
     every_page_that_is_named_exists,
+    quadrature_is_called_where_its_contract_stands,
 )
 
 
