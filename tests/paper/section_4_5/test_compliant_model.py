@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+import mpmath
 import pytest
 from flint import acb, arb, fmpq
 
@@ -143,3 +144,37 @@ def test_the_tail_of_the_integral_holds_what_is_cut_off(
 
 def test_the_integrand_is_refused_where_its_logarithm_is_not_holomorphic() -> None:
     assert not ledger.weight_of(fmpq(1, 1000), fmpq(0), 2)(acb(arb(0, 40), arb(0, 40)), True).is_finite()
+
+
+@pytest.mark.parametrize("beta", ledger.BELOW_ONE)
+def test_the_integral_against_mpmath(beta: fmpq) -> None:
+    epsilon, tau = fmpq(1, 10), fmpq(3, 2)
+    with mpmath.workdps(25):
+        b, small = (mpmath.mpf(int(x.p)) / int(x.q) for x in (beta, epsilon))
+        time = mpmath.mpf(3) / 2 / mpmath.cbrt(small / 2)
+
+        def integrand(x: mpmath.mpf) -> mpmath.mpf:
+            r = x ** (1 / (1 - b))
+            return mpmath.exp((r - r**2 / 2 - r**3 / 3 - mpmath.log1p(r)) / small + r * time)
+
+        value = mpmath.quad(integrand, [0, 1, 2, 4, 8]) / (1 - b) * small ** (b - 1)
+        ball = ledger.positive_integral(beta, tau, epsilon)
+        assert abs(mpmath.mpf(str(ball.mid().str(25, radius=False))) / value - 1) < mpmath.mpf(10) ** -14
+    assert ball.rel_accuracy_bits() > 40
+
+
+def test_forces_that_are_not_the_factor_times_the_integral_are_refused() -> None:
+    force, epsilon = contact_force(fmpq(1, 2), alpha_2=0), fmpq(1, 10)
+    values = [slow_force(force, tau, epsilon) for tau in ledger.TAUS]
+    check = ledger.is_the_factor_times_an_integral
+    assert check(force, values, epsilon)
+    assert not check(force, [-value for value in values], epsilon)
+    assert not check(force, values[::-1], epsilon)
+    for k in range(len(values)):
+        for share in (fmpq(1, 10**7), fmpq(-1, 10**7)):
+            changed = [value * (1 + share) if i == k else value for i, value in enumerate(values)]
+            assert not check(force, changed, epsilon)
+            near = [value * (1 + share / 100) if i == k else value for i, value in enumerate(values)]
+            assert check(force, near, epsilon)
+    with pytest.raises(ValueError, match="zip"):
+        check(force, values[:2], epsilon)
