@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from flint import arb, fmpq
 from hypothesis import given, settings
@@ -12,6 +14,7 @@ from gspot_verified.compliant.motion.compliant_force import contact_motion
 from gspot_verified.compliant.motion.contact_series import carried
 from gspot_verified.compliant.slow.slow_coefficient import slow_coefficient
 from gspot_verified.numbers.balls import ball, working_bits
+from gspot_verified.paper.numerics import scaling_exponents as ledger
 from gspot_verified.paper.numerics.at_the_g_spot import crossing, deviations
 from gspot_verified.paper.numerics.paper_state import paper_state
 from gspot_verified.paper.numerics.scaling_exponents import (
@@ -77,6 +80,23 @@ def test_v_and_y_of_the_next_beta_scale_alike(beta: fmpq) -> None:
             if place == largest:
                 assert abs(slopes[0] - slopes[1]) > error / 100
     assert not pair_error(beta, fmpq(1, 500)).is_finite()
+
+
+def test_the_bounds_are_the_sums_of_the_page(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of given shares and errors of C; a share of 1 or more has no bound."""
+    shares = {(fmpq(3, 2), "y"): fmpq(1, 5), (fmpq(5, 2), "v"): fmpq(1, 10)}
+    monkeypatch.setattr(ledger, "fast_share", lambda beta, name, _: arb(shares[beta, name]))
+    monkeypatch.setattr(ledger, "_coefficient_error", lambda beta, _: arb(beta / 100, fmpq(1, 1000)))
+    monkeypatch.setattr(ledger, "exponent_error", lambda *_: arb(7))
+    changes = [-2 * math.log(1 - share) / math.log(1.01) for share in (0.2, 0.1)]
+    largest = fmpq(1, 2000)
+    assert float(pair_error(fmpq(3, 2), largest)) == pytest.approx(0.042 + sum(changes), rel=1e-7)
+    assert float(regression_error(fmpq(3, 2), "y", largest)) == pytest.approx(7 + changes[0], rel=1e-12)
+    assert pair_error(fmpq(3, 2), largest).is_exact()
+    for none in (arb(1), arb(fmpq(3, 2)), arb(1, fmpq(1, 10**6)), arb("nan")):
+        monkeypatch.setattr(ledger, "fast_share", lambda *_, none=none: none)
+        assert not pair_error(fmpq(3, 2), largest).is_finite()
+        assert not regression_error(fmpq(3, 2), "y", largest).is_finite()
 
 
 def test_without_its_hypotheses_there_is_no_bound() -> None:
