@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
+from types import SimpleNamespace
 
 import pytest
 from flint import arb, fmpq
@@ -15,6 +16,7 @@ from gspot_verified.compliant.slow.slow_coefficient import slow_coefficient
 from gspot_verified.compliant.slow.slow_solution import slow_value
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.numerics import paper_runs
 from gspot_verified.paper.numerics.paper_runs import (
     CANDIDATES,
     START,
@@ -143,3 +145,37 @@ def test_where_no_proof_is_found() -> None:
         paper_run(fmpq(2), fmpq(1))
     with pytest.raises(TypeError, match="verdict"):
         bool(paper_run(fmpq(1, 2), fmpq(1)))
+
+
+def test_the_share_is_that_of_the_page(monkeypatch: pytest.MonkeyPatch) -> None:
+    """w = min(1 - 2 Φ, (1 - κ)(1 - Φ) - q) of given sizes; without κ < 1, Φ < 1/2 or β < 1 there is none."""
+    beta, largest, unknown = fmpq(1, 2), fmpq(1, 100), arb(fmpq(1, 2), fmpq(1, 10))
+
+    def share(ratio: arb, fast: arb, late: arb) -> arb | None:
+        sizes = SimpleNamespace(ratio=ratio, fast=fast, late=late)
+        monkeypatch.setattr(paper_runs, "sizes_up_to", lambda *_: sizes)
+        assert paper_runs.least_share(fmpq(1), largest) is None
+        return paper_runs.least_share(beta, largest)
+
+    for ratio, fast, late, expected in (
+        (1, 2, 3, 0.42),
+        (4, 1, 2, 0.34),
+        (2, 3, 1, 0.4),
+        (2, 4, 1, 0.2),
+        (1, 1, 3, 0.51),
+    ):
+        value = share(*(arb(fmpq(x, 10)) for x in (ratio, fast, late)))
+        assert value is not None
+        assert abs(value - arb(expected)) < arb(10) ** -12
+    small = arb(fmpq(1, 10))
+    for ratio, fast in (
+        (arb(1), small),
+        (arb(3) / 2, small),
+        (small, arb(1) / 2),
+        (small, arb(3) / 4),
+        (small, unknown),
+    ):
+        assert share(ratio, fast, small) is None
+    assert share(arb("nan"), small, small) is None
+    monkeypatch.setattr(paper_runs, "sizes_up_to", lambda *_: None)
+    assert paper_runs.least_share(beta, largest) is None
