@@ -19,6 +19,15 @@ def test_the_real_part(p: str) -> None:
     assert found is not None
     assert found.is_finite()
     assert all(abs(found.mid() - arb(real)) < found.rad() + 1e-9 for real in pair)
+    assert found.rad() < arb(value) ** 3 / 500
+
+
+def test_p_of_the_starts() -> None:
+    """It is the rational number at which all roots are looked at, to its four decimals."""
+    p = ledger.first_p()
+    assert p.is_finite()
+    assert p.rad() < 1e-20
+    assert abs(p - arb(ledger.NEAR_P)) < 5e-5
 
 
 def test_no_rate_without_a_sign_change() -> None:
