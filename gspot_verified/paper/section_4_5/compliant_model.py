@@ -18,7 +18,7 @@ from gspot_verified.compliant.slow.epsilon_series import series_coefficients
 from gspot_verified.leading_order.contact_force import ContactForce, contact_force
 from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.leading_order.lift_off import lift_off
-from gspot_verified.numbers.balls import approximate, certainly_less, sign_of, working_bits
+from gspot_verified.numbers.balls import approximate, certainly_less, nonfinite, sign_of, working_bits
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.closed_forms import ClosedForm
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, same_sign, settled
@@ -117,7 +117,8 @@ def positive_integral(beta: fmpq, tau: fmpq, epsilon: fmpq) -> arb:
         # log(1 + r) >= r - r²/2, so ψ(r) <= -r³/3 and, as η³ = ε/2, the exponent is at most g = -ρ³/6 + ρτ. For ρ >= F
         # its slope is at most -(F²/2 - τ) < 0: the rest is at most F^(-β) e^(g(F))/(F²/2 - τ).
         falls = fmpq(_FAR**2, 2) - tau
-        assert falls > 0
+        if falls <= 0:
+            return nonfinite()
         rest = arb(_FAR) ** arb(-beta) * arb(_FAR * tau - fmpq(_FAR**3, 6)).exp() / falls
         scale = 2 * (arb(epsilon) / 2).root(3) ** 2
         return (near + rest * arb(fmpq(1, 2), fmpq(1, 2))) * scale ** arb(beta - 1)

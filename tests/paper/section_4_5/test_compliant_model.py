@@ -142,6 +142,11 @@ def test_the_tail_of_the_integral_holds_what_is_cut_off(
             assert early.overlaps(whole)
 
 
+def test_where_the_cut_comes_before_the_fall_there_is_no_bound() -> None:
+    assert not ledger.positive_integral(fmpq(1, 2), fmpq(72), fmpq(1)).is_finite()
+    assert ledger.positive_integral(fmpq(1, 2), fmpq(71), fmpq(1)).is_finite()
+
+
 def test_the_integrand_is_refused_where_its_logarithm_is_not_holomorphic() -> None:
     assert not ledger.weight_of(fmpq(1, 1000), fmpq(0), 2)(acb(arb(0, 40), arb(0, 40)), True).is_finite()
 
