@@ -103,8 +103,9 @@ def test_a_fold_is_behind_an_integer_only_where_the_polynomial_has_no_more_zeros
 
 
 def test_no_fold_is_found_where_there_is_none() -> None:
-    """No local minimum lies between beta = 4.9 and 5 at epsilon = 100; at 4.75, 1/10 G is negative at its minimum."""
+    """At 4.75, 1/10 and at 7/2, 1 G is negative at its minimum; at 4 it has none."""
     for lower, upper, n, epsilon in (
+        (fmpq(4), fmpq(4), 2, fmpq(1)),
         (fmpq(19, 4), fmpq(77, 16), 3, fmpq(1, 10)),
         (fmpq(7, 2), fmpq(57, 16), 2, fmpq(1)),
     ):
