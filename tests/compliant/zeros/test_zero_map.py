@@ -13,7 +13,14 @@ from pathlib import Path
 import pytest
 from flint import arb, fmpq
 
-from gspot_verified.compliant.zeros.fold_column import fold_column, numbers_of_zeros
+from gspot_verified.compliant.patches.slow_patch import SlowPatch
+from gspot_verified.compliant.zeros.fold_column import (
+    fold_column,
+    fold_parts,
+    is_fold,
+    nearest_minimum,
+    numbers_of_zeros,
+)
 from gspot_verified.compliant.zeros.zero_count import slow_zeros
 from gspot_verified.compliant.zeros.zero_map import Row, examine, zero_map
 from gspot_verified.numbers.verdict import Outcome
@@ -110,6 +117,20 @@ def test_no_fold_is_found_where_there_is_none() -> None:
         (fmpq(7, 2), fmpq(57, 16), 2, fmpq(1)),
     ):
         assert fold_column(lower, upper, n, epsilon, epsilon, fmpq(1, 128)) is None
+
+
+def test_a_fold_needs_its_signs_on_every_part() -> None:
+    """beta from 8.125 to 8.25, epsilon = 1: G > 0 left and right of two more zeros; between them it is not convex."""
+    lower, upper = fmpq(57, 8), fmpq(58, 8)
+    patch = SlowPatch(lower, upper, fmpq(1), fmpq(1))
+    signs, slopes = patch.signs(lower, upper), patch.slopes(lower, upper)
+    place, _ = nearest_minimum((lower + upper) / 2, fmpq(1))
+    assert place is not None
+    begin, end = place - fmpq(1, 4), place + fmpq(13, 2)
+    assert signs.sign(begin, begin) == signs.sign(end, end) == 1
+    assert {signs.sign(a, b, 2) for a, b in fold_parts(begin, end)} > {1}
+    assert not is_fold(signs, slopes, begin, end)
+    assert is_fold(signs, slopes, begin, place + fmpq(1, 2))
 
 
 def test_below_4_the_theorem_tells() -> None:
