@@ -30,7 +30,7 @@ from gspot_verified.scenes.effects.catalogue import EFFECTS
 from gspot_verified.scenes.floats.float_run import float_run
 from gspot_verified.scenes.scene.assumption import ASSUMED, CHECKED, VIOLATED, Assumption, provided
 from gspot_verified.scenes.scene.file import SHIPPED, load_scene
-from gspot_verified.scenes.scene.run import IMPACT, OPEN, REFUTED, SceneRun, agreement
+from gspot_verified.scenes.scene.run import IMPACT, NO_EVENT, OPEN, REFUTED, SceneRun, agreement
 from gspot_verified.scenes.scene.scene import Scene
 
 HOSTILE = Path(__file__).parents[1] / "hostile"
@@ -329,6 +329,11 @@ def test_each_end_of_a_run_has_its_verdict() -> None:
     assert wrong.assumptions[0].standing == VIOLATED
     assert is_about(wrong.assumptions[0], fmpq(3, 2))
     assert wrong.verdict.detail == "certain before it: lift-off"
+    made = scene(block(), 2, ("compliant_contact",))
+    two = result_of(made, Conditions.of(made), Record(violated=("lift_off", arb(15), SHOWN)))
+    assert standing(two) == {"lift_off": VIOLATED, "tangential_motion": ASSUMED}
+    assert two.verdict.detail == f"certain before it: {NO_EVENT}{provided(two.assumptions)}"
+    assert "(tangential_motion is left out)" in two.verdict.detail
     for budget, reason in ((True, Reason.BUDGET), (False, Reason.HYPOTHESIS)):
         stopped = result(Record([lift], open=Open("it is hard", arb(12), budget), seen=arb(11)))
         assert stopped.verdict.outcome is Outcome.UNDECIDED
