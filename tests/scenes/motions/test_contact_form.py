@@ -72,6 +72,7 @@ def test_the_enclosures_are_those_of_the_equations() -> None:
         # q = -∂F/∂λ = clock/5 rises; so does it not fall. -clock/5 falls: no constant load.
         (b + number(-1, 5) * clock * FORCE, number(1), True, True),
         (b + number(1, 5) * clock * FORCE, number(1), True, False),
+        (b + number(-1, 5) * clock * clock * FORCE, number(1), True, False),  # q rises at no constant rate
         # H = b' is no constant, or not affine in λ.
         (b + number(-1, 5) * FORCE, b, True, False),
         (b + number(-1, 5) * FORCE, b * FORCE, True, False),
