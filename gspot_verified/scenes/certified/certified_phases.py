@@ -95,12 +95,12 @@ class CertifiedPhases:
         """Contact that has just closed."""
         if phase != FLIGHT:
             raise ValueError(f"touch-down ends a flight, not the phase {phase}")
-        if STICK not in self._scene.phases():
+        if STICK not in self._scene.phases():  # the effect stick opens REVERSE too
             return self._begins(SLIP, touching=True, at_rest=False)
         slip = self._value(SLIP, self[SLIP].system.shown("u"), states) - self._belt
         if slip > 0:
             return self._begins(SLIP, touching=True, at_rest=False)
-        if slip < 0 and REVERSE in self._scene.phases():
+        if slip < 0:
             return self._begins(REVERSE, touching=True, at_rest=False)
         if slip.is_zero():
             return self._resting(states, touching=True)

@@ -13,6 +13,7 @@ from flint import arb, fmpq
 from gspot_verified.scenes.certified.certified_phase import CLOCK, Open
 from gspot_verified.scenes.certified.certified_phases import CertifiedPhases, Following, Next
 from gspot_verified.scenes.effects.catalogue import EFFECTS
+from gspot_verified.scenes.effects.stick import SLIPS
 from gspot_verified.scenes.equations.scaled_system import PhaseEvent
 from gspot_verified.scenes.equations.terms import FLIGHT, REVERSE, SLIP, STICK
 from gspot_verified.scenes.scene.file import load_scene
@@ -111,6 +112,17 @@ def test_friction_at_its_bound_is_open(force: arb) -> None:
     found = phases.after(SLIP, event(phases, SLIP, "slip stops"), states(force))
     assert isinstance(found.phase, Open)
     assert found.phase.reason == "whether friction holds the contact is not certain"
+
+
+@pytest.mark.parametrize(("theta", "expected"), [(1, SLIP), (-1, REVERSE)])
+def test_one_bound_that_is_passed_is_enough_for_slip(theta: int, expected: str) -> None:
+    """A turning rod whose end rests, at touch-down: no friction yet, and m l θ'^2 sin θ pulls it to one side."""
+    phases = CertifiedPhases(load_scene("rod"))
+    now = {name: arb(0) for name in (*phases[STICK].names, CLOCK)} | {"theta": arb(theta), "theta_dot": arb(3)}
+    guards = {name: phases._value(STICK, event(phases, STICK, name).function, now) for name in SLIPS.values()}
+    assert [name for name, guard in guards.items() if guard < 0] == [SLIPS[expected]]
+    assert [name for name, guard in guards.items() if guard > 0] == [SLIPS[{SLIP: REVERSE, REVERSE: SLIP}[expected]]]
+    assert phases._resting(now, touching=False) == Next(expected, {"slip stops": None})
 
 
 def test_slip_backwards_where_the_other_bound_is_passed() -> None:
