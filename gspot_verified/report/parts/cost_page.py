@@ -12,6 +12,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from html import escape
+from pathlib import Path
 from typing import Any
 
 from gspot_verified.cost.measurement.findings import certificate_prices, crossovers, growth
@@ -33,6 +34,8 @@ _HEIGHT, _SMALL_HEIGHT = 300.0, 190.0  # pixels: a panel that is alone, and one 
 _LINE = 14.0  # pixels between two names at the right
 _TICKS = {-7: "0.1 µs", -6: "1 µs", -5: "10 µs", -4: "0.1 ms", -3: "1 ms", -2: "10 ms", -1: "0.1 s", 0: "1 s",
           1: "10 s", 2: "100 s", 3: "1000 s"}  # fmt: skip
+GONE = "files that this version no longer has"
+_PACKAGE = Path(__file__).resolve().parents[2]
 _FONT = "font-family:system-ui,-apple-system,'Segoe UI','DejaVu Sans',sans-serif"
 
 
@@ -234,10 +237,35 @@ def _part(part: Part, has_figure: bool) -> dict[str, Any]:
         "routes": [_route(route) for route in part.routes],
         "crossovers": [crossover_text(item, part) for item in crossovers(part)],
         "shares_of": part.shares_of,
-        "shares": [(share.words, f"{100 * share.part:.0f}\N{NO-BREAK SPACE}%") for share in part.shares],
+        "shares": [(words, f"{100 * share:.0f}\N{NO-BREAK SPACE}%") for words, share in _shares(part).items()],
         "limit": limit_text(part),
         "remarks": part.remarks,
     }
+
+
+def _shares(part: Part) -> dict[str, float]:
+    """The parts of the time by the files in which they are spent now; those of files that are gone together."""
+    found: dict[str, float] = {}
+    for share in part.shares:
+        words = file_of_module(share.words)
+        found[words] = found.get(words, 0.0) + share.part
+    return found
+
+
+def file_of_module(module: str) -> str:
+    """The file of the package that a measured module is now: files move, a record keeps their old names.
+
+    >>> file_of_module("theta_function.routes"), file_of_module("numpy")
+    ('theta_function/value/routes.py', 'numpy')
+    >>> file_of_module("theta_function.no_such_file") == GONE
+    True
+    """
+    *rooms, name = module.split(".")
+    files = sorted(path.relative_to(_PACKAGE) for path in _PACKAGE.rglob(f"{name}.py"))
+    near = [path for path in files if rooms and path.parts[0] == rooms[0]]
+    if len(near or files) == 1:
+        return (near or files)[0].as_posix()
+    return GONE if rooms or files else module
 
 
 def _route(route: Route) -> dict[str, Any]:

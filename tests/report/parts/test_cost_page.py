@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import json
 import re
 import xml.etree.ElementTree as ElementTree
@@ -11,12 +12,22 @@ from pathlib import Path
 
 import pytest
 
+import gspot_verified
 from gspot_verified.cli import main
 from gspot_verified.cost.measurement.file import recorded, save
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Measurement, Part, Point, Route
 from gspot_verified.report.data import report_data
-from gspot_verified.report.parts.cost_page import cost_chart, cost_figures, shown_measurement, spread
+from gspot_verified.report.parts.cost_page import (
+    GONE,
+    cost_chart,
+    cost_figures,
+    file_of_module,
+    shown_measurement,
+    spread,
+)
 from gspot_verified.report.site import pages
+
+PACKAGE = Path(gspot_verified.__file__).parent
 
 
 def part(*routes: Route) -> Part:
@@ -48,6 +59,34 @@ def test_every_part_has_a_figure_a_table_and_its_limit(page: str) -> None:
         assert f'src="figures/cost-{item.key}.svg"' in page
     assert page.count("<h3>The limit</h3>") == sum(item.limit is not None for item in recorded().parts) > 0
     assert page.count("<h3>Where the time goes</h3>") == sum(bool(item.shares) for item in recorded().parts) > 0
+
+
+def test_where_the_time_goes_names_files_that_exist(page: str) -> None:
+    """A record keeps the names that the modules had when it was made."""
+    shares = [html.unescape(part) for part in re.findall(r"<h3>Where the time goes</h3>\s*<p>(.*?)</p>", page, re.S)]
+    assert len(shares) == sum(bool(item.shares) for item in recorded().parts)
+    files = re.findall(r"<code>(.*?)</code>", " ".join(shares))
+    assert len(files) > 15
+    assert [name for name in files if not (PACKAGE / name).is_file()] == []
+    modules = {share.words for item in recorded().parts for share in item.shares if "." in share.words}
+    gone = {name for name in modules if not list(PACKAGE.rglob(f"{name.rpartition('.')[2]}.py"))}
+    assert [name for name in gone if name in page] == []
+    assert any(GONE in part for part in shares) is bool(gone)
+
+
+@pytest.mark.parametrize(
+    ("module", "file"),
+    [
+        ("theta_function.choice", "theta_function/value/choice.py"),
+        ("balls", "numbers/balls.py"),
+        ("expansion.box_program", "functions/box_program.py"),
+        ("expansion.packed_orders", GONE),
+        ("numpy", "numpy"),
+        ("all the rest", "all the rest"),
+    ],
+)
+def test_a_measured_module_is_named_by_its_file(module: str, file: str) -> None:
+    assert file_of_module(module) == file
 
 
 def test_wrong_answers_are_marked_in_words(page: str) -> None:
