@@ -1,4 +1,4 @@
-"""The figures of the report: atlas, Theta, its slope, routes, side-switching, the series at tau -> -oo; the force.
+"""The figures of the report: atlas, Theta, its slope, routes, side-switching, the series at tau -> -oo, and others.
 
 Each caption is written from the numbers that were certified while the figure was drawn, so it cannot claim more.
 
@@ -14,7 +14,11 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from gspot_verified.report.figures.atlas import atlas_picture
+from gspot_verified.report.figures.count_law_figure import count_law_picture
 from gspot_verified.report.figures.force_figure import force_picture
+from gspot_verified.report.figures.second_trajectory_figure import second_trajectory_picture
+from gspot_verified.report.figures.side_map import coarse_side_map
+from gspot_verified.report.figures.uniform_figure import uniform_picture
 from gspot_verified.report.pictures.canvas import (
     COLOURS,
     GREEN,
@@ -405,6 +409,10 @@ _PICTURES: tuple[Callable[[], Picture], ...] = (
     sides_picture,
     series_picture,
     force_picture,
+    count_law_picture,
+    second_trajectory_picture,
+    coarse_side_map,
+    uniform_picture,
 )
 
 

@@ -6,14 +6,23 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from gspot_verified.compliant.side.side_map import SidePoint, agreement_limits
+from flint import fmpq
+
+from gspot_verified.compliant.side.side_map import SidePoint, agreement_limits, side_map
 from gspot_verified.numbers.balls import approximate
 from gspot_verified.report.pictures.canvas import BLUE, INK, ORANGE, Picture, canvas, picture, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+_COARSE_BETAS = tuple(fmpq(k, 6) for k in range(9, 43, 2))  # none is an integer
+_COARSE_EPSILONS = tuple(fmpq(1, part * 10**k) for k in range(1, 4) for part in (1, 2, 5))
 _TITLE = "The side rule at finite ε, for the paper's initial data"
+
+
+def coarse_side_map() -> Picture:
+    """The map on so few points that it is drawn in some seconds, for the report."""
+    return side_map_picture(side_map(_COARSE_BETAS, _COARSE_EPSILONS))
 
 
 def side_map_picture(points: Sequence[SidePoint]) -> Picture:
@@ -42,7 +51,7 @@ def _draw(points: Sequence[SidePoint]) -> Picture:
     differ = sum(_differs(point) for point in points)
     unsettled = sum(None in (point.exact, point.slow) for point in points)
     caption = (
-        f"Sign of K for p = 1/2, v = 0, y = 2ε²b/p, z = ε²b/p, b-hat > 0 at {len(points)} points, each sign certified "
+        f"Certified: the sign of K for p = 1/2, v = 0, y = 2ε²b/p, z = ε²b/p, b-hat > 0 at {len(points)} points "
         f"({unsettled} open): orange K > 0, blue K < 0. Crosses: the sign of C/Γ(−β), the paper's rule, is the other "
         f"one ({differ} points). Between the points nothing is claimed."
     )
