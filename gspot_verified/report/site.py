@@ -6,6 +6,7 @@ import base64
 import hashlib
 import re
 from collections.abc import Sequence
+from dataclasses import asdict
 from functools import lru_cache
 from importlib import resources
 from typing import TYPE_CHECKING, Any
@@ -22,7 +23,9 @@ from gspot_verified.report.parts.code_page import code_address, code_page
 from gspot_verified.report.parts.cost_page import shown_measurement
 from gspot_verified.report.parts.dependency_graph import Node, graph_svg
 from gspot_verified.report.parts.formulas import typeset
+from gspot_verified.report.parts.glossary import glossary, linked_at_first_use
 from gspot_verified.report.parts.latex import NotTypeset, latex_formula, latex_html
+from gspot_verified.report.parts.new_results import MACHINE_CHECKED, new_results
 from gspot_verified.report.parts.proof_page import linked_pages, page_title, proof_html, proof_text
 
 if TYPE_CHECKING:
@@ -55,6 +58,7 @@ def pages(report: dict[str, Any], measurement: Measurement | None = None) -> dic
     _link(entries, report)
     sections = _by_section(entries)
     proofs = _proofs(report, entries)
+    claims = _claims(report["claims"], entries)
     common = {
         "entries": entries,
         "by_name": {entry["identifier"]: entry for entry in entries},
@@ -74,12 +78,20 @@ def pages(report: dict[str, Any], measurement: Measurement | None = None) -> dic
         by_address[page["address"]] = _page("proof", common, name=name, page=page)
     for path in dict.fromkeys(entry["file"] for entry in entries if entry["code_address"]):
         by_address[code_address(path)] = _page("code", common, path=path, listing=code_page(path))
+    start = _page("start", common, rungs=_rungs(report), page_alone=report["page_alone"])
     return by_address | {
-        "index.html": _page("start", common, rungs=_rungs(report), page_alone=report["page_alone"]),
+        "index.html": linked_at_first_use(start, glossary()),
         "statements.html": _page("statements", common, **_script()),
-        "claims.html": _page("claims", common, claims=_claims(report["claims"], entries)),
+        "claims.html": _page("claims", common, claims=claims),
+        "new.html": _page("new", common, results=_new_results(common["by_name"], list(proofs))),
         "errata.html": _page("errata", common, refuted=_with_outcome(entries, Outcome.REFUTED)),
-        "open.html": _page("open", common, undecided=_with_outcome(entries, Outcome.UNDECIDED)),
+        "open.html": _page(
+            "open",
+            common,
+            undecided=_with_outcome(entries, Outcome.UNDECIDED),
+            undecided_claims=[claim for claim in claims if claim["standing"] == Standing.UNDECIDED.value],
+        ),
+        "glossary.html": _page("glossary", common, terms=glossary(), rungs=list(Rung)),
         "proofs.html": _page("proofs", common),
         "certificates.html": _page("certificates", common),
         "graph.html": _page("graph", common, graph=_safe(_graph(entries, proofs))),
@@ -183,9 +195,31 @@ def _claims(claims: Sequence[dict[str, Any]], entries: Sequence[dict[str, Any]])
         {
             **claim,
             "entries": [by_name[name] for name in claim["entries"] if name in by_name],
+            "named": [entry for name, entry in by_name.items() if _names(claim["why"], name)],
             "label": labels.get(claim["standing"], ""),
         }
         for claim in claims
+    ]
+
+
+def _names(words: str, name: str) -> bool:
+    """Whether a text names an entry."""
+    return name in words and re.search(rf"(?<![\w-]){re.escape(name)}(?![\w-])", words) is not None
+
+
+def _new_results(by_name: dict[str, dict[str, Any]], proofs: Sequence[str]) -> list[dict[str, Any]]:
+    """What is new, its passages set from the Markdown of the proof pages; formal statements where a report has them."""
+    return [
+        {
+            **asdict(result),
+            "passages": [
+                {"page": page, "body": _safe(proof_html(page, text, proofs))} for page, text in result.passages
+            ],
+            "formal": [by_name[name] for name in result.entries if name in by_name and by_name[name]["formal"]]
+            if result.key == MACHINE_CHECKED
+            else [],
+        }
+        for result in new_results()
     ]
 
 

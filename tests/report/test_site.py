@@ -11,6 +11,7 @@ from urllib.parse import quote, unquote
 import pytest
 
 from gspot_verified.paper.checks.entry import Check, Rung, settled
+from gspot_verified.paper.checks.formal_proof import FormalProof, Theorem
 from gspot_verified.paper.claims import WHY, Standing, paper_claims
 from gspot_verified.paper.verify import PARTS
 from gspot_verified.report.data import report_data
@@ -111,9 +112,21 @@ def said(page):
 
 
 def test_counts_are_shown(site):
-    shown = re.findall(r'<dt>(\w+)</dt><dd class="number">(\d+)</dd>', site["index.html"])
-    assert shown == [("proved", "1"), ("refuted", "1"), ("undecided", "2")]
-    assert "4 statements in all." in site["index.html"]
+    claims, statements = map(shown_counts, re.findall(r'<dl class="counts.*?</dl>', site["index.html"], re.S))
+    assert claims == {
+        standing.value: sum(claim.standing({}) is standing for claim in paper_claims()) for standing in Standing
+    }
+    assert sum(claims.values()) == len(paper_claims())
+    assert statements == {"proved": 1, "refuted": 1, "undecided": 2}
+    assert "checked by 4 statements of this report" in site["index.html"]
+    for page in site.values():
+        footer = said(page.split("<footer", 1)[1])
+        assert footer.index(f"The paper’s {len(paper_claims())} claims: ") < footer.index("4 statements of this report")
+
+
+def shown_counts(markup):
+    shown = re.findall(r'<dt>(.*?)</dt><dd class="number">(\d+)</dd>', markup)
+    return {said(name): int(number) for name, number in shown}
 
 
 def test_each_entry_has_its_own_badge_and_no_other(site, entries):
@@ -178,7 +191,7 @@ def test_undecided_is_not_shown_as_passed(site):
     assert "proved" not in rate
     assert "The stated budget ended before the question was settled." in rate
     assert "Boxes left (7, the first 5;" in rate
-    assert "Nothing follows from this report about the undecided statements. This is not a pass." in site["open.html"]
+    assert "and 2 of the statements. This is not a pass." in site["open.html"]
     assert "This is not a pass." in site["index.html"]
 
 
@@ -199,10 +212,78 @@ def test_an_erratum_says_how_far_it_reaches():
 
 
 def test_the_open_page_holds_the_undecided_ones_and_no_other(site):
-    page = site["open.html"].split("<main", 1)[1]
+    page = site["open.html"].split("<h2>Statements</h2>", 1)[1]
     assert "line 1302" in page
     assert page.count("<article") == 2
     assert "line 1271" not in page
+
+
+def proved_entry(name):
+    """Of two of them there are formal theorems, and those of the first were proved in this run."""
+    checks = [Check(Rung.EXACT, what, True) for what in ("one", "two")]
+    entry = settled("Section 4.5", name, "line 1", "x", f"says {name}", *checks, corrected=f"only for {name}")
+    if name not in FORMAL:
+        return entry
+    proof = FormalProof((Theorem(f"formal_{name}", "Definition x.", "Statement.v"),), name == FORMAL[0], "state")
+    run = (Check(Rung.FORMAL, "Coq", True),) if proof.run else ()
+    return replace(entry, formal=proof, checks=(*checks, *run))
+
+
+FORMAL = ("S-minus-infinity", "S-plus-infinity")
+
+
+@pytest.fixture(scope="module")
+def all_proved():
+    """The pages of a report in which every entry that a claim names is proved."""
+    names = dict.fromkeys(name for claim in paper_claims() for name in claim.entries)
+    return pages(report_data([proved_entry(name) for name in names], []))
+
+
+def claim_row(site, claim):
+    rows = re.findall(r'<tr id="line-.*?</tr>', site["claims.html"], re.S)
+    [row] = [row for row in rows if f'<td class="words">{typeset(claim.words)}</td>' in row]
+    return row
+
+
+def test_the_open_page_holds_the_undecided_claims():
+    """Also where no statement is undecided: a claim can be without one."""
+    report = report_data([proved_entry("4-unique")], [])
+    row = next(row for row in report["claims"] if row["standing"] == "premise")
+    row |= {"standing": "undecided", "why": "order by order 4-unique shows it, and 4-unique-smooth is not there"}
+    report["standings"] |= {
+        name: sum(row["standing"] == name for row in report["claims"]) for name in ("premise", "undecided")
+    }
+    page = pages(report)["open.html"].split("<main", 1)[1]
+    undecided = [row for row in report["claims"] if row["standing"] == "undecided"]
+    assert page.count("<article") == len(undecided)
+    assert f"about {len(undecided)} of the paper’s claims and 0 of the statements" in page
+    for claim in undecided:
+        assert typeset(claim["claim"]) in page
+        assert typeset(claim["why"]) in page
+    assert (
+        'is not there</span> <span class="soft">See <a href="section-4.html#entry-4-unique">4-unique</a>.</span>'
+        in page
+    )
+
+
+def test_beside_a_claim_stands_what_exactly_was_proved(all_proved):
+    claims = [claim for claim in paper_claims() if claim.entries and not {*FORMAL} & {*claim.entries}]
+    for claim in claims[::10]:
+        items = [
+            " ".join(said(item).split()) for item in re.findall(r"<li.*?</li>", claim_row(all_proved, claim), re.S)
+        ]
+        assert items == [f"proved {n} says {n} Condition or precise form: only for {n}" for n in claim.entries]
+
+
+def test_a_formal_proof_stands_beside_a_claim_only_where_it_was_run(all_proved):
+    run, not_run = FORMAL
+    rows = [said(claim_row(all_proved, claim)) for claim in paper_claims() if {*FORMAL} & {*claim.entries}]
+    assert any(run in row for row in rows)
+    assert any(not_run in row for row in rows)
+    for row in rows:
+        assert (f"(formal: formal_{run})" in row) is (run in row)
+        assert (" exists; its proof was not run here." in row) is (not_run in row)
+    assert f"formal_{not_run}" not in all_proved["claims.html"]
 
 
 def test_the_claims_have_their_denominator(site):
@@ -210,24 +291,19 @@ def test_the_claims_have_their_denominator(site):
     assert len(rows) == len(paper_claims())
     assert f"<strong>{len(paper_claims())}</strong> claims" in site["index.html"]
     assert not any("badge proved" in row for row in rows)  # none of the ledger's entries is in this report
-    [table] = re.findall(r"How much of the paper.*?</table>", site["index.html"], re.S)
-    assert sum(map(int, re.findall(r"<td>(\d+)</td>", table))) == len(paper_claims())
 
 
-def test_a_condition_stands_beside_its_claim(entries):
+def test_a_condition_stands_beside_its_claim(all_proved):
     limited = [claim for claim in paper_claims() if claim.proved_as is not Standing.PROVED]
-    proved = [replace(entries[0], identifier=name) for name in {name for claim in limited for name in claim.entries}]
-    site = pages(report_data(proved, []))
-    rows = re.findall(r'<tr id="line-.*?</tr>', site["claims.html"], re.S)
     assert limited
     for claim in limited:
-        [row] = [row for row in rows if f">{typeset(claim.words)}<br>" in row]
+        row = claim_row(all_proved, claim)
         assert f'<span class="label">{WHY[claim.proved_as].capitalize()}:</span>' in row
         assert typeset(claim.why) in row
         assert f">{claim.proved_as.value}</span>" in row
     for standing in WHY:
         number = sum(claim.proved_as is standing for claim in limited)
-        assert re.search(rf'<th scope="row">{standing.value}: [^<]+</th><td>{number}</td>', site["index.html"])
+        assert shown_counts(all_proved["index.html"])[standing.value] == number
 
 
 def test_certificates_are_listed_with_what_the_checker_said(site):
@@ -248,8 +324,8 @@ def test_an_empty_ledger_shows_nothing_about_the_paper():
 
 def test_one_entry_reads_well(entries):
     site = pages(report_data(entries[2:3], []))
-    assert "1 statement in all." in site["index.html"]
-    assert "the undecided statement." in site["open.html"]
+    assert "checked by 1 statement of this report" in site["index.html"]
+    assert "and 1 of the statements. This is not a pass." in site["open.html"]
 
 
 def test_a_finding_of_the_start_is_the_statement_of_its_entry():

@@ -1,7 +1,10 @@
 """What is written where, and what happens when something is wrong."""
 
+import html
 import json
 import os
+import re
+from urllib.parse import unquote
 
 import pytest
 
@@ -31,6 +34,13 @@ def test_files(written, pictures, certificates):
     for certificate in certificates:
         assert (written / "certificates" / certificate.name).read_bytes() == certificate.content
     assert not [name for name in found if name.endswith(".tmp")]
+
+
+def test_what_a_page_links_to_lies_beside_it(written):
+    for page in written.glob("*.html"):
+        text = page.read_text(encoding="utf-8")
+        links = {html.unescape(link).partition("#")[0] for link in re.findall(r'(?:href|src)="([^"]*)"', text)} - {""}
+        assert [link for link in links if not (written / unquote(link)).is_file()] == [], page.name
 
 
 @pytest.mark.usefixtures("drawn")
