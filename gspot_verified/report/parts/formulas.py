@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import html
 import re
+from functools import lru_cache
 
 _GREEK = "α-ωϑϕϱϵΑ-Ω"
 _OPERATORS = "=<>≤≥≠≈∼~±∓·×∈∉⊂⊃∪∩→↦∞∂∇∫∑Σ∏Π√‖⌊⌋⌈⌉−∝≡∀∃"
@@ -25,6 +26,7 @@ _TYPED = {"<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "-": "−"}
 _LONG = re.compile(r"[A-Za-z]{4,}")
 
 
+@lru_cache(maxsize=16_384)  # the same texts stand on several pages, and proof pages in every report
 def typeset(text: str) -> str:
     """The text as HTML, its formulas typeset.
 
