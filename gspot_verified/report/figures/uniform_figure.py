@@ -11,8 +11,8 @@ from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.report.pictures.canvas import COLOURS, STYLES, Picture, canvas, picture, styled
 from gspot_verified.testing import extended_example
 
-_ORDER = 6
-_START, _END, _DELTA = fmpq(-3), fmpq(2), fmpq(1, 20)
+_ORDER = 6  # terms of the expansion: enough for pieces that are not too short
+_START, _END, _DELTA = fmpq(-3), fmpq(2), fmpq(1, 20)  # of s and of delta: as in the example of uniform_bound
 _SHOWN = {"p": "p", "b": "b", "y": "y", "v": "v", "lambda_n": "λ_N"}
 
 
