@@ -9,6 +9,7 @@ import pytest
 
 from gspot_verified.paper.verify import verify_paper
 from gspot_verified.report import write
+from gspot_verified.report.parts.new_results import new_results
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 
@@ -100,7 +101,7 @@ def folder(pictures, certificates, hard, tmp_path_factory):
 @pytest.mark.slow
 @pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium here")
 @pytest.mark.parametrize("width", [1000, 400])
-def test_every_page(folder, width):
+def test_every_page(folder, width, pictures):
     found, console = examined(folder, width)
     assert console == []
     assert len(found) > 80
@@ -109,7 +110,8 @@ def test_every_page(folder, width):
         assert page["contrast"] >= 4.5, (name, page["contrast"])
         assert all(size > 0 for size in page["images"]), name
         assert not page["wide"], f"{name} is wider than its window"
-    assert len(found["figures.html"]["images"]) == 7
+    assert len(found["figures.html"]["images"]) == len(pictures)
+    assert len(found["new.html"]["images"]) == len(new_results())
     assert len(found["index.html"]["images"]) == 1
     assert len(found["cost.html"]["images"]) == 10
     for section in ("section-4.html", "section-5.html", "appendix-a.html"):

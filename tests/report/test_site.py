@@ -261,7 +261,7 @@ def test_the_open_page_holds_the_undecided_claims():
         assert typeset(claim["claim"]) in page
         assert typeset(claim["why"]) in page
     assert (
-        'is not there</span> <span class="soft">See <a href="section-4.html#entry-4-unique">4-unique</a>.</span>'
+        'is not there</span><span class="soft">; see <a href="section-4.html#entry-4-unique">4-unique</a></span>'
         in page
     )
 
