@@ -197,9 +197,11 @@ def large_condition() -> Entry:
             f"{ball_text(printed.value_of(printed.LARGE['factor 0'], fmpq(0), 128))}; at the other integers below "
             f"{3 * TRIED} the formulas hold to the accuracy of the series",
         ),
-        corrected="formula j + 1 of th:5 (j = 0, 1, 2: blarge1, blarge2, blarge3) holds if and only if β is not "
-        + "; ".join(f"{text.replace('*', '')} (j = {j})" for j, text in EXCEPTIONS.items())
-        + ", m = 0, 1, 2, ... (proofs/connection.md)",
+        corrected=", ".join(
+            f"eq. {LARGE_NAMES[int(j)]} holds exactly for β other than {text.replace('*', '')}"
+            for j, text in EXCEPTIONS.items()
+        )
+        + " (m = 0, 1, 2, ...; proofs/connection.md)",
         note="eq. tlarge fails at β = 0, 1, 2, ..., and nowhere else (A-tlarge).",
     )
 

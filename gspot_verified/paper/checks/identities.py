@@ -112,11 +112,14 @@ class Claim:
     printed: Mapping[str, str]
     corrected: Mapping[str, str] = field(default_factory=dict)
 
-    def check(self, what: str, route: Route, rung: Rung = Rung.EXACT) -> Check:
-        """Whether the route gives zero. A failure needs the corrected form, if there is one, to give zero."""
-        return Check(rung, what, *self._answer(route))
+    def check(self, what: str, route: Route, rung: Rung = Rung.EXACT, fault: str = "") -> Check:
+        """Whether the route gives zero. A failure needs the corrected form, if there is one, to give zero.
 
-    def _answer(self, route: Route) -> tuple[bool | None, str]:
+        :param fault: what a failure means, in words; ``{left}`` stands for what the printed form leaves.
+        """
+        return Check(rung, what, *self._answer(route, fault))
+
+    def _answer(self, route: Route, fault: str) -> tuple[bool | None, str]:
         left = self._first_failure(route, self.printed)
         if left is None:
             return None, "nothing was checked"
@@ -125,6 +128,8 @@ class Claim:
         fixed = self._first_failure(route, {**self.printed, **self.corrected})
         if self.corrected and fixed != "":
             return None, f"printed: {left}; corrected: {fixed}"
+        if fault:
+            return False, fault.replace("{left}", left) + ("; the corrected form passes" if self.corrected else "")
         holds = "; the corrected form gives 0" if self.corrected else ""
         return False, f"the printed form leaves {left} instead of 0{holds}"
 

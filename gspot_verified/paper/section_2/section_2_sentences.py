@@ -94,10 +94,17 @@ def _contact_part() -> Entry:
         "lines 643 to 646",
         r"\text{the contact-dependent part of }\dot b\text{ is }\alpha_3^*\lambda^+",
         "The part of db/dt that depends on contact is α_3* λ⁺ in the extended example",
-        this.check("eq. newex2 less its value without contact, λ⁺ = c λ_N", by_the_equation),
-        this.check("the sixth components of the printed G_T and G_N, in forward and backward slip", by_the_fields),
+        this.check(
+            "eq. newex2 less its value without contact, λ⁺ = c λ_N",
+            by_the_equation,
+            fault="the part is -α_3* λ⁺: the printed sign is the other one",
+        ),
+        this.check(
+            "the sixth components of the printed G_T and G_N, in forward and backward slip",
+            by_the_fields,
+            fault="their contribution to db/dt is -α_3* λ⁺",
+        ),
         corrected="The part is -α_3* λ⁺",
-        note="In the findings lp is λ⁺ and lm is λ⁻.",
     )
 
 

@@ -62,7 +62,8 @@ def _check(what: str, forces: Forces) -> Check:
         agrees = None
     with working_bits(BITS):
         force = ball_text(arb(mean_force(fmpq(3, 2))) + forces(fmpq(3, 2))[-1], 8)
-    finding = f"β = 3/2, ν = 2 (a lower b(0)): the contact force would be {force} at t = {END} after the G-spot"
+    finding = f"β = 3/2, ν = 2 (a lower b(0)): at t = {END} after the G-spot contact would need the force {force}, "
+    finding += "a pull: it has lifted off"
     return Check(Rung.BALLS, what, agrees, finding)
 
 

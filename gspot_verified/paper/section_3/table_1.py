@@ -118,6 +118,13 @@ def is_the_number(text: str, found: arb | None) -> bool | None:
         return True if distance < half else False if distance > half else None
 
 
+def decimals(found: arb) -> str:
+    """The fourth decimal of a ball where it is certain, as the table prints; else the ball."""
+    with working_bits(_BITS):
+        text = f"{float(found.mid()):.4f}"
+    return text if is_the_number(text, found) else ball_text(found, 6)
+
+
 def can_be_the_number(text: str, name: str, beta: fmpq, largest: fmpq) -> bool | None:
     """False when no series of epsilon up to ``largest`` gives the printed number; None: E3 does not exclude it."""
     printed, half = rounding(text)
@@ -177,7 +184,7 @@ def _impossible(name: str, beta: fmpq) -> Entry:
             f"{limit_exponent(beta, name)}",
         ),
         by_series(name, beta, DECADES),
-        corrected="" if decades is None else f"{ball_text(decades, 6)} over ε = 10^-3, 10^-4, 10^-5, 10^-6",
+        corrected="" if decades is None else f"{decimals(decades)} over ε = 10^-3, 10^-4, 10^-5, 10^-6",
         note=_notes(name, beta),
     )
 
@@ -217,7 +224,7 @@ def _one_series() -> Entry:
         corrected=""
         if None in decades
         else "the series of the numbers differ, or some are misprinted: over ε = 10^-3, 10^-4, 10^-5, 10^-6 the "
-        f"slopes are {' and '.join(ball_text(found, 6) for found in decades if found is not None)} where "
+        f"slopes are {' and '.join(decimals(found) for found in decades if found is not None)} where "
         f"{' and '.join(printed)} are printed",
         note="Each number by itself, but for one, is the slope over some series of ε <= 10^-3. With larger ε in the "
         f"one series than {COMMON} nothing is proved.",

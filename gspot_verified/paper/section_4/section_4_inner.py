@@ -93,13 +93,15 @@ def _inner_fast() -> Entry:
         this.check(
             "chain rule in modelSysDevInner, times δ³",
             lambda parts: [_DELTA**3 * inner - _DELTA**4 * parts["equation"]],
+            fault="the chain rule gives the term with the other sign, -δ² α_1 s (b_f' + b_f'')",
         ),
         this.check(
             "along the vector field of the deviations: s_f = t_f = t/ε",
             lambda parts: [ALGEBRA.replaced(parts["equation"], "f", _fast_powers(), ALGEBRA.constant(1))],
+            fault="the motions of the system do not satisfy the printed equation",
         ),
         corrected="the term is -δ² α_1 s (b_f' + b_f''), as in the fast equation of the outer scale with p = α_1 δ² s",
-        note="Its limit δ → 0 is not affected. In the findings f1, f2 are derivatives of b in s_f.",
+        note="Its limit δ → 0 is not affected.",
     )
 
 
@@ -257,14 +259,15 @@ def _scaling_v() -> Entry:
         this.check(
             "modelSysDevRecoverV with t = δ² s, ε = δ³: the term of the stated order in δ",
             lambda parts: _leading("v", 1, parts["v factor"], parts["v"]),
+            fault="the term 2 b'' has the order δ of α_3 v/ε, not δ²",
         ),
         this.check(
             "d²b/ds² along the slow system of the deviations, where z = y/2",
             lambda parts: [_on_slow_system(parts["v"], parts["v factor"], "v")],
+            fault="along it 2 d²b/ds² is δ α_3 v/ε, with one factor δ",
         ),
         corrected="δ α_3 v/ε = 2 b'': the factor is δ, not δ²",
-        note="With δ² the size of v would be ε^((2β+1)/3), against the paper's own ε^((2β+2)/3) in line 1237. "
-        "In the findings g2 is b''.",
+        note="With δ² the size of v would be ε^((2β+1)/3), against the paper's own ε^((2β+2)/3) in line 1237.",
     )
 
 

@@ -162,10 +162,18 @@ def _matching_middle() -> Entry:
         "eq:bhat_inner, line 1227",
         r"C_1\kappa^{-\beta}\epsilon^{2\beta/3}(-\kappa s)^\beta=C_1(-\epsilon^{2/3}s)=C_1(-t)^\beta",
         "The third form in eq. bhat_inner is C_1 (-ε^(2/3) s), without an exponent",
-        this.check("against the form on its left: the exponents of κ, ε and -s, β a symbol", left),
-        this.check("against the form on its right, C_1 (-t)^β with t = δ² s and ε = δ³", right),
+        this.check(
+            "against the form on its left: the exponents of κ, ε and -s, β a symbol",
+            left,
+            fault="there ε has the exponent 2β/3 and -s has β; in the printed form they have 2/3 and 1",
+        ),
+        this.check(
+            "against the form on its right, C_1 (-t)^β with t = δ² s and ε = δ³",
+            right,
+            fault="there -ε^(2/3) s = -t has the exponent β; in the printed form it has 1",
+        ),
         corrected="C_1 (-ε^(2/3) s)^β",
-        note="In the findings E = log ε, D = log δ and S = log(-s); the form as printed is right only at β = 1.",
+        note="The form as printed is right only at β = 1.",
     )
 
 

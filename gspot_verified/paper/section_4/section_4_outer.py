@@ -130,11 +130,16 @@ def _order() -> Entry:
         "line 986",
         r"\text{a more convenient 3rd-order single equation for } b(t)",
         "The single equation for b is of third order in t",
-        this.check("the highest derivative that occurs in modelSysTEliminated", highest),
+        this.check(
+            "the highest derivative that occurs in modelSysTEliminated",
+            highest,
+            fault="the printed equation has order 4: its last term is -ε³ times the fourth derivative of b",
+        ),
         this.check(
             "Jacobian determinant of (b, b', b'', b''') with respect to (b, y, v, z): a monomial in α_3 and ε, so that "
             "no equation of order 3 or less holds for all solutions at any ε > 0",
             independent,
+            fault="b and its first three derivatives can be chosen freely, so the order is at least 4",
         ),
         corrected="fourth order in t",
         note="Third is the degree in ε.",

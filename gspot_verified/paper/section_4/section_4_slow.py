@@ -51,8 +51,16 @@ def _beta() -> Entry:
         "line 380",
         r"\beta=\alpha_1/\alpha_3",
         "The exponent β whose positive integers are the places of side-switching is α_1/α_3",
-        this.check("the exponent of the outer solution (-t)^β of modelSysDev at ε = 0", outer),
-        this.check("the ratio of the eigenvalues of Gspot1, Gspot2, from modelsys with y = v = 0 and dt = p ds", rigid),
+        this.check(
+            "the exponent of the outer solution (-t)^β of modelSysDev at ε = 0",
+            outer,
+            fault="(-t)^β solves that equation for β = α_3/α_1 alone",
+        ),
+        this.check(
+            "the ratio of the eigenvalues of Gspot1, Gspot2, from modelsys with y = v = 0 and dt = p ds",
+            rigid,
+            fault="the eigenvalue of b is α_3 and that of p is α_1: b grows like p^β with β = α_3/α_1",
+        ),
         corrected="β = α_3/α_1, as in eq. beta (line 758), Sec. 4 and Theorem 1",
     )
 

@@ -115,15 +115,18 @@ def _trivial_zy() -> Entry:
         this.check(
             f"put into modelsys1 to modelsys5; {_WITH_C}",
             lambda parts: in_model_system({**parts, "p": _printed("p"), "b": _printed("b"), "v": _printed("v")}),
+            fault="with the printed sign the two sides of eq. modelsys2, times ε², differ by {left}",
         ),
         this.check(
             "modelSysRecoverZ and Y with b = c α_1 t",
             lambda parts: recovered(_printed("b"), {"z": parts["z"], "y": parts["y"]}),
+            fault="they give z and y with the other sign",
         ),
         this.check(
             "the terms n = 0 of Theorem 1's recursion with symbols α_1, α_3, c",
             lambda parts: [parts[name] - _SYMBOLS["epsilon"] ** 2 * first_terms()[name] for name in "zy"],
             Rung.POINTS,
+            fault="they are z and y with the other sign",
         ),
         corrected="z = y/2 = ε² α_2/(α_1 - α_3)",
         note="In the findings c is α_2/(α_1 - α_3). With the corrected sign λ_N = (z - y)/ε² is α_2/(α_3 - α_1), the "

@@ -130,7 +130,7 @@ def _theta_wording() -> Entry:
             f"Θ > 0 at τ = {places[0]} and τ = {places[1]}, dΘ/dτ < 0 there and at τ = 20",
         ),
         corrected="it is dΘ/dτ that is negative there, and very negative only for τ → +∞: dΘ/dτ → 0 as τ → −∞, like "
-        f"{in_greek(CORRECTED['S-wording']['far left'])}, x = -τ",
+        f"{in_greek(CORRECTED['S-wording']['far left']).replace('*', ' ')}, x = -τ",
     )
 
 

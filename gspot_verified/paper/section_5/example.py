@@ -114,8 +114,16 @@ def _b_error() -> Entry:
         "line 1857",
         r"\tilde{\bar b}=\ldots+\mathcal O(\delta^8)",
         "The error of the printed expansion of b is O(δ^8)",
-        this.check("Theorem 1's recursion", lambda parts: differences(parts, by_recursion)),
-        this.check("power series in (t, ε)", lambda parts: differences(parts, by_double_series)),
+        this.check(
+            "Theorem 1's recursion",
+            lambda parts: differences(parts, by_recursion),
+            fault="the coefficient of δ⁷ is {left}, not 0",
+        ),
+        this.check(
+            "power series in (t, ε)",
+            lambda parts: differences(parts, by_double_series),
+            fault="the coefficient of δ⁷ is {left}, not 0",
+        ),
         corrected="O(δ^7): the next term is b_7 = (2208/5) χ³, in P_0 as Theorem 1 allows (ν = 3)",
         note="For p, O(δ^8) is right: p_7 = 0.",
     )

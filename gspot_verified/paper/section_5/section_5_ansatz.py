@@ -190,11 +190,19 @@ def _p0() -> Entry:
         "line 2022",
         r"p_0=0",
         "The leading term of the deviation of p, of order (-t)^(β+1), vanishes",
-        this.check("the second leading-order equation (line 2014) with ξ_0 = -G b_0/α_3", equation),
-        this.check("the extended example: eq. newex1 integrated", example),
+        this.check(
+            "the second leading-order equation (line 2014) with ξ_0 = -G b_0/α_3",
+            equation,
+            fault="it gives (β + 1) α_3 p_0 = (α_1)_ξ G b_0, which is not 0 in general",
+        ),
+        this.check(
+            "the extended example: eq. newex1 integrated",
+            example,
+            fault="its p_0 is -χ b_0/(β + 1), which is 0 only for χ = 0",
+        ),
         corrected="p_0 = (α_1)_ξ G b_0/((β + 1) α_3) at ξ*; it is 0 only when the derivative of α_1 along G vanishes "
         "there (in the extended example p_0 = -χ b_0/(β + 1))",
-        note="m in the findings is (α_1)_ξ at ξ*. p_0 enters at a higher order only: r, ξ_0, λ_0 hold.",
+        note="p_0 enters at a higher order only: r, ξ_0, λ_0 hold.",
     )
 
 

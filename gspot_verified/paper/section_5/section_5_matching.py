@@ -78,11 +78,19 @@ def _bpert_v() -> Entry:
         "line 2056",
         r"\tilde v=\epsilon^{4/3}\tilde{\bar v}(s,\epsilon^{1/3})+\epsilon^{2(\beta-1)/3}\hat v(s)",
         "The distinguished trajectory enters the scaled v with the factor ε^(4/3)",
-        this.check("specialY without the hatted terms: y-bar' must be the distinguished part of v", jets),
-        this.check("the extended example through δ⁵", example),
-        corrected="v~ is the distinguished v~ plus ε^(2(β-1)/3) v^: no ε^(4/3) = δ⁴, which belongs to the unscaled v",
-        note='The other three lines are consistent; "^{(2(β-1)/3}" in two of them has an unmatched parenthesis. '
-        "In the findings x1 is the derivative of y-bar.",
+        this.check(
+            "specialY without the hatted terms: the rate of the distinguished y must be the distinguished part of v",
+            jets,
+            fault="the rate of y is the v of the distinguished trajectory itself, without the factor ε^(4/3) = δ⁴",
+        ),
+        this.check(
+            "the extended example through δ⁵",
+            example,
+            fault="its v begins with {left} δ², and the printed factor makes that a term of order δ⁶",
+        ),
+        corrected="v is that of the distinguished trajectory plus ε^(2(β-1)/3) v\u0302: no ε^(4/3) = δ⁴, which belongs "
+        "to the unscaled v",
+        note="The other three lines are consistent; a bracket without a partner in two of them: 5-brackets.",
     )
 
 

@@ -97,11 +97,19 @@ def _fast_system() -> Entry:
         "line 1942",
         r"\epsilon(\dot y_o,\dot v_o,\dot z_o)^T=M(y_o,v_o,z_o)^T",
         "With ξ, p, b constant the fast system is M (y_o, v_o, z_o)",
-        this.check("the right-hand sides of the outer system with λ_N = z_o - y_o", right_sides),
-        this.check("the equilibrium: the slow manifold of line 1969", equilibrium),
+        this.check(
+            "the right-hand sides of the outer system with λ_N = z_o - y_o",
+            right_sides,
+            fault="that of v_o has the term b too",
+        ),
+        this.check(
+            "the equilibrium: the slow manifold of line 1969",
+            equilibrium,
+            fault="on it the printed right-hand side of v_o is -b, so that it is no equilibrium",
+        ),
         corrected="M (y_o, v_o, z_o) + (0, b, 0): the constant b is left out. M itself is right, and so are its "
         "eigenvalues and the conclusions on stability",
-        note="As printed it holds for the deviations from the slow manifold, or for b = 0. In the findings q = b/p.",
+        note="As printed it holds for the deviations from the slow manifold, or for b = 0.",
     )
 
 

@@ -226,11 +226,18 @@ def _monomial() -> Entry:
         "line 1691",
         r"(k\alpha_1^*-\alpha_3^*)s^k+k(k-1)(k-2)s^{k-3}",
         "The left-hand side of third-order_b at b_n = s^k",
-        this.check("s^k for k = 0, ..., 6; both sides have degree at most 6 in k", explicit),
-        this.check("s^k with k as a symbol", symbolic),
+        this.check(
+            "s^k for k = 0, ..., 6; both sides have degree at most 6 in k",
+            explicit,
+            fault="the term with s^(k-3) has half its value: for k = 3 it is 12, not 6",
+        ),
+        this.check(
+            "s^k with k as a symbol",
+            symbolic,
+            fault="the term with s^(k-3) is 2 k (k-1) (k-2) s^(k-3)",
+        ),
         corrected="(k α_1 - α_3) s^k + 2 k (k-1) (k-2) s^(k-3): the factor 2 of 2 b_n''' is missing",
-        note="The coefficient of s^k is right, and with it the conclusion: it is not 0 for β not an integer. In the "
-        "findings u0 is s^(k-3).",
+        note="The coefficient of s^k is right, and with it the conclusion: it is not 0 for β not an integer.",
     )
 
 
@@ -281,13 +288,15 @@ def _xinprime() -> Entry:
         this.check(
             "the sum has each pair of orders with the sum n once, for every n",
             lambda parts: [*right_side(parts), *all_pairs(ALGEBRA, _sum(parts), 0)],
+            fault="the orders n-k of G and n of λ_N have the sum n only for k = n",
         ),
         this.check(
             "the sum for geometric series x^i, y^j is the coefficient of δ^n in their product, for every n",
             lambda parts: [*right_side(parts), *product_of_geometric_series(ALGEBRA, _sum(parts), 0)],
+            fault="with λ_n in place of λ_k it is not",
         ),
         corrected="ξ_n' = F_n + Σ G_(n-k) λ_k: the index of λ is k",
-        note="In the findings n and k are the indices: the orders of G and λ_N must have the sum n.",
+        note="The orders of G and λ_N must have the sum n.",
     )
 
 

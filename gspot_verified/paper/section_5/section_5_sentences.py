@@ -237,7 +237,7 @@ def _brackets() -> Entry:
             )
             for place in PLACES
         ),
-        corrected="2(β-1)/3; (k_φ (φ - φ_0) + c_φ φ-dot)",
+        corrected="2(β-1)/3; (k_φ (φ - φ_0) + c_φ φ\u0307)",
     )
 
 

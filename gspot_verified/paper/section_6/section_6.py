@@ -104,9 +104,17 @@ def _sign_of_g() -> Entry:
         "lines 2145 to 2148",
         r"G=(0,0,M^{-1}(-Q_N+\mu Q_T))^T",
         "G of the oscillator in positive slip",
-        this.check("the equation of motion with λ_T = -μ λ_N, λ_N = 1", equation_of_motion),
-        this.check("L_G v is the printed p, as an identity", acceleration),
-        corrected="G = (0, 0, M^-1(Q_N - μ Q_T)): λ_T = -μ λ_N",
+        this.check(
+            "the equation of motion with λ_T = -μ λ_N, λ_N = 1",
+            equation_of_motion,
+            fault="the force is Q_N - μ Q_T: both signs are the other ones",
+        ),
+        this.check(
+            "L_G v is the printed p, as an identity",
+            acceleration,
+            fault="with the printed G it is not the p of Appendix B",
+        ),
+        corrected="G = (0, 0, M^(-1)(Q_N - μ Q_T)): λ_T = -μ λ_N",
     )
 
 
