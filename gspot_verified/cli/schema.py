@@ -143,6 +143,11 @@ class _Page(TypedDict):
     page: str
 
 
+class _Supplement(TypedDict):
+    files: list[str]
+    warnings: list[str]
+
+
 class _Again(TypedDict):
     certificates: list[CheckedAgain]
 
@@ -164,7 +169,7 @@ RESULTS: dict[str, tuple[Any, ...]] = {
     "approach": (Approach,),
     "sweep": (Sweep,),
     "verify": (_Ledger,),
-    "report": (_Page, _Again),
+    "report": (_Page, _Supplement, _Again),
     "cost": (Benchmark, CostReport, ExpandCost, SignCost, Measurement),
     "hard-cases": (Catalogue,),
 }

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 from gspot_verified.report.certificates import checked_certificates
-from gspot_verified.report.data import checked, report_text
+from gspot_verified.report.data import read_report
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,10 +37,7 @@ def check_report(folder: Path, progress: Callable[[str], None] | None = None) ->
     path = folder / "report.json"
     if not path.is_file():
         raise ValueError(f"--check: there is no file {path}")
-    try:
-        report: dict[str, Any] = checked(json.loads(report_text(path)))
-    except (ValueError, RecursionError) as error:
-        raise ValueError(f"{path}: {error}") from error
+    report = read_report(path)
     if not report["certificates"]:
         raise ValueError(f"{path}: it names no certificate")
     here = {certificate.name: certificate for certificate in checked_certificates(folder / "certificates", progress)}

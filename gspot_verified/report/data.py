@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from gspot_verified.numbers.verdict import Outcome, Reason
+from gspot_verified.paper.checks.consequences import Reach
 from gspot_verified.paper.checks.entry import Entry, Rung, counts, rung_counts
 from gspot_verified.paper.claims import WHY, Standing, paper_claims, standing_counts
 from gspot_verified.paper.dependencies import dependencies
@@ -20,7 +21,7 @@ from gspot_verified.report.hard_cases import NONE, check_hard_cases
 from gspot_verified.report.parts.proof_page import proof_pages
 from gspot_verified.report.pictures.canvas import Picture
 
-SCHEMA = 7  # one more with each change of form: only this one is read
+SCHEMA = 8  # one more with each change of form: only this one is read
 _MAX_FILE_BYTES = 200_000_000  # far more than a report: a limit against hostile input
 
 _OUTCOMES = [outcome.value for outcome in Outcome]
@@ -28,6 +29,8 @@ _STANDINGS = [standing.value for standing in Standing]
 _LIMITED = [standing.value for standing in WHY]
 """The standings of a claim whose entries are proved and prove something else than its words."""
 _RUNGS = [rung.name.lower() for rung in Rung]
+_REACHES = [reach.value for reach in Reach]
+_CONSEQUENCE_TEXTS = ("reach", "reason", "why", "table")
 _REASONS = [reason.name.lower() for reason in Reason]
 _ENTRY_TEXTS = ("identifier", "label", "printed", "section", "source", "statement", "corrected", "note", "code")
 _PICTURE_TEXTS = ("name", "title", "caption", "alternative")
@@ -96,6 +99,22 @@ def report_text(path: Path) -> str:
     return path.read_text(encoding="utf-8")
 
 
+def read_report(path: Path) -> dict[str, Any]:
+    """What a ``report.json`` holds.
+
+    :raises ValueError: the file is not JSON, has another schema, or is malformed; the message names the file.
+    :raises OSError: the file cannot be read.
+    """
+    try:
+        return checked(json.loads(report_text(path)))
+    except UnicodeDecodeError:
+        raise ValueError(f"{path}: not UTF-8 text") from None
+    except RecursionError:
+        raise ValueError(f"{path}: nested too deeply, so it is not a report") from None
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from error
+
+
 def checked(report: object) -> dict[str, Any]:
     """The report itself, when it has the form that this version writes.
 
@@ -104,7 +123,7 @@ def checked(report: object) -> dict[str, Any]:
     >>> checked({"schema": 1})
     Traceback (most recent call last):
     ...
-    ValueError: report: this version reads schema 7, the file has schema 1
+    ValueError: report: this version reads schema 8, the file has schema 1
     """
     data = _mapping(report, "report")
     if type(data.get("schema")) is not int or data["schema"] != SCHEMA:
@@ -246,7 +265,8 @@ def _check_entry(value: object, where: str) -> None:
                 raise ValueError(f"{where}.dependencies.{key}: expected texts")
     reach = entry.get("consequence")
     if reach is not None:
-        _texts(_mapping(reach, f"{where}.consequence"), ("reach", "why"), f"{where}.consequence")
+        _texts(_mapping(reach, f"{where}.consequence"), _CONSEQUENCE_TEXTS, f"{where}.consequence")
+        _one_of(reach["reach"], _REACHES, f"{where}.consequence.reach")
     _check_formal(entry, where)
     for box in _sequence(verdict, "remaining", f"{where}.verdict"):
         if not isinstance(box, list) or not all(isinstance(side, str) for side in box):

@@ -22,9 +22,11 @@ from gspot_verified.report.data import checked
 from gspot_verified.report.parts.code_page import code_address, code_page
 from gspot_verified.report.parts.cost_page import shown_measurement
 from gspot_verified.report.parts.dependency_graph import Node, graph_svg
+from gspot_verified.report.parts.errata_items import TITLES, errata
 from gspot_verified.report.parts.formulas import typeset
 from gspot_verified.report.parts.glossary import glossary, linked_at_first_use
 from gspot_verified.report.parts.latex import NotTypeset, latex_formula, latex_html
+from gspot_verified.report.parts.latex_text import source_latex
 from gspot_verified.report.parts.new_results import MACHINE_CHECKED, new_results
 from gspot_verified.report.parts.proof_page import linked_pages, page_title, proof_html, proof_text
 
@@ -84,7 +86,7 @@ def pages(report: dict[str, Any], measurement: Measurement | None = None) -> dic
         "statements.html": _page("statements", common, **_script()),
         "claims.html": _page("claims", common, claims=claims),
         "new.html": _page("new", common, results=_new_results(common["by_name"], list(proofs))),
-        "errata.html": _page("errata", common, refuted=_with_outcome(entries, Outcome.REFUTED)),
+        "errata.html": _page("errata", common, errata=errata(entries), reach_titles=TITLES),
         "open.html": _page(
             "open",
             common,
@@ -266,7 +268,12 @@ def _environment() -> Environment:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
-    environment.filters |= {"typeset": _typeset, "formula": _formula, "passage": _passage}
+    environment.filters |= {
+        "typeset": _typeset,
+        "formula": _formula,
+        "passage": _passage,
+        "transcription": _transcription,
+    }
     return environment
 
 
@@ -293,6 +300,11 @@ def _passage(source: str) -> Markup | None:
         return _safe(latex_html(source, _number))
     except NotTypeset:
         return None
+
+
+def _transcription(source: str) -> Markup | None:
+    """The short LaTeX of a printed form as words and formulas, so that a line can break between them."""
+    return _passage(source_latex(source))
 
 
 def _number(label: str) -> str | None:

@@ -7,6 +7,7 @@ import os
 import secrets
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -14,12 +15,14 @@ from gspot_verified.cost.measurement.file import load, recorded, written
 from gspot_verified.cost.measurement.measurement import Measurement
 from gspot_verified.paper.checks.entry import Entry
 from gspot_verified.report.certificates import CheckedCertificate, certificate_checks
-from gspot_verified.report.data import report_data, report_text
+from gspot_verified.report.data import read_report, report_data
 from gspot_verified.report.figures.figures import drawings
 from gspot_verified.report.hard_cases import hard_cases, measurements
 from gspot_verified.report.parts.cost_page import cost_figures
 from gspot_verified.report.pictures.canvas import Picture
+from gspot_verified.report.parts.latex_program import pdf_of
 from gspot_verified.report.site import pages, style
+from gspot_verified.report.supplement import ERRATA_PAGES, supplement
 from gspot_verified.work.executors import InProcessExecutor, as_they_end
 
 
@@ -96,15 +99,8 @@ def render_report(path: Path, directory: Path, cost: Path | None = None) -> Path
     """
     beside = path.parent / "cost.json"
     measurement = load(cost or beside) if cost is not None or beside.is_file() else recorded()
-    try:
-        report = json.loads(report_text(path))
-        made = pages(report, measurement)
-    except UnicodeDecodeError:
-        raise ValueError(f"{path}: not UTF-8 text") from None
-    except RecursionError:
-        raise ValueError(f"{path}: nested too deeply, so it is not a report") from None
-    except ValueError as error:
-        raise ValueError(f"{path}: {error}") from error
+    report = read_report(path)
+    made = pages(report, measurement)
     _make(directory)
     files = [f"figures/{figure['name']}.svg" for figure in report["figures"]]
     files += [f"certificates/{certificate['name']}" for certificate in report["certificates"]]
@@ -115,6 +111,35 @@ def render_report(path: Path, directory: Path, cost: Path | None = None) -> Path
             _replace(target, source.read_bytes())
     _write_measurement(measurement, directory)
     return _write_pages(made, directory)
+
+
+@dataclass(frozen=True, slots=True)
+class Supplement:
+    """The files of a supplement, and what is to be said of LaTeX: empty where it made both documents."""
+
+    files: tuple[Path, ...]
+    warnings: tuple[str, ...]
+
+
+def write_supplement(path: Path, directory: Path) -> Supplement:
+    """Write ``errata.tex`` and ``theorems.tex`` from a ``report.json``, and their PDFs where LaTeX is here.
+
+    :raises ValueError: the file is no report.
+    :raises OSError: a file cannot be read or written.
+    """
+    made = supplement(read_report(path))
+    _make(directory)
+    files, warnings = [], []
+    for name, text in made.items():
+        files.append(_replace(directory / name, text.encode("ascii")))
+        document = pdf_of(text)
+        if document.content:
+            files.append(_replace(directory / name.replace(".tex", ".pdf"), document.content))
+        else:
+            warnings.append(f"{name}: {document.said}")
+        if name == "errata.tex" and document.pages > ERRATA_PAGES:
+            warnings.append(f"{name}: {document.pages} pages, more than {ERRATA_PAGES}")
+    return Supplement(tuple(files), tuple(warnings))
 
 
 def _write_measurement(measurement: Measurement, directory: Path) -> None:

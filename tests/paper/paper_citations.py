@@ -34,6 +34,9 @@ def source_data(paper: str, labels: Iterable[str]) -> dict[str, Any]:
     return {
         "sha256": hashlib.sha256(paper.encode()).hexdigest(),
         "numbers": numbers,
+        "places": [
+            f"{item.first} {item.last} {name}" for item in document.numbered if (name := name_of(item)) is not None
+        ],
         "citations": {label: citation(document, label) for label in sorted(set(labels))},
     }
 

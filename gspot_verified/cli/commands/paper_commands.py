@@ -107,16 +107,23 @@ def report(
         Path | None,
         typer.Option(help="Write nothing; check the certificates of this report again.", metavar="<folder>"),
     ] = None,
+    supplement: Annotated[
+        Path | None,
+        typer.Option(
+            help="Write errata.tex and theorems.tex instead, and their PDFs where pdflatex is.", metavar="<folder>"
+        ),
+    ] = None,
     as_json: JsonFlag = False,
 ) -> None:
     """Write the pages again from report.json, without running the checks; or check a report's certificates again.
 
-    With --check: exit code 0 when the independent checker verifies every certificate that report.json names, and each
+    With --supplement: the errata, two pages for the authors, and the theorems beyond the paper with their formal
+    statements. With --check: exit code 0 when the independent checker verifies every certificate that report.json names, and each
     says what it said then; 1 when one is rejected, missing or says something else.
     """
     if check is not None:
-        if cost is not None:
-            raise ValueError("--check writes nothing, so --cost has no use with it")
+        if cost is not None or supplement is not None:
+            raise ValueError("--check writes nothing, so --cost and --supplement have no use with it")
         _check_again(check, as_json)
         return
     from gspot_verified.report.write import render_report
@@ -125,12 +132,28 @@ def report(
         raise ValueError(f"SOURCE: there is no file {source}")
     if cost is not None and not cost.is_file():
         raise ValueError(f"--cost: there is no file {cost}")
+    if supplement is not None:
+        _write_supplement(source, supplement, as_json)
+        return
     Outputs().folder("--output", output)
     page = render_report(source, output, cost)
     if as_json:
         print_json({"page": str(page)})
     else:
         typer.echo(str(page))
+
+
+def _write_supplement(source: Path, folder: Path, as_json: bool) -> None:
+    from gspot_verified.report.write import write_supplement
+
+    Outputs().folder("--supplement", folder)
+    made = write_supplement(source, folder)
+    for warning in made.warnings:
+        warn(warning)
+    if as_json:
+        print_json({"files": [str(path) for path in made.files], "warnings": list(made.warnings)})
+    else:
+        typer.echo("\n".join(str(path) for path in made.files))
 
 
 def _check_again(folder: Path, as_json: bool) -> None:

@@ -1,4 +1,7 @@
-"""What follows from each error of the paper: nothing, something local, another conclusion. A reading, not a proof."""
+"""Why each refuted statement is wrong, in one line, and what follows: nothing, something local, another conclusion.
+
+What follows is a reading of the paper, not a proof; the reason says what the checks of the entry show.
+"""
 
 from __future__ import annotations
 
@@ -18,10 +21,15 @@ class Reach(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class Consequence(Written):
-    """The reach of an error, and why."""
+    """The reach of an error, the one-line reason why the printed form is wrong, and why the error reaches so far.
+
+    ``table``: the table of the paper whose cells the error is about; errors of one table are one item of the errata.
+    """
 
     reach: Reach
+    reason: str
     why: str
+    table: str = ""
 
 
 def consequence(identifier: str) -> Consequence | None:
@@ -34,74 +42,203 @@ def consequence(identifier: str) -> Consequence | None:
 
 
 _CONSEQUENCES = {
-    "1-beta": Consequence(Reach.LOCAL, "The Introduction alone; everywhere else β is α_3/α_1."),
-    "1-stiffness": Consequence(Reach.NONE, "One sentence of the Introduction; k_1 and k_2 are 1/ε² in Sec. 2."),
-    "1-poisson": Consequence(Reach.NONE, "The law is named, and not used."),
-    "1-colours": Consequence(Reach.LOCAL, "A reader of the figures looks for a line of the wrong colour."),
-    "2-unilateral": Consequence(Reach.NONE, "Contact is y = 0 from the next page on."),
-    "2-contact-part": Consequence(Reach.NONE, "The equation for b, which is used, has the right sign."),
-    "2-coupling": Consequence(Reach.LOCAL, "What χ adds to the example is a coupling of b and p, within slip."),
-    "2-trivial-zy": Consequence(
-        Reach.LOCAL, "The trivial solution as printed does not solve the equations; nothing later uses its z and y."
+    "1-beta": Consequence(
+        Reach.LOCAL,
+        "(-t)^β solves eq. (46) at ε = 0 for this β alone.",
+        "The Introduction alone; everywhere else β is α_3/α_1.",
     ),
-    "3-trivial-shown": Consequence(Reach.LOCAL, "Panel (a) has no such line; the text says so."),
+    "1-stiffness": Consequence(
+        Reach.NONE,
+        "Eq. (19) has k_1 = k_2 = 1/ε², and only a stiffness that grows gives the rigid limit.",
+        "One sentence of the Introduction; k_1 and k_2 are 1/ε² in Sec. 2.",
+    ),
+    "1-poisson": Consequence(
+        Reach.NONE,
+        "The contact pushes in both phases, so both impulses are positive.",
+        "The law is named, and not used.",
+    ),
+    "1-colours": Consequence(
+        Reach.LOCAL,
+        "The captions of Figures 3 and 4 name another colour than the text.",
+        "A reader of the figures looks for a line of the wrong colour.",
+    ),
+    "2-unilateral": Consequence(
+        Reach.NONE, "Contact is y = 0, which y > 0 leaves out.", "Contact is y = 0 from the next page on."
+    ),
+    "2-contact-part": Consequence(
+        Reach.NONE,
+        "In eq. (36) the term has the minus sign, like α_3 λ_N in eq. (23).",
+        "The equation for b, which is used, has the right sign.",
+    ),
+    "2-coupling": Consequence(
+        Reach.LOCAL,
+        "In slip neither x nor u enters eqs. (35) to (39), for any χ.",
+        "What χ adds to the example is a coupling of b and p, within slip.",
+    ),
+    "2-trivial-zy": Consequence(
+        Reach.LOCAL,
+        "λ_N = (z - y)/ε² = α_2/(α_3 - α_1) on this solution; the printed sign gives its negative.",
+        "The trivial solution as printed does not solve the equations; nothing later uses its z and y.",
+    ),
+    "3-trivial-shown": Consequence(
+        Reach.LOCAL,
+        "The text says that the solution is unphysical in panel (a), and not shown.",
+        "Panel (a) has no such line; the text says so.",
+    ),
     "3-caption-equations": Consequence(
-        Reach.LOCAL, "Who repeats the simulations from the captions has no equation for z."
+        Reach.LOCAL,
+        "Eqs. (22) to (25) contain λ_N, which needs z of eq. (26) by eq. (21).",
+        "Who repeats the simulations from the captions has no equation for z.",
     ),
     "3-sides": Consequence(
-        Reach.CONCLUSION, "Of two sets of initial values the sentence names the wrong one as the set of impacts."
+        Reach.CONCLUSION,
+        "All b(0) are negative: the sentence holds for |b(0)| and fails for b(0).",
+        "Of two sets of initial values the sentence names the wrong one as the set of impacts.",
     ),
     "3-case-II": Consequence(
         Reach.CONCLUSION,
+        "λ_N is constant on the trivial solution, and some starts beside it pass p = 0 and lift off.",
         "In Case II, too, a canard stands between the impact and the lift-off; the starts beside it that pass the "
         "G-spot and lift off shrink to it as ε → 0.",
     ),
     "3-table-1-one-series": Consequence(
-        Reach.LOCAL, "Which series of ε was used is not printed; the theoretical exponents are right."
+        Reach.LOCAL,
+        "Over any one series (ε <= 1/1500) the two slopes are closer to each other than printed.",
+        "Which series of ε was used is not printed; the theoretical exponents are right.",
+        table="Table 1(a)",
     ),
     "3-table-1-y-1_2": Consequence(
-        Reach.LOCAL, "One measured exponent; the theoretical one beside it is right, and so is the conclusion."
+        Reach.LOCAL,
+        "No series of ε <= 1/1024 has this slope, nor have the decades from 10^-3 to 10^-6.",
+        "One measured exponent; the theoretical one beside it is right, and so is the conclusion.",
+        table="Table 1(a)",
     ),
-    "4-reference": Consequence(Reach.NONE, "The reader finds the equation from the words."),
-    "4-order": Consequence(Reach.NONE, "The printed equation is of fourth order, and is used as such."),
+    "4-reference": Consequence(
+        Reach.NONE,
+        "The display is unnumbered, so the reference prints the number of the section.",
+        "The reader finds the equation from the words.",
+    ),
+    "4-order": Consequence(
+        Reach.NONE,
+        "The equation contains the fourth derivative of b; three is its degree in ε.",
+        "The printed equation is of fourth order, and is used as such.",
+    ),
     "4-unique-smooth": Consequence(
-        Reach.CONCLUSION, "The distinguished trajectory is unique as a formal series, not among smooth functions."
+        Reach.CONCLUSION,
+        "A solution of eq. (46) times exp(-1/ε²) can be added, and the sum is smooth too.",
+        "The distinguished trajectory is unique as a formal series, not among smooth functions.",
     ),
-    "4-inner-fast": Consequence(Reach.NONE, "The limit that is used does not contain the term."),
+    "4-inner-fast": Consequence(
+        Reach.NONE,
+        "The chain rule ds = δ ds_f in eq. (52) gives the minus sign.",
+        "The limit that is used does not contain the term.",
+    ),
     "4-inner-scaling-v": Consequence(
-        Reach.LOCAL, "The exponents of line 1237 and of Table 1 are those of the right form."
+        Reach.LOCAL,
+        "Eq. (48) with t = δ² s and ε = δ³; line 1237 has the matching exponent.",
+        "The exponents of line 1237 and of Table 1 are those of the right form.",
     ),
     "4-behaves-like": Consequence(
-        Reach.CONCLUSION, "(-τ)^β alone does not determine Θ; the condition on e_r and e_i before it does."
+        Reach.CONCLUSION,
+        "Solutions that oscillate, of the smaller size (-τ)^(-β/2-3/4), can be added.",
+        "(-τ)^β alone does not determine Θ; the condition on e_r and e_i before it does.",
     ),
-    "4-matching-middle": Consequence(Reach.NONE, "The first and the last form of the line are right."),
+    "4-matching-middle": Consequence(
+        Reach.NONE,
+        "Both neighbours in the chain of equalities have the exponent β.",
+        "The first and the last form of the line are right.",
+    ),
     "S-mean-force": Consequence(
-        Reach.LOCAL, "With the printed sign the mean force of Case III would pull; the Introduction has the right sign."
+        Reach.LOCAL,
+        "λ_N = -b/p on the trivial solution of eqs. (27), (28); the Introduction has this sign.",
+        "With the printed sign the mean force of Case III would pull; the Introduction has the right sign.",
     ),
     "S-gamma-intervals": Consequence(
-        Reach.CONCLUSION, "As printed, lift-off and impact exchange their sides, and the argument for 0 < β < 1 fails."
+        Reach.CONCLUSION,
+        "Γ(-1/2) < 0 < Γ(-3/2), and Γ(-β) changes its sign at each positive integer.",
+        "As printed, lift-off and impact exchange their sides, and the argument for 0 < β < 1 fails.",
     ),
-    "S-wording": Consequence(Reach.LOCAL, "Θ stands for dΘ/dτ; the argument is about dΘ/dτ."),
+    "S-wording": Consequence(
+        Reach.LOCAL,
+        "Θ is positive at τ = 0 and for τ → −∞; what is negative is its derivative.",
+        "Θ stands for dΘ/dτ; the argument is about dΘ/dτ.",
+    ),
     "S-same-situation": Consequence(
-        Reach.LOCAL, "The conclusion, an impact, holds; the argument for it is another one than in Cases I and II."
+        Reach.LOCAL,
+        "At β = 3/2 the deviation of λ_N is negative for τ → −∞ and at τ = 0 on this side.",
+        "The conclusion, an impact, holds; the argument for it is another one than in Cases I and II.",
     ),
-    "5-kinds": Consequence(Reach.NONE, "The third-order equation that follows is right."),
-    "5-letters": Consequence(Reach.NONE, "The equations that follow from it do not contain ξ."),
-    "5-brackets": Consequence(Reach.NONE, "The exponents and the factor are meant as the corrected ones."),
-    "5-monomial": Consequence(Reach.NONE, "The coefficient that the argument uses is right."),
-    "5-xinprime": Consequence(Reach.LOCAL, "One wrong index in a formula of the recursion."),
-    "5-example-b-error": Consequence(Reach.LOCAL, "The error of one printed expansion is larger than stated."),
-    "5-fast-system": Consequence(Reach.NONE, "M and its eigenvalues are right, and nothing else is used."),
-    "5-ansatz-p0": Consequence(Reach.LOCAL, "The exponent and the leading terms of ξ and λ_N hold; p has another one."),
-    "5-bpert-v": Consequence(Reach.LOCAL, "One line of the perturbed variables has a factor too many."),
-    "6-sign-of-G": Consequence(Reach.LOCAL, "The functions of Appendix B are those of the right sign."),
-    "6-attribution": Consequence(Reach.NONE, "A citation."),
+    "5-kinds": Consequence(
+        Reach.NONE,
+        "The derivative in eq. (88) is that of z_(n-1), which is known there.",
+        "The third-order equation that follows is right.",
+    ),
+    "5-letters": Consequence(
+        Reach.NONE,
+        "Eq. (70) has F(ξ) and G(ξ); functions with a tilde are not defined.",
+        "The equations that follow from it do not contain ξ.",
+    ),
+    "5-brackets": Consequence(
+        Reach.NONE,
+        "In each of the formulas one bracket has no partner.",
+        "The exponents and the factor are meant as the corrected ones.",
+    ),
+    "5-monomial": Consequence(
+        Reach.NONE,
+        "Eq. (91) contains 2 b_n''', and (s^k)''' = k(k-1)(k-2) s^(k-3).",
+        "The coefficient that the argument uses is right.",
+    ),
+    "5-xinprime": Consequence(
+        Reach.LOCAL,
+        "The orders of G and λ_N in each product have the sum n.",
+        "One wrong index in a formula of the recursion.",
+    ),
+    "5-example-b-error": Consequence(
+        Reach.LOCAL,
+        "The recursion of Theorem 1 gives b_7, and it is not 0.",
+        "The error of one printed expansion is larger than stated.",
+    ),
+    "5-fast-system": Consequence(
+        Reach.NONE,
+        "The rate of v_o is b + p λ_N, where b is a constant of the fast system and not 0.",
+        "M and its eigenvalues are right, and nothing else is used.",
+    ),
+    "5-ansatz-p0": Consequence(
+        Reach.LOCAL,
+        "The rate of p is α_1(ξ), and ξ deviates by ξ_0 (-t)^β.",
+        "The exponent and the leading terms of ξ and λ_N hold; p has another one.",
+    ),
+    "5-bpert-v": Consequence(
+        Reach.LOCAL,
+        "By eq. (73) v is the rate of y, for the distinguished trajectory too.",
+        "One line of the perturbed variables has a factor too many.",
+    ),
+    "6-sign-of-G": Consequence(
+        Reach.LOCAL,
+        "λ_T = -μ λ_N in positive slip, and G must give the p of Appendix B.",
+        "The functions of Appendix B are those of the right sign.",
+    ),
+    "6-attribution": Consequence(
+        Reach.NONE, "Two places cite another work for the oscillator than the third.", "A citation."
+    ),
     "6-positive-slip": Consequence(
-        Reach.LOCAL, "All formulas hold for a belt that is fast enough; without its velocity no run can end in stick."
+        Reach.LOCAL,
+        "The formulas of the text give u = -3/5 √(g l) < 0 at the G-spot: negative slip.",
+        "All formulas hold for a belt that is fast enough; without its velocity no run can end in stick.",
     ),
-    "6-any-beta": Consequence(Reach.LOCAL, "The simulated β = 7/3 is below the bound."),
-    "6-colours": Consequence(Reach.LOCAL, "A reader of Figure 13 takes one curve for the other."),
+    "6-any-beta": Consequence(
+        Reach.LOCAL,
+        "For β > 18/7 the constant c_ψ of the damper is negative.",
+        "The simulated β = 7/3 is below the bound.",
+    ),
+    "6-colours": Consequence(
+        Reach.LOCAL,
+        "The caption and the text give the two colours in opposite order.",
+        "A reader of Figure 12 takes one curve for the other.",
+    ),
     "A-th5-condition": Consequence(
-        Reach.LOCAL, "Where the formulas are used, β is not an integer, and there they hold."
+        Reach.LOCAL,
+        "There the right side is 0 (1/Γ has a zero) and the left side is a polynomial other than 0.",
+        "Where the formulas are used, β is not an integer, and there they hold.",
     ),
 }

@@ -48,6 +48,51 @@ def citation(label: str) -> Citation:
     return Citation(found["printed"], tuple(Quotation(**quotation) for quotation in found["quotations"]))
 
 
+def paper_hash() -> str:
+    """The SHA-256 of the source that the numbers and the quoted lines are from.
+
+    >>> len(paper_hash())
+    64
+    """
+    digest: str = _data()["sha256"]
+    return digest
+
+
+def place(first: int, last: int) -> str:
+    """Where lines of the source stand in the printed paper, by its own numbers: sections, displays, floats, theorems.
+
+    Pages are not known: they differ between versions, and these numbers differ less.
+
+    >>> place(1192, 1197), place(1161, 1161), place(734, 737)
+    ('Sec. 4.3, eq. (55)', 'Sec. 4.3, after eq. (53)', 'Sec. 3.2, Figure 6')
+    """
+    before = [item for item in _places() if item[0] <= first]
+    section = next((item for item in reversed(before) if _is_section(item[2])), None)
+    found = [section[2].replace("Section", "Sec.")] if section else []
+    inside = [name for start, end, name in _places() if start <= last and first <= end and not _is_section(name)]
+    floats = [name for name in inside if not name.startswith("eq.")]
+    equations = [name.removeprefix("eq. ") for name in inside if name.startswith("eq.")]
+    if floats:
+        found += floats
+    elif equations:
+        numbers = equations[0] if len(equations) == 1 else f"{equations[0]} to {equations[-1]}"
+        found.append(f"{'eq.' if len(equations) == 1 else 'eqs.'} {numbers}")
+    elif section:
+        earlier = [name for start, _, name in before if start > section[0] and name.startswith("eq.")]
+        found += [f"after {name}" for name in earlier[-1:]]
+    return ", ".join(found)
+
+
+def _is_section(name: str) -> bool:
+    return name.startswith(("Section", "Appendix"))
+
+
+@lru_cache(maxsize=1)
+def _places() -> list[tuple[int, int, str]]:
+    found = (text.split(" ", 2) for text in _data()["places"])
+    return [(int(first), int(last), name) for first, last, name in found]
+
+
 def printed_number(label: str) -> str | None:
     """What the PDF prints for a label of the source; ``None`` for an equation without a number.
 

@@ -106,7 +106,7 @@ def _equations() -> Entry:
         SECTION,
         "3-caption-equations",
         "lines 728 to 733 and 822 to 825",
-        r"\text{numerical simulation of eqs. modelsys1 to modelsys4}",
+        r"\text{numerical simulation of eqs. (22) to (25)}",
         "Figures 6 and 7 are simulations of eqs. modelsys1 to modelsys4",
         Check(
             Rung.EXACT,

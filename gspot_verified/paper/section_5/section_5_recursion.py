@@ -236,7 +236,7 @@ def _monomial() -> Entry:
             symbolic,
             fault="the term with s^(k-3) is 2 k (k-1) (k-2) s^(k-3)",
         ),
-        corrected="(k α_1 - α_3) s^k + 2 k (k-1) (k-2) s^(k-3): the factor 2 of 2 b_n''' is missing",
+        corrected="(k α_1 - α_3) s^k + 2k(k-1)(k-2) s^(k-3): the factor 2 of 2 b_n''' is missing",
         note="The coefficient of s^k is right, and with it the conclusion: it is not 0 for β not an integer.",
     )
 
@@ -295,7 +295,7 @@ def _xinprime() -> Entry:
             lambda parts: [*right_side(parts), *product_of_geometric_series(ALGEBRA, _sum(parts), 0)],
             fault="with λ_n in place of λ_k it is not",
         ),
-        corrected="ξ_n' = F_n + Σ G_(n-k) λ_k: the index of λ is k",
+        corrected="ξ_n' = F_n + Σ G_{n-k} λ_k: the index of λ is k",
         note="The orders of G and λ_N must have the sum n.",
     )
 

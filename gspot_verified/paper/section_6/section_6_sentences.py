@@ -30,7 +30,7 @@ IN_THE_TEXT = {
     "the simulation": Place("text", r"The (\w+) curve is simulation"),
     "Θ": Place("text", r"The (\w+) curve is computed using the suitably scaled hypergeometric \$\\Theta\$"),
 }
-"""The colours of Figure 13."""
+"""The colours of Figure 12."""
 BELT = {"printed": "0*l", "corrected": "-l*om"}
 """The velocity of the surface: x of line 2136 has none; one that is fast enough backwards."""
 STARTS = (fmpq(-9, 10), fmpq(-1, 2))
@@ -60,7 +60,7 @@ def _colours() -> Entry:
         "6-colours",
         CURVES,
         r"\text{blue: simulation, red: }\Theta\qquad\text{red: simulation, blue: }\Theta",
-        "Figure 13: in the caption and in the text the same curve is the simulation, and the same one is Θ",
+        "Figure 12: in the caption and in the text the same curve is the simulation, and the same one is Θ",
         *(
             held_against(CURVES, f"the curve of {what}", IN_THE_CAPTION[what], IN_THE_TEXT[what])
             for what in IN_THE_TEXT
@@ -111,7 +111,7 @@ def _positive_slip() -> Entry:
             mended(*map(slips_forwards_at_the_starts, forms)),
             "u < 0 at both",
         ),
-        corrected="u = dx/dt less the velocity of the belt, which must be below -3/5 sqrt(g l) and is not given",
+        corrected="u is the rate of x less the velocity of the belt, which must be below -3/5 √(g l) and is not given",
     )
 
 

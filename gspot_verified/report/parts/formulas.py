@@ -14,7 +14,7 @@ from functools import lru_cache
 _GREEK = "α-ωϑϕϱϵΑ-Ω"
 _OPERATORS = "=<>≤≥≠≈∼~±∓·×∈∉⊂⊃∪∩→↦∞∂∇∫∑Σ∏Π√‖⌊⌋⌈⌉−∝≡∀∃"
 _MARKS = re.compile(
-    rf"[{_GREEK}{_OPERATORS}₀-₉⁰¹²³⁴-⁹ⁿℝℂℤℕ^]|[A-Za-z)\]]_[{{A-Za-z0-9]|[|+\u0300-\u036f]|(?<![a-z])/|/(?![a-z])|(?<![A-Za-z])[A-Za-z]/[A-Za-z](?![A-Za-z])|\d[A-Za-z](?![A-Za-z])|"
+    rf"[{_GREEK}{_OPERATORS}₀-₉⁰¹²³⁴-⁹⁺⁻ⁿℝℂℤℕ^]|[A-Za-z)\]]_[{{A-Za-z0-9]|[|+\u0300-\u036f]|(?<![a-z])/|/(?![a-z])|(?<![A-Za-z])[A-Za-z]/[A-Za-z](?![A-Za-z])|\d[A-Za-z](?![A-Za-z])|"
     r"^[-−]?[A-Za-z]['′]*\("
 )
 _LETTER = re.compile(r"[A-Za-z]['′″]*")
@@ -22,7 +22,7 @@ _NUMBER = re.compile(r"[-−+]?\d[\d./]*[%]?")
 _NAME = re.compile(r"[A-Za-z]{2,}(_[A-Za-z]{2,})+|[A-Za-z]{3,}/[A-Za-z]{3,}|\w+\.(md|py|toml|cert)|https?:.*")
 _WORDS_OF_PROSE = {"a", "A", "I"}
 _TRAILING = ".,;:!?"
-_TYPED = {"<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "-": "−"}
+TYPED = {"<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "-": "−"}
 _LONG = re.compile(r"[A-Za-z]{4,}")
 
 
@@ -34,9 +34,21 @@ def typeset(text: str) -> str:
     Let <span class="formula"><i>p</i><sub><i>n</i></sub></span> be a term of \
 <span class="formula"><i>e</i><sup>2<i>x</i></sup></span>.
     """
+    return "".join(
+        f'<span class="formula">{formula(part)}</span>' if is_formula else html.escape(part, quote=False)
+        for is_formula, part in runs(text)
+    )
+
+
+def runs(text: str) -> list[tuple[bool, str]]:
+    """The text in pieces, each with whether it is a formula.
+
+    >>> runs("Let p_n be it.")
+    [(False, 'Let'), (False, ' '), (True, 'p_n'), (False, ''), (False, ' '), (False, 'be'), (False, ' '), (False, 'it.')]
+    """
     parts = re.split(r"(\s+)", text)
     kinds = [_kind(part) for part in parts]
-    pieces: list[str] = []
+    pieces: list[tuple[bool, str]] = []
     run: list[str] = []
 
     def close() -> None:
@@ -46,9 +58,9 @@ def typeset(text: str) -> str:
         if run:
             words = "".join(run)
             body = words.rstrip(_TRAILING)
-            pieces.append(f'<span class="formula">{formula(body)}</span>{html.escape(words[len(body) :], quote=False)}')
+            pieces.extend([(True, body), (False, words[len(body) :])])
             run.clear()
-        pieces.extend(reversed(spaces))
+        pieces.extend((False, space) for space in reversed(spaces))
 
     for index, (part, kind) in enumerate(zip(parts, kinds, strict=True)):
         following = next((k for k in kinds[index + 1 :] if k != "space"), "prose")
@@ -60,9 +72,9 @@ def typeset(text: str) -> str:
             run.append(part)
         else:
             close()
-            pieces.append(html.escape(part, quote=False))
+            pieces.append((False, part))
     close()
-    return "".join(pieces)
+    return pieces
 
 
 def _is_open(run: list[str]) -> bool:
@@ -88,19 +100,19 @@ def _kind(word: str) -> str:
 
 def formula(source: str) -> str:
     """A formula as HTML."""
-    for typed, printed in _TYPED.items():
+    for typed, printed in TYPED.items():
         source = source.replace(typed, printed)
     pieces, place = [], 0
     while place < len(source):
         letter = source[place]
         if letter in "_^" and place + 1 < len(source):
-            inner, place = _index(source, place + 1, letter == "^")
+            inner, place = index(source, place + 1, letter == "^")
             tag = "sub" if letter == "_" else "sup"
             pieces.append(f"<{tag}>{formula(inner)}</{tag}>")
-        elif letter == "*" and place and source[place - 1].isalnum() and not _follows(source, place + 1):
+        elif letter == "*" and place and source[place - 1].isalnum() and not follows(source, place + 1):
             pieces.append("<sup>*</sup>")
             place += 1
-        elif letter == "*" and _follows(source, place + 1):
+        elif letter == "*" and follows(source, place + 1):
             pieces.append("·")
             place += 1
         elif _is_letter(letter):
@@ -117,7 +129,7 @@ def formula(source: str) -> str:
     return "".join(pieces)
 
 
-def _follows(source: str, place: int) -> bool:
+def follows(source: str, place: int) -> bool:
     """Whether a factor comes next, so that a star is a product."""
     return place < len(source) and (source[place].isalnum() or source[place] == "(")
 
@@ -132,7 +144,7 @@ def _word(word: str) -> str:
     return html.escape(word, quote=False) if upright else f"<i>{html.escape(word, quote=False)}</i>"
 
 
-def _index(source: str, start: int, raised: bool) -> tuple[str, int]:
+def index(source: str, start: int, raised: bool) -> tuple[str, int]:
     """The index that begins at ``start``, without its braces, and where it ends."""
     if source[start] in "{(" and (source[start] == "{" or raised):
         opening, closing = source[start], "}" if source[start] == "{" else ")"

@@ -173,7 +173,17 @@ def _display(body: str) -> str:
     body = re.sub(r"&\s*=\s*&", "&=", body.strip()).removesuffix(r"\\")
     if re.search(r"&|\\\\", re.sub(r"\\begin\{(\w+)\}.*?\\end\{\1\}", "", body, flags=re.DOTALL)):
         body = rf"\begin{{align*}}{body}\end{{align*}}"
+    parts = re.split(r"(?<=,)\s*\\q?quad(?![A-Za-z])", body) if r"\begin" not in body else [body]
+    if len(parts) > 1 and all(_closed(part) for part in parts):
+        formulas = (f'<span class="part">{latex_formula(part, display=True)}</span>' for part in parts)
+        return f'<span class="display">{"".join(formulas)}</span>'  # a line can break between them
     return f'<span class="display">{latex_formula(body, display=True)}</span>'
+
+
+def _closed(part: str) -> bool:
+    """Whether no group goes on in the next part."""
+    bare = re.sub(r"\\[{}]", "", part)
+    return bare.count("{") == bare.count("}") and part.count(r"\left") == part.count(r"\right")
 
 
 def _expanded(text: str) -> str:
