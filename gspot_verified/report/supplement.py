@@ -84,8 +84,8 @@ def errata_text(report: Mapping[str, Any]) -> str:
 
 def _about_the_errata(number: int, report: Mapping[str, Any]) -> str:
     return escaped(
-        f"{number} item{'' if number == 1 else 's'}: printed form, corrected form, reason. Sections, equations, figures "
-        f"and l. (lines of the LaTeX source, SHA-256 {paper_hash()[:16]}…) are those of {VERSION}; the journal’s "
+        f"{number} item{'' if number == 1 else 's'}: printed form, corrected form, reason. Sections, equations, "
+        f"figures and l. (lines of the LaTeX source, SHA-256 {paper_hash()[:16]}…) are those of {VERSION}; the journal’s "
         "version was not compared, so that its numbers may differ and its pages are not given. Each item was found by "
         "two derivations, and can be run again with the name in brackets: "
     ) + (

@@ -19,8 +19,8 @@ from gspot_verified.report.data import read_report, report_data
 from gspot_verified.report.figures.figures import drawings
 from gspot_verified.report.hard_cases import hard_cases, measurements
 from gspot_verified.report.parts.cost_page import cost_figures
-from gspot_verified.report.pictures.canvas import Picture
 from gspot_verified.report.parts.latex_program import pdf_of
+from gspot_verified.report.pictures.canvas import Picture
 from gspot_verified.report.site import pages, style
 from gspot_verified.report.supplement import ERRATA_PAGES, supplement
 from gspot_verified.work.executors import InProcessExecutor, as_they_end

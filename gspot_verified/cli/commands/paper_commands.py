@@ -118,8 +118,8 @@ def report(
     """Write the pages again from report.json, without running the checks; or check a report's certificates again.
 
     With --supplement: the errata, two pages for the authors, and the theorems beyond the paper with their formal
-    statements. With --check: exit code 0 when the independent checker verifies every certificate that report.json names, and each
-    says what it said then; 1 when one is rejected, missing or says something else.
+    statements. With --check: exit code 0 when the independent checker verifies every certificate that report.json
+    names, and each says what it said then; 1 when one is rejected, missing or says something else.
     """
     if check is not None:
         if cost is not None or supplement is not None:

@@ -43,8 +43,8 @@ def typeset(text: str) -> str:
 def runs(text: str) -> list[tuple[bool, str]]:
     """The text in pieces, each with whether it is a formula.
 
-    >>> runs("Let p_n be it.")
-    [(False, 'Let'), (False, ' '), (True, 'p_n'), (False, ''), (False, ' '), (False, 'be'), (False, ' '), (False, 'it.')]
+    >>> runs("Let p_n be")
+    [(False, 'Let'), (False, ' '), (True, 'p_n'), (False, ''), (False, ' '), (False, 'be')]
     """
     parts = re.split(r"(\s+)", text)
     kinds = [_kind(part) for part in parts]

@@ -27,7 +27,8 @@ class Pdf:
 def pdf_of(text: str) -> Pdf:
     """The document that LaTeX makes of a text, the same bytes for the same text and the same LaTeX.
 
-    LaTeX runs in a folder of its own, starts no program (``-no-shell-escape``), and opens only files below it and its own.
+    LaTeX runs in a folder of its own, starts no program (``-no-shell-escape``), and opens no other folder's files but
+    those that belong to it.
     """
     program = shutil.which(PROGRAM)
     if program is None:

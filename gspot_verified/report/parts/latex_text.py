@@ -10,14 +10,12 @@ import unicodedata
 
 from gspot_verified.report.parts.formulas import TYPED, follows, index, runs
 
-_GREEK = dict(
-    zip(
-        "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΥΦΨΩ",
-        "alpha beta gamma delta varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi "
-        "psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega".split(),
-        strict=True,
-    )
-) | {"ϕ": "phi", "ϑ": "vartheta", "ς": "varsigma"}
+_GREEK_NAMES = (
+    "alpha beta gamma delta varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi "
+    "psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
+)
+_GREEK = dict(zip("αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΥΦΨΩ", _GREEK_NAMES.split(), strict=True))
+_GREEK |= {"ϕ": "phi", "ϑ": "vartheta", "ς": "varsigma"}
 _SIGNS = {
     "≤": "le", "≥": "ge", "≠": "ne", "≈": "approx", "∼": "sim", "~": "sim", "±": "pm", "∓": "mp", "·": "cdot",
     "×": "times", "∈": "in", "∉": "notin", "⊂": "subset", "⊃": "supset", "∪": "cup", "∩": "cap", "→": "to",
@@ -40,10 +38,12 @@ _WORDS = {
     "|": r"\textbar{}", "“": "``", "”": "''", "‘": "`", "’": "'", "–": "--", "—": "---", "…": r"\ldots{}",
     "\u00a0": "~", "−": "$-$",
 }  # fmt: skip
-_KNOWN = set(_GREEK.values()) | set(_SIGNS.values()) | _FUNCTIONS | set(_ACCENTS.values()) | set(
-    "text frac tfrac sqrt quad qquad ldots cdots dots epsilon mathcal mathbb mathrm operatorname dddot ddddot "
-    "iff Rightarrow not leq geq left right big Big bigl bigr prime eps".split()
-) | set(" ,;:!{}_|")  # fmt: skip
+_OTHERS = (
+    "text frac tfrac sqrt quad qquad ldots cdots dots epsilon mathcal mathbb mathrm operatorname dddot ddddot iff "
+    "Rightarrow not leq geq left right big bigl bigr Big prime eps"
+)
+_KNOWN = {*_GREEK_NAMES.split(), *_SIGNS.values(), *_FUNCTIONS, *_ACCENTS.values(), *_OTHERS.split(), *" ,;:!{}_|"}
+"""Commands that a printed form may hold; none of them reads a file or defines anything."""
 _COMMAND = re.compile(r"\\([A-Za-z]+|.)", re.DOTALL)
 
 
