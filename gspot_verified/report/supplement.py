@@ -68,7 +68,7 @@ def errata_text(report: Mapping[str, Any]) -> str:
         _PREAMBLE % {"options": ",twocolumn", "margin": "15mm"},
         r"\setlength{\columnsep}{7mm}\pagestyle{empty}" + "\n",
         r"\newcommand{\erratum}[5]{\par\vspace{2.2pt plus 1pt}\textbf{#1}: #2 "
-        r"$\;\longrightarrow\;$ #3. \emph{#4} \texttt{[#5]}}" + "\n",
+        r"$\;\longrightarrow\;$ #3 \emph{#4} \texttt{[#5]}}" + "\n",
         r"\twocolumn[{\Large\bfseries Errata}\par\smallskip" + "\n",
         f"{escaped(PAPER)}, {escaped(JOURNAL)}.\\par\\smallskip\n",
         r"{\footnotesize " + _about_the_errata(number, report) + r"\par}\medskip]" + "\n",
@@ -85,9 +85,9 @@ def errata_text(report: Mapping[str, Any]) -> str:
 def _about_the_errata(number: int, report: Mapping[str, Any]) -> str:
     return escaped(
         f"{number} item{'' if number == 1 else 's'}: printed form, corrected form, reason. Sections, equations, "
-        f"figures and l. (lines of the LaTeX source, SHA-256 {paper_hash()[:16]}…) are those of {VERSION}; the journal’s "
-        "version was not compared, so that its numbers may differ and its pages are not given. Each item was found by "
-        "two derivations, and can be run again with the name in brackets: "
+        f"figures and l. (lines of the LaTeX source, SHA-256 {paper_hash()[:16]}…) are those of {VERSION}; the "
+        "journal’s version was not compared, so that its numbers may differ and its pages are not given. Each item "
+        "was found by two derivations, and can be run again with the name in brackets: "
     ) + (
         rf"\texttt{{gspot-verified verify NAME}} (version {escaped(report['versions']['gspot-verified'])}); "
         "it ends with exit code 1 where the printed form is refuted. How far an error reaches is a reading of the "
@@ -103,8 +103,12 @@ def _erratum(item: Item, reach: Reach | None) -> str:
         reasons += [text_latex(entry["consequence"]["why"]) for entry in item.entries]
     names = ", ".join(escaped(entry["identifier"]) for entry in item.entries)
     lines = f" (l.~{escaped(item.lines)})" if item.lines else ""
-    arguments = (escaped(item.places) + lines, printed, correct.rstrip("."), " ".join(reasons), names)
+    arguments = (escaped(item.places) + lines, printed, _sentence(correct), " ".join(reasons), names)
     return r"\erratum" + "".join(f"{{{argument}}}" for argument in arguments) + "\n"
+
+
+def _sentence(text: str) -> str:
+    return text if text.endswith(".") else f"{text}."
 
 
 def theorems_text(report: Mapping[str, Any]) -> str:
@@ -154,8 +158,8 @@ def _theorem(entry: Mapping[str, Any]) -> str:
     if entry["formal"]:
         names = ", ".join(one["name"] for one in entry["formal"]["theorems"])
         said.append(f"formal: {names} ({entry['formal']['state']})")
-    name = escaped(entry["identifier"])
-    return f"\\par\\smallskip {words}.\\\\ {{\\small\\emph{{{escaped('. '.join(said))}.}} \\texttt{{[{name}]}}}}\n"
+    last = f"\\emph{{{escaped('. '.join(said))}.}} \\texttt{{[{escaped(entry['identifier'])}]}}"
+    return f"\\par\\smallskip {_sentence(words)}\\\\ {{\\small{last}}}\n"
 
 
 def _page_theorem(name: str, digest: str) -> str:

@@ -62,11 +62,11 @@ def set_in(report, path, value):
 @pytest.mark.parametrize(
     ("path", "value", "message"),
     [
-        (["schema"], 1, "reads schema 7"),
+        (["schema"], 1, "reads schema 8"),
         (["standings", "premise"], 1, "standings: the file says"),
         (["entries", 0, "from_cache"], None, r"entries\[0\].from_cache: expected true or false"),
-        (["schema"], True, "reads schema 7"),
-        (["schema"], "1", "reads schema 7"),
+        (["schema"], True, "reads schema 8"),
+        (["schema"], "1", "reads schema 8"),
         (["counts"], {"proved": 3, "refuted": 1, "undecided": 0}, "its entries give"),
         (["counts"], {"proved": True, "refuted": 1, "undecided": 2}, "its entries give"),
         (["counts"], None, "counts: expected an object"),

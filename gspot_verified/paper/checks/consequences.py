@@ -130,7 +130,7 @@ _CONSEQUENCES = {
     ),
     "4-inner-fast": Consequence(
         Reach.NONE,
-        "The chain rule ds = δ ds_f in eq. (52) gives the minus sign.",
+        "Eq. (52) with s = δ s_f, times δ³, has the minus sign there.",
         "The limit that is used does not contain the term.",
     ),
     "4-inner-scaling-v": Consequence(
@@ -170,7 +170,7 @@ _CONSEQUENCES = {
     ),
     "5-kinds": Consequence(
         Reach.NONE,
-        "The derivative in eq. (88) is that of z_(n-1), which is known there.",
+        "The derivative in eq. (88) is that of z_{n-1}, which is known there.",
         "The third-order equation that follows is right.",
     ),
     "5-letters": Consequence(
@@ -210,12 +210,12 @@ _CONSEQUENCES = {
     ),
     "5-bpert-v": Consequence(
         Reach.LOCAL,
-        "By eq. (73) v is the rate of y, for the distinguished trajectory too.",
+        "v is the rate of y (eq. (73)), for the distinguished trajectory too.",
         "One line of the perturbed variables has a factor too many.",
     ),
     "6-sign-of-G": Consequence(
         Reach.LOCAL,
-        "λ_T = -μ λ_N in positive slip, and G must give the p of Appendix B.",
+        "λ_T = -μ λ_N in positive slip, and with the printed sign L_G v is not the printed p.",
         "The functions of Appendix B are those of the right sign.",
     ),
     "6-attribution": Consequence(
@@ -238,7 +238,7 @@ _CONSEQUENCES = {
     ),
     "A-th5-condition": Consequence(
         Reach.LOCAL,
-        "There the right side is 0 (1/Γ has a zero) and the left side is a polynomial other than 0.",
+        "There 1/Γ is 0, and with it the right side; the left side is a polynomial, and not 0.",
         "Where the formulas are used, β is not an integer, and there they hold.",
     ),
 }

@@ -1,9 +1,13 @@
-"""Every refuted statement has its consequence, and no other statement has one."""
+"""Every refuted statement has its one-line reason and its consequence, and no other statement has one."""
+
+import re
 
 import pytest
+from paper.refuted import REFUTED
 
 from gspot_verified.paper.checks.consequences import _CONSEQUENCES, Reach, consequence
 from gspot_verified.paper.checks.entry import Check, Rung, settled
+from gspot_verified.paper.checks.paper import _places
 
 
 def entry(identifier, agrees):
@@ -23,3 +27,26 @@ def test_each_says_why(identifier):
     found = consequence(identifier)
     assert found.reach in Reach
     assert found.why.endswith(".")
+    assert found.reason.endswith(".")
+    assert found.reason != found.why
+    assert "\n" not in found.reason
+    assert 20 < len(found.reason) <= 100, "a line"
+    assert found.table == "" or found.table.startswith("Table ")
+
+
+def test_every_refuted_statement_has_its_reason_and_its_consequence_and_no_other_has():
+    assert set(_CONSEQUENCES) == REFUTED
+
+
+def test_the_cells_of_table_1_are_one_item():
+    cells = {name: found.table for name, found in _CONSEQUENCES.items() if name.startswith("3-table-1")}
+    assert len(cells) == 2
+    assert set(cells.values()) == {"Table 1(a)"}
+    assert {name for name, found in _CONSEQUENCES.items() if found.table} == set(cells)
+
+
+def test_figures_and_tables_are_named_by_numbers_that_the_paper_prints():
+    printed = {name for _, _, name in _places()}
+    for identifier, found in _CONSEQUENCES.items():
+        for name in re.findall(r"(?:Figure|Table|Theorem) \d+", f"{found.reason} {found.why}"):
+            assert name in printed, (identifier, name)
