@@ -14,7 +14,7 @@ from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.consequences import Reach
 from gspot_verified.paper.checks.paper import paper_hash
 from gspot_verified.report.data import checked
-from gspot_verified.report.parts.errata_items import TITLES, Item, errata
+from gspot_verified.report.parts.errata_items import TITLES, Item, errata, places_of
 from gspot_verified.report.parts.latex_text import escaped, source_latex, text_latex
 from gspot_verified.report.parts.proof_page import proof_text
 
@@ -37,16 +37,18 @@ PAGES = ("count_law",)
 """Proof pages with a theorem that no entry says."""
 ERRATA_PAGES = 2
 """What a journal prints."""
-_WIDTH = 108
+_WIDTH = 124
 _PREAMBLE = r"""\documentclass[10pt,a4paper%(options)s]{article}
 \usepackage[margin=%(margin)s]{geometry}
 \usepackage{amsmath,amssymb}
 \renewcommand{\epsilon}{\varepsilon}
 \newcommand{\eps}{\varepsilon}
+\newcommand{\becomes}{$\;\longrightarrow\;$ }
 \setlength{\parindent}{0pt}
 \setlength{\emergencystretch}{3em}
 \raggedbottom
-\sloppy
+\raggedright
+\frenchspacing
 \begin{document}
 """
 
@@ -67,8 +69,7 @@ def errata_text(report: Mapping[str, Any]) -> str:
     pieces = [
         _PREAMBLE % {"options": ",twocolumn", "margin": "15mm"},
         r"\setlength{\columnsep}{7mm}\pagestyle{empty}" + "\n",
-        r"\newcommand{\erratum}[5]{\par\vspace{2.2pt plus 1pt}\textbf{#1}: #2 "
-        r"$\;\longrightarrow\;$ #3 \emph{#4} \texttt{[#5]}}" + "\n",
+        r"\newcommand{\erratum}[4]{\par\vspace{2.2pt plus 1pt}\textbf{#1}: #2 \emph{#3} \texttt{[#4]}}" + "\n",
         r"\twocolumn[{\Large\bfseries Errata}\par\smallskip" + "\n",
         f"{escaped(PAPER)}, {escaped(JOURNAL)}.\\par\\smallskip\n",
         r"{\footnotesize " + _about_the_errata(number, report) + r"\par}\medskip]" + "\n",
@@ -96,14 +97,16 @@ def _about_the_errata(number: int, report: Mapping[str, Any]) -> str:
 
 
 def _erratum(item: Item, reach: Reach | None) -> str:
-    printed = "; ".join(source_latex(entry["source"]) for entry in item.entries)
-    correct = "; ".join(text_latex(entry["corrected"]) or "no corrected form is recorded" for entry in item.entries)
+    forms = " ".join(
+        _sentence(source_latex(entry["source"]) + r" \becomes{}" + text_latex(entry["corrected"] or "not recorded"))
+        for entry in item.entries
+    )
     reasons = [text_latex(entry["consequence"]["reason"]) for entry in item.entries if entry["consequence"]]
     if reach is Reach.CONCLUSION:
         reasons += [text_latex(entry["consequence"]["why"]) for entry in item.entries]
     names = ", ".join(escaped(entry["identifier"]) for entry in item.entries)
     lines = f" (l.~{escaped(item.lines)})" if item.lines else ""
-    arguments = (escaped(item.places) + lines, printed, _sentence(correct), " ".join(reasons), names)
+    arguments = (escaped(item.places) + lines, forms, " ".join(reasons), names)
     return r"\erratum" + "".join(f"{{{argument}}}" for argument in arguments) + "\n"
 
 
@@ -124,8 +127,8 @@ def theorems_text(report: Mapping[str, Any]) -> str:
         )
         + rf"\texttt{{gspot-verified verify NAME}} (version {escaped(report['versions']['gspot-verified'])}). "
         + escaped(
-            "Formal statements are Coq’s, in proofs/coq/ of the source; “verify --formal” proves them again, and it "
-            "is said with each whether that was done for this text. Terms are defined in the files that are named."
+            "Formal statements are Coq’s, in proofs/coq/ of the source; the terms that they use are defined in the "
+            f"files that are named. Their proofs were {_of_the_proofs(report)}."
         )
         + "\\par\n",
     ]
@@ -145,6 +148,12 @@ def theorems_text(report: Mapping[str, Any]) -> str:
     return "".join([*pieces, "\\end{document}\n"])
 
 
+def _of_the_proofs(report: Mapping[str, Any]) -> str:
+    """Whether the formal proofs were run for the report, in the words of its entries."""
+    states = dict.fromkeys(entry["formal"]["state"] for entry in report["entries"] if entry["formal"])
+    return "; ".join(states) or "not run here"
+
+
 def _theorem(entry: Mapping[str, Any]) -> str:
     outcome = entry["verdict"]["outcome"]
     words = text_latex(entry["statement"])
@@ -152,12 +161,12 @@ def _theorem(entry: Mapping[str, Any]) -> str:
         words = f"{words}: \\textbf{{not as printed}}. Correct: {text_latex(entry['corrected'])}"
     elif entry["corrected"]:
         words += f". Precisely: {text_latex(entry['corrected'])}"
-    where = entry["printed"] or entry["label"]
+    where = "; ".join(dict.fromkeys(places_of(entry)))
     rests = ", ".join(f"proofs/{page}.md" for page in entry["dependencies"]["pages"])
     said = [f"{outcome}; {where}"] + ([f"proof: {rests}"] if rests else [])
     if entry["formal"]:
         names = ", ".join(one["name"] for one in entry["formal"]["theorems"])
-        said.append(f"formal: {names} ({entry['formal']['state']})")
+        said.append(f"formal: {names}" if entry["formal"]["run"] else f"formal, not run here: {names}")
     last = f"\\emph{{{escaped('. '.join(said))}.}} \\texttt{{[{escaped(entry['identifier'])}]}}"
     return f"\\par\\smallskip {_sentence(words)}\\\\ {{\\small{last}}}\n"
 

@@ -129,7 +129,7 @@ class Claim:
         if self.corrected and fixed != "":
             return None, f"printed: {left}; corrected: {fixed}"
         if fault:
-            return False, fault.replace("{left}", left) + ("; the corrected form passes" if self.corrected else "")
+            return False, fault.replace("{left}", left)
         holds = "; the corrected form gives 0" if self.corrected else ""
         return False, f"the printed form leaves {left} instead of 0{holds}"
 

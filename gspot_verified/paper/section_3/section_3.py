@@ -61,9 +61,12 @@ def _check(what: str, forces: Forces) -> Check:
     if agrees is False and holds(IMPACT["corrected"], forces) is not True:
         agrees = None
     with working_bits(BITS):
-        force = ball_text(arb(mean_force(fmpq(3, 2))) + forces(fmpq(3, 2))[-1], 8)
-    finding = f"β = 3/2, ν = 2 (a lower b(0)): at t = {END} after the G-spot contact would need the force {force}, "
-    finding += "a pull: it has lifted off"
+        force = arb(mean_force(fmpq(3, 2))) + forces(fmpq(3, 2))[-1]
+        above = force.ceil().unique_fmpz()
+    pull = f"a force below {above}" if above is not None else f"the force {ball_text(force, 8)}"
+    finding = (
+        f"β = 3/2, ν = 2 (a lower b(0)): at t = {END} after the G-spot contact would need {pull}: it has lifted off"
+    )
     return Check(Rung.BALLS, what, agrees, finding)
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
-from flint import arb, fmpq
+from flint import arb, fmpq, fmpz
 
 from gspot_verified.numbers.balls import ball_text, certainly_less, hull, sign_of, working_bits
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
@@ -119,10 +119,19 @@ def is_the_number(text: str, found: arb | None) -> bool | None:
 
 
 def decimals(found: arb) -> str:
-    """The fourth decimal of a ball where it is certain, as the table prints; else the ball."""
+    """A positive number rounded to four decimals, as the table prints, where that is certain; else the ball."""
     with working_bits(_BITS):
-        text = f"{float(found.mid()):.4f}"
-    return text if is_the_number(text, found) else ball_text(found, 6)
+        return _four_decimals((found * 10**4 + fmpq(1, 2)).floor().unique_fmpz()) or ball_text(found, 6)
+
+
+def rounded_up(found: arb) -> str:
+    """A number of four decimals that is at least the ball's, where the next one is certain; else the ball."""
+    with working_bits(_BITS):
+        return _four_decimals((found * 10**4).ceil().unique_fmpz()) or ball_text(found, 4)
+
+
+def _four_decimals(units: fmpz | None) -> str:
+    return "" if units is None or units < 0 else f"{int(units) // 10**4}.{int(units) % 10**4:04}"
 
 
 def can_be_the_number(text: str, name: str, beta: fmpq, largest: fmpq) -> bool | None:
@@ -142,7 +151,7 @@ def text_of(series: Series) -> str:
 def by_series(name: str, beta: fmpq, series: Series) -> Check:
     """Whether the regression over one series gives the printed number; open for a series that begins above BEGIN."""
     found = slope(name, beta, series) if max(epsilons(series)) <= BEGIN else None
-    finding = "" if found is None else f"{text_of(series)}: {ball_text(found, 8)}"
+    finding = "" if found is None else f"the slope is {decimals(found)}"
     return Check(
         Rung.BALLS,
         f"certified values and regression for {text_of(series)}",
@@ -173,14 +182,14 @@ def _impossible(name: str, beta: fmpq) -> Entry:
         SECTION,
         identifier(name, beta),
         f"line {LINES[name]} (β = {beta})",
-        rf"\gamma={MEASURED[name][beta]}",
+        rf"\text{{exponent for }}\hat {name},\ \beta={beta}\text{{: }}{MEASURED[name][beta]}",
         f"{_front(name, beta)} the slope of the regression over some series of ε <= {LARGEST} (neighbours at least 1 % "
         "apart), or over ε = 10^-3, 10^-4, 10^-5, 10^-6, rounded to four decimals",
         Check(
             Rung.BALLS,
             f"proofs/scaling_exponents.md, Theorem E3: all series of ε <= {LARGEST} at once",
             can_be_the_number(MEASURED[name][beta], name, beta, LARGEST),
-            f"every such slope is within {ball_text(regression_error(beta, name, LARGEST), 4)} of "
+            f"every such slope is within {rounded_up(regression_error(beta, name, LARGEST))} of "
             f"{limit_exponent(beta, name)}",
         ),
         by_series(name, beta, DECADES),
@@ -213,7 +222,7 @@ def _one_series() -> Entry:
             f"proofs/scaling_exponents.md, Theorem E5: over one series the slopes of {SYMBOLS[first[0]]} at β = "
             f"{first[1]} and of {SYMBOLS[second[0]]} at β = {second[1]}",
             can_be_of_one_series(COMMON),
-            f"they differ by at most {ball_text(pair_error(second[1], COMMON), 4)}; printed {' and '.join(printed)}",
+            f"they differ by at most {rounded_up(pair_error(second[1], COMMON))}; printed {' and '.join(printed)}",
         ),
         Check(
             Rung.BALLS,

@@ -81,7 +81,7 @@ def _behaves_like() -> Entry:
         Page(_PAGE, (airy_solves, airy_leading_term_cancels)).refutation(
             "section 1, second proof: a product of Airy functions at β = 1/2", at_half
         ),
-        corrected="the only solution that follows the power series of hdef up to o((-τ)^(-β/2-3/4)): the only one "
+        corrected="the only solution that follows the power series of eq. hdef up to o((-τ)^(-β/2-3/4)): the only one "
         "without e_r and e_i that is ~ (-τ)^β",
         note="The first half of the sentence, that the coefficients of e_r and e_i must vanish, is what determines Θ.",
     )

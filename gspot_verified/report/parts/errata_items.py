@@ -32,7 +32,7 @@ class Item:
     @property
     def places(self) -> str:
         """Where the reader finds it: the table, or each place of the quoted lines once."""
-        return self.table or "; ".join(dict.fromkeys(where for entry in self.entries for where in _places(entry)))
+        return self.table or "; ".join(dict.fromkeys(where for entry in self.entries for where in places_of(entry)))
 
     @property
     def lines(self) -> str:
@@ -65,5 +65,6 @@ def _table(group: Sequence[Mapping[str, Any]]) -> str:
     return (group[0]["consequence"] or {}).get("table", "")
 
 
-def _places(entry: Mapping[str, Any]) -> list[str]:
+def places_of(entry: Mapping[str, Any]) -> list[str]:
+    """Where the quoted lines of an entry stand in the paper; its label where it quotes none."""
     return [place(first, last) for first, last in entry["lines"]] or [entry["printed"] or entry["label"]]

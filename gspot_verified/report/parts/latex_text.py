@@ -35,7 +35,8 @@ _FUNCTIONS = {"sin", "cos", "tan", "exp", "log", "ln", "min", "max", "det", "lim
 _WORDS = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%", "_": r"\_",
     "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}", ">": r"\textgreater{}",
-    "|": r"\textbar{}", "“": "``", "”": "''", "‘": "`", "’": "'", "–": "--", "—": "---", "…": r"\ldots{}",
+    "|": r"\textbar{}", "“": "``", "”": "''", "‘": "`", "’": "'", "–": r"\textendash{}", "—": r"\textemdash{}",
+    "…": r"\ldots{}",
     "\u00a0": "~", "−": "$-$",
 }  # fmt: skip
 _OTHERS = (
@@ -76,7 +77,7 @@ def escaped(text: str) -> str:
         else:
             pieces.append(f"${_sign(letter)}$")
         opening = letter.isspace() or letter in "(["
-    return "".join(pieces)
+    return "".join(pieces).replace("--", "-{}-")  # no ligature
 
 
 def formula_latex(source: str) -> str:

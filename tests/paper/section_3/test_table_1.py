@@ -46,6 +46,15 @@ def test_a_ball_rounds_to_a_number(text: str, found: arb | None, answer: bool | 
     assert ledger.is_the_number(text, found) is answer
 
 
+def test_a_number_is_shown_with_its_certain_decimals() -> None:
+    assert ledger.decimals(arb("1.66527", "0.0000008")) == "1.6653"
+    assert ledger.decimals(arb("0.03334")) == "0.0333"
+    assert ledger.decimals(arb("2.33835", "0.00001")).startswith("[2.338"), "the fourth decimal is not certain"
+    assert ledger.rounded_up(arb("0.009819", "0.00000006")) == "0.0099"
+    assert ledger.rounded_up(arb("0.0099", "0.00000006")).startswith("[0.00990"), "it may be a little more"
+    assert ledger.decimals(arb("nan")) == ledger.rounded_up(arb("nan")) == "[no information]"
+
+
 def test_a_power_law_has_its_exponent_as_slope(monkeypatch: pytest.MonkeyPatch) -> None:
     def power(name: str, beta: fmpq, epsilon: fmpq) -> arb:
         assert (name, beta) == ("b", BETAS[0])

@@ -1,4 +1,4 @@
-"""Texts of the ledger as LaTeX: ASCII, balanced, every sign declared, and nothing that reads a file or defines a word."""
+"""Texts of the ledger as LaTeX: ASCII, balanced, every sign declared; nothing that reads a file or defines a word."""
 
 from __future__ import annotations
 
@@ -45,7 +45,8 @@ def test_any_text_becomes_balanced_ascii(text: str) -> None:
         ("[2.5 +/- 1.2e-6]", r"$[2.5 \pm1.2\cdot10^{-6}]$"),
         ("x²' and e^(2x)'", r"$x^{2}{}'$ and $e^{2x}{}'$"),
         ('the "pull" of 50 % & more_1', r"the ``pull'' of 50 \% \& more\_1"),
-        ("Várkonyi, Painlevé — “so”", r"V\'{a}rkonyi, Painlev\'{e} --- ``so''"),
+        ("Várkonyi, Painlevé — “so”", r"V\'{a}rkonyi, Painlev\'{e} \textemdash{} ``so''"),
+        ("verify --formal", "verify -{}-formal"),
         ("one ☃", r"one $\text{[U+2603]}$"),
     ],
 )
