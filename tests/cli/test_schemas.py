@@ -21,6 +21,7 @@ from gspot_verified.cost.times.curves import TimeCurve
 from gspot_verified.cost.times.rows import Row, Target
 from gspot_verified.paper.section_4_5 import cases
 from gspot_verified.report.check_again import CheckedAgain
+from gspot_verified.report.write import Supplement
 
 ROOT = Path(__file__).resolve().parents[2]
 FORMS = (
@@ -183,6 +184,9 @@ def test_verify_and_report(capsys: pytest.CaptureFixture[str], monkeypatch: pyte
     source.touch()
     monkeypatch.setattr("gspot_verified.report.write.render_report", lambda *_: tmp_path / "index.html")
     assert errors("report", printed(capsys, "report", str(source), "--output", str(tmp_path))) == []
+    made = Supplement((tmp_path / "errata.tex",), ("no LaTeX",))
+    monkeypatch.setattr("gspot_verified.report.write.write_supplement", lambda *_: made)
+    assert errors("report", printed(capsys, "report", str(source), "--supplement", str(tmp_path))) == []
     again = [CheckedAgain("iwc_0_1.cert", True, "VERIFIED")]
     monkeypatch.setattr("gspot_verified.report.check_again.check_report", lambda *_: again)
     assert errors("report", printed(capsys, "report", "--check", str(tmp_path))) == []

@@ -10,9 +10,10 @@ import pytest
 
 from gspot_verified.cli import main
 from gspot_verified.cli.ledger_output import claims_data, paper_data, print_claims, print_paper, what_was_run
-from gspot_verified.paper.checks.entry import Entry
+from gspot_verified.paper.checks.entry import Check, Entry, Rung, settled
 from gspot_verified.paper.claims import WHY, Standing, paper_claims
 from gspot_verified.paper.verify import verify_claims
+from gspot_verified.report.data import report_data
 
 
 @pytest.fixture(scope="module")
@@ -115,3 +116,36 @@ def test_every_count_has_its_denominator(capsys: pytest.CaptureFixture[str], nam
     assert lines[-3].startswith(f"of the paper's {len(paper_claims())} claims: ")
     assert lines[-2] == "of 2 entries: 1 proved, 1 refuted, 0 undecided"
     assert lines[-1] == what_was_run(named) == "run now: all 2"
+
+
+def report_file(folder: Path) -> Path:
+    """A report.json with one refuted entry."""
+    checks = [Check(Rung.EXACT, what, False, "f") for what in ("one", "another")]
+    entry = settled("Section 4", "4-order", "line 986", "x", "third order", *checks, corrected="fourth order")
+    path = folder / "report.json"
+    path.write_text(json.dumps(report_data([entry], [])), encoding="utf-8")
+    return path
+
+
+def test_the_supplement_is_written_from_a_report_and_a_missing_latex_is_said(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    path = report_file(tmp_path)
+    monkeypatch.setattr("gspot_verified.report.parts.latex_program.shutil.which", lambda _: None)
+    code, output, errors = run(capsys, "report", str(path), "--supplement", str(tmp_path / "out"))
+    assert code == 0
+    assert output.splitlines() == [str(tmp_path / "out" / name) for name in ("errata.tex", "theorems.tex")]
+    assert errors.count("there is no pdflatex on this machine") == 2
+    assert not (tmp_path / "out" / "index.html").exists()
+    code, output, _ = run(capsys, "report", str(path), "--supplement", str(tmp_path / "out"), "--json")
+    found = json.loads(output)
+    assert (code, len(found["files"]), len(found["warnings"])) == (0, 2, 2)
+
+
+def test_a_supplement_needs_a_report_and_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    code, _, errors = run(capsys, "report", str(tmp_path / "none.json"), "--supplement", str(tmp_path / "out"))
+    assert (code, "there is no file" in errors) == (64, True)
+    code, _, errors = run(capsys, "report", str(report_file(tmp_path)), "--supplement", str(tmp_path / "a" / "b"))
+    assert (code, "there is no folder" in errors) == (64, True)
+    code, _, errors = run(capsys, "report", "--check", str(tmp_path), "--supplement", str(tmp_path))
+    assert (code, "--supplement have no use with it" in errors) == (64, True)

@@ -11,6 +11,7 @@ import pytest
 
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.entry import Entry
+from gspot_verified.paper.checks.paper import _places
 from gspot_verified.paper.claims import PaperClaim, Standing, paper_claims, standing_counts
 from gspot_verified.paper.verify import PARTS
 
@@ -161,6 +162,19 @@ def test_a_claim_that_stands_proved_says_what_its_entries_are_restricted_by(whol
 def test_what_a_claim_must_say(words: str, why: str, statement: str, passes: bool) -> None:
     claim = PaperClaim(1, 1, "", words, ("a",), None, why)
     assert (unsaid(claim, {"a": statement}) == [] and quantified(claim, {"a": statement})) is passes
+
+
+def test_a_figure_is_named_by_the_number_that_the_paper_prints():
+    floats = [(first, last, name) for first, last, name in _places() if name.startswith(("Figure", "Table"))]
+    held = 0
+    for claim in paper_claims():
+        around = [name for first, last, name in floats if first <= claim.first and claim.last <= last]
+        for named in re.findall(r"(?:Figure|Table) \d+", f"{claim.words} {claim.why}"):
+            assert named in {name for _, _, name in floats}, claim.words
+        if around and (first := re.match(r"(?:Caption of )?((?:Figure|Table) \d+)", claim.words)):
+            assert first[1] == around[0], claim.words
+            held += 1
+    assert held > 3
 
 
 def test_the_counts_have_the_denominator():

@@ -123,6 +123,16 @@ def set_in(report, path, value):
         (["entries", 0, "dependencies", "pages"], [1], r"entries\[0\].dependencies.pages: expected texts"),
         (["entries", 0, "lines"], [], r"entries\[0\].lines: expected the lines of the quotations"),
         (["entries", 0, "consequence"], {"reach": 1}, r"entries\[0\].consequence: expected text under 'reach'"),
+        (
+            ["entries", 0, "consequence"],
+            {"reach": "none", "reason": 1, "why": "", "table": ""},
+            r"entries\[0\].consequence: expected text under 'reason'",
+        ),
+        (
+            ["entries", 0, "consequence"],
+            {"reach": "far", "reason": "", "why": "", "table": ""},
+            r"entries\[0\].consequence.reach: expected one of none, local, changes a conclusion",
+        ),
         (["versions"], {"python": "3"}, "versions: expected text under"),
     ],
 )

@@ -197,8 +197,10 @@ def test_undecided_is_not_shown_as_passed(site):
 
 def test_the_errata_hold_the_refuted_ones_and_no_other(site):
     page = site["errata.html"]
-    for text in (r"\Gamma(-\beta)&lt;0", "at beta", "4 &gt; 0"):
-        assert text in page or text == "at beta"
+    assert page.split('<ul class="evidence">')[1].count("<li>") == 2
+    for text in ("at beta", "4 &gt; 0", "Errors whose consequence is not recorded"):
+        assert text in page
+    assert "Γ" in html.unescape(page), "the transcribed form is set"
     assert page.count("<article") == 1
     assert "eq. (A.8)" not in page.split("<main", 1)[1]
 
@@ -209,6 +211,62 @@ def test_an_erratum_says_how_far_it_reaches():
     page = pages(report_data([refuted], []))["errata.html"]
     assert "Consequence: none" in page
     assert "The printed equation is of fourth order" in page
+    assert "The equation contains the fourth derivative of" in page
+    assert "<h2>Misprints and slips without a consequence</h2>" in page
+    assert "gspot-verified verify 4-order" in page
+
+
+def refuted_entry(identifier, label, source="x"):
+    checks = [Check(Rung.EXACT, what, False, f"{what} fails") for what in ("one", "another")]
+    return settled("Section 4", identifier, label, source, "s", *checks, corrected="c")
+
+
+def test_the_errata_are_sorted_by_consequence_and_a_table_is_one_item():
+    labels = {
+        "4-order": "line 986", "3-table-1-y-1_2": "line 894 (β = 1/2)", "1-beta": "line 380",
+        "3-sides": "lines 782 to 785", "3-table-1-one-series": "lines 844 to 847",
+    }  # fmt: skip
+    page = pages(report_data([refuted_entry(name, label) for name, label in labels.items()], []))["errata.html"]
+    main = page.split("<main", 1)[1]
+    articles = re.findall(r"<article .*?</article>", main, re.S)
+    named = [re.findall(r"gspot-verified verify ([\w-]+)", article) for article in articles]
+    assert named == [["3-sides"], ["1-beta"], ["3-table-1-one-series", "3-table-1-y-1_2"], ["4-order"]]
+    assert "Table 1(a)" in articles[2]
+    assert re.findall(r"<h2>(.*?)</h2>", main) == [
+        "Errors that change a conclusion",
+        "Local errors: what is printed there is wrong, and no conclusion changes",
+        "Misprints and slips without a consequence",
+    ]
+    assert "one: <strong>one fails</strong>" in articles[0]
+    assert "another: <strong>another fails</strong>" in articles[0]
+
+
+@pytest.mark.parametrize(
+    ("identifier", "label", "wrong"),
+    [
+        ("4-inner-scaling-v", "eq:inner_scaling (v)", r"\delta^{2}\alpha_3^*\frac{\hat{v}}{\epsilon}"),
+        ("4-matching-middle", "eq:bhat_inner, line 1227", r"C_1(-\epsilon^{2/3} s)"),
+        ("4-inner-fast", "line 1161", r"+\delta^2\alpha_1^*s"),
+    ],
+)
+def test_the_printed_lines_of_an_erratum_hold_the_wrong_part(identifier, label, wrong):
+    page = pages(report_data([refuted_entry(identifier, label)], []))["errata.html"]
+    assert wrong in html.unescape(page)
+
+
+def test_a_long_printed_line_breaks_at_its_commas_or_can_be_moved():
+    page = pages(report_data([refuted_entry("4-inner-scaling-v", "eq:inner_scaling (v)")], []))["errata.html"]
+    assert page.count('<span class="part">') == 4
+    assert ".display { display: block; overflow-x: auto" in style()
+    assert "::-webkit-scrollbar-thumb" in style()
+
+
+def test_a_printed_form_is_words_and_formulas():
+    source = r"\text{lower } b(0) \text{ in (b)},\ \text{higher } b(0)"
+    page = pages(report_data([refuted_entry("3-sides", "lines 782 to 785", source)], []))["errata.html"]
+    [shown] = re.findall(r'<div class="wide">(.*?)</div>', page, re.S)
+    words = html.unescape(re.sub(r"<[^>]*>", " ", shown))
+    assert " ".join(words.split()).startswith("lower b ( 0 ) in (b), higher b")
 
 
 def test_the_open_page_holds_the_undecided_ones_and_no_other(site):

@@ -182,6 +182,6 @@ def test_the_pdf_is_written_and_a_third_page_is_said(monkeypatch: pytest.MonkeyP
 
 def test_a_file_that_is_no_report_is_refused(tmp_path: Path) -> None:
     (tmp_path / "report.json").write_text("{}", encoding="utf-8")
-    with pytest.raises(ValueError, match="report.json: report: this version reads schema"):
+    with pytest.raises(ValueError, match=r"report\.json: report: this version reads schema"):
         write.write_supplement(tmp_path / "report.json", tmp_path / "out")
     assert not (tmp_path / "out").exists()

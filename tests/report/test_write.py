@@ -77,9 +77,9 @@ def test_pages_can_be_written_again_in_place(written, tmp_path):
         (b"", "report.json: Expecting value"),
         (b"{", "report.json: "),
         (b"[]", "report.json: report: expected an object, got list"),
-        (b'{"schema": 8}', "reads schema 7, the file has schema 8"),
+        (b'{"schema": 7}', "reads schema 8, the file has schema 7"),
         (b"\xff\xfe", "report.json: not UTF-8 text"),
-        (b'{"schema": 7}', "expected a list under 'entries'"),
+        (b'{"schema": 8}', "expected a list under 'entries'"),
         (b"[" * 200_000, "report.json: nested too deeply"),
     ],
 )

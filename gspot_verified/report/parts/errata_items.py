@@ -62,7 +62,8 @@ def errata(entries: Sequence[Mapping[str, Any]]) -> dict[Reach | None, list[Item
 
 
 def _table(group: Sequence[Mapping[str, Any]]) -> str:
-    return (group[0]["consequence"] or {}).get("table", "")
+    reading = group[0]["consequence"]
+    return str(reading["table"]) if reading else ""
 
 
 def places_of(entry: Mapping[str, Any]) -> list[str]:

@@ -214,3 +214,20 @@ def test_theorems_are_named_by_printed_number_and_label() -> None:
     ]
     assert len(found) > 5
     assert [row for row in found if row[2] == "" or paper.printed_number(row[2]) != row[1]] == []
+
+
+def test_places_are_named_by_the_numbers_of_the_paper() -> None:
+    assert paper.place(1192, 1197) == "Sec. 4.3, eq. (55)"
+    assert paper.place(1395, 1405) == "Sec. 5.1, eqs. (70) to (76)"
+    assert paper.place(1160, 1162) == "Sec. 4.3, after eq. (52)"
+    assert paper.place(332, 335) == "Sec. 1.3", "no equation stands before it in its section"
+    assert paper.place(734, 737) == "Sec. 3.1, Figure 6"
+    assert paper.place(2465, 2489) == "Appendix A, Theorem 6"
+    assert paper.place(1, 2) == "", "before the first section"
+
+
+@needs_the_paper
+def test_the_places_are_those_of_the_paper(document: Document) -> None:
+    found = [(item.first, item.last, name_of(item)) for item in document.numbered if item.number is not None]
+    assert paper._places() == found
+    assert paper.paper_hash() == hashlib.sha256(PAPER.read_bytes()).hexdigest()

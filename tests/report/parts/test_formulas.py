@@ -74,5 +74,5 @@ def test_markup_in_the_source_is_text() -> None:
     assert "<script>" not in formula("<script>")
 
 
-def test_the_example_of_the_docstring() -> None:
-    assert doctest.testmod(module) == (0, 1)
+def test_the_examples_of_the_docstrings() -> None:
+    assert doctest.testmod(module) == (0, 2)
