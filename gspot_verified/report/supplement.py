@@ -38,6 +38,7 @@ PAGES = ("count_law",)
 ERRATA_PAGES = 2
 """What a journal prints."""
 _WIDTH = 124
+"""Letters of a line of a formal statement in the size and on the page of ``theorems.tex``."""
 _PREAMBLE = r"""\documentclass[10pt,a4paper%(options)s]{article}
 \usepackage[margin=%(margin)s]{geometry}
 \usepackage{amsmath,amssymb}
