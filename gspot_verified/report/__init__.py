@@ -1,5 +1,5 @@
-"""The report on the paper: one JSON file, a folder of linked pages, figures, certificates."""
+"""The report on the paper: one JSON file, a folder of linked pages, figures, certificates; errata as a supplement."""
 
-from gspot_verified.report.write import render_report, write_report
+from gspot_verified.report.write import render_report, write_report, write_supplement
 
-__all__ = ["render_report", "write_report"]
+__all__ = ["render_report", "write_report", "write_supplement"]

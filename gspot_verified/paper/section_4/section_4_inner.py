@@ -259,7 +259,7 @@ def _scaling_v() -> Entry:
         this.check(
             "modelSysDevRecoverV with t = δ² s, ε = δ³: the term of the stated order in δ",
             lambda parts: _leading("v", 1, parts["v factor"], parts["v"]),
-            fault="the term 2 b'' has the order δ of α_3 v/ε, not δ²",
+            fault="at leading order 2 b'' is δ α_3 v/ε, and not δ² α_3 v/ε",
         ),
         this.check(
             "d²b/ds² along the slow system of the deviations, where z = y/2",
