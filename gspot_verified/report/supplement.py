@@ -70,7 +70,8 @@ def errata_text(report: Mapping[str, Any]) -> str:
     pieces = [
         _PREAMBLE % {"options": ",twocolumn", "margin": "15mm"},
         r"\setlength{\columnsep}{7mm}\pagestyle{empty}" + "\n",
-        r"\newcommand{\erratum}[4]{\par\vspace{2.2pt plus 1pt}\textbf{#1}: #2 \emph{#3} \texttt{[#4]}}" + "\n",
+        r"\newcounter{item}\newcommand{\erratum}[4]{\stepcounter{item}\par\vspace{2.2pt plus 1pt}"
+        r"\textbf{\arabic{item}. #1}: #2 \emph{#3} \texttt{[#4]}}" + "\n",
         r"\twocolumn[{\Large\bfseries Errata}\par\smallskip" + "\n",
         f"{escaped(PAPER)}, {escaped(JOURNAL)}.\\par\\smallskip\n",
         r"{\footnotesize " + _about_the_errata(number, report) + r"\par}\medskip]" + "\n",
