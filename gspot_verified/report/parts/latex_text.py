@@ -84,7 +84,7 @@ def formula_latex(source: str) -> str:
     """A formula in the ledger's notation (``ξ_n``, ``e^(−x²)``) as LaTeX for a line of text.
 
     >>> print(formula_latex("ε^(2β/3) v\u0302 <= sqrt(g l)"))
-    \\varepsilon^{2\\beta/3} \\hat{v} \\le  \\sqrt{g l}
+    \\varepsilon^{2\\beta/3} \\hat{v} \\le \\sqrt{g l}
     """
     source = _decomposed(source).replace("+/-", "±").replace("...", "…")
     source = re.sub(r"(?<=\d)e(-?\d+)", r"·10^(\1)", source)
