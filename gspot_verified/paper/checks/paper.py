@@ -64,7 +64,7 @@ def place(first: int, last: int) -> str:
     Pages are not known: they differ between versions, and these numbers differ less.
 
     >>> place(1192, 1197), place(1161, 1161), place(734, 737)
-    ('Sec. 4.3, eq. (55)', 'Sec. 4.3, after eq. (52)', 'Sec. 3.2, Figure 6')
+    ('Sec. 4.3, eq. (55)', 'Sec. 4.3, after eq. (52)', 'Sec. 3.1, Figure 6')
     """
     before = [item for item in _places() if item[0] <= first]
     section = next((item for item in reversed(before) if _is_section(item[2])), None)
