@@ -48,6 +48,25 @@ def test_formulas_have_their_structure(source, tags):
     assert set(tags) <= set(names)
 
 
+@pytest.mark.parametrize(
+    ("body", "parts"),
+    [
+        (r"a=1,\quad b=2,\qquad c=3.", 3),
+        (r"a=1,\quadratic", 0),
+        (r"\left(a,\quad b\right)", 0),
+        (r"x_{a,\quad b}", 0),
+        ("a=1, b=2", 0),
+    ],
+)
+def test_a_display_can_break_after_a_comma_that_no_group_holds(body, parts):
+    try:
+        shown = latex_html(rf"\[{body}\]", number)
+    except NotTypeset:
+        shown = ""
+    assert shown.count('<span class="part">') == parts
+    assert shown.count("<math") == max(parts, 1) or not shown
+
+
 def test_letters_and_numbers_arrive():
     text = "".join(ElementTree.fromstring(latex_formula(r"\eps \dot b = \alpha_2 - 17 \lambda_N")).itertext())
     assert [c for c in text if c.isalnum()] == ["ε", "b", "α", "2", "1", "7", "λ", "N"]
