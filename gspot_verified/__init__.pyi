@@ -56,6 +56,8 @@ from gspot_verified.paper.checks.entry import Entry as Entry
 from gspot_verified.paper.numerics.paper_state import paper_state as paper_state
 from gspot_verified.paper.verify import verify as verify
 from gspot_verified.report.check_again import check_report as check_report
+from gspot_verified.report.mechanism.mechanism_report import mechanism_report as mechanism_report
+from gspot_verified.report.mechanism.report import MechanismReport as MechanismReport
 from gspot_verified.report.pictures.canvas import Picture as Picture
 from gspot_verified.report.plot import plot as plot
 from gspot_verified.report.write import render_report as render_report

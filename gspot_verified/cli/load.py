@@ -15,6 +15,14 @@ def load_with_settings(name: str, settings: list[str] | None) -> Mechanism:
     """
     from gspot_verified.mechanisms.load import load
 
+    return load(name, **given_values(settings))
+
+
+def given_values(settings: list[str] | None) -> dict[str, str | None]:
+    """The values of ``--set name=value``; None for "symbolic".
+
+    :raises ValueError: a setting is no ``name=value``, or is given twice.
+    """
     values: dict[str, str | None] = {}
     for setting in settings or []:
         key, equals, value = setting.partition("=")
@@ -23,4 +31,4 @@ def load_with_settings(name: str, settings: list[str] | None) -> Mechanism:
         if key.strip() in values:
             raise ValueError(f"--set: {key.strip()[:60]} is given twice")
         values[key.strip()] = None if value.strip() == "symbolic" else value.strip()
-    return load(name, **values)
+    return values

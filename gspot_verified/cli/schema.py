@@ -32,6 +32,7 @@ from gspot_verified.numbers.verdict import Verdict
 from gspot_verified.numbers.written import DEFINITIONS, Schema, form
 from gspot_verified.paper.checks.entry import Entry
 from gspot_verified.report.check_again import CheckedAgain
+from gspot_verified.report.mechanism.report import MechanismReport
 from gspot_verified.scenes.hard_sides import WrongSides
 from gspot_verified.scenes.scene.run import SceneRun
 from gspot_verified.signs.cover.sign import SignResult
@@ -169,7 +170,7 @@ RESULTS: dict[str, tuple[Any, ...]] = {
     "approach": (Approach,),
     "sweep": (Sweep,),
     "verify": (_Ledger,),
-    "report": (_Page, _Supplement, _Again),
+    "report": (_Page, _Supplement, _Again, (_Page, MechanismReport)),
     "cost": (Benchmark, CostReport, ExpandCost, SignCost, Measurement),
     "hard-cases": (Catalogue,),
 }

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from gspot_verified.mechanisms.input.file import read_mechanism
+from gspot_verified.mechanisms.input.file import parse_mechanism, read_text
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
-from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.shipped import shipped_text
 from gspot_verified.numbers.balls import ExactInput
 
 
@@ -23,14 +23,29 @@ def load(name_or_path: str | Path, /, **parameters: ExactInput | None) -> Mechan
     >>> load("extended", chi="1/2").name
     'extended system'
     """
+    text, origin = mechanism_text(name_or_path)
+    try:
+        mechanism = parse_mechanism(text)
+    except MechanismError as error:
+        raise MechanismError(f"{origin}: {error}") from None
+    return mechanism.with_parameters(**parameters)
+
+
+def mechanism_text(name_or_path: str | Path) -> tuple[str, str]:
+    """The text of that file, and how messages name it.
+
+    :raises MechanismError: neither a file nor a name, or the file cannot be read.
+
+    >>> mechanism_text("rod")[1]
+    'rod'
+    """
     if not isinstance(name_or_path, str | Path):
         raise TypeError(f"load: expected a path or a name, got {type(name_or_path).__name__}")
     path = Path(name_or_path)
     if isinstance(name_or_path, Path) or path.suffix == ".toml" or path.is_file():
-        return read_mechanism(path).with_parameters(**parameters)
+        return read_text(path), str(path)
     try:
-        mechanism = shipped_mechanism(name_or_path)
+        return shipped_text(name_or_path), name_or_path
     except MechanismError as error:
         place = f"{path} is a folder" if name_or_path and path.is_dir() else f"there is no file {name_or_path[:60]!r}"
         raise MechanismError(f"{place}, and {error}") from None
-    return mechanism.with_parameters(**parameters)

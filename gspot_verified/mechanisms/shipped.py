@@ -47,13 +47,23 @@ def shipped_mechanism(name: str, **parameters: ExactInput | None) -> Mechanism:
     >>> shipped_mechanism("extended system", chi="1/2").state
     ('x', 'u', 'y', 'v', 'p', 'b')
     """
+    return parse_mechanism(shipped_text(name)).with_parameters(**parameters)
+
+
+def shipped_text(name: str) -> str:
+    """The file of a mechanism of the package.
+
+    :raises MechanismError: an unknown name.
+
+    >>> shipped_text("rod").splitlines()[-1]
+    'theta_dot = 1'
+    """
     name = SHORT_NAMES.get(name, name)
     stem = name.replace("-", "_")
     stem = stem if stem in _FILES.values() else _FILES.get(name, "")
     if not stem:
         raise MechanismError(f"no shipped mechanism {name[:60]!r}; there are: {'; '.join((*SHORT_NAMES, *_FILES))}")
-    text = resources.files("gspot_verified.mechanisms").joinpath("data", f"{stem}.toml").read_text(encoding="utf-8")
-    return parse_mechanism(text).with_parameters(**parameters)
+    return resources.files("gspot_verified.mechanisms").joinpath("data", f"{stem}.toml").read_text(encoding="utf-8")
 
 
 def shipped_system(name: str, **parameters: ExactInput | None) -> System:

@@ -12,8 +12,11 @@ from importlib import resources
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
+from flint import fmpq
+
 from gspot_verified.cost.measurement.file import recorded
 from gspot_verified.cost.measurement.measurement import Measurement
+from gspot_verified.numbers.balls import Exact, ball_text
 from gspot_verified.numbers.verdict import Outcome, Reason
 from gspot_verified.paper.checks.entry import Rung
 from gspot_verified.paper.checks.paper import printed_number
@@ -110,7 +113,12 @@ def style() -> str:
 
 
 def _page(template: str, common: dict[str, Any], **more: Any) -> str:
-    return _environment().get_template(f"{template}.html.j2").render({"script_hash": None, **common, **more})
+    return rendered(template, **{"script_hash": None, **common, **more})
+
+
+def rendered(template: str, **values: Any) -> str:
+    """The template ``<name>.html.j2`` with these values; texts are escaped."""
+    return _environment().get_template(f"{template}.html.j2").render(values)
 
 
 def _shown(entry: dict[str, Any]) -> dict[str, Any]:
@@ -273,6 +281,8 @@ def _environment() -> Environment:
         "formula": _formula,
         "passage": _passage,
         "transcription": _transcription,
+        "inline": _safe,
+        "exactly": _exactly,
     }
     return environment
 
@@ -282,6 +292,10 @@ def _safe(markup: str) -> Markup:
     from markupsafe import Markup
 
     return Markup(markup)
+
+
+def _exactly(value: Exact) -> str:
+    return str(value) if isinstance(value, fmpq) else ball_text(value)
 
 
 def _typeset(text: str) -> Markup:

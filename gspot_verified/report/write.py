@@ -51,15 +51,15 @@ def write_report(
     measurement = recorded()
     made = pages(report, measurement)
     for folder in (directory, directory / "figures", directory / "certificates"):
-        _make(folder)
+        make_folder(folder)
     say("writing figures and certificates")
     for picture in drawn:
-        _replace(directory / "figures" / f"{picture.name}.png", picture.png)
-        _replace(directory / "figures" / f"{picture.name}.svg", picture.svg.encode())
+        replace_file(directory / "figures" / f"{picture.name}.png", picture.png)
+        replace_file(directory / "figures" / f"{picture.name}.svg", picture.svg.encode())
     for certificate in certificates:
-        _replace(directory / "certificates" / certificate.name, certificate.content)
+        replace_file(directory / "certificates" / certificate.name, certificate.content)
     say("writing report.json")
-    _replace(directory / "report.json", _canonical(report))
+    replace_file(directory / "report.json", _canonical(report))
     say("writing the pages")
     _write_measurement(measurement, directory)
     return _write_pages(made, directory)
@@ -101,14 +101,14 @@ def render_report(path: Path, directory: Path, cost: Path | None = None) -> Path
     measurement = load(cost or beside) if cost is not None or beside.is_file() else recorded()
     report = read_report(path)
     made = pages(report, measurement)
-    _make(directory)
+    make_folder(directory)
     files = [f"figures/{figure['name']}.svg" for figure in report["figures"]]
     files += [f"certificates/{certificate['name']}" for certificate in report["certificates"]]
     for name in files:
         source, target = path.parent / name, directory / name
         if source.is_file() and not (target.exists() and target.samefile(source)):
-            _make(target.parent)
-            _replace(target, source.read_bytes())
+            make_folder(target.parent)
+            replace_file(target, source.read_bytes())
     _write_measurement(measurement, directory)
     return _write_pages(made, directory)
 
@@ -128,13 +128,13 @@ def write_supplement(path: Path, directory: Path) -> Supplement:
     :raises OSError: a file cannot be read or written.
     """
     made = supplement(read_report(path))
-    _make(directory)
+    make_folder(directory)
     files, warnings = [], []
     for name, text in made.items():
-        files.append(_replace(directory / name, text.encode("ascii")))
+        files.append(replace_file(directory / name, text.encode("ascii")))
         document = pdf_of(text)
         if document.content:
-            files.append(_replace(directory / name.replace(".tex", ".pdf"), document.content))
+            files.append(replace_file(directory / name.replace(".tex", ".pdf"), document.content))
         else:
             warnings.append(f"{name}: {document.said}")
         if name == "errata.tex" and document.pages > ERRATA_PAGES:
@@ -143,32 +143,32 @@ def write_supplement(path: Path, directory: Path) -> Supplement:
 
 
 def _write_measurement(measurement: Measurement, directory: Path) -> None:
-    _replace(directory / "cost.json", written(measurement).encode())
-    _make(directory / "figures")
+    replace_file(directory / "cost.json", written(measurement).encode())
+    make_folder(directory / "figures")
     for name, svg in cost_figures(measurement).items():
-        _replace(directory / "figures" / f"{name}.svg", svg.encode())
+        replace_file(directory / "figures" / f"{name}.svg", svg.encode())
 
 
 def _write_pages(made: dict[str, str], directory: Path) -> Path:
-    _replace(directory / "style.css", style().encode())
+    replace_file(directory / "style.css", style().encode())
     for name, content in made.items():
         if name != "index.html":
-            _replace(directory / name, content.encode())
-    return _replace(directory / "index.html", made["index.html"].encode())
+            replace_file(directory / name, content.encode())
+    return replace_file(directory / "index.html", made["index.html"].encode())
 
 
 def _canonical(report: dict[str, Any]) -> bytes:
     return (json.dumps(report, indent=1, sort_keys=True, ensure_ascii=False, allow_nan=False) + "\n").encode()
 
 
-def _make(directory: Path) -> None:
+def make_folder(directory: Path) -> None:
     """The folder, if only its last part is missing; a slip in the path makes no tree of folders."""
     if not directory.parent.is_dir():
         raise FileNotFoundError(f"there is no folder {directory.parent}")
     directory.mkdir(exist_ok=True)
 
 
-def _replace(path: Path, content: bytes) -> Path:
+def replace_file(path: Path, content: bytes) -> Path:
     """Write the whole file beside its place, then put it there in one step; a good file is never left half-written."""
     draft = path.with_name(f".{path.name}.{secrets.token_hex(6)}.tmp")
     try:

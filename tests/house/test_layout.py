@@ -35,7 +35,7 @@ LAYERS = (
 # The rooms of a layer, from the top down; "" are the files of the folder itself.
 ROOMS: dict[str, tuple[tuple[str, ...], ...]] = {
     "cli": (("commands",), ("",)),
-    "report": (("",), ("parts",), ("figures",), ("pictures",)),
+    "report": (("mechanism",), ("",), ("parts",), ("figures",), ("pictures",)),
     "cost": (("",), ("parts",), ("measurement",), ("benchmarks",), ("peers",), ("times",)),
     "paper": (
         ("",),

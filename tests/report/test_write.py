@@ -106,7 +106,7 @@ def test_a_failed_write_keeps_the_good_file_and_leaves_no_draft(tmp_path, monkey
 
     monkeypatch.setattr(os, "fsync", fail)
     with pytest.raises(OSError, match="disk full"):
-        write._replace(tmp_path / "index.html", b"partial")
+        write.replace_file(tmp_path / "index.html", b"partial")
     assert [path.name for path in tmp_path.iterdir()] == ["index.html"]
     assert (tmp_path / "index.html").read_text() == "good"
 
@@ -114,7 +114,7 @@ def test_a_failed_write_keeps_the_good_file_and_leaves_no_draft(tmp_path, monkey
 def test_a_file_is_replaced_and_not_written_over(tmp_path):
     (tmp_path / "index.html").write_text("good")
     os.link(tmp_path / "index.html", tmp_path / "held")
-    write._replace(tmp_path / "index.html", b"new")
+    write.replace_file(tmp_path / "index.html", b"new")
     assert (tmp_path / "index.html").read_text() == "new"
     assert (tmp_path / "held").read_text() == "good"
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
@@ -96,10 +96,15 @@ def _formal_proofs() -> ProofRun:
     return run
 
 
-@app.command(epilog="Example: gspot-verified report report/report.json --output report")
+@app.command(
+    short_help="Write the pages again; or the report on your own mechanism.",
+    epilog="Example: gspot-verified report --mechanism oscillator --output mechanism_report",
+)
 def report(
     source: Annotated[Path, typer.Argument(help="A report.json that `verify` wrote.")] = Path("report/report.json"),
-    output: Annotated[Path, typer.Option(help="Directory of the pages.")] = Path("report"),
+    output: Annotated[
+        Path | None, typer.Option(help="Directory of the pages; report if not given, mechanism_report of a mechanism.")
+    ] = None,
     cost: Annotated[
         Path | None, typer.Option(help="A measurement that `cost --output` wrote, for the page on cost.")
     ] = None,
@@ -113,19 +118,44 @@ def report(
             help="Write errata.tex and theorems.tex instead, and their PDFs where pdflatex is.", metavar="<folder>"
         ),
     ] = None,
+    mechanism: Annotated[
+        str | None, typer.Option(help="Another report: on this mechanism, a TOML file or a name as for classify.")
+    ] = None,
+    settings: Annotated[list[str] | None, typer.Option("--set", help='A parameter of the mechanism, "mu=2".')] = None,
+    states: Annotated[
+        list[str] | None,
+        typer.Option("--from", help="With --mechanism: a state for a certified run, as for approach; may be repeated."),
+    ] = None,
+    scene: Annotated[str | None, typer.Option(help="With --mechanism: a scene of it, for a certified run.")] = None,
+    budget: Annotated[int | None, typer.Option(help="With --mechanism: boxes of the search for all G-spots.")] = None,
     as_json: JsonFlag = False,
 ) -> None:
     """Write the pages again from report.json, without running the checks; or check a report's certificates again.
 
+    With --check: exit code 0 when the independent checker verifies every certificate that report.json names, and each
+    says what it said then; 1 when one is rejected, missing or says something else.
+
     With --supplement: the errata, two pages for the authors, and the theorems beyond the paper with their formal
-    statements. With --check: exit code 0 when the independent checker verifies every certificate that report.json
-    names, and each says what it said then; 1 when one is rejected, missing or says something else.
+    statements.
+
+    With --mechanism: one page for the appendix of a paper on that mechanism, mechanism.html, with mechanism.json and
+    certificates beside it: its G-spots, cases and sides, the expansion, certified runs, pictures, hashes and the
+    commands for each part. Exit code 0 when all that is stated is proved, 1 when something is refuted (there is no
+    G-spot, or a run), 2 when something is undecided.
     """
+    if mechanism is not None:
+        if check is not None or cost is not None or supplement is not None:
+            raise ValueError("--mechanism: --check, --cost and --supplement are for the report on the paper")
+        _report_on(mechanism, output or Path("mechanism_report"), settings, states, scene, budget, as_json)
+    if settings or states or scene is not None or budget is not None:
+        raise ValueError("--set, --from, --scene and --budget go with --mechanism")
     if check is not None:
         if cost is not None or supplement is not None:
             raise ValueError("--check writes nothing, so --cost and --supplement have no use with it")
         _check_again(check, as_json)
         return
+    if supplement is not None and (output is not None or cost is not None):
+        raise ValueError("--supplement names its own folder, so --output and --cost have no use with it")
     from gspot_verified.report.write import render_report
 
     if not source.is_file():
@@ -135,8 +165,9 @@ def report(
     if supplement is not None:
         _write_supplement(source, supplement, as_json)
         return
-    Outputs().folder("--output", output)
-    page = render_report(source, output, cost)
+    folder = output or Path("report")
+    Outputs().folder("--output", folder)
+    page = render_report(source, folder, cost)
     if as_json:
         print_json({"page": str(page)})
     else:
@@ -154,6 +185,37 @@ def _write_supplement(source: Path, folder: Path, as_json: bool) -> None:
         print_json({"files": [str(path) for path in made.files], "warnings": list(made.warnings)})
     else:
         typer.echo("\n".join(str(path) for path in made.files))
+
+
+def _report_on(
+    name: str,
+    folder: Path,
+    settings: list[str] | None,
+    states: list[str] | None,
+    scene: str | None,
+    budget: int | None,
+    as_json: bool,
+) -> NoReturn:
+    from gspot_verified.cli.approach_output import components
+    from gspot_verified.cli.load import given_values
+    from gspot_verified.report.mechanism.mechanism_report import mechanism_report
+    from gspot_verified.report.mechanism.page import PAGE, write_pages
+
+    outputs = Outputs()
+    outputs.folder("--output", folder)
+    starts = [components(state) for state in states or []]
+    result = mechanism_report(
+        name, settings=given_values(settings), states=starts, scene=scene, budget=budget, progress=progress
+    )
+    written = outputs.write("--output", folder, lambda: write_pages(result, folder))
+    if as_json:
+        print_json({"page": str(folder / PAGE), **result.to_json()})
+    else:
+        for part in result.parts:
+            typer.echo(f"{part.outcome.value if part.outcome else '':10} {part.title}")
+        if written:
+            typer.echo(f"page: {folder / PAGE}")
+    outputs.leave(result.exit_code)
 
 
 def _check_again(folder: Path, as_json: bool) -> None:

@@ -113,6 +113,18 @@ def read_mechanism(path: str | Path) -> Mechanism:
 
     :raises MechanismError: the file cannot be read, or a part is missing or wrong; the message names the key.
     """
+    text = read_text(path)
+    try:
+        return parse_mechanism(text)
+    except MechanismError as error:
+        raise MechanismError(f"{path}: {error}") from None
+
+
+def read_text(path: str | Path) -> str:
+    """The text of a mechanism's file.
+
+    :raises MechanismError: the file cannot be read, is too large, or no UTF-8 text.
+    """
     try:
         with Path(path).open("rb") as stream:
             data = stream.read(MAX_BYTES + 1)
@@ -121,13 +133,9 @@ def read_mechanism(path: str | Path) -> Mechanism:
     if len(data) > MAX_BYTES:
         raise MechanismError(f"{path}: larger than {MAX_BYTES} bytes")
     try:
-        text = data.decode("utf-8-sig")
+        return data.decode("utf-8-sig")
     except UnicodeDecodeError:
         raise MechanismError(f"{path}: not UTF-8 text") from None
-    try:
-        return parse_mechanism(text)
-    except MechanismError as error:
-        raise MechanismError(f"{path}: {error}") from None
 
 
 def parse_mechanism(text: str) -> Mechanism:

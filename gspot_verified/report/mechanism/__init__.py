@@ -1,0 +1,1 @@
+"""The report on the user's own mechanism: one page, its data, its certificates."""

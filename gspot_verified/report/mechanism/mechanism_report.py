@@ -1,0 +1,78 @@
+"""The report on the user's own mechanism."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+from gspot_verified.mechanisms.input.mechanism import MechanismError, exact_rational
+from gspot_verified.mechanisms.load import mechanism_text
+from gspot_verified.numbers.balls import ExactInput
+from gspot_verified.report.mechanism.page import write_pages
+from gspot_verified.report.mechanism.report import MechanismReport, report_on
+from gspot_verified.report.mechanism.runs import State, report_scene
+from gspot_verified.report.mechanism.subject import Source
+
+FILE = "mechanism.toml"
+"""The name of the copy of the mechanism's file beside the page."""
+
+
+def mechanism_report(
+    name_or_path: str | Path,
+    directory: str | Path | None = None,
+    *,
+    settings: Mapping[str, ExactInput | None] | None = None,
+    states: Sequence[State] = (),
+    scene: str | None = None,
+    budget: int | None = None,
+    progress: Callable[[str], None] = lambda _: None,
+) -> MechanismReport:
+    """All that the library states about a mechanism: its G-spots, cases and sides, the expansion, certified runs.
+
+    With ``directory`` it is written as one page, ``mechanism.html``, for the appendix of a paper, beside its data
+    (``mechanism.json``), the mechanism's file and the certificates. Nothing in it depends on the day or the machine,
+    but for the versions that it names. A part that is not stated says why.
+
+    :param name_or_path: as for :func:`load`.
+    :param directory: made if it does not exist; the folder it is in must exist. None: nothing is written.
+    :param settings: values of parameters.
+    :param states: starts of slip, as for :func:`approach`; none: two are chosen next to each G-spot in a Case.
+    :param scene: a scene of this mechanism, a file or a name as for :func:`load_scene`, for a certified run.
+    :param budget: how many boxes the search for all G-spots looks at; 100 000 if left out.
+    :param progress: is told what is done.
+    :raises MechanismError: no such mechanism, a part of it is wrong, or a parameter has no value.
+    :raises SceneError: no such scene, or it is that of another mechanism.
+    :raises OSError: the folder cannot be written; checked before the work.
+
+    >>> report = mechanism_report("falling-rod-lower-friction", settings={"mu": "13/10"})
+    >>> report.exit_code, report.search.text.splitlines()[0]
+    (1, 'refuted: falling rod, lower friction has G-spots in the region searched')
+    """
+    if directory is not None:
+        _check_folder(Path(directory))
+    text, origin = mechanism_text(name_or_path)
+    missing = [key for key, value in (settings or {}).items() if value is None]
+    if missing:
+        raise MechanismError(f"{origin}: the report needs a number for {missing[0]}, a symbol has no G-spot")
+    chosen = {key: str(exact_rational(value, key)) for key, value in (settings or {}).items() if value is not None}
+    source = Source(FILE, text, chosen)
+    try:
+        _ = source.mechanism
+    except MechanismError as error:
+        raise MechanismError(f"{origin}: {error}") from None
+    shown = None if scene is None else report_scene(scene, source)
+    report = report_on(source, states, shown, budget, progress)
+    if directory is not None:
+        write_pages(report, Path(directory))
+    return report
+
+
+def _check_folder(directory: Path) -> None:
+    place = directory if directory.is_dir() else directory.parent
+    if directory.exists() and not directory.is_dir():
+        raise NotADirectoryError(f"{directory} is a file, not a folder")
+    if not place.is_dir():
+        raise FileNotFoundError(f"there is no folder {place}")
+    if not os.access(place, os.W_OK | os.X_OK):
+        raise PermissionError(f"the folder {place} cannot be written")

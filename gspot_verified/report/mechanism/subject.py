@@ -1,0 +1,133 @@
+"""A mechanism with the place of one G-spot in a file of its own, as commands name it."""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from flint import arb, fmpq
+
+from gspot_verified.mechanisms.input.file import parse_mechanism
+from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.mechanisms.spots.classify import Classification
+from gspot_verified.mechanisms.spots.g_spot import GSpot
+from gspot_verified.numbers.balls import Exact, ball
+
+_HEADER = re.compile(r"\s*\[+\s*[\"']?([A-Za-z0-9_]+)")
+_END_PLACES = (4, 8, 14)  # decimals of the ends of a range around a ball, tried in turn
+_PLACES = 30  # decimals of a place from which a search starts: any number is correct
+
+
+@dataclass(frozen=True)
+class Source:
+    """A mechanism's file in the report's folder, and the parameters that are set beside it."""
+
+    file: str
+    text: str
+    settings: Mapping[str, str]
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """What the file describes, with these parameters.
+
+        :raises MechanismError: a part of it is wrong.
+        """
+        return parse_mechanism(self.text).with_parameters(**self.settings)
+
+    def command(self, name: str, *words: str, option: str | None = None) -> str:
+        """A command of gspot-verified about this mechanism."""
+        subject = [self.file] if option is None else [option, self.file]
+        settings = [word for key, value in self.settings.items() for word in ("--set", f"{key}={value}")]
+        return shlex.join(["gspot-verified", name, *subject, *settings, *words])
+
+    def python(self, imports: str, expression: str) -> str:
+        """A line of Python about it; ``{mechanism}`` in the expression stands for the mechanism."""
+        settings = "".join(f", {key}={value!r}" for key, value in self.settings.items())
+        mechanism = f"load({self.file!r}{settings})"
+        code = f"from gspot_verified import {imports}; {expression.format(mechanism=mechanism)}"
+        return shlex.join(["python", "-c", code])
+
+
+@dataclass(frozen=True)
+class Subject:
+    """One G-spot of a mechanism: ``source`` names its place."""
+
+    number: int
+    source: Source
+    mechanism: Mechanism
+    spot: GSpot
+    classified: Classification
+
+    def certificate_name(self, kind: str) -> str:
+        """The name of a file beside the page."""
+        return f"g-spot-{self.number}-{kind}.cert"
+
+
+def beta_ends(beta: Exact) -> tuple[fmpq, ...]:
+    """The rational itself, or two short rationals with the ball between them, and no integer.
+
+    :raises ValueError: there are none.
+
+    >>> beta_ends(fmpq(7, 3)), beta_ends(arb("2.25", "1e-9"))
+    ((7/3,), (11249/5000, 11251/5000))
+    """
+    if isinstance(beta, fmpq):
+        return (beta,)
+    for places in _END_PLACES:
+        unit = fmpq(10) ** places
+        lower, upper = (beta.lower() * arb(unit)).floor(), (beta.upper() * arb(unit)).ceil()
+        first, last = (lower - 1).unique_fmpz(), (upper + 1).unique_fmpz()
+        if first is not None and last is not None and fmpq(first, unit.p).floor() == fmpq(last, unit.p).floor():
+            return fmpq(first, unit.p), fmpq(last, unit.p)
+    raise ValueError("β is, or may be, an integer")
+
+
+def placed_at(source: Source, spot: GSpot, file: str) -> Source:
+    """The same mechanism in a file that names the place of this G-spot.
+
+    :raises ValueError: the G-spot's conditions are formulas, or its table in the file cannot be told from the rest.
+    """
+    if spot.mechanism.place.conditions is not None:
+        raise ValueError("its conditions J are formulas; name its place in a mechanism file of its own")
+    kept, inside = [], False
+    for line in source.text.splitlines():
+        header = _HEADER.match(line)
+        if header is not None:
+            inside = header[1] == "g_spot"
+        if not inside:
+            kept.append(line)
+    made = replace(source, file=file, text="\n".join([*kept, "", *_place(spot), ""]))
+    try:
+        same = replace(made.mechanism, place=spot.mechanism.place) == spot.mechanism
+    except ValueError:
+        same = False
+    if not same:
+        raise ValueError("its place could not be put into the file: write [g_spot] as a table of its own, at the end")
+    return made
+
+
+def _place(spot: GSpot) -> list[str]:
+    """The table g_spot of a file."""
+    references = {angle.coordinate: angle.name for angle in spot.mechanism.angles}
+    lines = ["[g_spot]"]
+    if not spot.exact:
+        lines.append("search = true")
+    if spot.fixed:
+        lines.append(f"fixed = {json.dumps(list(spot.fixed))}")
+    lines += ["", "[g_spot.point]"]
+    for word, value in zip(spot.mechanism.state, spot.system.point, strict=True):
+        number = _near(value)
+        reference = f"{references[word]} + " if word in references else ""
+        lines.append(f'{word} = "{reference}({number})"')
+    return lines
+
+
+def _near(value: Exact) -> fmpq:
+    """The value itself where it is rational, else one near it."""
+    if isinstance(value, fmpq):
+        return value
+    scaled = (ball(value).mid() * arb(10) ** _PLACES).floor().mid().unique_fmpz()
+    return fmpq(scaled if scaled is not None else 0) / fmpq(10) ** _PLACES

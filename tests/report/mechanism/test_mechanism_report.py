@@ -1,0 +1,133 @@
+"""The report on a mechanism: what it states is what the commands that it names print, and never more."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from gspot_verified import MechanismReport, check, mechanism_report
+from gspot_verified.cli import main
+from gspot_verified.mechanisms.shipped import shipped_text
+from gspot_verified.report.mechanism.page import write_pages
+
+STATE = {"x": "0", "u": "1", "p": "1/4", "b": "-2/5"}
+NO_MOTION = {"f": "no G-spot"}
+
+
+@pytest.fixture(scope="module")
+def model() -> MechanismReport:
+    """The model system, beta = 3/2: everything is exact."""
+    return mechanism_report("model", states=[STATE])
+
+
+@pytest.fixture(scope="module")
+def written(model: MechanismReport, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("out") / "report"
+    assert write_pages(model, folder) == folder / "mechanism.html"
+    return folder
+
+
+def outcomes(report: MechanismReport) -> dict[str, str | None]:
+    return {part.title: part.outcome.value if part.outcome else None for part in report.parts}
+
+
+def test_every_kind_of_part_is_there(model: MechanismReport) -> None:
+    found = outcomes(model)
+    assert {
+        "All G-spots",
+        "What it is",
+        "The distinguished trajectory",
+        "The contact force with C1 > 0, the side of the impact",
+        "The contact force with C1 < 0, the side of the lift-off",
+        "True solutions with C1 > 0, the side of the impact",
+        "True solutions with C1 < 0, the side of the lift-off",
+        "The zeros of dΘ/dτ, to which the deviation of the force is proportional at leading order",
+        "The exact side rule of the compliant model with these α",
+        "Slip from the given state 1",
+    } <= set(found)
+    assert found["All G-spots"] == "proved"
+    assert found["Slip from the given state 1"] == "proved"
+    assert sum(part.picture is not None for part in model.parts) == 3
+    assert model.exit_code == (0 if set(found.values()) <= {"proved", None} else 2)
+
+
+def test_certificates_are_those_of_the_folder_and_the_checker_verifies_them(
+    model: MechanismReport, written: Path
+) -> None:
+    names = ["g-spot-1-impact.cert", "g-spot-1-lift-off.cert", "g-spot-1-zeros.cert"]
+    assert [file.name for file in model.certificates] == names
+    page = (written / "mechanism.html").read_text(encoding="utf-8")
+    for file in model.certificates:
+        result = check(written / file.name)
+        assert file.verified is result.verified is True
+        assert file.said == result.text.splitlines()[-1]
+        assert hashlib.sha256((written / file.name).read_bytes()).hexdigest() == file.sha256
+        assert page.count(file.sha256) == 3
+    assert "independent checker" in page
+
+
+def test_the_mechanism_s_file_is_beside_the_page_with_its_hash(model: MechanismReport, written: Path) -> None:
+    content = (written / "mechanism.toml").read_bytes()
+    assert content == shipped_text("model").encode()
+    digest = hashlib.sha256(content).hexdigest()
+    assert model.hashes["mechanism.toml"] == digest
+    assert (written / "mechanism.html").read_text(encoding="utf-8").count(digest) == 2
+    data = json.loads((written / "mechanism.json").read_text(encoding="utf-8"))
+    assert data["sha256"] == model.hashes
+    assert data["exit_code"] == model.exit_code
+    assert set(data["sha256"]) | {"mechanism.html", "mechanism.json"} == {file.name for file in written.iterdir()}
+
+
+def test_the_page_loads_nothing_and_names_no_file_that_is_not_there(written: Path) -> None:
+    page = (written / "mechanism.html").read_text(encoding="utf-8")
+    sources = re.findall(r'\ssrc="([^"]*)"', page)
+    assert len(sources) == 3
+    assert all(source.startswith("data:image/svg+xml;base64,") for source in sources)
+    assert "<script" not in page
+    assert "<link" not in page
+    for target in re.findall(r'href="([^"]*)"', page):
+        there = f'id="{target[1:]}"' in page if target.startswith("#") else (written / target).is_file()
+        assert there, target
+
+
+def test_two_runs_give_the_same_bytes(written: Path, tmp_path: Path) -> None:
+    again = tmp_path / "again"
+    mechanism_report("model", again, states=[STATE])
+    assert {file.name for file in again.iterdir()} == {file.name for file in written.iterdir()}
+    for file in written.iterdir():
+        assert (again / file.name).read_bytes() == file.read_bytes(), file.name
+
+
+def rerun(
+    part_text: str, command: str, folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The command works in the folder, and each line that it prints stands in the part."""
+    monkeypatch.chdir(folder)
+    words = shlex.split(command)
+    assert words[0] == "gspot-verified"
+    code = main(words[1:])
+    assert code in (0, 1, 2), command
+    printed = [line.strip() for line in capsys.readouterr().out.splitlines() if line.strip()]
+    assert printed, command
+    shown = part_text.replace("\n", " ")
+    missing = [line for line in printed if line not in shown and not line.startswith(("certificate of", "VERIFIED"))]
+    if words[1] not in ("side", "plot") and "--latex" not in words and "--picture" not in words:
+        extra = [line for line in missing if not line.startswith("the compliant model from")]
+        assert extra == [], command
+
+
+def test_the_commands_print_what_the_page_shows(
+    model: MechanismReport, written: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = {file.name: file.read_bytes() for file in written.glob("*.cert")}
+    for part in model.parts:
+        for command in part.commands:
+            if command.startswith("gspot-verified") and "--side" not in command and "plot" not in command:
+                rerun(part.text, command, written, capsys, monkeypatch)
+    assert {file.name: file.read_bytes() for file in written.glob("*.cert")} == before
+    assert len(before) == 3
