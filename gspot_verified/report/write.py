@@ -43,8 +43,14 @@ def write_report(
     :param pool: where figures, certificates and hard cases are computed.
     :raises ValueError: two entries have one identifier.
     :raises RuntimeError: a part could not be computed; the message has its name.
-    :raises OSError: a file or folder cannot be written.
+    :raises OSError: a file or folder cannot be written; that its own folder is missing is seen before the work.
+
+    >>> write_report([], Path("nowhere") / "report")
+    Traceback (most recent call last):
+    ...
+    FileNotFoundError: there is no folder nowhere
     """
+    _check_parent(directory)
     say = progress or (lambda _: None)
     drawn, certificates, hard = computed(say, pool or InProcessExecutor())
     report = report_data(entries, drawn, certificates, hard)
@@ -163,9 +169,13 @@ def _canonical(report: dict[str, Any]) -> bytes:
 
 def make_folder(directory: Path) -> None:
     """The folder, if only its last part is missing; a slip in the path makes no tree of folders."""
+    _check_parent(directory)
+    directory.mkdir(exist_ok=True)
+
+
+def _check_parent(directory: Path) -> None:
     if not directory.parent.is_dir():
         raise FileNotFoundError(f"there is no folder {directory.parent}")
-    directory.mkdir(exist_ok=True)
 
 
 def replace_file(path: Path, content: bytes) -> Path:

@@ -47,7 +47,8 @@ def no_work(monkeypatch: pytest.MonkeyPatch) -> None:
         (("--mechanism", "rod", "--from", "theta"), "--from: expected"),
         (("--mechanism", "rod", "--scene", "oscillator"), "the scene is of another mechanism"),
         (("--mechanism", "rod", "--scene", "missing.toml"), "no scene file 'missing.toml'"),
-        (("--mechanism", "rod", "--budget", "0"), "budget: expected a number of boxes"),
+        (("--mechanism", "rod", "--from", "theta=1"), "give all components of the state, or all but the two"),
+        (("--mechanism", "rod", "--from", "nu=1"), "'nu' is no component of the state"),
         (("--mechanism", "rod", "--check", "x"), "--check and --cost are for the report on the paper"),
         (("--from", "p=1"), "--set, --from, --scene and --budget go with --mechanism"),
     ],
@@ -82,10 +83,17 @@ def test_a_folder_that_cannot_be_written_is_refused_before_the_work(
         code, out, err = run(capsys, *NO_G_SPOT, "--output", str(place))
         assert (code, out) == (64, "")
         assert message in err
-    monkeypatch.setattr(os, "access", lambda *_: False)
+    monkeypatch.setattr(os, "access", lambda _, mode: not mode & os.W_OK)
     code, _, err = run(capsys, *NO_G_SPOT, "--output", str(tmp_path))
     assert code == 64
     assert "cannot be written" in err
+
+
+def test_a_budget_is_a_number_of_boxes(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    code, out, err = run(capsys, *NO_G_SPOT, "--budget", "0", "--output", str(tmp_path / "out"))
+    assert (code, out) == (64, "")
+    assert "budget: expected a number of boxes, 1 or more" in err
+    assert not list(tmp_path.iterdir())
 
 
 def test_no_g_spot_is_exit_code_1_and_a_page(

@@ -101,6 +101,10 @@ def iwc_certificate(leading: IwcResult) -> ForceCertificate:
 
     :raises ValueError: not 1 < beta < 5.
     :raises NotProvable: no epsilon_0 or no bracket was found, or no pieces.
+
+    >>> from gspot_verified import iwc
+    >>> str(iwc_certificate(iwc("5/2", c1=1).leading).statement).rpartition(", ")[2]
+    'λ < 0 at τ = 5537/1000 for every ε ≥ 1/1000'
     """
     if leading.force.takes_impact:
         if leading.every_epsilon or leading.epsilon_0 is None:

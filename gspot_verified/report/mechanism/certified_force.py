@@ -64,7 +64,7 @@ def force_picture_part(subject: Subject) -> ReportPart:
     if not isinstance(result.leading, IwcResult):
         raise ValueError("the picture needs rational alphas, and those of this G-spot are balls")
     command = subject.source.python(
-        "iwc, load, plot", f"plot(iwc({{mechanism}}, c1=1), 'force.svg', epsilon='{_PICTURE_EPSILON}')"
+        "iwc, load, plot", f'plot(iwc({{mechanism}}, c1=1), "force.svg", epsilon="{_PICTURE_EPSILON}")'
     )
     drawn = contact_force_picture(result.leading.force, _PICTURE_EPSILON)
     return ReportPart(drawn.title, None, drawn.caption, (command,), drawn)

@@ -11,7 +11,7 @@ from gspot_verified.mechanisms.load import mechanism_text
 from gspot_verified.numbers.balls import ExactInput
 from gspot_verified.report.mechanism.page import write_pages
 from gspot_verified.report.mechanism.report import MechanismReport, report_on
-from gspot_verified.report.mechanism.runs import State, report_scene
+from gspot_verified.report.mechanism.runs import State, check_state, report_scene
 from gspot_verified.report.mechanism.subject import Source
 
 FILE = "mechanism.toml"
@@ -42,6 +42,7 @@ def mechanism_report(
     :param budget: how many boxes the search for all G-spots looks at; 100 000 if left out.
     :param progress: is told what is done.
     :raises MechanismError: no such mechanism, a part of it is wrong, or a parameter has no value.
+    :raises StateError: a state names no component, or too few. (From one with p <= 0 nothing is stated.)
     :raises SceneError: no such scene, or it is that of another mechanism.
     :raises OSError: the folder cannot be written; checked before the work.
 
@@ -61,6 +62,8 @@ def mechanism_report(
         _ = source.mechanism
     except MechanismError as error:
         raise MechanismError(f"{origin}: {error}") from None
+    for state in states:
+        check_state(source.mechanism, state)
     shown = None if scene is None else report_scene(scene, source)
     report = report_on(source, states, shown, budget, progress)
     if directory is not None:

@@ -180,7 +180,7 @@ def _in_a_file(source: Source, spot: GSpot, file: str) -> tuple[Source, GSpot]:
     used = placed_at(source, spot, file)
     there = find_g_spot(used.mechanism)
     if not _meet(spot, there, set()):
-        raise ValueError("from its place another G-spot is found")
+        raise ValueError("from its place in a file it is not certain that the same G-spot is found")
     return used, there
 
 

@@ -13,7 +13,9 @@ from flint import arb, fmpq
 from gspot_verified.mechanisms.approach.approach import approach
 from gspot_verified.mechanisms.approach.slip_state import StateError, slip_state
 from gspot_verified.mechanisms.derive.to_system import shift
+from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.numbers.balls import approximate, ball, working_bits
+from gspot_verified.numbers.short_text import short_text
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.report.mechanism.part import ReportPart
 from gspot_verified.report.mechanism.subject import Source, Subject
@@ -32,6 +34,15 @@ _SHARES = {"above": fmpq(3, 4), "below": fmpq(5, 4)}
 """Of the distinguished trajectory's b at leading order."""
 
 State = Mapping[str, str]
+
+
+def check_state(mechanism: Mechanism, state: State) -> None:
+    """Passes for a state on the contact of the mechanism.
+
+    :raises StateError: it is none.
+    """
+    with working_bits(_BITS):
+        slip_state(shift(mechanism), state)
 
 
 def slip_part(source: Source, state: State, title: str) -> ReportPart:
@@ -84,7 +95,9 @@ def chosen_state(subject: Subject, p: fmpq, share: fmpq) -> State | None:
         texts = {}
         for word, value in zip(mechanism.state, found, strict=True):
             number = fmpq(round(approximate(value) * _PLACES), _PLACES)
-            texts[word] = f"{references[word]} + {number}" if word in references else str(number)
+            sign, size = ("-", -number) if number < 0 else ("+", number)
+            text = short_text(number)
+            texts[word] = f"{references[word]} {sign} {short_text(size)}" if word in references else text
         shifted = shift(mechanism)
         pairs = sorted(combinations(mechanism.state, 2), key=lambda pair: pair[1] != f"{pair[0]}_dot")
         for pair in pairs:

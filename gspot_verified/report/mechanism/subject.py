@@ -7,6 +7,7 @@ import re
 import shlex
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from flint import arb, fmpq
 
@@ -14,10 +15,11 @@ from gspot_verified.mechanisms.input.file import parse_mechanism
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.classify import Classification
 from gspot_verified.mechanisms.spots.g_spot import GSpot
-from gspot_verified.numbers.balls import Exact, ball
+from gspot_verified.numbers.balls import Exact
 
 _HEADER = re.compile(r"\s*\[+\s*[\"']?([A-Za-z0-9_]+)")
 _END_PLACES = (4, 8, 14)  # decimals of the ends of a range around a ball, tried in turn
+_LARGEST_DENOMINATOR = 10**12  # of a rational that is taken for the exact value: any number is correct
 _PLACES = 30  # decimals of a place from which a search starts: any number is correct
 
 
@@ -45,8 +47,8 @@ class Source:
 
     def python(self, imports: str, expression: str) -> str:
         """A line of Python about it; ``{mechanism}`` in the expression stands for the mechanism."""
-        settings = "".join(f", {key}={value!r}" for key, value in self.settings.items())
-        mechanism = f"load({self.file!r}{settings})"
+        settings = "".join(f', {key}="{value}"' for key, value in self.settings.items())
+        mechanism = f'load("{self.file}"{settings})'
         code = f"from gspot_verified import {imports}; {expression.format(mechanism=mechanism)}"
         return shlex.join(["python", "-c", code])
 
@@ -126,8 +128,10 @@ def _place(spot: GSpot) -> list[str]:
 
 
 def _near(value: Exact) -> fmpq:
-    """The value itself where it is rational, else one near it."""
+    """The value itself where it is rational; else a short rational in the ball, such as that of a fixed component."""
     if isinstance(value, fmpq):
         return value
-    scaled = (ball(value).mid() * arb(10) ** _PLACES).floor().mid().unique_fmpz()
-    return fmpq(scaled if scaled is not None else 0) / fmpq(10) ** _PLACES
+    middle = Fraction(str(value.mid().fmpq()))
+    short = middle.limit_denominator(_LARGEST_DENOMINATOR)
+    number = fmpq(short.numerator, short.denominator)
+    return number if value.contains(number) else fmpq(round(middle * 10**_PLACES), 10**_PLACES)
