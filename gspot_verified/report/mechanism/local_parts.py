@@ -58,6 +58,8 @@ def expansion_part(subject: Subject) -> ReportPart:
     order = _ORDER if stop is None else max(1, min(_ORDER, stop))
     trajectory = _trajectory(subject, order)
     text = f"{trajectory}\n{_COEFFICIENTS}"
+    if trajectory.pulls:
+        text += "\nwarning: the mean force is negative: this trajectory would have to pull on the surface"
     if stop is not None and stop <= _ORDER:
         text += f"\nno further: β is, or may be, an integer, and there is no unique term of order {stop}"
     reached = trajectory.accuracy is None or trajectory.accuracy.reached

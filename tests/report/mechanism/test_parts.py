@@ -1,0 +1,204 @@
+"""Each part of the page states what its result proved, with a command that prints the same, or says why it does not."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from gspot_verified.cli import main
+from gspot_verified.mechanisms.approach.slip_state import StateError
+from gspot_verified.mechanisms.shipped import shipped_text
+from gspot_verified.numbers.verdict import Outcome, Reason, Verdict
+from gspot_verified.report.mechanism import certified_force, local_parts, runs
+from gspot_verified.report.mechanism.certified_force import force_part, zeros_part
+from gspot_verified.report.mechanism.local_parts import exact_side_part, expansion_part, side_part, true_solutions_part
+from gspot_verified.report.mechanism.part import ReportPart, attempted, outcome_of
+from gspot_verified.report.mechanism.runs import chosen_run, chosen_state, report_scene, slip_part
+from gspot_verified.report.mechanism.subject import Source, Subject
+from gspot_verified.signs.zeros.slope_at import UndecidedError
+
+
+@pytest.fixture
+def printed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Callable[[Source, str], str]:
+    """What a command prints, in a folder with the mechanism's file."""
+
+    def run(source: Source, command: str) -> str:
+        monkeypatch.chdir(tmp_path)
+        Path(source.file).write_text(source.text, encoding="utf-8")
+        words = shlex.split(command)
+        assert words[0] == "gspot-verified"
+        assert main(words[1:]) in (0, 1, 2), command
+        return capsys.readouterr().out
+
+    return run
+
+
+def says_the_same(part: ReportPart, printed: str) -> bool:
+    """Whether each line that was printed stands in the part."""
+    lines = [line.strip() for line in printed.splitlines()]
+    assert any(lines)
+    return all(line in part.text for line in lines if not line.startswith("the compliant model from the initial state"))
+
+
+def certified(part: ReportPart, folder: Path) -> list[str]:
+    """The names of the certificates that lie in the folder as the part has them."""
+    return [
+        file.name for file in part.certificates if (folder / file.name).read_bytes() == file.content and file.verified
+    ]
+
+
+def test_the_exact_g_spot(exact: Subject, printed: Callable[[Source, str], str], tmp_path: Path) -> None:
+    for part, names in (
+        (side_part(exact), []),
+        (zeros_part(exact), ["g-spot-1-zeros.cert"]),
+        (force_part(exact, -1, "lift-off"), ["g-spot-1-lift-off.cert"]),
+        (expansion_part(exact), []),
+    ):
+        assert part.outcome is Outcome.PROVED
+        assert says_the_same(part, printed(exact.source, part.commands[0]))
+        assert certified(part, tmp_path) == names
+        assert [f"gspot-verified check {name}" for name in names] == list(part.commands[1:])[: len(names)]
+        if names:
+            assert printed(exact.source, part.commands[1]).strip() == part.certificates[0].said
+
+
+def test_the_side_is_that_of_the_classification(exact: Subject, in_balls: Subject, second_case: Subject) -> None:
+    assert "Here: Case III: C1 < 0 lifts off, C1 > 0 takes an IWC" in side_part(exact).text
+    assert in_balls.classified.lift_off_sign == 1
+    assert "Here: Case III: C1 > 0 lifts off, C1 < 0 takes an IWC" in side_part(in_balls).text
+    assert "Here: Cases I and II: C1 < 0 takes an IWC" in side_part(second_case).text
+
+
+def test_balls_of_beta_lie_in_the_range_of_the_command(
+    in_balls: Subject, second_case: Subject, printed: Callable[[Source, str], str], tmp_path: Path
+) -> None:
+    for subject in (in_balls, second_case):
+        side, zeros = side_part(subject), zeros_part(subject)
+        lower, upper = local_parts.beta_ends(subject.classified.beta)  # type: ignore[arg-type]
+        assert lower < subject.classified.beta < upper  # type: ignore[operator]
+        assert side.commands == (f"gspot-verified side {lower} {upper}",)
+        assert f"{lower}..{upper}" in zeros.commands[0]
+        assert zeros.outcome is Outcome.PROVED
+        assert says_the_same(side, printed(subject.source, side.commands[0]))
+        printed(subject.source, zeros.commands[0])
+        assert len(certified(zeros, tmp_path)) == 1
+
+
+def test_a_force_in_balls_has_no_certificate(second_case: Subject, printed: Callable[[Source, str], str]) -> None:
+    part = force_part(second_case, -1, "impact")
+    assert part.outcome is Outcome.PROVED
+    assert part.certificates == ()
+    assert "no certificate: it needs rational alphas" in part.text
+    assert "not about the mechanism away from it" in part.text
+    assert says_the_same(part, printed(second_case.source, part.commands[0]))
+
+
+def test_an_integer_beta(integer: Subject, printed: Callable[[Source, str], str]) -> None:
+    side, zeros, expansion = side_part(integer), zeros_part(integer), expansion_part(integer)
+    assert side.outcome is None
+    assert "no side at leading order: β is an integer" in side.text
+    assert zeros.certificates == ()
+    assert "no certificate: at an integer β" in zeros.text
+    assert says_the_same(zeros, printed(integer.source, zeros.commands[0]))
+    assert "orders of delta below 4" in expansion.text
+    assert "there is no unique term of order 4" in expansion.text
+    assert says_the_same(expansion, printed(integer.source, expansion.commands[0]))
+
+
+def test_the_exact_side_rule(exact: Subject, in_balls: Subject, printed: Callable[[Source, str], str]) -> None:
+    part = exact_side_part(exact)
+    assert part.outcome is Outcome.PROVED
+    assert part.text.count("K > 0") == part.text.count("K < 0") == 2
+    for command in part.commands:
+        assert says_the_same(part, printed(exact.source, command))
+    with pytest.raises(ValueError, match="where the alphas are rational"):
+        exact_side_part(in_balls)
+
+
+def test_true_solutions(
+    exact: Subject, in_balls: Subject, printed: Callable[[Source, str], str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    said: list[str] = []
+    monkeypatch.setattr(local_parts, "_DELTAS", ("1/5", "1/50"))
+    part = true_solutions_part(exact, -1, "lift-off", said.append)
+    assert len(said) == 2
+    assert part.outcome is Outcome.PROVED
+    assert part.commands == ("gspot-verified expand mechanism.toml --order 8 --side=-1,1/50",)
+    output = printed(exact.source, part.commands[0])
+    assert says_the_same(part, output[output.rindex("model system:") :])
+    monkeypatch.setattr(local_parts, "_DELTAS", ("1/5",))
+    open_part = true_solutions_part(exact, -1, "lift-off", said.append)
+    assert open_part.outcome is Outcome.UNDECIDED
+    assert "undecided" in open_part.text
+    with pytest.raises(ValueError, match="needs a rational β > 1"):
+        true_solutions_part(in_balls, 1, "lift-off", said.append)
+
+
+@pytest.mark.parametrize(("side", "found"), [("above", "impact without collision"), ("below", "lift-off")])
+def test_runs_from_chosen_states(exact: Subject, printed: Callable[[Source, str], str], side: str, found: str) -> None:
+    part = chosen_run(exact, side)
+    assert part.outcome is Outcome.PROVED
+    assert f"side: {found}" in part.text
+    assert side in part.title
+    assert says_the_same(part, printed(exact.source, part.commands[0]))
+
+
+def test_a_chosen_state_leaves_out_what_contact_determines(in_balls: Subject, second_case: Subject) -> None:
+    for subject in (in_balls, second_case):
+        state = chosen_state(subject, runs._SIZES[0], runs._SHARES["above"])
+        assert state is not None
+        assert len(state) == len(subject.mechanism.state) - 2
+        assert all(re.search(r"\d", value) for value in state.values())
+
+
+def test_a_state_that_is_no_start(exact: Subject) -> None:
+    with pytest.raises(StateError, match=r"p = .* is not certainly positive"):
+        slip_part(exact.source, {"x": "0", "u": "1", "p": "-1", "b": "-1"}, "Slip")
+
+
+def test_a_scene_is_of_this_mechanism(tmp_path: Path, exact: Subject) -> None:
+    rod = Source("mechanism.toml", shipped_text("rod"), {})
+    assert report_scene("rod", rod).files == ()
+    (tmp_path / "own.toml").write_text(shipped_text("rod"), encoding="utf-8")
+    scene = 'format = 1\nname = "own"\nmechanism = "own.toml"\neffects = ["compliant_contact"]\n'
+    scene += 'epsilon = "1/1000"\nuntil = "1/100"\nstart = {theta = "theta_ref - 1/10", theta_dot = "1/2", X_dot = 2}\n'
+    place = tmp_path / "scene.toml"
+    place.write_text(scene, encoding="utf-8")
+    found = report_scene(str(place), rod)
+    assert found.files == (("scene.toml", scene.replace("own.toml", "mechanism.toml").encode()),)
+    for other in (exact.source, Source("mechanism.toml", shipped_text("rod"), {"mu": "2"})):
+        with pytest.raises(ValueError, match="of another mechanism, or of other parameters"):
+            report_scene(str(place), other)
+
+
+def test_what_fails_is_a_part_that_says_why() -> None:
+    def fails(error: Exception) -> Callable[[], ReportPart]:
+        def make() -> ReportPart:
+            raise error
+
+        return make
+
+    assert attempted("T", fails(ValueError("the reason"))) == ReportPart("T", None, "nothing is stated: the reason")
+    found = attempted("T", fails(UndecidedError("near 0")))
+    assert found.outcome is Outcome.UNDECIDED
+    with pytest.raises(ZeroDivisionError):
+        attempted("T", fails(ZeroDivisionError()))
+
+
+def test_the_outcome_of_several() -> None:
+    open_one = Verdict.undecided("x", Reason.BUDGET)
+    assert outcome_of([open_one]) is Outcome.UNDECIDED
+
+
+def test_a_rejected_certificate_is_kept_as_rejected(exact: Subject, monkeypatch: pytest.MonkeyPatch) -> None:
+    true_text = certified_force.certificate_text
+    monkeypatch.setattr(certified_force, "certificate_text", lambda *a: true_text(*a).replace('"3/2"', '"5/3"', 1))
+    (file,) = zeros_part(exact).certificates
+    assert file.verified is False
+    assert file.said.startswith("REJECTED ")
