@@ -27,16 +27,25 @@ from gspot_verified.report.mechanism.local_parts import (
     true_solutions_part,
 )
 from gspot_verified.report.mechanism.part import ReportPart, attempted
-from gspot_verified.report.mechanism.runs import ReportScene, State, chosen_run, scene_part, slip_part, state_text
+from gspot_verified.report.mechanism.runs import (
+    CHOSEN,
+    ReportScene,
+    State,
+    chosen_run,
+    scene_part,
+    slip_part,
+    state_text,
+)
 from gspot_verified.report.mechanism.subject import Source, Subject, placed_at
 
 _BUDGET = 100_000  # boxes of the search for all G-spots: as the command classify has it
 
 
 @dataclass(frozen=True)
-class ReportedSpot(Written):
+class ReportedSpot(NoTruthValue, Written):
     """One G-spot: what it is, and what is stated about it."""
 
+    ask: ClassVar[str] = ".parts have an outcome each"
     written: ClassVar[str] = "number file classification parts"
 
     number: int
@@ -200,29 +209,32 @@ def _classification(classified: Classification, command: str) -> ReportPart:
 
 def _parts(subject: Subject, choose: bool, say: Callable[[str], None]) -> tuple[ReportPart, ...]:
     """What is stated about one G-spot, or why it is not; ``choose``: starts of slip are chosen here."""
-    planned: list[tuple[str, Callable[[], ReportPart]]] = [
-        ("The distinguished trajectory", partial(expansion_part, subject)),
-        ("What the expansion leaves", partial(expansion_picture_part, subject)),
-        ("The phase plane", partial(phase_plane_part, subject)),
-    ]
+    case, planned = subject.classified.case, list[tuple[str, Callable[[], ReportPart]]]()
+    if case in ("I", "II", "III"):
+        planned.append(("Which side lifts off", partial(side_part, subject)))
     impact, lift_off = subject.classified.impact_sign, subject.classified.lift_off_sign
     for c1, side in ((impact, "impact"), (lift_off, "lift-off")):
         if c1 is None:
             continue
-        name = f"{'C1 > 0' if c1 > 0 else 'C1 < 0'}, the side of the {side}"
+        name = f"C1 = {c1}, the side of the {side}"
         force, solutions = f"The contact force with {name}", f"True solutions with {name}"
         planned.append((force, partial(force_part, subject, c1, force)))
-        if subject.classified.case == "III":
+        if case == "III":
             planned.append((solutions, partial(true_solutions_part, subject, c1, solutions, say)))
-    if subject.classified.case in ("I", "II", "III"):
-        planned.append(("Which side lifts off", partial(side_part, subject)))
+    if case in ("I", "II", "III"):
         planned.append(("The sign and the zeros of dΘ/dτ", partial(zeros_part, subject)))
-    if subject.classified.case == "III":
+    if case == "III":
         planned.append(("The contact force at leading order", partial(force_picture_part, subject)))
         planned.append(("The exact side rule", partial(exact_side_part, subject)))
-    if choose and subject.classified.case in ("I", "II", "III"):
-        for side in ("above", "below"):
-            planned.append((f"Slip from a state {side} the canard", partial(chosen_run, subject, side)))
+    planned += [
+        ("The distinguished trajectory", partial(expansion_part, subject)),
+        ("What the expansion leaves", partial(expansion_picture_part, subject)),
+        ("The phase plane", partial(phase_plane_part, subject)),
+    ]
+    if choose and case in ("I", "II", "III"):
+        for which in CHOSEN:
+            title = f"Slip from a state that was chosen here, {which}"
+            planned.append((title, partial(chosen_run, subject, which, title)))
     parts = [_classification(subject.classified, subject.source.command("classify"))]
     for title, make in planned:
         say(f"G-spot {subject.number}: {title}")

@@ -30,8 +30,8 @@ _SIZES = tuple(fmpq(1, 2**k) for k in (5, 7, 9, 12))  # p at the start, tried in
 _STEPS = 4000  # of the integrator at each precision, in a scene: a limit against endless work
 _SCENE_FILE = "scene.toml"
 _MECHANISM = re.compile(r"^mechanism\s*=.*$", re.MULTILINE)
-_SHARES = {"above": fmpq(3, 4), "below": fmpq(5, 4)}
-"""Of the distinguished trajectory's b at leading order."""
+CHOSEN = {"the first of two": fmpq(3, 4), "the second of two": fmpq(5, 4)}
+"""Starts next to a G-spot, by their b over that of the distinguished trajectory at leading order."""
 
 State = Mapping[str, str]
 
@@ -60,17 +60,17 @@ def slip_part(source: Source, state: State, title: str) -> ReportPart:
     )
 
 
-def chosen_run(subject: Subject, side: str) -> ReportPart:
-    """The run from a start next to the G-spot, ``above`` or ``below`` the distinguished trajectory in the plane (p, b).
+def chosen_run(subject: Subject, which: str, title: str) -> ReportPart:
+    """The run from a start next to the G-spot, one of :data:`CHOSEN`, at the largest p that gives a proved answer.
 
     :raises ValueError: no start was found.
     """
     part: ReportPart | None = None
     for size in _SIZES:
-        state = chosen_state(subject, size, _SHARES[side])
+        state = chosen_state(subject, size, CHOSEN[which])
         if state is None:
             continue
-        part = slip_part(subject.source, state, f"Slip from a state that was chosen here, {side} the canard")
+        part = slip_part(subject.source, state, title)
         if part.outcome is Outcome.PROVED:
             break
     if part is None:

@@ -44,10 +44,10 @@ def test_every_kind_of_part_is_there(model: MechanismReport) -> None:
         "All G-spots",
         "What it is",
         "The distinguished trajectory",
-        "The contact force with C1 > 0, the side of the impact",
-        "The contact force with C1 < 0, the side of the lift-off",
-        "True solutions with C1 > 0, the side of the impact",
-        "True solutions with C1 < 0, the side of the lift-off",
+        "The contact force with C1 = 1, the side of the impact",
+        "The contact force with C1 = -1, the side of the lift-off",
+        "True solutions with C1 = 1, the side of the impact",
+        "True solutions with C1 = -1, the side of the lift-off",
         "The zeros of dΘ/dτ, to which the deviation of the force is proportional at leading order",
         "The exact side rule of the compliant model with these α",
         "Slip from the given state 1",
@@ -70,7 +70,7 @@ def test_certificates_are_those_of_the_folder_and_the_checker_verifies_them(
         assert file.verified is result.verified is True
         assert file.said == result.text.splitlines()[-1]
         assert hashlib.sha256((written / file.name).read_bytes()).hexdigest() == file.sha256
-        assert page.count(file.sha256) == 3
+        assert page.count(file.sha256) == 2
     assert "independent checker" in page
 
 

@@ -140,18 +140,19 @@ def test_true_solutions(
         true_solutions_part(in_balls, 1, "lift-off", said.append)
 
 
-@pytest.mark.parametrize(("side", "found"), [("above", "impact without collision"), ("below", "lift-off")])
-def test_runs_from_chosen_states(exact: Subject, printed: Callable[[Source, str], str], side: str, found: str) -> None:
-    part = chosen_run(exact, side)
+@pytest.mark.parametrize(
+    ("which", "found"), list(zip(runs.CHOSEN, ("impact without collision", "lift-off"), strict=True))
+)
+def test_runs_from_chosen_states(exact: Subject, printed: Callable[[Source, str], str], which: str, found: str) -> None:
+    part = chosen_run(exact, which, "Slip")
     assert part.outcome is Outcome.PROVED
     assert f"side: {found}" in part.text
-    assert side in part.title
     assert says_the_same(part, printed(exact.source, part.commands[0]))
 
 
 def test_a_chosen_state_leaves_out_what_contact_determines(in_balls: Subject, second_case: Subject) -> None:
     for subject in (in_balls, second_case):
-        state = chosen_state(subject, runs._SIZES[0], runs._SHARES["above"])
+        state = chosen_state(subject, runs._SIZES[0], runs.CHOSEN["the first of two"])
         assert state is not None
         assert len(state) == len(subject.mechanism.state) - 2
         assert all(re.search(r"\d", value) for value in state.values())
