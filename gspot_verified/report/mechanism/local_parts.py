@@ -54,13 +54,12 @@ def side_part(subject: Subject) -> ReportPart:
 
 def expansion_part(subject: Subject) -> ReportPart:
     """The first terms of Theorem 1; below the order at which an integer beta stops them."""
-    stop = subject.classified.obstructed_order
-    order = _ORDER if stop is None else max(1, min(_ORDER, stop))
+    stop, order = subject.classified.obstructed_order, _order(subject)
     trajectory = _trajectory(subject, order)
     text = f"{trajectory}\n{_COEFFICIENTS}"
     if trajectory.pulls:
         text += "\nwarning: the mean force is negative: this trajectory would have to pull on the surface"
-    if stop is not None and stop <= _ORDER:
+    if stop == order:
         text += f"\nno further: β is, or may be, an integer, and there is no unique term of order {stop}"
     reached = trajectory.accuracy is None or trajectory.accuracy.reached
     return ReportPart(
@@ -75,6 +74,12 @@ def expansion_part(subject: Subject) -> ReportPart:
     )
 
 
+def _order(subject: Subject) -> int:
+    """Of the expansion that is shown; at most that at which an integer beta stops it."""
+    stop = subject.classified.obstructed_order
+    return _ORDER if stop is None else max(1, min(_ORDER, stop))
+
+
 def _trajectory(subject: Subject, order: int) -> Trajectory:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", AccuracyWarning)  # said by the part's outcome
@@ -83,8 +88,9 @@ def _trajectory(subject: Subject, order: int) -> Trajectory:
 
 def expansion_picture_part(subject: Subject) -> ReportPart:
     """What the truncated expansion leaves in the equations, under its proved bound."""
-    drawn = expansion_picture(_trajectory(subject, _ORDER))
-    command = subject.source.command("expand", "--order", str(_ORDER), "--picture", "expansion.svg")
+    order = _order(subject)
+    drawn = expansion_picture(_trajectory(subject, order))
+    command = subject.source.command("expand", "--order", str(order), "--picture", "expansion.svg")
     return ReportPart(drawn.title, None, drawn.caption, (command,), drawn)
 
 

@@ -5,20 +5,30 @@ from __future__ import annotations
 import re
 import shlex
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from gspot_verified import load_scene
 from gspot_verified.cli import main
+from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.mechanisms.approach.slip_state import StateError
 from gspot_verified.mechanisms.shipped import shipped_text
 from gspot_verified.numbers.verdict import Outcome, Reason, Verdict
 from gspot_verified.report.mechanism import certified_force, local_parts, runs
 from gspot_verified.report.mechanism.certified_force import force_part, zeros_part
-from gspot_verified.report.mechanism.local_parts import exact_side_part, expansion_part, side_part, true_solutions_part
+from gspot_verified.report.mechanism.local_parts import (
+    exact_side_part,
+    expansion_part,
+    expansion_picture_part,
+    side_part,
+    true_solutions_part,
+)
 from gspot_verified.report.mechanism.part import ReportPart, attempted, outcome_of
-from gspot_verified.report.mechanism.runs import chosen_run, chosen_state, report_scene, slip_part
+from gspot_verified.report.mechanism.runs import chosen_run, chosen_state, report_scene, scene_part, slip_part
 from gspot_verified.report.mechanism.subject import Source, Subject
+from gspot_verified.report.pictures.canvas import Picture
 from gspot_verified.signs.zeros.slope_at import UndecidedError
 
 
@@ -111,6 +121,20 @@ def test_an_integer_beta(integer: Subject, printed: Callable[[Source, str], str]
     assert says_the_same(expansion, printed(integer.source, expansion.commands[0]))
 
 
+def test_the_picture_is_that_of_the_expansion_that_is_shown(
+    exact: Subject, integer: Subject, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def drawn(trajectory: Trajectory) -> Picture:
+        return Picture("expansion", f"order {trajectory.order}", "caption", "", "<svg></svg>", b"")
+
+    monkeypatch.setattr(local_parts, "expansion_picture", drawn)
+    for subject, order in ((exact, 6), (integer, 4)):
+        part = expansion_picture_part(subject)
+        assert part.title == f"order {order}"
+        assert part.outcome is None
+        assert part.commands == (subject.source.command("expand", "--order", str(order), "--picture", "expansion.svg"),)
+
+
 def test_the_exact_side_rule(exact: Subject, in_balls: Subject, printed: Callable[[Source, str], str]) -> None:
     part = exact_side_part(exact)
     assert part.outcome is Outcome.PROVED
@@ -176,6 +200,18 @@ def test_a_scene_is_of_this_mechanism(tmp_path: Path, exact: Subject) -> None:
     for other in (exact.source, Source("mechanism.toml", shipped_text("rod"), {"mu": "2"})):
         with pytest.raises(ValueError, match="of another mechanism, or of other parameters"):
             report_scene(str(place), other)
+
+
+def test_a_scene_is_run_with_a_budget(printed: Callable[[Source, str], str], monkeypatch: pytest.MonkeyPatch) -> None:
+    rod = Source("mechanism.toml", shipped_text("rod"), {})
+    short = replace(report_scene("rod", rod), scene=load_scene("rod", until="1/1000"))
+    part = scene_part(short, lambda _: None)
+    assert part.outcome is Outcome.PROVED
+    assert part.title == "The scene rod, ε = 1/1000"
+    assert part.commands == ("gspot-verified simulate rod --budget 4000",)
+    assert says_the_same(part, printed(rod, f"{part.commands[0]} --until 1/1000").partition("  rod, ε = ")[0])
+    monkeypatch.setattr(runs, "_STEPS", 1)
+    assert scene_part(replace(short, scene=load_scene("rod")), lambda _: None).outcome is Outcome.UNDECIDED
 
 
 def test_what_fails_is_a_part_that_says_why() -> None:
