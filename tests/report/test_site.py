@@ -415,6 +415,11 @@ WITHOUT_CLAIM = {
     "where a Jacobian is nearly singular.",  # what is asked
     "exp, log, sin(πx), π;",  # functions of FLINT
     "Γ and 1/Γ, factorials and rising factorials;",
+    "A G-spot is a state p = b = y = v = 0, where the force of rigid slip, −b/p, is 0/0.",  # what a G-spot is
+    "β = α3/α1.",  # what β is
+    "impact without collision.",  # what IWC stands for
+    "β",  # over columns
+    "Takes an impact",
 }
 
 
