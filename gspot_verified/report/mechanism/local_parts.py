@@ -44,7 +44,7 @@ def side_part(subject: Subject) -> ReportPart:
     what = side_text(spot.lift_off_sign, spot.impact_sign) if known else "no side at leading order: β is an integer"
     about = "the paper's rule, at leading order as ε → 0"
     return ReportPart(
-        "Which side lifts off, at leading order as ε → 0",
+        "The sides, at leading order as ε → 0",
         Outcome.PROVED if known else None,
         f"{result}\nHere: {what} ({about}).",
         (shlex.join(["gspot-verified", "side", *map(str, ends)]),),

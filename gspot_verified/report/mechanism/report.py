@@ -211,7 +211,7 @@ def _parts(subject: Subject, choose: bool, say: Callable[[str], None]) -> tuple[
     """What is stated about one G-spot, or why it is not; ``choose``: starts of slip are chosen here."""
     case, planned = subject.classified.case, list[tuple[str, Callable[[], ReportPart]]]()
     if case in ("I", "II", "III"):
-        planned.append(("Which side lifts off", partial(side_part, subject)))
+        planned.append(("The sides", partial(side_part, subject)))
     impact, lift_off = subject.classified.impact_sign, subject.classified.lift_off_sign
     for c1, side in ((impact, "impact"), (lift_off, "lift-off")):
         if c1 is None:
