@@ -375,6 +375,14 @@ def test_a_doubt_is_cut_as_often_as_allowed(halvings: int) -> None:
     for cuts, doubt in ((halvings, None), (halvings + 1, "A")):
         phase._supposed = Certain(fmpq(1, 2**cuts))  # type: ignore[assignment]
         assert phase._doubt(Segment(), arb(0), arb(1), halvings) == doubt  # type: ignore[arg-type]
+
+    class CertainBeforeTheEnd(Certain):
+        def mean_values(self, box: list[arb]) -> list[arb]:
+            return [arb(0, 1) if box[0].contains(1) else arb(1)]
+
+    phase._supposed = CertainBeforeTheEnd(fmpq(1))  # type: ignore[assignment]
+    assert phase._doubt(Segment(), arb(0), arb(1), halvings) == "A"  # type: ignore[arg-type]
+    assert phase._doubt(Segment(), arb(0), arb(fmpq(7, 8)), halvings) is None  # type: ignore[arg-type]
     for k in range(17):
         assert any(part.contains(fmpq(k, 16)) and part.rad() < fmpq(2, 3) / 2**halvings for part in seen)
 

@@ -50,6 +50,26 @@ def test_the_derivatives_of_the_proof() -> None:
         assert D_ - c * S_ == right
 
 
+@pytest.mark.parametrize("name", ["force", "D", "S", "G"])
+def test_a_cone_holds_all_states_of_a_ball(name: str) -> None:
+    """Theorem R4's four inequalities, for certain, at a point of which one component is a wide ball."""
+    point = ContactPoint(force=arb(1), W=arb(1), G=arb(fmpq(1, 8)), D=arb(2), S=arb(2))
+    bounds, given = of("-0.1"), 0
+    for radius in (fmpq(0), fmpq(1, 100), fmpq(1, 20), fmpq(1, 10)):
+        at = replace(point, **{name: arb(getattr(point, name).mid(), arb(radius))})
+        for cone in cones(MODEL, at, bounds):
+            assert cone.rate * at.force <= at.D
+            if isinstance(cone, FastCone):
+                assert MODEL.k * at.S >= cone.rate * (MODEL.s + cone.rate) * at.force
+                continue
+            assert isinstance(cone, SlowCone)
+            assert MODEL.k * at.S >= cone.rate * (at.D + MODEL.s * at.force)
+            assert MODEL.kappa * at.G >= cone.rate * at.S
+            assert cone.c * at.S <= at.D
+            given += 1
+    assert given
+
+
 def of(slope: str, constant: str = "0", factor: str = "0") -> ContactBounds:
     return ContactBounds(arb(0), arb(slope), arb(constant), arb(factor), (), (), (), (), ())
 

@@ -91,6 +91,14 @@ def test_the_force_grows_as_stated(scene: Scene) -> None:
         assert force > 8 * first
 
 
+def test_growth_may_begin_while_the_body_neither_approaches_nor_leaves() -> None:
+    """V = 0 is in the region: Z = -2 closes fast enough for the force to grow."""
+    system = SCENES[0].system("slip")
+    at_rest = state(system, b="-0.1", Y="-2.5", V="0", Z="-2", T=arb(fmpq(7, 10) / SCENES[0].epsilon))
+    with working_bits(128):
+        assert certain(InvariantRegion(system).growth(at_rest)).rate > 0
+
+
 def test_the_whole_box_is_meant() -> None:
     scene = SCENES[0]
     system = scene.system("slip")
