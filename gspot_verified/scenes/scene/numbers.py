@@ -12,7 +12,8 @@ from gspot_verified.scenes.equations.motion import SceneError
 
 MAX_BITS = 2000  # of a numerator or denominator, small enough to compute with
 _UNIT = re.compile(
-    r"\s*[+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?(?:/[0-9]+)?\s*(?![eE][+-]?[0-9]+)([A-Za-zµμ°%][A-Za-z0-9µμ°%/^* ]*)\s*"
+    r"\s*[+-]?(?!0[xX][0-9a-fA-F]|0[bB][01]|0[oO][0-7])"  # not hexadecimal, binary or octal, which no input may be
+    r"[0-9.]+(?:[eE][+-]?[0-9]+)?(?:/[0-9]+)?\s*(?![eE][+-]?[0-9]+)([A-Za-zµμ°%][A-Za-z0-9µμ°%/^* ]*)\s*"
 )
 
 

@@ -20,14 +20,16 @@ def test_exact_numbers_pass(given: str | int | fmpq, value: str) -> None:
 @pytest.mark.parametrize(
     ("given", "unit"),
     [("10 mm", "mm"), ("3s", "s"), ("1e-3 kg m^2", "kg m^2"), ("-7/3 m/s", "m/s"), ("45°", "°"), ("5%", "%"),
-     ("2 µm", "µm"), (" +.5 e ", "e"), ("1e", "e"), ("3 eV", "eV")],
+     ("2 µm", "µm"), (" +.5 e ", "e"), ("1e", "e"), ("3 eV", "eV"), ("0 bar", "bar"), ("0bar", "bar"), ("0 o", "o")],
 )  # fmt: skip
 def test_a_unit_is_named(given: str, unit: str) -> None:
     with pytest.raises(SceneError, match=rf"^y: .* has a unit \({unit.replace('^', chr(92) + '^')}\); numbers stand"):
         scene_number(given, "y")
 
 
-@pytest.mark.parametrize("given", ["two", "1/0", "nan", "", "1e5e3", arb(1), arb("0.1")])
+@pytest.mark.parametrize(
+    "given", ["two", "1/0", "nan", "", "1e5e3", "0x10", " -0XfF ", "0b11", "+0o17", arb(1), arb("0.1")]
+)
 def test_what_is_no_number(given: str | arb) -> None:
     if isinstance(given, arb) and given.is_exact():
         assert scene_number(given, "y") == 1
