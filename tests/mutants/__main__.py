@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from mutants.choice import importing, mirrored
-from mutants.judged import Judged, read_judged, write_judged
+from mutants.judged import Judged, outdated, read_judged, write_judged
 from mutants.operators import Mutant, code_of, mutants_of
 from mutants.process import Reach, reach_of, start
 from mutants.survivors import complaints, is_listed, is_waived, read_survivors
@@ -59,6 +59,8 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
                 wrong.append(f"is not in judged.toml: {file}")
                 continue
             size, seed = rows[file].sample, rows[file].seed
+            if not options.record:
+                wrong += outdated(file, rows[file], len(everything))
         chosen = _sample(judged, size, seed)
         if not chosen:
             continue

@@ -16,17 +16,25 @@ _ALSO = {
 
 
 def mirrored(root: Path, file: str) -> list[str]:
-    """Paths for pytest: the file's own examples and ``tests/.../test_NAME*.py``; what imports it when there is none.
+    """Paths for pytest: the file's own examples and its mirror; what imports it when there is none.
 
-    For a part of the ledger both, and the tests of all parts.
+    The mirror of NAME.py is test_NAME.py and test_NAME_MORE.py, where no file beside it is named NAME_MORE.py. For a
+    part of the ledger both, and the tests of all parts.
     """
     path = Path(file)
     folder = root / "tests" / Path(*path.parts[1:-1])
-    tests = sorted(folder.glob(f"test_{path.stem}.py")) + sorted(folder.glob(f"test_{path.stem}_*.py"))
+    tests = sorted(folder.glob(f"test_{path.stem}.py")) + _with_longer_names(root / path, folder)
     tests += [root / "tests" / name for name in _ALSO.get(file, ())]
     chosen = [file, *(test.relative_to(root).as_posix() for test in tests)] if tests else importing(root, file)
     further = [*importing(root, file), *_OF_THE_PARTS] if parts(root, file) else []
     return list(dict.fromkeys([*chosen, *further]))
+
+
+def _with_longer_names(path: Path, folder: Path) -> list[Path]:
+    """The tests test_NAME_*.py in a folder that are of no file beside NAME.py with a longer name."""
+    others = [f"test_{other.stem}" for other in path.parent.glob(f"{path.stem}_*.py")]
+    found = sorted(folder.glob(f"test_{path.stem}_*.py"))
+    return [test for test in found if not any(test.stem == name or test.stem.startswith(f"{name}_") for name in others)]
 
 
 def parts(root: Path, file: str) -> set[str]:

@@ -30,6 +30,14 @@ class Judged:
         return other.sample is not None and (self.sample is None or self.sample > other.sample)
 
 
+def outdated(file: str, row: Judged, mutants: int) -> list[str]:
+    """The complaint when the row states another number of mutants than its file has."""
+    if row.mutants == mutants:
+        return []
+    text = f"judged.toml states {row.mutants} mutants, the file has {mutants}; judge it again with --record: {file}"
+    return [text]
+
+
 def read_judged(path: Path) -> dict[str, Judged]:
     """The row of each file.
 

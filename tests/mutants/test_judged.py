@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from mutants.__main__ import ROOT, _sample
-from mutants.judged import Judged, read_judged, write_judged
+from mutants.judged import Judged, outdated, read_judged, write_judged
 from mutants.operators import mutants_of
 from mutants.test_mutants import STRONG, WEAK, run
 
@@ -39,6 +39,13 @@ def test_the_table_of_what_was_judged_reads_back(tmp_path: Path) -> None:
     path.write_text(path.read_text().replace("killed = 6", "killed = 5"))
     with pytest.raises(ValueError, match="not all"):
         read_judged(path)
+
+
+def test_a_row_is_held_against_its_file() -> None:
+    assert outdated("a.py", ROW, ROW.mutants) == []
+    for found in (ROW.mutants - 1, ROW.mutants + 1, 0):
+        (text,) = outdated("a.py", ROW, found)
+        assert text == f"judged.toml states 9 mutants, the file has {found}; judge it again with --record: a.py"
 
 
 def test_a_smaller_sample_replaces_no_larger_one() -> None:

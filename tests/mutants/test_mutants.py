@@ -103,6 +103,18 @@ def test_a_file_of_the_ledger_meets_the_verdicts_and_the_wrong_formulas_of_the_p
     assert "tests/paper/test_verdicts.py" not in mirrored(ROOT, "gspot_verified/numbers/dyadic.py")
 
 
+def test_a_test_of_a_longer_name_belongs_to_the_file_of_that_name(tmp_path: Path) -> None:
+    for name in ("package/room/fig.py", "package/room/fig_a.py", "package/room/other.py"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).touch()
+    tests = [f"tests/room/test_{name}.py" for name in ("fig", "fig_a", "fig_a_b", "fig_c", "figure")]
+    for name in tests:
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).touch()
+    assert mirrored(tmp_path, "package/room/fig.py") == ["package/room/fig.py", tests[0], tests[3]]
+    assert mirrored(tmp_path, "package/room/fig_a.py") == ["package/room/fig_a.py", tests[1], tests[2]]
+
+
 def test_the_list_is_held_against_the_run(tmp_path: Path) -> None:
     (tmp_path / "x.py").write_text("a = b < c\n")
     (mutant,) = mutants_of(tmp_path, "x.py")
