@@ -1,7 +1,7 @@
 """Ledger of Section 1: what contact allows where p < 0. Rigid slip, lift-off, and an impact that begins with v = 0.
 
 Positive symbols: x = -p, l = λ_N, n = |b|, u = u at the start, B, and D = A C - B² (1-mass-matrix). P is the normal
-impulse.
+impulse, r the coefficient of restitution.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 
 SECTION = "Section 1"
-ALGEBRA = Algebra("p b l x n s u A B C D mu P T")
+ALGEBRA = Algebra("p b l x n s u r A B C D mu P T")
 _SYMBOLS = ALGEBRA.symbols
 ACCELERATION = "b + p*l"
 """dv/dt in positive slip (1-force)."""
@@ -26,6 +26,10 @@ STICK = {"v": "C*P + B*T", "u": "A*T + B*P"}
 """The changes of v and u by a normal impulse P and a tangential impulse T."""
 COMPRESSION = {"P": "B*u", "T": "-C*u"}
 """D times the impulses of the compression that begins at v = 0 and ends in stick."""
+SIZES = {"lowest": ("p*u", "mu*A - B"), "Poisson": ("r*B*u", "A"), "energetic": ("-p*r^2*B*u^2", "A*(mu*A - B)")}
+"""The lowest v of such an impact, v at its end by Poisson's law, and its square by the energetic law, as quotients."""
+LEAST = ("r*C*u", "mu*A")
+"""Less than v at the end by Poisson's law, for every p < 0."""
 
 
 def in_the_paradox(text: str) -> fmpq_mpoly:
@@ -87,8 +91,8 @@ def _negative_p() -> Entry:
         "1-negative-p",
         "lines 176 to 181",
         r"p<0:\quad\lambda_N=-b/p>0\iff b>0",
-        "For every p < 0 contact in positive slip has a positive force exactly for b > 0; and for b > 0 lift-off from "
-        "y = v = 0 is possible as well (b continuous)",
+        "For every p < 0 contact in positive slip has a positive force exactly for b > 0; lift-off from y = v = 0 is "
+        "possible for b > 0 as well, and is not for b < 0 (b continuous)",
         Check(
             Rung.EXACT,
             "dv/dt = b + p λ_N = 0 solved for b and for λ_N, by positive symbols; free motion from y = v = 0 has "
@@ -187,5 +191,90 @@ def _impact_from_rest() -> Entry:
     )
 
 
-ENTRIES: Builders = {"1-negative-p": _negative_p, "1-impact-without-collision": _impact_from_rest}
+def _quotient(name: str) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+    """A size as numerator and denominator in A, B, C and μ."""
+    top, bottom = (ALGEBRA.read(text) for text in SIZES[name])
+    parameter = {"p": ALGEBRA.read(RATES["v"])}
+    return ALGEBRA.substitute(top, parameter), ALGEBRA.substitute(bottom, parameter)
+
+
+def _equal(name: str, top: fmpq_mpoly, bottom: fmpq_mpoly) -> bool:
+    stated = _quotient(name)
+    return bool((stated[0] * bottom - top * stated[1]).is_zero())
+
+
+def sizes_along_the_path() -> bool | None:
+    """The sizes from the rates, in slip to u = 0 at the impulse P_1 = u/k, then in stick with the slope D/A.
+
+    v_1 = dv/dP P_1 is the lowest; compression ends at P_1 - v_1 A/D. Restitution has the impulse r times that
+    (Poisson), or the work v² A/(2 D) = r² times that of compression, v_1 P_1/2 - v_1² A/(2 D) (energetic).
+    """
+    slope, k = ALGEBRA.read(RATES["v"]), -ALGEBRA.read(RATES["u"])
+    a, u, r, gram = _SYMBOLS["A"], _SYMBOLS["u"], _SYMBOLS["r"], ALGEBRA.read("A*C - B^2")
+    # All times k A, or k² A: P_1 = u/k, v_1 = slope u/k.
+    poisson = r * (u * gram - slope * u * a)
+    energetic = r**2 * (-slope * u**2 * gram + (slope * u) ** 2 * a)
+    return (
+        _equal("lowest", slope * u, k)
+        and _equal("Poisson", poisson, k * a)
+        and _equal("energetic", energetic, k**2 * a)
+    )
+
+
+def sizes_by_the_whole_impulse() -> bool | None:
+    """The same from the whole compression, P = B u/D: its work is v P/2, that of a triangle, v the lowest one.
+
+    Stick has the share P - u/k of it, in which v rises from the lowest to 0.
+    """
+    whole, gram, k = ALGEBRA.read(COMPRESSION["P"]), ALGEBRA.read("A*C - B^2"), -ALGEBRA.read(RATES["u"])
+    lowest, bottom = _quotient("lowest")
+    a, u, r = _SYMBOLS["A"], _SYMBOLS["u"], _SYMBOLS["r"]
+    rise = ALGEBRA.substitute(ALGEBRA.read(STICK["v"]), {"T": -_SYMBOLS["B"], "P": a})  # A dv/dP with T = -B P/A
+    return (
+        _equal("lowest", -rise * (whole * k - u * gram), a * gram * k)
+        and _equal("Poisson", rise * r * whole, a * gram)
+        and _equal("energetic", -rise * r**2 * lowest * whole, a * gram * bottom)
+    )
+
+
+def sizes_near_the_g_spot() -> bool | None:
+    """Whether the lowest v and the end by the energetic law vanish at p = 0, where μA - B > 0, and LEAST is below."""
+    zero = ALGEBRA.constant(0)
+    tops = [ALGEBRA.read(SIZES[name][0]) for name in ("lowest", "energetic")]
+    regular = ALGEBRA.substitute(with_positive_symbols(-ALGEBRA.read(RATES["u"])), {"x": zero})
+    (top, bottom), (least, under) = (tuple(map(ALGEBRA.read, texts)) for texts in (SIZES["Poisson"], LEAST))
+    above = with_positive_symbols(top * (under / _SYMBOLS["A"]) - least)
+    vanish = all(ALGEBRA.substitute(value, {"p": zero}).is_zero() for value in tops)
+    return vanish and bottom == _SYMBOLS["A"] and rising_signs(regular) and rising_signs(above)
+
+
+def _sizes() -> Entry:
+    return settled(
+        SECTION,
+        "1-impact-sizes",
+        "lines 369 to 374",
+        r"p<0:\quad u:\ u\to0,\qquad v^+=rBu/A\ \text{or}\ (v^+)^2=-pr^2Bu^2/(A(\mu A-B))",
+        "A rigid impact without collision (v = 0, u > 0 and p < 0 at first, A, B, C, μ constant) stops the slip, and v "
+        "falls to p u/(μA - B), which tends to 0 with p; at its end v is r B u/A by Poisson's law, more than r C "
+        "u/(μA) for every p < 0, and by the energetic law v² is -p r² B u²/(A (μA - B)), which tends to 0 with p",
+        Check(
+            Rung.EXACT,
+            "along the normal impulse: the rates of v in slip and in stick, the impulse and the work of restitution",
+            all_of([compresses_in_slip(), decompresses_in_stick(), sizes_along_the_path(), sizes_near_the_g_spot()]),
+        ),
+        Check(
+            Rung.EXACT,
+            "from the impulse B u/(AC - B²) of the whole compression and its share in stick; its work is that of a "
+            "triangle",
+            all_of([impulses_of_the_compression(), sizes_by_the_whole_impulse(), sizes_near_the_g_spot()]),
+        ),
+        note="So the change of u is as large as u, and that of v depends on the law of restitution.",
+    )
+
+
+ENTRIES: Builders = {
+    "1-negative-p": _negative_p,
+    "1-impact-without-collision": _impact_from_rest,
+    "1-impact-sizes": _sizes,
+}
 """Contact, lift-off and impact for p < 0."""

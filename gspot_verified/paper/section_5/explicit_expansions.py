@@ -192,8 +192,11 @@ def highest_in_a_quartic(orders: int = 8, scale: int = 2) -> dict[int, int]:
     return found
 
 
-def lemma_on_functions(orders: int = 10) -> bool:
-    """Nonlinear functions of two components with terms in the spaces of xi: f_n is in its space, linear in xi_(n-2)."""
+def lemma_on_functions(orders: int = 10) -> bool | None:
+    """Nonlinear functions of two components with terms in the spaces of xi: f_n is in its space, linear in xi_(n-2).
+
+    ``None``: with these spaces the terms of one order of a function are in no common one.
+    """
     x, w = Variable(0), Variable(1)
     functions: tuple[Expression, ...] = (
         Product(x, w), Sine(x), Exponential(x - w), Power(_number(1) + x, fmpq(-2)), Sum((x * x * w, w)),
@@ -202,8 +205,8 @@ def lemma_on_functions(orders: int = 10) -> bool:
     probe = [_terms(orders, seed) for seed in (1, 2)]
     try:
         found = _series(functions, probe, orders)
-    except NoCommonSpace:  # of terms of one order
-        return False
+    except NoCommonSpace:
+        return None
     for f, slope in zip(functions, slopes, strict=True):
         for n in range(orders):
             index = n // 2 + LEMMA["f"][n % 2]

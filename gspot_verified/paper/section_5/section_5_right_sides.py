@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.paper.checks.identities import Algebra
+from gspot_verified.paper.section_5 import section_5_recursion
 
 SECTION = "Section 5, Theorem 1"
 Pair = tuple[int, int]
@@ -120,6 +121,14 @@ def goes_there() -> bool | None:
     return (ALGEBRA.substitute(rate, deviation) + 2 * ALGEBRA.symbols["d"]).is_zero()
 
 
+def others_are_slow() -> bool | None:
+    """Whether specialX to specialV have neither z nor a factor δ, in front of a derivative or of a term."""
+    equations = section_5_recursion.PRINTED["5-inner-system"]
+    read = section_5_recursion.ALGEBRA.read
+    slow = [read(text) for name, text in equations.items() if name not in SCALED]
+    return bool(slow) and all(value.derivative(name).is_zero() for value in slow for name in ("z0", "z1", "delta"))
+
+
 def _inner_slow() -> Entry:
     return settled(
         SECTION,
@@ -127,10 +136,18 @@ def _inner_slow() -> Entry:
         "lines 2035 to 2045",
         r"\tilde z\to\tilde y/2,\quad\lambda_N=-\tilde y/2",
         "On the inner scale z is the one fast variable: at fixed y it goes to y/2 like e^(-2s/δ), and then λ_N = -y/2; "
-        "the other equations do not contain z or δ",
-        Check(Rung.EXACT, "specialZ and specialL at rest", rests_there()),
-        Check(Rung.EXACT, "the deviation of z from y/2 in specialZ", goes_there()),
-        note="The printed slow system has F and G with a tilde: 5-letters.",
+        "no other equation has z, or a factor δ",
+        Check(
+            Rung.EXACT,
+            "specialZ and specialL at rest; the symbols of specialX to specialV",
+            all_of([rests_there(), others_are_slow()]),
+        ),
+        Check(
+            Rung.EXACT,
+            "the deviation of z from y/2 in specialZ; the symbols of specialX to specialV",
+            all_of([goes_there(), others_are_slow()]),
+        ),
+        note="δ stands in ξ = ξ* + δ² ξ~ too. The printed slow system has F and G with a tilde: 5-letters.",
     )
 
 

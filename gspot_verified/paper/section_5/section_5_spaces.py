@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from flint import fmpq_mpoly
+from flint import fmpq, fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 from gspot_verified.paper.checks.page import Page
 from gspot_verified.paper.section_2.extended_system import extended_terms
@@ -26,6 +26,10 @@ UNSCALED = {"xi": 2, "p": 2, "b": 2, "y": 6, "v": 4, "z": 6, "lambda_n": 0}
 INDICES = Algebra("n k nu sigma rho")
 LOWEST = {"highest k": "n - 2", "order of xi_k": "k + 2"}
 """Lemma 2, first part: f_n depends on xi_k up to this k, where xi_k delta^(k + 2) stands in xi - xi*."""
+STEP_4 = {"order": "n + 2", "highest k": "n", "p": "n", "b": "n", "y": "n - 4", "v": "n - 2"}
+"""Lines 1727 to 1740: the order of the conditions that ξ_n(0) is found from, and the terms that stand in them."""
+PROOF = {"even": "nu - 9*k", "odd": "nu - 4 - 9*k"}
+"""Lines 1566 to 1588: the space P of a product with 2k, or 2k + 1, factors ξ of odd order."""
 COROLLARY = {
     "even": {"delta": "2*nu + 2", "rho": "nu + 1 - 3*sigma", "epsilon": "2*sigma", "t": "nu + 1 - 3*sigma"},
     "odd": {"delta": "2*nu + 3", "rho": "nu - 3 - 3*sigma", "epsilon": "3 + 2*sigma", "t": "nu - 3 - 3*sigma"},
@@ -88,6 +92,63 @@ def wrong_in_a_quartic(orders: int = 8) -> list[int]:
     return wrong
 
 
+def by_parities(parts: Parts) -> list[fmpq_mpoly]:
+    """The index of a product of factors ξ, by the lemma's proof: sigma is the sum of κ + 1 over the even orders 2κ.
+
+    rho is the sum of κ over the odd orders 2κ + 1, of which there are 2k, or 2k + 1; ν is that of the product's order.
+    The space without such pairs, k = 0, is the lemma's.
+    """
+    sigma, rho, k = (INDICES.symbols[name] for name in ("sigma", "rho", "k"))
+    even, odd = SPACES["xi"]
+    found = []
+    for parity, name in enumerate(PROOF):
+        number = 2 * k + parity
+        # κ + even for each of the even orders is sigma and a number times even - 1; that number must not count.
+        order = 2 * sigma + 2 * rho + number * (1 + UNSCALED["xi"])
+        nu = (order - parity) / 2
+        alone = INDICES.substitute(parts[name], {"k": INDICES.constant(0)}) - INDICES.symbols["nu"]
+        found += [
+            sigma + rho + number * odd - INDICES.substitute(parts[name], {"nu": nu}),
+            alone - LEMMA["f"][parity],
+        ]
+    return [*found, INDICES.constant(2 * even - UNSCALED["xi"])]
+
+
+def by_the_conditions(parts: Parts) -> list[fmpq_mpoly]:
+    """The orders in the conditions at s = 0: of p_n, b_n, ... by their powers of δ, and of ∂f/∂ξ_k in f_(n+2).
+
+    That of ∂f/∂ξ_k is 0 at the highest k, so that it is f_ξ(ξ*), and negative beyond: what is left has ξ_k below it.
+    """
+    order, highest, k = parts["order"], parts["highest k"], INDICES.symbols["k"]
+    others = [order - UNSCALED[name] - parts[name] for name in "pbyv"]
+    slope = order - INDICES.read(LOWEST["order of xi_k"])
+    beyond = INDICES.substitute(slope, {"k": highest + k}) + k
+    return [*others, INDICES.substitute(slope, {"k": highest}), beyond, highest - INDICES.symbols["n"]]
+
+
+def step_4_in_systems(orders: int = 8) -> bool | None:
+    """The same: the highest ξ_k of a quartic alone and linear, and the conditions P = p, ... in nonlinear systems."""
+
+    def number(name: str, n: int) -> fmpq:
+        value = INDICES.substitute(INDICES.read(STEP_4[name]), {"n": INDICES.constant(n)})
+        return fmpq(0) if value.is_zero() else value.leading_coefficient()
+
+    found = explicit.highest_in_a_quartic(orders)
+    highest = all(
+        found.get(int(number("order", n).p)) == number("highest k", n) and number("order", n).q == 1
+        for n in range(orders - UNSCALED["xi"])
+    )
+    answers = []
+    for recursion in explicit.recursions():
+        for i, name in enumerate("pbyv"):
+            terms = [explicit.plain(term)[0] for term in getattr(recursion, name)]
+            for n in range(len(terms)):
+                wanted = [terms[k] for k in range(len(terms)) if k == number(name, n)]
+                below = not wanted and number(name, n) < 0
+                answers.append([explicit.plain(recursion.xi[n][i])[0]] == ([fmpq(0)] if below else wanted))
+    return highest and all(answers)
+
+
 def dependence() -> bool:
     """Whether f_n depends on ξ_k as stated."""
     return all(value.is_zero() for value in by_derivatives({k: INDICES.read(text) for k, text in LOWEST.items()}))
@@ -106,6 +167,13 @@ def lemma_by_induction() -> bool:
     return lies_in(factor, function) and lies_in(times(as_shift, function), function) and lies_in([(0, 0)], function)
 
 
+def outside_by_induction() -> bool | None:
+    """Whether a constant, a component of ξ or a product of two leaves the lemma's spaces: a counterexample."""
+    function, factor = LEMMA["f"], moved(SPACES["xi"], 0, 2)
+    as_shift = (factor[0][1], factor[1][1])
+    return not (lies_in([(0, 0), *factor], function) and lies_in(times(as_shift, as_shift), function))
+
+
 def lemma_by_powers_of_epsilon() -> bool:
     """xi - xi* has no powers of epsilon that f may not have, and those of f are closed under addition and hold 0."""
     state, function = exponents(SPACES["xi"], UNSCALED["xi"]), exponents(LEMMA["f"], 0)
@@ -113,6 +181,19 @@ def lemma_by_powers_of_epsilon() -> bool:
         return False
     # The lemma states exactly the powers that occur: sums of those of xi, and 0.
     return 0 in function and state <= function and sums(function, function) <= function and function <= state | {0}
+
+
+def outside_by_powers_of_epsilon() -> bool | None:
+    """The same in powers of epsilon; ``None`` where the spaces are not sets of such powers."""
+    state, function = exponents(SPACES["xi"], UNSCALED["xi"]), exponents(LEMMA["f"], 0)
+    if state is None or function is None:
+        return None
+    return not {0, *state, *sums(state, state)} <= function
+
+
+def unless(outside: bool | None, holds: bool) -> bool | None:
+    """The lemma's answer: False where a function is outside; a route that fails without one leaves it open."""
+    return None if outside is None else False if outside else holds or None
 
 
 def steps() -> dict[str, bool]:
@@ -184,6 +265,32 @@ def _lemma_orders() -> Entry:
     )
 
 
+def _step_4() -> Entry:
+    this = Claim(INDICES, STEP_4)
+    return settled(
+        SECTION,
+        "5-initial-values",
+        "lines 1727 to 1740",
+        r"[\mathcal P_\xi,\ldots,\mathcal J_\xi]\,\xi_n(0)=r_{\xi_0,n}",
+        "In the terms of order δ^(n+2) of the conditions at s = 0, for every n, ξ_n(0) stands once, linearly, with the "
+        "Jacobian; all others are (i) constants times products of ξ_k(0) with k < n, or (ii) p_n(0), b_n(0), "
+        "y_(n-4)(0), v_(n-2)(0)",
+        Page("expansion", (dependence, scaling_is_that_of_xi)).carries(
+            this.check(
+                "sections 1 and 2: ∂f_(n+2)/∂ξ_k = (f_ξ)_(n-k), which is f_ξ(ξ*) at k = n and 0 beyond; the powers of "
+                "δ in front of p, b, y, v",
+                by_the_conditions,
+            )
+        ),
+        Check(
+            Rung.POINTS,
+            "a quartic with symbols as coefficients and ξ_k as symbols; the conditions in three nonlinear systems",
+            step_4_in_systems(),
+        ),
+        note="f_n is a polynomial in ξ_0, ..., ξ_(n-2): 5-lemma-orders.",
+    )
+
+
 def _lemma() -> Entry:
     return settled(
         SECTION,
@@ -191,16 +298,24 @@ def _lemma() -> Entry:
         "thm:expansion, second part",
         r"f_{2\nu}\in P_\nu,\quad f_{2\nu+1}\in P_{\nu-4}",
         "If ξ_2k is in P_(k+1) and ξ_(2k+1) in P_(k-3), then f_2ν is in P_ν and f_(2ν+1) in P_(ν-4)",
-        Check(Rung.EXACT, "one more factor at a time, for every ν and both parities", lemma_by_induction() or None),
+        Check(
+            Rung.EXACT,
+            "one more factor at a time, for every ν and both parities",
+            unless(outside_by_induction(), lemma_by_induction()),
+        ),
         Check(
             Rung.EXACT,
             "in t and ε: the spaces are the series without ε¹, and 0, 2, 3, 4, ... are closed under addition",
-            lemma_by_powers_of_epsilon() or None,
+            unless(outside_by_powers_of_epsilon(), lemma_by_powers_of_epsilon()),
+        ),
+        Claim(INDICES, PROOF).check(
+            "the printed proof: with 2k or 2k + 1 factors of odd order a product is in P_(ν - 9k) or P_(ν - 4 - 9k)",
+            by_parities,
         ),
         Check(
             Rung.POINTS,
             "five nonlinear functions of two components, all orders below 10",
-            explicit.lemma_on_functions() or None,
+            explicit.lemma_on_functions(),
         ),
     )
 
@@ -250,15 +365,37 @@ def _theorem() -> Entry:
     )
 
 
-def corollary_exponents(name: str) -> bool:
+def corollary_exponents(name: str) -> bool | None:
     """Whether each s^rho delta^n of the unscaled variable is t^rho times an integer power >= 0 of epsilon = delta^3."""
     rows = progressions(SPACES[name], UNSCALED[name])
     return rows is not None and all(first >= 0 and step >= 0 for first, step in rows)
 
 
-def printed_exponents(parity: int) -> bool:
+def corollary_powers(name: str) -> bool | None:
+    """The same: the powers of epsilon that the space allows are a set of integers >= 0, all of them from one on."""
+    return exponents(SPACES[name], UNSCALED[name]) is not None
+
+
+def printed_sums(parity: int) -> dict[str, fmpq_mpoly]:
+    """The exponents that the proof prints for p."""
+    return {name: INDICES.read(text) for name, text in tuple(COROLLARY.values())[parity].items()}
+
+
+def printed_powers(parity: int) -> bool | None:
+    """The exponents of p from its powers of epsilon: n + 2 is twice the power of t and three times that of epsilon."""
+    rows, printed, total = progressions(SPACES["p"], UNSCALED["p"]), printed_sums(parity), UNSCALED["p"] + parity
+    if rows is None:
+        return False
+    first, step = rows[parity]
+    epsilon = INDICES.read(f"{first} + {step}*sigma")
+    time = (INDICES.read(f"2*nu + {total}") - 3 * epsilon) / 2
+    same = printed["epsilon"] == epsilon and printed["rho"] == printed["t"] == time
+    return bool(same and printed["delta"] == 2 * time + 3 * epsilon)
+
+
+def printed_exponents(parity: int) -> bool | None:
     """The exponents that the proof prints for p, as identities in nu and sigma."""
-    printed = {name: INDICES.read(text) for name, text in tuple(COROLLARY.values())[parity].items()}
+    printed = printed_sums(parity)
     n_and_front = INDICES.read(f"2*nu + {parity + UNSCALED['p']}")
     rho = INDICES.read(f"nu + {SPACES['p'][parity]} - 3*sigma")
     return bool(
@@ -268,7 +405,7 @@ def printed_exponents(parity: int) -> bool:
     )
 
 
-def example_in_t_and_epsilon() -> bool:
+def example_in_t_and_epsilon() -> bool | None:
     """Every term of the extended example, by the recursion, is the term t^i epsilon^j of its series in (t, epsilon)."""
     terms, tables = extended_terms(7, chi=True), example_series(9)
     for name in "pbyvz":
@@ -286,21 +423,23 @@ def _corollary() -> Entry:
         "5-corollary",
         "corollary of th:1, lines 1777 to 1842",
         r"\sum K\epsilon^{2\sigma}t^{\nu+1-3\sigma},\quad\sum K\epsilon^{3+2\sigma}t^{\nu-3-3\sigma}",
-        "Truncated at any order, each unscaled variable is a polynomial in t and ε",
+        "By the spaces of Theorem 1 each unscaled variable, truncated at any order, is a polynomial in t and ε; p has "
+        "the two printed sums",
         Check(
             Rung.EXACT,
-            "power of ε of every term of ξ, p, b, y, v, z, λ_N: an integer, not negative, for every ν and σ",
-            all(corollary_exponents(name) for name in SPACES) or None,
+            "power of ε of every term of ξ, p, b, y, v, z, λ_N: an integer, not negative, for every ν and σ; the two "
+            "sums as identities in ν and σ",
+            all_of([*map(corollary_exponents, SPACES), *map(printed_exponents, (0, 1))]),
         ),
         Check(
             Rung.EXACT,
-            "the two printed sums for p, as identities in ν and σ",
-            all(printed_exponents(parity) for parity in (0, 1)) or None,
+            "the powers of ε of each space as a set; the sums from those of p, by n + 2 = 2k + 3j for t^k ε^j",
+            all_of([*map(corollary_powers, SPACES), *map(printed_powers, (0, 1))]),
         ),
         Check(
             Rung.POINTS,
             "the extended example, orders below 7: its terms are those of its series in (t, ε)",
-            example_in_t_and_epsilon() or None,
+            example_in_t_and_epsilon(),
         ),
     )
 
@@ -308,6 +447,7 @@ def _corollary() -> Entry:
 ENTRIES: Builders = {
     "5-lemma-orders": _lemma_orders,
     "5-lemma": _lemma,
+    "5-initial-values": _step_4,
     "5-theorem-1-spaces": _theorem,
     "5-corollary": _corollary,
 }

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from gspot_verified.paper.section_5 import section_5_recursion
 from gspot_verified.paper.section_5 import section_5_right_sides as ledger
 
 
@@ -31,3 +32,14 @@ def test_monomials() -> None:
     assert ledger.monomials((1, -3), 4) == {3, 0}
     assert ledger.monomials((1, -3), 3) == set()
     assert ledger.monomials((0, -4), -1) == set()
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [("specialV", "v1 - (b0 + p*lam + z0)"), ("specialB", "delta*b1 - (a2 - a3*lam)"), ("specialY", "y1 - v0 - z1")],
+)
+def test_another_fast_equation_is_seen(monkeypatch: pytest.MonkeyPatch, name: str, text: str) -> None:
+    assert ledger.others_are_slow() is True
+    monkeypatch.setitem(section_5_recursion.PRINTED["5-inner-system"], name, text)
+    assert ledger.others_are_slow() is False
+    assert [check.agrees for check in ledger.ENTRIES["5-inner-slow"]().checks] == [False, False]

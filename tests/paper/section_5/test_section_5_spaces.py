@@ -158,15 +158,11 @@ def test_the_quartic_by_its_orders(monkeypatch: pytest.MonkeyPatch) -> None:
         ("5-lemma-orders", ledger, "scaling_is_that_of_xi", lambda: False, 0),
         ("5-lemma", ledger, "lemma_by_induction", lambda: False, 0),
         ("5-lemma", ledger, "lemma_by_powers_of_epsilon", lambda: False, 1),
-        ("5-lemma", explicit, "lemma_on_functions", lambda: False, 2),
         ("5-theorem-1-spaces", ledger, "dependence", lambda: False, 0),
         ("5-theorem-1-spaces", ledger, "lemma_by_induction", lambda: False, 0),
         ("5-theorem-1-spaces", ledger, "lemma_by_powers_of_epsilon", lambda: False, 0),
         ("5-theorem-1-spaces", ledger, "steps", lambda: {"one": True, "another": False}, 0),
         ("5-theorem-1-spaces", ledger, "steps_in_powers_of_epsilon", lambda: False, 1),
-        ("5-corollary", ledger, "corollary_exponents", lambda name: name != "z", 0),
-        ("5-corollary", ledger, "printed_exponents", lambda parity: parity == 0, 1),
-        ("5-corollary", ledger, "example_in_t_and_epsilon", lambda: False, 2),
     ],
 )
 def test_a_step_that_fails_leaves_its_check_open(
@@ -174,6 +170,55 @@ def test_a_step_that_fails_leaves_its_check_open(
 ) -> None:
     answers = answers_with(target, name, wrong, ledger.ENTRIES[identifier])
     assert answers == [None if k == position else True for k in range(len(answers))]
+
+
+@pytest.mark.parametrize(
+    ("identifier", "target", "name", "wrong", "position"),
+    [
+        ("5-lemma", ledger, "outside_by_induction", lambda: True, 0),
+        ("5-lemma", ledger, "outside_by_powers_of_epsilon", lambda: True, 1),
+        ("5-lemma", explicit, "lemma_on_functions", lambda: False, 3),
+        ("5-initial-values", ledger, "step_4_in_systems", lambda: False, 1),
+        ("5-corollary", ledger, "corollary_exponents", lambda name: name != "z", 0),
+        ("5-corollary", ledger, "printed_exponents", lambda parity: parity == 0, 0),
+        ("5-corollary", ledger, "corollary_powers", lambda name: name != "z", 1),
+        ("5-corollary", ledger, "printed_powers", lambda parity: parity == 0, 1),
+        ("5-corollary", ledger, "example_in_t_and_epsilon", lambda: False, 2),
+    ],
+)
+def test_a_counterexample_fails_its_check(identifier: str, target: Any, name: str, wrong: Any, position: int) -> None:
+    answers = answers_with(target, name, wrong, ledger.ENTRIES[identifier])
+    assert answers == [k != position for k in range(len(answers))]
+
+
+@pytest.mark.parametrize(
+    ("route", "wrong", "outside"),
+    [
+        ("outside_by_induction", {"f": (6, -4)}, False),  # a wider space than the lemma's holds what the lemma's holds
+        ("outside_by_induction", {"f": (-3, -4), "xi": (-5, -6)}, True),  # a constant
+        ("outside_by_induction", {"xi": (4, -3)}, True),
+        ("outside_by_induction", {"f": (3, -1), "xi": (4, 0)}, True),  # the product of two
+        ("outside_by_powers_of_epsilon", {"xi": (2, 3)}, None),
+        ("outside_by_powers_of_epsilon", {"f": (-9, -4), "xi": (-8, -3)}, True),
+        ("outside_by_powers_of_epsilon", {"xi": (1, 0)}, True),
+        ("outside_by_powers_of_epsilon", {"xi": (1, -6)}, False),
+        ("outside_by_powers_of_epsilon", ONE_BEFORE_FOUR | {"f": (0, -1), "xi": (-5, 0)}, False),
+    ],
+)
+def test_what_is_a_counterexample_to_the_lemma(
+    monkeypatch: pytest.MonkeyPatch, route: str, wrong: dict[str, tuple[int, int]], outside: bool | None
+) -> None:
+    assert getattr(ledger, route)() is False
+    with_spaces(monkeypatch, wrong)
+    assert getattr(ledger, route)() is outside
+
+
+def test_a_lemma_without_a_counterexample_is_open() -> None:
+    assert [ledger.unless(outside, holds) for outside in (None, True, False) for holds in (True, False)] == [
+        *(None, None),
+        *(False, False),
+        *(True, None),
+    ]
 
 
 def test_the_steps_are_named() -> None:

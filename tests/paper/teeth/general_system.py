@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
-from paper.bite import Bite, Teeth, replaced, scaled, unseen_at
+from paper.bite import Bite, NotApplicable, Teeth, replaced, scaled, unseen_at
 
 from gspot_verified.paper.section_2 import general_system as ledger
 
 ENTRIES = ledger.ENTRIES
 
 TEETH: Teeth = {
+    "2-at-once": (
+        Bite("factor", ledger.FORCES["N"], "w", scaled),
+        Bite("factor", ledger.ROD, "p", replaced("c - mu*s", "c - mu*s + w")),
+        Bite("hidden factor", ledger.FORCES["T"], "w", unseen_at("s", (0, 1))),
+        Bite("hypothesis", ledger.AT_ONCE, "coordinates", lambda _: "g"),
+        Bite("hypothesis", ledger.AT_ONCE, "slopes", lambda _: "w"),
+        Bite("hypothesis", ledger.PLACES, "x", replaced("X", "X + U")),
+        Bite("hypothesis", ledger.PLACES, "y", replaced("Y", "Y + W")),
+        NotApplicable("order", "exact zeros; no order of an error occurs"),
+    ),
     "2-slip-equations": (
         *(Bite("factor", ledger.PRINTED, name, scaled, refutes=True) for name in "pbyv"),
         Bite("factor", ledger.PRINTED, "b", replaced("alpha3*r", "1000003/1000000*alpha3*r"), refutes=True),

@@ -28,4 +28,22 @@ TEETH: Teeth = {
         Bite("hypothesis", ledger.STICK, "v", replaced("B*T", "A*T")),
         _SIGNS,
     ),
+    "1-impact-sizes": (
+        Bite("factor", ledger.SIZES, "Poisson", lambda pair: (scaled(pair[0]), pair[1]), refutes=True),
+        Bite("factor", ledger.SIZES, "energetic", lambda pair: (pair[0], scaled(pair[1])), refutes=True),
+        Bite("factor", ledger.COMPRESSION, "P", scaled),
+        Bite(
+            "hidden factor",
+            ledger.SIZES,
+            "lowest",
+            lambda pair: (unseen_at("u", (0, 1))(pair[0]), pair[1]),
+            refutes=True,
+        ),
+        Bite("hypothesis", ledger.PARADOX, "p", lambda _: "x"),
+        Bite("hypothesis", ledger.PARADOX, "p", lambda _: "0*x"),
+        Bite("hypothesis", ledger, "LEAST", lambda pair: (f"2*{pair[0]}", pair[1]), refutes=True),
+        Bite(
+            "order", ledger.SIZES, "energetic", lambda pair: (replaced("-p*", "p^2*")(pair[0]), pair[1]), refutes=True
+        ),
+    ),
 }
