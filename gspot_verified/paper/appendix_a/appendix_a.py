@@ -154,7 +154,8 @@ def _initial_value(j: int) -> Entry:
         f"A-{label}",
         f"eq:{label}",
         rf"{derivative}=\Gamma(({j}-\beta)/3)/(3^{{({3 - j}+\beta)/3}}\Gamma(-\beta))",
-        f"{label} gives the solution without oscillatory terms, for every β that is not 0, 1, 2, ...",
+        f"The initial value of eq. {label} is that of the solution without oscillatory terms, for every β that is not "
+        "0, 1, 2, ...",
         LAPLACE.carries(
             claim.check(
                 "section 1 (substitution r^3/3): its value and the printed one, as closed forms in β",
@@ -191,7 +192,7 @@ def _leading_behaviour() -> Entry:
         "A-leading",
         "eq:hdef, line 2459",
         r"\Theta(\tau,\beta)\sim 3^{1-\beta/3}\Gamma(1+\beta)h(\tau,\beta)\sim(-\tau)^\beta",
-        "Θ ~ 3^(1-β/3) Γ(1+β) h ~ (-τ)^β as τ → −∞, β not -1, -2, ...",
+        "As τ → −∞ Θ is asymptotic to 3^(1-β/3) Γ(1+β) h and to (-τ)^β, for every β that is not -1, -2, ...",
         NEGATIVE.carries(
             claim.check(
                 "the rest after N terms is at most the next term, once 3N > β; every term of "

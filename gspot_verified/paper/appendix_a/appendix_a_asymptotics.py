@@ -66,7 +66,7 @@ def small(j: int, betas: Sequence[fmpq]) -> Entry:
         f"A-{SMALL_NAMES[j]}",
         f"th:4, eq:{SMALL_NAMES[j]}",
         _SMALL_SOURCE[j],
-        "The formula holds as τ → −∞ for every β that is not an integer",
+        f"The asymptotic form of eq. {SMALL_NAMES[j]} holds as τ → −∞ for every β that is not an integer",
         CONNECTION.carries(
             claim.check(
                 "DLMF 16.11.8 with the parameters of th:3 put in, as closed forms in β, k and x",
@@ -119,7 +119,7 @@ def large(j: int, betas: Sequence[fmpq]) -> Entry:
         f"A-{LARGE_NAMES[j]}",
         f"th:5, eq:{LARGE_NAMES[j]}",
         rf"{left}(\ldots)\sim 3^{{({3 - j})/3}}e_1/\Gamma(({j}-\beta)/3)",
-        f"The formula holds as τ → +∞ for every β except {j}, {j + 3}, {j + 6}, ...",
+        f"The asymptotic form of eq. {LARGE_NAMES[j]} holds as τ → +∞ for every β except {j}, {j + 3}, {j + 6}, ...",
         CONNECTION.carries(
             claim.check(
                 "β < 0: a third of eq. tlarge over the initial value; e_1 as in proofs/positive.md: "

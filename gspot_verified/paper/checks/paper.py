@@ -110,14 +110,16 @@ def printed_number(label: str) -> str | None:
 def with_printed_numbers(text: str) -> str:
     """The text with labels of equations and theorems replaced by the numbers that the PDF prints.
 
-    Every equation's label after "eq." or "eqs." is replaced; without that only one that no word can be mistaken for. An
-    equation without a number keeps its label, and so does a theorem in brackets, as in "Theorem 6 (th:5)".
+    Every equation's label after "eq." or "eqs." is replaced, and every figure's after "fig."; without that only one
+    that no word can be mistaken for. An equation without a number keeps its label, and so does a theorem in brackets,
+    as in "Theorem 6 (th:5)".
 
     >>> with_printed_numbers("eqs. specialX to specialL, and modelSysDev times ε")
     'eqs. (70) to (76), and eq. (46) times ε'
-    >>> with_printed_numbers("the condition of th:5")
-    'the condition of Theorem 6'
+    >>> with_printed_numbers("the condition of th:5, the runs of fig. varsim1")
+    'the condition of Theorem 6, the runs of Figure 6'
     """
+    text = _figure_pattern().sub(lambda match: _figures()[match[1]], text)
     for pattern in _patterns():
         text = pattern.sub(_numbered, text)
     return _theorem_pattern().sub(lambda match: str(printed_number(match[0])), text)
@@ -138,6 +140,18 @@ def _equations() -> dict[str, str]:
         if number and number.startswith("eq."):
             found |= dict.fromkeys((label, label.partition(":")[2] or label), number.removeprefix("eq. "))
     return found
+
+
+@lru_cache(maxsize=1)
+def _figures() -> dict[str, str]:
+    """The printed name, by the label without what stands before its colon."""
+    numbers = _data()["numbers"].items()
+    return {label.partition(":")[2]: number for label, number in numbers if (number or "").startswith("Figure")}
+
+
+@lru_cache(maxsize=1)
+def _figure_pattern() -> re.Pattern[str]:
+    return re.compile(rf"\b[Ff]ig\. ({'|'.join(map(re.escape, _figures()))})(?!\w)")
 
 
 @lru_cache(maxsize=1)

@@ -110,9 +110,9 @@ def _mass_matrix() -> Entry:
         "1-mass-matrix",
         "lines 149 to 152",
         r"A>0,\quad C>0,\quad AC-B^2>0",
-        "For every positive definite mass matrix, of any size, A > 0, C > 0 and AC - B² > 0 where the gradients of "
+        "For every positive definite mass matrix, of any size, A, C and AC - B² are positive where the gradients of "
         "the tangential and of the normal coordinate of the contact point are linearly independent; where they are "
-        "not, AC - B² = 0",
+        "not, AC - B² is 0",
         Check(
             Rung.EXACT,
             "n = k t + h, h orthogonal to t in the inner product of the inverse mass matrix: A = <t, t>, "

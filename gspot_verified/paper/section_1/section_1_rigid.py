@@ -83,7 +83,8 @@ def _rescaled() -> Entry:
         "1-rescaled",
         "eqs. Gspot1 and Gspot2",
         r"\frac{dp}{d\hat s}=\alpha_1p,\quad\frac{db}{d\hat s}=\alpha_2p+\alpha_3b",
-        "In rigid slip, dt = p ds: dp/ds = α_1 p and db/ds = α_2 p + α_3 b, for the α's of Sec. 2",
+        "In rigid slip, in the time s with dt = p ds, p and b satisfy dp/ds = α_1 p and db/ds = α_2 p + α_3 b, for the "
+        "α's of Sec. 2",
         this.check("p times gensys2 and gensys3 with p λ_N = -b", chain_rule),
         this.check("db/dp by gensys2 and gensys3 with λ_N as a symbol, b = -p λ_N", quotient),
     )

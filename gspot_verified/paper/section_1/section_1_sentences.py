@@ -172,7 +172,7 @@ def _slope() -> Entry:
         r"\frac{dv}{du}=\frac{p}{B-\mu A}",
         "Rigid impact, forces other than those of contact left out: in positive slip dv/du = p/(B - μA), where A, B, "
         "C, μ depend on the configuration alone and so are constant in the impact: a straight line whose slope is "
-        "proportional to p; B - μA < 0 for p <= 0 and for small p > 0",
+        "proportional to p; B - μA is negative for p <= 0 and for small p > 0",
         Check(
             Rung.EXACT,
             "dv/dP over du/dP, P the normal impulse",
@@ -226,7 +226,7 @@ def _mirror() -> Entry:
         r"\text{without loss of generality, only positive slip}",
         "Negative slip is positive slip with the tangential direction reversed: x, u, a, B and λ_T change their signs, "
         "and C + μB of negative slip becomes p = C - μB",
-        Check(Rung.EXACT, "udynamics, vdynamics and Coulomb's law, mirrored", equations_are_mirrored()),
+        Check(Rung.EXACT, "eqs. udynamics and vdynamics and Coulomb's law, mirrored", equations_are_mirrored()),
         Check(
             Rung.EXACT,
             "the accelerations of negative slip, mirrored, are those of positive slip",

@@ -165,7 +165,8 @@ def _quantities() -> Entry:
         "2-quantities",
         "line 706",
         r"u=\xi_2,\ v=\xi_4,\ p=\xi_5,\ b=\xi_6,\ \alpha_1=\alpha_1^*+\chi\xi_6,\ \ldots",
-        "The quantities of Sec. 2 for the extended example",
+        "By the definitions of Sec. 2 the extended example has u = ξ_2, v = ξ_4, p = ξ_5, b = ξ_6, α_1 = α_1* + χ ξ_6, "
+        "α_2 = α_2* and α_3 = α_3*",
         this.check("Lie derivatives as polynomials, denominators cleared", _quantity_residuals),
         this.check("first coefficients of power series along the fields, rational functions", _quantities_by_flow),
     )
@@ -238,7 +239,7 @@ def _stick() -> Entry:
         "2-stick",
         "eq:cdot",
         r"c=(k^-+\lambda_N^{-1}a)/(k^--k^+)",
-        "The share c of the forward force in stick",
+        "In stick, where du/dt = 0, the share of the forward force is c = (k⁻ + a/λ_N)/(k⁻ - k⁺)",
         this.check("put into eq. udot: the tangential acceleration vanishes", no_acceleration),
         this.check("zero of the affine function of c from its values at c = 0 and 1", linear),
     )

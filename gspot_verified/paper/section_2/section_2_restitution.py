@@ -233,8 +233,8 @@ def _not_fixed() -> Entry:
         "2-restitution-not-fixed",
         "lines 568 to 570",
         r"k_1,\ k_2,\ c\ \text{fixed}\ \not\Rightarrow\ e\ \text{fixed}",
-        f"k_1 = {STIFFNESS}, k_2 = c = 1: e < {APART[0]} for p = {ONE_CONTACT[0]} and e > {APART[1]} for p = "
-        f"{ONE_CONTACT[1]}, and p depends on the mechanism, on its configuration and on the direction of slip",
+        f"With k_1 = {STIFFNESS}, k_2 = c = 1 the coefficient of restitution is below {APART[0]} for p = "
+        f"{ONE_CONTACT[0]} and above {APART[1]} for p = {ONE_CONTACT[1]}: it depends on p",
         Check(
             Rung.BALLS,
             "e for both p, by the exact motion",
@@ -244,6 +244,7 @@ def _not_fixed() -> Entry:
         Page("restitution", (*Q2.steps, creeps)).carries(
             Check(Rung.EXACT, "Theorem Q3 for the smaller p, Theorem Q2 for the larger one", the_bounds_differ())
         ),
+        note="p = C - μB depends on the mechanism, on its configuration and on the direction of slip.",
     )
 
 

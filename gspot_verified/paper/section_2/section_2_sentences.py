@@ -185,7 +185,7 @@ def _tangential() -> Entry:
         "those of the motivating example, have no u either: they say nothing of a stop",
         Check(
             Rung.EXACT,
-            "xdot, udot, newex1 to newex5, derived by x and by u",
+            "eqs. xdot, udot, newex1 to newex5, derived by x and by u",
             denied(one_of(normal)),
         ),
         Check(

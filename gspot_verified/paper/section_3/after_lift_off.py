@@ -70,8 +70,9 @@ def _one_flight() -> Entry:
         "3-after-lift-off",
         "lines 914 to 918",
         r"\text{lift-off terminates shortly after the G-spot, with an impact of very low normal velocity}",
-        "The simulated runs that lift off, at ε = 10^-3 and 10^-9: exactly one flight, a touch-down "
-        "after the G-spot with 0 < -v < 300 ε^(4/3), and then an impact without collision: contact is not lost again",
+        "Each simulated run of Case III that lifts off, at ε = 10^-3 and 10^-9, has exactly one flight, with a "
+        "touch-down after the G-spot where 0 < -v < 300 ε^(4/3), and then takes an impact without collision: contact "
+        "is not lost again",
         Check(
             Rung.BALLS,
             "proofs/flight.md: certified lift-off and touch-down; the state at touch-down lies in an invariant set in "

@@ -76,8 +76,8 @@ def _sides() -> Entry:
         "3-sides",
         "lines 782 to 785",
         r"\text{lower } b(0) \text{ take an impact in panel (b)},\ \text{higher } b(0) \text{ in panel (c)}",
-        "At ε = 1/1000, β = 3/2: initial values b(0) below that of the trivial solution take an impact; β = 5/2: those "
-        "above it. For ν = 1/4, 1/2, 2, 4",
+        "At ε = 1/1000, of the starts ν = 1/4, 1/2, 2, 4, those with b(0) below that of the trivial solution take an "
+        "impact for β = 3/2, and those with b(0) above it for β = 5/2",
         _check(
             "proofs/contact_motion.md, section 1: λ_N from the system, in steps of 3/100 until 7/100 after", by_steps
         ),

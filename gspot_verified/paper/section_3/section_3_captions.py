@@ -145,7 +145,7 @@ def force_is_that_of_the_case(panel: str) -> bool | None:
 
 
 def _panels() -> Entry:
-    named = "; ".join(f"({panel}) Case {case}" for panel, case in CASES.items())
+    named = ", ".join(f"({panel}) Case {case}" for panel, case in CASES.items())
     return settled(
         SECTION,
         "3-panels",
@@ -182,7 +182,7 @@ def _after_contact() -> Entry:
         "3-after-contact",
         "lines 911 to 912",
         r"\text{after lift-off }\lambda_N=0,\ \dot b=\alpha_2^*",
-        "Without contact λ_N = 0 (compl2), and so b' = α_2* and v' = b",
+        "Without contact the force λ_N is 0 (compl2), and so db/dt is α_2* and dv/dt is b",
         Check(Rung.EXACT, "modelsys2 and modelsys4 with λ_N = 0", rate_in_flight()),
         Check(Rung.EXACT, "the flight of 3-flight-ends, derived", flight_has_these_rates()),
     )

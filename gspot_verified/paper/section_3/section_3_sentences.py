@@ -220,7 +220,7 @@ def _case_ii() -> Entry:
         "3-case-II",
         "lines 768 to 770",
         r"\text{Case II: all initial conditions that pass the G-spot take an impact}",
-        "Case II, the model system: every start from which contact lasts until p = 0 takes an impact",
+        "In Case II of the model system every start from which contact lasts until p = 0 takes an impact",
         Check(
             Rung.EXACT,
             "the trivial solution, for all α's of Case II and every ε > 0",

@@ -161,7 +161,7 @@ def by_series(name: str, beta: fmpq, series: Series) -> Check:
 
 
 def _front(name: str, beta: fmpq) -> str:
-    return f"Table 1(a): the measured exponent of {SYMBOLS[name]}, β = {beta}, ν = 2, is {MEASURED[name][beta]}:"
+    return f"Table 1(a): the measured exponent of {SYMBOLS[name]}, β = {beta}, ν = 2, is {MEASURED[name][beta]},"
 
 
 def _possible(name: str, beta: fmpq) -> Entry:
@@ -285,8 +285,8 @@ def _theoretical(name: str) -> Entry:
         f"3-table-1-theory-{name}",
         f"line {LINES[name]} (theoretical)",
         rf"\gamma\to {FORMULAS[name].replace('*', '')}",
-        f"Table 1(b): the exponent of {SYMBOLS[name]} tends to {in_greek(FORMULAS[name])} as ε → 0; its decimals at "
-        f"β = 1/2, 3/2, 5/2 are {', '.join(THEORETICAL[name].values())}",
+        f"Table 1(b): the exponent of {SYMBOLS[name]} tends to {in_greek(FORMULAS[name]).replace('*', '')} as ε → 0; "
+        f"its decimals at β = 1/2, 3/2, 5/2 are {', '.join(THEORETICAL[name].values())}",
         Check(
             Rung.EXACT,
             "the printed formula and the powers of C, η and ε in the exact solution, both rounded to the decimals",

@@ -40,8 +40,8 @@ FATES: dict[fmpq, dict[fmpq, str]] = {
 two fates, which are swapped. The sides are those of lines 783 to 785 with |b(0)| in place of b(0) (entry 3-sides)."""
 DRAWN = {
     IMPACT: "contact lasts for ever with λ_N > 0, and λ_N → +∞: an impact without collision",
-    LIFT_OFF: "λ_N > 0 until after the G-spot, and then contact is lost",
-    TRIVIAL: "the trivial solution: λ_N is its constant for ever",
+    LIFT_OFF: "λ_N is positive until after the G-spot, and then contact is lost",
+    TRIVIAL: "it is the trivial solution, and λ_N is constant for ever",
 }
 
 

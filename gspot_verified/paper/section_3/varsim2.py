@@ -106,9 +106,8 @@ def _run(chi: int, nu: fmpq, second: Check, note: str) -> Entry:
         identifier(chi, nu),
         "fig:varsim2",
         r"\text{squares: slip-stick transitions, circles: lift-off}",
-        f"Fig. varsim2, χ = {chi}, ν = {nu} (ε = {EPSILON}, β = {BETA}, u(0) = {FIRST_SLIP}, up to t = 1): "
-        f"{', '.join(RUNS[chi, nu])}, "
-        "in this order, and no other change of phase",
+        f"The run of fig. varsim2 with χ = {chi}, ν = {nu} (ε = {EPSILON}, β = {BETA}, u(0) = {FIRST_SLIP}) has up to "
+        f"t = 1 these events in this order, and no other change of phase: {', '.join(RUNS[chi, nu])}",
         Check(
             Rung.BALLS,
             "certified run of the extended system by the validated integrator",

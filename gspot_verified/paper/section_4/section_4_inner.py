@@ -71,7 +71,7 @@ def _inner() -> Entry:
         "4-inner",
         "eq:modelSysDevInner",
         r"\alpha_3^*\hat b-\alpha_1^*s\hat b'-2\hat b'''+\delta[\ldots]=0",
-        "modelSysDev in the inner time t = δ² s, δ = ε^(1/3)",
+        "In the inner time s, t = δ² s with δ = ε^(1/3), eq. modelSysDev becomes eq. modelSysDevInner",
         this.check("chain rule in modelSysDev", lambda parts: [scaled(outer) - _DELTA**8 * parts["equation"]]),
         this.check(
             "along the vector field of the deviations, d/ds = δ^(-1) ε d/dt",
@@ -89,7 +89,8 @@ def _inner_fast() -> Entry:
         "4-inner-fast",
         "line 1161",
         r"-2\hat b_f'''-\hat b_f''''+\delta^2\alpha_1^*s(\hat b_f'+\hat b_f'')+\delta^3[\ldots]=0",
-        "eq. modelSysDevInner in the fast time ds = δ ds_f",
+        "In the fast time s_f of the inner scale, ds = δ ds_f, the deviation of b satisfies the printed equation, with "
+        "the term δ² α_1 s (b_f' + b_f'')",
         this.check(
             "chain rule in modelSysDevInner, times δ³",
             lambda parts: [_DELTA**3 * inner - _DELTA**4 * parts["equation"]],
@@ -147,7 +148,7 @@ def _inner_slow() -> Entry:
         "4-inner-slow",
         "eqn:de_inner",
         r"\alpha_3^*\hat b-\alpha_1^*s\hat b'-2\hat b'''=0",
-        "The slow equation of the inner scale",
+        "In the limit δ → 0 of the inner scale the deviation of b satisfies α_3 b - α_1 s b' - 2 b''' = 0",
         this.check(
             "eq. modelSysDevInner at δ = 0",
             lambda parts: [ALGEBRA.coefficient_of(inner, "delta", 0) - parts["equation"]],
@@ -241,7 +242,8 @@ def _scaling() -> Entry:
         "eq:inner_scaling (y, z, λ_N)",
         r"\delta^2\alpha_3^*\hat y/\epsilon^2=2\hat b',\ \delta^2\alpha_3^*\hat z/\epsilon^2=\hat b',\ "
         r"\delta^2\alpha_3^*\hat\lambda_N=-\hat b'",
-        "y, z and λ_N from b on the inner scale, at leading order in δ",
+        "On the inner scale, at leading order in δ, the deviations of y, z and λ_N follow from that of b: δ² α_3 y/ε² "
+        "= 2 b', δ² α_3 z/ε² = b' and δ² α_3 λ_N = -b'",
         this.check("modelSysDevRecoverY, Z, LN with t = δ² s, ε = δ³: lowest power of δ", recovered),
         this.check("db/ds along the slow system of the deviations, where z = y/2", reduced),
     )
@@ -255,7 +257,7 @@ def _scaling_v() -> Entry:
         "4-inner-scaling-v",
         "eq:inner_scaling (v)",
         r"\delta^2\alpha_3^*\hat v/\epsilon=2\hat b''",
-        "v from b on the inner scale, at leading order in δ",
+        "On the inner scale, at leading order in δ, the deviation of v follows from that of b: δ² α_3 v/ε = 2 b''",
         this.check(
             "modelSysDevRecoverV with t = δ² s, ε = δ³: the term of the stated order in δ",
             lambda parts: _leading("v", 1, parts["v factor"], parts["v"]),

@@ -97,7 +97,7 @@ def _eliminated() -> Entry:
         "4-eliminated",
         "eq:modelSysTEliminated",
         r"\alpha_3^*b+\alpha_1^*t(\alpha_2^*-\dot b)+\epsilon[\ldots]-2\epsilon^2\dddot b-\epsilon^3\ddddot b=0",
-        "b alone satisfies eq. modelSysTEliminated along every solution in contact",
+        "Along every solution in contact b alone satisfies the equation of line 984",
         this.check("(ε d/dt + 1) y'' with ε y' + y = -2 ε² λ - ε³ λ', y'' = b + p λ, α_3 λ = α_2 - b'", operators),
         this.check(
             "b and its four derivatives along the vector field, as polynomials in t and the state",
@@ -131,7 +131,7 @@ def _order() -> Entry:
         r"\text{a more convenient 3rd-order single equation for } b(t)",
         "The single equation for b is of third order in t",
         this.check(
-            "the highest derivative that occurs in modelSysTEliminated",
+            "the highest derivative that occurs in line 984",
             highest,
             fault="the printed equation has order 4: its last term is -ε³ times the fourth derivative of b",
         ),
@@ -178,7 +178,7 @@ def _recover() -> Entry:
         r"\alpha_3^*y=\epsilon^2[\ldots],\ \ldots,\ \alpha_3^*\lambda_N=\alpha_2^*-\dot b",
         "The four formulas recover y, v, z, λ_N from b",
         this.check(
-            "put into modelsys2 to modelsys5, modulo modelSysTEliminated",
+            "put into modelsys2 to modelsys5, modulo the equation of line 984",
             lambda parts: _solve_the_system(parts, equation, "alpha2"),
         ),
         this.check("along the vector field of the system", lambda parts: _on_solutions(parts, True)),
@@ -208,7 +208,7 @@ def _deviation() -> Entry:
         r"\alpha_3^*\hat b-\alpha_1^*t\dot{\hat b}+\epsilon[\ldots]-\ldots=0",
         "The deviation of b from the trivial solution satisfies eq. modelSysDev",
         this.check(
-            "modelSysTEliminated with the trivial solution plus a deviation in the place of b",
+            "the equation of line 984 with the trivial solution plus a deviation in the place of b",
             lambda parts: [
                 around(whole, TRIVIAL, ALGEBRA.constant(1)) - ALGEBRA.substitute(parts["equation"], as_f),
             ],

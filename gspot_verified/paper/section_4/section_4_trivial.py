@@ -90,12 +90,13 @@ def _trivial() -> Entry:
         "2-trivial",
         "eqs. modelSysDistP, modelSysDistB, modelSysDistV",
         r"\bar p=\alpha_1^*t,\quad \bar b=\frac{\alpha_2^*}{\alpha_1^*-\alpha_3^*}\alpha_1^*t,\quad \bar v=0",
-        "The trivial solution of the motivating example for α_1 ≠ α_3 (with the corrected z, y of 2-trivial-zy)",
+        "For α_1 ≠ α_3 the motivating example has the solution p = α_1 t, b = α_2 α_1 t/(α_1 - α_3), v = 0, with the "
+        "corrected z and y of 2-trivial-zy",
         this.check(
             f"put into modelsys1 to modelsys5; {_WITH_C}",
             lambda parts: in_model_system({**parts, "z": _corrected("z"), "y": _corrected("y")}),
         ),
-        this.check(f"b in the single equation modelSysTEliminated, v by modelSysRecoverV; {_WITH_C}", single_equation),
+        this.check(f"b in the equation for b of line 984, v by modelSysRecoverV; {_WITH_C}", single_equation),
         this.check(
             "the terms n = 0 of Theorem 1's recursion with symbols α_1, α_3, c (the later ones: 4-unique)",
             lambda parts: [parts[name] - first_terms()[name] for name in "pbv"],

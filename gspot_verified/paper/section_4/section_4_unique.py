@@ -143,10 +143,8 @@ def _unique() -> Entry:
         "lines 1020 to 1058",
         r"\bar b(t,\epsilon)=\frac{\alpha_2^*}{1-\beta}t",
         "For α_1, α_3 < 0, β not an integer: the only formal series Σ b_n(t) ε^n, each b_n smooth near t = 0, that "
-        "solves modelSysTEliminated is b = α_2 t/(1 - β)",
-        on_page(
-            "sections 1 and 2: the order ε^n of modelSysTEliminated for every n; f differentiated k times", _by_orders
-        ),
+        "solves the equation of line 984 is b = α_2 t/(1 - β)",
+        on_page("sections 1 and 2: the order ε^n of line 984 for every n; f differentiated k times", _by_orders),
         on_page("sections 1 and 2: the order ε^n of modelsys2 to modelsys5; (|t|^(-β) f)' = 0", _by_system),
         this.check(
             f"Theorem 1's recursion with symbols α_1, α_3, c: every b_n with 0 < n < {ORDERS} vanishes",

@@ -78,7 +78,7 @@ def _iwc() -> Entry:
         "S-iwc",
         "lines 1278 to 1291 (Cases I and II)",
         r"\frac{d\Theta}{d\tau}(\tau,\beta)<0\quad(\tau\in\mathbb R,\ 0<\beta<1)",
-        "For 0 < β < 1, dΘ/dτ < 0 for every real τ",
+        "For 0 < β < 1 the derivative dΘ/dτ is negative at every real τ",
         SIGNS_INTEGRAL.carries(
             _claim("S-iwc").check_sign(
                 "first proof: Γ(-β) dΘ/dτ is an integral with positive integrand, which converges for "

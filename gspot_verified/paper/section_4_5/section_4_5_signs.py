@@ -97,7 +97,7 @@ def _sign_at_zero() -> Entry:
         "S-zero",
         "eq:dTheta_sign, second row",
         r"\operatorname{sign}\frac{d\Theta}{d\tau}(0)=\operatorname{sign}\frac{\Gamma((1-\beta)/3)}{\Gamma(-\beta)}",
-        "At τ = 0 the sign is that of Γ((1-β)/3)/Γ(-β), for β not an integer",
+        "At τ = 0 dΘ/dτ has the sign of Γ((1-β)/3)/Γ(-β), for β not an integer",
         claim.check_sign(
             "t02 over that quotient is a power of 3, for a symbol β",
             lambda forms: [closed_form(appendix.INITIAL_VALUES["t02"]) / forms["sign of"]],

@@ -114,7 +114,8 @@ def _ansatz() -> Entry:
         "5-ansatz",
         "lines 2013 to 2016",
         r"-r\xi_0-G^*\lambda_0,\ -(r+1)p_0-{\alpha_1}_\xi^*\xi_0,\ \ldots",
-        "The leading-order equations of the ansatz in powers of -t, for every exponent r > 0",
+        "For every exponent r > 0 the ansatz in powers of -t satisfies the slow equations at leading order exactly "
+        "when its coefficients satisfy the four printed equations",
         this.check(
             "the ansatz in the slow equations with Taylor terms: what else there is has a higher order", general
         ),

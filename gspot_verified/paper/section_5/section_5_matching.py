@@ -141,7 +141,8 @@ def _perturbation() -> Entry:
         "lines 2031 to 2041, 2063 to 2071",
         r"\hat b'=\alpha_3^*\hat y/2,\ \hat y'=\hat v,\ \hat v'=\hat b-\alpha_1^*s\hat y/2;\quad "
         r"\hat b'''+\tfrac{\alpha_1^*}2s\hat b'-\tfrac{\alpha_3^*}2\hat b=0",
-        "The equations of the perturbation for every β > 0, and the elimination of y and v",
+        "For every β > 0 the perturbation satisfies the three printed equations, at leading order in ε, and the "
+        "elimination of y and v from them gives the printed equation of third order",
         this.check(
             "specialB to specialL with the factor ε^(2(β-1)/3): what else there is has a higher order for every β > 0",
             derive,

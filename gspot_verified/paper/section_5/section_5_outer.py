@@ -133,7 +133,7 @@ def _fast_polynomial() -> Entry:
         "5-fast-polynomial",
         "lines 1949 to 1957",
         r"\det(\lambda I-M)=\lambda^3+2\lambda^2+p\lambda+p",
-        "The characteristic polynomial of M, and that it is the one of Section 4",
+        "The characteristic polynomial of M is λ³ + 2 λ² + p λ + p, the one of Section 4",
         this.check(
             "determinant of λ I - M", lambda parts: [ALGEBRA.determinant(rows) - parts["polynomial"], *section_4(parts)]
         ),
@@ -174,7 +174,8 @@ def _slow_manifold() -> Entry:
         "5-slow-manifold",
         "lines 1968 to 1978",
         r"y_o=2b/p,\ v_o=0,\ z_o=b/p;\quad \dot\xi=F-Gb/p,\ \dot b=\alpha_2+\alpha_3b/p",
-        "The slow manifold and the slow dynamics on it",
+        "In the limit ε → 0 the slow manifold of the outer system is y_o = 2b/p, v_o = 0, z_o = b/p, and the motion on "
+        "it is given by dξ/dt = F - G b/p and db/dt = α_2 + α_3 b/p",
         this.check("the outer system at ε = 0, times p", balance),
         this.check("Cramer's rule for the equilibrium, and λ_N = -b/p (eq. pain_par+)", cramer),
     )

@@ -143,7 +143,8 @@ def _orders() -> Entry:
         "5-orders",
         "eqs. specialBn, specialYn, specialVn, specialZn, specialLn; line 1608",
         r"r_{b,n}={\alpha_2}_n-\sum_{k=0}^{n-1}{\alpha_3}_{n-k}\lambda_k,\ r_{v,n}=\sum_{k=0}^{n-1}p_{n-k}\lambda_k",
-        "The terms of order δ^n of specialB to specialL, and p_0, for every n",
+        "The terms of order δ^n of specialB to specialL are specialBn, specialYn, specialVn, specialZn and specialLn, "
+        "for every n, and p_0 is α_1* s",
         this.check("term by term; the sums have each pair of orders with the sum n once, for every n", pairs),
         this.check("term by term; the sums for geometric series x^i, y^j, with x^n and y^n as symbols", geometric),
         note="The term k = n of each product stands on the left: α_3* λ_n and p_0 λ_n = α_1* s λ_n.",
@@ -187,7 +188,8 @@ def _third_order() -> Entry:
         "5-third-order",
         "eqs. specialYnbis, third-order_b, line 1667",
         r"2b_n'''+\alpha_1^*sb_n'-\alpha_3^*b_n=2r_{b,n}''+\alpha_3^*z_{n-1}'''+\alpha_1^*sr_{b,n}+\alpha_3^*r_{v,n}",
-        "The elimination of y_n, v_n, z_n, λ_n",
+        "The elimination of y_n, v_n, z_n and λ_n from specialBn to specialLn gives specialYnbis, the equation of line "
+        "1667 and third-order_b",
         this.check("each equation as a combination of specialBn to specialLn and their derivatives", combined),
         this.check(
             "the general solution of specialBn to specialLn (b_n, λ_n, z_(n-1) free) put in",
@@ -225,7 +227,7 @@ def _monomial() -> Entry:
         "5-monomial",
         "line 1691",
         r"(k\alpha_1^*-\alpha_3^*)s^k+k(k-1)(k-2)s^{k-3}",
-        "The left-hand side of third-order_b at b_n = s^k",
+        "For b_n = s^k the left-hand side of third-order_b is (k α_1 - α_3) s^k + k (k-1) (k-2) s^(k-3)",
         this.check(
             "s^k for k = 0, ..., 6; both sides have degree at most 6 in k",
             explicit,
@@ -284,7 +286,7 @@ def _xinprime() -> Entry:
         "5-xinprime",
         "eq:xinprime",
         r"\xi_n'=F_n+\sum_{k=0}^nG_{n-k}\lambda_n",
-        "The term of order δ^n of specialX, for every n",
+        "The term of order δ^n of specialX is ξ_n' = F_n + Σ G_(n-k) λ_n, the sum over k from 0 to n, for every n",
         this.check(
             "the sum has each pair of orders with the sum n once, for every n",
             lambda parts: [*right_side(parts), *all_pairs(ALGEBRA, _sum(parts), 0)],

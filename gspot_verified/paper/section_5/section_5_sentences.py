@@ -88,7 +88,8 @@ def _kinds() -> Entry:
         "5-kinds",
         "lines 1651 to 1653",
         r"\text{four coupled ODEs and one algebraic equation}",
-        "specialBn to specialZn are four differential equations for b_n, y_n, v_n, z_n, λ_n, specialLn is algebraic",
+        "The equations of order n, specialBn to specialZn, are four differential equations for b_n, y_n, v_n, z_n and "
+        "λ_n, and specialLn is algebraic",
         Check(
             Rung.EXACT,
             "which of the five left-hand sides have the derivative of an unknown",

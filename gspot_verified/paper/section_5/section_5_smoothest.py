@@ -114,7 +114,7 @@ def _smoothest() -> Entry:
         r"\text{exactly one graph }b(p)\text{ is }C^{k},\ \beta<k\leq\beta+1",
         "α_1, α_3 < 0, β = α_3/α_1 not an integer: of the trajectories of eqs. Gspot1 and Gspot2 with p > 0 exactly "
         "one has a graph b(p) that is C^k at p = 0 for the integer k between β and β + 1, the line "
-        "b = α_2 p/(α_1 - α_3); the graphs of all others are C^(k-1) and not C^k. The same for p < 0",
+        "b = α_2 p/(α_1 - α_3); the graphs of all others are C^(k-1) and not C^k; so it is for p < 0",
         Check(
             Rung.EXACT,
             "b = α_2 p/(α_1 - α_3) + K p^β: the derivative of order k is K times non-zero factors times p^(β-k)",

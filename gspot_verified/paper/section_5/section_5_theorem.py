@@ -205,7 +205,7 @@ def _existence() -> Entry:
         Check(
             Rung.POINTS,
             f"existence in {len(found)} nonlinear systems, all orders below {len(found[0].p)}: eqs. specialX to "
-            "specialL and conditions pbc to Jbc, by ordinary polynomials",
+            "specialL and the conditions of eqs. pbc to Jbc, by ordinary polynomials",
             all_of((explicit.equations_hold(r) and explicit.synchronised(r)) or None for r in found),
         ),
         note="Unique among polynomials: the paper's argument is that th:3 leaves no other smooth solution. For an "
@@ -219,7 +219,7 @@ def _orders() -> Entry:
         "5-theorem-1-orders",
         "th:1, the orders of the residuals",
         r"O(\delta^M),\quad O(\delta^{M+2})",
-        "The sums of the first M terms satisfy specialX to specialL up to O(δ^M), pbc to Jbc up to O(δ^(M+2))",
+        "The sums of the first M terms satisfy specialX to specialL up to O(δ^M), and eqs. pbc to Jbc up to O(δ^(M+2))",
         Page("expansion", (dependence,)).carries(
             Check(
                 Rung.EXACT,
@@ -230,8 +230,8 @@ def _orders() -> Entry:
         ),
         Check(
             Rung.POINTS,
-            "three nonlinear systems, M = 2, 4, 6: no residual of specialX to specialL begins before δ^M, none of pbc "
-            "to Jbc before δ^(M+2), and some begin there",
+            "three nonlinear systems, M = 2, 4, 6: no residual of specialX to specialL begins before δ^M, none of "
+            "eqs. pbc to Jbc before δ^(M+2), and some begin there",
             orders_in_systems(),
         ),
         note="O is uniform for s in bounded sets. The conditions of orders 0 and 1 hold as ξ* is a G-spot.",

@@ -77,7 +77,8 @@ def _motion() -> Entry:
         "6-motion",
         "lines 2117 to 2142",
         r"M(q)\ddot q=f(q,\dot q)+Q_N\lambda_N+Q_T\lambda_T",
-        "M, f, Q_N and Q_T of the oscillator, from the position of the contact point",
+        "With its contact point at the printed x(q), y(q) the oscillator moves by the printed equation with the "
+        "printed M, f, Q_N and Q_T",
         this.check("Lagrange's equations of the energies of masses, springs and dampers", lagrange),
         this.check("d'Alembert's principle: the power of inertia and forces", virtual_power),
     )
@@ -103,7 +104,7 @@ def _sign_of_g() -> Entry:
         "6-sign-of-G",
         "lines 2145 to 2148",
         r"G=(0,0,M^{-1}(-Q_N+\mu Q_T))^T",
-        "G of the oscillator in positive slip",
+        "In positive slip the oscillator has G = (0, 0, M^-1(-Q_N + μ Q_T))",
         this.check(
             "the equation of motion with λ_T = -μ λ_N, λ_N = 1",
             equation_of_motion,
@@ -158,7 +159,7 @@ def _value(name: str) -> Entry:
         f"6-{name}",
         f"line {lines}",
         f"{_LATEX[name]}^*={text}",
-        f"{name} at the G-spot, for all β, κ, m_1, l, g",
+        f"The printed {name.replace('alpha', 'α')} is that of the oscillator at its G-spot, for all β, κ, m_1, l, g",
         this.check(
             "Lie derivatives of y along F and G, with the inverse of M",
             lambda parts: differs(parts["value"] - lie[name]),
@@ -216,7 +217,7 @@ def _decimals() -> Entry:
         "6-decimals",
         "lines 2190 to 2191",
         r"\alpha_1^*=-0.4289,\ \alpha_2^*=-1.8764,\ \alpha_3^*=-1.0008",
-        "The alphas for β = 7/3, κ = 0, rounded; they are in Case III",
+        "For β = 7/3, κ = 0 the printed decimals are the α's, rounded, and the oscillator is in Case III",
         Check(
             Rung.EXACT,
             "the printed functions of β and κ, rounded; α_2 < 0 and α_3 < α_1 < 0",
@@ -247,7 +248,8 @@ def _formula(name: str) -> Entry:
         f"B-{name}",
         f"lines {lines}",
         rf"{_LATEX[name]}(\phi,\psi,\dot\phi,\dot\psi)=\ldots",
-        f"{name} of Appendix B, for every state and all parameters",
+        f"The {name.replace('alpha', 'α')} of Appendix B is that of the oscillator, in every state and for all "
+        "parameters",
         this.check(
             "Lie derivatives of y along F and G, with the inverse of M",
             lambda parts: [normal(parts["formula"] - lie[name]), *oscillator.determinant_is_right()],

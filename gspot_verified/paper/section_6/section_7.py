@@ -81,8 +81,8 @@ def _again() -> Entry:
         "7-lift-off-again",
         "lines 2287 to 2291",
         r"\text{would this impact again lead to further lift off?}",
-        f"It may: the extended system of fig. varsim2 with β = {BETA}, ν = {NU}, u(0) = 70 loses contact again. All "
-        f"events, but for impacts without collision: {'; '.join(map(_told, RUNS))}",
+        f"The extended system of fig. varsim2 with β = {BETA}, ν = {NU}, u(0) = 70 loses contact again after its first "
+        f"flight. Its events, but for impacts without collision, are: {'; '.join(map(_told, RUNS))}",
         Check(
             Rung.BALLS,
             "certified runs of the extended system by the validated integrator",

@@ -1,0 +1,89 @@
+"""A statement of the ledger is a sentence about the mechanics: not a heading, and without labels of the source."""
+
+from __future__ import annotations
+
+import json
+import re
+
+import pytest
+from paper.paper_citations import DATA
+
+from gspot_verified.paper.checks.entry import Entry
+from gspot_verified.paper.checks.paper import with_printed_numbers
+
+VERBS = (
+    "is are was has have satisfies satisfy gives holds hold turns turn tends tend takes take lifts lift loses lose "
+    "becomes begins changes couples depend depends differs does dominates ends enters falls follows follow grows lasts "
+    "leaves matches moves name occurs reaches recover relaxes scales settles span stands stays switches vanishes"
+)
+"""The finite verbs of the ledger; a statement with another one adds it here."""
+VERB = re.compile(rf"\b(?:{VERBS.replace(' ', '|')})\b")
+WORDS = {"beta", "example", "exponents", "expansion", "distinguished", "Coulomb"}
+"""Labels of the source that are words, and numbers, of sections."""
+
+
+def is_a_sentence(statement: str) -> bool:
+    """Whether each of its parts has a verb of its own, and it begins with no label."""
+    parts = re.sub(r"\band that\b[^;]*|\([^()]*\)", "", statement).split(";")
+    return all(VERB.search(part) for part in parts) and not re.match(r"(?:eqs?|fig|line)s?\b", statement, re.IGNORECASE)
+
+
+def labels() -> set[str]:
+    """The labels of the source, whole and without what stands before their colon, that are no words."""
+    numbers = json.loads(DATA.read_text(encoding="utf-8"))["numbers"]
+    found = {name for label in numbers for name in (label, label.partition(":")[2] or label)}
+    return {name for name in found - WORDS if not re.fullmatch(r"[\d.]+", name)}
+
+
+def left_over(text: str, names: set[str]) -> list[str]:
+    """The labels that a text still has."""
+    return [name for name in re.findall(r"(?<![\w:/-])[A-Za-z][\w:]*(?![\w:-])", text) if name in names]
+
+
+def test_every_statement_is_a_sentence(whole_ledger: list[Entry]) -> None:
+    assert [entry.statement for entry in whole_ledger if not is_a_sentence(entry.statement)] == []
+
+
+def test_no_label_of_the_source_is_left_in_the_texts_of_an_entry(whole_ledger: list[Entry]) -> None:
+    names = labels()
+    assert {"modelSysTEliminated", "pbc", "varsim1", "t01", "th:5"} <= names
+    found = {}
+    for entry in whole_ledger:
+        texts = [entry.statement, entry.corrected, entry.note]
+        texts += [text for check in entry.checks for text in (check.what, check.finding)]
+        if wrong := [name for text in texts for name in left_over(text, names)]:
+            found[entry.identifier] = wrong
+    assert found == {}
+
+
+@pytest.mark.parametrize(
+    ("text", "passes"),
+    [
+        ("eq. (52) in the fast time ds = δ ds_f", False),
+        ("Eq. (52) is the equation of the fast time", False),
+        ("The slow equation of the inner scale", False),
+        ("The quantities of Sec. 2 for the extended example", False),
+        ("The alphas for β = 7/3, κ = 0, rounded; they are in Case III", False),
+        ("The characteristic polynomial of M, and that it is the one of Section 4", False),
+        ("α_1 at the G-spot, for all β, κ, m_1, l, g", False),
+        ("In rigid slip, dt = p ds: dp/ds = α_1 p", False),
+        ("", False),
+        ("In the inner time s eq. (46) becomes eq. (52)", True),
+        ("For p < 0 the three roots are real; exactly one is positive", True),
+    ],
+)
+def test_what_is_a_sentence(text: str, passes: bool) -> None:
+    assert is_a_sentence(text) is passes
+
+
+@pytest.mark.parametrize(
+    ("text", "left"),
+    [
+        ("along modelSysTEliminated, th:1 and eq:pbc", ["modelSysTEliminated", "th:1", "eq:pbc"]),
+        (with_printed_numbers("along eq. pbc of Theorem 1 (th:1), fig. varsim2"), ["th:1"]),
+        ("the exponents of the expansion with Coulomb's law, beta", []),
+        ("entry A-t01, tests/varsim1 and 3-varsim1a-1", []),
+    ],
+)
+def test_which_labels_are_left(text: str, left: list[str]) -> None:
+    assert left_over(text, labels()) == left
