@@ -76,3 +76,80 @@ def test_the_entry_needs_the_paradox(monkeypatch: pytest.MonkeyPatch) -> None:
     assert ledger.ENTRIES["1-impact-sizes"]().verdict.outcome is Outcome.PROVED
     monkeypatch.setitem(ledger.PARADOX, "p", "x")
     assert ledger.ENTRIES["1-impact-sizes"]().verdict.outcome is not Outcome.PROVED
+
+
+@pytest.mark.parametrize(
+    ("step", "table", "name", "wrong"),
+    [
+        ("force_needs_positive_b", None, "ACCELERATION", "2*b + p*l"),
+        ("force_needs_positive_b", None, "ACCELERATION", "b + l"),
+        ("flight_leaves", None, "FLIGHT", "1/2*b*s^2 + b*s"),  # not from rest
+        ("compresses_in_slip", "RATES", "u", "mu*A"),
+        ("compresses_in_slip", "RATES", "v", "mu*B"),
+        ("impulses_of_the_compression", "STICK", "v", "C*P + A*T"),
+        ("decompresses_in_stick", "STICK", "u", "A*T + C*P"),
+        ("sizes_along_the_path", "RATES", "v", "C + mu*B"),
+        ("sizes_by_the_whole_impulse", "STICK", "v", "C*P + A*T"),
+    ],
+)
+def test_each_part_of_a_step_is_needed(
+    monkeypatch: pytest.MonkeyPatch, step: str, table: str | None, name: str, wrong: str
+) -> None:
+    assert getattr(ledger, step)() is True
+    if table is None:
+        monkeypatch.setattr(ledger, name, wrong)
+    else:
+        monkeypatch.setitem(getattr(ledger, table), name, wrong)
+    assert getattr(ledger, step)() is False
+
+
+def test_motions_that_are_open_leave_the_answer_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert ledger.motions_as_claimed() is True
+    for closed in (1, -1):
+        with monkeypatch.context() as patch:
+            patch.setattr(ledger, "motions", lambda sign, closed=closed: [0, 1] if sign == closed else None)
+            assert ledger.motions_as_claimed() is None
+
+
+@pytest.mark.parametrize(
+    ("name", "pair"),
+    [
+        ("lowest", ("p*u + u", "mu*A - B")),  # does not vanish at p = 0
+        ("energetic", ("r^2*B*u^2", "A*(mu*A - B)")),
+        ("Poisson", ("r*B*u", "mu*A - B")),
+    ],
+)
+def test_sizes_that_do_not_behave_so_near_the_g_spot(
+    monkeypatch: pytest.MonkeyPatch, name: str, pair: tuple[str, str]
+) -> None:
+    assert ledger.sizes_near_the_g_spot() is True
+    monkeypatch.setitem(ledger.SIZES, name, pair)
+    assert ledger.sizes_near_the_g_spot() is False
+
+
+@pytest.mark.parametrize("name", list(ledger.SIZES))
+def test_each_size_is_compared_on_both_routes(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    top, bottom = ledger.SIZES[name]
+    monkeypatch.setitem(ledger.SIZES, name, (f"2*({top})", bottom))
+    assert ledger.sizes_along_the_path() is ledger.sizes_by_the_whole_impulse() is False
+
+
+def test_a_flight_that_rises_for_either_sign_of_b_is_another_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ledger, "ACCELERATION", "b^2 + p*l")
+    monkeypatch.setattr(ledger, "FLIGHT", "1/2*b^2*s^2")
+    assert ledger.flight_leaves() is False
+
+
+def test_positive_symbols_are_put_in_where_the_degree_is_1() -> None:
+    a, b, d = (ledger.ALGEBRA.symbols[name] for name in "ABD")
+    assert ledger.with_positive_symbols(a) == (b**2 + d) * b
+    assert ledger.with_positive_symbols(a**2).is_zero()
+    assert ledger.with_positive_symbols(b) == b**2 * ledger.ALGEBRA.symbols["C"]
+
+
+def test_the_lowest_velocity_is_found_on_the_second_route_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With twice the lowest v the work is twice as large, and the end by the energetic law agrees with it."""
+    for name in ("lowest", "energetic"):
+        top, bottom = ledger.SIZES[name]
+        monkeypatch.setitem(ledger.SIZES, name, (f"2*({top})", bottom))
+    assert ledger.sizes_by_the_whole_impulse() is False

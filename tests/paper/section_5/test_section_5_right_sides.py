@@ -32,6 +32,7 @@ def test_monomials() -> None:
     assert ledger.monomials((1, -3), 4) == {3, 0}
     assert ledger.monomials((1, -3), 3) == set()
     assert ledger.monomials((0, -4), -1) == set()
+    assert ledger.monomials((0, -1), 4) == {2}
 
 
 @pytest.mark.parametrize(
@@ -43,3 +44,17 @@ def test_another_fast_equation_is_seen(monkeypatch: pytest.MonkeyPatch, name: st
     monkeypatch.setitem(section_5_recursion.PRINTED["5-inner-system"], name, text)
     assert ledger.others_are_slow() is False
     assert [check.agrees for check in ledger.ENTRIES["5-inner-slow"]().checks] == [False, False]
+
+
+@given(*(st.tuples(st.integers(0, 4), st.integers(0, 4)) for _ in range(2)))
+def test_the_highest_power_of_a_product_is_that_of_its_monomials(first: ledger.Pair, second: ledger.Pair) -> None:
+    for parity, indices in enumerate(ledger.product_of(first, second)):
+        n = 8 + parity
+        found = [max(ledger.monomials(first, k)) + max(ledger.monomials(second, n - k)) - n // 2 for k in range(n + 1)]
+        assert sorted(set(found)) == sorted(set(indices))
+
+
+def test_no_other_equation_shows_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    system = section_5_recursion.PRINTED["5-inner-system"]
+    monkeypatch.setitem(section_5_recursion.PRINTED, "5-inner-system", {name: system[name] for name in ledger.SCALED})
+    assert ledger.others_are_slow() is False
