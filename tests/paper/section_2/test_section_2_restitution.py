@@ -74,8 +74,9 @@ def test_the_texts_name_what_is_enclosed() -> None:
     lossy = ledger.ENTRIES["2-restitution-inelastic"]().checks[-1].what
     assert "for c = p = 1, k_1 = 1/k_2 = 1/16 and 1/64: e falls" in lossy
     statement = ledger.ENTRIES["2-restitution-not-fixed"]().statement
-    assert statement.startswith("k_1 = 1/400, k_2 = c = 1: e < 1/2 for p = 1/25 and e > 9/10 for p = 10000, and")
-    assert "p depends on the mechanism" in statement
+    assert "k_1 = 1/400, k_2 = c = 1" in statement
+    assert "is below 1/2 for p = 1/25 and above 9/10 for p = 10000" in statement
+    assert "p = C - μB depends on the mechanism" in ledger.ENTRIES["2-restitution-not-fixed"]().note
 
 
 @pytest.mark.parametrize(

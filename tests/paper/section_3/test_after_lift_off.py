@@ -86,5 +86,5 @@ def test_the_statement_names_what_is_checked(monkeypatch: pytest.MonkeyPatch) ->
     entry = after_lift_off.ENTRIES["3-after-lift-off"]()
     first, last = (f"10^-{len(str(int(1 / epsilon))) - 1}" for epsilon in after_lift_off.EPSILONS)
     assert [1 / epsilon for epsilon in after_lift_off.EPSILONS] == [10**3, 10**9]
-    assert f"at ε = {first} and {last}: exactly one flight" in entry.statement
+    assert f"at ε = {first} and {last}, has exactly one flight" in entry.statement
     assert f"0 < -v < {after_lift_off.MOST} ε^({after_lift_off.POWER})" in entry.statement

@@ -21,8 +21,8 @@ def test_the_statement_names_what_is_checked() -> None:
     entry = section_3.ENTRIES["3-sides"]()
     lower, higher = section_3.IMPACT["printed"]
     assert entry.statement == (
-        f"At ε = {section_3.EPS}, β = {lower}: initial values b(0) below that of the trivial solution take an impact; "
-        f"β = {higher}: those above it. For ν = {', '.join(map(str, section_3.FACTORS))}"
+        f"At ε = {section_3.EPS}, of the starts ν = {', '.join(map(str, section_3.FACTORS))}, those with b(0) below "
+        f"that of the trivial solution take an impact for β = {lower}, and those with b(0) above it for β = {higher}"
     )
     assert section_3.IMPACT["printed"] == {lower: -1, higher: 1}
     assert section_3.IMPACT["corrected"] == {lower: 1, higher: -1}

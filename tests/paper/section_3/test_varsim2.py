@@ -179,8 +179,8 @@ def test_both_directions_of_coupling_have_their_own_second_route(asked: list[Any
         assert [check.agrees for check in entry.checks] == [True, True]
         assert ("exact solution" in entry.checks[1].what) is (chi == 0)
         assert entry.statement == (
-            f"Fig. varsim2, χ = {chi}, ν = {nu} (ε = 1/1000, β = 1/2, u(0) = 70, up to t = 1): {', '.join(events)}, "
-            "in this order, and no other change of phase"
+            f"The run of Figure 9 with χ = {chi}, ν = {nu} (ε = 1/1000, β = 1/2, u(0) = 70) has up to t = 1 these "
+            f"events in this order, and no other change of phase: {', '.join(events)}"
         )
 
 

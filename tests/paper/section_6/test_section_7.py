@@ -89,7 +89,7 @@ def test_the_statement_names_what_is_run(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr(ledger, "run_of", lambda case: run(*ledger.RUNS[case]))
     monkeypatch.setattr(ledger, "floats_agree", lambda _: True)
     statement = ledger.ENTRIES["7-lift-off-again"]().statement
-    assert "with β = 5/2, ν = 1/4, u(0) = 70 loses contact again. All events, but for impacts" in statement
+    assert "with β = 5/2, ν = 1/4, u(0) = 70 loses contact again after its first flight. Its events, but" in statement
     for part in (
         "χ = 1, ε = 1/100, up to t = 6/5: lift-off, touch-down, lift-off;",
         "χ = 1, ε = 1/1000, up to t = 13/20: lift-off, touch-down, lift-off;",
