@@ -14,9 +14,10 @@ import os, signal
 from gspot_verified.work.journal_file import JournalFile
 honest = JournalFile.add
 def add(self, data):
-    honest(self, data)
+    kept = honest(self, data)
     if len(self.lines) == {lines}:
         os.kill(os.getpid(), signal.SIGKILL)
+    return kept
 JournalFile.add = add
 """
 

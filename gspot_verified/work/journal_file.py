@@ -2,6 +2,7 @@
 by which sources. One run at a time holds it.
 
 A line that a kill cut short is dropped on the next start. Nothing here is proved: who reads a line checks what it says.
+Where the file cannot be written (a full disk) it is left as it is, and the work goes on without it.
 
 The sources are known by a hash of the package's code and of the version of FLINT below it: what other code left in a
 file is not its own.
@@ -13,7 +14,9 @@ import hashlib
 import json
 import os
 import stat
+import warnings
 import weakref
+from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
 from types import TracebackType
@@ -37,17 +40,29 @@ def source_key() -> str:
     return digest.hexdigest()
 
 
+class JournalWarning(UserWarning):
+    """A journal could not be written: the result stands, but a killed run would not go on after what is in the file."""
+
+
+def _warn(text: str) -> None:
+    warnings.warn(JournalWarning(text), stacklevel=2)
+
+
 class JournalFile:
     """The lines that are there (``lines``, each JSON), and a way to add one.
 
     The system's lock on the file ends with :meth:`close`, with this object, or with the process, even a killed one.
 
+    :param tell: is told once, in words that name the file, when it can be written no more; else a
+        :class:`JournalWarning` says it.
     :raises ValueError: the file belongs to another question or to other sources, is no journal, or another run uses it.
     :raises OSError: it cannot be opened, or its file system has no locks.
     """
 
-    def __init__(self, path: Path, question: dict[str, Any]) -> None:
-        self.path = path
+    def __init__(self, path: str | Path, question: dict[str, Any], tell: Callable[[str], object] = _warn) -> None:
+        self.path = path = Path(path)
+        self._tell = tell
+        self._dropped = False
         self._descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_NONBLOCK, 0o666)
         self._close = weakref.finalize(self, os.close, self._descriptor)
         try:
@@ -78,11 +93,13 @@ class JournalFile:
             os.ftruncate(self._descriptor, 0)
             self._write(self._header)
 
-    def add(self, data: Any) -> None:
-        """Keep one line; it is in the file when this returns."""
+    def add(self, data: Any) -> bool:
+        """Keep one line: whether it is in the file when this returns."""
         line = json.dumps(data)
-        self._write(f"{line}\n".encode())
+        if not self._write(f"{line}\n".encode()):
+            return False
         self.lines.append(line)
+        return True
 
     def cut(self, count: int) -> None:
         """Drop all lines but the first ones."""
@@ -91,7 +108,10 @@ class JournalFile:
 
     def close(self) -> None:
         """Let another run have the file."""
-        self._close()
+        try:
+            self._close()
+        except OSError as error:  # a file system may write late, and say so here
+            self._drop(error)
 
     def __enter__(self) -> Self:
         return self
@@ -101,9 +121,17 @@ class JournalFile:
     ) -> None:
         self.close()
 
-    def _write(self, data: bytes) -> None:
-        while data:
-            data = data[os.write(self._descriptor, data) :]
+    def _write(self, data: bytes) -> bool:
+        try:
+            while data and not self._dropped:
+                data = data[os.write(self._descriptor, data) :]
+        except OSError as error:
+            self._drop(error)
+        return not self._dropped
+
+    def _drop(self, error: OSError) -> None:
+        self._dropped = True
+        self._tell(f"the journal {self.path} could not be written: {error}; the run went on without it")
 
 
 def _lock(descriptor: int, path: Path) -> None:

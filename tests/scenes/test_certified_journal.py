@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from full_disk import full_after
 
 from gspot_verified.numbers.verdict import Outcome, Reason
 from gspot_verified.scenes.certified.certified_integration import integrated_run
@@ -17,7 +18,6 @@ from gspot_verified.scenes.certified.step_journal import StepJournal
 from gspot_verified.scenes.scene.file import load_scene
 from gspot_verified.scenes.scene.run import OPEN, SceneRun
 from gspot_verified.scenes.scene.scene import SceneError
-from gspot_verified.work.journal_file import JournalFile
 
 SCENE = load_scene("fig-varsim1", epsilon="1/20", until="1")
 BITS = (128,)
@@ -75,10 +75,11 @@ import os, signal, sys
 from gspot_verified.work.journal_file import JournalFile
 write, written = JournalFile.add, []
 def killed(journal, data):
-    write(journal, data)
+    kept = write(journal, data)
     written.append(data)
     if len(written) == 3:
         os.kill(os.getpid(), signal.SIGKILL)
+    return kept
 JournalFile.add = killed
 from gspot_verified.scenes.certified.certified_integration import integrated_run
 from gspot_verified.scenes.scene.file import load_scene
@@ -199,24 +200,14 @@ def test_a_full_disk(whole: Whole, tmp_path: Path, monkeypatch: pytest.MonkeyPat
     """The run ends with its answer and a note; what was written before stays, and a run after it goes on from there."""
     run, lines = whole
     kept = tmp_path / "journal"
-    write, written = JournalFile.add, 0
-
-    def full(journal: JournalFile, data: object) -> None:
-        nonlocal written
-        if written == 5:
-            with kept.open("ab") as file:
-                file.write(b'["half of a li')
-            raise OSError(28, "No space left on device")
-        written += 1
-        write(journal, data)
-
-    monkeypatch.setattr(JournalFile, "add", full)
+    there = b"".join(lines[:6]) + lines[6][:14]
+    full_after(len(there), kept, monkeypatch)
     found = resumed(kept)
     assert (found.fate, found.events) == (run.fate, run.events)
     assert found.notes == (
         f"the journal {kept} could not be written: [Errno 28] No space left on device; the run went on without it",
     )
-    assert kept.read_bytes() == b"".join(lines[:6]) + b'["half of a li'
+    assert kept.read_bytes() == there
     monkeypatch.undo()
     assert resumed(kept) == run
     assert kept.read_bytes() == b"".join(lines)

@@ -7,8 +7,9 @@ import os
 from pathlib import Path
 
 import pytest
+from full_disk import full_after
 
-from gspot_verified.work.journal_file import JournalFile
+from gspot_verified.work.journal_file import JournalFile, JournalWarning
 
 QUESTION = {"kind": "test", "over": ["0", "1"]}
 
@@ -93,3 +94,52 @@ def test_no_journal_can_be_executed(tmp_path: Path, mask: int, mode: int) -> Non
     finally:
         os.umask(before)
     assert (tmp_path / "journal").stat().st_mode & 0o777 == mode
+
+
+def test_on_a_full_disk_the_work_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What was written stays, half a line goes with the next run; it is said once, and no second line is tried."""
+    path = tmp_path / "journal"
+    with JournalFile(str(path), QUESTION) as journal:
+        assert journal.add([1])
+        whole = path.read_bytes()
+        failed = full_after(len(whole) + 3, path, monkeypatch)
+        with pytest.warns(JournalWarning, match="No space left") as said:
+            added = [journal.add(line) for line in ([2, "long"], [3])]
+        assert added == [False, False]
+    assert [str(one.message) for one in said] == [
+        f"the journal {path} could not be written: [Errno 28] No space left on device; the run went on without it"
+    ]
+    assert len(failed) == 1
+    assert journal.lines == ["[1]"]
+    assert path.read_bytes() == whole + b"[2,"
+    monkeypatch.undo()
+    with JournalFile(path, QUESTION) as again:
+        assert again.lines == ["[1]"]
+        assert again.add([2])
+    assert path.read_bytes() == whole + b"[2]\n"
+
+
+def test_a_disk_that_is_full_from_the_start(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path, told = tmp_path / "journal", list[str]()
+    full_after(0, path, monkeypatch)
+    with JournalFile(path, QUESTION, told.append) as journal:
+        assert not journal.add([1])
+    assert len(told) == 1
+    assert str(path) in told[0]
+    assert (journal.lines, path.read_bytes()) == ([], b"")
+
+
+def test_a_file_system_that_fails_at_the_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    told = list[str]()
+    journal = JournalFile(tmp_path / "journal", QUESTION, told.append)
+    close = os.close
+
+    def late(descriptor: int) -> None:
+        close(descriptor)
+        raise OSError(122, "Disk quota exceeded")
+
+    monkeypatch.setattr(journal, "_close", lambda: late(journal._descriptor))
+    journal.close()
+    assert [("Disk quota exceeded" in text) for text in told] == [True]
+    monkeypatch.undo()
+    journal._close.detach()

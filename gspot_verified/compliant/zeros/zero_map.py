@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from concurrent.futures import Executor
+from contextlib import AbstractContextManager, ExitStack
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from itertools import pairwise
@@ -23,7 +24,7 @@ from gspot_verified.numbers.balls import approximate
 from gspot_verified.numbers.evidence import at_most, cover, every, theorem
 from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
-from gspot_verified.signs.cover.journal import opened
+from gspot_verified.signs.cover.journal import Journal, opened
 from gspot_verified.signs.cover.pieces import Column, Kind, cell_of
 from gspot_verified.signs.cover.subdivision import Progress, Subdivision
 from gspot_verified.work.executors import InProcessExecutor
@@ -158,7 +159,7 @@ def zero_map(
     *,
     budget: int = DEFAULT_BUDGET,
     executor: Executor | None = None,
-    journal: Path | None = None,
+    journal: str | Path | None = None,
     progress: Callable[[Progress], None] | None = None,
 ) -> ZeroMap:
     """The number of real zeros of F_(beta-1)(.; epsilon) over a range of beta and a range (or one value) of epsilon.
@@ -180,19 +181,29 @@ def zero_map(
     if epsilons[1] == 0:
         raise ValueError("epsilon: expected a number > 0")
     rows, examined = [], 0
-    for number, (lower, upper) in enumerate(_rows(*epsilons)):
-        question = {"kind": "zeros at finite epsilon", "beta": str(betas), "epsilon": f"{lower}..{upper}"}
-        of_row = None if journal is None else journal.with_name(f"{journal.name}.{number}")
-        with opened(of_row, question) as kept:
+    with ExitStack() as open_files:
+        # All of them before the work: none is refused in the midst of it.
+        journals = [
+            open_files.enter_context(_journal_of_row(journal, number, betas, ends))
+            for number, ends in enumerate(_rows(*epsilons))
+        ]
+        for (lower, upper), kept in zip(_rows(*epsilons), journals, strict=True):
             tree = Subdivision(_columns(*betas), budget, max_depth=8, journal=kept)
             for step in tree.steps(
                 partial(examine, epsilon_lower=lower, epsilon_upper=upper), executor or InProcessExecutor()
             ):
                 if progress is not None:
                     progress(step)
-        rows.append(Row(lower, upper, tuple(tree.finished), tuple(tree.unfinished)))
-        examined += tree.examined
+            rows.append(Row(lower, upper, tuple(tree.finished), tuple(tree.unfinished)))
+            examined += tree.examined
     return ZeroMap(betas, epsilons, tuple(rows), examined)
+
+
+def _journal_of_row(
+    journal: str | Path | None, number: int, betas: tuple[fmpq, fmpq], epsilons: tuple[fmpq, fmpq]
+) -> AbstractContextManager[Journal | None]:
+    question = {"kind": "zeros at finite epsilon", "beta": str(betas), "epsilon": f"{epsilons[0]}..{epsilons[1]}"}
+    return opened(None if journal is None else Path(f"{journal}.{number}"), question)
 
 
 def examine(

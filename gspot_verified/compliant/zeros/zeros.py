@@ -28,7 +28,7 @@ def zeros(
     digits: int | None = None,
     budget: int | None = None,
     executor: Executor | None = None,
-    journal: Path | None = None,
+    journal: str | Path | None = None,
     progress: Callable[[Progress], None] | None = None,
 ) -> Zeros:
     """Every real zero of dTheta/dtau: brackets of all of them at one beta, or how many for every beta of a range.

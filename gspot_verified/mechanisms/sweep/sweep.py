@@ -46,7 +46,7 @@ def sweep(
     spot: int | None = None,
     digits: int = 12,
     executor: Executor | None = None,
-    journal: Path | None = None,
+    journal: str | Path | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> Sweep:
     """Follow the mechanism's G-spot over a range of one parameter or a rectangle of two.

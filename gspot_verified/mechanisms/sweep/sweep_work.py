@@ -127,7 +127,7 @@ def results(
 
 
 def open_journal(
-    path: Path | None, question: Question, start: Sequence[Any], spot: Mapping[str, str]
+    path: str | Path | None, question: Question, start: Sequence[Any], spot: Mapping[str, str]
 ) -> AbstractContextManager[JournalFile | None]:
     """The journal in the file, to be closed by ``with``; None where there is no file.
 

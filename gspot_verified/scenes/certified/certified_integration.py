@@ -44,7 +44,7 @@ def integrated_run(
     digits: int = 15,
     bits: tuple[int, ...] | None = None,
     sampled: bool = False,
-    journal: Path | None = None,
+    journal: str | Path | None = None,
     budget: int = MAX_STEPS,
     progress: Progress = lambda _: None,
 ) -> SceneRun:
@@ -99,7 +99,7 @@ def integrated_run(
         )
     samples = None if best.samples is None else best.samples.samples()
     result = replace(result_of(scene, best.conditions, best.record), samples=samples)
-    return result if kept is None or not kept.failure else replace(result, notes=(kept.failure,))
+    return result if kept is None else replace(result, notes=tuple(kept.notes))
 
 
 @dataclass(frozen=True)

@@ -19,15 +19,15 @@ _DIGEST_LENGTH = 16  # hexadecimal digits, 64 bits: against damage, not against 
 
 
 class StepJournal:
-    """The lines of one certified run, in order: ``lines``. ``failure``: why no more could be written, if that happened.
+    """The lines of one certified run, in order: ``lines``. ``notes``: why no more could be written, if that happened.
 
     :raises ValueError: the file belongs to another run, is no journal, or a line is damaged.
     :raises OSError: the file cannot be opened.
     """
 
-    def __init__(self, path: Path, asked: dict[str, Any]) -> None:
-        self.path, self.failure = path, ""
-        self._file = JournalFile(path, asked)
+    def __init__(self, path: str | Path, asked: dict[str, Any]) -> None:
+        self.notes: list[str] = []
+        self._file = JournalFile(path, asked, self.notes.append)
         self._last = ""
         self.lines = [self._read(number, line) for number, line in enumerate(self._file.lines, 2)]
 
@@ -39,7 +39,7 @@ class StepJournal:
             whole = False
         if not whole or not isinstance(data, dict):
             raise ValueError(
-                f"{self.path}: line {number} of the journal is damaged; remove it and those after it, or the file"
+                f"{self._file.path}: line {number} of the journal is damaged; remove it and those after it, or the file"
             )
         self._last = digest
         return data
@@ -50,16 +50,10 @@ class StepJournal:
 
     def add(self, data: dict[str, Any]) -> None:
         """Keep one line; where the disk is full what is there stays, and no more is written."""
-        if self.failure:
-            return
         digest = self._digest(data)
-        try:
-            self._file.add([digest, data])
-        except OSError as error:
-            self.failure = f"the journal {self.path} could not be written: {error}; the run went on without it"
-            return
-        self._last = digest
-        self.lines.append(data)
+        if self._file.add([digest, data]):
+            self._last = digest
+            self.lines.append(data)
 
     def cut(self, count: int) -> None:
         """Drop all lines but the first ones."""

@@ -49,7 +49,7 @@ def float_run(
     method: str = "Radau",
     tolerance: float = 1e-10,
     points: int | None = None,
-    journal: Path | None = None,
+    journal: str | Path | None = None,
 ) -> SceneRun:
     """The scene integrated with floats until ``scene.until``, or until p < 0 and the force is ``scene.stop_at_force``
     times that of rigid slip at the start, -b/p, which is then called an impact without collision: a threshold, not a
@@ -72,16 +72,11 @@ def float_run(
     asked = {"method": method, "tolerance": tolerance, "points": points}
     kept = None if journal is None else RunJournal(journal, question(scene, asked))
     pieces = [] if kept is None else [_kept_piece(data, kept.path) for data in kept.pieces]
-    notes = []
     cuts = 1 if kept is None else PIECES
     for piece in _pieces(scene, method, tolerance, points, pieces[-1] if pieces else None, cuts):
         pieces.append(piece)
         if kept is not None:
-            try:
-                kept.add(asdict(piece))
-            except OSError as error:
-                notes.append(f"the journal {journal} could not be written: {error}; the run went on without it")
-                kept = None
+            kept.add(asdict(piece))
     names = ("t", *(name for name, _ in scene.system(scene.first_phase()).read_out))
     columns = np.array([row for piece in pieces for row in piece.rows]).T
     phases = tuple(piece.phase for piece in pieces for _ in piece.rows)
@@ -96,7 +91,8 @@ def float_run(
     detail = f"simulated with floats ({method}, relative tolerance {tolerance:g}): no error is bounded"
     assumptions = unchecked(scene)
     verdict = Verdict.undecided(f"{fate}{provided(assumptions)}", Reason.HYPOTHESIS, detail)
-    return SceneRun(SIMULATED, fate, events, verdict, samples, tuple(notes), assumptions)
+    notes = () if kept is None else tuple(kept.notes)
+    return SceneRun(SIMULATED, fate, events, verdict, samples, notes, assumptions)
 
 
 def unchecked(scene: Scene) -> tuple[Assumption, ...]:

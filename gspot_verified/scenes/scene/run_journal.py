@@ -11,21 +11,22 @@ from gspot_verified.work.journal_file import JournalFile
 
 
 class RunJournal:
-    """``pieces``: those that are kept.
+    """``pieces``: those that are kept. ``notes``: why no more could be written, if that happened.
 
     :raises ValueError: the file belongs to another run, or is no journal.
     """
 
-    def __init__(self, path: Path, asked: dict[str, Any]) -> None:
-        self.path = path
-        self._file = JournalFile(path, asked)
+    def __init__(self, path: str | Path, asked: dict[str, Any]) -> None:
+        self.path = Path(path)
+        self.notes: list[str] = []
+        self._file = JournalFile(path, asked, self.notes.append)
         try:
             self.pieces = [json.loads(line) for line in self._file.lines]
         except ValueError as error:
             raise ValueError(f"{path}: a line of the journal cannot be read: {error}") from None
 
     def add(self, piece: dict[str, Any]) -> None:
-        """Keep one piece; it is in the file when this returns."""
+        """Keep one piece; where the disk is full what is there stays, and no more is written."""
         self._file.add(piece)
 
 

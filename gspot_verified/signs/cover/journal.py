@@ -26,7 +26,7 @@ class Journal:
     :raises ValueError: the file belongs to another question or other sources, is no journal, or another run uses it.
     """
 
-    def __init__(self, path: Path, question: dict[str, Any]) -> None:
+    def __init__(self, path: str | Path, question: dict[str, Any]) -> None:
         self._known: dict[tuple[str, str], Answer] = {}
         self._file = JournalFile(path, question)
         try:
@@ -61,7 +61,7 @@ class Journal:
         self._file.add([str(lower), str(upper), _to_json(answer)])
 
 
-def opened(path: Path | None, question: dict[str, Any]) -> AbstractContextManager[Journal | None]:
+def opened(path: str | Path | None, question: dict[str, Any]) -> AbstractContextManager[Journal | None]:
     """The journal in the file, to be closed by ``with``; None where there is no file."""
     return nullcontext() if path is None else Journal(path, question)
 
@@ -78,7 +78,7 @@ def _piece_to_json(piece: ColumnPiece) -> list[Any]:
     return [piece.kind.value, *ends, piece.mark]
 
 
-def _read(line: str, path: Path) -> tuple[str, str, Answer]:
+def _read(line: str, path: str | Path) -> tuple[str, str, Answer]:
     try:
         lower, upper, data = json.loads(line)
         answer: Answer = None

@@ -79,7 +79,7 @@ def sign(
     budget: int = DEFAULT_BUDGET,
     by_theorem: bool = False,
     executor: Executor | None = None,
-    journal: Path | None = None,
+    journal: str | Path | None = None,
     progress: Callable[[Progress], None] | None = None,
 ) -> SignResult:
     """Whether dTheta/dtau has the sign ``sign`` (1 or -1) at every tau and beta of the two ranges.

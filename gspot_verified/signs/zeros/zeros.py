@@ -116,7 +116,7 @@ def zeros_on_range(
     *,
     budget: int = DEFAULT_BUDGET,
     executor: Executor | None = None,
-    journal: Path | None = None,
+    journal: str | Path | None = None,
     progress: Callable[[Progress], None] | None = None,
 ) -> ZerosResult:
     """The number of real zeros of dTheta/dtau for every beta of the range that is not an integer, certified.

@@ -198,6 +198,23 @@ def test_a_killed_run_goes_on(tmp_path: Path) -> None:
         zero_map(BELOW_FOLD[0], "1", journal=journal)
 
 
+def test_a_journal_is_named_by_a_text_too(tmp_path: Path) -> None:
+    found = zero_map("17/4..35/8", "1/10", journal=str(tmp_path / "map.x"))
+    assert (tmp_path / "map.x.0").read_bytes().count(b"\n") == 1 + found.examined
+
+
+def test_a_journal_of_a_later_row_is_refused_before_the_work(tmp_path: Path) -> None:
+    (tmp_path / "map.1").write_text("a letter\n")
+
+    def told(_: object) -> None:
+        raise AssertionError("the work was started")
+
+    with pytest.raises(ValueError, match=r"map\.1 is not a journal of this question"):
+        zero_map("17/4..35/8", "1/1000..1/50", journal=tmp_path / "map", progress=told)
+    with pytest.raises(ValueError, match=r"map\.1 is not a journal"):  # and none is left locked
+        zero_map("17/4..35/8", "1/1000..1/50", journal=tmp_path / "map", progress=told)
+
+
 def test_data() -> None:
     found = zero_map("5..41/8", "1/10", budget=0)
     data = json.loads(json.dumps(found.to_json()))

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from flint import fmpq
+from full_disk import full_after
 
 from gspot_verified.mechanisms.input.given import lagrangian
 from gspot_verified.numbers.verdict import Outcome
@@ -311,13 +312,7 @@ def test_nothing_of_a_float_run_is_checked_or_proved() -> None:
 
 def test_a_full_disk_is_a_note(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The run goes on without its journal, and tries no second line."""
-    tried: list[Any] = []
-
-    def full(_: object, piece: Any) -> None:
-        tried.append(piece)
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(module.RunJournal, "add", full)
+    tried = full_after(1_000, tmp_path / "journal", monkeypatch)
     scene = load_scene("fig-varsim1", epsilon="1/50", until="1/100")
     run = float_run(scene, "LSODA", 1e-5, journal=tmp_path / "journal")
     assert len(tried) == 1
