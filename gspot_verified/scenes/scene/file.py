@@ -47,7 +47,7 @@ from flint import fmpq
 
 from gspot_verified.mechanisms.formulas.names import nearest
 from gspot_verified.mechanisms.input.file import read_mechanism
-from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.input.toml_table import TomlTable, toml_table
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.numbers.balls import ExactInput
@@ -87,8 +87,8 @@ def scene_names() -> tuple[str, ...]:
 def load_scene(name_or_path: str | Path, /, **settings: ExactInput | None) -> Scene:
     """The scene in a TOML file, or the one of the package with that name; ``settings`` as in ``Scene.with_settings``.
 
-    :raises SceneError: neither a file nor a name, or a part of the scene is wrong.
-    :raises MechanismError: no TOML, a key is wrong, or the mechanism is.
+    :raises SceneError: neither a file nor a name, or a part of the scene is wrong; the message names the file.
+    :raises MechanismError: no TOML, a key is wrong, or the mechanism is; likewise.
 
     >>> load_scene("fig-varsim1", nu=2, epsilon="1e-3").system("slip").states
     ('b', 'Y', 'V', 'Z')
@@ -100,7 +100,7 @@ def load_scene(name_or_path: str | Path, /, **settings: ExactInput | None) -> Sc
         place = resources.files("gspot_verified.scenes").joinpath("data", f"{name_or_path}.toml")
         scene = parse_scene(place.read_text(encoding="utf-8"))
     elif path.is_file():
-        scene = parse_scene(_text(path), path.parent)
+        scene = _scene_of_file(path)
     else:
         hint = nearest(str(name_or_path), SHIPPED)
         shown = str(name_or_path)[:60]
@@ -167,6 +167,16 @@ def parse_scene(text: str, folder: Path | None = None) -> Scene:
     for key in own:
         checked_owner(scene, key)
     return scene
+
+
+def _scene_of_file(path: Path) -> Scene:
+    text = _text(path)
+    try:
+        return parse_scene(text, path.parent)
+    except MechanismError as error:
+        raise MechanismError(f"{path}: {error}") from None
+    except ValueError as error:
+        raise SceneError(f"{path}: {error}") from None
 
 
 def _text(path: Path) -> str:

@@ -283,3 +283,39 @@ def test_a_name_that_is_nearly_one_of_the_package() -> None:
         load_scene("x" * 61)
     with pytest.raises(SceneError, match="no scene file"):
         load_scene(Path("rod"))  # a path is no name
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("format = 1", "", 'key "format" is missing'),
+        ("format = 1", "format =", "no TOML"),
+        ('"lift_off"', '"lift_of"', "unknown effect 'lift_of'; did you mean 'lift_off'?"),
+        ("epsilon = 1e-3", 'epsilon = "1e400000"', "epsilon: the exponent of '1e400000' must lie within"),
+        ("epsilon = 1e-3", 'epsilon = "-inf"', "epsilon: expected a number such as"),
+        ("epsilon = 1e-3", "epsilon = -1", "epsilon must be > 0, got -1"),
+    ],
+)
+def test_what_is_wrong_in_a_file_names_the_file(tmp_path: Path, old: str, new: str, said: str) -> None:
+    path = tmp_path / "mine.toml"
+    text = """format = 1
+name = "mine"
+effects = ["compliant_contact", "lift_off"]
+epsilon = 1e-3
+until = 1
+parameters = {alpha_1 = -1, alpha_2 = -1, beta = "3/2"}
+start = {p = "1/2", nu = 2}
+"""
+    path.write_text(text)
+    assert load_scene(path).name == "mine"
+    path.write_text(text.replace(old, new))
+    with pytest.raises((SceneError, MechanismError), match=f"^{path}: ") as refused:
+        load_scene(path)
+    assert said in str(refused.value)
+
+
+def test_a_wrong_setting_is_not_the_file_s(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text(resources.files("gspot_verified.scenes").joinpath("data", "fig-varsim1.toml").read_text())
+    with pytest.raises(SceneError, match=r"^no setting 'nosuch'"):
+        load_scene(path, nosuch=1)
