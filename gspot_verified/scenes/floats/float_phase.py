@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -49,28 +50,32 @@ class FloatPhase:
     def integrate(self, state: Sequence[float], span: tuple[float, float], method: str, tolerance: float) -> Any:
         """What ``solve_ivp`` gives, with its dense output.
 
-        :raises SceneError: the solver fails.
+        :raises SceneError: the solver fails, or its values are not finite.
         """
         import numpy as np
         from scipy.integrate import solve_ivp
 
         size = len(self.states)
         try:
-            solution = solve_ivp(
-                lambda t, y: self._rates([*map(float, y), t]),
-                span,
-                np.array(state),
-                method=method,
-                jac=lambda t, y: np.array(self._slopes([*map(float, y), t])).reshape(size, size),
-                events=self._events,
-                rtol=tolerance,
-                atol=tolerance * _ABSOLUTE,
-                dense_output=True,
-            )
+            with np.errstate(all="ignore"), warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # whether it went well is asked below
+                solution = solve_ivp(
+                    lambda t, y: self._rates([*map(float, y), t]),
+                    span,
+                    np.array(state),
+                    method=method,
+                    jac=lambda t, y: np.array(self._slopes([*map(float, y), t])).reshape(size, size),
+                    events=self._events,
+                    rtol=tolerance,
+                    atol=tolerance * _ABSOLUTE,
+                    dense_output=True,
+                )
         except (ArithmeticError, ValueError) as error:
             raise SceneError(f"the float run failed in {self.phase}: {error}") from None
         if not solution.success:
             raise SceneError(f"the float run failed in {self.phase}: {solution.message}")
+        if not np.all(np.isfinite(solution.y)):
+            raise SceneError(f"the float run failed in {self.phase}: a value is too large for a float")
         return solution
 
     def rows(self, times: Sequence[float], states: ndarray[Any, Any]) -> list[list[float]]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import warnings
 from types import SimpleNamespace
 from typing import Any
 
@@ -70,7 +72,7 @@ def test_what_the_solver_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
 
     def solve(function: Any, span: Any, state: Any, **options: Any) -> Any:
         told.update(options, function=function, span=span, state=state)
-        return SimpleNamespace(success=True)
+        return SimpleNamespace(success=True, y=np.array([POINT]).T)
 
     monkeypatch.setattr(scipy.integrate, "solve_ivp", solve)
     phase = FloatPhase(MODEL, "slip", None)
@@ -89,3 +91,25 @@ def test_what_the_solver_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(scipy.integrate, "solve_ivp", said)
         with pytest.raises(SceneError, match=r"^the float run failed in slip: (too stiff|division by zero)$"):
             phase.integrate(POINT, (0.0, 3.0), "BDF", 1e-6)
+
+
+@pytest.mark.parametrize("value", [math.inf, -math.inf, math.nan])
+def test_values_beyond_floats_are_a_failure(monkeypatch: pytest.MonkeyPatch, value: float) -> None:
+    """Whatever the solver says of them, and without numpy's or the solver's own warnings."""
+
+    def solve(*_: Any, **__: Any) -> Any:
+        warnings.warn("lsoda: something", UserWarning, stacklevel=1)
+        y = np.array([POINT, [np.float64(1e300) * np.float64(1e300), *POINT[1:]]]).T
+        y[0, 1] = value
+        return SimpleNamespace(success=True, y=y)
+
+    monkeypatch.setattr(scipy.integrate, "solve_ivp", solve)
+    with pytest.raises(SceneError, match=r"^the float run failed in slip: a value is too large for a float$"):
+        FloatPhase(MODEL, "slip", None).integrate(POINT, (0.0, 3.0), "BDF", 1e-6)
+
+
+def test_an_overflow_in_the_solver_is_an_error_and_no_warning() -> None:
+    """Warnings are errors in these tests."""
+    state = [-1e150, *POINT[1:]]
+    with pytest.raises(SceneError, match="the float run failed in slip"):
+        FloatPhase(MODEL, "slip", None).integrate(state, (0.0, 1e-3), "Radau", 1e-10)
