@@ -15,7 +15,7 @@ from gspot_verified.compliant.motion.run import ONE_FLIGHT, CompliantRun, events
 from gspot_verified.compliant.motion.run import TRIVIAL as CONSTANT
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.scenes.certified.certified_integration import MAX_STEPS, integrated_run
-from gspot_verified.scenes.certified.certified_samples import certified_samples
+from gspot_verified.scenes.certified.certified_samples import MAX_POINTS, certified_samples
 from gspot_verified.scenes.certified.run_steps import Progress
 from gspot_verified.scenes.scene.run import CERTIFIED, FLIGHT_THEN_IMPACT, IMPACT, OPEN, TRIVIAL, RunEvent, SceneRun
 from gspot_verified.scenes.scene.scene import Scene, SceneError
@@ -31,7 +31,7 @@ def certified_run(
     digits: int = 15,
     route: str | None = None,
     points: int | None = None,
-    journal: Path | None = None,
+    journal: str | Path | None = None,
     budget: int = MAX_STEPS,
     progress: Progress = lambda _: None,
 ) -> SceneRun:
@@ -44,7 +44,7 @@ def certified_run(
     :param points: enclosures of the trajectory: by the exact solution at so many equal steps of time, by the integrator
         at the ends of its own steps; None: none.
     :param journal, budget: of the integrator, as :func:`integrated_run` has them; the exact solution needs none.
-    :raises SceneError: an unknown route, or the exact solution does not cover the scene.
+    :raises SceneError: an unknown route, points out of range, or the exact solution does not cover the scene.
 
     >>> from gspot_verified.scenes.scene.file import load_scene
     >>> certified_run(load_scene("fig-varsim1", beta="1/2")).fate
@@ -52,6 +52,8 @@ def certified_run(
     """
     if route not in (None, EXACT, INTEGRATOR):
         raise SceneError(f"route: expected {EXACT} or {INTEGRATOR}, got {route!r}")
+    if points is not None and not 2 <= points <= MAX_POINTS:
+        raise SceneError(f"points: expected 2..{MAX_POINTS}, got {points}")
     if route != INTEGRATOR:
         try:
             run = _exact_run(scene, digits, points)

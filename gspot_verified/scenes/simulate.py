@@ -25,7 +25,7 @@ def simulate(
     method: str | None = None,
     tolerance: float | None = None,
     points: int | None = None,
-    journal: Path | None = None,
+    journal: str | Path | None = None,
     progress: Callable[[str], None] = lambda _: None,
 ) -> SceneRun:
     """What a scene does, event after event: certified, or with ``floats`` a quick run in which nothing is proved.
@@ -60,6 +60,8 @@ def simulate(
             raise SceneError(f"{name}: it is for a {kind} run")
     chosen = scene if isinstance(scene, Scene) else load_scene(scene)
     if floats:
-        return float_run(chosen, method or METHOD, TOLERANCE if tolerance is None else tolerance, points, journal)
+        return float_run(
+            chosen, METHOD if method is None else method, TOLERANCE if tolerance is None else tolerance, points, journal
+        )
     accuracy, steps = 15 if digits is None else digits, MAX_STEPS if budget is None else budget
     return certified_run(chosen, accuracy, route, points, journal, steps, progress)

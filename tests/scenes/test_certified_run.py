@@ -62,10 +62,10 @@ def test_the_exact_solution_first_where_it_covers_and_decides(
     monkeypatch: pytest.MonkeyPatch, route: str | None, fate: str | None, routes: list[str]
 ) -> None:
     asked = answers(monkeypatch, fate)
-    run = certified_run(SCENE, 20, route, 0, Path("x"), 7, print)
+    run = certified_run(SCENE, 20, route, 2, Path("x"), 7, print)
     assert [each[0] for each in asked] == routes
     assert run.fate == ("integrated" if routes[-1] == INTEGRATOR else fate)
-    given = {EXACT: (SCENE, 20, 0), INTEGRATOR: (SCENE, 20, None, True, Path("x"), 7, print)}
+    given = {EXACT: (SCENE, 20, 2), INTEGRATOR: (SCENE, 20, None, True, Path("x"), 7, print)}
     assert all(tuple(rest) == given[name] for name, *rest in asked)
 
 
@@ -158,3 +158,14 @@ def test_samples_are_of_as_many_points_as_are_asked_for(monkeypatch: pytest.Monk
     assert run.samples is not None
     found, until, points = run.samples  # type: ignore[misc]
     assert (found.verdict, until, points) == (run.verdict, scene.until, 3)
+
+
+@pytest.mark.parametrize("points", [0, 1, 100_001])
+def test_points_are_checked_before_the_work(monkeypatch: pytest.MonkeyPatch, points: int) -> None:
+    def started(*_: object) -> None:
+        raise AssertionError("the work was started")
+
+    monkeypatch.setattr(module, "_exact_run", started)
+    monkeypatch.setattr(module, "integrated_run", started)
+    with pytest.raises(SceneError, match=f"^points: expected 2..100000, got {points}$"):
+        certified_run(SCENE, points=points)
