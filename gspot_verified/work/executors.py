@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import sys
 import threading
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
 _Result = TypeVar("_Result")
 
 _MAX_WORKERS = 1_024  # a limit of input: ValueError beyond it
+_ADDRESS = re.compile(r"((tcp|tls|ucx|ws|wss)://)?(\[[0-9A-Fa-f:.%]+\]|[^\s:/\[\]]+):[0-9]{1,5}/?|inproc://\S+")
+"""Of a scheduler. Asked before Dask is: it answers to anything else after 40 seconds."""
 
 
 class InProcessExecutor(Executor):
@@ -37,7 +40,8 @@ class InProcessExecutor(Executor):
 def executor(workers: int = 1, scheduler: str | None = None) -> Iterator[Executor]:
     """An executor: in-process for one worker, a pool of processes for more, or Dask's at the address ``scheduler``.
 
-    :raises ValueError: the number of workers is not in 1..1024, or Dask (``distributed``) is not installed.
+    :raises ValueError: the number of workers is not in 1..1024, it stands beside a scheduler, which has workers of its
+        own, the scheduler is no address, or Dask (``distributed``) is not installed.
 
     >>> with executor() as pool:
     ...     pool.submit(max, 2, 3).result()
@@ -45,6 +49,8 @@ def executor(workers: int = 1, scheduler: str | None = None) -> Iterator[Executo
     """
     if type(workers) is not int or not 1 <= workers <= _MAX_WORKERS:
         raise ValueError(f"workers must be an int in 1..{_MAX_WORKERS}")
+    if scheduler is not None and workers != 1:
+        raise ValueError("workers: the scheduler has workers of its own; give one of both")
     if scheduler is not None:
         yield from _dask(scheduler)
     elif workers == 1:
@@ -138,6 +144,8 @@ def _end_with(line: Connection) -> None:
 
 
 def _dask(scheduler: str) -> Iterator[Executor]:
+    if not _ADDRESS.fullmatch(scheduler):
+        raise ValueError(f'scheduler: expected an address such as "tcp://127.0.0.1:8786", got {scheduler[:60]!r}')
     try:
         from distributed import Client
     except ImportError:

@@ -181,3 +181,23 @@ def test_without_dask_a_scheduler_is_refused(monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setitem(sys.modules, "distributed", None)
     with pytest.raises(ValueError, match="install the extra"), executor(scheduler="tcp://127.0.0.1:1"):
         pass
+
+
+@pytest.mark.parametrize("address", ["garbage", "", "tcp://", "tcp://host", "host:port", "ftp://host:1", "a b:1", "h:"])
+def test_what_is_no_address_is_refused_at_once(address: str) -> None:
+    """Dask itself answers after 40 seconds."""
+    with pytest.raises(ValueError, match="scheduler: expected an address such as") as refused, executor(1, address):
+        pass
+    assert repr(address) in str(refused.value)
+
+
+@pytest.mark.parametrize("address", ["tcp://127.0.0.1:1", "tls://[::1]:8786", "host.domain:8786", "inproc://h/1/2"])
+def test_an_address_is_given_to_dask(monkeypatch: pytest.MonkeyPatch, address: str) -> None:
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(ValueError, match="install the extra"), executor(scheduler=address):
+        pass
+
+
+def test_a_scheduler_has_workers_of_its_own() -> None:
+    with pytest.raises(ValueError, match="give one of both"), executor(2, "tcp://127.0.0.1:1"):
+        pass
