@@ -107,7 +107,9 @@ class Sweep(NoTruthValue, Written):
             if covered is None:
                 return Verdict.undecided(statement, Reason.HYPOTHESIS, "the pieces leave a part of the range out")
             return Verdict.proved(statement, covered)
-        pieces, brackets = f"{left} pieces are left", f"in {half} brackets at most one zero is shown"
+        finer = ", ".join(f"{axis.name}={axis.lower}..{axis.upper}:{2 * axis.cells}" for axis in self.axes)
+        pieces = f"{left} of {len(self.pieces)} pieces are left; more cells may settle them: {finer}"
+        brackets = f"in {half} brackets at most one zero is shown"
         return Verdict.undecided(statement, Reason.BUDGET, "; ".join([pieces] * bool(left) + [brackets] * bool(half)))
 
     def _is_wide(self, piece: SweepPiece) -> bool:

@@ -99,6 +99,14 @@ def test_what_is_left_decides_the_verdict(pieces: tuple[SweepPiece, ...], proved
     assert "leave a part" in empty.detail
 
 
+def test_what_is_left_says_how_to_go_on() -> None:
+    """On a coarse grid all pieces may be left: then it is not the mechanism, but the cells."""
+    axes = (Axis("k", fmpq(1, 2), fmpq(1), 12), Axis("l", fmpq(0), fmpq(1), 8))
+    left = SweepPiece((fmpq(1, 2), fmpq(0)), (fmpq(1), fmpq(1)), Kind.OPEN, None, None, None, unsure=("the spot",))
+    detail = Sweep("map", axes, (fmpq(1), fmpq(0)), {}, (left,)).verdict.detail
+    assert detail == "1 of 1 pieces are left; more cells may settle them: k=1/2..1:24, l=0..1:16"
+
+
 def test_only_brackets_of_one_quantity_are_joined() -> None:
     def crossing(lower: int, quantity: str, direction: int) -> SweepPiece:
         before, after = (-direction, None) if lower == 10 else (None, direction)
