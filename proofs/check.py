@@ -1038,6 +1038,7 @@ def check_text(data: bytes, limits: Limits | None = None, workers: int = 1) -> s
 # ---------------------------------------------------------------------------------------------------------------------
 
 USAGE = "usage: python check.py [--workers N] [--limit NAME=NUMBER]... CERTIFICATE"
+LIMITS = f"; the limits are {', '.join(Limits._fields)}"
 STATUS = {"VERIFIED": 0, "REJECTED": 1, "usage": 64}  # exit codes; 64 as in sysexits.h
 
 
@@ -1052,17 +1053,23 @@ def read_arguments(arguments: Sequence[str]) -> tuple[str, Limits, int]:
     for word in waiting:
         option, equals, value = word.partition("=")
         if option not in ("--workers", "--limit"):
+            if word == "--help":
+                raise Usage(f"the exit status is 0 for VERIFIED alone, 1 for REJECTED, else {STATUS['usage']}{LIMITS}")
+            if word.startswith("-"):
+                raise Usage(f"there is no option {word} (a file of this name is ./{word})")
             files.append(word)
             continue
-        name, _, number = (value if equals else next(waiting, "")).rpartition("=")
+        text = value if equals else next(waiting, "")
+        name, _, number = text.rpartition("=")
         if not re.fullmatch("[1-9][0-9]{0,11}", number):
-            raise Usage(f"{option} needs a positive integer")
+            form = f", as NAME=NUMBER, not {text!r}{LIMITS}" if option == "--limit" else f", not {text!r}"
+            raise Usage(f"{option} needs a positive integer{form}")
         if option == "--workers" and not name:
             workers = int(number)
         elif option == "--limit" and name in Limits._fields:
             limits = limits._replace(**{name: int(number)})
         else:
-            raise Usage(f"the limits are {', '.join(Limits._fields)}")
+            raise Usage(f"there is no {option} {text!r}{LIMITS}")
     if len(files) != 1:
         raise Usage("one certificate is checked at a time")
     return files[0], limits, workers

@@ -66,5 +66,5 @@ def check(file: Path, workers: int = 1, limits: Sequence[str] = ()) -> CheckResu
     if run.returncode == _REJECTED and run.stderr.startswith("REJECTED "):
         return CheckResult(False, run.stderr.strip())
     if run.returncode == _USAGE and run.stderr.startswith("usage: "):
-        raise ValueError(run.stderr.strip().rpartition(": ")[2])
+        raise ValueError(run.stderr.strip().partition("CERTIFICATE: ")[2])
     raise ValueError(f"the checker stopped with code {run.returncode}: {run.stderr.strip()[-500:]}")

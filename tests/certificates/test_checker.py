@@ -71,6 +71,10 @@ def test_limits_and_workers(good: Path) -> None:
     found = check(good, limits=["tau=1"])
     assert not found.verified
     assert "the limit tau=1 (raise it on purpose: --limit tau=NUMBER)" in found.text
+    with pytest.raises(
+        ValueError, match=r"^--limit needs a positive integer, as NAME=NUMBER, not 'a: b'; the limits are"
+    ):
+        check(good, limits=["a: b"])
     with pytest.raises(ValueError, match="the limits are bytes, line"):
         check(good, limits=["time=1"])
     with pytest.raises(ValueError, match="--workers needs a positive integer"):
@@ -112,14 +116,14 @@ def test_only_its_line_and_code_count(
         assert check(good) == CheckResult(verified, f"{'VERIFIED' if verified else 'REJECTED'} it")
 
 
-USAGE_LINE = "import sys; print('usage: check.py: a wrong option', file=sys.stderr); sys.exit({})"
+USAGE_LINE = "import sys; print('usage: check.py CERTIFICATE: a wrong option', file=sys.stderr); sys.exit({})"
 
 
 @pytest.mark.parametrize(
     ("script", "message"),
     [
         (USAGE_LINE.format(64), "a wrong option"),
-        (USAGE_LINE.format(1), "the checker stopped with code 1: usage: check.py: a wrong option"),
+        (USAGE_LINE.format(1), "the checker stopped with code 1: usage: check.py CERTIFICATE: a wrong option"),
         ("import sys; print('odd: it', file=sys.stderr); sys.exit(64)", "the checker stopped with code 64: odd: it"),
     ],
 )

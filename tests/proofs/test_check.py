@@ -1074,7 +1074,10 @@ def test_command_line(tmp_path: Path) -> None:
         (["--workers", "0"], "--workers needs a positive integer"),
         (["--workers", "work=2"], "the limits are bytes, line,"),
         (["--workers"], "--workers needs a positive integer"),
-        (["--help"], "one certificate is checked at a time"),
+        (["--limit", "work"], "as NAME=NUMBER, not 'work'; the limits are bytes, line,"),
+        (["--workers", "two"], "--workers needs a positive integer, not 'two'"),
+        (["--help"], "the exit status is 0 for VERIFIED alone, 1 for REJECTED, else 64; the limits are bytes, line,"),
+        (["--speed"], "there is no option --speed (a file of this name is ./--speed)"),
     ],
 )
 def test_options_that_are_none(
