@@ -6,7 +6,7 @@ import json
 import re
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import Annotated, Any
@@ -18,7 +18,8 @@ QUIET_SECONDS = 10.0  # between two signs of life on stderr
 _running: ContextVar[str] = ContextVar("_running", default="")
 _VERSIONS = {"cost": 2, "report": 2, "verify": 3}
 """Of the schemas that have changed: a change of what is printed raises it."""
-_NUMBER = re.compile(r"-\.?[0-9].*")
+_NUMBER = re.compile(r"-(\.?[0-9].*|inf(inity)?|nan)", re.IGNORECASE)
+"""What is read as a number and no option; -inf is then refused as a number, with what is allowed."""
 
 
 def _print_version(wanted: bool) -> None:
@@ -97,6 +98,21 @@ def print_json(data: dict[str, Any], command: str | None = None) -> None:
 
 def _echo_json(data: dict[str, Any]) -> None:
     typer.echo(json.dumps(data, ensure_ascii=False, indent=2, sort_keys=True))
+
+
+def refuse(why: str, options: Mapping[str, object]) -> None:
+    """Leave no option aside in silence.
+
+    :raises ValueError: some of them were given; the message names them.
+
+    >>> refuse("for ranges", {"--journal": None, "--budget": 0})
+    Traceback (most recent call last):
+    ...
+    ValueError: --budget: for ranges
+    """
+    given = [name for name, value in options.items() if not (value is None or value is False or value == [])]
+    if given:
+        raise ValueError(f"{', '.join(given)}: {why}")
 
 
 def warn(text: str) -> None:

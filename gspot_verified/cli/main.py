@@ -11,6 +11,7 @@ import io
 import os
 import signal
 import sys
+import threading
 from collections.abc import Callable, Sequence
 from importlib import import_module
 
@@ -22,9 +23,11 @@ from gspot_verified.cli.output import NOT_WRITTEN
 
 USAGE = 64  # as in sysexits.h: a command line that cannot be run
 INTERNAL = 70  # as in sysexits.h: a fault of the program
+INTERRUPTED = 130  # 128 + SIGINT, as shells show it
 CLOSED_PIPE = 141
 """128 + SIGPIPE: what a shell shows for a program that a closed pipe ended."""
 
+_interrupted = threading.Event()
 _CANNOT_WRITE = {errno.ENOSPC, errno.EIO, errno.EDQUOT, errno.EFBIG, errno.EROFS}
 
 COMMANDS = {
@@ -73,6 +76,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             load_commands(words)
             command = typer.main.get_command(app)
             code = command(prog_name="gspot-verified", args=words, standalone_mode=False)
+        if code == INTERRUPTED:  # some releases of typer end with this code, others raise
+            raise KeyboardInterrupt
     except (ValueError, OSError) as error:
         typer.echo(f"error: {error}", err=True)
         full = isinstance(error, OSError) and error.errno in _CANNOT_WRITE
@@ -84,8 +89,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         raise
     except (typer.Abort, KeyboardInterrupt):
         typer.echo("interrupted", err=True)
-        return 130
+        return INTERRUPTED
     except Exception as error:
+        if _interrupted.is_set():
+            typer.echo("interrupted", err=True)
+            return INTERRUPTED
         # A usage error. Its class has moved between releases of typer; what they share is show().
         if hasattr(error, "show"):
             error.show()
@@ -96,8 +104,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return int(code) if isinstance(code, int) else 0
 
 
+def _interrupt(*_: object) -> None:
+    """As Python does; and kept in mind, because an import that is interrupted may fail with another error."""
+    _interrupted.set()
+    raise KeyboardInterrupt
+
+
 def run() -> None:
     """The console script."""
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        signal.signal(signal.SIGINT, _interrupt)
     isolate(sys.argv[1:])
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):

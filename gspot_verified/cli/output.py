@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+import tempfile
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 import typer
 
@@ -70,6 +73,30 @@ class Outputs:
             return False
         return True
 
+    @contextmanager
+    def journal(self, path: Path | None, option: str = "--journal") -> Iterator[None]:
+        """Around the work: a journal that is dropped is told on stderr at once, and the exit code says it; an interrupt
+        says how the work goes on."""
+        from gspot_verified.work.journal_file import JournalWarning
+
+        with warnings.catch_warnings():
+            others = warnings.showwarning
+
+            def show(text: Warning | str, kind: type[Warning], *place: Any) -> None:
+                if issubclass(kind, JournalWarning):
+                    self.missing(option, str(text))
+                else:
+                    others(text, kind, *place)
+
+            warnings.simplefilter("always", JournalWarning)
+            warnings.showwarning = show  # type: ignore[assignment]
+            try:
+                yield
+            except KeyboardInterrupt:
+                again = f"with {option} FILE it would go on" if path is None else "the same command goes on"
+                typer.echo(f"{again} where it was interrupted", err=True)
+                raise
+
     def missing(self, option: str, why: str) -> None:
         """Say that a file is not what it should be; the result stands."""
         warn(f"{option}: {why}")
@@ -83,5 +110,12 @@ class Outputs:
 def _check_folder(option: str, folder: Path) -> None:
     if not folder.is_dir():
         raise ValueError(f"{option}: there is no folder {folder}")
-    if not os.access(folder, os.W_OK | os.X_OK):
-        raise ValueError(f"{option}: the folder {folder} cannot be written")
+    try:
+        if not os.access(folder, os.W_OK | os.X_OK):
+            raise PermissionError
+        # Rights are not all: a file system may be full, or written by nobody. This file has no name where that is
+        # possible, and is gone at once.
+        tempfile.TemporaryFile(dir=folder).close()
+    except OSError as error:
+        why = f": {error.strerror}" if error.strerror else ""
+        raise ValueError(f"{option}: the folder {folder} cannot be written{why}") from None

@@ -104,7 +104,7 @@ def test_the_trivial_state_is_the_canard(capsys: pytest.CaptureFixture[str]) -> 
         ((), "give it as an argument"),
         (("--beta", "5/2"), "--beta goes with --state"),
         (("5/2", "--state=1,2,3"), "state: expected five numbers"),
-        (("--state=-1/2,1,-1,0,1",), "beta: give beta"),
+        (("--state=-1/2,1,-1,0,1",), "β: give it as an argument or with --beta"),
     ],
 )
 def test_bad_input_for_the_side(capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], message: str) -> None:

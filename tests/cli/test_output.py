@@ -7,11 +7,14 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
+import warnings
 from pathlib import Path
 from typing import Any
 
 import pytest
 import typer
+from full_disk import full_after
 
 # Imported before anything is replaced: modules that take a name from another must take the true one.
 from gspot_verified.cli import main
@@ -124,6 +127,31 @@ def test_a_folder_that_cannot_be_written_is_refused(
     assert "cannot be written" in err
 
 
+@pytest.mark.usefixtures("no_work")
+@pytest.mark.parametrize("option", ["--certificate", "--journal"])
+def test_a_file_system_that_takes_no_file_is_refused(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, option: str
+) -> None:
+    """The rights are there, and yet no file can be: a full disk, or one that nobody writes."""
+
+    def none(**_: Any) -> None:
+        raise OSError(30, "Read-only file system")
+
+    monkeypatch.setattr(tempfile, "TemporaryFile", none)
+    code, _, err = run(capsys, "sign", *POINT, option, str(tmp_path / "x"))
+    assert code == 64
+    assert f"{option}: the folder {tmp_path} cannot be written: Read-only file system" in err
+
+
+@pytest.mark.skipif(not Path("/proc/self").is_dir(), reason="no /proc on this system")
+@pytest.mark.usefixtures("no_work")
+@pytest.mark.parametrize("place", ["/proc", "/proc/report"])
+def test_a_report_in_a_place_without_files_is_refused(capsys: pytest.CaptureFixture[str], place: str) -> None:
+    code, out, err = run(capsys, "verify", "--output", place)
+    assert (code, out) == (64, "")
+    assert "--output: the folder /proc cannot be written" in err
+
+
 def test_a_folder_that_is_there_is_taken_if_it_can_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     Outputs().folder("--output", tmp_path)
     Outputs().folder("--output", tmp_path / "new")
@@ -178,6 +206,60 @@ def test_the_result_outlives_a_full_disk(
     assert outcome in out
     assert "certificate of" not in out
     assert f"{option}: {tmp_path / name} was NOT written: [Errno 28]" in err
+
+
+@pytest.mark.parametrize(
+    ("command", "written", "outcome"),
+    [
+        (("sign", "--tau", "[0..1]", "--beta", "[1/3..1/2]"), "", "proved"),
+        (("zeros", "--beta", "9/4..5/2"), "", "exactly N real zeros"),
+        (("zeros", "--beta", "17/4..35/8", "--eps", "1/10"), ".0", "proved"),
+        (("sweep", "oscillator", "--over", "beta=9/4..11/4:1"), "", "proved"),
+    ],
+)
+@pytest.mark.parametrize("room", [0, 230])
+def test_a_journal_on_a_full_disk_is_dropped(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path, command: tuple[str, ...],
+    written: str, outcome: str, room: int,
+) -> None:  # fmt: skip
+    """Full before the first line, or in the midst of it."""
+    whole = run(capsys, *command)
+    assert whole[0] == 0
+    journal = tmp_path / "kept"
+    full_after(room, Path(f"{journal}{written}"), monkeypatch)
+    code, out, err = run(capsys, *command, "--journal", str(journal))
+    assert (code, out) == (74, whole[1])
+    assert outcome in out
+    assert err.count(f"warning: --journal: the journal {journal}{written} could not be written: [Errno 28]") == 1
+    monkeypatch.undo()
+    assert run(capsys, *command, "--journal", str(journal))[:2] == whole[:2]
+
+
+def test_parts_of_a_measurement_on_a_full_disk(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    from gspot_verified.cost.measurement.measurement import Part
+
+    def measured(_: bool, __: object, kept: Any) -> Any:
+        kept.keep(Part(key="a", title="", question="", axis="", symbol="", routes=()))
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("gspot_verified.cost.run.measure_cost", measured)
+    parts = tmp_path / "cost.json.parts"
+    full_after(0, parts, monkeypatch)
+    code, _, err = run(capsys, "cost", "--output", str(tmp_path / "cost.json"))
+    assert code == 130
+    assert f"warning: --output: the journal {parts} could not be written" in err
+
+
+def test_other_warnings_are_shown_as_they_are(capsys: pytest.CaptureFixture[str]) -> None:
+    outputs = Outputs()
+    with pytest.warns(UserWarning, match="another"), outputs.journal(None):
+        warnings.warn("another", stacklevel=1)
+    assert capsys.readouterr() == ("", "")
+    with pytest.raises(typer.Exit) as left:
+        outputs.leave(0)
+    assert left.value.exit_code == 0
 
 
 def test_a_number_too_long_for_a_certificate_leaves_the_result(
@@ -248,4 +330,4 @@ def test_options_for_ranges_are_not_ignored_at_one_value(
 ) -> None:
     code, _, err = run(capsys, "zeros", "--beta", "7/3", option, str(tmp_path / "x"))
     assert code == 64
-    assert "need a range" in err
+    assert f"{option}: it needs a range" in err

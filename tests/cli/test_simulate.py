@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from full_disk import full_after
 
 from gspot_verified.cli import main
 
@@ -94,18 +95,9 @@ def test_a_journal_that_cannot_be_written(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The result is printed, the exit code says that a file is missing, and the journal stays good."""
-    from gspot_verified.work.journal_file import JournalFile
-
     kept = tmp_path / "run.journal"
     words = ("simulate", "oscillator", "--float", "--eps", "1/50", "--set", "until=1/10", "--journal", str(kept))
-    write = JournalFile.add
-
-    def full(journal: JournalFile, data: object) -> None:
-        if len(kept.read_text().splitlines()) > 4:
-            raise OSError(28, "No space left on device")
-        write(journal, data)
-
-    monkeypatch.setattr(JournalFile, "add", full)
+    full_after(9_000, kept, monkeypatch)
     code, output, errors = run(capsys, *words)
     assert code == 74
     assert "No space left on device; the run went on without it" in errors

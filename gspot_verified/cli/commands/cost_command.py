@@ -85,8 +85,9 @@ def _all_parts(full: bool, output: Path | None, outputs: Outputs, as_json: bool)
     from gspot_verified.cost.measurement.text import measurement_text
     from gspot_verified.cost.run import measure_cost, question
 
-    kept = None if output is None else KeptParts(output.with_name(f"{output.name}.parts"), question(full))
-    measurement = measure_cost(full, progress, kept)
+    with outputs.journal(output, "--output"):
+        kept = None if output is None else KeptParts(output.with_name(f"{output.name}.parts"), question(full))
+        measurement = measure_cost(full, progress, kept)
     if output is not None and outputs.write("--output", output, lambda: save(measurement, output)) and kept is not None:
         kept.remove()
     if as_json:

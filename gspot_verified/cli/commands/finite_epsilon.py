@@ -58,7 +58,7 @@ def zeros_over_a_rectangle(
     if picture is not None and ".." not in epsilon:
         raise ValueError("--picture needs a range of ε, such as 0..10")
     proof = None if certificate is None else _certificate(beta, epsilon)
-    with executor(workers, scheduler) as pool:
+    with executor(workers, scheduler) as pool, outputs.journal(journal):
         zeros = zero_map(beta, epsilon, budget=budget, executor=pool, journal=journal, progress=_show)
     if picture is not None:
         from gspot_verified.report.pictures.zero_map_picture import save_zero_map

@@ -38,9 +38,13 @@ def iwc(
     model" is the exact solution at that ε. The exit code is that of the last statement. The certificate's own
     statement, for all ε up to (lift-off: from) a rounded one, is printed when it is written.
     """
-    from gspot_verified.compliant.zeros.force_certificate import iwc_certificate
+    from flint import arb
+
+    from gspot_verified.compliant.zeros.force_certificate import check_ratio, iwc_certificate
+    from gspot_verified.leading_order.contact_force import contact_force
     from gspot_verified.leading_order.iwc import IwcResult
-    from gspot_verified.mechanisms.iwc import iwc as contact_force
+    from gspot_verified.mechanisms.iwc import iwc as of_force
+    from gspot_verified.mechanisms.spots.classify import classify
 
     outputs = Outputs()
     outputs.file("--certificate", certificate)
@@ -48,8 +52,17 @@ def iwc(
         raise ValueError("--set: it goes with --mechanism")
     if mechanism is not None and beta is not None:
         raise ValueError("--beta: the mechanism has its own")
-    result = contact_force(
-        beta if mechanism is None else load_with_settings(mechanism, settings),
+    spot = None if mechanism is None else classify(load_with_settings(mechanism, settings))
+    if certificate is not None:  # its domain, before the work
+        if spot is None:
+            second = -1 if alpha2 is None else alpha2
+            check_ratio(contact_force(beta, alpha_1=alpha1, alpha_2=second, alpha_3=alpha3, c1=c1).beta)
+        elif isinstance(spot.beta, arb):
+            raise ValueError("--certificate: it needs rational alphas, and those of this mechanism are balls")
+        elif spot.beta is not None:
+            check_ratio(spot.beta)
+    result = of_force(
+        beta if spot is None else spot,
         alpha_1=alpha1,
         alpha_2=alpha2,
         alpha_3=alpha3,
@@ -60,8 +73,6 @@ def iwc(
         growth=growth,
     )
     leading = result.leading
-    if certificate is not None and not isinstance(leading, IwcResult):
-        raise ValueError("--certificate: it needs rational alphas, and those of this mechanism are balls")
     if as_json:
         print_json(result.to_json())
     else:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gspot_verified.cli.app import app, progress
+from gspot_verified.cli.app import app, progress, refuse
 from gspot_verified.cli.approach_output import components
 from gspot_verified.cli.load import load_with_settings
 from gspot_verified.cli.output import PICTURES, Outputs
@@ -22,13 +22,17 @@ def plot(
         str, typer.Argument(help='"theta", "b-hat", "contact-force", "phase-plane", "force", "side-map", "threshold".')
     ],
     output: Annotated[Path, typer.Argument(help="The file: PNG, PDF or SVG by its suffix.")],
-    mechanism: Annotated[str, typer.Option(help="phase-plane: a TOML file or a name.")] = "oscillator",
+    mechanism: Annotated[
+        str | None, typer.Option(help="phase-plane: a TOML file or a name; oscillator if left out.")
+    ] = None,
     settings: Annotated[list[str] | None, typer.Option("--set", help='phase-plane: a parameter, "mu=2".')] = None,
     start: Annotated[
         str | None, typer.Option("--from", help='phase-plane: a state of one\'s own, "phi=1/10,phi_dot=-9/10".')
     ] = None,
-    beta: Annotated[str, typer.Option(help="b-hat, contact-force: β.")] = "7/3",
-    epsilon: Annotated[str, typer.Option("--epsilon", "--eps", help="contact-force: ε.")] = "1/1000",
+    beta: Annotated[str | None, typer.Option(help="b-hat, contact-force: β; 7/3 if left out.")] = None,
+    epsilon: Annotated[
+        str | None, typer.Option("--epsilon", "--eps", help="contact-force: ε; 1/1000 if left out.")
+    ] = None,
 ) -> None:
     """Draw a figure; its caption, which says what is certified, goes to stdout.
 
@@ -37,8 +41,11 @@ def plot(
     force: the slow force at several ε above leading order. side-map: the exact side rule over β and ε for the paper's
     data (about a minute). threshold: the exact ε0 over β beside the one at leading order (some minutes).
     """
-    if name not in NAMES:
-        raise ValueError(f"name: expected one of {', '.join(NAMES)}, got {name!r}")
+    if name not in OPTIONS:
+        raise ValueError(f"name: expected one of {', '.join(OPTIONS)}, got {name[:60]!r}")
+    given = {"--mechanism": mechanism, "--set": settings, "--from": start, "--beta": beta, "--epsilon": epsilon}
+    own = OPTIONS[name]
+    refuse(f"the figure {name} takes {', '.join(own) or 'no option'}", {k: v for k, v in given.items() if k not in own})
     outputs = Outputs()
     outputs.file("output", output, PICTURES)
     drawn = _drawn(name, mechanism, settings, start, beta, epsilon)
@@ -48,22 +55,38 @@ def plot(
 
 
 def _drawn(
-    name: str, mechanism: str, settings: list[str] | None, start: str | None, beta: str, epsilon: str
+    name: str,
+    mechanism: str | None,
+    settings: list[str] | None,
+    start: str | None,
+    beta: str | None,
+    epsilon: str | None,
 ) -> Picture:
     from gspot_verified.report.plot import plot as picture_of
 
     if name == "phase-plane":
         state = None if start is None else components(start)
-        return picture_of(load_with_settings(mechanism, settings), state=state)
+        moving = load_with_settings("oscillator" if mechanism is None else mechanism, settings)
+        return picture_of(moving, state=state)
+    ratio = "7/3" if beta is None else beta
     if name == "contact-force":
         from gspot_verified.mechanisms.iwc import iwc
 
-        return picture_of(iwc(beta), epsilon=epsilon)
+        return picture_of(iwc(ratio), epsilon="1/1000" if epsilon is None else epsilon)
     if name == "b-hat":
-        return picture_of(name, beta=beta)
+        return picture_of(name, beta=ratio)
     if name == "side-map":
         return picture_of(name, progress=progress)
     return picture_of(name)
 
 
-NAMES = ("theta", "b-hat", "contact-force", "phase-plane", "force", "side-map", "threshold")
+OPTIONS: dict[str, tuple[str, ...]] = {
+    "theta": (),
+    "b-hat": ("--beta",),
+    "contact-force": ("--beta", "--epsilon"),
+    "phase-plane": ("--mechanism", "--set", "--from"),
+    "force": (),
+    "side-map": (),
+    "threshold": (),
+}
+"""The figures, and which options each of them has."""

@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
+from gspot_verified.cli.app import JsonFlag, app, print_json, progress, refuse, warn
 from gspot_verified.cli.commands.finite_epsilon import DEFAULT_BETA, zeros_at_finite_epsilon, zeros_over_a_rectangle
 from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
     from gspot_verified.signs.cover.subdivision import Progress
+
+DIGITS, BUDGET = 15, 5_000  # of zeros, where they are left out
 
 Workers = Annotated[
     int, typer.Option(help="Processes that share the work; the certificate is the same for any number.")
@@ -50,7 +52,7 @@ def sign(
     outputs.file("--certificate", certificate)
     outputs.file("--journal", journal)
     wanted = 1 if positive else -1
-    with executor(workers, scheduler) as pool:
+    with executor(workers, scheduler) as pool, outputs.journal(journal):
         result = sign_on_ranges(
             tau, beta, wanted, budget=budget, by_theorem=by_theorem, executor=pool, journal=journal, progress=_show
         )
@@ -79,11 +81,11 @@ def zeros(
     epsilon: Annotated[
         str | None,
         typer.Option(
-            "--epsilon", "--eps", help='ε or "0..10" (0 < ε <= 10): the compliant model on its slow manifold, not Θ.'
+            "--epsilon", "--eps", help='ε or "0..10" (0 < ε <= 100): the compliant model on its slow manifold, not Θ.'
         ),
     ] = None,
-    digits: Annotated[int, typer.Option(help="At one value: decimals of the brackets.")] = 15,
-    budget: Annotated[int, typer.Option(help="How many ranges of β may be examined.")] = 5_000,
+    digits: Annotated[int | None, typer.Option(help="At one value: decimals of the brackets; 15 if left out.")] = None,
+    budget: Annotated[int | None, typer.Option(help="How many ranges of β may be examined; 5 000 if left out.")] = None,
     picture: Annotated[Path | None, typer.Option(help="Write the sign atlas of the range as PNG, PDF or SVG.")] = None,
     certificate: CertificateFile = None,
     workers: Workers = 1,
@@ -101,21 +103,33 @@ def zeros(
     """
     from gspot_verified.certificates.text import write_certificate
     from gspot_verified.signs.gamma.count_law import numbers_on
+    from gspot_verified.signs.zeros.brackets import MAX_BETA
     from gspot_verified.signs.zeros.zeros import zeros_on_range
     from gspot_verified.work.executors import executor
+    from gspot_verified.work.ranges import Range
 
     outputs = Outputs()
     outputs.file("--certificate", certificate)
     outputs.file("--journal", journal)
     outputs.file("--picture", picture, PICTURES)
+    if beta is None:
+        if epsilon is None:
+            raise ValueError("--beta is needed")
+        beta = DEFAULT_BETA
+    if ".." in beta:
+        refuse("it is for one value of β", {"--digits": digits})
+    else:
+        of_ranges = {"--journal": journal, "--scheduler": scheduler, "--budget": budget, "--picture": picture}
+        refuse("it needs a range of β, such as 1..13", {**of_ranges, "--workers": None if workers == 1 else workers})
+    decimals = DIGITS if digits is None else digits
+    examined = BUDGET if budget is None else budget
     if epsilon is not None:
-        beta = DEFAULT_BETA if beta is None else beta
         if ".." in beta:
             zeros_over_a_rectangle(
                 outputs=outputs,
                 beta=beta,
                 epsilon=epsilon,
-                budget=budget,
+                budget=examined,
                 picture=picture,
                 certificate=certificate,
                 workers=workers,
@@ -123,21 +137,17 @@ def zeros(
                 journal=journal,
                 as_json=as_json,
             )
-        _only_with_a_range(journal, workers, scheduler)
-        if picture is not None:
-            raise ValueError("--picture needs a range of β, such as 1..7")
-        if certificate is not None:
-            raise ValueError("--certificate: with --epsilon it needs a range of β inside 4..5")
-        zeros_at_finite_epsilon(beta, epsilon, digits, as_json)
-    if beta is None:
-        raise ValueError("--beta is needed")
+        refuse("with --epsilon it needs a range of β inside 4..5", {"--certificate": certificate})
+        zeros_at_finite_epsilon(beta, epsilon, decimals, as_json)
     if ".." not in beta:
-        _only_with_a_range(journal, workers, scheduler)
-        _zeros_at(outputs, beta, digits, picture, certificate, as_json)
+        _zeros_at(outputs, beta, decimals, certificate, as_json)
         return
-    progress(f"by the count law, {numbers_on(beta)}")
-    with executor(workers, scheduler) as pool:
-        result = zeros_on_range(beta, budget=budget, executor=pool, journal=journal, progress=_show_tubes())
+    betas = Range.parse(beta, "beta")
+    if certificate is not None and (betas.upper is None or betas.upper > MAX_BETA):
+        raise ValueError(f"--certificate: no column is sought for β > {MAX_BETA}")
+    progress(f"by the count law, {numbers_on(betas)}")
+    with executor(workers, scheduler) as pool, outputs.journal(journal):
+        result = zeros_on_range(betas, budget=examined, executor=pool, journal=journal, progress=_show_tubes())
     statement = result.statement
     if certificate is not None and statement is not None:
         outputs.write("--certificate", certificate, lambda: write_certificate(certificate, statement, result.columns))
@@ -154,14 +164,7 @@ def zeros(
     outputs.leave(2 if result.unfinished else 0)
 
 
-def _only_with_a_range(journal: Path | None, workers: int, scheduler: str | None) -> None:
-    if journal is not None or workers != 1 or scheduler is not None:
-        raise ValueError("--journal, --workers and --scheduler need a range of β, such as 1..13")
-
-
-def _zeros_at(
-    outputs: Outputs, beta: str, digits: int, picture: Path | None, certificate: Path | None, as_json: bool
-) -> None:
+def _zeros_at(outputs: Outputs, beta: str, digits: int, certificate: Path | None, as_json: bool) -> None:
     from flint import fmpq
 
     from gspot_verified.certificates.text import write_certificate
@@ -171,8 +174,6 @@ def _zeros_at(
     from gspot_verified.signs.zeros.integer_zeros import zeros_at_integer
     from gspot_verified.signs.zeros.slope_at import UndecidedError
 
-    if picture is not None:
-        raise ValueError("--picture needs a range of β, such as 1..13")
     value = exact(beta, "beta")
     if isinstance(value, fmpq) and value > MAX_BETA:
         if certificate is not None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
+from gspot_verified.cli.app import JsonFlag, app, print_json, progress, refuse, warn
 from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
@@ -33,9 +33,11 @@ def simulate(
     settings: Annotated[list[str] | None, typer.Option("--set", help="name=value, as often as needed.")] = None,
     floats: Annotated[bool, typer.Option("--float", help="A quick run with floats: nothing is proved.")] = False,
     compare: Annotated[bool, typer.Option("--compare", help="A run with floats beside the certified one.")] = False,
-    method: Annotated[str, typer.Option(help="Of the float run: Radau, LSODA or BDF.")] = "Radau",
-    tolerance: Annotated[float, typer.Option(help="Of the float run, relative.")] = 1e-10,
-    digits: Annotated[int, typer.Option(help="Of the certified run, decimals of the times, 1..80.")] = 15,
+    method: Annotated[str | None, typer.Option(help="Of the float run: Radau (if left out), LSODA or BDF.")] = None,
+    tolerance: Annotated[float | None, typer.Option(help="Of the float run, relative; 1e-10 if left out.")] = None,
+    digits: Annotated[
+        int | None, typer.Option(help="Of the certified run, decimals of the times, 1..80; 15 if left out.")
+    ] = None,
     route: Annotated[
         str | None,
         typer.Option(help='Of the certified run: "exact" or "integrator"; the exact solution if it decides.'),
@@ -52,7 +54,10 @@ def simulate(
     journal: Annotated[
         Path | None, typer.Option(help="Keep what is done here; the same command goes on after a kill.")
     ] = None,
-    budget: Annotated[int, typer.Option(help="How many steps the integrator may make at each precision.")] = 20_000,
+    budget: Annotated[
+        int | None,
+        typer.Option(help="How many steps the integrator may make at each precision; 20 000 if left out."),
+    ] = None,
     as_json: JsonFlag = False,
 ) -> None:
     """What a scene does: lift-off, touch-down, stick, impact without collision; certified, or simulated with --float.
@@ -65,13 +70,21 @@ def simulate(
     as a statement on the motion with them; where it is not certain, the statement says "provided that". Exit code 0
     when the certified run is proved, 1 when it is refuted, 2 when something is undecided: a float run always is.
     """
-    from gspot_verified.scenes.certified_run import certified_run
-    from gspot_verified.scenes.floats.float_run import float_run
+    from gspot_verified.scenes.certified_run import EXACT
     from gspot_verified.scenes.scene.file import load_scene
     from gspot_verified.scenes.scene.run import agreement
+    from gspot_verified.scenes.simulate import simulate as run_of
 
     if floats and compare:
         raise ValueError("give --float or --compare, not both")
+    if floats:
+        of_certified = {"--digits": digits, "--route": route, "--budget": budget}
+        refuse("it is for a certified run, not for one with --float", of_certified)
+    elif not compare:
+        refuse("it is for a float run; add --float or --compare", {"--method": method, "--tolerance": tolerance})
+    if route == EXACT:
+        of_steps = {"--budget": budget, "--journal": None if compare else journal}
+        refuse(f"it is for the integrator, which --route {EXACT} leaves out", of_steps)
     outputs = Outputs()
     outputs.file("--csv", csv, (".csv",))
     outputs.file("--npz", npz, (".npz",))
@@ -83,9 +96,17 @@ def simulate(
     loaded = load_scene(scene).with_settings(**_given(settings or [], beta=beta, nu=nu, epsilon=epsilon, until=until))
     sampled = None
     if picture is not None or ((csv is not None or npz is not None) and not compare):
-        sampled = points or (_PICTURE_POINTS if csv is None and npz is None else _FILE_POINTS)
-    certified = None if floats else certified_run(loaded, digits, route, sampled, journal, budget, progress)
-    simulated = float_run(loaded, method, tolerance, points, of_floats) if floats or compare else None
+        sampled = (_PICTURE_POINTS if csv is None and npz is None else _FILE_POINTS) if points is None else points
+    certified = simulated = None
+    with outputs.journal(journal):
+        if floats or compare:  # first, because it is quick: what it refuses is refused before the long work
+            simulated = run_of(
+                loaded, floats=True, method=method, tolerance=tolerance, points=points, journal=of_floats
+            )
+        if not floats:
+            certified = run_of(
+                loaded, digits=digits, route=route, budget=budget, points=sampled, journal=journal, progress=progress
+            )
     runs = [run for run in (certified, simulated) if run is not None]
     agree = None if certified is None or simulated is None else agreement(simulated, certified)
     if as_json:

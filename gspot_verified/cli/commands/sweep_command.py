@@ -51,7 +51,7 @@ def sweep(
     outputs.file("--journal", journal)
     ranges, first = _assignments("--over", over), _assignments("--start", start or [])
     mechanism = load(name, **_assignments("--set", settings or []))
-    with executor(workers, scheduler) as pool:
+    with executor(workers, scheduler) as pool, outputs.journal(journal):
         result = sweep_mechanism(
             mechanism, ranges, start=first, spot=spot, digits=digits, executor=pool, journal=journal, progress=_show
         )

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Annotated
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, NumberArguments, app, print_json, progress
+from gspot_verified.cli.app import JsonFlag, NumberArguments, app, print_json, progress, refuse
 
 _SLOW_DIGITS = 20_000  # from here on a computation takes long enough to announce it
+_MODEL = {"--epsilon": "1/1000", "--alpha1": "-1", "--alpha2": "-1"}
+"""With ``side --state``: what is taken where an option is left out."""
 
 
 @app.command(
@@ -59,9 +62,11 @@ def side(
     lower: Annotated[str | None, typer.Argument(help="Lower end of the range of β.")] = None,
     upper: Annotated[str | None, typer.Argument(help="Upper end; left out: the single value.")] = None,
     beta: Annotated[str | None, typer.Option(help="With --state: β = α3/α1.")] = None,
-    epsilon: Annotated[str, typer.Option("--epsilon", "--eps", help="With --state: ε > 0.")] = "1/1000",
-    alpha1: Annotated[str, typer.Option(help="With --state: α1* < 0.")] = "-1",
-    alpha2: Annotated[str, typer.Option(help="With --state: α2*.")] = "-1",
+    epsilon: Annotated[
+        str | None, typer.Option("--epsilon", "--eps", help="With --state: ε > 0; 1/1000 if left out.")
+    ] = None,
+    alpha1: Annotated[str | None, typer.Option(help="With --state: α1* < 0; -1 if left out.")] = None,
+    alpha2: Annotated[str | None, typer.Option(help="With --state: α2*; -1 if left out.")] = None,
     state: Annotated[str | None, typer.Option(help="The exact side rule of this state in contact: p,b,y,v,z.")] = None,
     as_json: JsonFlag = False,
 ) -> None:
@@ -70,9 +75,17 @@ def side(
     With --state: the exact side rule of the compliant model at one ε, K < 0: contact is certainly lost, with the
     paper's rule C1/Γ(−β) beside it.
     """
+    model = {"--epsilon": epsilon, "--alpha1": alpha1, "--alpha2": alpha2}
     if state is not None:
-        _side_of_state(lower if beta is None else beta, epsilon, alpha1, alpha2, state, as_json)
+        if upper is not None:
+            raise ValueError(f"--state: it needs one β, not the range {lower}..{upper}; leave out the upper end")
+        if beta is not None and lower is not None:
+            raise ValueError("--beta: β is given as an argument already")
+        if beta is None and lower is None:
+            raise ValueError("β: give it as an argument or with --beta")
+        _side_of_state(lower if beta is None else beta, model, state, as_json)
         return
+    refuse("it goes with --state", model)
     if beta is not None or lower is None:
         raise ValueError("β: give it as an argument; --beta goes with --state")
     from gspot_verified.signs.gamma.side import side as side_switching
@@ -86,12 +99,13 @@ def side(
         raise typer.Exit(2)
 
 
-def _side_of_state(beta: str | None, epsilon: str, alpha1: str, alpha2: str, state: str, as_json: bool) -> None:
+def _side_of_state(beta: str | None, given: Mapping[str, str | None], state: str, as_json: bool) -> None:
     from gspot_verified.compliant.model.normal_form import compliant_model
     from gspot_verified.compliant.model.state_text import state_from_text
     from gspot_verified.compliant.side.side_rule import side_rule
 
-    result = side_rule(compliant_model(beta, epsilon, alpha_1=alpha1, alpha_2=alpha2), state_from_text(state))
+    epsilon, alpha_1, alpha_2 = (_MODEL[name] if value is None else value for name, value in given.items())
+    result = side_rule(compliant_model(beta, epsilon, alpha_1=alpha_1, alpha_2=alpha_2), state_from_text(state))
     system = f"the compliant model from the initial state (p, b, y, v, z) = ({state}), ε = {epsilon}"
     if as_json:
         print_json({**result.to_json(), "system": system})

@@ -122,9 +122,17 @@ def _two_digits(value: fmpq) -> fmpq:
     return fmpq(int((value * fmpq(10) ** digits).floor())) * fmpq(10) ** -digits
 
 
+def check_ratio(beta: fmpq) -> None:
+    """Passes for a beta that a certificate of the force may have: it can be asked before the work.
+
+    :raises ValueError: not 1 < beta < 5.
+    """
+    if not 1 < beta < 5:
+        raise ValueError(f"beta: a certificate of the force needs 1 < beta < 5, got {beta}")
+
+
 def _checked(force: ContactForce, side: int) -> None:
-    if not 1 < force.beta < 5:
-        raise ValueError(f"beta: a certificate of the force needs 1 < beta < 5, got {force.beta}")
+    check_ratio(force.beta)
     if force.takes_impact is not (side == 1):
         raise ValueError("c1: this is the other side of C_1/Gamma(-beta)")
 
