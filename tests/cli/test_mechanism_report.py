@@ -49,7 +49,7 @@ def no_work(monkeypatch: pytest.MonkeyPatch) -> None:
         (("--mechanism", "rod", "--scene", "missing.toml"), "no scene file 'missing.toml'"),
         (("--mechanism", "rod", "--from", "theta=1"), "give all components of the state, or all but the two"),
         (("--mechanism", "rod", "--from", "nu=1"), "'nu' is no component of the state"),
-        (("--mechanism", "rod", "--check", "x"), "--check and --cost are for the report on the paper"),
+        (("--mechanism", "rod", "--check", "x"), "--check, --cost and --supplement are for the report on the paper"),
         (("--from", "p=1"), "--set, --from, --scene and --budget go with --mechanism"),
     ],
 )

@@ -148,4 +148,4 @@ def test_a_supplement_needs_a_report_and_a_folder(capsys: pytest.CaptureFixture[
     code, _, errors = run(capsys, "report", str(report_file(tmp_path)), "--supplement", str(tmp_path / "a" / "b"))
     assert (code, "there is no folder" in errors) == (64, True)
     code, _, errors = run(capsys, "report", "--check", str(tmp_path), "--supplement", str(tmp_path))
-    assert (code, "--supplement have no use with it" in errors) == (64, True)
+    assert (code, "--output and --supplement have no use with it" in errors) == (64, True)

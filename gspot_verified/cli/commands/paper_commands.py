@@ -150,8 +150,8 @@ def report(
     if settings or states or scene is not None or budget is not None:
         raise ValueError("--set, --from, --scene and --budget go with --mechanism")
     if check is not None:
-        if cost is not None or supplement is not None:
-            raise ValueError("--check writes nothing, so --cost and --supplement have no use with it")
+        if cost is not None or supplement is not None or output is not None:
+            raise ValueError("--check writes nothing, so --cost, --output and --supplement have no use with it")
         _check_again(check, as_json)
         return
     if supplement is not None and (output is not None or cost is not None):
