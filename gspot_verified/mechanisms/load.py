@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from gspot_verified.mechanisms.derive.impossible import refuse_impossible
 from gspot_verified.mechanisms.input.file import parse_mechanism, read_text
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_text
@@ -16,7 +17,8 @@ def load(name_or_path: str | Path, /, **parameters: ExactInput | None) -> Mechan
     ``parameters`` replace values of the file; None makes a parameter a symbol. Names of the package: model, extended,
     oscillator, rod, and those of :func:`gspot_verified.mechanisms.shipped.shipped_names`.
 
-    :raises MechanismError: neither a file nor a name, a part of the file is wrong, or there is no such parameter.
+    :raises MechanismError: neither a file nor a name, a part of the file is wrong, there is no such parameter, or no
+        mechanism is like that: a friction coefficient or a mass below 0, a mass matrix that is not positive definite.
 
     >>> load("rod").state
     ('X', 'Y', 'theta', 'X_dot', 'Y_dot', 'theta_dot')
@@ -28,7 +30,12 @@ def load(name_or_path: str | Path, /, **parameters: ExactInput | None) -> Mechan
         mechanism = parse_mechanism(text)
     except MechanismError as error:
         raise MechanismError(f"{origin}: {error}") from None
-    return mechanism.with_parameters(**parameters)
+    mechanism = mechanism.with_parameters(**parameters)
+    try:
+        refuse_impossible(mechanism)
+    except MechanismError as error:
+        raise MechanismError(f"{origin}: {error}") from None
+    return mechanism
 
 
 def mechanism_text(name_or_path: str | Path) -> tuple[str, str]:

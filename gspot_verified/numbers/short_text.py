@@ -1,4 +1,4 @@
-"""Exact rationals as short texts."""
+"""Exact rationals as short texts, and numbers of a table."""
 
 from __future__ import annotations
 
@@ -6,12 +6,18 @@ import decimal
 import math
 from fractions import Fraction
 
-from flint import fmpq
+from flint import arb, fmpq
+
+from gspot_verified.numbers.balls import Exact, ball_text, relative_bits
 
 _SHOWN_BITS = 512  # of a decimal's mantissa; a longer number is shown as a fraction
 _MOST_PLACES = 2_000  # of a decimal; beyond them a fraction
 _CONTEXT = decimal.Context(prec=decimal.MAX_PREC, Emax=decimal.MAX_EMAX, Emin=decimal.MIN_EMIN)
 """Nothing is rounded in it."""
+_LONGEST = 9  # characters of an exact number in a table
+_TABLE_DIGITS = 6  # of any other number there
+_NEARLY_ZERO = fmpq(1, 10**6)  # what is all nearer to 0 has six decimals 0
+_TABLE_BITS = 24  # certain bits that a ball needs for these digits
 
 
 def short_text(value: fmpq) -> str:
@@ -48,3 +54,24 @@ def _decimal(value: Fraction, places: int) -> str:
     digits = f"{abs(int(value * 10**places)):0{places + 1}d}"
     text = f"{digits[:-places]}.{digits[-places:]}" if places else digits
     return f"-{text}" if value < 0 else text
+
+
+def table_text(value: Exact) -> str:
+    """For a table: an exact number where it is short, else six digits, off by at most one in the last of them.
+
+    A ball with fewer certain digits is written as a ball; one that is all nearer to 0 than 10^-6 as 0.000000.
+
+    >>> table_text(fmpq(18, 55)), table_text(fmpq(186037, 99144)), table_text(arb(1) / 3), table_text(arb(0, "0.01"))
+    ('18/55', '1.87643', '0.333333', '[-0.0101, 0.0101]')
+    """
+    if isinstance(value, arb) and value.is_exact():
+        mantissa, exponent = value.man_exp()
+        value = fmpq(mantissa) * fmpq(2) ** int(exponent)
+    if isinstance(value, fmpq):
+        text = short_text(value)
+        return text if len(text) <= _LONGEST else arb(value).str(_TABLE_DIGITS, radius=False)
+    if value.contains(0) and abs(value) < _NEARLY_ZERO:
+        return "0.000000"
+    if relative_bits(value) < _TABLE_BITS:
+        return ball_text(value, 3)
+    return value.str(_TABLE_DIGITS, radius=False)
