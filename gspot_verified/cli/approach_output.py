@@ -12,11 +12,13 @@ if TYPE_CHECKING:
     from gspot_verified.mechanisms.input.mechanism import Mechanism
 
 
-def show_approach(mechanism: Mechanism, state: str, surface: str | None, as_json: bool) -> NoReturn:
+def show_approach(
+    mechanism: Mechanism, state: str, surface: str | None, as_json: bool, spot: int | None = None
+) -> NoReturn:
     """Print the result for one state, and leave with its exit code."""
     from gspot_verified.mechanisms.approach.approach import approach as approach_spot
 
-    result = approach_spot(mechanism, components(state), surface_velocity=surface)
+    result = approach_spot(mechanism, components(state), surface_velocity=surface, spot=spot)
     if as_json:
         print_json(result.to_json(), "approach")
     else:

@@ -18,6 +18,8 @@ def expand(
     digits: int = 15,
     progress: Callable[[int, int], None] | None = None,
     bits: int | None = None,
+    *,
+    spot: int | None = None,
 ) -> Trajectory:
     """The terms of orders 0..order-1 of delta of the distinguished trajectory at the G-spot; paper, Theorem 1.
 
@@ -29,8 +31,11 @@ def expand(
     ``bits`` asks for balls computed once with so many working bits, also where exact coefficients are possible: at high
     orders those are long. ``accuracy`` then says what is left of the bits.
 
+    ``spot`` is the number of another G-spot of the mechanism, as ``classify_all`` lists them.
+
     :raises TypeError: ``source`` is neither a mechanism nor a system, or ``order`` or ``digits`` is not an int.
-    :raises ValueError: ``order`` is not in 1..2000, or ``digits`` not in 1..10^6.
+    :raises ValueError: ``order`` is not in 1..2000, or ``digits`` not in 1..10^6; there is no G-spot of that number, or
+        ``source`` is a system, which has one alone.
     :raises GSpotError: a hypothesis of Theorem 1 fails; an integer beta is an ObstructedOrderError.
 
     >>> from gspot_verified import load
@@ -44,16 +49,20 @@ def expand(
     from gspot_verified.expansion.series.system import System
     from gspot_verified.expansion.trajectory import certain_bits_of, checked_order, expand_system, first_bits, terms_of
     from gspot_verified.mechanisms.input.mechanism import Mechanism
+    from gspot_verified.mechanisms.spots.chosen_spot import at_spot
     from gspot_verified.mechanisms.spots.g_spot import find_g_spot
     from gspot_verified.mechanisms.symbolic import symbolic_system
 
     if isinstance(source, System):
+        if spot is not None:
+            raise ValueError("spot: a system has one G-spot; give the mechanism")
         return (
             expand_system(source, order, digits, progress) if bits is None else _in_balls(source, order, bits, progress)
         )
     if not isinstance(source, Mechanism):
         raise TypeError(f"expected a Mechanism or a System, got {type(source).__name__}")
     order = checked_order(order)
+    source = at_spot(source, spot)
     if any(value is None for _, value in source.parameters):
         named = replace(symbolic_system(source), state=source.state)
         return expand_system(named, order, digits, progress)

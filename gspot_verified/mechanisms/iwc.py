@@ -8,6 +8,7 @@ from flint import arb
 
 from gspot_verified.compliant.contact.iwc import CompliantIwc, compliant_iwc, iwc_over_balls
 from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.classify import Classification, classify
 from gspot_verified.numbers.balls import ExactInput, exact
 
@@ -23,18 +24,20 @@ def iwc(
     epsilon: ExactInput | None = None,
     digits: int = 15,
     growth: bool = False,
+    spot: int | None = None,
 ) -> CompliantIwc:
     """Whether the contact holds on [tau_start, infinity), or when it lifts off: at leading order, and for the compliant
     model on its slow manifold; :func:`gspot_verified.compliant.contact.iwc.compliant_iwc`, also for a mechanism.
 
-    ``beta`` is a number, a mechanism (its G-spot is found), or a classification. The compliant model has constant
-    alphas, those of the G-spot: nothing is stated about the mechanism away from it.
+    ``beta`` is a number, a mechanism (its G-spot is found, or that of the number ``spot`` as ``classify_all`` lists
+    them), or a classification. The compliant model has constant alphas, those of the G-spot: nothing is stated about
+    the mechanism away from it.
 
     Where the G-spot is not rational its alphas are balls, and the statements are for all alphas in them; alphas that
     are given may be balls too, without ``beta``.
 
     :raises ValueError: as for numbers; the G-spot is in no Case; numbers beside a mechanism; ``growth`` where the
-        alphas are balls.
+        alphas are balls; there is no G-spot of the number ``spot``, or no mechanism beside it.
     :raises GSpotError: the mechanism has no G-spot there.
 
     >>> from gspot_verified import load
@@ -43,7 +46,9 @@ def iwc(
     """
     chosen: dict[str, Any] = {"c1": c1, "tau_start": tau_start, "epsilon": epsilon, "digits": digits, "growth": growth}
     if isinstance(beta, Mechanism):
-        beta = classify(beta)
+        beta = classify(at_spot(beta, spot))
+    elif spot is not None:
+        raise ValueError("spot: it is the number of a mechanism's G-spot; give the mechanism")
     if not isinstance(beta, Classification):
         second = -1 if alpha_2 is None else alpha_2
         first = -1 if alpha_1 is None else alpha_1

@@ -35,7 +35,7 @@ def plot(subject: object, path: str | Path | None = None, **options: Any) -> Pic
       "force": the slow force at several ε above leading order; "side-map" (``progress=``): the exact side rule over β
       and ε for the paper's data, about a minute; "threshold": the exact ε0 over β beside the one at leading order, some
       minutes;
-    - a mechanism (``state=``): the phase plane (p, b) next to its G-spot;
+    - a mechanism (``state=``, ``spot=``): the phase plane (p, b) next to its G-spot, or that of this number;
     - the result of ``expand``: the residual under its proved bound; of ``iwc`` (``epsilon=``): λ_N(τ) at leading order;
       of ``zeros_on_range``: the sign atlas; of ``zero_map``: the map over β and ε.
 

@@ -61,10 +61,15 @@ def test_the_picture_of_the_truncation_error(capsys: pytest.CaptureFixture[str],
 
 
 def test_classify(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    code, out, _ = run(capsys, "classify", "oscillator")
+    code, out, _ = run(capsys, "classify", "oscillator", "--verbose")
     assert code == 0
     assert "Case III" in out
     assert "beta = alpha_3/alpha_1 = 7/3" in out
+    code, out, _ = run(capsys, "classify", "oscillator")
+    assert code == 0
+    assert out.splitlines()[1].split() == ["place", "slip", "u", "Case", "β", *["what", "happens", "as", "ε", "→", "0"]]
+    assert "-0.6    III   7/3  lift-off if C1 > 0, impact without collision if C1 < 0" in out
+    assert "alpha" not in out
     code, out, _ = run(capsys, "classify", "rod", "--json")
     assert code == 0
     assert json.loads(out)["case"] == "II"
@@ -73,7 +78,7 @@ def test_classify(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     own.write_text(source.read_text(encoding="utf-8").replace('"-3/2"', '"-5/2"'), encoding="utf-8")
     code, out, _ = run(capsys, "classify", str(own))
     assert code == 0
-    assert "5/2" in out
+    assert "III   2.5  lift-off" in out
 
 
 @pytest.mark.parametrize(
@@ -225,7 +230,8 @@ def test_classify_finds_all_g_spots_or_proves_that_there_is_none(
     code, out, err = run(capsys, "classify", "genot_brogliato_rod", "--set", "mu=13/10")
     assert code == 1
     assert "all G-spots are searched instead" in err
-    assert "lies below mu_c: p > 0" in out
+    assert "p > 0 everywhere in contact there" in out
+    assert "lies below it: p > 0" in out
     code, out, err = run(capsys, "classify", "genot_brogliato_rod", "--set", "mu=7/5", "--all", "--json")
     assert code == 0
     assert err == ""
@@ -247,7 +253,7 @@ def test_a_place_that_is_no_g_spot_for_these_parameters_is_no_wrong_usage(capsys
     assert code == 1
     assert "not a G-spot: p = 131/125 must be 0 at the place given, with these parameters" in err
     assert "all G-spots are searched instead" in err
-    assert "lies below mu_c: p > 0 in every configuration in contact" in out
+    assert "lies below it: p > 0 in every configuration in contact" in out
     code, out, err = run(capsys, "classify", "rod", "--set", "mu=2", "--json")
     assert code == 0
     assert "not a G-spot" in err
@@ -257,6 +263,68 @@ def test_a_place_that_is_no_g_spot_for_these_parameters_is_no_wrong_usage(capsys
     code, _, err = run(capsys, "expand", "rod", "--set", "mu=13/10")
     assert code == 64
     assert "classify --all" in err
+
+
+def test_the_number_of_a_g_spot_serves_in_every_command(capsys: pytest.CaptureFixture[str]) -> None:
+    """The oscillator's first: the same β in the table, in JSON, in the expansion's system and in the force's."""
+    code, out, _ = run(capsys, "classify", "oscillator", "--all")
+    assert code == 0
+    first = next(line for line in out.splitlines() if line.startswith("  1 "))
+    assert "III   2.26796   lift-off if C1 > 0" in first
+    spots = json.loads(run(capsys, "classify", "oscillator", "--all", "--json")[1])["spots"]
+    assert [spot["number"] for spot in spots] == [1, 2, 3, 4, 5, 6]
+    assert spots[0]["beta"].startswith("[2.26795975")
+    assert json.loads(run(capsys, "classify", "oscillator", "--json")[1])["number"] is None
+    code, out, _ = run(capsys, "iwc", "--mechanism", "oscillator", "--spot", "1", "--digits", "5", "--tau-start=-2")
+    assert code == 0
+    assert "Case III: β = [2.26795975" in out
+    code, out, _ = run(capsys, "expand", "oscillator", "--spot", "1", "--order", "3", "--json")
+    assert code == 0
+    assert json.loads(out)["accuracy"]["reached"]
+    code, out, _ = run(capsys, "expand", "oscillator", "--spot", "2", "--order", "3", "--json")
+    assert json.loads(out)["accuracy"] is None
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (
+            ("expand", "oscillator", "--spot", "9"),
+            "has 6 G-spots (classify --all lists them): expected a number in 1..6",
+        ),
+        (("iwc", "--mechanism", "oscillator", "--spot", "0"), "has 6 G-spots"),
+        (("iwc", "--beta", "7/3", "--spot", "1"), "--spot: it goes with --mechanism"),
+        (("plot", "phase-plane", "x.png", "--spot", "9"), "has 6 G-spots"),
+        (("plot", "theta", "x.png", "--spot", "1"), "the figure theta takes no option"),
+        (("approach", "rod", "--spot", "9", "--from", "theta=0"), "has 4 G-spots"),
+    ],
+)
+def test_a_wrong_number_is_refused(
+    capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], message: str, tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    monkeypatch.chdir(tmp_path)
+    code, out, err = run(capsys, *arguments)
+    assert (code, out) == (64, "")
+    assert message in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_no_mechanism_can_have_is_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    own = tmp_path / "own.toml"
+    source = Path(__file__).parents[2] / "gspot_verified" / "mechanisms" / "data" / "falling_rod.toml"
+    own.write_text(source.read_text(encoding="utf-8").replace("m = 1\n", "m = -1\n"), encoding="utf-8")
+    for arguments in (("classify", "--all"), ("expand",), ("sweep", "--over", "mu=1..2:2")):
+        code, out, err = run(capsys, arguments[0], str(own), *arguments[1:])
+        assert (code, out) == (64, "")
+        assert f"{own}: falling rod: the mass m is -1: it must not be negative" in err
+
+
+def test_the_paradox_proper_is_said(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "classify", "genot_brogliato_rod", "--box", "theta=4/5..6/5")
+    assert code == 1
+    assert "has G-spots in the region: theta in [4/5, 6/5]; every value of theta_dot; X = 0, X_dot = 2 fixed" in out
+    assert "p < 0 everywhere in contact there: the Painlevé paradox proper" in out
 
 
 def test_classify_in_a_box_and_with_a_budget(capsys: pytest.CaptureFixture[str]) -> None:

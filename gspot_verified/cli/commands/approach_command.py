@@ -22,10 +22,14 @@ def approach(
         str | None, typer.Option("--surface-velocity", help="Tangential velocity of the surface; 0 if u > 0.")
     ] = None,
     settings: Settings = None,
+    spot: Annotated[
+        int | None,
+        typer.Option("--spot", help="What --from leaves out is as at this G-spot, by its number in `classify --all`."),
+    ] = None,
     as_json: JsonFlag = False,
 ) -> None:
     """Where slip from a state leads: a G-spot (with C1 in balls, and lift-off or impact), lift-off or stick before.
 
     Exit code 0 when that is proved (and C1 has a certain sign), 2 when something is undecided.
     """
-    show_approach(load_with_settings(name, settings), state, surface, as_json)
+    show_approach(load_with_settings(name, settings), state, surface, as_json, spot)

@@ -22,6 +22,9 @@ def iwc(
         str | None, typer.Option(help="In their place: a TOML file or a name; its alphas, or all in their balls.")
     ] = None,
     settings: Annotated[list[str] | None, typer.Option("--set", help='A parameter of the mechanism, "mu=2".')] = None,
+    spot: Annotated[
+        int | None, typer.Option(help="Which of the mechanism's G-spots: its number in `classify --all`.")
+    ] = None,
     c1: Annotated[str | None, typer.Option(help="C1; left out: 1 or -1, on the side without lift-off.")] = None,
     tau_start: Annotated[str, typer.Option(help="The statement holds for τ from here to +∞.")] = "-10",
     epsilon: Annotated[
@@ -50,6 +53,8 @@ def iwc(
     outputs.file("--certificate", certificate)
     if mechanism is None and settings:
         raise ValueError("--set: it goes with --mechanism")
+    if mechanism is None and spot is not None:
+        raise ValueError("--spot: it goes with --mechanism")
     if mechanism is not None and beta is not None:
         raise ValueError("--beta: the mechanism has its own")
     spot = None if mechanism is None else classify(load_with_settings(mechanism, settings))
@@ -71,6 +76,7 @@ def iwc(
         epsilon=epsilon,
         digits=digits,
         growth=growth,
+        spot=spot,
     )
     leading = result.leading
     if as_json:

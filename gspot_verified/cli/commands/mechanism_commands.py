@@ -32,6 +32,9 @@ def _known_names(typed: str) -> list[str]:
 MechanismName = Annotated[
     str, typer.Argument(help="A TOML file, or: model, extended, oscillator, rod.", autocompletion=_known_names)
 ]
+Spot = Annotated[
+    int | None, typer.Option("--spot", help="Which G-spot: its number in `classify --all`; left out: the file's.")
+]
 Settings = Annotated[
     list[str] | None,
     typer.Option("--set", help='A parameter, "chi=1/2"; "chi=symbolic" keeps the symbol (expand only).'),
@@ -50,12 +53,13 @@ def classify(
     ] = None,
     budget: Annotated[int | None, typer.Option(help="How many boxes the search for all G-spots looks at.")] = None,
     from_state: Annotated[str | None, typer.Option("--from", help="A state: as the command approach.")] = None,
+    verbose: Annotated[bool, typer.Option("--verbose", help="All numbers of each G-spot, in balls.")] = False,
     as_json: JsonFlag = False,
 ) -> None:
-    """A mechanism's G-spot: alpha_i, β, Case I, II or III, and in Case III which side lifts off.
+    """A mechanism's G-spot as a table: slip, Case I, II or III, β, and what happens; --verbose: also alpha_i.
 
     All of its G-spots with --all, --box, or where the file gives no place, or one that is no G-spot for these
-    parameters; then exit code 1: there is none, proved.
+    parameters; then exit code 1: there is none, proved. The number of a G-spot is the N of --spot N elsewhere.
     Exit code 2: the list may not be complete, or the balls of a point that is not rational leave the case open.
     """
     if from_state is not None:
@@ -64,6 +68,7 @@ def classify(
         show_approach(load_with_settings(name, settings), from_state, None, as_json)
     from gspot_verified.mechanisms.spots.classify import classify as classify_mechanism
     from gspot_verified.mechanisms.spots.g_spot import NotThereError
+    from gspot_verified.mechanisms.spots.spot_table import one_spot
     from gspot_verified.mechanisms.zeros.newton import NotFoundError
 
     mechanism = load_with_settings(name, settings)
@@ -74,13 +79,13 @@ def classify(
         except (NotFoundError, NotThereError) as error:
             warn(f"{error}; all G-spots are searched instead")
         else:
-            _print(result.to_json(), str(result), as_json)
+            _print(result.to_json(), str(result) if verbose else one_spot(result), as_json)
             raise typer.Exit(2 if result.case is None else 0)
     from gspot_verified.mechanisms.spots.all_g_spots import DEFAULT_BUDGET
     from gspot_verified.mechanisms.spots.classify_all import classify_all
 
     classified = classify_all(mechanism, _box(box or []), budget=DEFAULT_BUDGET if budget is None else budget)
-    _print(classified.to_json(), str(classified), as_json)
+    _print(classified.to_json(), classified.in_full() if verbose else str(classified), as_json)
     raise typer.Exit(classified.exit_code)
 
 
@@ -115,6 +120,7 @@ def expand(
     order: Annotated[int, typer.Option(help="Terms of the orders below this one of δ = ε^(1/3).")] = 8,
     chi: Annotated[str | None, typer.Option(help='Short for --set chi=...: a number or "symbolic".')] = None,
     settings: Settings = None,
+    spot: Spot = None,
     in_time: Annotated[bool, typer.Option("--in-time", help="As polynomials in t and ε (the Corollary).")] = False,
     at: Annotated[str | None, typer.Option(help='Value at "s,delta" (with --in-time: "t,epsilon"), in balls.')] = None,
     digits: Annotated[int, typer.Option(help="Accuracy where the G-spot is not rational, and of --at.")] = 15,
@@ -146,7 +152,7 @@ def expand(
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", AccuracyWarning)  # said below, on stderr and by the exit code
         subject = load_with_settings(name, chosen)
-        trajectory = expand_mechanism(subject, order, digits, _orders, bits)
+        trajectory = expand_mechanism(subject, order, digits, _orders, bits, spot=spot)
     if trajectory.pulls:
         warn("the mean force is negative: this trajectory would have to pull on the surface, no contact does that")
     data = trajectory.to_json()

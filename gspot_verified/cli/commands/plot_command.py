@@ -26,6 +26,9 @@ def plot(
         str | None, typer.Option(help="phase-plane: a TOML file or a name; oscillator if left out.")
     ] = None,
     settings: Annotated[list[str] | None, typer.Option("--set", help='phase-plane: a parameter, "mu=2".')] = None,
+    spot: Annotated[
+        int | None, typer.Option(help="phase-plane: which G-spot, by its number in `classify --all`.")
+    ] = None,
     start: Annotated[
         str | None, typer.Option("--from", help='phase-plane: a state of one\'s own, "phi=1/10,phi_dot=-9/10".')
     ] = None,
@@ -43,12 +46,15 @@ def plot(
     """
     if name not in OPTIONS:
         raise ValueError(f"name: expected one of {', '.join(OPTIONS)}, got {name[:60]!r}")
-    given = {"--mechanism": mechanism, "--set": settings, "--from": start, "--beta": beta, "--epsilon": epsilon}
+    given = {
+        "--mechanism": mechanism, "--set": settings, "--spot": spot, "--from": start, "--beta": beta,
+        "--epsilon": epsilon,
+    }  # fmt: skip
     own = OPTIONS[name]
     refuse(f"the figure {name} takes {', '.join(own) or 'no option'}", {k: v for k, v in given.items() if k not in own})
     outputs = Outputs()
     outputs.file("output", output, PICTURES)
-    drawn = _drawn(name, mechanism, settings, start, beta, epsilon)
+    drawn = _drawn(name, mechanism, settings, spot, start, beta, epsilon)
     typer.echo(f"{drawn.title}\n{drawn.caption}")
     outputs.write("output", output, lambda: drawn.save(output))
     outputs.leave(0)
@@ -58,6 +64,7 @@ def _drawn(
     name: str,
     mechanism: str | None,
     settings: list[str] | None,
+    spot: int | None,
     start: str | None,
     beta: str | None,
     epsilon: str | None,
@@ -67,7 +74,7 @@ def _drawn(
     if name == "phase-plane":
         state = None if start is None else components(start)
         moving = load_with_settings("oscillator" if mechanism is None else mechanism, settings)
-        return picture_of(moving, state=state)
+        return picture_of(moving, state=state, spot=spot)
     ratio = "7/3" if beta is None else beta
     if name == "contact-force":
         from gspot_verified.mechanisms.iwc import iwc
@@ -84,7 +91,7 @@ OPTIONS: dict[str, tuple[str, ...]] = {
     "theta": (),
     "b-hat": ("--beta",),
     "contact-force": ("--beta", "--epsilon"),
-    "phase-plane": ("--mechanism", "--set", "--from"),
+    "phase-plane": ("--mechanism", "--set", "--spot", "--from"),
     "force": (),
     "side-map": (),
     "threshold": (),

@@ -23,6 +23,7 @@ from gspot_verified.mechanisms.approach.slip_state import SlipState, StateError,
 from gspot_verified.mechanisms.derive.mass_matrix import check_mass_matrix
 from gspot_verified.mechanisms.derive.to_system import Shifted, shift
 from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.classify import case_of, sides_of
 from gspot_verified.mechanisms.zeros.krawczyk import krawczyk
 from gspot_verified.numbers.balls import ExactInput, approximate, ball, ball_text, exact, sign_of, working_bits
@@ -38,19 +39,27 @@ _TOO_CLOSE = "lift-off and stick happen too close together to tell which comes f
 
 
 def approach(
-    mechanism: Mechanism, state: StateInput, *, surface_velocity: ExactInput | None = None, max_steps: int = MAX_STEPS
+    mechanism: Mechanism,
+    state: StateInput,
+    *,
+    surface_velocity: ExactInput | None = None,
+    max_steps: int = MAX_STEPS,
+    spot: int | None = None,
 ) -> Approach:
     """Follow rigid slip (positive, on the contact) from ``state`` with every error bounded, and say where it ends.
 
-    ``state`` gives all components, or all but two, which y = 0 and v = 0 then determine. ``surface_velocity`` is the
-    constant tangential velocity of the surface: stick is u = surface_velocity. Without it the surface is at rest if
-    u > 0 at the start; if u < 0 there, nothing is asked of u and the result says which surfaces it holds for.
+    ``state`` gives all components, or all but two, which y = 0 and v = 0 then determine. With ``spot``, the number of
+    a G-spot as ``classify_all`` lists them, all others that are left out are those of that G-spot.
+    ``surface_velocity`` is the constant tangential velocity of the surface: stick is u = surface_velocity. Without it
+    the surface is at rest if u > 0 at the start; if u < 0 there, nothing is asked of u and the result says which
+    surfaces it holds for.
 
     Proved: the trajectory reaches a G-spot (in finite time, with λ_N > 0 and positive slip until then), or lifts off,
     or sticks, first. At a G-spot C_1 is enclosed and its sign gives the side by the paper's rule.
 
     :raises StateError: the state is not on the contact, p <= 0, b >= 0, or slip is not positive there.
     :raises MechanismError: the mechanism is not complete.
+    :raises ValueError: there is no G-spot of that number.
 
     >>> from gspot_verified import load
     >>> model = load("model system")
@@ -58,11 +67,11 @@ def approach(
     >>> result.end, result.side, result.coefficient < 0
     ('G-spot', 'lift-off', True)
     """
-    shifted = shift(mechanism)
+    shifted = shift(at_spot(mechanism, spot))
     velocity = None if surface_velocity is None else exact(surface_velocity, "surface_velocity")
     for bits in _PRECISIONS:
         with working_bits(bits):
-            outcome = _Attempt(shifted, state, velocity, bits, max_steps).result()
+            outcome = _Attempt(shifted, state, velocity, bits, max_steps, spot is not None).result()
         known = outcome.coefficient is not None and sign_of(outcome.coefficient) in (1, -1)
         if outcome.exit_code == 0 or known:  # more bits would not say more
             return outcome
@@ -81,13 +90,19 @@ class _Attempt:
     """One run at one precision."""
 
     def __init__(
-        self, shifted: Shifted, state: StateInput, velocity: fmpq | arb | None, bits: int, max_steps: int
+        self,
+        shifted: Shifted,
+        state: StateInput,
+        velocity: fmpq | arb | None,
+        bits: int,
+        max_steps: int,
+        beside_place: bool = False,
     ) -> None:
         self.mechanism, self.bits, self.max_steps = shifted.mechanism, bits, max_steps
         self.flow = SlipFlow.of(shifted)
         self.numbers = SlipNumbers(self.flow)
         self.hypotheses = SlipHypotheses(shifted)
-        self.start: SlipState = slip_state(shifted, state)
+        self.start: SlipState = slip_state(shifted, state, beside_place)
         at = self.numbers.on(self.start.box)
         self._check(at.p, at.b)
         check_mass_matrix(shifted, dict(zip(self.mechanism.state, self.start.box, strict=True)), BALLS, "at the start")

@@ -20,6 +20,7 @@ from gspot_verified.mechanisms.formulas.simplify import constant
 from gspot_verified.mechanisms.formulas.symbol import Symbol
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, Place, exact_rational
 from gspot_verified.mechanisms.spots.g_spot import place_in
+from gspot_verified.mechanisms.spots.spot_conditions import take_apart
 from gspot_verified.mechanisms.zeros.krawczyk import krawczyk
 from gspot_verified.numbers.balls import ExactInput, add_remainder, ball_text, current_bits, sign_of
 
@@ -46,10 +47,11 @@ class SlipState:
     supposed: tuple[str, ...] = ()
 
 
-def slip_state(shifted: Shifted, state: StateInput) -> SlipState:
+def slip_state(shifted: Shifted, state: StateInput, beside_place: bool = False) -> SlipState:
     """The state with y = v = 0, at the precision in force.
 
-    All components may be given, or all but two, which are then solved for.
+    All components may be given, or all but two, which are then solved for. With ``beside_place`` more may be left out:
+    but for two in which y and v are linear they have the values of the mechanism's place.
 
     :raises StateError: names that are none, too few components, a state that is not on the contact, or no certain
         solution of y = v = 0.
@@ -60,13 +62,16 @@ def slip_state(shifted: Shifted, state: StateInput) -> SlipState:
         raise StateError(
             f"{mechanism.name}: {unknown[0][:40]!r} is no component of the state; it has: {', '.join(mechanism.state)}"
         )
-    missing = [word for word in mechanism.state if word not in state]
+    left_out = [word for word in mechanism.state if word not in state]
+    missing = _linear(shifted, left_out) if beside_place and len(left_out) > 2 else left_out
     if len(missing) not in (0, 2):
         raise StateError(
             f"{mechanism.name}: give all components of the state, or all but the two that y = 0 and v = 0 determine; "
-            f"missing: {', '.join(missing)}"
+            f"missing: {', '.join(left_out)}"
         )
-    box = _values(shifted, state, missing)
+    if beside_place and not left_out:
+        raise StateError(f"{mechanism.name}: the state gives all components: nothing of the G-spot is left to be used")
+    box = _values(shifted, state, left_out)
     program = BoxProgram(shifted.expressions([shifted.functions.y, shifted.functions.v], BALLS), len(box))
     if missing:
         solution = _solved(mechanism, program, box, missing)
@@ -81,6 +86,16 @@ def slip_state(shifted: Shifted, state: StateInput) -> SlipState:
             )
     supposed = tuple(name for name, value in (("y", y), ("v", v)) if _perhaps_not_zero(value))
     return SlipState(tuple(box), (), (*supposed, *constraints))
+
+
+def _linear(shifted: Shifted, left_out: Sequence[str]) -> list[str]:
+    """Two of these components, one for each of y and v, which hold them with constant factors; or all of them."""
+    mechanism, functions = shifted.mechanism, shifted.functions
+    y, v = shifted.expressions([functions.y, functions.v], BALLS)
+    given = [i for i, word in enumerate(mechanism.state) if word not in left_out]
+    explicit = {each.index for each in take_apart({"y": y, "v": v}, len(mechanism.state), given).explicit}
+    solved = [word for i, word in enumerate(mechanism.state) if i in explicit and word in left_out]
+    return solved if len(solved) == 2 else list(left_out)
 
 
 def _supposed_constraints(shifted: Shifted, box: Sequence[arb]) -> tuple[str, ...]:

@@ -28,10 +28,13 @@ from gspot_verified.mechanisms.spots.g_spot import (
     place_in,
     prove_near,
     shifted_conditions,
+    short_component,
 )
 from gspot_verified.mechanisms.spots.g_spot_list import Account, GSpots, Left, Patch, in_words
 from gspot_verified.mechanisms.spots.search_region import Region, fixed_name, search_region
-from gspot_verified.mechanisms.spots.spot_conditions import Stage, TakenApart, take_apart
+from gspot_verified.mechanisms.spots.sign_of_p import SignOfP, sign_of_p
+from gspot_verified.mechanisms.spots.spot_conditions import Stage, TakenApart, components_of, take_apart
+from gspot_verified.mechanisms.spots.spot_order import relevant_first
 from gspot_verified.mechanisms.spots.spot_patch import find_patch
 from gspot_verified.mechanisms.zeros.all_zeros import Box, Budget, Zero, Zeros, ZeroSearch, clusters
 from gspot_verified.mechanisms.zeros.velocity_roots import VelocityRoots
@@ -146,8 +149,9 @@ class _Search:
         conditions = spot_conditions(shifted)
         kept = [self._state.index(word) for word in box if word in self._state]
         self._apart: TakenApart = take_apart(conditions, len(self._state), kept)
-        self._region: Region = search_region(shifted.mechanism, conditions, self._apart, box)
-        self._whole = WholeState(self._apart, self._region, place_in(shifted, BALLS), self._state)
+        self._place = place_in(shifted, BALLS)
+        self._region: Region = search_region(shifted.mechanism, conditions, self._apart, box, self._place)
+        self._whole = WholeState(self._apart, self._region, self._place, self._state)
         self._left: list[Left] = []
         self._account = Account()
 
@@ -169,15 +173,34 @@ class _Search:
     def _result(self, spots: Sequence[GSpot], boundary: Sequence[GSpot], patch: Patch | None = None) -> GSpots:
         return GSpots(
             name=self._shifted.mechanism.name,
-            spots=tuple(spots),
+            spots=tuple(relevant_first(spots)),
             boundary=tuple(boundary),
             left=tuple(self._left),
             searched=self._region.searched(self._apart),
+            region=self._region_in_words(),
             free=tuple(self._state[i] for i in self._apart.free),
             patch=patch,
             periods=self._region.periods(),
             account=self._account,
+            sign_of_p=None if spots or boundary or self._left or patch is not None else self._sign_of_p(),
         )
+
+    def _region_in_words(self) -> str:
+        mechanism = self._shifted.mechanism
+        place = {word: short_component(mechanism, word, value) for word, value in self._place.items()}
+        text = self._region.in_words(self._apart, place)
+        return f"{text}; the given conditions J = 0" if mechanism.place.conditions else text
+
+    def _sign_of_p(self) -> SignOfP | None:
+        """That of p in every state of the region with y = 0; asked where there is no G-spot."""
+        functions = self._apart.functions
+        used = components_of(functions["p"]) | (components_of(functions["y"]) if "y" in functions else frozenset())
+        given = [name for name in functions if name not in ("p", "b") and components_of(functions[name]) <= used]
+        program = BoxProgram([functions[name] for name in ("p", *given)], len(self._state), sorted(used))
+        sides = [self._region.known_side(i) for i in program.variables]
+        if any(side is None for side in sides):
+            return None
+        return sign_of_p(program, [side for side in sides if side is not None])
 
     def _full(self, values: Mapping[int, arb]) -> list[arb]:
         return [values.get(i, arb(0)) for i in range(len(self._state))]

@@ -6,7 +6,7 @@ elsewhere: what the balls leave open is said to be undecided.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Annotated, ClassVar
 
 from flint import fmpq
@@ -17,9 +17,10 @@ from gspot_verified.mechanisms.spots.g_spot import DEFAULT_BITS, GSpot, find_g_s
 from gspot_verified.numbers.balls import Exact, ball_text, sign_of, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
-from gspot_verified.signs.gamma.side import MAX_BETA, gamma_sign, side_text
+from gspot_verified.signs.gamma.side import MAX_BETA, follows_text, gamma_sign, side_text
 
 _CASES = {"I": "alpha_2 < 0, alpha_1 < alpha_3 < 0", "II": "alpha_2 > 0, alpha_1 < alpha_3 < 0"}
+_NOT_THREE = "trajectories do not approach in the three ways: "
 _CASES["III"] = "alpha_2 < 0, alpha_3 < alpha_1 < 0"
 
 
@@ -41,13 +42,15 @@ class Classification(NoTruthValue, Written):
     ``integer_beta`` is the integer (up to 10^6) that beta is or may be, at whose order 2 (beta - 1) of delta there is
     no unique expansion. ``slip_velocity`` is u at the G-spot; ``a``, ``A``, ``B``, ``C`` and ``p`` = C - mu B (it is 0,
     or a ball around 0) are those of Sec. 1.1. ``notes`` say how the mechanism was read: negative slip is mirrored.
+    ``number`` is that of the G-spot in the list of all, which ``spot`` takes everywhere; None where no list was made,
+    or one of a box. ``short_point`` is the point with six digits.
     """
 
     ask: ClassVar[str] = '.case is "I", "II", "III", "none", or None (undecided)'
     written: ClassVar[str] = (
         "name point exact alpha_1 alpha_2 alpha_3 beta mean_force slip_velocity a A B C p case reason "
         "lift_off_sign_of_C1=lift_off_sign impact_sign_of_C1=impact_sign warnings integer_beta obstructed_order "
-        "fixed notes"
+        "fixed notes number"
     )
 
     name: str
@@ -72,6 +75,25 @@ class Classification(NoTruthValue, Written):
     fixed: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     regularisation: Regularisation = PAPER
+    number: int | None = field(default=None, compare=False)
+    short_point: tuple[tuple[str, str], ...] = field(default=(), compare=False, repr=False)
+
+    @property
+    def what_happens(self) -> str:
+        """What the paper says of slip at this G-spot as ε → 0, in one phrase: impact, lift-off or impact, or nothing.
+
+        >>> from gspot_verified import load
+        >>> classify(load("falling rod")).what_happens
+        'impact without collision'
+        """
+        if self.case is None:
+            return f"undecided: {self.reason}"
+        if self.case == "none":
+            return f"no Case: {self.reason.removeprefix(_NOT_THREE)}"
+        if self.impact_sign is None:
+            why = "is not evaluated" if self.integer_beta is None else f"is, or may be, the integer {self.integer_beta}"
+            return f"the side is open: β {why}"
+        return follows_text(self.lift_off_sign, self.impact_sign)
 
     @property
     def obstructed_order(self) -> int | None:
@@ -183,6 +205,7 @@ def classify_g_spot(spot: GSpot) -> Classification:
             fixed=spot.fixed,
             notes=spot.mechanism.notes,
             regularisation=spot.mechanism.regularisation,
+            short_point=tuple(spot.in_short().items()),
         )
 
 
@@ -198,9 +221,9 @@ def case_of(first: Exact, second: Exact, third: Exact) -> tuple[str | None, str]
     signs = [sign_of_exact(value) for value in (first, second, third, third - first)]
     for name, sign in zip(("alpha_1", "alpha_3"), (signs[0], signs[2]), strict=True):
         if sign in (0, 1):
-            return "none", f"trajectories do not approach in the three ways: {name} is not negative"
+            return "none", f"{_NOT_THREE}{name} is not negative"
     if signs[3] == 0:
-        return "none", "trajectories do not approach in the three ways: alpha_1 = alpha_3, beta = 1"
+        return "none", f"{_NOT_THREE}alpha_1 = alpha_3, beta = 1"
     if signs[1] == 0:
         return "none", "alpha_2 = 0: between the three ways"
     names = ("alpha_1", "alpha_2", "alpha_3", "alpha_3 - alpha_1")
@@ -209,7 +232,7 @@ def case_of(first: Exact, second: Exact, third: Exact) -> tuple[str | None, str]
         return None, f"the balls leave the sign of {', '.join(unsure)} open: give more bits or exact numbers"
     case = {(-1, 1): "I", (1, 1): "II", (-1, -1): "III"}.get((signs[1] or 0, signs[3] or 0))
     if case is None:
-        return "none", "trajectories do not approach in the three ways: alpha_2 > 0 and alpha_3 < alpha_1"
+        return "none", f"{_NOT_THREE}alpha_2 > 0 and alpha_3 < alpha_1"
     return case, _CASES[case]
 
 

@@ -19,11 +19,14 @@ from gspot_verified.mechanisms.spots.classify import Classification, classify_g_
 from gspot_verified.mechanisms.spots.critical_friction import CriticalFriction, critical_friction
 from gspot_verified.mechanisms.spots.g_spot import DEFAULT_BITS, GSpot, find_g_spot
 from gspot_verified.mechanisms.spots.g_spot_list import GSpots
-from gspot_verified.numbers.balls import ExactInput, working_bits
+from gspot_verified.mechanisms.spots.spot_table import spot_table
+from gspot_verified.numbers.balls import ExactInput, ball, working_bits
+from gspot_verified.numbers.evidence import every, inside
 from gspot_verified.numbers.verdict import NoTruthValue, Outcome, Verdict
 from gspot_verified.numbers.written import Written
 
 _FRICTION_BUDGET = 4000  # boxes: the critical friction is an extra here, a fifth of its own budget
+_MORE_BITS = 64  # for the G-spot at the place: its box is narrower than that in the list, and lies in it
 _NUMBERS = ("alpha_1", "alpha_2", "alpha_3", "u", "a", "A", "B", "C", "mu")
 
 
@@ -32,7 +35,7 @@ class AllClassified(NoTruthValue, Written):
     """The result of :func:`classify_all`: ``found`` are the G-spots, ``spots`` what each of ``found.spots`` is.
 
     ``vary`` names what depends on a free component, or has not the period of the conditions in an angle: it holds
-    for the value shown only.
+    for the value shown only. ``at_place`` is the number of the spot at the place that the mechanism names.
     """
 
     ask: ClassVar[str] = ".verdict.outcome is Outcome.PROVED, REFUTED or UNDECIDED"
@@ -42,6 +45,7 @@ class AllClassified(NoTruthValue, Written):
     spots: tuple[Classification, ...]
     critical: CriticalFriction
     vary: tuple[tuple[str, tuple[str, ...]], ...]
+    at_place: int | None = None
 
     @property
     def verdict(self) -> Verdict:
@@ -55,18 +59,26 @@ class AllClassified(NoTruthValue, Written):
         return 2 if open_case and self.verdict.outcome is Outcome.PROVED else self.verdict.exit_code
 
     def __str__(self) -> str:
-        lines = [*self.found.about(), str(self.critical)]
-        lines += [
+        follow = {word for word, text in self.found.searched if text.startswith("follows")}
+        table = spot_table(self.spots, follow, self.at_place)
+        return "\n".join([*self.found.summary(), f"  {self.critical.in_short()}", *self._remarks(), *table])
+
+    def in_full(self) -> str:
+        """The text with the balls of every number of every G-spot."""
+        spots = [f"G-spot {n}: {spot}" for n, spot in enumerate(self.spots, 1)]
+        return "\n".join([*self.found.about(), str(self.critical), *self._remarks(), *spots])
+
+    def _remarks(self) -> list[str]:
+        lines = [
             f"note: {word} stands in {', '.join(names)}, and "
             + ("no condition holds it" if word in self.found.free else "they have not the period of the conditions")
             + ": these are shown for one value of it"
             for word, names in self.vary
         ]
-        lines += [
+        return lines + [
             "at the boundary of the region: " + ", ".join(f"{k} = {v}" for k, v in spot.to_json().items())
             for spot in self.found.boundary
         ]
-        return "\n".join([*lines, *(f"G-spot {n}: {spot}" for n, spot in enumerate(self.spots, 1))])
 
 
 def classify_all(
@@ -77,7 +89,9 @@ def classify_all(
 ) -> AllClassified:
     """Find all G-spots in a region of states, without a start, and say of each which of the three cases it is.
 
-    The arguments are those of :func:`gspot_verified.mechanisms.spots.all_g_spots.find_g_spots`.
+    Those that slip in contact may reach come first. They have numbers, which other functions take as ``spot``; not in a
+    box, or with another budget: the list may be another one. The arguments are those of
+    :func:`gspot_verified.mechanisms.spots.all_g_spots.find_g_spots`.
 
     :raises MechanismError: the mechanism is not complete, or the box names no component of the state.
 
@@ -89,29 +103,44 @@ def classify_all(
     >>> result.exit_code, result.critical.is_below
     (1, True)
     """
-    g_spots = _with_the_exact_one(find_g_spots(mechanism, box, bits, budget), mechanism, bits)
-    spots = tuple(classify_g_spot(spot) for spot in g_spots.spots)
+    found = find_g_spots(mechanism, box, bits, budget)
+    named = named_spot(mechanism, found, bits)
+    g_spots = with_the_exact_one(found, named)
+    numbers = range(1, len(g_spots.spots) + 1) if not box and budget == DEFAULT_BUDGET else [None] * len(g_spots.spots)
+    pairs = list(zip(numbers, g_spots.spots, strict=True))
     return AllClassified(
-        g_spots, spots, critical_friction(mechanism, bits, _FRICTION_BUDGET), _vary(mechanism, g_spots)
+        g_spots,
+        tuple(replace(classify_g_spot(spot), number=number) for number, spot in pairs),
+        critical_friction(mechanism, bits, _FRICTION_BUDGET),
+        _vary(mechanism, g_spots),
+        next((number for number, spot in pairs if named is not None and _is_named(spot, named)), None),
     )
 
 
-def _with_the_exact_one(g_spots: GSpots, mechanism: Mechanism, bits: int) -> GSpots:
-    """The list with the rational G-spot that the mechanism names in the place of its enclosure."""
-    if g_spots.left and not g_spots.spots:
-        return g_spots
-    try:
-        named = find_g_spot(mechanism, bits)
-    except ValueError:
+def with_the_exact_one(g_spots: GSpots, named: GSpot | None) -> GSpots:
+    """The list with the G-spot that the mechanism names, where it is rational, in the place of its enclosure."""
+    if named is None or not named.exact:
         return g_spots
     return replace(g_spots, spots=tuple(named if _is_named(spot, named) else spot for spot in g_spots.spots))
 
 
+def named_spot(mechanism: Mechanism, g_spots: GSpots, bits: int) -> GSpot | None:
+    """The G-spot at the place that the mechanism names; None where there are none in the list, or none is found."""
+    if not g_spots.spots:
+        return None
+    try:
+        return find_g_spot(mechanism, bits + _MORE_BITS)
+    except ValueError:
+        return None
+
+
 def _is_named(spot: GSpot, named: GSpot) -> bool:
-    """Whether the box holds the named rational point: then that is the one zero in it, with the same conditions J."""
-    with working_bits(spot.bits):
-        pairs = zip(spot.system.point, named.system.point, strict=True)
-        return named.exact and spot.fixed == named.fixed and all((x - y).contains(0) for x, y in pairs)
+    """Whether the box holds the named point or its box: then that is the one zero in it, with the same conditions."""
+    with working_bits(named.bits):
+        pairs = list(zip(map(ball, spot.system.point), map(ball, named.system.point), strict=True))
+        if named.exact:
+            return spot.fixed == named.fixed and all((x - y).contains(0) for x, y in pairs)
+        return spot.fixed == named.fixed and every(inside(y, x) for x, y in pairs) is not None
 
 
 def _vary(mechanism: Mechanism, g_spots: GSpots) -> tuple[tuple[str, tuple[str, ...]], ...]:

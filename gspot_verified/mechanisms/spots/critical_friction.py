@@ -23,6 +23,7 @@ from gspot_verified.mechanisms.spots.g_spot_list import in_words
 from gspot_verified.mechanisms.spots.spot_conditions import take_apart
 from gspot_verified.mechanisms.zeros.all_zeros import Box, Budget, ZeroSearch
 from gspot_verified.numbers.balls import ShownBall, ball_text, hull, working_bits
+from gspot_verified.numbers.short_text import table_text
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 
@@ -82,6 +83,15 @@ class CriticalFriction(NoTruthValue, Written):
         text = f"critical friction mu_c = {ball_text(self.value)}, attained at {places}"
         if self.is_below and self.friction is not None:
             text += f"\n  mu = {ball_text(self.friction)} lies below mu_c: p > 0 in every configuration in contact"
+        return text
+
+    def in_short(self) -> str:
+        """The same in one line, with six digits and without the places."""
+        if self.value is None or not self.value.is_finite():
+            return str(self)
+        text = f"critical friction mu_c = {table_text(self.value)}"
+        if self.is_below and self.friction is not None:
+            text += f"; mu = {table_text(self.friction)} lies below it: p > 0 in every configuration in contact"
         return text
 
 

@@ -25,8 +25,9 @@ from gspot_verified.mechanisms.formulas.simplify import constant, product_of, ra
 from gspot_verified.mechanisms.formulas.symbol import Symbol
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.zeros.newton import NotFoundError, newton_point, proved_box
-from gspot_verified.numbers.balls import ball_text, working_bits
+from gspot_verified.numbers.balls import Exact, ball_text, working_bits
 from gspot_verified.numbers.evidence import every
+from gspot_verified.numbers.short_text import table_text
 from gspot_verified.numbers.verdict import Evidence
 
 DEFAULT_BITS = 128  # working bits of the search and of its proof: more give a narrower box
@@ -66,6 +67,22 @@ class GSpot:
                 text = references[word] if text == "0" else f"{references[word]} + {text}"
             components[word] = text
         return components
+
+    def in_short(self) -> dict[str, str]:
+        """The same for a table: exact numbers where they are short, six digits elsewhere."""
+        pairs = zip(self.mechanism.state, self.system.point, strict=True)
+        return {word: short_component(self.mechanism, word, value) for word, value in pairs}
+
+
+def short_component(mechanism: Mechanism, word: str, value: Exact) -> str:
+    """A component of the shifted state for a table; an angle with a reference as ``reference + deviation``."""
+    reference = next((angle.name for angle in mechanism.angles if angle.coordinate == word), None)
+    text = table_text(value)
+    if reference is None:
+        return text
+    if text in ("0", "0.000000"):
+        return reference
+    return f"{reference} - {text[1:]}" if text.startswith("-") else f"{reference} + {text}"
 
 
 def find_g_spot(mechanism: Mechanism, bits: int = DEFAULT_BITS) -> GSpot:

@@ -10,12 +10,14 @@ from flint import arb, fmpq
 
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.g_spot import GSpot
+from gspot_verified.mechanisms.spots.sign_of_p import SignOfP
 from gspot_verified.numbers.balls import ball_text
 from gspot_verified.numbers.evidence import equal, every
 from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
 _SHOWN = 20  # open boxes that the text lists
+_EXCLUDED = "every box of the region was excluded"
 
 
 @dataclass(frozen=True)
@@ -93,10 +95,13 @@ class GSpots(NoTruthValue, Written):
 
     ``spots`` are proved to lie in the region, each alone in its box. ``boundary`` are proved too, but so near to the
     end of an interval that they may lie outside. Every other G-spot in the region lies in a box of ``left``: none, when
-    ``complete``. ``searched`` says for each component what the region is. ``free`` are components that no condition
-    holds: the spots repeat for all their values. They repeat with ``periods`` too (2 pi times the number given), in
-    the angles of which one turn was searched. ``patch`` is given where there are fewer conditions than unknowns.
-    ``account`` is what was compared.
+    ``complete``. ``searched`` says for each component what the region is, ``region`` the same in one phrase. ``free``
+    are components that no condition holds: the spots repeat for all their values. They repeat with ``periods`` too
+    (2 pi times the number given), in the angles of which one turn was searched. ``patch`` is given where there are
+    fewer conditions than unknowns. ``account`` is what was compared; ``sign_of_p`` that of p in the whole region,
+    where there is no G-spot and it was shown.
+
+    The numbers of the spots, from 1, are those that ``spot`` takes everywhere.
     """
 
     ask: ClassVar[str] = ".complete is True when all G-spots in the region are listed; .verdict has three outcomes"
@@ -107,10 +112,25 @@ class GSpots(NoTruthValue, Written):
     boundary: tuple[GSpot, ...]
     left: tuple[Left, ...]
     searched: tuple[tuple[str, str], ...]
+    region: str
     free: tuple[str, ...]
     patch: Patch | None = None
     periods: tuple[tuple[str, fmpq], ...] = ()
     account: Account = field(default_factory=Account, compare=False, repr=False)
+    sign_of_p: SignOfP | None = None
+
+    def spot(self, number: int) -> GSpot:
+        """The G-spot of this number, from 1.
+
+        :raises ValueError: there is none; the message says how many there are.
+        """
+        count = len(self.spots)
+        if type(number) is not int or not 1 <= number <= count:
+            least = "" if self.complete else "at least "
+            listed = f"{self.name} has {least}{_count(count)}" if count else f"{self.name}: no G-spot was found"
+            wanted = {0: "", 1: ": expected 1"}.get(count, f": expected a number in 1..{count}")
+            raise ValueError(f"spot: {listed} (classify --all lists them){wanted}, got {number!r:.20}")
+        return self.spots[number - 1]
 
     @property
     def complete(self) -> bool:
@@ -130,14 +150,16 @@ class GSpots(NoTruthValue, Written):
         shown = self._all_shown if self.patch is None else None
         if shown is not None:
             if self.spots:
-                exactly = f"{self.name} has exactly {_count(len(self.spots))} in the region searched"
+                exactly = f"{self.name} has exactly {_count(len(self.spots))} in the region: {self.region}"
                 return Verdict.proved(exactly, shown)
-            statement = f"{self.name} has G-spots in the region searched"
-            return Verdict.refuted(statement, "every box of the region was excluded", shown)
+            statement, witness = f"{self.name} has G-spots in the region: {self.region}", _EXCLUDED
+            if self.sign_of_p is None:
+                return Verdict.refuted(statement, witness, shown)
+            return Verdict.refuted(statement, witness, every([shown, self.sign_of_p.shown]), str(self.sign_of_p))
         detail = f"{len(self.spots)} proved, {len(self.boundary)} at the boundary, {len(self.left)} boxes left"
         budget = any("budget" in left.why for left in self.left)
         return Verdict.undecided(
-            f"the list of the G-spots of {self.name} is complete",
+            f"the list of the G-spots of {self.name} is complete in the region: {self.region}",
             Reason.BUDGET if budget else Reason.HYPOTHESIS,
             detail,
         )
@@ -147,11 +169,17 @@ class GSpots(NoTruthValue, Written):
 
     def about(self) -> list[str]:
         """The lines of the text that say what was searched, what was found and what is left, without the list."""
+        lines = self.summary()
+        lines[1:1] = [f"  {word}: {text}" for word, text in self.searched]
+        return lines
+
+    def summary(self) -> list[str]:
+        """The same with the region in one phrase."""
         lines = [str(self.verdict).splitlines()[0]]
         if self.patch is not None:
             lines.append(f"  {self.patch}")
             lines.append("  fix components (fixed, conditions) for isolated G-spots and a complete list")
-        lines += [f"  {word}: {text}" for word, text in self.searched]
+        lines += [] if self.sign_of_p is None else [f"  {self.sign_of_p}"]
         lines += [f"  left open: {left}" for left in self.left[:_SHOWN]]
         if len(self.left) > _SHOWN:
             lines.append(f"  and {len(self.left) - _SHOWN} boxes more are left open")

@@ -30,11 +30,15 @@ class Region:
     """Make one with :func:`search_region`. Components are known by their index, angles counted from their references.
 
     A closed interval for some components, a period for others; the rest take every value, until :meth:`side` is asked
-    for one of them: then the default bound holds for it.
+    for one of them: then the default bound holds for it. Intervals that are not given lie about the mechanism's
+    ``place``, where that has a value for the component, else about 0.
     """
 
-    def __init__(self, mechanism: Mechanism, given: Mapping[int, tuple[Exact, Exact]]) -> None:
+    def __init__(
+        self, mechanism: Mechanism, given: Mapping[int, tuple[Exact, Exact]], place: Mapping[str, arb] | None = None
+    ) -> None:
         self._state = mechanism.state
+        self._place = dict(place or {})
         self._references = {mechanism.state.index(a.coordinate): angle_ball(a) for a in mechanism.angles}
         self._names = {mechanism.state.index(a.coordinate): a.name for a in mechanism.angles}
         self._given = dict(given)
@@ -43,17 +47,24 @@ class Region:
             reference = self._references.get(i, arb(0))
             self._intervals[i] = (ball(lower) - reference, ball(upper) - reference)
         self._turns: dict[int, fmpq] = {}
-        self._one_turn: dict[int, fmpq] = {}
-        self._bounded: set[int] = set()
+        self._one_turn: dict[int, tuple[fmpq, fmpq]] = {}
+        self._bounded: dict[int, tuple[fmpq, fmpq]] = {}
 
     def add_period(self, index: int, factor: fmpq, of_all: bool) -> None:
         """All conditions (or only those that are searched for this component) have the period 2 pi ``factor`` in it."""
         if of_all:
             self._turns[index] = factor
         else:
-            self._one_turn[index] = _MORE_THAN_HALF_A_TURN * factor
-            half = arb(self._one_turn[index])
-            self._intervals[index] = (-half, half)
+            self._one_turn[index] = self._about_place(index, _MORE_THAN_HALF_A_TURN * factor, factor / 4)
+            lower, upper = self._one_turn[index]
+            self._intervals[index] = (arb(lower), arb(upper))
+
+    def _about_place(self, index: int, half: fmpq, step: fmpq) -> tuple[fmpq, fmpq]:
+        """An interval about the multiple of ``step`` next to the place: any would do, as it is said which it is."""
+        value = self._place.get(self._state[index], arb(0))
+        number = (value / arb(step) + arb(fmpq(1, 2))).floor().unique_fmpz()
+        centre = fmpq(0) if number is None else step * fmpq(number)
+        return centre - half, centre + half
 
     def period(self, index: int) -> arb | None:
         """The period of all conditions in the component, if the whole circle is searched."""
@@ -69,10 +80,15 @@ class Region:
         if index in self._turns:
             return arb(0, (arb.pi() * arb(self._turns[index])).upper())
         if index not in self._intervals:
-            self._bounded.add(index)
-            self._intervals[index] = (arb(-DEFAULT_BOUND), arb(DEFAULT_BOUND))
+            self._bounded[index] = self._about_place(index, fmpq(DEFAULT_BOUND), fmpq(1))
+            first, last = self._bounded[index]
+            self._intervals[index] = (arb(first), arb(last))
         lower, upper = self._intervals[index]
         return hull([lower, upper])
+
+    def known_side(self, index: int) -> arb | None:
+        """The same; None for a component that takes every value."""
+        return self.side(index) if index in self._turns or index in self._intervals else None
 
     def given(self, index: int) -> arb | None:
         """A ball around the given interval of a component; None where none is given."""
@@ -111,14 +127,48 @@ class Region:
             elif i in self._turns:
                 text = f"every angle (all conditions have the period {_pi(2 * self._turns[i])})"
             elif i in self._one_turn:
-                half, about = self._one_turn[i], self._names.get(i)
-                text = f"[-{half}, {half}]{f' about {about}' if about else ''} (default: more than one turn)"
+                text = f"{self._stated(i)} (default: more than one turn)"
             elif i in self._bounded:
-                text = f"[-{DEFAULT_BOUND}, {DEFAULT_BOUND}] (default bound)"
+                text = f"{self._stated(i)} (default bound)"
             else:
                 text = "every value"
             rows.append((word, text))
         return tuple(rows)
+
+    def _stated(self, index: int) -> str:
+        """An interval that was not given; of an angle with a reference its distance from that."""
+        lower, upper = self._one_turn[index] if index in self._one_turn else self._bounded[index]
+        reference = self._names.get(index)
+        return f"[{lower}, {upper}]{f' about {reference}' if reference else ''}"
+
+    def in_words(self, apart: TakenApart, fixed: Mapping[str, str]) -> str:
+        """The same in one phrase: what is searched, and the values ``fixed``; what follows from these is left out."""
+        explicit = {each.index: each.condition for each in apart.explicit}
+        angles, bounded, every, free, held = [], [], [], [], []
+        for i, word in enumerate(self._state):
+            if i in self._given:
+                lower, upper = self._given[i]
+                bounded.append(f"{word} in [{_text(lower)}, {_text(upper)}]")
+            elif explicit.get(i) == fixed_name(word):
+                held.append(f"{word} = {fixed[word]}" if word in fixed else word)
+            elif i in explicit:
+                continue
+            elif i in apart.free:
+                free.append(word)
+            elif i in self._turns:
+                angles.append(word)
+            elif i in self._one_turn or i in self._bounded:
+                bounded.append(f"{word} in {self._stated(i)} (default)")
+            else:
+                every.append(word)
+        parts = [
+            *(f"every angle {word}" for word in angles),
+            *bounded,
+            *([f"every value of {', '.join(every)}"] if every else []),
+            *([f"any {', '.join(free)} (no condition holds {'it' if len(free) == 1 else 'them'})"] if free else []),
+            *([f"{', '.join(held)} fixed"] if held else []),
+        ]
+        return "; ".join(parts)
 
 
 def fixed_name(word: str) -> str:
@@ -131,12 +181,15 @@ def search_region(
     conditions: Mapping[str, Expression],
     apart: TakenApart,
     box: Mapping[str, tuple[ExactInput, ExactInput]],
+    place: Mapping[str, arb] | None = None,
 ) -> Region:
     """The region: the box where it names a component, one period where the conditions have one.
 
+    ``place`` are the values that the mechanism gives, angles counted from their references.
+
     :raises MechanismError: the box names no component, or an interval is empty.
     """
-    region = Region(mechanism, _intervals(mechanism, box))
+    region = Region(mechanism, _intervals(mechanism, box), place)
     for stage in apart.stages:
         functions = [apart.functions[name] for name in stage.conditions]
         for i in stage.variables:

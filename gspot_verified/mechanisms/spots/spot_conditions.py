@@ -64,11 +64,11 @@ def take_apart(conditions: Mapping[str, Expression], dimension: int, kept: Seque
         explicit.append(affine)
         del remaining[affine.condition]
         remaining = {name: _with(function, affine, dimension) for name, function in remaining.items()}
-    depends = {name: _depends(function) for name, function in remaining.items()}
+    unknowns = {name: components_of(function) for name, function in remaining.items()}
     solved = {each.index for each in explicit}
-    used = frozenset[int]().union(*depends.values())
+    used = frozenset[int]().union(*unknowns.values())
     free = tuple(i for i in range(dimension) if i not in solved and i not in used)
-    return TakenApart(remaining, tuple(explicit), _stages(depends), free)
+    return TakenApart(remaining, tuple(explicit), _stages(unknowns), free)
 
 
 def _affine(remaining: Mapping[str, Expression], dimension: int, kept: Sequence[int]) -> Explicit | None:
@@ -95,7 +95,8 @@ def _replaced(function: Expression, index: int, value: Expression, dimension: in
     return substitute(function, [value if i == index else Variable(i) for i in range(dimension)])
 
 
-def _depends(function: Expression) -> frozenset[int]:
+def components_of(function: Expression) -> frozenset[int]:
+    """The components of the state on which a function depends, or may depend: cancellations are not seen."""
     code = StraightLine()
     return code.depends(code.value(function))
 

@@ -35,10 +35,7 @@ def first_spot(mechanism: Mechanism, number: int | None) -> GSpot:
         raise GSpotError(f"{wrong}\n{g_spots}")
     if number is None and (len(g_spots.spots) > 1 or not g_spots.complete):
         raise ValueError(f"{wrong}: choose one by its number, spot=1\n{g_spots}")
-    chosen = 1 if number is None else number
-    if type(chosen) is not int or not 1 <= chosen <= len(g_spots.spots):
-        raise ValueError(f"spot: expected a number in 1..{len(g_spots.spots)}, got {chosen!r}\n{g_spots}")
-    return g_spots.spots[chosen - 1]
+    return g_spots.spot(1 if number is None else number)
 
 
 def with_place_of(mechanism: Mechanism, spot: GSpot) -> Mechanism:

@@ -126,9 +126,9 @@ class ZeroSearch:
             if width < least or (width < _COARSE and self._undefined_at_middle(rest)):
                 self.found.left.append(rest)
             else:
-                halves = self._halves(rest)
-                self.found.halved.append(cover_by_boxes(map(_ends, halves), _ends(rest)))
-                waiting += halves
+                parts = self._halves(rest)
+                self.found.halved.append(covered(parts, rest))
+                waiting += parts
 
     def state(self, box: Sequence[arb]) -> list[arb]:
         """The whole state with these sides as variables."""
@@ -283,9 +283,7 @@ class ZeroSearch:
                     self._reached = value.lower()
 
     def _halves(self, box: Box) -> list[Box]:
-        j = self._split_along(box)
-        middle, radius = box[j].mid(), box[j].rad()
-        return [(*box[:j], middle + sign * radius / 2 + arb(0, radius / 2), *box[j + 1 :]) for sign in (1, -1)]
+        return halves(box, self._split_along(box))
 
     def _split_along(self, box: Box) -> int:
         """The variable that moves the functions most, unless another side is wider by far."""
@@ -304,6 +302,17 @@ class ZeroSearch:
 def _not_zero(values: Sequence[arb]) -> Evidence | None:
     """That one of the enclosures does not hold 0."""
     return next((shown for value in values if (shown := differ(0, value)) is not None), None)
+
+
+def halves(box: Box, j: int) -> list[Box]:
+    """The box divided along the variable j."""
+    middle, radius = box[j].mid(), box[j].rad()
+    return [(*box[:j], middle + sign * radius / 2 + arb(0, radius / 2), *box[j + 1 :]) for sign in (1, -1)]
+
+
+def covered(parts: Sequence[Box], box: Box) -> Evidence | None:
+    """That the parts cover the box."""
+    return cover_by_boxes(map(_ends, parts), _ends(box))
 
 
 def _ends(box: Box) -> tuple[list[fmpq], list[fmpq]]:

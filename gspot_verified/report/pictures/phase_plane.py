@@ -19,6 +19,7 @@ from gspot_verified.mechanisms.approach.approach import approach
 from gspot_verified.mechanisms.approach.slip_state import StateInput
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.g_spot import GSpot, find_g_spot
 from gspot_verified.numbers.balls import ball, working_bits
 from gspot_verified.report.pictures.canvas import BLUE, GREEN, INK, ORANGE, PURPLE, Picture, canvas, picture, styled
@@ -110,19 +111,22 @@ def _moved(state: Sequence[arb], slope: Sequence[arb], step: arb) -> list[arb]:
     return [(value + step * rate).mid() for value, rate in zip(state, slope, strict=True)]
 
 
-def phase_plane(mechanism: Mechanism, state: StateInput | None = None) -> PhasePlane:
-    """The runs of the picture; ``state``: one of the user's own, as for :func:`mechanisms.approach.approach.approach`.
+def phase_plane(mechanism: Mechanism, state: StateInput | None = None, spot: int | None = None) -> PhasePlane:
+    """The runs of the picture; ``state``: one of the user's own, as for :func:`mechanisms.approach.approach.approach`;
+    ``spot``: the number of the G-spot in the list of ``classify_all``.
 
     :raises GSpotError: the mechanism has no G-spot there.
-    :raises ValueError: ``state`` is no start (see there), or no states in contact were found next to the G-spot.
+    :raises ValueError: ``state`` is no start (see there), or no states in contact were found next to the G-spot; or
+        there is no G-spot of that number.
     """
-    spot = find_g_spot(mechanism, _BITS)
+    mechanism = at_spot(mechanism, spot)
+    centre = find_g_spot(mechanism, _BITS)
     own = () if state is None else _path(mechanism, state)
     with working_bits(_BITS):
-        system = spot.system
+        system = centre.system
         first, second, third = (ball(value).mid() for value in system.check())
         slope = (second / (first - third)).mid()
-        slip = RigidSlip(spot)
+        slip = RigidSlip(centre)
         span = _REACH / min(float(abs(first)), float(abs(third)))
         reach = arb(abs(own[0][0])) if own else arb(fmpq(1, 4))
         for _ in range(_SHRINKS):
@@ -163,9 +167,9 @@ def _distinguished(slip: RigidSlip, trajectory: Trajectory, reach: float) -> Run
     return ((0.0, 0.0), *(point for point in run if point[0] <= 1.05 * reach))
 
 
-def phase_plane_picture(mechanism: Mechanism, state: StateInput | None = None) -> Picture:
+def phase_plane_picture(mechanism: Mechanism, state: StateInput | None = None, spot: int | None = None) -> Picture:
     """The phase plane as a figure with its caption; arguments and errors as for :func:`phase_plane`."""
-    plane = phase_plane(mechanism, state)
+    plane = phase_plane(mechanism, state, spot)
     return styled(lambda: _draw(plane))()
 
 

@@ -109,6 +109,18 @@ def side_text(lift_off_sign: int | None, impact_sign: int | None) -> str:
     return f"Case III: {lift_off} lifts off, {impact} takes an IWC"
 
 
+def follows_text(lift_off_sign: int | None, impact_sign: int) -> str:
+    """The same in one short phrase; in Cases I and II nothing but an impact occurs as ε → 0 (paper, Sec. 1.4).
+
+    >>> follows_text(None, -1), follows_text(1, -1)
+    ('impact without collision', 'lift-off if C1 > 0, impact without collision if C1 < 0')
+    """
+    if lift_off_sign is None:
+        return "impact without collision"
+    lift_off, impact = (f"C1 {'>' if sign > 0 else '<'} 0" for sign in (lift_off_sign, impact_sign))
+    return f"lift-off if {lift_off}, impact without collision if {impact}"
+
+
 def gamma_sign(beta: ExactInput) -> int | None:
     """The sign of Gamma(-beta): 1 or -1 when certain for the whole input, 0 at a pole (beta = 0, 1, 2, ...), else None.
 

@@ -581,7 +581,9 @@ def test_what_is_left_open_is_not_called_complete() -> None:
     found = find_g_spots(classical_rod(Fraction(7, 5)))
     spot, left = found.spots[0], Left((("theta", "[0, 1]"), ("X", "0")), "the budget of boxes ended")
     assert found.verdict.outcome is Outcome.PROVED
-    assert found.verdict.statement.endswith("exactly 4 G-spots in the region searched")
+    assert found.verdict.statement.endswith(
+        "exactly 4 G-spots in the region: every angle theta; every value of theta_dot; X = 0, X_dot = 2 fixed"
+    )
     assert str(left) == "theta = [0, 1], X = 0: the budget of boxes ended"
     for other, reason in (
         (replace(found, left=(left,)), Reason.BUDGET),

@@ -24,6 +24,11 @@ Q, THETA = Variable(0), Variable(1)
 HALF = Constant(fmpq(1, 2))
 
 
+def rational(value: str | Fraction) -> fmpq:
+    exact = Fraction(value)
+    return fmpq(exact.numerator, exact.denominator)
+
+
 def tilted() -> Mechanism:
     """State q, theta, q_dot, theta_dot; theta is counted from atan2(3/5, 4/5) = 0.6435..."""
     return lagrangian(
@@ -98,6 +103,40 @@ def test_where_only_the_search_repeats_more_than_one_turn_is_searched() -> None:
     assert words["q"] == "[-13/4, 13/4] (default: more than one turn)"
 
 
+@pytest.mark.parametrize(
+    ("place", "interval"),
+    [("2", "[-8, 12]"), ("7/3", "[-8, 12]"), ("-5/2", "[-12, 8]"), ("12345", "[12335, 12355]"), ("0.49", "[-10, 10]")],
+)
+def test_a_default_interval_lies_about_the_place(place: str, interval: str) -> None:
+    conditions: dict[str, Expression] = {"p": Q * Q - HALF, "b": THETA * THETA - HALF}
+    apart = take_apart(conditions, 4)
+    found = search_region(tilted(), conditions, apart, {}, {"q": arb(rational(place)), "theta": arb(7)})
+    lower, upper = (Fraction(end) for end in interval.strip("[]").split(","))
+    assert holds(found.side(0), lower)
+    assert holds(found.side(0), upper)
+    assert abs((lower + upper) / 2 - Fraction(place)) <= Fraction(1, 2)
+    found.side(1)
+    assert dict(found.searched(apart))["q"] == f"{interval} (default bound)"
+    assert dict(found.searched(apart))["theta"] == "[-3, 17] about theta_ref (default bound)"
+    assert found.in_words(apart, {}).startswith(
+        f"q in {interval} (default); theta in [-3, 17] about theta_ref (default)"
+    )
+
+
+def test_more_than_one_turn_about_the_place_holds_it_and_a_turn() -> None:
+    """The conditions have the period pi/2 in theta where p alone is solved for it."""
+    conditions: dict[str, Expression] = {"p": Sine(Constant(fmpq(4)) * THETA), "b": Q * Q - THETA}
+    apart = take_apart(conditions, 4)
+    for place in (Fraction(0), Fraction(5), Fraction(-77, 10), Fraction(1, 7)):
+        found = search_region(tilted(), conditions, apart, {}, {"theta": arb(rational(place))})
+        side = found.side(1)
+        assert holds(side, place + Fraction(11, 14))
+        assert holds(side, place - Fraction(11, 14))
+        assert side.rad() < 1
+    unknown = search_region(tilted(), conditions, apart, {}, {"theta": arb("nan")})
+    assert unknown.side(1).contains(0)
+
+
 def test_given_intervals_come_before_periods_and_angles_count_from_their_reference() -> None:
     found, words = region({"p": Sine(THETA) - HALF, "b": Q * Q - HALF}, {"theta": (1, "3/2"), "q": (arb(2).sqrt(), 2)})
     assert words["theta"] == "[1, 3/2]"
@@ -142,7 +181,14 @@ def test_what_follows_is_fixed_or_never_searched_is_said() -> None:
         "q_dot": "fixed",
         "theta_dot": "free: no condition holds it",
     }
+    assert found.in_words(apart, {"q_dot": "1/2"}) == (
+        "every angle theta; any theta_dot (no condition holds it); q_dot = 1/2 fixed"
+    )
     closed = take_apart({"p": THETA * THETA - HALF}, 4)
+    region = search_region(tilted(), closed.functions, closed, {"q": (0, "3/2")})
+    assert region.in_words(closed, {}) == (
+        "q in [0, 3/2]; every value of theta; any q_dot, theta_dot (no condition holds them)"
+    )
     assert dict(search_region(tilted(), closed.functions, closed, {}).searched(closed))["theta"] == "every value"
 
 

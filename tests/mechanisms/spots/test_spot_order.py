@@ -1,0 +1,27 @@
+"""The numbers of G-spots: those that slip in contact may reach come first, in the same order everywhere."""
+
+from __future__ import annotations
+
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.spots.all_g_spots import find_g_spots
+from gspot_verified.mechanisms.spots.classify import classify_g_spot, sign_of_exact
+from gspot_verified.mechanisms.spots.spot_order import relevant_first
+
+
+def test_cases_come_before_no_case_and_positive_slip_first() -> None:
+    """The oscillator has two G-spots in Case III, one of them with u > 0, and four in no Case."""
+    spots = find_g_spots(shipped_mechanism("oscillator")).spots
+    ranks = []
+    for spot in map(classify_g_spot, spots):
+        in_a_case = spot.case in ("I", "II", "III")
+        ranks.append((not in_a_case, in_a_case and sign_of_exact(spot.slip_velocity) != 1))
+    assert ranks == [(False, False), (False, True), *[(True, False)] * 4]
+
+
+def test_any_order_of_the_search_gives_the_same_groups_and_keeps_the_order_in_them() -> None:
+    spots = list(find_g_spots(shipped_mechanism("rod")).spots)
+    assert relevant_first(spots) == spots
+    first, *others = spots
+    assert relevant_first([*others, first]) == spots
+    assert relevant_first(others[::-1]) == others[::-1]
+    assert relevant_first([]) == []
