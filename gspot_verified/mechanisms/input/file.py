@@ -66,6 +66,11 @@ The keys; one of the tables ``lagrangian``, ``energies``, ``fields`` says how it
 
 Numbers are exact: integers, decimals (0.1 is 1/10), or texts such as "7/3". Formulas are read by
 :mod:`gspot_verified.mechanisms.formulas.formula`: they can run no code.
+
+What no mechanism can have is refused by ``load``: a friction coefficient below 0, a mass matrix that is not positive
+definite (for any state, or at the point, unless that only starts a search), a mass below 0. A parameter counts as a
+mass if it stands in the mass matrix (or in G_T, G_N) and is called m, M, mass, I, J or inertia, or so with a number or
+an underscore behind, as m_2.
 """
 
 from __future__ import annotations

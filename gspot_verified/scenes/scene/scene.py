@@ -13,6 +13,7 @@ from flint import arb, fmpq
 
 from gspot_verified.functions.derivative import powers_as_products
 from gspot_verified.functions.expressions import Expression
+from gspot_verified.mechanisms.derive.impossible import refuse_impossible
 from gspot_verified.mechanisms.formulas.names import nearest
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.numbers.balls import ExactInput, ball_text, sign_of
@@ -134,7 +135,8 @@ class Scene:
     lambda_N is this many times that of rigid slip at the start, -b/p; None: it does not.
 
     :raises SceneError: a part is wrong.
-    :raises MechanismError: the mechanism is not complete, or its mass matrix is not positive definite at the start.
+    :raises MechanismError: the mechanism is not complete, it has a mass or a friction coefficient below 0, or its mass
+        matrix is not positive definite at the start.
     """
 
     name: str
@@ -148,6 +150,8 @@ class Scene:
 
     def __post_init__(self) -> None:
         _check_effects(self.effects, self.mechanism is not None)
+        if self.mechanism is not None:
+            refuse_impossible(self.mechanism)
         _check_positive(self.epsilon, "epsilon")
         for name in self.parameters:
             if name not in self.defaults():

@@ -275,6 +275,12 @@ def test_the_scaled_start_is_exact() -> None:
     }  # fmt: skip
 
 
+def test_a_mechanism_that_cannot_be_is_none_of_a_scene() -> None:
+    for settings, message in (({"m": -1}, "the mass m is -1"), ({"mu": "-1/2"}, "friction coefficient mu is -0.5: ")):
+        with pytest.raises(MechanismError, match=message):
+            load_scene("rod", **settings)
+
+
 def test_each_setting_comes_to_its_place() -> None:
     """A number of the mechanism, one of an effect, a formula of the start; what is None stays; b and nu take turns."""
     made = load_scene("rod", mu="7/3", k_1=5, theta="theta_ref - 1/20", epsilon="1/9", until=3, theta_dot=None)
