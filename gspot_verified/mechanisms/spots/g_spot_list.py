@@ -126,10 +126,13 @@ class GSpots(NoTruthValue, Written):
         """
         count = len(self.spots)
         if type(number) is not int or not 1 <= number <= count:
-            least = "" if self.complete else "at least "
-            listed = f"{self.name} has {least}{_count(count)}" if count else f"{self.name}: no G-spot was found"
-            wanted = {0: "", 1: ": expected 1"}.get(count, f": expected a number in 1..{count}")
-            raise ValueError(f"spot: {listed} (classify --all lists them){wanted}, got {number!r:.20}")
+            if count == 0:
+                raise ValueError(
+                    f"spot: {self.name}: no G-spot was found (classify --all says why), got {number!r:.20}"
+                )
+            listed = f"{self.name} has {'' if self.complete else 'at least '}{_count(count)}"
+            wanted = f"expected {'1' if count == 1 else f'a number in 1..{count}'}, got {number!r:.20}"
+            raise ValueError(f"spot: {listed} (classify --all lists them): {wanted}")
         return self.spots[number - 1]
 
     @property

@@ -37,8 +37,8 @@ def sign_of_p(program: BoxProgram, sides: Sequence[arb], budget: int = DEFAULT_B
     None: both signs occur, the budget ended, or nowhere in the box the others vanish.
 
     >>> from gspot_verified.functions.expressions import Variable
-    >>> program = BoxProgram([Variable(0) * Variable(0) - Variable(1) - 1, Variable(0)], 2)
-    >>> print(sign_of_p(program, [arb(0, 3), arb(0, "0.5")]))
+    >>> program = BoxProgram([Variable(0), Variable(0) + Variable(1)], 2)
+    >>> print(sign_of_p(program, [arb(0, 3), arb(2, 1)]))
     p < 0 everywhere in contact there: the Painlevé paradox proper
     """
     waiting: list[Box] = [tuple(sides)]

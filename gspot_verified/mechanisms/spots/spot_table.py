@@ -20,7 +20,7 @@ def spot_table(spots: Sequence[Classification], follow: Collection[str] = (), at
 
     >>> from gspot_verified import classify, load
     >>> print("\\n".join(spot_table([classify(load("falling rod"))])))
-      place                                               slip u  Case  β      what happens as ε → 0
+      place                                                   slip u  Case  β      what happens as ε → 0
       Y = 0.6, theta = theta_ref, Y_dot = 0.8, theta_dot = 1  1.4     II    18/55  impact without collision
     """
     if not spots:

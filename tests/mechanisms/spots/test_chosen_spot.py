@@ -16,9 +16,11 @@ from gspot_verified.mechanisms.input.mechanism import Mechanism, Place
 from gspot_verified.mechanisms.iwc import iwc
 from gspot_verified.mechanisms.shipped import shipped_mechanism, shipped_system
 from gspot_verified.mechanisms.spots import chosen_spot
+from gspot_verified.mechanisms.spots.all_g_spots import find_g_spots
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.classify import classify
 from gspot_verified.mechanisms.spots.classify_all import classify_all
+from gspot_verified.mechanisms.spots.g_spot_list import Left
 
 
 @pytest.fixture(scope="module")
@@ -123,3 +125,11 @@ def test_a_state_may_leave_out_what_is_as_at_the_spot() -> None:
     everything = {**near, "X": 0, "X_dot": 2, "Y": 1, "Y_dot": 1}
     with pytest.raises(StateError, match="the state gives all components: nothing of the G-spot is left"):
         approach(rod, everything, spot=1)
+
+
+def test_the_number_of_an_incomplete_list_is_at_least_that_many() -> None:
+    found = find_g_spots(shipped_mechanism("model"))
+    with pytest.raises(ValueError, match=r"spot: model system has one G-spot \(.*\): expected 1, got 2"):
+        found.spot(2)
+    with pytest.raises(ValueError, match="model system has at least one G-spot"):
+        replace(found, left=(Left((), "open"),)).spot(2)
