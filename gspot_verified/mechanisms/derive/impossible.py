@@ -86,10 +86,9 @@ def _refuse_masses(mechanism: Mechanism, numbers: _Numbers) -> None:
     motion = mechanism.motion
     inertial = motion.mass_matrix if isinstance(motion, Lagrangian) else (motion.G_T, motion.G_N)
     used = symbol_names([entry for row in inertial for entry in row])
-    words = [
-        word for word, value in mechanism.parameters if value is not None and word in used and _MASS.fullmatch(word)
-    ]
-    for word, value in zip(words, numbers([Symbol(word) for word in words])[0], strict=True):
+    words = [word for word, _ in mechanism.parameters if word in used and _MASS.fullmatch(word)]
+    values, _ = numbers([Symbol(word) for word in words])
+    for word, value in zip(words, values, strict=True):
         if value < 0:
             raise MechanismError(
                 f"{mechanism.name}: the mass {word} is {table_text(value)}: it must not be negative (if it is no mass, "

@@ -17,8 +17,7 @@ def relevant_first(spots: Sequence[GSpot]) -> list[GSpot]:
     return sorted(spots, key=_rank)
 
 
-def _rank(spot: GSpot) -> int:
+def _rank(spot: GSpot) -> tuple[bool, bool, bool]:
     found = classify_g_spot(spot)
-    if found.case in ("I", "II", "III"):
-        return 0 if sign_of_exact(found.slip_velocity) == 1 else 1
-    return 2 if found.case is None else 3
+    in_a_case = found.case in ("I", "II", "III")
+    return not in_a_case, found.case == "none", in_a_case and sign_of_exact(found.slip_velocity) != 1

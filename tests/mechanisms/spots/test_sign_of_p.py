@@ -43,7 +43,8 @@ def test_a_friction_so_high_that_p_is_negative_everywhere(mu: str, sign: int) ->
     assert found.verdict.outcome is Outcome.REFUTED
     assert found.sign_of_p is not None
     assert found.sign_of_p.sign == sign
-    assert ("paradox proper" in str(found)) == (sign < 0)
+    assert ("paradox proper" in str(found)) == ("p < 0 everywhere" in str(found)) == (sign < 0)
+    assert ("p > 0 everywhere" in str(found)) == (sign > 0)
     assert found.verdict.detail == str(found.sign_of_p)
     assert found.verdict.against is not None
     assert set(found.sign_of_p.shown.facts) <= set(found.verdict.against.facts)
