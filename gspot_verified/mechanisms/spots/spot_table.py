@@ -37,7 +37,7 @@ def spot_table(spots: Sequence[Classification], follow: Collection[str] = (), at
 def _row(spot: Classification, follow: Collection[str], at_place: int | None) -> tuple[str, ...]:
     shown = [(word, text) for word, text in spot.short_point if word not in spot.fixed and word not in follow]
     place = ", ".join(f"{word} = {text}" for word, text in shown or spot.short_point)
-    number = "" if spot.number is None else f"{spot.number}{'*' if spot.number == at_place else ''}"
+    number = f"{spot.number}{'*' if spot.number == at_place else ''}"
     beta = "-" if spot.beta is None else table_text(spot.beta)
     return number, place, table_text(spot.slip_velocity), spot.case or "?", beta, spot.what_happens
 

@@ -87,6 +87,8 @@ def test_at_the_place_it_is_known_what_the_state_decides() -> None:
     refuse_impossible(block(matrix, place={"X": 1}, search=True))  # a start, no state
     with pytest.raises(MechanismError, match=r"mu is -0\.841471 at the place of the G-spot: it must not be negative"):
         refuse_impossible(block([[1, 0], [0, 1]], "-sin(X)", {"X": 1}))
+    with pytest.raises(MechanismError, match=r"mu is -3\.14159: it must not be negative"):
+        refuse_impossible(block([[1, 0], [0, 1]], "-pi"))
     refuse_impossible(block([[1, 0], [0, 1]], "-sin(X)", {"X": -1}))
     refuse_impossible(block([[1, 0], [0, 1]], "-sin(X)"))
 

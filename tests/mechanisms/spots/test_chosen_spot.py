@@ -68,7 +68,7 @@ def test_a_mechanism_without_a_place_has_one_by_a_number() -> None:
     assert found.case == known.case == "II"
     assert found.beta is not None
     assert found.beta.overlaps(known.beta)
-    assert set(found.fixed) == {"X", "X_dot"}
+    assert found.fixed == bare.place.fixed == ("X", "X_dot")
 
 
 def test_fixed_components_keep_their_exact_values() -> None:

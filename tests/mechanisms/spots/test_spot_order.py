@@ -34,7 +34,7 @@ def test_an_open_case_stands_between(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(spot_order, "classify_g_spot", classified)
     right = [(case, fmpq(1)) for case in ("I", "III", "II")]
     wrong = [("II", fmpq(-1)), ("I", fmpq(0)), ("III", arb(0, 1))]
-    others = [(None, fmpq(1)), (None, fmpq(-1)), ("none", fmpq(2)), ("none", fmpq(-2))]
+    others = [(None, fmpq(-1)), (None, fmpq(1)), ("none", fmpq(-2)), ("none", fmpq(2))]
     expected: list[Any] = [*right, *wrong, *others]
     mixed: list[Any] = [*others[2:], *wrong, *others[:2], *right]
     assert relevant_first(mixed) == expected

@@ -52,6 +52,12 @@ def test_one_row_for_each_with_its_number_and_the_file_s_own_has_a_star() -> Non
     assert len(starts) == 1
 
 
+def test_the_star_is_also_of_a_g_spot_in_balls() -> None:
+    """The rod's file names a start only: the G-spot that Newton's method reaches from there is the first of four."""
+    assert classify_all(shipped_mechanism("genot_brogliato_rod")).at_place == 1
+    assert classify_all(shipped_mechanism("genot_brogliato_rod", mu="13/10")).at_place is None
+
+
 def test_no_ball_stands_in_it() -> None:
     for name in ("oscillator", "rod", "genot_brogliato_rod"):
         text = str(classify_all(shipped_mechanism(name)))
