@@ -53,7 +53,7 @@ STATE = "1/2,-1/10,0,0,0"
             ("plot", "contact-force", "x.png", "--set", "mu=2", "--from", "p=1"),
             "--set, --from: the figure contact-force takes --beta, --epsilon",
         ),
-        (("plot", "phase-plane", "x.png", "--beta", "3"), "phase-plane takes --mechanism, --set, --from"),
+        (("plot", "phase-plane", "x.png", "--beta", "3"), "phase-plane takes --mechanism, --set, --spot, --from"),
         (("plot", "side-map", "x.png", "--epsilon", "1"), "--epsilon: the figure side-map takes no option"),
         (("plot", "threshold", "x.png", "--beta", "1"), "--beta: the figure threshold takes no option"),
         (("side", "5/2", "4", "--state", STATE), "--state: it needs one β, not the range 5/2..4"),

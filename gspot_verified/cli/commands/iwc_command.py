@@ -47,6 +47,7 @@ def iwc(
     from gspot_verified.leading_order.contact_force import contact_force
     from gspot_verified.leading_order.iwc import IwcResult
     from gspot_verified.mechanisms.iwc import iwc as of_force
+    from gspot_verified.mechanisms.spots.chosen_spot import at_spot
     from gspot_verified.mechanisms.spots.classify import classify
 
     outputs = Outputs()
@@ -57,17 +58,17 @@ def iwc(
         raise ValueError("--spot: it goes with --mechanism")
     if mechanism is not None and beta is not None:
         raise ValueError("--beta: the mechanism has its own")
-    spot = None if mechanism is None else classify(load_with_settings(mechanism, settings))
+    found = None if mechanism is None else classify(at_spot(load_with_settings(mechanism, settings), spot))
     if certificate is not None:  # its domain, before the work
-        if spot is None:
+        if found is None:
             second = -1 if alpha2 is None else alpha2
             check_ratio(contact_force(beta, alpha_1=alpha1, alpha_2=second, alpha_3=alpha3, c1=c1).beta)
-        elif isinstance(spot.beta, arb):
+        elif isinstance(found.beta, arb):
             raise ValueError("--certificate: it needs rational alphas, and those of this mechanism are balls")
-        elif spot.beta is not None:
-            check_ratio(spot.beta)
+        elif found.beta is not None:
+            check_ratio(found.beta)
     result = of_force(
-        beta if spot is None else spot,
+        beta if found is None else found,
         alpha_1=alpha1,
         alpha_2=alpha2,
         alpha_3=alpha3,
@@ -76,7 +77,6 @@ def iwc(
         epsilon=epsilon,
         digits=digits,
         growth=growth,
-        spot=spot,
     )
     leading = result.leading
     if as_json:

@@ -118,7 +118,7 @@ def report_on(
     search = ReportPart(
         "All G-spots",
         found.verdict.outcome,
-        "\n".join([str(found.found.verdict), *found.found.about()[1:], str(found.critical)]),
+        "\n".join(dict.fromkeys([*str(found.found.verdict).splitlines(), *found.found.about(), str(found.critical)])),
         (source.command("classify", "--all", *words),),
         data=found.to_json(),
     )
