@@ -13,7 +13,7 @@ from typing import Any
 
 from gspot_verified.numbers.verdict import Outcome, Reason
 from gspot_verified.paper.checks.consequences import Reach
-from gspot_verified.paper.checks.entry import Entry, Rung, counts, rung_counts
+from gspot_verified.paper.checks.entry import Check, Entry, Rung, carrying, conclude, counts, rung_counts
 from gspot_verified.paper.claims import WHY, Standing, paper_claims, standing_counts
 from gspot_verified.paper.dependencies import dependencies
 from gspot_verified.report.certificates import CheckedCertificate
@@ -118,7 +118,8 @@ def read_report(path: Path) -> dict[str, Any]:
 def checked(report: object) -> dict[str, Any]:
     """The report itself, when it has the form that this version writes.
 
-    :raises ValueError: another schema, a missing or mistyped part, or counts that do not agree with the entries.
+    :raises ValueError: another schema, a missing or mistyped part, counts that do not agree with the entries, or a
+        verdict that its checks do not give.
 
     >>> checked({"schema": 1})
     Traceback (most recent call last):
@@ -277,6 +278,21 @@ def _check_entry(value: object, where: str) -> None:
         _one_of(check.get("rung"), _RUNGS, f"{place}.rung")
         if "agrees" not in check or not (check["agrees"] is None or isinstance(check["agrees"], bool)):
             raise ValueError(f"{place}.agrees: expected true, false or null")
+    _check_evidence(entry, where)
+
+
+def _check_evidence(entry: dict[str, Any], where: str) -> None:
+    """The verdict, and what it rests on, are those that the checks give."""
+    checks = [
+        Check(Rung[check["rung"].upper()], check["what"], check["agrees"], check["finding"])
+        for check in entry["checks"]
+    ]
+    given, stated = conclude(entry["statement"], checks, "a witness").outcome, entry["verdict"]["outcome"]
+    if stated != given.value:
+        raise ValueError(f"{where}.verdict: the file says {stated}, its checks give {given.value}")
+    rungs = [rung.name.lower() for rung in carrying(given, checks)]
+    if entry["rests_on"] != rungs:
+        raise ValueError(f"{where}.rests_on: the file says {entry['rests_on']}, its checks give {rungs}")
 
 
 def _mapping(value: object, where: str) -> dict[str, Any]:

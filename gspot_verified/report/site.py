@@ -56,7 +56,7 @@ def pages(report: dict[str, Any], measurement: Measurement | None = None) -> dic
     """Every page, by the name of its file. Texts are escaped; no page loads anything from elsewhere.
 
     :param measurement: what the page on cost shows; None: the one that comes with the package.
-    :raises ValueError: the data is not a report of this schema.
+    :raises ValueError: the data is not a report of this schema, or a section has the address of another page.
     """
     report = checked(report)
     entries = [_shown(entry) for entry in report["entries"]]
@@ -76,15 +76,11 @@ def pages(report: dict[str, Any], measurement: Measurement | None = None) -> dic
         "standings": {name.value: report["standings"][name.value] for name in Standing},
         "figures": report["figures"],
     }
-    by_address = {
-        f"{_address(title)}": _page("section", common, title=title, parts=parts) for title, parts in sections.items()
-    }
-    for name, page in proofs.items():
-        by_address[page["address"]] = _page("proof", common, name=name, page=page)
+    by_address = {page["address"]: _page("proof", common, name=name, page=page) for name, page in proofs.items()}
     for path in dict.fromkeys(entry["file"] for entry in entries if entry["code_address"]):
         by_address[code_address(path)] = _page("code", common, path=path, listing=code_page(path))
     start = _page("start", common, rungs=_rungs(report), page_alone=report["page_alone"])
-    return by_address | {
+    by_address |= {
         "index.html": linked_at_first_use(start, glossary()),
         "statements.html": _page("statements", common, **_script()),
         "claims.html": _page("claims", common, claims=claims),
@@ -105,6 +101,11 @@ def pages(report: dict[str, Any], measurement: Measurement | None = None) -> dic
         "hard.html": _page("hard", common, hard=report["hard_cases"]),
         "trusted.html": _page("trusted", common),
     }
+    for title, parts in sections.items():
+        if _address(title) in by_address:
+            raise ValueError(f"entries: the section {title[:60]!r} would hide the page {_address(title)[:80]}")
+        by_address[_address(title)] = _page("section", common, title=title, parts=parts)
+    return by_address
 
 
 def style() -> str:

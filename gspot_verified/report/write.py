@@ -88,8 +88,8 @@ def computed(
 def render_report(path: Path, directory: Path, cost: Path | None = None) -> Path:
     """Write the pages into ``directory`` from a ``report.json``; returns the start. Nothing is computed again.
 
-    Figures and certificates that lie beside the file are copied. Proof pages and code are shown where the versions
-    that the report was made with are here.
+    Every page says that it shows a file. Figures and certificates that lie beside it are copied. Proof pages and code
+    are shown where the versions that the report was made with are here.
 
     :param cost: what ``gspot-verified cost --output`` wrote, for the page on cost; None: the ``cost.json`` beside the
         file, or else the measurement that comes with the package.
@@ -112,6 +112,8 @@ def render_report(path: Path, directory: Path, cost: Path | None = None) -> Path
     files += [f"certificates/{certificate['name']}" for certificate in report["certificates"]]
     for name in files:
         source, target = path.parent / name, directory / name
+        if not source.resolve().is_relative_to(path.parent.resolve()):
+            continue  # a link to some other file
         if source.is_file() and not (target.exists() and target.samefile(source)):
             make_folder(target.parent)
             replace_file(target, source.read_bytes())

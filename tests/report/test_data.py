@@ -188,3 +188,32 @@ def test_a_condition_without_words_is_no_condition(report, standing):
     row["why"] = " "
     with pytest.raises(ValueError, match=rf"claims\[1\].why: {standing}, and nothing says by what"):
         checked(report)
+
+
+def test_a_verdict_that_its_checks_do_not_give_is_rejected(report):
+    """The counts agree: the row itself says more than what was checked."""
+    alone = copy.deepcopy(report)
+    alone["entries"][0]["checks"] = alone["entries"][0]["checks"][:1]
+    with pytest.raises(ValueError, match=r"entries\[0\].verdict: the file says proved, its checks give undecided"):
+        checked(alone)
+    once = copy.deepcopy(report)
+    once["entries"][1]["checks"][1]["agrees"] = None
+    with pytest.raises(ValueError, match=r"entries\[1\].verdict: the file says refuted, its checks give undecided"):
+        checked(once)
+    bare = copy.deepcopy(report)
+    bare["entries"][3]["verdict"] |= {"outcome": "proved", "reason": None}
+    bare["entries"][3] |= {"rests_on": ["page"], "rung": "page"}
+    bare["counts"] |= {"proved": 2, "undecided": 1}
+    bare["rungs"]["proved"]["page"] = bare["page_alone"] = 2
+    with pytest.raises(ValueError, match=r"entries\[3\].verdict: the file says proved, its checks give undecided"):
+        checked(bare)
+
+
+def test_a_rung_that_no_check_stands_on_is_rejected(report):
+    report["entries"][0] |= {"rests_on": ["exact"], "rung": "exact"}
+    report["rungs"]["proved"] |= {"exact": 1, "page": 0}
+    report["page_alone"] = 0
+    with pytest.raises(
+        ValueError, match=r"entries\[0\].rests_on: the file says \['exact'\], its checks give \['page'\]"
+    ):
+        checked(report)

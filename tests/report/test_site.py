@@ -380,6 +380,21 @@ def test_an_empty_ledger_shows_nothing_about_the_paper():
     assert "What happens after the G-spot" not in site["index.html"]
 
 
+@pytest.mark.parametrize("sections", [("index", "Section 2"), ("Section 2", "section-2"), ("Errata", "Section 2")])
+def test_no_section_hides_another_page(entries, sections):
+    renamed = [replace(entry, section=name) for entry, name in zip(entries, sections, strict=False)]
+    with pytest.raises(ValueError, match=r"entries: the section '.*' would hide the page"):
+        pages(report_data(renamed, []))
+
+
+def test_every_page_says_that_it_shows_a_file(site):
+    """Whoever wrote report.json could write anything: no page may vouch for it."""
+    for name, page in site.items():
+        assert "These pages show what <code>report.json</code> says: writing them checks nothing." in page, name
+    assert "were run for this report" not in site["index.html"]
+    assert "when this report was written" not in site["certificates.html"]
+
+
 def test_one_entry_reads_well(entries):
     site = pages(report_data(entries[2:3], []))
     assert "checked by 1 statement of this report" in site["index.html"]

@@ -62,6 +62,20 @@ def test_json_round_trip_writes_the_same_pages(written, tmp_path):
     }  # fmt: skip
 
 
+def test_a_link_out_of_the_folder_is_not_followed(written, tmp_path):
+    import shutil
+
+    shutil.copytree(written, tmp_path / "given")
+    (tmp_path / "secret").write_text("secret")
+    drawn = next((tmp_path / "given" / "figures").glob("*.svg")).name
+    (tmp_path / "given" / "figures" / drawn).unlink()
+    (tmp_path / "given" / "figures" / drawn).symlink_to(tmp_path / "secret")
+    write.render_report(tmp_path / "given" / "report.json", tmp_path / "again")
+    assert not (tmp_path / "again" / "figures" / drawn).exists()
+    others = {p.name for p in (written / "figures").glob("*.svg")} - {drawn}
+    assert others <= {p.name for p in (tmp_path / "again" / "figures").iterdir()}
+
+
 def test_pages_can_be_written_again_in_place(written, tmp_path):
     import shutil
 

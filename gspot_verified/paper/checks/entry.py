@@ -115,18 +115,8 @@ class Entry(NoTruthValue, Written):
 
     @property
     def rests_on(self) -> tuple[Rung, ...]:
-        """The rungs that carry the verdict, the strongest first; none for an undecided entry.
-
-        A proved entry rests on the settling rungs whose checks agree; points carry nothing. A refuted one rests on the
-        checks that fail, points too: one certain counterexample is enough, and its two derivations are two checks.
-        """
-        if self.verdict.outcome is Outcome.PROVED:
-            found = {check.rung for check in self.checks if check.agrees is True and check.rung.settles}
-        elif self.verdict.outcome is Outcome.REFUTED:
-            found = {check.rung for check in self.checks if check.agrees is False}
-        else:
-            found = set()
-        return tuple(rung for rung in Rung if rung in found)
+        """The rungs that carry the verdict, the strongest first; none for an undecided entry."""
+        return carrying(self.verdict.outcome, self.checks)
 
     @property
     def rung(self) -> Rung | None:
@@ -155,6 +145,21 @@ class Entry(NoTruthValue, Written):
     def page_alone(self) -> bool:
         """True when the verdict rests on a proof page and on nothing else: who doubts the page has no other check."""
         return self.rests_on == (Rung.PAGE,)
+
+
+def carrying(outcome: Outcome, checks: Sequence[Check]) -> tuple[Rung, ...]:
+    """The rungs of some checks that carry an outcome, the strongest first.
+
+    A proved entry rests on the settling rungs whose checks agree; points carry nothing. A refuted one rests on the
+    checks that fail, points too: one certain counterexample is enough, and its two derivations are two checks.
+    """
+    if outcome is Outcome.PROVED:
+        found = {check.rung for check in checks if check.agrees is True and check.rung.settles}
+    elif outcome is Outcome.REFUTED:
+        found = {check.rung for check in checks if check.agrees is False}
+    else:
+        found = set()
+    return tuple(rung for rung in Rung if rung in found)
 
 
 Builders = Mapping[str, Callable[[], Entry]]

@@ -19,7 +19,8 @@ _MACROS = {
 }  # fmt: skip
 # How many children each element has.
 _PARTS = {"mfrac": 2, "msub": 2, "msup": 2, "msubsup": 3, "munder": 2, "mover": 2, "munderover": 3, "mroot": 2}
-_ELEMENTS = {*_PARTS, "math", "mrow", "mi", "mo", "mn", "mtext", "mspace", "msqrt", "mtable", "mtr", "mtd", "mstyle"}
+_WORDS = {"mi", "mo", "mn", "mtext"}  # which hold text alone
+_ELEMENTS = {*_PARTS, *_WORDS, "math", "mrow", "mspace", "msqrt", "mtable", "mtr", "mtd", "mstyle"}
 _ELEMENTS |= {"mpadded", "mphantom", "menclose"}
 _ATTRIBUTES = {
     "display", "mathvariant", "displaystyle", "scriptlevel", "columnalign", "rowspacing", "columnspacing", "rowlines",
@@ -93,9 +94,12 @@ def latex_formula(source: str, display: bool = False) -> str:
 
 def _check(markup: str) -> None:
     """That the markup is MathML with all its parts and nothing else: texts in a formula are not escaped by the reader.
+    And that HTML reads it as XML does: a comment ``<!-->`` ends at once there, and in a text ``<mi/>`` stays open.
 
     :raises NotTypeset: it is not.
     """
+    if re.search(r"<[!?]", markup):
+        raise NotTypeset("a comment, or its like")
     try:
         elements = list(ElementTree.fromstring(markup).iter())
     except ElementTree.ParseError as error:
@@ -104,7 +108,7 @@ def _check(markup: str) -> None:
         name = element.tag.rpartition("}")[2]
         if name not in _ELEMENTS or not _ATTRIBUTES.issuperset(element.attrib):
             raise NotTypeset(f"no element of a formula: {name} {' '.join(element.attrib)}")
-        if len(element) != _PARTS.get(name, len(element)):
+        if len(element) != (0 if name in _WORDS else _PARTS.get(name, len(element))):
             raise NotTypeset(f"{name} with {len(element)} parts")
 
 

@@ -72,6 +72,22 @@ def test_letters_and_numbers_arrive():
     assert [c for c in text if c.isalnum()] == ["ε", "b", "α", "2", "1", "7", "λ", "N"]
 
 
+@pytest.mark.parametrize(
+    "source",
+    [
+        r"\text{<!--><img/src=x>-->}",  # a comment of XML, in HTML one that ends at its first bracket
+        r"\text{<!-- a -->}",
+        r"\text{<?a?><b/>}",
+        r"\text{<![CDATA[<b>]]>}",
+        r"\text{<mi/>}",  # in HTML no empty element, but one that is never closed
+        r"\text{a <mtext>b</mtext>}",
+    ],
+)
+def test_what_html_reads_otherwise_than_xml_is_refused(source):
+    with pytest.raises(NotTypeset):
+        latex_formula(source)
+
+
 @pytest.mark.parametrize("source", [r"\input{x}", r"\unknowncommand", r"\frac{1}", r"\left( x", r"a^b^c", r"\end{x}"])
 def test_what_is_not_known_is_refused(source):
     with pytest.raises(NotTypeset):
