@@ -1,26 +1,39 @@
-"""Journals made by hand: columns that nobody found, steps that nobody proved. Refused, or they change nothing."""
+"""Journals made by hand: columns that nobody found, steps and tubes that nobody proved. Refused, or they change
+nothing."""
 
 from __future__ import annotations
 
 import json
 import math
 import tempfile
+from collections.abc import Sequence
 from fractions import Fraction
 from hashlib import sha256
-from itertools import pairwise
+from itertools import pairwise, product
 from pathlib import Path
 from random import Random
 from typing import Any
 
 import mpmath
+import pytest
 from attack import reference_theta
 from attack.answers import AGREED, Answer, Attack, undecided, wrong
+from attack.mechanisms import drawn_body, file_of
 from attack.motion import Question, judged, question
 from attack.signs import sign_changes, slope
 from attack.statements import untrue
+from flint import fmpq
 
 from gspot_verified import Outcome
 from gspot_verified import sign as sign_on_ranges
+from gspot_verified.expansion.series.system import GSpotError
+from gspot_verified.mechanisms.input.file import parse_mechanism
+from gspot_verified.mechanisms.input.mechanism import MechanismError
+from gspot_verified.mechanisms.sweep import sweep_work
+from gspot_verified.mechanisms.sweep.sweep import sweep
+from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, Kind
+from gspot_verified.mechanisms.sweep.sweep_result import Sweep
+from gspot_verified.mechanisms.sweep.sweep_work import examine
 from gspot_verified.scenes.certified_run import certified_run
 from gspot_verified.scenes.scene.file import parse_scene
 from gspot_verified.scenes.scene.scene import SceneError
@@ -35,11 +48,11 @@ _SIGNS = (
 
 
 def attack(random: Random) -> Attack:
-    """One of the three kinds of journals."""
-    return random.choice((_signs, _zeros, _steps, _steps))(random)
+    """One of the four kinds of journals."""
+    return random.choice((_signs, _zeros, _steps, _steps, _tubes, _tubes))(random)
 
 
-def _sliver(random: Random) -> tuple[str, str, int]:
+def sliver(random: Random) -> tuple[str, str, int]:
     """A statement that fails in one corner alone, 10^-75 wide: just across a zero at one end of the range of beta."""
     low = Fraction(random.choice((5, 7, 9, 13)), 4) + Fraction(random.randint(-20, 20), 100)
     high = low + Fraction(1, random.choice((8, 64)))
@@ -83,7 +96,7 @@ def _pieces(random: Random, low: str, high: str) -> list[list[Any]]:
 def _signs(random: Random) -> Attack:
     """The true journal's first line, and columns made up for the whole range."""
     false = random.random() < 0.6
-    tau, beta, sign = _sliver(random) if false else random.choice(_SIGNS)
+    tau, beta, sign = sliver(random) if false else random.choice(_SIGNS)
     low, high = beta[1:-1].split("..")
     cuts = [Fraction(low), *range(math.floor(Fraction(low)) + 1, math.ceil(Fraction(high))), Fraction(high)]
     lines = []
@@ -169,11 +182,7 @@ def _judged_steps(asked: Question, changes: list[tuple[float, float, float]]) ->
         for line, number, factor in changes:
             if data:
                 _change(data[int(line * len(data))], number, factor)
-        last, sealed = "", []
-        for each in data:
-            last = sha256(f"{last}{json.dumps(each, sort_keys=True)}".encode()).hexdigest()[:16]
-            sealed.append(json.dumps([last, each]))
-        place.write_text("\n".join([head, *sealed, ""]))
+        place.write_text("\n".join([head, *sealed(data), ""]))
         try:
             found = certified_run(scene, route="integrator", journal=place, budget=800)
         except (ValueError, TypeError, KeyError) as error:
@@ -189,6 +198,96 @@ def _judged_steps(asked: Question, changes: list[tuple[float, float, float]]) ->
         apart = [(a, b) for a, b in apart if a.name != "impact without collision"]
         return wrong(f"disjoint brackets: {apart}") if apart else AGREED
     return judged(asked)
+
+
+def sealed(data: Sequence[Any]) -> list[str]:
+    """Lines of a journal of steps, each with the digest that it would have."""
+    last, lines = "", []
+    for each in data:
+        last = sha256(f"{last}{json.dumps(each, sort_keys=True)}".encode()).hexdigest()[:16]
+        lines.append(json.dumps([last, each]))
+    return lines
+
+
+def _tubes(random: Random) -> Attack:
+    """The journal of a sweep with tubes of another spot or cell, changed ones, or none, and the right digest."""
+    values, slip = drawn_body(random)
+    values["k"] = Fraction(0)
+    which = random.choice(("mu", "g", "tau", "l", "J"))
+    centre = values[which]
+    width = abs(centre or 1) * random.choice((Fraction(1, 2), Fraction(1, 10)))
+    text = file_of({**values, which: "par"}, slip, {"par": str(centre)})
+    over, seed = f"{centre - width}..{centre + width}:{random.choice((2, 3, 6))}", random.getrandbits(32)
+    asked = f"sweep(parse_mechanism('''{text}'''), {{'par': '{over}'}}, spot=1)"
+    return Attack(f"{asked} with forged tubes, seed {seed}", lambda: _judged_tubes(text, over, Random(seed)))
+
+
+def _judged_tubes(text: str, over: str, random: Random) -> Answer:
+    mechanism = parse_mechanism(text)
+    with tempfile.TemporaryDirectory() as folder:
+        places = [Path(folder) / name for name in ("one", "two")]
+        try:
+            true = sweep(mechanism, {"par": over}, spot=1, journal=places[0])
+        except (MechanismError, GSpotError, ValueError) as error:
+            return undecided(f"{type(error).__name__}: {str(error)[:40]}")
+        try:
+            sweep(mechanism, {"par": over}, spot=2, journal=places[1])
+        except (MechanismError, GSpotError, ValueError):
+            places[1] = places[0]
+        head, line = places[0].read_text().splitlines()
+        number, expected, cells = json.loads(line)
+        others = json.loads(places[1].read_text().splitlines()[1])[2]
+        for _ in range(random.randint(1, 4)):
+            cells = _forged_cells(cells, others, random)
+        place = Path(folder) / "forged"
+        place.write_text(f"{head}\n{json.dumps([number, expected, cells])}\n")
+        with pytest.MonkeyPatch.context() as patch:
+            # As if the digest were that of the pieces which come out along the forged tubes.
+            patch.setattr(sweep_work, "proved_again", lambda question, work, known, _: examine(question, work, known))
+            try:
+                found = sweep(mechanism, {"par": over}, spot=1, journal=place)
+            except ValueError:
+                return AGREED
+    trouble = contradiction(true, found, random)
+    return wrong(f"{trouble}\n{found}\n  without the journal: {true}") if trouble else AGREED
+
+
+def _forged_cells(cells: list[Any], others: list[Any], random: Random) -> list[Any]:
+    """The choices of each cell, changed in one way."""
+    cells = json.loads(json.dumps(cells))
+    cell = random.randrange(len(cells))
+    match random.randrange(6):
+        case 0:
+            cells[cell] = random.choice(others)
+        case 1:
+            cells = json.loads(json.dumps(others))
+        case 2:
+            cells[cell] = [None if random.random() < 0.4 else tube for tube in cells[cell]]
+        case 3:
+            random.shuffle(cells[cell])
+        case 4:
+            cells[cell] = [*cells[cell][:1], *cells[cell]]
+        case _:
+            tubes = [tube for tube in cells[cell] if tube is not None]
+            if tubes:
+                _change(random.choice(tubes), random.random(), random.choice((2, -1, 0, 1.5)))
+    return cells
+
+
+def contradiction(true: Sweep, found: Sweep, random: Random) -> str:
+    """Where two sweeps of one question say different things of one place; empty: nowhere that was looked at."""
+    (axis,) = true.axes
+    ends = [end for each in (true, found) for piece in each.pieces for end in (piece.lower[0], piece.upper[0])]
+    places = [axis.lower + (axis.upper - axis.lower) * fmpq(random.getrandbits(30), 1 << 30) for _ in range(20)]
+    for place in [*places, *ends]:
+        for one, two in product(*([p for p in each.pieces if p.holds([place])] for each in (true, found))):
+            if one.kind is two.kind is Kind.SETTLED and one.answer != two.answer:
+                return f"par = {place}: {one.answer} and {two.answer}"
+            for name in NUMBERS:
+                balls = [number.to_ball() for number in (one.number(name), two.number(name)) if number is not None]
+                if len(balls) == 2 and not balls[0].overlaps(balls[1]):
+                    return f"par = {place}: {name} in {balls[0]} and in {balls[1]}"
+    return ""
 
 
 def _change(data: Any, number: float, factor: float) -> None:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from attack.reference_series import BITS, Series, fixed, good_step, number, series, slope, solution, value
+from attack.reference_series import BITS, ORDER, Series, fixed, good_step, number, series, slope, solution, value
 
 SLIP, STICK, REVERSE, FLIGHT = "slip", "stick", "reverse slip", "flight"
 _POINTS = 24
@@ -106,8 +106,7 @@ def _first_fall(function: Series, step: int, fresh: bool) -> int | None:
             raise Unsure("a function of an event that begins at 0 and stays there")
         if function[leading] < 0:
             return 0 if leading == 1 else _unsure("falls below 0 at once")
-        # It leaves 0 upwards: looked at from where it is certainly above on.
-        begin = step >> 12
+        begin = _certainly_above(function, leading, step)
     elif function[0] < 0:
         raise Unsure("begins beyond an event")
     times = [begin + (step - begin) * k // _POINTS for k in range(_POINTS + 1)]
@@ -124,6 +123,19 @@ def _first_fall(function: Series, step: int, fresh: bool) -> int | None:
             if least < 0:
                 return _bisected(lambda t: value(function, t), times[k], lowest)
     return None
+
+
+def _certainly_above(function: Series, leading: int, step: int) -> int:
+    """A time up to which the leading term, which is positive, is twice all that follow."""
+    begin = step >> 12
+    while begin >> (BITS - 240):
+        rest = 0
+        for k in range(ORDER, leading, -1):
+            rest = (rest + abs(function[k])) * begin >> BITS
+        if 2 * rest < function[leading]:
+            return begin
+        begin >>= 8
+    return _unsure("leaves 0 for a moment only")
 
 
 def _unsure(why: str) -> int:
@@ -213,7 +225,9 @@ class Model:
         """The phase at the start."""
         _, b, Y, V, Z, _ = start
         rate = self["k_1"] / self["damping"]
-        signs = (Z - Y, -rate * Z - V, rate * rate * Z - b)
+        # Z - Y and its derivatives without force: Z' = -rate Z, Y' = V, V' = b, b' = epsilon alpha_2.
+        third = -(rate**3) * Z - self.epsilon * self["alpha_2"]
+        signs = (Z - Y, -rate * Z - V, rate * rate * Z - b, third, rate**4 * Z)
         gap = next((value for value in signs if value), Fraction(0))
         if gap == 0:
             raise Unsure("whether contact begins")
@@ -229,11 +243,18 @@ class Model:
 
     def _at_rest(self, states: Sequence[Fraction]) -> str:
         force = self["k_2"] * (states[4] - states[2])
-        forward, backward = self["k_minus"] * force + self["a"], -self["k_plus"] * force - self["a"]
-        for part, phase, can in ((forward, REVERSE, True), (backward, SLIP, False)):
-            if self._can_end(can) and abs(part) < number(_TINY):
+        # Where one of them is 0, exactly, its derivative in stick decides: Z' - V, Z' = (-k_1 Z - force)/damping.
+        growth = self["k_2"] * ((-self["k_1"] * states[4] - force) / self["damping"] - states[3])
+        held = ((self["k_minus"], 1, REVERSE), (-self["k_plus"], -1, SLIP))
+        for k, sign, phase in held:
+            part = k * force + sign * self["a"]
+            if not self._can_end(forward=phase == REVERSE):
+                continue
+            if part == 0 and abs(k * growth) >= number(_TINY):
+                part = k * growth
+            elif abs(part) < number(_TINY):
                 raise Unsure("whether friction holds the contact")
-            if part < 0 and self._can_end(can):
+            if part < 0:
                 return phase
         return STICK
 

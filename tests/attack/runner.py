@@ -25,10 +25,12 @@ KINDS = (
     "theta",
     "signs",
     "motion",
+    "starts",
     "scenes",
     "crossings",
     "mechanisms",
     "sweeps",
+    "maps",
     "approaches",
     "friction",
     "side",
@@ -37,6 +39,8 @@ KINDS = (
     "mechanism_expansions",
     "certificates",
     "journals",
+    "merged",
+    "reports",
     "kept",
 )  # fmt: skip
 """Modules of this folder, each with ``attack(random)``; cheap before dear."""

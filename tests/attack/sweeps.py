@@ -4,7 +4,7 @@ brackets' ends the reference's own spots must have what the piece says. Narrow r
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
@@ -28,17 +28,19 @@ from gspot_verified.mechanisms.sweep.sweep_result import Sweep
 _SLACK = mpmath.mpf(10) ** -15
 _PLACES = 5
 
+Spots = tuple[list[dict[str, Any]], bool]
+"""The spots, and whether the reference is sure that they are all."""
+
 
 @dataclass(frozen=True)
 class _At(Body):
-    """The body at one value of the parameter; its functions are made once for all values."""
+    """The body at one value of each parameter; its functions are made once for all values."""
 
     known: dict[str, sympy.Expr]
-    value: sympy.Rational
+    place: dict[str, sympy.Rational]
 
     def functions(self) -> dict[str, sympy.Expr]:
-        name = sympy.Symbol("par")
-        return {key: sympy.sympify(each).subs(name, self.value) for key, each in self.known.items()}
+        return {key: sympy.sympify(each).subs(self.place) for key, each in self.known.items()}
 
 
 def attack(random: Random) -> Attack:
@@ -76,6 +78,35 @@ def judged(found: Sweep, plain: Body, slip: Fraction, random: Random) -> Answer:
     seams = all(one[1] == two[0] for one, two in itertools.pairwise(ends))
     if ends[0][0] != whole[0] or ends[-1][1] != whole[1] or not seams or any(low >= high for low, high in ends):
         return wrong(f"the pieces do not cover the range: {ends}")
+    all_spots = spots_of(plain, slip, random)
+
+    def spots(at: Fraction) -> tuple[list[dict[str, Any]], bool]:
+        return all_spots({"par": at})
+
+    places = [random.choice(ends)[random.randrange(2)] for _ in range(2)]
+    places += [whole[0] + (whole[1] - whole[0]) * Fraction(random.getrandbits(40), 1 << 40) for _ in range(_PLACES)]
+    for piece, (low, high) in zip(found.pieces, ends, strict=True):
+        if piece.kind is Kind.CROSSING and len(places) < 2 * _PLACES:
+            places += [low, high]
+    compared = 0
+    for place in places:
+        for piece, (low, high) in zip(found.pieces, ends, strict=True):
+            if low <= place <= high and piece.kind in (Kind.SETTLED, Kind.CROSSING):
+                here, sure = spots(place)
+                trouble = untrue_piece(piece, here)
+                if trouble and sure:
+                    return wrong(f"par = {place}: {trouble}\n{found}\n  reference: {shown(here)}")
+                compared += not trouble
+    trouble = _crossings(found, spots) or _folds(found, spots)
+    if trouble:
+        return wrong(f"{trouble}\n{found}")
+    if not compared:
+        return undecided("no settled piece at the places")
+    return AGREED if found.verdict.outcome is Outcome.PROVED else undecided(f"holds: {found.verdict.reason}")
+
+
+def spots_of(plain: Body, slip: Fraction, random: Random) -> Callable[[Mapping[str, Fraction]], Spots]:
+    """What gives the reference's spots at values of the parameters."""
     known = plain.functions()
     fixed = (mpmath.mpf(0), mpmath.mpf(slip.numerator) / slip.denominator)
     fields = (
@@ -89,37 +120,18 @@ def judged(found: Sweep, plain: Body, slip: Fraction, random: Random) -> Answer:
         plain.mu,
     )
 
-    def spots(at: Fraction) -> tuple[list[dict[str, Any]], bool]:
-        here = _At(*fields, known, sympy.Rational(at.numerator, at.denominator))
-        return Plane(here, fixed).spots(random, 0)
+    def spots(at: Mapping[str, Fraction]) -> Spots:
+        place = {name: sympy.Rational(value.numerator, value.denominator) for name, value in at.items()}
+        return Plane(_At(*fields, known, place), fixed).spots(random, 0)
 
-    places = [random.choice(ends)[random.randrange(2)] for _ in range(2)]
-    places += [whole[0] + (whole[1] - whole[0]) * Fraction(random.getrandbits(40), 1 << 40) for _ in range(_PLACES)]
-    for piece, (low, high) in zip(found.pieces, ends, strict=True):
-        if piece.kind is Kind.CROSSING and len(places) < 2 * _PLACES:
-            places += [low, high]
-    compared = 0
-    for place in places:
-        for piece, (low, high) in zip(found.pieces, ends, strict=True):
-            if low <= place <= high and piece.kind in (Kind.SETTLED, Kind.CROSSING):
-                here, sure = spots(place)
-                trouble = _piece(piece, here)
-                if trouble and sure:
-                    return wrong(f"par = {place}: {trouble}\n{found}\n  reference: {_shown(here)}")
-                compared += not trouble
-    trouble = _crossings(found, spots) or _folds(found, spots)
-    if trouble:
-        return wrong(f"{trouble}\n{found}")
-    if not compared:
-        return undecided("no settled piece at the places")
-    return AGREED if found.verdict.outcome is Outcome.PROVED else undecided(f"holds: {found.verdict.reason}")
+    return spots
 
 
-def _shown(spots: Sequence[dict[str, Any]]) -> str:
+def shown(spots: Sequence[dict[str, Any]]) -> str:
     return str([{name: mpmath.nstr(value, 12) for name, value in spot.items()} for spot in spots])
 
 
-def _matching(piece: SweepPiece, spots: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+def matching(piece: SweepPiece, spots: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
     """The spots whose numbers lie in the piece's."""
     found = []
     for spot in spots:
@@ -133,8 +145,9 @@ def _matching(piece: SweepPiece, spots: Sequence[dict[str, Any]]) -> list[dict[s
     return found
 
 
-def _piece(piece: SweepPiece, spots: Sequence[dict[str, Any]]) -> str:
-    match = _matching(piece, spots)
+def untrue_piece(piece: SweepPiece, spots: Sequence[dict[str, Any]]) -> str:
+    """What the piece says against the spots at a place in it."""
+    match = matching(piece, spots)
     if not match:
         return f"no spot has the numbers of the piece {piece.to_json()}"
     if piece.kind is not Kind.SETTLED:
@@ -157,16 +170,21 @@ def _crossings(found: Sweep, spots: Callable[[Fraction], tuple[list[dict[str, An
         for end, sign in ((crossing.lower, -crossing.direction), (crossing.upper, crossing.direction)):
             pieces = [piece for piece in found.pieces if piece.passing is not None and piece.holds([end])]
             here, _ = spots(to_fraction(end))
-            signs = [_sign(spot, crossing.quantity) for piece in pieces for spot in _matching(piece, here)]
+            signs = [sign_of(value_in(spot, crossing.quantity)) for piece in pieces for spot in matching(piece, here)]
             if len(signs) == 1 and signs[0] == -sign:
                 return f"{crossing.quantity} at par = {end} has not the sign {sign}"
     return ""
 
 
-def _sign(spot: dict[str, Any], quantity: str) -> int:
-    known = {**spot, "beta": spot["alpha_3"] / spot["alpha_1"]}
+def value_in(spot: Mapping[str, Any], quantity: str) -> Any:
+    """A quantity, or a difference of two, at a spot."""
     one, _, two = quantity.partition(" - ")
-    value = known[one] - (0 if not two else known[two] if two in known else mpmath.mpf(int(two)))
+    first = spot["alpha_3"] / spot["alpha_1"] if one == "beta" else spot[one]
+    return first - (0 if not two else spot[two] if two in spot else mpmath.mpf(int(two)))
+
+
+def sign_of(value: Any) -> int:
+    """0 also for what is too small to be told."""
     return 0 if abs(value) < 1e-25 else int(mpmath.sign(value))
 
 
