@@ -189,6 +189,8 @@ def judged(found: Sweep, spots: Find, random: Random) -> Answer:
     proved = found.verdict.outcome is Outcome.PROVED
     if proved and any(piece.kind in (Kind.OPEN, Kind.NO_TUBE) for piece in found.pieces):
         return wrong(f"proved with open pieces\n{found}")
+    if proved and all(piece.kind is not Kind.SETTLED for piece in found.pieces):
+        return wrong(f"proved, and nothing is settled\n{found}")
     if proved and (trouble := _other_spot(found, boxes, whole, spots, random)):
         return wrong(f"{trouble}\n{found}")
     if not compared:

@@ -91,13 +91,12 @@ class Sweep(NoTruthValue, Written):
 
     @property
     def verdict(self) -> Verdict:
-        """Proved when nothing is left but brackets in which one quantity passes zero."""
+        """Proved when Case and side are settled on some piece, and nothing is left but brackets in which one quantity
+        passes zero; of two parameters, pieces on which one may, and is monotone."""
         over = ", ".join(f"{axis.name} in [{axis.lower}, {axis.upper}]" for axis in self.axes)
-        besides = "brackets" if len(self.axes) == 1 else "pieces along curves"
-        statement = (
-            f"{self.name}: Case and side of the continued G-spot for every {over}, except in the {besides} where one "
-            "quantity passes zero or the spot vanishes"
-        )
+        on_line = "brackets where one quantity passes zero or the spot vanishes"
+        besides = on_line if len(self.axes) == 1 else "pieces along curves where one quantity may pass zero"
+        statement = f"{self.name}: Case and side of the continued G-spot for every {over}, except in the {besides}"
         settled = [piece for piece in self.pieces if piece.kind not in _UNKNOWN and not self._is_wide(piece)]
         left = len(self.pieces) - len(settled)
         half = sum(not crossing.proved for crossing in self.crossings)
@@ -106,7 +105,12 @@ class Sweep(NoTruthValue, Written):
             covered = cover_by_boxes(((piece.lower, piece.upper) for piece in settled), whole)
             if covered is None:
                 return Verdict.undecided(statement, Reason.HYPOTHESIS, "the pieces leave a part of the range out")
-            return Verdict.proved(statement, covered)
+            known = sum(piece.kind is Kind.SETTLED for piece in settled)
+            if known == 0:
+                return Verdict.undecided(statement, Reason.HYPOTHESIS, "Case and side are settled on no piece")
+            crossed = sum(piece.kind is Kind.CROSSING for piece in settled) if len(self.axes) > 1 else 0
+            detail = f"Case and side are open on {crossed} of {len(settled)} pieces" if crossed else ""
+            return Verdict.proved(statement, covered, detail)
         finer = ", ".join(f"{axis.name}={axis.lower}..{axis.upper}:{2 * axis.cells}" for axis in self.axes)
         pieces = f"{left} of {len(self.pieces)} pieces are left; more cells may settle them: {finer}"
         brackets = f"in {half} brackets at most one zero is shown"
@@ -232,7 +236,8 @@ def _piece_text(piece: SweepPiece) -> str:
     if piece.kind is Kind.FOLD:
         return "up to a fold: Case and side are not settled"
     if piece.kind is Kind.CROSSING:
-        return f"{_QUANTITIES.get(piece.unsure[0], piece.unsure[0].replace(' - ', ' passes '))}"
+        passes = _QUANTITIES.get(piece.unsure[0], piece.unsure[0].replace(" - ", " passes "))
+        return passes.replace("passes", "may pass")  # of two parameters: that it does is not shown
     if piece.kind is Kind.OPEN:
         return f"undecided: {', '.join(piece.unsure)}"
     if piece.case == "none":

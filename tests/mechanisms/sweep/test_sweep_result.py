@@ -107,6 +107,36 @@ def test_what_is_left_says_how_to_go_on() -> None:
     assert detail == "1 of 1 pieces are left; more cells may settle them: k=1/2..1:24, l=0..1:16"
 
 
+def plane(*pieces: SweepPiece) -> Sweep:
+    axes = (Axis("k", fmpq(0), fmpq(2), 1), Axis("l", fmpq(0), fmpq(1), 1))
+    return Sweep("map", axes, (fmpq(0), fmpq(0)), {}, pieces)
+
+
+def test_of_a_curve_on_a_map_it_is_not_said_that_it_is_there() -> None:
+    """On such a piece beta - 2 is monotone; that it vanishes on it is not shown."""
+    zero, one, two = fmpq(0), fmpq(1), fmpq(2)
+    passing = Passing("beta - 2", 0, 1)
+    crossings = [
+        SweepPiece((a, zero), (b, one), Kind.CROSSING, unsure=("beta - 2",), passing=passing)
+        for a, b in ((zero, one), (one, two))
+    ]
+    settled = SweepPiece((one, zero), (two, one), Kind.SETTLED, "III", 1, -1)
+    half = plane(crossings[0], settled)
+    assert half.verdict.outcome is Outcome.PROVED
+    assert "pieces along curves where one quantity may pass zero" in half.verdict.statement
+    assert half.verdict.detail == "Case and side are open on 1 of 2 pieces"
+    assert "1 pieces: beta may pass 2" in str(half)
+    nothing = plane(*crossings).verdict
+    assert nothing.outcome is Outcome.UNDECIDED
+    assert "Case and side are settled on no piece" in nothing.detail
+
+
+def test_a_range_of_brackets_alone_is_not_proved() -> None:
+    whole = line(piece(10, 12, Kind.CROSSING, Passing("beta - 2", 0, 1, -1, 1)))
+    assert whole.crossings[0].proved
+    assert whole.verdict.outcome is Outcome.UNDECIDED
+
+
 def test_only_brackets_of_one_quantity_are_joined() -> None:
     def crossing(lower: int, quantity: str, direction: int) -> SweepPiece:
         before, after = (-direction, None) if lower == 10 else (None, direction)
