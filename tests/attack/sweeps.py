@@ -156,8 +156,9 @@ def untrue_piece(piece: SweepPiece, spots: Sequence[dict[str, Any]]) -> str:
     if all(case not in (None, piece.case) for case in cases):
         return f"Case {piece.case}, the reference {cases}"
     if piece.case == "III" and cases == ["III"]:
-        sign = int(mpmath.sign(mpmath.rgamma(-match[0]["beta"])))
-        if (piece.lift_off_sign, piece.impact_sign) != (-sign, sign):
+        with mpmath.workdps(60):  # beta may be next to an integer
+            sign = int(mpmath.sign(mpmath.rgamma(-match[0]["alpha_3"] / match[0]["alpha_1"])))
+        if sign and (piece.lift_off_sign, piece.impact_sign) != (-sign, sign):
             return f"the sides {piece.lift_off_sign}, {piece.impact_sign} with 1/Gamma(-beta) of the sign {sign}"
     return ""
 
