@@ -25,6 +25,8 @@ from typing import Annotated, Any
 
 from flint import arb, ctx, fmpq, fmpz
 
+import gspot_verified.numbers.pickled  # noqa: F401 - what leaves a process can be pickled
+
 ExactInput = int | Fraction | fmpq | fmpz | str | arb
 """What a user may pass for a real number."""
 

@@ -70,7 +70,7 @@ _METHODS = """
     is_zero lcm leading_coefficient length lgamma log log1p lower man_exp max mid min name names nan ncols numerator
     overlaps p pi pos_inf prec q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi
     sinh sqrt str subs table terms truncate union unique_fmpz upper
-    from_dict to_dict compose project_to_context total_degree discriminant
+    from_dict to_dict compose project_to_context total_degree discriminant context ordering is_nan repr
     coefficient complex_roots degrees factor ncols nrows rank right_shift solve tolist transpose denom left_shift numer
 """
 METHODS = frozenset(_METHODS.split())
@@ -566,6 +566,25 @@ def test_more_on_polynomials_in_several_variables() -> None:
     # (x - y)(x - 2 y)(x + 1): the product of the squared differences of its roots
     cubic = (x - y) * (x - 2 * y) * (x + 1)
     assert cubic.discriminant("x") == (y * (y + 1) * (2 * y + 1)) ** 2
+
+
+@covers("context", "ordering")
+def test_a_polynomial_knows_its_symbols_and_their_order() -> None:
+    for order in ("lex", "deglex", "degrevlex"):
+        context = fmpq_mpoly_ctx.get(("x", "y"), order)
+        x, y = context.gens()
+        assert (x * y + 1).context() is context
+        assert fmpq_mpoly_ctx.get(context.names(), context.ordering()) is context
+        assert fmpq_mpoly_ctx.get(("y", "x"), context.ordering()) is not context
+
+
+@covers("is_nan", "repr")
+@pytest.mark.parametrize("text", ["nan", "inf", "-inf", "0", "1.5"])
+def test_nan_is_told_from_every_other_ball(text: str) -> None:
+    ball = arb(text)
+    assert ball.is_nan() is (text == "nan")
+    assert (ball + arb(0, 1)).is_nan() is (text == "nan")
+    assert ball.repr().startswith("arb(")
 
 
 @covers("factor", "degrees")
