@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import ClassVar, NoReturn
 
 from gspot_verified.numbers.dyadic import Dyadic
+from gspot_verified.numbers.shown import Shown
 from gspot_verified.numbers.written import ByName, Written
 
 
@@ -32,7 +33,7 @@ class Reason(ByName):
     POINTS = "checks at points support the statement, they cannot prove it for all arguments"
 
 
-class NoTruthValue:
+class NoTruthValue(Shown):
     """Base of the result types: ``bool`` of one raises TypeError, and the message says what to ask instead.
 
     Without it ``if result:`` would be true for a result that proves nothing.

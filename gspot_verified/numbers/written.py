@@ -18,6 +18,7 @@ from operator import or_
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Generic, Literal, Union, get_args, get_origin
 
 from gspot_verified.numbers.dyadic import Dyadic
+from gspot_verified.numbers.shown import Shown
 
 if TYPE_CHECKING:
     from flint import arb
@@ -43,7 +44,7 @@ PAIRS = "a list of pairs, not an object"
 """``Annotated[tuple[tuple[str, X], ...], PAIRS]``: written as it is."""
 
 
-class Written:
+class Written(Shown):
     """Base of what is written as plain data: ``written`` names the keys, "key" or "key=attribute"; empty: all fields.
 
     >>> from gspot_verified.numbers.verdict import Reason, Verdict

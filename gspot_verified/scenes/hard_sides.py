@@ -13,6 +13,7 @@ from flint import arb, fmpq
 from gspot_verified.leading_order.contact_force import rational
 from gspot_verified.mechanisms.input.toml_table import toml_table
 from gspot_verified.numbers.balls import ball_text
+from gspot_verified.numbers.shown import Shown
 from gspot_verified.numbers.verdict import NoTruthValue, Verdict
 from gspot_verified.numbers.written import Written
 from gspot_verified.scenes.floats.float_run import METHODS
@@ -25,7 +26,7 @@ _KEYS = {"": ("format", "scene", *_LISTS)}
 
 
 @dataclass(frozen=True)
-class HardSides:
+class HardSides(Shown):
     """Starts (every beta, nu and epsilon), and the float runs that are asked: every solver and tolerance."""
 
     scene: str

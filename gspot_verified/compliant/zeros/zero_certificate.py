@@ -18,6 +18,7 @@ from gspot_verified.compliant.patches.slow_patch import rational_scale
 from gspot_verified.compliant.zeros.force_certificate import NotProvable
 from gspot_verified.compliant.zeros.zero_count import SYSTEM, checked_point
 from gspot_verified.numbers.balls import ExactInput, hull, working_bits
+from gspot_verified.numbers.shown import Shown
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind
@@ -54,11 +55,14 @@ class SlowZerosStatement(NoTruthValue, Written):
 
 
 @dataclass(frozen=True, slots=True)
-class SlowZerosCertificate:
+class SlowZerosCertificate(Shown):
     """A statement and the columns that prove it."""
 
     statement: SlowZerosStatement
     columns: tuple[Column, ...]
+
+    def __str__(self) -> str:
+        return f"a certificate of: {self.statement}"
 
     def text(self) -> str:
         """The certificate as it stands in a file."""

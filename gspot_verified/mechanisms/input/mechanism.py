@@ -19,6 +19,7 @@ from gspot_verified.mechanisms.formulas.rewriting import replaced
 from gspot_verified.mechanisms.formulas.simplify import NumberTooLargeError, constant
 from gspot_verified.mechanisms.formulas.symbol import Symbol, symbol_names
 from gspot_verified.numbers.balls import ExactInput, exact
+from gspot_verified.numbers.shown import Shown
 
 
 class MechanismError(ValueError):
@@ -84,7 +85,7 @@ class Place:
 
 
 @dataclass(frozen=True)
-class Mechanism:
+class Mechanism(Shown):
     """A mechanism; make one with :func:`given.lagrangian`, :func:`given.from_energies`, :func:`given.from_fields` or
     :func:`file.read_mechanism`.
 
@@ -104,6 +105,10 @@ class Mechanism:
     slip_velocity: Expression | None = None
     mirrored: bool = False
     regularisation: Regularisation = PAPER
+
+    def __str__(self) -> str:
+        parameters = ", ".join(name for name, _ in self.parameters) or "none"
+        return f"{self.name}: a mechanism with the state {', '.join(self.state)}; parameters: {parameters}"
 
     def with_parameters(self, **values: ExactInput | None) -> Mechanism:
         """The same mechanism with other values of some parameters; None makes a parameter a symbol.

@@ -11,7 +11,7 @@ import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import lru_cache, partial
 from itertools import zip_longest
 from pathlib import Path
@@ -53,7 +53,7 @@ class Question:
 
     def header(self, start: Sequence[Any], spot: Mapping[str, str]) -> dict[str, Any]:
         """What a journal's first line says: the mechanism by its hash, the spot at the start."""
-        whole = hashlib.sha256(repr(self.mechanism).encode()).hexdigest()
+        whole = hashlib.sha256(_whole(self.mechanism).encode()).hexdigest()
         return {
             "kind": f"sweep {_VERSION}",
             "mechanism": whole,
@@ -67,6 +67,11 @@ class Question:
     def equations(self) -> Equations:
         """The conditions and quantities, compiled once in each process."""
         return _equations(self.mechanism, self.parameters, self.fixed)
+
+
+def _whole(mechanism: Mechanism) -> str:
+    """All that the mechanism is, as text; its own ``repr`` is short."""
+    return f"Mechanism({', '.join(f'{each.name}={getattr(mechanism, each.name)!r}' for each in fields(mechanism))})"
 
 
 @lru_cache(maxsize=4)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import base64
 import io
 import re
+import struct
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import wraps
@@ -76,6 +78,27 @@ class Picture(Written):
     svg: str
     png: bytes
     pdf: bytes = b""
+
+    def __repr__(self) -> str:
+        width, height = self.size
+        return f"<Picture {self.name}: {self.title}, {width} × {height}>"
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height of the PNG in dots, as its header says."""
+        width, height = struct.unpack(">II", self.png[16:24])
+        return width, height
+
+    def _repr_mimebundle_(self, **_: object) -> tuple[dict[str, str], dict[str, dict[str, str]]]:
+        """For a notebook: the PNG too, which is also shown where a notebook of somebody else is not trusted."""
+        kinds = {"image/svg+xml": self.svg, "image/png": base64.b64encode(self.png).decode()}
+        return {"text/plain": repr(self), **kinds}, {kind: {"alt": self.alternative} for kind in kinds}
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+    def _repr_html_(self) -> None:
+        """Nothing: a notebook would show it in place of the picture."""
 
     def save(self, path: str | Path) -> Path:
         """Write it as PNG, PDF or SVG (on light paper), by the suffix; a file that is there is replaced in one step.

@@ -6,7 +6,7 @@ What may be a start, and the phase that it begins: exact comparisons, certain on
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 
 from flint import arb, fmpq
@@ -17,6 +17,7 @@ from gspot_verified.mechanisms.derive.impossible import refuse_impossible
 from gspot_verified.mechanisms.formulas.names import nearest
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.numbers.balls import ExactInput, ball_text, sign_of
+from gspot_verified.numbers.shown import Shown
 from gspot_verified.scenes.effects.catalogue import EFFECTS
 from gspot_verified.scenes.effects.effect import Effect
 from gspot_verified.scenes.equations.motion import Motion
@@ -123,7 +124,7 @@ START_KEYS = ("p", "b", "nu", "y", "v", "z", "u", "x")
 
 
 @dataclass(frozen=True)
-class Scene:
+class Scene(Shown):
     """``mechanism``: what moves; None: the model system and, with its effects, the extended example.
 
     ``parameters``: those of the effects and of the model. ``start``, in the paper's units; the model: p, b or nu
@@ -162,6 +163,10 @@ class Scene:
         self.first_phase()
         if self.stop_at_force is not None:
             check_rigid_force(self.motion, self.values())
+
+    def __getstate__(self) -> dict[str, object]:
+        """What was given; the equations are made again where they are needed."""
+        return {each.name: getattr(self, each.name) for each in fields(self)}
 
     @cached_property
     def motion(self) -> Motion:

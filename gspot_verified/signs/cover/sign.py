@@ -56,9 +56,6 @@ class SignResult(NoTruthValue, Written):
     def __str__(self) -> str:
         return str(self.verdict)
 
-    def _repr_html_(self) -> str:
-        return self.verdict._repr_html_()
-
     @property
     def proved_statement(self) -> SignStatement | None:
         """What a certificate states: the statement itself, or the sign at the point that refutes it."""

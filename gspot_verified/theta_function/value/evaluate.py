@@ -73,9 +73,6 @@ class Evaluation(NoTruthValue, Written):
     def __str__(self) -> str:
         return ball_text(self.value, self.digits)
 
-    def _repr_html_(self) -> str:
-        return f"<code>{self}</code>"
-
 
 def evaluate(
     tau: ExactInput,

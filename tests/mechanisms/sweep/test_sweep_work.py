@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,9 @@ import pytest
 from flint import fmpq
 from samples.families import family
 
+from gspot_verified import load
+from gspot_verified.functions.expressions import Constant
+from gspot_verified.mechanisms.input.mechanism import Lagrangian
 from gspot_verified.mechanisms.sweep import sweep_work
 from gspot_verified.mechanisms.sweep.sweep_cell import Cell
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis, Grid
@@ -34,6 +38,18 @@ def test_portions_hold_every_cell_in_order() -> None:
 def test_cells_without_a_place_have_no_tube() -> None:
     pieces = [[SweepPiece(cell.lower, cell.upper, Kind.NO_TUBE)] for cell in CELLS[:2]]
     assert examine(QUESTION, CELLS[:2]) == (pieces, [[], []])
+
+
+def test_the_journal_s_first_line_tells_mechanisms_apart() -> None:
+    """Also where they differ far behind what is shown of one."""
+    lagrangian = load("genot_brogliato_rod")
+    motion = lagrangian.motion
+    assert isinstance(motion, Lagrangian)
+    weight = replace(motion, forces=(*motion.forces[:-1], motion.forces[-1] + Constant(fmpq(1, 10**9))))
+    changed = [lagrangian, replace(lagrangian, motion=weight), lagrangian.with_parameters(mu="7/5")]
+    heads = [replace(QUESTION, mechanism=each).header([], {})["mechanism"] for each in changed]
+    assert len({*heads}) == 3
+    assert replace(QUESTION, mechanism=load("genot_brogliato_rod")).header([], {})["mechanism"] == heads[0]
 
 
 def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:

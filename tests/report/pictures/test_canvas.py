@@ -1,4 +1,7 @@
+import base64
 import xml.etree.ElementTree as ElementTree
+
+from IPython.core.formatters import DisplayFormatter
 
 from gspot_verified.report.pictures.canvas import INK, PAPER, canvas, picture, styled
 
@@ -36,3 +39,23 @@ def test_matplotlib_settings_are_restored():
 
 def test_caption_has_no_break_next_to_a_relation():
     assert small().caption == "x\u00a0=\u00a01\u00a0<\u00a02, 1/\u2060Γ"
+
+
+def test_a_notebook_gets_the_picture_and_not_a_text():
+    drawn = small()
+    assert repr(drawn) == "<Picture small: t, 1152 × 160>"
+    bundle, metadata = drawn._repr_mimebundle_()
+    assert drawn._repr_html_() is None
+    assert bundle == {
+        "text/plain": repr(drawn),
+        "image/svg+xml": drawn._repr_svg_(),
+        "image/png": base64.b64encode(drawn.png).decode(),
+    }
+    assert metadata == {"image/svg+xml": {"alt": "a"}, "image/png": {"alt": "a"}}
+
+
+def test_the_display_of_ipython_finds_both_images():
+    bundle, metadata = DisplayFormatter().format(small())
+    assert {*bundle} == {"text/plain", "image/svg+xml", "image/png"}
+    assert ElementTree.fromstring(bundle["image/svg+xml"]).tag.endswith("svg")
+    assert metadata["image/png"] == {"alt": "a"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from pathlib import Path
 
 import pytest
@@ -317,3 +318,10 @@ def test_the_velocity_of_the_surface_is_known_where_it_is_given() -> None:
     assert told.values()["belt_velocity"] == -3
     assert told.not_followed(EFFECTS["tangential_motion"]) is None
     assert not ALL.has_unknown_surface_velocity
+
+
+def test_a_scene_crosses_a_process_without_its_equations() -> None:
+    """They hold functions without a name; here they were made before."""
+    scene = load_scene("fig-varsim1", beta="1/2")
+    assert scene.motion.states("slip") == pickle.loads(pickle.dumps(scene)).motion.states("slip")
+    assert pickle.loads(pickle.dumps(scene)) == scene
