@@ -3,8 +3,10 @@
 # %% [markdown]
 # # A notebook
 #
-# Every output below was computed when this page was built. The script is `docs/notebook.py`; open it as a notebook in
-# any editor that knows `# %%` cells.
+# Every output below was computed when this page was built. In Jupyter: [notebook.ipynb](static/notebook.ipynb). The
+# script is `docs/notebook.py`; an editor that knows `# %%` cells opens it as a notebook too.
+#
+# A result as the last line of a cell is shown as `print` shows it, a picture as a picture.
 #
 # ## Θ in balls
 
@@ -21,7 +23,7 @@ for tau in (-10, 0, "1/2", 3):
 from gspot_verified import classify, load
 
 oscillator = load("oscillator")
-print(classify(oscillator))
+classify(oscillator)
 
 # %% [markdown]
 # ## Its distinguished trajectory
@@ -31,7 +33,7 @@ print(classify(oscillator))
 # %%
 from gspot_verified import expand
 
-print(expand(oscillator, 3))
+expand(oscillator, 3)
 
 # %% [markdown]
 # ## Which side lifts off, over β
@@ -39,7 +41,7 @@ print(expand(oscillator, 3))
 # %%
 from gspot_verified import side
 
-print(side(1, 5))
+side(1, 5)
 
 # %% [markdown]
 # ## Pictures

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import importlib
 import inspect
+import json
 import re
 from pathlib import Path
 from typing import Any
 
 from docutils import nodes
-from script_notebook import notebook_page
+from script_notebook import notebook, notebook_page
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
 import gspot_verified
@@ -46,7 +47,9 @@ def write_pages(app: Any) -> None:
     for page in sorted((ROOT / "proofs").glob("*.md")):
         _write(proofs / ("index.md" if page.stem == "README" else page.name), _proof_page(page))
     _write(made / "reference.rst", reference())
-    _write(made / "notebook.md", notebook_page((made / "notebook.py").read_text(encoding="utf-8"), made / "static"))
+    script = (made / "notebook.py").read_text(encoding="utf-8")
+    _write(made / "notebook.md", notebook_page(script, made / "static"))
+    _write(made / "static" / "notebook.ipynb", json.dumps(notebook(script), ensure_ascii=False, indent=1) + "\n")
 
 
 def _write(place: Path, text: str) -> None:

@@ -1,4 +1,7 @@
-"""A script in cells (``# %%``), run from top to bottom, as a page: text, code, what each cell printed and drew."""
+"""A script in cells (``# %%``), run from top to bottom, as a page: text, code, what each cell printed and drew.
+
+And as a notebook that nobody has run, for Jupyter.
+"""
 
 from __future__ import annotations
 
@@ -23,6 +26,17 @@ def cells(source: str) -> list[tuple[bool, str]]:
             body = "\n".join(line.removeprefix("#").removeprefix(" ") for line in body.strip().splitlines())
         found.append((bool(kind), body.strip("\n")))
     return found
+
+
+def notebook(source: str) -> dict[str, Any]:
+    """The cells as a Jupyter notebook without outputs: nbformat 4.5."""
+    made: list[dict[str, Any]] = []
+    for number, (is_text, body) in enumerate(cells(source), 1):
+        cell = {"id": f"cell-{number}", "metadata": {}, "source": body}
+        code = {"cell_type": "code", "execution_count": None, "outputs": []}
+        made.append({**cell, **({"cell_type": "markdown"} if is_text else code)})
+    kernel = {"name": "python3", "display_name": "Python 3", "language": "python"}
+    return {"nbformat": 4, "nbformat_minor": 5, "metadata": {"kernelspec": kernel}, "cells": made}
 
 
 def run(source: str) -> list[tuple[bool, str, str, Picture | None]]:

@@ -8,6 +8,7 @@ from html.parser import HTMLParser
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from IPython.core.formatters import DisplayFormatter
 
 from gspot_verified.numbers.shown import Shown
 
@@ -102,3 +103,8 @@ def test_a_table_has_a_row_for_each_field() -> None:
     table = read(Table("<script>", ("&",), hidden=5))
     assert table.tags == ["table", "caption", "tr", "th", "td", "tr", "th", "td"]
     assert table.text == "Tableword'<script>'row('&',)"
+
+
+def test_the_display_of_ipython_takes_the_line_and_the_page() -> None:
+    for value in (Text("1 < 2\nmore"), Table("a")):
+        assert DisplayFormatter().format(value) == ({"text/plain": repr(value), "text/html": value._repr_html_()}, {})
