@@ -7,6 +7,7 @@ from dataclasses import fields, is_dataclass
 from reprlib import Repr
 
 _LONGEST = 300  # characters of a line
+_PRE = '<pre style="font-family:monospace">'  # Jupyter would set it in the letters of a text, and columns would shift
 
 _short = Repr()
 _short.maxstring = _short.maxother = _short.maxlong = 40  # characters of a value
@@ -39,7 +40,7 @@ class Shown:
 
     def _repr_html_(self) -> str | None:
         if _has_text(self):
-            return f"<pre>{html.escape(str(self))}</pre>"
+            return f"{_PRE}{html.escape(str(self))}</pre>"
         rows = (f"<tr><th>{key}</th><td>{html.escape(value)}</td></tr>" for key, value in _fields(self))
         return f"<table><caption>{type(self).__name__}</caption>{''.join(rows)}</table>"
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import enum
-import html
 from dataclasses import dataclass, field
 from typing import ClassVar, NoReturn
 
@@ -179,6 +178,3 @@ class Verdict(Written):
         if self.remaining:
             text += f"\n  {len(self.remaining)} box(es) left"
         return text
-
-    def _repr_html_(self) -> str:
-        return f'<pre class="verdict-{self.outcome.value}">{html.escape(str(self))}</pre>'

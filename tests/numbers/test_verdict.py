@@ -189,4 +189,4 @@ def test_html_is_escaped() -> None:
     page = Verdict.refuted("a < b & c", "<script>alert(1)</script>", ONE_TWO)._repr_html_()
     assert "<script>" not in page
     assert "a &lt; b &amp; c" in page
-    assert 'class="verdict-refuted"' in page
+    assert page.startswith("<pre ")
