@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 from flint import arb, fmpq
+from numpy.typing import ArrayLike
 
 from gspot_verified.numbers.balls import ExactInput, bits_for_digits, exact, float_bounds
 from gspot_verified.numbers.dyadic import Dyadic
@@ -56,28 +57,24 @@ def theta_array(
     return result.reshape(taus.shape)
 
 
-def theta_of_floats(
-    tau: FloatArray | float, beta: ExactInput | np.ndarray[Any, Any], derivative: int = 0
-) -> FloatBalls:
+def theta_of_floats(tau: ArrayLike, beta: ExactInput | np.ndarray[Any, Any], derivative: int = 0) -> FloatBalls:
     """d^k Theta/dtau^k at doubles, each of which stands for its exact binary value: midpoints and radii as doubles.
 
     The exact value lies within the radius, always; the radius is at most 10^-15 of the value, or 2^-899 where that is
     more: next to the least doubles accuracy is lost. It is infinite where Theta overflows a double. Every rounding
     error of the double arithmetic is bounded (``proofs/float_horner.md``).
 
+    :param tau: a number, a list or an array of real numbers that doubles hold exactly.
     :param beta: one exact input, or an array of them (floats: exact binary values), broadcast against ``tau``.
-    :raises TypeError: ``tau`` has other entries than doubles, or an array is masked.
-    :raises ValueError: an entry is NaN, infinite, or outside the domain.
+    :raises TypeError: ``tau`` has other entries than integers and floats, or an array is masked.
+    :raises ValueError: an entry is NaN, infinite, outside the domain, or not a double.
 
-    >>> values = theta_of_floats(np.array([0.5, -1.25]), "7/3")
-    >>> bool((values.radius <= 1e-15 * abs(values.midpoint)).all())
-    True
+    >>> values = theta_of_floats([0.5, -1.25, 2], "7/3")
+    >>> values.shape, bool((values.radius <= 1e-15 * abs(values.midpoint)).all())
+    ((3,), True)
     """
     _without_mask(tau, "tau")
-    points = np.asarray(tau)
-    if points.dtype != np.float64:
-        raise TypeError(f"tau: expected an array of doubles (float64), got {points.dtype}")
-    taus, betas = np.broadcast_arrays(points, _as_array(beta, "beta"))
+    taus, betas = np.broadcast_arrays(_doubles(tau), _as_array(beta, "beta"))
     middles, radii = np.empty(taus.size), np.empty(taus.size)
     for value, where in _by_beta(betas):
         there = np.ascontiguousarray(taus.ravel()[where])
@@ -87,6 +84,22 @@ def theta_of_floats(
         else:
             raise TypeError("beta: a ball is not taken here; use theta_array")
     return FloatBalls(middles.reshape(taus.shape), radii.reshape(taus.shape))
+
+
+def _doubles(values: ArrayLike) -> FloatArray:
+    """The numbers as doubles. An integer that is none of them is far above what Theta is asked at, also when rounded.
+
+    :raises TypeError: they are neither integers nor floats.
+    :raises ValueError: a float is longer than a double.
+    """
+    given = np.asarray(values)
+    if given.dtype.kind not in "iuf":
+        raise TypeError(f"tau: expected integers or floats, got {given.dtype}; theta takes arrays of exact numbers")
+    with np.errstate(over="ignore"):
+        points = given.astype(np.float64)
+    if given.dtype.kind == "f" and ((points != given) & np.isfinite(given)).any():
+        raise ValueError(f"tau: an entry of {given.dtype} is not a double; theta takes it exactly")
+    return points
 
 
 def _as_array(value: ExactInput | np.ndarray[Any, Any], name: str) -> np.ndarray[Any, Any]:

@@ -20,13 +20,32 @@ _SMALLEST = 2.0**-900  # a midpoint above it has no rounding error: far above 2^
 class FloatBalls(NoTruthValue):
     """Two arrays of doubles of one shape: every exact value lies within ``radius`` of ``midpoint``, always.
 
-    A radius is infinite where doubles cannot hold the value.
+    A radius is infinite where doubles cannot hold the value. ``len`` and ``[]`` are those of an array.
+
+    >>> balls = FloatBalls(np.array([1.0, 2.0, 3.0]), np.array([0.0, 0.5, 0.25]))
+    >>> len(balls), balls.shape, balls[1:].radius.tolist(), float(balls[1].midpoint)
+    (3, (3,), [0.5, 0.25], 2.0)
     """
 
     ask: ClassVar[str] = ".lower and .upper enclose the values, .radius says how closely"
 
     midpoint: FloatArray
     radius: FloatArray
+
+    def __len__(self) -> int:
+        return len(self.midpoint)
+
+    def __getitem__(self, key: Any) -> FloatBalls:
+        return FloatBalls(np.asarray(self.midpoint[key]), np.asarray(self.radius[key]))
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The shape of both arrays."""
+        return tuple(self.midpoint.shape)
+
+    def to_numpy(self) -> FloatArray:
+        """One array with a further, last axis: ``lower`` and ``upper``, which enclose the exact value."""
+        return np.stack([self.lower, self.upper], axis=-1)
 
     @property
     def lower(self) -> FloatArray:

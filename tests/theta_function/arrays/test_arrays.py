@@ -6,6 +6,7 @@ Pages: proofs/local_series.md, proofs/float_horner.md.
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pytest
@@ -130,6 +131,39 @@ def test_grids_are_broadcast() -> None:
     assert theta_of_floats(np.empty(0), "1/2").midpoint.size == 0
 
 
+@pytest.mark.parametrize(
+    "kind", [np.int8, np.uint16, np.int64, np.uint64, np.float16, np.float32, np.longdouble, ">f8"]
+)
+def test_every_real_type_whose_numbers_are_doubles(kind: Any) -> None:
+    numbers = np.array([0, 1, 2, 7, 33], dtype=kind)
+    found, expected = theta_of_floats(numbers, "7/3"), theta_of_floats(numbers.astype(np.float64), "7/3")
+    assert (found.lower <= expected.upper).all()
+    assert (expected.lower <= found.upper).all()
+    assert (found.radius <= 1e-15 * abs(found.midpoint)).all()
+
+
+@pytest.mark.skipif(np.finfo(np.longdouble).nmant <= 52, reason="long doubles are doubles here")
+def test_a_float_that_is_no_double_is_refused() -> None:
+    for number in (np.longdouble(1) / 3, np.longdouble(1) + np.finfo(np.longdouble).eps, np.longdouble("1e-4000")):
+        with pytest.raises(ValueError, match="is not a double"):
+            theta_of_floats(np.array([0.5, number]), "7/3")
+    with pytest.raises(ValueError, match="is not a double"):
+        theta_of_floats(np.array([np.longdouble("1e4000")]), "7/3")
+
+
+def test_lists_and_numbers() -> None:
+    found = theta_of_floats([[0.5, 1], [-2, 3]], "7/3")
+    assert found.shape == (2, 2)
+    assert theta_of_floats([], "7/3").shape == (0,)
+    for index, tau in np.ndenumerate(np.array([[0.5, 1], [-2, 3]])):
+        single = theta_of_floats(float(tau), "7/3")
+        assert single.shape == ()
+        for enclosed in (single, found[index]):
+            truth = theta(Fraction(float(tau)), "7/3", digits=30)
+            assert truth.is_finite()
+            assert arb(float(enclosed.midpoint), float(enclosed.radius)).contains(truth.mid())
+
+
 def test_what_vanishes_is_exactly_zero() -> None:
     found = theta_of_floats(np.linspace(-2.0, 2.0, 9), 2, 3)
     assert (found.midpoint == 0).all()
@@ -138,10 +172,14 @@ def test_what_vanishes_is_exactly_zero() -> None:
 
 
 def test_bad_arrays() -> None:
-    with pytest.raises(TypeError, match="float64"):
-        theta_of_floats(np.array([1, 2]), "1/2")
-    with pytest.raises(TypeError, match="float64"):
-        theta_of_floats(np.array([1, 2], dtype=np.float32), "1/2")
+    for tau in ([True, False], ["1/3"], [Fraction(1, 3)], [1j], [None], [[1.0], None]):
+        with pytest.raises(TypeError, match="integers or floats"):
+            theta_of_floats(np.array(tau, dtype=object if None in tau else None), "1/2")
+    for number in (2**63 - 1, -(2**63), 2**53 + 1, 10**12 + 1):
+        with pytest.raises(ValueError, match="covers"):
+            theta_of_floats([number], "1/2")
+    with pytest.raises(ValueError, match="finite"):
+        theta_of_floats([0.5, float("nan")], "1/2")
     with pytest.raises(ValueError, match="finite"):
         theta_of_floats(np.array([1.0, np.inf]), "1/2")
     with pytest.raises(ValueError, match="covers"):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 import numpy as np
+import pytest
 from flint import arb
 from hypothesis import given
 from hypothesis import strategies as st
@@ -44,3 +45,20 @@ def test_exact_numbers_and_no_information() -> None:
     assert np.isinf(radii[2:4]).all()
     assert 1 <= radii[4] < 1.01
     assert float_balls([])[0].size == 0
+
+
+def test_they_are_taken_apart_as_arrays_are() -> None:
+    grid = FloatBalls(np.arange(6.0).reshape(2, 3), np.full((2, 3), 0.5))
+    assert (len(grid), grid.shape, grid[1].shape, grid[1, 2].shape) == (2, (2, 3), (3,), ())
+    assert [row.midpoint.tolist() for row in grid] == [[0.0, 1.0, 2.0], [3.0, 4.0, 5.0]]
+    assert grid[grid.midpoint > 3].midpoint.tolist() == [4.0, 5.0]
+    ends_of_all = grid.to_numpy()
+    assert ends_of_all.shape == (2, 3, 2)
+    assert (ends_of_all[..., 0] == grid.lower).all()
+    assert (ends_of_all[..., 1] == grid.upper).all()
+    with pytest.raises(IndexError):
+        grid[2]
+    with pytest.raises(TypeError, match="no truth value"):
+        bool(grid)
+    with pytest.raises(TypeError):
+        len(grid[0, 0])
