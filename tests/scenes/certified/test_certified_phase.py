@@ -378,10 +378,13 @@ def test_a_doubt_is_cut_as_often_as_allowed(halvings: int) -> None:
 
     class CertainBeforeTheEnd(Certain):
         def mean_values(self, box: list[arb]) -> list[arb]:
+            asked.append(box[0])
             return [arb(0, 1) if box[0].contains(1) else arb(1)]
 
+    asked: list[arb] = []
     phase._supposed = CertainBeforeTheEnd(fmpq(1))  # type: ignore[assignment]
     assert phase._doubt(Segment(), arb(0), arb(1), halvings) == "A"  # type: ignore[arg-type]
+    assert len(asked) == 2 * halvings + 1
     assert phase._doubt(Segment(), arb(0), arb(fmpq(7, 8)), halvings) is None  # type: ignore[arg-type]
     for k in range(17):
         assert any(part.contains(fmpq(k, 16)) and part.rad() < fmpq(2, 3) / 2**halvings for part in seen)
