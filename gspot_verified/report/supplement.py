@@ -22,8 +22,7 @@ PAPER = (
     "A. Nordmark, P. L. Várkonyi, A. R. Champneys: “Dynamics beyond dynamic jam; unfolding the Painlevé paradox "
     "singularity”"
 )
-VERSION = "the manuscript of 10th May 2017 (arXiv:1707.08343)"
-JOURNAL = "SIAM J. Appl. Dyn. Syst. 17 (2018)"
+VERSION = "manuscript of 10th May 2017 (arXiv:1707.08343)"
 THEOREMS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("An impact in Cases I and II", ("S-iwc", "C-cases-I-II")),
     ("Case II from the paper’s initial values", ("3-case-II-starts", "3-flight-persists")),
@@ -73,7 +72,7 @@ def errata_text(report: Mapping[str, Any]) -> str:
         r"\newcounter{item}\newcommand{\erratum}[4]{\stepcounter{item}\par\vspace{2.2pt plus 1pt}"
         r"\textbf{\arabic{item}. #1}: #2 \emph{#3} \texttt{[#4]}}" + "\n",
         r"\twocolumn[{\Large\bfseries Errata}\par\smallskip" + "\n",
-        f"{escaped(PAPER)}, {escaped(JOURNAL)}.\\par\\smallskip\n",
+        f"{escaped(PAPER)}, {escaped(VERSION)}.\\par\\smallskip\n",
         r"{\footnotesize " + _about_the_errata(number, report) + r"\par}\medskip]" + "\n",
         r"\footnotesize" + "\n",
     ]
@@ -88,7 +87,7 @@ def errata_text(report: Mapping[str, Any]) -> str:
 def _about_the_errata(number: int, report: Mapping[str, Any]) -> str:
     return escaped(
         f"{number} item{'' if number == 1 else 's'}: printed form, corrected form, reason. Sections, equations, "
-        f"figures and l. (lines of the LaTeX source, SHA-256 {paper_hash()[:16]}…) are those of {VERSION}; the "
+        f"figures and l. (lines of the LaTeX source, SHA-256 {paper_hash()[:16]}…) are those of this manuscript; the "
         "journal’s version was not compared, so that its numbers may differ and its pages are not given. Each item "
         "was found by two derivations, and can be run again with the name in brackets: "
     ) + (
@@ -122,9 +121,9 @@ def theorems_text(report: Mapping[str, Any]) -> str:
     pieces = [
         _PREAMBLE % {"options": "", "margin": "22mm"},
         r"{\Large\bfseries What is proved beyond the paper}\par\smallskip" + "\n",
-        f"{escaped(PAPER)}, {escaped(JOURNAL)}.\\par\\medskip\n",
+        f"{escaped(PAPER)}, {escaped(VERSION)}.\\par\\medskip\n",
         escaped(
-            f"The numbers are those of {VERSION}. A statement is a sentence of the ledger, with its verdict; its name "
+            "The numbers are those of this manuscript. A statement is a sentence of the ledger, with its verdict; its name "
             "in brackets runs its checks again: "
         )
         + rf"\texttt{{gspot-verified verify NAME}} (version {escaped(report['versions']['gspot-verified'])}). "
