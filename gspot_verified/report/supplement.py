@@ -123,8 +123,8 @@ def theorems_text(report: Mapping[str, Any]) -> str:
         r"{\Large\bfseries What is proved beyond the paper}\par\smallskip" + "\n",
         f"{escaped(PAPER)}, {escaped(VERSION)}.\\par\\medskip\n",
         escaped(
-            "The numbers are those of this manuscript. A statement is a sentence of the ledger, with its verdict; its name "
-            "in brackets runs its checks again: "
+            "The numbers are those of this manuscript. A statement is a sentence of the ledger, with its verdict; its "
+            "name in brackets runs its checks again: "
         )
         + rf"\texttt{{gspot-verified verify NAME}} (version {escaped(report['versions']['gspot-verified'])}). "
         + escaped(
