@@ -30,6 +30,7 @@ class Reason(ByName):
     CONTRADICTION = "two checks of the same statement contradict each other"
     ONE_FAILURE = "one check fails; a refutation needs a second derivation of the counterexample"
     POINTS = "checks at points support the statement, they cannot prove it for all arguments"
+    FLOATS = "a float run proves nothing"
 
 
 class NoTruthValue(Shown):

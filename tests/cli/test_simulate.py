@@ -48,6 +48,8 @@ def test_floats_alone_prove_nothing(capsys: pytest.CaptureFixture[str]) -> None:
     code, output, _ = run(capsys, "simulate", "fig-varsim2", "--float", "--set", "chi=0")
     assert code == 2
     assert output.startswith("simulated: stick, lift-off")
+    assert "\n    reason: a float run proves nothing\n" in output
+    assert "hypothesis" not in output
 
 
 @pytest.mark.parametrize(("until", "fate"), [("1/2", "lift-off"), ("2/5", "no event")])

@@ -160,6 +160,7 @@ def test_the_words_of_the_json() -> None:
         Reason.BUDGET: "budget", Reason.WIDE_INPUT: "wide_input", Reason.HYPOTHESIS: "hypothesis",
         Reason.BEYOND: "beyond", Reason.NO_ROUTE: "no_route",
         Reason.CONTRADICTION: "contradiction", Reason.ONE_FAILURE: "one_failure", Reason.POINTS: "points",
+        Reason.FLOATS: "floats",
     }  # fmt: skip
 
 

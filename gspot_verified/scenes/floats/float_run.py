@@ -90,7 +90,7 @@ def float_run(
     fate = fate_of([event.name for event in events])
     detail = f"simulated with floats ({method}, relative tolerance {tolerance:g}): no error is bounded"
     assumptions = unchecked(scene)
-    verdict = Verdict.undecided(f"{fate}{provided(assumptions)}", Reason.HYPOTHESIS, detail)
+    verdict = Verdict.undecided(f"{fate}{provided(assumptions)}", Reason.FLOATS, detail)
     notes = () if kept is None else tuple(kept.notes)
     return SceneRun(SIMULATED, fate, events, verdict, samples, notes, assumptions)
 

@@ -14,7 +14,7 @@ from flint import fmpq
 from full_disk import full_after
 
 from gspot_verified.mechanisms.input.given import lagrangian
-from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.numbers.verdict import Outcome, Reason
 from gspot_verified.scenes.equations.scaled_system import CONTACT
 from gspot_verified.scenes.floats import float_run as module
 from gspot_verified.scenes.floats.float_run import (
@@ -306,6 +306,7 @@ def test_nothing_of_a_float_run_is_checked_or_proved() -> None:
         (name, ASSUMED, fmpq(0), "a run with floats checks nothing") for name in ("lift_off", "stick")
     ]
     assert "provided that" in run.verdict.statement
+    assert run.verdict.reason is Reason.FLOATS
     assert run.verdict.detail == "simulated with floats (LSODA, relative tolerance 1e-05): no error is bounded"
     assert run.notes == ()
 
