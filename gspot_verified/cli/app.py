@@ -14,6 +14,8 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperCommand
 
+from gspot_verified.cli.command_groups import WIDEST, CommandGroups
+
 QUIET_SECONDS = 10.0  # between two signs of life on stderr
 _running: ContextVar[str] = ContextVar("_running", default="")
 _VERSIONS = {"classify": 2, "cost": 2, "report": 2, "simulate": 2, "verify": 3}
@@ -39,6 +41,8 @@ def _print_schema(command: str | None) -> None:
 
 
 app = typer.Typer(
+    cls=CommandGroups,
+    context_settings={"max_content_width": WIDEST},
     no_args_is_help=True,
     rich_markup_mode=None,
     help="Certified values and signs of Θ(τ, β), and the paper claim by claim. "

@@ -18,6 +18,7 @@ from importlib import import_module
 import typer
 
 from gspot_verified.cli.app import app, signs_of_life
+from gspot_verified.cli.command_groups import GROUPS
 from gspot_verified.cli.isolation import isolate
 from gspot_verified.cli.output import NOT_WRITTEN
 
@@ -30,34 +31,13 @@ CLOSED_PIPE = 141
 _interrupted = threading.Event()
 _CANNOT_WRITE = {errno.ENOSPC, errno.EIO, errno.EDQUOT, errno.EFBIG, errno.EROFS}
 
-COMMANDS = {
-    "theta": "theta_commands",
-    "side": "theta_commands",
-    "sign": "sign_commands",
-    "zeros": "sign_commands",
-    "check": "sign_commands",
-    "iwc": "iwc_command",
-    "force": "force_command",
-    "plot": "plot_command",
-    "events": "events_command",
-    "simulate": "simulate_command",
-    "scenes": "simulate_command",
-    "wrong-sides": "wrong_sides_command",
-    "classify": "mechanism_commands",
-    "expand": "mechanism_commands",
-    "approach": "approach_command",
-    "sweep": "sweep_command",
-    "verify": "paper_commands",
-    "report": "paper_commands",
-    "cost": "cost_command",
-    "hard-cases": "hard_cases_command",
-}
-"""The commands in the order of the help, and the modules whose import adds them to the application."""
+COMMANDS = {name: module for members in GROUPS.values() for name, module in members.items()}
+"""The commands in the order of the help, and their modules."""
 
 
 def load_commands(arguments: Sequence[str] = ()) -> None:
     """Import the module of the command that the arguments ask for, or all modules."""
-    command = next((word for word in arguments if not word.startswith("-")), "")
+    command = next(iter(arguments), "")  # before it there are only options of the application, such as --help
     for module in dict.fromkeys([COMMANDS[command]] if command in COMMANDS else COMMANDS.values()):
         import_module(f"gspot_verified.cli.commands.{module}")
     app.registered_commands.sort(key=lambda info: [*COMMANDS].index(name_of(info.callback)))

@@ -137,7 +137,7 @@ def test_help_has_an_example(capsys: pytest.CaptureFixture[str], command: tuple[
     code, output, _ = run(capsys, *command, "--help")
     assert code == 0
     if command:
-        assert "Example: gspot-verified" in output
+        assert "\n  Example:\n    gspot-verified " in output
 
 
 def test_the_examples_in_the_help_run() -> None:

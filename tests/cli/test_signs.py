@@ -184,7 +184,7 @@ def test_the_example_in_the_help_runs(
         assert run(capsys, "sign", "--tau=-inf..inf", "--beta", "0..1", "--certificate", "iwc.cert")[0] == 0
     code, output, _ = run(capsys, command, "--help")
     assert code == 0
-    words = shlex.split(output.split("Example: gspot-verified ")[1])  # the help may break the line
+    words = shlex.split(output.split("Example:\n    gspot-verified ")[1])
     assert words[0] == command
     code, output, _ = run(capsys, *words)
     assert code == 0

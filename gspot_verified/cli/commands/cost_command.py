@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Protocol
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ class Measured(Protocol):
         ...
 
 
-@app.command(epilog="Example: gspot-verified cost --output cost.json")
+@app.command(epilog=example("cost --output cost.json"))
 def cost(
     subject: Annotated[str, typer.Argument(help=f"What to measure: {_NAMES}.")] = "all",
     full: Annotated[
@@ -49,7 +50,7 @@ def cost(
     ] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Measure what accuracy costs in time: all parts of the report's chapter, or one subject with its targets.
+    """Measure what accuracy costs in time. All parts of the report's chapter, or one subject with its targets.
 
     All parts take two to three minutes, one subject half a minute to a minute. The exit code is 0 whatever the times
     are: a benchmark decides nothing.

@@ -7,9 +7,10 @@ from typing import Annotated
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json
+from gspot_verified.cli.command_groups import example
 
 
-@app.command(epilog="Example: gspot-verified events --beta 3/2 --epsilon 1e-6 --nu 2")
+@app.command(epilog=example("events --beta 3/2 --epsilon 1e-6 --nu 2"))
 def events(
     beta: Annotated[str | None, typer.Option(help="β = α3/α1; or give --alpha3.")] = None,
     epsilon: Annotated[str, typer.Option("--epsilon", "--eps", help="ε > 0.")] = "1/1000",
@@ -27,7 +28,7 @@ def events(
     ] = 3_000,
     as_json: JsonFlag = False,
 ) -> None:
-    """What the compliant model does from a state: lift-off, flight, touch-down, an impact without collision: certified.
+    """What the compliant model does from a state, certified. Lift-off, flight, touch-down, an impact without collision.
 
     Exit code 0 when the whole run is proved, 2 when a part is undecided.
     """

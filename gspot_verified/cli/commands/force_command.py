@@ -7,9 +7,10 @@ from typing import Annotated
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json
+from gspot_verified.cli.command_groups import example
 
 
-@app.command(epilog="Example: gspot-verified force --beta 5/2 --epsilon 1e-6 --t 1e-4")
+@app.command(epilog=example("force --beta 5/2 --epsilon 1e-6 --t 1e-4"))
 def force(
     t: Annotated[str, typer.Option("--t", help="The time, measured from the G-spot: p = α1 t.")],
     beta: Annotated[str | None, typer.Option(help="β = α3/α1; or give --alpha3.")] = None,
@@ -27,7 +28,7 @@ def force(
     ] = False,
     as_json: JsonFlag = False,
 ) -> None:
-    """The contact force of the compliant model at one time, at every ε: on its slow manifold, or from a state.
+    """The contact force of the compliant model at one time. At every ε: on its slow manifold, or from a state.
 
     Exit code 0 when the accuracy was reached (with --certify: and contact has lasted), 2 when not.
     """

@@ -7,17 +7,18 @@ from typing import Annotated
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+from gspot_verified.cli.command_groups import example
 
 
-@app.command(epilog="Example: gspot-verified hard-cases side canard")
+@app.command(epilog=example("hard-cases side canard"))
 def hard_cases(
     families: Annotated[
         list[str] | None,
-        typer.Argument(help="Names of families, such as canard or near-zero; all if none.", metavar="[NAME]..."),
+        typer.Argument(help="Names of families, such as canard or near-zero; all if none.", metavar="NAME"),
     ] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Hard cases of every part of the library, from easy to hard, beside double precision: about ten seconds.
+    """Hard cases of every part, beside double precision. From easy to hard: about ten seconds.
 
     For each: the condition number, the bits that the usual formula loses, what it says in double precision, what is
     certified, and how work and time grow. The exit code is 0 whatever the rows say; undecided ones are counted.

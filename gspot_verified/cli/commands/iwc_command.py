@@ -8,11 +8,12 @@ from typing import Annotated
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.load import load_with_settings
 from gspot_verified.cli.output import Outputs
 
 
-@app.command(epilog="Example: gspot-verified iwc --beta 7/3")
+@app.command(epilog=example("iwc --beta 7/3"))
 def iwc(
     beta: Annotated[str | None, typer.Option(help="β = α3/α1, not an integer; or give --alpha3.")] = None,
     alpha1: Annotated[str | None, typer.Option(help="α1* < 0; -1 if left out.")] = None,
@@ -35,7 +36,7 @@ def iwc(
     certificate: Annotated[Path | None, typer.Option(help="Write a certificate, 1 < β < 5, for a range of ε.")] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """The contact force: an ε0 below which the contact holds, or a bracket of the lift-off time.
+    """An ε0 below which the contact holds, or the lift-off time. The time comes as a bracket.
 
     Each statement names its system: "at leading order" is the paper's formula; "on the slow manifold of the compliant
     model" is the exact solution at that ε. The exit code is that of the last statement. The certificate's own

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
+from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.load import load_with_settings
 from gspot_verified.cli.output import PICTURES, Outputs
 
@@ -41,7 +42,7 @@ Settings = Annotated[
 ]
 
 
-@app.command(epilog="Example: gspot-verified classify oscillator --set beta=5/2")
+@app.command(epilog=example("classify oscillator --set beta=5/2"))
 def classify(
     name: MechanismName,
     settings: Settings = None,
@@ -56,7 +57,7 @@ def classify(
     verbose: Annotated[bool, typer.Option("--verbose", help="All numbers of each G-spot, in balls.")] = False,
     as_json: JsonFlag = False,
 ) -> None:
-    """A mechanism's G-spot as a table: slip, Case I, II or III, β, and what happens; --verbose: also alpha_i.
+    """A mechanism's G-spots: slip, Case, β, and what happens. A table; --verbose: also alpha_i.
 
     All of its G-spots with --all, --box, or where the file gives no place, or one that is no G-spot for these
     parameters; then exit code 1: there is none, proved. The number of a G-spot is the N of --spot N elsewhere.
@@ -114,7 +115,7 @@ def _box(given: list[str]) -> dict[str, tuple[Any, Any]]:
     return intervals
 
 
-@app.command(epilog="Example: gspot-verified expand extended --order 7 --chi symbolic")
+@app.command(epilog=example("expand extended --order 7 --chi symbolic"))
 def expand(
     name: MechanismName,
     order: Annotated[int, typer.Option(help="Terms of the orders below this one of δ = ε^(1/3).")] = 8,
@@ -136,7 +137,7 @@ def expand(
     picture: Annotated[Path | None, typer.Option(help="What is left in the equations, with its bound.")] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """The distinguished trajectory of Theorem 1 as an expansion with exact coefficients.
+    """The distinguished trajectory of Theorem 1, expanded. With exact coefficients.
 
     Coefficients are balls of the asked digits where the G-spot is not rational, and with --bits. Exit code 2 when
     digits are not reached, and when --uniform or --side is undecided.

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
+from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.output import Outputs
 
 if TYPE_CHECKING:
@@ -16,11 +17,11 @@ if TYPE_CHECKING:
 
 @app.command(
     short_help="Check the paper, claim by claim, and write the report.",
-    epilog="Example: gspot-verified verify S-iwc S-side",
+    epilog=example("verify S-iwc S-side"),
 )
 def verify(
     claims: Annotated[
-        list[str] | None, typer.Argument(help="Identifiers of the ledger; all of them if none.", metavar="[CLAIM]...")
+        list[str] | None, typer.Argument(help="Identifiers of the ledger; all of them if none.", metavar="CLAIM")
     ] = None,
     output: Annotated[Path | None, typer.Option(help="Directory of the report; report if not given.")] = None,
     full: Annotated[bool, typer.Option("--full", help="Run every check again; take nothing from the cache.")] = False,
@@ -98,7 +99,7 @@ def _formal_proofs() -> ProofRun:
 
 @app.command(
     short_help="Write the pages again; or the report on your own mechanism.",
-    epilog="Example: gspot-verified report --mechanism oscillator --output mechanism_report",
+    epilog=example("report --mechanism oscillator"),
 )
 def report(
     source: Annotated[Path, typer.Argument(help="A report.json that `verify` wrote.")] = Path("report/report.json"),

@@ -9,6 +9,7 @@ import typer
 
 from gspot_verified.cli.app import app, progress, refuse
 from gspot_verified.cli.approach_output import components
+from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.load import load_with_settings
 from gspot_verified.cli.output import PICTURES, Outputs
 
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     from gspot_verified.report.pictures.canvas import Picture
 
 
-@app.command(epilog="Example: gspot-verified plot force force.png")
+@app.command(epilog=example("plot force force.png"))
 def plot(
     name: Annotated[
         str, typer.Argument(help='"theta", "b-hat", "contact-force", "phase-plane", "force", "side-map", "threshold".')
@@ -37,7 +38,7 @@ def plot(
         str | None, typer.Option("--epsilon", "--eps", help="contact-force: ε; 1/1000 if left out.")
     ] = None,
 ) -> None:
-    """Draw a figure; its caption, which says what is certified, goes to stdout.
+    """Draw a figure; its caption says what is certified. The caption goes to stdout.
 
     theta: Θ for five β. b-hat: b-hat of the compliant model against Θ. contact-force: λ_N(τ) at leading order.
     phase-plane: (p, b) of a mechanism next to its G-spot.

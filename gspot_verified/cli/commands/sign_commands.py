@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress, refuse, warn
+from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.commands.finite_epsilon import DEFAULT_BETA, zeros_at_finite_epsilon, zeros_over_a_rectangle
 from gspot_verified.cli.output import PICTURES, Outputs
 
@@ -28,7 +29,7 @@ TauRange = Annotated[str, typer.Option(help='Range of τ: "-inf..inf", "[-2..3)"
 BetaRange = Annotated[str, typer.Option(help='Range of β, same form: "0..1" is the open interval.')]
 
 
-@app.command(epilog="Example: gspot-verified sign --tau=-inf..inf --beta 0..1 --certificate iwc.cert")
+@app.command(epilog=example("sign --tau=-inf..inf --beta 0..1 --certificate iwc.cert"))
 def sign(
     tau: TauRange,
     beta: BetaRange,
@@ -43,7 +44,7 @@ def sign(
     journal: JournalFile = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """The sign of dΘ/dτ on ranges of τ and β: proved, refuted with a point, or undecided with what is left."""
+    """The sign of dΘ/dτ on ranges of τ and β. Proved, refuted with a point, or undecided with what is left."""
     from gspot_verified.certificates.text import write_certificate
     from gspot_verified.signs.cover.sign import sign as sign_on_ranges
     from gspot_verified.work.executors import executor
@@ -72,7 +73,7 @@ def sign(
     outputs.leave(result.verdict.exit_code)
 
 
-@app.command(epilog="Example: gspot-verified zeros --beta 7/3 --digits 30")
+@app.command(epilog=example("zeros --beta 7/3 --digits 30"))
 def zeros(
     beta: Annotated[
         str | None,
@@ -93,7 +94,7 @@ def zeros(
     journal: JournalFile = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Every real zero of dΘ/dτ: how many there are over a range of β, or brackets of all of them at one β.
+    """All real zeros of dΘ/dτ, at one β or over a range of β. At one β brackets, over a range how many.
 
     How many is known for every β by the count law, at once; columns show it again and give tubes, for β <= 200. Exit
     code 2: a range of β is left without tubes.
@@ -210,7 +211,7 @@ def _zeros_at(outputs: Outputs, beta: str, digits: int, certificate: Path | None
     outputs.leave(0)
 
 
-@app.command(epilog="Example: gspot-verified check iwc.cert")
+@app.command(epilog=example("check iwc.cert"))
 def check(
     file: Annotated[Path, typer.Argument(help="A certificate.")],
     workers: Annotated[int, typer.Option(help="Processes that share the columns; the answer is the same.")] = 1,
@@ -219,7 +220,7 @@ def check(
     ] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Re-check a certificate with proofs/check.py, in a process of its own that imports nothing of this package.
+    """Re-check a certificate with proofs/check.py. In a process of its own that imports nothing of this package.
 
     Exit code 0 when it is verified, 1 when it is rejected.
     """

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress, refuse, warn
+from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ _PICTURE_POINTS = 61  # samples for a picture, if their number is not given
 _FILE_POINTS = 101  # the same for a file
 
 
-@app.command(epilog="Example: gspot-verified simulate fig-varsim1 --beta 3/2 --nu 2 --epsilon 1e-3")
+@app.command(epilog=example("simulate fig-varsim1 --beta 3/2 --nu 2 --epsilon 1e-3"))
 def simulate(
     scene: Annotated[str, typer.Argument(help="A scene's TOML file, or a name that `scenes` lists.")],
     beta: Annotated[str | None, typer.Option(help="β, in place of the scene's.")] = None,
@@ -60,7 +61,7 @@ def simulate(
     ] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """What a scene does: lift-off, touch-down, stick, impact without collision; certified, or simulated with --float.
+    """What happens in a scene: certified, or with floats. Lift-off, touch-down, stick, impact without collision.
 
     Events are listed up to --until, all of them; a run also ends where an impact without collision lasts for ever. The
     exact solution answers for all times, whatever --until is: it is used for the linear model scene where it decides.
@@ -121,9 +122,12 @@ def simulate(
     outputs.leave(runs[0].verdict.exit_code)
 
 
-@app.command(epilog="Example: gspot-verified scenes")
+@app.command(epilog=example("scenes"))
 def scenes(as_json: JsonFlag = False) -> None:
-    """The scenes that come with the package, the effects, what leaving one out assumes, and what excludes what."""
+    """The scenes of the package, and the effects to choose from.
+
+    With what leaving an effect out assumes, and what excludes what.
+    """
     from gspot_verified.scenes.effects.catalogue import EFFECTS, EXCLUSIONS
     from gspot_verified.scenes.scene.file import SHIPPED, load_scene
 

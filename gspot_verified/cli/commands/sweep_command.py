@@ -8,12 +8,13 @@ from typing import Annotated
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.commands.mechanism_commands import MechanismName
 from gspot_verified.cli.commands.sign_commands import JournalFile, Scheduler, Workers
 from gspot_verified.cli.output import PICTURES, Outputs
 
 
-@app.command(epilog="Example: gspot-verified sweep oscillator --over beta=1/2..4:40")
+@app.command(epilog=example("sweep oscillator --over beta=1/2..4:40"))
 def sweep(
     name: MechanismName,
     over: Annotated[
@@ -37,7 +38,7 @@ def sweep(
     journal: JournalFile = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """A G-spot over one or two parameters: α's, β, Case and side for every value of the range, not only at points.
+    """A G-spot over one or two parameters: α's, β, Case, side. For every value of the range, not only at points.
 
     Where Case or side change is bracketed. Exit code 0 when all the rest is settled, 2 when something is undecided.
     """

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from gspot_verified.cli.app import JsonFlag, NumberArguments, app, print_json, progress, refuse
+from gspot_verified.cli.command_groups import example
 
 _SLOW_DIGITS = 20_000  # from here on a computation takes long enough to announce it
 _MODEL = {"--epsilon": "1/1000", "--alpha1": "-1", "--alpha2": "-1"}
@@ -16,7 +17,7 @@ _MODEL = {"--epsilon": "1/1000", "--alpha1": "-1", "--alpha2": "-1"}
 
 @app.command(
     cls=NumberArguments,
-    epilog="Example: gspot-verified theta -- -50 7/3 --digits 100",
+    epilog=example("theta -- -50 7/3 --digits 100"),
 )
 def theta(
     tau: Annotated[str, typer.Argument(help='τ: "-50", "7/3", "0.1"; |τ| <= 10^12.')],
@@ -25,7 +26,7 @@ def theta(
     derivative: Annotated[int, typer.Option(help="k for the k-th τ-derivative, 0..1000.")] = 0,
     as_json: JsonFlag = False,
 ) -> None:
-    """Enclose Θ(τ, β) or a τ-derivative to the asked relative accuracy.
+    """Θ(τ, β) or a τ-derivative, to the asked relative accuracy.
 
     Exit code 0 when the accuracy was reached, 2 when it was not (next to a zero of Θ): the ball is then still valid.
     """
@@ -57,7 +58,7 @@ def _announce(tau: str, beta: str, derivative: int, digits: int) -> None:
         progress(f"{digits} digits, route {effort.route}: {effort} on one core, roughly")
 
 
-@app.command(cls=NumberArguments, epilog="Example: gspot-verified side 1/2 4")
+@app.command(cls=NumberArguments, epilog=example("side 1/2 4"))
 def side(
     lower: Annotated[str | None, typer.Argument(help="Lower end of the range of β.")] = None,
     upper: Annotated[str | None, typer.Argument(help="Upper end; left out: the single value.")] = None,
@@ -70,7 +71,7 @@ def side(
     state: Annotated[str | None, typer.Option(help="The exact side rule of this state in contact: p,b,y,v,z.")] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Certified sign of Γ(−β) over a range of β, and which sign of C1 lifts off (Case III) or takes an IWC.
+    """The sign of Γ(−β), and which sign of C1 lifts off. In Case III; the other takes an IWC. Also for a range of β.
 
     With --state: the exact side rule of the compliant model at one ε, K < 0: contact is certainly lost, with the
     paper's rule C1/Γ(−β) beside it.

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+from gspot_verified.cli.command_groups import example
 
 if TYPE_CHECKING:
     from gspot_verified.scenes.hard_sides import Count, WrongSides
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 _OF_THE_SET = "in place of those of the set, as often as needed."
 
 
-@app.command(epilog="Example: gspot-verified wrong-sides --epsilon 1/10000 --beta 15/2 --solver LSODA --tolerance 1e-6")
+@app.command(epilog=example("wrong-sides --epsilon 1e-4 --beta 15/2 --nu 2 --solver LSODA"))
 def wrong_sides(
     epsilon: Annotated[list[str] | None, typer.Option("--epsilon", "--eps", help=f"ε, {_OF_THE_SET}")] = None,
     beta: Annotated[list[str] | None, typer.Option(help=f"β, {_OF_THE_SET}")] = None,
@@ -23,7 +24,7 @@ def wrong_sides(
     tolerance: Annotated[list[str] | None, typer.Option(help=f"1e-13..1e-2, {_OF_THE_SET}")] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Count the starts whose side solve_ivp reports wrongly: the certified side is from the exact solution.
+    """How often solve_ivp reports the wrong side of a start. The certified side is from the exact solution.
 
     Starts of Fig. varsim1 with β from 5/2 to 15/2 and ε from 10^-3 to 10^-6, a factor 2 from the canard and close to
     it. A float run says "contact is lost" or "contact lasts" by its first event; only starts with a certified answer
