@@ -53,7 +53,7 @@ class HardSides(Shown):
             _tolerance(tolerance)
         for solver in given.get("solvers", ()):
             if solver not in METHODS:
-                raise SceneError(f"solver: expected one of {', '.join(METHODS)}, got {solver[:40]!r}")
+                raise SceneError(f"method: expected one of {', '.join(METHODS)}, got {solver[:40]!r}")
         return replace(self, **{**given, **numbers})  # type: ignore[arg-type]
 
 

@@ -48,7 +48,7 @@ def test_all_parts_are_the_default(tmp_path: Path, capsys: pytest.CaptureFixture
     assert load(file).parts[0].routes[0].points[0].repeats == 15
     assert load(file).full is False
     assert errors(json.loads(file.read_text(encoding="utf-8"))) == []
-    assert main(["cost", "all", "--full", "--output", str(file)]) == 0
+    assert main(["cost", "all", "--large", "--output", str(file)]) == 0
     assert load(file).full is True
 
 

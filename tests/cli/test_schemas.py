@@ -75,7 +75,7 @@ RUNS = [
     ("simulate", "fig-varsim2", "--float", "--set", "chi=0"),
     ("simulate", "rod", "--float", "--set", "until=1/100"),
     ("scenes",),
-    ("wrong-sides", "--eps", "1/1000", "--beta", "13/2", "--nu", "2", "--solver", "LSODA", "--tolerance", "1e-6"),
+    ("wrong-sides", "--eps", "1/1000", "--beta", "13/2", "--nu", "2", "--method", "LSODA", "--tolerance", "1e-6"),
     ("classify", "oscillator"),
     ("classify", "rod"),
     ("classify", "rod", "--all"),

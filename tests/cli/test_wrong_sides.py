@@ -10,7 +10,7 @@ from gspot_verified.numbers.verdict import Reason, Verdict
 from gspot_verified.scenes import hard_sides
 from gspot_verified.scenes.side import CertifiedSide, certified_side
 
-ONE = ("wrong-sides", "--eps", "1/10000", "--beta", "15/2", "--solver", "LSODA", "--tolerance", "1e-10")
+ONE = ("wrong-sides", "--eps", "1/10000", "--beta", "15/2", "--method", "LSODA", "--tolerance", "1e-10")
 
 
 def test_a_table_and_the_certified_sides(capsys: pytest.CaptureFixture[str]) -> None:
@@ -31,7 +31,7 @@ def test_where_the_rule_of_the_paper_fails(capsys: pytest.CaptureFixture[str]) -
         "1/1000",
         "--beta",
         "13/2",
-        "--solver",
+        "--method",
         "LSODA",
         "--tolerance",
         "1e-3",
@@ -59,7 +59,7 @@ def test_an_undecided_start_is_no_count_and_ends_with_2(
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (("--solver", "Euler"), "solver: expected one of Radau, LSODA, BDF"),
+        (("--method", "Euler"), "method: expected one of Radau, LSODA, BDF"),
         (("--tolerance", "0"), "tolerance: expected 1e-13..1e-2"),
         (("--beta", "1"), "beta = 1"),
         (("--eps", "x"), "epsilons"),

@@ -306,7 +306,7 @@ def test_the_shipped_set() -> None:
 @pytest.mark.parametrize(
     ("lists", "message"),
     [
-        ({"solvers": ["RK45"]}, "solver: expected one of Radau, LSODA, BDF"),
+        ({"solvers": ["RK45"]}, "method: expected one of Radau, LSODA, BDF"),
         ({"tolerances": ["1e-15"]}, "tolerance: expected 1e-13..1e-2"),
         ({"tolerances": ["tight"]}, "tolerance: expected a number"),
         ({"betas": ["two"]}, "betas"),

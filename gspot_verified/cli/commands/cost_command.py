@@ -35,7 +35,7 @@ class Measured(Protocol):
 def cost(
     subject: Annotated[str, typer.Argument(help=f"What to measure: {_NAMES}.")] = "all",
     full: Annotated[
-        bool, typer.Option("--full/--quick", help="Larger cases too: 2 to 20 minutes; all parts: about half an hour.")
+        bool, typer.Option("--large/--quick", help="Larger cases too: 2 to 20 minutes; all parts: about half an hour.")
     ] = False,
     peers: Annotated[
         bool,
@@ -61,7 +61,7 @@ def cost(
     if subject not in _SUBJECTS:
         raise ValueError(f"cost: expected {_NAMES}, got {subject!r}")
     if peers and (subject != "theta" or full or picture is not None):
-        raise ValueError("--peers: for theta, without --full and --picture")
+        raise ValueError("--peers: for theta, without --large and --picture")
     if subject == "all":
         if picture is not None:
             raise ValueError("--picture: for one subject; the pictures of all parts are in the report")

@@ -22,7 +22,9 @@ def iwc(
     mechanism: Annotated[
         str | None, typer.Option(help="In their place: a TOML file or a name; its alphas, or all in their balls.")
     ] = None,
-    settings: Annotated[list[str] | None, typer.Option("--set", help='A parameter of the mechanism, "mu=2".')] = None,
+    settings: Annotated[
+        list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help='A parameter of the mechanism, "mu=2".')
+    ] = None,
     spot: Annotated[
         int | None, typer.Option(help="Which of the mechanism's G-spots: its number in `classify --all`.")
     ] = None,

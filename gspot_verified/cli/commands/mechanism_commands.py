@@ -38,7 +38,7 @@ Spot = Annotated[
 ]
 Settings = Annotated[
     list[str] | None,
-    typer.Option("--set", help='A parameter, "chi=1/2"; "chi=symbolic" keeps the symbol (expand only).'),
+    typer.Option("--set", metavar="NAME=VALUE", help='A parameter, "mu=2"; in expand also "chi=symbolic".'),
 ]
 
 
@@ -53,7 +53,9 @@ def classify(
         list[str] | None, typer.Option("--box", help='All G-spots with a component in an interval: "theta=0..3/2".')
     ] = None,
     budget: Annotated[int | None, typer.Option(help="How many boxes the search for all G-spots looks at.")] = None,
-    from_state: Annotated[str | None, typer.Option("--from", help="A state: as the command approach.")] = None,
+    from_state: Annotated[
+        str | None, typer.Option("--from", help="Where slip from this state leads, as in `approach`.")
+    ] = None,
     verbose: Annotated[bool, typer.Option("--verbose", help="All numbers of each G-spot, in balls.")] = False,
     as_json: JsonFlag = False,
 ) -> None:
@@ -134,7 +136,9 @@ def expand(
         str | None, typer.Option(help='Lift-off or impact near the G-spot with C1, for all ε <= D³: "C1,D".')
     ] = None,
     latex: Annotated[bool, typer.Option("--latex", help="Print LaTeX.")] = False,
-    picture: Annotated[Path | None, typer.Option(help="What is left in the equations, with its bound.")] = None,
+    picture: Annotated[
+        Path | None, typer.Option(help="Draw what is left in the equations, with its bound: PNG, PDF or SVG.")
+    ] = None,
     as_json: JsonFlag = False,
 ) -> None:
     """The distinguished trajectory of Theorem 1, expanded. With exact coefficients.

@@ -122,7 +122,9 @@ def report(
     mechanism: Annotated[
         str | None, typer.Option(help="Another report: on this mechanism, a TOML file or a name as for classify.")
     ] = None,
-    settings: Annotated[list[str] | None, typer.Option("--set", help='A parameter of the mechanism, "mu=2".')] = None,
+    settings: Annotated[
+        list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help='A parameter of the mechanism, "mu=2".')
+    ] = None,
     states: Annotated[
         list[str] | None,
         typer.Option("--from", help="With --mechanism: a state for a certified run, as for approach; may be repeated."),

@@ -26,7 +26,9 @@ def plot(
     mechanism: Annotated[
         str | None, typer.Option(help="phase-plane: a TOML file or a name; oscillator if left out.")
     ] = None,
-    settings: Annotated[list[str] | None, typer.Option("--set", help='phase-plane: a parameter, "mu=2".')] = None,
+    settings: Annotated[
+        list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help='phase-plane: a parameter, "mu=2".')
+    ] = None,
     spot: Annotated[
         int | None, typer.Option(help="phase-plane: which G-spot, by its number in `classify --all`.")
     ] = None,

@@ -31,7 +31,9 @@ def simulate(
         str | None,
         typer.Option(help="How long to look: a time after the start, in place of the scene's; as 2 or 1/10."),
     ] = None,
-    settings: Annotated[list[str] | None, typer.Option("--set", help="name=value, as often as needed.")] = None,
+    settings: Annotated[
+        list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help='Another value, "mu=3/4".')
+    ] = None,
     floats: Annotated[bool, typer.Option("--float", help="A quick run with floats: nothing is proved.")] = False,
     compare: Annotated[bool, typer.Option("--compare", help="A run with floats beside the certified one.")] = False,
     method: Annotated[str | None, typer.Option(help="Of the float run: Radau (if left out), LSODA or BDF.")] = None,

@@ -22,7 +22,8 @@ def sweep(
         typer.Option("--over", help='A parameter and its range, "mu=1.4..2:200" for 200 cells; given twice: a map.'),
     ],
     settings: Annotated[
-        list[str] | None, typer.Option("--set", help='A parameter that does not vary, "kappa=1/10".')
+        list[str] | None,
+        typer.Option("--set", metavar="NAME=VALUE", help='A parameter that does not vary, "kappa=1/10".'),
     ] = None,
     start: Annotated[
         list[str] | None, typer.Option("--start", help='Where the G-spot is proved first, such as "mu=2".')

@@ -15,12 +15,12 @@ if TYPE_CHECKING:
 _OF_THE_SET = "in place of those of the set, as often as needed."
 
 
-@app.command(epilog=example("wrong-sides --epsilon 1e-4 --beta 15/2 --nu 2 --solver LSODA"))
+@app.command(epilog=example("wrong-sides --epsilon 1e-4 --beta 15/2 --nu 2 --method LSODA"))
 def wrong_sides(
     epsilon: Annotated[list[str] | None, typer.Option("--epsilon", "--eps", help=f"ε, {_OF_THE_SET}")] = None,
     beta: Annotated[list[str] | None, typer.Option(help=f"β, {_OF_THE_SET}")] = None,
     nu: Annotated[list[str] | None, typer.Option(help=f"ν of the starts, {_OF_THE_SET}")] = None,
-    solver: Annotated[list[str] | None, typer.Option(help=f"Radau, LSODA or BDF, {_OF_THE_SET}")] = None,
+    method: Annotated[list[str] | None, typer.Option(help=f"Radau, LSODA or BDF, {_OF_THE_SET}")] = None,
     tolerance: Annotated[list[str] | None, typer.Option(help=f"1e-13..1e-2, {_OF_THE_SET}")] = None,
     as_json: JsonFlag = False,
 ) -> None:
@@ -33,7 +33,7 @@ def wrong_sides(
     """
     from gspot_verified.scenes.hard_sides import hard_sides, wrong_sides
 
-    chosen = hard_sides().restricted(epsilons=epsilon, betas=beta, nus=nu, solvers=solver, tolerances=tolerance)
+    chosen = hard_sides().restricted(epsilons=epsilon, betas=beta, nus=nu, solvers=method, tolerances=tolerance)
     counted = wrong_sides(chosen, progress)
     if as_json:
         print_json(counted.to_json())

@@ -26,7 +26,7 @@ _EXTENDED = ((15, 0.1), (60, 5.0), (120, 60.0))  # (order, at most so many secon
 _OSCILLATOR = ((15, 2.0), (40, 60.0))  # the same for the oscillator
 _SYMPY_ORDER = 10  # of delta
 _SYMPY_TARGET = Target("sympy / ours", 100.0, at_most=False)
-_CURVE_ORDERS = {"extended": (8, 15, 30, 60, 90, 120), "oscillator": (6, 10, 15, 20, 30, 40)}  # without --full
+_CURVE_ORDERS = {"extended": (8, 15, 30, 60, 90, 120), "oscillator": (6, 10, 15, 20, 30, 40)}  # without --large
 _FULL_ORDERS = {"extended": (*_CURVE_ORDERS["extended"], 200), "oscillator": (*_CURVE_ORDERS["oscillator"], 50)}
 
 

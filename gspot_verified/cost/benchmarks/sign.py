@@ -216,7 +216,7 @@ def _atlas(plan: Plan, growth: FittedGrowth) -> Row:
     measured = growth.points[-1][1]
     end = plan.ends[-1]
     counted = f"{measured.columns} columns, {measured.pieces} pieces, the text of the certificate included"
-    note = counted if end == _ATLAS_END else f"{counted}; (1, {end}) only, --full does (1, {_ATLAS_END})"
+    note = counted if end == _ATLAS_END else f"{counted}; (1, {end}) only, --large does (1, {_ATLAS_END})"
     figure = measured.seconds if measured.proved else None
     return Row("zeros", f"zeros for β in (1, {end})", Target("time", 60.0, "s"), figure, measured.seconds, note=note)
 

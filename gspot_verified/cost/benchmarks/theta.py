@@ -20,7 +20,7 @@ from gspot_verified.numbers.written import Written
 
 Progress = Callable[[str], None]
 
-_EXTERNAL_DIGITS = (15, 50, 1_000, 10_000)  # 100,000 with --full only
+_EXTERNAL_DIGITS = (15, 50, 1_000, 10_000)  # 100,000 with --large only
 _HEAD = (
     "Times are medians. cold: the package's caches are empty (FLINT's constants are not); warm: the same call again;\n"
     "baseline: t01-t03 and three FLINT 1F2, precision doubled until the accuracy is met; mpmath: hyp1f2, no bound."

@@ -92,7 +92,7 @@ def test_the_rows(report: SignCost) -> None:
     assert len(asked) == 7
     assert asked[0] == "dΘ/dτ < 0, all τ, β in (0, 1)"
     assert asked[4] == "zeros for β in (1, 2)"
-    assert "(1, 2) only, --full does (1, 13)" in report.rows[4].note
+    assert "(1, 2) only, --large does (1, 13)" in report.rows[4].note
     assert all(row.cold is not None and row.cold > 0 for row in report.rows)
     assert len(report.bisections) == 2
     assert [len(item.points) for item in report.growth] == [1, 1, 2]
