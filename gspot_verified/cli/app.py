@@ -15,6 +15,7 @@ import typer
 from typer.core import TyperCommand
 
 from gspot_verified.cli.command_groups import WIDEST, CommandGroups
+from gspot_verified.cli.progress_line import at_terminal
 
 QUIET_SECONDS = 10.0  # between two signs of life on stderr
 _running: ContextVar[str] = ContextVar("_running", default="")
@@ -132,7 +133,9 @@ def signs_of_life(seconds: float = QUIET_SECONDS) -> Iterator[None]:
 
     def say() -> None:
         while not done.wait(seconds):
-            progress(f"at work for {time.monotonic() - start:.0f} s")
+            line = at_terminal()
+            if line is None or not line.refresh():
+                progress(f"at work for {time.monotonic() - start:.0f} s")
 
     thread = threading.Thread(target=say, daemon=True)
     thread.start()
@@ -146,3 +149,13 @@ def signs_of_life(seconds: float = QUIET_SECONDS) -> Iterator[None]:
 def progress(step: str) -> None:
     """A step of long work, on stderr."""
     typer.echo(f"... {step}", err=True)
+
+
+def counted(step: str, done: int, share: float, said: bool) -> None:
+    """A step of counted work: at a terminal in a line with percentage, rate and time left; elsewhere, if it is one of
+    those to be ``said``, as any other step."""
+    line = at_terminal()
+    if line is not None:
+        line.count(step, done, share)
+    elif said:
+        progress(step)

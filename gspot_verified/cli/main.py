@@ -21,6 +21,7 @@ from gspot_verified.cli.app import app, signs_of_life
 from gspot_verified.cli.command_groups import GROUPS
 from gspot_verified.cli.isolation import isolate
 from gspot_verified.cli.output import NOT_WRITTEN
+from gspot_verified.cli.progress_line import line_at_terminal
 
 USAGE = 64  # as in sysexits.h: a command line that cannot be run
 INTERNAL = 70  # as in sysexits.h: a fault of the program
@@ -52,7 +53,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code; bad input is a message on stderr and 64."""
     words = sys.argv[1:] if arguments is None else list(arguments)
     try:
-        with signs_of_life():
+        with line_at_terminal(), signs_of_life():
             load_commands(words)
             command = typer.main.get_command(app)
             code = command(prog_name="gspot-verified", args=words, standalone_mode=False)

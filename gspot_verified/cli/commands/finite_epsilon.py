@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, NoReturn
 
 import typer
 
-from gspot_verified.cli.app import print_json, progress
+from gspot_verified.cli.app import print_json
 from gspot_verified.cli.output import Outputs
+from gspot_verified.cli.ranges_progress import RangesProgress
 
 if TYPE_CHECKING:
     from gspot_verified.compliant.zeros.zero_certificate import SlowZerosCertificate
-    from gspot_verified.signs.cover.subdivision import Progress
 
 DEFAULT_BETA = "1..7"
 
@@ -58,8 +58,9 @@ def zeros_over_a_rectangle(
     if picture is not None and ".." not in epsilon:
         raise ValueError("--picture needs a range of ε, such as 0..10")
     proof = None if certificate is None else _certificate(beta, epsilon)
+    shown = RangesProgress(" in this row of ε")
     with executor(workers, scheduler) as pool, outputs.journal(journal):
-        zeros = zero_map(beta, epsilon, budget=budget, executor=pool, journal=journal, progress=_show)
+        zeros = zero_map(beta, epsilon, budget=budget, executor=pool, journal=journal, progress=shown)
     if picture is not None:
         from gspot_verified.report.pictures.zero_map_picture import save_zero_map
 
@@ -81,7 +82,3 @@ def _certificate(beta: str, epsilon: str) -> SlowZerosCertificate:
     if small is None or small.lower != 0 or small.upper is None:
         raise ValueError("--certificate: with --epsilon it needs a range from 0 on, such as 0..10, and β inside 4..5")
     return slow_zeros_certificate(beta, small.upper)
-
-
-def _show(step: Progress) -> None:
-    progress(f"{step.examined} ranges of β examined in this row of ε, {step.finished} settled, {step.waiting} waiting")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
+from gspot_verified.cli.app import JsonFlag, app, counted, print_json, warn
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.load import load_with_settings
 from gspot_verified.cli.output import PICTURES, Outputs
@@ -219,8 +219,7 @@ def _values_at(trajectory: Trajectory, at: str, in_time: bool, digits: int) -> t
 
 
 def _orders(done: int, of: int) -> None:
-    if done % 20 == 0:
-        progress(f"{done} of {of} orders")
+    counted(f"{done} of {of} orders", done, done / of, done % 20 == 0)
 
 
 def _numbers(text: str, option: str, example: str) -> list[str]:

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
@@ -13,9 +11,7 @@ from gspot_verified.cli.app import JsonFlag, app, print_json, progress, refuse, 
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.commands.finite_epsilon import DEFAULT_BETA, zeros_at_finite_epsilon, zeros_over_a_rectangle
 from gspot_verified.cli.output import PICTURES, Outputs
-
-if TYPE_CHECKING:
-    from gspot_verified.signs.cover.subdivision import Progress
+from gspot_verified.cli.ranges_progress import RangesProgress
 
 DIGITS, BUDGET = 15, 5_000  # of zeros, where they are left out
 
@@ -55,7 +51,14 @@ def sign(
     wanted = 1 if positive else -1
     with executor(workers, scheduler) as pool, outputs.journal(journal):
         result = sign_on_ranges(
-            tau, beta, wanted, budget=budget, by_theorem=by_theorem, executor=pool, journal=journal, progress=_show
+            tau,
+            beta,
+            wanted,
+            budget=budget,
+            by_theorem=by_theorem,
+            executor=pool,
+            journal=journal,
+            progress=RangesProgress(),
         )
     statement, written = result.proved_statement, False
     if certificate is not None and statement is not None:
@@ -148,7 +151,9 @@ def zeros(
         raise ValueError(f"--certificate: no column is sought for β > {MAX_BETA}")
     progress(f"by the count law, {numbers_on(betas)}")
     with executor(workers, scheduler) as pool, outputs.journal(journal):
-        result = zeros_on_range(betas, budget=examined, executor=pool, journal=journal, progress=_show_tubes())
+        result = zeros_on_range(
+            betas, budget=examined, executor=pool, journal=journal, progress=RangesProgress(tubes=True)
+        )
     statement = result.statement
     if certificate is not None and statement is not None:
         outputs.write("--certificate", certificate, lambda: write_certificate(certificate, statement, result.columns))
@@ -234,24 +239,3 @@ def check(
     else:
         typer.echo(result.text, err=not result.verified)
     raise typer.Exit(0 if result.verified else 1)
-
-
-def _show(step: Progress) -> None:
-    if step.examined % 10 == 0 or step.waiting == 0:
-        progress(f"{step.examined} ranges of β examined, {step.finished} settled, {step.waiting} waiting")
-
-
-def _show_tubes() -> Callable[[Progress], None]:
-    """Says how the search for tubes goes: at the first range, at every tenth, and whenever a second has passed."""
-    said = 0.0
-
-    def show(step: Progress) -> None:
-        nonlocal said
-        if step.examined % 10 != 0 and step.waiting and time.monotonic() - said < 1:
-            return
-        said = time.monotonic()
-        column = step.node.column
-        tubes = "" if column is None else f"; β in [{column.lower}, {column.upper}]: {len(column.tubes())} tubes"
-        progress(f"{step.examined} ranges of β examined, {step.finished} settled, {step.waiting} waiting{tubes}")
-
-    return show
