@@ -24,6 +24,8 @@ _VERSIONS = {"classify": 2, "cost": 2, "report": 2, "simulate": 2, "verify": 3}
 _NUMBER = re.compile(r"-(\.?[0-9].*|inf(inity)?|nan)", re.IGNORECASE)
 """What is read as a number and no option; -inf is then refused as a number, with what is allowed."""
 
+_COUNT = re.compile(r"\b([0-9]+) of ([0-9]+) [a-z]")
+
 
 def _print_version(wanted: bool) -> None:
     if wanted:
@@ -147,7 +149,13 @@ def signs_of_life(seconds: float = QUIET_SECONDS) -> Iterator[None]:
 
 
 def progress(step: str) -> None:
-    """A step of long work, on stderr."""
+    """A step of long work, on stderr; at a terminal one that says "3 of 40" is counted."""
+    line, numbers = at_terminal(), _COUNT.search(step)
+    if line is not None and numbers is not None and int(numbers[2]) > 0:
+        line.count(step, int(numbers[1]), int(numbers[1]) / int(numbers[2]))
+        return
+    if line is not None:
+        line.end()
     typer.echo(f"... {step}", err=True)
 
 

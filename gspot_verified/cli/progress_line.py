@@ -32,17 +32,21 @@ class ProgressLine:
                 self._first = now, done, share
             self._last = step, done, share
             if share >= 1 or not self._width or now - self._shown >= _PAUSE:
-                self.refresh()
+                self._render()
 
     def refresh(self) -> bool:
-        """The same with the time that has passed; False if nothing is counted."""
+        """The same with the time that has passed; False if nothing is counted, or all of it is done."""
         with self._lock:
-            if self._last is None:
+            if self._last is None or self._last[2] >= 1:
                 return False
-            (step, done, share), (begun, at_first, share_at_first) = self._last, self._first
-            now = advance(share, share - share_at_first, done - at_first, self._clock() - begun)
-            self._put(f"... {now}: {step}")
+            self._render()
             return True
+
+    def end(self) -> None:
+        """What was counted is over."""
+        with self._lock:
+            self._last = None
+            self.clear()
 
     def clear(self) -> None:
         """Take the line away."""
@@ -52,8 +56,12 @@ class ProgressLine:
                 self._stream.flush()
                 self._width = 0
 
-    def _put(self, text: str) -> None:
-        text = text[: shutil.get_terminal_size().columns - 1]
+    def _render(self) -> None:
+        if self._last is None:
+            return
+        (step, done, share), (begun, at_first, share_at_first) = self._last, self._first
+        now = advance(share, share - share_at_first, done - at_first, self._clock() - begun)
+        text = f"... {now}: {step}"[: shutil.get_terminal_size().columns - 1]
         self.clear()
         self._stream.write(text)
         self._stream.flush()
@@ -73,7 +81,7 @@ def advance(share: float, gained: float, done: int, seconds: float) -> str:
     if done > 0 and seconds > 0:
         said.append(f"{done / seconds:.2g}/s" if done >= seconds else f"{seconds / done:.2g} s each")
     if gained > 0 and share < 1:
-        said.append(f"about {duration(seconds * (1 - share) / gained)} left")
+        said.append(f"about {duration(max(seconds * (1 - share) / gained, 1))} left")
     return ", ".join(said)
 
 

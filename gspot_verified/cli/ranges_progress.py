@@ -16,7 +16,7 @@ class RangesProgress:
 
     def __init__(self, where: str = "", tubes: bool = False) -> None:
         self._where, self._tubes = where, tubes
-        self._cells, self.share, self._said = 1, 0.0, 0.0
+        self._cells, self._settled, self._said = 1, 0.0, 0.0
 
     def __call__(self, step: Progress) -> None:
         """Said at every tenth range and at the last one, with ``tubes`` whenever a second has passed; at a terminal
@@ -31,7 +31,7 @@ class RangesProgress:
         if said:
             self._said = time.monotonic()
         text = f"{step.examined} ranges of β examined{self._where}, {step.finished} settled, {step.waiting} waiting"
-        counted(text + tubes, step.examined, self.share, said)
+        counted(text + tubes, step.examined, self._settled / self._cells, said)
 
     def _add(self, step: Progress) -> None:
         """The settled share: a range that was cut d times counts 2^-d of the cell that it comes from."""
@@ -39,6 +39,6 @@ class RangesProgress:
 
         if step.examined == 1:  # the cells: those that wait and this one, which two halves replace if it was cut
             cut = step.node.state is State.SPLIT
-            self.share, self._cells = 0.0, step.waiting - 1 if cut else step.waiting + 1
+            self._settled, self._cells = 0.0, step.waiting - 1 if cut else step.waiting + 1
         if step.node.state is State.SETTLED:
-            self.share += 0.5**step.node.depth / self._cells
+            self._settled += 0.5**step.node.depth

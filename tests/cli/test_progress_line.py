@@ -16,7 +16,7 @@ from flint import fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gspot_verified.cli.app import counted, signs_of_life, warn
+from gspot_verified.cli.app import counted, progress, signs_of_life, warn
 from gspot_verified.cli.progress_line import ProgressLine, advance, duration, line_at_terminal
 from gspot_verified.cli.ranges_progress import RangesProgress
 from gspot_verified.signs.cover.pieces import Column
@@ -112,6 +112,29 @@ def test_what_is_printed_takes_the_place_of_the_line(screen: Screen) -> None:
     assert screen.lines == ["the result, or a part", "warning: in doubt", ""]
 
 
+def test_a_step_that_counts_is_counted_and_another_one_stays(screen: Screen) -> None:
+    with redirect_stdout(screen), redirect_stderr(screen), line_at_terminal():
+        progress("Section 1: done, 10 of 40 entries")
+        assert screen.lines == ["... 25%: Section 1: done, 10 of 40 entries"]
+        progress("the page")
+        assert screen.lines == ["... the page", ""]
+        progress("0 of 0 entries")
+    assert screen.lines == ["... the page", "... 0 of 0 entries", ""]
+
+
+def test_work_that_is_counted_to_its_end_gives_no_sign_of_life(screen: Screen) -> None:
+    line = ProgressLine(screen, Clock())
+    assert not line.refresh()
+    line.count("2 of 3", 2, 2 / 3)
+    assert line.refresh()
+    line.count("3 of 3", 3, 1.0)
+    assert not line.refresh()
+    line.count("1 of 3", 1, 1 / 3)
+    line.end()
+    assert not line.refresh()
+    assert screen.lines == [""]
+
+
 def interrupted_at_terminal() -> None:
     with line_at_terminal():
         counted("1 of 2", 1, 0.5, said=False)
@@ -159,7 +182,7 @@ def test_durations(seconds: float, text: str) -> None:
 
 
 @pytest.mark.parametrize("deepest", [0, 1, 3])
-@pytest.mark.parametrize("cells", [1, 4])
+@pytest.mark.parametrize("cells", [1, 4, 49])
 def test_the_settled_share_grows_to_one(monkeypatch: pytest.MonkeyPatch, cells: int, deepest: int) -> None:
     """Each range is settled when it has been cut so often: the shares are the parts of the width."""
     shares: list[float] = []

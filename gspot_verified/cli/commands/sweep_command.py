@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, counted, print_json
+from gspot_verified.cli.app import JsonFlag, app, print_json, progress
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.commands.mechanism_commands import MechanismName
 from gspot_verified.cli.commands.sign_commands import JournalFile, Scheduler, Workers
@@ -90,4 +90,4 @@ def _replace(path: Path, text: str) -> None:
 
 
 def _show(done: int, of: int) -> None:
-    counted(f"{done} of {of} cells", done, done / of, True)
+    progress(f"{done} of {of} cells")
