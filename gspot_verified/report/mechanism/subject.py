@@ -15,10 +15,11 @@ from gspot_verified.mechanisms.input.file import parse_mechanism
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.classify import Classification
 from gspot_verified.mechanisms.spots.g_spot import GSpot
-from gspot_verified.numbers.balls import Exact
+from gspot_verified.numbers.balls import Exact, working_bits
 
 _HEADER = re.compile(r"\s*\[+\s*[\"']?([A-Za-z0-9_]+)")
 _END_PLACES = (4, 8, 14)  # decimals of the ends of a range around a ball, tried in turn
+_BITS = 128  # of those ends: of a double's beta times 10^14 no digit is lost
 _LARGEST_DENOMINATOR = 10**12  # of a rational that is taken for the exact value: any number is correct
 _PLACES = 30  # decimals of a place from which a search starts: any number is correct
 
@@ -80,9 +81,10 @@ def beta_ends(beta: Exact) -> tuple[fmpq, ...]:
         return (beta,)
     for places in _END_PLACES:
         unit = fmpq(10) ** places
-        lower, upper = (beta.lower() * arb(unit)).floor(), (beta.upper() * arb(unit)).ceil()
-        first, last = (lower - 1).unique_fmpz(), (upper + 1).unique_fmpz()
-        if first is not None and last is not None and fmpq(first, unit.p).floor() == fmpq(last, unit.p).floor():
+        with working_bits(_BITS):
+            lower, upper = (beta.lower() * arb(unit)).floor(), (beta.upper() * arb(unit)).ceil()
+            first, last = (lower - 1).unique_fmpz(), (upper + 1).unique_fmpz()
+        if first is not None and last is not None and fmpq(first, unit.p).ceil() == fmpq(last, unit.p).floor() + 1:
             return fmpq(first, unit.p), fmpq(last, unit.p)
     raise ValueError("β is, or may be, an integer")
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from flint import arb
 
 from gspot_verified.mechanisms.shipped import shipped_text
 from gspot_verified.mechanisms.spots.all_g_spots import find_g_spots
 from gspot_verified.mechanisms.spots.g_spot import GSpot, find_g_spot
 from gspot_verified.numbers.balls import ball, working_bits
-from gspot_verified.report.mechanism.subject import Source, placed_at
+from gspot_verified.report.mechanism.subject import Source, beta_ends, placed_at
 
 
 def same(one: GSpot, other: GSpot) -> bool:
@@ -67,3 +68,18 @@ def test_commands_name_the_file_and_its_settings() -> None:
     assert source.command("iwc", option="--mechanism").startswith("gspot-verified iwc --mechanism mechanism.toml --set")
     line = source.python("load", "print({mechanism}.name)")
     assert line.startswith("python -c 'from gspot_verified import load; print(load(")
+
+
+@pytest.mark.parametrize("middle", ["2.00012", "0.00012", "1.00012", "2.99988", "7.000000012", "900001.000000012"])
+def test_no_integer_lies_in_the_range_around_a_ball(middle: str) -> None:
+    beta = arb(middle, "1e-10")
+    lower, upper = beta_ends(beta)
+    with working_bits(128):
+        assert lower < beta < upper
+    assert lower.floor() == upper.floor() < lower
+
+
+@pytest.mark.parametrize("beta", [arb("2", "1e-9"), arb("0", "1e-9"), arb("1.5", 1), arb("nan")])
+def test_a_ball_that_may_be_an_integer_has_no_range(beta: arb) -> None:
+    with pytest.raises(ValueError, match="may be, an integer"):
+        beta_ends(beta)
