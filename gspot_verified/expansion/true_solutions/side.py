@@ -104,7 +104,7 @@ def uniform_side(
 
     beta > 1 (Case III). The family: xi, p, b, y, v within ``within`` delta^(2 beta - 2) of the expansion plus the slow
     deviation with C_1 at leading order, and lambda_N + kappa y likewise. "impact": lambda_N stays positive and exceeds
-    ``force`` times the mean force; what follows is not said.
+    ``force`` times the mean force; what follows is not said. Slip is assumed to stay positive.
 
     :raises ValueError: beta is not a rational number above 1, C_1 = 0, or an argument is out of range.
     :raises SymbolsError: the numbers of the system are symbols.
@@ -143,7 +143,7 @@ def uniform_side(
         family = (trajectory, amount, beta, first, small, tube, tuple(deviation))
         whole = (
             f"for every epsilon <= {small**3} and every state within {tube} delta^mu of the expansion and the slow "
-            f"deviation with C_1 = {amount} at s = {first}, mu = {power}"
+            f"deviation with C_1 = {amount} at s = {first}, mu = {power}, as long as slip is positive"
         )
         ends = _first_end(tracked, first, factor)
         if ends is None:

@@ -144,6 +144,11 @@ def test_undecided_has_no_side() -> None:
     assert found.to_json()["side"] is None
 
 
+@pytest.mark.parametrize(("c_1", "delta"), [(-1, "1/50"), (1, "1/50"), (1, "1/10")])
+def test_the_statement_says_that_slip_is_assumed(c_1: int, delta: str) -> None:
+    assert "as long as slip is positive" in uniform_side(extended("3/2"), c_1, delta).verdict.statement
+
+
 def test_undecided_names_no_place_where_it_happens() -> None:
     assert "after s" not in str(uniform_side(extended("3/2"), 1, "1/10"))
 
