@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from flint import fmpq
 
 from gspot_verified import MechanismReport
 from gspot_verified.numbers.verdict import Outcome
@@ -61,6 +62,14 @@ def test_a_rejected_certificate_is_shown_and_is_exit_code_1(exact: Subject) -> N
     assert page.count('<span class="badge refuted">rejected</span>') == 2
     assert "REJECTED &lt;b&gt;cover&lt;/b&gt;" in page
     assert replace(made, spots=()).exit_code == 0
+
+
+@pytest.mark.parametrize(("velocity", "warned"), [(-1, "u &lt; 0"), (0, "u = 0"), (1, "")])
+def test_the_summary_says_where_the_sides_do_not_apply(exact: Subject, velocity: int, warned: str) -> None:
+    told = replace(exact.classified, slip_velocity=fmpq(velocity))
+    summary = mechanism_page(report(replace(exact, classified=told))).partition("Summary")[2].partition("<article")[0]
+    assert ("no positive slip on a surface at rest" in summary) is bool(warned)
+    assert warned in summary
 
 
 def test_texts_are_escaped_and_nothing_is_loaded(exact: Subject) -> None:
