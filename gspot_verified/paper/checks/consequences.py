@@ -103,13 +103,13 @@ _CONSEQUENCES = {
     ),
     "3-table-1-one-series": Consequence(
         Reach.LOCAL,
-        "Over any one series (ε <= 1/1500) the two slopes are closer to each other than printed.",
+        "Over any one series (ε <= 1/1500, 1 % apart or more) the two slopes are closer than printed.",
         "Which series of ε was used is not printed; the theoretical exponents are right.",
         table="Table 1(a)",
     ),
     "3-table-1-y-1_2": Consequence(
         Reach.LOCAL,
-        "No series of ε <= 1/1024 has this slope, nor have the decades from 10^-3 to 10^-6.",
+        "No series of ε <= 1/1024, 1 % apart or more, has this slope, nor has ε = 10^-3, ..., 10^-6.",
         "One measured exponent; the theoretical one beside it is right, and so is the conclusion.",
         table="Table 1(a)",
     ),

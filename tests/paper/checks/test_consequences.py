@@ -45,6 +45,13 @@ def test_the_cells_of_table_1_are_one_item():
     assert {name for name, found in _CONSEQUENCES.items() if found.table} == set(cells)
 
 
+def test_what_is_proved_of_all_series_says_which_series():
+    """Theorems E3 and E5 are about series whose neighbours are at least 1 % apart."""
+    reasons = [consequence(name).reason for name in _CONSEQUENCES if name.startswith("3-table-1")]
+    assert len(reasons) == 2
+    assert all("1 % apart" in reason for reason in reasons)
+
+
 def test_figures_and_tables_are_named_by_numbers_that_the_paper_prints():
     printed = {name for _, _, name in _places()}
     for identifier, found in _CONSEQUENCES.items():
