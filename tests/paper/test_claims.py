@@ -30,9 +30,12 @@ RESTRICTIONS = {
     "constant p|μ constant|forces other than": "fixed|constant|forces other|rigid",
     "in the scale ε²": "scale",
     "k < 8": "k < 8",
+    "derivative dΘ/dτ is negative": "deviation|dΘ|λ-hat|Case II[ ,]",
     VALUE: f"{VALUE}|Figure|Table|panel|Panel|start|[βε] <|β = ",
 }
 """What a statement is restricted by, and one of the words by which a claim that is proved by it says so."""
+ELSEWHERE = {("3-case-II", 77), ("3-case-II", 366), ("4-unique-smooth", 808)}
+"""Refuted entries with claims in other lines that say the same: an error of one line refutes no other one by itself."""
 UNIVERSAL = r"\b(?:all|every|always|never|any|each|only|none|no other|exactly|for ever|unique|whenever)\b"
 
 
@@ -147,6 +150,19 @@ def test_a_claim_that_stands_proved_says_what_its_entries_are_restricted_by(whol
     assert [claim for claim in proved if not quantified(claim, statements)] == []
     limited = {claim for claim in paper_claims() if claim.proved_as is not Standing.PROVED}
     assert limited <= set(proved), "a condition where nothing is proved"
+
+
+def apart(claim: PaperClaim, entry: Entry) -> bool:
+    """Whether the quoted lines of an entry are others than those of a claim."""
+    quoted = entry.cited.quotations
+    return bool(quoted) and all(claim.last < lines.first or lines.last < claim.first for lines in quoted)
+
+
+def test_a_refuted_claim_is_where_its_error_is(whole_ledger: list[Entry]) -> None:
+    refuted = [entry for entry in whole_ledger if entry.verdict.outcome is Outcome.REFUTED]
+    pairs = [(entry, claim) for entry in refuted for claim in paper_claims() if entry.identifier in claim.entries]
+    assert len(pairs) > len(refuted) > 30
+    assert {(entry.identifier, claim.first) for entry, claim in pairs if apart(claim, entry)} == ELSEWHERE
 
 
 @pytest.mark.parametrize(
