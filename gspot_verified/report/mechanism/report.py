@@ -115,18 +115,23 @@ def report_on(
     chosen = _BUDGET if budget is None else budget
     found = classify_all(mechanism, budget=chosen)
     words = [] if budget is None else ["--budget", str(budget)]
+    own, left_out = _own(mechanism)
     search = ReportPart(
         "All G-spots",
         found.verdict.outcome,
-        "\n".join(dict.fromkeys([*str(found.found.verdict).splitlines(), *found.found.about(), str(found.critical)])),
+        "\n".join(
+            dict.fromkeys(
+                [*str(found.found.verdict).splitlines(), *found.found.about(), str(found.critical), *left_out]
+            )
+        ),
         (source.command("classify", "--all", *words),),
         data=found.to_json(),
     )
     spots, files = [], {source.file: source}
-    for number, (spot, own) in enumerate(_spots(mechanism, found), 1):
+    for number, (spot, is_own) in enumerate(_spots(mechanism, own, found), 1):
         say(f"G-spot {number}")
         try:
-            used, there = (source, spot) if own else _in_a_file(source, spot, f"g-spot-{number}.toml")
+            used, there = (source, spot) if is_own else _in_a_file(source, spot, f"g-spot-{number}.toml")
         except ValueError as error:
             spots.append(_without_file(number, source, spot, str(error)))
             continue
@@ -159,12 +164,16 @@ def _command(source: Source, states: Sequence[State], scene: ReportScene | None,
     return source.command("report", *given, *beside, *words, "--output", "again", option="--mechanism")
 
 
-def _spots(mechanism: Mechanism, found: AllClassified) -> list[tuple[GSpot, bool]]:
-    """The file's own G-spot (True) first; then those of the search that are others and, perhaps, in a Case."""
+def _own(mechanism: Mechanism) -> tuple[list[GSpot], list[str]]:
+    """The file's own G-spot; or why there is none: it names no place, or one that is no G-spot."""
     try:
-        own = [find_g_spot(mechanism)]
-    except ValueError:  # the file names no place, or one that is no G-spot: the search stands for itself
-        own = []
+        return [find_g_spot(mechanism)], []
+    except ValueError as error:
+        return [], [f"the file's own place is not described: {error}"]
+
+
+def _spots(mechanism: Mechanism, own: list[GSpot], found: AllClassified) -> list[tuple[GSpot, bool]]:
+    """The file's own G-spot (True) first; then those of the search that are others and, perhaps, in a Case."""
     free = {mechanism.state.index(word) for word in found.found.free}
     others = [
         spot

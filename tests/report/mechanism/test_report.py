@@ -53,6 +53,13 @@ def test_without_a_place_in_the_file(described: Callable[[str], MechanismReport]
     assert report.spots[0].classification.case == "II"
 
 
+def test_a_place_in_the_file_that_is_no_g_spot_is_named(described: Callable[[str], MechanismReport]) -> None:
+    report = described(shipped_text("model").replace("\np = 0", '\np = "1/10"'))
+    assert [spot.file for spot in report.spots] == ["g-spot-1.toml"]
+    assert "the file's own place is not described: model system: not a G-spot: p = 1/10 must be 0" in report.search.text
+    assert "own place" not in described(shipped_text("model")).search.text
+
+
 def test_where_no_file_can_be_made_the_page_says_so(
     described: Callable[[str], MechanismReport], monkeypatch: pytest.MonkeyPatch
 ) -> None:
