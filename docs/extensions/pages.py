@@ -14,6 +14,7 @@ from script_notebook import notebook, notebook_page
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
 import gspot_verified
+import gspot_verified.testing
 from gspot_verified.report.parts.formulas import formula, typeset
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -69,7 +70,8 @@ def _proof_page(page: Path) -> str:
 
 def reference() -> str:
     """The public names under their parts of the package, each with its docstring."""
-    lines = ["API reference", "=============", "", "Every name here is ``from gspot_verified import name``.", ""]
+    front = "Every name here is ``from gspot_verified import name``, but for the tests at the end."
+    lines = ["API reference", "=============", "", front, ""]
     left = {name: home.removeprefix("gspot_verified.") for name, home in gspot_verified.__homes__.items()}
     for title, parts in GROUPS.items():
         lines += [title, "-" * len(title), ""]
@@ -79,6 +81,10 @@ def reference() -> str:
         left = {name: home for name, home in left.items() if home.split(".")[0] not in parts}
     if left:
         raise ValueError(f"docs: no group of the reference has {', '.join(left)}")
+    title = "Tests of your own system"
+    lines += [title, "-" * len(title), "", "These are ``from gspot_verified.testing import name``.", ""]
+    for name in sorted(gspot_verified.testing.__all__):
+        lines += _entry(name, getattr(gspot_verified.testing, name).__module__.removeprefix("gspot_verified."))
     return "\n".join(lines)
 
 

@@ -13,11 +13,13 @@ from gspot_verified.expansion.series.spaces import SpacePolynomial
 from gspot_verified.expansion.series.system import System
 from gspot_verified.expansion.series.terms import NumberTerms, PolynomialTerms
 from gspot_verified.expansion.time_series import compare_routes, time_series
-from gspot_verified.expansion.trajectory import Trajectory, expand_system
+from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.functions.derivative import lie_derivative
 from gspot_verified.functions.expressions import Constant, Expression
 from gspot_verified.functions.power_series import SeriesOfFunctions
 from gspot_verified.functions.rings import BALLS
+from gspot_verified.mechanisms.expand import expand
+from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.numbers.balls import ball, working_bits
 from gspot_verified.numbers.verdict import Outcome
 
@@ -26,8 +28,11 @@ _BITS = 128  # of the values that are compared
 _DISTANCES = (4, 12, 40)
 
 
-def check_expansion(system: System, order: int) -> Trajectory:
+def check_expansion(source: Mechanism | System, order: int, *, spot: int | None = None) -> Trajectory:
     """Check every law of Theorem 1 that can be checked on the first ``order`` orders, and return them.
+
+    The orders are those of ``expand`` with the same arguments: of a mechanism at its G-spot, or at that of the number
+    ``spot``, or of a system.
 
     - the functions are the Lie derivatives that the theorem assumes (at random points);
     - each term lies in its space;
@@ -39,16 +44,21 @@ def check_expansion(system: System, order: int) -> Trajectory:
     In balls "the same" means that no two balls exclude each other.
 
     :raises AssertionError: a law fails; the message says which and where.
-    :raises GSpotError: the system has no G-spot at its point at which Theorem 1 holds.
+    :raises GSpotError: there is no G-spot at which Theorem 1 holds, at the place of the mechanism or system.
+    :raises TypeError, ValueError: as ``expand``.
 
+    >>> from gspot_verified import load
     >>> from gspot_verified.testing import extended_example
     >>> check_expansion(extended_example(chi=1), 7).z[6]
     SpacePolynomial.from_list(3, [6672/5, 0, 0, -368/5])
+    >>> check_expansion(load("extended", chi=1), 7).z[6]
+    SpacePolynomial.from_list(3, [6672/5, 0, 0, -368/5])
     """
-    trajectory = expand_system(system, order)
+    trajectory = expand(source, order, spot=spot)
+    system = trajectory.system
     check_lie_derivatives(system)
     check_trajectory(trajectory)
-    longer = expand_system(system, order + 1).terms()
+    longer = expand(source, order + 1, spot=spot).terms()
     for name, terms in trajectory.terms().items():
         for n, term in enumerate(terms):
             _require(_same(term, longer[name][n]), system, f"{name}_{n} changes when one more order is asked for")

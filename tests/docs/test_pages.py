@@ -10,6 +10,7 @@ import pytest
 from samples import page_examples
 
 import gspot_verified
+import gspot_verified.testing
 from gspot_verified.mechanisms.input import file
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -62,6 +63,23 @@ def test_every_key_of_the_format_is_on_its_page() -> None:
 
 def test_the_reference_has_every_public_name_once() -> None:
     found = re.findall(r"^\.\. auto\w+:: gspot_verified\.([\w.]+)$", pages.reference(), re.MULTILINE)
-    assert sorted(found) == sorted(
-        f"{home.removeprefix('gspot_verified.')}.{name}" for name, home in gspot_verified.__homes__.items()
-    )
+    homes = gspot_verified.__homes__ | {
+        name: getattr(gspot_verified.testing, name).__module__ for name in gspot_verified.testing.__all__
+    }
+    assert len(homes) == len(gspot_verified.__all__) + len(gspot_verified.testing.__all__)
+    assert sorted(found) == sorted(f"{home.removeprefix('gspot_verified.')}.{name}" for name, home in homes.items())
+
+
+@pytest.mark.parametrize(
+    ("said", "right"),
+    [("1 passed in ...", True), ("2 passed in ...", False), ("1 passed in ...\n[exit code 1]", False)],
+)
+def test_what_pytest_prints_on_a_page_is_compared(tmp_path: Path, said: str, right: bool) -> None:
+    page = tmp_path / "page.md"
+    file = "```{code-block} python\n:caption: test_it.py\n\ndef test_it():\n    assert True\n```\n"
+    page.write_text(f"{file}\n```console\n$ pytest -q test_it.py\n...\n{said}\n```\n", encoding="utf-8")
+    if right:
+        assert page_examples.run_page(page, tmp_path) == 1
+    else:
+        with pytest.raises(AssertionError, match=r"page\.md:\d+: pytest -q"):
+            page_examples.run_page(page, tmp_path)

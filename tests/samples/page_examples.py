@@ -5,8 +5,11 @@ from __future__ import annotations
 import contextlib
 import doctest
 import io
+import os
 import re
 import shlex
+import subprocess
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,6 +19,8 @@ from gspot_verified.cli import main
 FENCE = re.compile(r"^(?P<fence>`{3,})(?P<kind>[^\n]*)\n(?P<body>.*?)^(?P=fence)[ \t]*$", re.MULTILINE | re.DOTALL)
 OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 PROMPT = "$ "
+PREPARATIONS = ("pip install ", "pip wheel ", "python -m venv ", ". .venv/bin/activate")
+"""Of an environment: the tests have theirs."""
 
 
 @dataclass(frozen=True)
@@ -49,12 +54,12 @@ def run_page(page: Path, folder: Path) -> int:
     examples = 0
     for block in blocks(page.read_text(encoding="utf-8")):
         where = f"{page.name}:{block.line}"
-        if block.kind == "toml" and "caption" in block.options:
+        if block.kind in ("toml", "python") and "caption" in block.options:
             write_file(folder / block.options["caption"], block)
         elif block.kind in ("pycon", "python") and ">>>" in block.body:
             examples += run_session(block.body, names, where)
         elif block.kind == "console" and PROMPT in block.body:
-            examples += run_commands(block.body, where)
+            examples += run_commands(block.body, where, folder)
     return examples
 
 
@@ -81,16 +86,16 @@ def run_session(body: str, names: dict[str, object], where: str) -> int:
     return len(test.examples)
 
 
-def run_commands(body: str, where: str) -> int:
+def run_commands(body: str, where: str, folder: Path) -> int:
     """Commands after ``$``, each with what it prints; ``[exit code N]`` where it is not 0."""
     parts = re.split(r"^\$ ", body, flags=re.MULTILINE)[1:]
     for part in parts:
         command, _, expected = part.partition("\n")
         words = shlex.split(command)
-        if words[0] != "gspot-verified":
-            assert words[:2] == ["pip", "install"], f"{where}: {command}: only gspot-verified is run"
+        if words[0] not in ("gspot-verified", "pytest"):
+            assert command.startswith(PREPARATIONS), f"{where}: {command}: only gspot-verified and pytest are run"
             continue
-        found, code = run_command(words[1:])
+        found, code = run_command(words[1:]) if words[0] == "gspot-verified" else run_pytest(words[1:], folder)
         stated = re.search(r"^\[exit code (\d+)\]\n?\Z", expected, re.MULTILINE)
         assert code == (int(stated[1]) if stated else 0), f"{where}: {command} ended with {code}: {found}"
         wanted = expected[: stated.start()] if stated else expected
@@ -105,6 +110,14 @@ def run_command(arguments: list[str]) -> tuple[str, int]:
         code = main(arguments)
     lines = [line for line in printed.getvalue().splitlines() if not line.startswith("... ")]
     return "\n".join(lines) + "\n", code
+
+
+def run_pytest(arguments: list[str], folder: Path) -> tuple[str, int]:
+    """What pytest prints about the files of the reader, and its exit code; settings of these tests do not reach it."""
+    command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", *arguments]
+    inherited = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
+    run = subprocess.run(command, cwd=folder, env=inherited, capture_output=True, text=True, check=False)
+    return run.stdout + run.stderr, run.returncode
 
 
 def matches(wanted: str, found: str) -> bool:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from gspot_verified import expand, load
 from gspot_verified.expansion.series.recursion import ObstructedOrderError, space_of
 from gspot_verified.expansion.series.spaces import SpacePolynomial
 from gspot_verified.expansion.series.system import GSpotError, System
@@ -131,6 +133,40 @@ def test_without_synchronisation() -> None:
     wrong = replace(extended_example(1), alpha_2=Constant(fmpq(-2)))
     with pytest.raises(AssertionError, match=r"b and its function of xi differ at delta\^2"):
         check_synchronisation(expand_system(wrong, 4))
+
+
+@pytest.mark.parametrize("name", ["extended", "rod", "oscillator", "genot_brogliato_rod"])
+def test_a_mechanism(name: str) -> None:
+    """As the pages call it: the terms are those of expand, also where the G-spot is a box."""
+    found = check_expansion(load(name), 5)
+    assert found.terms().keys() == expand(load(name), 5).terms().keys()
+    assert found.order == 5
+    exact = isinstance(found.system.point[0], fmpq)
+    assert exact == (name != "genot_brogliato_rod")
+    assert not exact or found.terms() == expand(load(name), 5).terms()
+
+
+def test_a_mechanism_with_symbols_and_one_of_its_other_spots() -> None:
+    assert [str(value) for value in check_expansion(load("extended", chi=None), 3).p[2].coefficients()] == [
+        "0",
+        "0",
+        "chi",
+    ]
+    with pytest.raises(GSpotError, match="alpha_1"):
+        check_expansion(load("genot_brogliato_rod"), 3, spot=2)
+
+
+def test_a_wrong_function_is_seen_in_the_box_of_a_mechanism() -> None:
+    system = expand(load("genot_brogliato_rod"), 3).system
+    check_expansion(system, 3)
+    with pytest.raises(AssertionError, match="L_F p = alpha_1 fails"):
+        check_expansion(replace(system, alpha_1=system.alpha_1 + Constant(fmpq(-1, 2**40)) * one), 3)
+
+
+@pytest.mark.parametrize("source", [None, "rod", 3])
+def test_neither_a_mechanism_nor_a_system(source: Any) -> None:
+    with pytest.raises(TypeError, match="expected a Mechanism or a System"):
+        check_expansion(source, 3)
 
 
 def test_hypotheses_are_reported_as_such() -> None:
