@@ -64,7 +64,8 @@ def theta_of_floats(tau: ArrayLike, beta: ExactInput | np.ndarray[Any, Any], der
     more: next to the least doubles accuracy is lost. It is infinite where Theta overflows a double. Every rounding
     error of the double arithmetic is bounded (``proofs/float_horner.md``).
 
-    :param tau: a number, a list or an array of real numbers that doubles hold exactly.
+    :param tau: a number, a list or an array of real numbers that doubles hold exactly. The index of a pandas Series is
+        that of the result, unless ``beta`` broadcasts it to another shape.
     :param beta: one exact input, or an array of them (floats: exact binary values), broadcast against ``tau``.
     :raises TypeError: ``tau`` has other entries than integers and floats, or an array is masked.
     :raises ValueError: an entry is NaN, infinite, outside the domain, or not a double.
@@ -83,7 +84,8 @@ def theta_of_floats(tau: ArrayLike, beta: ExactInput | np.ndarray[Any, Any], der
             middles[where], radii[where] = float_batch(there, value, derivative)
         else:
             raise TypeError("beta: a ball is not taken here; use theta_array")
-    return FloatBalls(middles.reshape(taus.shape), radii.reshape(taus.shape))
+    index = getattr(tau, "index", None) if hasattr(tau, "__array__") and np.shape(tau) == taus.shape else None
+    return FloatBalls(middles.reshape(taus.shape), radii.reshape(taus.shape), index)
 
 
 def _doubles(values: ArrayLike) -> FloatArray:

@@ -20,7 +20,8 @@ _SMALLEST = 2.0**-900  # a midpoint above it has no rounding error: far above 2^
 class FloatBalls(NoTruthValue):
     """Two arrays of doubles of one shape: every exact value lies within ``radius`` of ``midpoint``, always.
 
-    A radius is infinite where doubles cannot hold the value. ``len`` and ``[]`` are those of an array.
+    A radius is infinite where doubles cannot hold the value. ``len`` and ``[]`` are those of an array; a slice, a list
+    or a mask of rows takes their part of ``index`` along.
 
     >>> balls = FloatBalls(np.array([1.0, 2.0, 3.0]), np.array([0.0, 0.5, 0.25]))
     >>> len(balls), balls.shape, balls[1:].radius.tolist(), float(balls[1].midpoint)
@@ -31,12 +32,16 @@ class FloatBalls(NoTruthValue):
 
     midpoint: FloatArray
     radius: FloatArray
+    index: Any = None
+    """Of the pandas Series or frame that the values belong to, one entry a row; else None."""
 
     def __len__(self) -> int:
         return len(self.midpoint)
 
     def __getitem__(self, key: Any) -> FloatBalls:
-        return FloatBalls(np.asarray(self.midpoint[key]), np.asarray(self.radius[key]))
+        rows = isinstance(key, slice) or (isinstance(key, list | np.ndarray) and np.ndim(key) == 1)
+        kept = self.index[key] if rows and self.index is not None else None
+        return FloatBalls(np.asarray(self.midpoint[key]), np.asarray(self.radius[key]), kept)
 
     @property
     def shape(self) -> tuple[int, ...]:

@@ -223,3 +223,50 @@ def test_next_to_the_least_doubles_the_promise_holds(tau: float, beta: object, d
         assert truth.is_finite()
         assert abs(truth - arb(middle)) <= arb(radius) or truth == middle
         assert radius <= max(1e-15 * abs(middle), 2.0**-899)
+
+
+class _Column:
+    """What numpy and this library see of a pandas Series."""
+
+    def __init__(self, values: list[float], index: list[str]) -> None:
+        self.values, self.index = np.array(values), np.array(index)
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> np.ndarray[Any, Any]:
+        return self.values if dtype is None else self.values.astype(dtype)
+
+
+def test_the_index_of_a_column_is_kept() -> None:
+    column = _Column([0.5, -1.25, 2.0], ["a", "b", "c"])
+    found, plain = theta_of_floats(column, "7/3"), theta_of_floats([0.5, -1.25, 2.0], "7/3")
+    assert found.index is column.index
+    assert (found.midpoint == plain.midpoint).all()
+    assert (found.radius == plain.radius).all()
+    for key, rows in (
+        (slice(1, None), "bc"),
+        (slice(None, None, -1), "cba"),
+        ([2, 0], "ca"),
+        (found.midpoint < 0, None),
+    ):
+        part = found[key]
+        assert len(part.index) == len(part)
+        assert rows is None or "".join(part.index) == rows
+        assert part.midpoint.tolist() == [
+            plain[int(np.flatnonzero(column.index == row)[0])].midpoint for row in part.index
+        ]
+    assert found[1].index is None
+
+
+def test_no_index_where_there_is_none_or_it_would_not_fit() -> None:
+    assert theta_of_floats([0.5, 1], "7/3").index is None
+    assert theta_of_floats(np.array([0.5, 1]), "7/3").index is None
+    column = _Column([0.5, 1.0], ["a", "b"])
+    assert theta_of_floats(column, np.array([[0.5], [1.5]])).index is None
+    assert theta_of_floats(column, np.array([0.5, 1.5])).index is column.index
+
+
+def test_a_series_of_pandas() -> None:
+    pandas = pytest.importorskip("pandas")
+    column = pandas.Series([0.5, -1.25, 2.0], index=["a", "b", "c"])
+    found = theta_of_floats(column[column > 0], "7/3")
+    frame = pandas.DataFrame(found.to_numpy(), index=found.index, columns=["lower", "upper"])
+    assert frame.loc["c", "lower"] == theta_of_floats(2, "7/3").lower
