@@ -59,6 +59,7 @@ ROOM_ROW = {f"{layer}/{room}".rstrip("/"): row for layer, rows in ROOMS.items() 
 BOUND_MODULES = (
     "initial_values",
     "taylor",
+    "beta_series",
     "splitting",
     "negative",
     "positive",

@@ -1,0 +1,97 @@
+"""dTheta/dbeta as users call it: its accuracy, its laws, integers and balls, and what it refuses."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from flint import arb, fmpq
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from samples.strategies import small_heights, to_fmpq
+
+from gspot_verified import BudgetError, beta_derivative, theta
+from gspot_verified.numbers.balls import bits_for_digits, relative_bits, working_bits
+
+_TAUS = st.builds(Fraction, st.integers(-400, 400), st.integers(8, 40))
+
+
+@given(_TAUS, small_heights(), st.sampled_from([5, 15, 40]))
+def test_the_accuracy_is_reached(tau: Fraction, beta: Fraction, digits: int) -> None:
+    value = beta_derivative(tau, beta, digits)
+    assert relative_bits(value) >= bits_for_digits(digits)
+    finer = beta_derivative(tau, beta, digits + 20)
+    assert value.overlaps(finer)
+
+
+@given(_TAUS, small_heights())
+def test_the_recurrence_in_beta(tau: Fraction, beta: Fraction) -> None:
+    """proofs/identities.md by beta: Theta(beta) = -tau Theta(beta-1) + (1-beta)(2-beta) Theta(beta-3)."""
+    t, b = to_fmpq(tau), to_fmpq(beta)
+    with working_bits(300):
+        left = beta_derivative(t, b, 40)
+        right = (
+            -t * beta_derivative(t, b - 1, 40)
+            + (1 - b) * (2 - b) * beta_derivative(t, b - 3, 40)
+            + (2 * b - 3) * theta(t, b - 3, digits=40)
+        )
+        assert left.is_finite()
+        assert right.is_finite()
+        assert left.overlaps(right)
+
+
+@pytest.mark.parametrize("beta", [0, 1, 2, 3, 6, -1, -4])
+@pytest.mark.parametrize("tau", [0, "1/2", -7, 12])
+def test_integers(tau: int | str, beta: int) -> None:
+    """The mean value theorem on both sides of an integer."""
+    found = beta_derivative(tau, beta, 25)
+    step = fmpq(1, 10**20)
+    below, above = (theta(tau, beta + part, digits=60) for part in (-step, step))
+    with working_bits(300):
+        quotient = (above - below) / arb(2 * step)
+        assert abs(found - quotient) < (1 + abs(quotient)) * arb(10) ** -20
+
+
+def test_balls_hold_what_their_numbers_give() -> None:
+    ball = beta_derivative(arb(3, "1e-6"), arb(2, "1e-6"))
+    step = fmpq(1, 10**6)
+    for tau in (3 - step, fmpq(3), 3 + step):
+        for beta in (2 - step, fmpq(2), 2 + step):
+            value = beta_derivative(tau, beta, 30)
+            assert value.is_finite()
+            assert ball.contains(value)
+    assert ball.rad() < arb(1) / 50
+    narrow = beta_derivative(arb(3, "1e-20"), "7/2", 30)
+    assert 40 < relative_bits(narrow) < bits_for_digits(30)
+
+
+def test_many_digits() -> None:
+    assert relative_bits(beta_derivative("-7/2", "1/3", 400)) >= bits_for_digits(400)
+
+
+@settings(max_examples=10)
+@given(st.sampled_from([100, -100, 150]), st.sampled_from(["1/2", "-7/3"]))
+def test_far_from_zero(tau: int, beta: str) -> None:
+    step = fmpq(1, 10**12)
+    near = fmpq(*map(int, beta.split("/"))) + step
+    between = beta_derivative(tau, beta)
+    with working_bits(200):
+        quotient = (theta(tau, near, digits=50) - theta(tau, beta, digits=50)) / arb(step)
+        assert abs(between / quotient - 1) < arb(10) ** -9
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "message"),
+    [
+        ((0.5, 1), TypeError, "tau"),
+        ((1, 0.5), TypeError, "beta"),
+        ((arb("nan"), 1), ValueError, "tau"),
+        ((1, 10**5), ValueError, "beta"),
+        ((1, 1, 0), ValueError, "digits"),
+        ((10**6, "1/2"), BudgetError, "a smaller .tau."),
+    ],
+)
+def test_what_is_refused(arguments: Any, error: type[Exception], message: str) -> None:
+    with pytest.raises(error, match=message):
+        beta_derivative(*arguments)
