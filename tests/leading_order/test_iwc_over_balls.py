@@ -102,7 +102,8 @@ def test_the_lift_off_times_are_in_the_bracket(centres: tuple[Fraction, ...], ra
         assert found.lift_off.number == one.lift_off.number
         if one.lift_off.ratio is not None:
             assert found.lift_off.ratio is not None
-            assert found.lift_off.ratio.overlaps(one.lift_off.ratio)
+            assert found.lift_off.ratio.is_finite()
+            assert found.lift_off.ratio.contains(one.lift_off.ratio.mid())
 
 
 def test_one_epsilon_below_between_and_above() -> None:
@@ -233,3 +234,24 @@ def test_no_verdict_hangs_on_the_order_of_the_places(monkeypatch: pytest.MonkeyP
     verdict = iwc_over_balls(-1, -1, arb("-2.5", "1e-9"), epsilon=1, digits=6).verdict
     assert verdict.outcome is Outcome.REFUTED
     assert str(verdict.against).endswith("< 0")
+
+
+@pytest.mark.parametrize(("tau_start", "everywhere"), [("153171613/100000000", False), ("8/5", True), (2, True)])
+def test_every_epsilon_serves_only_where_the_deviation_is_certainly_not_negative(
+    tau_start: str | int, everywhere: bool
+) -> None:
+    """dTheta/dtau has its last zero near 1.53171613: from there on the least value may be below 0 for some systems."""
+    found = iwc_over_balls(-1, -1, arb("-2.5", "1e-6"), tau_start=tau_start, digits=6)
+    assert found.minimum is not None
+    assert found.verdict.outcome is Outcome.PROVED
+    assert (found.minimum.value >= 0) is everywhere
+    assert found.every_epsilon is everywhere
+    assert found.verdict.statement.endswith("every ε > 0") is everywhere
+
+
+def test_without_a_lift_off_nothing_is_said_of_the_whole_line() -> None:
+    found = iwc_over_balls(-1, -1, arb("-2.5", "1e-6"), c1=1, tau_start=6, epsilon="1/1000")
+    assert found.lift_off is not None
+    assert found.verdict.outcome is Outcome.REFUTED
+    assert found.lift_off.bracket is None
+    assert (found.whole_line, found.lift_off.whole_line) == (False, False)

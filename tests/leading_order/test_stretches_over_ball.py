@@ -15,7 +15,7 @@ from samples.strategies import to_fmpq
 
 from gspot_verified import evaluate
 from gspot_verified.leading_order.stretches import stretches
-from gspot_verified.leading_order.stretches_over_ball import SlopeOverBall, ends, stretches_over_ball
+from gspot_verified.leading_order.stretches_over_ball import SlopeOverBall, _widened, ends, stretches_over_ball
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.signs.cover.pieces import number_of_zeros
 from gspot_verified.signs.cover.zero_column import zero_column
@@ -99,3 +99,27 @@ def test_a_start_inside_a_bracket_cuts_it() -> None:
     cut = stretches_over_ball(ball, -1, start)
     assert (cut.critical[0].lower, cut.critical[0].upper) == (start, whole.upper)
     assert not cut.whole_line
+
+
+class _Curvature:
+    """A second derivative with simple zeros at the given places."""
+
+    def __init__(self, *zeros: fmpq) -> None:
+        self.zeros = zeros
+
+    def enclosure(self, lower: fmpq, *_: object) -> arb:
+        value = fmpq(1)
+        for zero in self.zeros:
+            value *= lower - zero
+        return arb(value)
+
+
+def test_a_bracket_of_a_critical_point_has_opposite_signs_at_its_ends() -> None:
+    """One sign at both ends is no bracket, however certain it is; a wider interval may be one."""
+    step = fmpq(1, 16)
+    one, two, later = fmpq(1, 100), fmpq(-1, 100), fmpq(1, 7)
+    assert _widened(_Curvature(one), fmpq(0), fmpq(0), step) == (-step, step)  # type: ignore[arg-type]
+    assert _widened(_Curvature(later), fmpq(0), fmpq(0), step) == (-4 * step, 4 * step)  # type: ignore[arg-type]
+    for zeros in ((), (one, two)):
+        with pytest.raises(UndecidedError, match="no certain bracket"):
+            _widened(_Curvature(*zeros), fmpq(0), fmpq(0), step)  # type: ignore[arg-type]

@@ -67,3 +67,17 @@ def test_what_is_no_name() -> None:
 def test_an_empty_name_is_no_folder() -> None:
     with pytest.raises(MechanismError, match="there is no file ''"):
         load("")
+
+
+def test_a_wrong_file_is_refused_with_its_place(tmp_path: Path) -> None:
+    own = tmp_path / "own.toml"
+    own.write_text('name = "own"\nwrong = 1\n', encoding="utf-8")
+    with pytest.raises(MechanismError, match=r"own\.toml: "):
+        load(own)
+
+
+@pytest.mark.parametrize("friction", ["-1/2", "-1/1000000000"])
+def test_a_mechanism_that_no_mechanism_is_like_is_refused(friction: str) -> None:
+    with pytest.raises(MechanismError, match=r"^genot_brogliato_rod: "):
+        load("genot_brogliato_rod", mu=friction)
+    assert load("genot_brogliato_rod", mu=0).name == load("genot_brogliato_rod").name

@@ -160,6 +160,13 @@ def test_samples_are_of_as_many_points_as_are_asked_for(monkeypatch: pytest.Monk
     assert (found.verdict, until, points) == (run.verdict, scene.until, 3)
 
 
+@pytest.mark.parametrize("points", [2, 100_000])
+def test_the_first_and_the_last_number_of_points_that_are_taken(monkeypatch: pytest.MonkeyPatch, points: int) -> None:
+    asked = answers(monkeypatch, IMPACT)
+    certified_run(SCENE, points=points)
+    assert [(each[0], each[-1]) for each in asked] == [(EXACT, points)]
+
+
 @pytest.mark.parametrize("points", [0, 1, 100_001])
 def test_points_are_checked_before_the_work(monkeypatch: pytest.MonkeyPatch, points: int) -> None:
     def started(*_: object) -> None:

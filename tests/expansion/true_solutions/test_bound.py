@@ -6,6 +6,7 @@ Page: proofs/uniform.md.
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from fractions import Fraction
 from types import SimpleNamespace
 from typing import Any
@@ -17,7 +18,7 @@ from witnesses.true_solutions import extended_motion, oscillator_motion, oscilla
 
 from gspot_verified.compliant.slow.slow_solution import slow_value
 from gspot_verified.expansion.trajectory import Trajectory, expand_system
-from gspot_verified.expansion.true_solutions.bound import UniformBound, _contact, uniform_bound
+from gspot_verified.expansion.true_solutions.bound import UniformBound, _contact, _largest, uniform_bound
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.functions.symbols import Symbols
 from gspot_verified.mechanisms.expand import expand
@@ -204,3 +205,17 @@ def test_where_a_run_fails_is_said() -> None:
     assert found.verdict.outcome is Outcome.UNDECIDED
     reached = found.stretches[-1].end if found.stretches else found.start
     assert f"fails from s = {reached} on" in found.verdict.detail
+
+
+def test_how_far_it_was_proved_stands_in_the_text_where_it_is_not_the_whole(extended: UniformBound) -> None:
+    reached = extended.stretches[-1].end
+    assert len(extended.stretches) > 2
+    assert "up to s" not in str(extended)
+    assert f"  up to s = {reached}:" in str(replace(extended, end=extended.end + 1)).splitlines()
+    assert "up to s" not in str(replace(extended, stretches=(), constants={}))
+
+
+def test_the_constant_of_the_whole_is_the_largest_of_the_pieces(extended: UniformBound) -> None:
+    assert _largest([arb(1), arb(5), arb(2)]) == 5
+    for name, constant in extended.constants.items():
+        assert all(one.constants[name] <= constant for one in extended.stretches)

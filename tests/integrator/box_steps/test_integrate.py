@@ -261,3 +261,19 @@ def test_an_uncertain_end_is_not_passed(least: int, wide: int) -> None:
         if run.reason is None:
             assert segments[-1].end_time.contains(end)
         assert wide or run.reason is None
+
+
+def test_a_run_without_an_end_goes_on_until_its_budget() -> None:
+    with working_bits(64):
+        run = Run(OSCILLATOR, [arb(1), arb(0)], max_steps=3)
+        segments = list(run)
+        assert [segment.end_time > segment.time for segment in segments] == [True] * 3
+        assert run.reason == "the budget of 3 steps ended"
+
+
+def test_one_component_without_a_series_is_enough_to_prove_nothing() -> None:
+    """t' = 1, x' = sqrt(t) from t = 0: the series of t alone is finite."""
+    with working_bits(64):
+        run = Run(VectorField([Constant(fmpq(1)), Power(x, fmpq(1, 2))]), [arb(0), arb(1)])
+        assert list(run) == []
+        assert "no step could be proved" in (run.reason or "")

@@ -25,7 +25,18 @@ from gspot_verified.functions.expressions import (
     Variable,
 )
 from gspot_verified.integrator.box_steps.error_set import ErrorSet
-from gspot_verified.integrator.box_steps.step import Plan, PolynomialCurve, Step, certified_step
+from gspot_verified.integrator.box_steps.step import (
+    Plan,
+    PolynomialCurve,
+    Step,
+    _cauchy_bounds,
+    _defect,
+    _flow,
+    _growth,
+    _tail,
+    _tube,
+    certified_step,
+)
 from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Evidence
@@ -227,3 +238,82 @@ def test_lohners_set_contains_the_images(seed: int) -> None:
                     low, high = ends(value)
                     assert lower <= high
                     assert low <= upper
+
+
+def scalar(function: Expression, *coefficients: int) -> tuple[VectorField, PolynomialCurve]:
+    """A scalar equation and a polynomial beside it."""
+    return VectorField([function]), PolynomialCurve((arb_poly(list(coefficients)),), ((arb_poly([1]),),))
+
+
+def one_weight(length: int, tube: str = "0.25") -> Plan:
+    return Plan((arb(1),), arb(tube), 4, length, length)
+
+
+def test_the_tube_is_around_the_curve_at_all_times_of_the_step() -> None:
+    """1 + 2 tau for tau in [0, 1], and 1/4 on both sides."""
+    _, curve = scalar(x, 1, 2)
+    (box,) = _tube(curve, one_weight(4))
+    lower, upper = ends(box)
+    assert Fraction(3, 4) - Fraction(1, 10**6) < lower <= Fraction(3, 4)
+    assert Fraction(13, 4) <= upper < Fraction(13, 4) + Fraction(1, 10**6)
+    nothing = Evidence._of_facts(("for the test",))
+    step = Step(curve, arb(1), (arb("0.25"),), (arb(0),), arb_mat(1, 1), nothing)
+    assert step.enclosure()[0].contains(box)
+
+
+def test_cauchys_bounds_are_those_of_the_whole_disc() -> None:
+    """x = 1 + tau has the value 5 on the disc of radius 4: |x^2| = 25 and |2 x| = 10 there."""
+    field, curve = scalar(x * x, 1, 1)
+    found = _cauchy_bounds(field, curve, one_weight(4))
+    assert found is not None
+    (value,), ((entry,),) = found
+    assert value.is_finite()
+    assert entry.is_finite()
+    assert value >= 25
+    assert entry >= 10
+
+
+def test_one_bound_that_is_not_finite_is_enough_for_none() -> None:
+    field = VectorField([y, Power(x, fmpq(-1))])
+    flow = ((arb_poly([1]), arb_poly([])), (arb_poly([]), arb_poly([1])))
+    for start, known in ((9, True), (3, False)):
+        curve = PolynomialCurve((arb_poly([start, 1]), arb_poly([1])), flow)
+        assert (_cauchy_bounds(field, curve, plan()) is not None) is known
+
+
+def test_the_tail_is_the_sum_of_the_powers_left_out() -> None:
+    """4^-3 + 4^-4 + ... = 1/48."""
+    assert abs(_tail(one_weight(3), 3) - arb(1) / 48) < arb("1e-12")
+
+
+def test_the_defect_is_that_of_the_page() -> None:
+    """x' = x, h = 3, the line 1 + 3 tau, two terms: |3 (1 + 3 tau) - 3| = 9 tau, and 3 * 7 / 12 for the rest."""
+    field, curve = scalar(x, 1, 3)
+    (defect,) = _defect(field, curve, arb(3), [arb(7)], one_weight(2))
+    assert abs(defect - arb(43) / 4) < arb("1e-12")
+
+
+@pytest.mark.parametrize(("second", "norm"), [(1, 1), (4, 4), (fmpq(1, 4), 4)])
+def test_the_growth_is_that_of_the_weighted_logarithmic_norm(second: object, norm: int) -> None:
+    """The oscillator has the rows (0, 1) and (-1, 0): max(w_2/w_1, w_1/w_2), over half a unit of time."""
+    growth = _growth(OSCILLATOR, [arb(0), arb(0)], arb(1) / 2, plan(weights=(arb(1), arb(second))))
+    true = (arb(norm) / 2).exp()
+    assert abs(growth - true) < arb("1e-6")
+
+
+@pytest.mark.parametrize(("second", "radii"), [(1, (87, 87)), (100, (33, 3300))])
+def test_the_bound_on_the_derivatives_is_that_of_the_page(second: int, radii: tuple[int, int]) -> None:
+    """Theorem V2 with f = 0, h = 2, N/12 = ((1, 2), (3, 4)) and c = ((1/2, 1), (2, 3)); in the first column
+
+    the norms of the polynomials are 1 and 5, of their derivatives 0 and 7: D = (33, 87).
+    """
+    still = VectorField([Constant(fmpq(0)), Constant(fmpq(0))])
+    flow = ((arb_poly([1]), arb_poly([])), (arb_poly([0, 3, 2]), arb_poly([1])))
+    curve = PolynomialCurve((arb_poly([1]), arb_poly([1])), flow)
+    bounds = [[arb(12), arb(24)], [arb(36), arb(48)]]
+    change = [[arb("0.5"), arb(1)], [arb(2), arb(3)]]
+    chosen = plan(length=2, weights=(arb(1), arb(second)))
+    found = _flow(still, curve, arb(2), bounds, change, arb(1), chosen)
+    for row, (middle, radius) in enumerate(zip((1, 5), radii, strict=True)):
+        assert abs(found[row, 0].mid() - middle) < arb("1e-6")
+        assert abs(found[row, 0].rad() - radius) < arb("1e-5")

@@ -208,3 +208,13 @@ def test_a_region_bounds_norms() -> None:
         for side, reach in zip(found.S, (3, 5), strict=True):
             assert holds(side, reach) or holds(side, -reach)
         assert FlowBounds.on(VectorField([x / y, y, force]), [arb(0, 1), arb(0, 2), arb(0)]) is None
+
+
+def test_the_bounds_are_those_of_the_whole_box() -> None:
+    """S = x lambda^2 and R = x^2 for |x| <= 2 and 1 <= lambda <= 3: |S_x| <= 9, |S_lambda| <= 12, |R_x| <= 4."""
+    x, force = Variable(0), Variable(1)
+    found = FlowBounds.on(VectorField([x * force * force, x * x]), [arb(0, 2), arb(2, 1)])
+    assert found is not None
+    for bound, least in ((found.S_state, 9), (found.S_force, 12), (found.R_state, 4)):
+        assert bound.is_finite()
+        assert bound >= least

@@ -59,3 +59,12 @@ def test_fields_stand_for_the_mass_matrix(A: int, C: int | str, p: int, doubt: s
     with working_bits(80):
         found = SlipHypotheses(shift(fields)).checked([arb(0), arb(1), arb(0), arb(0), arb(1)])
         assert doubt_of(found) == doubt
+
+
+@pytest.mark.parametrize(("theta", "doubt"), [(1, None), (-1, MASS_MATRIX)])
+def test_the_whole_mass_matrix_counts_where_it_is_given(theta: int, doubt: str | None) -> None:
+    """M = diag(1, 1, theta): A = C = 1 and B = 0 at the contact are definite, whatever theta is."""
+    rows = [[1, 0, 0], [0, 1, 0], [0, 0, "theta"]]
+    hypotheses = SlipHypotheses(shift(lagrangian("rod", ["X", "Y", "theta"], rows, [0, 0, 0], "X", "Y", 1)))
+    with working_bits(80):
+        assert doubt_of(hypotheses.checked([arb(0), arb(0), arb(theta), arb(0), arb(0), arb(0)])) == doubt

@@ -16,6 +16,7 @@ from gspot_verified.functions.expressions import (
     Cosine,
     Exponential,
     Expression,
+    Logarithm,
     Power,
     Product,
     Sine,
@@ -29,6 +30,7 @@ from gspot_verified.mechanisms.formulas.simplify import (
     NumberTooLargeError,
     constant,
     cosine_of,
+    logarithm_of,
     power_of,
     product_of,
     sine_of,
@@ -172,3 +174,31 @@ def test_balls_equal_only_themselves() -> None:
     third = arb(1) / 3
     assert Constant(third) is Constant(third)
     assert Constant(third) is not Constant(arb(1) / 3)
+
+
+@pytest.mark.parametrize("number", range(1, 9))
+def test_no_factor_of_a_product_is_lost(number: int) -> None:
+    """However many different factors there are: each is met once."""
+    waiting, met = [product_of(*map(Variable, range(number)))], set()
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, Product):
+            waiting += [node.left, node.right]
+        else:
+            met.add(node)
+    assert met == set(map(Variable, range(number)))
+
+
+def test_only_square_roots_of_squares_are_computed() -> None:
+    assert power_of(constant(fmpq(4, 9)), fmpq(3, 2)) == constant(fmpq(8, 27))
+    for number, exponent in ((fmpq(4), fmpq(1, 3)), (fmpq(4, 9), fmpq(-2, 3)), (fmpq(2), fmpq(1, 2))):
+        assert power_of(constant(number), exponent) == Power(constant(number), exponent)
+    assert power_of(ZERO, fmpq(1, 2)) is ZERO
+    with pytest.raises(ZeroDivisionError):
+        power_of(ZERO, fmpq(-1, 2))
+
+
+def test_the_logarithm_of_1_alone_is_0() -> None:
+    assert logarithm_of(ONE) is ZERO
+    assert logarithm_of(Variable(0)) == Logarithm(Variable(0))
+    assert logarithm_of(constant(2)) == Logarithm(constant(2))

@@ -14,7 +14,7 @@ from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.spots.all_g_spots import find_g_spots
 from gspot_verified.mechanisms.spots.classify import classify, classify_g_spot
-from gspot_verified.mechanisms.spots.classify_all import _has_period, classify_all
+from gspot_verified.mechanisms.spots.classify_all import _has_period, _is_named, classify_all, named_spot
 
 
 def test_one_of_them_is_the_exact_one() -> None:
@@ -133,3 +133,24 @@ def test_a_period_is_a_whole_multiple_of_the_functions_own() -> None:
     assert [_has_period([double], 0, fmpq(n, 4)) for n in (1, 2, 3, 4)] == [False, True, False, True]
     assert _has_period([double], 1, fmpq(1, 7))
     assert not _has_period([Variable(0)], 0, fmpq(1))
+
+
+def test_the_table_leaves_out_what_follows_and_what_is_fixed() -> None:
+    text = str(classify_all(shipped_mechanism("genot_brogliato_rod", mu="7/5")))
+    assert " 1    theta = 0.970155, theta_dot = -1.55702  2.64225 " in text
+
+
+@pytest.mark.parametrize("name", ["genot_brogliato_rod", "oscillator"])
+def test_the_named_spot_is_one_of_the_list_with_the_same_fixed_components(name: str) -> None:
+    """Its box is narrower than that of the list, or it is a point; with other fixed components it is another one."""
+    mechanism = shipped_mechanism(name)
+    found = find_g_spots(mechanism)
+    named = named_spot(mechanism, found, 128)
+    assert named is not None
+    (own,) = [spot for spot in found.spots if _is_named(spot, named)]
+    assert not _is_named(replace(own, fixed=(*own.fixed, mechanism.state[-1])), named)
+    if not named.exact:
+        pairs = [pair for pair in zip(own.system.point, named.system.point, strict=True) if pair[0].rad() > 0]
+        assert pairs
+        for wide, narrow in pairs:
+            assert narrow.rad() < wide.rad()

@@ -16,10 +16,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from samples.strategies import to_fmpq
 
+from gspot_verified.functions.box_program import BoxProgram
+from gspot_verified.functions.expressions import Constant, Variable
 from gspot_verified.mechanisms.input.given import lagrangian
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.shipped import shipped_mechanism
-from gspot_verified.mechanisms.spots.critical_friction import critical_friction
+from gspot_verified.mechanisms.spots.critical_friction import CriticalFriction, _Maximum, critical_friction
 from gspot_verified.numbers.balls import working_bits
 
 
@@ -204,3 +206,22 @@ def test_a_ratio_that_is_not_bounded_is_said() -> None:
     assert found.value is None
     assert found.reason == "B/C is not bounded on a box that is left: C may vanish"
     assert "budget" in critical_friction(bent("2*cos(theta)", "2*sin(theta)", -1), budget=10).reason
+
+
+def test_of_nothing_found_it_is_not_said_that_it_is_infinite() -> None:
+    found = CriticalFriction("?", None, (), None, "not looked for")
+    assert found.infinite is False
+    assert found.finite_value is None
+
+
+def test_where_the_gradients_are_parallel_every_minor_vanishes() -> None:
+    """Lagrange's condition in three variables: B/C = x + 2 y + 3 z and the constraint twice that."""
+    x, y, z = (Variable(i) for i in range(3))
+    maximum = object.__new__(_Maximum)
+    maximum._size, maximum._variables = 3, [0, 1, 2]
+    maximum._ratio = x + Constant(2) * y + Constant(3) * z
+    for last, stationary in ((6, True), (5, False)):
+        maximum._constraint = Constant(2) * x + Constant(4) * y + Constant(last) * z
+        values = BoxProgram(maximum._stationary()[1:], 3, ()).values([arb(0)] * 3)
+        assert len(values) == 2
+        assert all(value == 0 for value in values) is stationary

@@ -48,6 +48,8 @@ def test_one_row_for_each_with_its_number_and_the_file_s_own_has_a_star() -> Non
     assert lines[7].strip().startswith("* at the place")
     (warning,) = [line for line in lines if "warning" in line]
     assert "warning (G-spot 2): u < 0 at the G-spot" in warning
+    # Two of the six are in Case III: what C1 says is said for them.
+    assert sum("C1 says on which side" in line for line in lines) == 1
     starts = {line.index(word) for line, word in zip(lines[1:7], ["III"] * 2 + ["none"] * 4, strict=True)}
     assert len(starts) == 1
 

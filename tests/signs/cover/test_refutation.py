@@ -95,6 +95,17 @@ def test_outside_the_ranges_nothing_is_asked() -> None:
     assert asked_at == [0, 1]
 
 
+def test_a_point_outside_one_of_two_ranges_is_not_asked() -> None:
+    def failure(*_: fmpq) -> Failure | None:
+        raise AssertionError("asked")
+
+    asked = {"x": Range.parse("[0..1]", "x"), "y": Range.parse("[0..1]", "y")}
+    points: list[Point] = [(fmpq(0), fmpq(2)), (fmpq(2), fmpq(0)), (fmpq(-1), fmpq(1))]
+    assert refutation("it holds", asked, points, failure) is None
+    with pytest.raises(AssertionError, match="asked"):
+        refutation("it holds", asked, [(fmpq(0), fmpq(1))], failure)
+
+
 def test_a_point_that_is_not_certain_does_not_refute() -> None:
     found = refutation(
         "x < 1", {"x": Range.parse("[0..2]", "x")}, [(fmpq(0),), (fmpq(2),)], lambda x: ("x > 1", less(1, x))

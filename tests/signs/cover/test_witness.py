@@ -48,6 +48,8 @@ def test_signs_elsewhere_by_the_taylor_route(beta: str, tau: int) -> None:
 def test_out_of_reach_no_sign_is_said() -> None:
     assert sign_at(fmpq(10) ** 13, fmpq(1, 2)) is None
     assert sign_at(fmpq(1), fmpq(10**5) + fmpq(1, 2)) is None
+    assert sign_at(fmpq(1), -fmpq(10**5) - fmpq(1, 2)) is None
+    assert sign_at(fmpq(1), fmpq(1, 3**3000)) is None
     assert sign_at(fmpq(1, 3**3000), fmpq(1, 2)) is None
 
 

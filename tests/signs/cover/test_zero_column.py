@@ -10,7 +10,7 @@ from samples.piece_samples import assert_column, sign_of_f
 from samples.strategies import to_fmpq
 
 from gspot_verified.signs.cover.column_models import ColumnModels
-from gspot_verified.signs.cover.pieces import Column, Kind, number_of_zeros
+from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind, number_of_zeros
 from gspot_verified.signs.cover.zero_column import grid, right_tail, zero_column
 from gspot_verified.signs.gamma import count_law
 
@@ -119,3 +119,23 @@ def test_no_column_at_a_fold_whose_hypotheses_fail(monkeypatch: pytest.MonkeyPat
     assert zero_column(lower, upper) is not None
     monkeypatch.setattr(ColumnModels, "fold", lambda *_: False)
     assert zero_column(lower, upper) is None
+
+
+class _OneZeroBefore:
+    """Certain signs of a function whose changes beyond tau = 3 are none."""
+
+    def sign(self, *_: object) -> int | None:
+        return None
+
+    def changes(self, tau: fmpq, *_: object) -> int | None:
+        return 0 if tau >= 3 else 1
+
+
+def test_the_tail_of_another_column_is_taken_where_it_is_one() -> None:
+    """Only the last piece counts, and only if it is a tail on the right; else the least place of the grid is sought."""
+    before = ColumnPiece(Kind.SIGN, fmpq(7, 2), fmpq(4), 1)
+    along = Column(fmpq(2), fmpq(5, 2), (before, ColumnPiece(Kind.RIGHT, fmpq(4), None, 0)))
+    assert right_tail(_OneZeroBefore(), 1, fmpq(8), 0, along) == 4
+    no_tail = Column(fmpq(2), fmpq(5, 2), (before, ColumnPiece(Kind.LAPLACE, None, None)))
+    assert right_tail(_OneZeroBefore(), 1, fmpq(8), 0, no_tail) == 3
+    assert right_tail(_OneZeroBefore(), 1, fmpq(8), 0) == 3

@@ -9,10 +9,11 @@ from flint import arb, fmpq
 
 from gspot_verified import evaluate, number_of_zeros
 from gspot_verified.numbers.short_text import decimal_text
+from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind
 from gspot_verified.signs.cover.pieces import number_of_zeros as number_of_zeros_of_column
 from gspot_verified.signs.cover.zero_column import zero_column
 from gspot_verified.signs.zeros import brackets
-from gspot_verified.signs.zeros.brackets import _one_each, zeros_at
+from gspot_verified.signs.zeros.brackets import _cell_by_newton, _one_each, _tail_tube, zeros_at
 from gspot_verified.signs.zeros.slope_at import SlopeAt, UndecidedError
 
 NEAR = fmpq(1, 10**8)
@@ -122,3 +123,34 @@ def test_a_last_zero_that_is_not_met_is_left_open() -> None:
     assert column is not None
     with pytest.raises(UndecidedError, match="too far out"):
         brackets._tail_tube(Slope(), column)  # type: ignore[arg-type]
+
+
+class _Slope:
+    """A slope with one change of sign at ``zero``, and a step of Newton's method that says nothing."""
+
+    def __init__(self, zero: fmpq) -> None:
+        self.zero = zero
+
+    def sign(self, tau: fmpq) -> int:
+        return 1 if tau > self.zero else -1
+
+    def newton(self, *_: object) -> arb:
+        return arb.nan()
+
+
+def test_the_tube_of_the_last_zero_begins_where_the_tail_does() -> None:
+    """F has the sign of (-1)^(n+1) at infinity, and n = 0 for 1 < beta < 2: dTheta/dtau > 0 there."""
+    pieces = (ColumnPiece(Kind.SIGN, fmpq(1), fmpq(3), 1), ColumnPiece(Kind.RIGHT, fmpq(3), None, 1))
+    column = Column(fmpq(3, 2), fmpq(3, 2), pieces)
+    assert _tail_tube(_Slope(fmpq(4)), column) == (3, 6)  # type: ignore[arg-type]
+    assert _tail_tube(_Slope(fmpq(10)), column) == (6, 12)  # type: ignore[arg-type]
+
+
+def test_a_step_of_newtons_method_that_is_not_finite_finds_no_cell() -> None:
+    assert _cell_by_newton(_Slope(fmpq(1, 3)), fmpq(0), fmpq(1), -1, 5) is None  # type: ignore[arg-type]
+
+
+def test_newtons_method_finds_the_cell() -> None:
+    slope = SlopeAt(fmpq(5, 2), fmpq(4), 8)
+    cell = _cell_by_newton(slope, fmpq(1), fmpq(2), slope.sign(fmpq(1)), 8)
+    assert cell == (fmpq(153171613, 10**8), fmpq(153171614, 10**8))

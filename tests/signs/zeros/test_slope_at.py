@@ -32,3 +32,14 @@ def test_near_0_nothing_is_evaluated(monkeypatch: pytest.MonkeyPatch) -> None:
             slope.sign(tau)
         with pytest.raises(AssertionError, match="evaluated"):
             slope.newton(tau, 20)
+
+
+@pytest.mark.parametrize("digits", [20, 60])
+def test_a_step_of_newtons_method_squares_the_distance(digits: int) -> None:
+    """The zero of beta = 5/2 near 1.53, carried along tau and evaluated; the distance of the start is below 1/500."""
+    slope = SlopeAt(fmpq(5, 2), fmpq(4), digits)
+    assert slope.is_carried is (digits == 20)
+    near = fmpq(153, 100)
+    first = slope.newton(near, 20).mid().fmpq()
+    assert abs(first - near) > fmpq(1, 1000)
+    assert slope.sign(first - fmpq(1, 10**4)) == -slope.sign(first + fmpq(1, 10**4))

@@ -21,10 +21,12 @@ from gspot_verified.certificates.text import certificate_text, write_certificate
 from gspot_verified.numbers.balls import sign_of
 from gspot_verified.numbers.short_text import decimal_text
 from gspot_verified.signs.cover.pieces import Kind
+from gspot_verified.signs.cover.zero_column import zero_column
 from gspot_verified.signs.gamma import count_law
+from gspot_verified.signs.zeros import zeros
 from gspot_verified.signs.zeros.brackets import Brackets, zeros_at
 from gspot_verified.signs.zeros.slope_at import UndecidedError
-from gspot_verified.signs.zeros.zeros import ZerosResult, zeros_on_range
+from gspot_verified.signs.zeros.zeros import ZerosResult, _counts, zeros_on_range
 from gspot_verified.theta_function.value.evaluate import evaluate
 
 PROOFS = Path(__file__).resolve().parents[3] / "proofs"
@@ -221,8 +223,19 @@ def test_above_the_reach_of_columns_the_count_law_answers(beta: str) -> None:
     assert result.to_json()["route"] == "the count law"
 
 
+@pytest.mark.parametrize(("beta", "sought"), [("399/2..200", True), ("199..200", True), ("200..401/2", False)])
+def test_up_to_the_reach_of_columns_they_are_sought(beta: str, sought: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(zeros, "zero_column", lambda *_: None)
+    found = zeros_on_range(beta, budget=1)
+    assert (found.examined == 1, bool(found.unfinished)) == (sought, sought)
+
+
+def test_the_numbers_are_given_in_the_order_of_the_cells() -> None:
+    columns = [zero_column(fmpq(k, 2), fmpq(k, 2)) for k in (5, 3, 1)]
+    assert _counts(tuple(column for column in columns if column)) == ((0, 0), (1, 1), (2, 2))
+
+
 def test_columns_that_contradict_the_count_law_are_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
-    from gspot_verified.signs.zeros import zeros
 
     monkeypatch.setattr(zeros, "_counts", lambda _: ((2, 1),))
     with pytest.raises(ArithmeticError, match="disagree"):
