@@ -70,7 +70,11 @@ def test_a_state_off_a_constraint_is_none(change: dict[str, int], part: str) -> 
     short = {word: value for word, value in state.items() if word not in ("Y", "Y_dot")}
     with working_bits(100):
         assert slip_state(tied, state).solved == ()
+        assert slip_state(tied, state).supposed == slip_state(tied, short).supposed == ()
         assert slip_state(tied, short).solved == ("Y", "Y_dot")
+        perhaps = {"Z": "sin(1)^2 + cos(1)^2 - 1", "W_dot": "sin(2)^2 + cos(2)^2 - 1"}
+        for given in (state, short):
+            assert slip_state(tied, given | perhaps).supposed == ("constraint 1", "the rate of constraint 2")
         for given in (state, short):
             with pytest.raises(StateError, match=f"tied: {part}"):
                 slip_state(tied, given | change)

@@ -28,6 +28,7 @@ def test_the_finding_says_what_is_left_and_whether_the_corrected_form_holds() ->
     assert mended.check("mended", whole).finding == f"{printed.check('a', whole).finding}; the corrected form gives 0"
     assert printed.check("a", whole, fault="{left} is missing").finding == "x is missing"
     assert mended.check("a", whole, fault="{left} is missing").finding == "x is missing"
+    assert mended.check("a", whole, fault="{left} is missing").agrees is False
     assert printed.check("a", lambda parts: [parts["f"] - parts["f"]], fault="a fault").finding == ""
     open_check = Claim(Algebra("x"), {"f": "x"}, {"f": "2*x"}).check("open", whole)
     assert open_check.finding == "printed: x; corrected: 2*x"
