@@ -5,6 +5,7 @@ Proof pages: ``proofs/flight.md``, section 8; those of ``certified_integration.p
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from flint import fmpq
@@ -24,6 +25,7 @@ LINEAR = ("compliant_contact", "lift_off")
 
 
 EXACT, INTEGRATOR = "exact", "integrator"
+_STEPS_OF_BOXES = 2_000  # against long work for a picture
 
 
 def certified_run(
@@ -41,8 +43,8 @@ def certified_run(
         in the unit epsilon (integrator).
     :param route: "exact" (the linear model scene from a state in contact with p > 0) or "integrator" (any scene);
         None: the exact solution where it covers the scene and decides, else the integrator.
-    :param points: enclosures of the trajectory: by the exact solution at so many equal steps of time, by the integrator
-        at the ends of its own steps; None: none.
+    :param points: enclosures of the trajectory: by the exact solution at so many equal steps of time and at the
+        events, by the integrator at times of its own, with boxes between them; None: none.
     :param journal, budget: of the integrator, as :func:`integrated_run` has them; the exact solution needs none.
     :raises SceneError: an unknown route, points out of range, or the exact solution does not cover the scene.
 
@@ -70,6 +72,23 @@ def _exact_run(scene: Scene, digits: int, points: int | None) -> SceneRun:
     run = events(*exact_start(scene), digits)
     samples = None if points is None else certified_samples(run, scene.until, points)
     return SceneRun(CERTIFIED, _fate(run), _events(run), run.verdict, samples)
+
+
+def with_boxes(scene: Scene, run: SceneRun, progress: Progress = lambda _: None) -> SceneRun:
+    """A certified run with samples and boxes by the integrator in place of its own samples, which know nothing between
+    their times; as it is where it has boxes, or where the integrator reaches less far than they do.
+
+    >>> from gspot_verified.scenes.scene.file import load_scene
+    >>> scene = load_scene("fig-varsim1", beta="1/2", epsilon="1/10")
+    >>> with_boxes(scene, certified_run(scene)).samples.boxes is not None
+    True
+    """
+    samples = run.samples
+    if samples is not None and samples.boxes is not None:
+        return run
+    found = integrated_run(scene, sampled=True, budget=_STEPS_OF_BOXES, progress=progress).samples
+    known = 0.0 if samples is None else float(samples.columns["t"].max(initial=0.0))
+    return replace(run, samples=found) if found is not None and found.columns["t"].max(initial=0.0) >= known else run
 
 
 class NotCovered(SceneError):

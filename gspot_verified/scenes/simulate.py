@@ -37,7 +37,8 @@ def simulate(
     :param method: floats: "Radau" (if left out), "LSODA" or "BDF".
     :param tolerance: floats: relative, 1e-13..1e-2; 1e-10 if left out.
     :param points: at how many equal steps of time samples are taken; left out, a certified run has none and a float
-        run has the solver's own steps. The certified integrator gives them at the ends of its own steps.
+        run has the solver's own steps. The certified integrator gives them at times of its own, with boxes that hold
+        the trajectory between them. Events are among them.
     :param journal: a file that keeps what is done; the same call goes on from there.
     :param progress: is told how far a certified run is.
     :raises SceneError: no such scene, route or method; the exact solution does not cover the scene; an argument is of

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from gspot_verified.scenes.scene.run import SceneRun
     from gspot_verified.scenes.scene.scene import Scene
 
-_PICTURE_POINTS = 61  # samples for a picture, if their number is not given
+_PICTURE_POINTS = 21  # samples for a picture, if their number is not given; boxes take their place where there are some
 _FILE_POINTS = 101  # the same for a file
 
 
@@ -53,7 +53,9 @@ def simulate(
     ] = None,
     csv: Annotated[Path | None, typer.Option(help="Write the samples: of the float run if there is one.")] = None,
     npz: Annotated[Path | None, typer.Option(help="The same as numpy arrays.")] = None,
-    picture: Annotated[Path | None, typer.Option(help="Draw λ_N, y and b: PNG, PDF or SVG by the suffix.")] = None,
+    picture: Annotated[
+        Path | None, typer.Option(help="Draw λ_N, y, b, own coordinates: PNG, PDF or SVG by the suffix.")
+    ] = None,
     journal: Annotated[
         Path | None, typer.Option(help="Keep what is done here; the same command goes on after a kill.")
     ] = None,
@@ -226,5 +228,8 @@ def _write(
             outputs.write(option, path, lambda path=path: samples.save(path))  # type: ignore[misc]
     if picture is not None:
         from gspot_verified.report.pictures.scene_picture import scene_picture
+        from gspot_verified.scenes.certified_run import with_boxes
+        from gspot_verified.scenes.scene.run import CERTIFIED
 
-        outputs.write("--picture", picture, lambda: scene_picture(scene, runs).save(picture))
+        drawn = [with_boxes(scene, run, progress) if run.strength == CERTIFIED else run for run in runs]
+        outputs.write("--picture", picture, lambda: scene_picture(scene, drawn).save(picture))

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import tempfile
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 from flint import fmpq, fmpz
@@ -27,7 +29,7 @@ from gspot_verified.cost.peers.lift_off_runs import (
 )
 from gspot_verified.integrator.box_steps.choice import order_for
 from gspot_verified.scenes.certified.certified_integration import integrated_run
-from gspot_verified.scenes.certified.segment_samples import SAMPLES_OF_A_STEP
+from gspot_verified.scenes.scene.scene import Scene
 
 # epsilon = 10^-(k + 3): the k of each scene.
 _QUICK_EPSILONS: dict[str, tuple[int, ...]] = {"model": (0, 2), "extended": (0,), "oscillator": (0,)}
@@ -90,12 +92,18 @@ def _profiled(_: bool) -> tuple[str, Call]:
     return "extended, ε = 10⁻³, 192 bits", partial(certified_bracket, scene, 192)
 
 
+def _steps(scene: Scene, bits: int) -> int:
+    """How many steps a run proves: after its first line a journal has one line for each."""
+    with tempfile.TemporaryDirectory() as folder:
+        journal = Path(folder) / "steps"
+        integrated_run(scene, bits=(bits,), journal=journal)
+        return len(journal.read_text().splitlines()) - 1
+
+
 def _limit(_: bool) -> Limit:
     """The integrator alone: every coefficient of each product of the equations is a sum of so many products."""
     scene, order = scene_of("extended", 0), order_for(_LIMIT_BITS)
-    samples = integrated_run(scene, bits=(_LIMIT_BITS,), sampled=True).samples
-    assert samples is not None
-    steps = len(samples.phases) / SAMPLES_OF_A_STEP
+    steps = _steps(scene, _LIMIT_BITS)
     one = fmpz(3) ** round(_LIMIT_BITS / math.log2(3))
 
     def products() -> None:
@@ -103,9 +111,7 @@ def _limit(_: bool) -> Limit:
             one * one
 
     seconds = steps * order**2 * best_time(products, 5, fresh=False) / _CALLS
-    words = (
-        f"{steps:.0f} steps of order {order}, with {order**2} products of {_LIMIT_BITS} bits for its two bilinear terms"
-    )
+    words = f"{steps} steps of order {order}, with {order**2} products of {_LIMIT_BITS} bits for its two bilinear terms"
     took = best_time(partial(certified_bracket, scene, _LIMIT_BITS), 2)
     return Limit(f"{panel_of('extended', 0)}, {_LIMIT_BITS} bits", words, seconds, took)
 

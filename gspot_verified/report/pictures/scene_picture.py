@@ -1,10 +1,13 @@
-"""A run of a scene: λ_N, y and b over p (over t where p turns), with its events, the canard and the scaled Θ."""
+"""A run of a scene over p (over t where p turns): λ_N, y and b, then the slip velocity and the mechanism's own
+coordinates where they are integrated, with the events, the canard and the scaled Θ."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
+
+from flint import fmpq
 
 from gspot_verified.numbers.balls import approximate
 from gspot_verified.report.pictures.canvas import (
@@ -19,9 +22,11 @@ from gspot_verified.report.pictures.canvas import (
     picture,
     styled,
 )
+from gspot_verified.report.pictures.scene_curves import boxes_over, falls, outline, phase_rows, places
 from gspot_verified.report.pictures.scene_prediction import Curve, canard, scaled_theta
+from gspot_verified.report.pictures.typeset import LAMBDA_N, typeset
 from gspot_verified.scenes.scene.run import CERTIFIED, IMPACT, SceneRun
-from gspot_verified.scenes.scene.samples import Samples
+from gspot_verified.scenes.scene.samples import RADIUS, Samples
 from gspot_verified.scenes.scene.scene import Scene
 
 if TYPE_CHECKING:
@@ -29,22 +34,29 @@ if TYPE_CHECKING:
 
     Column = ndarray[Any, Any]
 
-_PANELS = (("lambda_N", "λ_N"), ("y", "y/ε²"), ("b", "b"))
+_FIRST = {"lambda_N": f"force {LAMBDA_N}", "y": r"height $y/\varepsilon^2$", "b": "$b$"}
+_NEVER = ("t", "p", "v", "z")  # columns without a panel
 _MARKS = {"lift-off": "o", "touch-down": "*", "stick": "s", IMPACT: "v"}
 _OTHER_MARK = "D"
 _MARGIN = 0.6  # of the height before the G-spot
+_HEIGHTS = (2.1, 1.3)  # inches, of the first panels and of the others
+_FINEST = 250  # boxes are put together up to this part of a panel's height and width
 
 
 @dataclass(frozen=True)
-class _Over:
-    """What stands on the horizontal axis: the name of its column, and its label."""
+class _Panel:
+    """A column, its label, what its values are divided by, and where it has a thin line."""
 
     name: str
     label: str
+    scale: float = 1.0
+    line: float | None = 0.0
 
 
 def scene_picture(scene: Scene, runs: Sequence[SceneRun]) -> Picture:
     """The runs of one scene that have samples, one below the other in time, with what the theory says beside them.
+
+    Of a certified run boxes are drawn, in which the whole trajectory lies, where its samples have them; else points.
 
     :raises ValueError: no run has samples.
     """
@@ -54,118 +66,160 @@ def scene_picture(scene: Scene, runs: Sequence[SceneRun]) -> Picture:
     return styled(lambda: _draw(scene, sampled, runs))()
 
 
+def panels_of(scene: Scene, samples: Samples) -> list[_Panel]:
+    """λ_N, y and b; then u, x and the components of the mechanism that the run integrates."""
+    scales = {"y": approximate(scene.epsilon) ** 2}
+    shown = [_Panel(name, label, scales.get(name, 1.0)) for name, label in _FIRST.items()]
+    for name in samples.columns:
+        if name in _NEVER or name in _FIRST or name.endswith(RADIUS):
+            continue
+        if name == "u":
+            belt = approximate(scene.values().get("belt_velocity", fmpq(0)))
+            shown.append(_Panel(name, "slip velocity $u$", line=belt))
+        else:
+            counted = " − ".join(typeset(part) for part in name.split(" - "))  # an angle, from its reference
+            shown.append(_Panel(name, counted, line=None))
+    return shown
+
+
 def _draw(scene: Scene, sampled: Sequence[SceneRun], runs: Sequence[SceneRun]) -> Picture:
     first = sampled[0].samples
     assert first is not None
-    over = _horizontal(first)
-    figure = canvas(7.0)
-    panels = figure.subplots(len(_PANELS), 1, sharex=True)
+    over = "p" if all(falls(run.samples) for run in sampled if run.samples is not None) else "t"
+    shown = panels_of(scene, first)
+    ratios = [_HEIGHTS[0 if panel.name in _FIRST else 1] for panel in shown]
+    figure = canvas(1.2 + sum(ratios))
+    fields = figure.subplots(len(shown), 1, sharex=True, height_ratios=ratios)
     last_p = min(float(run.samples.columns["p"].min()) for run in sampled if run.samples is not None)
-    theory = [curve for curve in (canard(scene, last_p), scaled_theta(scene)) if curve is not None]
-    for axes, (name, label) in zip(panels, _PANELS, strict=True):
-        scale = approximate(scene.epsilon) ** 2 if name == "y" else 1.0
-        axes.axhline(0, color=INK, linewidth=0.6)
-        if over.name == "p":
-            axes.axvline(0, color=INK, linewidth=0.8, linestyle=":")
-            for curve, colour, style in zip(theory, (GREEN, ORANGE), ("-.", (0, (4, 2))), strict=False):
-                values = [x / scale for x in _of(curve, name)]
-                axes.plot(curve.p, values, color=colour, linestyle=style, label=curve.label, zorder=4)
-        for run in sampled:
-            _curve(axes, run, over, name, scale)
-        _limits(axes, first, name, scale)
-        axes.set_ylabel(label)
-    _certified_brackets(panels, runs, over, first)
-    ends = first.columns[over.name]
-    panels[-1].set_xlabel(over.label)
+    theory = [] if over == "t" else [each for each in (canard(scene, last_p), scaled_theta(scene)) if each is not None]
+    ends = first.columns[over]
     width = float(ends.max() - ends.min()) or 1.0
-    limits = (float(ends.min()) - 0.02 * width, float(ends.max()) + 0.02 * width)
-    panels[-1].set_xlim(*(reversed(limits) if over.name == "p" else limits))
-    panels[0].set_title(f"{scene.name}, ε = {scene.epsilon}", loc="left")
-    panels[-1].legend(loc="best", fontsize=7.5)
+    for axes, panel in zip(fields, shown, strict=True):
+        if panel.line is not None:
+            axes.axhline(panel.line, color=INK, linewidth=0.6)
+        if over == "p":
+            axes.axvline(0, color=INK, linewidth=0.8, linestyle=":", label="$p = 0$")
+        for curve, colour, style in zip(theory, (GREEN, ORANGE), ("-.", (0, (4, 2))), strict=False):
+            if panel.name in _FIRST:
+                values = [x / panel.scale for x in _of(curve, panel.name)]
+                axes.plot(curve.p, values, color=colour, linestyle=style, label=curve.label, zorder=4)
+        low, high = _limits(first, panel)
+        axes.set_ylim(low, high)
+        for run in sampled:
+            _curve(axes, run, over, panel, ((high - low) / _FINEST, width / _FINEST))
+        axes.set_ylabel(panel.label)
+    for run in runs:
+        _events(fields, shown, run, over)
+    _axis(fields[-1], over, float(ends.min()), width)
+    fields[0].set_title(f"{scene.name}, ε = {scene.epsilon}", loc="left", parse_math=False)
+    figure.legend(*_named_once(fields[0]), loc="outside upper left", fontsize=8, ncols=3, frameon=False)
     return picture(
         figure,
         "scene",
         f"The scene {scene.name}, ε = {scene.epsilon}",
-        _caption(scene, runs, theory, over),
-        "Three panels, one above the other: the contact force, the height of the contact point and b along one run.",
+        caption(scene, runs, theory, over),
+        "Panels one above the other: the contact force, the height of the contact point, b, and what else is "
+        "integrated, along one run.",
     )
 
 
-def _horizontal(samples: Samples) -> _Over:
-    import numpy as np
+def _axis(axes: Any, over: str, least: float, width: float) -> None:
+    """Time runs to the right, and an arrow says so where p stands for it."""
+    limits = (least - 0.02 * width, least + 1.02 * width)
+    axes.set_xlim(*(reversed(limits) if over == "p" else limits))
+    axes.set_xlabel(r"$p$ (time runs $\longrightarrow$)" if over == "p" else "$t$ after the start")
 
-    if bool(np.all(np.diff(samples.columns["p"]) <= 0)):
-        return _Over("p", "p (time runs to the right)")
-    return _Over("t", "t after the start")
+
+def _named_once(axes: Any) -> tuple[list[Any], list[str]]:
+    handles, labels = axes.get_legend_handles_labels()
+    once = dict(zip(labels, handles, strict=True))
+    return list(once.values()), list(once)
 
 
 def _of(curve: Curve, name: str) -> tuple[float, ...]:
     return {"lambda_N": curve.force, "y": curve.y, "b": curve.b}[name]
 
 
-def _curve(axes: Any, run: SceneRun, over: _Over, name: str, scale: float) -> None:
-    """The samples as a line, and a mark for each event of the run."""
-    import numpy as np
-
+def _curve(axes: Any, run: SceneRun, over: str, panel: _Panel, finest: tuple[float, float]) -> None:
+    """The lines of a float run, phase by phase; the boxes of a certified one, or its points where it has none."""
     assert run.samples is not None
-    columns = run.samples.columns
+    samples = run.samples
+    at, values = samples.columns[over], samples.columns[panel.name] / panel.scale
+    if run.strength != CERTIFIED:
+        for first, last in phase_rows(samples):
+            part = slice(first, last + 1)
+            look: dict[str, Any] = {"color": BLUE, "linewidth": 1.0, "zorder": 3}
+            axes.plot(at[part], values[part], label="simulated with floats", **look)
+    elif samples.boxes is None:
+        label = "certified, at these points"
+        axes.plot(at, values, "o", color=PURPLE, markersize=2.5, linestyle="none", label=label)
+    else:
+        _boxes(axes, samples, over, panel, finest)
+
+
+def _boxes(axes: Any, samples: Samples, over: str, panel: _Panel, finest: tuple[float, float]) -> None:
+    from matplotlib.collections import PolyCollection
+
+    assert samples.boxes is not None
+    stretches = boxes_over(samples.boxes, over, panel.name, panel.scale, *finest)
+    look: dict[str, Any] = {"facecolor": (PURPLE, 0.35), "edgecolor": (PURPLE, 0.8), "linewidth": 1.8, "zorder": 2}
+    label = "certified: the curve lies in the boxes"
+    axes.add_collection(PolyCollection([outline(each) for each in stretches], label=label, **look), autolim=False)
+
+
+def _events(fields: Sequence[Any], shown: Sequence[_Panel], run: SceneRun, over: str) -> None:
+    """A mark on the curve at each event, and a line through all panels."""
     certified = run.strength == CERTIFIED
-    colour, width = (PURPLE, 3.2) if certified else (BLUE, 1.2)
-    label = "certified, middles of enclosures" if certified else "simulated with floats"
-    axes.plot(columns[over.name], columns[name] / scale, color=colour, linewidth=width, label=label, alpha=0.9)
-    if certified:
-        return
-    seen: set[str] = set()
-    for event in run.events:
-        time = approximate(event.lower)
-        at = [float(np.interp(time, columns["t"], columns[each])) for each in (over.name, name)]
-        axes.plot(
-            at[0], at[1] / scale, _MARKS.get(event.name, _OTHER_MARK), color=VERMILION, markersize=7, zorder=5,
-            label=None if event.name in seen else event.name, clip_on=True,
-        )  # fmt: skip
-        seen.add(event.name)
+    colour, size = (PURPLE, 9) if certified else (VERMILION, 6)
+    look: dict[str, Any] = {"color": colour, "markersize": size, "linestyle": "none", "zorder": 5}
+    look |= {"markerfacecolor": "none" if certified else colour}
+    for place in places(run, over):
+        for axes, panel in zip(fields, shown, strict=True):
+            axes.axvline(place.at, color=colour, linewidth=0.8, linestyle=(0, (2, 2)))
+            if place.row is not None and run.samples is not None:
+                value = run.samples.columns[panel.name][place.row] / panel.scale
+                mark = _MARKS.get(place.name, _OTHER_MARK)
+                label = f"{place.name}, {'certified' if certified else 'floats'}"
+                axes.plot(place.at, value, mark, label=label, **look)
 
 
-def _certified_brackets(panels: Sequence[Any], runs: Sequence[SceneRun], over: _Over, samples: Samples) -> None:
-    """A vertical line at each certified event; its bracket is narrower than the line."""
+def _limits(samples: Samples, panel: _Panel) -> tuple[float, float]:
+    """Of the first panels what happens before the G-spot, and as much again on either side: an impact would hide all
+    else. Of the others everything."""
     import numpy as np
 
-    for run in runs:
-        if run.strength != CERTIFIED:
-            continue
-        for event in run.events:
-            time = approximate((event.lower + event.upper) / 2)
-            at = float(np.interp(time, samples.columns["t"], samples.columns[over.name]))
-            for axes in panels:
-                axes.axvline(at, color=PURPLE, linewidth=0.8, linestyle=(0, (2, 2)))
-            panels[0].annotate(
-                event.name, (at, 1), xycoords=("data", "axes fraction"), fontsize=7, color=PURPLE, rotation=90,
-                ha="right", va="top",
-            )  # fmt: skip
-
-
-def _limits(axes: Any, samples: Samples, name: str, scale: float) -> None:
-    """What happens before the G-spot, and as much again on either side: an impact would hide all else."""
-    import numpy as np
-
-    values, p = samples.columns[name] / scale, samples.columns["p"]
+    values, p = samples.columns[panel.name] / panel.scale, samples.columns["p"]
+    ends = [float(values.min()), float(values.max()), *([] if panel.line is None else [panel.line])]
+    least, most = min(ends), max(ends)
+    if panel.name not in _FIRST:
+        room = 0.08 * ((most - least) or 1.0)
+        return least - room, most + room
     before: Column = values[: int(np.argmax(p < 0)) or len(p)]
     low, high = float(min(before.min(), 0)), float(max(before.max(), 0))
     room = _MARGIN * ((high - low) or 1.0)
-    axes.set_ylim(
-        max(low - room, float(values.min()) - 0.05 * room), min(high + room, float(values.max()) + 0.05 * room)
-    )
+    return max(low - room, least - 0.1 * room), min(high + room, most + 0.1 * room)
 
 
-def _caption(scene: Scene, runs: Sequence[SceneRun], theory: Sequence[Curve], over: _Over) -> str:
+def caption(scene: Scene, runs: Sequence[SceneRun], theory: Sequence[Curve], over: str) -> str:
+    """What is certified in the picture of these runs over "t" or "p", and what is only drawn."""
     parts = [f"{run.strength.capitalize()}: {run.fate}." for run in runs]
-    if any(run.strength == CERTIFIED for run in runs):
-        parts.append("Certified are the events (dashed lines at the brackets) and the end for all times.")
-    if any(run.strength != CERTIFIED for run in runs):
+    certified = [run for run in runs if run.strength == CERTIFIED]
+    if certified:
+        parts.append("Certified are the events (marks in their brackets) and the end for all times.")
+    if any(run.samples is not None and run.samples.boxes is not None for run in certified):
+        parts.append("The boxes are certified: at each time that is shown the trajectory lies in them.")
+    elif any(run.samples is not None for run in certified):
+        parts.append("The points are certified, nothing between them.")
+    for run in runs:
+        missing = [event.name for event in run.events][len(places(run, over)) :] if over == "p" else []
+        if missing:
+            parts.append(f"Not shown, because the samples end before: {', '.join(missing)}.")
+    if len(certified) < len(runs):
         parts.append("The float run proves nothing.")
-    if theory and over.name == "p":
+    if theory:
         shown = " and ".join(curve.label for curve in theory)
         parts.append(f"Beside it: {shown}; no error of these curves is bounded.")
+    parts.append("All quantities are in the units of the scene.")
     left_out = list(scene.assumes())
     if left_out:
         parts.append(f"Effects left out: {', '.join(left_out)}.")

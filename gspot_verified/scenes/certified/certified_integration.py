@@ -56,7 +56,7 @@ def integrated_run(
 
     :param digits: 1..80, decimals of the times of the events in the unit epsilon.
     :param bits: working precisions to try, one after the other.
-    :param sampled: keep enclosures of the trajectory at some times of each step.
+    :param sampled: keep enclosures of the trajectory: at some times of each step, at the events, and boxes between.
     :param journal: a file that keeps what was chosen for each step; a run that was interrupted goes on from there, to
         the same result. All of it is proved again, so that a journal that was changed cannot make the result wrong.
         Where it cannot be written (a full disk) the run goes on without it, and ``notes`` says so.
@@ -214,6 +214,8 @@ def _run(scene: Scene, conditions: Conditions, samples: SegmentSamples | None, s
         if shown is None:
             record.open = Open(f"whether {phase_end.event.name} comes before the end of the time", start[CLOCK])
             return record
+        if samples is not None:
+            samples.event(phase_end.before, phase_end.time, start)
         if phase_end.event.left_out:
             record.violated = phase_end.event.left_out, start[CLOCK], shown
             return record

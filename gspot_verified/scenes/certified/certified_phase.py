@@ -34,12 +34,14 @@ class PhaseEnd:
 
     ``time``: from the start of the phase, a bracket; ``states``: by name, everywhere in the bracket. ``evidence``: the
     signs at the event and those that exclude every other one; without an event, that steps were made up to there.
+    ``before``: the step that the observer has not seen, and the tau at which the bracket begins in it; None: in none.
     """
 
     event: PhaseEvent | None
     time: arb
     states: dict[str, arb]
     evidence: Evidence
+    before: tuple[NormSegment, arb] | None = None
 
 
 @dataclass(frozen=True)
@@ -164,7 +166,8 @@ class CertifiedPhase:
         if first is not None:
             crossing, evidence = first
             event = next(event for event, hit in zip(self.system.events, hits, strict=True) if hit is crossing)
-            return PhaseEnd(event, crossing.time, self._named(crossing.states, start), evidence)
+            before = (segment, crossing.begin.tau) if crossing.begin.segment is segment else None
+            return PhaseEnd(event, crossing.time, self._named(crossing.states, start), evidence, before)
         for hit in hits:
             if isinstance(hit, Crossing):
                 others = " and ".join(rivals(hit, watches, hits))

@@ -25,8 +25,9 @@ _LARGEST_RATIO = 1000  # of lambda_N to its first value: beyond it the trajector
 
 
 def certified_samples(run: CompliantRun, until: fmpq, points: int, digits: int = 12) -> Samples:
-    """Enclosures at ``points`` equal steps of time from the start to ``until``, as far as the run is known: to the
-    touch-down, or where the force is 1000 times its first value; nothing where it is not known whether contact lasts.
+    """Enclosures at ``points`` equal steps of time from the start to ``until`` and at the ends of the brackets of
+    lift-off and touch-down, as far as the run is known: to where the bracket of the touch-down begins, or where the
+    force is 1000 times its first value; nothing where it is not known whether contact lasts.
 
     Each value lies within the radius of its midpoint, both floats.
 
@@ -38,8 +39,7 @@ def certified_samples(run: CompliantRun, until: fmpq, points: int, digits: int =
         raise ValueError(f"points: expected 2..{MAX_POINTS}, got {points}")
     rows, phases = [], []
     first: float | None = None
-    for k in range(points):
-        time = until * k / (points - 1)
+    for time in _times(run, until, points):
         sample = _values(run, run.start + time, digits)
         if sample is None:
             break
@@ -53,6 +53,15 @@ def certified_samples(run: CompliantRun, until: fmpq, points: int, digits: int =
     names = tuple(name + end for name in ("t", *_COLUMNS) for end in ("", RADIUS))
     columns = np.array(rows).reshape(len(rows), len(names)).T
     return Samples(dict(zip(names, columns, strict=True)), tuple(phases))
+
+
+def _times(run: CompliantRun, until: fmpq, points: int) -> list[fmpq]:
+    """In order, after the start; of the touch-down only where its bracket begins: nothing is known in it."""
+    ends = [run.start + until * k / (points - 1) for k in range(points)]
+    for event in run.events:
+        if event.name in (LIFT_OFF, TOUCH_DOWN):
+            ends += [event.lower, event.upper] if event.name == LIFT_OFF else [event.lower]
+    return sorted({time - run.start for time in ends if run.start <= time <= run.start + until})
 
 
 def midpoint_and_radius(value: arb) -> tuple[float, float]:
@@ -78,7 +87,7 @@ def _values(run: CompliantRun, time: fmpq, digits: int) -> tuple[str, list[arb]]
         if run.verdict.exit_code != 0:
             return None
     elif time > lift.lower:
-        known = land is not None and lift.upper < time < land.lower
+        known = land is not None and lift.upper <= time <= land.lower
         return (FLIGHT, _in_flight(run.model, lift, time, digits)) if known else None
     contact = force(run.model, run.state, time, digits)
     return SLIP, [arb(contact.p), contact.b, contact.y, contact.v, contact.z, contact.force]

@@ -19,14 +19,29 @@ RADIUS = "_radius"
 
 
 @dataclass(frozen=True)
+class Boxes:
+    """Pieces of time in order, each with bounds of t and of the whole read-out, and its phase.
+
+    From the first lower t to the last upper t the pieces leave no gap, and at each time of a piece the trajectory lies
+    within its bounds: they are rounded outwards to floats.
+    """
+
+    lower: dict[str, ndarray[Any, Any]]
+    upper: dict[str, ndarray[Any, Any]]
+    phases: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Samples:
     """Columns (t after the start, then the read-out), and the phase of each row.
 
-    Of a certified run there is beside each column of midpoints one of radii, its name with ``_radius``.
+    Of a certified run there is beside each column of midpoints one of radii, its name with ``_radius``; ``boxes``, of a
+    run by the integrator, enclose all that is between the rows.
     """
 
     columns: dict[str, ndarray[Any, Any]]
     phases: tuple[str, ...]
+    boxes: Boxes | None = None
 
     def save(self, path: str | Path) -> Path:
         """Write them as CSV or NPZ, by the suffix; a file that is there is replaced when the new one is complete.

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from flint import fmpq
 
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
 from gspot_verified.compliant.motion.compliant_force import force
-from gspot_verified.report.pictures.scene_picture import scene_picture
+from gspot_verified.report.pictures.scene_picture import caption, panels_of, scene_picture
 from gspot_verified.report.pictures.scene_prediction import canard, scaled_theta
-from gspot_verified.scenes.certified_run import certified_run
+from gspot_verified.scenes.certified_run import certified_run, with_boxes
 from gspot_verified.scenes.floats.float_run import float_run
 from gspot_verified.scenes.scene.file import load_scene
 
@@ -67,6 +69,37 @@ def test_the_caption_says_what_is_certified() -> None:
     assert drawn.svg.startswith("<svg")
     with pytest.raises(ValueError, match="needs a run with samples"):
         scene_picture(scene, [certified_run(scene)])
+
+
+def test_own_coordinates_and_the_slip_velocity_have_panels() -> None:
+    """As they are integrated, an angle from its reference; of a surface that moves the line is at its velocity."""
+    scene = load_scene("rod", until="1/100")
+    run = float_run(scene, tolerance=1e-6, points=3)
+    assert run.samples is not None
+    panels = panels_of(scene, run.samples)
+    assert [panel.name for panel in panels] == ["lambda_N", "y", "b", "u", "theta - theta_ref", "X_dot", "theta_dot"]
+    assert panels[4].label == r"$\theta$ − $\theta_{\mathrm{ref}}$"
+    assert [panel.line for panel in panels] == [0, 0, 0, 0, None, None, None]
+    assert [panel.scale for panel in panels[:3]] == [1, 1e-6, 1]
+    moving = load_scene("rod")
+    moving = replace(moving, effects=(*moving.effects, "belt"), parameters={"belt_velocity": fmpq(-3)})
+    assert panels_of(moving, run.samples)[3].line == -3
+
+
+def test_the_caption_says_whether_points_or_boxes_are_certified() -> None:
+    scene = load_scene("fig-varsim1", epsilon="1/100", until="1/4")
+    points = certified_run(scene, points=3)
+    boxes = with_boxes(scene, points)
+    assert "The points are certified, nothing between them." in caption(scene, [points], [], "p")
+    drawn = caption(scene, [boxes], [], "p")
+    assert "at each time that is shown the trajectory lies in them" in drawn
+    assert "Not shown, because the samples end before: lift-off, touch-down." in drawn
+    assert with_boxes(scene, boxes) is boxes
+
+
+def test_a_name_with_dollars_is_no_formula() -> None:
+    scene = replace(load_scene("rod", until="1/100"), name=r"a $\frac b$")
+    assert r"a $\frac b$" in scene_picture(scene, [float_run(scene, tolerance=1e-4, points=3)]).title
 
 
 def test_over_time_where_p_turns() -> None:

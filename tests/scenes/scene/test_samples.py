@@ -74,10 +74,10 @@ def test_enclosures_end_where_nothing_is_known() -> None:
     (lift, land), found = run.events, run.samples
     assert found is not None
     times = found.columns["t"]
-    assert times[-1] < float(land.lower.p) / float(land.lower.q)
+    assert times[-1] == pytest.approx(float(land.lower.p) / float(land.lower.q), abs=1e-15)
     in_flight = [t for t, phase in zip(times, found.phases, strict=True) if phase == "flight"]
-    assert min(in_flight) > float(lift.upper.p) / float(lift.upper.q)
-    assert len(in_flight) == 6
+    assert min(in_flight) == pytest.approx(float(lift.upper.p) / float(lift.upper.q), abs=1e-15)
+    assert len(in_flight) == 8  # of equal steps 6, and the beginning and the end of the flight
 
 
 @pytest.mark.parametrize("value", ["0", "1/3", "-7/5", "1e-320", "-1e300"])
