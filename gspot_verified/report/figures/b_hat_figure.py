@@ -56,7 +56,8 @@ def _draw(beta: fmpq, epsilons: Sequence[fmpq]) -> Picture:
         axes.plot(at, middles, color=colour, linestyle=style, label=f"ε = {epsilon}")
     axes.plot(at, [float(evaluate(tau, beta).value.mid()) for tau in _POINTS], color=INK, label=f"Θ(τ, {beta})")
     axes.axhline(0, color=INK, linewidth=0.7)
-    axes.set(xlabel="τ = κ t ε^(−2/3)", ylabel="b̂ in units of C₁ κ^(−β) ε^(2β/3)", xlim=(at[0], at[-1]))
+    axes.set(xlabel=r"$\tau = \kappa\,t\,\varepsilon^{-2/3}$", xlim=(at[0], at[-1]))
+    axes.set_ylabel(r"$\hat{b}$ in units of $C_1\,\kappa^{-\beta}\,\varepsilon^{2\beta/3}$")
     axes.set_title(f"the compliant model on its slow manifold, β = {beta}", loc="left")
     axes.legend()
     return picture(

@@ -28,7 +28,9 @@ def second_trajectory_picture() -> Picture:
     distances = [distance(epsilon) for epsilon in _EPSILONS]
     for (power, words), colour, style in zip(_POWERS.items(), COLOURS, STYLES, strict=True):
         axes.semilogy(at, [epsilon**power for epsilon in at], color=colour, linestyle=style, label=words)
-    axes.semilogy(at, [sum(float_bounds(value)) / 2 for value in distances], color=INK, label="e^(−1/ε²)")
+    axes.semilogy(
+        at, [sum(float_bounds(value)) / 2 for value in distances], color=INK, label=r"$\exp(-1/\varepsilon^2)$"
+    )
     axes.set(xlabel="ε", ylabel="distance in b at t = 0", xlim=(at[0], 1), ylim=(1e-31, 3))
     axes.legend(loc="lower right")
     below = sum(

@@ -9,11 +9,12 @@ from gspot_verified.expansion.true_solutions.bound import UniformBound, uniform_
 from gspot_verified.numbers.balls import approximate, float_bounds
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.report.pictures.canvas import COLOURS, STYLES, Picture, canvas, picture, styled
+from gspot_verified.report.pictures.typeset import LAMBDA_N
 from gspot_verified.testing import extended_example
 
 _ORDER = 6  # terms of the expansion: enough for pieces that are not too short
 _START, _END, _DELTA = fmpq(-3), fmpq(2), fmpq(1, 20)  # of s and of delta: as in the example of uniform_bound
-_SHOWN = {"p": "p", "b": "b", "y": "y", "v": "v", "lambda_n": "λ_N"}
+_SHOWN = {"p": "p", "b": "b", "y": "y", "v": "v", "lambda_n": LAMBDA_N}
 
 
 def drawn_bound() -> UniformBound:
@@ -38,7 +39,12 @@ def uniform_picture() -> Picture:
     for (name, words), colour, style in zip(_SHOWN.items(), COLOURS, STYLES, strict=True):
         sizes = [float_bounds(one.constants[name])[1] for one in bound.stretches]
         axes.stairs(sizes, edges, baseline=None, color=colour, linestyle=style, linewidth=1.7, label=words)
-    axes.set(yscale="log", xlabel="s", ylabel=f"K: within K δ^{_ORDER} of the expansion", xlim=(edges[0], edges[-1]))
+    axes.set(
+        yscale="log",
+        xlabel="s",
+        ylabel=rf"$K$: within $K\,\delta^{{{_ORDER}}}$ of the expansion",
+        xlim=(edges[0], edges[-1]),
+    )
     axes.legend(loc="upper left", ncols=len(_SHOWN))
     proved = bound.verdict.outcome is Outcome.PROVED
     finding = f"Certified: {bound.verdict.statement}" if proved else f"Not proved to the end: {bound.verdict.detail}"

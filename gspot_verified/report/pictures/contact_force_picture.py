@@ -9,6 +9,7 @@ from flint import fmpq
 from gspot_verified.leading_order.contact_force import ContactForce, rational
 from gspot_verified.numbers.balls import ExactInput, ball, float_bounds
 from gspot_verified.report.pictures.canvas import BLUE, INK, VERMILION, Picture, canvas, picture, styled
+from gspot_verified.report.pictures.typeset import LAMBDA_N
 
 _POINTS = tuple(fmpq(k, 16) for k in range(-80, 65))
 _SIDES = ((1, BLUE, "-"), (-1, VERMILION, "--"))
@@ -32,12 +33,12 @@ def _draw(force: ContactForce, epsilon: fmpq) -> Picture:
     for sign, colour, style in _SIDES:
         side = replace(force, c1=sign * force.c1)
         bounds = [float_bounds(side.value(tau, epsilon)) for tau in _POINTS]
-        label = f"C₁ = {side.c1}: {'takes an impact' if side.takes_impact else 'lifts off'}"
+        label = f"C₁ = {str(side.c1).replace('-', '−')}: {'takes an impact' if side.takes_impact else 'lifts off'}"
         axes.plot(at, [(low + high) / 2 for low, high in bounds], color=colour, linestyle=style, label=label)
     axes.axhline(0, color=INK, linewidth=0.9)
     mean = float(ball(force.mean).mid())
     axes.axhline(mean, color=INK, linewidth=0.9, linestyle=":", label="mean force")
-    axes.set(xlabel="τ = κ t ε^(−2/3)", ylabel="λ_N", xlim=(at[0], at[-1]))
+    axes.set(xlabel=r"$\tau = \kappa\,t\,\varepsilon^{-2/3}$", ylabel=f"force {LAMBDA_N}", xlim=(at[0], at[-1]))
     axes.set_title(f"β = {force.beta}, ε = {epsilon}, at leading order", loc="left")
     axes.legend(loc="best")
     return picture(

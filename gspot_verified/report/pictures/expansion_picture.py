@@ -166,9 +166,9 @@ def _draw(trajectory: Trajectory, curves: Sequence[ResidualCurve]) -> Picture:
         if curve.deltas:
             axes.loglog(curve.deltas, curve.sizes, color=colour, linestyle=style, label=f"M = {curve.order}")
             axes.loglog(curve.deltas, curve.bounds, color=colour, linewidth=0.9, alpha=0.8)
-    axes.loglog([], [], color=COLOURS[0], linewidth=0.9, label="proved bound K δᴹ")
-    axes.set(xlabel="δ = ε^(1/3)", ylabel="what is left in the equations, |s| ≤ 1")
-    axes.set_title(trajectory.system.name, loc="left")
+    axes.loglog([], [], color=COLOURS[0], linewidth=0.9, label=r"proved bound $K\,\delta^M$")
+    axes.set(xlabel=r"$\delta = \varepsilon^{1/3}$", ylabel="what is left in the equations, |s| ≤ 1")
+    axes.set_title(trajectory.system.name, loc="left", parse_math=False)
     axes.legend(loc="lower right")
     orders = ", ".join(str(curve.order) for curve in curves)
     return picture(

@@ -10,6 +10,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
 
 from flint import arb, arb_mat, fmpq
 
@@ -23,6 +25,7 @@ from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.g_spot import GSpot, find_g_spot
 from gspot_verified.numbers.balls import ball, working_bits
 from gspot_verified.report.pictures.canvas import BLUE, GREEN, INK, ORANGE, PURPLE, Picture, canvas, picture, styled
+from gspot_verified.report.pictures.typeset import LAMBDA_N
 
 _OWN = " The given start: middles of enclosures at certified points of its path; lines between them are only drawn."
 _BITS = 80  # beyond what a picture shows
@@ -167,10 +170,32 @@ def _distinguished(slip: RigidSlip, trajectory: Trajectory, reach: float) -> Run
     return ((0.0, 0.0), *(point for point in run if point[0] <= 1.05 * reach))
 
 
+def arrow_of_time(run: Run, width: float, height: float) -> Run | None:
+    """Two points of a run, one after the other in time, in the middle of its length in a picture of this size; None:
+    the run has no length.
+
+    >>> arrow_of_time(((1.0, 0.0), (0.8, 0.0), (0.4, 0.0), (0.0, 0.0)), 1, 1)
+    ((0.8, 0.0), (0.4, 0.0))
+    """
+    lengths = [math.hypot((q[0] - p[0]) / width, (q[1] - p[1]) / height) for p, q in pairwise(run)]
+    passed = 0.0
+    for k, length in enumerate(lengths):
+        passed += length
+        if length > 0 and passed >= sum(lengths) / 2:
+            return run[k], run[k + 1]
+    return None
+
+
 def phase_plane_picture(mechanism: Mechanism, state: StateInput | None = None, spot: int | None = None) -> Picture:
     """The phase plane as a figure with its caption; arguments and errors as for :func:`phase_plane`."""
     plane = phase_plane(mechanism, state, spot)
     return styled(lambda: _draw(plane))()
+
+
+def _arrow(axes: Any, ends: Run | None, colour: str) -> None:
+    if ends is not None:
+        look = {"arrowstyle": "-|>", "color": colour, "linewidth": 0, "mutation_scale": 11, "shrinkA": 0, "shrinkB": 0}
+        axes.annotate("", ends[1], ends[0], arrowprops=look)
 
 
 def _draw(plane: PhasePlane) -> Picture:
@@ -179,30 +204,32 @@ def _draw(plane: PhasePlane) -> Picture:
     reach = plane.reach
     height = 1.1 * max(abs(b) for run in (*plane.runs, plane.own) for _, b in run)
     axes.axhspan(0, height, color=ORANGE, alpha=0.12, linewidth=0)
-    axes.text(reach, 0.31 * height, "λ_N = −b/p < 0: lift-off", ha="right", va="top", fontsize=8.5)
+    axes.text(reach, 0.31 * height, rf"{LAMBDA_N} $= -b/p < 0$: lift-off", ha="right", va="top", fontsize=8.5)
     for index, run in enumerate(plane.runs):
         label = None if index else "slip, float runs"
         axes.plot(*zip(*run, strict=True), color=BLUE, linewidth=1.0, label=label)
+        _arrow(axes, arrow_of_time(run, reach, height), BLUE)
     ends = (0.0, 1.05 * reach)
     dashed = [plane.slope * p for p in ends]
     axes.plot(ends, dashed, color=INK, linewidth=1.0, linestyle="--", label="eigen-direction, α₁")
     axes.axvline(0, color=INK, linewidth=1.0, linestyle=":", label="eigen-direction, α₃ (p = 0)")
     axes.plot(*zip(*plane.distinguished, strict=True), color=GREEN, linewidth=2.4, label="distinguished trajectory")
+    _arrow(axes, arrow_of_time(plane.distinguished[::-1], reach, height), GREEN)
     if plane.own:
         axes.plot(*zip(*plane.own, strict=True), color=PURPLE, linewidth=2, label="the given start, certified points")
         axes.plot(*plane.own[0], "s", color=PURPLE, markersize=5)
     axes.plot(0, 0, "o", color=INK, markersize=6, zorder=6)
     axes.annotate("G-spot", (0, 0), xytext=(6, 6), textcoords="offset points")
-    axes.set(xlabel="p", ylabel="b", xlim=(-0.08 * reach, 1.05 * reach), ylim=(-height, 0.35 * height))
-    axes.set_title(plane.name, loc="left")
+    axes.set(xlabel="$p$", ylabel="$b$", xlim=(-0.08 * reach, 1.05 * reach), ylim=(-height, 0.35 * height))
+    axes.set_title(plane.name, loc="left", parse_math=False)
     axes.legend(loc="lower left", fontsize=8)
     return picture(
         figure,
         "phase-plane",
         f"Slip next to the G-spot: {plane.name}",
-        "Motion is to the left: p falls to 0. The eigen-directions are those of the proved G-spot. The thick curve "
-        "begins with Theorem 1's expansion at ε = 0, next to the G-spot, and goes on as a float run backwards. The "
-        "thin curves are float runs of rigid slip, up to lift-off, b = 0: they show, they prove nothing."
+        "Motion is to the left, as the arrows say: p falls to 0. The eigen-directions are those of the proved G-spot. "
+        "The thick curve begins with Theorem 1's expansion at ε = 0, next to the G-spot, and goes on as a float run "
+        "backwards. The thin curves are float runs of rigid slip, up to lift-off, b = 0: they show, they prove nothing."
         + (_OWN if plane.own else ""),
         "Curves that flow into the origin, along one straight direction or along the vertical axis.",
     )

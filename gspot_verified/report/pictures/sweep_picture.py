@@ -23,6 +23,7 @@ from gspot_verified.report.pictures.canvas import (
     save_figure,
     styled_figure,
 )
+from gspot_verified.report.pictures.typeset import typeset
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -30,8 +31,8 @@ if TYPE_CHECKING:
 _ANSWERS: dict[Any, tuple[str, str]] = {
     ("I", None, -1): (BLUE, "Case I"),
     ("II", None, -1): (GREEN, "Case II"),
-    ("III", -1, 1): (ORANGE, "Case III, C1 < 0 lifts off"),
-    ("III", 1, -1): (PURPLE, "Case III, C1 > 0 lifts off"),
+    ("III", -1, 1): (ORANGE, "Case III, C₁ < 0 lifts off"),
+    ("III", 1, -1): (PURPLE, "Case III, C₁ > 0 lifts off"),
     ("none", None, None): (PAPER, "no Case"),
 }
 _OTHERS = {
@@ -86,7 +87,7 @@ def _line(result: Sweep, axes: Axes) -> None:
     for fold in result.folds:
         axes.axvline(approximate(sum(fold.bounds(), fmpq(0)) / 2), color=VERMILION, linewidth=1.2)
     axes.set(xlim=(approximate(axis.lower), approximate(axis.upper)), ylim=(bottom - margin, top + margin))
-    axes.set(xlabel=axis.name, ylabel="β")
+    axes.set(xlabel=typeset(axis.name), ylabel="β")
 
 
 def _map(result: Sweep, axes: Axes) -> None:
@@ -100,8 +101,8 @@ def _map(result: Sweep, axes: Axes) -> None:
         colours.append(_look(piece)[0])
     axes.add_collection(PatchCollection(boxes, facecolors=colours, alpha=0.6, linewidths=0, rasterized=True))
     first, second = result.axes
-    axes.set(xlim=(approximate(first.lower), approximate(first.upper)), xlabel=first.name)
-    axes.set(ylim=(approximate(second.lower), approximate(second.upper)), ylabel=second.name)
+    axes.set(xlim=(approximate(first.lower), approximate(first.upper)), xlabel=typeset(first.name))
+    axes.set(ylim=(approximate(second.lower), approximate(second.upper)), ylabel=typeset(second.name))
     axes.grid(False)
 
 
