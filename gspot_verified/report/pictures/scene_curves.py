@@ -25,11 +25,21 @@ Box = tuple[float, float, float, float]
 
 @dataclass(frozen=True)
 class Place:
-    """An event on the horizontal axis, and the values of the curves there; None: nothing is sampled there."""
+    """An event on the horizontal axis, and on the curves: between a row and the next one, at a share of the way; None:
+    nothing is sampled there."""
 
     name: str
     at: float
-    row: int | None
+    between: tuple[int, float] | None
+
+    def value(self, column: Column) -> float | None:
+        """The value of a curve there."""
+        return None if self.between is None else _along(column, *self.between)
+
+
+def _along(column: Column, row: int, share: float) -> float:
+    first = float(column[row])
+    return first if share == 0 else first + share * (float(column[row + 1]) - first)
 
 
 def falls(samples: Samples) -> bool:
@@ -55,28 +65,32 @@ def phase_rows(samples: Samples) -> list[tuple[int, int]]:
 
 
 def places(run: SceneRun, over: str) -> list[Place]:
-    """Where each event of the run is drawn over "t" or "p"; one at whose time there is no sample has a place over t
+    """Where each event of the run is drawn over "t" or "p"; one at whose time nothing is sampled has a place over t
     alone, and none over p."""
     found = []
     for event in run.events:
-        row = None if run.samples is None else sampled_at(event, run.samples)
-        if row is not None and run.samples is not None:
-            found.append(Place(event.name, float(run.samples.columns[over][row]), row))
+        between = None if run.samples is None else sampled_at(event, run.samples)
+        if between is not None and run.samples is not None:
+            found.append(Place(event.name, _along(run.samples.columns[over], *between), between))
         elif over == "t":
             found.append(Place(event.name, approximate((event.lower + event.upper) / 2), None))
     return found
 
 
-def sampled_at(event: RunEvent, samples: Samples) -> int | None:
-    """The first row whose time may be that of the event: its enclosure and the bracket meet."""
-    times = samples.columns["t"]
+def sampled_at(event: RunEvent, samples: Samples) -> tuple[int, float] | None:
+    """The first row whose time may be that of the event, as its enclosure and the bracket meet. Between the rows of one
+    phase the event has a place only where a box holds the line that joins them."""
+    times = samples.columns["t"].tolist()
     radii = samples.columns.get(f"t{RADIUS}")
     lower, upper = approximate(event.lower), approximate(event.upper)
     room = _ULPS * abs(upper)
-    for row, time in enumerate(times.tolist()):
+    for row, time in enumerate(times):
         radius = room + (0.0 if radii is None else float(radii[row]))
         if lower - radius <= time <= upper + radius:
-            return row
+            return row, 0.0
+    for row in range(len(times) - 1 if samples.boxes is not None else 0):
+        if samples.phases[row] == samples.phases[row + 1] and times[row] < lower <= upper < times[row + 1]:
+            return row, (lower / 2 + upper / 2 - times[row]) / (times[row + 1] - times[row])
     return None
 
 

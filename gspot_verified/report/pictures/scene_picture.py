@@ -176,11 +176,11 @@ def _events(fields: Sequence[Any], shown: Sequence[_Panel], run: SceneRun, over:
     for place in places(run, over):
         for axes, panel in zip(fields, shown, strict=True):
             axes.axvline(place.at, color=colour, linewidth=0.8, linestyle=(0, (2, 2)))
-            if place.row is not None and run.samples is not None:
-                value = run.samples.columns[panel.name][place.row] / panel.scale
+            value = None if run.samples is None else place.value(run.samples.columns[panel.name])
+            if value is not None:
                 mark = _MARKS.get(place.name, _OTHER_MARK)
                 label = f"{place.name}, {'certified' if certified else 'floats'}"
-                axes.plot(place.at, value, mark, label=label, **look)
+                axes.plot(place.at, value / panel.scale, mark, label=label, **look)
 
 
 def _limits(samples: Samples, panel: _Panel) -> tuple[float, float]:
@@ -211,9 +211,10 @@ def caption(scene: Scene, runs: Sequence[SceneRun], theory: Sequence[Curve], ove
     elif any(run.samples is not None for run in certified):
         parts.append("The points are certified, nothing between them.")
     for run in runs:
-        missing = [event.name for event in run.events][len(places(run, over)) :] if over == "p" else []
+        shown_events = [place.name for place in places(run, over)]
+        missing = [event.name for event in run.events if event.name not in shown_events]
         if missing:
-            parts.append(f"Not shown, because the samples end before: {', '.join(missing)}.")
+            parts.append(f"Not shown, because nothing is sampled there: {', '.join(missing)}.")
     if len(certified) < len(runs):
         parts.append("The float run proves nothing.")
     if theory:

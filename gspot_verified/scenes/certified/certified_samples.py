@@ -26,8 +26,8 @@ _LARGEST_RATIO = 1000  # of lambda_N to its first value: beyond it the trajector
 
 def certified_samples(run: CompliantRun, until: fmpq, points: int, digits: int = 12) -> Samples:
     """Enclosures at ``points`` equal steps of time from the start to ``until`` and at the ends of the brackets of
-    lift-off and touch-down, as far as the run is known: to where the bracket of the touch-down begins, or where the
-    force is 1000 times its first value; nothing where it is not known whether contact lasts.
+    the events, as far as the run is known: to where the bracket of the touch-down begins, or where the force is 1000
+    times its first value; nothing where it is not known whether contact lasts.
 
     Each value lies within the radius of its midpoint, both floats.
 
@@ -59,8 +59,7 @@ def _times(run: CompliantRun, until: fmpq, points: int) -> list[fmpq]:
     """In order, after the start; of the touch-down only where its bracket begins: nothing is known in it."""
     ends = [run.start + until * k / (points - 1) for k in range(points)]
     for event in run.events:
-        if event.name in (LIFT_OFF, TOUCH_DOWN):
-            ends += [event.lower, event.upper] if event.name == LIFT_OFF else [event.lower]
+        ends += [event.lower] if event.name == TOUCH_DOWN else [event.lower, event.upper]
     return sorted({time - run.start for time in ends if run.start <= time <= run.start + until})
 
 

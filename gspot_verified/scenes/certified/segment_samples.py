@@ -1,6 +1,6 @@
 """The trajectory of a run by the integrator: enclosures at times of each proved step, and boxes with no gap in time.
 
-Each time is one at which the state is enclosed; each box is the enclosure of all states of a piece of time. Where the
+Proof page: ``proofs/norm_step.md`` (Theorem N1: the enclosure of a proved step at all times of a ball). Where the
 pieces are cut is a heuristic: any choice is correct.
 """
 

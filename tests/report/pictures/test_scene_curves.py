@@ -39,12 +39,11 @@ def test_events_are_drawn_at_their_times_on_the_curve(run: SceneRun, over: str) 
     assert samples is not None
     for place, time in zip(found, times(run), strict=True):
         assert place.at == pytest.approx(time if over == "t" else 0.5 - time, abs=1e-14)
-        assert place.row is not None
-        assert samples.columns["t"][place.row] == pytest.approx(time, abs=1e-14)
+        assert place.value(samples.columns["t"]) == pytest.approx(time, abs=1e-14)
     for place in found[:2]:  # y = z where the contact opens and closes
-        assert place.row is not None
-        size = abs(samples.columns["y"][0])
-        assert abs(samples.columns["y"][place.row] - samples.columns["z"][place.row]) < 1e-6 * size
+        gap = place.value(samples.columns["y"] - samples.columns["z"])
+        assert gap is not None
+        assert abs(gap) < 1e-6 * abs(samples.columns["y"][0])
 
 
 @pytest.mark.parametrize("run", [EXACT, BOXED, FLOATS], ids=["exact", "boxes", "floats"])
@@ -75,22 +74,50 @@ def test_what_is_not_sampled_has_no_place_over_p() -> None:
     columns = {name: column[kept] for name, column in EXACT.samples.columns.items()}
     run = replace(EXACT, samples=Samples(columns, tuple("slip" for _ in kept)))
     assert [place.name for place in places(run, "p")] == ["lift-off"]
-    assert [(place.name, place.row is None) for place in places(run, "t")] == [
+    assert [(place.name, place.between is None) for place in places(run, "t")] == [
         ("lift-off", False),
         ("touch-down", True),
     ]
-    assert [place.row for place in places(replace(EXACT, samples=None), "t")] == [None, None]
+    assert [place.between for place in places(replace(EXACT, samples=None), "t")] == [None, None]
     assert places(replace(EXACT, samples=None), "p") == []
 
 
 def test_a_sample_is_at_an_event_where_their_times_meet() -> None:
     event = EXACT.events[0]
     time = approximate(event.lower)
-    for shift, found in ((0.0, 1), (2e-16, 1), (1e-9, None), (-1e-9, None)):
+    for shift, found in ((0.0, (1, 0)), (2e-16, (1, 0)), (1e-9, None), (-1e-9, None)):
         samples = Samples({"t": np.array([0.0, time + shift])}, ("slip", "slip"))
         assert sampled_at(event, samples) == found
     wide = Samples({"t": np.array([0.0, time + 1e-9]), f"t{RADIUS}": np.array([0.0, 2e-9])}, ("slip", "slip"))
-    assert sampled_at(event, wide) == 1
+    assert sampled_at(event, wide) == (1, 0)
+
+
+def test_an_event_inside_a_box_lies_on_the_line_that_the_box_holds() -> None:
+    """From when on contact lasts for ever is no change of phase: the integrator takes no sample there."""
+    scene = load_scene("fig-varsim1", beta="5/2", nu=4, epsilon="1/100", until=1)
+    exact = certified_run(scene, points=3)
+    boxed = with_boxes(scene, exact)
+    (event,) = exact.events
+    time = approximate(event.lower)
+    assert boxed.samples is not None
+    for run in (exact, boxed):
+        (place,) = places(run, "p")
+        assert (place.name, place.at) == ("contact for ever from", pytest.approx(0.5 - time, abs=1e-12))
+    (place,) = places(boxed, "t")
+    assert place.between is not None
+    row, share = place.between
+    assert 0 < share < 1
+    assert boxed.samples.columns["t"][row] < time < boxed.samples.columns["t"][row + 1]
+    value = place.value(boxed.samples.columns["lambda_N"])
+    assert boxed.samples.boxes is not None
+    assert value is not None
+    (stretch,) = boxes_over(boxed.samples.boxes, "t", "lambda_N", 1.0, 0.0, 0.0)
+    assert holds(stretch, time, value, 0.0)
+    cut = replace(
+        boxed.samples, phases=tuple("slip" if k <= row else "flight" for k in range(len(boxed.samples.phases)))
+    )
+    assert sampled_at(event, cut) is None
+    assert sampled_at(event, replace(boxed.samples, boxes=None)) is None
 
 
 @pytest.mark.parametrize("over", ["t", "p"])

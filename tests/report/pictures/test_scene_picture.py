@@ -93,7 +93,7 @@ def test_the_caption_says_whether_points_or_boxes_are_certified() -> None:
     assert "The points are certified, nothing between them." in caption(scene, [points], [], "p")
     drawn = caption(scene, [boxes], [], "p")
     assert "at each time that is shown the trajectory lies in them" in drawn
-    assert "Not shown, because the samples end before: lift-off, touch-down." in drawn
+    assert "Not shown, because nothing is sampled there: lift-off, touch-down." in drawn
     assert with_boxes(scene, boxes) is boxes
 
 
