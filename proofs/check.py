@@ -959,8 +959,9 @@ class Checker:
         check_cover(self.columns, beta, beta, "columns")
         self.on_each_column(brackets_hold, beta, intervals)
         where = ", ".join(f"({low}, {high})" for low, high in brackets) or "none"
-        number = f"exactly {len(intervals)} real zeros, all simple"
-        return f"dΘ/dτ at β = {beta} has {number}, one in each of the intervals: {where}"
+        many = f"{len(intervals)} real zeros, all simple, one in each of the intervals:"
+        number = "one real zero, simple, in" if len(intervals) == 1 else many
+        return f"dΘ/dτ at β = {beta} has exactly {number} {where}"
 
     def check_one_column(self, beta: Fraction) -> None:
         """One column, the point β of the statement: F is compared in units of x^b at the one b of the column."""

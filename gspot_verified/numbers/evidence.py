@@ -12,6 +12,7 @@ from itertools import pairwise
 from flint import arb, fmpq
 
 from gspot_verified.numbers.balls import ball_text
+from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.verdict import Evidence
 
 Number = int | fmpq | arb
@@ -102,7 +103,11 @@ def cover(parts: Iterable[Ends], whole: Ends) -> Evidence | None:
     if number == 0 or (reached is not None and (upper is None or reached < upper)):
         return None
     begin, end = "-inf" if lower is None else str(lower), "inf" if upper is None else str(upper)
-    return Evidence._of_facts((f"{number} parts cover [{begin}, {end}]",))
+    return Evidence._of_facts((f"{_covering(counted(number, 'part'))} [{begin}, {end}]",))
+
+
+def _covering(parts: str) -> str:
+    return f"{parts} covers" if parts.startswith("one ") else f"{parts} cover"
 
 
 def cover_by_boxes(parts: Iterable[Box], whole: Box) -> Evidence | None:
@@ -117,7 +122,7 @@ def cover_by_boxes(parts: Iterable[Box], whole: Box) -> Evidence | None:
     if not whole[0] or not _covers(listed, whole):
         return None
     sides = " x ".join(f"[{first}, {last}]" for first, last in zip(*whole, strict=True))
-    return Evidence._of_facts((f"{len(listed)} boxes cover {sides}",))
+    return Evidence._of_facts((f"{_covering(counted(len(listed), 'box', 'boxes'))} {sides}",))
 
 
 def _covers(parts: Sequence[Box], whole: Box) -> bool:

@@ -6,6 +6,7 @@ import enum
 from dataclasses import dataclass, field
 from typing import ClassVar, NoReturn
 
+from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.shown import Shown
 from gspot_verified.numbers.written import ByName, Written
@@ -177,5 +178,5 @@ class Verdict(Written):
         if self.detail:
             text += f"\n  {self.detail}"
         if self.remaining:
-            text += f"\n  {len(self.remaining)} box(es) left"
+            text += f"\n  {counted(len(self.remaining), 'box', 'boxes')} left"
         return text

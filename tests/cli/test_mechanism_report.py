@@ -102,7 +102,10 @@ def test_no_g_spot_is_exit_code_1_and_a_page(
     monkeypatch.chdir(tmp_path)
     code, out, _ = run(capsys, *NO_G_SPOT)
     assert code == 1
-    assert out.splitlines() == ["refuted    All G-spots", f"page: {Path('mechanism_report') / 'mechanism.html'}"]
+    assert out.splitlines() == [
+        "refuted    That there is a G-spot",
+        f"page: {Path('mechanism_report') / 'mechanism.html'}",
+    ]
     page = Path("mechanism_report/mechanism.html").read_text(encoding="utf-8")
     assert "No G-spot is described on this page" in page
     assert "every box of the region was excluded" in page
@@ -140,5 +143,5 @@ def test_a_page_that_cannot_be_written_after_the_work_is_exit_code_74(
     monkeypatch.setattr("gspot_verified.report.mechanism.page.write_pages", full)
     code, out, err = run(capsys, *NO_G_SPOT, "--output", str(tmp_path / "out"))
     assert code == 74
-    assert "refuted    All G-spots" in out
+    assert "refuted    That there is a G-spot" in out
     assert "was NOT written" in err

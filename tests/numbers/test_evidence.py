@@ -189,10 +189,10 @@ def test_a_gap_however_small(parts: list[Ends], whole: Ends) -> None:
 @pytest.mark.parametrize(
     ("whole", "shown"),
     [
-        ((None, None), "1 parts cover [-inf, inf]"),
-        ((fmpq(1, 2), None), "1 parts cover [1/2, inf]"),
-        ((None, fmpq(-1, 3)), "1 parts cover [-inf, -1/3]"),
-        ((fmpq(0), fmpq(1)), "1 parts cover [0, 1]"),
+        ((None, None), "one part covers [-inf, inf]"),
+        ((fmpq(1, 2), None), "one part covers [1/2, inf]"),
+        ((None, fmpq(-1, 3)), "one part covers [-inf, -1/3]"),
+        ((fmpq(0), fmpq(1)), "one part covers [0, 1]"),
     ],
 )
 def test_a_cover_names_the_ends(whole: Ends, shown: str) -> None:

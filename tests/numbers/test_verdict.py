@@ -181,7 +181,7 @@ def test_text_says_everything() -> None:
     assert text.startswith("undecided: a < b")
     assert Reason.WIDE_INPUT.value in text
     assert "half way" in text
-    assert "2 box(es) left" in text
+    assert "2 boxes left" in text
     assert "proved" not in text
     assert str(Verdict.proved("a < b", ONE_TWO)) == "proved: a < b"
 

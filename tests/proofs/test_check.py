@@ -999,7 +999,9 @@ def test_certificates_of_the_library_for_brackets(beta: str, digits: int) -> Non
     result = zeros_at(beta, digits)
     text = certificate_text(result.statement, [result.column])
     m = math.floor(Fraction(beta))
-    assert f"has exactly {m % 3 + m // 3} real zeros" in check.check_text(text.encode())
+    number = m % 3 + m // 3
+    words = "one real zero, simple, in (" if number == 1 else f"{number} real zeros, all simple, one in each "
+    assert f"has exactly {words}" in check.check_text(text.encode())
 
 
 def test_certificate_of_the_library_for_zeros() -> None:

@@ -21,6 +21,7 @@ from gspot_verified.compliant.zeros.fold_column import fold_column, numbers_of_z
 from gspot_verified.compliant.zeros.slow_zero_column import MAP_REACH, slow_zero_column
 from gspot_verified.compliant.zeros.zero_count import SYSTEM
 from gspot_verified.numbers.balls import approximate
+from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.evidence import at_most, cover, every, theorem
 from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
@@ -122,7 +123,7 @@ class ZeroMap(NoTruthValue, Written):
         left = sum(len(row.unfinished) for row in self.rows)
         if left:
             return Verdict.undecided(
-                question, Reason.BUDGET, f"{left} ranges of β are left in {len(self.rows)} rows of ε"
+                question, Reason.BUDGET, f"{counted(left, 'range')} of β left in {counted(len(self.rows), 'row')} of ε"
             )
         covered = self._covered()
         if covered is None:

@@ -12,8 +12,9 @@ from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.g_spot import GSpot
 from gspot_verified.mechanisms.spots.sign_of_p import SignOfP
 from gspot_verified.numbers.balls import ball_text
+from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.evidence import equal, every
-from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Outcome, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
 _SHOWN = 20  # open boxes that the text lists
@@ -130,7 +131,7 @@ class GSpots(NoTruthValue, Written):
                 raise ValueError(
                     f"spot: {self.name}: no G-spot was found (classify --all says why), got {number!r:.20}"
                 )
-            listed = f"{self.name} has {'' if self.complete else 'at least '}{_count(count)}"
+            listed = f"{self.name} has {'' if self.complete else 'at least '}{counted(count, 'G-spot')}"
             wanted = f"expected {'1' if count == 1 else f'a number in 1..{count}'}, got {number!r:.20}"
             raise ValueError(f"spot: {listed} (classify --all lists them): {wanted}")
         return self.spots[number - 1]
@@ -153,13 +154,14 @@ class GSpots(NoTruthValue, Written):
         shown = self._all_shown if self.patch is None else None
         if shown is not None:
             if self.spots:
-                exactly = f"{self.name} has exactly {_count(len(self.spots))} in the region: {self.region}"
+                exactly = f"{self.name} has exactly {counted(len(self.spots), 'G-spot')} in the region: {self.region}"
                 return Verdict.proved(exactly, shown)
-            statement, witness = f"{self.name} has G-spots in the region: {self.region}", _EXCLUDED
+            statement, witness = f"{self.name} has a G-spot in the region: {self.region}", _EXCLUDED
             if self.sign_of_p is None:
                 return Verdict.refuted(statement, witness, shown)
             return Verdict.refuted(statement, witness, every([shown, self.sign_of_p.shown]), str(self.sign_of_p))
-        detail = f"{len(self.spots)} proved, {len(self.boundary)} at the boundary, {len(self.left)} boxes left"
+        left = counted(len(self.left), "box", "boxes")
+        detail = f"{len(self.spots)} proved, {len(self.boundary)} at the boundary, {left} left"
         budget = any("budget" in left.why for left in self.left)
         return Verdict.undecided(
             f"the list of the G-spots of {self.name} is complete in the region: {self.region}",
@@ -178,15 +180,21 @@ class GSpots(NoTruthValue, Written):
 
     def summary(self) -> list[str]:
         """The same with the region in one phrase."""
-        lines = [str(self.verdict).splitlines()[0]]
+        lines = [self._in_a_sentence()]
         if self.patch is not None:
             lines.append(f"  {self.patch}")
             lines.append("  fix components (fixed, conditions) for isolated G-spots and a complete list")
         lines += [] if self.sign_of_p is None else [f"  {self.sign_of_p}"]
         lines += [f"  left open: {left}" for left in self.left[:_SHOWN]]
         if len(self.left) > _SHOWN:
-            lines.append(f"  and {len(self.left) - _SHOWN} boxes more are left open")
+            lines.append(f"  and {counted(len(self.left) - _SHOWN, 'box', 'boxes')} more left open")
         return lines
+
+    def _in_a_sentence(self) -> str:
+        verdict = self.verdict
+        if verdict.outcome is Outcome.REFUTED:
+            return f"{self.name} has no G-spot: refuted that there is one in the region: {self.region}"
+        return str(verdict).splitlines()[0]
 
     def _listed(self) -> list[str]:
         lines = []
@@ -205,7 +213,3 @@ def in_words(mechanism: Mechanism, word: str, value: arb) -> str:
     """A component of the shifted state as text: an angle as ``reference + deviation``."""
     reference = next((angle.name for angle in mechanism.angles if angle.coordinate == word), None)
     return ball_text(value) if reference is None else f"{reference} + {ball_text(value)}"
-
-
-def _count(number: int) -> str:
-    return "one G-spot" if number == 1 else f"{number} G-spots"

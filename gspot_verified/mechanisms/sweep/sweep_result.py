@@ -12,6 +12,7 @@ from gspot_verified.mechanisms.sweep.sweep_fold import Fold
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis
 from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, Kind, Passing, PieceRow, SweepPiece, piece_row
 from gspot_verified.numbers.balls import ExactInput, approximate, exact, float_bounds
+from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import cover_by_boxes
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
@@ -113,7 +114,7 @@ class Sweep(NoTruthValue, Written):
             return Verdict.proved(statement, covered, detail)
         finer = ", ".join(f"{axis.name}={axis.lower}..{axis.upper}:{2 * axis.cells}" for axis in self.axes)
         pieces = f"{left} of {len(self.pieces)} pieces are left; more cells may settle them: {finer}"
-        brackets = f"in {half} brackets at most one zero is shown"
+        brackets = f"in {counted(half, 'bracket')} at most one zero is shown"
         return Verdict.undecided(statement, Reason.BUDGET, "; ".join([pieces] * bool(left) + [brackets] * bool(half)))
 
     def _is_wide(self, piece: SweepPiece) -> bool:
@@ -150,12 +151,11 @@ class Sweep(NoTruthValue, Written):
         wrong, unknown = sum(sign in (-1, 0) for sign in signs), signs.count(None)
         texts = []
         if tensile:
-            texts.append(f"in Case I ({tensile} pieces) the mean force is tensile (negative), no contact does that")
+            where = f"in Case I ({counted(tensile, 'piece')})"
+            texts.append(f"{where} the mean force is tensile (negative), no contact does that")
         if wrong or unknown:
-            texts.append(
-                f"u <= 0 at the G-spot on {wrong} pieces, perhaps on {unknown} more: no positive slip on a surface at "
-                "rest"
-            )
+            where = f"on {counted(wrong, 'piece')}, perhaps on {unknown} more"
+            texts.append(f"u <= 0 at the G-spot {where}: no positive slip on a surface at rest")
         return tuple(texts)
 
     def at(self, **values: ExactInput) -> SweepPiece:
@@ -194,7 +194,7 @@ class Sweep(NoTruthValue, Written):
             ]
             lines += [f"  {text}" for text in (*(crossing.text(name) for crossing in self.crossings), *self.folds)]
         else:
-            lines += [f"  {count} pieces: {text}" for text, count in self._counts().items()]
+            lines += [f"  {counted(count, 'piece')}: {text}" for text, count in self._counts().items()]
         return "\n".join(
             [
                 *lines,

@@ -10,6 +10,7 @@ from flint import fmpq
 
 from gspot_verified.compliant.side.side_map import SidePoint, agreement_limits, side_map
 from gspot_verified.numbers.balls import approximate
+from gspot_verified.numbers.counted import counted
 from gspot_verified.report.pictures.canvas import BLUE, INK, ORANGE, Picture, canvas, picture, styled
 
 if TYPE_CHECKING:
@@ -51,9 +52,9 @@ def _draw(points: Sequence[SidePoint]) -> Picture:
     differ = sum(_differs(point) for point in points)
     unsettled = sum(None in (point.exact, point.slow) for point in points)
     caption = (
-        f"Certified: the sign of K for p = 1/2, v = 0, y = 2ε²b/p, z = ε²b/p, b-hat > 0 at {len(points)} points "
-        f"({unsettled} open): orange K > 0, blue K < 0. Crosses: the sign of C/Γ(−β), the paper's rule, is the other "
-        f"one ({differ} points). Between the points nothing is claimed."
+        f"Certified: the sign of K for p = 1/2, v = 0, y = 2ε²b/p, z = ε²b/p, b-hat > 0 at "
+        f"{counted(len(points), 'point')} ({unsettled} open): orange K > 0, blue K < 0. Crosses: the sign of C/Γ(−β), "
+        f"the paper's rule, is the other one ({counted(differ, 'point')}). Between the points nothing is claimed."
     )
     return picture(
         figure, "side_map", _TITLE, caption, "Vertical stripes that alternate at integer β, with crosses below."

@@ -114,14 +114,15 @@ def report_on(
     say("all G-spots")
     chosen = _BUDGET if budget is None else budget
     found = classify_all(mechanism, budget=chosen)
+    first, *region = found.found.about()
     words = [] if budget is None else ["--budget", str(budget)]
     own, left_out = _own(mechanism)
     search = ReportPart(
-        "All G-spots",
+        "That there is a G-spot" if found.verdict.outcome is Outcome.REFUTED else "All G-spots",
         found.verdict.outcome,
         "\n".join(
             dict.fromkeys(
-                [*str(found.found.verdict).splitlines(), *found.found.about(), str(found.critical), *left_out]
+                [first, *str(found.verdict).splitlines()[1:], *region, str(found.critical), *left_out],
             )
         ),
         (source.command("classify", "--all", *words),),

@@ -9,6 +9,7 @@ from flint import arb
 
 from gspot_verified.integrator.norm_steps.chosen_step import ChosenStep, Steps
 from gspot_verified.numbers.balls import approximate
+from gspot_verified.numbers.counted import counted
 from gspot_verified.scenes.certified.step_journal import StepJournal
 
 Progress = Callable[[str], None]
@@ -64,4 +65,5 @@ class RunSteps(Steps):
             self._said = now
             reached = (self._began + approximate(time)) * self._small
             again = f", {self._again} of them from the journal" if self._again else ""
-            self._progress(f"{self._bits} bits: {self._name} at t = {reached:.6g} after {self._count} steps{again}")
+            steps = counted(self._count, "step")
+            self._progress(f"{self._bits} bits: {self._name} at t = {reached:.6g} after {steps}{again}")

@@ -15,6 +15,7 @@ from typing import ClassVar
 from flint import fmpq
 
 from gspot_verified.numbers.balls import ball, hull, working_bits
+from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import cover, equal, signed
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
@@ -124,7 +125,7 @@ def sign(
     if tree.witness is not None:
         return _refuted(statement, tree.witness, tree.examined)
     if tree.unfinished:
-        detail = f"{tree.examined} ranges of beta examined, {len(tree.finished)} settled"
+        detail = f"{counted(tree.examined, 'range')} of beta examined, {len(tree.finished)} settled"
         reason = Reason.BUDGET if tree.examined >= budget else Reason.HYPOTHESIS
         return SignResult(statement, _undecided(statement, reason, detail, tree.unfinished), examined=tree.examined)
     covered = cover(((column.lower, column.upper) for column in tree.finished), (beta.lower, beta.upper))

@@ -7,6 +7,7 @@ from typing import ClassVar, Literal
 
 from flint import fmpq
 
+from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 from gspot_verified.work.ranges import Range
@@ -65,9 +66,9 @@ class BracketsStatement(NoTruthValue, Written):
 
     def __str__(self) -> str:
         where = ", ".join(f"({lower}, {upper})" for lower, upper in self.brackets)
-        return (
-            f"at β = {self.beta} dΘ/dτ has exactly {len(self.brackets)} real zeros, all simple, one in each of: {where}"
-        )
+        number = counted(len(self.brackets), "real zero")
+        simple = "simple, in" if len(self.brackets) == 1 else "all simple, one in each of:"
+        return f"at β = {self.beta} dΘ/dτ has exactly {number}, {simple} {where}"
 
 
 Statement = SignStatement | ZerosStatement | BracketsStatement

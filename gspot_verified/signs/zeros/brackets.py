@@ -14,6 +14,7 @@ from typing import ClassVar
 from flint import fmpq, fmpz
 
 from gspot_verified.numbers.balls import ExactInput, bits_for_digits, exact, working_bits
+from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.short_text import decimal_text
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
@@ -64,7 +65,9 @@ class Brackets(NoTruthValue, Written):
         return BracketsStatement(self.beta, self.brackets)
 
     def __str__(self) -> str:
-        lines = [f"β = {self.beta}: {len(self.brackets)} real zeros of dΘ/dτ, all simple"]
+        number = len(self.brackets)
+        simple = "simple" if number == 1 else "all simple"
+        lines = [f"β = {self.beta}: {counted(number, 'real zero')} of dΘ/dτ, {simple}"]
         return "\n".join([*lines, *(f"  {decimal_text(lower, upper)}" for lower, upper in self.brackets)])
 
 

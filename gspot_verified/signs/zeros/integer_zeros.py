@@ -11,6 +11,7 @@ from typing import Annotated, ClassVar
 
 from flint import fmpq, fmpz
 
+from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.short_text import decimal_text
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
@@ -38,7 +39,7 @@ class IntegerZeros(NoTruthValue, Written):
         return len(self.brackets) + bool(self.multiplicity_at_zero)
 
     def __str__(self) -> str:
-        lines = [f"β = {self.beta}: {self.number} real zeros of the polynomial dΘ/dτ"]
+        lines = [f"β = {self.beta}: {counted(self.number, 'real zero')} of the polynomial dΘ/dτ"]
         if self.multiplicity_at_zero:
             lines.append(f"  0, of multiplicity {self.multiplicity_at_zero}")
         return "\n".join([*lines, *(f"  {decimal_text(lower, upper)}" for lower, upper in self.brackets)])

@@ -14,6 +14,7 @@ from typing import ClassVar, NamedTuple
 
 from flint import fmpq
 
+from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.cuts import middle_from_integers
@@ -103,8 +104,8 @@ class ZerosResult(NoTruthValue, Written):
             left = ", ".join(f"[{a}, {b}]" for a, b in self.unfinished[:_SHOWN])
             more = f", and {len(self.unfinished) - _SHOWN} more" if len(self.unfinished) > _SHOWN else ""
             lines.append(
-                f"undecided by columns: {len(self.columns)} ranges of β settled, {len(self.unfinished)} left: "
-                f"β in {left}{more}"
+                f"undecided by columns: {counted(len(self.columns), 'range')} of β settled, "
+                f"{len(self.unfinished)} left: β in {left}{more}"
             )
         else:
             lines.append(f"  no tubes: columns are sought for β <= {MAX_BETA}")

@@ -595,7 +595,7 @@ def test_what_is_left_open_is_not_called_complete() -> None:
         assert (other.verdict.outcome, other.verdict.reason) == (Outcome.UNDECIDED, reason)
     lines = str(replace(found, left=(left,) * 23, boundary=(spot,))).splitlines()
     assert sum(line == f"  left open: {left}" for line in lines) == 20
-    assert "  and 3 boxes more are left open" in lines
+    assert "  and 3 boxes more left open" in lines
     assert not any("more are left" in line for line in str(replace(found, left=(left,) * 20)).splitlines())
     shown = [line.split(":")[0] for line in lines if line.startswith(("  G-spot", "  at the"))]
     assert shown == [*(f"  G-spot {n}" for n in range(1, 5)), "  at the boundary of the region 1"]

@@ -184,7 +184,7 @@ def test_what_no_contact_can_do_is_warned_of() -> None:
     assert sweep(three_alphas("-1", "-1", "-3/2"), {"k": "1/2..1:4"}).warnings == ()
     moving = three_alphas("-1", "-1", "-3/2", slip="k")
     (warning,) = sweep(moving, {"k": "-1..1:4"}).warnings
-    assert warning.startswith("u <= 0 at the G-spot on 1 pieces, perhaps on 2 more")
+    assert warning.startswith("u <= 0 at the G-spot on one piece, perhaps on 2 more")
 
 
 def test_where_no_mass_matrix_gives_the_fields_nothing_is_settled() -> None:

@@ -125,7 +125,7 @@ def test_of_a_curve_on_a_map_it_is_not_said_that_it_is_there() -> None:
     assert half.verdict.outcome is Outcome.PROVED
     assert "pieces along curves where one quantity may pass zero" in half.verdict.statement
     assert half.verdict.detail == "Case and side are open on 1 of 2 pieces"
-    assert "1 pieces: beta may pass 2" in str(half)
+    assert "one piece: beta may pass 2" in str(half)
     nothing = plane(*crossings).verdict
     assert nothing.outcome is Outcome.UNDECIDED
     assert "Case and side are settled on no piece" in nothing.detail

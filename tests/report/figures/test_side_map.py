@@ -20,7 +20,7 @@ def test_the_caption_counts() -> None:
     found = side_map_picture(POINTS)
     assert "at 4 points" in found.caption
     assert "(1 open)" in found.caption
-    assert "(1 points)" in found.caption
+    assert "(one point)" in found.caption
     assert found.svg.startswith("<svg")
     assert found.png.startswith(b"\x89PNG")
 

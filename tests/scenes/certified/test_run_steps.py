@@ -157,4 +157,4 @@ def test_what_is_said_on_the_way(monkeypatch: pytest.MonkeyPatch, tmp_path: Path
     silent.begins("slip", arb(0))
     now = 110.0
     silent.proved(ChosenStep.from_json(made[0]), arb("1.23456789"))
-    assert said[2:] == ["96 bits: slip at t = 1.23457 after 1 steps"]
+    assert said[2:] == ["96 bits: slip at t = 1.23457 after one step"]

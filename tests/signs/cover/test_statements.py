@@ -51,3 +51,5 @@ def test_zeros_in_words() -> None:
     assert str(counts).endswith("has exactly N real zeros, all simple: N = 1 on (1, 2), N = 2 on (2, 3)")
     brackets = BracketsStatement(fmpq(5, 2), ((fmpq(-1), fmpq(0)), (fmpq(1), fmpq(2))))
     assert str(brackets).endswith("has exactly 2 real zeros, all simple, one in each of: (-1, 0), (1, 2)")
+    alone = BracketsStatement(fmpq(3, 2), ((fmpq(-1), fmpq(0)),))
+    assert str(alone).endswith("has exactly one real zero, simple, in (-1, 0)")

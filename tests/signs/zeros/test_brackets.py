@@ -47,6 +47,11 @@ def test_brackets_that_overlap_or_miss_one_are_refused() -> None:
             _one_each(apart, number)
 
 
+def test_one_zero_is_no_plural() -> None:
+    assert str(zeros_at("3/2", 3)).splitlines()[0] == "β = 3/2: one real zero of dΘ/dτ, simple"
+    assert str(zeros_at("5/2", 3)).splitlines()[0] == "β = 5/2: 2 real zeros of dΘ/dτ, all simple"
+
+
 def test_decimal_text() -> None:
     assert decimal_text(fmpq(-3, 2), fmpq(-1, 8)) == "-1.500..-0.125"
     assert decimal_text(fmpq(2), fmpq(3)) == "2..3"

@@ -79,7 +79,8 @@ def test_text_and_json_count_zero_once() -> None:
     for beta, number in ((4, 1), (6, 2), (2, 1), (1, 0)):
         found = zeros_at_integer(beta, 5)
         assert found.to_json()["number"] == number == number_of_zeros(beta)
-        assert str(found).startswith(f"β = {beta}: {number} real zeros")
+        words = "one real zero" if number == 1 else f"{number} real zeros"
+        assert str(found).startswith(f"β = {beta}: {words} of the polynomial dΘ/dτ")
         assert ("of multiplicity" in str(found)) == (found.multiplicity_at_zero > 0)
 
 
