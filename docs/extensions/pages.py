@@ -7,14 +7,17 @@ import inspect
 import json
 import re
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 from docutils import nodes
+from formula_language import language
+from glossary_page import glossary_page
 from script_notebook import notebook, notebook_page
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
 import gspot_verified
 import gspot_verified.testing
+from gspot_verified.numbers.balls import ExactInput
 from gspot_verified.report.parts.formulas import formula, typeset
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -36,18 +39,30 @@ _TYPESET = (
     "theta_and_signs",
     "compliant",
     "scenes",
+    "theory",
+    "units",
+    "glossary",
 )
+MADE = ("notebook.md", "glossary.md")
+"""Pages of this folder that are written when the site is built."""
+_TYPES = {
+    re.compile(r"[~\w.]*\bAnnotated\[((?:[^\[\]]|\[[^\[\]]*\])*?), (?:<[^>]*>|\w+)\]"): r"\1",
+    re.compile(r"TypeAliasForwardRef\('(\w+)'\)"): r"\1",
+    re.compile(r"= <(?:[^<>]|<[^<>]*>)*>"): "= ...",
+}
 _NO_FORMULAS = ("proofs/certificate", "proofs/check")
 
 
 def write_pages(app: Any) -> None:
-    """Copy the proof pages, list the public names, run the script."""
+    """Copy the proof pages, list the public names and the terms, run the script."""
     made = Path(app.srcdir)
     proofs = made / "proofs"
     proofs.mkdir(exist_ok=True)
     for page in sorted((ROOT / "proofs").glob("*.md")):
         _write(proofs / ("index.md" if page.stem == "README" else page.name), _proof_page(page))
     _write(made / "reference.rst", reference())
+    _write(made / "glossary.md", glossary_page())
+    _write(made / "formula_language.txt", language())
     script = (made / "notebook.py").read_text(encoding="utf-8")
     _write(made / "notebook.md", notebook_page(script, made / "static"))
     _write(made / "static" / "notebook.ipynb", json.dumps(notebook(script), ensure_ascii=False, indent=1) + "\n")
@@ -72,6 +87,10 @@ def reference() -> str:
     """The public names under their parts of the package, each with its docstring."""
     front = "Every name here is ``from gspot_verified import name``, but for the tests at the end."
     lines = ["API reference", "=============", "", front, ""]
+    exact = ", ".join(f"``{kind.__name__}``" for kind in get_args(ExactInput))
+    texts = 'a text such as ``"7/3"`` or ``"0.1"``, which is 1/10'
+    lines += [f"In the types, ``ExactInput`` is one of {exact} ({texts}), and ``StateInput`` gives"]
+    lines += ["one of these for each name. ``arb``, ``fmpq`` and ``fmpz`` are python-flint's.", ""]
     left = {name: home.removeprefix("gspot_verified.") for name, home in gspot_verified.__homes__.items()}
     for title, parts in GROUPS.items():
         lines += [title, "-" * len(title), ""]
@@ -94,6 +113,20 @@ def _entry(name: str, home: str) -> list[str]:
     kind = kind if inspect.isclass(value) else "function"
     options = ["   :members:"] if kind == "class" else []
     return [f".. auto{kind}:: gspot_verified.{home}.{name}", *options, ""]
+
+
+def plain_signature(
+    _app: Any, _what: str, _name: str, _object: Any, _options: Any, signature: str | None, returned: str | None
+) -> tuple[str | None, str | None]:
+    """Types as a reader writes them: without how a value is shown, or the addresses of functions."""
+    return _plain_types(signature), _plain_types(returned)
+
+
+def _plain_types(text: str | None) -> str | None:
+    if text is not None:
+        for pattern, words in _TYPES.items():
+            text = pattern.sub(words, text)
+    return text
 
 
 def plain_docstring(_app: Any, _what: str, _name: str, _object: Any, _options: Any, lines: list[str]) -> None:
@@ -136,6 +169,7 @@ class Formulas(SphinxPostTransform):
 def setup(app: Any) -> dict[str, Any]:
     """Sphinx's hook."""
     app.connect("builder-inited", write_pages)
+    app.connect("autodoc-process-signature", plain_signature)
     app.connect("autodoc-process-docstring", plain_docstring)
     app.add_post_transform(Formulas)
     return {"version": "1", "parallel_read_safe": True}

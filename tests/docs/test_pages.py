@@ -15,7 +15,7 @@ from gspot_verified.mechanisms.input import file
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = sorted((ROOT / "docs").glob("*.md"))
-WRITTEN = [page for page in PAGES if page.stem != "notebook"]
+WRITTEN = [page for page in PAGES if page.name not in pages.MADE]
 
 
 def test_there_are_pages() -> None:
@@ -83,3 +83,28 @@ def test_what_pytest_prints_on_a_page_is_compared(tmp_path: Path, said: str, rig
     else:
         with pytest.raises(AssertionError, match=r"page\.md:\d+: pytest -q"):
             page_examples.run_page(page, tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("shown", "read"),
+    [
+        ("(a: ~flint.arb.Annotated[~flint.arb.arb, <function f at 0x7f>] | None)", "(a: ~flint.arb.arb | None)"),
+        ("(a: Annotated[tuple[int, str], <function f at 0x7f>], b: int)", "(a: tuple[int, str], b: int)"),
+        ("(a: TypeAliasForwardRef('ExactInput'), b: Annotated[int, fmpq])", "(a: ExactInput, b: int)"),
+        ("(a: Place = <factory>, b: C[str] = <function <lambda>>)", "(a: Place = ..., b: C[str] = ...)"),
+        ("(a: int = 1)", "(a: int = 1)"),
+        (None, None),
+    ],
+)  # fmt: skip
+def test_types_are_shown_as_a_reader_writes_them(shown: str | None, read: str | None) -> None:
+    assert pages.plain_signature(None, "", "", None, None, shown, shown) == (read, read)
+
+
+def test_on_a_phone_no_heading_is_larger_than_the_one_above_it() -> None:
+    """The theme's own sizes are for a wide page: an h1 made smaller alone would be smaller than its h2."""
+    style = (ROOT / "docs" / "static" / "site.css").read_text(encoding="utf-8")
+    phone = style[style.index("@media (max-width: 600px)") :]
+    sizes = [float(size) for size in re.findall(r"h[1-6] \{ font-size: ([\d.]+)em", phone)]
+    assert len(sizes) == 4
+    assert sizes == sorted(sizes, reverse=True)
+    assert "h4, h5, h6 {" in phone
