@@ -53,3 +53,8 @@ def test_zeros_in_words() -> None:
     assert str(brackets).endswith("has exactly 2 real zeros, all simple, one in each of: (-1, 0), (1, 2)")
     alone = BracketsStatement(fmpq(3, 2), ((fmpq(-1), fmpq(0)),))
     assert str(alone).endswith("has exactly one real zero, simple, in (-1, 0)")
+
+
+def test_these_statements_are_those_of_certificates_of_version_1() -> None:
+    """proofs/certificate.md: versions 2 and 3 have others."""
+    assert [kind.version for kind in (SignStatement, ZerosStatement, BracketsStatement)] == [1, 1, 1]
