@@ -133,7 +133,8 @@ def _near(value: Exact) -> fmpq:
     """The value itself where it is rational; else a short rational in the ball, such as that of a fixed component."""
     if isinstance(value, fmpq):
         return value
-    middle = Fraction(str(value.mid().fmpq()))
+    mantissa, exponent = value.mid().man_exp()
+    middle = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
     short = middle.limit_denominator(_LARGEST_DENOMINATOR)
     number = fmpq(short.numerator, short.denominator)
     return number if value.contains(number) else fmpq(round(middle * 10**_PLACES), 10**_PLACES)
