@@ -54,7 +54,7 @@ REFUTED = {
     "4-inner-fast": "-δ² α_1 s",
     "4-inner-scaling-v": "δ α_3 v/ε",
     "4-matching-middle": "(-ε^(2/3) s)^β",
-    "5-monomial": "2 k (k-1) (k-2)",
+    "5-monomial": "2k(k-1)(k-2)",
     "5-xinprime": "λ_k",
     "5-example-b-error": "O(δ^7)",
     "5-fast-system": "(0, b, 0)",

@@ -297,7 +297,7 @@ LEVER = {"name": "lever", "coordinates": ["a_1", "a_2"], "mass_matrix": [[2, 0],
         (
             shipped_mechanism("falling rod", m=-1),
             STARTS["rod"],
-            "the mass matrix is not positive definite at the start",
+            "the mass m is -1: it must not be negative",
         ),
         (shipped_mechanism("oscillator", mu=None), STARTS["oscillator"], "parameters without a value: mu"),
     ],

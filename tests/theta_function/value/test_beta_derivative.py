@@ -1,4 +1,7 @@
-"""dTheta/dbeta as users call it: its accuracy, its laws, integers and balls, and what it refuses."""
+"""dTheta/dbeta as users call it: its accuracy, its laws, integers and balls, and what it refuses.
+
+Page: proofs/beta_series.md.
+"""
 
 from __future__ import annotations
 
