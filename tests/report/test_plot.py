@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -99,6 +100,21 @@ def test_a_start_of_one_s_own() -> None:
     assert len(plane.own) > 20
     with pytest.raises(ValueError, match="spin"):
         phase_plane(load("oscillator"), {"spin": 0})
+
+
+@pytest.mark.parametrize("spot", [1, 2])
+def test_in_the_window_p_falls_on_every_run(spot: int) -> None:
+    """The oscillator's first G-spot: from p = 1/4 slip leads away, and p > 0.2522 is not passed on the way back."""
+    plane = phase_plane(load("oscillator"), spot=spot)
+    for run in (*plane.runs, plane.distinguished[::-1]):
+        assert all(later[0] <= earlier[0] for earlier, later in pairwise(run))
+    assert all(run[0][0] == pytest.approx(plane.reach) for run in plane.runs)
+    assert 0.9 * plane.reach < plane.distinguished[-1][0] <= 1.05 * plane.reach
+
+
+def test_a_g_spot_to_which_p_does_not_fall_has_no_picture() -> None:
+    with pytest.raises(ValueError, match=r"oscillator: alpha_1 = .* must be negative at the G-spot"):
+        phase_plane(load("oscillator"), spot=5)
 
 
 def test_a_state_in_contact_has_the_p_and_b_that_were_asked() -> None:

@@ -33,7 +33,7 @@ _ORDER = 13  # of the expansion that starts the distinguished trajectory
 _STEPS = 220  # of Runge-Kutta in a run
 _REACH = 6  # how long a run is, in units of the longer of 1/|alpha_1| and 1/|alpha_3|
 _NEWTON = 30  # steps: a limit of effort
-_SHRINKS = 12  # halvings of the window, where no states in contact are found
+_SHRINKS = 12  # halvings of the window, where no states in contact are found or p does not fall
 _STARTS = (fmpq(1, 12), fmpq(1, 4), fmpq(1, 2), fmpq(1), fmpq(3, 2), fmpq(2))
 """Of -b at the start, in units of the picture."""
 _BACK = 16  # the expansion serves over this part of the way to the window's edge
@@ -119,8 +119,8 @@ def phase_plane(mechanism: Mechanism, state: StateInput | None = None, spot: int
     ``spot``: the number of the G-spot in the list of ``classify_all``.
 
     :raises GSpotError: the mechanism has no G-spot there.
-    :raises ValueError: ``state`` is no start (see there), or no states in contact were found next to the G-spot; or
-        there is no G-spot of that number.
+    :raises ValueError: ``state`` is no start (see there); alpha_1 or alpha_3 is not negative; no runs in contact were
+        found on which p falls; or there is no G-spot of that number.
     """
     mechanism = at_spot(mechanism, spot)
     centre = find_g_spot(mechanism, _BITS)
@@ -135,14 +135,14 @@ def phase_plane(mechanism: Mechanism, state: StateInput | None = None, spot: int
         for _ in range(_SHRINKS):
             width = arb(max(2 * abs(float(slope)), 1.0)) * reach
             starts = [slip.state_at(reach, (-ball(k) * width).mid()) for k in _STARTS]
-            if all(start is not None for start in starts):
-                runs = tuple(_in_contact(slip.run(start, span)) for start in starts if start is not None)
+            runs = tuple(_in_contact(slip.run(start, span)) for start in starts if start is not None)
+            if len(runs) == len(starts) and all(map(_falls, runs)):
                 window = max(float(reach), *(p for p, _ in own), 0.0) if own else float(reach)
                 straight = _distinguished(slip, expand(mechanism, _ORDER), window)
                 alphas = (float(first), float(second), float(third))
                 return PhasePlane(mechanism.name, alphas, float(slope), window, runs, straight, own)
             reach = reach / 2
-    raise ValueError(f"{mechanism.name}: no states in contact were found next to the G-spot")
+    raise ValueError(f"{mechanism.name}: no runs in contact on which p falls were found next to the G-spot")
 
 
 def _path(mechanism: Mechanism, state: StateInput) -> Run:
@@ -157,8 +157,13 @@ def _in_contact(run: Run) -> Run:
     return run[: end + 1]
 
 
+def _falls(run: Run) -> bool:
+    """Whether p does: far from the G-spot alpha_1 is not its rate, and slip may lead away."""
+    return all(later[0] <= earlier[0] for earlier, later in pairwise(run))
+
+
 def _distinguished(slip: RigidSlip, trajectory: Trajectory, reach: float) -> Run:
-    """Theorem 1's expansion at epsilon = 0, where it is still close to the G-spot, and from there a run backwards."""
+    """Theorem 1's expansion at epsilon = 0, still close to the G-spot, and from there a run backwards while p rises."""
     series = trajectory.in_time()
     rate = abs(float(ball(series.p[1, 0]).mid()))
     time = arb(-reach / _BACK / rate)
@@ -166,8 +171,12 @@ def _distinguished(slip: RigidSlip, trajectory: Trajectory, reach: float) -> Run
     for start, table in zip(trajectory.system.point, series.xi, strict=True):
         terms = (ball(value) * time**k for (k, m), value in table.items() if m == 0)
         state.append((ball(start) + sum(terms, arb(0))).mid())
-    run = slip.run(state, -math.log(4 * _BACK) / rate)
-    return ((0.0, 0.0), *(point for point in run if point[0] <= 1.05 * reach))
+    back = [(0.0, 0.0)]
+    for point in slip.run(state, -math.log(4 * _BACK) / rate):
+        if not back[-1][0] < point[0] <= 1.05 * reach:
+            break
+        back.append(point)
+    return tuple(back)
 
 
 def arrow_of_time(run: Run, width: float, height: float) -> Run | None:
