@@ -9,12 +9,14 @@ multiplies every bound of ``theta_function/sums/positive.py`` by 2^-20.
 
 from __future__ import annotations
 
+import ast
 import importlib
 import os
 import random
 import re
 import resource
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import costs
@@ -135,6 +137,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 _COSTS = pytest.StashKey[dict[str, float]]()
+_SHARED = pytest.StashKey[float]()
 
 
 def _processor_seconds() -> float:
@@ -144,10 +147,22 @@ def _processor_seconds() -> float:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
-    """Measure the test with its set-up, where that is asked for."""
+    """Measure the test with what is set up for it alone, where that is asked for."""
+    item.config.stash[_SHARED] = 0.0
     begin = _processor_seconds()
     found = yield
-    item.config.stash.setdefault(_COSTS, {})[item.nodeid] = _processor_seconds() - begin
+    spent = _processor_seconds() - begin - item.config.stash[_SHARED]
+    item.config.stash.setdefault(_COSTS, {})[item.nodeid] = spent
+    return found
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_fixture_setup(fixturedef: pytest.FixtureDef[Any], request: pytest.FixtureRequest) -> Iterator[Any]:
+    """What several tests share is not charged to the one that comes first: without it the next one would pay."""
+    begin = _processor_seconds()
+    found = yield
+    if fixturedef.scope != "function":
+        request.config.stash[_SHARED] = request.config.stash.get(_SHARED, 0.0) + _processor_seconds() - begin
     return found
 
 
@@ -173,6 +188,14 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
 def pytest_testnodedown(node: Any) -> None:
     """What a worker has measured."""
     node.config.stash.setdefault(_COSTS, {}).update(getattr(node, "workeroutput", {}).get("costs", {}))
+
+
+@pytest.fixture(scope="session")
+def package_trees() -> Mapping[Path, ast.Module]:
+    """Every file of the package as it is parsed, once for all tests that read the source."""
+    from house.test_layout import FILES, tree_of
+
+    return {path: tree_of(path) for path in FILES}
 
 
 @pytest.fixture(scope="session")

@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import time
+from collections.abc import Mapping
 from importlib import metadata
 from pathlib import Path
 from types import SimpleNamespace
@@ -154,13 +155,13 @@ def test_other_libraries_are_in_the_key(sources: Path, monkeypatch: pytest.Monke
     assert {name for name in first if first[name] != other[name]} == {"libraries"}
 
 
-def test_what_computes_is_in_the_key() -> None:
+def test_what_computes_is_in_the_key(package_trees: Mapping[Path, ast.Module]) -> None:
     """Every module of others that the package imports, but for what shows results or is asked for by other commands."""
     shown = {"distributed", "jinja2", "latex2mathml", "markdown_it", "markupsafe", "matplotlib", "pygments", "typer"}
     rivals = {"heyoka", "ore_algebra", "sage"}
     found = set()
-    for file in keys.PACKAGE.rglob("*.py"):
-        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+    for tree in package_trees.values():
+        for node in ast.walk(tree):
             names = [node.module or ""] if isinstance(node, ast.ImportFrom) else []
             names += [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
             found |= {name.partition(".")[0] for name in names}

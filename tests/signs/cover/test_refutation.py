@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Mapping
 from fractions import Fraction
 from pathlib import Path
 
@@ -129,11 +130,11 @@ def test_a_point_of_another_dimension_is_an_error() -> None:
             refutation("it holds", asked, [point], always)
 
 
-def test_nobody_else_says_refuted() -> None:
+def test_nobody_else_says_refuted(package_trees: Mapping[Path, ast.Module]) -> None:
     """A call of ``Verdict.refuted`` or ``Verdict(...)`` elsewhere would go round the check of the witness."""
     said = set()
-    for path in PACKAGE.rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for path, tree in package_trees.items():
+        for node in ast.walk(tree):
             named = isinstance(node, ast.Attribute) and node.attr == "refuted" and ast.unparse(node.value) == "Verdict"
             built = isinstance(node, ast.Call) and ast.unparse(node.func).split(".")[-1] == "Verdict"
             if named or built:
