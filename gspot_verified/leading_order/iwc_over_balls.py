@@ -168,6 +168,7 @@ def _at_epsilon(force: ForceOverBalls, shape: Stretches, epsilon: fmpq, lower: a
     below = below_threshold(epsilon, lower)
     if below is not None:
         return Verdict.proved(text, below)
+    # The lowest place first, as a heuristic: whichever serves is a witness.
     pieces = sorted([shape.start, *shape.critical], key=lambda piece: piece.value.mid())
     against = _refutation(force, text, shape.start.lower, [(p.lower + p.upper) / 2 for p in pieces], epsilon)
     if against is not None:
