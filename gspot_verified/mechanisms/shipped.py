@@ -1,4 +1,4 @@
-"""The mechanisms that come with the package: the paper's model systems, the oscillator, and falling rods."""
+"""The mechanisms that come with the package: the paper's, falling rods, and a gallery of others."""
 
 from __future__ import annotations
 
@@ -18,6 +18,17 @@ _FILES = {
     "falling rod": "falling_rod",
     "falling rod, lower friction": "falling_rod_lower_friction",
     "falling rod of Génot and Brogliato": "genot_brogliato_rod",
+    "rod with a wrist": "gallery/rod_with_wrist",
+    "rod on a shaken base": "gallery/rod_on_a_shaken_base",
+    "ladder on a vertical guide": "gallery/ladder",
+    "chalk pushed along a board": "gallery/pushed_chalk",
+    "sliding ellipse": "gallery/ellipse",
+    "unbalanced wheel": "gallery/unbalanced_wheel",
+    "two-link arm": "gallery/two_link_arm",
+    "two-link arm on a belt": "gallery/arm_on_a_belt",
+    "double pendulum on a rough surface": "gallery/double_pendulum",
+    "compass biped": "gallery/compass_biped",
+    "frictional impact oscillator on a belt": "gallery/oscillator_on_a_belt",
 }
 SHORT_NAMES = {
     "model": "model system",
@@ -59,11 +70,11 @@ def shipped_text(name: str) -> str:
     'theta_dot = 1'
     """
     name = SHORT_NAMES.get(name, name)
-    stem = name.replace("-", "_")
-    stem = stem if stem in _FILES.values() else _FILES.get(name, "")
-    if not stem:
+    typed = name.replace("-", "_")
+    stem = _FILES.get(name) or next((stem for stem in _FILES.values() if stem.rpartition("/")[2] == typed), None)
+    if stem is None:
         raise MechanismError(f"no shipped mechanism {name[:60]!r}; there are: {'; '.join((*SHORT_NAMES, *_FILES))}")
-    return resources.files("gspot_verified.mechanisms").joinpath("data", f"{stem}.toml").read_text(encoding="utf-8")
+    return resources.files("gspot_verified.mechanisms").joinpath(f"data/{stem}.toml").read_text(encoding="utf-8")
 
 
 def shipped_system(name: str, **parameters: ExactInput | None) -> System:

@@ -55,7 +55,9 @@ def test_against_numerical_derivatives(name: str) -> None:
                 mpmath.atan2(*(mpmath.mpf(int(part.p)) / int(part.q) for part in (angle.sine, angle.cosine)))
                 for angle in mechanism.angles
             ]
-            for result, field, function, sign in rules:
+            for result, field, function, sign in rules[
+                found.x is None :
+            ]:  # the slip velocity may be given instead of x
                 wanted = sign * along(fields[field], f[function], point, extra)
                 assert mpmath.almosteq(f[result](*point, *extra), wanted, 1e-12, 1e-12), (result, field)
             p, C, B, mu = (f[key](*point, *extra) for key in ("p", "C", "B", "mu"))
@@ -86,7 +88,7 @@ def test_the_lagrangian_conditions_hold(name: str) -> None:
     mechanism = shipped_mechanism(name)
     found = derive(mechanism)
     check_lagrangian_conditions(mechanism, found)
-    assert len(lagrangian_conditions(mechanism, found)) in (5, 6)
+    assert len(lagrangian_conditions(mechanism, found)) in ((3, 4) if found.x is None else (5, 6))
     assert vanishes_identically(found.B - lie_derivative(found.G_T, found.v, mechanism.symbols))
 
 

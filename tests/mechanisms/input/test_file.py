@@ -44,10 +44,10 @@ Y_dot = 0
 
 
 def test_every_shipped_file_is_listed_and_read() -> None:
-    stems = {path.stem for path in DATA.glob("*.toml")}
-    assert {read_mechanism(DATA / f"{stem}.toml").name for stem in stems} == set(shipped_names())
-    for stem in stems:
-        assert shipped_mechanism(stem) == read_mechanism(DATA / f"{stem}.toml")
+    files = list(DATA.rglob("*.toml"))
+    assert {read_mechanism(file).name for file in files} == set(shipped_names())
+    for file in files:
+        assert shipped_mechanism(file.stem) == read_mechanism(file)
 
 
 def test_short_names() -> None:
