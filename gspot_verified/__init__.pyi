@@ -72,6 +72,8 @@ from gspot_verified.scenes.scene.file import scene_names as scene_names
 from gspot_verified.scenes.scene.run import SceneRun as SceneRun
 from gspot_verified.scenes.scene.scene import Scene as Scene
 from gspot_verified.scenes.simulate import simulate as simulate
+from gspot_verified.scenes.simulators.comparison import SimulatorComparison as SimulatorComparison
+from gspot_verified.scenes.simulators.comparison import simulators as simulators
 from gspot_verified.signs.cover.sign import SignResult as SignResult
 from gspot_verified.signs.cover.sign import sign as sign
 from gspot_verified.signs.gamma.count_law import number_of_zeros as number_of_zeros

@@ -39,6 +39,7 @@ GROUPS = {
         "cost": "cost_command",
         "hard-cases": "hard_cases_command",
         "wrong-sides": "wrong_sides_command",
+        "simulators": "approach_command",
     },
 }
 """Title, commands in the order of the help, and the modules whose import adds them to the application."""

@@ -35,6 +35,7 @@ from gspot_verified.report.check_again import CheckedAgain
 from gspot_verified.report.mechanism.report import MechanismReport
 from gspot_verified.scenes.hard_sides import WrongSides
 from gspot_verified.scenes.scene.run import SceneRun
+from gspot_verified.scenes.simulators.comparison import SimulatorComparison
 from gspot_verified.signs.cover.sign import SignResult
 from gspot_verified.signs.gamma.side import SideSwitching
 from gspot_verified.signs.zeros.brackets import Brackets
@@ -165,6 +166,7 @@ RESULTS: dict[str, tuple[Any, ...]] = {
     "simulate": (_SceneRuns,),
     "scenes": (_Scenes,),
     "wrong-sides": (WrongSides,),
+    "simulators": (SimulatorComparison,),
     "classify": (Classification, AllClassified),
     "expand": ((Trajectory, _AboutExpansion), (TimeSeries, _AboutExpansion)),
     "approach": (Approach,),

@@ -74,6 +74,7 @@ OPTIONS: dict[str, tuple[type, str]] = {
     "--tau-start": (str, "from which tau on a statement holds"),
     "--tolerance": (float, "the relative tolerance of a float run"),
     "--uniform": (str, "the range on which true solutions are close"),
+    "--trajectory": (Path, "a table of a simulator's motion"),
     "--until": (str, "when a run ends"),
     "--verbose": (bool, "all numbers"),
     "--workers": (int, "how many processes"),

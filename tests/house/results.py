@@ -68,6 +68,11 @@ def _entry() -> object:
     return g.Entry("t01", "eq:t01", "Appendix A", r"\Theta(0)", "value <at> 0 & 'more'", good, conclude("t", good))
 
 
+def _comparison() -> object:
+    start = {"X": 0, "X_dot": 5, "theta": "4/5", "theta_dot": "33/10"}
+    return g.simulators(g.load("rod with a wrist"), start, epsilons=[], steps=[1e-2])
+
+
 def _wrong_sides() -> object:
     few = g.hard_sides().restricted(epsilons=["1/1000"], betas=["5/2"], nus=["2"], solvers=["LSODA"])
     return g.wrong_sides(few.restricted(tolerances=["1e-6"]))
@@ -109,6 +114,7 @@ RESULTS: dict[str, Callable[[], object]] = {
     "SideSwitching": lambda: g.side("1/2", "9/2"),
     "SignInterval": lambda: g.side("1/2", "9/2").intervals[0],
     "SignResult": lambda: g.sign("-1..1", "[2..3]"),
+    "SimulatorComparison": _comparison,
     "SlowZeros": lambda: g.zeros("5/2", "1/10"),
     "SlowZerosCertificate": lambda: g.slow_zeros_certificate("9/2..37/8", 10),
     "Sweep": lambda: g.sweep(g.load("oscillator"), {"beta": "9/4..11/4:4"}),

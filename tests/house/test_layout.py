@@ -44,7 +44,7 @@ ROOMS: dict[str, tuple[tuple[str, ...], ...]] = {
         ("appendix_a", "section_2", "section_3", "section_6"),
         ("checks", "numerics"),
     ),
-    "scenes": (("",), ("certified", "floats"), ("scene",), ("motions",), ("effects",), ("equations",)),
+    "scenes": (("",), ("certified", "simulators"), ("floats",), ("scene",), ("motions",), ("effects",), ("equations",)),
     "mechanisms": (("", "approach", "sweep"), ("spots",), ("derive",), ("input",), ("formulas", "zeros")),
     "compliant": (("motion",), ("side", "zeros"), ("contact", "fast", "patches"), ("slow",), ("model",)),
     "expansion": (("true_solutions",), ("",), ("series",)),

@@ -1,32 +1,37 @@
-"""Command ``approach``."""
+"""Commands ``approach`` and ``simulators``: what follows a state, and what simulators say of it."""
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app
-from gspot_verified.cli.approach_output import show_approach
+from gspot_verified.cli.app import JsonFlag, app, print_json
+from gspot_verified.cli.approach_output import components, show_approach
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.commands.mechanism_commands import MechanismName, Settings
 from gspot_verified.cli.load import load_with_settings
 
 _STATE = 'The state, "phi=phi_ref + 1/10,phi_dot=-9/10": all components, or all but the two that y = v = 0 determine.'
 
+_TRAJECTORY = "A CSV table of a simulator: t, the components of the state, and force where it is known; repeatable."
+Surface = Annotated[
+    str | None, typer.Option("--surface-velocity", help="Tangential velocity of the surface; 0 if u > 0.")
+]
+Spot = Annotated[
+    int | None,
+    typer.Option("--spot", help="What --from leaves out is as at this G-spot, by its number in `classify --all`."),
+]
+
 
 @app.command(epilog=example('approach oscillator --from "phi=phi_ref+1/10,phi_dot=-9/10"'))
 def approach(
     name: MechanismName,
     state: Annotated[str, typer.Option("--from", help=_STATE)],
-    surface: Annotated[
-        str | None, typer.Option("--surface-velocity", help="Tangential velocity of the surface; 0 if u > 0.")
-    ] = None,
+    surface: Surface = None,
     settings: Settings = None,
-    spot: Annotated[
-        int | None,
-        typer.Option("--spot", help="What --from leaves out is as at this G-spot, by its number in `classify --all`."),
-    ] = None,
+    spot: Spot = None,
     as_json: JsonFlag = False,
 ) -> None:
     """Where slip from a state leads: a G-spot, lift-off or stick. At a G-spot: C1 in balls, and lift-off or impact.
@@ -34,3 +39,39 @@ def approach(
     Exit code 0 when that is proved (and C1 has a certain sign), 2 when something is undecided.
     """
     show_approach(load_with_settings(name, settings), state, surface, as_json, spot)
+
+
+@app.command(epilog=example("simulators pushed-chalk --from theta=2/5,theta_dot=1"))
+def simulators(
+    name: MechanismName,
+    state: Annotated[str, typer.Option("--from", help=_STATE)],
+    trajectory: Annotated[list[Path] | None, typer.Option(help=_TRAJECTORY)] = None,
+    epsilon: Annotated[
+        list[str] | None, typer.Option("--epsilon", "--eps", help="ε of compliant runs, not 1e-3 and 1e-4.")
+    ] = None,
+    surface: Surface = None,
+    settings: Settings = None,
+    spot: Spot = None,
+    as_json: JsonFlag = False,
+) -> None:
+    """What simulators say of slip, beside what is certified. Runs in floats prove nothing.
+
+    Run are the compliant contact of the paper by scipy and Moreau's and Jean's time stepping; tables of others are read
+    with --trajectory. Exit code as `approach`: that of the certified answer.
+    """
+    from gspot_verified.scenes.simulators.comparison import EPSILONS
+    from gspot_verified.scenes.simulators.comparison import simulators as compared
+
+    found = compared(
+        load_with_settings(name, settings),
+        components(state),
+        files=trajectory or (),
+        surface_velocity=surface,
+        spot=spot,
+        epsilons=epsilon or EPSILONS,
+    )
+    if as_json:
+        print_json(found.to_json())
+    else:
+        typer.echo(str(found))
+    raise typer.Exit(found.exit_code)

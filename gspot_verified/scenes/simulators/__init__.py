@@ -1,0 +1,1 @@
+"""What simulators say of a state, beside what is proved of it. Floats: nothing is proved here."""

@@ -1,0 +1,199 @@
+"""A state, what is certified to follow, and what simulators say."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import ClassVar
+
+from flint import fmpq
+
+from gspot_verified.leading_order.contact_force import rational
+from gspot_verified.mechanisms.approach.approach import approach
+from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF, Approach
+from gspot_verified.mechanisms.approach.slip_state import StateInput
+from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.numbers.balls import ExactInput, approximate, exact
+from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Written
+from gspot_verified.scenes.scene.scene import SceneError
+from gspot_verified.scenes.simulators.contact_floats import ContactFloats, contact_floats
+from gspot_verified.scenes.simulators.moreau_jean import moreau_jean
+from gspot_verified.scenes.simulators.penalty import penalty
+from gspot_verified.scenes.simulators.simulated import (
+    IMPULSE,
+    LEAVES,
+    STOPS,
+    Happened,
+    Simulated,
+    read_motion,
+    what_happens,
+)
+
+EPSILONS = ("1e-3", "1e-4")
+STEPS = (1e-3, 1e-4)  # of the time until the event that is certified
+_LATER = 3.0  # times the certified time: so long the simulators run
+_LEAST_EPSILON = fmpq(1, 10**6)  # a limit of input
+_EARLY = 0.95  # of the certified time: an event before it is not the one that is certified
+_LATE = 1.05  # the same for events of rigid slip, which come at their time, not after it
+_EXPECTED = {LIFT_OFF: (LEAVES,), IMPACT: (STOPS, IMPULSE), "stick": (STOPS,)}
+RIGHT, EARLY, WRONG, SILENT, OPEN, FAILED = "agrees", "too early", "differs", "no event", "not comparable", "failed"
+
+
+@dataclass(frozen=True)
+class SimulatorRun(NoTruthValue, Written):
+    """What happens first in one run, at which time and slip velocity, and how that agrees with what is certified.
+
+    ``agrees``: "agrees", "differs", "too early" (before the certified event, where rigid slip is certified to keep the
+    contact), "no event", "not comparable" (nothing is certified), "failed" (``happened`` says why).
+    """
+
+    ask: ClassVar[str] = ".agrees is a text"
+
+    simulator: str
+    settings: str
+    happened: str
+    time: float | None
+    slip: float | None
+    agrees: str
+
+
+@dataclass(frozen=True)
+class SimulatorComparison(NoTruthValue, Written):
+    """The certified answer, and what each simulator says. The runs are floats: they prove nothing of the mechanism."""
+
+    ask: ClassVar[str] = ".certified.verdict.outcome is what was proved"
+    written: ClassVar[str] = "certified runs"
+
+    certified: Approach
+    runs: tuple[SimulatorRun, ...]
+
+    @property
+    def exit_code(self) -> int:
+        """That of the certified answer: simulators may err."""
+        return self.certified.exit_code
+
+    def __str__(self) -> str:
+        certified = self.certified
+        head = f"{certified.name}: {certified.verdict}"
+        if certified.time is not None:
+            head += f"\n  after the time t = {approximate(certified.time):.6g}"
+        if certified.end == "G-spot":
+            head += f"; then, as ε → 0: {certified.side or 'undecided'} ({certified.side_reason})"
+        rows = [("simulator", "settings", "what comes first", "t", "slip", "")]
+        rows += [(r.simulator, r.settings, r.happened, _short(r.time), _short(r.slip), r.agrees) for r in self.runs]
+        widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+        table = ["  " + "  ".join(word.ljust(w) for word, w in zip(row, widths, strict=True)).rstrip() for row in rows]
+        return "\n".join([head, *table])
+
+
+def _short(value: float | None) -> str:
+    return "" if value is None else f"{value:.4g}"
+
+
+def simulators(
+    mechanism: Mechanism,
+    state: StateInput,
+    *,
+    files: Sequence[str | Path] = (),
+    surface_velocity: ExactInput | None = None,
+    spot: int | None = None,
+    epsilons: Sequence[ExactInput] = EPSILONS,
+    steps: Sequence[float] = STEPS,
+) -> SimulatorComparison:
+    """What is certified to follow a state in slip (:func:`approach`), beside simulators and tables that you bring.
+
+    Run are the paper's compliant contact by scipy for each of ``epsilons``, and Moreau's and Jean's steps for each
+    of ``steps`` (times the certified time), with both choices where a step has several solutions. ``files`` are CSV
+    tables of other simulators: a column t, one for each component of the state, and force where it is known. All
+    start in the state that is certified.
+
+    At a G-spot the certified side is the paper's statement as epsilon -> 0; a simulator with a contact of another
+    kind need not obey it. No rigid contact leaves the surface before, for there rigid slip is certified to last.
+
+    :raises StateError: the state is not one from which slip can be followed.
+    :raises MechanismError: a mechanism without velocities or with parameters that have no value.
+    :raises ValueError: an epsilon that is no rational number in 1e-6..1.
+    :raises SceneError: a table that cannot be read, nothing is certified of the state, or u < 0 and no velocity of
+        the surface is given.
+
+    >>> from gspot_verified import load
+    >>> start = {"X": 0, "X_dot": 5, "theta": "4/5", "theta_dot": "33/10"}
+    >>> found = simulators(load("rod with a wrist"), start, epsilons=["1e-3"], steps=[])
+    >>> found.certified.side, found.runs[0].happened, found.runs[0].agrees
+    ('lift-off', 'leaves the surface', 'agrees')
+    """
+    functions = contact_floats(mechanism)
+    tables = [(str(file), read_motion(file, functions)) for file in files]
+    certified = approach(mechanism, state, surface_velocity=surface_velocity, spot=spot)
+    judge = _Judge(mechanism, functions, certified, surface_velocity)
+    runs = [judge.run(*case) for case in judge.simulations(epsilons, steps)]
+    runs += [judge.judged(name, "", table) for name, table in tables]
+    return SimulatorComparison(certified, tuple(runs))
+
+
+def _epsilon(value: ExactInput) -> float:
+    """Below the least one doubles do not resolve a depth of epsilon^2."""
+    number = rational(value, "epsilon")
+    if not _LEAST_EPSILON <= number <= 1:
+        raise ValueError(f"epsilon of a simulator in floats: expected a number in 1e-6..1, got {number}")
+    return approximate(number)
+
+
+class _Judge:
+    """The start as floats, and what agrees with the certified answer."""
+
+    def __init__(
+        self, mechanism: Mechanism, functions: ContactFloats, certified: Approach, velocity: ExactInput | None
+    ) -> None:
+        if certified.time is None:
+            raise SceneError(f"{certified.name}: nothing is certified of this state, so there is nothing to compare")
+        if certified.surface_velocity is None:
+            raise SceneError(f"{certified.name}: u is not positive: a simulator needs the surface's velocity")
+        self.mechanism, self.functions, self.certified = mechanism, functions, certified
+        self.velocity = 0.0 if velocity is None else approximate(exact(velocity, "surface_velocity"))
+        self.time = approximate(certified.time)
+        shifted = [approximate(value) for value in certified.path.states[0]]
+        self.start = [value + angle for value, angle in zip(shifted, functions.references, strict=True)]
+
+    def simulations(
+        self, epsilons: Sequence[ExactInput], steps: Sequence[float]
+    ) -> Iterator[tuple[str, str, Callable[[], Simulated]]]:
+        """Name, settings, and the run that is still to be made."""
+        functions, start, until = self.functions, self.start, _LATER * self.time
+        for epsilon in map(_epsilon, epsilons):
+            yield "compliant contact, LSODA", f"ε = {epsilon:g}", partial(
+                penalty, self.mechanism, functions, start,
+                epsilon=epsilon, until=until, surface_velocity=self.velocity,
+            )  # fmt: skip
+        for step in steps:
+            for stays in (True, False):
+                yield "Moreau-Jean", f"h = {step * self.time:.1e}, {'stays' if stays else 'leaves'}", partial(
+                    moreau_jean, functions, start,
+                    step=step * self.time, until=until, surface_velocity=self.velocity, stays=stays,
+                )  # fmt: skip
+
+    def run(self, simulator: str, settings: str, motion: Callable[[], Simulated]) -> SimulatorRun:
+        """One simulation; what it says when it gives up."""
+        try:
+            return self.judged(simulator, settings, motion())
+        except (SceneError, OverflowError, ZeroDivisionError) as error:
+            return SimulatorRun(simulator, settings, str(error), None, None, FAILED)
+
+    def judged(self, simulator: str, settings: str, motion: Simulated) -> SimulatorRun:
+        """What happens in a motion, beside what is certified."""
+        found = what_happens(motion, self.functions, self.velocity)
+        return SimulatorRun(simulator, settings, found.what, found.time, found.slip, self._agrees(found))
+
+    def _agrees(self, found: Happened) -> str:
+        if found.time is None:
+            return SILENT
+        if found.time < _EARLY * self.time:
+            return EARLY
+        expected = _EXPECTED.get(self.certified.side or self.certified.end or "")
+        if expected is None:
+            return OPEN
+        late = self.certified.end != "G-spot" and found.time > _LATE * self.time
+        return RIGHT if found.what in expected and not late else WRONG
