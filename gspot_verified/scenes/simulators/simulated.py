@@ -91,8 +91,8 @@ def _column(path: str | Path, rows: Sequence[dict[str, str]], name: str) -> list
     values = []
     for line, row in enumerate(rows, 2):
         try:
-            value = float(row[name])
-        except (TypeError, ValueError):
+            value = float(row[name] or "nan")
+        except ValueError:
             value = math.nan
         if not math.isfinite(value):
             raise SceneError(f"{path}, line {line}: {name} is no finite number: {str(row[name])[:40]!r}")
