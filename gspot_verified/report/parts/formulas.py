@@ -24,6 +24,8 @@ _WORDS_OF_PROSE = {"a", "A", "I"}
 _TRAILING = ".,;:!?"
 TYPED = {"<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "-": "−"}
 _LONG = re.compile(r"[A-Za-z]{4,}")
+_PLURAL = r"['’]s(?![\w(])"
+"""As in "the α's": no part of the formula before it."""
 
 
 @lru_cache(maxsize=16_384)  # the same texts stand on several pages, and proof pages in every report
@@ -46,7 +48,7 @@ def runs(text: str) -> list[tuple[bool, str]]:
     >>> runs("Let p_n be")
     [(False, 'Let'), (False, ' '), (True, 'p_n'), (False, ''), (False, ' '), (False, 'be')]
     """
-    parts = re.split(r"(\s+)", text)
+    parts = re.split(rf"(\s+|{_PLURAL})", text)
     kinds = [_kind(part) for part in parts]
     pieces: list[tuple[bool, str]] = []
     run: list[str] = []
@@ -68,7 +70,7 @@ def runs(text: str) -> list[tuple[bool, str]]:
             run.append(part)
             if part[-1] in _TRAILING and not _is_open(run):
                 close()
-        elif (run and _is_open(run) and kind != "space" and not _LONG.search(part)) or (kind == "space" and run):
+        elif run and (kind == "space" or (kind != "plural" and _is_open(run) and not _LONG.search(part))):
             run.append(part)
         else:
             close()
@@ -86,6 +88,8 @@ def _is_open(run: list[str]) -> bool:
 def _kind(word: str) -> str:
     if word == "" or word.isspace():
         return "space"
+    if re.fullmatch(_PLURAL, word):
+        return "plural"
     bare = word.strip(_TRAILING + "()[]“”\"'")
     if _NAME.fullmatch(bare) or (re.search(r"[A-Za-z]{4,}", bare) and not re.search(rf"[{_GREEK}^=<>]", bare)):
         return "prose"

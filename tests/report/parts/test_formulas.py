@@ -69,6 +69,15 @@ def test_a_formula_ends_with_its_sentence() -> None:
     assert typeset("so |R(s, δ)| ≤ K, as").endswith("</span>, as")
 
 
+@pytest.mark.parametrize("mark", ["'", "’"])
+def test_the_s_of_a_plural_is_no_variable(mark: str) -> None:
+    alpha = '<span class="formula"><i>α</i></span>'
+    assert typeset(f"the α{mark}s, and α{mark}s") == f"the {alpha}{mark}s, and {alpha}{mark}s"
+    assert f"<i>α</i></span>{mark}s)" in typeset(f"it (constant α{mark}s) is")
+    assert typeset(f"(α{mark}s)").endswith(f"{mark}s)")
+    assert typeset(f"the paper{mark}s") == f"the paper{mark}s"
+
+
 def test_markup_in_the_source_is_text() -> None:
     assert "<script>" not in typeset("x_1 <script> y^2")
     assert "<script>" not in formula("<script>")

@@ -47,6 +47,7 @@ def test_any_text_becomes_balanced_ascii(text: str) -> None:
         ('the "pull" of 50 % & more_1', r"the ``pull'' of 50 \% \& more\_1"),
         ("Várkonyi, Painlevé — “so”", r"V\'{a}rkonyi, Painlev\'{e} \textemdash{} ``so''"),
         ("verify --formal", "verify -{}-formal"),
+        ("constant α's, the α’s", r"constant $\alpha$'s, the $\alpha$'s"),
         ("one ☃", r"one $\text{[U+2603]}$"),
     ],
 )
