@@ -324,7 +324,7 @@ def _transcription(source: str) -> Markup | None:
 
 def _number(label: str) -> str | None:
     try:
-        return printed_number(label)
+        return printed_number(label) or "(unnumbered)"
     except KeyError:
         return None
 

@@ -16,7 +16,7 @@ from gspot_verified.paper.claims import WHY, Standing, paper_claims
 from gspot_verified.paper.verify import PARTS
 from gspot_verified.report.data import report_data
 from gspot_verified.report.parts.formulas import typeset
-from gspot_verified.report.site import pages, style
+from gspot_verified.report.site import _passage, pages, style
 
 IN_EVERY_FOLDER = {"style.css", "figures", "certificates", "cost.json"}
 
@@ -500,3 +500,9 @@ def test_hard_cases_have_a_row_each_and_say_what_is_undecided(site, hard):
 def test_a_report_without_hard_cases_says_so(entries, pictures, certificates):
     made = pages(json.loads(json.dumps(report_data(entries, pictures, certificates))))
     assert "This report was made without them." in made["hard.html"]
+
+
+def test_a_reference_to_a_display_without_a_number_says_so() -> None:
+    """What LaTeX prints there is the number of the section."""
+    assert _passage(r"into \eqref{eq:modelSysTEliminated}, or \eqref{eq:btau}") == "<p>into (unnumbered), or (A.1)</p>"
+    assert _passage(r"into \eqref{eq:nowhere}") == "<p>into [eq:nowhere]</p>"
