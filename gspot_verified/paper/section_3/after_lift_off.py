@@ -25,6 +25,9 @@ CLAIM = {"events": ONE_FLIGHT}
 MOST = 300
 POWER = fmpq(4, 3)
 """The velocity before the impact is below MOST ε^POWER."""
+MOST_FREE = 13
+FREE_POWER = fmpq(2, 3)
+"""b at lift-off, the normal acceleration there, is below MOST_FREE ε^FREE_POWER."""
 
 
 def run_of(beta: fmpq, nu: fmpq, epsilon: fmpq) -> CompliantRun:
@@ -34,16 +37,17 @@ def run_of(beta: fmpq, nu: fmpq, epsilon: fmpq) -> CompliantRun:
 
 
 def as_claimed(run: CompliantRun) -> bool | None:
-    """One flight, a touch-down after the G-spot, and a small velocity downwards there."""
+    """One flight from a small b > 0, a touch-down after the G-spot, and a small velocity downwards there."""
     if run.verdict.outcome is not Outcome.PROVED:
         return None
     if run.verdict.statement != CLAIM["events"] or len(run.events) != 2:
         return False
-    speed = -run.events[1].velocity
+    free, speed = run.events[0].state.b, -run.events[1].velocity
     with working_bits(64):
-        small = MOST * arb(run.model.epsilon) ** arb(POWER)
+        bounds = [(free, MOST_FREE, FREE_POWER), (speed, MOST, POWER)]
+        small = [certainly_less(value, most * arb(run.model.epsilon) ** arb(power)) for value, most, power in bounds]
         after = run.events[1].lower > 0
-        return all_of([after, certainly_less(arb(0), speed), certainly_less(speed, small)])
+        return all_of([after, *(certainly_less(arb(0), value) for value, _, _ in bounds), *small])
 
 
 def side_at_touch_down(run: CompliantRun) -> bool | None:
@@ -70,9 +74,9 @@ def _one_flight() -> Entry:
         "3-after-lift-off",
         "lines 914 to 918",
         r"\text{lift-off terminates shortly after the G-spot, with an impact of very low normal velocity}",
-        "Each simulated run of Case III that lifts off, at ε = 10^-3 and 10^-9, has exactly one flight, with a "
-        "touch-down after the G-spot where 0 < -v < 300 ε^(4/3), and then takes an impact without collision: contact "
-        "is not lost again",
+        "Each simulated run of Case III that lifts off, at ε = 10^-3 and 10^-9, has exactly one flight, from a "
+        "lift-off where 0 < b < 13 ε^(2/3) to a touch-down after the G-spot where 0 < -v < 300 ε^(4/3), and then takes "
+        "an impact without collision: contact is not lost again",
         Check(
             Rung.BALLS,
             "proofs/flight.md: certified lift-off and touch-down; the state at touch-down lies in an invariant set in "

@@ -16,13 +16,14 @@ from gspot_verified.paper.section_3 import after_lift_off, section_3
 def run(
     *,
     speed: Any = arb("0.02"),  # noqa: B008
+    free: Any = arb("0.1"),  # noqa: B008
     lower: Any = fmpq(1, 9),  # noqa: B008
     events: int = 2,
     outcome: Outcome = Outcome.PROVED,
     statement: str = ONE_FLIGHT,
 ) -> Any:
-    """As a run of ε = 1/1000, for which 300 ε^(4/3) = 0.03."""
-    first = SimpleNamespace(lower=fmpq(-1), velocity=arb(5), state="at lift-off")
+    """As a run of ε = 1/1000, for which 300 ε^(4/3) = 0.03 and 13 ε^(2/3) = 0.13; ``free``: b at lift-off."""
+    first = SimpleNamespace(lower=fmpq(-1), velocity=arb(5), state=SimpleNamespace(b=free))
     last = SimpleNamespace(lower=lower, velocity=-speed, state="at touch-down")
     return SimpleNamespace(
         verdict=SimpleNamespace(outcome=outcome, statement=statement),
@@ -41,6 +42,11 @@ def run(
         (run(speed=arb(0)), False),
         (run(speed=arb("-0.02")), False),
         (run(speed=arb("0.02", "0.02")), None),
+        (run(free=arb("0.129999")), True),
+        (run(free=arb("0.130001")), False),
+        (run(free=arb(0)), False),
+        (run(free=arb("-0.1")), False),
+        (run(free=arb("0.1", "0.1")), None),
         (run(lower=fmpq(0)), False),
         (run(events=1), False),
         (run(events=3), False),
@@ -88,3 +94,4 @@ def test_the_statement_names_what_is_checked(monkeypatch: pytest.MonkeyPatch) ->
     assert [1 / epsilon for epsilon in after_lift_off.EPSILONS] == [10**3, 10**9]
     assert f"at ε = {first} and {last}, has exactly one flight" in entry.statement
     assert f"0 < -v < {after_lift_off.MOST} ε^({after_lift_off.POWER})" in entry.statement
+    assert f"0 < b < {after_lift_off.MOST_FREE} ε^({after_lift_off.FREE_POWER})" in entry.statement

@@ -28,6 +28,8 @@ def upwards_at_the_least_epsilon(honest: Any) -> Any:
 TEETH: Teeth = {
     "3-after-lift-off": (
         Bite("factor", ledger, "MOST", lambda honest: honest / 2),
+        Bite("factor", ledger, "MOST_FREE", lambda honest: honest / 2),
+        Bite("order", ledger, "FREE_POWER", lambda honest: honest + 1),
         Bite("factor", ledger.CLAIM, "events", lambda _: "one flight, then a contact that is lost again"),
         Bite("hidden factor", ledger, "run_of", upwards_at_the_least_epsilon),
         Bite("hypothesis", ledger, "LIFTING", lambda honest: {beta: (*nus, 1) for beta, nus in honest.items()}),
