@@ -30,11 +30,16 @@ RESTRICTIONS = {
     "constant p|μ constant|forces other than": "fixed|constant|forces other|rigid",
     "in the scale ε²": "scale",
     "k < 8": "k < 8",
-    "derivative dΘ/dτ is negative": "deviation|dΘ|λ-hat|Case II[ ,]",
+    "derivative dΘ/dτ is negative": "C_1 < 0|dΘ",
+    "^In Cases II and III": "Cases II and III",
+    "from that of order": "that of order",
+    "fixed τ with dΘ/dτ not 0": r"dΘ/dτ is not 0|τ = O\(1\)|at a fixed τ",
     VALUE: f"{VALUE}|Figure|Table|panel|Panel|start|[βε] <|β = ",
 }
 """What a statement is restricted by, and one of the words by which a claim that is proved by it says so."""
-ELSEWHERE = {("3-case-II", 77), ("3-case-II", 366), ("4-unique-smooth", 808)}
+AMONG = {"(?:some|one) series": "ε <=|10\\^-6"}
+"""What a refuted statement says that there is, and the words by which its claim says among what it was looked for."""
+ELSEWHERE = {("3-case-II", 77), ("3-case-II", 366), ("4-unique-smooth", 808), ("2-trivial-zy", 1054)}
 """Refuted entries with claims in other lines that say the same: an error of one line refutes no other one by itself."""
 UNIVERSAL = r"\b(?:all|every|always|never|any|each|only|none|no other|exactly|for ever|unique|whenever)\b"
 
@@ -165,6 +170,20 @@ def test_a_refuted_claim_is_where_its_error_is(whole_ledger: list[Entry]) -> Non
     assert {(entry.identifier, claim.first) for entry, claim in pairs if apart(claim, entry)} == ELSEWHERE
 
 
+def test_a_refuted_claim_that_there_is_something_says_among_what(whole_ledger: list[Entry]) -> None:
+    """None among these is less than none at all."""
+    refuted = {entry.identifier: entry.statement for entry in whole_ledger if entry.verdict.outcome is Outcome.REFUTED}
+    pairs = [(claim, refuted[name]) for claim in paper_claims() for name in claim.entries if name in refuted]
+    missing = [
+        claim.words
+        for claim, statement in pairs
+        for there_is, words in AMONG.items()
+        if re.search(there_is, statement) and not re.search(words, f"{claim.words} {claim.why}")
+    ]
+    assert missing == []
+    assert any(re.search(there_is, statement) for _, statement in pairs for there_is in AMONG)
+
+
 @pytest.mark.parametrize(
     ("words", "why", "statement", "passes"),
     [
@@ -182,6 +201,11 @@ def test_a_refuted_claim_is_where_its_error_is(whole_ledger: list[Entry]) -> Non
         ("impacts are elastic", "", "an impact with constant p > 0 is elastic", False),
         ("y diverges", "", "in the scale ε² of y: y diverges", False),
         ("the c_k are those", "", "the c_k are those (k < 8)", False),
+        ("λ-hat > 0 for all τ", "", "the derivative dΘ/dτ is negative at every real τ", False),
+        ("λ-hat > 0 for all τ, C_1 < 0", "", "the derivative dΘ/dτ is negative at every real τ", True),
+        ("it is a canard", "", "In Cases II and III it is in contact", False),
+        ("it is a canard", "Cases II and III", "In Cases II and III it is in contact", True),
+        ("it is the trajectory", "", "its b differs by less than 1/2 from that of order 31", False),
         ("every state reaches it", "", "the state p = 1 reaches it", False),
         ("every state reaches it", "", "every initial value reaches it", True),
         ("every state reaches it", "", "every initial value reaches it, for constant α's", False),

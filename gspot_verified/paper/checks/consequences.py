@@ -57,6 +57,11 @@ _CONSEQUENCES = {
         "The contact pushes in both phases, so both impulses are positive.",
         "The law is named, and not used.",
     ),
+    "1-laws-of-impact": Consequence(
+        Reach.LOCAL,
+        "v² at the end is -p r² B u²/(A (μA - B)) by the energetic law, and (r B u/A)² by Poisson's.",
+        "No impact is computed; that it changes v by O(1) (Sec. 1.4) holds by Poisson's law alone.",
+    ),
     "1-colours": Consequence(
         Reach.LOCAL,
         "The captions of Figures 3 and 4 name another colour than the text.",
@@ -157,6 +162,9 @@ _CONSEQUENCES = {
         Reach.CONCLUSION,
         "Γ(-1/2) < 0 < Γ(-3/2), and Γ(-β) changes its sign at each positive integer.",
         "As printed, lift-off and impact exchange their sides, and the argument for 0 < β < 1 fails.",
+    ),
+    "S-gamma-name": Consequence(
+        Reach.NONE, "Without its backslash the name is printed as five variables.", "The formulas have Γ."
     ),
     "S-wording": Consequence(
         Reach.LOCAL,

@@ -24,6 +24,13 @@ CASE_I = {"alpha1": "-u-w", "alpha2": "-x", "alpha3": "-w"}
 """Case I (Sec. 1) by positive symbols."""
 TRIVIAL_SIGNS = {"b p": "1", "force": "-1"}
 """Signs on the trivial solution in Case I, as printed."""
+IN_CONTACT = {
+    "II": {"alpha1": "-u-w", "alpha2": "x", "alpha3": "-w"},
+    "III": {"alpha1": "-w", "alpha2": "-x", "alpha3": "-u-w"},
+}
+"""Cases II and III."""
+CONTACT_SIGNS = {"force": "1"}
+"""Contact: y < z, that is λ_N > 0."""
 _WITH_C = "c = α_2/(α_1 - α_3) is a symbol"
 
 
@@ -136,10 +143,36 @@ def _trivial_zy() -> Entry:
     )
 
 
-def on_trivial(text: str) -> list[str]:
-    """A formula of 2-trivial or 2-trivial-zy in Case I, before and after t = 0."""
+def on_trivial(text: str, case: Mapping[str, str] = CASE_I) -> list[str]:
+    """A formula of 2-trivial or 2-trivial-zy in a Case, before and after t = 0."""
     image = put(text, c="alpha2/(alpha1-alpha3)")
-    return [put(image, t=time, **CASE_I) for time in ("tau", "-tau")]
+    return [put(image, t=time, **case) for time in ("tau", "-tau")]
+
+
+def _in_contact() -> Entry:
+    line, rest = PRINTED["2-trivial"], CORRECTED["2-trivial-zy"]
+
+    def signed(forms: Forms, text: str) -> list[ClosedForm]:
+        return [forms["force"] * closed_form(force) for case in IN_CONTACT.values() for force in on_trivial(text, case)]
+
+    claim = FormulaClaim(CONTACT_SIGNS)
+    return settled(
+        "Section 2",
+        "2-trivial-contact",
+        "lines 599 to 608",
+        r"\text{assuming }y<z",
+        "In Cases II and III the trivial solution is in contact, y < z and λ_N > 0, at every t other "
+        "than 0 and every ε, for all α's of the Case",
+        claim.check_sign(
+            "λ_N = -b/p with b and p of 2-trivial, for all values of the symbols",
+            lambda forms: signed(forms, "-({b})/({p})".format(**line)),
+        ),
+        claim.check_sign(
+            "λ_N = (z - y)/ε² with the corrected z and y of 2-trivial-zy",
+            lambda forms: signed(forms, "({z}-({y}))/epsilon^2".format(**rest)),
+        ),
+        note="It is constant, and so positive at t = 0 too. In Case I it is negative: 3-case-I-trivial.",
+    )
 
 
 def _trivial_in_case_i() -> Entry:
@@ -171,6 +204,7 @@ def _trivial_in_case_i() -> Entry:
 ENTRIES: Builders = {
     "2-trivial": _trivial,
     "2-trivial-zy": _trivial_zy,
+    "2-trivial-contact": _in_contact,
 }
 """The trivial solution of Sec. 2."""
 IN_CASE_I: Builders = {"3-case-I-trivial": _trivial_in_case_i}

@@ -15,6 +15,7 @@ from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_
 from gspot_verified.paper.checks.formulas import FormulaClaim, closed_form, mended, put, quotient, rational_value
 from gspot_verified.paper.checks.gamma_cells import induction, is_cell, sign_on_cell
 from gspot_verified.paper.checks.identities import in_greek
+from gspot_verified.paper.checks.words import Place, held_against
 from gspot_verified.signs.cover.tails import left_threshold
 from gspot_verified.signs.gamma.side import gamma_sign_by_ball
 from gspot_verified.theta_function.value.evaluate import evaluate
@@ -41,6 +42,13 @@ AT_INTEGERS: dict[str, dict[str, str]] = {
 HYPOTHESES: dict[str, dict[str, str]] = {"S-minus-infinity": {"beta": "u"}}
 """u is positive: β > 0."""
 _RELATION = {"-1": "<", "0": "=", "1": ">"}
+NAMED = "lines 1262 to 1271"
+NAME = Place("line 1268", r"Here \$(\\?[A-Za-z]+)\$ represents the Gamma function")
+USED = (
+    Place("eq. dTheta_sign", r"has sign of \}\\frac\{(\\?[A-Za-z]+)\\left"),
+    Place("the next sentence", r"that \$(\\?[A-Za-z]+)\(-\\beta\)\$ is negative"),
+)
+"""What the Gamma function is called."""
 GRID = tuple(fmpq(n, 10) for n in range(1, 130))
 NOT_INTEGER = tuple(beta for beta in GRID if beta.q != 1)
 
@@ -194,6 +202,18 @@ def _gamma_intervals() -> Entry:
     )
 
 
+def _gamma_name() -> Entry:
+    return settled(
+        SECTION,
+        "S-gamma-name",
+        NAMED,
+        r"\text{Here }Gamma\text{ represents the Gamma function}",
+        "Line 1268 explains the sign of the Gamma function that stands in eq. dTheta_sign and in the next sentence",
+        *(held_against(NAMED, f"line 1268 and {place.name}", NAME, place) for place in USED),
+        corrected="Here Γ represents the Gamma function",
+    )
+
+
 def _signs_by_ball(texts: dict[str, str]) -> bool | None:
     answers = []
     for name, sign in (("negative", -1), ("positive", 1)):
@@ -208,5 +228,6 @@ ENTRIES: Builders = {
     "S-zero": _sign_at_zero,
     "S-plus-infinity": _sign_at_infinity,
     "S-gamma-intervals": _gamma_intervals,
+    "S-gamma-name": _gamma_name,
 }
 """The stated signs before the case distinction, in the order of the paper."""

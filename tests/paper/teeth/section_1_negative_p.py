@@ -46,4 +46,13 @@ TEETH: Teeth = {
             "order", ledger.SIZES, "energetic", lambda pair: (replaced("-p*", "p^2*")(pair[0]), pair[1]), refutes=True
         ),
     ),
+    "1-laws-of-impact": (
+        Bite("factor", ledger.STICK, "v", replaced("B*T", f"{GENERIC}*B*T")),
+        Bite("factor", ledger.SIZES, "energetic", lambda pair: (pair[0], scaled(pair[1]))),
+        Bite("hidden factor", ledger.SIZES, "Poisson", lambda pair: (unseen_at("u", (0, 1))(pair[0]), pair[1])),
+        Bite("hypothesis", ledger.PARADOX, "p", lambda _: "x"),
+        Bite("hypothesis", ledger.LIMIT, "printed", lambda _: "0*p"),
+        Bite("hypothesis", ledger.LIMIT, "corrected", lambda _: "2+0*p"),
+        Bite("order", ledger.SIZES, "energetic", lambda pair: (replaced("-p*", "p^2*")(pair[0]), pair[1])),
+    ),
 }

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from flint import fmpq
-from paper.bite import Bite, NotApplicable, Teeth, raised, replaced, scaled, unseen_at
+from paper.bite import Bite, NotApplicable, Teeth, raised, reads_as, replaced, scaled, unseen_at
 
 from gspot_verified.paper.appendix_a import hypergeometric as appendix
-from gspot_verified.paper.checks import closed_forms, gamma_cells
+from gspot_verified.paper.checks import closed_forms, gamma_cells, words
 from gspot_verified.paper.section_4_5 import section_4_5 as ledger
 from gspot_verified.paper.section_4_5 import section_4_5_signs as signs
 
@@ -14,6 +14,7 @@ _MEAN = ledger.CORRECTED["S-mean-force"]
 _FORCE = ledger.PRINTED["S-deviation-force"]
 _INTERVALS = signs.CORRECTED["S-gamma-intervals"]
 _BETAS = ("1/2", "3/2", "7/3")
+_LETTERS = "letters are compared; there is no formula"
 _POSITIVE_FACTOR = "a claim about a sign: a factor near 1 keeps it"
 
 
@@ -83,5 +84,12 @@ TEETH: Teeth = {
         Bite("hypothesis", closed_forms, "INTEGERS", lambda names: tuple(name for name in names if name != "n")),
         Bite("hypothesis", gamma_cells, "ABOVE_0", lambda honest: f"{honest}-1"),
         *(Bite("order", _INTERVALS, name, lambda honest: f"{honest}+1") for name in _INTERVALS),
+    ),
+    "S-gamma-name": (
+        NotApplicable("factor", _LETTERS),
+        NotApplicable("hidden factor", _LETTERS),
+        Bite("hypothesis", words, "quoted", reads_as("Here $Gamma$", r"Here $\Gamma$")),
+        Bite("hypothesis", words, "quoted", reads_as("represents the Gamma", "stands for the Gamma")),
+        NotApplicable("order", _LETTERS),
     ),
 }

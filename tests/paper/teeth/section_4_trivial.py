@@ -40,6 +40,21 @@ TEETH: Teeth = {
         Bite("hypothesis", QUOTIENT, "alpha2", without_quotient),
         *(Bite("order", CORRECTED_ZY, name, replaced("epsilon^2", "epsilon^3")) for name in "zy"),
     ),
+    "2-trivial-contact": (
+        Bite("factor", ledger.CONTACT_SIGNS, "force", lambda sign: f"-({sign})", refutes=True),
+        Bite("hidden factor", ledger.PRINTED["2-trivial"], "b", lambda text: f"(1-2*t^2)*({text})"),
+        Bite("hidden factor", ledger.CORRECTED["2-trivial-zy"], "y", lambda text: f"({text})/4"),
+        *(
+            Bite("hypothesis", ledger.IN_CONTACT[case], *other)
+            for case, other in (
+                ("II", ("alpha2", lambda _: "-x")),
+                ("II", ("alpha3", lambda _: "-u-w-x")),
+                ("III", ("alpha2", lambda _: "x")),
+                ("III", ("alpha3", lambda _: "-x")),
+            )
+        ),
+        NotApplicable("order", "signs of exact expressions; no order of an error occurs"),
+    ),
     "3-case-I-trivial": (
         *(
             Bite("factor", ledger.TRIVIAL_SIGNS, name, lambda sign: f"-({sign})", refutes=True)
