@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from flint import arb, fmpq
-from paper.bite import Bite, Teeth, Tooth, replaced
+from paper.bite import Bite, Teeth, Tooth, scaled
 
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.paper.section_3 import table_1 as ledger
@@ -76,14 +76,14 @@ def _theory(name: str) -> tuple[Tooth, ...]:
     first, last = ledger.BETAS[0], ledger.BETAS[-1]
     if name == "t":
         return (
-            Bite("factor", ledger.FORMULAS, "t", replaced("2/3", "2001/3000")),
+            Bite("factor", ledger.FORMULAS, "t", scaled),
             Bite("factor", ledger, "THEORETICAL", in_row(ledger.THEORETICAL, "t", first, last_digit)),
             Bite("hidden factor", ledger, "value", with_power(fmpq(1, 1000), {fmpq(1, 10**15)})),
             Bite("hypothesis", ledger, "CROSSINGS", lambda honest: {**honest, last: fmpq(1, 1000)}),
             Bite("order", ledger, "value", with_power(fmpq(1))),
         )
     return (
-        Bite("factor", ledger.FORMULAS, name, lambda honest: f"1001/1000*({honest})"),
+        Bite("factor", ledger.FORMULAS, name, scaled),
         Bite("factor", ledger, "THEORETICAL", in_row(ledger.THEORETICAL, name, last, lambda text: text + "9")),
         Bite("hidden factor", ledger.FORMULAS, name, lambda honest: f"{honest} + (beta-1/2)*(beta-3/2)/100"),
         Bite("hypothesis", ledger, "TINY", lambda _: fmpq(1, 10**6)),
