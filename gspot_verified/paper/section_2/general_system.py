@@ -17,8 +17,20 @@ DEFINED = {"LFp": "alpha1", "LFb": "alpha2", "LGb": "-alpha3", "LFy": "v", "LFv"
 LAGRANGIAN = {"LGp": "0*p", "LGy": "0*p"}
 """Eqs. lagrangian1 and lagrangian2: the force does not change y and p at once."""
 
-AT_ONCE = {"coordinates": "0*g", "slopes": "0*w"}
-"""What a force changes of the coordinates q at once, and the slopes of x, y and p in the velocities (and in t)."""
+MECHANISM = Algebra("w1 w2 m11 m12 m22 f1 f2 t1 t2 n1 n2 mu lamT lam yt k1 k2")
+"""A mechanism with two coordinates: functions of them and of t but for the velocities w and the forces f, λ_T, λ_N."""
+PUSHES = ("(f1 + t1*lamT + n1*lam)", "(f2 + t2*lamT + n2*lam)")
+MOTION = {
+    "q1": "w1", "q2": "w2",
+    "w1": f"m22*{PUSHES[0]} - m12*{PUSHES[1]}", "w2": f"m11*{PUSHES[1]} - m12*{PUSHES[0]}",
+}  # fmt: skip
+"""The rates of the coordinates and, times det M, of the velocities: M q'' = f + t λ_T + n λ_N."""
+SLOPES = {"x": ("t1", "t2", "0", "0"), "y": ("n1", "n2", "0", "0")}
+"""The slopes of x and of y in q1, q2, w1, w2: functions of the coordinates and of t alone."""
+NORMAL = {"v": "n1*w1 + n2*w2 + yt"}
+STATE = ("q1", "q2", "w1", "w2")
+FRICTION = {"mu": "mu"}
+"""A function of the coordinates and of t."""
 
 NEWTON = {"c": "-s*w", "s": "c*w", "w": "-k*(c - mu*s)*r", "W": "-g + r", "Y": "W"}
 """The sliding rod of mass and half length 1: the rates of cos, sin and speed of its angle, and of its centre's speed W
@@ -43,13 +55,38 @@ def defined(text: str) -> fmpq_mpoly:
     return ALGEBRA.substitute(ALGEBRA.read(text), images)
 
 
-def along_a_force() -> bool | None:
-    """Whether L_G f is 0: a sum over the coordinates and the velocities of a slope times a component of G.
+def pushed(force: str) -> list[fmpq_mpoly]:
+    """The field of a force in q1, q2, w1, w2 (w times det M): "lamT", "lam", or that of positive slip, "slip"."""
+    rates = [MECHANISM.read(MOTION[name]) for name in STATE]
+    if force != "slip":
+        return [rate.derivative(force) for rate in rates]
+    return [rate.derivative("lam") - MECHANISM.read(FRICTION["mu"]) * rate.derivative("lamT") for rate in rates]
 
-    One coordinate with the slope k and one velocity with the component c stand for all.
+
+def painleve_parameter() -> fmpq_mpoly:
+    """The function p = L_G v times det M."""
+    return _changed(MECHANISM.read(NORMAL["v"]), "slip")
+
+
+def _changed(value: fmpq_mpoly, force: str) -> fmpq_mpoly:
+    """The Lie derivative of a function with the slopes k1, k2 in the coordinates."""
+    slopes = [*(MECHANISM.symbols[name] for name in ("k1", "k2")), *(value.derivative(name) for name in STATE[2:])]
+    return sum((slope * part for slope, part in zip(slopes, pushed(force), strict=True)), start=MECHANISM.constant(0))
+
+
+def of_two_coordinates() -> bool | None:
+    """Whether λ_T and λ_N change neither x nor y at once, and the force of positive slip does not change p.
+
+    From the equations of motion: the rates of the coordinates have no force, and p has no velocity. With more
+    coordinates the sums have more terms of the same form. det M is a function of the coordinates, as p is.
     """
-    component, slope = (ALGEBRA.read(AT_ONCE[name]) for name in ("coordinates", "slopes"))
-    return (ALGEBRA.symbols["k"] * component + slope * ALGEBRA.symbols["c"]).is_zero()
+    places = [
+        sum((MECHANISM.read(f"{slope} + 0*mu") * part for slope, part in zip(row, pushed(force), strict=True)),
+            start=MECHANISM.constant(0))
+        for row in SLOPES.values()
+        for force in ("lamT", "lam")
+    ]  # fmt: skip
+    return all(value.is_zero() for value in (*places, _changed(painleve_parameter(), "slip")))
 
 
 def of_the_rod() -> bool | None:
@@ -73,8 +110,9 @@ def _at_once() -> Entry:
         "so L_{G_T} x = L_{G_N} x = L_{G_T} y = L_{G_N} y = 0 and L_G p = 0",
         Check(
             Rung.EXACT,
-            "a Lie derivative along a force, as a sum over coordinates and velocities: each term has a factor 0",
-            along_a_force(),
+            "the equations of motion of two coordinates, with symbols for M, the gradients of x and y, and μ: the "
+            "rates of the coordinates have no force, and p = L_G v has no velocity",
+            of_two_coordinates(),
         ),
         Check(
             Rung.POINTS,

@@ -291,7 +291,7 @@ def _theoretical(name: str) -> Entry:
         f"for β = 1/2, 3/2, 5/2; its decimals are {', '.join(THEORETICAL[name].values())}",
         Check(
             Rung.EXACT,
-            "the powers of C, η and ε in the exact solution are those of the printed formula, and round to the decimals",
+            "the powers of C, η and ε in the exact solution: those of the printed formula, rounded to the decimals",
             all_of([formulas == limits, printed_are(limits, name)]),
         ),
         Check(

@@ -7,21 +7,35 @@ import pytest
 from gspot_verified.paper.section_2 import general_system as ledger
 
 
+def test_accelerations_alone_are_changed_at_once() -> None:
+    assert ledger.of_two_coordinates() is True
+    assert not ledger.painleve_parameter().is_zero()
+
+
 @pytest.mark.parametrize(
-    ("coordinates", "slopes", "vanishes"),
+    ("target", "name", "text"),
     [
-        ("0*g", "0*w", True),
-        ("c", "-k", True),  # k c - k c: what cancels is no change either
-        ("c", "k", False),
-        ("0*g", "w", False),
-        ("g", "0*w", False),
+        ("MOTION", "q1", "w1 + lam"),
+        ("MOTION", "q2", "w2 - lamT"),
+        ("SLOPES", "x", ("t1", "t2", "1", "0")),
+        ("SLOPES", "y", ("n1", "n2", "0", "yt")),
+        ("FRICTION", "mu", "mu + w1"),  # a coefficient of friction that changes with the velocity
+        ("NORMAL", "v", "n1*w1^2 + n2*w2 + yt"),
     ],
 )
-def test_a_change_is_a_sum_over_coordinates_and_velocities(
-    monkeypatch: pytest.MonkeyPatch, coordinates: str, slopes: str, vanishes: bool
+def test_what_depends_on_a_velocity_is_changed_at_once(
+    monkeypatch: pytest.MonkeyPatch, target: str, name: str, text: str | tuple[str, ...]
 ) -> None:
-    monkeypatch.setattr(ledger, "AT_ONCE", {"coordinates": coordinates, "slopes": slopes})
-    assert ledger.along_a_force() is vanishes
+    monkeypatch.setitem(getattr(ledger, target), name, text)
+    assert ledger.of_two_coordinates() is False
+
+
+def test_p_is_that_of_the_projected_equations() -> None:
+    """det M times C - μB with B and C as inner products of the gradients."""
+    read = ledger.MECHANISM.read
+    c = "m22*n1^2 - 2*m12*n1*n2 + m11*n2^2"
+    b = "m22*n1*t1 - m12*(n1*t2 + n2*t1) + m11*n2*t2"
+    assert ledger.painleve_parameter() == read(f"{c} - mu*({b})")
 
 
 @pytest.mark.parametrize("force", ["T", "N"])
