@@ -17,7 +17,7 @@ DEFINED = {"LFp": "alpha1", "LFb": "alpha2", "LGb": "-alpha3", "LFy": "v", "LFv"
 LAGRANGIAN = {"LGp": "0*p", "LGy": "0*p"}
 """Eqs. lagrangian1 and lagrangian2: the force does not change y and p at once."""
 
-MECHANISM = Algebra("w1 w2 m11 m12 m22 f1 f2 t1 t2 n1 n2 mu lamT lam yt k1 k2")
+MECHANISM = Algebra("w1 w2 m11 m12 m22 f1 f2 t1 t2 n1 n2 mu lamT lam xt yt k1 k2")
 """A mechanism with two coordinates: functions of them and of t but for the velocities w and the forces f, λ_T, λ_N."""
 PUSHES = ("(f1 + t1*lamT + n1*lam)", "(f2 + t2*lamT + n2*lam)")
 MOTION = {
@@ -28,6 +28,7 @@ MOTION = {
 SLOPES = {"x": ("t1", "t2", "0", "0"), "y": ("n1", "n2", "0", "0")}
 """The slopes of x and of y in q1, q2, w1, w2: functions of the coordinates and of t alone."""
 NORMAL = {"v": "n1*w1 + n2*w2 + yt"}
+TANGENTIAL = {"u": "t1*w1 + t2*w2 + xt"}
 STATE = ("q1", "q2", "w1", "w2")
 FRICTION = {"mu": "mu"}
 """A function of the coordinates and of t."""
@@ -47,6 +48,8 @@ FORCES = {"T": {"w": "-k*s", "U": "1+0*k"}, "N": {"w": "-k*c", "W": "1+0*k"}}
 """G_T and G_N of the rod: λ_T and λ_N turn it, and push its centre with the speeds U and W."""
 PLACES = {"x": "X + c", "y": "Y - s"}
 """Its contact point, with the centre at X, Y."""
+SPEEDS = {"u": "U - s*w", "v": "W - c*w"}
+"""The rates of its place."""
 
 
 def defined(text: str) -> fmpq_mpoly:
@@ -89,6 +92,26 @@ def of_two_coordinates() -> bool | None:
     return all(value.is_zero() for value in (*places, _changed(painleve_parameter(), "slip")))
 
 
+def one_coefficient() -> bool | None:
+    """Whether u' and v' are linear in the forces, and λ_N stands in u' with the factor of λ_T in v' (times det M)."""
+    velocities = {name: MECHANISM.read(text) for name, text in {**TANGENTIAL, **NORMAL}.items()}
+    linear = all(
+        part.derivative(other).is_zero()
+        for force in ("lamT", "lam")
+        for part in pushed(force)
+        for other in ("lamT", "lam")
+    )
+    same = _changed(velocities["u"], "lam") - _changed(velocities["v"], "lamT")
+    return linear and bool(same.is_zero())
+
+
+def one_coefficient_of_the_rod() -> bool | None:
+    """The same for the rod, from its forces and the velocity of its contact point."""
+    fields = {name: {key: ALGEBRA.read(text) for key, text in field.items()} for name, field in FORCES.items()}
+    u, v = (ALGEBRA.read(SPEEDS[name]) for name in "uv")
+    return bool((ALGEBRA.derivative(u, fields["N"]) - ALGEBRA.derivative(v, fields["T"])).is_zero())
+
+
 def of_the_rod() -> bool | None:
     """Whether x, y and p of the rod are not changed at once by λ_T, λ_N, and p by the force of positive slip."""
     fields = {name: {key: ALGEBRA.read(text) for key, text in field.items()} for name, field in FORCES.items()}
@@ -123,6 +146,25 @@ def _at_once() -> Entry:
     )
 
 
+def _projected() -> Entry:
+    return settled(
+        "Section 2",
+        "2-projected",
+        "eqs. udynamics, vdynamics, lines 448 to 453",
+        r"\dot u=a+\lambda_TA+\lambda_NB,\ \dot v=b+\lambda_TB+\lambda_NC,\quad"
+        r"B=\mathcal L_{G_N}u=\mathcal L_{G_T}v",
+        "M q'' = f + t λ_T + n λ_N with a symmetric mass matrix, t and n the gradients of x and y: du/dt and dv/dt are "
+        "linear in λ_T and λ_N, and one B stands in both, L_{G_N} u = L_{G_T} v",
+        Check(
+            Rung.EXACT,
+            "the equations of motion of two coordinates, with symbols for M and the gradients of x and y",
+            one_coefficient(),
+        ),
+        Check(Rung.POINTS, "the rod that slides, in every state of this mechanism", one_coefficient_of_the_rod()),
+        note="With more coordinates B is t M^-1 n too. Signs of A, C and AC - B²: 1-mass-matrix.",
+    )
+
+
 def _slip_equations() -> Entry:
     this = Claim(ALGEBRA, PRINTED)
 
@@ -146,5 +188,5 @@ def _slip_equations() -> Entry:
     )
 
 
-ENTRIES: Builders = {"2-at-once": _at_once, "2-slip-equations": _slip_equations}
+ENTRIES: Builders = {"2-projected": _projected, "2-at-once": _at_once, "2-slip-equations": _slip_equations}
 """The general system in positive slip."""

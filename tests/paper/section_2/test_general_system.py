@@ -52,3 +52,26 @@ def test_a_place_with_a_velocity_in_it_is_changed_at_once(
 def test_the_forces_are_those_of_the_motion_in_slip(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(ledger.FORCES["T"], "w", "k*s")
     assert ledger.of_the_rod() is False
+
+
+@pytest.mark.parametrize(
+    ("target", "name", "text"),
+    [
+        ("MOTION", "w1", "m22*(f1 + t1*lamT + n1*lam) - m11*(f2 + t2*lamT + n2*lam)"),  # no symmetric mass matrix
+        ("MOTION", "w2", "m11*(f2 + t2*lamT + n2*lam^2) - m12*(f1 + t1*lamT + n1*lam)"),
+        ("MOTION", "q1", "w1 + lam"),
+        ("TANGENTIAL", "u", "n1*w1 + t2*w2 + xt"),
+    ],
+)
+def test_one_b_needs_a_symmetric_mass_matrix(
+    monkeypatch: pytest.MonkeyPatch, target: str, name: str, text: str
+) -> None:
+    assert ledger.one_coefficient() is True
+    monkeypatch.setitem(getattr(ledger, target), name, text)
+    assert ledger.one_coefficient() is False
+
+
+def test_one_b_of_the_rod(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert ledger.one_coefficient_of_the_rod() is True
+    monkeypatch.setitem(ledger.FORCES["N"], "w", "-k*s")
+    assert ledger.one_coefficient_of_the_rod() is False

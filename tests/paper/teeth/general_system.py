@@ -19,6 +19,14 @@ TEETH: Teeth = {
         Bite("hypothesis", ledger.PLACES, "y", replaced("Y", "Y + W")),
         NotApplicable("order", "exact zeros; no order of an error occurs"),
     ),
+    "2-projected": (
+        Bite("factor", ledger.MOTION, "w2", replaced("m12", "1000003/1000000*m12")),
+        Bite("factor", ledger.FORCES["N"], "w", scaled),
+        Bite("hidden factor", ledger.FORCES["T"], "w", unseen_at("s", (0, 1))),
+        Bite("hypothesis", ledger.MOTION, "w1", replaced("m12", "m22")),
+        Bite("hypothesis", ledger.TANGENTIAL, "u", replaced("t2", "n2")),
+        Bite("order", ledger.MOTION, "w1", replaced("n1*lam", "n1*lam^2")),
+    ),
     "2-slip-equations": (
         *(Bite("factor", ledger.PRINTED, name, scaled, refutes=True) for name in "pbyv"),
         Bite("factor", ledger.PRINTED, "b", replaced("alpha3*r", "1000003/1000000*alpha3*r"), refutes=True),
