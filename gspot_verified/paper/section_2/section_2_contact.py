@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
-from gspot_verified.paper.checks.identities import Algebra, rising_signs
+from flint import fmpq_mpoly
 
-ALGEBRA = Algebra("z y epsilon k1 k2 c d x lam")
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.identities import Algebra, Claim, Parts, rising_signs
+
+ALGEBRA = Algebra("z y zd epsilon k1 k2 c d x lam")
 _SYMBOLS = ALGEBRA.symbols
 RATE = {"contact": "-z - (z - y)", "flight": "-z"}
 """ε z' of compl1 with ε² λ_N = z - y, or λ_N = 0."""
@@ -15,6 +17,8 @@ DECAY = {"contact": 2, "flight": 1}
 """z minus its rest falls like e^(-decay t/ε)."""
 UNDER_FORCE = "-z - epsilon^2*lam"
 """ε z' of compl1."""
+COMPLIANT = {"z": "-z - epsilon^2*lam", "force": "z - y"}
+"""ε z' of compl1, and ε² λ_N of compl2 for y < z."""
 GIVEN = {"z": "-epsilon^2*lam", "y": "-2*epsilon^2*lam"}
 """z and y at rest under a given force λ_N."""
 BALANCE = {"z": "-k1*z - lam", "y": "k2*(z - y) - lam"}
@@ -128,5 +132,44 @@ def _deformation() -> Entry:
     )
 
 
-ENTRIES: Builders = {"2-relaxation": _relaxation, "2-deformation": _deformation}
+def _compliant() -> Entry:
+    this = Claim(ALGEBRA, COMPLIANT)
+    epsilon, zd, lam = (_SYMBOLS[name] for name in ("epsilon", "zd", "lam"))
+
+    def put_in(parts: Parts) -> list[fmpq_mpoly]:
+        # c z' = -k1 z - λ and λ = k2 (z - y), times ε²: a constant with the power m of ε becomes ε^(2 + m).
+        images = {name: epsilon ** (2 + power) for name, power in CONSTANTS.items()}
+        images["lam"] = epsilon**2 * lam
+        whole = {name: ALGEBRA.substitute(ALGEBRA.read(text), images) for name, text in BALANCE.items()}
+        damper = ALGEBRA.substitute(_SYMBOLS["c"], images) * zd - whole["z"]
+        return [damper - (epsilon * zd - parts["z"]), whole["y"] - (parts["force"] - epsilon**2 * lam)]
+
+    def by_rest_and_rate(parts: Parts) -> list[fmpq_mpoly]:
+        # An affine equation has one rest, -λ/k1, and one rate, k1/c = ε^-1; the force is 0 at y = z, with the slope k2.
+        rest = {"z": -(epsilon ** -CONSTANTS["k1"]) * lam}
+        rate = ALGEBRA.constant(CONSTANTS["k1"] - CONSTANTS["c"] + 1)
+        stiffness = ALGEBRA.constant(CONSTANTS["k2"] + 2)
+        at_surface = ALGEBRA.substitute(parts["force"], {"y": _SYMBOLS["z"]})
+        return [
+            ALGEBRA.substitute(parts["z"], rest),
+            parts["z"].derivative("z") + 1,
+            rate,
+            at_surface,
+            parts["force"].derivative("y") + 1,
+            stiffness,
+        ]
+
+    return settled(
+        "Section 2",
+        "2-compliant",
+        "eqs. compl1, compl2, lines 572 to 583",
+        r"\epsilon\dot z=-z-\epsilon^2\lambda_N,\quad\lambda_N=\epsilon^{-2}(z-y)",
+        "With k_1 = k_2 = 1/ε² and c = 1/ε eqs. compliant1 and compliant2 are, in contact, compl1 and compl2, for "
+        "every ε > 0",
+        this.check("the constants put in, times ε²", put_in),
+        this.check("the rest and the rate of z under a force; where the force is 0, and its slope", by_rest_and_rate),
+    )
+
+
+ENTRIES: Builders = {"2-compliant": _compliant, "2-relaxation": _relaxation, "2-deformation": _deformation}
 """The relaxation and the deformation of the surface."""

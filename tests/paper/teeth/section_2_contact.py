@@ -16,6 +16,14 @@ TEETH: Teeth = {
         Bite("hypothesis", ledger.RATE, "flight", lambda _: ledger.RATE["contact"]),
         Bite("order", ledger.DECAY, "contact", lambda honest: honest + 1),
     ),
+    "2-compliant": (
+        Bite("factor", ledger.COMPLIANT, "z", replaced("epsilon^2*lam", f"{GENERIC}*epsilon^2*lam"), refutes=True),
+        Bite("factor", ledger.COMPLIANT, "force", scaled, refutes=True),
+        Bite("hidden factor", ledger.COMPLIANT, "z", unseen_at("epsilon", (0, 1)), refutes=True),
+        Bite("hypothesis", ledger.CONSTANTS, "c", lambda _: 0),
+        Bite("hypothesis", ledger.CONSTANTS, "k2", lambda _: -1),
+        Bite("order", ledger.COMPLIANT, "z", replaced("epsilon^2", "epsilon"), refutes=True),
+    ),
     "2-deformation": (
         Bite("factor", ledger.GIVEN, "z", scaled),
         Bite("factor", ledger.BALANCE, "y", replaced("k2*", f"{GENERIC}*k2*")),
