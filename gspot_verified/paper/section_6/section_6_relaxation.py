@@ -29,8 +29,11 @@ WEIGHTS = {
     "kphi": (2, 2, 1), "kpsi": (0, 2, 1), "cphi": (2, 1, 1), "cpsi": (0, 1, 1), "m2": (0, 0, 1), "J": (-1, 0, 0),
 }  # fmt: skip
 """The powers of the units of length, rate and mass in each quantity; angles, μ, β and κ have none."""
-FORCES = {"f1": (2, 2, 1), "f2": (1, 2, 1), "M11": (2, 0, 1), "M12": (1, 0, 1), "M21": (1, 0, 1), "M22": (0, 0, 1)}
-"""The same of M and f."""
+FORCES = {
+    "f1": (2, 2, 1), "f2": (1, 2, 1), "M11": (2, 0, 1), "M12": (1, 0, 1), "M21": (1, 0, 1), "M22": (0, 0, 1),
+    "QT1": (1, 0, 0), "QT2": (0, 0, 0), "QN1": (1, 0, 0), "QN2": (0, 0, 0),
+}  # fmt: skip
+"""The same of M, f, Q_T and Q_N: in the two equations a torque and a force."""
 
 
 def first_p() -> arb:
@@ -108,7 +111,7 @@ def has_unit(value: fmpq_mpoly, unit: tuple[int, int, int]) -> bool:
 
 
 def motion_is_homogeneous() -> bool | None:
-    """Whether each part of M and f has one unit, that of its place in the equation of motion."""
+    """Whether each part of M, f, Q_T and Q_N has one unit, that of its place in the equation of motion."""
     parts = oscillator.parts_of_motion()
     return all(has_unit(parts[name], unit) for name, unit in FORCES.items())
 
@@ -120,7 +123,7 @@ def parameters_have_their_units() -> bool | None:
 
 
 def scaled_motion_has_no_units() -> bool | None:
-    """Whether M and f with the chosen parameters, the units as symbols, are their form at 1, scaled."""
+    """Whether M, f, Q_T and Q_N with the chosen parameters, the units as symbols, are their form at 1, scaled."""
     images = {name: ALGEBRA.read(text) for name, text in oscillator.PARAMETERS.items()} | {
         "psi": ALGEBRA.read("l*psi"),
         "w": ALGEBRA.read("om*w"),
@@ -146,12 +149,12 @@ def _units() -> Entry:
         "sqrt(l/g), have no m_1, l, g in them",
         Check(
             Rung.EXACT,
-            "M, f and the parameters: all terms have the same powers of length, time and mass",
+            "M, f, Q_T, Q_N and the parameters: all terms have the same powers of length, time and mass",
             all_of([motion_is_homogeneous(), parameters_have_their_units()]),
         ),
         Check(
             Rung.EXACT,
-            "M and f with the parameters put in, ψ and the rates in units: powers of the units times their form at 1",
+            "M, f, Q_T and Q_N with the parameters put in, ψ and the rates in units: powers of units times their form at 1",
             scaled_motion_has_no_units(),
         ),
     )

@@ -16,6 +16,8 @@ TEETH: Teeth = {
         Bite("hidden factor", oscillator.PARAMETERS, "kphi", replaced("m1*g*l", f"{GENERIC}*m1*g*l*l")),
         Bite("hypothesis", oscillator.PARAMETERS, "cpsi", replaced("om", "om^2")),
         Bite("hypothesis", oscillator.MOTION, "f2", replaced("(m1 + m2)*g", "(m1 + m2)")),
+        Bite("hypothesis", oscillator.MOTION, "QT1", replaced("l*C", "l^2*C")),
+        Bite("hypothesis", oscillator.MOTION, "QN2", replaced("1+", "l+")),
         Bite("order", oscillator.PARAMETERS, "kpsi", raised("m1")),
     ),
     "6-relaxation": (
