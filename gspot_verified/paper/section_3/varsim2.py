@@ -13,6 +13,7 @@ from gspot_verified.numbers.balls import approximate, ball_text, sign_of, workin
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.paper.numerics.paper_state import paper_state
+from gspot_verified.paper.section_2.section_2_sentences import NORMAL, denied, enters, one_of
 from gspot_verified.scenes.certified_run import INTEGRATOR, certified_run
 from gspot_verified.scenes.floats.float_run import float_run
 from gspot_verified.scenes.scene.file import load_scene
@@ -213,8 +214,8 @@ def _large_slip() -> Entry:
         "3-large-slip",
         "lines 937 to 940",
         r"\text{for large enough } u(0)\ \text{lift-off occurs before the contact sticks}",
-        "χ = 1: for u(0) large enough the contact lifts off and has not stuck, for ν = 1/4 and for ν = 4; the motion "
-        "in slip does not depend on u",
+        f"χ = 1, ε = {EPSILON}, β = {BETA}: for ν = 1/4 and every u(0) >= {FIRST_SLIP}, for ν = 4 and every u(0) >= "
+        f"{FASTER[0]}, the contact lifts off and has not stuck; the motion in slip does not depend on u",
         Check(
             Rung.BALLS,
             f"certified runs: ν = 1/4 with u(0) = {FIRST_SLIP}, ν = 4 with u(0) = {' and '.join(map(str, FASTER))}, "
@@ -230,7 +231,12 @@ def _large_slip() -> Entry:
             "the lift-off does not move with u(0): the two times for ν = 4 agree to 10^-9",
             _close(stops, again),
         ),
-        note="In slip u occurs in no equation but its own: what holds for one u(0) holds for every larger one.",
+        Check(
+            Rung.EXACT,
+            "eqs. udot, newex1 to newex5 in slip, derived by u: no rate has u, so with a larger u(0) u alone is "
+            "larger, by as much, until lift-off",
+            denied(one_of(enters("u", name) for name in (*NORMAL, "u"))),
+        ),
     )
 
 

@@ -154,7 +154,7 @@ def _units() -> Entry:
         ),
         Check(
             Rung.EXACT,
-            "M, f, Q_T and Q_N with the parameters put in, ψ and the rates in units: powers of units times their form at 1",
+            "M, f, Q_T, Q_N with the parameters put in, ψ and the rates in units: powers of units times the form at 1",
             scaled_motion_has_no_units(),
         ),
     )
