@@ -208,7 +208,7 @@ def _gamma_name() -> Entry:
         "S-gamma-name",
         NAMED,
         r"\text{Here }Gamma\text{ represents the Gamma function}",
-        "Line 1268 explains the sign of the Gamma function that stands in eq. dTheta_sign and in the next sentence",
+        "The sign that line 1268 explains is the one that stands in eq. dTheta_sign and in the next sentence",
         *(held_against(NAMED, f"line 1268 and {place.name}", NAME, place) for place in USED),
         corrected="Here Γ represents the Gamma function",
     )

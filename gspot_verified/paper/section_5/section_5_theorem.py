@@ -185,7 +185,8 @@ def _existence() -> Entry:
         "5-theorem-1",
         "th:1",
         r"\exists!\ \xi_n,p_n,b_n,y_n,v_n,z_n,\lambda_n\text{ polynomials in }s",
-        "For β not an integer the equations and conditions have exactly one expansion in polynomials of s",
+        "For α_1*, α_3* < 0, β not an integer and a regular Jacobian of (P, B, Y, V, J) at ξ* the equations and "
+        "conditions have exactly one expansion in polynomials of s",
         Page("expansion", (dependence, is_triangular)).carries(
             Check(
                 Rung.EXACT,
