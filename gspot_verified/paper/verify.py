@@ -29,6 +29,7 @@ from gspot_verified.paper.section_1 import (
 from gspot_verified.paper.section_2 import (
     general_system,
     lagrangian,
+    no_trivial_solution,
     section_2_contact,
     section_2_restitution,
     section_2_sentences,
@@ -95,6 +96,7 @@ PARTS: dict[str, Builders] = {
     "Section 2, coefficients of restitution": section_2_restitution.ENTRIES,
     "Section 2, the motivating example": section_4_trivial.ENTRIES,
     "Section 2, the extended example": lagrangian.ENTRIES,
+    "Section 2, no trivial solution": no_trivial_solution.ENTRIES,
     "Section 2, sentences": section_2_sentences.ENTRIES,
     "Section 3, sides of the simulations": section_3.ENTRIES,
     "Section 3, the runs of the simulations": varsim1.ENTRIES,

@@ -1,0 +1,87 @@
+"""Ledger of Section 2: for χ not 0 the extended example has no trivial solution.
+
+On a trivial solution v is 0, and y, z and so the force L = λ_N are constant. Then b + p L = 0 (newex4), p' = α_1 + χ b
+(newex1), b' = α_2 - α_3 L (newex2); m and b0 are slope and value at t = 0 of b.
+"""
+
+from __future__ import annotations
+
+from flint import fmpq_mpoly
+
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.paper.checks.identities import Algebra
+
+ALGEBRA = Algebra("p b t L m b0 chi alpha1 alpha2 alpha3")
+_SYMBOLS = ALGEBRA.symbols
+RATES = {"p": "alpha1 + chi*b", "b": "alpha2 - alpha3*L"}
+"""newex1 and newex2 in slip."""
+BALANCE = "b + p*L"
+"""dv/dt of newex4 in slip."""
+NOT_ZERO = ("chi", "alpha1", "alpha2")
+
+
+def is_not_zero(value: fmpq_mpoly, *others: str) -> bool:
+    """Whether a value is a product of numbers and symbols that are not 0."""
+    number, factors = value.factor() if not value.is_zero() else (0, [])
+    allowed = [ALGEBRA.read(name) for name in (*NOT_ZERO, *others)]
+    return number != 0 and all(factor in allowed or -factor in allowed for factor, _ in factors)
+
+
+def without_force(value: fmpq_mpoly) -> fmpq_mpoly:
+    """The value at L = 0."""
+    return ALGEBRA.substitute(value, {"L": ALGEBRA.constant(0)})
+
+
+def at_the_g_spot(value: fmpq_mpoly) -> fmpq_mpoly:
+    """The value at p = 0, where b + p L = 0 gives b = 0."""
+    return ALGEBRA.substitute(value, {"p": ALGEBRA.constant(0), "b": ALGEBRA.constant(0)})
+
+
+def by_derivatives() -> bool | None:
+    """Whether the first two derivatives of b + p L = 0 exclude p = 0.
+
+    The second is χ L b'. For L = 0 the first is α_2, not 0. For b' = 0 the first is L p', so that p' = 0; but where
+    p = 0 it is α_1, not 0.
+    """
+    rates = {name: ALGEBRA.read(text) for name, text in RATES.items()}
+    first = ALGEBRA.derivative(ALGEBRA.read(BALANCE), rates)
+    second = ALGEBRA.derivative(first, rates)
+    by_l = second - _SYMBOLS["chi"] * _SYMBOLS["L"] * rates["b"]
+    at_rest = first - rates["b"] - _SYMBOLS["L"] * rates["p"]
+    ends = by_l.is_zero() and at_rest.is_zero() and at_the_g_spot(ALGEBRA.read(BALANCE)).is_zero()
+    holds = "chi" in NOT_ZERO and is_not_zero(without_force(first)) and is_not_zero(at_the_g_spot(rates["p"]))
+    return True if ends and holds else None
+
+
+def by_the_line() -> bool | None:
+    """Whether b = b0 + m t and L p = -b solve newex1, L p' = L (α_1 + χ b), for no state with p = 0.
+
+    What must vanish for all t is m + L (α_1 + χ b), with the slope χ L m. For L = 0 it is m = α_2, not 0. For m = 0, b
+    is constant, and 0 where p = 0: it is L α_1, not 0.
+    """
+    line = ALGEBRA.read("b0 + m*t")
+    rate = ALGEBRA.substitute(ALGEBRA.read(RATES["p"]), {"b": line})
+    residual = _SYMBOLS["m"] + _SYMBOLS["L"] * rate
+    slope = residual.derivative("t")
+    no_force = ALGEBRA.substitute(without_force(residual), {"m": without_force(ALGEBRA.read(RATES["b"]))})
+    level = ALGEBRA.substitute(residual, {"m": ALGEBRA.constant(0), "b0": ALGEBRA.constant(0)})
+    return True if is_not_zero(slope, "L", "m") and is_not_zero(no_force) and is_not_zero(level, "L") else None
+
+
+def _no_trivial() -> Entry:
+    return settled(
+        "Section 2",
+        "2-no-trivial",
+        "lines 708 to 712",
+        r"\chi=1:\ \text{there is no such trivial solution}",
+        "In slip with contact the extended example, χ, α_1 and α_2 not 0, has no solution with v = 0 and constant y "
+        "and z that passes p = 0",
+        Check(Rung.EXACT, "newex4 with v = 0, derived twice along newex1 and newex2", by_derivatives()),
+        Check(Rung.EXACT, "b as a line in t, p from newex4, put into newex1", by_the_line()),
+        note="With constant y and z there is a state of rest for χ not 0, b = -α_1/χ, where p is not 0. For χ = 0: "
+        "2-trivial.",
+    )
+
+
+ENTRIES: Builders = {"2-no-trivial": _no_trivial}
+"""No trivial solution."""
