@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from flint import arb, fmpq
+from flint import arb, fmpq, fmpq_mpoly
 
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
@@ -36,6 +36,8 @@ BELT = {"printed": "0*l", "corrected": "-l*om"}
 STARTS = (fmpq(-9, 10), fmpq(-1, 2))
 """φ-dot of the two starts, in the units m_1 = l = g = 1; φ = φ* + 1/10, cos φ* = 3/5."""
 AWAY = fmpq(1, 10)
+IN_CONTACT = {"psi": "C - 1", "x": "-S*w"}
+"""ψ and its rate at both starts."""
 BETAS = {"printed": "lam", "corrected": "18/7 - lam"}
 """Every β = lam > 0; every β below 18/7, at the distance lam > 0."""
 HIGHEST = fmpq(18, 7)
@@ -115,6 +117,39 @@ def _positive_slip() -> Entry:
     )
 
 
+def _units(value: fmpq_mpoly) -> fmpq_mpoly:
+    """In the units m_1 = l = g = 1, at the printed ψ and its printed rate."""
+    place = {name: ALGEBRA.read(text) for name, text in IN_CONTACT.items()}
+    return ALGEBRA.substitute(value, place | {"l": ALGEBRA.constant(1)})
+
+
+def by_the_height() -> bool | None:
+    """Whether y and the v of Appendix B vanish there, for every φ and its rate."""
+    y, v = ALGEBRA.read(oscillator.MOTION["y"]), ALGEBRA.read(oscillator.PRINTED["B-v"]["formula"])
+    return _units(y).is_zero() and _units(v).is_zero()
+
+
+def by_the_rates() -> bool | None:
+    """Whether ψ = -(1 - cos φ), its rate is the printed one, and Q_N times the rates is 0."""
+    psi = ALGEBRA.read(IN_CONTACT["psi"])
+    rate = oscillator.along(psi, {"phi": _SYMBOLS["w"]}) - ALGEBRA.read(IN_CONTACT["x"])
+    push = {name: ALGEBRA.read(oscillator.MOTION[name]) for name in ("QN1", "QN2")}
+    power = push["QN1"] * _SYMBOLS["w"] + push["QN2"] * _SYMBOLS["x"]
+    return rate.is_zero() and (psi + 1 - _SYMBOLS["C"]).is_zero() and _units(power).is_zero()
+
+
+def _starts() -> Entry:
+    return settled(
+        SECTION,
+        "6-starts",
+        "lines 2197 to 2200",
+        r"\psi=\cos\phi-1,\ \dot\psi=-\sin(\phi)\dot\phi\ \Rightarrow\ y=v=0",
+        "In the units m_1 = l = g = 1 the printed ψ and its rate are those of y = v = 0, for every φ and its rate",
+        Check(Rung.EXACT, "y of line 2136 and v of Appendix B", by_the_height()),
+        Check(Rung.EXACT, "the rate of the printed ψ; the power of the normal force", by_the_rates()),
+    )
+
+
 def damps(form: str) -> bool | None:
     """Whether c_ψ >= 0 for these β: True by positive coefficients in lam > 0, False when it falls for ever."""
     found = ALGEBRA.substitute(ALGEBRA.read(oscillator.PARAMETERS["cpsi"]), {"beta": ALGEBRA.read(BETAS[form])})
@@ -162,6 +197,7 @@ def _any_beta() -> Entry:
 ENTRIES: Builders = {
     "6-attribution": _attribution,
     "6-positive-slip": _positive_slip,
+    "6-starts": _starts,
     "6-any-beta": _any_beta,
     "6-colours": _colours,
 }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from flint import fmpq
-from paper.bite import Bite, NotApplicable, Teeth, raised, reads_as, replaced
+from paper.bite import Bite, NotApplicable, Teeth, raised, reads_as, replaced, scaled
 
 from gspot_verified.paper.checks import words
 from gspot_verified.paper.section_6 import oscillator, section_6_runs
@@ -20,6 +20,13 @@ TEETH: Teeth = {
         Bite("hypothesis", words, "quoted", reads_as("leine2008", "leine2002", then=("Leine2002", "leine2002"))),
         Bite("hypothesis", words, "quoted", reads_as("proposed by", "of")),
         NotApplicable("order", _WORDS),
+    ),
+    "6-starts": (
+        Bite("factor", ledger.IN_CONTACT, "x", scaled, refutes=True),
+        Bite("hidden factor", ledger.IN_CONTACT, "psi", lambda honest: f"{honest} + S^2*w*(w - 1)", refutes=True),
+        Bite("hypothesis", oscillator.MOTION, "y", replaced("l*(1 - C)", "2*l*(1 - C)")),
+        Bite("hypothesis", oscillator.MOTION, "QN1", replaced("l*S", "l*C")),
+        Bite("order", ledger.IN_CONTACT, "x", replaced("*w", "*w^2"), refutes=True),
     ),
     "6-positive-slip": (
         NotApplicable("factor", _SIGN),
