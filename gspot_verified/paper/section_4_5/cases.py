@@ -7,6 +7,7 @@ symbols (v: by a number in (0, 1)).
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from flint import arb, fmpq
 
@@ -20,7 +21,8 @@ from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_
 from gspot_verified.paper.checks.formulas import Forms, FormulaClaim, closed_form, evaluate_text, mended, put
 from gspot_verified.paper.checks.gamma_cells import induction
 from gspot_verified.paper.checks.identities import in_greek
-from gspot_verified.paper.section_4_5 import lift_off
+from gspot_verified.paper.section_4.section_4_matching import PRINTED as MATCHING
+from gspot_verified.paper.section_4_5 import growth, lift_off
 from gspot_verified.paper.section_4_5.section_4_5 import CORRECTED as CORRECTED_FORCE
 from gspot_verified.paper.section_4_5.section_4_5 import PRINTED as FORCE
 from gspot_verified.signs.cover.sign import sign as sign_on_ranges
@@ -226,33 +228,45 @@ def _other_side() -> Entry:
     )
 
 
+def _rising(law: Check, positive: Check) -> Check:
+    """A check of the law that holds where its rate and its power are positive too."""
+    agrees = all_of([law.agrees, positive.agrees])
+    return replace(law, agrees=agrees, finding=law.finding or positive.finding)
+
+
 def _growth() -> Entry:
     claim = FormulaClaim(lift_off.PRINTED["S-growth"])
     brackets = lift_off.growth_brackets()
     leading = closed_form(put(appendix.THETA["large leading"], beta="beta-1"))
     exponent = closed_form(FORCE["S-deviation-force"]["force"]).exponent("epsilon")
+    by_saddle = claim.check(
+        "last section, first proof: (2/3) τ^(3/2) = ((2 β - 2)/3) ln(1/ε) with the exponents of eq. tlarge and of "
+        "S-deviation-force, for a symbol β > 1",
+        lambda forms: [
+            closed_form("3/2") * forms["power"],
+            rational(leading.exponent("e")) / closed_form("lam") * forms["rate"] / rational(exponent),
+        ],
+    )
+    by_means = claim.check(
+        "last section, second proof: the logarithmic derivative of dΘ/dτ is asymptotic to sqrt(τ), so that τ^(3/2) is "
+        "3/2 times the exponent of λ_N in 4-exponents times ln(1/ε), for a symbol β > 1",
+        lambda forms: [
+            closed_form(f"1+{growth.ROOT}") * forms["power"],
+            closed_form(f"(1+{growth.ROOT})*({MATCHING['4-exponents']['lambda']})/3") / forms["rate"],
+        ],
+    )
+    positive = claim.under(**HYPOTHESES["S-growth"]).check_sign(
+        "the rate and the power are positive", lambda forms: list(forms.values())
+    )
     return settled(
         SECTION,
         "S-growth",
         "line 1302",
         r"\tau_{\text{lift-off}}\sim\log(\varepsilon)^{2/3}",
-        "The lift-off time grows like |log ε|^(2/3) as ε → 0",
-        SIGNS_RIGHT.carries(
-            claim.check(
-                "last section: (2/3) τ^(3/2) = ((2 β - 2)/3) ln(1/ε) with the exponents of eq. tlarge and "
-                "of S-deviation-force, for a symbol β",
-                lambda forms: [
-                    closed_form("3/2") * forms["power"],
-                    rational(leading.exponent("e")) / closed_form("lam") * forms["rate"] / rational(exponent),
-                ],
-            ),
-        ),
-        SIGNS_RIGHT.carries(
-            claim.under(**HYPOTHESES["S-growth"]).check_sign(
-                "last section: for β > 1 the rate and the power are positive",
-                lambda forms: list(forms.values()),
-            ),
-        ),
+        "For β > 1 not an integer and C_1/Γ(-β) < 0, at leading order, the lift-off time, the last zero of λ_N, grows "
+        "like |log ε|^(2/3) as ε → 0",
+        SIGNS_RIGHT.carries(_rising(by_saddle, positive)),
+        growth.PAGE.carries(_rising(by_means, positive)),
         Check(
             Rung.POINTS,
             "certified brackets of a zero of λ_N beyond τ = 2: its ratio to the law tends to 1",

@@ -7,7 +7,7 @@ from paper.bite import Bite, NotApplicable, Teeth, raised, replaced, scaled, uns
 
 from gspot_verified.paper.checks import gamma_cells
 from gspot_verified.paper.section_4_5 import cases as ledger
-from gspot_verified.paper.section_4_5 import lift_off
+from gspot_verified.paper.section_4_5 import growth, lift_off
 
 _PRINTED, _WORDING, _GROWTH = ledger.PRINTED, ledger.CORRECTED["S-wording"], lift_off.PRINTED["S-growth"]
 _POSITIVE_FACTOR = "a claim about a sign: a factor near 1 keeps it"
@@ -54,6 +54,10 @@ TEETH: Teeth = {
         *(Bite("factor", _GROWTH, name, scaled) for name in _GROWTH),
         Bite("hidden factor", _GROWTH, "rate", unseen_at("beta", ("3/2", "5/2"))),
         Bite("hypothesis", ledger.HYPOTHESES["S-growth"], "beta", replaced("1+u", "u")),
+        Bite("factor", growth, "ROOT", lambda _: "1/3"),
+        Bite("hypothesis", growth.RATES, "s", lambda honest: f"{honest} + q"),
+        Bite("hypothesis", growth.RATES, "q", replaced("q^2", "2*q^2")),
+        Bite("hypothesis", growth, "THIRD", replaced("a*M0", "2*a*M0")),
         Bite("order", _GROWTH, "power", lambda honest: f"{honest}+1"),
         Bite("order", _GROWTH, "rate", raised("beta")),
     ),
