@@ -7,7 +7,6 @@ from typing import Any
 from flint import fmpq
 from paper.bite import Bite, NotApplicable, Teeth, Tooth
 
-from gspot_verified.paper.section_2.section_2_sentences import EXTENDED
 from gspot_verified.paper.section_3 import varsim2 as ledger
 
 ENTRIES = ledger.ENTRIES
@@ -58,8 +57,8 @@ TEETH: Teeth = {
         Bite("factor", ledger, "LIFT_OFF", lambda _: ledger.STICK),
         Bite("hidden factor", ledger, "_NEAR", lambda _: fmpq(0)),
         Bite("hypothesis", ledger, "FASTER", lambda _: (fmpq(70), fmpq(1000))),
-        Bite("hypothesis", EXTENDED, "b", lambda honest: f"{honest} + u"),
-        Bite("hypothesis", EXTENDED, "u", lambda honest: f"{honest} - u"),
+        Bite("hypothesis", ledger.SLIP, "b", lambda honest: f"{honest} + u"),
+        Bite("hypothesis", ledger.SLIP, "u", lambda honest: f"{honest} - u"),
         _NO_ORDER,
     ),
 }
