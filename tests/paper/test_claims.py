@@ -32,6 +32,7 @@ RESTRICTIONS = {
     "k < 8": "k < 8",
     "derivative dΘ/dτ is negative": "C_1 < 0|dΘ",
     "^In Cases II and III": "Cases II and III",
+    "regular Jacobian": "Theorem 1|Step|[Jj]acobian|coefficient is not 0|complementary function",
     "from that of order": "that of order",
     "fixed τ with dΘ/dτ not 0": r"dΘ/dτ is not 0|τ = O\(1\)|at a fixed τ",
     VALUE: f"{VALUE}|Figure|Table|panel|Panel|start|[βε] <|β = ",

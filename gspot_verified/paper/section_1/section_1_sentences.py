@@ -16,7 +16,7 @@ from gspot_verified.paper.section_1 import section_1_negative_p
 from gspot_verified.paper.section_2.section_2_contact import CONSTANTS
 
 SECTION = "Section 1"
-ALGEBRA = Algebra("r P s A B C mu p T dP a b lamT lam")
+ALGEBRA = Algebra("r P s A B C mu p T dP a b lamT lam u m k x")
 _SYMBOLS = ALGEBRA.symbols
 STIFFNESS = {"printed": 2, "corrected": -2}
 """The power of ε that the stiffness of the surface scales like."""
@@ -39,6 +39,8 @@ PROJECTED = {"u": "a + lamT*A + lam*B", "v": "b + lamT*B + lam*C"}
 """udynamics and vdynamics."""
 FRICTION = {"forwards": "-mu*lam", "backwards": "mu*lam"}
 """λ_T of eq. Coulomb for u > 0 and for u < 0."""
+BOUND = "k*(1 + r)*m"
+"""The value of p u at the start, k = μA - B, that divides lift-off in slip from lift-off in stick."""
 SLOPE = {"v": "p", "u": "B - mu*A"}
 """The claimed slope dv/du of an impact in positive slip, as a quotient."""
 
@@ -188,6 +190,70 @@ def _slope() -> Entry:
     )
 
 
+def end_of_slip(share: str) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+    """The functions p (v at the end) and p u there, where u is the share of BOUND at first: in slip to the end.
+
+    v = -m at first rises with the slope p; compression ends at P = m/p, restitution has r times that impulse.
+    """
+    first = ALGEBRA.read(f"({share})*({BOUND})")  # p u
+    impulse = ALGEBRA.read("(1 + r)*m")  # p P
+    rates = {"v": _SYMBOLS["p"], "u": -_SYMBOLS["k"]}
+    return -_SYMBOLS["m"] * _SYMBOLS["p"] + rates["v"] * impulse, first + rates["u"] * impulse
+
+
+def slips_to_the_end() -> bool | None:
+    """Whether above BOUND u is positive at the end of slip with v = r m there, and below it slip ends before."""
+    (rise, fast), (_, slow) = end_of_slip("1 + x"), end_of_slip("1 - x")
+    lifts = (rise - _SYMBOLS["p"] * ALGEBRA.read("r*m")).is_zero()
+    return lifts and rising_signs(fast) and rising_signs(-slow)
+
+
+def slips_by_the_impulses() -> bool | None:
+    """Whether p u is BOUND at first where u is 0 at the end, from the changes by a whole impulse P with T = -μ P.
+
+    v changes by p P: so p P is m for compression and (1 + r) m for all of it.
+    """
+    friction = {"T": -_SYMBOLS["mu"] * _SYMBOLS["P"]}
+    slopes = {
+        name: ALGEBRA.substitute(ALGEBRA.read(text), friction).derivative("P")
+        for name, text in section_1_negative_p.STICK.items()
+    }
+    bound = ALGEBRA.substitute(ALGEBRA.read(BOUND), {"k": ALGEBRA.read("mu*A - B")})
+    at_the_end = bound + slopes["u"] * ALGEBRA.read("(1 + r)*m")
+    return (slopes["v"] - ALGEBRA.read("C - mu*B")).is_zero() and at_the_end.is_zero()
+
+
+def rises_in_stick() -> bool | None:
+    """Whether T = -B P/A keeps u, and then A dv/dP = AC - B² > 0; |T| < μ P is B < μA."""
+    images = {"P": _SYMBOLS["A"], "T": -_SYMBOLS["B"]}
+    kept, rise = (ALGEBRA.substitute(ALGEBRA.read(section_1_negative_p.STICK[name]), images) for name in "uv")
+    return kept.is_zero() and (rise - ALGEBRA.read("A*C - B^2")).is_zero()
+
+
+def _ends() -> Entry:
+    return settled(
+        SECTION,
+        "1-impact-ends",
+        "lines 226 to 227",
+        r"\text{one initial condition lifts off in slip, the other (with smaller initial }u)\text{ in stick}",
+        "Rigid impact with p > 0 and 0 < B < μA, v = -m < 0 and u > 0 at first, Poisson's law with r > 0: it lifts off "
+        "in slip where p u is above (μA - B)(1 + r) m, and in stick where it is below; so of two impacts with the same "
+        "v the one with the smaller u is in stick",
+        Check(
+            Rung.EXACT,
+            "along the normal impulse: v and u at the end of slip; v rises in stick",
+            all_of([slips_to_the_end(), rises_in_stick()]),
+        ),
+        Check(
+            Rung.EXACT,
+            "from the whole impulses of the impact; v rises in stick",
+            all_of([slips_by_the_impulses(), rises_in_stick()]),
+        ),
+        note="For small p > 0 B is near C/μ, and B < μA as AC - B² > 0 (1-mass-matrix). In slip v rises along a line, "
+        "so that the energetic law has the same bound.",
+    )
+
+
 def mirrored(text: str) -> fmpq_mpoly:
     """A formula with the tangential direction reversed."""
     return ALGEBRA.substitute(ALGEBRA.read(text), {name: ALGEBRA.read(image) for name, image in MIRROR.items()})
@@ -241,5 +307,6 @@ ENTRIES: Builders = {
     "1-poisson": _poisson,
     "1-colours": _colours,
     "1-impact-slope": _slope,
+    "1-impact-ends": _ends,
 }
 """Sentences of Sec. 1."""

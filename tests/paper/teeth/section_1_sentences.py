@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from paper.bite import GENERIC, Bite, NotApplicable, Teeth, reads_as, replaced, scaled, unseen_at
+from paper.bite import GENERIC, Bite, NotApplicable, Teeth, raised, reads_as, replaced, scaled, unseen_at
 
 from gspot_verified.paper.checks import words
 from gspot_verified.paper.section_1 import section_1_negative_p
@@ -47,5 +47,12 @@ TEETH: Teeth = {
         Bite("hypothesis", section_1_negative_p.RATES, "v", lambda _: "C + mu*B"),
         Bite("hypothesis", section_1_negative_p.STICK, "u", replaced("B*P", "C*P")),
         Bite("order", ledger.SLOPE, "v", replaced("p", "p^2")),
+    ),
+    "1-impact-ends": (
+        Bite("factor", ledger, "BOUND", scaled),
+        Bite("hidden factor", ledger, "BOUND", unseen_at("r", (0, 1))),
+        Bite("hypothesis", section_1_negative_p.STICK, "u", replaced("A*T", "2*A*T")),
+        Bite("hypothesis", section_1_negative_p.STICK, "v", replaced("B*T", "A*T")),
+        Bite("order", ledger, "BOUND", raised("m")),
     ),
 }
