@@ -74,8 +74,8 @@ def _no_trivial() -> Entry:
         "2-no-trivial",
         "lines 708 to 712",
         r"\chi=1:\ \text{there is no such trivial solution}",
-        "In slip with contact the extended example, χ, α_1 and α_2 not 0, has no solution with v = 0 and constant y "
-        "and z that passes p = 0",
+        "In slip with contact the extended example has no solution with v = 0 and constant y and z that passes p = 0, "
+        "for all χ, α_1 and α_2 other than 0",
         Check(Rung.EXACT, "newex4 with v = 0, derived twice along newex1 and newex2", by_derivatives()),
         Check(Rung.EXACT, "b as a line in t, p from newex4, put into newex1", by_the_line()),
         note="With constant y and z there is a state of rest for χ not 0, b = -α_1/χ, where p is not 0. For χ = 0: "
