@@ -92,6 +92,20 @@ def p_is_an_exponential() -> bool | None:
     return (slope - ALGEBRA.substitute(_rates()["p"], {"p": value})).is_zero() and rising_signs(value)
 
 
+def in_finite_time() -> bool | None:
+    """Whether p falls at the constant rate α_1 in t, dt = p ds: p is 0 at the time p(0)/|α_1|, and not before s = ∞."""
+    rate = _rates()["p"] - _SYMBOLS["alpha1"] * _SYMBOLS["p"]
+    return rate.is_zero() and keeps_the_sign_of_p()
+
+
+def time_is_an_exponential() -> bool | None:
+    """The same from p = q E: t = (q E - q)/α_1 has the derivative p in s, and is 0 at E = 1."""
+    value = ALGEBRA.read("q*E - q")  # α_1 t
+    slope = ALGEBRA.derivative(value, {"E": ALGEBRA.read("alpha1*E")})
+    starts = ALGEBRA.substitute(value, {"E": ALGEBRA.constant(1)})
+    return (slope - ALGEBRA.read("alpha1*q*E")).is_zero() and starts.is_zero()
+
+
 def _outcomes() -> Entry:
     return settled(
         SECTION,
@@ -99,16 +113,17 @@ def _outcomes() -> Entry:
         "lines 261 to 265",
         r"\text{from slip there are three outcomes: it leaves, it lifts off, it reaches the G-spot}",
         "Rigid slip with constant α's, α_1 α_3 not 0: from p > 0, b < 0 the state leaves every bounded set with "
-        "b < 0 < p, or reaches b = 0 with p > 0, or tends to the G-spot",
+        "b < 0 < p, or reaches b = 0 with p > 0, or tends to the G-spot, which it does in a finite time t",
         Check(
             Rung.EXACT,
-            "the solutions for α_1 ≠ α_3 and for α_1 = α_3: each part tends to 0 or is unbounded, p > 0 for ever",
-            all_of([ends_by_the_solution(), p_is_an_exponential()]),
+            "the solutions for α_1 ≠ α_3 and for α_1 = α_3: each part tends to 0 or is unbounded, p > 0 for ever; t",
+            all_of([ends_by_the_solution(), p_is_an_exponential(), time_is_an_exponential()]),
         ),
         Check(
             Rung.EXACT,
-            "the eigenvalues of the flow are α_1 and α_3: no bounded state but those that tend to the origin",
-            all_of([bounded_states_go_to_the_g_spot(), keeps_the_sign_of_p()]),
+            "the eigenvalues of the flow are α_1 and α_3: no bounded state but those that tend to the origin; dp/dt is "
+            "α_1",
+            all_of([bounded_states_go_to_the_g_spot(), in_finite_time()]),
         ),
         note="For α_1 = 0 > α_3 and for α_3 = 0 > α_1 there is a fourth outcome: with α = (-1, -1, 0) p tends to 0 and "
         "b to b(0) - p(0); with α = (0, -1, -1) p is constant and b tends to -p.",
