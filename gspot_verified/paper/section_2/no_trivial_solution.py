@@ -22,9 +22,9 @@ NOT_ZERO = ("chi", "alpha1", "alpha2")
 
 def is_not_zero(value: fmpq_mpoly, *others: str) -> bool:
     """Whether a value is a product of numbers and symbols that are not 0."""
-    number, factors = value.factor() if not value.is_zero() else (0, [])
+    number, factors = value.factor()
     allowed = [ALGEBRA.read(name) for name in (*NOT_ZERO, *others)]
-    return number != 0 and all(factor in allowed or -factor in allowed for factor, _ in factors)
+    return number != 0 and all(factor in allowed for factor, _ in factors)
 
 
 def without_force(value: fmpq_mpoly) -> fmpq_mpoly:
@@ -38,34 +38,31 @@ def at_the_g_spot(value: fmpq_mpoly) -> fmpq_mpoly:
 
 
 def by_derivatives() -> bool | None:
-    """Whether the first two derivatives of b + p L = 0 exclude p = 0.
+    """Whether the first two derivatives of b + p L = 0, b' + L p' and χ L b', exclude p = 0.
 
-    The second is χ L b'. For L = 0 the first is α_2, not 0. For b' = 0 the first is L p', so that p' = 0; but where
-    p = 0 it is α_1, not 0.
+    For L = 0 the first is α_2, not 0. For b' = 0 it is L p', so that p' = 0; but where p = 0 it is α_1, not 0.
     """
     rates = {name: ALGEBRA.read(text) for name, text in RATES.items()}
-    first = ALGEBRA.derivative(ALGEBRA.read(BALANCE), rates)
-    second = ALGEBRA.derivative(first, rates)
-    by_l = second - _SYMBOLS["chi"] * _SYMBOLS["L"] * rates["b"]
-    at_rest = first - rates["b"] - _SYMBOLS["L"] * rates["p"]
-    ends = by_l.is_zero() and at_rest.is_zero() and at_the_g_spot(ALGEBRA.read(BALANCE)).is_zero()
+    balance = ALGEBRA.read(BALANCE)
+    first = ALGEBRA.derivative(balance, rates)
+    second = ALGEBRA.derivative(first, rates) - _SYMBOLS["chi"] * _SYMBOLS["L"] * rates["b"]
+    ends = second.is_zero() and at_the_g_spot(balance).is_zero()
     holds = "chi" in NOT_ZERO and is_not_zero(without_force(first)) and is_not_zero(at_the_g_spot(rates["p"]))
     return True if ends and holds else None
 
 
 def by_the_line() -> bool | None:
-    """Whether b = b0 + m t and L p = -b solve newex1, L p' = L (α_1 + χ b), for no state with p = 0.
+    """Whether b = b0 + m t and b + p L = 0 solve newex1 for no state with p = 0.
 
     What must vanish for all t is m + L (α_1 + χ b), with the slope χ L m. For L = 0 it is m = α_2, not 0. For m = 0, b
     is constant, and 0 where p = 0: it is L α_1, not 0.
     """
-    line = ALGEBRA.read("b0 + m*t")
-    rate = ALGEBRA.substitute(ALGEBRA.read(RATES["p"]), {"b": line})
-    residual = _SYMBOLS["m"] + _SYMBOLS["L"] * rate
-    slope = residual.derivative("t")
+    rate = ALGEBRA.substitute(ALGEBRA.read(RATES["p"]), {"b": ALGEBRA.read("b0 + m*t")})
+    residual = ALGEBRA.derivative(ALGEBRA.read(BALANCE), {"b": _SYMBOLS["m"], "p": rate})
     no_force = ALGEBRA.substitute(without_force(residual), {"m": without_force(ALGEBRA.read(RATES["b"]))})
     level = ALGEBRA.substitute(residual, {"m": ALGEBRA.constant(0), "b0": ALGEBRA.constant(0)})
-    return True if is_not_zero(slope, "L", "m") and is_not_zero(no_force) and is_not_zero(level, "L") else None
+    found = [is_not_zero(residual.derivative("t"), "L", "m"), is_not_zero(no_force), is_not_zero(level, "L")]
+    return True if all(found) else None
 
 
 def _no_trivial() -> Entry:
