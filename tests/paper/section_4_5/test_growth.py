@@ -19,8 +19,7 @@ from gspot_verified.theta_function.value.evaluate import evaluate
         (growth, "THIRD", "tau*M1", "third_moment_is_known"),
         (growth.RATES, "q", "s - 2*q^2", "means_move_so"),
         (growth.RATES, "s", "a + tau*q - 2*s*q", "means_move_so"),
-        (growth.RATES, "s", "2 + tau*q - s*q", "mean_square_stays_near_tau"),
-        (growth.RATES, "q", "s - 2*q^2", "mean_rises"),
+        (growth.RATES, "s", "2 + tau*q - s*q", "distance_moves_so"),
     ],
 )
 def test_a_step_rests_on_its_formula(
