@@ -5,6 +5,9 @@ r is λ_N; LFp, LGp, ... are Lie derivatives along F and G.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from operator import mul
+
 from flint import fmpq_mpoly
 
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
@@ -74,7 +77,12 @@ def painleve_parameter() -> fmpq_mpoly:
 def _changed(value: fmpq_mpoly, force: str) -> fmpq_mpoly:
     """The Lie derivative of a function with the slopes k1, k2 in the coordinates."""
     slopes = [*(MECHANISM.symbols[name] for name in ("k1", "k2")), *(value.derivative(name) for name in STATE[2:])]
-    return sum((slope * part for slope, part in zip(slopes, pushed(force), strict=True)), start=MECHANISM.constant(0))
+    return _summed(slopes, force)
+
+
+def _summed(slopes: Iterable[fmpq_mpoly], force: str) -> fmpq_mpoly:
+    """The slopes in q1, q2, w1, w2 times the parts of a field."""
+    return sum(map(mul, slopes, pushed(force)), start=MECHANISM.constant(0))
 
 
 def of_two_coordinates() -> bool | None:
@@ -84,11 +92,10 @@ def of_two_coordinates() -> bool | None:
     coordinates the sums have more terms of the same form. det M is a function of the coordinates, as p is.
     """
     places = [
-        sum((MECHANISM.read(f"{slope} + 0*mu") * part for slope, part in zip(row, pushed(force), strict=True)),
-            start=MECHANISM.constant(0))
+        _summed((MECHANISM.read(f"{slope} + 0*mu") for slope in row), force)
         for row in SLOPES.values()
         for force in ("lamT", "lam")
-    ]  # fmt: skip
+    ]
     return all(value.is_zero() for value in (*places, _changed(painleve_parameter(), "slip")))
 
 

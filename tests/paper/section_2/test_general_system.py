@@ -71,6 +71,13 @@ def test_one_b_needs_a_symmetric_mass_matrix(
     assert ledger.one_coefficient() is False
 
 
+def test_one_b_needs_forces_that_stand_linearly(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A push along the direction that does not change u: B is one, and v' has λ_N²."""
+    for name, extra in (("w1", "- t2*lam^2"), ("w2", "+ t1*lam^2")):
+        monkeypatch.setitem(ledger.MOTION, name, f"{ledger.MOTION[name]} {extra}")
+    assert ledger.one_coefficient() is False
+
+
 def test_one_b_of_the_rod(monkeypatch: pytest.MonkeyPatch) -> None:
     assert ledger.one_coefficient_of_the_rod() is True
     monkeypatch.setitem(ledger.FORCES["N"], "w", "-k*s")
