@@ -198,6 +198,15 @@ def test_theorem_a2_by_hand(monkeypatch: pytest.MonkeyPatch) -> None:
         assert holds(side, high)
 
 
+def test_theorem_a2_follows_the_force_to_its_goal(monkeypatch: pytest.MonkeyPatch) -> None:
+    """D holds hull(λ_1, α_2/(α_3 - α_1)) = [2, 4]: α_2 = -1 and α_3 - α_1 = -1/4, so λ moves up to values next to 4."""
+    with working_bits(80):
+        value, _, ((*_, force),) = above(monkeypatch, arb(1), arb("-2.25"))
+    assert value is not None
+    assert holds(force, 2)
+    assert holds(force, 4)
+
+
 def test_theorem_a2_needs_its_hypotheses(monkeypatch: pytest.MonkeyPatch) -> None:
     """r c p_1 = 3 e^(1/2)/64 = 0.0773 must be less than β - 1, and α_3 less than α_1 = -2."""
     for exponent, third, there in (

@@ -124,6 +124,12 @@ def test_each_phase_has_its_name_and_begins_where_the_one_before_ends() -> None:
     assert set(found.columns["lambda_N"][:last]) == {0.0}
     times = found.columns["t"].tolist()
     assert (times[0], times[last - 1], times[last], times[-1]) == (0, 0.25, 0.25, 0.5)
+    boxes = found.boxes
+    assert boxes is not None
+    assert len(boxes.phases) == len(boxes.lower["t"]) == len(boxes.upper["t"])
+    assert set(boxes.phases) == {"flight", "slip"}
+    for phase, left, right in zip(boxes.phases, boxes.lower["t"], boxes.upper["t"], strict=True):
+        assert phase == ("flight" if left + right < 0.5 else "slip")
 
 
 def test_an_event_inside_a_step_ends_the_phase() -> None:
@@ -145,6 +151,20 @@ def test_an_event_inside_a_step_ends_the_phase() -> None:
     again.beside(lambda *_: False, system, arb(10))
     again.event(None, arb(2), bracket)
     assert again.samples().columns["t"].tolist() == [3.0]
+
+
+def test_before_an_event_where_a_step_begins_nothing_is_added() -> None:
+    """The bracket 10 + [0, 1/512] begins with the step: it alone is a box and a sample."""
+    samples, system = SegmentSamples(SCENE), SCENE.system("slip")
+    samples.beside(lambda *_: False, system, arb(10))
+    bracket = {name: arb(k, "0.01") for k, name in enumerate(system.states, 1)}
+    samples.event((Line("0", "4"), arb(0)), arb(1, 1) / 1024, bracket)
+    found = samples.samples()
+    assert found.columns["t"].tolist() == pytest.approx([2.5 + 2.0**-12])
+    assert found.boxes is not None
+    assert found.boxes.phases == ("slip",)
+    assert found.boxes.lower["t"].tolist() == pytest.approx([2.5])
+    assert found.boxes.upper["t"].tolist() == pytest.approx([2.5 + 2.0**-11])
 
 
 def test_of_a_run_each_event_is_sampled_and_there_is_no_gap() -> None:

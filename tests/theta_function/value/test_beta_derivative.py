@@ -15,7 +15,8 @@ from hypothesis import strategies as st
 from samples.strategies import small_heights, to_fmpq
 
 from gspot_verified import BudgetError, beta_derivative, theta
-from gspot_verified.numbers.balls import bits_for_digits, relative_bits, working_bits
+from gspot_verified.numbers.balls import bits_for_digits, nonfinite, relative_bits, working_bits
+from gspot_verified.theta_function.value import beta_derivative as module
 
 _TAUS = st.builds(Fraction, st.integers(-400, 400), st.integers(8, 40))
 
@@ -82,6 +83,75 @@ def test_far_from_zero(tau: int, beta: str) -> None:
     with working_bits(200):
         quotient = (theta(tau, near, digits=50) - theta(tau, beta, digits=50)) / arb(step)
         assert abs(between / quotient - 1) < arb(10) ** -9
+
+
+def of_bits(bits: int) -> arb:
+    """1 with so many certain bits."""
+    return arb(1, (1, -bits - 1))
+
+
+def given_attempts(monkeypatch: pytest.MonkeyPatch, values: list[arb | None]) -> list[int]:
+    """The series gives these balls in turn, the last one again and again; the bits that were planned are noted."""
+    planned: list[int] = []
+
+    def attempt(_: object, __: object, wanted: int) -> arb | None:
+        planned.append(wanted)
+        assert len(planned) < 40
+        return values[min(len(planned), len(values)) - 1]
+
+    monkeypatch.setattr(module, "_attempt", attempt)
+    return planned
+
+
+_EXACT = ("1/3", "1/2")
+_BALLS = [(arb(1, "0.1"), "1/2"), ("1/3", arb(1, "0.1")), (arb(1, "0.1"), arb(1, "0.1"))]
+
+
+def test_what_is_not_accurate_enough_is_computed_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two bits beyond the goal are taken, one is not: rounding to the goal and 16 bits then costs none of its own."""
+    goal = bits_for_digits(15)
+    for enough, attempts in ((goal + 2, 1), (goal + 1, 2), (goal, 2), (3, 2)):
+        first, last = of_bits(enough), of_bits(goal + 40)
+        assert relative_bits(first) == enough
+        planned = given_attempts(monkeypatch, [first, last])
+        value = beta_derivative(*_EXACT)
+        assert len(planned) == attempts
+        assert relative_bits(value) >= goal
+        assert value.contains(last)
+    assert planned == sorted(set(planned))
+
+
+def test_a_series_that_says_nothing_is_tried_again_and_takes_nothing_away(monkeypatch: pytest.MonkeyPatch) -> None:
+    good = of_bits(90)
+    for arguments in (_EXACT, *_BALLS):
+        planned = given_attempts(monkeypatch, [nonfinite(), nonfinite(), good])
+        assert beta_derivative(*arguments).contains(good)
+        assert len(planned) == 3
+    planned = given_attempts(monkeypatch, [of_bits(7), nonfinite(), None])
+    value = beta_derivative(*_EXACT)
+    assert len(planned) == 3
+    assert value.is_finite()
+    assert value.contains(of_bits(8))
+    for nothing in (nonfinite(), None):
+        given_attempts(monkeypatch, [nothing])
+        with pytest.raises(BudgetError):
+            beta_derivative(*_EXACT)
+
+
+@pytest.mark.parametrize("arguments", _BALLS)
+def test_a_ball_that_stays_wide_is_not_computed_for_ever(
+    monkeypatch: pytest.MonkeyPatch, arguments: tuple[Any, Any]
+) -> None:
+    """What a ball gives has a width of its own; at exact numbers every precision narrows the value."""
+    planned = given_attempts(monkeypatch, [of_bits(9), of_bits(9), of_bits(70)])
+    assert relative_bits(beta_derivative(*arguments)) == 9
+    assert len(planned) == 2
+    planned = given_attempts(monkeypatch, [of_bits(9), of_bits(12), of_bits(70)])
+    assert relative_bits(beta_derivative(*arguments)) == 70
+    assert len(planned) == 3
+    planned = given_attempts(monkeypatch, [of_bits(9), of_bits(9), of_bits(70)])
+    assert relative_bits(beta_derivative(*_EXACT)) == 70
+    assert len(planned) == 3
 
 
 @pytest.mark.parametrize(
