@@ -99,6 +99,7 @@ def _exponent(r: mpmath.mpf, tau: mpmath.mpf, eta: mpmath.mpf) -> mpmath.mpf:
         (fmpq(7, 2), fmpq(11, 5), (fmpq(6), fmpq(7))),  # f_0(x) > 0
         (fmpq(7, 2), fmpq(5, 2), (fmpq(6), fmpq(7))),  # f_0'' <= sqrt(x) f_0'
         (fmpq(9, 2), fmpq(5), (fmpq(5), fmpq(7))),  # y_1 f_0' > 4 b f_0
+        (fmpq(9, 2), fmpq(5), (fmpq(5), fmpq(9))),  # which y_2 fulfils: 4 b f_0/f_0' is 8.03 at y_1
     ],
 )
 def test_each_hypothesis_of_the_constant(beta: fmpq, x: fmpq, leading: tuple[fmpq, fmpq]) -> None:
