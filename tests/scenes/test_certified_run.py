@@ -8,6 +8,7 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 from flint import fmpq
 
@@ -18,10 +19,11 @@ from gspot_verified.numbers.evidence import less
 from gspot_verified.numbers.verdict import Outcome, Reason, Verdict
 from gspot_verified.scenes import certified_run as module
 from gspot_verified.scenes.certified.certified_integration import MAX_STEPS
-from gspot_verified.scenes.certified_run import EXACT, INTEGRATOR, NotCovered, certified_run, exact_start
+from gspot_verified.scenes.certified_run import EXACT, INTEGRATOR, NotCovered, certified_run, exact_start, with_boxes
 from gspot_verified.scenes.scene.file import load_scene
 from gspot_verified.scenes.scene.run import CERTIFIED, FLIGHT_THEN_IMPACT, IMPACT, OPEN, SceneRun
 from gspot_verified.scenes.scene.run import TRIVIAL as CONSTANT
+from gspot_verified.scenes.scene.samples import Boxes, Samples
 from gspot_verified.scenes.scene.scene import SceneError
 
 SCENE = load_scene("fig-varsim1", epsilon="1/10", beta="1/2", nu="1/4")
@@ -176,3 +178,44 @@ def test_points_are_checked_before_the_work(monkeypatch: pytest.MonkeyPatch, poi
     monkeypatch.setattr(module, "integrated_run", started)
     with pytest.raises(SceneError, match=f"^points: expected 2..100000, got {points}$"):
         certified_run(SCENE, points=points)
+
+
+def sampled(last: float, boxes: Boxes | None = None) -> Samples:
+    return Samples({"t": np.array([0.0, last])}, ("slip", "slip"), boxes)
+
+
+@pytest.mark.parametrize(
+    ("own", "found", "taken"),
+    [
+        (None, sampled(0), True),
+        (None, None, False),
+        (sampled(2), None, False),
+        (sampled(2), sampled(2), True),
+        (sampled(2), sampled(2.5), True),
+        (sampled(2), sampled(1.9), False),
+    ],
+)
+def test_boxes_take_the_place_of_samples_that_reach_no_farther(
+    monkeypatch: pytest.MonkeyPatch, own: Samples | None, found: Samples | None, taken: bool
+) -> None:
+    asked: list[Any] = []
+
+    def integrated(*given: Any, **options: Any) -> SceneRun:
+        asked.append((*given, options["sampled"], options["progress"]))
+        return SceneRun(CERTIFIED, "integrated", (), UNDECIDED, found)
+
+    monkeypatch.setattr(module, "integrated_run", integrated)
+    run = SceneRun(CERTIFIED, IMPACT, (), UNDECIDED, own)
+    boxed = with_boxes(SCENE, run, print)
+    assert asked == [(SCENE, True, print)]
+    assert boxed.samples is (found if taken else own)
+    assert boxed.fate == IMPACT
+
+
+def test_a_run_that_has_boxes_keeps_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    def started(*_: object, **__: object) -> None:
+        raise AssertionError("the work was started")
+
+    monkeypatch.setattr(module, "integrated_run", started)
+    run = SceneRun(CERTIFIED, IMPACT, (), UNDECIDED, sampled(2, Boxes({}, {}, ())))
+    assert with_boxes(SCENE, run) is run

@@ -5,9 +5,11 @@ import select
 import signal
 import subprocess
 import sys
+import threading
 import warnings
 from collections.abc import Iterator
 from functools import partial
+from multiprocessing import Pipe
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +18,7 @@ import pytest
 from gspot_verified.certificates.text import certificate_text
 from gspot_verified.signs.cover.sign import sign
 from gspot_verified.signs.zeros.zeros import ZerosResult, zeros_on_range
+from gspot_verified.work import executors
 from gspot_verified.work.executors import InProcessExecutor, as_they_end, executor
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -86,6 +89,39 @@ def test_a_worker_that_is_ended_from_outside_is_told() -> None:
     calls = {"killed": partial(os._exit, 1)}
     with pytest.raises(RuntimeError, match="ended from outside; not done: killed"), executor(2) as pool:
         dict(as_they_end(pool, calls))
+
+
+@pytest.mark.usefixtures("importable")
+def test_an_error_ends_the_workers_of_its_own_pool_alone() -> None:
+    with executor(2) as outer:
+        assert outer.submit(max, 2, 3).result() == 3
+        with pytest.raises(ValueError, match="for the test"), executor(2) as inner:
+            assert inner.submit(max, 4, 5).result() == 5
+            raise ValueError("for the test")
+        assert outer.submit(max, 6, 7).result() == 7
+
+
+def test_a_worker_listens_to_its_line_and_ends_with_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In a group of its own; where the group is left alive, the worker itself ends, with an error."""
+    theirs, ours = Pipe(duplex=False)
+    heard, told, done = threading.Event(), list[object](), list[tuple[str, int]]()
+
+    def listen(line: object) -> None:
+        told.append(line)
+        heard.set()
+
+    monkeypatch.setattr(os, "setpgid", lambda process, group: done.append(("setpgid", process or group)))
+    monkeypatch.setattr(os, "killpg", lambda group, sent: done.append(("killpg", group or sent)))
+    monkeypatch.setattr(os, "_exit", lambda code: done.append(("exit", bool(code))))
+    with monkeypatch.context() as patch:
+        patch.setattr(executors, "_end_with", listen)
+        executors._begin_worker(theirs, sys.prefix)
+        assert heard.wait(60)
+    assert told == [theirs]
+    ours.close()
+    executors._end_with(theirs)
+    assert done == [("setpgid", 0), ("killpg", signal.SIGKILL), ("exit", True)]
+    theirs.close()
 
 
 _LONG = """

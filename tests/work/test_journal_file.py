@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from full_disk import full_after
 
+from gspot_verified.work import journal_file
 from gspot_verified.work.journal_file import JournalFile, JournalWarning
 
 QUESTION = {"kind": "test", "over": ["0", "1"]}
@@ -77,6 +78,17 @@ def test_a_refused_file_is_not_held(tmp_path: Path) -> None:
         JournalFile(path, {**QUESTION, "kind": "other"})
     JournalFile(path, QUESTION).close()
     assert refused.value.__traceback__ is not None  # which holds the frames of the refused one
+
+
+def test_a_journal_of_other_sources_is_refused_and_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "journal"
+    JournalFile(path, QUESTION).close()
+    with monkeypatch.context() as patch:
+        patch.setattr(journal_file, "source_key", lambda: "another version")
+        for question, parts in ((QUESTION, ""), ({**QUESTION, "kind": "other"}, "kind, ")):
+            with pytest.raises(ValueError, match=rf"\(it differs in: {parts}the sources of this package\); choose"):
+                JournalFile(path, question)
+    JournalFile(path, QUESTION).close()
 
 
 def test_a_pipe_is_no_journal(tmp_path: Path) -> None:

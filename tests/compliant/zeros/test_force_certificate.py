@@ -16,6 +16,7 @@ from gspot_verified.compliant.zeros.force_certificate import (
     ForceCertificate,
     NotProvable,
     _level,
+    check_ratio,
     force_certificate,
     iwc_certificate,
     lift_off_certificate,
@@ -158,6 +159,15 @@ def test_wrong_certificates_of_lift_off_are_rejected(name: str, mutation: Any, m
     with pytest.raises(check.Rejected) as raised:
         check.check_text(mutated(lines(LIFT_OFF), mutation))
     assert message in str(raised.value)
+
+
+def test_the_betas_of_a_certificate_are_asked_before_the_work() -> None:
+    tiny = fmpq(1, 10**30)
+    for beta in (1 + tiny, fmpq(5, 2), 5 - tiny):
+        check_ratio(beta)
+    for beta in (fmpq(-1), fmpq(1, 2), fmpq(1), fmpq(5), fmpq(11, 2)):
+        with pytest.raises(ValueError, match="1 < beta < 5"):
+            check_ratio(beta)
 
 
 @pytest.mark.parametrize("beta", ["1/2", "11/2"])
