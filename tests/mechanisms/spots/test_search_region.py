@@ -16,7 +16,7 @@ from samples.strategies import ends, holds
 from gspot_verified.functions.expressions import Constant, Cosine, Expression, Sine, Variable
 from gspot_verified.mechanisms.input.given import lagrangian
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
-from gspot_verified.mechanisms.spots.search_region import Region, search_region
+from gspot_verified.mechanisms.spots.search_region import Region, _is_interval, search_region
 from gspot_verified.mechanisms.spots.spot_conditions import take_apart
 from gspot_verified.numbers.balls import working_bits
 
@@ -190,6 +190,15 @@ def test_what_follows_is_fixed_or_never_searched_is_said() -> None:
         "q in [0, 3/2]; every value of theta; any q_dot, theta_dot (no condition holds them)"
     )
     assert dict(search_region(tilted(), closed.functions, closed, {}).searched(closed))["theta"] == "every value"
+
+
+def test_the_ends_of_an_interval_are_certainly_in_order() -> None:
+    for lower, upper in ((fmpq(1), fmpq(1)), (fmpq(0), fmpq(1)), (arb(0, "0.5"), fmpq(1)), (fmpq(1), arb(3, 1))):
+        assert _is_interval(lower, upper)
+        assert _is_interval(arb(lower), arb(upper))
+    for lower, upper in ((fmpq(1), fmpq(0)), (arb(2, "0.5"), fmpq(1)), (arb(0, 1), fmpq(1, 2)), (fmpq(1), arb(1, 1))):
+        assert not _is_interval(lower, upper)
+        assert not _is_interval(arb(lower), arb(upper))
 
 
 def test_bad_boxes_are_named() -> None:

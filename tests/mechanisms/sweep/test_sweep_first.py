@@ -4,18 +4,22 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from flint import fmpq
 from samples.families import family
 
 from gspot_verified.expansion.series.system import GSpotError
+from gspot_verified.functions.expressions import Constant
+from gspot_verified.mechanisms.formulas.symbol import Symbol
 from gspot_verified.mechanisms.input.mechanism import Mechanism, Place
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.spots.g_spot import GSpot
 from gspot_verified.mechanisms.sweep import sweep_first
 from gspot_verified.mechanisms.sweep.sweep import sweep
-from gspot_verified.mechanisms.sweep.sweep_first import first_spot
+from gspot_verified.mechanisms.sweep.sweep_first import first_spot, with_place_of
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind
 
 
@@ -86,6 +90,46 @@ def test_where_nothing_is_found_at_the_place_the_only_spot_is_taken(monkeypatch:
     assert {piece.case for piece in result.pieces} == {"III"}
     with pytest.raises(ValueError, match=r"nothing found there: choose one(.|\n)*G-spot 4"):
         sweep(shipped_mechanism("genot_brogliato_rod"), {"mu": "1.4..2:3"})
+
+
+@pytest.mark.parametrize(
+    ("count", "complete", "taken"), [(1, True, True), (1, False, False), (2, True, False), (2, False, False)]
+)
+def test_the_only_spot_is_one_beside_which_there_is_certainly_none(
+    monkeypatch: pytest.MonkeyPatch, rod: Mechanism, count: int, complete: bool, taken: bool
+) -> None:
+    """At a place that is not named nothing is looked for."""
+
+    def asked(_: Mechanism) -> GSpot:
+        raise AssertionError("there is no place")
+
+    found = SimpleNamespace(spots=list(range(1, count + 1)), complete=complete, spot=lambda number: f"spot {number}")
+    monkeypatch.setattr(sweep_first, "find_g_spot", asked)
+    monkeypatch.setattr(sweep_first, "find_g_spots", lambda _: found)
+    assert first_spot(rod, count) == f"spot {count}"  # type: ignore[comparison-overlap]
+    if taken:
+        assert first_spot(rod, None) == "spot 1"  # type: ignore[comparison-overlap]
+    else:
+        with pytest.raises(ValueError, match="choose one by its number"):
+            first_spot(rod, None)
+
+
+def test_what_the_place_lacks_is_that_of_the_spot() -> None:
+    """An angle is counted from its reference; what is given stays, what is not fixed is left out."""
+    mechanism = shipped_mechanism("rod")
+    (angle,) = mechanism.angles
+    words = mechanism.state
+    point = [fmpq(k + 1, 3) for k in range(len(words))]
+    others = [word for word in words if word != angle.coordinate]
+    given = replace(mechanism, place=Place(values=((others[0], Constant(fmpq(7))),)))
+    fixed = (others[0], others[1], angle.coordinate)
+    spot: Any = SimpleNamespace(system=SimpleNamespace(point=point), fixed=fixed)
+    number = {word: Constant(value) for word, value in zip(words, point, strict=True)}
+    assert dict(with_place_of(given, spot).place.values) == {
+        others[0]: Constant(fmpq(7)),
+        others[1]: number[others[1]],
+        angle.coordinate: Symbol(angle.name) + number[angle.coordinate],
+    }
 
 
 def test_a_journal_is_of_one_spot(rod: Mechanism, tmp_path: Path) -> None:

@@ -16,6 +16,7 @@ from gspot_verified.mechanisms.sweep.sweep_grid import Axis
 from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, Kind, Passing, SweepPiece
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep, ZeroOnLine
 from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.signs.gamma.side import side_text
 
 
 @given(st.fractions(-10, 10), st.fractions(0, Fraction(1, 10**6)), st.sampled_from([1, -1]))
@@ -67,6 +68,25 @@ def line(*pieces: SweepPiece, upper: int = 12) -> Sweep:
 
 def piece(lower: int | fmpq, upper: int | fmpq, kind: Kind, passing: Passing | None = None) -> SweepPiece:
     return SweepPiece((fmpq(lower),), (fmpq(upper),), kind, "III", 1, -1, passing=passing)
+
+
+def test_a_place_is_answered_by_a_piece_that_holds_it() -> None:
+    parts = piece(10, 11, Kind.SETTLED), piece(11, 12, Kind.OPEN)
+    result = line(*parts)
+    assert result.at(k=fmpq(21, 2)) is parts[0]
+    assert result.at(k=fmpq(23, 2)) is parts[1]
+    for value in (9, 13):
+        with pytest.raises(ValueError, match=r"k: a rational in \[10, 12\] is needed"):
+            result.at(k=value)
+
+
+def test_the_case_is_named_once() -> None:
+    """What follows in Case III has its name; what follows in Cases I and II is said of both."""
+    third = piece(10, 12, Kind.SETTLED)
+    assert side_text(1, -1).startswith("Case III: ")
+    assert f"]: {side_text(1, -1)}" in str(line(third))
+    second = SweepPiece(third.lower, third.upper, Kind.SETTLED, "II", None, -1)
+    assert ": Case II: C1 < 0 takes an IWC" in str(line(second))
 
 
 TINY = fmpq(1, 10**6)
