@@ -33,6 +33,15 @@ def test_values_of_parameters_are_exact_and_of_known_names() -> None:
         made.with_parameters(m=0.5)  # type: ignore[arg-type]
 
 
+def test_a_mechanism_says_its_state_and_is_not_mirrored_unless_it_is_said() -> None:
+    made = body()
+    assert str(made) == f"body: a mechanism with the state {', '.join(made.state)}; parameters: none"
+    assert str(body({"m": 2, "k": None})).endswith("; parameters: m, k")
+    bare = Mechanism(made.name, made.state, made.motion, made.x, made.y, made.mu)
+    assert not bare.mirrored
+    assert bare.notes == ()
+
+
 def test_values_use_each_other() -> None:
     made = body({"a": "b + c", "b": "2*c", "c": 5, "free": None})
     assert made.parameter_values() == {"a": constant(15), "b": constant(10), "c": constant(5)}

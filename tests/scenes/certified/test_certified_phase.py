@@ -117,6 +117,22 @@ def test_three_events() -> None:
         assert name_of(ended(functions, arb(3))) == "earlier"
 
 
+@pytest.mark.parametrize("level", [fmpq(1, 2), fmpq(-1, 3), fmpq(9, 10)])
+def test_the_bracket_begins_in_a_step_that_was_not_seen(level: fmpq) -> None:
+    """Up to that moment of the step, before the event at arccos(level), its function is positive."""
+    with working_bits(200):
+        found = ended({"event": above(level)}, arb(3))
+        assert isinstance(found, PhaseEnd)
+        assert found.before is not None
+        segment, tau = found.before
+        assert 0 <= tau <= 1
+        begin = segment.time + tau * (segment.end_time - segment.time)
+        assert begin < arb(level).acos()
+        assert found.time.contains(arb(level).acos())
+        assert found.time.overlaps(begin)
+        assert segment.states(tau)[0] > level
+
+
 def test_a_grazing_function() -> None:
     """(cos t - 3/5)² + y-free square: it touches 0 where cos t = 3/5. Before the event at cos t = 1/2 that leaves it
     open; after the event at cos t = 7/10 it does not matter, even in the same step."""
