@@ -18,9 +18,9 @@ from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF,
 from gspot_verified.mechanisms.approach.capture import Capture, capture
 from gspot_verified.mechanisms.approach.deviation_coefficient import coefficient_above_one, coefficient_below_one
 from gspot_verified.mechanisms.approach.slip_flow import SlipFlow, SlipNumbers
-from gspot_verified.mechanisms.approach.slip_hypotheses import SlipHypotheses
 from gspot_verified.mechanisms.approach.slip_state import SlipState, StateError, StateInput, slip_state
 from gspot_verified.mechanisms.derive.mass_matrix import check_mass_matrix
+from gspot_verified.mechanisms.derive.slip_hypotheses import SlipHypotheses
 from gspot_verified.mechanisms.derive.to_system import Shifted, shift
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot

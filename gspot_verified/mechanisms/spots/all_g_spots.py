@@ -20,6 +20,7 @@ from gspot_verified.functions.derivative import partial_derivative
 from gspot_verified.functions.expressions import Expression
 from gspot_verified.functions.rings import BALLS
 from gspot_verified.mechanisms.derive.mass_matrix import check_mass_matrix
+from gspot_verified.mechanisms.derive.slip_hypotheses import SlipHypotheses
 from gspot_verified.mechanisms.derive.to_system import Shifted, shift, stays
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.spots.g_spot import (
@@ -193,14 +194,23 @@ class _Search:
 
     def _sign_of_p(self) -> SignOfP | None:
         """That of p in every state of the region with y = 0; asked where there is no G-spot."""
-        functions = self._apart.functions
+        functions, size = self._apart.functions, len(self._state)
         used = components_of(functions["p"]) | (components_of(functions["y"]) if "y" in functions else frozenset())
         given = [name for name in functions if name not in ("p", "b") and components_of(functions[name]) <= used]
-        program = BoxProgram([functions[name] for name in ("p", *given)], len(self._state), sorted(used))
-        sides = [self._region.known_side(i) for i in program.variables]
-        if any(side is None for side in sides):
+        supposed, known = SlipHypotheses(self._shifted), [self._region.known_side(i) for i in range(size)]
+        divided = {i for i in supposed.components if known[i] is not None}
+        program = BoxProgram([functions[name] for name in ("p", *given)], size, sorted(used | divided))
+        sides = [side for i in program.variables if (side := known[i]) is not None]
+        turns = ((self._state.index(word), period) for word, period in self._region.periods())
+        if len(sides) < len(program.variables) or not all(supposed.repeats(i, period) for i, period in turns):
             return None
-        return sign_of_p(program, [side for side in sides if side is not None])
+        everywhere = {i: nonfinite() if side is None else side for i, side in enumerate(known)}
+
+        def hypotheses(box: Box) -> Evidence | str:
+            within = dict(zip(program.variables, box, strict=True))
+            return supposed.checked(self._whole.state({**everywhere, **within}, {}))
+
+        return sign_of_p(program, sides, hypotheses)
 
     def _full(self, values: Mapping[int, arb]) -> list[arb]:
         return [values.get(i, arb(0)) for i in range(len(self._state))]

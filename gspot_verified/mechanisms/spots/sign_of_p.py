@@ -5,7 +5,7 @@ Proof page: ``proofs/sign_of_p.md``.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from flint import arb
@@ -17,10 +17,14 @@ from gspot_verified.numbers.verdict import Evidence
 
 DEFAULT_BUDGET = 2000  # boxes that are looked at: this is an extra where a search found no G-spot
 
+Hypotheses = Callable[[Box], Evidence | str]
+"""That the mass matrix is positive definite and mu >= 0 in every state of a box; in words, what is not certain."""
+
 
 @dataclass(frozen=True)
 class SignOfP:
-    """p has this sign, 1 or -1, in every state of the region with y = 0, by what ``shown`` compared."""
+    """p has this sign, 1 or -1, in every state of the region with y = 0, by what ``shown`` compared; and the mass
+    matrix is positive definite there and mu >= 0."""
 
     sign: int
     shown: Evidence = field(compare=False, repr=False)
@@ -31,18 +35,22 @@ class SignOfP:
         return "p > 0 everywhere in contact there: no Painlevé paradox in positive slip"
 
 
-def sign_of_p(program: BoxProgram, sides: Sequence[arb], budget: int = DEFAULT_BUDGET) -> SignOfP | None:
+def sign_of_p(
+    program: BoxProgram, sides: Sequence[arb], hypotheses: Hypotheses, budget: int = DEFAULT_BUDGET
+) -> SignOfP | None:
     """The sign of the program's first function, p, wherever its others vanish in the box of its variables.
 
-    None: both signs occur, the budget ended, or nowhere in the box the others vanish.
+    None: both signs occur, ``hypotheses`` are not certain wherever the others vanish, the budget ended, or nowhere in
+    the box the others vanish.
 
     >>> from gspot_verified.functions.expressions import Variable
+    >>> from gspot_verified.numbers.evidence import less
     >>> program = BoxProgram([Variable(0), Variable(0) + Variable(1)], 2)
-    >>> print(sign_of_p(program, [arb(0, 3), arb(2, 1)]))
+    >>> print(sign_of_p(program, [arb(0, 3), arb(2, 1)], lambda box: less(0, box[1]) or "no mass"))
     p < 0 everywhere in contact there: the Painlevé paradox proper
     """
     waiting: list[Box] = [tuple(sides)]
-    settled: list[Evidence] = []
+    settled: list[Evidence | None] = []
     divided: list[Evidence | None] = []
     sign = 0
     for _ in range(budget):
@@ -57,11 +65,11 @@ def sign_of_p(program: BoxProgram, sides: Sequence[arb], budget: int = DEFAULT_B
         found = signed(p)
         if away is not None:
             settled.append(away)
-        elif found is not None:
-            if found[0] == 0 or found[0] == -sign:
-                return None
+        elif found is not None and (found[0] == 0 or found[0] == -sign):
+            return None
+        elif found is not None and isinstance(supposed := hypotheses(box), Evidence):
             sign = found[0]
-            settled.append(found[1])
+            settled.append(every([found[1], supposed]))
         elif box:
             parts = halves(box, _widest(box))
             divided.append(covered(parts, box))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -16,6 +17,7 @@ LEAVES, IMPULSE, STOPS, NOTHING = "leaves the surface", "leaves after an impulse
 _LASTING = 0.01  # of the time that is shown: so long a contact is lost, or it is a rebound of the step
 _SLOW = 0.01  # of the slip velocity at the start: below it slip has stopped
 _BRAKED = 0.5  # of the same: who leaves with less has met an impulse
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 MAX_ROWS = 2_000_000  # of a file: a limit of input
 
 
@@ -88,13 +90,16 @@ def read_motion(path: str | Path, functions: ContactFloats) -> Simulated:
 
 
 def _column(path: str | Path, rows: Sequence[dict[str, str]], name: str) -> list[float]:
-    values = []
-    for line, row in enumerate(rows, 2):
-        try:
-            value = float(row[name] or "nan")
-        except ValueError:
-            value = math.nan
-        if not math.isfinite(value):
-            raise SceneError(f"{path}, line {line}: {name} is no finite number: {str(row[name])[:40]!r}")
-        values.append(value)
-    return values
+    wrong = [(line, row[name]) for line, row in enumerate(rows, 2) if not is_finite_number(row[name] or "")]
+    if wrong:
+        raise SceneError(f"{path}, line {wrong[0][0]}: {name} is no finite number: {str(wrong[0][1])[:40]!r}")
+    return [float(row[name]) for row in rows]
+
+
+def is_finite_number(text: str) -> bool:
+    """Whether the text is a decimal number, with an exponent or not.
+
+    >>> is_finite_number("-1.5e-3"), is_finite_number("nan"), is_finite_number("")
+    (True, False, False)
+    """
+    return _NUMBER.fullmatch(text.strip()) is not None and math.isfinite(float(text))

@@ -17,7 +17,8 @@ from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.spots.all_g_spots import find_g_spots
 from gspot_verified.mechanisms.spots.sign_of_p import sign_of_p
 from gspot_verified.mechanisms.zeros import all_zeros
-from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.numbers.evidence import equal, less
+from gspot_verified.numbers.verdict import Evidence, Outcome
 
 Q, W = Variable(0), Variable(1)
 
@@ -28,6 +29,11 @@ def number(value: int | fmpq) -> Expression:
 
 def program(p: Expression, *others: Expression) -> BoxProgram:
     return BoxProgram([p, *others], 2)
+
+
+def hold(box: tuple[arb, ...]) -> Evidence | str:
+    """Hypotheses that hold everywhere."""
+    return equal(len(box), len(box)) or ""
 
 
 def coupled(mu: str) -> Mechanism:
@@ -48,6 +54,36 @@ def test_a_friction_so_high_that_p_is_negative_everywhere(mu: str, sign: int) ->
     assert found.verdict.detail == str(found.sign_of_p)
     assert found.verdict.against is not None
     assert set(found.sign_of_p.shown.facts) <= set(found.verdict.against.facts)
+
+
+@pytest.mark.parametrize(
+    ("mass", "mu"), [("-2 - sin(q)", "1/2"), ("2 + sin(q)", "-3 - sin(q)"), ("1/2 + sin(q)", "1/2"), ("1", "sin(q)")]
+)
+def test_nothing_is_said_of_what_is_no_mechanism_in_some_state(mass: str, mu: str) -> None:
+    """C = 1/mass and B = 0, so p = C < 0 where the mass is negative: no paradox. Nor is one where mu < 0."""
+    found = find_g_spots(lagrangian("no mechanism", ["q", "r"], [["1", 0], [0, mass]], [0, "-1"], "q", "r", mu))
+    assert found.sign_of_p is None
+    assert "everywhere" not in str(found)
+
+
+def test_a_mass_that_depends_on_a_component_that_p_does_not_see() -> None:
+    """The mass of s has no part in p; it is positive for |s| < 2 only."""
+    rows = [[1, 0, 0], [0, 1, 0], [0, 0, "4 - s^2"]]
+    body = lagrangian("aside", ["q", "r", "s"], rows, [0, "-1", 0], "q", "r", "1/2")
+    assert find_g_spots(body).sign_of_p is None
+    for reach, sign in ((1, 1), (3, None)):
+        found = find_g_spots(body, {"s": (-reach, reach)})
+        assert found.verdict.outcome is Outcome.REFUTED
+        assert (None if found.sign_of_p is None else found.sign_of_p.sign) == sign
+
+
+@pytest.mark.parametrize(("mu", "sign"), [("4 - q", None), ("2 + cos(q/2)", None), ("2 + cos(2*q)", 1)])
+def test_friction_that_does_not_repeat_with_the_turns_of_p(mu: str, sign: int | None) -> None:
+    """B = 0, so p does not see mu, and one turn of q is searched: there mu >= 0, and 4 - q < 0 later."""
+    rows = [[1, 0], [0, "2 + sin(q)"]]
+    found = find_g_spots(lagrangian("wound", ["q", "r"], rows, [0, "-1"], "q", "r", mu))
+    assert found.periods == (("q", 1),)
+    assert (None if found.sign_of_p is None else found.sign_of_p.sign) == sign
 
 
 def test_nothing_is_said_where_there_are_g_spots() -> None:
@@ -78,7 +114,7 @@ def test_a_quadratic_with_no_zero_and_one_with_zeros(middle: Fraction, least: Fr
     shifted = Q - number(fmpq(middle.numerator, middle.denominator))
     p = shifted * shifted + number(fmpq(least.numerator, least.denominator))
     largest = max((3 - middle) ** 2, (3 + middle) ** 2) + least
-    found = sign_of_p(program(p), [arb(0, 3), arb(0)], budget=60)
+    found = sign_of_p(program(p), [arb(0, 3), arb(0)], hold, budget=60)
     if least > 0 or largest < 0:
         assert found is not None
         assert found.sign == (1 if least > 0 else -1)
@@ -91,25 +127,36 @@ def test_what_is_not_in_contact_does_not_count() -> None:
     contact = Q * Q - number(4)
     for lower, upper, sign in ((-1, 3, 1), (-3, 1, -1), (-3, 3, None), (-1, 1, None)):
         side = arb((lower + upper) / 2, (upper - lower) / 2)
-        found = sign_of_p(program(Q, contact), [side, arb(0)])
+        found = sign_of_p(program(Q, contact), [side, arb(0)], hold)
         assert (None if found is None else found.sign) == sign
 
 
 def test_a_zero_of_p_a_budget_and_what_is_not_finite_leave_it_open() -> None:
-    assert sign_of_p(program(number(0)), [arb(0, 1), arb(0)]) is None
-    assert sign_of_p(program(Q * Q), [arb(0, 1), arb(0)], budget=60) is None
+    assert sign_of_p(program(number(0)), [arb(0, 1), arb(0)], hold) is None
+    assert sign_of_p(program(Q * Q), [arb(0, 1), arb(0)], hold, budget=60) is None
     wide = Q * Q - Q + number(fmpq(1, 3))
-    assert sign_of_p(program(wide), [arb(0, 2), arb(0)], budget=2) is None
-    assert sign_of_p(program(wide), [arb(0, 2), arb(0)]) is not None
-    assert sign_of_p(program(number(1) / Q), [arb(0, 1), arb(0)], budget=60) is None
-    assert sign_of_p(BoxProgram([number(1) / Q], 2, ()), []) is None
-    constant = sign_of_p(BoxProgram([number(-2)], 2, ()), [])
+    assert sign_of_p(program(wide), [arb(0, 2), arb(0)], hold, budget=2) is None
+    assert sign_of_p(program(wide), [arb(0, 2), arb(0)], hold) is not None
+    assert sign_of_p(program(number(1) / Q), [arb(0, 1), arb(0)], hold, budget=60) is None
+    assert sign_of_p(BoxProgram([number(1) / Q], 2, ()), [], hold) is None
+    constant = sign_of_p(BoxProgram([number(-2)], 2, ()), [], hold)
     assert constant is not None
     assert constant.sign == -1
+
+
+def test_the_hypotheses_are_asked_where_there_is_contact_alone() -> None:
+    """p = 1, contact where q^2 = 4; what is supposed holds for q < 0, or for q > 1."""
+    contact, sides = Q * Q - number(4), [arb("0.5", "2.5"), arb(0)]
+    one = program(number(1), contact)
+    assert sign_of_p(one, sides, lambda box: less(box[0], 0) or "q < 0") is None
+    assert sign_of_p(one, sides, lambda box: less(1, box[0]) or "q > 1") is None
+    found = sign_of_p(one, [arb("1", "2"), arb(0)], lambda box: less(1, box[0]) or "q > 1")
+    assert found is not None
+    assert any(fact.startswith("1 < ") for fact in found.shown.facts)
 
 
 def test_a_part_that_gets_lost_leaves_no_evidence(monkeypatch: pytest.MonkeyPatch) -> None:
     """p = q - 1 on [-3, 3] with the upper half forgotten would be negative everywhere."""
     whole = all_zeros.halves
     monkeypatch.setattr("gspot_verified.mechanisms.spots.sign_of_p.halves", lambda box, j: whole(box, j)[1:])
-    assert sign_of_p(program(Q - number(1)), [arb(0, 3), arb(0)]) is None
+    assert sign_of_p(program(Q - number(1)), [arb(0, 3), arb(0)], hold) is None

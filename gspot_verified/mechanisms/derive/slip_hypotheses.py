@@ -1,15 +1,16 @@
-"""What rigid slip supposes of every state on its way: a positive definite mass matrix, no negative friction.
+"""What rigid slip supposes of every state: a positive definite mass matrix, no negative friction.
 
-Proof page: ``proofs/approach.md``, section 1.
+Proof pages: ``proofs/approach.md``, section 1; ``proofs/sign_of_p.md``.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from flint import arb
+from flint import arb, fmpq
 
 from gspot_verified.functions.box_program import BoxProgram
+from gspot_verified.functions.periods import period_factor
 from gspot_verified.functions.rings import BALLS
 from gspot_verified.mechanisms.derive.mass_matrix import leading_minors
 from gspot_verified.mechanisms.derive.to_system import Shifted
@@ -27,8 +28,18 @@ class SlipHypotheses:
         f = shifted.functions
         rows = f.mass_matrix or ((f.A, f.B), (f.B, f.C))
         self._size, self._dimension = len(rows), len(f.F)
-        functions = shifted.expressions([*(entry for row in rows for entry in row), f.mu], BALLS)
-        self._program = BoxProgram(functions, self._dimension)
+        self._functions = shifted.expressions([*(entry for row in rows for entry in row), f.mu], BALLS)
+        self._program = BoxProgram(self._functions, self._dimension)
+
+    @property
+    def components(self) -> frozenset[int]:
+        """The components of the state on which they depend."""
+        return frozenset[int]().union(*self._program.depends)
+
+    def repeats(self, index: int, period: fmpq) -> bool:
+        """Whether they certainly have the period 2 pi ``period`` in this component."""
+        own = period_factor(self._functions, index)
+        return index not in self.components if own is None else bool((period / own).q == 1)
 
     def checked(self, box: Sequence[arb]) -> Evidence | str:
         """That they hold for every state of the box; or, in words, which one is not certain."""

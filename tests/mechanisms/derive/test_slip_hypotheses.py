@@ -8,7 +8,7 @@ from __future__ import annotations
 import pytest
 from flint import arb
 
-from gspot_verified.mechanisms.approach.slip_hypotheses import FRICTION, MASS_MATRIX, SlipHypotheses
+from gspot_verified.mechanisms.derive.slip_hypotheses import FRICTION, MASS_MATRIX, SlipHypotheses
 from gspot_verified.mechanisms.derive.to_system import shift
 from gspot_verified.mechanisms.input.given import from_fields, lagrangian
 from gspot_verified.numbers.balls import working_bits
