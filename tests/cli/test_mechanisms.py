@@ -253,7 +253,7 @@ def test_a_place_that_is_no_g_spot_for_these_parameters_is_no_wrong_usage(capsys
     assert code == 1
     assert "not a G-spot: p = 131/125 must be 0 at the place given, with these parameters" in err
     assert "all G-spots are searched instead" in err
-    assert "lies below it: p > 0 in every configuration in contact" in out
+    assert "lies below it: p > 0 in every configuration in contact with a positive definite mass matrix" in out
     code, out, err = run(capsys, "classify", "rod", "--set", "mu=2", "--json")
     assert code == 0
     assert "not a G-spot" in err

@@ -27,6 +27,7 @@ from gspot_verified.numbers.short_text import table_text
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 
+_EVERYWHERE = "in every configuration in contact with a positive definite mass matrix"
 DEFAULT_BUDGET = 20_000  # how many boxes are looked at: a limit against endless work
 _EXTRA_BITS = 40  # working bits beyond those asked for: any number is correct
 
@@ -77,12 +78,12 @@ class CriticalFriction(NoTruthValue, Written):
         if self.value is None:
             return f"critical friction: not found: {self.reason}"
         if not self.value.is_finite():
-            why = self.reason or "B <= 0 in every configuration in contact, so p > 0 there for every mu"
+            why = self.reason or f"for every mu p > 0 {_EVERYWHERE}"
             return f"critical friction: infinite ({why})"
         places = "; ".join(", ".join(f"{word} = {text}" for word, text in place) for place in self.places)
         text = f"critical friction mu_c = {ball_text(self.value)}, attained at {places}"
         if self.is_below and self.friction is not None:
-            text += f"\n  mu = {ball_text(self.friction)} lies below mu_c: p > 0 in every configuration in contact"
+            text += f"\n  mu = {ball_text(self.friction)} lies below mu_c: p > 0 {_EVERYWHERE}"
         return text
 
     def in_short(self) -> str:
@@ -91,7 +92,7 @@ class CriticalFriction(NoTruthValue, Written):
             return str(self)
         text = f"critical friction mu_c = {table_text(self.value)}"
         if self.is_below and self.friction is not None:
-            text += f"; mu = {table_text(self.friction)} lies below it: p > 0 in every configuration in contact"
+            text += f"; mu = {table_text(self.friction)} lies below it: p > 0 {_EVERYWHERE}"
         return text
 
 

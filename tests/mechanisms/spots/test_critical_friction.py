@@ -225,3 +225,17 @@ def test_where_the_gradients_are_parallel_every_minor_vanishes() -> None:
         values = BoxProgram(maximum._stationary()[1:], 3, ()).values([arb(0)] * 3)
         assert len(values) == 2
         assert all(value == 0 for value in values) is stationary
+
+
+def test_the_sentence_speaks_of_a_positive_definite_mass_matrix_alone() -> None:
+    """y = 0 at f = 0, with the mass 1, and at f = pi, with the mass -1: there p = cos(f) - mu < 0 at every mu >= 0."""
+    body = lagrangian("two places", ["f", "s"], [["cos(f)", 0], [0, 1]], [0, 0], "f", "sin(f)", "1/10")
+    found = critical_friction(body)
+    assert found.value is not None
+    assert found.value.overlaps(arb(1))
+    assert found.is_below is True
+    wanted = "p > 0 in every configuration in contact with a positive definite mass matrix"
+    for text in (str(found), found.in_short()):
+        assert wanted in text
+    level = lagrangian("level", ["f", "s"], [[2, 0], [0, 1]], [0, 0], "s", "sin(f)", "1/10")
+    assert wanted in str(critical_friction(level))
