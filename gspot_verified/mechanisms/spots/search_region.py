@@ -156,7 +156,9 @@ class Region:
             elif i in apart.free:
                 free.append(word)
             elif i in self._turns:
-                angles.append(word)
+                # Of one turn nothing need be said; another period changes the number of the spots in a turn.
+                one_turn = self._turns[i] == 1
+                angles.append(word if one_turn else f"{word} (counted in one period, {_pi(2 * self._turns[i])})")
             elif i in self._one_turn or i in self._bounded:
                 bounded.append(f"{word} in {self._stated(i)} (default)")
             else:

@@ -692,3 +692,22 @@ def test_a_patch_hands_over_what_shows_it(monkeypatch: pytest.MonkeyPatch) -> No
     assert sum("lies in the interior" in fact for fact in found.verdict.evidence.facts) == 2
     monkeypatch.setattr(Region, "position", lambda *_: ("inside", None))
     assert find_g_spots(sphere).patch is None
+
+
+@pytest.mark.parametrize(
+    ("angle", "region", "number", "turn"),
+    [
+        ("theta", "every angle theta;", 4, 4),
+        ("2*theta", "every angle theta (counted in one period, pi);", 4, 8),
+        ("theta/2", "every angle theta (counted in one period, 4 pi);", 4, 4),
+    ],
+)
+def test_the_region_says_in_which_period_the_spots_are_counted(angle: str, region: str, number: int, turn: int) -> None:
+    """A spot at theta is one at theta + pi where theta stands in sines and cosines of 2 theta: one turn has eight."""
+    inertia = {"theta": "1/3", "2*theta": "4/3", "theta/2": "1/12"}[angle]
+    rows = [[1, 0, 0], [0, 1, 0], [0, 0, inertia]]
+    rod = lagrangian("rod", ["X", "Y", "theta"], rows, [0, "-1", 0], f"X + cos({angle})", f"Y - sin({angle})", 2)
+    found = find_g_spots(rod)
+    assert f"exactly {number} G-spots in the region: {region}" in found.verdict.statement
+    given = find_g_spots(rod, {"theta": ("-1/10", "61/10")})  # a little less than a turn
+    assert f"exactly {turn} G-spots in the region: theta in" in given.verdict.statement
