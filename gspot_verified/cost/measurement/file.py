@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import json
-import math
 import os
 import re
+import sys
 import types
 from dataclasses import fields, is_dataclass
 from functools import cache
@@ -19,6 +19,9 @@ SCHEMA = "gspot-verified/cost/2"
 """Also the schema of ``gspot-verified cost --json``."""
 _MAX_BYTES = 20_000_000  # far more than a measurement: a limit against hostile input
 _KEY = re.compile(r"[a-z][a-z-]{0,40}")
+_NO_TEXT = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\ud800-\udfff\ufffe\uffff]")
+_FAR = 1e15  # of a place or a number of seconds, and the inverse of the least: a limit against hostile input
+_LARGEST = 2**63  # of a number of bytes or repeats: a limit against hostile input
 _DATE = re.compile(r"\d{4}-\d{2}-\d{2}")
 
 
@@ -121,11 +124,14 @@ def _check_part(part: Part) -> None:
         raise ValueError(f"{part.key}: a share is not in 0..1")
     if part.limit is not None and not (part.limit.seconds > 0 and part.limit.took > 0):
         raise ValueError(f"{part.key}: the limit is not positive")
+    if not all(1 / _FAR <= seconds <= _FAR for _, seconds in part.targets):
+        raise ValueError(f"{part.key}: a target is not positive, or out of range")
     for route in part.routes:
         if route.kind not in KINDS:
             raise ValueError(f"{part.key}: {route.name}: expected one of {', '.join(KINDS)}, got {route.kind!r}")
         for point in route.points:
-            if not (point.place > 0 and 0 < point.best <= point.median and point.repeats > 0):
+            in_range = all(1 / _FAR <= x <= _FAR for x in (point.place, point.best, point.median))
+            if not (in_range and point.best <= point.median and point.repeats > 0):
                 raise ValueError(f"{part.key}: {route.name}: {point} is no measurement")
 
 
@@ -153,10 +159,16 @@ def _value(kind: Any, data: object, where: str) -> Any:
         return None if data is None else _value(other, data, where)
     if get_origin(kind) is tuple:
         return _sequence(get_args(kind), data, where)
-    if kind is float and type(data) in (int, float) and math.isfinite(data):  # type: ignore[arg-type]
-        return float(data)  # type: ignore[arg-type]
+    if kind is float and isinstance(data, int | float) and not isinstance(data, bool):
+        if not abs(data) <= sys.float_info.max:  # exact for integers of any length, too
+            raise ValueError(f"{where}: not finite")
+        return float(data)
     if type(data) is not kind:
-        raise ValueError(f"{where}: expected {kind.__name__}, got {data!r}")
+        raise ValueError(f"{where}: expected {kind.__name__}, got {data!r:.60}")
+    if isinstance(data, str) and _NO_TEXT.search(data):
+        raise ValueError(f"{where}: no text: it holds a character that no page can show")
+    if kind is int and not 0 <= data <= _LARGEST:  # type: ignore[operator]
+        raise ValueError(f"{where}: out of range")
     return data
 
 

@@ -45,11 +45,20 @@ CHANGES: list[tuple[str, Callable[[Any], object]]] = [
     ("expected one of certified", lambda data: data["parts"][0]["routes"][0].update(kind="proved")),
     ("no measurement", lambda data: data["parts"][0]["routes"][0]["points"][0].update(best=0)),
     ("no measurement", lambda data: data["parts"][0]["routes"][0]["points"][0].update(median=0.5)),
+    ("no measurement", lambda data: data["parts"][0]["routes"][0]["points"][0].update(best=5e-324)),
+    ("no measurement", lambda data: data["parts"][0]["routes"][0]["points"][0].update(median=1e308)),
+    ("no measurement", lambda data: data["parts"][0]["routes"][0]["points"][0].update(place=1e308)),
     ("expected float", lambda data: data["parts"][0]["routes"][0]["points"][0].update(place="1")),
     ("expected float", lambda data: data["parts"][0]["routes"][0]["points"][0].update(place=True)),
     ("expected int", lambda data: data["parts"][0]["routes"][0]["points"][0].update(repeats=1.5)),
     ("not in 0..1", lambda data: data["parts"][0]["shares"][0].update(part=1.5)),
     ("limit is not positive", lambda data: data["parts"][0]["limit"].update(seconds=0)),
+    ("not finite", lambda data: data["parts"][0]["routes"][0]["points"][0].update(place=10**400)),
+    ("out of range", lambda data: data["parts"][0]["routes"][0]["points"][0].update(memory=10**400)),
+    ("out of range", lambda data: data["parts"][0]["routes"][0]["points"][0].update(memory=-1)),
+    ("target is not positive", lambda data: data["parts"][0].update(targets=[["", 0]])),
+    ("no text", lambda data: data["parts"][0].update(axis="digits\0")),
+    ("no text", lambda data: data["answers"][0].update(question="\ud800")),
     ("expected 2 entries", lambda data: data["answers"][0].update(routes=["one"])),
 ]
 
@@ -60,6 +69,16 @@ def test_a_changed_file_is_refused(made_up: Measurement, message: str, change: C
     change(data)
     with pytest.raises(ValueError, match=message):
         parsed(json.dumps(data))
+
+
+def test_a_number_beyond_all_doubles_is_refused(made_up: Measurement) -> None:
+    """JSON has no infinity, and Python's reader makes one of 1e999."""
+    point = '"place": 1e999'
+    text = written(made_up)
+    place = f'"place": {json.loads(text)["parts"][0]["routes"][0]["points"][0]["place"]}'
+    assert place in text
+    with pytest.raises(ValueError, match="not finite"):
+        parsed(text.replace(place, point, 1))
 
 
 @pytest.mark.parametrize("text", ["", "[]", "{}", "null", '{"schema": NaN}', "[" * 100_000])
