@@ -39,7 +39,7 @@ from gspot_verified.mechanisms.spots.spot_order import relevant_first
 from gspot_verified.mechanisms.spots.spot_patch import find_patch
 from gspot_verified.mechanisms.zeros.all_zeros import Box, Budget, Zero, Zeros, ZeroSearch, clusters
 from gspot_verified.mechanisms.zeros.velocity_roots import VelocityRoots
-from gspot_verified.numbers.balls import ExactInput, nonfinite, working_bits
+from gspot_verified.numbers.balls import ExactInput, ball, nonfinite, working_bits
 from gspot_verified.numbers.evidence import differ, equal, every, inside
 from gspot_verified.numbers.verdict import Evidence
 
@@ -153,6 +153,7 @@ class _Search:
         self._place = place_in(shifted, BALLS)
         self._region: Region = search_region(shifted.mechanism, conditions, self._apart, box, self._place)
         self._whole = WholeState(self._apart, self._region, self._place, self._state)
+        self._supposed = SlipHypotheses(shifted)
         self._left: list[Left] = []
         self._account = Account()
 
@@ -178,7 +179,7 @@ class _Search:
             boundary=tuple(boundary),
             left=tuple(self._left),
             searched=self._region.searched(self._apart),
-            region=self._region_in_words(),
+            region=self._region_in_words(spots),
             free=tuple(self._state[i] for i in self._apart.free),
             patch=patch,
             periods=self._region.periods(),
@@ -186,18 +187,39 @@ class _Search:
             sign_of_p=None if spots or boundary or self._left or patch is not None else self._sign_of_p(),
         )
 
-    def _region_in_words(self) -> str:
+    def _region_in_words(self, spots: Sequence[GSpot]) -> str:
         mechanism = self._shifted.mechanism
         place = {word: short_component(mechanism, word, value) for word, value in self._place.items()}
-        text = self._region.in_words(self._apart, place)
+        text = self._region.in_words(self._apart, place, *self._as_shown(spots))
         return f"{text}; the given conditions J = 0" if mechanism.place.conditions else text
+
+    def _as_shown(self, spots: Sequence[GSpot]) -> tuple[dict[int, str], set[int]]:
+        """The free components and the angles for whose other values the spots need not be G-spots: the mass matrix
+        and mu depend on them, or do not repeat with them, and are not certain for all values (section 5)."""
+        if not spots:
+            return {}, set()
+        turns = ((self._state.index(word), period) for word, period in self._region.periods())
+        one_period = {i for i, period in turns if not self._supposed.repeats(i, period)}
+        free = self._whole.any_free()
+        seen = self._supposed.components & set(free)
+        everywhere = [
+            self._supposed.checked(self._whole.state(dict(enumerate(map(ball, spot.system.point))), free))
+            for spot in spots
+            if seen
+        ]
+        shown = [found for found in everywhere if isinstance(found, Evidence)]
+        if len(shown) == len(everywhere):
+            self._account.stages += shown
+            return {}, one_period
+        mechanism, chosen = self._shifted.mechanism, self._whole.chosen_free()
+        return {i: short_component(mechanism, self._state[i], chosen[i]) for i in seen}, one_period
 
     def _sign_of_p(self) -> SignOfP | None:
         """That of p in every state of the region with y = 0; asked where there is no G-spot."""
         functions, size = self._apart.functions, len(self._state)
         used = components_of(functions["p"]) | (components_of(functions["y"]) if "y" in functions else frozenset())
         given = [name for name in functions if name not in ("p", "b") and components_of(functions[name]) <= used]
-        supposed, known = SlipHypotheses(self._shifted), [self._region.known_side(i) for i in range(size)]
+        supposed, known = self._supposed, [self._region.known_side(i) for i in range(size)]
         divided = {i for i in supposed.components if known[i] is not None}
         program = BoxProgram([functions[name] for name in ("p", *given)], size, sorted(used | divided))
         sides = [side for i in program.variables if (side := known[i]) is not None]

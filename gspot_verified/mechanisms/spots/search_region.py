@@ -5,7 +5,8 @@ Proof page: ``proofs/all_g_spots.md``, section 5.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from types import MappingProxyType
 
 from flint import arb, fmpq
 
@@ -141,12 +142,27 @@ class Region:
         reference = self._names.get(index)
         return f"[{lower}, {upper}]{f' about {reference}' if reference else ''}"
 
-    def in_words(self, apart: TakenApart, fixed: Mapping[str, str]) -> str:
-        """The same in one phrase: what is searched, and the values ``fixed``; what follows from these is left out."""
+    def in_words(
+        self,
+        apart: TakenApart,
+        fixed: Mapping[str, str],
+        at_value: Mapping[int, str] = MappingProxyType({}),
+        one_period: Collection[int] = (),
+    ) -> str:
+        """The same in one phrase: what is searched, and the values ``fixed``; what follows from these is left out.
+
+        ``at_value``: components for which a value is stated in the place of all that were searched, because the mass
+        matrix or mu depends on them; ``one_period``: angles with which these do not repeat.
+        """
         explicit = {each.index: each.condition for each in apart.explicit}
         angles, bounded, every, free, held = [], [], [], [], []
         for i, word in enumerate(self._state):
-            if i in self._given:
+            if i in at_value:
+                bounded.append(f"{word} = {at_value[i]} (the mass matrix or mu depends on it, no condition does)")
+            elif i in one_period:
+                repeats = "(the mass matrix or mu does not repeat with it)"
+                bounded.append(f"the angle {word}, one period of it as shown {repeats}")
+            elif i in self._given:
                 lower, upper = self._given[i]
                 bounded.append(f"{word} in [{_text(lower)}, {_text(upper)}]")
             elif explicit.get(i) == fixed_name(word):

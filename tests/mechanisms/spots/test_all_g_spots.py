@@ -711,3 +711,35 @@ def test_the_region_says_in_which_period_the_spots_are_counted(angle: str, regio
     assert f"exactly {number} G-spots in the region: {region}" in found.verdict.statement
     given = find_g_spots(rod, {"theta": ("-1/10", "61/10")})  # a little less than a turn
     assert f"exactly {turn} G-spots in the region: theta in" in given.verdict.statement
+
+
+def beside(mass: str, mu: str = "2") -> Mechanism:
+    """The rod and a mass s beside it that p, b, y and v do not see."""
+    rows = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, "1/3", 0], [0, 0, 0, mass]]
+    forces = [0, "-1", 0, 0]
+    return lagrangian("rod", ["X", "Y", "theta", "s"], rows, forces, "X + cos(theta)", "Y - sin(theta)", mu)
+
+
+def test_what_the_mass_matrix_holds_and_no_condition_is_stated_at_the_value_shown() -> None:
+    """At |X| > 2 the mass of s is negative: there is no G-spot at X = 3, whatever X the conditions allow."""
+    held = "X = 0 (the mass matrix or mu depends on it, no condition does)"
+    found = find_g_spots(beside("4 - X^2"))
+    assert "exactly 4 G-spots" in found.verdict.statement
+    assert held in found.verdict.statement
+    assert "any s, X_dot, s_dot (no condition holds them)" in found.verdict.statement
+    assert "X = 1.5" in find_g_spots(beside("4 - X^2"), {"X": ("1/2", "5/2")}).verdict.statement
+    within = find_g_spots(beside("4 - X^2"), {"X": (-1, 1)})
+    assert "exactly 4 G-spots in the region: every angle theta; X in [-1, 1];" in within.verdict.statement
+    plain = find_g_spots(beside("4"), {"X": (-1, 1)}).verdict.evidence
+    assert within.verdict.evidence is not None
+    assert plain is not None
+    assert len(within.verdict.evidence.facts) > len(plain.facts)
+    assert "any X, s, X_dot, s_dot" in find_g_spots(beside("4 - X^2", "1")).verdict.statement  # none at any X
+
+
+def test_an_angle_with_which_the_mass_matrix_does_not_repeat_is_stated_for_one_period() -> None:
+    """The mass of s is positive for |theta| < 2 only: two turns on, nothing is a G-spot."""
+    statement = find_g_spots(beside("4 - theta^2")).verdict.statement
+    assert "exactly 4 G-spots in the region: the angle theta, one period of it as shown" in statement
+    assert "(the mass matrix or mu does not repeat with it)" in statement
+    assert "region: every angle theta;" in find_g_spots(beside("4 + sin(theta)")).verdict.statement
