@@ -23,10 +23,12 @@ from attack.answers import Answer, Attack, Tally, undecided, wrong
 
 KINDS = (
     "theta",
+    "floats",
     "signs",
     "motion",
     "starts",
     "scenes",
+    "turning",
     "crossings",
     "mechanisms",
     "sweeps",
@@ -34,13 +36,16 @@ KINDS = (
     "approaches",
     "friction",
     "side",
+    "zero_maps",
     "iwc",
     "expansions",
     "mechanism_expansions",
+    "uniform",
     "certificates",
     "journals",
     "merged",
     "reports",
+    "costs",
     "kept",
 )  # fmt: skip
 """Modules of this folder, each with ``attack(random)``; cheap before dear."""

@@ -18,6 +18,7 @@ from attack import (
     certificates,
     crossings,
     expansions,
+    floats,
     friction,
     iwc,
     journals,
@@ -32,6 +33,8 @@ from attack import (
     signs,
     sweeps,
     theta,
+    uniform,
+    zero_maps,
 )
 from attack.answers import AGREED, Answer, Attack, Tally, undecided, worst, wrong
 from attack.runner import KINDS, answered, draw_of
@@ -48,10 +51,12 @@ from gspot_verified.work.journal_file import JournalFile
 FOLDER = Path(__file__).parent
 SLICE = {
     "theta": range(8),
+    "floats": range(8),
     "signs": range(3),
     "motion": range(4),
     "starts": (1, 2, 8, 9),
     "scenes": range(1, 5),
+    "turning": range(2, 6),
     "crossings": range(2),
     "mechanisms": range(2),
     "sweeps": (1, 4),
@@ -59,13 +64,16 @@ SLICE = {
     "approaches": (1, 2, 3),
     "friction": range(4),
     "side": range(2),
+    "zero_maps": (4, 7, 11),
     "iwc": range(3),
     "expansions": range(4),
     "mechanism_expansions": (2, 3, 5),
+    "uniform": (2, 3, 5, 6),
     "certificates": (*range(11), 12),
     "journals": (*range(3), 5),
     "merged": (0, 2, 4, 5, 7),
     "reports": range(10),
+    "costs": range(8),
     "kept": range(8),
 }
 
@@ -198,6 +206,15 @@ def another_end(found: Any) -> Any:
     return replace(found, end=found.end and ("stick" if found.end == "lift-off" else "lift-off"))
 
 
+def without_constants(found: Any) -> Any:
+    nothing = [replace(one, constants=dict.fromkeys(one.constants, arb(0))) for one in found.stretches]
+    return replace(found, stretches=tuple(nothing))
+
+
+def later(found: Any) -> Any:
+    return found and replace(found, lower=found.upper, upper=found.upper + (found.upper - found.lower))
+
+
 class NarrowWatch(Watch):
     """Hands on the middle of the box alone."""
 
@@ -229,9 +246,14 @@ def moved(result: CompliantIwc) -> CompliantIwc:
 
 LIES: dict[str, tuple[Callable[[pytest.MonkeyPatch], None], Iterable[int]]] = {
     "theta": (lying(theta, "evaluate", lambda e: replace(e, value=shifted(e.value), reached=False)), range(6)),
+    "floats": (lying(floats, "beta_derivative", shifted), range(6)),
     "signs": (lying(signs, "number_of_zeros", lambda n: n + 1), range(6)),
     "motion": (lying(motion, "certified_run", without_its_last), range(8)),
     "scenes": (lying(scenes, "certified_run", without_its_last), range(8)),
+    "turning": (lying(scenes, "certified_run", without_its_last), (4, 9)),
+    "uniform": (lying(uniform, "uniform_bound", without_constants), range(8)),
+    "zero_maps": (lying(zero_maps, "fold_point", later), (1, 6)),
+    "costs": (lambda patch: patch.setattr("gspot_verified.report.parts.cost_page.escape", str), range(40)),
     "sweeps": (lying(sweeps, "sweep", in_another_case), range(8)),
     "approaches": (lying(approaches, "approach", another_end), range(8)),
     "friction": (

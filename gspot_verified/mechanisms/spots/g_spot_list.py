@@ -97,8 +97,8 @@ class GSpots(NoTruthValue, Written):
     ``spots`` are proved to lie in the region, each alone in its box. ``boundary`` are proved too, but so near to the
     end of an interval that they may lie outside. Every other G-spot in the region lies in a box of ``left``: none, when
     ``complete``. ``searched`` says for each component what the region is, ``region`` the same in one phrase. ``free``
-    are components that no condition holds: the spots repeat for all their values, but for those that ``region`` names with
-    one value, because the mass matrix or mu depends on them. They repeat with ``periods`` too
+    are components that no condition holds: the spots repeat for all their values, but for those that ``region`` names
+    with one value, because the mass matrix or mu depends on them. They repeat with ``periods`` too
     (2 pi times the number given), in the angles of which one turn was searched. ``patch`` is given where there are
     fewer conditions than unknowns. ``account`` is what was compared; ``sign_of_p`` that of p in the whole region,
     where there is no G-spot and it was shown.
