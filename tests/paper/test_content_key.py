@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import hashlib
 import os
 import shutil
 import subprocess
@@ -146,6 +147,74 @@ def test_a_module_that_no_distribution_brought_is_in_the_key(tmp_path: Path, mon
     assert part() == found[-1]
     keys.module_files.cache_clear()
     assert len(set(found)) == 4
+
+
+def test_a_module_is_a_file_a_folder_or_a_folder_without_init(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each with its place, which a folder without ``__init__.py`` does not have, and with its files."""
+    monkeypatch.syspath_prepend(str(tmp_path))
+    (tmp_path / "toy_file.py").write_text("1")
+    for name in ("toy_folder", "toy_bare"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "inner.py").write_text("1")
+    start = tmp_path / "toy_folder" / "__init__.py"
+    start.write_text("")
+    changed = {
+        "toy_file": (str(tmp_path / "toy_file.py"), tmp_path / "toy_file.py"),
+        "toy_folder": (str(start), tmp_path / "toy_folder" / "inner.py"),
+        "toy_bare": ("", tmp_path / "toy_bare" / "inner.py"),
+    }
+    for name, (place, file) in changed.items():
+        keys.module_files.cache_clear()
+        before = keys.module_files(name)
+        file.write_text("22")
+        keys.module_files.cache_clear()
+        after = keys.module_files(name)
+        keys.module_files.cache_clear()
+        assert before[0] == after[0] == place
+        assert before[1] != after[1]
+
+
+def test_files_are_taken_in_one_order(sources: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A file system may give them in any."""
+    source_files, listed = keys.source_files, Path.glob
+    (sources / "a.pth").write_text("1")
+    (sources / "b.pth").write_text("2")
+    monkeypatch.setattr(sys, "path", [str(sources)])
+
+    def found() -> list[object]:
+        keys.module_files.cache_clear()
+        keys.startup.cache_clear()
+        result = keys.module_files("inner"), keys.source_state([sources]), keys.startup()
+        keys.module_files.cache_clear()
+        keys.startup.cache_clear()
+        return list(result)
+
+    (sources / "inner" / "more.py").write_text("")
+    (sources / "inner" / "again.py").write_text("")
+    first = found()
+    assert first[0] != ("", "")
+    monkeypatch.setattr(keys, "source_files", lambda places: iter([*source_files(places)][::-1]))
+    monkeypatch.setattr(Path, "glob", lambda folder, pattern: iter([*listed(folder, pattern)][::-1]))
+    assert found() == first
+
+
+def test_what_acts_before_any_program_is_in_the_key(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("sitecustomize", "usercustomize"):
+        monkeypatch.setitem(sys.modules, name, SimpleNamespace())
+    (tmp_path / "site.py").write_text("1")
+
+    def begun() -> list[list[str]]:
+        keys.startup.cache_clear()
+        rows = keys.startup()
+        keys.startup.cache_clear()
+        return rows
+
+    without = begun()
+    for name in ("sitecustomize", "usercustomize"):
+        with monkeypatch.context() as patch:
+            patch.setitem(sys.modules, name, SimpleNamespace(__file__=str(tmp_path / "site.py")))
+            (row,) = (row for row in begun() if row not in without)
+            assert row == [str(tmp_path / "site.py"), hashlib.sha256(b"1").hexdigest()]
 
 
 def test_other_libraries_are_in_the_key(sources: Path, monkeypatch: pytest.MonkeyPatch) -> None:
