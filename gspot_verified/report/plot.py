@@ -23,8 +23,14 @@ from gspot_verified.report.figures.threshold_figure import threshold_picture, th
 from gspot_verified.report.pictures.canvas import Picture, checked_suffix
 from gspot_verified.report.pictures.contact_force_picture import contact_force_picture
 from gspot_verified.report.pictures.expansion_picture import expansion_picture
+from gspot_verified.report.pictures.mechanism_animation import check_animated, mechanism_animation
+from gspot_verified.report.pictures.mechanism_picture import mechanism_picture
 from gspot_verified.report.pictures.phase_plane import phase_plane_picture
 from gspot_verified.report.pictures.zero_map_picture import zero_map_picture
+from gspot_verified.scenes.scene.file import load_scene
+from gspot_verified.scenes.scene.run import SceneRun
+from gspot_verified.scenes.scene.scene import Scene
+from gspot_verified.scenes.simulate import simulate
 from gspot_verified.signs.zeros.zeros import ZerosResult
 
 
@@ -34,7 +40,9 @@ def plot(subject: object, path: str | Path | None = None, **options: Any) -> Pic
     - "theta": Θ(τ, β) for five β; "b-hat" (``beta=``, ``epsilons=``): b-hat on the slow manifold against Θ;
       "force": the slow force at several ε above leading order; "side-map" (``progress=``): the exact side rule over β
       and ε for the paper's data, about a minute; "threshold": the exact ε0 over β beside the one at leading order, some
-      minutes;
+      minutes; "mechanism" (``mechanism=``, ``state=``, ``spot=``): its bodies and its contact point at a state, by
+      default at its G-spot, as the drawing in its file says; "animation" (``scene=``, ``run=``): its motion along a run
+      of a scene with samples, by default one with floats, as an SVG that browsers play;
     - a mechanism (``state=``, ``spot=``): the phase plane (p, b) next to its G-spot, or that of this number;
     - the result of ``expand``: the residual under its proved bound; of ``iwc`` (``epsilon=``): λ_N(τ) at leading order;
       of ``zeros_on_range``: the sign atlas; of ``zero_map``: the map over β and ε.
@@ -79,12 +87,20 @@ def _threshold() -> Picture:
     return threshold_picture(threshold_points())
 
 
+def _animation(scene: Scene | str | Path, run: SceneRun | None = None) -> Picture:
+    shown = scene if isinstance(scene, Scene) else load_scene(scene)
+    check_animated(shown)
+    return mechanism_animation(shown, simulate(shown, floats=True) if run is None else run)
+
+
 _NAMES: dict[str, Callable[..., Picture]] = {
     "theta": theta_picture,
     "b-hat": b_hat_picture,
     "force": force_picture,
     "side-map": _side_map,
     "threshold": _threshold,
+    "mechanism": mechanism_picture,
+    "animation": _animation,
 }
 _KINDS: dict[type, Callable[..., Picture]] = {
     Mechanism: phase_plane_picture,

@@ -18,6 +18,7 @@ OPTIONS: dict[str, tuple[type, str]] = {
     "--alpha1": (str, "the first coefficient of the normal form"),
     "--alpha2": (str, "the second one"),
     "--alpha3": (str, "the third one"),
+    "--animation": (Path, "the moving picture of a mechanism to write"),
     "--at": (str, "the point at which the expansion is evaluated"),
     "--beta": (str, "the ratio alpha3/alpha1, a value or a range"),
     "--bits": (int, "working precision of ball coefficients"),

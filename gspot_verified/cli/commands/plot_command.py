@@ -20,20 +20,25 @@ if TYPE_CHECKING:
 @app.command(epilog=example("plot force force.png"))
 def plot(
     name: Annotated[
-        str, typer.Argument(help='"theta", "b-hat", "contact-force", "phase-plane", "force", "side-map", "threshold".')
+        str,
+        typer.Argument(
+            help='"theta", "b-hat", "contact-force", "phase-plane", "mechanism", "force", "side-map", "threshold".'
+        ),
     ],
     output: Annotated[Path, typer.Argument(help="The file: PNG, PDF or SVG by its suffix.")],
     mechanism: Annotated[
-        str | None, typer.Option(help="phase-plane: a TOML file or a name; oscillator if left out.")
+        str | None, typer.Option(help="phase-plane, mechanism: a TOML file or a name; oscillator if left out.")
     ] = None,
     settings: Annotated[
-        list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help='phase-plane: a parameter, "mu=2".')
+        list[str] | None,
+        typer.Option("--set", metavar="NAME=VALUE", help='phase-plane, mechanism: a parameter, "mu=2".'),
     ] = None,
     spot: Annotated[
-        int | None, typer.Option(help="phase-plane: which G-spot, by its number in `classify --all`.")
+        int | None, typer.Option(help="phase-plane, mechanism: which G-spot, by its number in `classify --all`.")
     ] = None,
     start: Annotated[
-        str | None, typer.Option("--from", help='phase-plane: a state of one\'s own, "phi=1/10,phi_dot=-9/10".')
+        str | None,
+        typer.Option("--from", help='phase-plane, mechanism: a state of one\'s own, "phi=1/10,phi_dot=-9/10".'),
     ] = None,
     beta: Annotated[str | None, typer.Option(help="b-hat, contact-force: β; 7/3 if left out.")] = None,
     epsilon: Annotated[
@@ -43,7 +48,7 @@ def plot(
     """Draw a figure; its caption says what is certified. The caption goes to stdout.
 
     theta: Θ for five β. b-hat: b-hat of the compliant model against Θ. contact-force: λ_N(τ) at leading order.
-    phase-plane: (p, b) of a mechanism next to its G-spot.
+    phase-plane: (p, b) of a mechanism next to its G-spot. mechanism: its bodies at its G-spot, as its file draws them.
     force: the slow force at several ε above leading order. side-map: the exact side rule over β and ε for the paper's
     data (about a minute). threshold: the exact ε0 over β beside the one at leading order (some minutes).
     """
@@ -74,9 +79,11 @@ def _drawn(
 ) -> Picture:
     from gspot_verified.report.plot import plot as picture_of
 
-    if name == "phase-plane":
+    if name in ("phase-plane", "mechanism"):
         state = None if start is None else components(start)
         moving = load_with_settings("oscillator" if mechanism is None else mechanism, settings)
+        if name == "mechanism":
+            return picture_of(name, mechanism=moving, state=state, spot=spot)
         return picture_of(moving, state=state, spot=spot)
     ratio = "7/3" if beta is None else beta
     if name == "contact-force":
@@ -95,6 +102,7 @@ OPTIONS: dict[str, tuple[str, ...]] = {
     "b-hat": ("--beta",),
     "contact-force": ("--beta", "--epsilon"),
     "phase-plane": ("--mechanism", "--set", "--spot", "--from"),
+    "mechanism": ("--mechanism", "--set", "--spot", "--from"),
     "force": (),
     "side-map": (),
     "threshold": (),

@@ -56,6 +56,10 @@ def simulate(
     picture: Annotated[
         Path | None, typer.Option(help="Draw λ_N, y, b, own coordinates: PNG, PDF or SVG by the suffix.")
     ] = None,
+    animation: Annotated[
+        Path | None,
+        typer.Option(help="Draw the mechanism in motion: an SVG that browsers play. Of the same run as --csv."),
+    ] = None,
     journal: Annotated[
         Path | None, typer.Option(help="Keep what is done here; the same command goes on after a kill.")
     ] = None,
@@ -94,13 +98,19 @@ def simulate(
     outputs.file("--csv", csv, (".csv",))
     outputs.file("--npz", npz, (".npz",))
     outputs.file("--picture", picture, PICTURES)
+    outputs.file("--animation", animation, (".svg",))
     outputs.file("--journal", journal)
     of_floats = journal.with_name(f"{journal.name}.float") if journal is not None and compare else journal
     if of_floats != journal:
         outputs.file("--journal with --compare", of_floats)
     loaded = load_scene(scene).with_settings(**_given(settings or [], beta=beta, nu=nu, epsilon=epsilon, until=until))
+    if animation is not None:
+        from gspot_verified.report.pictures.mechanism_animation import check_animated
+
+        check_animated(loaded)
     sampled = None
-    if picture is not None or ((csv is not None or npz is not None) and not compare):
+    of_samples = csv is not None or npz is not None or animation is not None
+    if picture is not None or (of_samples and not compare):
         sampled = (_PICTURE_POINTS if csv is None and npz is None else _FILE_POINTS) if points is None else points
     certified = simulated = None
     with outputs.journal(journal):
@@ -122,7 +132,7 @@ def simulate(
         warn("the float run contradicts the certified one")
     for note in (note for run in runs for note in run.notes):
         outputs.missing("--journal", note)
-    _write(outputs, loaded, runs, csv, npz, picture)
+    _write(outputs, loaded, runs, csv, npz, picture, animation)
     outputs.leave(runs[0].verdict.exit_code)
 
 
@@ -219,13 +229,23 @@ def _show(scene: Scene, runs: list[SceneRun]) -> None:
 
 
 def _write(
-    outputs: Outputs, scene: Scene, runs: list[SceneRun], csv: Path | None, npz: Path | None, picture: Path | None
+    outputs: Outputs,
+    scene: Scene,
+    runs: list[SceneRun],
+    csv: Path | None,
+    npz: Path | None,
+    picture: Path | None,
+    animation: Path | None,
 ) -> None:
-    """The samples of the last run that has some, and the picture of all."""
-    samples = next((run.samples for run in reversed(runs) if run.samples is not None), None)
+    """The samples and the animation of the last run that has some, and the picture of all."""
+    last = next((run for run in reversed(runs) if run.samples is not None), runs[-1])
     for option, path in (("--csv", csv), ("--npz", npz)):
-        if path is not None and samples is not None:
+        if path is not None and (samples := last.samples) is not None:
             outputs.write(option, path, lambda path=path: samples.save(path))  # type: ignore[misc]
+    if animation is not None:
+        from gspot_verified.report.pictures.mechanism_animation import mechanism_animation
+
+        outputs.write("--animation", animation, lambda: mechanism_animation(scene, last).save(animation))
     if picture is not None:
         from gspot_verified.report.pictures.scene_picture import scene_picture
         from gspot_verified.scenes.certified_run import with_boxes

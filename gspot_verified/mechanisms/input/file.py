@@ -63,6 +63,11 @@ The keys; one of the tables ``lagrangian``, ``energies``, ``fields`` says how it
     g_spot.fixed             m - 4 components of the state that keep their value; two less for each constraint
     g_spot.conditions        in the place of fixed: functions of the state that vanish
     g_spot.point.*           the value of the component * of the state: a formula of parameters and reference angles
+    drawing.lines            optional, for pictures alone: bodies as lines, each a list of points [x, y] by formulas
+    drawing.circles          bodies as circles [x, y, radius]
+    drawing.points           points [x, y] that are marked: a joint, the centre of mass
+    drawing.contact          the contact point [x, y] in the drawing; contact.x and contact.y if missing
+    drawing.normal           the direction [x, y] away from the surface, contact.y in front of it; [0, 1] if missing
 
 Numbers are exact: integers, decimals (0.1 is 1/10), or texts such as "7/3". Formulas are read by
 :mod:`gspot_verified.mechanisms.formulas.formula`: they can run no code.
@@ -78,6 +83,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from gspot_verified.mechanisms.input.drawing import PARTS
 from gspot_verified.mechanisms.input.given import from_energies, from_fields, lagrangian
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.input.toml_table import TomlTable, formula_value, shown_value, toml_table
@@ -96,6 +102,7 @@ KEYS: dict[str, tuple[str, ...]] = {
         "contact",
         "regularisation",
         "g_spot",
+        "drawing",
     ),
     "parameters": ("*",),
     "angles": ("*",),
@@ -107,9 +114,11 @@ KEYS: dict[str, tuple[str, ...]] = {
     "regularisation": ("k_1", "k_2", "c"),
     "g_spot": ("search", "fixed", "conditions", "point"),
     "g_spot.point": ("*",),
+    "drawing": PARTS,
 }
 """The keys of each table; ``*`` stands for names that the file chooses."""
 
+_DEPTH = 3  # lists within each other in a drawing: lines, points, two formulas
 _MOTIONS = ("lagrangian", "energies", "fields")
 
 
@@ -175,6 +184,8 @@ def mechanism_of_table(top: TomlTable) -> Mechanism:
     common |= {"angles": _angles(top.table("angles"))}
     common |= _contact(top.table("contact")) | _g_spot(top.table("g_spot"))
     common |= _regularisation(top.table("regularisation"))
+    if top.has("drawing"):
+        common["drawing"] = _drawing(top.table("drawing"))
     motions = [word for word in _MOTIONS if top.has(word)]
     if len(motions) != 1:
         raise MechanismError('exactly one of the tables "lagrangian", "energies" and "fields" is needed')
@@ -196,6 +207,11 @@ def _contact(table: TomlTable) -> dict[str, Any]:
 def _regularisation(table: TomlTable) -> dict[str, Any]:
     table.only(KEYS)
     return {"regularisation": table.all_formulas()} if table.names() else {}
+
+
+def _drawing(table: TomlTable) -> dict[str, Any]:
+    table.only(KEYS)
+    return {name: table.nested_formulas(name, _DEPTH) for name in table.names()}
 
 
 def _g_spot(table: TomlTable) -> dict[str, Any]:

@@ -6,6 +6,7 @@ What reads them knows the names of the mechanism and its limits, and its message
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -17,7 +18,9 @@ from gspot_verified.mechanisms.formulas.names import FormulaError, check_name, n
 from gspot_verified.mechanisms.formulas.rewriting import along, simplified
 from gspot_verified.mechanisms.formulas.simplify import constant, minus, negative, sum_of
 from gspot_verified.mechanisms.formulas.symbol import Symbol, count_operations, variable_indices
+from gspot_verified.mechanisms.input.drawing import DrawingReader
 from gspot_verified.mechanisms.input.mechanism import (
+    Drawing,
     Fields,
     Lagrangian,
     Mechanism,
@@ -146,7 +149,7 @@ class FormulaReader:
             raise MechanismError(f"{self._name}: regularisation: {error}") from None
 
     def mechanism(self, motion: Any, contact: Contact, place: Mapping[str, Any], **options: Any) -> Mechanism:
-        """Puts the parts together; ``options`` are those of :class:`Place`, and ``regularisation``."""
+        """Puts the parts together; ``options`` are those of :class:`Place`, ``regularisation``, and ``drawing``."""
         x, slip_velocity, mirrored = self._tangential(contact)
         values = tuple(
             (self.component(word, "G-spot:"), self._read(value, f"G-spot, {word}", self._constants))
@@ -154,6 +157,7 @@ class FormulaReader:
         )
         given = dict(options)
         regularisation = self._regularisation(given.pop("regularisation", None))
+        drawing = self._drawing(motion, contact, given.pop("drawing", None))
         if given.get("conditions") is not None:
             given["conditions"] = tuple(self(f, f"condition {i + 1}") for i, f in enumerate(given["conditions"]))
         if given.get("fixed") is not None:
@@ -175,7 +179,19 @@ class FormulaReader:
             slip_velocity=slip_velocity,
             mirrored=mirrored,
             regularisation=regularisation,
+            drawing=drawing,
         )
+
+    def _drawing(self, motion: Any, contact: Contact, given: Mapping[str, Any] | None) -> Drawing | None:
+        """Its operations are counted apart: a drawing makes no mechanism too large."""
+        if given is None:
+            return None
+        own = copy(self)
+        own._operations = 0
+        half = len(motion.coordinates) if isinstance(motion, Lagrangian) else 0
+        velocities = {i: self.state[i] for i in range(half, 2 * half)}
+        point = None if contact.x is None else (contact.x, contact.y)
+        return DrawingReader(self._name, own, velocities)(given, point)
 
     def _tangential(self, contact: Contact) -> tuple[Expression | None, Expression | None, bool]:
         """x, or the slip velocity; the other way round for negative slip."""
@@ -221,8 +237,10 @@ def lagrangian(
     In the place of x (then None) ``slip_velocity`` may be given, linear in the velocities: a belt, a rolling contact;
     its derivatives by the velocities are the direction of the friction force. For ``slip`` "negative" the library
     mirrors: x, or the slip velocity, counts in the other direction, and ``Mechanism.notes`` says so.
-    ``options``: ``search``, ``fixed``, ``conditions`` of :class:`Place`, and ``regularisation``, the numbers k_1, k_2,
-    c of :class:`expansion.series.regularisation.Regularisation` by name.
+    ``options``: ``search``, ``fixed``, ``conditions`` of :class:`Place`; ``regularisation``, the numbers k_1, k_2, c of
+    :class:`expansion.series.regularisation.Regularisation` by name; ``drawing``, for pictures alone: ``lines``,
+    ``circles``, ``points``, ``contact``, ``normal`` by name, as the table of a file has them
+    (:mod:`gspot_verified.mechanisms.input.file`).
 
     :raises MechanismError: shapes that do not fit, a mass matrix that is not symmetric, an unknown name.
 

@@ -85,12 +85,28 @@ class Place:
 
 
 @dataclass(frozen=True)
+class Drawing:
+    """How the bodies look, for pictures alone: formulas of coordinates, parameters and reference angles.
+
+    ``lines`` go from point to point, ``circles`` have a centre and a radius, ``points`` are marked. ``contact`` is the
+    contact point in the drawing; the surface lies at the distance y from it, against the direction of ``normal``.
+    """
+
+    lines: tuple[tuple[tuple[Expression, ...], ...], ...]
+    circles: tuple[tuple[Expression, ...], ...]
+    points: tuple[tuple[Expression, ...], ...]
+    contact: tuple[Expression, ...]
+    normal: tuple[Expression, ...]
+
+
+@dataclass(frozen=True)
 class Mechanism(Shown):
     """A mechanism; make one with :func:`given.lagrangian`, :func:`given.from_energies`, :func:`given.from_fields` or
     :func:`file.read_mechanism`.
 
     Either ``x`` or ``slip_velocity`` is given. ``mirrored`` says that x, or the slip velocity, has the opposite sign of
-    what the user gave: negative slip there is positive slip here.
+    what the user gave: negative slip there is positive slip here. ``drawing`` is no part of what a mechanism is: two
+    that differ in nothing else are equal.
     """
 
     name: str
@@ -105,6 +121,7 @@ class Mechanism(Shown):
     slip_velocity: Expression | None = None
     mirrored: bool = False
     regularisation: Regularisation = PAPER
+    drawing: Drawing | None = field(default=None, compare=False)
 
     def __str__(self) -> str:
         parameters = ", ".join(name for name, _ in self.parameters) or "none"

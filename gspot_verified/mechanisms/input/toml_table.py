@@ -97,6 +97,10 @@ class TomlTable:
         """A list of formulas."""
         return [formula_value(value, self.key(name)) for value in self.get(name, list, "a list of formulas")]
 
+    def nested_formulas(self, name: str, depth: int) -> list[Any]:
+        """A list of formulas and of further lists of them, ``depth`` lists within each other at most."""
+        return _nested(self.get(name, list, "a list"), self.key(name), depth)
+
     def all_formulas(self) -> dict[str, Number]:
         """All keys, each a formula."""
         return {name: self.formula(name) for name in self._data}
@@ -113,6 +117,13 @@ def formula_value(value: Any, key: str) -> Number:
     if isinstance(value, bool) or not isinstance(value, str | int):
         raise MechanismError(f'key "{key}" must be {_FORMULA}, got {shown_value(value)}')
     return value
+
+
+def _nested(values: list[Any], key: str, depth: int) -> list[Any]:
+    return [
+        _nested(value, key, depth - 1) if isinstance(value, list) and depth > 1 else formula_value(value, key)
+        for value in values
+    ]
 
 
 def _exact(value: str, key: str) -> Fraction:

@@ -70,8 +70,9 @@ class Question:
 
 
 def _whole(mechanism: Mechanism) -> str:
-    """All that the mechanism is, as text; its own ``repr`` is short."""
-    return f"Mechanism({', '.join(f'{each.name}={getattr(mechanism, each.name)!r}' for each in fields(mechanism))})"
+    """All that the mechanism is, as text, without its drawing; its own ``repr`` is short."""
+    own = [each.name for each in fields(mechanism) if each.compare]
+    return f"Mechanism({', '.join(f'{name}={getattr(mechanism, name)!r}' for name in own)})"
 
 
 @lru_cache(maxsize=4)

@@ -269,7 +269,7 @@ class MechanismMotion:
         :raises MechanismError: it is not certainly positive definite.
         """
         with working_bits(_BITS):
-            place = dict(zip(self.mechanism.state, self._state(values), strict=True))
+            place = dict(zip(self.mechanism.state, self.whole_state(values), strict=True))
             check_mass_matrix(self._shifted, place, BALLS, "at the start")
 
     def normal_acceleration(self, values: Mapping[str, fmpq]) -> arb:
@@ -287,10 +287,10 @@ class MechanismMotion:
     def _at_start(self, name: str, values: Mapping[str, fmpq]) -> arb:
         with working_bits(_BITS):
             (function,) = self._shifted.expressions([getattr(self._shifted.functions, name)], BALLS)
-            return BoxProgram([function], self._size).values(self._state(values))[0]
+            return BoxProgram([function], self._size).values(self.whole_state(values))[0]
 
-    def _state(self, values: Mapping[str, fmpq]) -> list[arb]:
-        """All components at the start; a cyclic one that is not given is 0."""
+    def whole_state(self, values: Mapping[str, fmpq]) -> list[arb]:
+        """All components at the start, angles from their references; a cyclic one that is not given is 0."""
         given = self.start(values)
         state = [arb(self._given.get(name, fmpq(0))) for name in self.mechanism.state]
         y, v = constant(given["y"]), constant(given["v"])
