@@ -95,6 +95,24 @@ def test_enclosures_in_files_and_a_picture(capsys: pytest.CaptureFixture[str], t
     assert sorted(tmp_path.iterdir()) == [table, drawing]
 
 
+def test_an_animation_of_the_float_run(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    place = tmp_path / "rod.svg"
+    words = ("simulate", "rod", "--epsilon", "1/100", "--float", "--points", "21", "--animation", str(place))
+    assert run(capsys, *words)[0] == 2
+    text = place.read_text(encoding="utf-8")
+    assert "From a run with floats" in text
+    assert "<animate " in text
+
+
+@pytest.mark.slow
+def test_an_animation_of_a_certified_run(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """No points are asked for: the integrator has its own."""
+    place = tmp_path / "rod.svg"
+    words = ("simulate", "rod", "--epsilon", "1/100", "--until", "1/20", "--animation", str(place))
+    assert run(capsys, *words)[0] == 0
+    assert "From the middles of certified enclosures" in place.read_text(encoding="utf-8")
+
+
 def test_a_journal_that_cannot_be_written(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -151,6 +169,8 @@ def test_the_list(capsys: pytest.CaptureFixture[str]) -> None:
         (("fig-varsim1", "--set", "nu"), "expected name=value"),
         (("fig-varsim2", "--budget", "0"), "budget must be >= 1, got 0"),
         (("fig-varsim1", "--picture", "a.jpg"), "allowed: .png, .pdf, .svg"),
+        (("rod", "--animation", "a.png"), "--animation: cannot write the suffix '.png' of a.png; allowed: .svg"),
+        (("fig-varsim1", "--animation", "a.svg"), "no animation: the model system of the paper has no bodies"),
         (("fig-varsim1", "--float", "--points", "1", "--csv", "a.csv"), "points: expected 2..1000000, got 1"),
         (("oscillator", "--nu", "1"), "no setting 'nu'"),
         (("fig-varsim1", "--float", "--compare"), "not both"),

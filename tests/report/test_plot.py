@@ -46,7 +46,9 @@ def test_the_suffix_comes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
 def test_what_has_no_figure() -> None:
     with pytest.raises(TypeError, match="a Verdict has no figure"):
         plot(iwc("7/3").verdict)
-    with pytest.raises(ValueError, match="expected one of theta, b-hat, force, side-map, threshold, got 'atlas'"):
+    with pytest.raises(
+        ValueError, match="expected one of theta, b-hat, force, side-map, threshold, mechanism, animation, got 'atlas'"
+    ):
         plot("atlas")
     for options in ({"beta": -1}, {"beta": "5/2", "epsilons": [0]}):
         with pytest.raises(ValueError, match=r"expected a rational"):

@@ -17,7 +17,9 @@ from gspot_verified.mechanisms.expand import expand
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.report.mechanism.part import ReportPart, outcome_of
 from gspot_verified.report.mechanism.subject import Subject, beta_ends
+from gspot_verified.report.pictures.canvas import Picture
 from gspot_verified.report.pictures.expansion_picture import expansion_picture
+from gspot_verified.report.pictures.mechanism_picture import mechanism_picture
 from gspot_verified.report.pictures.phase_plane import phase_plane_picture
 from gspot_verified.signs.gamma.side import side, side_text
 
@@ -96,8 +98,16 @@ def expansion_picture_part(subject: Subject) -> ReportPart:
 
 def phase_plane_part(subject: Subject) -> ReportPart:
     """Runs of rigid slip next to the G-spot."""
-    drawn = phase_plane_picture(subject.mechanism)
-    words = ["gspot-verified", "plot", "phase-plane", "phase-plane.svg", "--mechanism", subject.source.file]
+    return _drawn_part(subject, phase_plane_picture(subject.mechanism))
+
+
+def mechanism_picture_part(subject: Subject) -> ReportPart:
+    """The mechanism at the G-spot, as its file draws it."""
+    return _drawn_part(subject, mechanism_picture(subject.mechanism))
+
+
+def _drawn_part(subject: Subject, drawn: Picture) -> ReportPart:
+    words = ["gspot-verified", "plot", drawn.name, f"{drawn.name}.svg", "--mechanism", subject.source.file]
     words += [word for key, value in subject.source.settings.items() for word in ("--set", f"{key}={value}")]
     return ReportPart(drawn.title, None, drawn.caption, (shlex.join(words),), drawn)
 

@@ -22,6 +22,7 @@ from gspot_verified.report.mechanism.local_parts import (
     exact_side_part,
     expansion_part,
     expansion_picture_part,
+    mechanism_picture_part,
     phase_plane_part,
     side_part,
     true_solutions_part,
@@ -220,6 +221,8 @@ def _classification(classified: Classification, command: str) -> ReportPart:
 def _parts(subject: Subject, choose: bool, say: Callable[[str], None]) -> tuple[ReportPart, ...]:
     """What is stated about one G-spot, or why it is not; ``choose``: starts of slip are chosen here."""
     case, planned = subject.classified.case, list[tuple[str, Callable[[], ReportPart]]]()
+    if subject.mechanism.drawing is not None:
+        planned.append(("The mechanism there", partial(mechanism_picture_part, subject)))
     if case in ("I", "II", "III"):
         planned.append(("The sides", partial(side_part, subject)))
     impact, lift_off = subject.classified.impact_sign, subject.classified.lift_off_sign

@@ -116,11 +116,12 @@ class Shapes:
         :raises MechanismError: a formula of the drawing has no value there.
         """
         try:
-            values = iter(self._values(state))
+            found = self._values(state)
         except (ValueError, ArithmeticError) as error:
-            raise MechanismError(
-                f"{self._name}: the drawing has no place at the state {list(state)}: {error}"
-            ) from None
+            raise self._no_place(state, str(error)) from None
+        if not all(isinstance(value, float | int) and math.isfinite(value) for value in found):
+            raise self._no_place(state, "a formula has no finite real value there")
+        values = iter(found)
 
         def pair() -> Place:
             return next(values), next(values)
@@ -131,7 +132,10 @@ class Shapes:
         contact, normal = pair(), pair()
         length = math.hypot(*normal)
         if length == 0:
-            raise MechanismError(f"{self._name}: drawing: the normal has the length 0 at the state {list(state)}")
+            raise self._no_place(state, "the normal has the length 0")
         unit = normal[0] / length, normal[1] / length
         tangent = self._side * unit[1], -self._side * unit[0]
         return Shape(lines, circles, points, contact, unit, tangent, height=next(values), u=next(values))
+
+    def _no_place(self, state: Sequence[float], why: str) -> MechanismError:
+        return MechanismError(f"{self._name}: the drawing has no place at the state {list(state)}: {why}")

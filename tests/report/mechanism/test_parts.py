@@ -16,12 +16,13 @@ from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.mechanisms.approach.slip_state import StateError
 from gspot_verified.mechanisms.shipped import shipped_text
 from gspot_verified.numbers.verdict import Outcome, Reason, Verdict
-from gspot_verified.report.mechanism import certified_force, local_parts, runs
+from gspot_verified.report.mechanism import certified_force, local_parts, report, runs
 from gspot_verified.report.mechanism.certified_force import force_part, zeros_part
 from gspot_verified.report.mechanism.local_parts import (
     exact_side_part,
     expansion_part,
     expansion_picture_part,
+    mechanism_picture_part,
     side_part,
     true_solutions_part,
 )
@@ -133,6 +134,20 @@ def test_the_picture_is_that_of_the_expansion_that_is_shown(
         assert part.title == f"order {order}"
         assert part.outcome is None
         assert part.commands == (subject.source.command("expand", "--order", str(order), "--picture", "expansion.svg"),)
+
+
+def test_the_mechanism_is_shown_where_something_says_how_it_looks(
+    second_case: Subject, exact: Subject, printed: Callable[[Source, str], str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    part = mechanism_picture_part(second_case)
+    assert part.outcome is None
+    assert part.picture is not None
+    assert part.picture.title == part.title == "Falling rod of Génot and Brogliato at its G-spot"
+    assert printed(second_case.source, part.commands[0]) == f"{part.title}\n{part.text}\n"
+    monkeypatch.setattr(report, "attempted", lambda title, _: ReportPart(title, None, ""))
+    named = [[each.title for each in report._parts(one, False, lambda _: None)] for one in (second_case, exact)]
+    assert named[0][:2] == ["What it is", "The mechanism there"]
+    assert "The mechanism there" not in named[1]
 
 
 def test_the_exact_side_rule(exact: Subject, in_balls: Subject, printed: Callable[[Source, str], str]) -> None:
