@@ -66,3 +66,15 @@ plot("b-hat", beta="7/3")
 
 # %%
 plot(expand(load("rod"), 12))
+
+# %% [markdown]
+# A mechanism whose file says how it looks (the table `[drawing]`) is drawn at its G-spot, or at another state:
+
+# %%
+plot("mechanism", mechanism=load("rod"))
+
+# %% [markdown]
+# And it moves, here along a float run of the scene `rod`. The file is one SVG, played by the browser without a script:
+
+# %%
+plot("animation", scene="rod")

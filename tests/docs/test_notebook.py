@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -15,6 +16,7 @@ import pytest
 from script_notebook import cells, notebook, notebook_page, run
 
 SCRIPT = Path(__file__).resolve().parents[2] / "docs" / "notebook.py"
+FIGURE = re.compile(r"static/([\w-]+\.svg)")
 SOURCE = '"""x"""\n# %% [markdown]\n# # Title\n#\n# text\n\n# %%\na = 2\nprint(a)\na + 1\n'
 
 
@@ -24,6 +26,11 @@ def test_the_notebook_runs(tmp_path: Path) -> None:
     assert "Case III" in page
     for picture in tmp_path.iterdir():
         assert f"static/{picture.name}" in page
+    drawn = {picture.name for picture in tmp_path.iterdir()}
+    kept = {picture.name for picture in (SCRIPT.parent / "static").glob("*.svg")}
+    shown = {name for each in SCRIPT.parent.glob("*.md") for name in FIGURE.findall(each.read_text(encoding="utf-8"))}
+    assert shown <= drawn | kept
+    assert {"mechanism.svg", "animation.svg"} <= shown & drawn
 
 
 def test_cells() -> None:
@@ -67,7 +74,7 @@ def test_the_notebook_runs_in_a_kernel(tmp_path: Path) -> None:
     codes = [body for is_text, body in cells(source) if not is_text]
     shown = [output.data for found in outputs for output in found if output.output_type == "execute_result"]
     images = [data for data in shown if "image/svg+xml" in data]
-    assert len(images) == sum(body.splitlines()[-1].startswith("plot(") for body in codes) == 3
+    assert len(images) == sum(body.splitlines()[-1].startswith("plot(") for body in codes) == 5
     for data in images:
         assert data["image/svg+xml"].startswith("<svg")
         assert base64.b64decode(data["image/png"]).startswith(b"\x89PNG")
@@ -77,5 +84,5 @@ def test_the_notebook_runs_in_a_kernel(tmp_path: Path) -> None:
     assert len(texts) == 3
     assert "Case III" in texts[0]
     assert all(len(data["text/plain"]) <= 400 for data in shown)
-    assert len(outputs) == len(codes) == 7
+    assert len(outputs) == len(codes) == 9
     assert all(len(found) == 1 for found in outputs)  # no warning, no error

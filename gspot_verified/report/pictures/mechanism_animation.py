@@ -68,7 +68,8 @@ def mechanism_animation(scene: Scene, run: SceneRun) -> Picture:
     title = f"{scene.mechanism.name} in the scene {scene.name}, ε = {scene.epsilon}"
     caption = _caption(scene, run)
     still = shape_picture("animation", title, film.shapes[0], caption)
-    return replace(still, svg=two_themes("\n".join(_svg(film, title, _strength(scene, run), run))))
+    seen = "The mechanism on its surface, which moves through the phases that a bar below shows over time."
+    return replace(still, alternative=seen, svg=two_themes("\n".join(_svg(film, title, _strength(scene, run), run))))
 
 
 def check_animated(scene: Scene) -> None:
@@ -305,6 +306,6 @@ def _caption(scene: Scene, run: SceneRun) -> str:
     belt = " The surface moves, and is drawn at rest; the arrow is slip on it." if "belt" in scene.effects else ""
     return (
         f"The mechanism along {how} ({run.fate}), as a rigid one: what the drawing in its file says. Deviations of the "
-        f"order of ε² are too small to be seen.{belt} {_SECONDS} seconds show the time from the first to the last "
+        f"order of ε² are too small to be seen.{belt} {_MOVING * _SECONDS:g} seconds show the time from the first to the last "
         "sample; between samples a browser draws straight ways. An animation shows, it proves nothing."
     )
