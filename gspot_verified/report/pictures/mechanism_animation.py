@@ -306,6 +306,6 @@ def _caption(scene: Scene, run: SceneRun) -> str:
     belt = " The surface moves, and is drawn at rest; the arrow is slip on it." if "belt" in scene.effects else ""
     return (
         f"The mechanism along {how} ({run.fate}), as a rigid one: what the drawing in its file says. Deviations of the "
-        f"order of ε² are too small to be seen.{belt} {_MOVING * _SECONDS:g} seconds show the time from the first to the last "
-        "sample; between samples a browser draws straight ways. An animation shows, it proves nothing."
+        f"order of ε² are too small to be seen.{belt} {_MOVING * _SECONDS:g} seconds show the time from the first "
+        "to the last sample; between samples a browser draws straight ways. An animation shows, it proves nothing."
     )
