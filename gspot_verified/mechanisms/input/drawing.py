@@ -11,7 +11,7 @@ from gspot_verified.mechanisms.formulas.symbol import variable_indices
 from gspot_verified.mechanisms.input.mechanism import Drawing, MechanismError
 
 PARTS = ("lines", "circles", "points", "contact", "normal")
-_POINT, _CIRCLE = "[x, y], two formulas", "[x, y, radius], three formulas"
+_POINT, _CIRCLE = "[x, y], two formulas", "[x, y, radius] or [x, y, a, b, angle], three or five formulas"
 _LINE = '[["X", "Y"], ["X + 1", "Y"]], two points or more'
 _UPWARDS = (0, 1)
 
@@ -44,10 +44,10 @@ class DrawingReader:
             )
         drawing = Drawing(
             lines=tuple(self._line(line, i) for i, line in enumerate(self._list(given, "lines"), 1)),
-            circles=self._tuples(self._list(given, "circles"), "circle", 3, _CIRCLE),
-            points=self._tuples(self._list(given, "points"), "point", 2, _POINT),
-            contact=self._formulas(contact, "contact", 2, _POINT),
-            normal=self._formulas(given.get("normal", _UPWARDS), "normal", 2, _POINT),
+            circles=self._tuples(self._list(given, "circles"), "circle", (3, 5), _CIRCLE),
+            points=self._tuples(self._list(given, "points"), "point", (2,), _POINT),
+            contact=self._formulas(contact, "contact", (2,), _POINT),
+            normal=self._formulas(given.get("normal", _UPWARDS), "normal", (2,), _POINT),
         )
         if not (drawing.lines or drawing.circles):
             raise self._error(f"nothing is drawn: give a line or a circle, as lines = [{_LINE.partition(']],')[0]}]]]")
@@ -65,13 +65,15 @@ class DrawingReader:
     def _line(self, line: Any, number: int) -> tuple[tuple[Expression, ...], ...]:
         if isinstance(line, str) or not isinstance(line, Sequence) or len(line) < 2:
             raise self._error(f"line {number} must be {_LINE}; got {line!r:.40}")
-        return self._tuples(line, f"line {number}, point", 2, _POINT)
+        return self._tuples(line, f"line {number}, point", (2,), _POINT)
 
-    def _tuples(self, entries: Sequence[Any], what: str, count: int, form: str) -> tuple[tuple[Expression, ...], ...]:
-        return tuple(self._formulas(entry, f"{what} {i}", count, form) for i, entry in enumerate(entries, 1))
+    def _tuples(
+        self, entries: Sequence[Any], what: str, counts: tuple[int, ...], form: str
+    ) -> tuple[tuple[Expression, ...], ...]:
+        return tuple(self._formulas(entry, f"{what} {i}", counts, form) for i, entry in enumerate(entries, 1))
 
-    def _formulas(self, entry: Any, where: str, count: int, form: str) -> tuple[Expression, ...]:
-        if isinstance(entry, str) or not isinstance(entry, Sequence) or len(entry) != count:
+    def _formulas(self, entry: Any, where: str, counts: tuple[int, ...], form: str) -> tuple[Expression, ...]:
+        if isinstance(entry, str) or not isinstance(entry, Sequence) or len(entry) not in counts:
             raise self._error(f"{where} must be {form}; got {entry!r:.40}")
         made = tuple(self._read(formula, f"drawing, {where}") for formula in entry)
         moving = [word for i, word in self._velocities.items() if i in variable_indices(made)]

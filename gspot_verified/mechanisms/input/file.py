@@ -64,7 +64,7 @@ The keys; one of the tables ``lagrangian``, ``energies``, ``fields`` says how it
     g_spot.conditions        in the place of fixed: functions of the state that vanish
     g_spot.point.*           the value of the component * of the state: a formula of parameters and reference angles
     drawing.lines            optional, for pictures alone: bodies as lines, each a list of points [x, y] by formulas
-    drawing.circles          bodies as circles [x, y, radius]
+    drawing.circles          bodies as circles [x, y, radius], or ellipses [x, y, a, b, angle]: half axes, angle of a
     drawing.points           points [x, y] that are marked: a joint, the centre of mass
     drawing.contact          the contact point [x, y] in the drawing; contact.x and contact.y if missing
     drawing.normal           the direction [x, y] away from the surface, contact.y in front of it; [0, 1] if missing

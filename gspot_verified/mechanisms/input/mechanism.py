@@ -88,8 +88,9 @@ class Place:
 class Drawing:
     """How the bodies look, for pictures alone: formulas of coordinates, parameters and reference angles.
 
-    ``lines`` go from point to point, ``circles`` have a centre and a radius, ``points`` are marked. ``contact`` is the
-    contact point in the drawing; the surface lies at the distance y from it, against the direction of ``normal``.
+    ``lines`` go from point to point, ``circles`` have a centre and a radius, or two half axes and the angle of the
+    first, ``points`` are marked. ``contact`` is the contact point in the drawing; the surface lies at the distance y
+    from it, against the direction of ``normal``.
     """
 
     lines: tuple[tuple[tuple[Expression, ...], ...], ...]

@@ -178,10 +178,6 @@ class _View:
         """Straight pieces as the attribute ``d`` has them."""
         return "".join(f"M{self.line([begin])}L{self.line([end])}" for begin, end in lines)
 
-    def length(self, value: float) -> str:
-        """A length."""
-        return f"{self._scale * value:.1f}"
-
     def arrow(self, shape: Shape, sign: float) -> list[Place]:
         """An arrow below the contact point, along the tangent."""
         begin, size = moved(shape.contact, shape.normal, -_BELOW * self.size), self.size
@@ -229,9 +225,9 @@ def _bodies(film: Film, view: _View) -> list[str]:
         moves = "".join(film.animated(name, each) for name, each in values.items())
         return f'<{tag} {first} style="{style}">{moves}</{tag}>'
 
-    def circle(centres: list[Place], radii: list[str], style: str) -> str:
+    def dot(centres: list[Place], radius: str, style: str) -> str:
         xs, ys = zip(*(view.line([centre]).split(",") for centre in centres), strict=True)
-        return drawn("circle", style, cx=list(xs), cy=list(ys), r=radii)
+        return drawn("circle", style, cx=list(xs), cy=list(ys), r=[radius])
 
     shapes, start = film.shapes, film.shapes[0]
     body = f"fill:none;stroke:{INK};stroke-width:5;stroke-linecap:round;stroke-linejoin:round"
@@ -240,15 +236,12 @@ def _bodies(film: Film, view: _View) -> list[str]:
     parts = [drawn("path", f"fill:none;stroke:{INK};stroke-width:1", d=ground)]
     for i in range(len(start.lines)):
         parts.append(drawn("polyline", body, points=[view.line(shape.lines[i]) for shape in shapes]))
-    for i in range(len(start.circles)):
-        rounds = [shape.circles[i] for shape in shapes]
-        parts.append(circle([(x, y) for x, y, _ in rounds], [view.length(radius) for _, _, radius in rounds], body))
     for i in range(len(start.points)):
         mark = f"fill:{PAPER};stroke:{INK};stroke-width:2"
-        parts.append(circle([shape.points[i] for shape in shapes], len(shapes) * ["4"], mark))
+        parts.append(dot([shape.points[i] for shape in shapes], "4", mark))
     for phase in film.phases:
         colour = _COLOURS[phase]
-        inside = circle([shape.contact for shape in shapes], len(shapes) * ["6"], f"fill:{colour}")
+        inside = dot([shape.contact for shape in shapes], "6", f"fill:{colour}")
         if phase in _SLIPS:
             arrows = [view.line(view.arrow(shape, _SLIPS[phase])) for shape in shapes]
             inside += drawn("polyline", f"fill:{colour};stroke:{colour};stroke-width:2.5", points=arrows)

@@ -117,12 +117,8 @@ def _draw(name: str, title: str, shape: Shape, caption: str) -> Picture:
 
 
 def _bodies(axes: Any, shape: Shape) -> None:
-    from matplotlib.patches import Circle
-
     for line in shape.lines:
         axes.plot(*zip(*line, strict=True), color=BLUE, linewidth=4, solid_capstyle="round", zorder=3)
-    for x, y, radius in shape.circles:
-        axes.add_patch(Circle((x, y), radius, fill=False, edgecolor=BLUE, linewidth=4, zorder=3))
     for place in shape.points:
         axes.plot(*place, "o", markersize=7, markerfacecolor=PAPER, markeredgecolor=GREEN, markeredgewidth=2, zorder=4)
 

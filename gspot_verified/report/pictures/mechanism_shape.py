@@ -13,6 +13,7 @@ from gspot_verified.numbers.balls import working_bits
 from gspot_verified.scenes.floats.float_function import float_function
 
 _BITS = 80  # beyond a double
+_CORNERS = 48  # of a circle
 _EXAMPLE = 'lines = [[["X", "Y"], ["X + l*cos(theta)", "Y - l*sin(theta)"]]]'
 
 Place = tuple[float, float]
@@ -20,11 +21,10 @@ Place = tuple[float, float]
 
 @dataclass(frozen=True)
 class Shape:
-    """The drawing at one state: ``height`` is y, the distance of the contact point from the surface, ``u`` its velocity
-    in the direction of ``tangent``; this and ``normal`` have the length 1."""
+    """The drawing at one state, with closed lines for circles: ``height`` is y, the distance of the contact point from
+    the surface, ``u`` its velocity in the direction of ``tangent``; this and ``normal`` have the length 1."""
 
     lines: tuple[tuple[Place, ...], ...]
-    circles: tuple[tuple[float, float, float], ...]
     points: tuple[Place, ...]
     contact: Place
     normal: Place
@@ -40,9 +40,6 @@ class Shape:
     def reaches(self) -> Iterable[Place]:
         """Places between which the whole drawing lies."""
         yield from (place for line in self.lines for place in line)
-        yield from (
-            place for x, y, radius in self.circles for place in ((x - radius, y - radius), (x + radius, y + radius))
-        )
         yield from (*self.points, self.contact, self.foot)
 
 
@@ -78,6 +75,15 @@ def surface(foot: Place, normal: Place, corners: Corners, depth: float) -> list[
 def moved(place: Place, direction: Place, length: float) -> Place:
     """The place so far in that direction."""
     return place[0] + length * direction[0], place[1] + length * direction[1]
+
+
+def closed_line(x: float, y: float, first: float, second: float | None = None, angle: float = 0.0) -> tuple[Place, ...]:
+    """Points of a circle of this radius, or of an ellipse with these half axes, the first at this angle."""
+    axes = first, first if second is None else second
+    turns = (2 * math.pi * k / _CORNERS for k in range(_CORNERS + 1))
+    along = ((axes[0] * math.cos(turn), axes[1] * math.sin(turn)) for turn in turns)
+    cosine, sine = math.cos(angle), math.sin(angle)
+    return tuple((x + cosine * a - sine * b, y + sine * a + cosine * b) for a, b in along)
 
 
 def drawing_of(mechanism: Mechanism) -> Drawing:
@@ -127,7 +133,7 @@ class Shapes:
             return next(values), next(values)
 
         lines = tuple(tuple(pair() for _ in line) for line in self._drawing.lines)
-        circles = tuple((*pair(), next(values)) for _ in self._drawing.circles)
+        lines += tuple(closed_line(*(next(values) for _ in circle)) for circle in self._drawing.circles)
         points = tuple(pair() for _ in self._drawing.points)
         contact, normal = pair(), pair()
         length = math.hypot(*normal)
@@ -135,7 +141,7 @@ class Shapes:
             raise self._no_place(state, "the normal has the length 0")
         unit = normal[0] / length, normal[1] / length
         tangent = self._side * unit[1], -self._side * unit[0]
-        return Shape(lines, circles, points, contact, unit, tangent, height=next(values), u=next(values))
+        return Shape(lines, points, contact, unit, tangent, height=next(values), u=next(values))
 
     def _no_place(self, state: Sequence[float], why: str) -> MechanismError:
         return MechanismError(f"{self._name}: the drawing has no place at the state {list(state)}: {why}")

@@ -220,16 +220,17 @@ def test_a_browser_plays_it(tmp_path: Path, animation: Picture, film: Film) -> N
     second = 8 * (film.shares[k] + film.shares[k + 1]) / 2
     script = (
         f"const s = document.querySelector('svg'); s.pauseAnimations(); s.setCurrentTime({second});"
-        "requestAnimationFrame(() => requestAnimationFrame(() => {"
+        "const next = () => new Promise(requestAnimationFrame);"
+        "onload = async () => { await next(); await next();"
         "const p = [...s.querySelector('polyline').animatedPoints].map(q => [q.x, q.y]);"
         "const seen = [...s.querySelectorAll('g > text[font-size=\"16\"]')].filter("
         "t => getComputedStyle(t).visibility == 'visible' && !t.textContent.startsWith('t =')).map(t => t.textContent);"
-        "document.getElementById('found').textContent = JSON.stringify([p, seen]);}));"
+        "document.getElementById('found').textContent = JSON.stringify([p, seen]); }"
     )
     page = tmp_path / "page.html"
     page.write_text(f'<!DOCTYPE html>{animation.svg}<pre id="found"></pre><script>{script}</script>', encoding="utf-8")
-    options = ["--headless", "--no-sandbox", "--disable-gpu", "--virtual-time-budget=5000", "--dump-dom"]
-    options.append(f"--user-data-dir={tmp_path / 'profile'}")
+    options = ["--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={tmp_path / 'profile'}", "--dump-dom"]
+    options += ["--virtual-time-budget=600000", "--run-all-compositor-stages-before-draw"]
     shown = subprocess.run(
         [str(CHROMIUM), *options, page.as_uri()], capture_output=True, text=True, check=True, timeout=120
     )
