@@ -43,6 +43,8 @@ _TYPESET = (
     "units",
     "glossary",
 )
+GALLERY = re.compile(r"static/gallery_(\w+)\.svg")
+"""A picture on the page of the gallery: of the mechanism in this file, at the place that it names."""
 MADE = ("notebook.md", "glossary.md")
 """Pages of this folder that are written when the site is built."""
 _TYPES = {
@@ -54,7 +56,7 @@ _NO_FORMULAS = ("proofs/certificate", "proofs/check")
 
 
 def write_pages(app: Any) -> None:
-    """Copy the proof pages, list the public names and the terms, run the script."""
+    """Copy the proof pages, list the public names and the terms, draw the gallery, run the script."""
     made = Path(app.srcdir)
     proofs = made / "proofs"
     proofs.mkdir(exist_ok=True)
@@ -63,6 +65,9 @@ def write_pages(app: Any) -> None:
     _write(made / "reference.rst", reference())
     _write(made / "glossary.md", glossary_page())
     _write(made / "formula_language.txt", language())
+    for name in GALLERY.findall((made / "gallery.md").read_text(encoding="utf-8")):
+        shown = gspot_verified.plot("mechanism", mechanism=gspot_verified.load(name))
+        _write(made / "static" / f"gallery_{name}.svg", shown.svg)
     script = (made / "notebook.py").read_text(encoding="utf-8")
     _write(made / "notebook.md", notebook_page(script, made / "static"))
     _write(made / "static" / "notebook.ipynb", json.dumps(notebook(script), ensure_ascii=False, indent=1) + "\n")

@@ -108,3 +108,11 @@ def test_on_a_phone_no_heading_is_larger_than_the_one_above_it() -> None:
     assert len(sizes) == 4
     assert sizes == sorted(sizes, reverse=True)
     assert "h4, h5, h6 {" in phone
+
+
+def test_the_pictures_of_the_gallery_are_of_mechanisms_with_a_drawing() -> None:
+    """The site draws them when it is built, each at the place of its file."""
+    names = pages.GALLERY.findall((ROOT / "docs" / "gallery.md").read_text(encoding="utf-8"))
+    assert len(names) == len(set(names)) == 8
+    for name in names:
+        assert gspot_verified.load(name).drawing is not None
