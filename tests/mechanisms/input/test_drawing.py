@@ -88,6 +88,8 @@ def test_fields_have_a_drawing_too() -> None:
         ({"circles": [["X", "Y"]]}, r"circle 1 must be \[x, y, radius\] or \[x, y, a, b, angle\], three or five form"),
         ({"circles": [["X", "Y", 1, 2]]}, "circle 1 must be"),
         ({"lines": [LINE], "points": [["X", "Y", 1]]}, r"point 1 must be \[x, y\], two formulas"),
+        ({"lines": ["XY"]}, "line 1 must be .*got 'XY'"),
+        ({"lines": [["XY", "XY"]]}, "line 1, point 1 must be .*got 'XY'"),
         ({"lines": [LINE], "normal": 1}, r"normal must be \[x, y\], two formulas; got 1"),
     ],
 )  # fmt: skip
