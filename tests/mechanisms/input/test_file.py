@@ -15,7 +15,7 @@ from flint import fmpq
 from gspot_verified.mechanisms.formulas.simplify import rational_value
 from gspot_verified.mechanisms.input.file import KEYS, MAX_BYTES, mechanism_of_table, parse_mechanism, read_mechanism
 from gspot_verified.mechanisms.input.mechanism import MechanismError
-from gspot_verified.mechanisms.input.toml_table import TomlTable
+from gspot_verified.mechanisms.input.toml_table import TomlTable, toml_table
 from gspot_verified.mechanisms.shipped import shipped_mechanism, shipped_names, shipped_system
 from gspot_verified.mechanisms.spots.classify import classify
 
@@ -262,3 +262,32 @@ def test_every_key_of_the_list_is_read(key: str) -> None:
     place[words[-1]] = date(1979, 5, 27)
     with pytest.raises(MechanismError, match=rf'key "{re.escape(".".join(words))}" must be'):
         mechanism_of_table(TomlTable(table, ""))
+
+
+@pytest.mark.parametrize(
+    ("text", "depth", "expected"),
+    [
+        ('part = [1, "x", 0.5]', 1, [1, "x", Fraction(1, 2)]),
+        ('part = [[1, 2.5], ["x"]]', 2, [[1, Fraction(5, 2)], ["x"]]),
+        ("part = [[[0.1]], 2]", 3, [[[Fraction(1, 10)]], 2]),
+        ("part = []", 1, []),
+    ],
+)
+def test_formulas_in_lists(text: str, depth: int, expected: object) -> None:
+    assert toml_table(text).nested_formulas("part", depth) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "depth", "message"),
+    [
+        ("part = [[1]]", 1, r"must be a formula.*got list \[1\]"),
+        ("part = [[[1]]]", 2, r"must be a formula.*got list \[1\]"),
+        ("part = [[[[1]]]]", 3, r"must be a formula.*got list \[1\]"),
+        ("part = [[true]]", 2, "must be a formula.*got bool True"),
+        ("part = 3", 2, "must be a list, got int 3"),
+        ("other = [3]", 2, "is missing"),
+    ],
+)
+def test_what_is_no_formula_in_lists(text: str, depth: int, message: str) -> None:
+    with pytest.raises(MechanismError, match=f'^key "part" {message}'):
+        toml_table(text).nested_formulas("part", depth)
