@@ -156,13 +156,6 @@ def test_a_large_drawing_makes_no_mechanism_too_large() -> None:
             block(drawing, forces=forces)
 
 
-def test_so_many_operations_and_no_more() -> None:
-    circles = [["2*X", "Y", 1]] * MAX_OPERATIONS
-    assert len(drawn({"circles": circles}).circles) == MAX_OPERATIONS
-    with pytest.raises(MechanismError, match=f"more than {MAX_OPERATIONS} operations"):
-        block({"circles": [*circles, circles[0]]})
-
-
 def test_the_shipped_mechanisms_of_bodies_have_a_drawing() -> None:
     without = {name for name in shipped_names() if load(name).drawing is None}
     assert without == {"model system", "extended system"}

@@ -20,6 +20,7 @@ from gspot_verified.mechanisms.input.given import (
     MAX_STATE,
     Contact,
     FormulaReader,
+    lagrangian,
 )
 from gspot_verified.mechanisms.input.mechanism import Fields, Lagrangian, Mechanism, MechanismError
 
@@ -178,3 +179,16 @@ def test_the_compliance_of_the_contact() -> None:
     for message, given in bad.items():
         with pytest.raises(MechanismError, match=f"body: regularisation: .*{message}"):
             mechanism(regularisation=given)
+
+
+def test_the_operations_of_a_drawing_are_counted_apart() -> None:
+    """So many and no more, whatever the mechanism itself has."""
+    circles = [["2*X", "Y", 1]] * MAX_OPERATIONS
+
+    def block(circles: list[list[Any]]) -> Mechanism:
+        forces = ["3*X", "-1"]
+        return lagrangian("block", ["X", "Y"], [[1, 0], [0, 1]], forces, "X", "Y", 0, drawing={"circles": circles})
+
+    assert block(circles).drawing is not None
+    with pytest.raises(MechanismError, match=f"more than {MAX_OPERATIONS} operations"):
+        block([*circles, circles[0]])
