@@ -21,9 +21,9 @@ from collections.abc import Iterable
 from fractions import Fraction
 from functools import reduce
 from numbers import Integral
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeVar
 
-from flint import arb, ctx, fmpq, fmpz
+from flint import acb, arb, ctx, fmpq, fmpz
 
 import gspot_verified.numbers.pickled  # noqa: F401 - what leaves a process can be pickled
 
@@ -32,6 +32,9 @@ ExactInput = int | Fraction | fmpq | fmpz | str | arb
 
 Exact = fmpq | arb
 """What :func:`exact` makes of it: a rational, or a finite ball."""
+
+Ball = TypeVar("Ball", arb, acb)
+"""Of real numbers; or of complex ones, a rectangle: a ball for the real part, and one for the imaginary part."""
 
 MAX_DIGITS = 1_000_000  # a limit of input: ValueError beyond it
 MAX_WORKING_BITS = 64_000_000  # nearly twenty times what a million digits take, against endless work
@@ -249,12 +252,14 @@ def is_exact(value: Exact) -> bool:
     return isinstance(value, fmpq) or value.is_exact()
 
 
-def add_remainder(value: arb, bound: arb) -> arb:
+def add_remainder(value: Ball, bound: arb | acb) -> Ball:
     """``value`` widened by ``|bound|``: contains v + r for every v in ``value`` and |r| <= |bound|.
 
-    Every truncation error of the library enters a ball here. A bound that is not finite gives such a ball.
+    r is complex where ``value`` is. Every truncation error of the library enters a ball here. A bound that is not
+    finite gives such a ball.
     """
-    return value + arb(0, bound.abs_upper())
+    reach = arb(0, bound.abs_upper())
+    return value + (reach if isinstance(value, arb) else acb(reach, reach))
 
 
 def sign_of(value: arb) -> int | None:
@@ -291,9 +296,10 @@ def hull(parts: Iterable[arb]) -> arb:
     return reduce(arb.union, parts)
 
 
-def relative_bits(value: arb) -> int:
+def relative_bits(value: arb | acb) -> int:
     """How many bits of ``value`` are certain; 0 or less when the ball contains zero or is not finite, else n when the
-    radius is at most 2^-n of the largest number in the ball: very large for an exact one.
+    radius is at most 2^-n of the largest number in the ball: very large for an exact one. Of a complex ball: the larger
+    one of its two radii, and the larger one of its two parts.
     """
     if not value.is_finite():
         return -MAX_WORKING_BITS
@@ -302,7 +308,7 @@ def relative_bits(value: arb) -> int:
     return int(value.rel_accuracy_bits())
 
 
-def shrink_to_bits(value: arb, bits: int) -> arb:
+def shrink_to_bits(value: Ball, bits: int) -> Ball:
     """The same enclosure, rounded outward to a midpoint of ``bits`` bits."""
     with working_bits(max(bits, 30)):
         return +value
@@ -336,13 +342,17 @@ def approximate(value: Exact) -> float:
         return math.inf if value > 0 else -math.inf
 
 
-def ball_text(value: arb, digits: int = 15) -> str:
+def ball_text(value: arb | acb, digits: int = 15) -> str:
     """The ball as text: ``[midpoint +/- radius]`` when it is narrow, ``[lower, upper]`` when it is wide.
 
+    Of a complex ball each part so, the imaginary one with an i.
+
     >>> with working_bits(60):
-    ...     ball_text(arb(1) / 3, 5), ball_text(arb(0, "0.3"), 3)
-    ('[0.33333 +/- 3.34e-6]', '[-0.301, 0.301]')
+    ...     ball_text(arb(1) / 3, 5), ball_text(arb(0, "0.3"), 3), ball_text(acb(2, arb(-1) / 3), 5)
+    ('[0.33333 +/- 3.34e-6]', '[-0.301, 0.301]', '2.0000 + [-0.33333 +/- 3.34e-6]i')
     """
+    if isinstance(value, acb):
+        return f"{ball_text(value.real, digits)} + {ball_text(value.imag, digits)}i"
     if not value.is_finite():
         return "[no information]"
     lower, upper = float_bounds(value)

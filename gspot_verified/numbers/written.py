@@ -21,7 +21,7 @@ from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.shown import Shown
 
 if TYPE_CHECKING:
-    from flint import arb
+    from flint import acb, arb
 
 Schema = dict[str, Any]
 _NOTES = "__annotations__"
@@ -83,16 +83,26 @@ def _enclosure(value: arb) -> str | None:
     return str(Dyadic.from_ball(value)) if value.is_finite() else None
 
 
+def _complex_enclosure(value: acb) -> dict[str, str | None] | None:
+    return {"real": _enclosure(value.real), "imaginary": _enclosure(value.imag)} if value.is_finite() else None
+
+
 def _same(value: Any) -> Any:
     return value
 
 
 _RATIONAL, _ENCLOSURE, _NULL = {"$ref": "#/$defs/rational"}, {"$ref": "#/$defs/enclosure"}, {"type": "null"}
+_COMPLEX_ENCLOSURE: Schema = {
+    "type": "object",
+    "additionalProperties": False,
+    "required": ["imaginary", "real"],
+    "properties": {"real": _ENCLOSURE, "imaginary": _ENCLOSURE},
+}
 
 
 @cache
 def _leaves() -> dict[Any, Form]:
-    from flint import arb, fmpq  # here alone: a command that prints no numbers loads no arithmetic
+    from flint import acb, arb, fmpq  # here alone: a command that prints no numbers loads no arithmetic
 
     return {
         type(None): Form(_same, _NULL, _instance(type(None))),
@@ -105,6 +115,7 @@ def _leaves() -> dict[Any, Form]:
         Fraction: Form(lambda value: str(fmpq(value.numerator, value.denominator)), _RATIONAL, _instance(Fraction)),
         Dyadic: Form(str, _ENCLOSURE, _instance(Dyadic)),
         arb: Form(_enclosure, {"anyOf": [_ENCLOSURE, _NULL]}, _instance(arb)),
+        acb: Form(_complex_enclosure, {"anyOf": [_COMPLEX_ENCLOSURE, _NULL]}, _instance(acb)),
         Any: Form(_same, {}, _instance(object)),
     }
 
