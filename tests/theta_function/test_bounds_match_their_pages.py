@@ -17,13 +17,14 @@ from mpmath import mpf
 from samples.strategies import ends, to_fmpq
 
 from gspot_verified.numbers.balls import relative_bits, working_bits
+from gspot_verified.numbers.complex_numbers import ExactComplex
 from gspot_verified.theta_function.gamma import gamma_ratio as gamma_ratio_module
 from gspot_verified.theta_function.sums.finite_part import near_integers, series_part, weight
 from gspot_verified.theta_function.sums.laplace import LaplacePlan, laplace_sum
-from gspot_verified.theta_function.sums.negative import negative_sum
+from gspot_verified.theta_function.sums.negative import negative_sum, sector_sum
 from gspot_verified.theta_function.sums.positive import SaddlePlan, _saddle_remainder, positive_sum
 from gspot_verified.theta_function.sums.splitting import splitting_sum
-from gspot_verified.theta_function.sums.taylor import taylor_polynomial, taylor_sum
+from gspot_verified.theta_function.sums.taylor import complex_taylor_sum, taylor_polynomial, taylor_sum
 
 _BITS = 600
 _BETAS = [Fraction(1, 2), Fraction(-1, 2), Fraction(-7, 2), Fraction(7, 3)]
@@ -232,6 +233,53 @@ def test_radius_of_the_taylor_series_at_any_length(length: int) -> None:
     assert _equals(splitting_sum(fmpq(1), fmpq(1, 2), length, _BITS, 1), page)
     page, _ = _taylor_bound(Fraction(1), Fraction(1, 2), 12)
     assert _equals(splitting_sum(fmpq(1), fmpq(1, 2), length, _BITS, 4), page)
+
+
+_ANGLES = [(3, 4), (-3, 4), (5, 0), (0, -5), (-4, -3)]
+
+
+@pytest.mark.parametrize(("x", "y"), _ANGLES)
+@pytest.mark.parametrize("beta", _BETAS)
+@pytest.mark.parametrize("length", [3, 6, 9])
+def test_radius_of_the_taylor_series_at_complex_tau(x: int, y: int, beta: Fraction, length: int) -> None:
+    """The bound depends on |tau| alone, and both parts are widened by it."""
+    for scale in (Fraction(1, 10), Fraction(2, 5)):
+        page, q = _taylor_bound(5 * scale, beta, length)
+        tau = ExactComplex(to_fmpq(x * scale), to_fmpq(y * scale))
+        value = complex_taylor_sum(tau, to_fmpq(beta), length, _BITS)
+        assert value.is_finite() == (q < 1)
+        assert q >= 1 or (_equals(value.real, page) and _equals(value.imag, page))
+
+
+def _sector_distance(x: int, y: int) -> mpf:
+    """d(z) of the page at z = x + iy."""
+    angle = abs(mpmath.arg(mpmath.mpc(x, y)))
+    return abs(mpmath.mpc(x, y)) * mpmath.cos(max(angle - mpmath.pi / 6, 0))
+
+
+@pytest.mark.parametrize("beta", _BETAS)
+@pytest.mark.parametrize("terms", [1, 2, 4])
+@pytest.mark.parametrize(("x", "y"), [(5, 0), (7, 4), (7, -4), (7, 5), (1, -6), (0, 6), (-2, 7), (-3, -6)])
+def test_radius_of_the_enveloping_series_in_the_sector(x: int, y: int, beta: Fraction, terms: int) -> None:
+    power = _sector_distance(x, y) ** (_m(beta) - 3 * terms)
+    page = abs(mpmath.rf(-_m(beta), 3 * terms)) / (3**terms * mpmath.factorial(terms)) * power
+    value = sector_sum(ExactComplex(fmpq(-x), fmpq(-y)), to_fmpq(beta), terms, _BITS)
+    assert _equals(value.real, page)
+    assert _equals(value.imag, page)
+
+
+def test_the_sector_is_finite_exactly_where_its_hypotheses_hold() -> None:
+    inside, outside = [(-7, 0), (0, 7), (0, -7), (100, 174), (100, -174)], [(7, 0), (0, 0), (100, 173), (100, -173)]
+    for terms, shift in product((0, 1, 2, 5), (fmpq(-1, 100), fmpq(0), fmpq(1, 100), fmpq(-1), fmpq(1))):
+        for x, y in inside:
+            value = sector_sum(ExactComplex(fmpq(x), fmpq(y)), 3 * terms + shift, terms, 100)
+            assert value.is_finite() == (shift < 0 and terms >= 1)
+    for x, y in outside:
+        assert not sector_sum(ExactComplex(fmpq(x), fmpq(y)), fmpq(-3), 2, 100).is_finite()
+    for tau in (ExactComplex(arb(-1, 1), fmpq(0)), ExactComplex(arb(-1, 2), arb(0, 1))):
+        assert not sector_sum(tau, fmpq(-3), 2, 100).is_finite()
+    assert not sector_sum(ExactComplex(fmpq(-7), fmpq(1)), arb(3, fmpq(1, 100)), 1, 100).is_finite()
+    assert sector_sum(ExactComplex(fmpq(-7), fmpq(1)), arb(fmpq(29, 10), fmpq(1, 100)), 1, 100).is_finite()
 
 
 def test_ratio_of_the_taylor_series_exactly_one() -> None:

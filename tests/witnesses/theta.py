@@ -18,9 +18,15 @@ def _number(value: Fraction) -> mpmath.mpf:
 
 def theta_witness(tau: Fraction, beta: Fraction, digits: int = 60) -> Fraction:
     """Theta by three 1F2 of mpmath and the initial values as 1/Gamma products, to about ``digits`` digits."""
-    lost = int(abs(float(tau)) ** 1.5) + int(abs(float(beta))) + 30
+    return complex_witness(tau, Fraction(0), beta, digits)[0]
+
+
+def complex_witness(real: Fraction, imaginary: Fraction, beta: Fraction, digits: int = 60) -> tuple[Fraction, Fraction]:
+    """The same at tau = real + imaginary i: both parts, to about ``digits`` digits of the absolute value."""
+    lost = int(abs(complex(real, imaginary)) ** 1.5) + int(abs(float(beta))) + 30
     with mpmath.workdps(digits + 2 * lost):
-        t, b, third = _number(tau), _number(beta), mpmath.mpf(1) / 3
+        t = mpmath.mpc(_number(real), _number(imaginary)) if imaginary else _number(real)
+        b, third = _number(beta), mpmath.mpf(1) / 3
         front = 2 * mpmath.pi * mpmath.power(3, 2 * b / 3 - mpmath.mpf(1) / 2)
         gammas = [mpmath.rgamma((j - b) / 3) for j in range(3)]
         values = (
@@ -34,7 +40,7 @@ def theta_witness(tau: Fraction, beta: Fraction, digits: int = 60) -> Fraction:
             + values[1] * t * mpmath.hyp1f2((1 - b) / 3, 2 * third, 4 * third, z)
             + values[2] * t**2 / 2 * mpmath.hyp1f2((2 - b) / 3, 4 * third, 5 * third, z)
         )
-        return to_fraction(total)
+        return to_fraction(mpmath.re(total)), to_fraction(mpmath.im(total))
 
 
 def laplace_witness(tau: Fraction, beta: Fraction, digits: int = 30) -> Fraction:

@@ -5,9 +5,10 @@ Proof page: ``proofs/negative.md``.
 
 from __future__ import annotations
 
-from flint import arb, fmpq, fmpz, fmpz_poly
+from flint import acb, arb, fmpq, fmpz, fmpz_poly
 
 from gspot_verified.numbers.balls import Exact, add_remainder, ball, current_bits, nonfinite, working_bits
+from gspot_verified.numbers.complex_numbers import ExactComplex, complex_ball
 from gspot_verified.theta_function.gamma.power import positive_power
 from gspot_verified.theta_function.sums.binary_splitting import block, split_sum
 
@@ -35,6 +36,40 @@ def negative_sum(tau: Exact, beta: Exact, terms: int, bits: int) -> arb:
             if k < terms - 1:
                 total += term
         return add_remainder(total, term) * positive_power(x, beta)
+
+
+def sector_sum(tau: ExactComplex, beta: Exact, terms: int, bits: int) -> acb:
+    """An enclosure of Theta(tau, beta) for tau = -z, |arg z| < 2 pi/3, from ``terms`` = N terms:
+
+        sum_(k<N) (-beta)_(3k) (-1)^k / (3^k k!) z^(beta - 3k)  +-  |(-beta)_(3N)| / (3^N N!) d^(beta - 3N),
+
+    d = |z| where |arg z| <= pi/6, else (sqrt(3) Re z + |Im z|)/2. Hypotheses, checked: d > 0, N >= 1 and 3N > beta,
+    all certain; else the result is not finite.
+    """
+    with working_bits(bits):
+        z = -complex_ball(tau)
+        d, center = _sector_distance(z), ball(beta)
+        if not (d > 0 and terms >= 1 and (beta if isinstance(beta, fmpq) else center) < 3 * terms):
+            return acb(nonfinite())
+        inverse_cube = 1 / (z * z * z)
+        term = total = acb(1)
+        coefficient = arb(1)
+        for k in range(terms):
+            ratio = _ratio(k, beta)
+            coefficient = coefficient * ratio
+            term = term * ratio * inverse_cube
+            if k < terms - 1:
+                total += term
+        return add_remainder(total * z**center, coefficient * positive_power(d, center - 3 * terms))
+
+
+def _sector_distance(z: acb) -> arb:
+    """d of the proof page, in a ball; of two that hold the larger one."""
+    root = arb(3).sqrt()
+    height = abs(z.imag)
+    if root * height <= z.real:
+        return abs(z)
+    return (root * z.real + height) / 2
 
 
 def negative_split_sum(tau: fmpq, beta: fmpq, terms: int, bits: int) -> arb:

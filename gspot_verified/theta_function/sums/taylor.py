@@ -8,10 +8,13 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import NamedTuple
 
-from flint import arb, arb_poly, fmpq, fmpz
+from flint import acb, arb, arb_poly, fmpq, fmpz
 
 from gspot_verified.numbers.balls import Exact, add_remainder, ball, nonfinite, working_bits
+from gspot_verified.numbers.complex_numbers import ExactComplex, complex_ball
 from gspot_verified.theta_function.gamma.initial_values import initial_values
+
+_LONGEST_KEPT = 2**26  # bits of a polynomial; 64 of them are kept
 
 
 def taylor_coefficients(beta: Exact, length: int, bits: int) -> list[arb]:
@@ -59,8 +62,8 @@ class TaylorPolynomial(NamedTuple):
 
 
 def taylor_polynomial(beta: Exact, length: int, bits: int) -> TaylorPolynomial:
-    """The Taylor polynomial of ``length`` terms with working precision ``bits``; kept for a rational beta."""
-    if isinstance(beta, fmpq):
+    """The Taylor polynomial of ``length`` terms with working precision ``bits``; kept for a rational beta, if short."""
+    if isinstance(beta, fmpq) and length * bits <= _LONGEST_KEPT:
         return _cached_polynomial(int(beta.p), int(beta.q), length, bits)  # the hash of an fmpq takes longer
     return _polynomial(beta, length, bits)
 
@@ -88,6 +91,14 @@ def taylor_sum(tau: Exact, beta: Exact, length: int, bits: int) -> arb:
     series = taylor_polynomial(beta, length, bits)
     with working_bits(bits):
         point = ball(tau)
+        return add_remainder(series.polynomial(point), _tail(point.abs_upper(), series))
+
+
+def complex_taylor_sum(tau: ExactComplex, beta: Exact, length: int, bits: int) -> acb:
+    """The same enclosure for every complex tau, rectangles included; the coefficients are real."""
+    series = taylor_polynomial(beta, length, bits)
+    with working_bits(bits):
+        point = complex_ball(tau)
         return add_remainder(series.polynomial(point), _tail(point.abs_upper(), series))
 
 

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from flint import arb
 
-from gspot_verified.numbers.balls import Exact, add_remainder, working_bits
+from gspot_verified.numbers.balls import Ball, Exact, add_remainder, working_bits
 
 
-def mean_value_form(beta: Exact, radius: arb, center: arb, below: arb, bits: int) -> arb:
-    """A ball that contains Theta(t, b) for every b in ``beta`` and every t with |t - m| <= ``radius``.
+def mean_value_form(beta: Exact, radius: arb, center: Ball, below: Ball, bits: int) -> Ball:
+    """A ball that contains Theta(t, b) for every b in ``beta`` and every t with |t - m| <= ``radius``, real or complex.
 
     ``center`` encloses Theta(m, b) for every b in ``beta``; ``below`` encloses Theta(t, b - 1) for all those t and b.
     """
