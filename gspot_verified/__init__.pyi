@@ -96,6 +96,7 @@ from gspot_verified.theta_function.value.asymptotic_coefficients import (
     coefficient_by_inversion as coefficient_by_inversion,
 )
 from gspot_verified.theta_function.value.beta_derivative import beta_derivative as beta_derivative
+from gspot_verified.theta_function.value.complex_value import ComplexEvaluation as ComplexEvaluation
 from gspot_verified.theta_function.value.evaluate import Evaluation as Evaluation
 from gspot_verified.theta_function.value.evaluate import evaluate as evaluate
 from gspot_verified.theta_function.value.integer import polynomial as polynomial

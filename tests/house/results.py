@@ -86,6 +86,7 @@ RESULTS: dict[str, Callable[[], object]] = {
     "CheckResult": lambda: g.check(PROOFS / "iwc_0_1.cert"),
     "CheckedAgain": lambda: CheckedAgain("iwc_0_1.cert", True, "VERIFIED"),
     "Classification": lambda: g.classify(g.load("genot_brogliato_rod", mu="7/5")),
+    "ComplexEvaluation": lambda: g.evaluate("1+2i", "7/3", digits=30),
     "CompliantForce": lambda: g.force(g.compliant_model("5/2", "1e-6"), SlowMotions(fmpq(1)), "1e-4", digits=8),
     "CompliantIwc": _iwc,
     "CompliantModel": lambda: g.compliant_model("5/2", "1e-6"),

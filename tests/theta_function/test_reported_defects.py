@@ -116,12 +116,12 @@ def test_a_failed_second_attempt_keeps_the_first_answer() -> None:
 
 
 def test_disjoint_enclosures_are_an_error_and_never_an_answer() -> None:
-    from gspot_verified.theta_function.value.evaluate import _tighter
+    from gspot_verified.theta_function.value.approach import tighter
 
     with pytest.raises(ArithmeticError, match="disjoint"):
-        _tighter(arb(1, 0.25), arb(2, 0.25))
-    assert _tighter(arb.nan(), arb(2)).overlaps(arb(2))
-    assert _tighter(arb(2), arb.nan()).overlaps(arb(2))
+        tighter(arb(1, 0.25), arb(2, 0.25))
+    assert tighter(arb.nan(), arb(2)).overlaps(arb(2))
+    assert tighter(arb(2), arb.nan()).overlaps(arb(2))
 
 
 @pytest.mark.parametrize("digits", [15, 100])

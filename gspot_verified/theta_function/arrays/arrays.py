@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from flint import arb, fmpq
 from numpy.typing import ArrayLike
 
 from gspot_verified.numbers.balls import ExactInput, bits_for_digits, exact, float_bounds
+from gspot_verified.numbers.complex_numbers import ComplexInput, ExactComplex, is_complex
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.theta_function.arrays.batch import DOUBLE_DIGITS, ball_batch, float_batch
 from gspot_verified.theta_function.arrays.float_balls import FloatArray, FloatBalls
@@ -20,15 +21,16 @@ ObjectArray = np.ndarray[Any, np.dtype[np.object_]]
 
 
 def theta_array(
-    tau: ExactInput | np.ndarray[Any, Any],
+    tau: ExactInput | ComplexInput | np.ndarray[Any, Any],
     beta: ExactInput | np.ndarray[Any, Any],
     derivative: int = 0,
     digits: int = 15,
 ) -> ObjectArray:
     """Enclosures of d^k Theta/dtau^k at every entry: an object array of ``arb``.
 
-    An array of floats is taken on purpose: each entry stands for its exact binary value. Object arrays hold any exact
-    input. beta may be an array, too; the two are broadcast. derivative, digits and the errors are those of
+    An array of floats, or of complex floats for tau, is taken on purpose: each entry stands for its exact binary value.
+    Object arrays hold any exact input, and an ``acb`` stands where tau is complex. beta may be an array, too; the two
+    are broadcast. derivative, digits and the errors are those of
     :func:`gspot_verified.theta_function.theta.theta`; the relative accuracy is 10^-digits.
 
     :raises TypeError: an array is masked: the mask would be lost.
@@ -96,7 +98,9 @@ def _doubles(values: ArrayLike) -> FloatArray:
     """
     given = np.asarray(values)
     if given.dtype.kind not in "iuf":
-        raise TypeError(f"tau: expected integers or floats, got {given.dtype}; theta takes arrays of exact numbers")
+        raise TypeError(
+            f"tau: expected integers or floats, got {given.dtype}; theta takes arrays of complex and of exact numbers"
+        )
     with np.errstate(over="ignore"):
         points = given.astype(np.float64)
     if given.dtype.kind == "f" and ((points != given) & np.isfinite(given)).any():
@@ -104,12 +108,12 @@ def _doubles(values: ArrayLike) -> FloatArray:
     return points
 
 
-def _as_array(value: ExactInput | np.ndarray[Any, Any], name: str) -> np.ndarray[Any, Any]:
+def _as_array(value: ExactInput | ComplexInput | np.ndarray[Any, Any], name: str) -> np.ndarray[Any, Any]:
     if isinstance(value, np.ndarray):
         _without_mask(value, name)
         return value
     single = np.empty((), dtype=object)
-    single[()] = exact(value, name)
+    single[()] = value if name == "tau" and is_complex(value) else exact(cast("ExactInput", value), name)
     return single
 
 
@@ -170,4 +174,6 @@ def _exact_entry(value: Any, name: str = "tau") -> Any:
         return fmpq(*value.as_integer_ratio())  # exact for every width, longdouble included
     if isinstance(value, np.integer):
         return int(value)
+    if isinstance(value, np.complexfloating) and name == "tau":
+        return ExactComplex(_exact_entry(value.real), _exact_entry(value.imag))
     return value

@@ -15,9 +15,17 @@ from flint import fmpq
 from gspot_verified.numbers.balls import Exact, approximate
 from gspot_verified.theta_function.sums.laplace import LaplacePlan
 from gspot_verified.theta_function.sums.positive import SaddlePlan
-from gspot_verified.theta_function.value.magnitudes import largest_term, log_moment, log_term, log_theta, stationary
+from gspot_verified.theta_function.value.magnitudes import (
+    largest_term,
+    log_fall,
+    log_moment,
+    log_term,
+    log_theta,
+    stationary,
+)
 
 _LN2 = math.log(2)  # nats of a bit
+_SQRT_3 = math.sqrt(3)  # tangent of 60 degrees
 _GUARD = 8  # bits beyond those asked for, lost on the way; any number is right
 _TINY = 1e-60  # in place of tau = 0, which has no logarithm
 # Discs of the saddle point and the share of them that is used, both in percent.
@@ -70,6 +78,14 @@ def taylor_plan(tau: float, beta: float, goal: int) -> TaylorPlan:
         peak, value = largest_term(size, beta), log_theta(tau, beta)
     bits = _rounded(goal + _GUARD + max(0, math.ceil((peak - value) / _LN2)))
     return TaylorPlan(taylor_length(size, beta, (goal + 4) * _LN2 - min(value, peak)), bits)
+
+
+def complex_taylor_plan(tau: complex, beta: float, goal: int) -> TaylorPlan:
+    """The same for complex tau: more bits by as much as Theta is smaller there than at |tau|."""
+    fall = log_fall(tau, beta) if tau else 0
+    plan = taylor_plan(abs(tau), beta, goal + math.ceil(fall / _LN2))
+    # The rectangles of the polynomial's value turn, and grow, about sqrt(length) times.
+    return TaylorPlan(plan.length, plan.bits + _rounded(math.isqrt(plan.length) // 2))
 
 
 def _rounded(bits: int) -> int:
@@ -147,6 +163,14 @@ def _enveloping_terms(start: int, log_start: float, enough: float, x: float, bet
         else:
             low = middle + 1
     return low
+
+
+def sector_plan(z: complex, beta: float, goal: int) -> NegativePlan | None:
+    """The same for the enveloping series in a sector, z = -tau; ``None`` when it cannot."""
+    x = max(_SQRT_3 * z.real + abs(z.imag), 0.0) / 2 if _SQRT_3 * abs(z.imag) > z.real else abs(z)
+    if x <= 1:
+        return None
+    return negative_plan(x, beta, goal + math.ceil(max(0.0, -beta) * math.log2(abs(z) / x)))
 
 
 @lru_cache(maxsize=4096)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import cmath
 import math
+
+_TURNS = 32  # steps in which a saddle is followed from the positive axis to the angle of tau
 
 
 def log_term(k: float, size: float, beta: float) -> float:
@@ -63,6 +66,31 @@ def stationary(tau: float, beta: float) -> float | None:
         if abs(step) < 1e-9 * r:
             return r
     return None
+
+
+def log_fall(tau: complex, beta: float) -> float:
+    """About ln |Theta(|tau|)| - ln |Theta(tau)|, at least 0."""
+    size, angle = cmath.polar(tau)
+    if beta > 0:
+        fall: float = 2 / 3 * size**1.5 * (1 - math.cos(1.5 * min(abs(angle), math.pi / 3)))
+        # The algebraic part does not fall.
+        return min(fall, max(0.0, log_theta(size, beta) - log_algebraic(size, beta))) if beta > 8 else fall
+    at_size = _followed_exponent(size, beta, 0.0, 0.0)
+    there = _followed_exponent(size, beta, 0.0, angle)
+    if abs(angle) > math.pi / 3:
+        there = max(there, _followed_exponent(size, beta, math.copysign(math.pi, angle), angle))
+    return max(0.0, at_size - there)
+
+
+def _followed_exponent(size: float, beta: float, start: float, end: float) -> float:
+    """r tau - r^3/3 - beta ln r, its real part, at the saddle that is followed from one angle of tau to another."""
+    point = complex(stationary(math.copysign(size, math.cos(start)), beta) or size)
+    for k in range(_TURNS + 1):
+        tau = cmath.rect(size, start + (end - start) * k / _TURNS)
+        for _ in range(4):
+            slope = tau - 3 * point * point
+            point -= (point * tau - point**3 - beta) / slope if slope else 0
+    return (point * tau - point**3 / 3 - beta * cmath.log(point)).real if point else 0.0
 
 
 def log_algebraic(size: float, beta: float) -> float:

@@ -8,10 +8,11 @@ Theta(tau, beta - k).
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Callable
 from dataclasses import replace
 
-from flint import arb, fmpq
+from flint import acb, arb, fmpq
 
 from gspot_verified.numbers.balls import (
     Exact,
@@ -23,12 +24,13 @@ from gspot_verified.numbers.balls import (
     nonfinite,
     working_bits,
 )
+from gspot_verified.numbers.complex_numbers import ExactComplex, complex_ball, is_point
 from gspot_verified.theta_function.sums.finite_part import near_integers
 from gspot_verified.theta_function.sums.laplace import laplace_sum
-from gspot_verified.theta_function.sums.negative import negative_split_sum, negative_sum
+from gspot_verified.theta_function.sums.negative import negative_split_sum, negative_sum, sector_sum
 from gspot_verified.theta_function.sums.positive import positive_sum
 from gspot_verified.theta_function.sums.splitting import splitting_sum
-from gspot_verified.theta_function.sums.taylor import taylor_sum
+from gspot_verified.theta_function.sums.taylor import complex_taylor_sum, taylor_sum
 from gspot_verified.theta_function.value import choice
 from gspot_verified.theta_function.value.near import one_value
 
@@ -40,6 +42,7 @@ MAX_HEIGHT_BITS = 50_000  # of numerator and denominator; a limit of input: Valu
 
 # What a route may use, so that an answer comes within minutes and a few GiB, or not at all.
 _MAX_TAYLOR_BITS = 2**34
+_MAX_COMPLEX_TAYLOR_BITS = 2**33  # the same for complex tau
 _MAX_WIDE_TAYLOR_BITS = 2**29  # the same where tau or beta is a ball
 _BITS_OF_A_BALL = 1_000  # what a coefficient takes besides its mantissa, at most
 _LONG_SERIES = 1_000  # terms; a shorter series of few bits is summed by near.py
@@ -60,6 +63,7 @@ class BudgetError(ValueError):
 
 
 Route = Callable[[Exact, Exact, int], arb]
+ComplexRoute = Callable[[ExactComplex, Exact, int], acb]
 
 
 def checked_arguments(tau: ExactInput, beta: ExactInput, derivative: int) -> tuple[Exact, Exact]:
@@ -190,6 +194,27 @@ def laplace(tau: Exact, beta: Exact, goal: int) -> arb:
     return laplace_sum(tau, beta, plan, bits)
 
 
+def complex_taylor(tau: ExactComplex, beta: Exact, goal: int) -> acb:
+    """The Taylor series at 0 for complex tau, planned for ``goal`` bits."""
+    with working_bits(64):
+        far = approximate(complex_ball(tau).abs_upper())
+    middle = complex(approximate(tau.real), approximate(tau.imaginary))
+    plan = choice.complex_taylor_plan(cmath.rect(far, cmath.phase(middle)), approximate(beta), goal)
+    limit = _MAX_COMPLEX_TAYLOR_BITS if is_point(tau) and is_exact(beta) else _MAX_WIDE_TAYLOR_BITS
+    if plan.length * (plan.bits + _BITS_OF_A_BALL) > limit or not _gamma_is_affordable(beta, plan.bits):
+        return acb(nonfinite())
+    return complex_taylor_sum(tau, beta, plan.length, plan.bits)
+
+
+def sector(tau: ExactComplex, beta: Exact, goal: int) -> acb:
+    """The enveloping series in the sector around the negative axis, planned for ``goal`` bits."""
+    z = -complex(approximate(tau.real), approximate(tau.imaginary))
+    plan = choice.sector_plan(z, approximate(beta), goal)
+    if plan is None or plan.terms * plan.bits > MAX_TERM_BITS:
+        return acb(nonfinite())
+    return sector_sum(tau, beta, plan.terms, plan.bits)
+
+
 def _gamma_is_affordable(beta: Exact, bits: int) -> bool:
     """Gamma of a rational of small height is quasi-linear; of anything else it is not, and its memory grows.
 
@@ -218,6 +243,9 @@ ROUTES: dict[str, Route] = {
     "positive": positive,
     "laplace": laplace,
 }
+
+COMPLEX_ROUTES: dict[str, ComplexRoute] = {"negative": sector, "taylor": complex_taylor}
+"""For complex tau, the quicker one first; each answers "not finite" at once where it cannot reach the goal."""
 
 
 def theta_by(route: str, tau: ExactInput, beta: ExactInput, derivative: int = 0, digits: int = 15) -> arb:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from flint import arb, fmpq
+from flint import acb, arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 from samples.strategies import ends, near_integers, small_heights, to_fmpq
@@ -270,3 +270,49 @@ def test_a_series_of_pandas() -> None:
     found = theta_of_floats(column[column > 0], "7/3")
     frame = pandas.DataFrame(found.to_numpy(), index=found.index, columns=["lower", "upper"])
     assert frame.loc["c", "lower"] == theta_of_floats(2, "7/3").lower
+
+
+def test_complex_arrays_give_complex_balls() -> None:
+    """Each complex float stands for its exact binary value, as a float does."""
+    taus = np.array([[0.1 + 2j, 3], [-20.5 + 1e-3j, 1e8j]])
+    found = theta(taus, "7/3")
+    assert found.shape == (2, 2)
+    for tau, value in zip(taus.ravel(), found.ravel(), strict=True):
+        exact = theta(acb(tau.real, tau.imag), "7/3", digits=30)
+        assert isinstance(value, acb)
+        assert relative_bits(value) >= bits_for_digits(15)
+        assert value.contains(exact.mid())
+    short = theta(np.array([0.1 + 2j], dtype=np.complex64), "7/3")[0]
+    assert short.contains(theta(acb(np.float64(np.float32(0.1)), 2), "7/3", digits=30).mid())
+    long = theta(np.array([np.clongdouble(1) / 3 + 1j]), "7/3", digits=30)[0]
+    third = np.longdouble(1) / 3
+    assert long.overlaps(theta(f"{Fraction(*third.as_integer_ratio())}+i", "7/3", digits=30))
+
+
+def test_complex_entries_and_betas_are_broadcast() -> None:
+    mixed = theta(np.array(["1+2i", 3, acb(1, 2)], dtype=object), "7/3")
+    assert [type(value) for value in mixed] == [acb, arb, acb]
+    assert mixed[0].overlaps(mixed[2])
+    columns = theta("1+2i", np.array(["7/3", 3], dtype=object))
+    assert columns[0].overlaps(mixed[0])
+    assert columns[1].overlaps(theta("1+2i", 3))
+
+
+@pytest.mark.parametrize("bad", [complex("nan"), complex(1, float("inf"))])
+def test_complex_entries_that_are_not_finite_are_refused(bad: complex) -> None:
+    with pytest.raises(ValueError, match="tau: every entry must be finite"):
+        theta(np.array([1j, bad]), "7/3")
+
+
+def test_what_takes_no_complex_array_says_so() -> None:
+    taus = np.array([1 + 2j])
+    with pytest.raises(
+        TypeError, match="tau: expected integers or floats, got complex128; theta takes arrays of complex"
+    ):
+        theta_of_floats(taus, "7/3")
+    with pytest.raises(TypeError, match="beta: expected int"):
+        theta(1, taus)
+    with pytest.raises(TypeError, match="tau: a complex is not taken"):
+        theta(np.array([1 + 2j], dtype=object), "7/3")
+    with pytest.raises(TypeError, match="tau: a complex is not taken"):
+        theta(1 + 2j, np.array([0.5]))
