@@ -41,6 +41,7 @@ from gspot_verified.signs.gamma.side import SideSwitching
 from gspot_verified.signs.zeros.brackets import Brackets
 from gspot_verified.signs.zeros.integer_zeros import IntegerZeros
 from gspot_verified.signs.zeros.zeros import ZerosResult
+from gspot_verified.theta_function.value.complex_value import ComplexEvaluation
 from gspot_verified.theta_function.value.evaluate import Evaluation
 
 
@@ -155,7 +156,7 @@ class _Again(TypedDict):
 
 
 RESULTS: dict[str, tuple[Any, ...]] = {
-    "theta": (Evaluation,),
+    "theta": (Evaluation, ComplexEvaluation),
     "side": (SideSwitching, (SideRule, _System)),
     "sign": (SignResult,),
     "zeros": (Brackets, IntegerZeros, _ByCountLaw, ZerosResult, SlowZeros, ZeroMap),

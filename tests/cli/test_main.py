@@ -41,6 +41,23 @@ def test_theta_with_a_negative_argument(capsys: pytest.CaptureFixture[str], argu
     assert errors == ""
 
 
+@pytest.mark.parametrize("arguments", [("1-2i", "7/3"), ("1-2j", "7/3", "--digits", "15"), ("--", "1 - 2i", "7/3")])
+def test_theta_at_complex_tau(capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...]) -> None:
+    code, output, errors = run(capsys, "theta", *arguments)
+    assert (code, errors) == (0, "")
+    assert output == "[0.155047765840013 +/- 3.36e-16] + [-6.81306014356076 +/- 5.85e-16]i\n"
+
+
+def test_complex_numbers_that_begin_with_a_minus(capsys: pytest.CaptureFixture[str]) -> None:
+    for negative, positive in (("-i", "i"), ("-1/2-3i", "-1/2+3i"), ("-2.5j", "2.5j")):
+        code, output, _ = run(capsys, "theta", negative, "7/3", "--json")
+        assert code == 0
+        below, above = json.loads(output), json.loads(run(capsys, "theta", positive, "7/3", "--json")[1])
+        assert Dyadic.parse(below["enclosure"]["real"]).overlaps(Dyadic.parse(above["enclosure"]["real"]))
+        sides = {Dyadic.parse(data["enclosure"]["imaginary"]).sign() for data in (below, above)}
+        assert sides == {1, -1}
+
+
 def test_theta_json(capsys: pytest.CaptureFixture[str]) -> None:
     code, output, _ = run(capsys, "theta", "1e6", "1/2", "--derivative", "2", "--json")
     data = json.loads(output)
@@ -54,6 +71,11 @@ def test_theta_json(capsys: pytest.CaptureFixture[str]) -> None:
     [
         (("theta", "abc", "1"), "tau: expected a number"),
         (("theta", "1", "nan"), "beta: expected a number"),
+        (("theta", "1+2k", "1"), "tau: expected a number"),
+        (("theta", "infi", "1"), "tau: expected a complex number"),
+        (("theta", "1e13i", "1"), "tau: the library covers"),
+        (("theta", "1+2i", "2i"), "beta: expected a number"),
+        (("theta", "1e9+i", "1/2"), "no route reaches"),
         (("theta", "1", "1", "--digits", "0"), "digits must lie in"),
         (("theta", "1", "1", "--digits", "-5"), "digits must lie in"),
         (("theta", "1", "1", "--digits", "99999999999"), "digits must lie in"),
@@ -287,6 +309,7 @@ def test_very_many_digits_are_announced_before_the_work(
     found = run(capsys, "theta", "0", "1", "--digits", "20000")
     assert "... 20000 digits, route splitting: about 1 s on one core, roughly\n" in found[2]
     assert run(capsys, "theta", "0", "1", "--digits", "100")[2] == ""
+    assert "20000 digits: this may take minutes; there is no" in run(capsys, "theta", "0i", "1", "--digits", "20000")[2]
     monkeypatch.setattr("gspot_verified.theta_function.value.effort.expected_effort", lambda *_: None)
     found = run(capsys, "theta", "7/3333333333333333333331", "22/71234567891234567", "--digits", "1000000")
     assert "1000000 digits: this may take minutes; there is no estimate for these arguments" in found[2]

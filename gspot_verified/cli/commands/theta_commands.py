@@ -20,8 +20,8 @@ _MODEL = {"--epsilon": "1/1000", "--alpha1": "-1", "--alpha2": "-1"}
     epilog=example("theta -- -50 7/3 --digits 100"),
 )
 def theta(
-    tau: Annotated[str, typer.Argument(help='τ: "-50", "7/3", "0.1"; |τ| <= 10^12.')],
-    beta: Annotated[str, typer.Argument(help="β, same form; |β| <= 10^4.")],
+    tau: Annotated[str, typer.Argument(help='τ: "-50", "7/3", "0.1", or complex: "1+2i", "3/2-5/7i"; |τ| <= 10^12.')],
+    beta: Annotated[str, typer.Argument(help="β, real, same form; |β| <= 10^4.")],
     digits: Annotated[int, typer.Option(help="Relative accuracy in decimal digits, 1..10^6.")] = 15,
     derivative: Annotated[int, typer.Option(help="k for the k-th τ-derivative, 0..1000.")] = 0,
     as_json: JsonFlag = False,
@@ -47,11 +47,14 @@ def theta(
 
 def _announce(tau: str, beta: str, derivative: int, digits: int) -> None:
     """Beforehand: one call of FLINT may last so long that nothing can be said meanwhile."""
+    from gspot_verified.numbers.complex_numbers import is_complex
     from gspot_verified.theta_function.value.effort import expected_effort
     from gspot_verified.theta_function.value.routes import checked_arguments
 
-    point, parameter = checked_arguments(tau, beta, derivative)
-    effort = expected_effort(point, parameter - derivative, digits)
+    effort = None
+    if not is_complex(tau):
+        point, parameter = checked_arguments(tau, beta, derivative)
+        effort = expected_effort(point, parameter - derivative, digits)
     if effort is None:
         progress(f"{digits} digits: this may take minutes; there is no estimate for these arguments")
     else:
