@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from flint import acb, arb, fmpq
 
-from gspot_verified.numbers.balls import Exact, ball, exact, is_exact
+from gspot_verified.numbers.balls import Exact, approximate, ball, exact, is_exact
 
 _UNSIGNED = r"[0-9.]+(?:[eE][+-]?[0-9]+)?(?:/[0-9]+)?"
 _COMPLEX = re.compile(
@@ -87,6 +87,11 @@ def middle(value: ExactComplex) -> tuple[ExactComplex, arb]:
     """The midpoint of the rectangle, exactly, and an upper bound on the distances from it."""
     point = ExactComplex(*(part if isinstance(part, fmpq) else part.mid() for part in value))
     return point, acb(*(arb(0) if isinstance(part, fmpq) else part.rad() for part in value)).abs_upper()
+
+
+def approximate_complex(value: ExactComplex) -> complex:
+    """A complex float near the (midpoint of the) value. For heuristics only: it carries no bound."""
+    return complex(approximate(value.real), approximate(value.imaginary))
 
 
 def is_point(value: ExactComplex) -> bool:

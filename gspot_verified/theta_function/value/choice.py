@@ -80,10 +80,10 @@ def taylor_plan(tau: float, beta: float, goal: int) -> TaylorPlan:
     return TaylorPlan(taylor_length(size, beta, (goal + 4) * _LN2 - min(value, peak)), bits)
 
 
-def complex_taylor_plan(tau: complex, beta: float, goal: int) -> TaylorPlan:
-    """The same for complex tau: more bits by as much as Theta is smaller there than at |tau|."""
-    fall = log_fall(tau, beta) if tau else 0
-    plan = taylor_plan(abs(tau), beta, goal + math.ceil(fall / _LN2))
+def complex_taylor_plan(size: float, turn: float, beta: float, goal: int) -> TaylorPlan:
+    """The same for complex tau of this size and angle: more bits by as much as Theta is smaller there than at |tau|."""
+    fall = log_fall(size, turn, beta) if size else 0
+    plan = taylor_plan(size, beta, goal + math.ceil(fall / _LN2))
     # The rectangles of the polynomial's value turn, and grow, about sqrt(length) times.
     return TaylorPlan(plan.length, plan.bits + _rounded(math.isqrt(plan.length) // 2))
 

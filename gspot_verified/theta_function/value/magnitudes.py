@@ -68,17 +68,21 @@ def stationary(tau: float, beta: float) -> float | None:
     return None
 
 
-def log_fall(tau: complex, beta: float) -> float:
-    """About ln |Theta(|tau|)| - ln |Theta(tau)|, at least 0."""
-    size, angle = cmath.polar(tau)
+def angle(tau: complex) -> float:
+    """The angle between tau and the positive axis; cmath.phase fails next to the least floats."""
+    return math.atan2(tau.imag, tau.real)
+
+
+def log_fall(size: float, turn: float, beta: float) -> float:
+    """About ln |Theta(|tau|)| - ln |Theta(tau)|, at least 0, for tau of this size and angle."""
     if beta > 0:
-        fall: float = 2 / 3 * size**1.5 * (1 - math.cos(1.5 * min(abs(angle), math.pi / 3)))
+        fall: float = 2 / 3 * size**1.5 * (1 - math.cos(1.5 * min(abs(turn), math.pi / 3)))
         # The algebraic part does not fall.
         return min(fall, max(0.0, log_theta(size, beta) - log_algebraic(size, beta))) if beta > 8 else fall
     at_size = _followed_exponent(size, beta, 0.0, 0.0)
-    there = _followed_exponent(size, beta, 0.0, angle)
-    if abs(angle) > math.pi / 3:
-        there = max(there, _followed_exponent(size, beta, math.copysign(math.pi, angle), angle))
+    there = _followed_exponent(size, beta, 0.0, turn)
+    if abs(turn) > math.pi / 3:
+        there = max(there, _followed_exponent(size, beta, math.copysign(math.pi, turn), turn))
     return max(0.0, at_size - there)
 
 

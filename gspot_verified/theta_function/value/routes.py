@@ -8,11 +8,10 @@ Theta(tau, beta - k).
 
 from __future__ import annotations
 
-import cmath
 from collections.abc import Callable
 from dataclasses import replace
 
-from flint import acb, arb, fmpq
+from flint import acb, arb, arb_poly, fmpq
 
 from gspot_verified.numbers.balls import (
     Exact,
@@ -24,7 +23,7 @@ from gspot_verified.numbers.balls import (
     nonfinite,
     working_bits,
 )
-from gspot_verified.numbers.complex_numbers import ExactComplex, complex_ball, is_point
+from gspot_verified.numbers.complex_numbers import ExactComplex, approximate_complex, complex_ball, is_point
 from gspot_verified.theta_function.sums.finite_part import near_integers
 from gspot_verified.theta_function.sums.laplace import laplace_sum
 from gspot_verified.theta_function.sums.negative import negative_split_sum, negative_sum, sector_sum
@@ -32,6 +31,8 @@ from gspot_verified.theta_function.sums.positive import positive_sum
 from gspot_verified.theta_function.sums.splitting import splitting_sum
 from gspot_verified.theta_function.sums.taylor import complex_taylor_sum, taylor_sum
 from gspot_verified.theta_function.value import choice
+from gspot_verified.theta_function.value.integer import polynomial
+from gspot_verified.theta_function.value.magnitudes import angle
 from gspot_verified.theta_function.value.near import one_value
 
 MAX_TAU = 10**12  # of |tau|; a limit of input: ValueError beyond it
@@ -42,6 +43,8 @@ MAX_HEIGHT_BITS = 50_000  # of numerator and denominator; a limit of input: Valu
 
 # What a route may use, so that an answer comes within minutes and a few GiB, or not at all.
 _MAX_TAYLOR_BITS = 2**34
+_MAX_COMPLEX_DEGREE = 1_000  # of a polynomial at complex tau; beyond it the series at 0
+_MORE_BITS_OF_A_POLYNOMIAL = 16  # beyond one for each power, lost in its value; any number is right
 _MAX_COMPLEX_TAYLOR_BITS = 2**33  # the same for complex tau
 _MAX_WIDE_TAYLOR_BITS = 2**29  # the same where tau or beta is a ball
 _BITS_OF_A_BALL = 1_000  # what a coefficient takes besides its mantissa, at most
@@ -198,18 +201,25 @@ def complex_taylor(tau: ExactComplex, beta: Exact, goal: int) -> acb:
     """The Taylor series at 0 for complex tau, planned for ``goal`` bits."""
     with working_bits(64):
         far = approximate(complex_ball(tau).abs_upper())
-    middle = complex(approximate(tau.real), approximate(tau.imaginary))
-    plan = choice.complex_taylor_plan(cmath.rect(far, cmath.phase(middle)), approximate(beta), goal)
+    plan = choice.complex_taylor_plan(far, angle(approximate_complex(tau)), approximate(beta), goal)
     limit = _MAX_COMPLEX_TAYLOR_BITS if is_point(tau) and is_exact(beta) else _MAX_WIDE_TAYLOR_BITS
     if plan.length * (plan.bits + _BITS_OF_A_BALL) > limit or not _gamma_is_affordable(beta, plan.bits):
         return acb(nonfinite())
     return complex_taylor_sum(tau, beta, plan.length, plan.bits)
 
 
+def complex_polynomial(tau: ExactComplex, beta: Exact, goal: int) -> acb:
+    """The polynomial that Theta is at beta = 0, 1, 2, ..., at complex tau; not finite at other beta."""
+    if not (isinstance(beta, fmpq) and beta.q == 1 and 0 <= beta.p <= _MAX_COMPLEX_DEGREE):
+        return acb(nonfinite())
+    n = int(beta.p)
+    with working_bits(goal + n + _MORE_BITS_OF_A_POLYNOMIAL):
+        return arb_poly(polynomial(n))(complex_ball(tau))
+
+
 def sector(tau: ExactComplex, beta: Exact, goal: int) -> acb:
     """The enveloping series in the sector around the negative axis, planned for ``goal`` bits."""
-    z = -complex(approximate(tau.real), approximate(tau.imaginary))
-    plan = choice.sector_plan(z, approximate(beta), goal)
+    plan = choice.sector_plan(-approximate_complex(tau), approximate(beta), goal)
     if plan is None or plan.terms * plan.bits > MAX_TERM_BITS:
         return acb(nonfinite())
     return sector_sum(tau, beta, plan.terms, plan.bits)
@@ -244,7 +254,11 @@ ROUTES: dict[str, Route] = {
     "laplace": laplace,
 }
 
-COMPLEX_ROUTES: dict[str, ComplexRoute] = {"negative": sector, "taylor": complex_taylor}
+COMPLEX_ROUTES: dict[str, ComplexRoute] = {
+    "polynomial": complex_polynomial,
+    "negative": sector,
+    "taylor": complex_taylor,
+}
 """For complex tau, the quicker one first; each answers "not finite" at once where it cannot reach the goal."""
 
 

@@ -130,7 +130,9 @@ def test_at_an_integer_it_is_the_polynomial(real: Fraction, height: int, n: int)
     x, y = real, Fraction(height, 7)
     degrees = [polynomial_value(fmpq(k), n) for k in range(n + 1)]
     value = _at_nodes(degrees, x, y)
-    found = evaluate(at(x, y), n, digits=30).value
+    result = evaluate(at(x, y), n, digits=30)
+    found = result.value
+    assert (result.reached, result.route) == (True, "polynomial")
     assert holds(found.real, value[0])
     assert holds(found.imag, value[1])
 
@@ -211,8 +213,10 @@ def _pair(text: str) -> tuple[int, int]:
     return number.numerator, number.denominator
 
 
-@pytest.mark.parametrize("tau", ["1e12i", "-1e12+1e12i", "-1e12-1e12i", "1e11+1e12i", "-1e12+1e-1000i", "-7e6i",
-                                 "1e-1000+1e-1000i", "3+1e-1000i", f"1/3+{'3' * 300}/{'7' * 301}i"])  # fmt: skip
+@pytest.mark.parametrize("tau", [
+    "1e12i", "-1e12+1e12i", "-1e12-1e12i", "1e11+1e12i", "-1e12+1e-1000i", "-7e6i",
+    "1e-1000+1e-1000i", "3+1e-1000i", "5+1e-310i", "1e-320-5i", "1e-162+1e-310i", f"1/3+{'3' * 300}/{'7' * 301}i",
+])  # fmt: skip
 @pytest.mark.parametrize("beta", [10**4, -(10**4), "19999/2", "1/2", 3, "-1/3"])
 def test_corners_of_the_domain(tau: str, beta: Any) -> None:
     result = evaluate(tau, beta)
@@ -247,6 +251,26 @@ def test_the_right_hand_sector_ends_where_the_series_at_0_is_too_long() -> None:
     for tau in ("1e9+i", "1e12+1e12i", "1e8-1e5i"):
         with pytest.raises(BudgetError, match="a smaller"):
             evaluate(tau, "7/3")
+
+
+@pytest.mark.parametrize("n", [0, 1, 3, 100, 999, 1000])
+def test_at_an_integer_tau_may_be_as_large_as_on_the_axis(n: int) -> None:
+    for tau in ("1e12+1e12i", "1e12+1e-1000i", "3+4i", "-9i"):
+        found = evaluate(tau, n)
+        assert found.reached
+        assert found.value.overlaps(evaluate(tau, n, digits=60).value)
+        assert found.route == "polynomial"
+    assert evaluate("3+4i", 1001).route == "taylor"
+    assert evaluate("3+4i", -1).route == "taylor"
+
+
+@pytest.mark.parametrize("n", [0, 4, 40])
+def test_the_polynomial_agrees_with_the_series(n: int) -> None:
+    for x, y in ((3, 4), (-30, 25), (20, 3)):
+        polynomial, series = (routes.COMPLEX_ROUTES[name](at(x, y), fmpq(n), 80) for name in ("polynomial", "taylor"))
+        assert relative_bits(polynomial) > 60
+        assert relative_bits(series) > 20
+        assert polynomial.overlaps(series)
 
 
 def test_the_budget() -> None:
