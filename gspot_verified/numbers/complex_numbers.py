@@ -101,4 +101,4 @@ def is_point(value: ExactComplex) -> bool:
 
 def is_real(value: ExactComplex) -> bool:
     """True when the imaginary part is exactly 0."""
-    return isinstance(value.imaginary, fmpq) and value.imaginary == 0
+    return bool(value.imaginary == 0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 from typing import Any
 
@@ -81,6 +82,9 @@ def test_what_is_no_number_in_a_part_is_refused_as_a_real_one_is(text: str, why:
 def test_a_long_text_is_shown_in_part() -> None:
     with pytest.raises(ValueError, match=r"got 'x.{36}...'$"):
         exact_complex("x" * 100_000 + "i", "tau")
+    for length, shown in ((40, "x" * 39 + "i"), (41, "x" * 37 + "...")):
+        with pytest.raises(ValueError, match=rf"got '{re.escape(shown)}'$"):
+            exact_complex("x" * (length - 1) + "i", "tau")
 
 
 @pytest.mark.parametrize("value", [1, "1/2", "-50", "0.1", "", arb(1), fmpq(1), Fraction(1, 2), 0.5, None, (1, 2),
@@ -106,6 +110,7 @@ def test_rectangles_keep_their_parts() -> None:
         assert holds(part, lower)
         assert holds(part, lower + 1)
     assert not is_point(wide)
+    assert not is_point(exact_complex(acb(2, arb(1, 1)), "tau"))
     assert is_point(exact_complex("1+2i", "tau"))
 
 
@@ -123,6 +128,12 @@ def test_what_is_not_finite_is_refused(bad: float) -> None:
     for value in (acb(arb(bad), 1), acb(1, arb(bad)), mpmath.mpc(bad, 1), mpmath.mpc(1, bad)):
         with pytest.raises(ValueError, match=r"^tau: the .* must be finite"):
             exact_complex(value, "tau")
+
+
+def test_two_exact_parts_are_taken_as_they_are() -> None:
+    value = ExactComplex(fmpq(1, 3), arb(0, 1))
+    assert is_complex(value)
+    assert exact_complex(value, "tau") is value
 
 
 def test_what_is_real() -> None:
@@ -156,6 +167,13 @@ def test_the_middle_of_a_rectangle_and_its_reach(value: ExactComplex, radius: in
         assert center == part if isinstance(part, fmpq) else center == part.mid()
     lower, upper = ends(reach)
     assert radius <= lower <= upper <= radius + Fraction(1, 10**6)
+
+
+def test_the_reach_of_a_rectangle_is_rounded_up() -> None:
+    for numerator in range(1, 40):
+        radius = Fraction(numerator, 2**20)
+        lower, _ = ends(middle(ExactComplex(arb(1, to_fmpq(radius)), arb(2, to_fmpq(radius))))[1])
+        assert lower**2 >= 2 * radius**2
 
 
 def test_a_remainder_widens_both_parts() -> None:

@@ -88,6 +88,16 @@ def complex_taylor_plan(size: float, turn: float, beta: float, goal: int) -> Tay
     return TaylorPlan(plan.length, plan.bits + _rounded(math.isqrt(plan.length) // 2))
 
 
+def turn(tau: complex) -> fmpq:
+    """tan(psi/2) of the ray e^(i psi) on which the Laplace integral at this tau is smallest in absolute values."""
+
+    def argument(k: int) -> float:
+        psi = 2 * math.atan(k / 100)
+        return (tau.real * math.cos(psi) - tau.imag * math.sin(psi)) / math.cos(3 * psi) ** (1 / 3)
+
+    return fmpq(min(range(-26, 27), key=argument), 100)
+
+
 def _rounded(bits: int) -> int:
     """Up to a multiple of 16 (of 32 from 128 on), so that cached initial values and polynomials serve many tau."""
     step = 16 if bits <= 128 else 32

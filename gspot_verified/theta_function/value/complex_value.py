@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import partial
 from typing import ClassVar
@@ -10,19 +11,26 @@ from flint import acb, fmpq
 
 from gspot_verified.numbers.balls import (
     Exact,
+    add_remainder,
+    approximate,
     ball_text,
+    certainly_less,
+    exact,
     is_exact,
     shrink_to_bits,
     working_bits,
 )
-from gspot_verified.numbers.complex_numbers import ExactComplex, complex_ball, is_point, middle
+from gspot_verified.numbers.complex_numbers import ExactComplex, approximate_complex, complex_ball, is_point, middle
 from gspot_verified.numbers.verdict import NoTruthValue, Reason
 from gspot_verified.numbers.written import Written
-from gspot_verified.theta_function.value.approach import approach, bits_of_input, majorant, no_route, tighter
+from gspot_verified.theta_function.value import choice
+from gspot_verified.theta_function.value.approach import approach, attempt, bits_of_input, majorant, no_route, tighter
+from gspot_verified.theta_function.value.majorant import turned_argument, turned_bound
 from gspot_verified.theta_function.value.mean_value import mean_value_form
-from gspot_verified.theta_function.value.routes import COMPLEX_ROUTES, shifted_parameter
+from gspot_verified.theta_function.value.routes import COMPLEX_ROUTES, BudgetError, shifted_parameter
 
-_LEVELS = 2  # of mean value forms, one in another; any number is right
+_BITS_OF_A_BOUND = 64  # of a bound, of which a few digits count; any number is right
+_MOST_LEVELS = 64  # of mean value forms, one in another; any number is right
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +70,7 @@ def complex_value(tau: ExactComplex, beta: Exact, derivative: int, goal: int, ma
     worth = min(goal + 2, bits_of_input(*tau, shifted))
     value, route, bits, reason = approach(partial(_attempt, tau, shifted), exact_input, worth, max_bits)
     if not is_point(tau):
-        value = tighter(value, _around_middle(tau, shifted, worth, max_bits))
+        value = _around_middle(value, tau, shifted, worth, max_bits)
     with working_bits(goal + 32):
         value = value * factor
     return shrink_to_bits(value, goal + 16), route, bits, reason
@@ -80,13 +88,39 @@ def _attempt(tau: ExactComplex, beta: Exact, goal: int) -> tuple[str, acb]:
     return "majorant", acb(reach, reach)
 
 
-def _around_middle(tau: ExactComplex, beta: Exact, goal: int, max_bits: int | None, levels: int = _LEVELS) -> acb:
-    """The mean value form over the rectangle tau; its slope is enclosed by another one, down to so many ``levels``."""
+def _around_middle(direct: acb, tau: ExactComplex, beta: Exact, goal: int, max_bits: int | None) -> acb:
+    """The common part of an enclosure over the rectangle tau and mean value forms, one in another.
+
+    The slope in each form is bounded by the next one, that in the last over the whole rectangle, which may be far too
+    wide: each form multiplies that by the size of the rectangle. Twice as many forms are tried as long as that helps.
+    """
     point, radius = middle(tau)
-    center = approach(partial(_attempt, point, beta), is_exact(beta), goal, max_bits)[0]
-    with working_bits(goal + 64):
-        below = beta - 1
-    slope = _attempt(tau, below, goal)[1]
-    if levels > 1:
-        slope = tighter(slope, _around_middle(tau, below, goal, max_bits, levels - 1))
-    return mean_value_form(beta, radius, center, slope, goal + 64)
+    centers: list[acb] = []
+    levels = 1 + max(0, math.ceil(approximate(beta))) if approximate(beta) < _MOST_LEVELS else 1
+    while levels <= _MOST_LEVELS:
+        with working_bits(goal + 64):
+            betas = [beta - j for j in range(levels + 1)]
+        try:
+            for each in betas[len(centers) : levels]:
+                centers.append(approach(partial(_attempt, point, each), is_exact(beta), goal, max_bits)[0])
+            form = _over_rectangle(tau, betas[levels], goal)
+        except BudgetError:
+            return direct
+        for each, center in zip(reversed(betas[:levels]), reversed(centers), strict=True):
+            form = mean_value_form(each, radius, center, form, goal + 64)
+        finer = tighter(direct, form)
+        if not certainly_less(2 * finer.rad(), direct.rad()):
+            return finer
+        direct, levels = finer, 2 * levels
+    return direct
+
+
+def _over_rectangle(tau: ExactComplex, beta: Exact, goal: int) -> acb:
+    """The common part of what a route encloses and of the majorant on a turned ray, where beta < 0."""
+    direct = _attempt(tau, beta, goal)[1]
+    if beta < 0:
+        tangent = choice.turn(approximate_complex(tau))
+        farthest = exact(turned_argument(complex_ball(tau), tangent, _BITS_OF_A_BOUND), "")
+        bound = turned_bound(beta, tangent, attempt(farthest, beta, _BITS_OF_A_BOUND)[1], _BITS_OF_A_BOUND)
+        return tighter(direct, add_remainder(acb(0), bound))
+    return direct

@@ -188,6 +188,29 @@ def test_a_narrow_rectangle_is_as_narrow_as_the_slope_allows(x: int, y: int, bet
     assert (wide.reached, wide.reason) == (False, Reason.WIDE_INPUT)
 
 
+@pytest.mark.parametrize(("x", "y", "radius"), [(-30, 5, 5), (100, 200, 10), (2, 1, 20)])
+def test_a_wide_rectangle_asks_for_no_more_bits_than_it_has(x: int, y: int, radius: int) -> None:
+    """At 1000 digits no asymptotic series answers, and the series at 0 would be summed in vain."""
+    with working_bits(4_000):
+        width = arb(10) ** -radius
+        tau = acb(arb(x, width), arb(y, width))
+        few, many = (evaluate(tau, "7/3", digits=digits) for digits in (15, 1000))
+        assert many.reason is Reason.WIDE_INPUT
+        assert many.working_bits < 1_000
+        assert many.value.rad() <= 2 * few.value.rad()
+        assert many.value.overlaps(evaluate(at(x, y), "7/3", digits=40).value)
+
+
+def test_a_ball_of_beta_is_a_wide_input_too() -> None:
+    wide = evaluate("1+2i", arb(fmpq(7, 3), fmpq(1, 10**9)))
+    assert (wide.reached, wide.reason) == (False, Reason.WIDE_INPUT)
+    assert wide.value.contains(evaluate("1+2i", "7/3", digits=30).value.mid())
+    far = evaluate("1e9+i", arb(1, fmpq(1, 10)))
+    assert (far.route, far.reason) == ("majorant", Reason.WIDE_INPUT)
+    assert far.value.is_finite()
+    assert far.value.contains(evaluate("1e9+i", 1).value.mid())
+
+
 def test_rectangles_over_zero_and_far_too_wide() -> None:
     for value in (acb(arb(0, 1), arb(0, 1)), acb(arb(0, 50), arb(0, 50)), acb(arb(0, 10**11), arb(0, 10**11))):
         found = evaluate(value, "7/3")

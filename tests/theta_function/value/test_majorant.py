@@ -9,13 +9,14 @@ from fractions import Fraction
 
 import mpmath
 import pytest
-from flint import arb, fmpq
+from flint import acb, arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 from samples.strategies import ends, holds
 
 from gspot_verified import evaluate
-from gspot_verified.theta_function.value.majorant import majorant_bound
+from gspot_verified.numbers.complex_numbers import ExactComplex
+from gspot_verified.theta_function.value.majorant import majorant_bound, turned_argument, turned_bound
 
 
 @given(st.integers(-40, 40), st.integers(-60, 60), st.integers(0, 20))
@@ -86,3 +87,45 @@ def test_no_ball_of_the_domain_is_too_wide(tau: arb, beta: arb) -> None:
     for point in (tau.mid(), tau.lower(), tau.upper()):
         inside = evaluate(point, middle, digits=20).value
         assert wide.value.overlaps(inside)
+
+
+@given(st.integers(-60, 60), st.integers(-60, 60), st.integers(1, 80), st.integers(-26, 26), st.sampled_from([0, 3]))
+def test_on_a_turned_ray_it_bounds_every_point(x: int, y: int, beta: int, turn: int, width: int) -> None:
+    tangent, b, r = fmpq(turn, 100), fmpq(-beta, 10), fmpq(width, 8)
+    wide = acb(arb(fmpq(x, 4), r), arb(fmpq(y, 4), r))
+    argument = turned_argument(wide, tangent, 64)
+    bound = turned_bound(b, tangent, evaluate(argument, b, digits=30).value, 64)
+    assert bound.is_finite()
+    for s, t in ((0, 0), (1, 1), (-1, 1), (1, -1)):
+        inside = evaluate(ExactComplex(fmpq(x, 4) + s * r, fmpq(y, 4) + t * r), b, digits=30).value
+        assert inside.abs_lower() <= bound
+
+
+@pytest.mark.parametrize("turn", [-26, -10, 0, 7, 26])
+def test_on_a_turned_ray_it_is_the_one_of_the_page(turn: int) -> None:
+    """cos(3 psi)^(beta/3) Theta(v, beta) by mpmath; attained at psi = 0."""
+    with mpmath.workdps(40):
+        psi, beta = 2 * mpmath.atan(mpmath.mpf(turn) / 100), mpmath.mpf(-5) / 2
+        kappa = mpmath.cos(3 * psi)
+        v = (mpmath.mpc(2, 3) * mpmath.expj(psi)).real / kappa ** (mpmath.mpf(1) / 3)
+        page = kappa ** (beta / 3) * _theta(v, beta)
+        argument = turned_argument(acb(2, 3), fmpq(turn, 100), 64)
+        bound = turned_bound(fmpq(-5, 2), fmpq(turn, 100), evaluate(argument, "-5/2", digits=30).value, 64)
+        for found, expected in ((argument, v), (bound, page)):
+            lower, upper = ends(found)
+            tiny = abs(expected) * mpmath.mpf(10) ** -10
+            assert abs(mpmath.mpf(lower.numerator) / lower.denominator - expected) < tiny
+            assert mpmath.mpf(upper.numerator) / upper.denominator >= expected - tiny / 10**6
+    real = evaluate(2, "-5/2", digits=30).value
+    assert turned_bound(fmpq(-5, 2), fmpq(0), real, 64) <= real * (1 + fmpq(1, 10**15))
+
+
+def test_hypotheses_of_the_turned_ray() -> None:
+    for tangent in (fmpq(27, 100), fmpq(-27, 100), fmpq(1), fmpq(2), fmpq(-5)):
+        assert not turned_bound(fmpq(-2), tangent, arb(1), 64).is_finite()
+    assert not turned_argument(acb(1, 2), fmpq(27, 100), 64).is_finite()
+    assert turned_argument(acb(1, 2), fmpq(26, 100), 64).is_finite()
+    for beta in (fmpq(0), fmpq(1, 2), arb(0, 1), arb(-1, 1)):
+        assert not turned_bound(beta, fmpq(0), arb(1), 64).is_finite()
+    assert turned_bound(arb(-2, 1), fmpq(1, 5), arb(1), 64).is_finite()
+    assert not turned_bound(fmpq(-2), fmpq(1, 5), arb.nan(), 64).is_finite()
