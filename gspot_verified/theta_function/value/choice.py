@@ -93,7 +93,8 @@ def turn(tau: complex) -> fmpq:
 
     def argument(k: int) -> float:
         psi = 2 * math.atan(k / 100)
-        return (tau.real * math.cos(psi) - tau.imag * math.sin(psi)) / math.cos(3 * psi) ** (1 / 3)
+        length: float = math.cos(3 * psi) ** (1 / 3)
+        return (tau.real * math.cos(psi) - tau.imag * math.sin(psi)) / length
 
     return fmpq(min(range(-26, 27), key=argument), 100)
 

@@ -188,6 +188,17 @@ def test_a_narrow_rectangle_is_as_narrow_as_the_slope_allows(x: int, y: int, bet
     assert (wide.reached, wide.reason) == (False, Reason.WIDE_INPUT)
 
 
+@pytest.mark.parametrize("beta", ["7/3", "-1/2", "19/2"])
+@pytest.mark.parametrize(("x", "y"), [(20, 3), (20, 30), (-20, 5), (40, -40), (60, 100), (0, 12)])
+def test_an_acb_with_rounding_errors_keeps_most_digits(x: int, y: int, beta: str) -> None:
+    """The series at 0 alone knows nothing there: over the rectangle it is wider than Theta is large."""
+    with working_bits(53):
+        tau = acb(arb(x), arb(y)) + acb(1, 1) / 3
+    found = evaluate(tau, beta)
+    assert relative_bits(found.value) >= 30
+    assert found.value.contains(evaluate(at(x + Fraction(1, 3), y + Fraction(1, 3)), beta, digits=30).value.mid())
+
+
 @pytest.mark.parametrize(("x", "y", "radius"), [(-30, 5, 5), (100, 200, 10), (2, 1, 20)])
 def test_a_wide_rectangle_asks_for_no_more_bits_than_it_has(x: int, y: int, radius: int) -> None:
     """At 1000 digits no asymptotic series answers, and the series at 0 would be summed in vain."""
