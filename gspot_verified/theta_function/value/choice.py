@@ -99,6 +99,12 @@ def turn(tau: complex) -> fmpq:
     return fmpq(min(range(-26, 27), key=argument), 100)
 
 
+def first_levels(beta: Exact, most: int) -> int:
+    """So many mean value forms that the last slope has a negative beta; one where that takes more than ``most``."""
+    parameter = approximate(beta)
+    return 1 + max(0, math.ceil(parameter)) if parameter < most else 1
+
+
 def _rounded(bits: int) -> int:
     """Up to a multiple of 16 (of 32 from 128 on), so that cached initial values and polynomials serve many tau."""
     step = 16 if bits <= 128 else 32

@@ -1,8 +1,10 @@
-"""Theta at a complex tau to a given relative accuracy."""
+"""Theta at a complex tau to a given relative accuracy.
+
+Proof pages: ``proofs/identities.md``, "Mean value form", and ``proofs/majorant.md``.
+"""
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from functools import partial
 from typing import ClassVar
@@ -12,7 +14,6 @@ from flint import acb, fmpq
 from gspot_verified.numbers.balls import (
     Exact,
     add_remainder,
-    approximate,
     ball_text,
     certainly_less,
     exact,
@@ -96,7 +97,7 @@ def _around_middle(direct: acb, tau: ExactComplex, beta: Exact, goal: int, max_b
     """
     point, radius = middle(tau)
     centers: list[acb] = []
-    levels = 1 + max(0, math.ceil(approximate(beta))) if approximate(beta) < _MOST_LEVELS else 1
+    levels = choice.first_levels(beta, _MOST_LEVELS)
     while levels <= _MOST_LEVELS:
         with working_bits(goal + 64):
             betas = [beta - j for j in range(levels + 1)]
