@@ -185,3 +185,11 @@ def test_max_bits_bounds_the_first_attempt_too(asked: list[int], max_bits: int) 
     assert found.value.is_finite()
     assert found.value.overlaps(evaluate("1/3", "7/5", digits=50).value)
     assert relative_bits(found.value) >= max_bits - 8
+
+
+def test_max_bits_bounds_what_is_known_from_nearby_too() -> None:
+    """Without a budget 112 bits are used here, by the series at a point nearby."""
+    free, bound = evaluate("1/2", "7/3", digits=30), evaluate("1/2", "7/3", digits=30, max_bits=64)
+    assert (free.reached, free.working_bits > 100) == (True, True)
+    assert (bound.reached, bound.working_bits, bound.reason) == (False, 64, Reason.BUDGET)
+    assert bound.value.overlaps(free.value)
