@@ -19,7 +19,16 @@ from gspot_verified.cli.progress_line import at_terminal
 
 QUIET_SECONDS = 10.0  # between two signs of life on stderr
 _running: ContextVar[str] = ContextVar("_running", default="")
-_VERSIONS = {"classify": 2, "cost": 2, "report": 2, "simulate": 2, "theta": 2, "verify": 3}
+_VERSIONS = {
+    "approach": 2,
+    "classify": 2,
+    "cost": 2,
+    "report": 2,
+    "scenes": 2,
+    "simulate": 2,
+    "theta": 2,
+    "verify": 3,
+}
 """Of the schemas that have changed: a change of what is printed raises it."""
 _NUMBER = re.compile(r"-(\.?[0-9].*|inf(inity)?|nan|[ij])", re.IGNORECASE)
 """What is read as a number and no option; -inf is then refused as a number, with what is allowed."""

@@ -33,6 +33,7 @@ from gspot_verified.numbers.written import DEFINITIONS, Schema, form
 from gspot_verified.paper.checks.entry import Entry
 from gspot_verified.report.check_again import CheckedAgain
 from gspot_verified.report.mechanism.report import MechanismReport
+from gspot_verified.scenes.floats.fast_part import FastPart
 from gspot_verified.scenes.hard_sides import WrongSides
 from gspot_verified.scenes.scene.run import SceneRun
 from gspot_verified.scenes.simulators.comparison import SimulatorComparison
@@ -87,6 +88,8 @@ class _Scene(TypedDict):
     until: fmpq
     parameters: dict[str, fmpq]
     start: dict[str, fmpq]
+    slow_start: str | None
+    fast_part: FastPart | None
     states: dict[str, list[str]]
 
 

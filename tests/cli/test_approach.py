@@ -19,7 +19,7 @@ def test_the_papers_first_start(capsys: pytest.CaptureFixture[str]) -> None:
     assert "leading order as epsilon -> 0" in printed
     assert main(["classify", "oscillator", "--from", PAPER, "--json"]) == 0
     data = json.loads(capsys.readouterr().out)
-    assert data["schema"] == "gspot-verified/approach/1"
+    assert data["schema"] == "gspot-verified/approach/2"
     assert data["side"] == "lift-off"
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 from pathlib import Path
 
 import numpy as np
@@ -226,3 +227,15 @@ def test_assumptions_as_json(capsys: pytest.CaptureFixture[str], tmp_path: Path)
         "X_dot = 1": (0, "checked", False),
         "": (0, "assumed", True),
     }
+
+
+def test_a_start_on_the_slow_manifold_says_what_it_is(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "simulate", "fig-varsim1", "--beta", "1/2", "--set", "start=slip", "--route", "exact")
+    assert code == 0
+    assert "  start on slip: an exact point next to its slow manifold, from the expansion to epsilon^" in output
+    assert "about e^(-0.01559/ε) = 1.7e-07 is left at the G-spot, t = 0.5 (floats)\n" in output
+    assert ", v = -0.0000119812" in output  # a decimal
+    _, output, _ = run(capsys, "simulate", "fig-varsim1", "--beta", "1/2", "--route", "exact", "--json")
+    scene = json.loads(output)["scene"]
+    assert scene["slow_start"] is None
+    assert scene["fast_part"]["factor"] == pytest.approx(math.exp(-1000 * scene["fast_part"]["exponent"]))

@@ -73,6 +73,8 @@ def simulate(
 
     Events are listed up to --until, all of them; a run also ends where an impact without collision lasts for ever. The
     exact solution answers for all times, whatever --until is: it is used for the linear model scene where it decides.
+    --set start=slip starts next to the slow manifold of slip, at an exact point; otherwise y, v, z are the scene's. How
+    much of a fast oscillation of the start is left at the G-spot is printed.
     --journal keeps what the integrator chose for each step, and proves all of it again when it goes on; with --compare
     the float run has FILE.float. Samples of a certified run are enclosures: a column of midpoints and one of radii.
     What the effects that are left out assume of the motion is checked along the run: where it fails, the run is refuted
@@ -205,7 +207,9 @@ def _start(scene: Scene) -> dict[str, fmpq]:
 
 
 def _scene_json(scene: Scene) -> dict[str, Any]:
-    parameters = {name: str(value) for name, value in scene.values().items()}
+    from gspot_verified.scenes.floats.fast_part import fast_part
+
+    parameters, left = {name: str(value) for name, value in scene.values().items()}, fast_part(scene)
     return {
         "name": scene.name,
         "mechanism": None if scene.mechanism is None else scene.mechanism.name,
@@ -215,15 +219,29 @@ def _scene_json(scene: Scene) -> dict[str, Any]:
         "until": str(scene.until),
         "parameters": parameters,
         "start": {name: str(value) for name, value in _start(scene).items()},
+        "slow_start": None if scene.slow_start is None else str(scene.slow_start),
+        "fast_part": None if left is None else left.to_json(),
         "states": {phase: list(scene.system(phase).states) for phase in scene.phases()},
     }
 
 
+def _number(scene: Scene, value: fmpq) -> str:
+    """Exactly; the long decimals of a start on the slow manifold as decimals."""
+    from gspot_verified.numbers.short_text import short_text
+
+    return short_text(value) if scene.on_slow_manifold else str(value)
+
+
 def _show(scene: Scene, runs: list[SceneRun]) -> None:
+    from gspot_verified.scenes.floats.fast_part import fast_part
+
     for run in runs:
         typer.echo(str(run))
-    start = ", ".join(f"{name} = {value}" for name, value in _start(scene).items())
+    start = ", ".join(f"{name} = {_number(scene, value)}" for name, value in _start(scene).items())
     typer.echo(f"  {scene.name}, ε = {scene.epsilon}, from {start}")
+    for said in (scene.slow_start, fast_part(scene)):
+        if said is not None:
+            typer.echo(f"  {said}")
     for name, line in scene.assumes().items():
         typer.echo(f"  without {name}: {line}")
 

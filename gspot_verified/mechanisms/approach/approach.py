@@ -17,6 +17,7 @@ from gspot_verified.mechanisms.approach.approach_plan import exponent_for, last_
 from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF, Approach, SlipPath
 from gspot_verified.mechanisms.approach.capture import Capture, capture
 from gspot_verified.mechanisms.approach.deviation_coefficient import coefficient_above_one, coefficient_below_one
+from gspot_verified.mechanisms.approach.fast_decay import surviving_exponent
 from gspot_verified.mechanisms.approach.slip_flow import SlipFlow, SlipNumbers
 from gspot_verified.mechanisms.approach.slip_state import SlipState, StateError, StateInput, slip_state
 from gspot_verified.mechanisms.derive.mass_matrix import check_mass_matrix
@@ -318,6 +319,7 @@ class _Attempt:
         self, verdict: Verdict, end: str | None, time: arb | None, place: list[arb], case: str | None,
         alphas: tuple[arb, arb, arb] | None, beta: arb | None, coefficient: arb | None, side: str | None, why: str,
     ) -> Approach:  # fmt: skip
+        path = self._path()
         return Approach(
             name=self.mechanism.name,
             start=self._texts(list(self.start.box)),
@@ -335,9 +337,10 @@ class _Attempt:
             least_slip=self.least_slip,
             surface_velocity=self.surface_text,
             notes=self.mechanism.notes,
-            path=self._path(),
+            path=path,
             bits=self.bits,
             supposed=self.start.supposed,
+            fast_exponent=self._fast_exponent(path) if end == "G-spot" else None,
         )
 
     def _texts(self, values: list[arb]) -> tuple[tuple[str, str], ...]:
@@ -348,6 +351,10 @@ class _Attempt:
             text = ball_text(value)
             components.append((word, f"{references[word]} + {text}" if word in references else text))
         return tuple(components)
+
+    def _fast_exponent(self, path: SlipPath) -> float:
+        p, times = ([approximate(value) for value in values] for values in (path.p, path.time))
+        return surviving_exponent(times, p, self.mechanism.regularisation)
 
     def _path(self) -> SlipPath:
         numbers = [self.numbers.on(states) for _, states in self.rows]

@@ -49,13 +49,14 @@ class Approach(NoTruthValue, Written):
     ``coefficient`` (C_1) are what they are there; ``side`` is "lift-off", "impact without collision", or None where it
     is undecided or the theory says none, and ``side_reason`` says why. ``least_slip`` bounds u on the path from below;
     ``notes`` say how the mechanism was read. ``supposed`` names what is 0 on the contact and was not shown to be
-    exactly 0 in the state that was given: the statement is then about the state on the contact.
+    exactly 0 in the state that was given: the statement is then about the state on the contact. ``fast_exponent``: E,
+    where about e^(-E/epsilon) of the contact's fast oscillation at the start is left at the G-spot; a float, no bound.
     """
 
     ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = (
         "name start solved verdict end time place case alphas beta C1=coefficient side side_reason rests_on "
-        "surface_velocity least_slip notes warnings bits path"
+        "surface_velocity least_slip fast_exponent notes warnings bits path"
     )
 
     name: str
@@ -77,6 +78,7 @@ class Approach(NoTruthValue, Written):
     path: SlipPath
     bits: int
     supposed: tuple[str, ...] = ()
+    fast_exponent: float | None = None
 
     @property
     def rests_on(self) -> str:
@@ -110,6 +112,11 @@ class Approach(NoTruthValue, Written):
         if self.end == "G-spot":
             lines.append(f"  side: {self.side or 'undecided'} ({self.side_reason})")
             lines.append(f"  {RESTS_ON}")
+        if self.fast_exponent is not None:
+            lines.append(
+                f"  beside slip: about e^(-{self.fast_exponent:.4g}/epsilon) of a fast oscillation at the start is "
+                "left at the G-spot, which may turn the side where this is not small (floats: not proved)"
+            )
         lines += [f"  {line}" for line in (*self.notes, *self.warnings)]
         return "\n".join(lines)
 

@@ -60,6 +60,10 @@ class TomlTable:
         """Whether the key is there."""
         return name in self._data
 
+    def is_text(self, name: str) -> bool:
+        """Whether the key is there and a text."""
+        return isinstance(self._data.get(name), str) and not isinstance(self._data[name], Decimal)
+
     def get(self, name: str, kind: type, what: str) -> Any:
         """The value of a key that must be there and of this kind."""
         if name not in self._data:

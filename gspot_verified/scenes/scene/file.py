@@ -31,6 +31,8 @@ The keys::
     parameters.*     numbers of the effects, of the model, or of the mechanism
     start.*          the model: p, b or nu, and u, x with their effects; a mechanism: components of its state, as
                      numbers or formulas; y, v, z or none of them
+    start = "slip"   y, v, z are those of an exact point next to the slow manifold of slip; the components then stand
+                     in the table `state`
 
 No code of a file is run. Numbers are exact: integers, decimals (0.1 is 1/10), or texts such as "7/3"; they stand
 without units, in those of the mechanism.
@@ -53,7 +55,7 @@ from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.numbers.balls import ExactInput
 from gspot_verified.scenes.effects.catalogue import EFFECTS
 from gspot_verified.scenes.scene.numbers import scene_number
-from gspot_verified.scenes.scene.scene import Scene, SceneError, checked_owner
+from gspot_verified.scenes.scene.scene import SLIP_START, Scene, SceneError, checked_owner, checked_start
 
 SHIPPED = ("fig-varsim1", "fig-varsim2", "oscillator", "oscillator-canard", "extended", "rod")
 MAX_BYTES = 100_000  # of a scene file, so that a wrong file is refused at once
@@ -69,6 +71,7 @@ KEYS = {
         "stop_at_force",
         "parameters",
         "start",
+        "state",
     ),
 }
 
@@ -150,6 +153,9 @@ def parse_scene(text: str, folder: Path | None = None) -> Scene:
     effects = tuple(table.words("effects"))
     if len(effects) > len(EFFECTS):
         raise SceneError(f"{len(effects)} effects; there are {len(EFFECTS)}: {', '.join(EFFECTS)}")
+    slow = table.is_text("start") and checked_start(table.text("start"))
+    if table.has("state") and not slow:
+        raise SceneError(f'key "state": it is for start = "{SLIP_START}"; otherwise give the table `start`')
     given = table.table("parameters").all_formulas()
     own = {} if mechanism is None else {key: given.pop(key) for key in list(given) if key in dict(mechanism.parameters)}
     scene = Scene(
@@ -158,11 +164,12 @@ def parse_scene(text: str, folder: Path | None = None) -> Scene:
         epsilon=_number(table, "epsilon"),
         until=_number(table, "until"),
         parameters={key: scene_number(value, f"parameters: {key[:40]}") for key, value in given.items()},
-        start=_start(table.table("start").all_formulas(), mechanism is not None),
+        start=_start(table.table("state" if slow else "start").all_formulas(), mechanism is not None),
         stop_at_force=_number(table, "stop_at_force") if table.has("stop_at_force") else None,
         mechanism=mechanism
         if mechanism is None
         else mechanism.with_parameters(**{key: _value(own[key], key) for key in own}),
+        on_slow_manifold=slow,
     )
     for key in own:
         checked_owner(scene, key)

@@ -27,6 +27,7 @@ from gspot_verified.scenes.equations.terms import FLIGHT, PHASES, REVERSE, SLIP,
 from gspot_verified.scenes.motions.compact import compact
 from gspot_verified.scenes.motions.mechanism_motion import MechanismMotion
 from gspot_verified.scenes.motions.model_motion import ModelMotion
+from gspot_verified.scenes.motions.slow_point import SlowPoint, slow_point
 from gspot_verified.scenes.scene.numbers import scene_number
 
 
@@ -119,6 +120,8 @@ def _text(value: fmpq | arb) -> str:
     return ball_text(value) if isinstance(value, arb) else str(value)
 
 
+SLIP_START = "slip"
+"""A start on the slow manifold of slip."""
 START_KEYS = ("p", "b", "nu", "y", "v", "z", "u", "x")
 """The keys of a start in the model scenes; beside a mechanism its components take the places of p, b, nu, u, x."""
 
@@ -133,7 +136,8 @@ class Scene(Shown):
     numbers or formulas; y, v, z or none of them (just in contact: all 0); two components follow from y and v.
 
     ``until``: the time, from the start, at which float runs end. ``stop_at_force``: a float run ends where p < 0 and
-    lambda_N is this many times that of rigid slip at the start, -b/p; None: it does not.
+    lambda_N is this many times that of rigid slip at the start, -b/p; None: it does not. ``on_slow_manifold``: y, v, z
+    at the start are those of :attr:`slow_start`.
 
     :raises SceneError: a part is wrong.
     :raises MechanismError: the mechanism is not complete, it has a mass or a friction coefficient below 0, or its mass
@@ -148,6 +152,7 @@ class Scene(Shown):
     start: Mapping[str, fmpq | str]
     stop_at_force: fmpq | None = None
     mechanism: Mechanism | None = None
+    on_slow_manifold: bool = False
 
     def __post_init__(self) -> None:
         _check_effects(self.effects, self.mechanism is not None)
@@ -174,11 +179,34 @@ class Scene(Shown):
         return self._motion_with(self.used())
 
     def _motion_with(self, effects: Sequence[Effect]) -> Motion:
+        given, point, small = dict(self.start), self.slow_start, self.epsilon
+        if point is not None:
+            given |= {"y": small**2 * point.Y, "v": small * point.V, "z": small**2 * point.Z}
         if self.mechanism is None:
-            start = {name: scene_number(value, f"start: {name}") for name, value in self.start.items()}
-            return ModelMotion(effects, self.epsilon, start)
+            start = {name: scene_number(value, f"start: {name}") for name, value in given.items()}
+            return ModelMotion(effects, small, start)
         sees = [name for each in effects for name in each.sees]
-        return MechanismMotion(self.mechanism, sees, self.epsilon, self.start)
+        return MechanismMotion(self.mechanism, sees, small, given)
+
+    @cached_property
+    def slow_start(self) -> SlowPoint | None:
+        """The point next to the slow manifold of slip, over the other components of the start; an exact start, whose
+        distance from the manifold is not bounded. None: y, v, z are given, or those of contact at rest.
+
+        :raises SceneError: y, v or z is given, too; there is no positive slip at the start, or no slow manifold.
+        """
+        if not self.on_slow_manifold:
+            return None
+        for name in "yvz":
+            if name in self.start:
+                raise SceneError(
+                    f"start: {name} is given, and the slow manifold of slip is asked for: give one of them"
+                )
+        start = {**self.start, **dict.fromkeys("yvz", fmpq(0))}
+        touching = replace(self, start=start, stop_at_force=None, on_slow_manifold=False)
+        if touching.first_phase() != SLIP:
+            raise SceneError("start: no positive slip in contact there, so no slow manifold of it")
+        return slow_point(touching.system(SLIP), touching.scaled_initial(), self.epsilon, touching.values())
 
     def used(self) -> tuple[Effect, ...]:
         """The effects, in the order of the catalogue."""
@@ -319,14 +347,18 @@ class Scene(Shown):
 
     def with_settings(self, **settings: ExactInput | None) -> Scene:
         """The scene with other numbers: parameters (of a mechanism, too), values of the start, ``epsilon`` (``eps`` is
-        the same), ``until``; None changes nothing.
+        the same), ``until``, ``start`` ("slip" takes y, v, z from the slow manifold); None changes nothing.
 
         :raises SceneError: there is no such setting.
         """
         parameters, start, epsilon, until = dict(self.parameters), dict(self.start), self.epsilon, self.until
-        mechanism = self.mechanism
+        mechanism, slow = self.mechanism, self.on_slow_manifold
         for name, value in settings.items():
             if value is None:
+                continue
+            if name == "start":
+                slow = checked_start(value)
+                start = {key: given for key, given in start.items() if key not in ("y", "v", "z")}
                 continue
             if name in ("eps", "epsilon"):
                 epsilon = scene_number(value, name)
@@ -342,14 +374,32 @@ class Scene(Shown):
                 parameters[name] = scene_number(value, name)
             else:
                 own = () if mechanism is None else tuple(dict(mechanism.parameters))
-                known = ("epsilon", "until", *self._start_keys(), *self.defaults(), *own)
+                known = ("epsilon", "until", "start", *self._start_keys(), *self.defaults(), *own)
                 raise SceneError(f"no setting {name[:40]!r}{nearest(name, known)}; there are: {', '.join(known)}")
-        return replace(self, parameters=parameters, start=start, epsilon=epsilon, until=until, mechanism=mechanism)
+        return replace(
+            self,
+            parameters=parameters,
+            start=start,
+            epsilon=epsilon,
+            until=until,
+            mechanism=mechanism,
+            on_slow_manifold=slow,
+        )
 
     def _start_keys(self) -> tuple[str, ...]:
         if self.mechanism is None:
             return START_KEYS
         return tuple(dict.fromkeys((*self.mechanism.state, "y", "v", "z")))
+
+
+def checked_start(value: object) -> bool:
+    """Whether y, v, z are those of the slow manifold: where ``value`` is "slip".
+
+    :raises SceneError: it is something else.
+    """
+    if value != SLIP_START:
+        raise SceneError(f'start: expected "{SLIP_START}", or a table of components, got {str(value)[:40]!r}')
+    return True
 
 
 def checked_owner(scene: Scene, name: str) -> str:

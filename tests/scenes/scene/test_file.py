@@ -64,6 +64,9 @@ def test_shipped_scenes_and_the_example_satisfy_the_schema() -> None:
         {"effects": ["compliant_contact", "lift_off", "two_way_coupling"], "mechanism": "extended"},
         {"start": {"p": [1]}},
         {"epsilon": True},
+        {"start": "stick"},
+        {"start": "slip", "state": {"p": "1/2", "b": -1, "y": 0, "v": 0, "z": 0}},
+        {"state": {"p": "1/2", "b": -1}},
     ],
 )
 def test_the_schema_refuses_what_the_reader_refuses(change: dict[str, Any]) -> None:
@@ -72,6 +75,18 @@ def test_the_schema_refuses_what_the_reader_refuses(change: dict[str, Any]) -> N
     assert not valid(data)
     with pytest.raises((SceneError, MechanismError)):
         parse_scene(toml(data))
+
+
+def test_a_start_on_the_slow_manifold() -> None:
+    data = {**GOOD, "start": "slip", "state": {"p": "1/2", "b": -1}}
+    assert valid(data)
+    scene = parse_scene(toml(data))
+    assert scene.on_slow_manifold
+    assert scene.initial()["v"] != 0
+    assert scene.initial() == parse_scene(TEXT).with_settings(start="slip").initial()
+    assert parse_scene(TEXT).initial()["v"] == 0
+    with pytest.raises(SceneError, match='key "state": it is for start = "slip"'):
+        parse_scene(TEXT + "[state]\np = 1\n")
 
 
 def toml(data: dict[str, Any]) -> str:
