@@ -88,6 +88,7 @@ class _Scene(TypedDict):
     until: fmpq
     parameters: dict[str, fmpq]
     start: dict[str, fmpq]
+    enclosed_start: dict[str, str]
     slow_start: str | None
     fast_part: FastPart | None
     states: dict[str, list[str]]

@@ -154,7 +154,7 @@ def test_which_effect_stands_where() -> None:
     assert {name for name, effect in EFFECTS.items() if effect.opens} == {"lift_off", "stick"}
     assert [name for name, effect in EFFECTS.items() if effect.not_with_mechanism] == ["two_way_coupling"]
     assert {second for first, second in EXCLUSIONS if first == "mechanism"} == {
-        *("two_way_coupling", "nu", "constraints", "a contact without free translation"),
+        *("two_way_coupling", "nu"),
     }
 
 

@@ -12,7 +12,7 @@ from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
-    from flint import fmpq
+    from flint import arb, fmpq
 
     from gspot_verified.scenes.scene.run import SceneRun
     from gspot_verified.scenes.scene.scene import Scene
@@ -199,14 +199,17 @@ def _moving(scene: Scene) -> str:
     return "model" if scene.mechanism is None else scene.mechanism.name
 
 
-def _start(scene: Scene) -> dict[str, fmpq]:
+def _start(scene: Scene) -> dict[str, fmpq | arb]:
     """The start; an angle that has a reference is counted from it."""
     angles = () if scene.mechanism is None else scene.mechanism.angles
     counted = {angle.coordinate: f"{angle.coordinate} - {angle.name}" for angle in angles}
-    return {counted.get(name, name): value for name, value in scene.initial().items()}
+    return {counted.get(name, name): value for name, value in (scene.initial() | scene.enclosed_initial()).items()}
 
 
 def _scene_json(scene: Scene) -> dict[str, Any]:
+    from flint import arb
+
+    from gspot_verified.numbers.balls import ball_text
     from gspot_verified.scenes.floats.fast_part import fast_part
 
     parameters, left = {name: str(value) for name, value in scene.values().items()}, fast_part(scene)
@@ -218,17 +221,23 @@ def _scene_json(scene: Scene) -> dict[str, Any]:
         "epsilon": str(scene.epsilon),
         "until": str(scene.until),
         "parameters": parameters,
-        "start": {name: str(value) for name, value in _start(scene).items()},
+        "start": {name: str(value) for name, value in _start(scene).items() if not isinstance(value, arb)},
+        "enclosed_start": {name: ball_text(value) for name, value in _start(scene).items() if isinstance(value, arb)},
         "slow_start": None if scene.slow_start is None else str(scene.slow_start),
         "fast_part": None if left is None else left.to_json(),
         "states": {phase: list(scene.system(phase).states) for phase in scene.phases()},
     }
 
 
-def _number(scene: Scene, value: fmpq) -> str:
-    """Exactly; the long decimals of a start on the slow manifold as decimals."""
+def _number(scene: Scene, value: fmpq | arb) -> str:
+    """Exactly, the long decimals of a start on the slow manifold as decimals; or as a ball."""
+    from flint import arb
+
+    from gspot_verified.numbers.balls import ball_text
     from gspot_verified.numbers.short_text import short_text
 
+    if isinstance(value, arb):
+        return ball_text(value)
     return short_text(value) if scene.on_slow_manifold else str(value)
 
 

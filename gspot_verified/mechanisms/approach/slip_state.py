@@ -57,6 +57,8 @@ def slip_state(shifted: Shifted, state: StateInput, beside_place: bool = False) 
         solution of y = v = 0.
     """
     mechanism = shifted.mechanism
+    if not isinstance(state, Mapping) or not all(isinstance(word, str) for word in state):
+        raise StateError(f"{mechanism.name}: the state must give values by the names {', '.join(mechanism.state)}")
     unknown = [word for word in state if word not in mechanism.state]
     if unknown:
         raise StateError(
@@ -71,7 +73,7 @@ def slip_state(shifted: Shifted, state: StateInput, beside_place: bool = False) 
         )
     if beside_place and not left_out:
         raise StateError(f"{mechanism.name}: the state gives all components: nothing of the G-spot is left to be used")
-    box = _values(shifted, state, left_out)
+    box = placed_components(shifted, state, left_out)
     program = BoxProgram(shifted.expressions([shifted.functions.y, shifted.functions.v], BALLS), len(box))
     if missing:
         solution = _solved(mechanism, program, box, missing)
@@ -120,8 +122,11 @@ def _perhaps_not_zero(value: arb) -> bool:
     return sign_of(value) != 0
 
 
-def _values(shifted: Shifted, state: StateInput, missing: Sequence[str]) -> list[arb]:
-    """The given components; the missing ones start at the place of the G-spot."""
+def placed_components(shifted: Shifted, state: StateInput, missing: Sequence[str]) -> list[arb]:
+    """The given components; the missing ones at the place of the G-spot, or 0.
+
+    :raises StateError: a value is no formula, or not finite.
+    """
     mechanism = shifted.mechanism
     start = dict(mechanism.place.values)
     values = {word: state_formula(mechanism, word, state[word]) for word in state}
@@ -155,42 +160,52 @@ def state_formula(mechanism: Mechanism, word: str, value: ExactInput) -> Express
 
 
 def _solved(mechanism: Mechanism, program: BoxProgram, box: list[arb], missing: Sequence[str]) -> tuple[arb, ...]:
-    """Newton's method for the two components, then Krawczyk's proof of a solution next to them."""
     places = [mechanism.state.index(word) for word in missing]
+    solution = solved_components(program, box, places)
+    if solution is None:
+        raise StateError(
+            f"{mechanism.name}: y = 0 and v = 0 do not certainly determine {missing[0]} and {missing[1]} there; "
+            "leave out two other components"
+        )
+    return solution
 
-    def put(pair: Sequence[arb]) -> list[arb]:
+
+def solved_components(program: BoxProgram, box: Sequence[arb], places: Sequence[int]) -> tuple[arb, ...] | None:
+    """The box with enclosures of a zero of the functions in these components: Newton's method from where they are, then
+    Krawczyk's proof of a zero next to it. None: there is none for certain.
+
+    The functions are as many as the components; the others are what the box says.
+    """
+
+    def put(found: Sequence[arb]) -> list[arb]:
         full = list(box)
-        for place, value in zip(places, pair, strict=True):
+        for place, value in zip(places, found, strict=True):
             full[place] = value
         return full
 
-    def values(pair: list[arb]) -> list[arb]:
-        return program.values(put(pair))
+    def values(found: list[arb]) -> list[arb]:
+        return program.values(put(found))
 
-    def rows(pair: list[arb]) -> list[list[arb]]:
-        return [[row[place] for place in places] for row in program.gradients(put(pair))[1]]
+    def rows(found: list[arb]) -> list[list[arb]]:
+        return [[row[place] for place in places] for row in program.gradients(put(found))[1]]
 
-    refusal = StateError(
-        f"{mechanism.name}: y = 0 and v = 0 do not certainly determine {missing[0]} and {missing[1]} there; "
-        "leave out two other components"
-    )
-    pair = [box[place].mid() for place in places]
+    found = [box[place].mid() for place in places]
     for _ in range(_NEWTON_STEPS):
         try:
-            move = arb_mat(rows(pair)).solve(arb_mat([[value] for value in values(pair)])).entries()
+            move = arb_mat(rows(found)).solve(arb_mat([[value] for value in values(found)])).entries()
         except ZeroDivisionError:
-            raise refusal from None
-        pair = [(old - change).mid() for old, change in zip(pair, move, strict=True)]
-        if not all(value.is_finite() for value in pair):
-            raise refusal
+            return None
+        found = [(old - change).mid() for old, change in zip(found, move, strict=True)]
+        if not all(value.is_finite() for value in found):
+            return None
         small = arb(2) ** (8 - current_bits())
-        if all(abs(change.mid()) <= small * (1 + abs(value)) for change, value in zip(move, pair, strict=True)):
+        if all(abs(change.mid()) <= small * (1 + abs(value)) for change, value in zip(move, found, strict=True)):
             break
     width = reduce(arb.max, (side.rad() for side in box), arb(0))
     radius = 16 * width + arb(2) ** (16 - current_bits())
     for _ in range(_INFLATIONS):
-        solution = krawczyk(values, rows, [add_remainder(value, radius * (1 + abs(value))) for value in pair])
+        solution = krawczyk(values, rows, [add_remainder(value, radius * (1 + abs(value))) for value in found])
         if solution is not None:
             return tuple(put(solution))
         radius = radius * 32
-    raise refusal
+    return None

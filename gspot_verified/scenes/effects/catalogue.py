@@ -22,9 +22,6 @@ EFFECTS: dict[str, Effect] = {
 EXCLUSIONS: dict[tuple[str, str], str] = {
     **{("mechanism", name): effect.not_with_mechanism for name, effect in EFFECTS.items() if effect.not_with_mechanism},
     ("mechanism", "nu"): "nu measures b by the model's trivial solution; give components of the state",
-    ("mechanism", "constraints"): "a start of exact numbers need not satisfy them",
-    ("mechanism", "a contact without free translation"): "epsilon^2 Y takes the place of a component in which y is "
-    "linear with a constant factor",
     ("stick", "k_minus <= k_plus"): "their difference is 2 mu A, which is positive for friction",
 }
 """What cannot be in one scene, and why; what an effect cannot do without stands with the effect."""

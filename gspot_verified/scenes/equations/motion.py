@@ -46,9 +46,16 @@ class Motion(Protocol):
         ...
 
     def start(self, values: Mapping[str, fmpq]) -> dict[str, fmpq]:
-        """The values of its states, and of y, v, z, at the start, in the paper's units.
+        """The values of its states that are given, and of y, v, z, at the start, in the paper's units.
 
         :raises SceneError: one is missing, or too many are given.
+        """
+        ...
+
+    def enclosed_start(self) -> dict[str, arb]:
+        """Enclosures of those of its states at the start that follow from the others and from y, v, z.
+
+        :raises SceneError: they are not certainly determined.
         """
         ...
 

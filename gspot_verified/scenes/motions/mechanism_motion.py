@@ -5,7 +5,11 @@ v = epsilon V and T = t/epsilon: Y' = V, V' = dv/dt, xi' = epsilon dxi/dt. Of xi
 dv/dt (and u, x where an effect sees them) depends; the others are cyclic. A component with a constant rate, as the
 time, is known and not integrated.
 
-The coordinate and the velocity that y and v take the place of: y is linear in the one, v in the other.
+Where y is linear in a coordinate and v in a velocity, y and v take their places. Elsewhere (an arm on a fixed base, a
+mechanism with constraints) y and v stand beside all components of xi: dy/dt = v and dv/dt = b + B lambda_T + C lambda_N
+hold along every motion, so y(xi) - epsilon^2 Y and v(xi) - epsilon V keep the value 0 that they have at the start, and
+constraints and their rates theirs. No chart can end, and nothing small is computed as a difference. The components that
+the start leaves out are enclosed as the zero of these functions next to the mechanism's place.
 """
 
 from __future__ import annotations
@@ -21,7 +25,7 @@ from gspot_verified.functions.derivative import ZERO, partial_derivative, substi
 from gspot_verified.functions.expressions import Expression, Variable
 from gspot_verified.functions.rings import BALLS, RATIONALS
 from gspot_verified.leading_order.contact_force import rational
-from gspot_verified.mechanisms.approach.slip_state import state_formula
+from gspot_verified.mechanisms.approach.slip_state import placed_components, solved_components, state_formula
 from gspot_verified.mechanisms.derive.mass_matrix import check_mass_matrix
 from gspot_verified.mechanisms.derive.to_system import NotRationalError, shift
 from gspot_verified.mechanisms.formulas.rewriting import replaced, simplified
@@ -29,7 +33,7 @@ from gspot_verified.mechanisms.formulas.simplify import constant, minus, product
 from gspot_verified.mechanisms.formulas.symbol import variable_indices
 from gspot_verified.mechanisms.input.mechanism import Lagrangian, Mechanism, Place
 from gspot_verified.mechanisms.spots.g_spot import place_in
-from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.balls import current_bits, working_bits
 from gspot_verified.scenes.effects.catalogue import EXCLUSIONS
 from gspot_verified.scenes.equations.mechanism_terms import Functions, MechanismTerms
 from gspot_verified.scenes.equations.motion import SceneError
@@ -49,22 +53,15 @@ class NormalCoordinate:
     v: Expression
 
     @classmethod
-    def of(cls, name: str, y: Expression, v: Expression, state: Sequence[str]) -> NormalCoordinate:
-        """The first pair of components with which this works.
-
-        :raises SceneError: there is none: the contact has no free translation along its normal.
-        """
-        size = len(state)
+    def of(cls, y: Expression, v: Expression, size: int) -> NormalCoordinate | None:
+        """The first pair of components with which this works; None: the contact has no free translation along its
+        normal."""
         slopes = [(i, slope) for i in range(size) if (slope := free_slope(y, i, size)) is not None]
         rates = [(j, slope) for j in range(size) if (slope := free_slope(v, j, size)) is not None]
         used = variable_indices([y])
         pair = next(((i, j) for i in slopes for j in rates if i[0] != j[0] and j[0] not in used), None)
         if pair is None:
-            raise SceneError(
-                f"{name}: no component of the state in which y is linear with a constant factor (a free translation "
-                f"along the normal), and none likewise for v: scenes put epsilon^2 Y and epsilon V in their places; "
-                f"the components are: {', '.join(state)}"
-            )
+            return None
         (i, slope), (j, rate_slope) = pair
         return cls(i, j, slope, rate_slope, y, v)
 
@@ -98,7 +95,7 @@ class MechanismMotion:
 
     ``kept``: the components that are integrated.
 
-    :raises SceneError: the mechanism has no free translation along the normal, has constraints, or names that clash.
+    :raises SceneError: the mechanism gives no x where one is needed, or has names that clash.
     :raises MechanismError: the mechanism is not complete.
     """
 
@@ -108,9 +105,6 @@ class MechanismMotion:
         self, mechanism: Mechanism, sees: Sequence[str], epsilon: fmpq, start: Mapping[str, fmpq | str]
     ) -> None:
         self.mechanism, self._epsilon, self._start = mechanism, epsilon, dict(start)
-        if isinstance(mechanism.motion, Lagrangian) and mechanism.motion.constraints:
-            reason = EXCLUSIONS["mechanism", "constraints"]
-            raise SceneError(f"{mechanism.name}: scenes do not cover mechanisms with constraints: {reason}")
         if "x" in sees and mechanism.x is None:
             raise SceneError(f"{mechanism.name}: effect 'tangential_place' needs x; it gives a slip velocity")
         self._shifted = shift(mechanism)
@@ -119,16 +113,26 @@ class MechanismMotion:
         self._sees = tuple(sees)
         self._size = len(mechanism.state)
         f = self._shifted.functions
-        self._normal = NormalCoordinate.of(mechanism.name, f.y, f.v, mechanism.state)
+        constrained = isinstance(mechanism.motion, Lagrangian) and mechanism.motion.constraints
+        self._normal = None if constrained else NormalCoordinate.of(f.y, f.v, self._size)
+        self._solved: dict[int, list[arb]] = {}
+        followed = self._unknown if self._normal is None else (self._normal.place, self._normal.velocity)
         self._known = {
             i: rate
             for i, row in enumerate(zip(f.F, f.G_T, f.G_N, strict=True))
             if (rate := rational_value(row[0])) is not None and row[1] is ZERO and row[2] is ZERO
-            and i not in (self._normal.place, self._normal.velocity)
+            and i not in followed
         }  # fmt: skip
         self._functions = self._substituted()
         self.kept = tuple(mechanism.state[i] for i in self._needed())
         self._check_names()
+
+    @property
+    def _unknown(self) -> tuple[int, ...]:
+        """The components that the start leaves out, where y and v stand beside all of them."""
+        motion, state = self.mechanism.motion, self.mechanism.state
+        time = motion.time if isinstance(motion, Lagrangian) else None
+        return tuple(i for i, name in enumerate(state) if name not in self._start and name != time)
 
     def _check_names(self) -> None:
         """A component must not have the name of something else in a scene; p may be p itself."""
@@ -147,7 +151,8 @@ class MechanismMotion:
         named = {name: getattr(f, name) for name in (*_SCALARS, "x")}
         named |= {f"{name} {i}": part for name in _FIELDS for i, part in enumerate(getattr(f, name))}
         named = {name: function for name, function in named.items() if function is not None}
-        roots = replaced(list(named.values()), self._normal.solved(y, v))
+        replacing = {} if self._normal is None else self._normal.solved(y, v)
+        roots = replaced(list(named.values()), replacing)
         used = variable_indices(roots)
         known: dict[Expression, Expression] = {
             Variable(i): sum_of(constant(self._component(i)), product_of(constant(rate * small), Variable(m + 3)))
@@ -178,7 +183,9 @@ class MechanismMotion:
         if x is None:
             return True
         used = variable_indices(function for name, function in self._functions.items() if name != "x")
-        bound = {*used, *self._known, self._normal.place, self._normal.velocity}
+        normal, f = self._normal, self._shifted.functions
+        heights = variable_indices([f.y, f.v, *self._shifted.constraints])
+        bound = {*used, *self._known, *(heights if normal is None else (normal.place, normal.velocity))}
         return not any(free_slope(x, i, self._size) for i in range(self._size) if i not in bound)
 
     def states(self, phase: str) -> tuple[str, ...]:
@@ -221,7 +228,8 @@ class MechanismMotion:
     def _given(self) -> dict[str, fmpq]:
         """The components that the scene gives, exactly, and y, v, z."""
         mechanism = self.mechanism
-        solved = {mechanism.state[i]: word for i, word in ((self._normal.place, "y"), (self._normal.velocity, "v"))}
+        pair = () if self._normal is None else ((self._normal.place, "y"), (self._normal.velocity, "v"))
+        solved = {mechanism.state[i]: word for i, word in pair}
         given: dict[str, fmpq] = {}
         components = {}
         for name, value in self._start.items():
@@ -259,9 +267,48 @@ class MechanismMotion:
         """The kept components and y, v, z, exactly; y = v = z = 0, just in contact, where these are not given."""
         if not values:
             raise ValueError("values: expected the constants of the scene, got none")
-        return {name: self._component(self.mechanism.state.index(name)) for name in self.kept} | {
+        names = [name for name in self.kept if name not in self._left_out]
+        return {name: self._component(self.mechanism.state.index(name)) for name in names} | {
             name: self._given[name] for name in "yvz"
         }
+
+    @property
+    def _left_out(self) -> tuple[str, ...]:
+        return () if self._normal is not None else tuple(self.mechanism.state[i] for i in self._unknown)
+
+    def enclosed_start(self) -> dict[str, arb]:
+        """Those kept components that y, v and the constraints determine: enclosures, with the precision in force.
+
+        :raises SceneError: too many are given, or too few, or they are not certainly determined.
+        """
+        if self._normal is not None:
+            return {}
+        state, names = self._whole_state(), self._left_out
+        return {name: state[self.mechanism.state.index(name)] for name in self.kept if name in names}
+
+    def _whole_state(self) -> list[arb]:
+        """All components, where y and v stand beside them."""
+        bits = max(current_bits(), _BITS)
+        if bits in self._solved:
+            return self._solved[bits]
+        mechanism, f, names, at = self.mechanism, self._shifted.functions, self._left_out, self._given
+        count = 2 + len(self._shifted.constraints)
+        what = "y and v" if count == 2 else "y, v and the constraints"
+        if len(names) != count:
+            raise SceneError(
+                f"start: {what} determine {count} components of {', '.join(mechanism.state)}: give all others; "
+                f"left out: {', '.join(names) or 'none'}"
+            )
+        with working_bits(bits):
+            height, rate = (minus(g, constant(at[n])) for g, n in ((f.y, "y"), (f.v, "v")))
+            functions = self._shifted.expressions([height, rate, *self._shifted.constraints], BALLS)
+            given = {n: self._start.get(n, 0) for n in mechanism.state if n not in names}
+            box = placed_components(self._shifted, given, names)
+            found = solved_components(BoxProgram(functions, self._size), box, self._unknown)
+        if found is None:
+            raise SceneError(f"start: {what} do not certainly determine {', '.join(names)} near the mechanism's place")
+        self._solved[bits] = list(found)
+        return self._solved[bits]
 
     def check(self, values: Mapping[str, fmpq]) -> None:
         """The mass matrix at the start.
@@ -291,6 +338,8 @@ class MechanismMotion:
 
     def whole_state(self, values: Mapping[str, fmpq]) -> list[arb]:
         """All components at the start, angles from their references; a cyclic one that is not given is 0."""
+        if self._normal is None:
+            return list(self._whole_state())
         given = self.start(values)
         state = [arb(self._given.get(name, fmpq(0))) for name in self.mechanism.state]
         y, v = constant(given["y"]), constant(given["v"])

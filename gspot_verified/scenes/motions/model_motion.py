@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from flint import fmpq
+from flint import arb, fmpq
 
 from gspot_verified.functions.expressions import Expression
 from gspot_verified.scenes.effects import model
@@ -90,6 +90,10 @@ class ModelMotion:
         depth = self._epsilon**2 * start["b"] / start["p"]
         k_1, k_2 = values["k_1"], values["k_2"]
         return {"y": depth * (1 / k_1 + 1 / k_2), "v": fmpq(0), "z": depth / k_1}
+
+    def enclosed_start(self) -> dict[str, arb]:
+        """None: all of them are given."""
+        return {}
 
     def check(self, values: Mapping[str, fmpq]) -> None:
         """Its equations hold everywhere."""

@@ -46,6 +46,10 @@ class SlowPoint:
     order: int
     last: float
 
+    def unscaled(self, epsilon: fmpq) -> dict[str, fmpq]:
+        """y, v, z."""
+        return {"y": epsilon**2 * self.Y, "v": epsilon * self.V, "z": epsilon**2 * self.Z}
+
     def __str__(self) -> str:
         return (
             f"start on slip: an exact point next to its slow manifold, from the expansion to epsilon^{self.order}; "
@@ -54,7 +58,7 @@ class SlowPoint:
 
 
 def slow_point(
-    system: ScaledSystem, start: Mapping[str, fmpq], epsilon: fmpq, constants: Mapping[str, fmpq]
+    system: ScaledSystem, start: Mapping[str, fmpq | arb], epsilon: fmpq, constants: Mapping[str, fmpq]
 ) -> SlowPoint:
     """The point over the slow states of ``start``.
 
@@ -88,7 +92,7 @@ class _Expansion:
     """The Taylor polynomials of all states and of the force along a motion on the manifold, of rising degree."""
 
     def __init__(
-        self, system: ScaledSystem, start: Mapping[str, fmpq], epsilon: fmpq, constants: Mapping[str, fmpq]
+        self, system: ScaledSystem, start: Mapping[str, fmpq | arb], epsilon: fmpq, constants: Mapping[str, fmpq]
     ) -> None:
         self._epsilon, self._names = arb(epsilon), system.states
         self._k_1, self._k_2, self._c = (arb(constants[name]) for name in ("k_1", "k_2", "damping"))

@@ -120,6 +120,7 @@ def _text(value: fmpq | arb) -> str:
     return ball_text(value) if isinstance(value, arb) else str(value)
 
 
+_ROUNDS = 12  # of a point and the components that follow from it: each gains a factor of epsilon^2 or so
 SLIP_START = "slip"
 """A start on the slow manifold of slip."""
 START_KEYS = ("p", "b", "nu", "y", "v", "z", "u", "x")
@@ -155,6 +156,7 @@ class Scene(Shown):
     on_slow_manifold: bool = False
 
     def __post_init__(self) -> None:
+        _check_names(self)
         _check_effects(self.effects, self.mechanism is not None)
         if self.mechanism is not None:
             refuse_impossible(self.mechanism)
@@ -181,7 +183,7 @@ class Scene(Shown):
     def _motion_with(self, effects: Sequence[Effect]) -> Motion:
         given, point, small = dict(self.start), self.slow_start, self.epsilon
         if point is not None:
-            given |= {"y": small**2 * point.Y, "v": small * point.V, "z": small**2 * point.Z}
+            given |= point.unscaled(small)
         if self.mechanism is None:
             start = {name: scene_number(value, f"start: {name}") for name, value in given.items()}
             return ModelMotion(effects, small, start)
@@ -202,8 +204,22 @@ class Scene(Shown):
                 raise SceneError(
                     f"start: {name} is given, and the slow manifold of slip is asked for: give one of them"
                 )
-        start = {**self.start, **dict.fromkeys("yvz", fmpq(0))}
-        touching = replace(self, start=start, stop_at_force=None, on_slow_manifold=False)
+        point = self._slow_point(None)
+        for _ in range(_ROUNDS if self.mechanism is not None and self._touching(None).enclosed_initial() else 0):
+            before, point = point, self._slow_point(point)
+            if (before.Y, before.V) == (point.Y, point.V):
+                break
+        return point
+
+    def _touching(self, point: SlowPoint | None) -> Scene:
+        """The scene from y = v = z = 0, or from this point."""
+        small = self.epsilon
+        at = dict.fromkeys("yvz", fmpq(0)) if point is None else point.unscaled(small)
+        return replace(self, start={**self.start, **at}, stop_at_force=None, on_slow_manifold=False)
+
+    def _slow_point(self, near: SlowPoint | None) -> SlowPoint:
+        """The point over the components that follow from the others, and from y and v of ``near``."""
+        touching = self._touching(near)
         if touching.first_phase() != SLIP:
             raise SceneError("start: no positive slip in contact there, so no slow manifold of it")
         return slow_point(touching.system(SLIP), touching.scaled_initial(), self.epsilon, touching.values())
@@ -332,14 +348,24 @@ class Scene(Shown):
 
     def initial(self) -> dict[str, fmpq]:
         """The states at the start in the paper's units, exactly: of the model p, b, y, v, z (u, x), of a mechanism its
-        components that are integrated and y, v, z."""
+        components that are integrated, but for those of :meth:`enclosed_initial`, and y, v, z."""
         return self.motion.start(self.values())
 
-    def scaled_initial(self, watched: Sequence[Effect] = ()) -> dict[str, fmpq]:
-        """The same with Y, V, Z: the value at T = 0 of every state that is integrated in some phase; ``watched`` as in
+    def enclosed_initial(self) -> dict[str, arb]:
+        """Enclosures of the components that y, v and the constraints of a mechanism determine, where it has no free
+        translation along the normal."""
+        return self.motion.enclosed_start()
+
+    def scaled_initial(self, watched: Sequence[Effect] = ()) -> dict[str, fmpq | arb]:
+        """Both with Y, V, Z: the value at T = 0 of every state that is integrated in some phase; ``watched`` as in
         :meth:`system`."""
-        start, small = self._motion_watching(tuple(watched)).start(self.values()), self.epsilon
-        return start | {"Y": start["y"] / small**2, "V": start["v"] / small, "Z": start["z"] / small**2}
+        motion, small = self._motion_watching(tuple(watched)), self.epsilon
+        start = motion.start(self.values())
+        return (
+            start
+            | motion.enclosed_start()
+            | {"Y": start["y"] / small**2, "V": start["v"] / small, "Z": start["z"] / small**2}
+        )
 
     def first_phase(self) -> str:
         """Flight, stick, slip or reverse slip, as y, z and the slip velocity at the start say."""
@@ -412,6 +438,16 @@ def checked_owner(scene: Scene, name: str) -> str:
             f"parameter {name!r} is one of the mechanism and of an effect: change the mechanism's in its file"
         )
     return name
+
+
+def _check_names(scene: Scene) -> None:
+    """Before they stand in a message."""
+    for part in ("effects", "parameters", "start"):
+        names = getattr(scene, part)
+        mapping = part == "effects" or isinstance(names, Mapping)
+        if not mapping or isinstance(names, str) or not all(isinstance(name, str) for name in names):
+            expected = "names of effects" if part == "effects" else "values by their names"
+            raise SceneError(f"{part}: expected {expected}, got {str(names)[:60]}")
 
 
 def _check_effects(names: tuple[str, ...], beside_mechanism: bool) -> None:

@@ -268,12 +268,12 @@ LEVER = {"name": "lever", "coordinates": ["a_1", "a_2"], "mass_matrix": [[2, 0],
         (
             lagrangian(x="cos(a_1) + cos(a_2)", y="sin(a_1) + sin(a_2)", mu=1, **LEVER),  # type: ignore[arg-type]
             {"a_1": "0"},
-            "lever: no component of the state in which y is linear with a constant factor (a free translation along",
+            "start: y and v determine 2 components of a_1, a_2, a_1_dot, a_2_dot: give all others; left out: a_2, a_1_",
         ),
         (
             lagrangian("pulley", ["X", "Y"], [[1, 0], [0, 1]], [0, -1], "X", "Y", 0, constraints=["X"]),
-            {},
-            "pulley: scenes do not cover mechanisms with constraints",
+            {"X": "0"},
+            "start: y, v and the constraints determine 4 components of X, Y, X_dot, Y_dot: give all others; left out:",
         ),
         (
             from_fields("clash", ["h", "w", "p"], ["w", "p", 0], [0, 0, 0], [0, 1, 0], 0, "h", 0),
