@@ -35,6 +35,7 @@ from gspot_verified.report.check_again import CheckedAgain
 from gspot_verified.report.mechanism.report import MechanismReport
 from gspot_verified.scenes.floats.fast_part import FastPart
 from gspot_verified.scenes.hard_sides import WrongSides
+from gspot_verified.scenes.scene.effect_cost import EffectCost
 from gspot_verified.scenes.scene.run import SceneRun
 from gspot_verified.scenes.simulators.comparison import SimulatorComparison
 from gspot_verified.signs.cover.sign import SignResult
@@ -83,6 +84,7 @@ class _Scene(TypedDict):
     name: str
     mechanism: str | None
     effects: list[str]
+    costs: list[EffectCost]
     assumes: dict[str, str]
     epsilon: fmpq
     until: fmpq

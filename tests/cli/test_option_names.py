@@ -13,6 +13,7 @@ from gspot_verified.cli.app import app
 from gspot_verified.cli.main import load_commands, name_of
 
 OPTIONS: dict[str, tuple[type, str]] = {
+    "--add-effect": (str, "an effect that the scene has not"),
     "--all": (bool, "all G-spots, from no start"),
     "--alone": (bool, "named claims without those that their checks name"),
     "--alpha1": (str, "the first coefficient of the normal form"),
@@ -36,6 +37,7 @@ OPTIONS: dict[str, tuple[type, str]] = {
     "--csv": (Path, "the table to write"),
     "--derivative": (int, "which derivative"),
     "--digits": (int, "accuracy of the answer in decimal digits"),
+    "--drop-effect": (str, "an effect of the scene that is left out"),
     "--epsilon/--eps": (str, "the compliance, a value or a range"),
     "--float": (bool, "a float run in place of the certified one"),
     "--formal": (bool, "the Coq proofs too"),

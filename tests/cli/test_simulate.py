@@ -239,3 +239,17 @@ def test_a_start_on_the_slow_manifold_says_what_it_is(capsys: pytest.CaptureFixt
     scene = json.loads(output)["scene"]
     assert scene["slow_start"] is None
     assert scene["fast_part"]["factor"] == pytest.approx(math.exp(-1000 * scene["fast_part"]["exponent"]))
+
+
+def test_effects_are_added_and_dropped(capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("simulate", "fig-varsim1", "--float", "--until", "1/100", "--json")
+    _, output, _ = run(capsys, *words, "--add-effect", "tangential_motion", "--add-effect", "stick", "--set", "u=70")
+    scene = json.loads(output)["scene"]
+    assert scene["effects"] == ["compliant_contact", "lift_off", "tangential_motion", "stick"]
+    assert [cost["effect"] for cost in scene["costs"]] == ["lift_off", "tangential_motion", "stick"]
+    _, output, _ = run(capsys, *words[:-1], "--drop-effect", "lift_off")
+    assert "  4 states and 11 operations in slip\n" in output
+    assert "  without lift_off: the contact is never lost: the surface may pull\n" in output
+    code, _, errors = run(capsys, *words, "--drop-effect", "stick")
+    assert code == 64
+    assert "effect 'stick' is not in the scene" in errors

@@ -34,6 +34,12 @@ def simulate(
     settings: Annotated[
         list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help='Another value, "mu=3/4".')
     ] = None,
+    add: Annotated[
+        list[str] | None, typer.Option("--add-effect", metavar="EFFECT", help="An effect more; `scenes` lists them.")
+    ] = None,
+    drop: Annotated[
+        list[str] | None, typer.Option("--drop-effect", metavar="EFFECT", help="An effect of the scene less.")
+    ] = None,
     floats: Annotated[bool, typer.Option("--float", help="A quick run with floats: nothing is proved.")] = False,
     compare: Annotated[bool, typer.Option("--compare", help="A run with floats beside the certified one.")] = False,
     method: Annotated[str | None, typer.Option(help="Of the float run: Radau (if left out), LSODA or BDF.")] = None,
@@ -75,6 +81,8 @@ def simulate(
     exact solution answers for all times, whatever --until is: it is used for the linear model scene where it decides.
     --set start=slip starts next to the slow manifold of slip, at an exact point; otherwise y, v, z are the scene's. How
     much of a fast oscillation of the start is left at the G-spot is printed.
+    What each effect brings is printed beside the run: states and operations in slip, and phases. --drop-effect leaves
+    out what was given for the effect, too; an effect that --add-effect brings may need --set, as u=70.
     --journal keeps what the integrator chose for each step, and proves all of it again when it goes on; with --compare
     the float run has FILE.float. Samples of a certified run are enclosures: a column of midpoints and one of radii.
     What the effects that are left out assume of the motion is checked along the run: where it fails, the run is refuted
@@ -105,7 +113,8 @@ def simulate(
     of_floats = journal.with_name(f"{journal.name}.float") if journal is not None and compare else journal
     if of_floats != journal:
         outputs.file("--journal with --compare", of_floats)
-    loaded = load_scene(scene).with_settings(**_given(settings or [], beta=beta, nu=nu, epsilon=epsilon, until=until))
+    changes = _given(settings or [], beta=beta, nu=nu, epsilon=epsilon, until=until)
+    loaded = load_scene(scene).with_effects(add or (), drop or (), **changes)
     if animation is not None:
         from gspot_verified.report.pictures.mechanism_animation import check_animated
 
@@ -211,12 +220,14 @@ def _scene_json(scene: Scene) -> dict[str, Any]:
 
     from gspot_verified.numbers.balls import ball_text
     from gspot_verified.scenes.floats.fast_part import fast_part
+    from gspot_verified.scenes.scene.effect_cost import effect_costs
 
     parameters, left = {name: str(value) for name, value in scene.values().items()}, fast_part(scene)
     return {
         "name": scene.name,
         "mechanism": None if scene.mechanism is None else scene.mechanism.name,
         "effects": list(scene.effects),
+        "costs": [cost.to_json() for cost in effect_costs(scene)],
         "assumes": scene.assumes(),
         "epsilon": str(scene.epsilon),
         "until": str(scene.until),
@@ -243,12 +254,13 @@ def _number(scene: Scene, value: fmpq | arb) -> str:
 
 def _show(scene: Scene, runs: list[SceneRun]) -> None:
     from gspot_verified.scenes.floats.fast_part import fast_part
+    from gspot_verified.scenes.scene.effect_cost import cost_text
 
     for run in runs:
         typer.echo(str(run))
     start = ", ".join(f"{name} = {_number(scene, value)}" for name, value in _start(scene).items())
     typer.echo(f"  {scene.name}, ε = {scene.epsilon}, from {start}")
-    for said in (scene.slow_start, fast_part(scene)):
+    for said in (scene.slow_start, fast_part(scene), cost_text(scene)):
         if said is not None:
             typer.echo(f"  {said}")
     for name, line in scene.assumes().items():

@@ -1,7 +1,4 @@
-"""A scene: what moves, the effects that matter, initial values, and how long to look.
-
-What may be a start, and the phase that it begins: exact comparisons, certain ones where a mechanism needs balls.
-"""
+"""A scene: what moves, the effects that matter, initial values, and how long to look."""
 
 from __future__ import annotations
 
@@ -16,109 +13,20 @@ from gspot_verified.functions.expressions import Expression
 from gspot_verified.mechanisms.derive.impossible import refuse_impossible
 from gspot_verified.mechanisms.formulas.names import nearest
 from gspot_verified.mechanisms.input.mechanism import Mechanism
-from gspot_verified.numbers.balls import ExactInput, ball_text, sign_of
+from gspot_verified.numbers.balls import ExactInput
 from gspot_verified.numbers.shown import Shown
 from gspot_verified.scenes.effects.catalogue import EFFECTS
 from gspot_verified.scenes.effects.effect import Effect
 from gspot_verified.scenes.equations.motion import Motion
 from gspot_verified.scenes.equations.motion import SceneError as SceneError
 from gspot_verified.scenes.equations.scaled_system import ScaledSystem
-from gspot_verified.scenes.equations.terms import FLIGHT, PHASES, REVERSE, SLIP, STICK, Terms, scaled
+from gspot_verified.scenes.equations.terms import PHASES, SLIP, Terms, scaled
 from gspot_verified.scenes.motions.compact import compact
 from gspot_verified.scenes.motions.mechanism_motion import MechanismMotion
 from gspot_verified.scenes.motions.model_motion import ModelMotion
 from gspot_verified.scenes.motions.slow_point import SlowPoint, slow_point
 from gspot_verified.scenes.scene.numbers import scene_number
-
-
-def check_start(
-    motion: Motion, values: Mapping[str, fmpq], epsilon: fmpq, effects: Sequence[str], given: Mapping[str, object]
-) -> None:
-    """Passes for a start that is one.
-
-    :raises SceneError: a state is missing or too much, the surface is pulled out, the bodies are inside each other, or
-        there is no contact and none can come.
-    """
-    motion.check(values)
-    start = motion.start(values)
-    if start["z"] > 0:
-        raise SceneError(f"start: z must be <= 0 (the surface is not pulled out), got {start['z']}")
-    overlap = start["z"] - start["y"]
-    if "y" in given and overlap > epsilon:
-        raise SceneError(
-            f"start: interpenetrating: y lies {overlap} below the surface at z = {start['z']}; in contact y and z "
-            f"are of the order of epsilon^2 = {epsilon**2}, and more than epsilon is refused"
-        )
-    if "lift_off" not in effects and not in_contact(motion, values, epsilon):
-        raise SceneError(f"start: not in contact: y = {start['y']} >= z = {start['z']}, and lift_off is left out")
-    if "tangential_motion" in effects and "stick" not in effects:
-        slip = _slip_sign(motion, values)
-        if slip < 0:
-            velocity = _text(motion.slip_velocity(values))
-            raise SceneError(f"start: u must be >= 0 (positive slip) where stick is left out, got {velocity}")
-
-
-def check_rigid_force(motion: Motion, values: Mapping[str, fmpq]) -> None:
-    """Passes where rigid slip at the start has a force, -b/p > 0.
-
-    :raises SceneError: it has none, or not certainly.
-    """
-    p, b = motion.painleve_parameter(values), motion.normal_acceleration(values)
-    if not (p > 0 and b < 0):
-        raise SceneError(
-            "stop_at_force: there is no force of rigid slip at the start, -b/p, to measure by: it needs p > 0 and "
-            f"b < 0, got p = {_text(p)}, b = {_text(b)}"
-        )
-
-
-def in_contact(motion: Motion, values: Mapping[str, fmpq], epsilon: fmpq) -> bool:
-    """Whether z > y at the start or, where z = y, right after it: the first derivative of Z - Y in T that is not 0.
-
-    :raises SceneError: z - y vanishes with two derivatives, or the second is not certainly of one sign.
-    """
-    start, rate = motion.start(values), values["k_1"] / values["damping"]
-    gap = start["z"] - start["y"]
-    if gap == 0:
-        gap = -rate * start["z"] / epsilon**2 - start["v"] / epsilon
-    if gap != 0:
-        return bool(gap > 0)
-    sign = _sign(rate * rate * start["z"] / epsilon**2 - motion.normal_acceleration(values))
-    if sign in (None, 0):
-        raise SceneError("start: y = z with equal velocities and no certain sign of b: whether contact begins is open")
-    return sign == 1
-
-
-def first_phase(motion: Motion, values: Mapping[str, fmpq], epsilon: fmpq, phases: Sequence[str]) -> str:
-    """The phase at the start.
-
-    :raises SceneError: the slip velocity, or whether friction holds the contact, is not certain.
-    """
-    if FLIGHT in phases and not in_contact(motion, values, epsilon):
-        return FLIGHT
-    if STICK not in phases:
-        return SLIP
-    sign = _slip_sign(motion, values)
-    if sign != 0:
-        return SLIP if sign > 0 else REVERSE
-    return STICK
-
-
-def _slip_sign(motion: Motion, values: Mapping[str, fmpq]) -> int:
-    sign = _sign(motion.slip_velocity(values) - values.get("belt_velocity", fmpq(0)))
-    if sign is None:
-        raise SceneError("start: the sign of the slip velocity is not certain")
-    return sign
-
-
-def _sign(value: fmpq | arb) -> int | None:
-    if isinstance(value, arb):
-        return sign_of(value)
-    return (value > 0) - (value < 0)
-
-
-def _text(value: fmpq | arb) -> str:
-    return ball_text(value) if isinstance(value, arb) else str(value)
-
+from gspot_verified.scenes.scene.start import check_rigid_force, check_start, first_phase
 
 _ROUNDS = 12  # of a point and the components that follow from it: each gains a factor of epsilon^2 or so
 SLIP_START = "slip"
@@ -226,7 +134,7 @@ class Scene(Shown):
 
     def used(self) -> tuple[Effect, ...]:
         """The effects, in the order of the catalogue."""
-        return tuple(effect for name, effect in EFFECTS.items() if name in self.effects)
+        return _in_order(self.effects)
 
     def left_out(self) -> tuple[Effect, ...]:
         """The effects that are left out; none of those that have no place in this scene."""
@@ -260,8 +168,7 @@ class Scene(Shown):
 
     def defaults(self) -> dict[str, fmpq]:
         """The parameters of this scene's effects, and of the model, with their default values."""
-        parameters = {name: value for effect in self.used() for name, value in effect.parameters.items()}
-        return {**parameters, **self.motion.parameters}
+        return _defaults(self.used(), self.motion)
 
     def values(self) -> dict[str, fmpq]:
         """The parameters with the values that they have; the velocity of the surface is in it where it is known."""
@@ -371,13 +278,40 @@ class Scene(Shown):
         """Flight, stick, slip or reverse slip, as y, z and the slip velocity at the start say."""
         return first_phase(self.motion, self.values(), self.epsilon, self.phases())
 
+    def with_effects(self, add: Sequence[str] = (), drop: Sequence[str] = (), **settings: ExactInput | None) -> Scene:
+        """The scene with these effects more and those fewer, and with ``settings`` as in :meth:`with_settings`.
+
+        What is given for an effect that is dropped, its parameters and in the model its states, is dropped with it.
+
+        :raises SceneError: one to add is there, one to drop is not, one that stays needs one that is dropped, or the
+            start lacks a state.
+        """
+        for name in add:
+            if name in self.effects:
+                raise SceneError(f"effect {name[:40]!r} is in the scene already")
+        for name in drop:
+            if name not in self.effects:
+                raise SceneError(f"effect {name[:40]!r} is not in the scene; it has: {', '.join(self.effects)}")
+        wanted = (*(name for name in self.effects if name not in drop), *add)
+        _check_effects(wanted, self.mechanism is not None)
+        used = _in_order(wanted)
+        return self._with(wanted, _defaults(used, self._motion_with(used)), settings)
+
     def with_settings(self, **settings: ExactInput | None) -> Scene:
         """The scene with other numbers: parameters (of a mechanism, too), values of the start, ``epsilon`` (``eps`` is
         the same), ``until``, ``start`` ("slip" takes y, v, z from the slow manifold); None changes nothing.
 
         :raises SceneError: there is no such setting.
         """
-        parameters, start, epsilon, until = dict(self.parameters), dict(self.start), self.epsilon, self.until
+        return self._with(self.effects, self.defaults(), settings)
+
+    def _with(
+        self, effects: tuple[str, ...], defaults: Mapping[str, fmpq], settings: Mapping[str, ExactInput | None]
+    ) -> Scene:
+        dropped = [name for each in self.used() if each.name not in effects for name in each.sees]
+        start = {key: given for key, given in self.start.items() if self.mechanism is not None or key not in dropped}
+        parameters = {name: value for name, value in self.parameters.items() if name in defaults}
+        epsilon, until = self.epsilon, self.until
         mechanism, slow = self.mechanism, self.on_slow_manifold
         for name, value in settings.items():
             if value is None:
@@ -396,14 +330,15 @@ class Scene(Shown):
                 start[name] = value if isinstance(value, str) and mechanism is not None else scene_number(value, name)
             elif mechanism is not None and name in dict(mechanism.parameters):
                 mechanism = mechanism.with_parameters(**{checked_owner(self, name): value})
-            elif name in self.defaults():
+            elif name in defaults:
                 parameters[name] = scene_number(value, name)
             else:
                 own = () if mechanism is None else tuple(dict(mechanism.parameters))
-                known = ("epsilon", "until", "start", *self._start_keys(), *self.defaults(), *own)
+                known = ("epsilon", "until", "start", *self._start_keys(), *defaults, *own)
                 raise SceneError(f"no setting {name[:40]!r}{nearest(name, known)}; there are: {', '.join(known)}")
         return replace(
             self,
+            effects=effects,
             parameters=parameters,
             start=start,
             epsilon=epsilon,
@@ -438,6 +373,14 @@ def checked_owner(scene: Scene, name: str) -> str:
             f"parameter {name!r} is one of the mechanism and of an effect: change the mechanism's in its file"
         )
     return name
+
+
+def _in_order(names: Sequence[str]) -> tuple[Effect, ...]:
+    return tuple(effect for name, effect in EFFECTS.items() if name in names)
+
+
+def _defaults(used: Sequence[Effect], motion: Motion) -> dict[str, fmpq]:
+    return {name: value for effect in used for name, value in effect.parameters.items()} | dict(motion.parameters)
 
 
 def _check_names(scene: Scene) -> None:
