@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import warnings
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
@@ -17,6 +18,13 @@ if TYPE_CHECKING:
     from numpy import ndarray
 
 _ABSOLUTE = 1e-3  # tolerance, as a share of the relative one
+MAX_PULLING = 50_000
+"""Evaluations of the equations in one piece of a run with lambda_N < 0, where lift_off is left out: SceneError beyond
+it. A mechanism that the surface pulls may turn ever faster, and the run take ever longer."""
+
+
+class _Pulling(Exception):
+    """These evaluations are used up; the argument is the clock there."""
 
 
 class FloatPhase:
@@ -30,6 +38,7 @@ class FloatPhase:
         self._shown = float_function([function for _, function in system.read_out])
         self.names = tuple(name for name, _ in system.read_out)
         self._epsilon = approximate(scene.epsilon)
+        self._may_pull = phase != FLIGHT and "lift_off" not in scene.effects
         self.guards = [
             (event.next_phase, float_function([event.function]))
             for event in system.events
@@ -50,17 +59,24 @@ class FloatPhase:
     def integrate(self, state: Sequence[float], span: tuple[float, float], method: str, tolerance: float) -> Any:
         """What ``solve_ivp`` gives, with its dense output.
 
-        :raises SceneError: the solver fails, or its values are not finite.
+        :raises SceneError: the solver fails, its values are not finite, or the surface pulls for too long.
         """
         import numpy as np
         from scipy.integrate import solve_ivp
 
-        size = len(self.states)
+        size, left = len(self.states), itertools.count(MAX_PULLING, -1)
+        surface, body = (self.states.index(name) for name in "ZY")
+
+        def rates(t: float, y: ndarray[Any, Any]) -> list[float]:
+            if self._may_pull and y[surface] < y[body] and next(left) <= 0:
+                raise _Pulling(t)
+            return self._rates([*map(float, y), t])
+
         try:
             with np.errstate(all="ignore"), warnings.catch_warnings():
                 warnings.simplefilter("ignore")  # whether it went well is asked below
                 solution = solve_ivp(
-                    lambda t, y: self._rates([*map(float, y), t]),
+                    rates,
                     span,
                     np.array(state),
                     method=method,
@@ -70,6 +86,12 @@ class FloatPhase:
                     atol=tolerance * _ABSOLUTE,
                     dense_output=True,
                 )
+        except _Pulling as end:
+            raise SceneError(
+                f"the float run ended in {self.phase} at t = {end.args[0] * self._epsilon:.6g}: the surface has pulled "
+                f"in {MAX_PULLING} evaluations of the equations; without lift_off λ_N is supposed to be positive in "
+                "contact, and where it is not this is no motion of the mechanism: add the effect, or end before"
+            ) from None
         except (ArithmeticError, ValueError) as error:
             raise SceneError(f"the float run failed in {self.phase}: {error}") from None
         if not solution.success:
