@@ -26,12 +26,13 @@ from gspot_verified.numbers.verdict import Evidence
 
 MAX_STEPS = 200_000  # where no budget is given
 _HALVINGS = 30  # of a step that is not proved; then the run is open
-_PIECES = (1, 4)
+_PIECES = (1, 4, 16)
 _MARGIN_BITS, _LEAST_MARGIN_BITS = 24, 6  # of a tube beyond what is expected: of a narrow set, of a wide one
 _NARROW = 2.0**-60  # radii below which there is room for a wide margin
 _MOST_PIECES = 256  # of one slow step
 _SLOW_TRIES = 3  # lengths of a slow step; then a resolved one
 _DEPENDENCIES = (4.0, 16.0, 64.0)
+_WIDE = -24.0  # log2 of a radius from which on a set may be the reason why no step is proved
 _GROWTH_BITS = 6.0  # that a tube may be wider than the set before it; else shorter pieces are tried
 _LARGEST_EXPONENT = 600.0  # of a growth factor that doubles can hold
 
@@ -87,7 +88,7 @@ class NormRun:
             left = self._left = None if self.end is None else self.end - self.time
             step = self._known_step(left) or self._slow_step(left) or self._step(left)
             if step is None:
-                self.reason = "no step could be proved: the solution, or the right-hand side, may cease to exist here"
+                self.reason = self._no_step()
                 return
             segment = NormSegment(self.time, step)
             self.set = step.end(self._curve.exact([p(arb(1)) for p in step.solution]))
@@ -101,6 +102,16 @@ class NormRun:
             if step.h is left:
                 return
         self.reason, self.budget_ended = f"the budget of {self.steps.budget} steps ended", True
+
+    def _no_step(self) -> str:
+        """Why no step could be proved, as far as it is known."""
+        width = max(log2_of(side.rad()) for side in self.set.enclosure())
+        if width > _WIDE:
+            return (
+                f"no step could be proved: the set that holds the state has grown to a radius of about 2^{width:.0f}, "
+                "as the bounds of errors do where something oscillates long and fast, or the solution ceases to exist"
+            )
+        return "no step could be proved: the solution, or the right-hand side, may cease to exist here"
 
     def _known_step(self, left: arb | None) -> NormStep | None:
         """A step that was chosen before, proved here; None: nothing is known, or it cannot be proved."""
@@ -137,10 +148,15 @@ class NormRun:
         for halving in range(_HALVINGS):
             try:
                 h, solution = self._curve.advance(self.set.middle, left, halving)
+                before = max(log2_of(side.rad()) for side in self.set.enclosure())
+                best: NormStep | None = None
                 for pieces in _PIECES:
                     step = self._proved(solution, h, self._plan(solution, h, pieces))
-                    if step is not None:
-                        return step
+                    best = step or best
+                    if step is not None and max(map(log2_of, step.tube)) < before + _GROWTH_BITS:
+                        break
+                if best is not None:
+                    return best
             except (NoSeriesError, np.linalg.LinAlgError):
                 continue
         return None

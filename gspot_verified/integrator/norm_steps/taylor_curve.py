@@ -14,7 +14,9 @@ from gspot_verified.numbers.balls import approximate, current_bits
 
 _GUARD_BITS = 32  # of the working ones that the coefficients do not use
 _ORDER_PER_BIT = 0.4  # terms for each bit: by trial the quickest
-_NOISE_BITS = 10  # of a coefficient that may be rounding errors alone
+_NOISE_BITS = 10  # of a coefficient that may be rounding errors alone; more where the field makes them larger
+_LAST_TERMS = 8  # of a series, which no longer decay where they are rounding errors
+_DECAYED_BITS = 24  # below the first terms, so that they are not the flat series of a step as long as the radius
 _TAIL_BITS = 6  # above the last one, at which the last coefficients are aimed
 _LARGEST_CHANGE = 2.0  # of the length, from one try to the next
 _KEPT_CHANGE = 1.08  # below it the coefficients are scaled, not made again
@@ -84,18 +86,26 @@ class TaylorCurve:
     def _change(self, table: list[list[int]]) -> float:
         """By how much the length may change for last terms near the rounding errors and sums that are not too large."""
         sizes = [max(map(int.bit_length, column)) for column in zip(*table, strict=True)]
-        last = max((k for k in range(self.order + 1) if sizes[k] > _NOISE_BITS), default=0)
+        noise = _noise(sizes)
+        last = max((k for k in range(self.order + 1) if sizes[k] > noise), default=0)
         tail = float(sizes[-1])
         if last < self.order - 2:
             before = max(last - 8, 0)
             slope = max((sizes[before] - sizes[last]) / max(1, last - before), 0.3)
-            tail = _NOISE_BITS - (self.order - last) * slope
+            tail = noise - (self.order - last) * slope
         change = min(_LARGEST_CHANGE, 2 ** ((_TAIL_BITS - tail) / self.order))
         top = max(sizes[:2]) + _LARGEST_SUM_BITS
         for k in range(2, self.order + 1):
             if sizes[k] > top:
                 change = min(change, 2 ** ((top - sizes[k]) / k))
         return change
+
+
+def _noise(sizes: Sequence[int]) -> int:
+    """Bits of coefficients that may be rounding errors alone; a stiff spring in the field enlarges them."""
+    late, before = max(sizes[-_LAST_TERMS:]), max(sizes[-2 * _LAST_TERMS : -_LAST_TERMS], default=0)
+    flat = late + 1 >= before and late + _DECAYED_BITS <= max(sizes[:2])
+    return max(_NOISE_BITS, late + 1) if flat else _NOISE_BITS
 
 
 def rounded(length: float) -> float:

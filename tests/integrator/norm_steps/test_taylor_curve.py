@@ -7,8 +7,9 @@ import math
 import pytest
 from flint import arb, fmpq
 
-from gspot_verified.functions.expressions import Constant, Exponential, Variable
+from gspot_verified.functions.expressions import Constant, Exponential, Sine, Variable
 from gspot_verified.integrator.field.field import VectorField
+from gspot_verified.integrator.norm_steps import taylor_curve
 from gspot_verified.integrator.norm_steps.taylor_curve import TaylorCurve, cauchy_plan, rounded
 from gspot_verified.numbers.balls import working_bits
 
@@ -119,3 +120,34 @@ def test_the_plan_for_what_series_leave_out() -> None:
             start, *rest = polynomials[0].coeffs()
             reach = sum((abs(c) * arb(disc) ** (k + 1) for k, c in enumerate(rest)), arb(0))
             assert step * (-(start - reach)).exp() * arb(disc) ** (1 - length) < arb(2) ** -90
+
+
+def test_rounding_errors_that_a_stiff_spring_enlarges_do_not_shorten_the_steps() -> None:
+    """x' = e v, v' = -k (sin x - sin y), y' = e w, w' = -v', y near x: errors of the last bit times k stand in all late
+    terms whatever the length, so a length that aimed them below their level became shorter from step to step."""
+    slow = Constant(fmpq(1, 10**7))
+    pull = Constant(fmpq(10**8)) * (Sine(x) - Sine(y))
+    with working_bits(192):
+        curve = TaylorCurve(VectorField([slow * Variable(2), slow * Variable(3), -pull, pull]))
+        state = [arb(fmpq(4, 10)), arb(fmpq(4, 10) + fmpq(1, 10**13)), arb(fmpq(1, 2)), arb(fmpq(1, 3))]
+        lengths = []
+        for _ in range(12):
+            h, solution = curve.advance(state, None, 0)
+            lengths.append(float(h.mid()))
+            state = [p(arb(1)).mid() for p in solution]
+    assert lengths[-1] > 0.8 * lengths[3]
+    assert lengths[-1] > 0.05
+
+
+@pytest.mark.parametrize(
+    ("sizes", "noise"),
+    [
+        ([160 - 5 * k for k in range(30)], 10),  # a series that decays to its end
+        ([160 - 5 * k for k in range(28)] + [17, 16] * 18, 18),  # errors of 17 bits
+        ([160 - 5 * k for k in range(30)] + [8, 3] * 17, 10),
+        ([160] * 64, 10),  # the series of a step as long as the radius
+        ([160, 158, *range(150, 138, -1), *[139] * 40], 10),
+    ],
+)
+def test_which_terms_are_rounding_errors(sizes: list[int], noise: int) -> None:
+    assert taylor_curve._noise(sizes) == noise
