@@ -31,7 +31,7 @@ def test_a_line(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
 
 def test_a_map_with_settings_and_start(capsys: pytest.CaptureFixture[str]) -> None:
     arguments = ["sweep", "oscillator", "--over", "beta=9/4..11/4:2", "--over", "mu=2..25/12:2", "--set", "kappa=1/10"]
-    assert main([*arguments, "--start", "mu=25/12", "--json"]) in (0, 2)
+    assert main([*arguments, "--start", "mu=25/12", "--budget", "0", "--json"]) in (0, 2)
     data = json.loads(capsys.readouterr().out)
     assert data["start"] == {"beta": "7/3", "mu": "25/12"}
     assert [parameter["cells"] for parameter in data["parameters"]] == [2, 2]
@@ -40,6 +40,14 @@ def test_a_map_with_settings_and_start(capsys: pytest.CaptureFixture[str]) -> No
 def test_undecided_is_exit_code_2(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["sweep", "oscillator", "--over", "beta=2..5/2:2"]) == 2
     assert "at most once" in capsys.readouterr().out
+
+
+def test_a_coarse_map_refines_itself_and_a_budget_is_said(capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["sweep", "genot_brogliato_rod", "--over", "mu=1.5..1.6:2", "--over", "g=1/2..1:2"]
+    assert main(words) == 0
+    assert "cells and undecided pieces" in capsys.readouterr().err
+    assert main([*words, "--budget", "1"]) == 2
+    assert "the budget of one divided piece ended" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
@@ -52,6 +60,7 @@ def test_undecided_is_exit_code_2(capsys: pytest.CaptureFixture[str]) -> None:
         (["--over", "mu=1.4..2", "--picture", "picture.gif"], "allowed"),
         (["--over", "mu=1.4..2", "--start", "mu=7"], "outside"),
         (["--over", "mu=1.4..2", "--workers", "0"], "workers"),
+        (["--over", "mu=1.4..2", "--budget=-1"], "budget must be an int >= 0"),
         ([], "--over"),
     ],
 )

@@ -32,6 +32,10 @@ def sweep(
         int | None, typer.Option(help="Which of all G-spots there, by its number in `classify --all`.")
     ] = None,
     digits: Annotated[int, typer.Option(help="Decimals of the brackets in which Case or side change, 1..15.")] = 12,
+    budget: Annotated[
+        int | None,
+        typer.Option(help="How many undecided pieces may be divided again, beyond the cells; 500 if left out."),
+    ] = None,
     csv: Annotated[Path | None, typer.Option("--csv", help="Write a table, one line for each piece.")] = None,
     picture: Annotated[Path | None, typer.Option(help="Draw it, as PNG, PDF or SVG by the file's suffix.")] = None,
     workers: Workers = 1,
@@ -41,9 +45,11 @@ def sweep(
 ) -> None:
     """A G-spot over one or two parameters: α's, β, Case, side. For every value of the range, not only at points.
 
-    Where Case or side change is bracketed. Exit code 0 when all the rest is settled, 2 when something is undecided.
+    Where Case or side change is bracketed. What stays undecided in a cell is divided again without being asked, up to
+    --budget pieces. Exit code 0 when all the rest is settled, 2 when something is undecided.
     """
     from gspot_verified.mechanisms.load import load
+    from gspot_verified.mechanisms.sweep.sweep import BUDGET
     from gspot_verified.mechanisms.sweep.sweep import sweep as sweep_mechanism
     from gspot_verified.work.executors import executor
 
@@ -55,7 +61,15 @@ def sweep(
     mechanism = load(name, **_assignments("--set", settings or []))
     with executor(workers, scheduler) as pool, outputs.journal(journal):
         result = sweep_mechanism(
-            mechanism, ranges, start=first, spot=spot, digits=digits, executor=pool, journal=journal, progress=_show
+            mechanism,
+            ranges,
+            start=first,
+            spot=spot,
+            digits=digits,
+            budget=BUDGET if budget is None else budget,
+            executor=pool,
+            journal=journal,
+            progress=_show,
         )
     if csv is not None:
         outputs.write("--csv", csv, lambda: _replace(csv, result.to_csv()))
@@ -90,4 +104,4 @@ def _replace(path: Path, text: str) -> None:
 
 
 def _show(done: int, of: int) -> None:
-    progress(f"{done} of {of} cells")
+    progress(f"{done} of {of} cells and undecided pieces")

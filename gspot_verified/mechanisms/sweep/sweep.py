@@ -5,7 +5,7 @@ Proof page: ``proofs/sweep.md``. The spot at one parameter value is proved first
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import replace
 from pathlib import Path
@@ -18,6 +18,7 @@ from gspot_verified.mechanisms.formulas.simplify import rational_value
 from gspot_verified.mechanisms.input.mechanism import Mechanism, exact_rational
 from gspot_verified.mechanisms.spots.parametric_system import ParametricSystem, parametric_system
 from gspot_verified.mechanisms.sweep.sweep_cell import BITS
+from gspot_verified.mechanisms.sweep.sweep_division import Patchwork
 from gspot_verified.mechanisms.sweep.sweep_ends import with_folds, without_gaps
 from gspot_verified.mechanisms.sweep.sweep_first import first_spot, with_place_of
 from gspot_verified.mechanisms.sweep.sweep_fold import Fold
@@ -31,6 +32,7 @@ from gspot_verified.work.executors import InProcessExecutor
 from gspot_verified.work.ranges import Range
 
 DEFAULT_CELLS = {1: 64, 2: 32}  # on each axis, by the number of parameters
+BUDGET = 500  # pieces that are divided again, where no budget is given
 MAX_CELLS = 1_000_000  # a limit against endless work
 _MAX_DIGITS = 15  # of a bracket: BITS = 80 leave about 24 decimals
 _OTHER = "the continued spot"
@@ -45,6 +47,7 @@ def sweep(
     start: Mapping[str, ExactInput] | None = None,
     spot: int | None = None,
     digits: int = 12,
+    budget: int = BUDGET,
     executor: Executor | None = None,
     journal: str | Path | None = None,
     progress: Callable[[int, int], None] | None = None,
@@ -52,16 +55,18 @@ def sweep(
     """Follow the mechanism's G-spot over a range of one parameter or a rectangle of two.
 
     ``parameters``: name to "lower..upper", "lower..upper:cells" or (lower, upper, cells); the ends belong to the range.
-    Each cell is divided further until Case and side hold for all its parameter values; what cannot be decided is left
-    and said. ``start``: parameter values of the range at which the spot is proved first (the mechanism's own, or the
+    Each cell is divided further until Case and side hold for all its parameter values. What stays undecided in it is
+    divided again, piece by piece, until it is settled, too small, or ``budget`` pieces have been divided; what is left
+    is said. ``start``: parameter values of the range at which the spot is proved first (the mechanism's own, or the
     nearest, if left out). ``spot``: its number in the list of all G-spots there (left out: that at the mechanism's
     place). ``digits``: of the brackets in which Case or side change. ``journal``: a killed sweep goes on
-    from this file; what it recalls is proved again. ``executor``: where cells are examined; the result is the
-    same for every one.
+    from this file, also with a larger budget; what it recalls is proved again. ``executor``: where cells are examined;
+    the result is the same for every one. ``progress`` is told how many cells and pieces are done, of how many that are
+    known so far.
 
     :raises GSpotError: there is no G-spot, or a degenerate one, at the start.
     :raises MechanismError: no such parameter, or the mechanism is not complete.
-    :raises ValueError: not one or two parameters, an empty range, or too many cells.
+    :raises ValueError: not one or two parameters, an empty range, too many cells, or a budget below 0.
 
     >>> from gspot_verified import load
     >>> result = sweep(load("oscillator"), {"beta": "9/4..11/4:4"})
@@ -72,6 +77,8 @@ in the brackets where one quantity passes zero or the spot vanishes
     ('III', 1)
     """
     axes = _axes(mechanism, parameters)
+    if type(budget) is not int or budget < 0:
+        raise ValueError(f"budget must be an int >= 0, got {budget!r}")
     if type(digits) is not int or not 1 <= digits <= _MAX_DIGITS:
         raise ValueError(f"digits must be an int in 1..{_MAX_DIGITS}")
     place = _start(mechanism, axes, start or {})
@@ -84,13 +91,41 @@ in the brackets where one quantity passes zero or the spot vanishes
     system = parametric_system(mechanism, names, first.fixed)
     conditions = BoxProgram(system.conditions, system.dimension + len(names))
     work = portions(cells(conditions, question.grid, place, point))
+    workers = executor or InProcessExecutor()
     pieces_by_cell: list[list[SweepPiece]] = []
     with open_journal(journal, question, place, first.to_json()) as kept:
-        for pieces in results(question, work, executor or InProcessExecutor(), kept):
+        for pieces in results(question, work, workers, kept):
             pieces_by_cell += pieces
             if progress is not None:
                 progress(len(pieces_by_cell), sum(map(len, work)))
-    return _assembled(question, system, place, first.to_json(), point, pieces_by_cell)
+        patchwork = Patchwork(question.grid, pieces_by_cell)
+        number, left = len(work), budget
+        while True:
+            own = _own(question, patchwork, place, point)
+            with working_bits(BITS):
+                waiting = patchwork.divisible(own, question.equations(), place, point)
+            if not waiting or left == 0:
+                break
+            chosen, known = waiting[:left], min(budget, budget - left + len(waiting))
+            parts = portions([cell for _, cell in chosen])
+            found = (each for pieces in results(question, parts, workers, kept, number) for each in pieces)
+            for (divided, _), pieces in zip(chosen, found, strict=True):
+                patchwork.replace(divided, pieces)
+                left -= 1
+                if progress is not None:
+                    progress(len(pieces_by_cell) + budget - left, len(pieces_by_cell) + known)
+            number += len(parts)
+    return _assembled(question, system, place, first.to_json(), patchwork, own, budget if waiting else None)
+
+
+def _own(question: Question, patchwork: Patchwork, place: tuple[fmpq, ...], point: Sequence[arb]) -> set[int]:
+    """The numbers of the pieces that hold the continued spot."""
+    order = patchwork.order()
+    numbers = {number: k for k, number in enumerate(order)}
+    pieces = [patchwork.pieces[number] for number in order]
+    near = [[numbers[other] for other in sorted(patchwork.near[number])] for number in order]
+    with working_bits(BITS):
+        return {order[k] for k in linked(question.equations(), pieces, near.__getitem__, place, point)}
 
 
 def _assembled(
@@ -98,21 +133,23 @@ def _assembled(
     system: ParametricSystem,
     place: tuple[fmpq, ...],
     spot: Mapping[str, str],
-    point: Sequence[arb],
-    pieces_by_cell: Sequence[Sequence[SweepPiece]],
+    patchwork: Patchwork,
+    own: Collection[int],
+    ended: int | None,
 ) -> Sweep:
     """The pieces that hold the continued spot are kept; of the others it is said that they may hold another."""
-    pieces = [piece for cell in pieces_by_cell for piece in cell]
-    neighbours = _neighbours(question.grid, pieces_by_cell)
+    order = patchwork.order()
+    kept = [patchwork.pieces[number] if number in own else _other(patchwork.pieces[number]) for number in order]
     folds: list[Fold] = []
-    with working_bits(BITS):
-        own = linked(question.equations(), pieces, neighbours.__getitem__, place, point)
-        kept = [piece if number in own else _other(piece) for number, piece in enumerate(pieces)]
-        if len(question.grid.axes) == 1:
-            kept, folds = with_folds(system, question.equations(), kept, own, question.digits)
-            kept = without_gaps(kept)
+    if len(question.grid.axes) == 1:
+        mine = [k for k, number in enumerate(order) if number in own]
+        with working_bits(BITS):
+            kept, folds = with_folds(system, question.equations(), kept, mine, question.digits)
+        kept = without_gaps(kept)
     mechanism = question.mechanism
-    return Sweep(mechanism.name, question.grid.axes, place, dict(spot), tuple(kept), tuple(folds), mechanism.notes)
+    return Sweep(
+        mechanism.name, question.grid.axes, place, dict(spot), tuple(kept), tuple(folds), mechanism.notes, ended
+    )
 
 
 def _other(piece: SweepPiece) -> SweepPiece:
@@ -122,20 +159,6 @@ def _other(piece: SweepPiece) -> SweepPiece:
         piece, kind=Kind.OPEN, case=None, lift_off_sign=None, impact_sign=None, unsure=(_OTHER,), passing=None,
         numbers=(None,) * len(piece.numbers),
     )  # fmt: skip
-
-
-def _neighbours(grid: Grid, pieces_by_cell: Sequence[Sequence[SweepPiece]]) -> list[list[int]]:
-    """For each piece the numbers of those that may touch it: in its cell and in the cells around."""
-    numbers: dict[tuple[int, ...], range] = {}
-    total = 0
-    for index, pieces in zip(grid.indices(), pieces_by_cell, strict=True):
-        numbers[index] = range(total, total + len(pieces))
-        total += len(pieces)
-    near: list[list[int]] = []
-    for index, own in numbers.items():
-        around = [*own, *(number for other in grid.neighbours(index) for number in numbers[other])]
-        near += [[other for other in around if other != number] for number in own]
-    return near
 
 
 def _axes(mechanism: Mechanism, parameters: Over) -> tuple[Axis, ...]:

@@ -22,9 +22,10 @@ from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, Tube
 from gspot_verified.numbers.balls import approximate, sign_of, working_bits
 
 BITS = 80  # working precision: any is correct, 53 would be too few for brackets of 15 digits
-_BUDGET = 128  # boxes of one cell: a limit against endless work
+BOXES = 128  # of one cell: a limit against endless work
 _DEPTH_OF_A_LINE, _DEPTH_OF_A_MAP, _DEPTH_OF_A_TUBE = 24, 4, 8  # halvings of a cell: limits of effort
-_HOPELESS_FROM = 3  # halvings after which it is asked whether smaller pieces could say more
+_HOPELESS_FROM = 3  # halvings of a cell: any number is correct
+_TINY = 2.0**-40  # of a quantity at a centre, which is next to the spot; any number is correct
 _FAR_STEEPER = 8  # times: then only this side is halved; any factor is correct
 _NOT_A_BOUNDARY = (*HYPOTHESES, TOO_LARGE, SEVERAL)
 
@@ -52,11 +53,21 @@ class Known:
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """A box of parameter values and a place near which the spot is known; None: it is not known anywhere near."""
+    """A box of parameter values and a place near which the spot is known; None: it is not known anywhere near.
+
+    ``boxes``: how many may be examined; fewer for an undecided piece of another cell, of which it is asked from the
+    start whether smaller ones could say more.
+    """
 
     lower: tuple[fmpq, ...]
     upper: tuple[fmpq, ...]
     origin: Origin | None
+    boxes: int = BOXES
+
+    @property
+    def hopeless_from(self) -> int:
+        """After how many halvings it is asked whether smaller pieces could say more."""
+        return _HOPELESS_FROM if self.boxes >= BOXES else 0
 
 
 @dataclass
@@ -68,8 +79,10 @@ class Examination:
     digits: int
     origins: list[Origin] = field(default_factory=list)
     sides: list[fmpq] = field(default_factory=list)
-    left: int = _BUDGET
+    left: int = BOXES
     """Boxes that may still be examined; on a line, where no tube is found, they are divided all the same."""
+    hopeless_from: int = _HOPELESS_FROM
+    """Of the cell."""
     kept_tubes: TubeTrace = field(default_factory=TubeTrace)
     """The tubes of the last cell, as choices."""
 
@@ -81,9 +94,10 @@ class Examination:
         self.kept_tubes = TubeTrace(known)
         if cell.origin is None:
             return [SweepPiece(cell.lower, cell.upper, Kind.NO_TUBE)]
-        # The widths of the last tube are a good guess at those of the next.
-        self.origins = [cell.origin.as_wide_as(self.origins[-1]) if self.origins else cell.origin]
-        self.left = _BUDGET
+        # The widths of the last tube are a good guess at those of the next, where none are known there.
+        guessed = bool(self.origins) and not cell.origin.widths
+        self.origins = [cell.origin.as_wide_as(self.origins[-1]) if guessed else cell.origin]
+        self.left, self.hopeless_from = cell.boxes, cell.hopeless_from
         self.sides = [high - low for low, high in zip(cell.lower, cell.upper, strict=True)]
         with working_bits(BITS):
             pieces = self._examine((cell.lower, cell.upper), 0, Known())
@@ -117,9 +131,9 @@ class Examination:
                 passing = _graph(on, boundary)
                 if passing is not None:
                     return [_with_passing(facts.piece(on, Kind.CROSSING), passing)]
-        if last or (depth >= _HOPELESS_FROM and _hopeless(on, facts.unsure)):
+        if last or (depth >= self.hopeless_from and _hopeless(on, facts.unsure)):
             return [facts.piece(on, Kind.OPEN)]
-        steepest = _steepest(on, facts.unsure)
+        steepest = _steepest(on, facts.unsure) if self.hopeless_from else None
         return self._halves(box, depth, known, self._longest(box) if steepest is None else steepest)
 
     def _tube(
@@ -199,7 +213,8 @@ def _hopeless(on: OnTube, unsure: Sequence[str]) -> bool:
         if name in _NOT_A_BOUNDARY:
             continue
         own = quantity(on, name)
-        if own.at_centre.contains(0) and all(slope.contains(0) for slope in on.slopes(own)):
+        vanishes = own.at_centre.contains(0) or abs(own.at_centre) < _TINY
+        if vanishes and all(slope.contains(0) for slope in on.slopes(own)):
             return True
     return False
 

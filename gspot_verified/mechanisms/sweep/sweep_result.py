@@ -64,7 +64,8 @@ class Sweep(NoTruthValue, Written):
     """The result of :func:`sweep`. ``pieces`` cover the range, in the order of their lower ends.
 
     ``start`` is where the spot was proved first, ``spot`` its state there. ``folds``: where it meets another one and
-    vanishes (one parameter). ``notes`` say how the mechanism was read.
+    vanishes (one parameter). ``notes`` say how the mechanism was read. ``budget``: that which ended before all pieces
+    that might have been divided were; None: none is left of those.
     """
 
     ask: ClassVar[str] = ".verdict.outcome says whether Case and side are settled on the whole range"
@@ -79,6 +80,7 @@ class Sweep(NoTruthValue, Written):
     pieces: tuple[SweepPiece, ...]
     folds: tuple[Fold, ...] = ()
     notes: tuple[str, ...] = ()
+    budget: int | None = None
 
     @property
     def start_values(self) -> dict[str, fmpq]:
@@ -113,9 +115,15 @@ class Sweep(NoTruthValue, Written):
             detail = f"Case and side are open on {crossed} of {len(settled)} pieces" if crossed else ""
             return Verdict.proved(statement, covered, detail)
         finer = ", ".join(f"{axis.name}={axis.lower}..{axis.upper}:{2 * axis.cells}" for axis in self.axes)
-        pieces = f"{left} of {len(self.pieces)} pieces are left; more cells may settle them: {finer}"
+        them = "it" if left == 1 else "them"
+        pieces = f"{_left(left, len(self.pieces))} left; "
+        if self.budget is None:
+            pieces += f"dividing {them} again has not settled {them}; more cells may: {finer}"
+        else:
+            pieces += f"the budget of {counted(self.budget, 'divided piece')} ended: a larger one may settle {them}"
         brackets = f"in {counted(half, 'bracket')} at most one zero is shown"
-        return Verdict.undecided(statement, Reason.BUDGET, "; ".join([pieces] * bool(left) + [brackets] * bool(half)))
+        reason = Reason.HYPOTHESIS if self.budget is None else Reason.BUDGET
+        return Verdict.undecided(statement, reason, "; ".join([pieces] * bool(left) + [brackets] * bool(half)))
 
     def _is_wide(self, piece: SweepPiece) -> bool:
         """Whether a piece next to a fold, where Case and side are not settled, is more than a bracket."""
@@ -217,6 +225,12 @@ class Sweep(NoTruthValue, Written):
         head += ["kind", "case", "lift_off_sign_of_C1", "impact_sign_of_C1", "unsure"]
         head += [f"{name}_{end}" for name in NUMBERS for end in ("lower", "upper")]
         return "\n".join([",".join(head), *(_csv_line(piece) for piece in self.pieces)]) + "\n"
+
+
+def _left(left: int, total: int) -> str:
+    if total == 1:
+        return "the only piece is"
+    return f"{left} of {total} pieces {'is' if left == 1 else 'are'}"
 
 
 def _same(last: ZeroOnLine, passing: Passing) -> bool:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from flint import arb, fmpq
 
-from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, try_tube
+from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, Tube, try_tube
 from gspot_verified.numbers.balls import approximate
 
 _TRIES = 8  # each from what the last one says: a limit of effort
@@ -30,7 +30,11 @@ class Origin:
     @classmethod
     def of(cls, on: OnTube) -> Origin:
         """From a tube that was proved."""
-        tube = on.tube
+        return cls.of_tube(on.tube)
+
+    @classmethod
+    def of_tube(cls, tube: Tube) -> Origin:
+        """The same of the tube alone."""
         pairs = list(zip(tube.lower, tube.upper, strict=True))
         return cls(
             tuple((low + high) / 2 for low, high in pairs),

@@ -110,22 +110,24 @@ def digest(pieces: Pieces) -> str:
 
 
 def results(
-    question: Question, work: Sequence[Sequence[Cell]], executor: Executor, journal: JournalFile | None
+    question: Question, work: Sequence[Sequence[Cell]], executor: Executor, journal: JournalFile | None, first: int = 0
 ) -> Iterator[Pieces]:
     """The answers of the portions, in order; those that the journal holds are proved again along its choices.
+
+    ``first``: the number of the first portion, where others have come before.
 
     :raises ValueError: a line of the journal cannot be read.
     """
     known = {} if journal is None else _recalled(journal)
     answers: list[Callable[[], tuple[Pieces, Choices]]] = []
-    for number, cells in enumerate(work):
+    for number, cells in enumerate(work, first):
         task = partial(examine, question, list(cells))
         if number in known:
             expected, tubes = known[number]
             task = partial(proved_again, question, list(cells), tubes, expected)
         # Not before its turn in this process: what is recorded is then all that was done, also after a kill.
         answers.append(task if isinstance(executor, InProcessExecutor) else executor.submit(task).result)
-    for number, answer in enumerate(answers):
+    for number, answer in enumerate(answers, first):
         pieces, choices = answer()
         if journal is not None and (number not in known or known[number][0] != digest(pieces)):
             journal.add([number, digest(pieces), choices])

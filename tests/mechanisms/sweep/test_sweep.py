@@ -239,7 +239,7 @@ def test_two_spots_close_by_are_not_mixed_up() -> None:
 
 def test_where_spots_cross_the_other_branch_is_not_taken() -> None:
     """p = q (q - k), from q = 0 at k = -1: behind the crossing at k = 0 nothing is claimed."""
-    result = sweep(family("q*(q - k)", "0", "-1"), {"k": "-1..1:8"})
+    result = sweep(family("q*(q - k)", "0", "-1"), {"k": "-1..1:8"}, budget=30)
     assert result.verdict.outcome is Outcome.UNDECIDED
     for piece in result.pieces:
         if piece.lower[0] >= 0:

@@ -108,7 +108,9 @@ def test_random_polynomials_on_a_map(
                             for each in (one, two, three))  # fmt: skip
     if likely:
         first, third = -(first**2) / 4 - sympy.Rational(1, 4), -(third**2) / 4 - sympy.Rational(1, 3)
-    result = sweep(three_alphas(*map(str, (first, second, third))), {"k": ("-1", "1", columns), "l": ("-1", "1", rows)})
+    result = sweep(
+        three_alphas(*map(str, (first, second, third))), {"k": ("-1", "1", columns), "l": ("-1", "1", rows)}, budget=4
+    )
     named = {"alpha_1": first, "alpha_2": second, "alpha_3": third, "alpha_3 - alpha_1": third - first}
     dice = random.Random(seed)
     for piece in dice.sample(result.pieces, min(20, len(result.pieces))):

@@ -1,8 +1,7 @@
-"""What is asked of a sweep: its axes, the place at which it begins, and which pieces may touch."""
+"""What is asked of a sweep: its axes, and the place at which it begins."""
 
 from __future__ import annotations
 
-from itertools import product
 from typing import Any
 
 import pytest
@@ -11,11 +10,10 @@ from flint import fmpq
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.sweep import sweep as module
 from gspot_verified.mechanisms.sweep.sweep import sweep
-from gspot_verified.mechanisms.sweep.sweep_grid import Axis, Grid
+from gspot_verified.mechanisms.sweep.sweep_grid import Axis
 
 ROD = shipped_mechanism("falling rod of Génot and Brogliato")
 AXIS = Axis("mu", fmpq(7, 5), fmpq(2), 10)
-PIECE: Any = None
 
 
 @pytest.mark.parametrize(
@@ -60,22 +58,6 @@ def test_where_a_sweep_begins(own: str | None, given: dict[str, str], place: str
             module._start(mechanism, [AXIS], given)
     else:
         assert module._start(mechanism, [AXIS], given) == (fmpq(*map(int, place.split("/"))),)
-
-
-@pytest.mark.parametrize("counts", [(1, 2, 3), (2, 1, 1, 3, 2, 1), (1, 1, 1, 1, 1, 1)])
-def test_pieces_that_may_touch(counts: tuple[int, ...]) -> None:
-    """Those of one cell, and of cells that share a side; a piece does not touch itself."""
-    axes = (Axis("mu", fmpq(0), fmpq(1), len(counts) // 3), Axis("m", fmpq(0), fmpq(1), 3))
-    grid = Grid(axes if len(counts) > 3 else axes[1:])
-    cell_of = [index for index, count in zip(grid.indices(), counts, strict=True) for _ in range(count)]
-
-    def touch(one: int, other: int) -> bool:
-        return one != other and sum(abs(a - b) for a, b in zip(cell_of[one], cell_of[other], strict=True)) <= 1
-
-    found = module._neighbours(grid, [[PIECE] * count for count in counts])
-    expected = {pair for pair in product(range(len(cell_of)), repeat=2) if touch(*pair)}
-    assert {(one, other) for one, others in enumerate(found) for other in others} == expected
-    assert sum(map(len, found)) == len(expected)
 
 
 def test_one_digit_is_enough_and_folds_belong_to_one_axis(monkeypatch: pytest.MonkeyPatch) -> None:

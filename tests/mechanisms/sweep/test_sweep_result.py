@@ -15,7 +15,7 @@ from gspot_verified.mechanisms.sweep.sweep import sweep
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis
 from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, Kind, Passing, SweepPiece
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep, ZeroOnLine
-from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.numbers.verdict import Outcome, Reason
 from gspot_verified.signs.gamma.side import side_text
 
 
@@ -123,8 +123,14 @@ def test_what_is_left_says_how_to_go_on() -> None:
     """On a coarse grid all pieces may be left: then it is not the mechanism, but the cells."""
     axes = (Axis("k", fmpq(1, 2), fmpq(1), 12), Axis("l", fmpq(0), fmpq(1), 8))
     left = SweepPiece((fmpq(1, 2), fmpq(0)), (fmpq(1), fmpq(1)), Kind.OPEN, None, None, None, unsure=("the spot",))
-    detail = Sweep("map", axes, (fmpq(1), fmpq(0)), {}, (left,)).verdict.detail
-    assert detail == "1 of 1 pieces are left; more cells may settle them: k=1/2..1:24, l=0..1:16"
+    verdict = Sweep("map", axes, (fmpq(1), fmpq(0)), {}, (left,)).verdict
+    in_vain = "dividing it again has not settled it; more cells may: k=1/2..1:24, l=0..1:16"
+    assert (verdict.detail, verdict.reason) == (f"the only piece is left; {in_vain}", Reason.HYPOTHESIS)
+    verdict = Sweep("map", axes, (fmpq(1), fmpq(0)), {}, (left, left), budget=1).verdict
+    assert (
+        verdict.detail == "2 of 2 pieces are left; the budget of one divided piece ended: a larger one may settle them"
+    )
+    assert verdict.reason is Reason.BUDGET
 
 
 def plane(*pieces: SweepPiece) -> Sweep:
