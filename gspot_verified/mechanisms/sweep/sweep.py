@@ -109,8 +109,8 @@ in the brackets where one quantity passes zero or the spot vanishes
             chosen, known = waiting[:left], min(budget, budget - left + len(waiting))
             parts = portions([cell for _, cell in chosen])
             found = (each for pieces in results(question, parts, workers, kept, number) for each in pieces)
-            for (divided, _), pieces in zip(chosen, found, strict=True):
-                patchwork.replace(divided, pieces)
+            for (divided, _), its_parts in zip(chosen, found, strict=True):
+                patchwork.replace(divided, its_parts)
                 left -= 1
                 if progress is not None:
                     progress(len(pieces_by_cell) + budget - left, len(pieces_by_cell) + known)
