@@ -65,6 +65,7 @@ from gspot_verified.report.write import write_report as write_report
 from gspot_verified.scenes.equations.motion import SceneError as SceneError
 from gspot_verified.scenes.hard_sides import hard_sides as hard_sides
 from gspot_verified.scenes.hard_sides import wrong_sides as wrong_sides
+from gspot_verified.scenes.scene.before_spot import scene_before_spot as scene_before_spot
 from gspot_verified.scenes.scene.file import load_scene as load_scene
 from gspot_verified.scenes.scene.file import parse_scene as parse_scene
 from gspot_verified.scenes.scene.file import scene_file_schema as scene_file_schema

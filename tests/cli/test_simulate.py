@@ -5,6 +5,8 @@ from __future__ import annotations
 import csv
 import json
 import math
+import shutil
+from importlib import resources
 from pathlib import Path
 
 import numpy as np
@@ -253,3 +255,38 @@ def test_effects_are_added_and_dropped(capsys: pytest.CaptureFixture[str]) -> No
     code, _, errors = run(capsys, *words, "--drop-effect", "stick")
     assert code == 64
     assert "effect 'stick' is not in the scene" in errors
+def test_a_mechanism_starts_before_its_g_spot(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """A name and the path of a file give the same; parameters are changed before the G-spot is sought."""
+    place = Path(str(resources.files("gspot_verified.mechanisms") / "data" / "falling_rod.toml"))
+    shutil.copy(place, tmp_path / "mine.toml")
+    shown = []
+    for name in ("rod", str(tmp_path / "mine.toml")):
+        assert main(["simulate", name, "--spot", "1", "--float", "--points", "5", "--eps", "1/100"]) == 2
+        shown.append(capsys.readouterr().out)
+    assert shown[0] == shown[1]
+    assert "slip before falling rod, G-spot 1, ε = 1/100, from theta - theta_ref = -" in shown[0]
+    words = ["simulate", "genot_brogliato_rod", "--spot", "1", "--float", "--points", "5", "--set", "mu=5/2", "--json"]
+    assert main(words) == 2
+    assert "slip before falling rod of" in json.loads(capsys.readouterr().out)["scene"]["name"]
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["genot_brogliato_rod"], "is a mechanism, not a scene: with a G-spot's number, --spot 1"),
+        (["mine.toml"], "mine.toml: this is a mechanism, not a scene"),
+        (["fig-varsim1", "--spot", "1"], "fig-varsim1"),
+        (["rod", "--spot", "9"], "G-spot"),
+        (["genot_brogliato_rod", "--spot", "2"], "no start before it: no Case: alpha_1 is not negative"),
+        (["genot_brogliato_rod", "--spot", "1", "--set", "mu=1"], "G-spot"),
+        (["rod", "--spot", "1", "--nu", "2"], "nu"),
+    ],
+)
+def test_what_is_no_start_before_a_g_spot(
+    words: list[str], said: str, capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    place = Path(str(resources.files("gspot_verified.mechanisms") / "data" / "falling_rod.toml"))
+    shutil.copy(place, tmp_path / "mine.toml")
+    monkeypatch.chdir(tmp_path)
+    assert main(["simulate", *words]) == 64
+    assert said in capsys.readouterr().err

@@ -23,7 +23,15 @@ _FILE_POINTS = 101  # the same for a file
 
 @app.command(epilog=example("simulate fig-varsim1 --beta 3/2 --nu 2 --epsilon 1e-3"))
 def simulate(
-    scene: Annotated[str, typer.Argument(help="A scene's TOML file, or a name that `scenes` lists.")],
+    scene: Annotated[
+        str,
+        typer.Argument(
+            help="A scene's TOML file, or a name that `scenes` lists; with --spot a mechanism, as in classify."
+        ),
+    ],
+    spot: Annotated[
+        int | None, typer.Option(help="Start on slip just before this G-spot: its number in `classify --all`.")
+    ] = None,
     beta: Annotated[str | None, typer.Option(help="β, in place of the scene's.")] = None,
     nu: Annotated[str | None, typer.Option(help="ν of the initial values, in place of the scene's.")] = None,
     epsilon: Annotated[str | None, typer.Option("--epsilon", "--eps", help="ε, in place of the scene's.")] = None,
@@ -77,6 +85,10 @@ def simulate(
 ) -> None:
     """What happens in a scene: certified, or with floats. Lift-off, touch-down, stick, impact without collision.
 
+    A mechanism with --spot N needs no scene file: it starts just in contact, p a 32nd part of C, with stick, slip and
+    lift-off; ε = 1/1000, and the time is ten times that which p takes to fall to 0. All of it can be changed by --set,
+    --epsilon, --until.
+
     Events are listed up to --until, all of them; a run also ends where an impact without collision lasts for ever. The
     exact solution answers for all times, whatever --until is: it is used for the linear model scene where it decides.
     --set start=slip starts next to the slow manifold of slip, at an exact point; otherwise y, v, z are the scene's. How
@@ -114,7 +126,8 @@ def simulate(
     if of_floats != journal:
         outputs.file("--journal with --compare", of_floats)
     changes = _given(settings or [], beta=beta, nu=nu, epsilon=epsilon, until=until)
-    loaded = load_scene(scene).with_effects(add or (), drop or (), **changes)
+    loaded = load_scene(scene) if spot is None else _before(scene, spot, changes)
+    loaded = loaded.with_effects(add or (), drop or (), **changes)
     if animation is not None:
         from gspot_verified.report.pictures.mechanism_animation import check_animated
 
@@ -179,6 +192,16 @@ def scenes(as_json: JsonFlag = False) -> None:
     typer.echo("what excludes what:")
     for (first, second), reason in EXCLUSIONS.items():
         typer.echo(f"  {first} and {second}: {reason}")
+
+
+def _before(name: str, spot: int, given: dict[str, str]) -> Scene:
+    """The scene before a mechanism's G-spot: its parameters leave ``given``, they are set before the G-spot is sought."""
+    from gspot_verified.mechanisms.load import load
+    from gspot_verified.scenes.scene.before_spot import scene_before_spot
+
+    mechanism = load(name)
+    own = {name: given.pop(name) for name in dict(mechanism.parameters) if name in given}
+    return scene_before_spot(mechanism.with_parameters(**own), spot)
 
 
 def _given(words: list[str], **options: str | None) -> dict[str, str]:

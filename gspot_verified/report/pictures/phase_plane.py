@@ -13,12 +13,13 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
-from flint import arb, arb_mat, fmpq
+from flint import arb, fmpq
 
 from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.mechanisms.approach.approach import approach
 from gspot_verified.mechanisms.approach.slip_state import StateInput
+from gspot_verified.mechanisms.approach.state_beside import state_beside
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
@@ -32,7 +33,6 @@ _BITS = 80  # beyond what a picture shows
 _ORDER = 13  # of the expansion that starts the distinguished trajectory
 _STEPS = 220  # of Runge-Kutta in a run
 _REACH = 6  # how long a run is, in units of the longer of 1/|alpha_1| and 1/|alpha_3|
-_NEWTON = 30  # steps: a limit of effort
 _SHRINKS = 12  # halvings of the window, where no states in contact are found or p does not fall
 _STARTS = (fmpq(1, 12), fmpq(1, 4), fmpq(1, 2), fmpq(1), fmpq(3, 2), fmpq(2))
 """Of -b at the start, in units of the picture."""
@@ -61,8 +61,7 @@ class RigidSlip:
         system = spot.system
         self.dimension = len(system.point)
         self._field = BoxProgram([*system.F, *system.G, system.p, system.b], self.dimension)
-        self._conditions = BoxProgram(system.conditions, self.dimension)
-        self._spot = [ball(value).mid() for value in system.point]
+        self._spot = spot
 
     def place(self, state: Sequence[arb]) -> tuple[float, float]:
         """p and b."""
@@ -77,21 +76,7 @@ class RigidSlip:
 
     def state_at(self, p: arb, b: arb) -> list[arb] | None:
         """A state next to the G-spot with these p and b, on the surface, J = 0, by Newton's method; None: not found."""
-        state = list(self._spot)
-        goal = [p, b, *[arb(0)] * (self.dimension - 2)]
-        for _ in range(_NEWTON):
-            values, rows = self._conditions.gradients(state)
-            gap = [(value - wanted).mid() for value, wanted in zip(values, goal, strict=True)]
-            if max(abs(entry) for entry in gap) < 1e-15:
-                return state
-            try:
-                step = arb_mat([[entry.mid() for entry in row] for row in rows]).solve(arb_mat([[g] for g in gap]))
-            except ZeroDivisionError:
-                return None
-            state = [(value - step[i, 0]).mid() for i, value in enumerate(state)]
-            if not all(value.is_finite() for value in state):
-                return None
-        return None
+        return state_beside(self._spot, p, b)
 
     def run(self, state: Sequence[arb], span: float) -> Run:
         """(p, b) along the run, by the classical Runge-Kutta method."""

@@ -59,6 +59,7 @@ from gspot_verified.scenes.scene.scene import SLIP_START, Scene, SceneError, che
 
 SHIPPED = ("fig-varsim1", "fig-varsim2", "oscillator", "oscillator-canard", "extended", "rod")
 MAX_BYTES = 100_000  # of a scene file, so that a wrong file is refused at once
+_IS_A_MECHANISM = "is a mechanism, not a scene: with a G-spot's number, --spot 1, slip starts just before that"
 KEYS = {
     "": (
         "format",
@@ -107,6 +108,8 @@ def load_scene(name_or_path: str | Path, /, **settings: ExactInput | None) -> Sc
     else:
         hint = nearest(str(name_or_path), SHIPPED)
         shown = str(name_or_path)[:60]
+        if _names_a_mechanism(shown):
+            raise SceneError(f"{shown!r} {_IS_A_MECHANISM}")
         raise SceneError(f"no scene file {shown!r}, and no scene of that name{hint}; there are: {', '.join(SHIPPED)}")
     return scene.with_settings(**settings)
 
@@ -143,6 +146,8 @@ def parse_scene(text: str, folder: Path | None = None) -> Scene:
     if len(text) > MAX_BYTES:
         raise SceneError(f"a scene may have at most {MAX_BYTES} characters")
     table = toml_table(text)
+    if table.has("contact") or table.has("fields"):
+        raise SceneError(f"this {_IS_A_MECHANISM}")
     table.only(KEYS)
     if table.get("format", int, "1") != 1:
         raise SceneError('key "format" must be 1')
@@ -174,6 +179,14 @@ def parse_scene(text: str, folder: Path | None = None) -> Scene:
     for key in own:
         checked_owner(scene, key)
     return scene
+
+
+def _names_a_mechanism(name: str) -> bool:
+    try:
+        shipped_mechanism(name)
+    except MechanismError:
+        return False
+    return True
 
 
 def _scene_of_file(path: Path) -> Scene:
