@@ -34,6 +34,8 @@ _NUMBER = re.compile(r"-(\.?[0-9].*|inf(inity)?|nan|[ij])", re.IGNORECASE)
 """What is read as a number and no option; -inf is then refused as a number, with what is allowed."""
 
 _COUNT = re.compile(r"\b([0-9]+) of ([0-9]+) [a-z]")
+_TIME = re.compile(r"\bt = (\S+) of (\S+) after (one|[0-9]+) step")
+"""How far a run is, and how many steps it has made; what is left may need shorter ones, so the time left is rough."""
 
 
 def _print_version(wanted: bool) -> None:
@@ -158,10 +160,14 @@ def signs_of_life(seconds: float = QUIET_SECONDS) -> Iterator[None]:
 
 
 def progress(step: str) -> None:
-    """A step of long work, on stderr; at a terminal one that says "3 of 40" is counted."""
-    line, numbers = at_terminal(), _COUNT.search(step)
+    """A step of long work, on stderr; at a terminal one that says "3 of 40 cells" is counted, and so is one that says
+    "t = 0.1 of 0.5 after 7 steps"."""
+    line, numbers, times = at_terminal(), _COUNT.search(step), _TIME.search(step)
     if line is not None and numbers is not None and int(numbers[2]) > 0:
         line.count(step, int(numbers[1]), int(numbers[1]) / int(numbers[2]))
+        return
+    if line is not None and times is not None and float(times[2]) > 0:
+        line.count(step, 1 if times[3] == "one" else int(times[3]), min(float(times[1]) / float(times[2]), 1.0))
         return
     if line is not None:
         line.end()

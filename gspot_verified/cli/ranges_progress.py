@@ -6,6 +6,7 @@ import time
 from typing import TYPE_CHECKING
 
 from gspot_verified.cli.app import counted
+from gspot_verified.numbers.counted import counted as number_of
 
 if TYPE_CHECKING:
     from gspot_verified.signs.cover.subdivision import Progress
@@ -27,10 +28,11 @@ class RangesProgress:
         if self._tubes:
             said = said or time.monotonic() - self._said >= 1
             if column is not None:
-                tubes = f"; β in [{column.lower}, {column.upper}]: {len(column.tubes())} tubes"
+                tubes = f"; β in [{column.lower}, {column.upper}]: {number_of(len(column.tubes()), 'tube')}"
         if said:
             self._said = time.monotonic()
-        text = f"{step.examined} ranges of β examined{self._where}, {step.finished} settled, {step.waiting} waiting"
+        ranges = number_of(step.examined, "range of β", "ranges of β")
+        text = f"{ranges} examined{self._where}, {step.finished} settled, {step.waiting} waiting"
         counted(text + tubes, step.examined, self._settled / self._cells, said)
 
     def _add(self, step: Progress) -> None:

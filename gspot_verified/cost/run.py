@@ -22,6 +22,7 @@ from gspot_verified.cost.measurement.kept_parts import KeptParts
 from gspot_verified.cost.measurement.measurement import Measurement
 from gspot_verified.cost.parts.cheap_answers import answers
 from gspot_verified.cost.times.measure import machine_load
+from gspot_verified.numbers.counted import done_of
 
 Progress = Callable[[str], None]
 _PACKAGES = ("gspot-verified", "python-flint", "mpmath", "numpy", "scipy", "sympy", "heyoka")
@@ -38,10 +39,11 @@ def measure_cost(full: bool = False, progress: Progress = lambda _: None, kept: 
     """
     start, before = time.perf_counter(), machine_load()
     parts = []
-    for blueprint in blueprints(full):
+    planned = blueprints(full)
+    for blueprint in planned:
         part = None if kept is None else kept.find(blueprint.key)
         if part is None:
-            progress(blueprint.title)
+            progress(f"{blueprint.title}; {done_of(len(parts), len(planned), 'part')} measured")
             part = blueprint.measured(FULL if full else QUICK)
             if kept is not None:
                 kept.keep(part)

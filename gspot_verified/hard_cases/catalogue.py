@@ -10,11 +10,14 @@ from gspot_verified.cost.times.growth import fitted_exponent
 from gspot_verified.cost.times.rows import seconds_text
 from gspot_verified.hard_cases.family import Family, families
 from gspot_verified.hard_cases.hard_case import HardCase
+from gspot_verified.numbers.counted import done_of
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written, under
 
-_HEADER = ("", "condition", "bits lost", "double precision", "", "certified", "work", "time")
-_WIDTHS = (62, 10, 9, 40, 6, 50, 6, 8)  # characters of the columns
+_QUESTION = (("question", "condition", "bits lost", "work", "time"), (59, 9, 9, 5, 8))
+_ANSWERS = (("", "double precision", "certified"), (5, 24, 0))
+"""The lines of each case: the words above, and characters of the columns."""
+WIDTH, _NARROWEST = 100, 60  # of the table
 _MARKS = {True: "right", False: "WRONG", None: "-"}
 
 
@@ -62,8 +65,13 @@ class Catalogue(NoTruthValue, Written):
         }
 
     def __str__(self) -> str:
-        blocks = [_aligned(_HEADER), *map(_block, self.families)]
-        return "\n\n".join([*blocks, summary_text(self.summary())])
+        return self.table()
+
+    def table(self, width: int = WIDTH) -> str:
+        """The text in so many columns, 60 at least: what is longer ends in "…"; all of it is in ``to_json``."""
+        blocks = [_lines(_QUESTION[0], _ANSWERS[0]), *map(_block, self.families)]
+        text = "\n\n".join([*blocks, summary_text(self.summary())])
+        return "\n".join(_cut(line, max(width, _NARROWEST)) for line in text.split("\n"))
 
 
 def measure_hard_cases(names: Sequence[str] = (), progress: Callable[[str], None] = lambda _: None) -> Catalogue:
@@ -81,9 +89,10 @@ def measure_hard_cases(names: Sequence[str] = (), progress: Callable[[str], None
     for name in names:
         if name not in known:
             raise ValueError(f"no family of hard cases is named {name[:40]!r}; there are: {', '.join(known)}")
-    results = []
-    for family in [known[name] for name in dict.fromkeys(names)] or families():
-        progress(family.title)
+    results: list[Measured] = []
+    asked = [known[name] for name in dict.fromkeys(names)] or families()
+    for family in asked:
+        progress(f"{family.title}; {done_of(len(results), len(asked), 'family', 'families')} done")
         results.append(measured(family))
     return Catalogue(tuple(results))
 
@@ -121,11 +130,26 @@ def _powers(measurement: Measured) -> list[tuple[str, float | None]]:
 
 
 def _row(case: HardCase) -> str:
+    """The question, and below it what was found."""
     condition = "-" if case.condition is None else f"10^{case.condition:.1f}"
     lost = "-" if case.lost is None else str(case.lost)
-    cells = (case.asked, condition, lost, case.double_text or "-", _MARKS[case.double_right], case.text)
-    return _aligned((*cells, str(case.work), seconds_text(case.seconds)))
+    question = (case.asked, condition, lost, str(case.work), seconds_text(case.seconds))
+    return _lines(question, (_MARKS[case.double_right], case.double_text or "-", case.text))
 
 
-def _aligned(cells: Sequence[str]) -> str:
-    return ("  " + "  ".join(cell.ljust(width) for cell, width in zip(cells, _WIDTHS, strict=True))).rstrip()
+def _lines(question: Sequence[str], answers: Sequence[str]) -> str:
+    """Two lines; a question or an answer that is too long for its line has one of its own."""
+    first, second = f"  {_aligned(question, _QUESTION[1])}", f"      {_aligned(answers, _ANSWERS[1])}"
+    if len(first) > WIDTH:
+        first = f"  {question[0]}\n  {_aligned(('', *question[1:]), _QUESTION[1])}"
+    if len(second) > WIDTH:
+        second = f"      {_aligned((*answers[:2], ''), _ANSWERS[1])}\n      {_aligned(('', answers[2]), (5, 0))}"
+    return f"{first}\n{second}"
+
+
+def _aligned(cells: Sequence[str], widths: Sequence[int]) -> str:
+    return "  ".join(cell.ljust(width) for cell, width in zip(cells, widths, strict=True)).rstrip()
+
+
+def _cut(line: str, width: int) -> str:
+    return line if len(line) <= width else line[: width - 1] + "…"

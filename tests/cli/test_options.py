@@ -34,6 +34,7 @@ def no_work(monkeypatch: pytest.MonkeyPatch) -> None:
         "compliant.zeros.zero_count.slow_zeros",
         "compliant.zeros.zero_map.zero_map",
         "mechanisms.iwc.iwc",
+        "mechanisms.approach.approach.approach",
         "signs.cover.sign.sign",
     ):
         monkeypatch.setattr(f"gspot_verified.{place}", started)
@@ -66,6 +67,10 @@ STATE = "1/2,-1/10,0,0,0"
         (("simulate", "fig-varsim1", "--tolerance", "1e-5"), "--tolerance: it is for a float run"),
         (("simulate", "fig-varsim1", "--route", "exact", "--budget", "9"), "--budget: it is for the integrator"),
         (("simulate", "fig-varsim1", "--route", "exact", "--journal", "x"), "--journal: it is for the integrator"),
+        (("classify", "rod", "--from", "theta=1", "--all"), "--all: --from follows slip from that state, as approach"),
+        (("classify", "rod", "--from", "theta=1", "--box", "theta=0..1"), "--box: --from follows slip"),
+        (("classify", "rod", "--from", "theta=1", "--budget", "9"), "--budget: --from follows slip"),
+        (("classify", "rod", "--from", "theta=1", "--verbose", "--all"), "--all, --verbose: --from follows slip"),
         (("zeros", "--beta", "1..2", "--digits", "3"), "--digits: it is for one value of β"),
         (("zeros", "--beta", "7/3", "--budget", "0"), "--budget: it needs a range of β"),
         (("zeros", "--beta", "7/3", "--workers", "2"), "--workers: it needs a range of β"),

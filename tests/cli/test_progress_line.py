@@ -21,6 +21,7 @@ from gspot_verified.cli.progress_line import ProgressLine, advance, duration, li
 from gspot_verified.cli.ranges_progress import RangesProgress
 from gspot_verified.signs.cover.pieces import Column
 from gspot_verified.signs.cover.subdivision import Subdivision
+from gspot_verified.signs.zeros.zeros import zeros_on_range
 from gspot_verified.work.executors import InProcessExecutor
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -225,3 +226,21 @@ def test_at_a_real_terminal() -> None:
     plain = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
     assert [line for line in text.lines if line] == [line.rstrip() for line in plain.stdout.splitlines() if line]
     assert plain.stderr == ""
+
+
+def test_a_run_is_counted_by_its_time(screen: Screen) -> None:
+    with redirect_stdout(screen), redirect_stderr(screen), line_at_terminal():
+        progress("192 bits: slip at t = 0.125 of 0.5 after one step")
+        assert screen.lines == ["... 25%: 192 bits: slip at t = 0.125 of 0.5 after one step"]
+
+
+def test_elsewhere_a_run_is_told_in_plain_lines(capsys: pytest.CaptureFixture[str]) -> None:
+    progress("192 bits: slip at t = 0.125 of 0.5 after 3 steps")
+    assert capsys.readouterr().err == "... 192 bits: slip at t = 0.125 of 0.5 after 3 steps\n"
+
+
+def test_one_range_and_one_tube_are_no_plural(monkeypatch: pytest.MonkeyPatch) -> None:
+    said: list[str] = []
+    monkeypatch.setattr("gspot_verified.cli.ranges_progress.counted", lambda text, *_: said.append(text))
+    zeros_on_range("3/2..8/5", budget=10, progress=RangesProgress(tubes=True))
+    assert said[-1].startswith("one range of β examined, 1 settled, 0 waiting; β in [3/2, 8/5]: one tube")

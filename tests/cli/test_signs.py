@@ -239,8 +239,14 @@ def test_certificates_of_the_force(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, arguments: tuple[str, ...], statement: str
 ) -> None:
     place = tmp_path / "force.cert"
-    code, _, errors = run(capsys, "iwc", *arguments, "--certificate", str(place))
+    code, output, errors = run(capsys, "iwc", *arguments, "--certificate", str(place))
     assert code == 0
+    [line] = [line for line in output.splitlines() if line.startswith("certificate of: ")]
+    assert statement in line
+    assert line.endswith(f": {place}")
+    assert statement not in errors
+    code, output, errors = run(capsys, "iwc", *arguments, "--certificate", str(place), "--json")
+    assert json.loads(output)
     assert statement in errors
     code, output, _ = run(capsys, "check", str(place))
     assert code == 0

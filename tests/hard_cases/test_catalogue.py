@@ -66,9 +66,23 @@ def test_right_wrong_and_not_compared_are_shown():
     )
     found = Catalogue((Measured(family, (right, wrong, none)),))
     assert (right.double_right, wrong.double_right, none.double_right) == (True, False, None)
-    marks = [line.split()[4] for line in str(found).splitlines() if line.startswith("  x ")]
-    assert marks == ["right", "WRONG", "-"]
+    lines = str(found).splitlines()
+    answers = [lines[k + 1] for k, line in enumerate(lines) if line.startswith("  x ")]
+    assert [line.split()[0] for line in answers] == ["right", "WRONG", "-"]
     assert found.summary() == {"rows": 3, "decided": 3, "double_right": 1, "double_wrong": 1}
+
+
+def test_the_table_fits_the_page_and_says_where_it_is_cut(catalogue: Catalogue) -> None:
+    """At 100 columns every number stands whole; at fewer, down to 60, lines end in a mark."""
+    whole = str(catalogue)
+    assert max(map(len, whole.splitlines())) <= 100
+    assert "…" not in whole
+    for width in (80, 60, 40):
+        lines = catalogue.table(width).splitlines()
+        assert len(lines) == len(whole.splitlines())
+        assert max(map(len, lines)) == max(width, 60)
+        for line, uncut in zip(lines, whole.splitlines(), strict=True):
+            assert line == uncut or (line[-1] == "…" and uncut.startswith(line[:-1]))
 
 
 def test_an_undecided_row_is_counted_and_is_no_answer():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from typing import Annotated
 
 import typer
@@ -23,10 +24,10 @@ def hard_cases(
     For each: the condition number, the bits that the usual formula loses, what it says in double precision, what is
     certified, and how work and time grow. The exit code is 0 whatever the rows say; undecided ones are counted.
     """
-    from gspot_verified.hard_cases.catalogue import measure_hard_cases
+    from gspot_verified.hard_cases.catalogue import WIDTH, measure_hard_cases
 
     catalogue = measure_hard_cases(families or (), progress)
     if as_json:
         print_json(catalogue.to_json())
     else:
-        typer.echo(str(catalogue))
+        typer.echo(catalogue.table(min(shutil.get_terminal_size((WIDTH, 0)).columns, WIDTH)))

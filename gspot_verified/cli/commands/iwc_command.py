@@ -89,10 +89,14 @@ def iwc(
     if certificate is not None and isinstance(leading, IwcResult):
         place, rational = certificate, leading
 
+        written: list[str] = []
+
         def write() -> None:
             proof = iwc_certificate(rational)
             proof.write(place)
-            progress(f"{place}: {proof.statement}")
+            written.append(f"certificate of: {proof.statement}: {place}")
 
         outputs.write("--certificate", place, write)
+        for line in written:
+            (progress if as_json else typer.echo)(line)
     outputs.leave(result.verdict.exit_code)

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, counted, print_json, warn
+from gspot_verified.cli.app import JsonFlag, app, counted, print_json, refuse, warn
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.load import load_with_settings
 from gspot_verified.cli.output import PICTURES, Outputs
+from gspot_verified.numbers.counted import done_of
 
 if TYPE_CHECKING:
     from gspot_verified.expansion.trajectory import Trajectory
@@ -66,6 +67,10 @@ def classify(
     Exit code 2: the list may not be complete, or the balls of a point that is not rational leave the case open.
     """
     if from_state is not None:
+        refuse(
+            "--from follows slip from that state, as approach does, and lists no G-spots",
+            {"--all": everywhere, "--box": box, "--budget": budget, "--verbose": verbose},
+        )
         from gspot_verified.cli.approach_output import show_approach
 
         show_approach(load_with_settings(name, settings), from_state, None, as_json)
@@ -219,7 +224,7 @@ def _values_at(trajectory: Trajectory, at: str, in_time: bool, digits: int) -> t
 
 
 def _orders(done: int, of: int) -> None:
-    counted(f"{done} of {of} orders", done, done / of, done % 20 == 0)
+    counted(done_of(done, of, "order"), done, done / of, done % 20 == 0)
 
 
 def _numbers(text: str, option: str, example: str) -> list[str]:

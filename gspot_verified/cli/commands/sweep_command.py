@@ -12,6 +12,7 @@ from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.commands.mechanism_commands import MechanismName
 from gspot_verified.cli.commands.sign_commands import JournalFile, Scheduler, Workers
 from gspot_verified.cli.output import PICTURES, Outputs
+from gspot_verified.numbers.counted import done_of
 
 
 @app.command(epilog=example("sweep oscillator --over beta=1/2..4:40"))
@@ -104,4 +105,4 @@ def _replace(path: Path, text: str) -> None:
 
 
 def _show(done: int, of: int) -> None:
-    progress(f"{done} of {of} cells and undecided pieces")
+    progress(f"{done_of(done, of, 'cell')}, undecided pieces among them")

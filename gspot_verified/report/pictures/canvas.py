@@ -139,19 +139,21 @@ def canvas(height: float) -> Figure:
 
 
 def picture(figure: Figure, name: str, title: str, caption: str, alternative: str) -> Picture:
-    """The finished figure, called inside :func:`styled`. It holds no date and no random identifier."""
+    """The finished figure, called inside :func:`styled`. It holds its title, for those who hear it; no date, no random
+    identifier."""
     from matplotlib import rc_context
 
     made = {}
     with rc_context({"svg.hashsalt": name}):
         for kind in ("svg", "png", "pdf"):
             made[kind] = io.BytesIO()
-            figure.savefig(made[kind], format=kind, dpi=_RESOLUTION, metadata=_METADATA[kind])
+            metadata = _METADATA[kind] | {"Title": title}
+            figure.savefig(made[kind], format=kind, dpi=_RESOLUTION, metadata=metadata)
     svg = two_themes(made["svg"].getvalue().decode())
     return Picture(name, title, _unbroken(caption), alternative, svg, made["png"].getvalue(), made["pdf"].getvalue())
 
 
-def save_figure(figure: Figure, name: str, path: Path) -> Path:
+def save_figure(figure: Figure, name: str, title: str, path: Path) -> Path:
     """Write a figure as PNG, PDF or SVG, by the suffix; called inside :func:`styled_figure`.
 
     A file that is there is replaced when the new one is ready. It holds no date and no random identifier.
@@ -163,7 +165,8 @@ def save_figure(figure: Figure, name: str, path: Path) -> Path:
     kind = checked_suffix(path)
     unfinished = path.with_name(path.name + ".part")
     with rc_context({"svg.hashsalt": name}):
-        figure.savefig(unfinished, format=kind, dpi=_RESOLUTION, metadata=_METADATA[kind])
+        metadata = _METADATA[kind] | {"Title": title}
+        figure.savefig(unfinished, format=kind, dpi=_RESOLUTION, metadata=metadata)
     unfinished.replace(path)
     return path
 

@@ -59,7 +59,8 @@ def _saved(result: Sweep, path: Path) -> Path:
     (_line if len(result.axes) == 1 else _map)(result, axes)
     _legend(result, axes)
     figure.supxlabel("\n".join(textwrap.wrap(_caption(result), 116)), fontsize=8, x=0.02, ha="left")
-    return save_figure(figure, "sweep", path)
+    over = ", ".join(f"{axis.name} from {axis.lower} to {axis.upper}" for axis in result.axes)
+    return save_figure(figure, "sweep", f"{result.name}: Case and side of the G-spot over {over}", path)
 
 
 def _line(result: Sweep, axes: Axes) -> None:

@@ -144,7 +144,7 @@ def _attempt(
     certain_until: arb | None = None
     for watched in every.fewer():
         conditions = every.watching(watched, arb(0) if certain_until is None else certain_until)
-        steps = RunSteps(budget, precision, approximate(scene.epsilon), kept, progress)
+        steps = RunSteps(budget, precision, approximate(scene.epsilon), approximate(scene.until), kept, progress)
         with working_bits(precision):
             samples = SegmentSamples(scene) if sampled else None
             record = _run(scene, conditions, samples, steps)

@@ -17,13 +17,18 @@ QUIET_SECONDS = 2.0  # between two signs of life
 
 
 class RunSteps(Steps):
-    """``left``: how many more steps the run may make at this precision, ``bits``. Those that the journal holds for this
-    precision and phase are offered first; from the first one on that cannot be proved again they are dropped.
+    """``left``: how many more steps the run may make at this precision, ``bits``; ``until``: when it ends.
+
+    Those that the journal holds for this precision and phase are offered first; from the first one on that cannot be
+    proved again they are dropped.
     """
 
-    def __init__(self, budget: int, bits: int, small: float, journal: StepJournal | None, progress: Progress) -> None:
+    def __init__(
+        self, budget: int, bits: int, small: float, until: float, journal: StepJournal | None, progress: Progress
+    ) -> None:
         super().__init__(budget)
-        self._bits, self._small, self._journal, self._progress = bits, small, journal, progress
+        self._bits, self._small, self._until = bits, small, until
+        self._journal, self._progress = journal, progress
         self._phase, self._name, self._began = -1, "", 0.0
         self._offered: ChosenStep | None = None
         lines = [] if journal is None else journal.lines
@@ -66,4 +71,5 @@ class RunSteps(Steps):
             reached = (self._began + approximate(time)) * self._small
             again = f", {self._again} of them from the journal" if self._again else ""
             steps = counted(self._count, "step")
-            self._progress(f"{self._bits} bits: {self._name} at t = {reached:.6g} after {steps}{again}")
+            place = f"t = {reached:.6g} of {self._until:.6g}"
+            self._progress(f"{self._bits} bits: {self._name} at {place} after {steps}{again}")

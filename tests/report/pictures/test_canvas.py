@@ -1,9 +1,11 @@
 import base64
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 
 from IPython.core.formatters import DisplayFormatter
+from matplotlib.figure import Figure
 
-from gspot_verified.report.pictures.canvas import INK, PAPER, canvas, picture, styled
+from gspot_verified.report.pictures.canvas import INK, PAPER, canvas, picture, save_figure, styled
 
 
 @styled
@@ -11,6 +13,21 @@ def small():
     figure = canvas(1.0)
     figure.add_subplot().plot([0, 1], [0, 1], color=INK)
     return picture(figure, "small", "t", "x = 1 < 2, 1/Γ", "a")
+
+
+def test_a_picture_says_its_title_to_those_who_hear_it(tmp_path: Path) -> None:
+    """As the first title of the SVG: on a page, in a file, and of a picture that is written at once."""
+    drawn = small()
+    place = drawn.save(tmp_path / "picture.svg")
+    sweep = save_figure(Figure(), "sweep", "a sweep & more", tmp_path / "sweep.svg")
+    for text, title in (
+        (drawn.svg, drawn.title),
+        (place.read_text(encoding="utf-8"), drawn.title),
+        (sweep.read_text(encoding="utf-8"), "a sweep & more"),
+    ):
+        found = ElementTree.fromstring(text).find("{http://www.w3.org/2000/svg}title")
+        assert found is not None
+        assert found.text == title
 
 
 def test_svg_is_well_formed_and_follows_light_and_dark():

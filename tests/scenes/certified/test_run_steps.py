@@ -34,7 +34,7 @@ class Kept:
             self.journal.add({"bits": bits, "phase": phase, "step": made[number]})
 
     def steps(self, bits: int, budget: int = 9) -> RunSteps:
-        return RunSteps(budget, bits, 0.5, self.journal, lambda _: None)
+        return RunSteps(budget, bits, 0.5, 1.0, self.journal, lambda _: None)
 
     @property
     def lines(self) -> list[tuple[int, int, int]]:
@@ -114,7 +114,7 @@ def test_a_line_that_is_no_step_is_not_offered(tmp_path: Path, made: list[Any]) 
     journal = StepJournal(tmp_path / "journal", {"question": 1})
     journal.add({"bits": 96, "phase": 0, "step": made[0]})
     journal.add({"bits": 96, "phase": 0, "step": {"h": "far"}})
-    steps = RunSteps(9, 96, 0.5, journal, lambda _: None)
+    steps = RunSteps(9, 96, 0.5, 1.0, journal, lambda _: None)
     steps.begins("slip", arb(0))
     again(steps)
     assert steps.known() is None
@@ -123,7 +123,7 @@ def test_a_line_that_is_no_step_is_not_offered(tmp_path: Path, made: list[Any]) 
 
 
 def test_without_a_journal_steps_are_counted_alone(made: list[Any]) -> None:
-    steps = RunSteps(2, 96, 0.5, None, lambda _: None)
+    steps = RunSteps(2, 96, 0.5, 1.0, None, lambda _: None)
     steps.begins("slip", arb(0))
     assert steps.known() is None
     steps.proved(ChosenStep.from_json(made[0]), arb(1))
@@ -136,7 +136,7 @@ def test_what_is_said_on_the_way(monkeypatch: pytest.MonkeyPatch, tmp_path: Path
     monkeypatch.setattr(run_steps.clock, "monotonic", lambda: now)
     said: list[str] = []
     kept = Kept(tmp_path / "journal", made, (96, 0, 0))
-    steps = RunSteps(9, 96, 0.25, kept.journal, said.append)
+    steps = RunSteps(9, 96, 0.25, 1.0, kept.journal, said.append)
     steps.begins("slip", arb(8))
     again(steps)
     now = 102.0
@@ -150,11 +150,11 @@ def test_what_is_said_on_the_way(monkeypatch: pytest.MonkeyPatch, tmp_path: Path
     steps.begins("flight", arb(16))
     steps.proved(ChosenStep.from_json(made[1]), arb(1))
     assert said == [
-        "96 bits: slip at t = 3 after 3 steps, 1 of them from the journal",
-        "96 bits: flight at t = 4.25 after 5 steps, 1 of them from the journal",
+        "96 bits: slip at t = 3 of 1 after 3 steps, 1 of them from the journal",
+        "96 bits: flight at t = 4.25 of 1 after 5 steps, 1 of them from the journal",
     ]
-    silent = RunSteps(9, 96, 1.0, None, said.append)
+    silent = RunSteps(9, 96, 1.0, 1.0, None, said.append)
     silent.begins("slip", arb(0))
     now = 110.0
     silent.proved(ChosenStep.from_json(made[0]), arb("1.23456789"))
-    assert said[2:] == ["96 bits: slip at t = 1.23457 after one step"]
+    assert said[2:] == ["96 bits: slip at t = 1.23457 of 1 after one step"]
