@@ -98,11 +98,13 @@ def _formal_proofs() -> ProofRun:
 
 
 @app.command(
-    short_help="Write the pages again; or the report on your own mechanism.",
+    short_help="Pages to read: on the paper, or on your own mechanism.",
     epilog=example("report --mechanism oscillator"),
 )
 def report(
-    source: Annotated[Path, typer.Argument(help="A report.json that `verify` wrote.")] = Path("report/report.json"),
+    source: Annotated[Path, typer.Argument(help="A report.json that `verify` wrote; on the paper only.")] = Path(
+        "report/report.json"
+    ),
     output: Annotated[
         Path | None, typer.Option(help="Directory of the pages; report if not given, mechanism_report of a mechanism.")
     ] = None,
@@ -111,16 +113,16 @@ def report(
     ] = None,
     check: Annotated[
         Path | None,
-        typer.Option(help="Write nothing; check the certificates of this report again.", metavar="<folder>"),
+        typer.Option(help="Check the certificates of the report in this folder again.", metavar="<folder>"),
     ] = None,
     supplement: Annotated[
         Path | None,
         typer.Option(
-            help="Write errata.tex and theorems.tex instead, and their PDFs where pdflatex is.", metavar="<folder>"
+            help="Write errata.tex and theorems.tex here, and their PDFs where pdflatex is.", metavar="<folder>"
         ),
     ] = None,
     mechanism: Annotated[
-        str | None, typer.Option(help="Another report: on this mechanism, a TOML file or a name as for classify.")
+        str | None, typer.Option(help="Report on this mechanism: a TOML file or a name, as for classify.")
     ] = None,
     settings: Annotated[
         list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help='A parameter of the mechanism, "mu=2".')
@@ -133,18 +135,22 @@ def report(
     budget: Annotated[int | None, typer.Option(help="With --mechanism: boxes of the search for all G-spots.")] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Write the pages again from report.json, without running the checks; or check a report's certificates again.
+    """Pages to read: on the paper, or on your own mechanism. It does one of four things; none runs the paper's checks.
 
-    With --check: exit code 0 when the independent checker verifies every certificate that report.json names, and each
-    says what it said then; 1 when one is rejected, missing or says something else.
+    On the paper, with no option or --output and --cost: writes the HTML pages from the report.json that `verify` wrote.
+    `verify` writes them too; this is for a report.json of another machine, or with another measurement of cost.
 
-    With --supplement: the errata, two pages for the authors, and the theorems beyond the paper with their formal
-    statements.
+    On your own mechanism, with --mechanism (and --set, --from, --scene, --budget): one page for a paper's appendix,
+    mechanism.html, with mechanism.json and certificates beside it: its G-spots, cases and sides, the expansion,
+    certified runs, pictures, hashes and the commands for each part. It needs no report.json. Exit code 0 when all that
+    is stated is proved, 1 when something is refuted (there is no G-spot, or a run), 2 when something is undecided.
 
-    With --mechanism: one page for the appendix of a paper on that mechanism, mechanism.html, with mechanism.json and
-    certificates beside it: its G-spots, cases and sides, the expansion, certified runs, pictures, hashes and the
-    commands for each part. Exit code 0 when all that is stated is proved, 1 when something is refuted (there is no
-    G-spot, or a run), 2 when something is undecided.
+    To check a report again, with --check: writes nothing. Exit code 0 when the independent checker verifies every
+    certificate that its report.json names, and each says what it said then; 1 when one is rejected, missing or says
+    something else.
+
+    For the authors of the paper, with --supplement: the errata on two pages and the theorems beyond the paper with
+    their formal statements, as LaTeX.
     """
     if mechanism is not None:
         if check is not None or cost is not None or supplement is not None:
