@@ -89,7 +89,8 @@ def simulate(
     lift-off; ε = 1/1000, and the time is ten times that which p takes to fall to 0. All of it can be changed by --set,
     --epsilon, --until.
 
-    Events are listed up to --until, all of them; a run also ends where an impact without collision lasts for ever. The
+    Events are listed up to --until, all of them; a run also ends where an impact without collision lasts for ever, or
+    has made the force as large as stop_at_force of the scene. The
     exact solution answers for all times, whatever --until is: it is used for the linear model scene where it decides.
     --set start=slip starts next to the slow manifold of slip, at an exact point; otherwise y, v, z are the scene's. How
     much of a fast oscillation of the start is left at the G-spot is printed.

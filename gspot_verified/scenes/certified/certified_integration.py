@@ -20,6 +20,7 @@ from gspot_verified.scenes.certified.certified_phases import CertifiedPhases, Ne
 from gspot_verified.scenes.certified.certified_result import Record, event_of, growth_words, result_of
 from gspot_verified.scenes.certified.conditions import Conditions
 from gspot_verified.scenes.certified.invariant_region import ExponentialGrowth, InvariantRegion
+from gspot_verified.scenes.certified.large_force import LargeForce
 from gspot_verified.scenes.certified.run_steps import Progress, RunSteps
 from gspot_verified.scenes.certified.segment_samples import Observer, SegmentSamples, Step
 from gspot_verified.scenes.certified.step_journal import FORMAT, StepJournal
@@ -195,7 +196,7 @@ def _run(scene: Scene, conditions: Conditions, samples: SegmentSamples | None, s
             return record
         began, phase = start[CLOCK], phases[now.phase]
         record.seen = began
-        observer: Observer = _ImpactObserver(phase, began, end, scene.epsilon, record)
+        observer: Observer = _ImpactObserver(phase, began, end, scene, record)
         observer = _ConditionObserver(observer, conditions, phases, now.phase, began, end, record)
         if samples is not None:
             observer = samples.beside(observer, phase.system, began)
@@ -205,6 +206,9 @@ def _run(scene: Scene, conditions: Conditions, samples: SegmentSamples | None, s
             record.open = replace(phase_end, time=began + phase_end.time)
             return record
         start = {**start, **phase_end.states, CLOCK: began + phase_end.time}
+        if record.stopped is not None:
+            record.ended = every([phase_end.evidence, record.ended])
+            return record
         # The phase was followed for (end - began).upper(): an event after ``end`` is none of this run.
         after = less(end, start[CLOCK])
         if phase_end.event is None or after is not None:
@@ -277,8 +281,9 @@ class _ImpactObserver:
     """Looks at the end of each segment for a state from which the force grows for as long as the scene slips; until
     then, for one from which it grows by some factor."""
 
-    def __init__(self, phase: CertifiedPhase, began: arb, end: arb, epsilon: fmpq, record: Record) -> None:
-        self._began, self._end, self._epsilon, self._record = began, end, epsilon, record
+    def __init__(self, phase: CertifiedPhase, began: arb, end: arb, scene: Scene, record: Record) -> None:
+        self._began, self._end, self._epsilon, self._record = began, end, scene.epsilon, record
+        self._large = LargeForce(phase.system, scene)
         lift_off_alone = all(event.next_phase == FLIGHT for event in phase.system.events)
         self._may_slip_for_ever = lift_off_alone and not phase.system.supposed  # that is seen step by step alone
         self._sticks = phase.system.phase == STICK
@@ -292,6 +297,8 @@ class _ImpactObserver:
 
     def __call__(self, segment: Step, states: Mapping[str, arb]) -> bool:
         limited = self._known is not None and self._known.until is not None
+        if self._known is not None and self._stops(segment, states):
+            return True
         if self._region is None or (self._known is not None and not limited):
             return False
         growth = self._region.growth(states)
@@ -310,3 +317,13 @@ class _ImpactObserver:
         self._record.remarks.append(growth_words(growth, self._sticks, time * self._epsilon if limited else None))
         self._record.for_ever = growth.until is None and growth.within is None and self._may_slip_for_ever
         return self._record.for_ever
+
+    def _stops(self, segment: Step, states: Mapping[str, arb]) -> bool:
+        """Whether the scene's run ends here, before the end of the time: an impact has made the force as large as it
+        says."""
+        time = self._began + segment.end_time
+        ended = every([self._large.shown(states), at_most(time, self._end)])
+        if ended is None:
+            return False
+        self._record.stopped, self._record.ended = time, ended
+        return True

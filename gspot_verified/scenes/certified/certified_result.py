@@ -30,7 +30,7 @@ class Record:
 
     ``violated``: the effect whose absence is wrong, when, and what was compared. ``seen``: up to when those that are
     watched hold. ``shown``: the evidence of each event; ``ended``: that of the end of the run, None where it was not
-    reached.
+    reached. ``stopped``: when λ_N had certainly passed the scene's ``stop_at_force``, if that ended the run.
     """
 
     events: list[RunEvent] = field(default_factory=list)
@@ -42,6 +42,7 @@ class Record:
     seen: arb = field(default_factory=lambda: arb(0))
     shown: list[Evidence] = field(default_factory=list)
     ended: Evidence | None = None
+    stopped: arb | None = None
 
     @property
     def evidence(self) -> Evidence | None:
@@ -111,6 +112,15 @@ def _assumptions(scene: Scene, conditions: Conditions, record: Record) -> tuple[
     return tuple(assumptions)
 
 
+def _span(scene: Scene, record: Record) -> str:
+    """Up to when the run is followed, in words."""
+    if record.stopped is None:
+        return f" until t = {scene.until} after the start"
+    least = rounded_text(float_bounds(record.stopped * scene.epsilon)[0], -1, 12)
+    large = f"λ_N is more than {scene.stop_at_force} times that of rigid slip at the start"
+    return f" until t = {least} after the start, where {large}"
+
+
 def result_of(scene: Scene, conditions: Conditions, record: Record) -> SceneRun:
     """The run: proved to its end, refuted where an absence is wrong, or undecided from some time on."""
     events = tuple(record.events)
@@ -118,7 +128,7 @@ def result_of(scene: Scene, conditions: Conditions, record: Record) -> SceneRun:
     remarks = "; ".join(record.remarks)
     assumptions = _assumptions(scene, conditions, record)
     known = f"certain before it: {fate_of(names)}"
-    span = "" if record.for_ever else f" until t = {scene.until} after the start"
+    span = "" if record.for_ever else _span(scene, record)
     failed = next((each for each in assumptions if each.standing == VIOLATED), None)
     if failed is not None and record.violated is not None:
         verdict = Verdict.refuted(

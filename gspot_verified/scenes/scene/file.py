@@ -25,9 +25,9 @@ The keys::
     mechanism        of the package, or the path of a TOML file from this file's folder; the model if missing
     effects          names of effects; `gspot-verified scenes` lists them
     epsilon          > 0
-    until            > 0: the time, from the start, at which float runs end
-    stop_at_force    optional, > 1: a float run ends where p < 0 and the force is this many times that of rigid slip
-                     at the start, -b/p
+    until            > 0: the time, from the start, at which runs end
+    stop_at_force    optional, > 1: a run ends where p < 0 and the force is this many times that of rigid slip at the
+                     start, -b/p; a certified one where that is certain, after an impact without collision was shown
     parameters.*     numbers of the effects, of the model, or of the mechanism
     start.*          the model: p, b or nu, and u, x with their effects; a mechanism: components of its state, as
                      numbers or formulas; y, v, z or none of them

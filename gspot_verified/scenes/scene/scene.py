@@ -44,9 +44,10 @@ class Scene(Shown):
     surface: y = 2 b epsilon^2/p, z = y/2, v = 0 with the paper's stiffness). A mechanism: components of its state as
     numbers or formulas; y, v, z or none of them (just in contact: all 0); two components follow from y and v.
 
-    ``until``: the time, from the start, at which float runs end. ``stop_at_force``: a float run ends where p < 0 and
-    lambda_N is this many times that of rigid slip at the start, -b/p; None: it does not. ``on_slow_manifold``: y, v, z
-    at the start are those of :attr:`slow_start`.
+    ``until``: the time, from the start, at which runs end. ``stop_at_force``: a run ends where p < 0 and lambda_N is
+    this many times that of rigid slip at the start, -b/p (a certified one where that is certain, after an impact
+    without collision was shown); None: it does not. ``on_slow_manifold``: y, v, z at the start are those of
+    :attr:`slow_start`.
 
     :raises SceneError: a part is wrong.
     :raises MechanismError: the mechanism is not complete, it has a mass or a friction coefficient below 0, or its mass
