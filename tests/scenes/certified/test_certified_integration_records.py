@@ -127,7 +127,13 @@ def growths(
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(module, "InvariantRegion", lambda _: SimpleNamespace(growth=lambda _: next(shown)))
         shown = iter(found)
-        observer.__init__(SimpleNamespace(system=system), arb(10), arb(15), fmpq(1, 10), record)  # type: ignore[misc]
+        observer.__init__(
+            SimpleNamespace(system=system),
+            arb(10),
+            arb(15),
+            SimpleNamespace(epsilon=fmpq(1, 10), stop_at_force=None),
+            record,
+        )  # type: ignore[misc]
         answers = [
             observer(SimpleNamespace(time=arb(k), end_time=arb(k + 1)), {})  # type: ignore[arg-type]
             for k in range(len(found))
