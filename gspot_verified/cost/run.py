@@ -19,7 +19,7 @@ from gspot_verified.cost.contents import blueprints
 from gspot_verified.cost.measurement.contest import FULL, QUICK
 from gspot_verified.cost.measurement.file import SCHEMA
 from gspot_verified.cost.measurement.kept_parts import KeptParts
-from gspot_verified.cost.measurement.measurement import Measurement
+from gspot_verified.cost.measurement.measurement import Measurement, Part
 from gspot_verified.cost.parts.cheap_answers import answers
 from gspot_verified.cost.times.measure import machine_load
 from gspot_verified.numbers.counted import done_of
@@ -38,7 +38,7 @@ def measure_cost(full: bool = False, progress: Progress = lambda _: None, kept: 
     put there.
     """
     start, before = time.perf_counter(), machine_load()
-    parts = []
+    parts: list[Part] = []
     planned = blueprints(full)
     for blueprint in planned:
         part = None if kept is None else kept.find(blueprint.key)

@@ -108,7 +108,7 @@ def load_scene(name_or_path: str | Path, /, **settings: ExactInput | None) -> Sc
     else:
         hint = nearest(str(name_or_path), SHIPPED)
         shown = str(name_or_path)[:60]
-        if _names_a_mechanism(shown):
+        if isinstance(name_or_path, str) and _names_a_mechanism(name_or_path):
             raise SceneError(f"{shown!r} {_IS_A_MECHANISM}")
         raise SceneError(f"no scene file {shown!r}, and no scene of that name{hint}; there are: {', '.join(SHIPPED)}")
     return scene.with_settings(**settings)

@@ -186,7 +186,8 @@ def test_no_impact_after_the_end_of_the_time() -> None:
 
 def test_no_impact_in_flight() -> None:
     system = SimpleNamespace(events=[], supposed=(), phase="flight")
-    observer = module._ImpactObserver(SimpleNamespace(system=system), arb(0), arb(9), fmpq(1), Record())  # type: ignore[arg-type]
+    scene = SimpleNamespace(epsilon=fmpq(1), stop_at_force=fmpq(9))
+    observer = module._ImpactObserver(SimpleNamespace(system=system), arb(0), arb(9), scene, Record())  # type: ignore[arg-type]
     assert observer(SimpleNamespace(time=arb(0), end_time=arb(1)), {}) is False  # type: ignore[arg-type]
 
 
