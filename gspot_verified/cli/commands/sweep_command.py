@@ -7,12 +7,14 @@ from typing import Annotated
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+from gspot_verified.cli.app import JsonFlag, app, counted, print_json
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.commands.mechanism_commands import MechanismName
 from gspot_verified.cli.commands.sign_commands import JournalFile, Scheduler, Workers
 from gspot_verified.cli.output import PICTURES, Outputs
 from gspot_verified.numbers.counted import done_of
+
+_SAID = 32  # cells and pieces between two plain lines of progress
 
 
 @app.command(epilog=example("sweep oscillator --over beta=1/2..4:40"))
@@ -105,4 +107,5 @@ def _replace(path: Path, text: str) -> None:
 
 
 def _show(done: int, of: int) -> None:
-    progress(f"{done_of(done, of, 'cell')}, undecided pieces among them")
+    said = done == of or done % _SAID == 0
+    counted(f"{done_of(done, of, 'cell')}, undecided pieces among them", done, done / of, said)
