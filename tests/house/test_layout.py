@@ -45,7 +45,7 @@ ROOMS: dict[str, tuple[tuple[str, ...], ...]] = {
         ("checks", "numerics"),
     ),
     "scenes": (("",), ("certified", "simulators"), ("floats",), ("scene",), ("motions",), ("effects",), ("equations",)),
-    "mechanisms": (("", "approach", "sweep"), ("spots",), ("derive",), ("input",), ("formulas", "zeros")),
+    "mechanisms": (("", "approach", "sweep"), ("foreign", "spots"), ("derive",), ("input",), ("formulas", "zeros")),
     "compliant": (("motion",), ("side", "zeros"), ("contact", "fast", "patches"), ("slow",), ("model",)),
     "expansion": (("true_solutions",), ("",), ("series",)),
     "integrator": (("norm_steps",), ("box_steps",), ("field",)),

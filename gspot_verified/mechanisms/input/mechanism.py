@@ -107,7 +107,7 @@ class Mechanism(Shown):
 
     Either ``x`` or ``slip_velocity`` is given. ``mirrored`` says that x, or the slip velocity, has the opposite sign of
     what the user gave: negative slip there is positive slip here. ``drawing`` is no part of what a mechanism is: two
-    that differ in nothing else are equal.
+    that differ in nothing else are equal. ``remarks`` say what a reader must know of how it came in.
     """
 
     name: str
@@ -123,6 +123,7 @@ class Mechanism(Shown):
     mirrored: bool = False
     regularisation: Regularisation = PAPER
     drawing: Drawing | None = field(default=None, compare=False)
+    remarks: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         parameters = ", ".join(name for name, _ in self.parameters) or "none"
@@ -167,7 +168,7 @@ class Mechanism(Shown):
     @property
     def notes(self) -> tuple[str, ...]:
         """What a reader of results must know of how the mechanism was read."""
-        texts = []
+        texts = [*self.remarks]
         if self.mirrored:
             what = "x" if self.x is not None else "the slip velocity"
             texts.append(

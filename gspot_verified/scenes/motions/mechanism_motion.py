@@ -28,6 +28,7 @@ from gspot_verified.leading_order.contact_force import rational
 from gspot_verified.mechanisms.approach.slip_state import placed_components, solved_components, state_formula
 from gspot_verified.mechanisms.derive.mass_matrix import check_mass_matrix
 from gspot_verified.mechanisms.derive.to_system import NotRationalError, shift
+from gspot_verified.mechanisms.foreign.names import SCENE_END, SCENE_FUNCTIONS, SCENE_NAMES
 from gspot_verified.mechanisms.formulas.rewriting import replaced, simplified
 from gspot_verified.mechanisms.formulas.simplify import constant, minus, product_of, rational_value, sum_of
 from gspot_verified.mechanisms.formulas.symbol import variable_indices
@@ -85,9 +86,6 @@ _BITS = 160  # for signs and texts at the start
 _SCALED = ("Y", "V", "Z")
 _FIELDS = ("F", "G", "G_T", "G_N")
 _SCALARS = ("a", "b", "A", "B", "C", "p", "mu", "u")
-_FUNCTIONS = ("y", "v", "p", "b", "u", "x")
-_RESERVED = (*_SCALED, "z", "lambda_N", "t", "T", "phase")
-_RESERVED_END = "_radius"  # of the columns that certified samples have beside the others
 
 
 class MechanismMotion:
@@ -137,10 +135,10 @@ class MechanismMotion:
     def _check_names(self) -> None:
         """A component must not have the name of something else in a scene; p may be p itself."""
         state, f = self.mechanism.state, self._shifted.functions
-        own = {name: getattr(f, name) for name in _FUNCTIONS}
+        own = {name: getattr(f, name) for name in SCENE_FUNCTIONS}
         clash = [name for name in own if name in state and own[name] is not Variable(state.index(name))]
-        clash += [name for name in _RESERVED if name in self.kept or (name == "z" and name in state)]
-        clash += [name for name in self.kept if name.endswith(_RESERVED_END)]
+        clash += [name for name in SCENE_NAMES if name in self.kept or (name == "z" and name in state)]
+        clash += [name for name in self.kept if name.endswith(SCENE_END)]
         if clash:
             raise SceneError(f"{self.mechanism.name}: scenes use the name {clash[0]!r}; give this component another")
 
