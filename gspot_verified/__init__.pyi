@@ -33,7 +33,9 @@ from gspot_verified.leading_order.iwc import IwcResult as IwcResult
 from gspot_verified.mechanisms.approach.approach import approach as approach
 from gspot_verified.mechanisms.approach.approach_result import Approach as Approach
 from gspot_verified.mechanisms.expand import expand as expand
+from gspot_verified.mechanisms.foreign.from_mjcf import from_mjcf as from_mjcf
 from gspot_verified.mechanisms.foreign.from_sympy import from_sympy as from_sympy
+from gspot_verified.mechanisms.foreign.from_urdf import from_urdf as from_urdf
 from gspot_verified.mechanisms.input.mechanism import Mechanism as Mechanism
 from gspot_verified.mechanisms.input.mechanism import MechanismError as MechanismError
 from gspot_verified.mechanisms.iwc import iwc as iwc

@@ -42,15 +42,16 @@ def spelled(name: str) -> str:
     return word if re.match(rf"[{LETTERS}]", word) and word not in (*FUNCTIONS, PI) else f"q_{word}".rstrip("_")
 
 
-def coordinate_names(names: Iterable[str]) -> dict[str, str]:
-    """For each name of a coordinate the one that it has here; no two are the same, nor is one another's velocity.
+def coordinate_names(names: Iterable[str], parameters: Iterable[str] = ()) -> dict[str, str]:
+    """For each name of a coordinate the one that it has here; no two are the same, nor is one another's velocity, nor
+    one of the ``parameters``.
 
     >>> coordinate_names(["x", "phi", "q_x"])
     {'x': 'q_x_', 'phi': 'phi', 'q_x': 'q_x'}
     """
     given = list(names)
     plain = [name for name in given if spelled(name) == name and not is_reserved(name)]
-    taken: set[str] = set()
+    taken = set(parameters)
     made = {}
     for name in (*plain, *(name for name in given if name not in plain)):
         word = spelled(name)
