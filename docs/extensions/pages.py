@@ -35,6 +35,7 @@ _TYPESET = (
     "rigour",
     "index",
     "ten_minutes",
+    "your_equations",
     "expansions",
     "theta_and_signs",
     "compliant",
