@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from gspot_verified.mechanisms.foreign.names import mechanism_name
 from gspot_verified.mechanisms.foreign.planar_tree import Body, Joint, PlanarContact, planar_mechanism
 from gspot_verified.mechanisms.foreign.rotations import by_euler, by_quaternion, right_angle
 from gspot_verified.mechanisms.foreign.xml_element import XmlElement, exact_number, xml_root
@@ -85,7 +86,7 @@ def from_mjcf(
     (('hip', 'hip_dot'), 1)
     """
     root = xml_root(source, "mujoco", without)
-    title = name if name is not None else root.text("model", "model of MuJoCo")[:80]
+    title = mechanism_name(name if name is not None else root.text("model", "model of MuJoCo")[:80])
     model = _Model(root, without)
     bodies = model.bodies()
     gravity, parameters = model.gravity()

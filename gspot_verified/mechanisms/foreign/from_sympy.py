@@ -11,7 +11,7 @@ from gspot_verified.mechanisms.derive.impossible import refuse_impossible
 from gspot_verified.mechanisms.derive.lie_derivatives import vanishes_identically
 from gspot_verified.mechanisms.foreign.compared import Compared, compare
 from gspot_verified.mechanisms.foreign.exact_formulas import ExactFormulas
-from gspot_verified.mechanisms.foreign.names import coordinate_names, parameter_names, renamed_text
+from gspot_verified.mechanisms.foreign.names import coordinate_names, mechanism_name, parameter_names, renamed_text
 from gspot_verified.mechanisms.foreign.sympy_equations import SympyEquations, sympy_equations, time_symbol
 from gspot_verified.mechanisms.formulas.in_sympy import to_sympy
 from gspot_verified.mechanisms.formulas.names import nearest
@@ -68,7 +68,7 @@ def from_sympy(
     >>> block.state, block.notes
     (('q_x', 'q_y', 'q_x_dot', 'q_y_dot'), ('renamed: x is q_x, y is q_y here',))
     """
-    formulas = ExactFormulas(name, rationalize)
+    formulas = ExactFormulas(mechanism_name(name), rationalize)
     given = _only(name, "contact", contact, CONTACT)
     place = _only(name, "g_spot", g_spot or {}, G_SPOT)
     equations = sympy_equations(name, method, formulas, coordinates)
@@ -248,10 +248,12 @@ class _Translation:
 
         if isinstance(part, list):
             return [self._named(each) for each in part]
-        velocities = {velocity: sympy.Symbol(word) for velocity, word in self._velocities.items()}
-        places = {q: sympy.Symbol(word) for q, word in self._places.items()}
-        symbols = {symbol: sympy.Symbol(word) for symbol, word in self.words.items()}
-        return self._bare(part, places | symbols | {time_symbol(): sympy.Symbol(_TIME)}, velocities)
+        # Dummies between: a parameter there may have the name of a velocity here.
+        dummies = {velocity: sympy.Dummy() for velocity in self._velocities}
+        table = {dummies[velocity]: sympy.Symbol(word) for velocity, word in self._velocities.items()}
+        table |= {q: sympy.Symbol(word) for q, word in self._places.items()}
+        table |= {symbol: sympy.Symbol(word) for symbol, word in self.words.items()}
+        return self._bare(part, table | {time_symbol(): sympy.Symbol(_TIME)}, dummies)
 
     def component(self, key: Any) -> str:
         """The name here of a component of the state, given as sympy's or by a name."""

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from gspot_verified.mechanisms.foreign.names import mechanism_name
 from gspot_verified.mechanisms.foreign.planar_tree import Body, Joint, PlanarContact, planar_mechanism
 from gspot_verified.mechanisms.foreign.rotations import by_roll_pitch_yaw, right_angle
 from gspot_verified.mechanisms.foreign.xml_element import XmlElement, xml_root
@@ -73,7 +74,7 @@ def from_urdf(
     import sympy
 
     root = xml_root(source, "robot", without)
-    title = name if name is not None else root.text("name", "robot")[:80]
+    title = mechanism_name(name if name is not None else root.text("name", "robot")[:80])
     reader = _Robot(root, without)
     bodies = reader.bodies()
     contact = PlanarContact(contact_link, contact_point, mu, height, normal, tangent, slip)
@@ -92,16 +93,18 @@ class _Robot:
         if len(self._links) != len(list(root.children("link"))):
             raise root.refuse("two links have one name")
         self._above: dict[str, XmlElement] = {}
+        self._below: dict[str, list[str]] = {}
         names: set[str] = set()
         for joint in root.children("joint"):
             child = self._end(joint, "child")
-            self._end(joint, "parent")
+            parent = self._end(joint, "parent")
             if child in self._above:
                 raise joint.refuse(f"link {child!r} hangs on two joints: closed loops are not taken")
             if joint.text("name") in names:
                 raise joint.refuse("two joints have this name")
             names.add(joint.text("name"))
             self._above[child] = joint
+            self._below.setdefault(parent, []).append(child)
         self._read_as: list[str] = []
         self._limited = False
 
@@ -133,12 +136,12 @@ class _Robot:
             link, turn, origin, joints = waiting.pop(0)
             made.append(self._body(link, turn, origin, joints))
             behind = []
-            for child, joint in self._above.items():
-                if self._end(joint, "parent") == link:
-                    place, own_turn = self._origin(joint)
-                    there, frame = origin + turn * place, turn * own_turn
-                    moved = self._joint(joint, frame, there)
-                    behind.append((child, frame, there, (*joints, moved) if moved is not None else joints))
+            for child in self._below.get(link, ()):
+                joint = self._above[child]
+                place, own_turn = self._origin(joint)
+                there, frame = origin + turn * place, turn * own_turn
+                moved = self._joint(joint, frame, there)
+                behind.append((child, frame, there, (*joints, moved) if moved is not None else joints))
             waiting[:0] = behind
         if len(made) != len(self._links):
             missing = sorted(set(self._links) - {body.name for body in made})

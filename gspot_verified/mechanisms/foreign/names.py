@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping
 
 from gspot_verified.mechanisms.formulas.names import FUNCTIONS, LETTERS, normal_name
 from gspot_verified.mechanisms.formulas.symbol import PI
+from gspot_verified.mechanisms.input.mechanism import MechanismError
 
 SCENE_FUNCTIONS = ("y", "v", "p", "b", "u", "x")
 """What scenes compute under these names."""
@@ -20,6 +21,7 @@ SCENE_END = "_radius"
 """Of the columns that certified samples have beside the others."""
 
 _OTHER = re.compile(rf"[^{LETTERS}0-9_]+")
+_LONGEST_TITLE = 80  # characters
 _LONGEST = 24  # characters: more is put before and behind, and a name has at most 40
 
 
@@ -30,6 +32,19 @@ def is_reserved(name: str) -> bool:
     (True, False)
     """
     return name in (*SCENE_FUNCTIONS, *SCENE_NAMES, "nu") or name.endswith(SCENE_END)
+
+
+def mechanism_name(name: object) -> str:
+    """The name, if it is one line of visible text.
+
+    :raises MechanismError: it is not.
+
+    >>> mechanism_name("two-link arm")
+    'two-link arm'
+    """
+    if not isinstance(name, str) or not name.strip() or not name.isprintable() or len(name) > _LONGEST_TITLE:
+        raise MechanismError(f"name: one line of visible text is needed, at most {_LONGEST_TITLE} characters")
+    return name
 
 
 def spelled(name: str) -> str:

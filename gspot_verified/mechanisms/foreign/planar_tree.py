@@ -19,13 +19,14 @@ from typing import Any
 from gspot_verified.mechanisms.derive.impossible import refuse_impossible
 from gspot_verified.mechanisms.derive.lie_derivatives import vanishes_identically
 from gspot_verified.mechanisms.foreign.names import coordinate_names, renamed_text
-from gspot_verified.mechanisms.input.given import from_energies
+from gspot_verified.mechanisms.input.given import MAX_COORDINATES, from_energies
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, exact_rational
 
 Vector = tuple[Any, Any]
 Turned = dict[Any, Vector]
 """A sum of vectors, each turned by the angle that is its key."""
 
+_MAX_BODIES = 200  # a limit against hostile input
 _AXES = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}
 
 
@@ -96,6 +97,11 @@ def planar_mechanism(
 
     plane = _Plane(name, contact.tangent, contact.normal)
     joints = list(dict.fromkeys(joint for body in bodies for joint in body.joints))
+    if not 1 <= len(joints) <= MAX_COORDINATES or len(bodies) > _MAX_BODIES:
+        raise MechanismError(
+            f"{name}: between 1 and {MAX_COORDINATES} joints that move and at most {_MAX_BODIES} bodies, got "
+            f"{len(joints)} and {len(bodies)}"
+        )
     words = coordinate_names([joint.name for joint in joints], parameters)
     q = {joint: sympy.Symbol(words[joint.name]) for joint in joints}
     rates = [sympy.Symbol(f"{words[joint.name]}_dot") for joint in joints]

@@ -74,9 +74,12 @@ def right_angle(number: Any, word: str) -> Any:
     """
     import sympy
 
-    decimals = len(word.lower().partition("e")[0].partition(".")[2]) if "e" not in word.lower() else 0
-    count = sympy.Integer(round(2 * number / sympy.pi))
-    near = count * sympy.pi / 2
-    if count == 0 or decimals < _FEWEST_DECIMALS:
+    if "e" in word.lower() or "." not in word:
         return number
-    return near if abs(number - near) < sympy.Rational(1, 10**decimals) else number
+    decimals = len(word.partition(".")[2])
+    unit = sympy.Rational(1, 10**decimals)
+    count = sympy.Integer(round(2 * number / sympy.pi))
+    beyond = abs(number) - abs(count) * sympy.pi / 2
+    if count == 0 or decimals < _FEWEST_DECIMALS or not -unit < beyond <= unit / 2:
+        return number
+    return count * sympy.pi / 2

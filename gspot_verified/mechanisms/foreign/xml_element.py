@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
 from gspot_verified.mechanisms.formulas.names import nearest
 from gspot_verified.mechanisms.input.mechanism import MechanismError
-from gspot_verified.mechanisms.input.toml_table import Decimal, formula_value
+from gspot_verified.mechanisms.input.toml_table import MAX_DIGITS, MAX_EXPONENT
 
-MAX_BYTES = 5_000_000  # of a file: a limit against hostile input
+MAX_BYTES = 1_000_000  # of a file: a limit against hostile input
 MAX_DEPTH = 60  # of elements in one another: likewise
+_DECIMAL = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE]([+-]?[0-9]{1,6}))?")
 
 
 class XmlElement:
@@ -120,11 +123,10 @@ def exact_number(word: str, where: str) -> Any:
     """
     import sympy
 
-    try:
-        value = formula_value(Decimal(word), where)
-        return sympy.Rational(str(value))
-    except (ValueError, TypeError, ZeroDivisionError):
-        raise MechanismError(f"{where}: {word[:40]!r} is no decimal number of usual size") from None
+    match = _DECIMAL.fullmatch(word)
+    if match is None or len(word) > MAX_DIGITS or abs(int(match[1] or 0)) > MAX_EXPONENT:
+        raise MechanismError(f"{where}: {word[:40]!r} is no decimal number of usual size")
+    return sympy.Rational(str(Fraction(word)))
 
 
 def xml_root(source: str | Path, tag: str, without: Sequence[str]) -> XmlElement:
@@ -135,6 +137,8 @@ def xml_root(source: str | Path, tag: str, without: Sequence[str]) -> XmlElement
     is_text = isinstance(source, str) and source.lstrip().startswith("<")
     text = str(source) if is_text else _read(Path(source))
     where = "text" if is_text else str(source)
+    if len(text) > MAX_BYTES:
+        raise MechanismError(f"{where}: longer than {MAX_BYTES} characters")
     if "<!DOCTYPE" in text or "<!ENTITY" in text:
         raise MechanismError(f"{where}: a document type or entities are not read")
     try:

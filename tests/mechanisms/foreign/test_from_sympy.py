@@ -208,6 +208,24 @@ def test_a_parameter_of_the_name_of_a_coordinate_is_another_thing() -> None:
     assert found.place.fixed == ("q_x", "q_y_dot")
 
 
+def test_a_parameter_of_the_name_of_a_velocity_is_another_thing() -> None:
+    speed = sympy.Symbol("theta_dot")
+    method = LagrangesMethod(
+        m * (x.diff() ** 2 + theta.diff() ** 2) / 2 - speed * theta + theta * theta.diff() ** 2, [x, theta]
+    )
+    found = from_sympy(method, contact={"x": x, "y": theta, "mu": speed}, parameters={m: 2, speed: 3})
+    by_hand = from_energies("b", ["X", "Y"], "X_dot^2 + Y_dot^2 + Y*Y_dot^2", "3*Y", "X", "Y", 3)
+    assert found.state == ("q_x", "theta", "q_x_dot", "theta_dot")
+    assert dict(found.parameters).keys() == {"m", "theta_dot_"}
+    assert same(found, by_hand)
+
+
+@pytest.mark.parametrize("name", ["", " ", "two\nlines", "a" * 81, 7])
+def test_the_name_is_one_line(name: Any) -> None:
+    with pytest.raises(MechanismError, match="name"):
+        of_block(name=name)
+
+
 def test_parameters_may_stay_symbols_and_use_each_other() -> None:
     found = of_arm(by_lagrange(), parameters=VALUES | {m1: 2 * m2, mu: None})
     assert dict(found.parameters)["mu"] is None
