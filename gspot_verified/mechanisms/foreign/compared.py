@@ -23,7 +23,7 @@ from gspot_verified.numbers.balls import working_bits
 
 _POINTS, _TRIES = 2, 6  # states that are compared, and states that are tried
 _DIGITS = 50  # of sympy's numbers
-_BITS = 200
+_BITS = 200  # of our balls
 _AGREE = arb("1e-30")  # relative to 1 + the number
 
 

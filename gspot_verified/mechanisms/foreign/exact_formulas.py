@@ -66,9 +66,10 @@ class ExactFormulas:
         """The formulas of a list, a one-dimensional array, or a matrix of one column or one row."""
         rows = _nested(values, f"{self._name}: {where}")
         if all(isinstance(row, list) for row in rows):
-            rows = (
-                [row[0] for row in rows] if all(len(row) == 1 for row in rows) else rows[0] if len(rows) == 1 else rows
-            )
+            if len(rows) == 1:
+                rows = rows[0]
+            elif all(len(row) == 1 for row in rows):
+                rows = [row[0] for row in rows]
         return [self(value, f"{where} {i + 1}") for i, value in enumerate(rows)]
 
     def matrix(self, values: Any, where: str) -> list[list[Any]]:

@@ -127,7 +127,8 @@ class Mechanism(Shown):
 
     def __str__(self) -> str:
         parameters = ", ".join(name for name, _ in self.parameters) or "none"
-        return f"{self.name}: a mechanism with the state {', '.join(self.state)}; parameters: {parameters}"
+        first = f"{self.name}: a mechanism with the state {', '.join(self.state)}; parameters: {parameters}"
+        return "\n".join([first, *(f"  note: {note}" for note in self.notes)])
 
     def with_parameters(self, **values: ExactInput | None) -> Mechanism:
         """The same mechanism with other values of some parameters; None makes a parameter a symbol.

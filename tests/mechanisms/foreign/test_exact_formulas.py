@@ -78,6 +78,12 @@ def test_a_column_may_come_in_many_forms(values: Any) -> None:
     assert READ.vector(values, "force") == [1, x]
 
 
+@pytest.mark.parametrize("values", [[[1], [x, 2]], [[1, x], [x]], sympy.ones(2, 2)])
+def test_a_column_has_one_formula_a_row(values: Any) -> None:
+    with pytest.raises(MechanismError, match="got list"):
+        READ.vector(values, "force")
+
+
 @pytest.mark.parametrize("values", [[[1, x], [x, 2]], ((1, x), (x, 2)), sympy.Matrix([[1, x], [x, 2]]),
                                     np.array([[1, x], [x, 2]], dtype=object)])  # fmt: skip
 def test_a_matrix_may_come_in_many_forms(values: Any) -> None:

@@ -31,7 +31,7 @@ from mechanisms.foreign.two_link import (
 )
 from sympy.physics.mechanics import KanesMethod, LagrangesMethod, Point, ReferenceFrame, dynamicsymbols
 
-from gspot_verified import classify, from_sympy, load
+from gspot_verified import Scene, SceneError, classify, from_sympy, load
 from gspot_verified.mechanisms.formulas.simplify import rational_value
 from gspot_verified.mechanisms.input.given import from_energies, lagrangian
 from gspot_verified.mechanisms.input.mechanism import Lagrangian, Mechanism, MechanismError
@@ -197,6 +197,20 @@ def test_names_that_scenes_have_are_changed_and_said() -> None:
     named = of_block(contact={"x": hard[0] * x, "y": y, "mu": hard[1]}, parameters={m: 1, g: 1, "q_x": 1, hard[1]: 2})
     assert named.notes == ("renamed: x is q_x, y is q_y here", r"renamed: q_x is q_x_, \mu_{0} is mu_0 here")
     assert dict(named.parameters).keys() == {"m", "g", "q_x_", "mu_0"}
+
+
+def test_a_scene_takes_what_came_in_and_refuses_the_names_as_they_were() -> None:
+    def scene(mechanism: Mechanism, word: str) -> Scene:
+        effects = ("compliant_contact", "lift_off", "tangential_motion", "stick")
+        start = {f"{word}_dot": fmpq(1)}
+        return Scene("a block", effects, fmpq(1, 100), fmpq(1), parameters={}, start=start, mechanism=mechanism)
+
+    found = of_block(contact={"x": 2 * x, "y": y - 1, "mu": "1/2"})
+    assert scene(found, "q_x").system("stick").states == ("q_x_dot", "Y", "V", "Z")
+    named = lagrangian("b", ["x", "y"], [[2, 0], [0, 2]], [0, -20], "2*x", "y - 1", "1/2")
+    assert same(found, named)
+    with pytest.raises(SceneError, match="scenes use the name 'y'"):
+        scene(named, "x")
 
 
 def test_a_parameter_of_the_name_of_a_coordinate_is_another_thing() -> None:

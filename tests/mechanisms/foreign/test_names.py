@@ -9,11 +9,13 @@ from hypothesis import strategies as st
 from gspot_verified.mechanisms.foreign.names import (
     coordinate_names,
     is_reserved,
+    mechanism_name,
     parameter_names,
     renamed_text,
     spelled,
 )
 from gspot_verified.mechanisms.formulas.names import check_name
+from gspot_verified.mechanisms.input.mechanism import MechanismError
 from gspot_verified.scenes.motions import mechanism_motion
 
 LETTERS = "aqy_-\\{} 1\N{GREEK SMALL LETTER MU}"
@@ -36,6 +38,18 @@ def test_every_name_can_be_used_and_none_is_used_twice(coordinates: list[str], p
 @pytest.mark.parametrize("name", ["theta", "q1", "phi_2", "X", "\N{GREEK SMALL LETTER PHI}", "theta_dot"])
 def test_a_name_that_can_be_used_stays(name: str) -> None:
     assert coordinate_names([name]) == {name: name}
+
+
+def test_who_can_keep_a_name_keeps_it() -> None:
+    assert coordinate_names([r"\theta", "theta"]) == {r"\theta": "theta_", "theta": "theta"}
+    assert coordinate_names(["a_dot", "a", "c"]) == {"a_dot": "a_dot", "a": "a_", "c": "c"}
+    assert coordinate_names(["g", "h"], ["g", "h_dot"]) == {"g": "g_", "h": "h_"}
+
+
+def test_the_name_of_a_mechanism_is_a_line() -> None:
+    assert mechanism_name("a" * 80) == "a" * 80
+    with pytest.raises(MechanismError, match="at most 80"):
+        mechanism_name("a" * 81)
 
 
 @pytest.mark.parametrize(

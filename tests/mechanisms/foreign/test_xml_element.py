@@ -30,6 +30,14 @@ def test_what_is_no_number_is_refused(word: str) -> None:
         exact_number(word, "mass")
 
 
+def test_a_number_may_be_as_long_as_in_other_files() -> None:
+    assert exact_number("9" * 100, "mass") == 10**100 - 1
+    assert exact_number("1e100", "mass") == exact_number("+1.E+100", "mass") == 10**100
+    for word in ("9" * 101, "1e101", "1e-101"):
+        with pytest.raises(MechanismError, match="usual size"):
+            exact_number(word, "mass")
+
+
 def test_errors_name_the_element() -> None:
     first, second = root().children("b")
     assert (first.where, second.where) == ("text: b 'one'", "text: b")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -83,3 +84,13 @@ def test_a_rational_number_is_asked_for() -> None:
     for value, message in ((0.5, "m: a float"), ("x", "m"), (arb(1, "0.1"), "m: must be a rational number")):
         with pytest.raises(MechanismError, match=message):
             exact_rational(value, "m")  # type: ignore[arg-type]
+
+
+def test_its_text_names_state_and_parameters_and_repeats_the_notes() -> None:
+    plain = lagrangian("block", ["q", "s"], [[1, 0], [0, 1]], [0, 0], "q", "s", 1)
+    line = "block: a mechanism with the state q, s, q_dot, s_dot; parameters: none"
+    assert str(plain) == line
+    assert str(replace(plain, remarks=("renamed: x is q here",))) == f"{line}\n  note: renamed: x is q here"
+    bare = Mechanism(plain.name, plain.state, plain.motion, plain.x, plain.y, plain.mu)
+    assert bare == plain
+    assert not bare.mirrored
