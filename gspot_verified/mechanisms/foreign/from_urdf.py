@@ -210,7 +210,7 @@ class _Robot:
         kilograms = mass.number("value")
         if kilograms < 0:
             raise mass.refuse("a mass must not be negative")
-        xx, yy, zz, xy, xz, yz = (inertia.number(f"i{word}", "0") for word in ("xx", "yy", "zz", "xy", "xz", "yz"))
+        xx, yy, zz, xy, xz, yz = (inertia.number(f"i{word}") for word in ("xx", "yy", "zz", "xy", "xz", "yz"))
         place, own = self._origin(inertial)
         axes = turn * own
         local = sympy.ImmutableMatrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])

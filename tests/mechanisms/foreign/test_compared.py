@@ -66,3 +66,11 @@ def test_equations_without_a_value_are_not_compared() -> None:
     nowhere = sympy_equations("arm", (sympy.eye(2), [sympy.log(q1 - 9), 0]), formulas, [q1, q2])
     mechanism = lagrangian("arm", ["q1", "q2"], [[1, 0], [0, 1]], ["log(q1 - 9)", 0], "q2", "q1", 1)
     assert compare(mechanism, Compared(nowhere, q2.diff(), q1, {})) == 0
+
+
+def test_an_acceleration_that_vanishes_agrees_up_to_rounding() -> None:
+    """In numbers sin^2 + cos^2 - 1 is not exactly 0, and no multiple of it bounds the difference."""
+    pair = (sympy.eye(2), [sympy.sin(q1) ** 2 + sympy.cos(q1) ** 2 - 1, -1])
+    equations = sympy_equations("arm", pair, ExactFormulas("arm"), [q1, q2])
+    mechanism = lagrangian("arm", ["q1", "q2"], [[1, 0], [0, 1]], ["sin(q1)^2 + cos(q1)^2 - 1", -1], "q1", "q2", 1)
+    assert compare(mechanism, Compared(equations, q1.diff(), q2, {})) == 2

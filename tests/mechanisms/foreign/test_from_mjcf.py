@@ -87,7 +87,19 @@ def _with_pi(functions: list[Any]) -> list[Any]:
 def test_a_frame_that_is_turned_by_right_angles_changes_nothing(frame: str) -> None:
     turned = changed((BODY, BODY.replace(">", f" {frame}>")), (HINGE, '<joint name="elbow" axis="0 0 3"/>'),
                      ("0 0.3 9", "0 9 0.3"))  # fmt: skip
-    assert same(mjcf_arm(turned), by_textbook())
+    found = mjcf_arm(turned)
+    assert same(found, by_textbook())
+    assert ("angles: 1.5708 is pi/2" in found.notes) == frame.startswith("euler")
+
+
+def test_a_slide_is_as_long_as_its_coordinate() -> None:
+    slide = changed((HINGE, '<joint name="reach" type="slide" axis="3 0 0"/>'))
+    by_hand = from_energies(
+        "polar", ["q", "r"],
+        "(7/10 + 3/10)/2*q_dot^2 + (r_dot^2 + (7/4 + r)^2*q_dot^2)/2", "9.81*(2*1/2 + 7/4 + r)*sin(q)",
+        "(5/2 + r)*cos(q)", "(5/2 + r)*sin(q) + 3/2", 2,
+    )  # fmt: skip
+    assert same(mjcf_arm(slide), by_hand)
 
 
 def test_angles_in_degrees_are_exact() -> None:

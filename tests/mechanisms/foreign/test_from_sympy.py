@@ -136,6 +136,14 @@ def test_a_reference_angle_and_exact_numbers_make_an_exact_spot() -> None:
     assert classify(found).beta == fmpq(18, 55)
 
 
+def test_conditions_of_a_g_spot_are_formulas_of_sympy() -> None:
+    found = of_arm(by_kane(), g_spot={"search": True, "point": {q1: 1}, "conditions": [q1 - h, u2 + 1]})
+    by_hand = lagrangian("b", ["q1", "q2"], [[1, 0], [0, 1]], [0, 0], "q1", "q2", 1, {"h": 1},
+                         conditions=["q1 - h", "q2_dot + 1"])  # fmt: skip
+    assert found.place.search
+    assert found.place.conditions == by_hand.place.conditions
+
+
 def test_forces_that_are_not_conservative_are_carried() -> None:
     N = ReferenceFrame("N")
     point = Point("P")
@@ -319,6 +327,7 @@ def test_what_sympy_assumed_of_a_symbol_must_hold() -> None:
         of_block(L, parameters=values | {stiff: -3})
     with pytest.raises(MechanismError, match="symbol k is assumed positive; its value is -2"):
         of_block(L, parameters=values | {stiff: -m})
+    assert dict(of_block(L, parameters=values | {stiff: None}).parameters)["k"] is None
     sign = dynamicsymbols("s", positive=True)
     with pytest.raises(MechanismError, match=r"coordinate s\(t\) is assumed positive"):
         from_sympy((sympy.eye(2), [0, -1]), coordinates=[sign, y], contact={"x": sign, "y": y, "mu": 1})

@@ -60,6 +60,25 @@ def test_a_frame_that_is_turned_by_right_angles_changes_nothing(quarter: str) ->
     assert f"angles: {quarter} is pi/2" in found.notes
 
 
+def test_frames_turn_one_after_the_other() -> None:
+    """The first frame is turned about z, the second one back: x and the axis -y of the world are written so there."""
+    turned = changed(
+        (SHOULDER, '<origin rpy="0 0 1.5708"/><axis xyz="-1 0 0"/>'),
+        ('<origin xyz="0.5 0 0"/>', '<origin xyz="0 -0.5 0"/>'),
+        ('ixx="0" iyy="0.2" izz="9"', 'ixx="0.2" iyy="0" izz="9"'),
+        (ELBOW, '<origin xyz="0 -1 0" rpy="0 0 -1.5708"/><axis xyz="0 -1 0"/>'),
+    )
+    assert same(urdf_arm(turned), by_textbook())
+
+
+def test_an_axis_that_is_not_given_is_x() -> None:
+    """The arm in the plane of y and z; the hinges about x turn y to z."""
+    aside = changed((SHOULDER, ""), (ELBOW, '<origin xyz="0 1 0"/>'), ('xyz="0.5 0 0"', 'xyz="0 0.5 0"'),
+                    ('xyz="0.75 0 0"', 'xyz="0 0.75 0"'), ('ixx="0" iyy="0.2"', 'ixx="0.2" iyy="0"'),
+                    ('ixx="0" iyy="0.3"', 'ixx="0.3" iyy="0"'))  # fmt: skip
+    assert same(urdf_arm(aside, tangent="y", contact_point=(0, "1.5", 0)), by_textbook())
+
+
 def test_a_turn_in_the_plane_shifts_the_angle() -> None:
     """rpy about y is the other way round than the hinge about -y."""
     found = urdf_arm(changed((ELBOW, '<origin xyz="1 0 0" rpy="0 0.3 0"/><axis xyz="0 -1 0"/>')))
@@ -150,6 +169,8 @@ def test_it_can_be_asked_for_its_g_spots() -> None:
         ('<mass value="2"/>', '<mass value="1e999999999"/>', "no decimal number of usual size"),
         ('<mass value="2"/>', '<mass value="0x10"/>', "'0x10' is no decimal number"),
         ('<mass value="2"/>', "<mass/>", "attribute 'value' is missing"),
+        ('iyy="0.2" ', "", "attribute 'iyy' is missing"),
+        ('ixz="0" ', "", "attribute 'ixz' is missing"),
         ('<?xml version="1.0"?>', '<!DOCTYPE robot [<!ENTITY a "b">]>', "a document type or entities are not read"),
         ("</robot>", "", "no XML"),
         ('<link name="base">', "<link>", "attribute 'name' is missing"),

@@ -51,6 +51,14 @@ def test_a_speed_of_any_kind_gives_newtons_law(speed: Any) -> None:
     )
 
 
+def test_the_residual_is_kanes_equation() -> None:
+    """q' = 2 u: the partial velocity is 2, the inertia force -3 q'' = -6 u'."""
+    found = read(particle(2 * u))
+    assert sympy.expand(found.residual[0] - (12 * u.diff() + 2 * k * q + 6 * g)) == 0
+    assert found.accelerations == (2 * u.diff(),)
+    assert found.loads == sympy.Matrix([[2]])
+
+
 def test_speeds_that_determine_nothing_are_refused() -> None:
     N = ReferenceFrame("N")
     point = Point("P")
