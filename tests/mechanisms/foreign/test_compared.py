@@ -74,3 +74,9 @@ def test_an_acceleration_that_vanishes_agrees_up_to_rounding() -> None:
     equations = sympy_equations("arm", pair, ExactFormulas("arm"), [q1, q2])
     mechanism = lagrangian("arm", ["q1", "q2"], [[1, 0], [0, 1]], ["sin(q1)^2 + cos(q1)^2 - 1", -1], "q1", "q2", 1)
     assert compare(mechanism, Compared(equations, q1.diff(), q2, {})) == 2
+
+
+def test_large_accelerations_agree_in_their_own_size() -> None:
+    equations = sympy_equations("arm", (sympy.eye(2), [10**40 * sympy.sin(q1), -1]), ExactFormulas("arm"), [q1, q2])
+    mechanism = lagrangian("arm", ["q1", "q2"], [[1, 0], [0, 1]], ["(10^20)^2*sin(q1)", -1], "q1", "q2", 1)
+    assert compare(mechanism, Compared(equations, q1.diff(), q2, {})) == 2
