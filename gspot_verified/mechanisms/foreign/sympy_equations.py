@@ -166,15 +166,13 @@ def _of_kane(name: str, method: Any, exact: ExactFormulas) -> SympyEquations:
 
     _refuse_dependent(name, method)
     formed = copy.copy(method)
-    try:
-        M_u, f_u = formed.mass_matrix, formed.forcing
-    except ValueError:
+    if not formed._fr or not formed._frstar:  # as sympy itself asks
         if not formed.bodies:
             raise MechanismError(
                 f"{name}: the KanesMethod has no equations yet: call kanes_equations(bodies, loads) first"
-            ) from None
+            )
         formed.kanes_equations()
-        M_u, f_u = formed.mass_matrix, formed.forcing
+    M_u, f_u = formed.mass_matrix, formed.forcing
     M_u, f_u = _matrix(exact, M_u, "mass matrix"), _column(exact, f_u, "force")
     q, u = sympy.Matrix(formed.q), sympy.Matrix(formed.u)
     velocities, second = _rates(q)
