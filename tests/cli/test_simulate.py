@@ -255,6 +255,8 @@ def test_effects_are_added_and_dropped(capsys: pytest.CaptureFixture[str]) -> No
     code, _, errors = run(capsys, *words, "--drop-effect", "stick")
     assert code == 64
     assert "effect 'stick' is not in the scene" in errors
+
+
 def test_a_mechanism_starts_before_its_g_spot(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     """A name and the path of a file give the same; parameters are changed before the G-spot is sought."""
     place = Path(str(resources.files("gspot_verified.mechanisms") / "data" / "falling_rod.toml"))

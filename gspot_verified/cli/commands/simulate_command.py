@@ -196,7 +196,7 @@ def scenes(as_json: JsonFlag = False) -> None:
 
 
 def _before(name: str, spot: int, given: dict[str, str]) -> Scene:
-    """The scene before a mechanism's G-spot: its parameters leave ``given``, they are set before the G-spot is sought."""
+    """The scene before a mechanism's G-spot: its parameters leave ``given``, and are set before."""
     from gspot_verified.mechanisms.load import load
     from gspot_verified.scenes.scene.before_spot import scene_before_spot
 

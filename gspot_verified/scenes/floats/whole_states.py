@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from gspot_verified.functions.expressions import Variable
 from gspot_verified.functions.rings import BALLS
 from gspot_verified.mechanisms.derive.to_system import shift
-from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.mechanisms.input.mechanism import Lagrangian, Mechanism
 from gspot_verified.numbers.balls import approximate, working_bits
 from gspot_verified.scenes.equations.terms import FLIGHT, REVERSE, STICK
 from gspot_verified.scenes.floats.float_function import float_function
@@ -54,12 +54,13 @@ class _Rest:
     def __init__(self, mechanism: Mechanism, kept: Sequence[str]) -> None:
         shifted, size = shift(mechanism), len(mechanism.state)
         f = shifted.functions
-        normal = NormalCoordinate.of(mechanism.name, f.y, f.v, mechanism.state)
-        self._normal = normal.place, normal.velocity
+        constrained = isinstance(mechanism.motion, Lagrangian) and mechanism.motion.constraints
+        normal = None if constrained else NormalCoordinate.of(f.y, f.v, size)
+        self._normal = () if normal is None else (normal.place, normal.velocity)
         references = {angle.coordinate: f"{angle.coordinate} - {angle.name}" for angle in mechanism.angles}
         self._kept = {mechanism.state.index(name): (name, references.get(name, name)) for name in kept}
         self._others = [i for i in range(size) if i not in self._kept and i not in self._normal]
-        solved = normal.solved(Variable(size), Variable(size + 1))
+        solved = {} if normal is None else normal.solved(Variable(size), Variable(size + 1))
         rates = [field[i] for i in self._others for field in (f.F, f.G_T, f.G_N)]
         with working_bits(_BITS):
             self._solved = float_function(shifted.expressions(list(solved.values()), BALLS))
@@ -70,7 +71,8 @@ class _Rest:
         made = list(state)
         for i, names in self._kept.items():
             made[i] = next(row[name] for name in names if name in row)
-        made[self._normal[0]], made[self._normal[1]] = self._solved([*made, row["y"], row["v"]])
+        for i, value in zip(self._normal, self._solved([*made, row["y"], row["v"]]), strict=True):
+            made[i] = value
         return made
 
     def rates(self, state: Sequence[float], normal_force: float, phase: str) -> list[float]:

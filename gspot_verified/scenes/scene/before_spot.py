@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from flint import arb, fmpq
 
+from gspot_verified.functions.box_program import BoxProgram
+from gspot_verified.functions.derivative import partial_derivative
+from gspot_verified.functions.rings import BALLS
 from gspot_verified.mechanisms.approach.state_beside import state_beside
-from gspot_verified.mechanisms.derive.to_system import shift
-from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.mechanisms.derive.to_system import Shifted, shift
+from gspot_verified.mechanisms.input.mechanism import Lagrangian, Mechanism
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.classify import Classification, classify_g_spot
 from gspot_verified.mechanisms.spots.g_spot import GSpot, find_g_spot
@@ -55,8 +58,9 @@ def scene_before_spot(mechanism: Mechanism, number: int) -> Scene:
             f"{where}: no start before it: whether the contact slips there, u > 0 or u < 0, is not certain"
         )
     shifted = shift(spot.shifted.mechanism)
-    normal = NormalCoordinate.of(mechanism.name, shifted.functions.y, shifted.functions.v, mechanism.state)
-    determined = {mechanism.state[normal.place], mechanism.state[normal.velocity]}
+    f, state = shifted.functions, mechanism.state
+    free = NormalCoordinate.of(f.y, f.v, len(state))
+    determined = {state[free.place], state[free.velocity]} if free else _steepest(spot, shifted, where)
     for share in _SHARES_OF_C:
         start = _start(spot, found, share)
         if start is None:
@@ -68,12 +72,26 @@ def scene_before_spot(mechanism: Mechanism, number: int) -> Scene:
             until=_until(found, share),
             parameters={},
             start={word: value for word, value in start.items() if word not in determined},
-            mechanism=mechanism,
+            mechanism=mechanism if free else spot.shifted.mechanism,  # else y = v = 0 is solved next to its place
         )
         p, b = (of(scene.values()) for of in (scene.motion.painleve_parameter, scene.motion.normal_acceleration))
         if p > 0 and b < 0:
             return scene
     raise SceneError(f"{where}: no state of slip with p > 0 and b < 0 was found next to it; write a scene with a start")
+
+
+def _steepest(spot: GSpot, shifted: Shifted, where: str) -> set[str]:
+    """The coordinate in which y is steepest at the G-spot, and its velocity: y = v = 0 is solved for them."""
+    state, motion = spot.shifted.mechanism.state, spot.shifted.mechanism.motion
+    if not isinstance(motion, Lagrangian) or motion.constraints:
+        raise SceneError(f"{where}: no start before it: the mechanism has constraints; write a scene with a start")
+    n = len(motion.coordinates)
+    with working_bits(_BITS):
+        slopes = shifted.expressions([partial_derivative(shifted.functions.y, i, len(state)) for i in range(n)], BALLS)
+        place = [ball(value) for value in spot.system.point]
+        sizes = [abs(approximate(slope)) for slope in BoxProgram(slopes, len(state)).values(place)]
+    steepest = sizes.index(max(sizes))
+    return {state[steepest], state[n + steepest]}
 
 
 def _start(spot: GSpot, found: Classification, share: fmpq) -> dict[str, fmpq | str] | None:

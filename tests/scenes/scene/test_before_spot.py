@@ -11,7 +11,9 @@ from hypothesis import strategies as st
 
 from gspot_verified import load, scene_before_spot, simulate
 from gspot_verified.mechanisms.approach.approach import approach
+from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.classify_all import classify_all
+from gspot_verified.mechanisms.spots.g_spot import find_g_spot
 from gspot_verified.numbers.balls import ball
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.scenes.scene.before_spot import ON_A_BELT, ON_A_SURFACE_AT_REST
@@ -78,3 +80,14 @@ def test_what_is_impossible_is_refused_with_its_reason() -> None:
         scene_before_spot(rod, 2)
     with pytest.raises(ValueError, match="9"):
         scene_before_spot(rod, 9)
+
+
+@pytest.mark.parametrize("number", [1, 2, 3])
+def test_an_arm_starts_next_to_the_g_spot_that_is_asked(number: int) -> None:
+    """No coordinate of it is free: y = v = 0 has other solutions far from this G-spot, and the file names another."""
+    arm = load("two-link arm")
+    spot = find_g_spot(at_spot(arm, number))
+    scene = scene_before_spot(arm, number)
+    state = scene.motion.whole_state(scene.values())  # type: ignore[union-attr]
+    assert all(abs(a - b) < 0.1 for a, b in zip(state[:2], map(ball, spot.system.point), strict=False))
+    assert scene.motion.painleve_parameter(scene.values()) > 0
