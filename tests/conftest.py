@@ -74,6 +74,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    config.pluginmanager.register(SharedCosts())
     profile = os.environ.get("HYPOTHESIS_PROFILE", "default")
     if profile not in ("default", "thorough"):
         raise pytest.UsageError(f"HYPOTHESIS_PROFILE must be default or thorough, got {profile!r}")
@@ -156,14 +157,17 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
     return found
 
 
-@pytest.hookimpl(wrapper=True)
-def pytest_fixture_setup(fixturedef: pytest.FixtureDef[Any], request: pytest.FixtureRequest) -> Iterator[Any]:
-    """What several tests share is not charged to the one that comes first: without it the next one would pay."""
-    begin = _processor_seconds()
-    found = yield
-    if fixturedef.scope != "function":
-        request.config.stash[_SHARED] = request.config.stash.get(_SHARED, 0.0) + _processor_seconds() - begin
-    return found
+class SharedCosts:
+    """A plugin by itself: for a fixture of the whole session pytest asks no conftest.py below its root."""
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_fixture_setup(self, fixturedef: pytest.FixtureDef[Any], request: pytest.FixtureRequest) -> Iterator[Any]:
+        """What several tests share is not charged to the one that comes first: without it the next one would pay."""
+        begin = _processor_seconds()
+        found = yield
+        if fixturedef.scope != "function":
+            request.config.stash[_SHARED] = request.config.stash.get(_SHARED, 0.0) + _processor_seconds() - begin
+        return found
 
 
 def _left_out(config: pytest.Config) -> dict[str, float]:

@@ -52,6 +52,7 @@ p = 0
 b = 0
 """
 _INSIDE, _CORNERS, _CURVES = 4, 3, 3  # places that are looked at
+_PIECES = 24  # that a sweep divides by itself: a question is to take a second, not a minute
 _STEPS = 12  # on the way from the start to a place
 
 Place = tuple[Fraction, ...]
@@ -90,12 +91,12 @@ def _model(random: Random) -> Attack:
 
     def ask() -> Answer:
         try:
-            found = sweep(parse_mechanism(text), over)
+            found = sweep(parse_mechanism(text), over, budget=_PIECES)
         except (MechanismError, GSpotError, ValueError) as error:
             return undecided(f"{type(error).__name__}: {str(error)[:40]}")
         return judged(found, spots, Random(seed))
 
-    return Attack(f"sweep(parse_mechanism('''{text}'''), {over})", ask)
+    return Attack(f"sweep(parse_mechanism('''{text}'''), {over}, budget={_PIECES})", ask)
 
 
 def _polynomial(random: Random) -> dict[str, Fraction]:
@@ -128,13 +129,13 @@ def _body(random: Random) -> Attack:
 
     def ask() -> Answer:
         try:
-            found = sweep(parse_mechanism(text), over, spot=number)
+            found = sweep(parse_mechanism(text), over, spot=number, budget=_PIECES)
         except (MechanismError, GSpotError, ValueError) as error:
             return undecided(f"{type(error).__name__}: {str(error)[:40]}")
         own = Random(seed)
         return judged(found, _careful(spots_of(body(named), slip, own)), own)
 
-    return Attack(f"sweep(parse_mechanism('''{text}'''), {over}, spot={number})", ask)
+    return Attack(f"sweep(parse_mechanism('''{text}'''), {over}, spot={number}, budget={_PIECES})", ask)
 
 
 def _across_a_border(

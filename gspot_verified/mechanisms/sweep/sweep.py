@@ -148,7 +148,14 @@ def _assembled(
         kept = without_gaps(kept)
     mechanism = question.mechanism
     return Sweep(
-        mechanism.name, question.grid.axes, place, dict(spot), tuple(kept), tuple(folds), mechanism.notes, ended
+        name=mechanism.name,
+        axes=question.grid.axes,
+        start=place,
+        spot=dict(spot),
+        pieces=tuple(kept),
+        folds=tuple(folds),
+        notes=mechanism.notes,
+        budget=ended,
     )
 
 

@@ -266,7 +266,7 @@ def _growth() -> Entry:
         "For β > 1 not an integer and C_1/Γ(-β) < 0, at leading order, the lift-off time, the last zero of λ_N, grows "
         "like |log ε|^(2/3) as ε → 0",
         SIGNS_RIGHT.carries(_rising(by_saddle, positive)),
-        growth.PAGE.carries(_rising(by_means, positive)),
+        growth.GROWS.carries(_rising(by_means, positive)),
         Check(
             Rung.POINTS,
             "certified brackets of a zero of λ_N beyond τ = 2: its ratio to the law tends to 1",

@@ -48,5 +48,5 @@ def distance_moves_so() -> bool:
     return bool((ALGEBRA.derivative(distance, images) + _SYMBOLS["q"] * distance + ALGEBRA.read("1 - a")).is_zero())
 
 
-PAGE = Page("signs", (third_moment_is_known, means_move_so, distance_moves_so))
+GROWS = Page("signs", (third_moment_is_known, means_move_so, distance_moves_so))
 """The page with the steps of its second proof."""

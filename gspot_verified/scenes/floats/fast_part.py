@@ -10,6 +10,7 @@ from typing import Any, ClassVar
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.mechanisms.approach.fast_decay import surviving_exponent
 from gspot_verified.numbers.balls import approximate
+from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 from gspot_verified.scenes.equations.terms import SLIP
 from gspot_verified.scenes.floats.float_function import float_function
@@ -22,9 +23,10 @@ _STEPS = 400  # points of the path
 
 
 @dataclass(frozen=True)
-class FastPart(Written):
+class FastPart(NoTruthValue, Written):
     """e^(-``exponent``/epsilon) = ``factor`` of it is left at the G-spot, at the ``time`` after the start; about so."""
 
+    ask: ClassVar[str] = ".factor says how much is left"
     written: ClassVar[str] = "exponent factor time"
 
     exponent: float

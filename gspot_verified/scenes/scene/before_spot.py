@@ -23,7 +23,7 @@ _PLACES = 10**8  # a start is rounded to so many parts of 1
 _SHARES_OF_C = tuple(fmpq(1, 2**k) for k in (5, 7, 9, 12))  # p at the start, tried in turn
 _SHARE_OF_FORCE = fmpq(5, 4)  # -b/p at the start, over |mean force|; from a smaller one slip may lift off before
 _TIMES = 10  # that p takes to fall to 0: how long is looked
-EPSILON = fmpq(1, 1000)
+EPSILON = fmpq(1, 1000)  # of the scene, until another is set
 ON_A_SURFACE_AT_REST = ("compliant_contact", "lift_off", "tangential_motion", "stick")
 ON_A_BELT = ("compliant_contact", "lift_off", "belt")
 
@@ -45,7 +45,7 @@ def scene_before_spot(mechanism: Mechanism, number: int) -> Scene:
     >>> from gspot_verified import load
     >>> scene = scene_before_spot(load("rod"), 1)
     >>> scene.effects == ON_A_SURFACE_AT_REST, scene.first_phase(), scene.start["theta"]
-    (True, 'slip', 'theta_ref - 0.03...')
+    (True, 'slip', 'theta_ref - 0.0194993')
     """
     spot = find_g_spot(at_spot(mechanism, number))
     found = classify_g_spot(spot)

@@ -6,16 +6,18 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from gspot_verified.numbers.counted import counted
+from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 from gspot_verified.scenes.equations.terms import SLIP
 from gspot_verified.scenes.scene.scene import Scene, SceneError
 
 
 @dataclass(frozen=True)
-class EffectCost(Written):
+class EffectCost(NoTruthValue, Written):
     """``states`` and ``operations`` of the right-hand side in slip, and ``phases``, that ``effect`` brings; together
     with ``needing``, the effects of the scene that cannot be without it."""
 
+    ask: ClassVar[str] = ".operations says what it costs"
     written: ClassVar[str] = "effect needing states operations phases"
 
     effect: str

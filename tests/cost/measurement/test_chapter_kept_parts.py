@@ -56,7 +56,7 @@ def test_an_interrupted_run_goes_on(made_up: Measurement, tmp_path: Path, monkey
     found = run.measure_cost(progress=said.append, kept=KeptParts(path, QUESTION))
     assert found.parts == parts
     assert measured == [part.key for part in parts]
-    assert said[0] == "The second part"
+    assert said[0] == "The second part; 1 of 2 parts measured"
 
 
 def test_parts_of_another_run_are_refused(

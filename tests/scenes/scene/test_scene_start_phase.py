@@ -9,7 +9,7 @@ from flint import arb, fmpq
 
 from gspot_verified.scenes.equations.motion import SceneError
 from gspot_verified.scenes.equations.terms import FLIGHT, REVERSE, SLIP, STICK
-from gspot_verified.scenes.scene.scene import check_rigid_force, check_start, first_phase, in_contact
+from gspot_verified.scenes.scene.start import check_rigid_force, check_start, first_phase, in_contact
 
 VALUES = {"k_1": fmpq(2), "k_2": fmpq(1), "damping": fmpq(3)}
 ZERO, ONE, EPSILON = fmpq(0), fmpq(1), fmpq(1, 10)
