@@ -162,7 +162,7 @@ def test_contact_lasts() -> None:
 
 def test_contact_lasts_by_intervals_that_cover_the_time(monkeypatch: pytest.MonkeyPatch) -> None:
     model, state = paper_run("5/2", "1/2", "1e-6")
-    assert "cover [-500000, -400000]" in str(contact_lasts(model, state, "-2/5").evidence)
+    assert "covers [-500000, -400000]" in str(contact_lasts(model, state, "-2/5").evidence)
     monkeypatch.setattr(first_zero_module, "less", lambda *_: None)  # nothing is certain
     assert contact_lasts(model, state, "-2/5").outcome is Outcome.UNDECIDED
 

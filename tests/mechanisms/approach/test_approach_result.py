@@ -27,7 +27,7 @@ def test_what_is_said_of_each_end() -> None:
     assert "\n  C1 = " in text
     assert "\n  after the time t = " in text
     assert "\n  alpha_1 = " in text
-    assert "side" not in str(event)
+    assert "\n  side: " not in str(event)
     assert "\n  y and v from y = 0 and v = 0\n" in str(event)
     assert "\n  there: x = " in str(event)
     assert "\n  no Case, beta = " in str(event)

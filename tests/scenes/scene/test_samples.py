@@ -34,14 +34,16 @@ def test_enclosures_hold_what_floats_find(beta: str, nu: str) -> None:
     """In contact, in flight, and into an impact: every value of the float run lies within a small multiple of its
     tolerance of the enclosure, which is much narrower."""
     scene = load_scene("fig-varsim1", beta=beta, nu=nu)
-    exact, seen = certified_run(scene, points=21).samples, float_run(scene, points=21).samples
+    run, seen = certified_run(scene, points=21), float_run(scene, points=21).samples
+    exact = run.samples
+    at_events = {round(float(event.lower), 12) for event in run.events}
     assert exact is not None
     assert seen is not None
     places = {t: i for i, t in enumerate(seen.columns["t"].round(12).tolist())}
     rows = [(i, places[t]) for i, t in enumerate(exact.columns["t"].round(12).tolist()) if t in places]
     assert len(rows) >= 10
     for i, j in rows:
-        assert exact.phases[i] == seen.phases[j]
+        assert exact.phases[i] == seen.phases[j] or round(exact.columns["t"][i], 12) in at_events
         for name in ("p", "b", "y", "v", "z", "lambda_N"):
             middle, radius = exact.columns[name][i], exact.columns[name + "_radius"][i]
             size = max(abs(exact.columns[name]).max(), 1e-30)
