@@ -10,6 +10,7 @@ from typing import Any
 from xml.etree import ElementTree
 
 from gspot_verified.mechanisms.formulas.names import nearest
+from gspot_verified.mechanisms.input.file import read_text
 from gspot_verified.mechanisms.input.mechanism import MechanismError
 from gspot_verified.mechanisms.input.toml_table import MAX_DIGITS, MAX_EXPONENT
 
@@ -135,7 +136,7 @@ def xml_root(source: str | Path, tag: str, without: Sequence[str]) -> XmlElement
     :raises MechanismError: it cannot be read, is no XML, has another root, or declares entities.
     """
     is_text = isinstance(source, str) and source.lstrip().startswith("<")
-    text = str(source) if is_text else _read(Path(source))
+    text = str(source) if is_text else read_text(source, MAX_BYTES)
     where = "text" if is_text else str(source)
     if len(text) > MAX_BYTES:
         raise MechanismError(f"{where}: longer than {MAX_BYTES} characters")
@@ -157,17 +158,3 @@ def _depth(root: ElementTree.Element) -> int:
     while row:
         depth, row = depth + 1, [child for element in row for child in element]
     return depth
-
-
-def _read(path: Path) -> str:
-    try:
-        with path.open("rb") as stream:
-            data = stream.read(MAX_BYTES + 1)
-    except (OSError, ValueError) as error:
-        raise MechanismError(f"{str(path)[:200]}: cannot be read: {error}") from None
-    if len(data) > MAX_BYTES:
-        raise MechanismError(f"{path}: larger than {MAX_BYTES} bytes")
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        raise MechanismError(f"{path}: not UTF-8 text") from None

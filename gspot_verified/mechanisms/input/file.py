@@ -134,18 +134,19 @@ def read_mechanism(path: str | Path) -> Mechanism:
         raise MechanismError(f"{path}: {error}") from None
 
 
-def read_text(path: str | Path) -> str:
-    """The text of a mechanism's file.
+def read_text(path: str | Path, largest: int = MAX_BYTES) -> str:
+    """The text of a file of at most ``largest`` bytes.
 
     :raises MechanismError: the file cannot be read, is too large, or no UTF-8 text.
     """
     try:
         with Path(path).open("rb") as stream:
-            data = stream.read(MAX_BYTES + 1)
-    except OSError as error:
-        raise MechanismError(f"{path}: cannot be read: {error.strerror or error}") from None
-    if len(data) > MAX_BYTES:
-        raise MechanismError(f"{path}: larger than {MAX_BYTES} bytes")
+            data = stream.read(largest + 1)
+    except (OSError, ValueError) as error:  # a path with a null character is a ValueError
+        why = getattr(error, "strerror", None) or error
+        raise MechanismError(f"{str(path)[:200]}: cannot be read: {why}") from None
+    if len(data) > largest:
+        raise MechanismError(f"{path}: larger than {largest} bytes")
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
