@@ -169,14 +169,14 @@ Builders = Mapping[str, Callable[[], Entry]]
 def all_of(answers: Iterable[bool | None]) -> bool | None:
     """Conjunction of three-valued answers: False when one is False, True when all are True, else ``None``.
 
-    ``None`` for no answers at all: a check that looked at nothing shows nothing.
+    ``None`` for no answers at all: a check that looked at nothing shows nothing. The first False ends the search.
     """
-    found = list(answers)
-    if not found:
-        return None
-    if any(answer is False for answer in found):
-        return False
-    return True if all(answer is True for answer in found) else None
+    found = set()
+    for answer in answers:
+        if answer is False:
+            return False
+        found.add(answer)
+    return True if found == {True} else None
 
 
 def same_sign(first: int | None, second: int | None) -> bool | None:

@@ -5,6 +5,7 @@ Oscillations of the contact, the separatrix, Case II, and the end of a flight.
 
 from __future__ import annotations
 
+from itertools import chain
 from typing import Any
 
 from flint import fmpq, fmpq_mpoly, fmpz_poly
@@ -276,13 +277,13 @@ def _case_ii_starts() -> Entry:
             "ε = 1/1000 and 1/2000: certified runs for ν = 2, 4, the first zero of λ_N before p = 0 for ν = 1/4, 1/2 "
             f"and after it for ν = {NEAR}, and the sign of K",
             all_of(
-                [
-                    *(attracted_takes_an_impact(*run) for run in reached),
-                    *(other_lifts_off_before(*run) for run in lost),
-                    *(lost_after(*run) for run in later),
-                    *(side_is(*run, 1) for run in reached),
-                    *(side_is(*run, -1) for run in (*lost, *later)),
-                ]
+                chain(
+                    (side_is(*run, 1) for run in reached),
+                    (side_is(*run, -1) for run in (*lost, *later)),
+                    (attracted_takes_an_impact(*run) for run in reached),
+                    (other_lifts_off_before(*run) for run in lost),
+                    (lost_after(*run) for run in later),
+                )
             ),
         ),
         note="ν = 1 is the trivial solution. The states with ν > 1 are those with α_2 p < (α_1 - α_3) b: rigid slip "

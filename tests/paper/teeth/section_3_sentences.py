@@ -42,7 +42,7 @@ TEETH: Teeth = {
         Bite("hidden factor", ledger, "case_ii", negative_for(fmpq(4))),
         Bite("hypothesis", ledger, "REACHES", lambda _: fmpq(1, 2)),
         Bite("hypothesis", ledger, "ATTRACTED", lambda honest: (*honest, fmpq(1, 2))),
-        Bite("hypothesis", ledger, "OTHERS", lambda honest: (*honest, fmpq(2))),
+        Bite("hypothesis", ledger, "OTHERS", lambda honest: (*honest, ledger.NEAR)),
         NotApplicable("order", "the claim is on what runs do for every ε ≤ ε0; no order of an error occurs"),
     ),
     "3-separatrix": (
