@@ -25,14 +25,14 @@ SLOW = ("scenes", "formal", "checker")
 PARTS = {blueprint.key: blueprint for blueprint in blueprints(False)}
 
 
-def shortened(contestant: TimedRoute) -> TimedRoute:
-    return replace(contestant, arguments=contestant.arguments[-1:] if contestant.panel else contestant.arguments[:1])
+def shortened(contestant: TimedRoute, last: bool) -> TimedRoute:
+    return replace(contestant, arguments=contestant.arguments[-1:] if last else contestant.arguments[:1])
 
 
 def measured(key: str, monkeypatch: pytest.MonkeyPatch) -> tuple[Part, tuple[TimedRoute, ...]]:
     monkeypatch.setattr(contest, "memory_alone", lambda *_: 1024)
     blueprint = PARTS[key]
-    few = tuple(map(shortened, blueprint.contestants()))
+    few = tuple(shortened(one, bool(one.panel) and key not in SLOW) for one in blueprint.contestants())
     return replace(blueprint, contestants=lambda: few).measured(EFFORT), few
 
 
