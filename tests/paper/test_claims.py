@@ -35,6 +35,8 @@ RESTRICTIONS = {
     "regular Jacobian": "Theorem 1|Step|[Jj]acobian|coefficient is not 0|complementary function",
     "from that of order": "that of order",
     "fixed τ with dΘ/dτ not 0": r"dΘ/dτ is not 0|τ = O\(1\)|at a fixed τ",
+    "half-line|each ε_0 at leading order": "τ_0",
+    "defined for p < 0 too": "p < 0|p = 0 is reached",
     VALUE: f"{VALUE}|Figure|Table|panel|Panel|start|[βε] <|β = ",
 }
 """What a statement is restricted by, and one of the words by which a claim that is proved by it says so."""
@@ -207,6 +209,9 @@ def test_a_refuted_claim_that_there_is_something_says_among_what(whole_ledger: l
         ("it is a canard", "", "In Cases II and III it is in contact", False),
         ("it is a canard", "Cases II and III", "In Cases II and III it is in contact", True),
         ("it is the trajectory", "", "its b differs by less than 1/2 from that of order 31", False),
+        ("an impact occurs", "ε below an ε_0", "on every half-line [τ_0, ∞), for ε below an ε_0", False),
+        ("an impact occurs", "from τ_0 on, ε below an ε_0", "on every half-line [τ_0, ∞), for ε below an ε_0", True),
+        ("it is defined for p > 0 alone", "", "its formulas are defined for p < 0 too", False),
         ("every state reaches it", "", "the state p = 1 reaches it", False),
         ("every state reaches it", "", "every initial value reaches it", True),
         ("every state reaches it", "", "every initial value reaches it, for constant α's", False),

@@ -137,10 +137,9 @@ def _rescaled_time() -> Entry:
         "lines 1000 to 1003",
         r"\text{the system can only be defined for }p>0",
         "In the time of eq. time_rescale a state with p > 0 has p > 0 for ever: the rescaled system says nothing "
-        "beyond the G-spot",
-        Check(Rung.EXACT, "Gspot1: the rate of p is a multiple of p", keeps_the_sign_of_p()),
-        Check(Rung.EXACT, "p = p(0) e^(α_1 s) > 0", p_is_an_exponential()),
-        note="Its formulas are defined for p < 0 too, where the time runs backwards.",
+        "beyond the G-spot; its formulas are defined for p < 0 too, where that time runs backwards",
+        Check(Rung.EXACT, "Gspot1: the rate of p is a multiple of p, a polynomial", keeps_the_sign_of_p()),
+        Check(Rung.EXACT, "p = p(0) e^(α_1 s) for every p(0): it has the sign of p(0)", p_is_an_exponential()),
     )
 
 
