@@ -197,12 +197,12 @@ def large_condition() -> Entry:
             f"{ball_text(printed.value_of(printed.LARGE['factor 0'], fmpq(0), 128))}; at the other integers below "
             f"{3 * TRIED} the formulas hold to the accuracy of the series",
         ),
-        corrected=", ".join(
+        corrected="With m = 0, 1, 2, ...: "
+        + ", ".join(
             f"eq. {LARGE_NAMES[int(j)]} holds exactly for β other than {text.replace('*', '')}"
             for j, text in EXCEPTIONS.items()
-        )
-        + " (m = 0, 1, 2, ...; proofs/connection.md)",
-        note="eq. tlarge fails at β = 0, 1, 2, ..., and nowhere else (A-tlarge).",
+        ),
+        note="eq. tlarge fails at β = 0, 1, 2, ..., and nowhere else (A-tlarge). Proof: proofs/connection.md.",
     )
 
 

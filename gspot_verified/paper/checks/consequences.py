@@ -59,7 +59,7 @@ _CONSEQUENCES = {
     ),
     "1-laws-of-impact": Consequence(
         Reach.LOCAL,
-        "v² at the end is -p r² B u²/(A (μA - B)) by the energetic law, and (r B u/A)² by Poisson's.",
+        "v² at the end is |p| r² B u²/(A (μA - B)) by the energetic law, (r B u/A)² by Poisson's.",
         "No impact is computed; that it changes v by O(1) (Sec. 1.4) holds by Poisson's law alone.",
     ),
     "1-colours": Consequence(
@@ -180,6 +180,21 @@ _CONSEQUENCES = {
         Reach.NONE,
         "The derivative in eq. (88) is that of z_{n-1}, which is known there.",
         "The third-order equation that follows is right.",
+    ),
+    "5-typesetting": Consequence(
+        Reach.NONE,
+        "One sign of a definition stands twice, and an index is not lowered: P_ν - 3 is no space.",
+        "The formulas are meant as the corrected ones.",
+    ),
+    "5-approaching-side": Consequence(
+        Reach.NONE,
+        "The ansatz (-t)^r that follows is real for t < 0, where p > 0.",
+        "The analysis that follows is that of p > 0.",
+    ),
+    "5-manifold-names": Consequence(
+        Reach.NONE,
+        "The manifold of ε = 0 consists of the equilibria of the fast system, and is not invariant for ε > 0.",
+        "The two words are exchanged; what is said of the manifolds is meant of the right ones.",
     ),
     "5-letters": Consequence(
         Reach.NONE,

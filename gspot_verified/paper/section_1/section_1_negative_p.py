@@ -303,8 +303,8 @@ def _laws() -> Entry:
             "from the impulse of the whole compression and its share in stick",
             all_of([impulses_of_the_compression(), sizes_by_the_whole_impulse()]),
         ),
-        corrected="It tends to 0: v stays away from 0 as p → 0 by Poisson's law, and tends to 0 with p by the "
-        "energetic one",
+        corrected="Near the G-spot they differ at leading order: v at the end stays away from 0 as p → 0 by Poisson's "
+        "law, and tends to 0 with p by the energetic one",
         note="Sizes of the impact: 1-impact-sizes. That v changes by O(1), as Sec. 1.4 says, holds by Poisson's law.",
     )
 

@@ -112,6 +112,24 @@ def one_coefficient() -> bool | None:
     return linear and bool(same.is_zero())
 
 
+def one_coefficient_of_each() -> bool | None:
+    """The same for the parts that one coordinate adds to u' and v', where M is the identity: for any number of them.
+
+    M = L L^T makes it so at one configuration, with L^-1 t and L^-1 n for t and n.
+    """
+    identity = {"m11": MECHANISM.constant(1), "m12": MECHANISM.constant(0), "m22": MECHANISM.constant(1)}
+    rate = MECHANISM.substitute(MECHANISM.read(MOTION["w1"]), identity)
+    parts = {name: MECHANISM.read(text).derivative("w1") * rate for name, text in {**TANGENTIAL, **NORMAL}.items()}
+    curved = [
+        part.derivative(force).derivative(other)
+        for part in parts.values()
+        for force in ("lamT", "lam")
+        for other in ("lamT", "lam")
+    ]
+    same = parts["u"].derivative("lam") - parts["v"].derivative("lamT")
+    return same.is_zero() and all(value.is_zero() for value in curved)
+
+
 def one_coefficient_of_the_rod() -> bool | None:
     """The same for the rod, from its forces and the velocity of its contact point."""
     fields = {name: {key: ALGEBRA.read(text) for key, text in field.items()} for name, field in FORCES.items()}
@@ -149,7 +167,8 @@ def _at_once() -> Entry:
             "the rod that slides, with its tangential and its normal force: in every state of this mechanism",
             of_the_rod(),
         ),
-        note="p = C - μB, where B and C are inner products of the gradients of x and y (1-mass-matrix).",
+        note="p = C - μB, where B and C are inner products of the gradients of x and y (1-mass-matrix). With more "
+        "coordinates the sums over them have more terms of the same form.",
     )
 
 
@@ -160,15 +179,21 @@ def _projected() -> Entry:
         "eqs. udynamics, vdynamics, lines 448 to 453",
         r"\dot u=a+\lambda_TA+\lambda_NB,\ \dot v=b+\lambda_TB+\lambda_NC,\quad"
         r"B=\mathcal L_{G_N}u=\mathcal L_{G_T}v",
-        "M q'' = f + t λ_T + n λ_N with a symmetric mass matrix, t and n the gradients of x and y: du/dt and dv/dt are "
-        "linear in λ_T and λ_N, and one B stands in both, L_{G_N} u = L_{G_T} v",
+        "M q'' = f + t λ_T + n λ_N with a positive definite mass matrix of any size, t and n the gradients of x and y: "
+        "du/dt and dv/dt are linear in λ_T and λ_N, and one B stands in both, L_{G_N} u = L_{G_T} v",
         Check(
             Rung.EXACT,
+            "where the mass matrix is the identity: what each coordinate adds to du/dt and dv/dt, for any number of "
+            "coordinates",
+            one_coefficient_of_each(),
+        ),
+        Check(
+            Rung.POINTS,
             "the equations of motion of two coordinates, with symbols for M and the gradients of x and y",
             one_coefficient(),
         ),
         Check(Rung.POINTS, "the rod that slides, in every state of this mechanism", one_coefficient_of_the_rod()),
-        note="With more coordinates B is t M^-1 n too. Signs of A, C and AC - B²: 1-mass-matrix.",
+        note="B is t M^-1 n. Signs of A, C and AC - B²: 1-mass-matrix.",
     )
 
 

@@ -16,12 +16,16 @@ from gspot_verified.paper.checks.identities import Algebra, Claim, Parts, rising
 from gspot_verified.paper.section_2 import lagrangian
 
 SECTION = "Section 2"
-ALGEBRA = Algebra("x u p b y v z alpha1 alpha2 alpha3 chi a c lam lp lm kplus kminus q x5 k2 d A B C D mu")
+ALGEBRA = Algebra("x u p b y v z alpha1 alpha2 alpha3 chi a c lam lp lm kplus kminus q x5 k2 d A B C D mu lamT")
 _SYMBOLS = ALGEBRA.symbols
 ALLOWED: dict[str, Callable[[int, int], bool]] = {"printed": operator.gt, "corrected": operator.ge}
 """y > 0, and y >= 0."""
 G_SPOT, SURFACE = {"y": 0, "v": 0}, {"y": 0}
 """Line 502; line 508."""
+SHARES = {"lp": "c*lam", "lm": "(1 - c)*lam"}
+"""lambda+."""
+EDGES = {"lp": "-mu", "lm": "mu"}
+"""λ_T over the normal part in forward and in backward slip (Coulomb): the edges of the cone of friction."""
 PART = {"part": "alpha3*lp"}
 PART_CORRECTED = {"part": "-alpha3*lp"}
 EXTENDED = {
@@ -69,6 +73,61 @@ def _unilateral() -> Entry:
             "y > 0 leaves out every contact",
         ),
         corrected="y >= 0",
+    )
+
+
+def shares_make_the_force() -> bool | None:
+    """Whether the shares have the sum λ_N, and λ_T falls with c from that of backward slip to that of forward slip."""
+    shares, edges = ({name: ALGEBRA.read(text) for name, text in texts.items()} for texts in (SHARES, EDGES))
+    tangential = sum((edges[name] * shares[name] for name in shares), start=ALGEBRA.constant(0))
+    ends = [
+        ALGEBRA.substitute(tangential, {"c": ALGEBRA.constant(share)}) - edges[name] * _SYMBOLS["lam"]
+        for name, share in (("lp", 1), ("lm", 0))
+    ]
+    whole = sum(shares.values(), start=-_SYMBOLS["lam"])
+    slope = tangential.derivative("c")
+    steady = slope.derivative("c").is_zero() and rising_signs(-slope)
+    return whole.is_zero() and all(end.is_zero() for end in ends) and steady
+
+
+def cone_is_spanned() -> bool | None:
+    """Whether λ⁺ + λ⁻ = λ_N with λ_T from the edges has one solution, by Cramer's rule, positive within the cone.
+
+    2 μ λ⁺ is d for λ_T = μ λ_N - d and 2 μ λ⁻ is d for λ_T = d - μ λ_N: 0 at the edge of the other force.
+    """
+    edges = {name: ALGEBRA.read(text) for name, text in EDGES.items()}
+    one, bound = ALGEBRA.constant(1), ALGEBRA.read("mu*lam")
+    force = {"1": _SYMBOLS["lam"], "edge": _SYMBOLS["lamT"]}
+    determinant = ALGEBRA.determinant([[one, one], [edges["lp"], edges["lm"]]])
+    numerators = {
+        "lp": ALGEBRA.determinant([[force["1"], one], [force["edge"], edges["lm"]]]),
+        "lm": ALGEBRA.determinant([[one, force["1"]], [edges["lp"], force["edge"]]]),
+    }
+    within = {"lp": bound - _SYMBOLS["d"], "lm": _SYMBOLS["d"] - bound}
+    found = [ALGEBRA.substitute(numerators[name], {"lamT": within[name]}) - _SYMBOLS["d"] for name in EDGES]
+    return rising_signs(determinant) and all(value.is_zero() for value in found)
+
+
+def _two_forces() -> Entry:
+    return settled(
+        SECTION,
+        "2-two-forces",
+        "lines 626 to 637",
+        r"\lambda^+=c\lambda_N,\ \lambda^-=(1-c)\lambda_N:\quad\lambda_T=-\mu\lambda^++\mu\lambda^-",
+        "A contact force of the cone of friction, |λ_T| <= μ λ_N with μ > 0, is in exactly one way the sum of a force "
+        "of positive slip, with the normal part c λ_N, and one of negative slip, with (1 - c) λ_N: c is 1 in positive "
+        "slip, 0 in negative slip, and between them where |λ_T| < μ λ_N",
+        Check(
+            Rung.EXACT,
+            "eq. lambda+: the normal parts have the sum λ_N, and λ_T falls with c from μ λ_N at 0 to -μ λ_N at 1",
+            shares_make_the_force(),
+        ),
+        Check(
+            Rung.EXACT,
+            "Cramer's rule for the two normal parts: 2 μ λ⁺ = μ λ_N - λ_T and 2 μ λ⁻ = μ λ_N + λ_T",
+            cone_is_spanned(),
+        ),
+        note="The value of c in stick: 2-stick.",
     )
 
 
@@ -282,6 +341,7 @@ ENTRIES: Builders = {
     "2-unilateral": _unilateral,
     "2-contact-condition": _contact_condition,
     "2-tangential": _tangential,
+    "2-two-forces": _two_forces,
     "2-contact-part": _contact_part,
     "2-coupling": _coupling,
     "2-signs-at-p-0": _signs,

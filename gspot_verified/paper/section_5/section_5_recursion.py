@@ -147,7 +147,8 @@ def _orders() -> Entry:
         "for every n, and p_0 is α_1* s",
         this.check("term by term; the sums have each pair of orders with the sum n once, for every n", pairs),
         this.check("term by term; the sums for geometric series x^i, y^j, with x^n and y^n as symbols", geometric),
-        note="The term k = n of each product stands on the left: α_3* λ_n and p_0 λ_n = α_1* s λ_n.",
+        note="The term k = n of each product stands on the left: α_3* λ_n and p_0 λ_n = α_1* s λ_n. z_(-1) = 0 "
+        "is said in line 1648 alone: line 1534 is about functions of ξ.",
     )
 
 

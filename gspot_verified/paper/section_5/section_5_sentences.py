@@ -1,4 +1,4 @@
-"""Ledger of Section 5: a count of equations, the synchronisation, and formulas with a bracket too many or too few."""
+"""Ledger of Section 5: a count of equations, the synchronisation, the words for the slow manifolds, and misprints."""
 
 from __future__ import annotations
 
@@ -11,9 +11,11 @@ from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.spots.g_spot import find_g_spot
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
 from gspot_verified.paper.checks.formulas import mended
-from gspot_verified.paper.checks.identities import Algebra
+from gspot_verified.paper.checks.identities import Algebra, rising_signs
 from gspot_verified.paper.checks.page import Page
-from gspot_verified.paper.checks.words import Place, held_against, quoted
+from gspot_verified.paper.checks.words import Place, held_against, quoted, said
+from gspot_verified.paper.section_4 import section_4_fast
+from gspot_verified.paper.section_5 import section_5_outer
 from gspot_verified.paper.section_5.section_5_recursion import ALGEBRA
 from gspot_verified.paper.section_5.section_5_recursion import PRINTED as RECURSION
 
@@ -51,6 +53,29 @@ FUNCTIONS_OF_XI = {
     for letter in "FG"
 }
 """What stands before (ξ) in the two equations for ξ."""
+SIGNS_AND_CLASSES = "lines 1516 to 1523, 1615 to 1620, 1671 to 1674, 1742 to 1745"
+MISPRINTS = {
+    "the sign that defines r_{b,n} and r_n": (
+        Place("line 1618", r"(:=[ =]*)r_\{b,n\}"),
+        Place("line 1673", r"(:=[ =]*)r_n\(s\)"),
+    ),
+    "the class for n = 2ν + 1 in Step 4 and in Theorem 1": (
+        Place("line 1744", r"\$(P_[^\s$]+)\$ if \$n=2\\nu\+1\$"),
+        Place("line 1518", r"\\xi_\{2\\nu\+1\}\(s\)\\in (P_\S+),"),
+    ),
+}
+"""What is printed in two places that ask for the same."""
+APPROACH = "lines 1916 to 1920, 1961 to 1965, 2003 to 2009"
+NAMED_SIDE = Place("line 1918", r"in the critical manifold for \$p([<>])0\$")
+ANSATZ_TIME = Place("line 2005", r"\\hat\{\\xi\}\(t\)&=\\xi_0\((-?)t\)\^r")
+SIDES = {">": 1, "<": -1}
+ATTRACTED = {"printed": None, "corrected": ">"}
+"""The side of p that the trajectories come from: the one of line 1918, and the right one."""
+MANIFOLDS = "lines 1967 to 1971, 1980 to 1984"
+AT_EPSILON_0 = Place("line 1967", r"for \$\\eps=0\$ occur on the (\w+) manifold")
+NEAR_BY = Place("line 1982", r"exist a \{\\em (\w+) manifolds\} which are \$O\(\\eps\)\$")
+NAMES = {"ε = 0": "critical", "near by": "slow"}
+"""What they are called in the theory of fast-slow systems that line 1980 cites."""
 UNIQUE = "lines 1363 to 1369"
 SIZES = (1, 2, 3)
 """Sizes of the Jacobian at which Cramer's rule is written out with symbols."""
@@ -254,10 +279,144 @@ def _letters() -> Entry:
     )
 
 
+def _typesetting() -> Entry:
+    return settled(
+        SECTION,
+        "5-typesetting",
+        SIGNS_AND_CLASSES,
+        r":=\,=r_{b,n}(s),\quad P_\nu-3",
+        "r_{b,n} is defined by the sign that defines r_n; the terms (i) of Step 4 for n = 2ν + 1 are in the class of "
+        "Theorem 1",
+        *(held_against(SIGNS_AND_CLASSES, what, *places) for what, places in MISPRINTS.items()),
+        corrected=":= r_{b,n}(s); P_{ν-3}",
+    )
+
+
+def side_of(form: str) -> str | None:
+    """The side of p that is named in line 1918, or the right one."""
+    return ATTRACTED[form] or said(APPROACH, NAMED_SIDE)
+
+
+def ansatz_is_on_the_side(form: str) -> bool | None:
+    """Whether p = α_1 t, α_1 = -a2 < 0, has the sign of the side where the power of the ansatz is real.
+
+    (-t)^r is real for every r > 0 where t = -a3 < 0, and t^r where t = a3.
+    """
+    time, side = said(APPROACH, ANSATZ_TIME), side_of(form)
+    if time is None or side is None:
+        return None
+    p = DIFFERENCES.read("-a2") * DIFFERENCES.read("-a3" if time == "-" else "a3")
+    return rising_signs(SIDES[side] * p)
+
+
+def manifold_attracts_on_the_side(form: str) -> bool | None:
+    """Whether all roots of λ³ + 2λ² + pλ + p have negative real parts on that side, by Routh and Hurwitz.
+
+    As trajectories have to be attracted that are in the slow manifold and not chosen to be there.
+    """
+    side = side_of(form)
+    if side is None:
+        return None
+    algebra = section_5_outer.ALGEBRA
+    at = {"p": SIDES[side] * algebra.symbols["w"]}
+    coefficients = algebra.coefficients(algebra.substitute(algebra.read(section_4_fast.CUBIC), at), "lam")
+    third, second, first, last = (coefficients[power] for power in (3, 2, 1, 0))
+    return all(rising_signs(value) for value in (third, second, last, second * first - third * last))
+
+
+def _approaching() -> Entry:
+    forms = ("printed", "corrected")
+    return settled(
+        SECTION,
+        "5-approaching-side",
+        APPROACH,
+        r"\text{other trajectories that are in the critical manifold for }p<0",
+        "The other trajectories that come to the G-spot, and are followed as p → 0, are in the slow manifold for p < 0",
+        Check(
+            Rung.EXACT,
+            "the ansatz (-t)^r for them, with p = α_1* t, α_1* < 0",
+            mended(*map(ansatz_is_on_the_side, forms)),
+            "(-t)^r is real for every r > 0 at t < 0 alone, and there p > 0",
+        ),
+        Check(
+            Rung.EXACT,
+            "the side where the slow manifold attracts (lines 1961 to 1965), by Routh and Hurwitz",
+            mended(*map(manifold_attracts_on_the_side, forms)),
+            "for p < 0 it has an unstable direction: trajectories leave it",
+        ),
+        corrected="for p > 0",
+    )
+
+
+def consists_of_equilibria() -> bool | None:
+    """Whether the rates of y_o, v_o, z_o times ε vanish on the manifold of line 1969, with b = p q."""
+    on_it = {"b": "p*q", "y": "2*q", "v": "0*q", "z": "q"}
+    return all(section_5_outer.put(side, **on_it).is_zero() for side in _fast_rates())
+
+
+def has_others_near_by() -> bool | None:
+    """Whether the fast system has other equilibria: its determinant is 0; with p or -p it has none for p not 0."""
+    rows = [[side.derivative(name) for name in "yvz"] for side in _fast_rates()]
+    determinant = section_5_outer.ALGEBRA.determinant(rows)
+    if determinant.is_zero():
+        return True
+    return False if (determinant**2 - section_5_outer.ALGEBRA.symbols["p"] ** 2).is_zero() else None
+
+
+def _fast_rates() -> list[fmpq_mpoly]:
+    outer, read = section_5_outer.PRINTED["5-outer-system"], section_5_outer.ALGEBRA.read
+    return [section_5_outer.put(read(outer[name]), lam=outer["lambda"]) for name in "yvz"]
+
+
+def is_invariant() -> bool | None:
+    """Whether on it 2b/p has the rate 0, as y_o has with v_o = 0 for ε > 0: p² times d(b/p)/dt along the slow flow."""
+    read = section_5_outer.ALGEBRA.read
+    return (read(section_5_outer.PRINTED["5-slow-manifold"]["b"]) - read("b*alpha1")).is_zero()
+
+
+def name_at_epsilon_0(word: str | None) -> bool | None:
+    """Whether the manifold of ε = 0 is critical: equilibria at ε = 0; or slow: invariant for ε > 0."""
+    return {"critical": consists_of_equilibria(), "slow": is_invariant()}.get(word or "")
+
+
+def name_near_by(word: str | None) -> bool | None:
+    """Whether other manifolds near by are critical: more equilibria; or slow, as that of ε = 0 is not invariant."""
+    return {"critical": has_others_near_by(), "slow": not is_invariant()}.get(word or "")
+
+
+def _names() -> Entry:
+    return settled(
+        SECTION,
+        "5-manifold-names",
+        MANIFOLDS,
+        r"\text{slow manifold for }\epsilon=0,\quad\text{critical manifolds close to it}",
+        "The manifold of ε = 0 is the slow manifold, and the invariant ones near by for ε > 0 are critical manifolds, "
+        "in the words of the theory that is cited: a critical manifold consists of the equilibria of the fast system "
+        "at ε = 0, a slow one is invariant for ε > 0",
+        Check(
+            Rung.EXACT,
+            "the manifold of line 1969: the rates of the fast system on it, and the rate of 2b/p",
+            mended(name_at_epsilon_0(said(MANIFOLDS, AT_EPSILON_0)), name_at_epsilon_0(NAMES["ε = 0"])),
+            "it consists of the equilibria at ε = 0, and is not invariant for ε > 0",
+        ),
+        Check(
+            Rung.EXACT,
+            "the manifolds near by: other equilibria would need a determinant 0 of the fast system",
+            mended(name_near_by(said(MANIFOLDS, NEAR_BY)), name_near_by(NAMES["near by"])),
+            "the determinant is -p: at ε = 0 there is one manifold of equilibria and no other near by",
+        ),
+        corrected="the critical manifold is that of ε = 0, and slow manifolds are O(ε) close to it (lines 1913 to 1920 "
+        "too)",
+    )
+
+
 ENTRIES: Builders = {
     "5-synchronised": _synchronised,
     "5-locally-unique": _unique,
     "5-kinds": _kinds,
+    "5-typesetting": _typesetting,
+    "5-approaching-side": _approaching,
+    "5-manifold-names": _names,
     "5-letters": _letters,
     "5-brackets": _brackets,
 }

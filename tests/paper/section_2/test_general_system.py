@@ -82,3 +82,12 @@ def test_one_b_of_the_rod(monkeypatch: pytest.MonkeyPatch) -> None:
     assert ledger.one_coefficient_of_the_rod() is True
     monkeypatch.setitem(ledger.FORCES["N"], "w", "-k*s")
     assert ledger.one_coefficient_of_the_rod() is False
+
+
+def test_one_b_coordinate_by_coordinate(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Any number of coordinates: the parts of u' and v' of one of them, where M is the identity."""
+    assert ledger.one_coefficient_of_each() is True
+    honest = ledger.MOTION["w1"]
+    for wrong in ("2*n1*lam", "n1*lam^2", "n1*lam + lam*lamT"):
+        monkeypatch.setitem(ledger.MOTION, "w1", honest.replace("n1*lam", wrong))
+        assert ledger.one_coefficient_of_each() is False

@@ -39,3 +39,36 @@ def test_without_chi_nothing_is_brought(monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setitem(ledger.EXTENDED, "p", "alpha1")
     assert ledger.chi_brings("u") is None
     assert ledger.chi_couples_b_to_p() is False
+
+
+@given(_POSITIVE, _POSITIVE, st.fractions(min_value=-1, max_value=1))
+def test_a_force_of_the_cone_is_a_sum_of_two(friction: float, normal: float, part: float) -> None:
+    """By numbers: λ⁺ and λ⁻ from λ_T, and back."""
+    tangential = part * friction * normal
+    forward = (friction * normal - tangential) / (2 * friction)
+    backward = normal - forward
+    assert 0 <= forward <= normal
+    assert friction * (backward - forward) == tangential
+    assert (forward == normal) is (part == -1)
+    assert (forward == 0) is (part == 1)
+
+
+def test_two_forces() -> None:
+    assert ledger.shares_make_the_force() is ledger.cone_is_spanned() is True
+
+
+@pytest.mark.parametrize(
+    ("target", "name", "text"),
+    [
+        ("SHARES", "lm", "c*lam"),
+        ("SHARES", "lp", "(1 - c)*lam"),
+        ("EDGES", "lm", "-mu"),
+        ("EDGES", "lp", "mu"),
+        ("EDGES", "lp", "-2*mu"),
+    ],
+)
+def test_other_shares_and_edges_do_not_make_the_force(
+    monkeypatch: pytest.MonkeyPatch, target: str, name: str, text: str
+) -> None:
+    monkeypatch.setitem(getattr(ledger, target), name, text)
+    assert False in (ledger.shares_make_the_force(), ledger.cone_is_spanned())

@@ -34,6 +34,12 @@ TEETH: Teeth = {
         Bite("hypothesis", lagrangian.PRINTED["2-extended"], "mu", lambda honest: f"{honest} + x1"),
         NotApplicable("order", _PRESENCE),
     ),
+    "2-two-forces": (
+        Bite("factor", ledger.EDGES, "lm", scaled),
+        Bite("hidden factor", ledger.SHARES, "lp", unseen_at("c", (0, 1))),
+        Bite("hypothesis", ledger.EDGES, "lp", lambda _: "mu"),
+        Bite("order", ledger.SHARES, "lm", raised("c")),
+    ),
     "2-contact-part": (
         Bite("factor", ledger.PART_CORRECTED, "part", scaled),
         Bite("hidden factor", ledger.PART_CORRECTED, "part", unseen_at("lp", (0, 1))),

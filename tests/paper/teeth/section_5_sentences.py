@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from paper.bite import GENERIC, Bite, NotApplicable, Teeth, reads_as, replaced, unseen_at
+from paper.bite import GENERIC, Bite, NotApplicable, Teeth, reads_as, replaced, scaled, unseen_at
 
 from gspot_verified.expansion.series.system import GSpotError
 from gspot_verified.paper.checks import words
 from gspot_verified.paper.checks.identities import Algebra
+from gspot_verified.paper.section_5 import section_5_outer
 from gspot_verified.paper.section_5 import section_5_sentences as ledger
 
 ENTRIES = ledger.ENTRIES
@@ -18,6 +19,7 @@ def _no_place(_: object) -> None:
 
 _COUNT = "a count of equations; a factor changes none"
 _LETTERS = "letters are compared; there is no formula"
+_SIDE = "a sign is compared; a positive factor changes none"
 _WORDS = "brackets are counted; there is no formula"
 
 TEETH: Teeth = {
@@ -39,6 +41,35 @@ TEETH: Teeth = {
         NotApplicable("hidden factor", "an identity in symbols; no points are sampled"),
         Bite("hypothesis", ledger.AT_THE_G_SPOT, "J", lambda _: "m - 5"),
         Bite("hypothesis", ledger, "find_g_spot", lambda _: _no_place),
+        NotApplicable("order", "no order of an error occurs"),
+    ),
+    "5-typesetting": (
+        NotApplicable("factor", _LETTERS),
+        NotApplicable("hidden factor", _LETTERS),
+        Bite("hypothesis", words, "quoted", reads_as(":= =r_{b,n}", ":=r_{b,n}", then=(r"P_\nu-3$", r"P_{\nu-3}$"))),
+        NotApplicable("order", _LETTERS),
+    ),
+    "5-approaching-side": (
+        NotApplicable("factor", _SIDE),
+        NotApplicable("hidden factor", _SIDE),
+        Bite("hypothesis", words, "quoted", reads_as("manifold for $p<0$.", "manifold for $p>0$.")),
+        Bite("hypothesis", words, "quoted", reads_as(r"\xi_0(-t)^r", r"\xi_0(t)^r")),
+        Bite("hypothesis", ledger.ATTRACTED, "corrected", lambda _: "<"),
+        Bite("order", ledger.section_4_fast, "CUBIC", lambda honest: honest.replace("lam^3", "lam^3 - 3*lam^2")),
+    ),
+    "5-manifold-names": (
+        Bite("factor", section_5_outer.PRINTED["5-outer-system"], "v", scaled),
+        NotApplicable("hidden factor", "identities in symbols; no points are sampled"),
+        Bite(
+            "hypothesis",
+            words,
+            "quoted",
+            reads_as(
+                "occur on the slow manifold", "occur on the critical manifold", then=(r"\em critical", r"\em slow")
+            ),
+        ),
+        Bite("hypothesis", section_5_outer.PRINTED["5-slow-manifold"], "b", lambda _: "b*alpha1"),
+        Bite("hypothesis", ledger.NAMES, "near by", lambda _: "critical"),
         NotApplicable("order", "no order of an error occurs"),
     ),
     "5-letters": (
