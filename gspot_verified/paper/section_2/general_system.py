@@ -113,12 +113,11 @@ def one_coefficient() -> bool | None:
 
 
 def one_coefficient_of_each() -> bool | None:
-    """The same for the parts that one coordinate adds to u' and v', where M is the identity: for any number of them.
+    """The same for the parts that one coordinate adds to u' and v', where M is diagonal: for any number of them.
 
-    M = L L^T makes it so at one configuration, with L^-1 t and L^-1 n for t and n.
+    Every symmetric M is so at one configuration, in coordinates that its eigenvectors make.
     """
-    identity = {"m11": MECHANISM.constant(1), "m12": MECHANISM.constant(0), "m22": MECHANISM.constant(1)}
-    rate = MECHANISM.substitute(MECHANISM.read(MOTION["w1"]), identity)
+    rate = MECHANISM.substitute(MECHANISM.read(MOTION["w1"]), {"m12": MECHANISM.constant(0)})
     parts = {name: MECHANISM.read(text).derivative("w1") * rate for name, text in {**TANGENTIAL, **NORMAL}.items()}
     curved = [
         part.derivative(force).derivative(other)
@@ -183,7 +182,7 @@ def _projected() -> Entry:
         "du/dt and dv/dt are linear in λ_T and λ_N, and one B stands in both, L_{G_N} u = L_{G_T} v",
         Check(
             Rung.EXACT,
-            "where the mass matrix is the identity: what each coordinate adds to du/dt and dv/dt, for any number of "
+            "where the mass matrix is diagonal: what each coordinate adds to du/dt and dv/dt, for any number of "
             "coordinates",
             one_coefficient_of_each(),
         ),

@@ -85,9 +85,14 @@ def test_one_b_of_the_rod(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_one_b_coordinate_by_coordinate(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Any number of coordinates: the parts of u' and v' of one of them, where M is the identity."""
+    """Any number of coordinates: the parts of u' and v' of one of them, where M is diagonal."""
     assert ledger.one_coefficient_of_each() is True
     honest = ledger.MOTION["w1"]
     for wrong in ("2*n1*lam", "n1*lam^2", "n1*lam + lam*lamT"):
         monkeypatch.setitem(ledger.MOTION, "w1", honest.replace("n1*lam", wrong))
         assert ledger.one_coefficient_of_each() is False
+    monkeypatch.setitem(ledger.MOTION, "w1", f"{honest} + (n1*lam + t1*lamT)^2")  # one B, and not linear
+    assert ledger.one_coefficient_of_each() is False
+    monkeypatch.setitem(ledger.MOTION, "w1", "m22*(f1 + n1*lam^2)")
+    monkeypatch.setitem(ledger.TANGENTIAL, "u", "t2*w2 + xt")  # in v' alone
+    assert ledger.one_coefficient_of_each() is False
