@@ -227,7 +227,7 @@ def _prose(text: str, number: Callable[[str], str | None]) -> str:
     text = re.sub(r"\\item\b", "\n\n• ", text)
     text = re.sub(r"\\(?:sub)*section\*?\{([^{}]*)\}", r"<b>\1.</b>", text)
     text = re.sub(r"\\(?:emph|textit)\{([^{}]*)\}|\{\\(?:em|it)\b\s*([^{}]*)\}", r"<em>\1\2</em>", text)
-    text = re.sub(r"\\textbf\{([^{}]*)\}", r"<b>\1</b>", text)
+    text = re.sub(r"\\(?:textbf|paragraph\*?)\{([^{}]*)\}", r"<b>\1</b>", text)
     text = re.sub(r"\\(?:caption|footnote|text)\{", "{", text).replace(r"\\", " ")
     unknown = re.search(r"\\[A-Za-z]+|\\.", text)
     if unknown:

@@ -120,6 +120,12 @@ def test_paragraphs_titles_and_comments():
     assert shown.endswith("<p><em>So</em> 5% it is.</p>")
 
 
+def test_a_heading_in_the_line():
+    for command in ("paragraph", "paragraph*"):
+        shown = latex_html(rf"\{command}{{The slow dynamics}} for $\eps=0$", number)
+        assert shown.startswith("<p><b>The slow dynamics</b> for <math")
+
+
 def test_lists_with_titles():
     shown = latex_html("\\begin{description}\n\\item[Case I, $x$.] a\n\\item b\n\\end{description}", number)
     assert shown.count("•") == 2
