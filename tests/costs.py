@@ -67,7 +67,7 @@ def noticing(changed: Iterable[str]) -> list[str]:
             continue
         if name.startswith("tests/") and path.suffix == ".py":
             near += [name] if path.name.startswith("test_") else _users(path.stem)
-        elif (name.startswith("gspot_verified/") and path.suffix == ".py") or name == "proofs/check.py":
+        elif (name.startswith("gspot_verified/") and path.suffix == ".py") or name.startswith("proofs/checker/"):
             near += mirrored(ROOT, name)
             far += importing(ROOT, name)[1:]
             if name.startswith("gspot_verified/cli/"):

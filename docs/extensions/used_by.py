@@ -30,9 +30,9 @@ def used_by() -> dict[str, list[str]]:
         imported = {named[key] for key in _imported(tree) if key in named}
         for page in sorted({*cited(tree), *imported}):
             found[page].append(path.relative_to(package).as_posix())
-    checker = ast.get_docstring(ast.parse((PROOFS / "check.py").read_text(encoding="utf-8"))) or ""
-    for page in sorted(set(_OF_CHECKER.findall(checker))):
-        found[page].append("proofs/check.py")
+    texts = [path.read_text(encoding="utf-8") for path in (PROOFS / "checker").glob("*.py")]
+    for page in {page for text in texts for page in _OF_CHECKER.findall(ast.get_docstring(ast.parse(text)) or "")}:
+        found[page].append("proofs/checker")
     return found
 
 

@@ -1,10 +1,11 @@
-"""Running the independent checker ``proofs/check.py`` in a process of its own.
+"""Running the independent checker ``proofs/checker`` in a process of its own.
 
-The checker shares nothing with this package: it is started as a script, in isolated mode, without site packages.
+The checker shares nothing with this package: it is started as a program, in isolated mode, without site packages.
 """
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from collections.abc import Sequence
@@ -16,7 +17,7 @@ from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 
 _ROOT = Path(__file__).resolve().parents[2]
-_REJECTED = 1  # the exit code with which check.py rejects
+_REJECTED = 1  # the exit code with which the checker rejects
 _USAGE = 64  # the exit code of a wrong command line
 
 
@@ -31,16 +32,16 @@ class CheckResult(NoTruthValue, Written):
 
 
 def checker_path() -> Path:
-    """Where ``check.py`` lies: in the source tree, or where an installation put it.
+    """The folder of the checker, which Python runs as it is: in the source tree, or where an installation put it.
 
     :raises ValueError: it is in neither place.
     """
-    places = (_ROOT / "proofs" / "check.py", Path(sys.prefix) / "share" / "gspot_verified" / "check.py")
+    places = (_ROOT / "proofs" / "checker", Path(sys.prefix) / "share" / "gspot_verified" / "checker")
     for place in places:
-        if place.is_file():
+        if (place / "__main__.py").is_file():
             return place
     raise ValueError(
-        "the checker proofs/check.py was not found; run it from the source tree: python proofs/check.py FILE"
+        "the checker proofs/checker was not found; run it from the source tree: python proofs/checker FILE"
     )
 
 
@@ -58,7 +59,9 @@ def check(file: Path, workers: int = 1, limits: Sequence[str] = ()) -> CheckResu
         raise ValueError(f"{file} is not a regular file")
     options = [f"--workers={workers}", *(f"--limit={limit}" for limit in limits)]
     # An absolute path is never taken for an option.
-    command = [sys.executable, "-I", "-S", "-X", "utf8", str(checker_path()), *options, str(file.absolute())]
+    # What runs is the text of the checker: compiled files are neither read nor written.
+    python = [sys.executable, "-I", "-S", "-B", "-X", "utf8", "-X", f"pycache_prefix={os.devnull}"]
+    command = [*python, str(checker_path()), *options, str(file.absolute())]
     run = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", check=False)
     if run.returncode == 0 and run.stdout.startswith("VERIFIED "):
         return CheckResult(True, run.stdout.strip())

@@ -22,7 +22,7 @@ from typing import Any
 
 PACKAGE = Path(__file__).resolve().parents[1]
 PROOFS = PACKAGE.parent / "proofs"
-CHECKER = Path(sys.prefix) / "share" / "gspot_verified" / "check.py"
+CHECKER = Path(sys.prefix) / "share" / "gspot_verified" / "checker"
 """Where an installation puts the checker; the source tree has it in ``proofs/``."""
 SOURCES = (PACKAGE, PROOFS, CHECKER)
 MODULES = ("hypothesis", "mpmath", "numpy", "scipy", "sympy")

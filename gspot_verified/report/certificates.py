@@ -32,7 +32,7 @@ class CheckedCertificate(NoTruthValue, Written):
 def checked_certificates(
     folder: Path = PROOFS, progress: Callable[[str], None] | None = None
 ) -> list[CheckedCertificate]:
-    """Every certificate of a folder, checked now by ``proofs/check.py`` in a process of its own.
+    """Every certificate of a folder, checked now by ``proofs/checker`` in a process of its own.
 
     :raises ValueError: the checker is not there, or it could not run.
     :raises OSError: a file cannot be read.

@@ -5,6 +5,7 @@ No proof needs a limit: a certificate beyond one of them is rejected, not refute
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple, NoReturn
 
 WORK_PER_BYTE = 300_000  # products of digits for each byte of the certificate, beside Limits.work
@@ -61,7 +62,7 @@ class Limits(NamedTuple):
 
 def digits(*numbers: int) -> int:
     """The length of integers in digits, at least 1 for each."""
-    return sum(number.bit_length() // DIGIT + 1 for number in numbers)
+    return sum(map(int.bit_length, numbers)) // DIGIT + len(numbers)
 
 
 class Meter:
@@ -77,9 +78,11 @@ class Meter:
             self.limits.beyond("work")
 
     def product(self, *powers: tuple[int, int]) -> int:
-        """The product of base^exponent over the pairs (base, exponent), exponent ≥ 0; paid: its length squared."""
-        self.spend(sum(exponent * digits(base) for base, exponent in powers) ** 2, 2 * len(powers))
-        result = 1
-        for base, exponent in powers:
-            result *= base**exponent
-        return result
+        """The product of base^exponent over pairs (base, exponent), exponent ≥ 0; paid: the square of its length."""
+        self.spend(sum(exponent * digits(base) for base, exponent in powers) ** 2, 5 * len(powers))
+        return math.prod(base**exponent for base, exponent in powers)
+
+    def dot(self, *pairs: tuple[int, int]) -> int:
+        """The sum of the products of pairs; paid: the products of their lengths."""
+        self.spend(sum(digits(one) * digits(two) for one, two in pairs), 5 * len(pairs))
+        return sum(one * two for one, two in pairs)

@@ -6,7 +6,7 @@ Coq proves that the term has this text, and, by the theorem `certificate_checker
 source states this again and lets Coq print the text, the claim and the axioms. The text must be that of the file, the
 axioms those of the classical reals; the claim that is shown is the one that Coq printed. Each run has a folder of its
 own, which is removed, with a copy of the compiled proofs, which must be those of the record of `make prove`.
-A file that has not the format of certificate.md (read by proofs/check.py: canonical JSON, numbers, the hash) is refused
+A file that has not the format of certificate.md (read by proofs/checker: canonical JSON, numbers, the hash) is refused
 before, so that no text of it can become a command of Coq; so is one with larger numbers than LARGEST,
 or longer than LONGEST.
 The pieces `fold`, `level` and `dip` are not known to the checker in Coq.
@@ -31,14 +31,18 @@ from pathlib import Path
 from types import ModuleType
 
 HERE = Path(__file__).resolve().parent
-if str(HERE) not in sys.path:  # python3 -I
-    sys.path.insert(0, str(HERE))
+for folder in (HERE, HERE.parent / "checker"):
+    if str(folder) not in sys.path:  # python3 -I
+        sys.path.insert(0, str(folder))
 if __name__ == "__main__":  # no compiled file of Python is believed either
     sys.dont_write_bytecode, sys.pycache_prefix = True, os.devnull
 
 from certificate_source import HEADER, data, source  # noqa: E402
 from coq_output import WIDE, axioms_printed  # noqa: E402
 from coq_run import run  # noqa: E402
+from limits import Limits, Rejected, require  # noqa: E402
+from pieces import read_certificate  # noqa: E402
+from reading import entries, one_of, read_range  # noqa: E402
 from source_rules import LIBRARY  # noqa: E402
 
 BUILD = HERE.parents[1] / "build" / "coq"
@@ -98,29 +102,28 @@ def read(given: bytes) -> str:
     """
     if len(given) > LONGEST:
         raise ValueError(f"Out of range: the checker in Coq reads files of up to {LONGEST} bytes.")
-    check = beside(HERE.parent / "check.py")
     try:
-        version, statement, columns = check.read_certificate(given, check.Limits())
+        version, statement, columns = read_certificate(given, Limits())
         kind = statement.get("kind") if isinstance(statement, dict) else None
         if version != 1 or kind not in ("sign", "zeros") or any(p.kind in UNKNOWN for c in columns for p in c.pieces):
             raise ValueError("The checker in Coq does not know this kind of statement, or one of its pieces.")
-        beta = check.read_range(statement.get("beta"), "beta")
+        beta = read_range(statement.get("beta"), "beta")
         within(beta.start, beta.end, *[end for column in columns for end in (column.start, column.end)])
         within(*[point for column in columns for piece in column.pieces for point in (piece.start, piece.end)])
         if kind == "sign":
-            tau, _, sign, _ = check.entries(statement, "the statement", "tau", "beta", "sign", "kind")
-            check.read_range(tau, "tau")
-            check.one_of(sign, (-1, 1), "the sign")
+            tau, _, sign, _ = entries(statement, "the statement", "tau", "beta", "sign", "kind")
+            read_range(tau, "tau")
+            one_of(sign, (-1, 1), "the sign")
         else:
-            _, counts, _ = check.entries(statement, "the statement", "beta", "counts", "kind")
-            check.require(math.isfinite(beta.start) and math.isfinite(beta.end), "the range of beta is not bounded")
+            _, counts, _ = entries(statement, "the statement", "beta", "counts", "kind")
+            require(math.isfinite(beta.start) and math.isfinite(beta.end), "the range of beta is not bounded")
             cells = list(range(max(0, math.floor(beta.start)), math.ceil(beta.end)))
             pairs = isinstance(counts, list) and all(
                 isinstance(e, list) and [*map(type, e)] == [int, int] and min(e) >= 0 for e in counts
             )
-            check.require(pairs and [m for m, _ in counts] == cells, "counts does not list the cells of the range")
+            require(pairs and [m for m, _ in counts] == cells, "counts does not list the cells of the range")
             within(*[zeros for _, zeros in counts])
-    except (check.Rejected, ArithmeticError) as error:
+    except (Rejected, ArithmeticError) as error:
         raise ValueError(f"Not a certificate: {error}") from error
     return given.decode()
 

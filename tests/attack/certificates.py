@@ -227,8 +227,8 @@ def _other_range(text: str, random: Random) -> str:
 def _judged(text: bytes, lines: Lines, kept: str) -> Answer:
     check = checker()
     try:
-        stated = check.check_text(text, check.Limits())
-    except check.Rejected as reason:
+        stated = check.main.check_text(text, check.limits.Limits())
+    except check.limits.Rejected as reason:
         return undecided("rejected for its work") if "limit" in str(reason) else AGREED
     if canonical_statement(lines) == kept:
         return AGREED

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import importlib.util
 import os
+import py_compile
 import re
+import shutil
 from pathlib import Path
 
 import pytest
+from must_reject.mutate import GOOD, text_of
 
 from gspot_verified.certificates import checker
 from gspot_verified.certificates.checker import CheckResult, check, checker_path
@@ -106,7 +110,7 @@ def test_a_name_that_looks_like_an_option(good: Path, monkeypatch: pytest.Monkey
 def test_only_its_line_and_code_count(
     good: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, script: str, verified: bool | None
 ) -> None:
-    path = tmp_path / "check.py"
+    path = tmp_path / "checker.py"
     path.write_text(script)
     monkeypatch.setattr(checker, "checker_path", lambda: path)
     if verified is None:
@@ -116,21 +120,21 @@ def test_only_its_line_and_code_count(
         assert check(good) == CheckResult(verified, f"{'VERIFIED' if verified else 'REJECTED'} it")
 
 
-USAGE_LINE = "import sys; print('usage: check.py CERTIFICATE: a wrong option', file=sys.stderr); sys.exit({})"
+USAGE_LINE = "import sys; print('usage: checker CERTIFICATE: a wrong option', file=sys.stderr); sys.exit({})"
 
 
 @pytest.mark.parametrize(
     ("script", "message"),
     [
         (USAGE_LINE.format(64), "a wrong option"),
-        (USAGE_LINE.format(1), "the checker stopped with code 1: usage: check.py CERTIFICATE: a wrong option"),
+        (USAGE_LINE.format(1), "the checker stopped with code 1: usage: checker CERTIFICATE: a wrong option"),
         ("import sys; print('odd: it', file=sys.stderr); sys.exit(64)", "the checker stopped with code 64: odd: it"),
     ],
 )
 def test_a_usage_error_is_its_line_and_its_code(
     good: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, script: str, message: str
 ) -> None:
-    path = tmp_path / "check.py"
+    path = tmp_path / "checker.py"
     path.write_text(script)
     monkeypatch.setattr(checker, "checker_path", lambda: path)
     with pytest.raises(ValueError, match=re.escape(message)) as raised:
@@ -139,7 +143,7 @@ def test_a_usage_error_is_its_line_and_its_code(
 
 
 def test_one_process_unless_more_are_asked_for(good: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    path = tmp_path / "check.py"
+    path = tmp_path / "checker.py"
     path.write_text("import sys; print('VERIFIED', *sys.argv[1:-1])")
     monkeypatch.setattr(checker, "checker_path", lambda: path)
     assert check(good).text == "VERIFIED --workers=1"
@@ -147,12 +151,32 @@ def test_one_process_unless_more_are_asked_for(good: Path, tmp_path: Path, monke
 
 
 def test_where_the_checker_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    assert checker_path().name == "check.py"
+    assert checker_path().name == "checker"
     monkeypatch.setattr(checker, "_ROOT", tmp_path)
     monkeypatch.setattr(checker.sys, "prefix", str(tmp_path))
     with pytest.raises(ValueError, match="was not found"):
         checker_path()
-    installed = tmp_path / "share" / "gspot_verified" / "check.py"
-    installed.parent.mkdir(parents=True)
-    installed.write_text("")
+    installed = tmp_path / "share" / "gspot_verified" / "checker"
+    installed.mkdir(parents=True)
+    with pytest.raises(ValueError, match="was not found"):
+        checker_path()
+    (installed / "__main__.py").write_text("")
     assert checker_path() == installed
+
+
+@pytest.mark.parametrize(("workers", "part"), [(1, "__main__"), (1, "pieces"), (2, "theta")])
+def test_a_compiled_file_beside_the_checker_is_not_believed(
+    workers: int, part: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nor is one written: what runs is the text."""
+    folder, other = tmp_path / "checker", tmp_path / "other.py"
+    shutil.copytree(checker_path(), folder, ignore=shutil.ignore_patterns("__pycache__"))
+    monkeypatch.setattr(checker, "checker_path", lambda: folder)
+    other.write_text("raise SystemExit('believed')\n", encoding="utf-8")
+    place = Path(importlib.util.cache_from_source(str(folder / f"{part}.py")))
+    mode = py_compile.PycInvalidationMode.UNCHECKED_HASH
+    py_compile.compile(str(other), cfile=str(place), doraise=True, invalidation_mode=mode)
+    certificate = tmp_path / "iwc.cert"
+    certificate.write_bytes(text_of(GOOD["iwc"]))
+    assert check(certificate, workers).verified
+    assert list(place.parent.iterdir()) == [place]

@@ -63,7 +63,7 @@ def assert_only_exact(value: Any) -> None:
 
 
 def test_the_checker_asks_for_the_same_pages_of_each_version() -> None:
-    assert {version: list(names) for version, names in text.HYPOTHESES.items()} == mutate.checker().HYPOTHESES
+    assert {version: list(names) for version, names in text.HYPOTHESES.items()} == mutate.checker().pieces.HYPOTHESES
 
 
 def test_every_page_that_is_named_exists() -> None:

@@ -1,4 +1,4 @@
-"""What StatementCertificate.v says of the pieces of a certificate is what proofs/check.py checks of them.
+"""What StatementCertificate.v says of the pieces of a certificate is what proofs/checker checks of them.
 
 The formulas are read out of the text and compared with the checker at rational points; Coq itself runs the walk.
 """
@@ -20,7 +20,7 @@ from coq.coq_terms import STATEMENTS, Applied, evaluate_term, mutations, stateme
 from must_reject import mutate
 
 check = mutate.checker()
-METER = check.Meter(check.Limits(), 10**18)
+METER = check.limits.Meter(check.limits.Limits(), 10**18)
 
 
 def between(text: str, before: str, after: str) -> str:
@@ -32,13 +32,13 @@ def between(text: str, before: str, after: str) -> str:
 
 LEVEL = Fraction(3, 11)
 SYSTEMS = [
-    check.System([Fraction(-2), Fraction(second), -2 * beta], Fraction(c1), beta)
+    check.force.System([Fraction(-2), Fraction(second), -2 * beta], Fraction(c1), beta)
     for beta in (Fraction(3, 2), Fraction(5, 2), Fraction(13, 3))
     for second, c1 in (("-1", "1/3"), ("-7/5", "-4"))
 ]
 
 
-def balanced(system: check.System) -> Fraction:
+def balanced(system: check.force.System) -> Fraction:
     """α₁ = -2, β = 5/2, that is 3n = 2h: the rational ε at which the deviation at the level is the mean force."""
     first, second, third = system.alpha
     return second / (abs(system.c1 / third) * system.beta * LEVEL * (third - first))
@@ -99,7 +99,9 @@ def left_as_checked(count: str, ends: list[str], bound: str) -> bool:
             for x in (Fraction(least) * (1 + Fraction(side, 10**6)) for side in (-1, 1)):
                 right = evaluate_term(bound, names | {"X": -x, "N": n})
                 holds = math.prod(map(max, factors)) < right
-                if holds != check.ColumnCheck.left_holds(SimpleNamespace(meter=METER), low - 1, high - 1, m - 1, x):
+                if holds != check.pieces.ColumnCheck.left_holds(
+                    SimpleNamespace(meter=METER), low - 1, high - 1, m - 1, x
+                ):
                     return False
         except (AssertionError, ZeroDivisionError, TypeError, OverflowError, ValueError):
             return False
@@ -134,10 +136,11 @@ def dip_as_checked(ratio: str, bound: str) -> bool:
             for side in (-1, 1):
                 values = {(first, 0): side * Fraction(1, 10**6) - rest} | {(t, 1): s for t, s in slopes.items()}
                 negative = evaluate_term(bound, names | {"F": Applied(2, lambda _, t, v=values: v[t, 0])}) < 0
-                column = check.Column(Fraction(b + 1), Fraction(b + 1), 3, [])
-                stub = SimpleNamespace(column=column, meter=METER, limits=check.Limits(), bits=64)
-                stub.parts = lambda box, order, _, v=values: check.Enclosed(v[box[2], order], 0, 0, 0, (4, 20), 1)
-                if (negative, check.ColumnCheck.dips(stub, first, second, eta)) != (side < 0, side < 0):
+                column = check.pieces.Column(Fraction(b + 1), Fraction(b + 1), 3, [])
+                stub = check.pieces.ColumnCheck(column, check.limits.Limits(), 10**18)
+                scale = check.theta.Scale(4, 20, Fraction(1))
+                stub.value = lambda box, order, _, v=values, s=scale: check.theta.Value(v[box[2], order], 0, 0, 0, s)
+                if (negative, check.force.dips(stub, first, second, eta)) != (side < 0, side < 0):
                     return False
         except (AssertionError, KeyError, ZeroDivisionError, TypeError):
             return False
@@ -150,13 +153,16 @@ def test_the_piece_dip() -> None:
     assert [mutated for mutated in mutations(BOUND_BY_THETA) if dip_as_checked(RATIO, mutated)] == []
 
 
-def refused_place(first: Fraction, second: Fraction) -> bool:
+def refused_place(first: Fraction, second: Fraction, monkeypatch: pytest.MonkeyPatch) -> bool:
     """Whether the checker refuses a dip for its place, when what it computes from F holds."""
-    column = check.Column(Fraction(4), Fraction(5), 3, [check.Piece(first, second, "dip", [first, second], 0)])
-    stub = SimpleNamespace(column=column, begin=lambda *_: None, limits=check.Limits(), dips=lambda *_: True)
+    column = check.pieces.Column(
+        Fraction(4), Fraction(5), 3, [check.pieces.Piece(first, second, "dip", [first, second], 0)]
+    )
+    stub = SimpleNamespace(column=column, begin=lambda *_: None, limits=check.limits.Limits())
+    monkeypatch.setattr(check.force, "dips", lambda *_: True)
     try:
-        check.dip_holds(stub, Fraction(1))
-    except check.Rejected:
+        check.force.dip_holds(stub, Fraction(1))
+    except check.limits.Rejected:
         return True
     return False
 
@@ -164,16 +170,16 @@ def refused_place(first: Fraction, second: Fraction) -> bool:
 def refused_because(beta: str, epsilon: str, eta: str) -> str:
     """What the checker says of a statement without columns: it looks at the numbers first."""
     said = {"beta": beta, "epsilon": epsilon, "eta": eta, "kind": "slow_zeros"}
-    with pytest.raises(check.Rejected) as refused:
-        check.Checker(said, [], check.Limits(), 10**12, 1).check_slow_zeros()
+    with pytest.raises(check.limits.Rejected) as refused:
+        check.force.check_slow_zeros(check.statements.Checker(said, [], check.limits.Limits(), 10**12))
     return str(refused.value)
 
 
-def test_the_place_of_a_dip_its_eta_and_the_range() -> None:
+def test_the_place_of_a_dip_its_eta_and_the_range(monkeypatch: pytest.MonkeyPatch) -> None:
     supposed = statement("slow_zeros_certificate").split(" -> ")
     assert DIP.split(" /\\ ")[:2] == ["0 < t1 < t2", "2 * t1 ^ 3 <= t2 ^ 3"]
     for first, second in [*PLACES, (Fraction(-1), Fraction(1))]:
-        assert refused_place(first, second) is not (0 < first < second and 2 * first**3 <= second**3)
+        assert refused_place(first, second, monkeypatch) is not (0 < first < second and 2 * first**3 <= second**3)
     assert supposed[2:5] == ["4 <= x <= 5)", "0 < eta0", "eps0 <= 2 * eta0 ^ 3"]
     assert "columns" in refused_because("[4, 5]", "27/4", "3/2")
     assert refused_because("[4, 5]", "271/40", "3/2") == "2 η³ is less than ε"
@@ -194,7 +200,7 @@ def random_piece(cell: int, direction: int, choice: random.Random) -> tuple[str,
         "right": f"right_piece 0%R {value}",
     }[kind]
     sign = {"sign": value, "monotone": 0, "right": (-1) ** (cell + value)}.get(kind, 1)
-    return text, check.Piece(Fraction(0), Fraction(0), kind, [], value), sign
+    return text, check.pieces.Piece(Fraction(0), Fraction(0), kind, [], value), sign
 
 
 def random_pieces(cell: int, length: int, choice: random.Random) -> list[tuple[str, object, int]]:
@@ -210,11 +216,11 @@ def random_pieces(cell: int, length: int, choice: random.Random) -> list[tuple[s
 def counted(cell: int, pieces: list[tuple[str, object, int]]) -> int | None:
     """The checker's number of zeros in a column [m, m + 1] if its pieces hold; None: rejected."""
     signs = {id(piece): sign for _, piece, sign in pieces}
-    column = check.Column(Fraction(cell), Fraction(cell + 1), cell - 1, [piece for _, piece, _ in pieces])
+    column = check.pieces.Column(Fraction(cell), Fraction(cell + 1), cell - 1, [piece for _, piece, _ in pieces])
     stub = SimpleNamespace(column=column, begin=lambda *_: None, piece_sign=lambda piece: signs[id(piece)])
     try:
-        return int(check.number_of_zeros(stub))
-    except check.Rejected:
+        return int(check.statements.number_of_zeros(stub))
+    except check.limits.Rejected:
         return None
 
 

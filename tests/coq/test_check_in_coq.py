@@ -41,13 +41,15 @@ def test_the_data_of_the_development_are_those_of_the_files(script: ModuleType, 
 
 
 def test_both_checkers_know_the_certificate_of_zeros() -> None:
-    assert "N = 1 on (1, 2)" in mutate.checker().check_text(ZEROS.read_bytes())
+    assert "N = 1 on (1, 2)" in mutate.checker().main.check_text(ZEROS.read_bytes())
 
 
 def test_a_script_that_is_loaded_is_not_loaded_twice(script: ModuleType) -> None:
     """A second module of that name took the place of the first: what the first one had made could not be pickled."""
-    checker = mutate.checker()
-    assert script.beside(mutate.CHECKER) is checker is sys.modules["check"]
+    pieces = mutate.checker().pieces
+    assert script.read_certificate is pieces.read_certificate
+    prove = script.beside(COQ / "prove.py")
+    assert script.beside(COQ / "prove.py") is prove is sys.modules["prove"]
 
 
 def test_numbers_and_pieces_as_terms(script: ModuleType) -> None:

@@ -155,7 +155,7 @@ def test_the_table_of_the_checker_names_every_page_and_only_statements(prove: Mo
     text = (COQ / "README.md").read_text(encoding="utf-8").partition("## What the checker rests on")[2]
     rows = re.findall(r"^\| \[(\w+)\]\(\.\./\w+\.md\) \| .*? \| (.*) \|$", text, re.MULTILINE)
     assert len(rows) == text.count("\n| [")
-    checker = (COQ.parent / "check.py").read_text(encoding="utf-8")
+    checker = (COQ.parent / "checker" / "pieces.py").read_text(encoding="utf-8")
     named = re.search(r"^HYPOTHESES = \{(.*?)^\}", checker, re.MULTILINE | re.DOTALL)
     assert named
     assert {page for page, _ in rows} == {*re.findall(r'"(\w+)"', named[1]), "check"}
@@ -218,9 +218,10 @@ def test_without_coq_nothing_is_said_to_be_proved(
 def test_no_compiled_file_of_python_is_believed(tmp_path: Path, script: str, options: list[str]) -> None:
     """A file in __pycache__ that Python takes without looking at its source."""
     shutil.copytree(COQ, tmp_path / "coq", ignore=shutil.ignore_patterns("*.v", "__pycache__"))
+    shutil.copytree(COQ.parent / "checker", tmp_path / "checker", ignore=shutil.ignore_patterns("__pycache__"))
     (tmp_path / "forged.py").write_text("print('The formal proofs: 130 theorems proved'); raise SystemExit(0)\n")
-    for name in ("source_rules", "coq_output"):
-        cached = importlib.util.cache_from_source(str(tmp_path / "coq" / f"{name}.py"))
+    for name in ("coq/source_rules", "coq/coq_output", "checker/reading"):
+        cached = importlib.util.cache_from_source(str(tmp_path / f"{name}.py"))
         mode = py_compile.PycInvalidationMode.UNCHECKED_HASH
         py_compile.compile(str(tmp_path / "forged.py"), cached, invalidation_mode=mode)
     command = [sys.executable, *options, str(tmp_path / "coq" / script), *(["--state"] if script == "prove.py" else [])]

@@ -7,30 +7,45 @@ from __future__ import annotations
 
 import copy
 import hashlib
-import importlib
+import importlib.util
 import json
 import os
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import Any
 
 HYPOTHESES = ["certificate", "fold", "identities", "initial_values", "laplace", "negative", "tails"]
-CHECKER = Path(__file__).resolve().parents[2] / "proofs" / "check.py"
+CHECKER = Path(__file__).resolve().parents[2] / "proofs" / "checker"
+PARTS = ("limits", "reading", "theta", "pieces", "statements", "force")
 
 Lines = list[Any]
 Mutation = Callable[[Lines], None]
 
 
-def checker() -> ModuleType:
-    """``proofs/check.py`` as a module: it is not a part of the package. Its workers import it by the same name."""
-    folder = str(CHECKER.parent)
-    if folder not in sys.path:
-        sys.path.append(folder)
-    return importlib.import_module("check")
+def checker() -> SimpleNamespace:
+    """The files of ``proofs/checker`` as modules, under their names; ``main`` is the file that is run as a program.
+
+    They are no part of the package. Workers import them by the same names.
+    """
+    if str(CHECKER) not in sys.path:
+        sys.path.append(str(CHECKER))
+    parts = {name: importlib.import_module(name) for name in PARTS}
+    return SimpleNamespace(**parts, main=_program())
+
+
+@cache
+def _program() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("checker_program", CHECKER / "__main__.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 @dataclass(frozen=True)

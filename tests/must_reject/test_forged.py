@@ -18,8 +18,8 @@ check = checker()
 
 @pytest.mark.parametrize("name", FORGED)
 def test_a_false_statement_is_not_verified(name: str) -> None:
-    with pytest.raises(check.Rejected):
-        check.check_text(FORGED[name])
+    with pytest.raises(check.limits.Rejected):
+        check.main.check_text(FORGED[name])
 
 
 def one_piece(
@@ -60,8 +60,10 @@ def test_what_is_verified_is_true(
     tau = f"({'-inf' if start is None else start}, {'inf' if end is None else end})"
     beta = f"[{low}, {high}]"
     try:
-        assert check.check_text(sign(beta, tau, claimed, ([str(low), str(high)], [piece])), check.Limits(work=1))
-    except check.Rejected:
+        assert check.main.check_text(
+            sign(beta, tau, claimed, ([str(low), str(high)], [piece])), check.limits.Limits(work=1)
+        )
+    except check.limits.Rejected:
         return
     first = end - 5 if start is None else start
     last = first + 5 if end is None else end

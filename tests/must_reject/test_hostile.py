@@ -12,14 +12,14 @@ from must_reject.mutate import GOOD, text_of
 
 check = mutate.checker()
 BUDGET = 10**8
-SMALL = check.Limits(work=0, memory=8)
+SMALL = check.limits.Limits(work=0, memory=8)
 
 
-def answer(data: bytes, limits: check.Limits) -> str:
+def answer(data: bytes, limits: check.limits.Limits) -> str:
     """The statement, or the reason against it."""
     try:
-        return str(check.check_text(data, limits))
-    except check.Rejected as reason:
+        return str(check.main.check_text(data, limits))
+    except check.limits.Rejected as reason:
         return str(reason)
 
 
@@ -27,20 +27,20 @@ def answer(data: bytes, limits: check.Limits) -> str:
 def spent(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """Every amount of work that is taken from a budget."""
     amounts: list[int] = []
-    spend = check.Meter.spend
+    spend = check.limits.Meter.spend
 
-    def recorded(meter: check.Meter, products: int, operations: int) -> None:
-        amounts.append(products + check.OPERATION * operations)
+    def recorded(meter: check.limits.Meter, products: int, operations: int) -> None:
+        amounts.append(products + check.limits.OPERATION * operations)
         spend(meter, products, operations)
 
-    monkeypatch.setattr(check.Meter, "spend", recorded)
+    monkeypatch.setattr(check.limits.Meter, "spend", recorded)
     return amounts
 
 
 @pytest.mark.parametrize("name", hostile.SHORT)
 def test_work_and_memory_are_bounded(name: str, spent: list[int], monkeypatch: pytest.MonkeyPatch) -> None:
     data = hostile.SHORT[name]
-    monkeypatch.setattr(check, "WORK_PER_BYTE", BUDGET // len(data))
+    monkeypatch.setattr(check.limits, "WORK_PER_BYTE", BUDGET // len(data))
     tracemalloc.start()
     try:
         text = answer(data, SMALL)
@@ -58,7 +58,7 @@ def test_work_and_memory_are_bounded(name: str, spent: list[int], monkeypatch: p
 def test_some_of_them_meet_each_limit(monkeypatch: pytest.MonkeyPatch) -> None:
     found = []
     for data in hostile.SHORT.values():
-        monkeypatch.setattr(check, "WORK_PER_BYTE", BUDGET // len(data))
+        monkeypatch.setattr(check.limits, "WORK_PER_BYTE", BUDGET // len(data))
         found.append(answer(data, SMALL))
     assert sum("limit work" in text for text in found) > 3
     assert sum("limit memory" in text for text in found) > 1
@@ -66,18 +66,18 @@ def test_some_of_them_meet_each_limit(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_a_true_statement_far_out_is_verified() -> None:
     """Pieces of width 2^-60 at τ = -200 in eleven cells: the accuracy that they need is low."""
-    assert answer(hostile.far_left_in_each_cell(11, 22), check.Limits()).startswith("dΘ/dτ < 0")
+    assert answer(hostile.far_left_in_each_cell(11, 22), check.limits.Limits()).startswith("dΘ/dτ < 0")
 
 
 @pytest.mark.parametrize("name", ["deep left", "deep pieces", "deep pieces, deep β"])
 def test_long_denominators_cost_no_more_than_short_ones(name: str, spent: list[int]) -> None:
-    assert answer(hostile.SHORT[name], check.Limits()).startswith("dΘ/dτ <")
+    assert answer(hostile.SHORT[name], check.limits.Limits()).startswith("dΘ/dτ <")
     assert sum(spent) < 10 * BUDGET
 
 
 def test_a_point_with_a_long_denominator_is_used_as_it_is(spent: list[int]) -> None:
     """Ten orders at one point with 2,000 digits: what its length costs, no more."""
-    assert answer(hostile.deep_right(DEEP), check.Limits()).startswith("dΘ/dτ < 0")
+    assert answer(hostile.deep_right(DEEP), check.limits.Limits()).startswith("dΘ/dτ < 0")
     assert sum(spent) < BUDGET
 
 
@@ -85,28 +85,30 @@ def test_work_grows_with_the_length_of_the_numbers(spent: list[int]) -> None:
     totals = []
     for bits in (60, 600, 6000):
         del spent[:]
-        start = [check.Model([value << bits, value], 0) for value in (3, -2, 5)]
-        check.moved(start * 3, Fraction(1, 3), bits, check.Meter(SMALL, 10**12))
+        start = [check.theta.Model([value << bits, value], 0) for value in (3, -2, 5)]
+        check.theta.moved(start * 3, Fraction(1, 3), bits, check.limits.Meter(SMALL, 10**12))
         totals.append(sum(spent))
     assert totals[2] - totals[1] > 50 * (totals[1] - totals[0])
 
 
 def test_the_budget_is_one_for_all_columns(spent: list[int]) -> None:
     data = text_of(GOOD["iwc"])
-    assert answer(data, check.Limits()).startswith("dΘ/dτ <")
+    assert answer(data, check.limits.Limits()).startswith("dΘ/dτ <")
     total = sum(spent)
-    _, statement, columns = check.read_certificate(data, check.Limits())
+    _, statement, columns = check.pieces.read_certificate(data, check.limits.Limits())
     for workers in (1, 2):
-        check.Checker(statement, columns, check.Limits(), total, workers).check_sign()
-        with pytest.raises(check.Rejected, match="the limit work"):
-            check.Checker(statement, columns, check.Limits(), total - 1, workers).check_sign()
+        check.statements.check_sign(check.statements.Checker(statement, columns, check.limits.Limits(), total, workers))
+        with pytest.raises(check.limits.Rejected, match="the limit work"):
+            check.statements.check_sign(
+                check.statements.Checker(statement, columns, check.limits.Limits(), total - 1, workers)
+            )
 
 
 def test_the_budget_can_be_raised(monkeypatch: pytest.MonkeyPatch) -> None:
     data = text_of(GOOD["brackets"])
-    monkeypatch.setattr(check, "WORK_PER_BYTE", 0)
-    assert "the limit work=0 (raise it on purpose: --limit work=NUMBER)" in answer(data, check.Limits(work=0))
-    assert answer(data, check.Limits(work=1)).startswith("dΘ/dτ at β = 7/3")
+    monkeypatch.setattr(check.limits, "WORK_PER_BYTE", 0)
+    assert "the limit work=0 (raise it on purpose: --limit work=NUMBER)" in answer(data, check.limits.Limits(work=0))
+    assert answer(data, check.limits.Limits(work=1)).startswith("dΘ/dτ at β = 7/3")
 
 
 @pytest.mark.slow
@@ -115,7 +117,7 @@ def test_files_up_to_the_limit_of_the_size(name: str) -> None:
     data = hostile.LONG[name]()
     tracemalloc.start()
     try:
-        answer(data, check.Limits(work=1))
+        answer(data, check.limits.Limits(work=1))
         _, peak = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()

@@ -207,8 +207,8 @@ def _hinge_in_the_next_cell(lines: mutate.Lines) -> None:
 
 
 def rejection(data: bytes) -> str:
-    with pytest.raises(check.Rejected) as caught:
-        check.check_text(data)
+    with pytest.raises(check.limits.Rejected) as caught:
+        check.main.check_text(data)
     text = str(caught.value)
     assert "\n" not in text
     assert len(text) < 500
@@ -217,7 +217,7 @@ def rejection(data: bytes) -> str:
 
 @pytest.mark.parametrize("name", GOOD)
 def test_good_ones_are_accepted(name: str) -> None:
-    assert check.check_text(text_of(GOOD[name]))
+    assert check.main.check_text(text_of(GOOD[name]))
 
 
 @pytest.mark.parametrize(("name", "good", "mutation", "message"), CONTENT, ids=[row[0] for row in CONTENT])
@@ -232,7 +232,7 @@ def test_a_left_piece_beyond_its_threshold(shift: Fraction) -> None:
     pieces = [["left", str(x)], ["sign", str(x), "0" if x < 0 else "1", 1]]
     data = mutate.mutated(GOOD["iwc"], put_pieces(2, *pieces, *([["taylor"]] if x < 0 else [])))
     if shift < 0:
-        assert check.check_text(data)
+        assert check.main.check_text(data)
     else:
         assert "remainder is too large" in rejection(data) or "cover" in rejection(data)
 
@@ -319,12 +319,12 @@ def test_hostile_numbers_end_within_the_budget() -> None:
         ("right", put_pieces(1, ["right", near, 0])),
         ("iwc", move_column_end(1, 1, Fraction(1, 10**3998))),
     ]:
-        assert "limit work" not in answer(mutate.mutated(GOOD[good], mutation), check.Limits(work=3))
+        assert "limit work" not in answer(mutate.mutated(GOOD[good], mutation), check.limits.Limits(work=3))
 
 
 def answer(data: bytes, limits: Any = None) -> str:
     """The statement, or the reason against it."""
     try:
-        return str(check.check_text(data, limits))
-    except check.Rejected as reason:
+        return str(check.main.check_text(data, limits))
+    except check.limits.Rejected as reason:
         return str(reason)

@@ -7,12 +7,11 @@ from pathlib import Path
 
 _LEDGER = "gspot_verified/paper/"
 _OF_THE_PARTS = tuple(f"tests/paper/test_{name}.py" for name in ("verdicts", "teeth", "steps"))
-_ALSO = {
-    "proofs/check.py": (
-        *(f"must_reject/test_{name}.py" for name in ("must_reject", "forged", "hostile")),
-        *("compliant/test_force_certificate.py", "compliant/test_zero_certificate.py"),
-    )
-}
+_OF_THE_CHECKER = (
+    *(f"tests/must_reject/test_{name}.py" for name in ("must_reject", "forged", "hostile")),
+    *("tests/compliant/zeros/test_force_certificate.py", "tests/compliant/zeros/test_zero_certificate.py"),
+)
+"""Judge each file of the checker, which no test imports by a name of the package."""
 
 
 def mirrored(root: Path, file: str) -> list[str]:
@@ -24,7 +23,7 @@ def mirrored(root: Path, file: str) -> list[str]:
     path = Path(file)
     folder = root / "tests" / Path(*path.parts[1:-1])
     tests = sorted(folder.glob(f"test_{path.stem}.py")) + _with_longer_names(root / path, folder)
-    tests += [root / "tests" / name for name in _ALSO.get(file, ())]
+    tests += [root / name for name in _OF_THE_CHECKER] if file.startswith("proofs/checker/") else []
     chosen = [file, *(test.relative_to(root).as_posix() for test in tests)] if tests else importing(root, file)
     further = [*importing(root, file), *_OF_THE_PARTS] if parts(root, file) else []
     return list(dict.fromkeys([*chosen, *further]))

@@ -76,17 +76,18 @@ def test_a_distribution_without_a_list_of_files_has_its_metadata() -> None:
 
 
 def test_the_checker_is_where_an_installation_puts_it() -> None:
-    assert Path(sys.prefix) / "share" / "gspot_verified" / "check.py" == keys.CHECKER
-    assert '"share/gspot_verified" = ["proofs/check.py"]' in (keys.PACKAGE.parent / "pyproject.toml").read_text()
+    assert Path(sys.prefix) / "share" / "gspot_verified" / "checker" == keys.CHECKER
+    text = (keys.PACKAGE.parent / "pyproject.toml").read_text(encoding="utf-8")
+    assert '"share/gspot_verified/checker" = ["proofs/checker/*.py"]' in text
 
 
 def test_the_package_and_its_proofs_are_sources() -> None:
-    paths = [path for path in keys.source_files() if path != keys.CHECKER]
+    paths = [path for path in keys.source_files() if keys.CHECKER not in path.parents]
     files = {path.relative_to(keys.PACKAGE.parent).as_posix() for path in paths}
     assert {
         "gspot_verified/numbers/balls.py",
         "gspot_verified/paper/claims.toml",
-        "proofs/check.py",
+        "proofs/checker/theta.py",
         "proofs/iwc.md",
     } <= files
     assert all(name.startswith(("gspot_verified/", "proofs/")) for name in files)

@@ -225,7 +225,7 @@ def check(
     ] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Re-check a certificate with proofs/check.py. In a process of its own that imports nothing of this package.
+    """Re-check a certificate with proofs/checker. In a process of its own that imports nothing of this package.
 
     Exit code 0 when it is verified, 1 when it is rejected.
     """

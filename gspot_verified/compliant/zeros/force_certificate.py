@@ -1,7 +1,7 @@
 """Certificates for the contact force on the slow manifold, uniform in epsilon: pieces found by evaluation in balls.
 
 What the pieces prove: ``proofs/certificate.md``, force and lift_off; Theorem C: ``proofs/monotone.md``. Nothing here is
-trusted: ``proofs/check.py`` checks each piece again without this package.
+trusted: ``proofs/checker`` checks each piece again without this package.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """A certificate that the slow solution has two real zeros for 4 < beta < 5 and every epsilon up to one.
 
 What the pieces prove: ``proofs/certificate.md``, slow_zeros, and ``proofs/finite_epsilon_zeros.md``, section 4. Nothing
-here is trusted: ``proofs/check.py`` checks each piece again without this package.
+here is trusted: ``proofs/checker`` checks each piece again without this package.
 """
 
 from __future__ import annotations

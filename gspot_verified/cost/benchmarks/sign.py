@@ -228,7 +228,7 @@ def _checked(asked: str, text: str, producer: float) -> Row:
     try:
         script = checker_path()
     except ValueError:
-        return Row("checker", asked, _CHECKER, None, producer, note="proofs/check.py: not found")
+        return Row("checker", asked, _CHECKER, None, producer, note="proofs/checker: not found")
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "certificate"
         file.write_text(text, encoding="utf-8")

@@ -57,7 +57,7 @@ def _checker_missing() -> str:
     try:
         checker_path()
     except ValueError:
-        return "proofs/check.py is not here"
+        return "proofs/checker is not here"
     return ""
 
 
@@ -99,7 +99,7 @@ def _checker_limit(_: bool) -> Limit:
 CHECKER = Blueprint(
     key="checker",
     title="The independent checker",
-    question="The certificate of all zeros for β in (1, k): producing it, and checking it with proofs/check.py, "
+    question="The certificate of all zeros for β in (1, k): producing it, and checking it with proofs/checker, "
     "start included.",
     axis="k",
     symbol="k",
@@ -107,7 +107,7 @@ CHECKER = Blueprint(
     profiled=None,
     limit=_checker_limit,
     remarks=(
-        "The checker is one file on Python’s own integers. It shares nothing with the producer, not even FLINT. That "
+        "The checker computes with Python’s own integers. It shares nothing with the producer, not even FLINT. That "
         "is what its time buys.",
     ),
 )

@@ -44,7 +44,7 @@ def test_force_up_to_nearly_the_largest_epsilon(beta: str) -> None:
     largest = leading_order_iwc(beta, tau_start=-2).epsilon_0
     assert largest is not None
     found = force_certificate(force, fmpq(-2), largest * fmpq(9, 10))
-    text = check.check_text(found.text().encode())
+    text = check.main.check_text(found.text().encode())
     assert text.startswith("on the slow manifold of the compliant model with α = (-1, -1, ")
     assert "λ > 0 for every τ in [-2, inf) and every ε in (0, " in text
     with pytest.raises(NotProvable):
@@ -64,7 +64,7 @@ def test_lift_off_is_certified_just_beyond_the_leading_order_time(beta: str) -> 
     assert (1000 * beside.tau).q == 1
     assert time.upper < beside.tau <= time.upper + fmpq(1, 1000)
     found = lift_off_certificate(force, time.upper + fmpq(1, 1000), fmpq(1, 1000))
-    assert "λ < 0 at τ = " in check.check_text(found.text().encode())
+    assert "λ < 0 at τ = " in check.main.check_text(found.text().encode())
     with pytest.raises(NotProvable):
         lift_off_certificate(force, time.upper - fmpq(1, 1000), fmpq(1, 1000))
 
@@ -91,7 +91,7 @@ def _unit(epsilon: fmpq) -> fmpq:
 
 @pytest.mark.parametrize(("name", "certificate"), [("force", FORCE), ("lift_off", LIFT_OFF)])
 def test_the_ones_that_are_made_wrong_below_are_good(name: str, certificate: ForceCertificate) -> None:
-    assert check.check_text(text_of(lines(certificate)))
+    assert check.main.check_text(text_of(lines(certificate)))
     assert lines(certificate)[0]["version"] == 2
     assert lines(certificate)[0]["statement"]["kind"] == name
 
@@ -148,16 +148,16 @@ def _move(found: list[Any], tau: str) -> None:
 @pytest.mark.parametrize(("name", "mutation", "message"), WRONG_FORCE, ids=[name for name, *_ in WRONG_FORCE])
 def test_wrong_certificates_of_the_force_are_rejected(name: str, mutation: Any, message: str) -> None:
     assert name
-    with pytest.raises(check.Rejected) as raised:
-        check.check_text(mutated(lines(FORCE), mutation))
+    with pytest.raises(check.limits.Rejected) as raised:
+        check.main.check_text(mutated(lines(FORCE), mutation))
     assert message in str(raised.value)
 
 
 @pytest.mark.parametrize(("name", "mutation", "message"), WRONG_LIFT_OFF, ids=[name for name, *_ in WRONG_LIFT_OFF])
 def test_wrong_certificates_of_lift_off_are_rejected(name: str, mutation: Any, message: str) -> None:
     assert name
-    with pytest.raises(check.Rejected) as raised:
-        check.check_text(mutated(lines(LIFT_OFF), mutation))
+    with pytest.raises(check.limits.Rejected) as raised:
+        check.main.check_text(mutated(lines(LIFT_OFF), mutation))
     assert message in str(raised.value)
 
 
@@ -191,7 +191,7 @@ def test_the_level_is_rounded_away_from_what_would_prove_more(beta: str, epsilon
 
 def test_the_whole_line() -> None:
     found = force_certificate(contact_force("5/2"), None, fmpq(4, 5))
-    assert "λ > 0 for every τ in (-inf, inf) and every ε in (0, 4/5]" in check.check_text(found.text().encode())
+    assert "λ > 0 for every τ in (-inf, inf) and every ε in (0, 4/5]" in check.main.check_text(found.text().encode())
     with pytest.raises(ValueError, match="floor"):
         force_certificate(contact_force("7/2"), None, fmpq(1, 1000))
 
@@ -216,16 +216,29 @@ def test_the_other_side_is_refused() -> None:
     ],
 )
 def test_sizes_are_compared_exactly(value: int, b: Fraction, level: Fraction, sign: int) -> None:
-    limits = check.Limits()
-    column = check.ColumnCheck(check.Column(b + 1, b + 1, 0, []), limits, 10**12)
-    assert column.compared(value << 20, (4, 20), b, level) == sign
+    scale, meter = check.theta.Scale(4, 20, Fraction(1)), check.limits.Meter(check.limits.Limits(), 10**12)
+    assert check.force.compared(value << 20, scale, b, level, meter) == sign
+
+
+def test_the_size_of_a_derivative_is_not_compared() -> None:
+    meter = check.limits.Meter(check.limits.Limits(), 10**12)
+    with pytest.raises(check.limits.Rejected, match="the size of a derivative"):
+        check.force.compared(1, check.theta.Scale(4, 20, Fraction(2)), Fraction(3, 2), Fraction(1), meter)
 
 
 @pytest.mark.parametrize(("epsilon", "sign"), [("47/100", -1), ("12/25", 1)])
 def test_the_mean_force_is_compared_exactly(epsilon: str, sign: int) -> None:
     # alpha = (-1, -1, -5/2), C_1 = -1, level 1: A eps^p beta/mean = (3/2)(2 eps^2)^(1/2) is 1 at eps = sqrt(2)/3.
-    system = check.System([Fraction(-1), Fraction(-1), Fraction(-5, 2)], Fraction(-1), Fraction(5, 2))
-    assert system.compared(Fraction(epsilon), Fraction(1), check.Meter(check.Limits(), 10**12)) == sign
+    system = check.force.System([Fraction(-1), Fraction(-1), Fraction(-5, 2)], Fraction(-1), Fraction(5, 2))
+    assert system.compared(Fraction(epsilon), Fraction(1), check.limits.Meter(check.limits.Limits(), 10**12)) == sign
+
+
+def test_a_deviation_that_is_the_mean_force_is_neither_above_nor_below() -> None:
+    """(|C_1/α_3| β level (α_3 - α_1)/α_2)^6 (2 ε²/-α_1)^3 = (level/2)^6 ε^6, and 1 at level 2, ε 1."""
+    system = check.force.System([Fraction(-2), Fraction(-1), Fraction(-5)], Fraction(1, 3), Fraction(5, 2))
+    meter, little = check.limits.Meter(check.limits.Limits(), 10**12), Fraction(1, 10**9)
+    found = [system.compared(1 + k * little, Fraction(2), meter) for k in (-1, 0, 1)]
+    assert found == [-1, 0, 1]
 
 
 def test_a_piece_of_the_other_sign_does_not_bound_the_force() -> None:
@@ -236,17 +249,17 @@ def test_a_piece_of_the_other_sign_does_not_bound_the_force() -> None:
         i for i, p in enumerate(pieces) if p[0] == "level" and Fraction(p[1]) <= Fraction(9, 4) < Fraction(p[2])
     )
     pieces[place] = ["sign", *pieces[place][1:], -1]
-    with pytest.raises(check.Rejected, match="gives F the other sign"):
-        check.check_text(text_of(found))
+    with pytest.raises(check.limits.Rejected, match="gives F the other sign"):
+        check.main.check_text(text_of(found))
 
 
-class Known(check.ColumnCheck):
+class Known(check.pieces.ColumnCheck):
     """Middle 10, 3 from tau, 2 from b, error 1, in units of x^b/2^p."""
 
     unit = (1, 0)
 
-    def parts(self, *_: Any) -> check.Enclosed:
-        return check.Enclosed(10, 3, 2, 1, self.unit, Fraction(1))
+    def value(self, *_: Any) -> check.theta.Value:
+        return check.theta.Value(10, 3, 2, 1, check.theta.Scale(*self.unit, Fraction(1)))
 
 
 @pytest.mark.parametrize(
@@ -254,31 +267,33 @@ class Known(check.ColumnCheck):
 )
 def test_every_part_of_the_width_counts(unit: tuple[int, int], value: Fraction) -> None:
     """At b = 3/2 the unit x^b/2^p is the one that comes with the parts; a part in 10^9 is seen."""
-    limits, little = check.Limits(), Fraction(1, 10**9)
-    column = Known(check.Column(Fraction(5, 2), Fraction(5, 2), 0, []), limits, 10**12)
+    limits, little = check.limits.Limits(), Fraction(1, 10**9)
+    column = Known(check.pieces.Column(Fraction(5, 2), Fraction(5, 2), 0, []), limits, 10**12)
     column.unit = unit
     box = (Fraction(3, 2), Fraction(3, 2), Fraction(0), Fraction(1))
-    assert column.within(box, 16 * value, 0)
-    assert not column.within(box, 16 * value - little, 0)
-    assert column.beyond(Fraction(3, 2), Fraction(0), 4 * value, 1)
-    assert not column.beyond(Fraction(3, 2), Fraction(0), 4 * value + little, 1)
-    assert not column.beyond(Fraction(3, 2), Fraction(0), little, -1)
+    assert check.force.within(column, box, 16 * value, 0)
+    assert not check.force.within(column, box, 16 * value - little, 0)
+    assert check.force.beyond(column, Fraction(3, 2), Fraction(0), 4 * value, 1)
+    assert not check.force.beyond(column, Fraction(3, 2), Fraction(0), 4 * value + little, 1)
+    assert not check.force.beyond(column, Fraction(3, 2), Fraction(0), little, -1)
 
 
-class Asked(check.ColumnCheck):
+class Asked(check.pieces.ColumnCheck):
     """What parts answers, one after the other, the last one for ever."""
 
-    def parts(self, *question: Any) -> check.Enclosed:
+    def value(self, *question: Any) -> check.theta.Value:
         self.asked.append(question)
-        return check.Enclosed(*self.answers[min(len(self.asked), len(self.answers)) - 1], (1, 0), Fraction(1))
+        return check.theta.Value(
+            *self.answers[min(len(self.asked), len(self.answers)) - 1], check.theta.Scale(1, 0, Fraction(1))
+        )
 
 
 def within(level: str, splits: int, *answers: tuple[int, int, int, int]) -> tuple[bool, int]:
     """Whether |F| ≤ level is confirmed on [0, 1] at b = 3/2, and how many boxes were looked at."""
-    column = Asked(check.Column(Fraction(5, 2), Fraction(5, 2), 0, []), check.Limits(), 10**12)
+    column = Asked(check.pieces.Column(Fraction(5, 2), Fraction(5, 2), 0, []), check.limits.Limits(), 10**12)
     column.answers, column.asked = answers, []
     box = (Fraction(3, 2), Fraction(3, 2), Fraction(0), Fraction(1))
-    return column.within(box, Fraction(level), splits), len(column.asked)
+    return check.force.within(column, box, Fraction(level), splits), len(column.asked)
 
 
 @pytest.mark.parametrize("splits", range(5))
@@ -293,6 +308,8 @@ def test_a_level_that_a_sharper_ball_may_keep_is_tried_again() -> None:
     assert within("1/2", 1, (1, 30, 0, 2), (0, 0, 0, 0)) == (True, 3)
     assert within("1/2", 1, (-1, 30, 0, 2), (0, 0, 0, 0)) == (True, 3)
     assert within("8", 1, (10, 30, 0, 1), (0, 0, 0, 0)) == (False, 1)
+    assert within("8", 1, (-10, 0, 0, 1), (0, 0, 0, 0)) == (False, 1)
+    assert within("11", 0, (-10, 0, 0, 1)) == (True, 1)
     assert within("5", 0, (1, 0, 0, 10), (1, 0, 0, 3)) == (True, 2)
     answer, tried = within("5", 0, (1, 0, 0, 10))
     assert not answer
@@ -301,12 +318,12 @@ def test_a_level_that_a_sharper_ball_may_keep_is_tried_again() -> None:
 
 def test_the_comparison_with_the_mean_force_is_paid_before_it_is_done() -> None:
     """(...)^(3n) (2 ε²/-α_1)^h with β - 1 = h/n = 3/2."""
-    system = check.System([Fraction(-1), Fraction(-1), Fraction(-5, 2)], Fraction(-1), Fraction(5, 2))
+    system = check.force.System([Fraction(-1), Fraction(-1), Fraction(-5, 2)], Fraction(-1), Fraction(5, 2))
     for epsilon, level, least in (
-        (Fraction(1, 10**900), Fraction(1), 3 * check.digits(10**1800)),
-        (Fraction(1), Fraction(1, 10**900), 6 * check.digits(10**900)),
+        (Fraction(1, 10**900), Fraction(1), 3 * check.limits.digits(10**1800)),
+        (Fraction(1), Fraction(1, 10**900), 6 * check.limits.digits(10**900)),
     ):
-        meter = check.Meter(check.Limits(), 10**12)
+        meter = check.limits.Meter(check.limits.Limits(), 10**12)
         system.compared(epsilon, level, meter)
         assert least**2 <= 10**12 - meter.left <= (least + 99) ** 2 + 10**4
 
@@ -314,5 +331,5 @@ def test_the_comparison_with_the_mean_force_is_paid_before_it_is_done() -> None:
 @pytest.mark.parametrize("entries", [{"level": "0"}, {"level": "-1"}, {"epsilon": "0"}, {"epsilon": "-1"}])
 @pytest.mark.parametrize("text", [FORCE, LIFT_OFF])
 def test_what_must_be_positive(text: str, entries: dict[str, str]) -> None:
-    with pytest.raises(check.Rejected, match="ε or the level is not positive"):
-        check.check_text(mutated(lines(text), state(**entries)))
+    with pytest.raises(check.limits.Rejected, match="ε or the level is not positive"):
+        check.main.check_text(mutated(lines(text), state(**entries)))

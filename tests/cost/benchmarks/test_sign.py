@@ -168,7 +168,7 @@ def test_a_checker_that_is_not_there(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_what_the_checker_says(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, script: str, met: bool | None, said: str
 ) -> None:
-    path = tmp_path / "check.py"
+    path = tmp_path / "checker.py"
     path.write_text(script, encoding="utf-8")
     monkeypatch.setattr(benchmark, "checker_path", lambda: path)
     row = benchmark._checked("it", "text", 1e3)

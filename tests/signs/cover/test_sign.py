@@ -30,7 +30,7 @@ from gspot_verified.theta_function.value.evaluate import evaluate
 from gspot_verified.work.executors import InProcessExecutor
 from gspot_verified.work.ranges import Range
 
-CHECKER = Path(__file__).resolve().parents[3] / "proofs" / "check.py"
+CHECKER = Path(__file__).resolve().parents[3] / "proofs" / "checker"
 TINY = "0" * 39 + "1"
 P, R, U = Outcome.PROVED, Outcome.REFUTED, Outcome.UNDECIDED
 

@@ -170,7 +170,7 @@ def test_the_checker_agrees_about_brackets(tmp_path: Path, beta: str) -> None:
     path = tmp_path / "brackets.cert"
     write_certificate(path, found.statement, [found.column])
     run = subprocess.run(
-        [sys.executable, "-I", "-S", str(PROOFS / "check.py"), str(path)], capture_output=True, check=False
+        [sys.executable, "-I", "-S", str(PROOFS / "checker"), str(path)], capture_output=True, check=False
     )
     assert run.stdout.startswith(b"VERIFIED "), run.stderr
 
@@ -181,7 +181,7 @@ def test_the_checker_agrees_about_a_range(tmp_path: Path) -> None:
     path = tmp_path / "zeros.cert"
     write_certificate(path, result.statement, result.columns)
     run = subprocess.run(
-        [sys.executable, "-I", "-S", str(PROOFS / "check.py"), str(path)], capture_output=True, check=False
+        [sys.executable, "-I", "-S", str(PROOFS / "checker"), str(path)], capture_output=True, check=False
     )
     assert run.stdout.startswith(b"VERIFIED "), run.stderr
 
