@@ -102,11 +102,11 @@ class _Model:
         self._root, self._without = root, without
         root.only(("compiler", "option", "worldbody", "default"), _NO_EFFECT, _REASONS)
         self._degrees, self._sequence = True, "xyz"
-        for compiler in root.children("compiler"):
+        for compiler in _merged(root, "compiler"):
             self._compiler(compiler)
         self._defaults: dict[str, dict[str, str]] = {"": {}}
         for default in root.children("default"):
-            self._default(default, {}, is_main=True)
+            self._default(default, self._defaults[""], is_main=True)
         self._read_as: list[str] = []
         self._limited = False
         self._names: set[str] = set()
@@ -129,9 +129,12 @@ class _Model:
     def _default(self, element: XmlElement, above: Mapping[str, str], is_main: bool = False) -> None:
         joint = element.one("joint")
         own = dict(above) | ({} if joint is None else joint.attributes)
-        self._defaults["" if is_main else element.text("class")] = own
-        if is_main and element.has("class"):
-            self._defaults[element.text("class")] = own
+        name = element.text("class", "main" if is_main else None)
+        if not is_main and name in self._defaults:
+            raise element.refuse(f"two default classes are called {name[:40]!r}")
+        self._defaults[name] = own
+        if is_main:
+            self._defaults[""] = own
         for inner in element.children("default"):
             self._default(inner, own)
 
@@ -140,10 +143,11 @@ class _Model:
         import sympy
 
         gravity: list[Any] = [sympy.Integer(0), sympy.Integer(0), -sympy.Rational("9.81")]
-        for option in self._root.children("option"):
-            option.only(("flag",), (), _REASONS)
+        for option in _merged(self._root, "option"):
             _refuse_numbers(option, _REFUSED_OPTION, "is a force of a fluid: it is not taken")
             gravity = option.numbers("gravity", 3, "0 0 -9.81")
+        for option in self._root.children("option"):
+            option.only(("flag",), (), _REASONS)
             for flag in option.children("flag"):
                 for word in ("gravity", "spring", "damper", "passive"):
                     if flag.text(word, "enable") != "enable":
@@ -294,6 +298,14 @@ class _Model:
         if self._root.left_out:
             texts.append(f"left out on purpose: {', '.join(sorted(self._root.left_out))}")
         return texts
+
+
+def _merged(root: XmlElement, tag: str) -> list[XmlElement]:
+    """The sections of this tag as one: MuJoCo merges them, a later attribute in the place of an earlier one."""
+    merged: list[XmlElement] = []
+    for section in root.children(tag):
+        merged = [section.with_defaults(merged[0].attributes) if merged else section]
+    return merged
 
 
 def _vector(element: XmlElement, word: str, default: str = "0 0 0") -> Any:

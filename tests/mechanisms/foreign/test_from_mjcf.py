@@ -143,8 +143,39 @@ def test_gravity_of_the_model() -> None:
 
 
 @pytest.mark.parametrize(
+    ("split", "one"),
+    [
+        (
+            '<compiler angle="radian"/><compiler autolimits="true"/>',
+            '<compiler angle="radian" autolimits="true"/>',
+        ),
+        ('<option gravity="0 0 -5"/><option timestep="0.01"/>', '<option gravity="0 0 -5" timestep="0.01"/>'),
+        ('<option gravity="0 0 -5"/><option gravity="3 0 -4"/>', '<option gravity="3 0 -4"/>'),
+        (
+            '<default><joint damping="3"/></default><default><geom rgba="1 1 1 1"/></default>',
+            '<default><joint damping="3"/></default>',
+        ),
+        (
+            '<default class="main"><joint damping="3" armature="1"/></default><default><joint damping="2"/></default>',
+            '<default><joint damping="2" armature="1"/></default>',
+        ),
+    ],
+)
+def test_sections_that_stand_twice_are_merged(split: str, one: str) -> None:
+    """MuJoCo's XML reference: repeated sections are merged; an attribute that the later one lacks stays."""
+    start, turned = '<compiler angle="radian"/>', (BODY, BODY.replace(">", ' euler="0 0.5 0">'))
+    keep = "" if split.startswith("<compiler") else start
+    assert same(mjcf_arm(changed(turned, (start, keep + split))), mjcf_arm(changed(turned, (start, keep + one))))
+
+
+@pytest.mark.parametrize(
     ("old", "new", "message"),
     [
+        (
+            "<worldbody>",
+            '<default><default class="leg"/><default class="leg"/></default><worldbody>',
+            "two default classes are called 'leg'",
+        ),
         (HINGE, "<freejoint/>", "body 'lower': the element 'freejoint' moves in space"),
         (HINGE, '<joint name="elbow" type="free"/>', "type 'free': joints are hinge or slide"),
         (HINGE, '<joint name="elbow" type="ball"/>', "type 'ball'"),
