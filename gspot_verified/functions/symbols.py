@@ -61,6 +61,17 @@ class RationalFunction:
             return None
         return self.numerator.leading_coefficient() if not self.numerator.is_zero() else fmpq(0)
 
+    def at(self, values: Sequence[fmpq]) -> fmpq:
+        """Its value where the symbols have these values.
+
+        :raises ZeroDivisionError: the denominator vanishes there.
+
+        >>> ring = Symbols("chi")
+        >>> (ring.symbol("chi") / (ring.symbol("chi") + ring.number(1))).at([fmpq(3)])
+        3/4
+        """
+        return self.numerator(*values) / self.denominator(*values)
+
     def __str__(self) -> str:
         if self.denominator.is_one():
             return str(self.numerator)
@@ -126,6 +137,11 @@ class Symbols:
         self._context = fmpq_mpoly_ctx.get(names, "degrevlex")
         self._generators = dict(zip(names, self._context.gens(), strict=True))
         self._one = self._context.constant(1)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The symbols, in the order in which values of them are given."""
+        return tuple(self._generators)
 
     def symbol(self, name: str) -> RationalFunction:
         """A symbol as a number of the ring."""

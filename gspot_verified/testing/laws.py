@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 from flint import arb, fmpq
 
@@ -14,10 +15,11 @@ from gspot_verified.expansion.series.system import System
 from gspot_verified.expansion.series.terms import NumberTerms, PolynomialTerms
 from gspot_verified.expansion.time_series import compare_routes, time_series
 from gspot_verified.expansion.trajectory import Trajectory
-from gspot_verified.functions.derivative import lie_derivative
+from gspot_verified.functions.derivative import lie_derivative, rewritten
 from gspot_verified.functions.expressions import Constant, Expression
 from gspot_verified.functions.power_series import SeriesOfFunctions
 from gspot_verified.functions.rings import BALLS
+from gspot_verified.functions.symbols import RationalFunction, Symbols
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.numbers.balls import ball, working_bits
@@ -26,6 +28,7 @@ from gspot_verified.numbers.verdict import Outcome
 _SAMPLES = 3  # points at which a law is compared
 _BITS = 128  # of the values that are compared
 _DISTANCES = (4, 12, 40)
+_PARTS = 67  # of 1: a value of a symbol is so many of them; a prime, so that few denominators vanish
 
 
 def check_expansion(source: Mechanism | System, order: int, *, spot: int | None = None) -> Trajectory:
@@ -34,9 +37,9 @@ def check_expansion(source: Mechanism | System, order: int, *, spot: int | None 
     The orders are those of ``expand`` with the same arguments: of a mechanism at its G-spot, or at that of the number
     ``spot``, or of a system.
 
-    - the functions are the Lie derivatives that the theorem assumes (at random points);
+    - the functions are the Lie derivatives that the theorem assumes (at random points, for random values of symbols);
     - each term lies in its space;
-    - the residual of the equations and conditions has no order below ``order``;
+    - the residual of the equations and conditions has no order below ``order`` (not where parameters are symbols);
     - p = P(xi), b = B(xi), y = Y(xi), v = V(xi) for all s;
     - the power series in (t, epsilon), found without the inner scale, has the same coefficients;
     - one more order changes none of the terms.
@@ -129,13 +132,14 @@ def check_synchronisation(trajectory: Trajectory) -> None:
 def check_lie_derivatives(system: System, seed: int = 0) -> None:
     """The functions are Lie derivatives of each other, as Sec. 5 assumes: L_G y = 0, L_F y = v, and so on.
 
-    Compared in balls at random points near the G-spot; nothing is checked for a system with symbols.
+    Compared in balls at random points near the G-spot, with random rationals in the place of symbols.
 
     :raises AssertionError: two functions differ at a point; or at none of the points tried all have finite values, so
         that nothing was compared.
     """
-    if not isinstance(system.ring.number(0), fmpq | arb):
-        return
+    source = random.Random(seed)
+    if isinstance(system.ring, Symbols):
+        system = _with_numbers(system, system.ring, source)
     F, G, zero = system.F, system.G, Constant(fmpq(0))
     laws = (
         ("L_F y = v", lie_derivative(system.y, F), system.v),
@@ -149,7 +153,7 @@ def check_lie_derivatives(system: System, seed: int = 0) -> None:
     )
     compared = 0
     with working_bits(_BITS):
-        for values in _near(system, [side for _, left, right in laws for side in (left, right)], random.Random(seed)):
+        for values in _near(system, [side for _, left, right in laws for side in (left, right)], source):
             compared += 1
             for name, left, right in laws:
                 computed, wanted = values[left][0], values[right][0]
@@ -159,6 +163,36 @@ def check_lie_derivatives(system: System, seed: int = 0) -> None:
                     f"{name} fails near the G-spot: {computed} is not {wanted}",
                 )
     _require(compared > 0, system, "no point near the G-spot was found at which the functions are defined")
+
+
+def _with_numbers(system: System, ring: Symbols, source: random.Random) -> System:
+    """The system for random values of its symbols."""
+    numbers = [fmpq(source.randint(1, 64), _PARTS) for _ in ring.names]
+
+    def value(number: Any) -> Any:
+        return number.at(numbers) if isinstance(number, RationalFunction) else number
+
+    scalars = (system.y, system.v, system.p, system.b, system.alpha_1, system.alpha_2, system.alpha_3)
+    made = rewritten(
+        [*scalars, *system.F, *system.G, *system.J],
+        lambda node: Constant(value(node.value)) if isinstance(node, Constant) else None,
+    )
+    F, G, J = (tuple(made[function] for function in row) for row in (system.F, system.G, system.J))
+    y, v, p, b, first, second, third = (made[scalar] for scalar in scalars)
+    return System(
+        system.name,
+        F=F,
+        G=G,
+        y=y,
+        v=v,
+        p=p,
+        b=b,
+        alpha_1=first,
+        alpha_2=second,
+        alpha_3=third,
+        J=J,
+        point=tuple(map(value, system.point)),
+    )
 
 
 def _near(system: System, functions: Sequence[Expression], source: random.Random) -> Iterator[SeriesOfFunctions]:

@@ -56,6 +56,16 @@ def test_balls_and_symbols() -> None:
     check_expansion(replace(base, F=(*base.F[:4], slope, base.F[5]), alpha_1=slope, point=(zero,) * 6, ring=ring), 9)
 
 
+@pytest.mark.parametrize("name", ["v", "p", "alpha_1", "alpha_2", "alpha_3"])
+def test_a_wrong_function_is_seen_where_parameters_are_symbols(name: str) -> None:
+    """The change is of degree 3 at the G-spot: no term of the orders asked for knows of it."""
+    system = expand(load("extended", chi=None), 3).system
+    check_expansion(system, 3)
+    cube = Constant(fmpq(1, 1000)) * Variable(5) * Variable(5) * Variable(5)
+    with pytest.raises(AssertionError, match="fails near the G-spot"):
+        check_expansion(replace(system, **{name: getattr(system, name) + cube}), 3)
+
+
 @st.composite
 def wrong_terms(draw: st.DrawFn) -> Trajectory:
     """A right expansion with one coefficient changed inside its space."""
