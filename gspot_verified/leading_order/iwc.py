@@ -41,9 +41,9 @@ class IwcResult(NoTruthValue, Written):
     """The verdict for one system and one sign of C_1, and the numbers behind it.
 
     On the side C_1/Gamma(-beta) > 0: ``epsilon_0``, a number certainly below the largest possible one, which
-    ``largest_epsilon`` encloses; both None when ``every_epsilon``. ``minimum``: where sign(C_1) dTheta/dtau is least,
-    and that value. On the other side: ``lift_off`` and the table ``growth``. ``whole_line``: the verdict, when proved,
-    holds to the left of ``start`` as well.
+    ``largest_epsilon`` encloses; both None when ``every_epsilon``. ``minimum``: where sign(C_1) dTheta/dtau is least
+    on [start, infinity), and that value. On the other side: ``lift_off`` and the table ``growth``. ``whole_line``: the
+    verdict, when proved, holds to the left of ``start`` as well.
     """
 
     ask: ClassVar[str] = ASK_VERDICT
@@ -80,7 +80,8 @@ class IwcResult(NoTruthValue, Written):
         ]
         if self.minimum is not None:
             place = _place(self.minimum)
-            lines.append(f"  least value of sign(C1) dΘ/dτ: {ball_text(self.minimum.value, 15)} at τ = {place}")
+            value = ball_text(self.minimum.value, 15)
+            lines.append(f"  least value of sign(C1) dΘ/dτ on [{self.start}, inf): {value} at τ = {place}")
         if self.largest_epsilon is not None:
             lines.append(f"  the largest ε0 possible: {ball_text(self.largest_epsilon, 15)}")
         if self.lift_off is not None:

@@ -68,7 +68,8 @@ class IwcOverBalls(NoTruthValue, Written):
             lines.append(f"  {case}: {shown}, C1 = {short_text(force.c1)}: the side C1/Γ(-β) {side}")
         if self.minimum is not None:
             place = decimal_text(self.minimum.lower, self.minimum.upper)
-            lines.append(f"  least value of sign(C1) dΘ/dτ: {ball_text(self.minimum.value)} at τ in {place}")
+            value = ball_text(self.minimum.value)
+            lines.append(f"  least value of sign(C1) dΘ/dτ on [{self.start}, inf): {value} at τ in {place}")
         if self.largest_epsilon is not None:
             lines.append(f"  the largest ε0 possible: {ball_text(self.largest_epsilon)}")
         if self.lift_off is not None:

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from samples.strategies import to_fmpq
 from witnesses.force import force_by_mpmath, slope
 
-from gspot_verified import Outcome
+from gspot_verified import Outcome, theta
 from gspot_verified.leading_order.contact_force import contact_force
 from gspot_verified.leading_order.iwc import (
     PAPER_EPSILON,
@@ -329,7 +329,7 @@ def test_the_text_line_by_line() -> None:
     assert lines[1] == "  Case III: β = 9/2, α1 = -1, α2 = -2, α3 = -4.5, C1 = -7/3: the side C1/Γ(-β) > 0, λ_N → +∞"
     assert lines[2] == "  λ_N = 4/7 - (C1/α3) κ^(1-β) ε^(7/3) dΘ/dτ, κ^3 = 0.5"
     assert [line.split(":")[0].strip() for line in lines[3:5]] == [
-        "least value of sign(C1) dΘ/dτ", "the largest ε0 possible"
+        "least value of sign(C1) dΘ/dτ on [-10, inf)", "the largest ε0 possible"
     ]  # fmt: skip
     assert lines[5:] == ["  it holds for every τ < -10 as well"]
     assert str(impact).splitlines()[:-1] == lines
@@ -341,6 +341,11 @@ def test_the_text_line_by_line() -> None:
     every = leading_order_iwc("1/2", alpha_2=1)
     assert every.whole_line
     assert "it holds" not in str(every)
+    # The statement is about every real τ, the value is not: it is less further to the left.
+    assert "every real τ" in every.verdict.statement
+    assert every.minimum is not None
+    assert -theta(-20, "1/2", derivative=1) < every.minimum.value
+    assert "  least value of sign(C1) dΘ/dτ on [-10, inf): " in str(every)
     assert "  no Case, between I and II: β = 1/2" in str(leading_order_iwc("1/2", alpha_2=0))
     flight = leading_order_iwc("7/3", c1=1, growth=True)
     assert len(flight.growth) == 4

@@ -171,6 +171,7 @@ def test_undecided_with_the_reason(alphas: tuple[arb | int, ...], charge: int | 
 def test_texts_and_json() -> None:
     found = iwc_over_balls(-1, -1, around(Fraction(-5, 2), NARROW), digits=6)
     assert "Case III" in str(found)
+    assert "least value of sign(C1) dΘ/dτ on [-10, inf): " in str(found)
     assert "it holds for every τ < -10 as well" in str(found)
     data = found.to_json()
     assert found.force is not None
