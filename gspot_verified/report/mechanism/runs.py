@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import tempfile
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from itertools import combinations
@@ -20,7 +21,7 @@ from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.report.mechanism.part import ReportPart
 from gspot_verified.report.mechanism.subject import Source, Subject
 from gspot_verified.report.pictures.phase_plane import RigidSlip
-from gspot_verified.scenes.scene.file import load_scene, scene_names
+from gspot_verified.scenes.scene.file import load_scene, parse_scene, scene_names
 from gspot_verified.scenes.scene.scene import Scene, SceneError
 from gspot_verified.scenes.simulate import simulate
 
@@ -127,7 +128,7 @@ class ReportScene:
 def report_scene(name: str, source: Source) -> ReportScene:
     """The scene with this name or in this file, in which the mechanism is named as beside the page.
 
-    :raises SceneError: there is no such scene, or it is that of another mechanism.
+    :raises SceneError: there is no such scene, it is that of another mechanism, or beside the page it would be another.
     :raises MechanismError: no TOML, or a key is wrong.
     """
     scene = load_scene(name)
@@ -137,7 +138,28 @@ def report_scene(name: str, source: Source) -> ReportScene:
         return ReportScene(scene, name)
     text = Path(name).read_text(encoding="utf-8-sig")
     named = _MECHANISM.sub(f'mechanism = "{source.file}"', text, count=1)
+    if not _is_the_same_beside(named, source, scene):
+        raise SceneError(
+            f"{name[:60]}: beside the page the scene would be another: let it name the file of the report, and give "
+            "parameters that --set changes in the scene's own table"
+        )
     return ReportScene(scene, _SCENE_FILE, ((_SCENE_FILE, named.encode()),))
+
+
+def _is_the_same_beside(text: str, source: Source, scene: Scene) -> bool:
+    """Whether the text is this scene where the mechanism's file is that of the report.
+
+    The place in that file may be another, unless the start follows from it.
+    """
+    assert scene.mechanism is not None
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / source.file).write_text(source.text, encoding="utf-8", newline="\n")
+        there = parse_scene(text, Path(folder))
+    if there.mechanism is None:
+        return False
+    if there.mechanism.place != scene.mechanism.place and scene.enclosed_initial():
+        return False
+    return replace(there, mechanism=replace(there.mechanism, place=scene.mechanism.place)) == scene
 
 
 def scene_part(scene: ReportScene, say: Callable[[str], None]) -> ReportPart:

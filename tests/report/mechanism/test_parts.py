@@ -218,6 +218,28 @@ def test_a_scene_is_of_this_mechanism(tmp_path: Path, exact: Subject) -> None:
             report_scene(str(place), other)
 
 
+def test_a_scene_beside_the_page_is_the_same(tmp_path: Path) -> None:
+    """The command on the page runs the files beside it: no parameter and no start may be another there."""
+    scene = 'format = 1\nname = "own"\nmechanism = "own.toml"\neffects = ["compliant_contact", "lift_off"]\n'
+    scene += 'epsilon = "1/1000"\nuntil = "1/100"\n'
+    rod, place = shipped_text("rod"), tmp_path / "scene.toml"
+    (tmp_path / "own.toml").write_text(rod.replace('mu = "73/36"', "mu = 2"), encoding="utf-8")
+    start = 'start = {theta = "theta_ref - 1/10", theta_dot = "1/2", X_dot = 2}\n'
+    place.write_text(scene + start, encoding="utf-8")
+    with pytest.raises(ValueError, match="beside the page the scene would be another"):
+        report_scene(str(place), Source("mechanism.toml", rod, {"mu": "2"}))
+    place.write_text(scene + start + "parameters = {mu = 2}\n", encoding="utf-8")
+    assert report_scene(str(place), Source("mechanism.toml", rod, {"mu": "2"})).files
+    arm = shipped_text("two_link_arm")
+    other = arm.replace('theta_2 = "8/11"', "theta_2 = 3")
+    assert other != arm
+    (tmp_path / "own.toml").write_text(other, encoding="utf-8")
+    place.write_text(scene + 'start = {theta_1 = "1/4", theta_1_dot = -1}\n', encoding="utf-8")
+    assert report_scene(str(place), Source("mechanism.toml", other, {})).files
+    with pytest.raises(ValueError, match="beside the page the scene would be another"):
+        report_scene(str(place), Source("mechanism.toml", arm, {}))
+
+
 def test_a_scene_is_run_with_a_budget(printed: Callable[[Source, str], str], monkeypatch: pytest.MonkeyPatch) -> None:
     rod = Source("mechanism.toml", shipped_text("rod"), {})
     short = replace(report_scene("rod", rod), scene=load_scene("rod", until="1/1000"))
