@@ -85,9 +85,9 @@ def simulate(
 ) -> None:
     """What happens in a scene: certified, or with floats. Lift-off, touch-down, stick, impact without collision.
 
-    A mechanism with --spot N needs no scene file: it starts just in contact, p a 32nd part of C, with stick, slip and
-    lift-off; ε = 1/1000, and the time is ten times that which p takes to fall to 0. All of it can be changed by --set,
-    --epsilon, --until.
+    A mechanism with --spot N needs no scene file: it starts just in contact, p about a 32nd part of C or less, with
+    stick, slip and lift-off; ε = 1/1000, and the time is ten times that which p takes to fall to 0. All of it can be
+    changed by --set, --epsilon, --until.
 
     Events are listed up to --until, all of them; a run also ends where an impact without collision lasts for ever, or
     has made the force as large as stop_at_force of the scene. The

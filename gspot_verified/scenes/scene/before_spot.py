@@ -31,11 +31,11 @@ ON_A_BELT = ("compliant_contact", "lift_off", "belt")
 def scene_before_spot(mechanism: Mechanism, number: int) -> Scene:
     """Slip that comes to the G-spot of this number (as ``classify_all`` lists them), just in contact: y = v = z = 0.
 
-    At the start p is a 32nd part of C or less (C is what p would be without friction) and -b/p is five quarters of
-    the size of the mean force: in Case II slip with less than that lifts off before the G-spot. ``epsilon`` = 1/1000,
-    and ``until`` is ten times the time that p takes to fall to 0 at its rate α1 at the G-spot. Effects: contact,
-    lift-off, tangential motion and stick; where u < 0 at the G-spot, a belt in place of the last two, whose velocity is
-    not given. All may be changed with ``Scene.with_settings``.
+    At the start p is about a 32nd part of C at the G-spot, or less (C is what p would be without friction), and -b/p is
+    about five quarters of the size of the mean force: in Case II slip with less than that lifts off before the G-spot.
+    ``epsilon`` = 1/1000, and ``until`` is ten times the time that p takes to fall to 0 at its rate α1 at the G-spot.
+    Effects: contact, lift-off, tangential motion and stick; where u < 0 at the G-spot, a belt in place of the last two,
+    whose velocity is not given. All may be changed with ``Scene.with_settings``.
 
     :raises SceneError: slip does not come to this G-spot (it is in no Case), the direction of slip there is not
         certain, no start was found, or scenes do not cover the mechanism.
