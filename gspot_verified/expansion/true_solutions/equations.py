@@ -40,7 +40,7 @@ class DeviationEquations:
         if not springs.c > 0:
             raise ValueError("the contact has no damper (c = 0): there is no fast equation")
         self.trajectory, self.delta = trajectory, ball(delta)
-        self._exact_delta = delta
+        self.exact_delta = delta
         self.small = hull([self.delta, arb(0)])
         self.dimension = len(system.point)
         self.size = self.dimension + 4
@@ -136,7 +136,7 @@ class DeviationEquations:
         """Bounds on |R| delta^-M for |s| <= reach: those of e, and that of the equation of z."""
         level = fmpq((reach * _LEVELS).ceil(), _LEVELS)
         if level not in self._residuals:
-            self._residuals[level] = residual_bounds(self.trajectory, level, self._exact_delta).constants
+            self._residuals[level] = residual_bounds(self.trajectory, level, self.exact_delta).constants
         constants = self._residuals[level]
         names = [*(f"xi_{i + 1}" for i in range(self.dimension)), "p", "b", "y", "v"]
         return [constants[name] for name in names], constants["z"]

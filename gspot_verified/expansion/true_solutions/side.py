@@ -135,8 +135,7 @@ def uniform_side(
         power = 2 * (beta - 1)
         deviation = slow_deviation(equations, beta, amount, first)
         radii = [add_remainder(ball(tube), value.rad()).upper() for value in deviation]
-        scale = approximate(-equations.alpha_1 * equations.kappa) ** (1 / 3)
-        until = fmpq(round(8 * _REACH / scale), 8)
+        until = end_of_track(equations)
         if not first < until:
             raise ValueError(f"start must be less than {until}, got {first}")
         tracked = track(equations, power, first, until, [value.mid() for value in deviation], radii, ball(tube))
@@ -145,7 +144,7 @@ def uniform_side(
             f"for every epsilon <= {small**3} and every state within {tube} delta^mu of the expansion and the slow "
             f"deviation with C_1 = {amount} at s = {first}, mu = {power}, as long as slip is positive"
         )
-        ends = _first_end(tracked, first, factor)
+        ends = first_end(tracked, first, factor)
         if ends is None:
             detail = "no deviation that was followed lies in a cone of Theorem U2; a smaller delta may do"
             statement = f"{whole}: lift-off or impact"
@@ -162,7 +161,13 @@ def uniform_side(
         return UniformSide(*family, side, entry.place, cone.a, ratio, reached, Verdict.proved(statement, evidence))
 
 
-def _first_end(tracked: Track, start: fmpq, factor: fmpq) -> tuple[EntryDeviation, DeviationCone, arb, Evidence] | None:
+def end_of_track(equations: DeviationEquations) -> fmpq:
+    """Up to which s a deviation is followed before it is given up."""
+    return fmpq(round(8 * _REACH / approximate(-equations.alpha_1 * equations.kappa) ** (1 / 3)), 8)
+
+
+def first_end(
+    tracked: Track, start: fmpq, factor: fmpq) -> tuple[EntryDeviation, DeviationCone, arb, Evidence] | None:
     """The first end of a piece at which Theorem U2 applies, contact being kept until then; the force reached; and what
     was compared."""
     equations = tracked.equations

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from flint import arb, fmpq
+from flint import arb, arb_mat, fmpq
 
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.expansion.true_solutions.frames import identity, number_of_pieces
@@ -41,10 +41,15 @@ def track(
     centre: Sequence[arb],
     radii: Sequence[arb],
     fast: arb,
+    frame: arb_mat | None = None,
 ) -> Track:
-    """All solutions with |e_i delta^-mu - centre_i| <= radii_i and |f| delta^-mu <= fast at ``start``; exact centre."""
+    """All solutions with |u - centre| <= radii, e delta^-mu = frame u, and |f| delta^-mu <= fast at ``start``.
+
+    Centre and frame are exact; without a frame u is e delta^-mu itself.
+    """
     rules = Rules(equations, power)
-    state = Deviations(tuple(centre), tuple(radii), identity(equations.size), fast, fmpq(0), arb(0))
+    turned = identity(equations.size) if frame is None else frame
+    state = Deviations(tuple(centre), tuple(radii), turned, fast, fmpq(0), arb(0))
     count = number_of_pieces(equations, start, end)
     step, pieces = (end - start) / count, list[TrackPiece]()
     for k in range(count):

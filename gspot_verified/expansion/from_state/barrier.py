@@ -1,0 +1,196 @@
+"""Theorem B: a bound of the fast deviation of the model system for all epsilon at once, between p_1 and the hand-over.
+
+Proof page: ``proofs/from_state.md``, section 4. Sums of monomials A h^i r^n with upper bounds of A >= 0; every hypothesis
+is compared in :func:`tube`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from flint import arb, fmpq, fmpq_mpoly
+
+from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle
+from gspot_verified.expansion.from_state.slow_series import R, SlowSeries
+from gspot_verified.numbers.balls import ball
+from gspot_verified.numbers.evidence import every, less
+from gspot_verified.numbers.verdict import Evidence
+
+Monomials = dict[tuple[int, int], arb]
+"""Upper bounds of the coefficients of h^i r^n."""
+_ROOM = fmpq(1, 4)  # a source is paid at once when its own growth is larger than the rate by so much: any number is right
+
+
+@dataclass(frozen=True)
+class Start:
+    """p = ``p`` = p_1, e <= ``e``, z <= ``z``, and L of the sign ``side`` with \\|L\\| <= ``share`` times the mean force."""
+
+    p: fmpq
+    e: fmpq
+    z: arb
+    side: int
+    share: fmpq
+
+
+@dataclass(frozen=True)
+class Tube:
+    """z <= Z + I, 0 < h <= ``rectangle.h``, p <= p_1, for every e up to ``start.e``.
+
+    ``rate`` is Gamma, ``share`` c_w, ``drift(r)`` bounds what Z and I do to log C_1 until r.
+    """
+
+    start: Start
+    rectangle: Rectangle
+    barrier: Monomials
+    rate: arb
+    damping: fmpq
+    shares: tuple[arb, arb, arb]
+    beta: fmpq
+    evidence: Evidence
+
+    def bound(self, r: arb) -> arb:
+        """Z + I at h = ``rectangle.h`` and all r up to this one."""
+        return (value_of(self.barrier, ball(self.rectangle.h), r) + self.last_layer()).upper()
+
+    def last_layer(self) -> arb:
+        """I at h = ``rectangle.h``, for every e up to ``start.e``."""
+        return layer(self.start, self.rectangle, self.rate, self.damping)
+
+    def drift(self, r: arb) -> arb:
+        """The integral of beta c_w (Z + I) dp/p from p_1 to h = ``rectangle.h``, where r is at most this one."""
+        largest = ball(self.rectangle.r)
+        total = layer_integral(self.start, self.rectangle, self.rate, self.damping)
+        for (i, n), value in self.barrier.items():
+            least = min(n, 3 * i - 1)
+            total += value * largest ** (n - least) * ball(self.rectangle.h) ** i * r**least / ball(fmpq(3 * i - least, 2))
+        return (self.beta * self.shares[1] * total).upper()
+
+
+def tube(norm: Norm, growth: Growth, rectangle: Rectangle, start: Start, largest: fmpq) -> Tube | str:
+    """Theorem B with z_max = ``largest``, or the inequality that fails.
+
+    :raises ValueError: p_1 is not at most the rectangle's r^2, or e not positive.
+    """
+    series = norm.series
+    beta = series.beta
+    if not (0 < start.p <= rectangle.r**2 and start.e > 0):
+        raise ValueError("p_1 must be at most r^2 of the rectangle, and e positive")
+    if growth.evidence is None:
+        return f"Lemma 1 with the rate {growth.rate} and the damping {growth.damping}: {growth.where}"
+    shares = norm.shares(rectangle)
+    if shares is None:
+        return "the norm is not certainly positive definite"
+    above, below = extent(series.w, rectangle, 1), extent(series.w, rectangle, -1)
+    rate = (growth.rate + beta + beta * above + beta * shares[1] * ball(largest)).upper()
+    barrier = paid(source(series), rate, growth.damping)
+    if isinstance(barrier, str):
+        return barrier
+    highest = value_of(barrier, ball(rectangle.h), ball(rectangle.r))
+    first, last = start.z, layer(start, rectangle, rate, growth.damping)
+    moved = ball(largest) * shares[1]
+    conditions = {
+        "the hand-over lies before the start": less(start.e**2, rectangle.h**2 * start.p**3),
+        "the layer falls with epsilon": less(2 * rate / 3, ball(growth.damping * start.p**2 / (2 * start.e))),
+        f"the barrier {_shown(highest)} + {_shown(first)} at the start stays below {largest}": less(
+            highest + first, ball(largest)
+        ),
+        f"the barrier {_shown(highest)} + {_shown(last)} at the hand-over stays below {largest}": less(
+            highest + last, ball(largest)
+        ),
+    }
+    if start.side > 0:
+        conditions["the force stays positive"] = less(below + moved, 1)
+    else:
+        conditions["the deviation falls with p"] = less(beta * (below + moved), ball(beta - 1))
+        conditions["the force stays positive"] = less(ball(start.share) * (1 + above + moved), 1)
+    failed = [name for name, shown in conditions.items() if shown is None]
+    evidence = every([growth.evidence, *conditions.values()])
+    if evidence is None:
+        return "not certain: " + "; ".join(failed)
+    return Tube(start, rectangle, barrier, rate, growth.damping, shares, beta, evidence)
+
+
+def start_bound(series: SlowSeries, p: fmpq, e: fmpq, within: fmpq) -> arb:
+    """z at p_1 = ``p`` of the states with the stated shares of the force's deviation, for every e up to this one, (8)."""
+    contact, root = series.contact, ball(p).sqrt()
+    h = ball(e) / root**3
+    lengths = (ball(contact.kappa).sqrt(), arb(1), root * ball(contact.rate) / ball(contact.lag).sqrt())
+    total = 3 * ball(within)
+    for length, polynomial in zip(lengths, (series.v / R, series.w, series.f), strict=True):
+        sizes = {key: ball(abs(value)) for key, value in polynomial.to_dict().items()}
+        total += length * value_of(sizes, h, root)
+    return total.upper()
+
+
+def source(series: SlowSeries) -> Monomials:
+    """\\|R\\|_M/(e \\|L\\|), monomial by monomial: \\|R\\|_M <= sum of \\|R_i\\| sqrt(M_ii)."""
+    contact = series.contact
+    lengths = (ball(contact.kappa).sqrt(), arb(1), ball(contact.rate) / ball(contact.lag).sqrt())
+    total: Monomials = {}
+    for length, polynomial in zip(lengths, series.residual, strict=True):
+        for key, value in polynomial.to_dict().items():
+            total[key] = (total.get(key, arb(0)) + length * abs(value)).upper()
+    return total
+
+
+def paid(source: Mapping[tuple[int, int], arb], rate: arb, damping: fmpq) -> Monomials | str:
+    """Z of (9), or the monomial that cannot be paid."""
+    total: Monomials = {}
+
+    def add(key: tuple[int, int], value: arb) -> None:
+        total[key] = (total.get(key, arb(0)) + value).upper()
+
+    for (first, second), value in source.items():
+        i, n, rest = first, second, value
+        while True:
+            own = fmpq(3 * i - n, 2)
+            if own > rate + _ROOM or (n == 0 and own > rate):
+                add((i, n), rest / (own - rate))
+                break
+            if n == 0:
+                return f"the source h^{first} r^{second} is not paid: at h^{i} the growth {own} is below {_shown(rate)}"
+            i, n, rest, own = i + 1, n - 1, (rest / damping).upper(), own + 2
+            add((i, n), rest)
+            if own >= rate:
+                break
+            rest = (rest * (rate - own)).upper()
+    return total
+
+
+def layer(start: Start, rectangle: Rectangle, rate: arb, damping: fmpq) -> arb:
+    """I at h = ``rectangle.h`` for e = ``start.e``, (10); it falls with e when a condition of Theorem B holds."""
+    last = hand_over(start, rectangle)
+    decay = ball(damping) * (ball(start.p) ** 2 - last**2) / (2 * ball(start.e))
+    return (start.z * ((ball(start.p) / last).log() * rate - decay).exp()).upper()
+
+
+def layer_integral(start: Start, rectangle: Rectangle, rate: arb, damping: fmpq) -> arb:
+    """The integral of I dp/p from p_1 to h = ``rectangle.h``, for every e up to ``start.e``, (11); not finite where
+    the page's conditions are not certain."""
+    last = hand_over(start, rectangle)
+    length = (ball(start.p) / last).log().max(arb(fmpq(2, 3)))
+    decay = ball(damping) * (ball(start.p) ** 2 - last**2) / (2 * ball(start.e) * length)
+    if not decay > rate:
+        return arb.pos_inf()
+    return (start.z / (decay - rate)).upper()
+
+
+def hand_over(start: Start, rectangle: Rectangle) -> arb:
+    """p at h = ``rectangle.h`` for e = ``start.e``."""
+    return (ball(start.e) / ball(rectangle.h)) ** ball(fmpq(2, 3))
+
+
+def extent(polynomial: fmpq_mpoly, rectangle: Rectangle, sign: int) -> arb:
+    """sup of max(sign times the polynomial, 0) on the rectangle, from above, term by term."""
+    terms = {key: ball(sign * value) for key, value in polynomial.to_dict().items() if sign * value > 0}
+    return value_of(terms, ball(rectangle.h), ball(rectangle.r))
+
+
+def value_of(terms: Mapping[tuple[int, int], arb], h: arb, r: arb) -> arb:
+    """The sum of A h^i r^n."""
+    return sum((value * h**i * r**n for (i, n), value in terms.items()), arb(0)).upper()
+
+
+def _shown(value: arb) -> str:
+    return value.str(3, radius=False)

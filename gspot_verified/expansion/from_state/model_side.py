@@ -1,0 +1,266 @@
+"""From a state of the model system to lift-off or impact without collision, for every epsilon up to epsilon_0 at once.
+
+Proof page: ``proofs/from_state.md``: Theorem B down to the hand-over, Theorems U1 and U2 of ``proofs/uniform.md`` from there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+from flint import arb, fmpq
+
+from gspot_verified.expansion.from_state.barrier import Start, Tube, start_bound, tube
+from gspot_verified.expansion.from_state.choice import DELTAS, LARGEST, Plan, plans
+from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle, fast_growth
+from gspot_verified.expansion.from_state.hand_over import hand_over_set
+from gspot_verified.expansion.from_state.model_system import model_system
+from gspot_verified.expansion.from_state.slow_series import Contact, slow_series
+from gspot_verified.expansion.series.regularisation import Regularisation
+from gspot_verified.expansion.trajectory import Trajectory, expand_system
+from gspot_verified.expansion.true_solutions.bound import BITS, rational
+from gspot_verified.expansion.true_solutions.equations import DeviationEquations
+from gspot_verified.expansion.true_solutions.side import end_of_track, first_end
+from gspot_verified.expansion.true_solutions.track import track
+from gspot_verified.numbers.balls import ExactInput, ball, ball_text, exact, working_bits
+from gspot_verified.numbers.evidence import every
+from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.written import Written
+
+_ORDER = 10  # of the expansion, whose terms beyond the first vanish for the model system
+_FINENESS = 2**30  # of what is rounded to a rational
+
+
+@dataclass(frozen=True)
+class ModelStart:
+    """p_1, b_1, and the half-width of the set of states, for constants alpha_1, alpha_2, alpha_3 = beta alpha_1."""
+
+    beta: fmpq
+    alpha_1: fmpq
+    alpha_2: fmpq
+    regularisation: Regularisation
+    p: fmpq
+    b: fmpq
+    within: fmpq
+
+    @property
+    def mean_force(self) -> fmpq:
+        """lambda_N of the distinguished trajectory."""
+        return self.alpha_2 / (self.alpha_1 * (self.beta - 1))
+
+    @property
+    def excess(self) -> fmpq:
+        """L = -b/p - mean force."""
+        return -self.b / self.p - self.mean_force
+
+    def c_1(self) -> arb:
+        """C_1 = -L p^(1 - beta)."""
+        return -ball(self.excess) * ball(self.p) ** ball(1 - self.beta)
+
+    def system_text(self) -> str:
+        """The system in words."""
+        springs = self.regularisation
+        return (
+            f"the model system with alpha = ({self.alpha_1}, {self.alpha_2}, {self.beta * self.alpha_1}) and "
+            f"(k_1, k_2, c) = ({springs.k_1}, {springs.k_2}, {springs.c})"
+        )
+
+    def states_text(self) -> str:
+        """The set of states in words."""
+        return (
+            f"every start in contact at p = {self.p}, b = {self.b} with |lambda_N + b/p| <= {self.within} |L|, "
+            f"sqrt(kappa) |v|/epsilon <= {self.within} sqrt(p) |L|, g |phi|/sqrt(l) <= {self.within} sqrt(p) |L|, "
+            f"L = {self.excess}"
+        )
+
+
+@dataclass(frozen=True)
+class ModelSide(NoTruthValue, Written):
+    """What becomes of all starts of the model system in a stated set, for every epsilon in (0, ``epsilon``] at once.
+
+    ``side``: "lift-off" (lambda_N > 0 on the way to the G-spot and up to the scaled time ``entered`` > 0 after it, then
+    it reaches 0), "impact" (lambda_N > 0 until it exceeds ``force``, with p < 0), or None: undecided, and
+    ``verdict.detail`` says which inequality is not certain. It happens by :meth:`latest`. ``drift`` bounds how far log
+    C_1 moves on the way. Slip is assumed to stay positive. The statement is about the model system only.
+    """
+
+    ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = (
+        "beta=start.beta alpha_1=start.alpha_1 alpha_2=start.alpha_2 p=start.p b=start.b within=start.within "
+        "epsilon c_1 side entered drift verdict"
+    )
+
+    start: ModelStart
+    epsilon: fmpq
+    c_1: arb
+    side: str | None
+    entered: fmpq | None
+    drift: arb | None
+    rate: arb | None
+    ratio: arb | None
+    force: arb | None
+    verdict: Verdict
+
+    def latest(self, epsilon: ExactInput) -> arb:
+        """The time t after p = 0 by which it has happened: epsilon^(2/3) (s_1 + log(Y_max/(Y_1 delta^mu))/rate).
+
+        :raises ValueError: epsilon is not in (0, epsilon_0], or nothing is proved.
+        """
+        small = exact(epsilon, "epsilon")
+        if self.entered is None or self.rate is None or self.ratio is None:
+            raise ValueError("nothing is proved")
+        if not (small > 0 and small <= self.epsilon):
+            raise ValueError(f"epsilon must lie in (0, {self.epsilon}], got {small}")
+        with working_bits(BITS):
+            power = ball(fmpq(2, 3) * (self.start.beta - 1))
+            scaled = ball(self.entered) + (self.ratio / ball(small) ** power).log() / self.rate
+            return (scaled * ball(small) ** ball(fmpq(2, 3))).upper()
+
+    def __str__(self) -> str:
+        lines = [str(self.verdict), f"  C_1 = {ball_text(self.c_1, 6)}"]
+        if self.entered is not None:
+            lines.append(f"  at epsilon = {self.epsilon} by t = {ball_text(self.latest(self.epsilon), 5)} after p = 0")
+        return "\n".join(lines)
+
+
+def model_side(
+    beta: ExactInput,
+    p: ExactInput,
+    b: ExactInput,
+    *,
+    epsilon: ExactInput | None = None,
+    within: ExactInput = "1/100",
+    force: ExactInput = 10,
+    alpha_1: ExactInput = -1,
+    alpha_2: ExactInput = -1,
+    contact: tuple[ExactInput, ExactInput, ExactInput] = (1, 1, 1),
+) -> ModelSide:
+    """Whether the model system lifts off or takes an impact without collision, for every epsilon up to one at once.
+
+    p' = alpha_1, b' = alpha_2 - alpha_3 lambda_N with alpha_3 = beta alpha_1, y'' = b + p lambda_N, in contact with
+    ``contact`` = (k_1, k_2, c), from the state (p, b) with p > 0. The set of starts is given by ``within``: lambda_N
+    within this share of \\|L\\|, L = -b/p - mean force, of -b/p, and v/epsilon and phi (``proofs/from_state.md``) likewise;
+    the state at rest in the contact, v = 0, y = -h epsilon^2 lambda_N, belongs to every such set. "impact": lambda_N
+    exceeds ``force`` times the mean force. Without ``epsilon`` the largest of a list that is proved is taken.
+
+    :raises ValueError: beta is not rational, at most 1 or an integer; p, epsilon not positive; L = 0; the mean force is
+        not positive; an argument is out of range or not rational; the contact has no damper.
+
+    >>> found = model_side("3/2", "1/2", -2, epsilon="1e-6")
+    >>> found.side, found.verdict.outcome.value
+    ('lift-off', 'proved')
+    """
+    given = {"beta": beta, "p": p, "b": b, "within": within, "alpha_1": alpha_1, "alpha_2": alpha_2}
+    start = _start({name: rational(value, name) for name, value in given.items()}, Regularisation.of(*contact))
+    factor = rational(force, "force")
+    if not factor > 1:
+        raise ValueError(f"force must exceed 1, got {factor}")
+    if epsilon is not None:
+        small = rational(epsilon, "epsilon")
+        if not small > 0:
+            raise ValueError(f"epsilon must be positive, got {small}")
+    with working_bits(BITS):
+        springs = start.regularisation
+        system = model_system(start.alpha_1, start.alpha_2, start.beta * start.alpha_1, springs)
+        trajectory = expand_system(system, max(_ORDER, 2 * int(start.beta.p // start.beta.q) + 8))
+        if epsilon is not None:
+            return _side(start, trajectory, small, _rounded_up(ball(small).root(3)), factor)
+        first, last = 0, len(DELTAS) - 1  # a search among proofs: nothing rests on its order
+        best = _side(start, trajectory, DELTAS[last] ** 3, DELTAS[last], factor)
+        while best.side is not None and first < last:
+            middle = (first + last) // 2
+            found = _side(start, trajectory, DELTAS[middle] ** 3, DELTAS[middle], factor)
+            if found.side is None:
+                first = middle + 1
+            else:
+                best, last = found, middle
+        return best
+
+
+def _start(values: dict[str, fmpq], springs: Regularisation) -> ModelStart:
+    start = ModelStart(regularisation=springs, **values)
+    if not start.beta > 1 or start.beta.q == 1:
+        raise ValueError(f"beta must be above 1 and no integer, got {start.beta}")
+    if not (start.p > 0 and start.within >= 0):
+        raise ValueError("p must be positive, and within not negative")
+    if not (start.alpha_1 < 0 and start.alpha_2 < 0):
+        raise ValueError("alpha_1 and alpha_2 must be negative: else the mean force is not positive")
+    if start.excess == 0:
+        raise ValueError("b = -p times the mean force: that is the distinguished trajectory")
+    return start
+
+
+def _side(start: ModelStart, trajectory: Trajectory, epsilon: fmpq, delta: fmpq, factor: fmpq) -> ModelSide:
+    whole = f"{start.system_text()}, {start.states_text()}, for every epsilon <= {epsilon}, as long as slip is positive"
+    c_1 = start.c_1()
+
+    def undecided(detail: str) -> ModelSide:
+        verdict = Verdict.undecided(f"{whole}: lift-off or impact", Reason.HYPOTHESIS, detail)
+        return ModelSide(start, epsilon, c_1, None, None, None, None, None, None, verdict)
+
+    found = _tube(start, delta)
+    if isinstance(found, str):
+        return undecided(f"Theorem B: {found}")
+    plan, tube_found = found
+    equations = DeviationEquations(trajectory, delta)
+    series = slow_series(start.beta, Contact.of(start.regularisation), plan.order)
+    handed = hand_over_set(equations, tube_found, series, c_1, plan.place)
+    power = 2 * (start.beta - 1)
+    until = end_of_track(equations)
+    tracked = track(
+        equations, power, -plan.place, until, handed.centre, handed.radii, handed.fast, handed.frame
+    )
+    ends = first_end(tracked, -plan.place, factor)
+    if ends is None:
+        reached = tracked.pieces[-1].end if tracked.pieces else -plan.place
+        if not tracked.is_whole:
+            return undecided(f"Theorem U1: its inequality is not certain from s = {reached} on; a smaller epsilon may do")
+        return undecided(
+            f"Theorem U2: the deviation was followed up to s = {reached}, but lies in no cone that was tried, or lambda_N "
+            "is not certainly positive on the way; a smaller epsilon may do"
+        )
+    entry, cone, force, evidence = ends
+    before = f"{whole}: lambda_N > 0 up to s = {entry.place}, where p = alpha_1 epsilon^(2/3) s"
+    if entry.side < 0:
+        side, statement = "lift-off", f"{before}, and it vanishes later: contact is lost"
+    else:
+        side, statement = "impact", f"{before} and on, until it exceeds {ball_text(force, 3)}; p < 0 there"
+    proof = every([tube_found.evidence, evidence])
+    ratio = (cone.top / entry.Y.lower()).upper()
+    drift = abs((handed.coefficient / c_1).log()).upper()
+    verdict = Verdict.proved(statement, proof)
+    return ModelSide(start, epsilon, c_1, side, entry.place, drift, cone.a, ratio, force, verdict)
+
+
+def _tube(start: ModelStart, delta: fmpq) -> tuple[Plan, Tube] | str:
+    """The first plan that passes, or what the one failed by that came farthest."""
+    a, contact = -start.alpha_1, Contact.of(start.regularisation)
+    e = a * delta**3
+    growth_failed, tube_failed = "", ""
+    for plan in plans(start.beta, a, contact):
+        series = slow_series(start.beta, contact, plan.order)
+        norm = Norm(series, plan.k_1, plan.k_2)
+        rectangle = Rectangle(
+            _rounded_up((1 / ball(a * plan.place**3)).sqrt()), _rounded_up(ball(start.p).sqrt())
+        )
+        growth = fast_growth(norm, rectangle, plan.growth, plan.damping)
+        if growth.evidence is None:
+            growth_failed = growth_failed or f"{growth.where} ({plan.text})"
+            continue
+        z = start_bound(series, start.p, e, start.within)
+        side = 1 if start.excess > 0 else -1
+        given = Start(start.p, e, z, side, abs(start.excess) / start.mean_force)
+        for largest in LARGEST:
+            found = tube(norm, growth, rectangle, given, largest)
+            if isinstance(found, Tube):
+                return plan, found
+            tube_failed = tube_failed or f"{found} ({plan.text})"
+    return tube_failed or growth_failed
+
+
+def _rounded_up(value: arb) -> fmpq:
+    """A rational number at or above every number in the ball."""
+    whole = (value * _FINENESS).ceil().upper().ceil().unique_fmpz()
+    if whole is None:
+        raise ValueError("a number is too large to be rounded")
+    return fmpq(whole, _FINENESS)

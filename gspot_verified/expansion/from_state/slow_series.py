@@ -1,0 +1,106 @@
+"""The slow part of the deviation of the model system, by polynomials in h = e/p^(3/2) and r = sqrt(p).
+
+Proof page: ``proofs/from_state.md``, section 2. Exact rationals. The names v, w, f are those of the page: H_V = v,
+H_W = r^2 w, H_phi = r^2 f.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+
+from gspot_verified.expansion.series.regularisation import Regularisation
+
+RING = fmpq_mpoly_ctx.get(("h", "r"), Ordering.lex)
+H, R = RING.gens()
+
+
+@dataclass(frozen=True)
+class Contact:
+    """kappa, g, l of the contact; see ``proofs/uniform.md``."""
+
+    kappa: fmpq
+    rate: fmpq
+    lag: fmpq
+
+    @classmethod
+    def of(cls, springs: Regularisation) -> Contact:
+        """The numbers of a contact.
+
+        :raises ValueError: it has no damper.
+
+        >>> from gspot_verified.expansion.series.regularisation import PAPER
+        >>> Contact.of(PAPER)
+        Contact(kappa=1/2, rate=2, lag=1/2)
+        """
+        if not springs.c > 0:
+            raise ValueError("the contact has no damper (c = 0): nothing is damped")
+        kappa = 1 / springs.compliance
+        return cls(kappa, (springs.k_1 + springs.k_2) / springs.c, springs.k_2 - kappa)
+
+
+@dataclass(frozen=True)
+class SlowSeries:
+    """v, w, f, and the residual divided by e L: (r r_V, r_W, r r_phi)/e, as polynomials in (h, r)."""
+
+    beta: fmpq
+    contact: Contact
+    v: fmpq_mpoly
+    w: fmpq_mpoly
+    f: fmpq_mpoly
+    residual: tuple[fmpq_mpoly, fmpq_mpoly, fmpq_mpoly]
+
+
+def slow_series(beta: fmpq, contact: Contact, order: int) -> SlowSeries:
+    """The polynomials up to h^order; section 2, (3).
+
+    >>> from gspot_verified.expansion.series.regularisation import PAPER
+    >>> slow_series(fmpq(5, 2), Contact.of(PAPER), 2).w
+    -3/2*h^2
+    """
+    kappa, rate, lag = contact.kappa, contact.rate, contact.lag
+    v = w = f = 0 * H
+    while True:
+        v_next = _cut(_force(beta, contact, w, f) / kappa, order)
+        w_next = _cut(_exact_quotient(_along(v_next, beta, w), R * R), order)
+        f_next = _cut((lag / rate * w_next - _along_square(f, beta, w)) / rate, order)
+        if (v_next, w_next, f_next) == (v, w, f):
+            break
+        v, w, f = v_next, w_next, f_next
+    residual = (
+        _exact_quotient(w - _exact_quotient(_along(v, beta, w), R * R), H),
+        _exact_quotient(_force(beta, contact, w, f) - kappa * v, H * R),
+        _exact_quotient(lag / rate * w - rate * f - _along_square(f, beta, w), H),
+    )
+    return SlowSeries(beta, contact, v, w, f, residual)
+
+
+def change(polynomial: fmpq_mpoly) -> fmpq_mpoly:
+    """d/dT: h' = (3/2) h^2 r, r' = -(1/2) h r^2."""
+    return fmpq(3, 2) * H * H * R * polynomial.derivative(0) - fmpq(1, 2) * H * R * R * polynomial.derivative(1)
+
+
+def _along(polynomial: fmpq_mpoly, beta: fmpq, w: fmpq_mpoly) -> fmpq_mpoly:
+    """D: the change of polynomial * L over L, on the slow solution."""
+    return change(polynomial) - H * R * ((beta - 1) + beta * w) * polynomial
+
+
+def _along_square(polynomial: fmpq_mpoly, beta: fmpq, w: fmpq_mpoly) -> fmpq_mpoly:
+    """r^-2 D(r^2 polynomial)."""
+    return _along(polynomial, beta, w) - H * R * polynomial
+
+
+def _force(beta: fmpq, contact: Contact, w: fmpq_mpoly, f: fmpq_mpoly) -> fmpq_mpoly:
+    """[e (beta-1)(1 + w) - g p H_phi - D H_W]/r^2: what kappa v balances."""
+    return H * R * (beta - 1) * (1 + w) - contact.rate * R * R * f - _along_square(w, beta, w)
+
+
+def _cut(polynomial: fmpq_mpoly, order: int) -> fmpq_mpoly:
+    terms = {key: value for key, value in polynomial.to_dict().items() if key[0] <= order}
+    return RING.from_dict(terms)
+
+
+def _exact_quotient(polynomial: fmpq_mpoly, divisor: fmpq_mpoly) -> fmpq_mpoly:
+    """The page shows that the division is exact; if it were not, flint raises an error."""
+    return polynomial / divisor
