@@ -21,6 +21,10 @@ from gspot_verified.compliant.zeros.zero_count import SlowZeros as SlowZeros
 from gspot_verified.compliant.zeros.zero_map import ZeroMap as ZeroMap
 from gspot_verified.compliant.zeros.zeros import zeros as zeros
 from gspot_verified.cost.run import measure_cost as measure_cost
+from gspot_verified.expansion.from_state.limit_side import LimitSide as LimitSide
+from gspot_verified.expansion.from_state.limit_side import limit_side as limit_side
+from gspot_verified.expansion.from_state.model_side import ModelSide as ModelSide
+from gspot_verified.expansion.from_state.model_side import model_side as model_side
 from gspot_verified.expansion.residual import residual_bounds as residual_bounds
 from gspot_verified.expansion.series.system import GSpotError as GSpotError
 from gspot_verified.expansion.trajectory import Trajectory as Trajectory

@@ -41,7 +41,7 @@ OPTIONS: dict[str, tuple[type, str]] = {
     "--epsilon/--eps": (str, "the compliance, a value or a range"),
     "--float": (bool, "a float run in place of the certified one"),
     "--formal": (bool, "the Coq proofs too"),
-    "--from": (str, "a state of a mechanism, component by component"),
+    "--from": (str, "a state, component by component"),
     "--full": (bool, "run every check again"),
     "--growth": (bool, "how the lift-off time grows"),
     "--in-time": (bool, "the expansion in t and epsilon"),
@@ -80,6 +80,7 @@ OPTIONS: dict[str, tuple[type, str]] = {
     "--trajectory": (Path, "a table of a simulator's motion"),
     "--until": (str, "when a run ends"),
     "--verbose": (bool, "all numbers"),
+    "--within": (str, "the half-width of a set of states"),
     "--workers": (int, "how many processes"),
 }
 """Name, what its value is in every command that has it, and what it means there."""

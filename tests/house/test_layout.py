@@ -47,7 +47,7 @@ ROOMS: dict[str, tuple[tuple[str, ...], ...]] = {
     "scenes": (("",), ("certified", "simulators"), ("floats",), ("scene",), ("motions",), ("effects",), ("equations",)),
     "mechanisms": (("", "approach", "sweep"), ("foreign", "spots"), ("derive",), ("input",), ("formulas", "zeros")),
     "compliant": (("motion",), ("side", "zeros"), ("contact", "fast", "patches"), ("slow",), ("model",)),
-    "expansion": (("true_solutions",), ("",), ("series",)),
+    "expansion": (("from_state",), ("true_solutions",), ("",), ("series",)),
     "integrator": (("norm_steps",), ("box_steps",), ("field",)),
     "signs": (("zeros",), ("gamma",), ("cover",)),
     "theta_function": (("",), ("arrays",), ("boxes", "value"), ("sums",), ("gamma",)),

@@ -1,7 +1,7 @@
 """Theorem B: a bound of the fast deviation of the model system for all epsilon at once, between p_1 and the hand-over.
 
-Proof page: ``proofs/from_state.md``, section 4. Sums of monomials A h^i r^n with upper bounds of A >= 0; every hypothesis
-is compared in :func:`tube`.
+Proof page: ``proofs/from_state.md``, section 4. Sums of monomials A h^i r^n with upper bounds of A >= 0; every
+hypothesis is compared in :func:`tube`.
 """
 
 from __future__ import annotations
@@ -12,19 +12,21 @@ from dataclasses import dataclass
 from flint import arb, fmpq, fmpq_mpoly
 
 from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle
-from gspot_verified.expansion.from_state.slow_series import R, SlowSeries
+from gspot_verified.expansion.from_state.slow_series import R, SlowSeries, terms_of
 from gspot_verified.numbers.balls import ball
 from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.verdict import Evidence
 
 Monomials = dict[tuple[int, int], arb]
 """Upper bounds of the coefficients of h^i r^n."""
-_ROOM = fmpq(1, 4)  # a source is paid at once when its own growth is larger than the rate by so much: any number is right
+_ROOM = fmpq(
+    1, 4
+)  # a source is paid at once when its own growth is larger than the rate by so much: any number is right
 
 
 @dataclass(frozen=True)
 class Start:
-    """p = ``p`` = p_1, e <= ``e``, z <= ``z``, and L of the sign ``side`` with \\|L\\| <= ``share`` times the mean force."""
+    """p = ``p`` = p_1, e <= ``e``, z <= ``z``, L of the sign ``side``, \\|L\\| <= ``share`` times the mean force."""
 
     p: fmpq
     e: fmpq
@@ -63,7 +65,9 @@ class Tube:
         total = layer_integral(self.start, self.rectangle, self.rate, self.damping)
         for (i, n), value in self.barrier.items():
             least = min(n, 3 * i - 1)
-            total += value * largest ** (n - least) * ball(self.rectangle.h) ** i * r**least / ball(fmpq(3 * i - least, 2))
+            total += (
+                value * largest ** (n - least) * ball(self.rectangle.h) ** i * r**least / ball(fmpq(3 * i - least, 2))
+            )
         return (self.beta * self.shares[1] * total).upper()
 
 
@@ -112,13 +116,13 @@ def tube(norm: Norm, growth: Growth, rectangle: Rectangle, start: Start, largest
 
 
 def start_bound(series: SlowSeries, p: fmpq, e: fmpq, within: fmpq) -> arb:
-    """z at p_1 = ``p`` of the states with the stated shares of the force's deviation, for every e up to this one, (8)."""
+    """z at p_1 = ``p`` of the states within the stated shares, for every e up to this one, (8)."""
     contact, root = series.contact, ball(p).sqrt()
     h = ball(e) / root**3
     lengths = (ball(contact.kappa).sqrt(), arb(1), root * ball(contact.rate) / ball(contact.lag).sqrt())
     total = 3 * ball(within)
     for length, polynomial in zip(lengths, (series.v / R, series.w, series.f), strict=True):
-        sizes = {key: ball(abs(value)) for key, value in polynomial.to_dict().items()}
+        sizes = {key: ball(abs(value)) for key, value in terms_of(polynomial).items()}
         total += length * value_of(sizes, h, root)
     return total.upper()
 
@@ -129,7 +133,7 @@ def source(series: SlowSeries) -> Monomials:
     lengths = (ball(contact.kappa).sqrt(), arb(1), ball(contact.rate) / ball(contact.lag).sqrt())
     total: Monomials = {}
     for length, polynomial in zip(lengths, series.residual, strict=True):
-        for key, value in polynomial.to_dict().items():
+        for key, value in terms_of(polynomial).items():
             total[key] = (total.get(key, arb(0)) + length * abs(value)).upper()
     return total
 
@@ -183,7 +187,7 @@ def hand_over(start: Start, rectangle: Rectangle) -> arb:
 
 def extent(polynomial: fmpq_mpoly, rectangle: Rectangle, sign: int) -> arb:
     """sup of max(sign times the polynomial, 0) on the rectangle, from above, term by term."""
-    terms = {key: ball(sign * value) for key, value in polynomial.to_dict().items() if sign * value > 0}
+    terms = {key: ball(sign * value) for key, value in terms_of(polynomial).items() if sign * value > 0}
     return value_of(terms, ball(rectangle.h), ball(rectangle.r))
 
 

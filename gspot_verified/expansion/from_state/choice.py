@@ -9,14 +9,15 @@ from dataclasses import dataclass
 from flint import fmpq
 
 from gspot_verified.expansion.from_state.slow_series import Contact
+from gspot_verified.expansion.true_solutions.side import REACH
 from gspot_verified.numbers.balls import approximate
 
 _K_1, _K_2 = fmpq(1), fmpq(1, 2)  # of the norm
 _DAMPINGS = (fmpq(1, 5), fmpq(1, 10), fmpq(1, 25))  # theta in units of l/g, whose true value is 1/2 for small p
-_ABOVE = (fmpq(1, 20), fmpq(1, 5), fmpq(2, 5))  # of Gamma_E over its limit (beta - 3/2)/2
+_ABOVE = (fmpq(1, 20), fmpq(1, 5), fmpq(3, 10), fmpq(1, 2))  # of Gamma_E over its limit (beta - 3/2)/2
 _TAU = 3.17  # where a hand-over is tried, in units of tau: the slow series is good there
-_FARTHER = (1.0, 1.3)
-LARGEST = tuple(fmpq(1, n) for n in (500, 100, 30, 10, 5, 3, 2)) + (fmpq(3, 4),)
+_FARTHER = (1.0, 1.25, 1.5)
+LARGEST = (*(fmpq(1, n) for n in (500, 100, 30, 10, 5, 3, 2)), fmpq(3, 4))
 """z_max, the smallest first: Gamma grows with it."""
 DELTAS = tuple(
     fmpq(1, n) for n in (8, 10, 12, 15, 20, 25, 30, 40, 50, 60, 70, 85, 100, 120, 150, 200, 300, 400, 600, 1000, 2000)
@@ -41,13 +42,19 @@ class Plan:
         return f"Gamma_E = {self.growth}, theta = {self.damping}, order {self.order}, S = {self.place}"
 
 
-def plans(beta: fmpq, a: fmpq, contact: Contact) -> Iterator[Plan]:
-    """The likeliest first."""
-    order = math.floor(approximate(beta) + 0.5) + 2
+def plans(beta: fmpq, a: fmpq, contact: Contact) -> Iterator[list[Plan]]:
+    """For one S after the other, the nearest first: the likeliest first."""
     scale = approximate(a * contact.kappa) ** (1 / 3)
-    for far in _FARTHER:
+    for number, far in enumerate(_FARTHER):
+        order = math.floor(approximate(beta) + 0.5) + 2 + number
         place = fmpq(math.ceil(8 * far * _TAU / scale), 8)
-        for share in _DAMPINGS:
-            for above in _ABOVE:
-                damping = share * contact.lag / contact.rate
-                yield Plan(_K_1, _K_2, (beta - fmpq(3, 2)) / 2 + above, damping, order, place)
+        yield [
+            Plan(_K_1, _K_2, (beta - fmpq(3, 2)) / 2 + above, share * contact.lag / contact.rate, order, place)
+            for share in _DAMPINGS
+            for above in _ABOVE
+        ]
+
+
+def reach_for(beta: fmpq) -> float:
+    """tau up to which a cone is looked for: the deviation has its last zeros later for a larger beta."""
+    return REACH + max(0.0, approximate(beta) - 2.0)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from flint import arb, fmpq, fmpq_mpoly
 
-from gspot_verified.expansion.from_state.slow_series import RING, H, R, SlowSeries, change
+from gspot_verified.expansion.from_state.slow_series import RING, H, R, SlowSeries, change, terms_of
 from gspot_verified.numbers.balls import ball, hull
 from gspot_verified.numbers.evidence import Box, cover_by_boxes, every, less
 from gspot_verified.numbers.verdict import Evidence
@@ -29,11 +29,18 @@ class Rectangle:
 
 @dataclass(frozen=True)
 class Norm:
-    """|x|_M with x = (r V, W, r phi): k_1, k_2 of the page; any numbers for which M is positive definite."""
+    """|x|_M with x = (r V, W, r phi): k_1, k_2 of the page.
+
+    :raises ValueError: one of them is negative.
+    """
 
     series: SlowSeries
     k_1: fmpq
     k_2: fmpq
+
+    def __post_init__(self) -> None:
+        if not (self.k_1 >= 0 and self.k_2 >= 0):
+            raise ValueError(f"k_1 and k_2 must not be negative, got {self.k_1} and {self.k_2}")
 
     @property
     def matrix(self) -> Matrix:
@@ -49,7 +56,7 @@ class Norm:
         contact = self.series.contact
         rising = self.k_2 * contact.lag / contact.rate * rectangle.r
         falling = (self.series.beta - fmpq(1, 2)) / 2 * rectangle.h
-        first = max(abs(rising), abs(falling), abs(rising - falling)) ** 2 / contact.kappa
+        first = max(rising, falling) ** 2 / contact.kappa
         second = (self.k_1 * rectangle.r) ** 2 * contact.lag / contact.rate**2
         rest = 1 - first - second
         if not rest > 0:
@@ -61,7 +68,7 @@ class Norm:
 
 @dataclass(frozen=True)
 class Growth:
-    """(|x|_M)' <= (h r ``rate`` - ``damping`` r^2)|x|_M is claimed; ``evidence``, or ``where`` it could not be shown."""
+    """(|x|_M)' <= (h r ``rate`` - ``damping`` r^2)|x|_M is claimed; ``evidence``, or ``where`` it is not shown."""
 
     rate: fmpq
     damping: fmpq
@@ -85,7 +92,9 @@ def surplus(norm: Norm, rate: fmpq, damping: fmpq) -> Matrix:
     """N = 2 (h r rate - damping r^2) M - (M B + B^T M + M')."""
     gram, field = norm.matrix, fast_matrix(norm.series)
     factor = 2 * rate * H * R - 2 * damping * R * R
-    product = [[sum((gram[i][k] * field[k][j] for k in range(3)), RING.constant(0)) for j in range(3)] for i in range(3)]
+    product = [
+        [sum((gram[i][k] * field[k][j] for k in range(3)), RING.constant(0)) for j in range(3)] for i in range(3)
+    ]
     return [
         [factor * gram[i][j] - product[i][j] - product[j][i] - change(gram[i][j]) for j in range(3)] for i in range(3)
     ]
@@ -121,7 +130,7 @@ class _Chart:
         """The terms (exponent of u, of size, coefficient) of the entry over r^power, or over h^power u^(power/2); a
         side entry keeps u^(-1/2), which :meth:`minors` puts right."""
         terms = []
-        for (i, j), value in polynomial.to_dict().items():
+        for (i, j), value in terms_of(polynomial).items():
             first = i if self._steep else j - (1 if power else 0)
             if first < 0 or i + j < power:
                 raise ArithmeticError(f"the entry has the monomial h^{i} r^{j}")

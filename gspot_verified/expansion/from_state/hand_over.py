@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from flint import arb, arb_mat, fmpq, fmpq_mpoly
 
 from gspot_verified.expansion.from_state.barrier import Tube
-from gspot_verified.expansion.from_state.slow_series import R, SlowSeries
+from gspot_verified.expansion.from_state.slow_series import R, SlowSeries, terms_of
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.expansion.true_solutions.frames import identity
 from gspot_verified.numbers.balls import add_remainder, ball, hull
@@ -81,7 +81,7 @@ def carried(tube: Tube, series: SlowSeries, h: arb, r: arb) -> arb:
     nearest = hull([arb(0), (ball(start.e) / ball(start.p) ** ball(fmpq(3, 2))).upper()])
     largest = ball(start.p).sqrt()
     total = arb(0)
-    for (i, n), value in series.w.to_dict().items():
+    for (i, n), value in terms_of(series.w).items():
         growth = fmpq(3 * i - n, 2)
         if not growth > 0:
             raise ArithmeticError(f"the slow series has the monomial h^{i} r^{n} in w")
@@ -91,4 +91,4 @@ def carried(tube: Tube, series: SlowSeries, h: arb, r: arb) -> arb:
 
 def evaluated(polynomial: fmpq_mpoly, h: arb, r: arb) -> arb:
     """Its value on the balls."""
-    return sum((ball(value) * h**i * r**n for (i, n), value in polynomial.to_dict().items()), arb(0))
+    return sum((ball(value) * h**i * r**n for (i, n), value in terms_of(polynomial).items()), arb(0))

@@ -1,77 +1,23 @@
 """From a state of the model system to lift-off or impact without collision, for every epsilon up to epsilon_0 at once.
 
-Proof page: ``proofs/from_state.md``: Theorem B down to the hand-over, Theorems U1 and U2 of ``proofs/uniform.md`` from there.
+Proof page: ``proofs/from_state.md``, the theorem of section 6.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import ClassVar
 
 from flint import arb, fmpq
 
-from gspot_verified.expansion.from_state.barrier import Start, Tube, start_bound, tube
-from gspot_verified.expansion.from_state.choice import DELTAS, LARGEST, Plan, plans
-from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle, fast_growth
-from gspot_verified.expansion.from_state.hand_over import hand_over_set
-from gspot_verified.expansion.from_state.model_system import model_system
-from gspot_verified.expansion.from_state.slow_series import Contact, slow_series
+from gspot_verified.expansion.from_state.choice import DELTAS
+from gspot_verified.expansion.from_state.passage import ModelStart, passage, rounded_up, trajectory_of
 from gspot_verified.expansion.series.regularisation import Regularisation
-from gspot_verified.expansion.trajectory import Trajectory, expand_system
+from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.expansion.true_solutions.bound import BITS, rational
-from gspot_verified.expansion.true_solutions.equations import DeviationEquations
-from gspot_verified.expansion.true_solutions.side import end_of_track, first_end
-from gspot_verified.expansion.true_solutions.track import track
 from gspot_verified.numbers.balls import ExactInput, ball, ball_text, exact, working_bits
-from gspot_verified.numbers.evidence import every
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
-
-_ORDER = 10  # of the expansion, whose terms beyond the first vanish for the model system
-_FINENESS = 2**30  # of what is rounded to a rational
-
-
-@dataclass(frozen=True)
-class ModelStart:
-    """p_1, b_1, and the half-width of the set of states, for constants alpha_1, alpha_2, alpha_3 = beta alpha_1."""
-
-    beta: fmpq
-    alpha_1: fmpq
-    alpha_2: fmpq
-    regularisation: Regularisation
-    p: fmpq
-    b: fmpq
-    within: fmpq
-
-    @property
-    def mean_force(self) -> fmpq:
-        """lambda_N of the distinguished trajectory."""
-        return self.alpha_2 / (self.alpha_1 * (self.beta - 1))
-
-    @property
-    def excess(self) -> fmpq:
-        """L = -b/p - mean force."""
-        return -self.b / self.p - self.mean_force
-
-    def c_1(self) -> arb:
-        """C_1 = -L p^(1 - beta)."""
-        return -ball(self.excess) * ball(self.p) ** ball(1 - self.beta)
-
-    def system_text(self) -> str:
-        """The system in words."""
-        springs = self.regularisation
-        return (
-            f"the model system with alpha = ({self.alpha_1}, {self.alpha_2}, {self.beta * self.alpha_1}) and "
-            f"(k_1, k_2, c) = ({springs.k_1}, {springs.k_2}, {springs.c})"
-        )
-
-    def states_text(self) -> str:
-        """The set of states in words."""
-        return (
-            f"every start in contact at p = {self.p}, b = {self.b} with |lambda_N + b/p| <= {self.within} |L|, "
-            f"sqrt(kappa) |v|/epsilon <= {self.within} sqrt(p) |L|, g |phi|/sqrt(l) <= {self.within} sqrt(p) |L|, "
-            f"L = {self.excess}"
-        )
 
 
 @dataclass(frozen=True)
@@ -86,7 +32,8 @@ class ModelSide(NoTruthValue, Written):
 
     ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = (
-        "beta=start.beta alpha_1=start.alpha_1 alpha_2=start.alpha_2 p=start.p b=start.b within=start.within "
+        "beta=start.beta alpha_1=start.alpha_1 alpha_2=start.alpha_2 k_1=start.regularisation.k_1 "
+        "k_2=start.regularisation.k_2 c=start.regularisation.c p=start.p b=start.b within=start.within "
         "epsilon c_1 side entered drift verdict"
     )
 
@@ -139,8 +86,8 @@ def model_side(
 
     p' = alpha_1, b' = alpha_2 - alpha_3 lambda_N with alpha_3 = beta alpha_1, y'' = b + p lambda_N, in contact with
     ``contact`` = (k_1, k_2, c), from the state (p, b) with p > 0. The set of starts is given by ``within``: lambda_N
-    within this share of \\|L\\|, L = -b/p - mean force, of -b/p, and v/epsilon and phi (``proofs/from_state.md``) likewise;
-    the state at rest in the contact, v = 0, y = -h epsilon^2 lambda_N, belongs to every such set. "impact": lambda_N
+    within this share of \\|L\\|, L = -b/p - mean force, of -b/p; v/epsilon, phi (``proofs/from_state.md``) likewise.
+    The state at rest in the contact, v = 0, y = -h epsilon^2 lambda_N, belongs to every such set. "impact": lambda_N
     exceeds ``force`` times the mean force. Without ``epsilon`` the largest of a list that is proved is taken.
 
     :raises ValueError: beta is not rational, at most 1 or an integer; p, epsilon not positive; L = 0; the mean force is
@@ -160,11 +107,9 @@ def model_side(
         if not small > 0:
             raise ValueError(f"epsilon must be positive, got {small}")
     with working_bits(BITS):
-        springs = start.regularisation
-        system = model_system(start.alpha_1, start.alpha_2, start.beta * start.alpha_1, springs)
-        trajectory = expand_system(system, max(_ORDER, 2 * int(start.beta.p // start.beta.q) + 8))
+        trajectory = trajectory_of(start)
         if epsilon is not None:
-            return _side(start, trajectory, small, _rounded_up(ball(small).root(3)), factor)
+            return _side(start, trajectory, small, rounded_up(ball(small).root(3)), factor)
         first, last = 0, len(DELTAS) - 1  # a search among proofs: nothing rests on its order
         best = _side(start, trajectory, DELTAS[last] ** 3, DELTAS[last], factor)
         while best.side is not None and first < last:
@@ -192,75 +137,17 @@ def _start(values: dict[str, fmpq], springs: Regularisation) -> ModelStart:
 
 def _side(start: ModelStart, trajectory: Trajectory, epsilon: fmpq, delta: fmpq, factor: fmpq) -> ModelSide:
     whole = f"{start.system_text()}, {start.states_text()}, for every epsilon <= {epsilon}, as long as slip is positive"
-    c_1 = start.c_1()
-
-    def undecided(detail: str) -> ModelSide:
-        verdict = Verdict.undecided(f"{whole}: lift-off or impact", Reason.HYPOTHESIS, detail)
-        return ModelSide(start, epsilon, c_1, None, None, None, None, None, None, verdict)
-
-    found = _tube(start, delta)
+    c_1, found = start.c_1(), passage(start, trajectory, delta, factor)
     if isinstance(found, str):
-        return undecided(f"Theorem B: {found}")
-    plan, tube_found = found
-    equations = DeviationEquations(trajectory, delta)
-    series = slow_series(start.beta, Contact.of(start.regularisation), plan.order)
-    handed = hand_over_set(equations, tube_found, series, c_1, plan.place)
-    power = 2 * (start.beta - 1)
-    until = end_of_track(equations)
-    tracked = track(
-        equations, power, -plan.place, until, handed.centre, handed.radii, handed.fast, handed.frame
-    )
-    ends = first_end(tracked, -plan.place, factor)
-    if ends is None:
-        reached = tracked.pieces[-1].end if tracked.pieces else -plan.place
-        if not tracked.is_whole:
-            return undecided(f"Theorem U1: its inequality is not certain from s = {reached} on; a smaller epsilon may do")
-        return undecided(
-            f"Theorem U2: the deviation was followed up to s = {reached}, but lies in no cone that was tried, or lambda_N "
-            "is not certainly positive on the way; a smaller epsilon may do"
-        )
-    entry, cone, force, evidence = ends
+        verdict = Verdict.undecided(f"{whole}: lift-off or impact", Reason.HYPOTHESIS, found)
+        return ModelSide(start, epsilon, c_1, None, None, None, None, None, None, verdict)
+    entry = found.entry
     before = f"{whole}: lambda_N > 0 up to s = {entry.place}, where p = alpha_1 epsilon^(2/3) s"
     if entry.side < 0:
         side, statement = "lift-off", f"{before}, and it vanishes later: contact is lost"
     else:
-        side, statement = "impact", f"{before} and on, until it exceeds {ball_text(force, 3)}; p < 0 there"
-    proof = every([tube_found.evidence, evidence])
-    ratio = (cone.top / entry.Y.lower()).upper()
-    drift = abs((handed.coefficient / c_1).log()).upper()
-    verdict = Verdict.proved(statement, proof)
-    return ModelSide(start, epsilon, c_1, side, entry.place, drift, cone.a, ratio, force, verdict)
-
-
-def _tube(start: ModelStart, delta: fmpq) -> tuple[Plan, Tube] | str:
-    """The first plan that passes, or what the one failed by that came farthest."""
-    a, contact = -start.alpha_1, Contact.of(start.regularisation)
-    e = a * delta**3
-    growth_failed, tube_failed = "", ""
-    for plan in plans(start.beta, a, contact):
-        series = slow_series(start.beta, contact, plan.order)
-        norm = Norm(series, plan.k_1, plan.k_2)
-        rectangle = Rectangle(
-            _rounded_up((1 / ball(a * plan.place**3)).sqrt()), _rounded_up(ball(start.p).sqrt())
-        )
-        growth = fast_growth(norm, rectangle, plan.growth, plan.damping)
-        if growth.evidence is None:
-            growth_failed = growth_failed or f"{growth.where} ({plan.text})"
-            continue
-        z = start_bound(series, start.p, e, start.within)
-        side = 1 if start.excess > 0 else -1
-        given = Start(start.p, e, z, side, abs(start.excess) / start.mean_force)
-        for largest in LARGEST:
-            found = tube(norm, growth, rectangle, given, largest)
-            if isinstance(found, Tube):
-                return plan, found
-            tube_failed = tube_failed or f"{found} ({plan.text})"
-    return tube_failed or growth_failed
-
-
-def _rounded_up(value: arb) -> fmpq:
-    """A rational number at or above every number in the ball."""
-    whole = (value * _FINENESS).ceil().upper().ceil().unique_fmpz()
-    if whole is None:
-        raise ValueError("a number is too large to be rounded")
-    return fmpq(whole, _FINENESS)
+        side, statement = "impact", f"{before} and on, until it exceeds {ball_text(found.force, 3)}; p < 0 there"
+    ratio = (found.cone.top / entry.Y.lower()).upper()
+    drift = abs((found.handed.coefficient / c_1).log()).upper()
+    verdict = Verdict.proved(statement, found.evidence)
+    return ModelSide(start, epsilon, c_1, side, entry.place, drift, found.cone.a, ratio, found.force, verdict)

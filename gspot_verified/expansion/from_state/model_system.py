@@ -9,9 +9,7 @@ from gspot_verified.expansion.series.system import System
 from gspot_verified.functions.expressions import Constant, Variable
 
 
-def model_system(
-    alpha_1: fmpq, alpha_2: fmpq, alpha_3: fmpq, regularisation: Regularisation
-) -> System:
+def model_system(alpha_1: fmpq, alpha_2: fmpq, alpha_3: fmpq, regularisation: Regularisation) -> System:
     """p' = alpha_1, b' = alpha_2 - alpha_3 lambda_N, y' = v, v' = b + p lambda_N.
 
     >>> from gspot_verified.expansion.series.regularisation import PAPER

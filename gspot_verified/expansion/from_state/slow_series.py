@@ -55,10 +55,14 @@ class SlowSeries:
 def slow_series(beta: fmpq, contact: Contact, order: int) -> SlowSeries:
     """The polynomials up to h^order; section 2, (3).
 
+    :raises ValueError: the order is not positive.
+
     >>> from gspot_verified.expansion.series.regularisation import PAPER
     >>> slow_series(fmpq(5, 2), Contact.of(PAPER), 2).w
     -3/2*h^2
     """
+    if not order > 0:
+        raise ValueError(f"the order must be positive, got {order}")
     kappa, rate, lag = contact.kappa, contact.rate, contact.lag
     v = w = f = 0 * H
     while True:
@@ -74,6 +78,11 @@ def slow_series(beta: fmpq, contact: Contact, order: int) -> SlowSeries:
         _exact_quotient(lag / rate * w - rate * f - _along_square(f, beta, w), H),
     )
     return SlowSeries(beta, contact, v, w, f, residual)
+
+
+def terms_of(polynomial: fmpq_mpoly) -> dict[tuple[int, int], fmpq]:
+    """The coefficients of h^i r^n by (i, n)."""
+    return {(int(i), int(n)): value for (i, n), value in polynomial.to_dict().items()}
 
 
 def change(polynomial: fmpq_mpoly) -> fmpq_mpoly:
@@ -97,8 +106,7 @@ def _force(beta: fmpq, contact: Contact, w: fmpq_mpoly, f: fmpq_mpoly) -> fmpq_m
 
 
 def _cut(polynomial: fmpq_mpoly, order: int) -> fmpq_mpoly:
-    terms = {key: value for key, value in polynomial.to_dict().items() if key[0] <= order}
-    return RING.from_dict(terms)
+    return RING.from_dict({key: value for key, value in terms_of(polynomial).items() if key[0] <= order})
 
 
 def _exact_quotient(polynomial: fmpq_mpoly, divisor: fmpq_mpoly) -> fmpq_mpoly:

@@ -31,7 +31,7 @@ from gspot_verified.numbers.evidence import cover, every, less
 from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
-_REACH = 4.0  # tau up to which a cone is looked for: a heuristic
+REACH = 4.0  # tau up to which a cone is looked for: a heuristic
 _ROOM = fmpq(13, 10)  # above the force that is to be reached, for what is subtracted from it
 
 
@@ -161,13 +161,12 @@ def uniform_side(
         return UniformSide(*family, side, entry.place, cone.a, ratio, reached, Verdict.proved(statement, evidence))
 
 
-def end_of_track(equations: DeviationEquations) -> fmpq:
-    """Up to which s a deviation is followed before it is given up."""
-    return fmpq(round(8 * _REACH / approximate(-equations.alpha_1 * equations.kappa) ** (1 / 3)), 8)
+def end_of_track(equations: DeviationEquations, reach: float = REACH) -> fmpq:
+    """The s at tau = ``reach``, up to which a deviation is followed before it is given up."""
+    return fmpq(round(8 * reach / approximate(-equations.alpha_1 * equations.kappa) ** (1 / 3)), 8)
 
 
-def first_end(
-    tracked: Track, start: fmpq, factor: fmpq) -> tuple[EntryDeviation, DeviationCone, arb, Evidence] | None:
+def first_end(tracked: Track, start: fmpq, factor: fmpq) -> tuple[EntryDeviation, DeviationCone, arb, Evidence] | None:
     """The first end of a piece at which Theorem U2 applies, contact being kept until then; the force reached; and what
     was compared."""
     equations = tracked.equations

@@ -1,0 +1,92 @@
+"""Lift-off or impact without collision for small epsilon, for every mechanism of Case III with m = 4 and a given beta.
+
+Proof page: ``proofs/from_state.md``, Theorem Q: the model system's checks decide, because they are strict.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from flint import fmpq
+
+from gspot_verified.expansion.from_state.passage import ModelStart, passage, trajectory_of
+from gspot_verified.expansion.series.regularisation import Regularisation
+from gspot_verified.expansion.true_solutions.bound import BITS, rational
+from gspot_verified.numbers.balls import ExactInput, ball, working_bits
+from gspot_verified.numbers.evidence import every, less
+from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.written import Written
+
+_PLACE = fmpq(1, 100)  # p_1 of the model system's checks; what is proved does not depend on it
+_DELTAS = tuple(fmpq(1, 10**n) for n in (3, 5, 8))  # nor on these
+_FACTOR = fmpq(10)  # nor on the force that is to be reached there
+_OTHER = {"lift-off": "impact", "impact": "lift-off"}
+
+
+@dataclass(frozen=True)
+class LimitSide(NoTruthValue, Written):
+    """What follows C_1 > 0 for every mechanism of Case III with m = 4, this beta and this contact, for small epsilon.
+
+    ``side``: "lift-off" or "impact" (without collision) for C_1 > 0, the other one for C_1 < 0, or None: undecided.
+    "For small epsilon": there is an epsilon_0 > 0 for every start; how large it is is not said.
+    """
+
+    ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = "beta k_1=regularisation.k_1 k_2=regularisation.k_2 c=regularisation.c side verdict"
+
+    beta: fmpq
+    regularisation: Regularisation
+    side: str | None
+    verdict: Verdict
+
+    def __str__(self) -> str:
+        return str(self.verdict)
+
+
+def limit_side(beta: ExactInput, contact: tuple[ExactInput, ExactInput, ExactInput] = (1, 1, 1)) -> LimitSide:
+    """Lift-off or impact by the sign of C_1, for every mechanism with m = 4 at its G-spot, as epsilon tends to 0.
+
+    m = 4: p, b, y, v are coordinates of the state near the G-spot, so that no further condition J is there. ``contact``
+    is (k_1, k_2, c). The starts lie at any distance from the G-spot on the way of a rigid slip motion into it; no slow
+    manifold is assumed.
+
+    :raises ValueError: beta is not rational, at most 1 or an integer; the contact is none with a damper.
+
+    >>> limit_side("3/2").side, limit_side("5/2").side
+    ('impact', 'lift-off')
+    """
+    number, springs = rational(beta, "beta"), Regularisation.of(*contact)
+    if not number > 1 or number.q == 1:
+        raise ValueError(f"beta must be above 1 and no integer, got {number}")
+    start = ModelStart(number, fmpq(-1), fmpq(-1), springs, _PLACE, -2 * _PLACE / (number - 1), fmpq(0))  # C_1 < 0
+    statement = (
+        f"for every mechanism with m = 4, beta = {number} at its G-spot and (k_1, k_2, c) = ({springs.k_1}, "
+        f"{springs.k_2}, {springs.c}), and every start beside a rigid slip motion into the G-spot with C_1 != 0, there "
+        "is an epsilon_0 > 0 such that for every epsilon <= epsilon_0, as long as slip is positive, contact lasts "
+        "until p < 0, and then"
+    )
+    detail = ""
+    with working_bits(BITS):
+        trajectory = trajectory_of(start)
+        for delta in _DELTAS:
+            found = passage(start, trajectory, delta, _FACTOR)
+            if isinstance(found, str):
+                detail = found
+                continue
+            against = "lift-off" if found.entry.side < 0 else "impact"
+            side = _OTHER[against]
+            strict = every(
+                [
+                    found.evidence,
+                    less(found.tube.rate, ball(fmpq(3 * found.plan.order, 2))),
+                    less(0, found.tube.last_layer()),
+                ]
+            )
+            if strict is not None:
+                fates = {"lift-off": "it is lost", "impact": "lambda_N exceeds every given force without it being lost"}
+                whole = f"{statement} {fates[side]} if C_1 > 0, {fates[against]} if C_1 < 0"
+                return LimitSide(number, springs, side, Verdict.proved(whole, strict))
+            detail = "the order of the slow series is too low"
+    verdict = Verdict.undecided(f"{statement} lift-off or impact by the sign of C_1", Reason.HYPOTHESIS, detail)
+    return LimitSide(number, springs, None, verdict)

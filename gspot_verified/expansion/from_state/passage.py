@@ -1,0 +1,172 @@
+"""The way of a set of starts of the model system through Theorem B, U1 and U2, or the inequality that is not certain.
+
+Proof page: ``proofs/from_state.md``, sections 4 to 6.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from flint import arb, fmpq
+
+from gspot_verified.expansion.from_state.barrier import Start, Tube, start_bound, tube
+from gspot_verified.expansion.from_state.choice import LARGEST, Plan, plans, reach_for
+from gspot_verified.expansion.from_state.fast_growth import Norm, Rectangle, fast_growth
+from gspot_verified.expansion.from_state.hand_over import HandOver, hand_over_set
+from gspot_verified.expansion.from_state.model_system import model_system
+from gspot_verified.expansion.from_state.slow_series import Contact, slow_series
+from gspot_verified.expansion.series.regularisation import Regularisation
+from gspot_verified.expansion.trajectory import Trajectory, expand_system
+from gspot_verified.expansion.true_solutions.equations import DeviationEquations
+from gspot_verified.expansion.true_solutions.growth import DeviationCone, EntryDeviation
+from gspot_verified.expansion.true_solutions.side import end_of_track, first_end
+from gspot_verified.expansion.true_solutions.track import track
+from gspot_verified.numbers.balls import ball
+from gspot_verified.numbers.evidence import every
+from gspot_verified.numbers.verdict import Evidence
+
+_ORDER = 10  # of the expansion, whose terms beyond the first vanish for the model system
+_FINENESS = 2**30  # of what is rounded to a rational
+
+
+@dataclass(frozen=True)
+class ModelStart:
+    """p_1, b_1, and the half-width of the set of states, for constants alpha_1, alpha_2, alpha_3 = beta alpha_1."""
+
+    beta: fmpq
+    alpha_1: fmpq
+    alpha_2: fmpq
+    regularisation: Regularisation
+    p: fmpq
+    b: fmpq
+    within: fmpq
+
+    @property
+    def mean_force(self) -> fmpq:
+        """lambda_N of the distinguished trajectory."""
+        return self.alpha_2 / (self.alpha_1 * (self.beta - 1))
+
+    @property
+    def excess(self) -> fmpq:
+        """L = -b/p - mean force."""
+        return -self.b / self.p - self.mean_force
+
+    def c_1(self) -> arb:
+        """C_1 = -L p^(1 - beta)."""
+        return -ball(self.excess) * ball(self.p) ** ball(1 - self.beta)
+
+    def system_text(self) -> str:
+        """The system in words."""
+        springs = self.regularisation
+        return (
+            f"the model system with alpha = ({self.alpha_1}, {self.alpha_2}, {self.beta * self.alpha_1}) and "
+            f"(k_1, k_2, c) = ({springs.k_1}, {springs.k_2}, {springs.c})"
+        )
+
+    def states_text(self) -> str:
+        """The set of states in words."""
+        return (
+            f"every start in contact at p = {self.p}, b = {self.b} with |lambda_N + b/p| <= {self.within} |L|, "
+            f"sqrt(kappa) |v|/epsilon <= {self.within} sqrt(p) |L|, g |phi|/sqrt(l) <= {self.within} sqrt(p) |L|, "
+            f"L = {self.excess}"
+        )
+
+
+@dataclass(frozen=True)
+class Passage:
+    """Where the cone of Theorem U2 was entered, the force reached, and what was compared on the whole way."""
+
+    tube: Tube
+    plan: Plan
+    handed: HandOver
+    entry: EntryDeviation
+    cone: DeviationCone
+    force: arb
+    evidence: Evidence
+
+
+def trajectory_of(start: ModelStart) -> Trajectory:
+    """The distinguished trajectory of the model system, to an order that Theorem U2 needs."""
+    system = model_system(start.alpha_1, start.alpha_2, start.beta * start.alpha_1, start.regularisation)
+    return expand_system(system, max(_ORDER, 2 * int(start.beta.p // start.beta.q) + 8))
+
+
+def passage(start: ModelStart, trajectory: Trajectory, delta: fmpq, factor: fmpq) -> Passage | str:
+    """For all epsilon up to delta^3; the force that an impact must reach is ``factor`` times its mean.
+
+    The first S that leads to an end, or what the first one failed by.
+    """
+    failed = list[str]()
+    for choices in plans(start.beta, -start.alpha_1, Contact.of(start.regularisation)):
+        found = tube_from(start, delta, choices)
+        ended = f"Theorem B: {found}" if isinstance(found, str) else _ended(start, trajectory, delta, factor, *found)
+        if isinstance(ended, Passage):
+            return ended
+        failed.append(ended)
+    return failed[0]
+
+
+def _ended(
+    start: ModelStart, trajectory: Trajectory, delta: fmpq, factor: fmpq, plan: Plan, passed: Tube
+) -> Passage | str:
+    """From the hand-over on."""
+    equations = DeviationEquations(trajectory, delta)
+    series = slow_series(start.beta, Contact.of(start.regularisation), plan.order)
+    handed = hand_over_set(equations, passed, series, start.c_1(), plan.place)
+    tracked = track(
+        equations,
+        2 * (start.beta - 1),
+        -plan.place,
+        end_of_track(equations, reach_for(start.beta)),
+        handed.centre,
+        handed.radii,
+        handed.fast,
+        handed.frame,
+    )
+    ends = first_end(tracked, -plan.place, factor)
+    if ends is None:
+        reached = tracked.pieces[-1].end if tracked.pieces else -plan.place
+        if not tracked.is_whole:
+            return f"Theorem U1: its inequality is not certain from s = {reached} on; a smaller epsilon may do"
+        return (
+            f"Theorem U2: up to s = {reached} the deviation lies in no cone that was tried, or lambda_N is not "
+            "certainly positive; a smaller epsilon may do"
+        )
+    entry, cone, force, evidence = ends
+    whole = every([passed.evidence, evidence])
+    return "nothing was compared" if whole is None else Passage(passed, plan, handed, entry, cone, force, whole)
+
+
+def tube_from(start: ModelStart, delta: fmpq, choices: Sequence[Plan]) -> tuple[Plan, Tube] | str:
+    """The first plan that passes Theorem B, or what failed by the fewest inequalities of those that passed Lemma 1."""
+    a, contact = -start.alpha_1, Contact.of(start.regularisation)
+    e = a * delta**3
+    growth_failed, tube_failed = "", ""
+    for plan in choices:
+        series = slow_series(start.beta, contact, plan.order)
+        norm = Norm(series, plan.k_1, plan.k_2)
+        rectangle = Rectangle(rounded_up((1 / ball(a * plan.place**3)).sqrt()), rounded_up(ball(start.p).sqrt()))
+        growth = fast_growth(norm, rectangle, plan.growth, plan.damping)
+        if growth.evidence is None:
+            growth_failed = growth_failed or f"{growth.where} ({plan.text})"
+            continue
+        z = start_bound(series, start.p, e, start.within)
+        side = 1 if start.excess > 0 else -1
+        given = Start(start.p, e, z, side, abs(start.excess) / start.mean_force)
+        for largest in LARGEST:
+            found = tube(norm, growth, rectangle, given, largest)
+            if isinstance(found, Tube):
+                return plan, found
+            text = f"{found} ({plan.text})"
+            if not tube_failed or text.count(";") < tube_failed.count(";"):  # what fails by least
+                tube_failed = text
+    return tube_failed or growth_failed
+
+
+def rounded_up(value: arb) -> fmpq:
+    """A rational number at or above every number in the ball."""
+    whole = (value * _FINENESS).ceil().upper().ceil().unique_fmpz()
+    if whole is None:
+        raise ValueError("a number is too large to be rounded")
+    return fmpq(whole, _FINENESS)

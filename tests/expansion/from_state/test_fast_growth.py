@@ -1,0 +1,134 @@
+"""Lemma 1 of proofs/from_state.md: its matrices by dual numbers in exact fractions, and what it must refuse."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from flint import fmpq
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from samples.strategies import to_fraction
+from witnesses.slow_deviation import Dual, rates
+
+from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle, fast_growth, fast_matrix, surplus
+from gspot_verified.expansion.from_state.slow_series import Contact, slow_series
+from gspot_verified.expansion.series.regularisation import PAPER, Regularisation
+from gspot_verified.numbers.balls import working_bits
+
+BITS = 128
+NUMBERS = st.fractions(min_value=Fraction(1, 4), max_value=4, max_denominator=9)
+SIGNED = st.fractions(min_value=-3, max_value=3, max_denominator=9)
+
+
+def rational(value: Fraction) -> fmpq:
+    return fmpq(value.numerator, value.denominator)
+
+
+def at(polynomial: object, h: Dual, r: Dual) -> Dual:
+    terms = polynomial.to_dict().items()  # type: ignore[attr-defined]
+    return sum((to_fraction(value) * h ** int(i) * r ** int(n) for (i, n), value in terms), Dual(Fraction(0)))
+
+
+@given(
+    beta=st.fractions(min_value=Fraction(11, 10), max_value=5, max_denominator=12),
+    springs=st.tuples(NUMBERS, NUMBERS, NUMBERS),
+    h=NUMBERS,
+    r=NUMBERS,
+    weights=st.tuples(NUMBERS, NUMBERS),
+    state=st.tuples(NUMBERS, SIGNED, SIGNED, SIGNED),
+    bounds=st.tuples(SIGNED, NUMBERS),
+)
+@settings(max_examples=30, deadline=None)
+def test_the_surplus_is_what_the_square_of_the_norm_leaves(
+    beta: Fraction,
+    springs: tuple[Fraction, Fraction, Fraction],
+    h: Fraction,
+    r: Fraction,
+    weights: tuple[Fraction, Fraction],
+    state: tuple[Fraction, ...],
+    bounds: tuple[Fraction, Fraction],
+) -> None:
+    """2 (h r G - t r^2)|x|^2 - (|x|^2)' = x^T N x - 2 x^T M L R, for motions of the mechanism's own equations."""
+    series = slow_series(rational(beta), Contact.of(Regularisation.of(*springs)), 2)
+    norm = Norm(series, rational(weights[0]), rational(weights[1]))
+    p, e = r * r, h * r**3
+    slopes = rates(beta, springs, e, p, state)
+    root = Dual(r, -e / (2 * r))
+    ratio = Dual(e) / root**3
+    L, V, W, phi = (Dual(value, slope) for value, slope in zip(state, slopes, strict=True))
+    v, w, f = (at(one, ratio, root) for one in (series.v, series.w, series.f))
+    minus = Dual(Fraction(-1)) * L
+    x = (root * (V + minus * v), W + minus * root**2 * w, root * (phi + minus * root**2 * f))
+    gram = [[at(entry, ratio, root) for entry in row] for row in norm.matrix]
+    square = sum((x[i] * gram[i][j] * x[j] for i in range(3) for j in range(3)), Dual(Fraction(0)))
+    rate = h * r * bounds[0] - bounds[1] * r * r
+    matrix = [[at(entry, ratio, root).value for entry in row] for row in surplus(norm, *map(rational, bounds))]
+    values = [one.value for one in x]
+    residual = [e * L.value * at(one, ratio, root).value for one in series.residual]
+    shown = sum(values[i] * (matrix[i][j] * values[j] - 2 * gram[i][j].value * residual[j])
+                for i in range(3) for j in range(3))  # fmt: skip
+    assert 2 * rate * square.value - square.slope == shown
+
+
+def grown(beta: str, order: int, rate: str, damping: str, k_1: int = 1, r: str = "7072/10000") -> Growth:
+    number = fmpq(*map(int, beta.split("/")))
+    with working_bits(BITS):
+        norm = Norm(slow_series(number, Contact.of(PAPER), order), fmpq(k_1), fmpq(1, 2))
+        rectangle = Rectangle(fmpq(1, 8), fmpq(*map(int, r.split("/"))))
+        return fast_growth(norm, rectangle, fmpq(*map(int, rate.split("/"))), fmpq(*map(int, damping.split("/"))))
+
+
+@pytest.mark.parametrize(
+    ("beta", "order", "rate"), [("3/2", 4, "1/20"), ("7/3", 4, "3/5"), ("5/2", 5, "7/10"), ("5/4", 4, "-1/20")]
+)
+def test_lemma_1_holds_for_the_papers_contact(beta: str, order: int, rate: str) -> None:
+    found = grown(beta, order, rate, "1/20")
+    assert found.evidence is not None
+    assert found.where == ""
+    assert found.boxes > 4
+
+
+@pytest.mark.parametrize(
+    ("rate", "damping"),
+    [("1/2", "1/20"), ("7/10", "1/10"), ("7/10", "1/7")],
+    ids=["the limit of the rate", "too much damping", "more than the true damping"],
+)
+def test_wrong_constants_are_refused(rate: str, damping: str) -> None:
+    found = grown("5/2", 5, rate, damping)
+    assert found.evidence is None
+    assert "not certainly positive definite" in found.where
+
+
+def test_without_the_coupling_of_the_norm_nothing_is_damped() -> None:
+    assert grown("5/2", 5, "7/10", "1/20", k_1=0).evidence is None
+
+
+def test_the_shares_are_those_of_the_inverse() -> None:
+    with working_bits(BITS):
+        norm = Norm(slow_series(fmpq(5, 2), Contact.of(PAPER), 3), fmpq(1), fmpq(1, 2))
+        rectangle = Rectangle(fmpq(1, 8), fmpq(7, 10))
+        shares = norm.shares(rectangle)
+        assert shares is not None
+        bounds = [float(value.lower()) for value in shares]
+        for h in np.linspace(0.0, 0.125, 6):
+            for r in np.linspace(0.0, 0.7, 6):
+                m, n = r / 8 - h, -r
+                inverse = np.linalg.inv(np.array([[0.5, m, 0], [m, 1, n], [0, n, 8]]))
+                assert all(np.sqrt(inverse[i, i]) <= bounds[i] * (1 + 1e-12) for i in range(3))
+        assert norm.shares(Rectangle(fmpq(1), fmpq(3))) is None
+
+
+def test_entries_that_a_chart_cannot_divide_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A matrix whose antisymmetric part does not cancel has an entry of order r."""
+    module = "gspot_verified.expansion.from_state.fast_growth.fast_matrix"
+
+    def unbalanced(series: object) -> object:
+        matrix = fast_matrix(series)  # type: ignore[arg-type]
+        matrix[1][0] = 2 * matrix[1][0]
+        return matrix
+
+    monkeypatch.setattr(module, unbalanced)
+    with pytest.raises(ArithmeticError, match="monomial"):
+        grown("5/2", 2, "7/10", "1/20")

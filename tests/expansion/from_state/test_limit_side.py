@@ -1,0 +1,53 @@
+"""The side by the sign of C_1 for small epsilon (proofs/from_state.md, Theorem Q), beside the sign of Gamma(-beta)."""
+
+from __future__ import annotations
+
+import pytest
+from flint import fmpq
+
+from gspot_verified.expansion.from_state import limit_side as module
+from gspot_verified.expansion.from_state.limit_side import limit_side
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.signs.gamma.side import gamma_sign
+
+
+@pytest.mark.parametrize(
+    "beta",
+    [
+        "3/2",
+        *(
+            pytest.param(beta, marks=pytest.mark.slow)
+            for beta in ("11/10", "7/4", "7/3", "5/2", "29/10", "31/10", "7/2")
+        ),
+    ],
+)
+def test_it_is_the_papers_rule(beta: str) -> None:
+    """C_1/Gamma(-beta) > 0: impact."""
+    found = limit_side(beta)
+    assert found.verdict.outcome is Outcome.PROVED
+    assert found.side == {1: "impact", -1: "lift-off"}[gamma_sign(found.beta)]
+    first = "lambda_N exceeds every given force" if found.side == "impact" else "it is lost"
+    assert f"{first}" in found.verdict.statement.split(" if C_1 > 0")[0]
+
+
+@pytest.mark.slow
+def test_for_another_contact() -> None:
+    assert limit_side("3/2", contact=(2, 1, "1/2")).side == "impact"
+    assert limit_side("7/3", contact=(1, 3, 1)).side == "lift-off"
+
+
+def test_what_is_not_certain_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With starts at a delta so large that Theorem B does not hold."""
+    monkeypatch.setattr(module, "_DELTAS", (fmpq(1, 30),))
+    found = limit_side("3/2")
+    assert found.side is None
+    assert found.verdict.outcome is Outcome.UNDECIDED
+    assert "Theorem B" in found.verdict.detail
+
+
+@pytest.mark.parametrize(("beta", "message"), [("1/2", "above 1"), ("2", "no integer"), ("1", "above 1")])
+def test_bad_input(beta: str, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        limit_side(beta)
+    with pytest.raises(ValueError, match="damper"):
+        limit_side("3/2", contact=(1, 1, 0))
