@@ -18,7 +18,7 @@ GROUPS = {
     },
     "Contact force and motion": {
         "iwc": "iwc_command",
-        "verdict": "verdict_command",
+        "verdict": "iwc_command",
         "force": "force_command",
         "events": "events_command",
         "simulate": "simulate_command",

@@ -18,6 +18,8 @@ from gspot_verified.cost.benchmarks.sign import SignCost
 from gspot_verified.cost.benchmarks.theta import CostReport
 from gspot_verified.cost.measurement.measurement import Measurement
 from gspot_verified.cost.times.benchmark import Benchmark
+from gspot_verified.expansion.from_state.limit_side import LimitSide
+from gspot_verified.expansion.from_state.model_side import ModelSide
 from gspot_verified.expansion.residual import ResidualBounds
 from gspot_verified.expansion.time_series import TimeSeries
 from gspot_verified.expansion.trajectory import Trajectory
@@ -168,6 +170,7 @@ RESULTS: dict[str, tuple[Any, ...]] = {
     "zeros": (Brackets, IntegerZeros, _ByCountLaw, ZerosResult, SlowZeros, ZeroMap),
     "check": (CheckResult,),
     "iwc": (CompliantIwc,),
+    "verdict": (ModelSide, LimitSide),
     "force": ((CompliantForce, _System),),
     "events": (CompliantRun,),
     "simulate": (_SceneRuns,),

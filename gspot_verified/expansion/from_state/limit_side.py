@@ -61,7 +61,7 @@ def limit_side(beta: ExactInput, contact: tuple[ExactInput, ExactInput, ExactInp
         raise ValueError(f"beta must be above 1 and no integer, got {number}")
     start = ModelStart(number, fmpq(-1), fmpq(-1), springs, _PLACE, -2 * _PLACE / (number - 1), fmpq(0))  # C_1 < 0
     statement = (
-        f"for every mechanism with m = 4, beta = {number} at its G-spot and (k_1, k_2, c) = ({springs.k_1}, "
+        f"for every mechanism of Case III with m = 4, beta = {number} and (k_1, k_2, c) = ({springs.k_1}, "
         f"{springs.k_2}, {springs.c}), and every start beside a rigid slip motion into the G-spot with C_1 != 0, there "
         "is an epsilon_0 > 0 such that for every epsilon <= epsilon_0, as long as slip is positive, contact lasts "
         "until p < 0, and then"

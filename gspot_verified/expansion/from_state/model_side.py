@@ -140,7 +140,9 @@ def _side(start: ModelStart, trajectory: Trajectory, epsilon: fmpq, delta: fmpq,
     c_1, found = start.c_1(), passage(start, trajectory, delta, factor)
     if isinstance(found, str):
         verdict = Verdict.undecided(f"{whole}: lift-off or impact", Reason.HYPOTHESIS, found)
-        return ModelSide(start, epsilon, c_1, None, None, None, None, None, None, verdict)
+        return ModelSide(
+            start, epsilon, c_1, side=None, entered=None, drift=None, rate=None, ratio=None, force=None, verdict=verdict
+        )
     entry = found.entry
     before = f"{whole}: lambda_N > 0 up to s = {entry.place}, where p = alpha_1 epsilon^(2/3) s"
     if entry.side < 0:
@@ -150,4 +152,15 @@ def _side(start: ModelStart, trajectory: Trajectory, epsilon: fmpq, delta: fmpq,
     ratio = (found.cone.top / entry.Y.lower()).upper()
     drift = abs((found.handed.coefficient / c_1).log()).upper()
     verdict = Verdict.proved(statement, found.evidence)
-    return ModelSide(start, epsilon, c_1, side, entry.place, drift, found.cone.a, ratio, found.force, verdict)
+    return ModelSide(
+        start,
+        epsilon,
+        c_1,
+        side=side,
+        entered=entry.place,
+        drift=drift,
+        rate=found.cone.a,
+        ratio=ratio,
+        force=found.force,
+        verdict=verdict,
+    )
