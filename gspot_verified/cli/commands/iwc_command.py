@@ -1,4 +1,4 @@
-"""Commands ``iwc`` and ``verdict``: an epsilon_0 below which the contact holds, or the lift-off time; the side from afar."""
+"""Commands ``iwc`` and ``verdict``: for which epsilon the contact holds, or the lift-off time; the side from afar."""
 
 from __future__ import annotations
 

@@ -112,7 +112,9 @@ def tube(norm: Norm, growth: Growth, rectangle: Rectangle, start: Start, largest
     evidence = every([growth.evidence, *conditions.values()])
     if evidence is None:
         return "not certain: " + "; ".join(failed)
-    return Tube(start, rectangle, barrier, rate, growth.damping, shares, beta, evidence)
+    return Tube(
+        start, rectangle, barrier, rate=rate, damping=growth.damping, shares=shares, beta=beta, evidence=evidence
+    )
 
 
 def start_bound(series: SlowSeries, p: fmpq, e: fmpq, within: fmpq) -> arb:

@@ -119,10 +119,10 @@ def _ended(
         2 * (start.beta - 1),
         -plan.place,
         end_of_track(equations, reach_for(start.beta)),
-        handed.centre,
-        handed.radii,
-        handed.fast,
-        handed.frame,
+        centre=handed.centre,
+        radii=handed.radii,
+        fast=handed.fast,
+        frame=handed.frame,
     )
     ends = first_end(tracked, -plan.place, factor)
     if ends is None:

@@ -1,0 +1,49 @@
+"""The command ``verdict``: exit codes, which system it speaks of, bad input."""
+
+from __future__ import annotations
+
+import pytest
+
+from gspot_verified.cli import main
+
+
+def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    code = main(("verdict", *arguments))
+    output, errors = capsys.readouterr()
+    return code, output, errors
+
+
+def test_from_a_state_it_speaks_of_the_model_system(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "--beta", "3/2", "--from", "p=1/2,b=-2", "--eps", "1e-6")
+    assert code == 0
+    assert output.startswith("proved: the model system with alpha = (-1, -1, -3/2)")
+    assert "for every epsilon <= 1/1000000" in output
+    assert "contact is lost" in output
+
+
+def test_without_a_state_it_speaks_of_every_mechanism_and_names_no_epsilon(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "--beta", "3/2")
+    assert code == 0
+    assert output.startswith("proved: for every mechanism of Case III with m = 4, beta = 3/2")
+    assert "there is an epsilon_0 > 0" in output
+
+
+def test_undecided_says_which_inequality_fails(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "--beta", "3/2", "--from", "p=1/2,b=-2", "--eps", "1/10")
+    assert code == 2
+    assert "Theorem B: not certain: the hand-over lies before the start" in output
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("--beta", "3/2", "--from", "p=1/2"), "it needs p and b"),
+        (("--beta", "3/2", "--eps", "1e-6"), "it goes with --from"),
+        (("--beta", "2"), "no integer"),
+        (("--beta", "3/2", "--from", "p=1/2,b=-1"), "distinguished trajectory"),
+    ],
+)
+def test_bad_input(capsys: pytest.CaptureFixture[str], words: tuple[str, ...], message: str) -> None:
+    code, _, errors = run(capsys, *words)
+    assert code == 64
+    assert message in errors
