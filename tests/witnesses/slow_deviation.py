@@ -68,3 +68,39 @@ def motion(
     found = solve_ivp(field, (0, max(times)), list(state), method="DOP853", rtol=1e-12, atol=1e-15, t_eval=times)
     assert found.success
     return [tuple(row) for row in found.y.T]  # type: ignore[misc]
+
+
+def end_of_contact(beta: float, epsilon: float, p: float, force: float, highest: float) -> str | None:
+    """Lift-off or impact of a mechanism with m = 4 whose alpha_i depend on p, b and v, from p and lambda = ``force``.
+
+    alpha_1 = -1 + b/4 - p/5, alpha_2 = -1 + p/3 + v/2, alpha_3 = -beta (1 + p/4 - b/5). The start is not on a slow
+    manifold: v = epsilon/20, and the force is 5 % off.
+    """
+
+    def field(_: float, x: np.ndarray) -> tuple[float, ...]:
+        p, b, Y, V, Z = x
+        pushed = Z - Y
+        v = epsilon * V
+        alpha = (-1 + b / 4 - p / 5, -1 + p / 3 + v / 2, -beta * (1 + p / 4 - b / 5))
+        return (
+            epsilon * alpha[0],
+            epsilon * (alpha[1] - alpha[2] * pushed),
+            V,
+            b + p * pushed,
+            -Z - pushed,
+        )
+
+    def lost(_: float, x: np.ndarray) -> float:
+        return float(x[4] - x[2])
+
+    def pressed(_: float, x: np.ndarray) -> float:
+        return float(x[4] - x[2] - highest)
+
+    lost.terminal = pressed.terminal = True  # type: ignore[attr-defined]
+    pushed = 1.05 * force
+    start = (p, -p * force, -2 * pushed, 0.05, -pushed)
+    found = solve_ivp(
+        field, (0, 4 * p / epsilon), start, method="DOP853", rtol=1e-10, atol=1e-13, events=(lost, pressed)
+    )
+    assert found.success
+    return "lift-off" if found.t_events[0].size else "impact" if found.t_events[1].size else None

@@ -51,13 +51,13 @@ class Tube:
     beta: fmpq
     evidence: Evidence
 
-    def bound(self, r: arb) -> arb:
-        """Z + I at h = ``rectangle.h`` and all r up to this one."""
-        return (value_of(self.barrier, ball(self.rectangle.h), r) + self.last_layer()).upper()
+    def bound(self, h: arb, r: arb) -> arb:
+        """Z + I at this h <= ``rectangle.h``, where r is at most this one, for every e up to ``start.e``."""
+        return (value_of(self.barrier, ball(self.rectangle.h), r) + self.layer(h)).upper()
 
-    def last_layer(self) -> arb:
-        """I at h = ``rectangle.h``, for every e up to ``start.e``."""
-        return layer(self.start, self.rectangle, self.rate, self.damping)
+    def layer(self, h: arb) -> arb:
+        """I at this h, for every e up to ``start.e``."""
+        return layer(self.start, h, self.rate, self.damping)
 
     def drift(self, r: arb) -> arb:
         """The integral of beta c_w (Z + I) dp/p from p_1 to h = ``rectangle.h``, where r is at most this one."""
@@ -91,7 +91,7 @@ def tube(norm: Norm, growth: Growth, rectangle: Rectangle, start: Start, largest
     if isinstance(barrier, str):
         return barrier
     highest = value_of(barrier, ball(rectangle.h), ball(rectangle.r))
-    first, last = start.z, layer(start, rectangle, rate, growth.damping)
+    first, last = start.z, layer(start, ball(rectangle.h), rate, growth.damping)
     moved = ball(largest) * shares[1]
     conditions = {
         "the hand-over lies before the start": less(start.e**2, rectangle.h**2 * start.p**3),
@@ -164,9 +164,9 @@ def paid(source: Mapping[tuple[int, int], arb], rate: arb, damping: fmpq) -> Mon
     return total
 
 
-def layer(start: Start, rectangle: Rectangle, rate: arb, damping: fmpq) -> arb:
-    """I at h = ``rectangle.h`` for e = ``start.e``, (10); it falls with e when a condition of Theorem B holds."""
-    last = hand_over(start, rectangle)
+def layer(start: Start, h: arb, rate: arb, damping: fmpq) -> arb:
+    """I at this h for e = ``start.e``, (10); it falls with e when a condition of Theorem B holds."""
+    last = place_of(start, h)
     decay = ball(damping) * (ball(start.p) ** 2 - last**2) / (2 * ball(start.e))
     return (start.z * ((ball(start.p) / last).log() * rate - decay).exp()).upper()
 
@@ -174,7 +174,7 @@ def layer(start: Start, rectangle: Rectangle, rate: arb, damping: fmpq) -> arb:
 def layer_integral(start: Start, rectangle: Rectangle, rate: arb, damping: fmpq) -> arb:
     """The integral of I dp/p from p_1 to h = ``rectangle.h``, for every e up to ``start.e``, (11); not finite where
     the page's conditions are not certain."""
-    last = hand_over(start, rectangle)
+    last = place_of(start, ball(rectangle.h))
     length = (ball(start.p) / last).log().max(arb(fmpq(2, 3)))
     decay = ball(damping) * (ball(start.p) ** 2 - last**2) / (2 * ball(start.e) * length)
     if not decay > rate:
@@ -182,9 +182,9 @@ def layer_integral(start: Start, rectangle: Rectangle, rate: arb, damping: fmpq)
     return (start.z / (decay - rate)).upper()
 
 
-def hand_over(start: Start, rectangle: Rectangle) -> arb:
-    """p at h = ``rectangle.h`` for e = ``start.e``."""
-    return (ball(start.e) / ball(rectangle.h)) ** ball(fmpq(2, 3))
+def place_of(start: Start, h: arb) -> arb:
+    """p at this h for e = ``start.e``."""
+    return (ball(start.e) / h) ** ball(fmpq(2, 3))
 
 
 def extent(polynomial: fmpq_mpoly, rectangle: Rectangle, sign: int) -> arb:

@@ -44,7 +44,7 @@ def hand_over_set(equations: DeviationEquations, tube: Tube, series: SlowSeries,
     root = (a * far).sqrt()
     r = hull([arb(0), root * equations.delta])
     last = r.upper()
-    z = tube.bound(last)
+    z = tube.bound(h, last)
     coefficient = c_1 * carried(tube, series, h, r).exp()
     size = -coefficient * (a * far) ** ball(series.beta - 1)  # L delta^-mu
     first, second, third = (share * z for share in tube.shares)

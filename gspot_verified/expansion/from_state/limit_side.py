@@ -80,7 +80,7 @@ def limit_side(beta: ExactInput, contact: tuple[ExactInput, ExactInput, ExactInp
                 [
                     found.evidence,
                     less(found.tube.rate, ball(fmpq(3 * found.plan.order, 2))),
-                    less(0, found.tube.last_layer()),
+                    less(0, found.tube.layer(ball(found.tube.rectangle.h))),
                 ]
             )
             if strict is not None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from flint import fmpq
+from witnesses.slow_deviation import end_of_contact
 
 from gspot_verified.expansion.from_state import limit_side as module
 from gspot_verified.expansion.from_state.limit_side import limit_side
@@ -34,6 +35,22 @@ def test_it_is_the_papers_rule(beta: str) -> None:
 def test_for_another_contact() -> None:
     assert limit_side("3/2", contact=(2, 1, "1/2")).side == "impact"
     assert limit_side("7/3", contact=(1, 3, 1)).side == "lift-off"
+
+
+@pytest.mark.parametrize(
+    ("beta", "p", "epsilon"),
+    [
+        (fmpq(3, 2), 0.3, 1e-4),
+        *(pytest.param(beta, 0.1, 2e-5, marks=pytest.mark.slow) for beta in (fmpq(7, 3), fmpq(5, 2))),
+    ],
+)
+def test_a_mechanism_whose_coefficients_vary_takes_that_side(beta: fmpq, p: float, epsilon: float) -> None:
+    """Float runs of a nonlinear mechanism with m = 4: a force below the mean one is C_1 > 0."""
+    ratio = int(beta.p) / int(beta.q)
+    mean = 1 / (ratio - 1)
+    below, above = (end_of_contact(ratio, epsilon, p, share * mean, 40 * mean) for share in (0.3, 2.0))
+    assert {below, above} == {"impact", "lift-off"}
+    assert below == limit_side(beta).side
 
 
 def test_what_is_not_certain_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
