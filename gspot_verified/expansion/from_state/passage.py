@@ -159,7 +159,7 @@ def tube_from(start: ModelStart, delta: fmpq, choices: Sequence[Plan]) -> tuple[
             if isinstance(found, Tube):
                 return plan, found
             text = f"{found} ({plan.text})"
-            if not tube_failed or text.count(";") < tube_failed.count(";"):  # what fails by least
+            if not tube_failed or text.count(";") <= tube_failed.count(";"):  # what fails by least
                 tube_failed = text
     return tube_failed or growth_failed
 

@@ -187,3 +187,32 @@ def test_what_is_paid_by_hand() -> None:
         assert paid({(0, 2): arb(1)}, rate, damping) == {(1, 1): arb(2), (2, 0): arb(4)}
         assert isinstance(paid({(0, 1): arb(1)}, arb(4), damping), str)
         assert isinstance(paid({(1, 0): arb(1)}, rate, damping), str)
+
+
+def test_the_rate_has_all_its_parts() -> None:
+    """Gamma >= Gamma_E + beta + beta sup w^+ + beta c_W z_max."""
+    norm, found = norm_of(fmpq(5, 2)), BARRIER
+    assert isinstance(found, Tube)
+    highest = max(value(norm.series.w, h, r) for h in np.linspace(0, 0.125, 20) for r in np.linspace(0, 0.7, 5))
+    least = 0.7 + 2.5 + 2.5 * highest + 2.5 * approximate(found.shares[1]) * 0.05
+    assert least <= approximate(found.rate) <= least + 0.2
+
+
+@pytest.mark.parametrize("monomial", [(2, 0), (2, 3), (1, 3), (1, 5)])
+def test_the_drift_is_above_the_integral(monomial: tuple[int, int]) -> None:
+    """beta c_W times the integral of h^i r^n dp/p for a fixed e, by a sum; E > 0, = 0 and < 0."""
+    i, n = monomial
+    assert isinstance(BARRIER, Tube)
+    with working_bits(BITS):
+        start = replace(BARRIER.start, z=arb(0))
+        only = replace(BARRIER, start=start, barrier={monomial: arb(1)})
+        e = 1e-5
+        last = (8 * e) ** (2 / 3)
+        found = approximate(only.drift(arb(last).sqrt()))
+        steps = np.linspace(np.log(last), np.log(0.5), 4001)
+        p = np.exp((steps[1:] + steps[:-1]) / 2)
+        integral = float(np.sum((e / p**1.5) ** i * p ** (n / 2)) * (steps[1] - steps[0]))
+        factor = 2.5 * approximate(only.shares[1])
+    assert factor * integral * 0.999 <= found
+    if 3 * i > n:
+        assert found <= 1.05 * factor * integral

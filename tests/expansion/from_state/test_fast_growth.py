@@ -6,16 +6,24 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from flint import fmpq
+from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from samples.strategies import to_fraction
 from witnesses.slow_deviation import Dual, rates
 
-from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle, fast_growth, fast_matrix, surplus
+from gspot_verified.expansion.from_state.fast_growth import (
+    Growth,
+    Norm,
+    Rectangle,
+    _Chart,
+    fast_growth,
+    fast_matrix,
+    surplus,
+)
 from gspot_verified.expansion.from_state.slow_series import Contact, slow_series
 from gspot_verified.expansion.series.regularisation import PAPER, Regularisation
-from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.balls import ball, working_bits
 
 BITS = 128
 NUMBERS = st.fractions(min_value=Fraction(1, 4), max_value=4, max_denominator=9)
@@ -132,3 +140,20 @@ def test_entries_that_a_chart_cannot_divide_are_refused(monkeypatch: pytest.Monk
     monkeypatch.setattr(module, unbalanced)
     with pytest.raises(ArithmeticError, match="monomial"):
         grown("5/2", 2, "7/10", "1/20")
+
+
+@given(u=st.fractions(Fraction(1, 8), 1, max_denominator=16), size=st.fractions(Fraction(1, 32), 1, max_denominator=32))
+@settings(max_examples=20, deadline=None)
+def test_the_minors_of_both_charts_are_those_of_the_scaled_matrix(u: Fraction, size: Fraction) -> None:
+    """The Schur complement of N with rows 1, 2 divided by r, or by h sqrt(u)."""
+    matrix = surplus(Norm(slow_series(fmpq(5, 2), Contact.of(PAPER), 3), fmpq(1), fmpq(1, 2)), fmpq(1), fmpq(1, 9))
+    for steep in (True, False):
+        h, r = (u * size, size) if steep else (size, u * size)
+        N = [[at(entry, Dual(h), Dual(r)).value for entry in row] for row in matrix]
+        unit = r * r if steep else h * h * u
+        block = [[(N[i][j] - N[i][2] * N[j][2] / N[2][2]) / unit for j in range(2)] for i in range(2)]
+        wanted = (N[2][2], block[0][0], block[0][0] * block[1][1] - block[0][1] * block[1][0])
+        with working_bits(BITS):
+            found = _Chart(matrix, steep, fmpq(1), fmpq(1)).minors(ball(rational(u)), ball(rational(size)))
+            for value, number in zip(found, wanted, strict=True):
+                assert abs(value - ball(rational(number))) < arb("1e-25") * (1 + abs(ball(rational(number))))

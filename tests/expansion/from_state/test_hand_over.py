@@ -63,6 +63,10 @@ def test_motions_from_the_start_arrive_in_the_set(smaller: float) -> None:
     assert abs(fast) * unit <= approximate(found.fast)
     c_1 = -L * p**-1.5
     assert abs(c_1 - approximate(found.coefficient)) <= float(found.coefficient.rad()) + 1e-7
+    # z sqrt(M^-1_ii) in each direction, of the page's (13)
+    size, z = abs(approximate(found.coefficient)) * 8, approximate(found.z)
+    assert radii[6] >= size * 1.04 * z * 2
+    assert radii[7] >= size * 1.41 * z * 2
     # the set is small beside what it holds
     assert radii[5] < 0.03
     assert radii[6] < 0.1 * abs(e_y)

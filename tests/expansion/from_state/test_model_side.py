@@ -61,6 +61,13 @@ def test_large_epsilon_is_undecided_and_says_why() -> None:
         found.latest("1e-9")
 
 
+def test_a_force_that_is_nearly_zero_at_the_start_is_not_decided() -> None:
+    """L = -0.97 of the mean force: contact may be lost at once."""
+    found = model_side("5/2", "1/2", "-1/100", epsilon="1e-9")
+    assert found.side is None
+    assert "the force stays positive" in found.verdict.detail
+
+
 def test_where_the_fast_part_decides_nothing_is_claimed() -> None:
     """beta = 13/2, epsilon = 1/1000: the exact rule gives the side that the slow part does not."""
     exact = at_rest(fmpq(13, 2), fmpq(1, 1000), fmpq(1, 2), fmpq(-2, 11))

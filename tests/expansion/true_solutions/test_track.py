@@ -82,3 +82,16 @@ def test_the_deviation_of_z() -> None:
         assert abs(z.rad() - piece.force.rad() / 3 - piece.deviations[8].rad()) < arb(10) ** -6
         for lost in (arb("nan"), arb("inf")):
             assert not found.z_deviation(replace(piece, force=lost)).is_finite()
+
+
+def test_a_set_in_a_frame_is_the_same_set() -> None:
+    """e = 2u, with half the centre and radii: the same enclosures up to rounding; another frame, another set."""
+    with working_bits(96):
+        plain = track(equations(), fmpq(3), fmpq(-1, 2), fmpq(-1, 4), CENTRE, RADII, arb(5))
+        half = [value / 2 for value in CENTRE], [value / 2 for value in RADII], arb(5)
+        framed = track(equations(), fmpq(3), fmpq(-1, 2), fmpq(-1, 4), *half, frame=2 * identity(10))
+        other = track(equations(), fmpq(3), fmpq(-1, 2), fmpq(-1, 4), *half)
+        ends = [found.pieces[-1].end_deviations[8] for found in (plain, framed, other)]
+        assert abs(ends[0].mid() - ends[1].mid()) < arb("1e-3")
+        assert abs(ends[0].rad() - ends[1].rad()) < arb("0.1") * ends[0].rad()
+        assert abs(ends[0].mid() - ends[2].mid()) > arb("0.3")
