@@ -14,7 +14,7 @@ from gspot_verified.expansion.from_state.passage import ModelStart, passage, tra
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.true_solutions.bound import BITS, rational
 from gspot_verified.numbers.balls import ExactInput, ball, working_bits
-from gspot_verified.numbers.evidence import every, less
+from gspot_verified.numbers.evidence import less, theorem
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
@@ -76,12 +76,11 @@ def limit_side(beta: ExactInput, contact: tuple[ExactInput, ExactInput, ExactInp
                 continue
             against = "lift-off" if found.entry.side < 0 else "impact"
             side = _OTHER[against]
-            strict = every(
-                [
-                    found.evidence,
-                    less(found.tube.rate, ball(fmpq(3 * found.plan.order, 2))),
-                    less(0, found.tube.layer(ball(found.tube.rectangle.h))),
-                ]
+            strict = theorem(
+                "proofs/from_state.md, Theorem Q",
+                found.evidence,
+                less(found.tube.rate, ball(fmpq(3 * found.plan.order, 2))),
+                less(0, found.tube.layer(ball(found.tube.rectangle.h))),
             )
             if strict is not None:
                 fates = {"lift-off": "it is lost", "impact": "lambda_N exceeds every given force without it being lost"}
