@@ -135,7 +135,7 @@ def _pieces(
     if last is None:
         phase: str | None = scene.first_phase()
         if phase == STICK:
-            phase = run.contact_phase(run.start, at_rest=True)
+            phase = run.contact_phase(run.start, 0.0, at_rest=True)
         state, time = run.start, 0.0
     else:
         phase, state, time = last.next_phase, last.state, last.time
@@ -173,17 +173,17 @@ class _FloatRun:
             self._compiled[phase] = FloatPhase(self._scene, phase, self._large)
         return self._compiled[phase]
 
-    def contact_phase(self, state: dict[str, float], at_rest: bool) -> str:
+    def contact_phase(self, state: dict[str, float], time: float, at_rest: bool) -> str:
         """Slip as the slip velocity says; without one stick, or slip to where friction does not hold the contact."""
         if STICK not in self._scene.phases():
             return SLIP
         if not at_rest:
             seen = self._phase(SLIP)
-            slip = seen.shown([state[name] for name in seen.states], 0.0)["u"] - self._belt
+            slip = seen.shown([state[name] for name in seen.states], time)["u"] - self._belt
             if slip != 0:
                 return SLIP if slip > 0 else REVERSE
         held = self._phase(STICK)
-        at = [*(state[name] for name in held.states), 0.0]
+        at = [*(state[name] for name in held.states), time]
         return next((phase for phase, guard in held.guards if guard(at)[0] < 0), STICK)
 
     def piece(
@@ -211,7 +211,7 @@ class _FloatRun:
             return SolverPiece(phase, rows, time, after, None, phase)
         name, following = ended
         if following == CONTACT:
-            following = self.contact_phase(after, at_rest=name == SLIP_STOPS)
+            following = self.contact_phase(after, time, at_rest=name == SLIP_STOPS)
             if name == SLIP_STOPS:
                 name = STICKS if following == STICK else SLIPS[following]
         if following == STICK and "u" in after:
