@@ -29,6 +29,7 @@ _FILES = {
     "double pendulum on a rough surface": "gallery/double_pendulum",
     "compass biped": "gallery/compass_biped",
     "frictional impact oscillator on a belt": "gallery/oscillator_on_a_belt",
+    "rod with Stribeck friction": "gallery/stribeck_rod",
 }
 SHORT_NAMES = {
     "model": "model system",

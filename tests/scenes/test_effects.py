@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 
 import pytest
+import sympy
 from flint import fmpq
 
 from gspot_verified.mechanisms.input.given import lagrangian
@@ -19,14 +20,14 @@ from gspot_verified.scenes.effects import (
     tangential_place,
     two_way_coupling,
 )
-from gspot_verified.scenes.effects.catalogue import EFFECTS, EXCLUSIONS
+from gspot_verified.scenes.effects.catalogue import EFFECTS, EXCLUSIONS, OUTSIDE
 from gspot_verified.scenes.effects.effect import Condition
 from gspot_verified.scenes.equations.mechanism_terms import MechanismTerms
 from gspot_verified.scenes.equations.model_terms import ModelTerms
 from gspot_verified.scenes.equations.scaled_system import CONTACT, ScaledSystem
 from gspot_verified.scenes.equations.terms import FLIGHT, PHASES, REVERSE, SLIP, STICK
 from gspot_verified.scenes.floats.float_function import float_function
-from gspot_verified.scenes.scene.scene import Scene
+from gspot_verified.scenes.scene.scene import Scene, SceneError
 
 EVERYTHING = (
     "compliant_contact",
@@ -156,6 +157,24 @@ def test_which_effect_stands_where() -> None:
     assert {second for first, second in EXCLUSIONS if first == "mechanism"} == {
         *("two_way_coupling", "nu"),
     }
+
+
+@pytest.mark.parametrize("name", OUTSIDE)
+def test_what_is_outside_is_refused_with_its_reason(name: str) -> None:
+    assert name not in EFFECTS
+    with pytest.raises(SceneError, match=rf"effect '{name}' is outside of what scenes know: {OUTSIDE[name][:20]}"):
+        Scene("outside", ("compliant_contact", name), fmpq(1, 10), fmpq(1), {}, {"p": fmpq(1), "b": fmpq(-1)})
+
+
+def test_the_direction_of_slip_in_space_turns_with_the_force() -> None:
+    """p = C - mu B.e for slip along e = w/|w|, and L_G w = B - mu A e: L_G p is not 0, but where nothing turns e."""
+    mu, A, C, w1, w2, B1, B2 = sympy.symbols("mu A C w_1 w_2 B_1 B_2", positive=True)
+    w, B = sympy.Matrix([w1, w2]), sympy.Matrix([B1, B2])
+    e = w / sympy.sqrt(w.dot(w))
+    p = C - mu * B.dot(e)
+    along = sum(sympy.diff(p, part) * push for part, push in zip(w, B - mu * A * e, strict=True))
+    across = (B1 * w2 - B2 * w1) ** 2
+    assert sympy.simplify(along + mu * across / w.dot(w) ** sympy.Rational(3, 2)) == 0
 
 
 def test_the_defaults_are_those_of_the_paper() -> None:

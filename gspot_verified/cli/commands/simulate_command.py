@@ -165,9 +165,9 @@ def simulate(
 def scenes(as_json: JsonFlag = False) -> None:
     """The scenes of the package, and the effects to choose from.
 
-    With what leaving an effect out assumes, and what excludes what.
+    With what leaving an effect out assumes, what excludes what, and what is outside.
     """
-    from gspot_verified.scenes.effects.catalogue import EFFECTS, EXCLUSIONS
+    from gspot_verified.scenes.effects.catalogue import EFFECTS, EXCLUSIONS, OUTSIDE
     from gspot_verified.scenes.scene.file import SHIPPED, load_scene
 
     loaded = [load_scene(name) for name in SHIPPED]
@@ -193,6 +193,9 @@ def scenes(as_json: JsonFlag = False) -> None:
     typer.echo("what excludes what:")
     for (first, second), reason in EXCLUSIONS.items():
         typer.echo(f"  {first} and {second}: {reason}")
+    typer.echo("what is no effect:")
+    for name, reason in OUTSIDE.items():
+        typer.echo(f"  {name}: {reason}")
 
 
 def _before(name: str, spot: int, given: dict[str, str]) -> Scene:

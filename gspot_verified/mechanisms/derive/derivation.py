@@ -96,7 +96,7 @@ def _check_velocities(name: str, given: LagrangianInput) -> None:
             f"{name}: the friction coefficient must not depend on velocities: L_G p must vanish (Lagrangian "
             "character, Sec. 2, eq. lagrangian2), and where p = C - mu B = 0 with A C > B^2, a coefficient mu(u) gives "
             "L_G p = mu'(u) B (mu A - B) with B > 0 and mu A > B, so p' = alpha_1 + (L_G p) lambda_N would hold in "
-            "the place of eq. gensys2"
+            "the place of eq. gensys2; for simulate a coefficient that varies with |u| is a formula in slip_speed"
         )
 
 

@@ -29,6 +29,7 @@ from gspot_verified.functions.rings import BALLS, Ring
 from gspot_verified.functions.symbols import Symbols
 from gspot_verified.mechanisms.derive.derivation import derive_expressions
 from gspot_verified.mechanisms.derive.derived import Derived
+from gspot_verified.mechanisms.derive.slip_speed import NOT_LAGRANGIAN, depends_on_slip_speed
 from gspot_verified.mechanisms.formulas.rewriting import along, rebuilt
 from gspot_verified.mechanisms.formulas.simplify import (
     NumberTooLargeError,
@@ -218,10 +219,11 @@ class Shifted:
         return Constant(arb.pi() if angle is None else angle_ball(angle))
 
 
-def shift(mechanism: Mechanism, free: bool = False) -> Shifted:
+def shift(mechanism: Mechanism, free: bool = False, slip_speed: bool = False) -> Shifted:
     """Derive the functions of Sec. 2 after the parameters are put in and the angles are shifted.
 
-    With ``free`` parameters may stay without a value.
+    With ``free`` parameters may stay without a value. With ``slip_speed`` the friction coefficient may depend on the
+    slip speed: it is held fixed and stays a symbol of the functions (:mod:`slip_speed`).
 
     :raises MechanismError: a parameter without a value, or the Lagrangian character is violated.
     """
@@ -231,6 +233,8 @@ def shift(mechanism: Mechanism, free: bool = False) -> Shifted:
     prepare = Preparation(mechanism)
     functions = derive_expressions(mechanism, prepare)
     check_lagrangian_character(mechanism, functions)
+    if not slip_speed and depends_on_slip_speed(mechanism, functions):
+        raise MechanismError(f"{mechanism.name}: {NOT_LAGRANGIAN}")
     return Shifted(mechanism, functions, prepare)
 
 

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from gspot_verified.functions.expressions import Expression, Variable, in_order
 
 PI = "pi"
+SLIP_SPEED = "slip_speed"
+"""The size of the slip velocity, in a formula of the friction coefficient."""
 
 
 @dataclass(frozen=True, eq=False)

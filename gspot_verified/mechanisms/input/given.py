@@ -17,7 +17,7 @@ from gspot_verified.mechanisms.formulas.formula import parse_formula
 from gspot_verified.mechanisms.formulas.names import FormulaError, check_name, nearest, normal_name
 from gspot_verified.mechanisms.formulas.rewriting import along, simplified
 from gspot_verified.mechanisms.formulas.simplify import constant, minus, negative, sum_of
-from gspot_verified.mechanisms.formulas.symbol import Symbol, count_operations, variable_indices
+from gspot_verified.mechanisms.formulas.symbol import SLIP_SPEED, Symbol, count_operations, variable_indices
 from gspot_verified.mechanisms.input.drawing import DrawingReader
 from gspot_verified.mechanisms.input.mechanism import (
     Drawing,
@@ -163,7 +163,7 @@ class FormulaReader:
         if given.get("fixed") is not None:
             given["fixed"] = tuple(self.component(word, "G-spot:") for word in given["fixed"])
         g_spot_place = Place(values, **given)
-        y, mu = self(contact.y, "y"), self(contact.mu, "mu")
+        y, mu = self(contact.y, "y"), self._friction(contact.mu)
         if mirrored and isinstance(motion, Fields):
             motion = replace(motion, G_T=tuple(map(negative, motion.G_T)))
         return Mechanism(
@@ -181,6 +181,10 @@ class FormulaReader:
             regularisation=regularisation,
             drawing=drawing,
         )
+
+    def _friction(self, formula: Formula) -> Expression:
+        """It may depend on the slip speed, too, where the mechanism has no name like that of its own."""
+        return self._read(formula, "mu", {SLIP_SPEED: Symbol(SLIP_SPEED), **self._all})
 
     def _drawing(self, motion: Any, contact: Contact, given: Mapping[str, Any] | None) -> Drawing | None:
         """Its operations are counted apart: a drawing makes no mechanism too large."""

@@ -17,6 +17,7 @@ from gspot_verified.functions.expressions import Expression, Variable
 from gspot_verified.functions.periods import period_factor
 from gspot_verified.functions.rings import BALLS
 from gspot_verified.mechanisms.derive.to_system import Shifted, shift
+from gspot_verified.mechanisms.formulas.symbol import SLIP_SPEED
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.g_spot import DEFAULT_BITS
 from gspot_verified.mechanisms.spots.g_spot_list import in_words
@@ -109,7 +110,7 @@ def critical_friction(mechanism: Mechanism, bits: int = DEFAULT_BITS, budget: in
     True
     """
     with working_bits(bits + _EXTRA_BITS):
-        return critical_friction_of(shift(mechanism), Budget(budget))
+        return critical_friction_of(shift(mechanism, slip_speed=True), Budget(budget))
 
 
 def critical_friction_of(shifted: Shifted, budget: Budget) -> CriticalFriction:
@@ -125,7 +126,9 @@ class _Maximum:
         self._mechanism = shifted.mechanism
         self._constrained = bool(shifted.constraints)
         self._size = len(self._mechanism.state)
-        B, C, self._y, self._mu = shifted.expressions([functions.B, functions.C, functions.y, functions.mu], BALLS)
+        speed = {SLIP_SPEED: Variable(self._size)}  # a component on which the friction coefficient may depend
+        parts = [functions.B, functions.C, functions.y, functions.mu]
+        B, C, self._y, self._mu = shifted.expressions(parts, BALLS, speed)
         apart = take_apart({"y": self._y}, self._size)
         values: list[Expression] = [Variable(i) for i in range(self._size)]
         for each in apart.explicit:
@@ -138,8 +141,8 @@ class _Maximum:
 
     @cached_property
     def _friction(self) -> arb | None:
-        program = BoxProgram([self._mu], self._size, ())
-        return None if program.depends[0] else program.values([arb(0)] * self._size)[0]
+        program = BoxProgram([self._mu], self._size + 1, ())
+        return None if program.depends[0] else program.values([arb(0)] * (self._size + 1))[0]
 
     def found(self, budget: Budget) -> CriticalFriction:
         """Search for the places where B/C is stationary; the largest of its values there is the maximum."""

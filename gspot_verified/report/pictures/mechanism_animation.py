@@ -62,7 +62,7 @@ def mechanism_animation(scene: Scene, run: SceneRun) -> Picture:
     assert scene.mechanism is not None
     if run.samples is None or len((samples := _known(run.samples)).phases) < 2:
         raise SceneError(f"{scene.name}: an animation needs a run with samples: give points")
-    shapes = Shapes(shift(scene.mechanism))
+    shapes = Shapes(shift(scene.mechanism, slip_speed=True))
     states, rows = whole_states(scene, samples), chosen_rows(samples)
     film = Film.of(samples, rows, [shapes.at(states[row]) for row in rows])
     title = f"{scene.mechanism.name} in the scene {scene.name}, ε = {scene.epsilon}"

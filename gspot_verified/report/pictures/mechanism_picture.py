@@ -57,7 +57,7 @@ def mechanism_picture(mechanism: Mechanism, state: StateInput | None = None, spo
     if state is not None:
         where = "at the given state"
         with working_bits(_BITS):
-            shifted = shift(mechanism)
+            shifted = shift(mechanism, slip_speed=True)
             point = slip_state(shifted, state).box
     else:
         where = "at its G-spot" if spot is None else f"at G-spot {spot}"

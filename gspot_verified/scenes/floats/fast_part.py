@@ -14,6 +14,7 @@ from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 from gspot_verified.scenes.equations.terms import SLIP
 from gspot_verified.scenes.floats.float_function import float_function
+from gspot_verified.scenes.motions.mechanism_motion import MechanismMotion
 from gspot_verified.scenes.scene.scene import Scene
 
 _NEAR = 1e-4  # of p at the start: there the G-spot is as good as reached, what is left out of E is of its square
@@ -41,7 +42,8 @@ class FastPart(NoTruthValue, Written):
 
 
 def fast_part(scene: Scene) -> FastPart | None:
-    """None where the scene does not start in slip with p > 0 and b < 0, or slip does not reach a G-spot.
+    """None where the scene does not start in slip with p > 0 and b < 0, or slip does not reach a G-spot; nor where
+    friction depends on the slip speed: then p = 0 may be reached elsewhere (``proofs/slip_speed.md``).
 
     The path is that of rigid slip with its time slowed down by p: dxi/ds = p F - b G, dt/ds = p.
 
@@ -52,7 +54,8 @@ def fast_part(scene: Scene) -> FastPart | None:
     import numpy as np
     from scipy.integrate import solve_ivp
 
-    if scene.first_phase() != SLIP:
+    motion = scene.motion
+    if scene.first_phase() != SLIP or (isinstance(motion, MechanismMotion) and motion.sees_slip_speed):
         return None
     flow = _RigidSlip(scene)
     p, b = flow.p_and_b(flow.start)

@@ -9,9 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from flint import fmpq
+
 from gspot_verified.functions.expressions import Variable
 from gspot_verified.functions.rings import BALLS
 from gspot_verified.mechanisms.derive.to_system import shift
+from gspot_verified.mechanisms.formulas.symbol import SLIP_SPEED
 from gspot_verified.mechanisms.input.mechanism import Lagrangian, Mechanism
 from gspot_verified.numbers.balls import approximate, working_bits
 from gspot_verified.scenes.equations.terms import FLIGHT, REVERSE, STICK
@@ -35,7 +38,7 @@ def whole_states(scene: Scene, samples: Samples) -> list[list[float]]:
         raise SceneError(f"{scene.name}: the scene has no mechanism, the model system has no bodies")
     columns = {name: column.tolist() for name, column in samples.columns.items()}
     rows = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
-    rest = _Rest(scene.mechanism, motion.kept)
+    rest = _Rest(scene.mechanism, motion.kept, approximate(scene.values().get("belt_velocity", fmpq(0))))
     with working_bits(_BITS):
         state = [approximate(value) for value in motion.whole_state(scene.values())]
     states = [rest.completed(state, rows[0])]
@@ -51,8 +54,9 @@ def whole_states(scene: Scene, samples: Samples) -> list[list[float]]:
 class _Rest:
     """The components that a run does not integrate."""
 
-    def __init__(self, mechanism: Mechanism, kept: Sequence[str]) -> None:
-        shifted, size = shift(mechanism), len(mechanism.state)
+    def __init__(self, mechanism: Mechanism, kept: Sequence[str], belt: float) -> None:
+        shifted, size = shift(mechanism, slip_speed=True), len(mechanism.state)
+        self._belt = belt
         f = shifted.functions
         constrained = isinstance(mechanism.motion, Lagrangian) and mechanism.motion.constraints
         normal = None if constrained else NormalCoordinate.of(f.y, f.v, size)
@@ -64,7 +68,9 @@ class _Rest:
         rates = [field[i] for i in self._others for field in (f.F, f.G_T, f.G_N)]
         with working_bits(_BITS):
             self._solved = float_function(shifted.expressions(list(solved.values()), BALLS))
-            self._rates = float_function(shifted.expressions([f.mu, f.a, f.A, f.B, *rates], BALLS))
+            self._slip = float_function(shifted.expressions([f.u], BALLS))
+            functions = [f.mu, f.a, f.A, f.B, *rates]
+            self._rates = float_function(shifted.expressions(functions, BALLS, {SLIP_SPEED: Variable(size)}))
 
     def completed(self, state: Sequence[float], row: Row) -> list[float]:
         """The state with what the row of the samples says."""
@@ -77,7 +83,7 @@ class _Rest:
 
     def rates(self, state: Sequence[float], normal_force: float, phase: str) -> list[float]:
         """The rates of the others; the friction force is that of the phase, in stick that of du/dt = 0."""
-        mu, a, A, B, *parts = self._rates(state)
+        mu, a, A, B, *parts = self._rates([*state, abs(self._slip(state)[0] - self._belt)])
         friction = {FLIGHT: 0.0, STICK: -(a + B * normal_force) / A, REVERSE: mu * normal_force}
         force = friction.get(phase, -mu * normal_force)
         return [parts[k] + parts[k + 1] * force + parts[k + 2] * normal_force for k in range(0, len(parts), 3)]

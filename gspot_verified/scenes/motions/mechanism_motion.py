@@ -27,18 +27,19 @@ from gspot_verified.functions.rings import BALLS, RATIONALS
 from gspot_verified.leading_order.contact_force import rational
 from gspot_verified.mechanisms.approach.slip_state import placed_components, solved_components, state_formula
 from gspot_verified.mechanisms.derive.mass_matrix import check_mass_matrix
-from gspot_verified.mechanisms.derive.to_system import NotRationalError, shift
+from gspot_verified.mechanisms.derive.slip_speed import at_slip_speed, depends_on_slip_speed
+from gspot_verified.mechanisms.derive.to_system import NotRationalError, Shifted, shift
 from gspot_verified.mechanisms.foreign.names import SCENE_END, SCENE_FUNCTIONS, SCENE_NAMES
 from gspot_verified.mechanisms.formulas.rewriting import replaced, simplified
-from gspot_verified.mechanisms.formulas.simplify import constant, minus, product_of, rational_value, sum_of
+from gspot_verified.mechanisms.formulas.simplify import constant, minus, negative, product_of, rational_value, sum_of
 from gspot_verified.mechanisms.formulas.symbol import variable_indices
 from gspot_verified.mechanisms.input.mechanism import Lagrangian, Mechanism, Place
 from gspot_verified.mechanisms.spots.g_spot import place_in
-from gspot_verified.numbers.balls import current_bits, working_bits
+from gspot_verified.numbers.balls import current_bits, sign_of, working_bits
 from gspot_verified.scenes.effects.catalogue import EXCLUSIONS
 from gspot_verified.scenes.equations.mechanism_terms import Functions, MechanismTerms
 from gspot_verified.scenes.equations.motion import SceneError
-from gspot_verified.scenes.equations.terms import PHASES, Terms
+from gspot_verified.scenes.equations.terms import PHASES, REVERSE, SLIP, Terms
 
 
 @dataclass(frozen=True)
@@ -82,6 +83,10 @@ def free_slope(function: Expression, index: int, size: int) -> fmpq | None:
     return None if value is None or value == 0 else value
 
 
+def _belt(values: Mapping[str, fmpq]) -> Expression:
+    return constant(values.get("belt_velocity", fmpq(0)))
+
+
 _BITS = 160  # for signs and texts at the start
 _SCALED = ("Y", "V", "Z")
 _FIELDS = ("F", "G", "G_T", "G_N")
@@ -91,7 +96,8 @@ _SCALARS = ("a", "b", "A", "B", "C", "p", "mu", "u")
 class MechanismMotion:
     """``sees``: which of u and x effects need; ``start``: values or formulas of components, and y, v, z.
 
-    ``kept``: the components that are integrated.
+    ``kept``: the components that are integrated. ``sees_slip_speed``: whether friction depends on the slip speed;
+    then p and mu are those of slip in the phase's direction, with mu(0) in stick and in flight.
 
     :raises SceneError: the mechanism gives no x where one is needed, or has names that clash.
     :raises MechanismError: the mechanism is not complete.
@@ -105,7 +111,8 @@ class MechanismMotion:
         self.mechanism, self._epsilon, self._start = mechanism, epsilon, dict(start)
         if "x" in sees and mechanism.x is None:
             raise SceneError(f"{mechanism.name}: effect 'tangential_place' needs x; it gives a slip velocity")
-        self._shifted = shift(mechanism)
+        self._shifted = shift(mechanism, slip_speed=True)
+        self.sees_slip_speed = depends_on_slip_speed(mechanism, self._shifted.functions)
         r = mechanism.regularisation
         self.parameters: Mapping[str, fmpq] = {"k_1": r.k_1, "k_2": r.k_2, "damping": r.c}
         self._sees = tuple(sees)
@@ -162,6 +169,7 @@ class MechanismMotion:
     def _needed(self) -> list[int]:
         """The components on which what is seen depends, and those on which their rates depend."""
         seen = ["b", "p", *self._sees, *(("a", "A", "B", "C", "mu") if "u" in self._sees else ())]
+        seen += ["u"] if self.sees_slip_speed else []
         waiting = variable_indices(self._functions[name] for name in seen)
         needed: set[int] = set()
         while waiting:
@@ -200,6 +208,10 @@ class MechanismMotion:
         variables: list[Expression] = [Variable(where.get(i, 0)) for i in range(m + 4)]
         wanted = [*_SCALARS[:-1], *self._sees, *(f"{part} {i}" for part in _FIELDS for i in kept)]
         numbered = [substitute(self._functions[name], variables) for name in wanted]
+        if self.sees_slip_speed:
+            slip = minus(substitute(self._functions["u"], variables), _belt(values))
+            speed = {SLIP: slip, REVERSE: negative(slip)}.get(phase, ZERO)
+            numbered = self._at_speed(numbered, speed)
         try:
             made = self._shifted.expressions(numbered, RATIONALS)
         except NotRationalError:
@@ -209,6 +221,12 @@ class MechanismMotion:
         scalars = (expressions.get(name, ZERO) for name in (*_SCALARS, "x"))
         functions = Functions(F, G, G_T, G_N, *scalars)
         return MechanismTerms(phase, states, self._epsilon, values, functions, "u" in self._sees)
+
+    def _at_speed(self, functions: Sequence[Expression], speed: Expression) -> list[Expression]:
+        try:
+            return at_slip_speed(functions, speed)
+        except ZeroDivisionError:
+            raise SceneError(f"{self.mechanism.name}: the friction coefficient has no value at slip speed 0") from None
 
     def rates(self, terms: Terms) -> dict[str, Expression]:
         """epsilon dxi/dt for each kept component."""
@@ -315,7 +333,7 @@ class MechanismMotion:
         """
         with working_bits(_BITS):
             place = dict(zip(self.mechanism.state, self.whole_state(values), strict=True))
-            check_mass_matrix(self._shifted, place, BALLS, "at the start")
+            check_mass_matrix(self._at_start_of_slip(values), place, BALLS, "at the start")
 
     def normal_acceleration(self, values: Mapping[str, fmpq]) -> arb:
         """b, in a ball."""
@@ -331,8 +349,21 @@ class MechanismMotion:
 
     def _at_start(self, name: str, values: Mapping[str, fmpq]) -> arb:
         with working_bits(_BITS):
-            (function,) = self._shifted.expressions([getattr(self._shifted.functions, name)], BALLS)
+            shifted = self._at_start_of_slip(values)
+            (function,) = shifted.expressions([getattr(shifted.functions, name)], BALLS)
             return BoxProgram([function], self._size).values(self.whole_state(values))[0]
+
+    def _at_start_of_slip(self, values: Mapping[str, fmpq]) -> Shifted:
+        """The functions with the slip speed of the start in them: u less the velocity of the surface, or minus that."""
+        shifted = self._shifted
+        if not self.sees_slip_speed:
+            return shifted
+        slip = minus(shifted.functions.u, _belt(values))
+        (function,) = shifted.expressions([slip], BALLS)
+        sign = sign_of(BoxProgram([function], self._size).values(self.whole_state(values))[0])
+        speed = ZERO if sign == 0 else negative(slip) if sign == -1 else slip
+        mu, p = self._at_speed([shifted.functions.mu, shifted.functions.p], speed)
+        return replace(shifted, functions=replace(shifted.functions, mu=mu, p=p))
 
     def whole_state(self, values: Mapping[str, fmpq]) -> list[arb]:
         """All components at the start, angles from their references; a cyclic one that is not given is 0."""

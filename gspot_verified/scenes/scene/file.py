@@ -57,7 +57,7 @@ from gspot_verified.scenes.effects.catalogue import EFFECTS
 from gspot_verified.scenes.scene.numbers import scene_number
 from gspot_verified.scenes.scene.scene import SLIP_START, Scene, SceneError, checked_owner, checked_start
 
-SHIPPED = ("fig-varsim1", "fig-varsim2", "oscillator", "oscillator-canard", "extended", "rod")
+SHIPPED = ("fig-varsim1", "fig-varsim2", "oscillator", "oscillator-canard", "extended", "rod", "stribeck")
 MAX_BYTES = 100_000  # of a scene file, so that a wrong file is refused at once
 _IS_A_MECHANISM = "is a mechanism, not a scene: with a G-spot's number, --spot 1, slip starts just before that"
 KEYS = {

@@ -15,7 +15,7 @@ from gspot_verified.mechanisms.formulas.names import nearest
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.numbers.balls import ExactInput
 from gspot_verified.numbers.shown import Shown
-from gspot_verified.scenes.effects.catalogue import EFFECTS
+from gspot_verified.scenes.effects.catalogue import EFFECTS, OUTSIDE
 from gspot_verified.scenes.effects.effect import Effect
 from gspot_verified.scenes.equations.motion import Motion
 from gspot_verified.scenes.equations.motion import SceneError as SceneError
@@ -75,6 +75,7 @@ class Scene(Shown):
                 known = ", ".join(self.defaults())
                 raise SceneError(f"unknown parameter {name[:40]!r}{nearest(name, self.defaults())}; here: {known}")
         _check_numbers(self)
+        _check_surface(self)
         check_start(self.motion, self.values(), self.epsilon, self.effects, self.start)
         self.first_phase()
         if self.stop_at_force is not None:
@@ -396,6 +397,8 @@ def _check_names(scene: Scene) -> None:
 
 def _check_effects(names: tuple[str, ...], beside_mechanism: bool) -> None:
     for name in names:
+        if name in OUTSIDE:
+            raise SceneError(f"effect {name!r} is outside of what scenes know: {OUTSIDE[name]}")
         if name not in EFFECTS:
             raise SceneError(f"unknown effect {name[:40]!r}{nearest(name, EFFECTS)}; there are: {', '.join(EFFECTS)}")
         if names.count(name) > 1:
@@ -413,6 +416,15 @@ def _check_effects(names: tuple[str, ...], beside_mechanism: bool) -> None:
 def _check_positive(value: fmpq, name: str) -> None:
     if value <= 0:
         raise SceneError(f"{name} must be > 0, got {value}")
+
+
+def _check_surface(scene: Scene) -> None:
+    motion = scene.motion
+    if scene.has_unknown_surface_velocity and isinstance(motion, MechanismMotion) and motion.sees_slip_speed:
+        raise SceneError(
+            f"effect 'belt': the friction of {motion.mechanism.name} depends on the slip speed, and the velocity of "
+            "the surface is not given: give belt_velocity"
+        )
 
 
 def _check_numbers(scene: Scene) -> None:

@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
+import sympy
 
 from gspot_verified.functions.expressions import Expression, Variable
 from gspot_verified.mechanisms.derive import lie_derivatives
@@ -66,3 +67,35 @@ def test_a_mass_matrix_gives_them_without_a_check(monkeypatch: pytest.MonkeyPatc
     rod = shipped_mechanism("rod")
     found = derived(rod)
     check_lagrangian_character(rod, replace(found, B=Variable(0)))
+
+
+def ladder(share: str) -> Mechanism:
+    """A rod of length 2 with its upper end on a wall: the wall's force has the direction (1, share), as its friction
+    makes it while that end slips downwards and the wall pushes; it is solved for, with the constraint."""
+    X, Y, T, Xd, Yd, Td = sympy.symbols("X Y T X_dot Y_dot T_dot")
+    q, rates = (X, Y, T), (Xd, Yd, Td)
+    inverse = sympy.diag(1, 1, 3)
+    gap, x, y = X - sympy.cos(T), X + sympy.cos(T), Y - sympy.sin(T)
+    across = sympy.Matrix([gap.diff(c) for c in q])
+    up = sympy.Matrix([sympy.diff(Y + sympy.sin(T), c) for c in q])
+    pushed = inverse * (across + sympy.Rational(share) * up)
+    bend = sum(gap.diff(c, d) * r * s for c, r in zip(q, rates, strict=True) for d, s in zip(q, rates, strict=True))
+
+    def held(free: Any, extra: Any) -> list[Any]:
+        return list(free - pushed * (across.dot(free) + extra) / across.dot(pushed))
+
+    normal, tangent = (inverse * sympy.Matrix([g.diff(c) for c in q]) for g in (y, x))
+    fields = {
+        "F": [*rates, *held(sympy.Matrix([0, -1, 0]), bend)],
+        "G_T": [0, 0, 0, *held(tangent, 0)],
+        "G_N": [0, 0, 0, *held(normal, 0)],
+    }
+    return from_fields("ladder", ["X", "Y", "T", "X_dot", "Y_dot", "T_dot"], **fields, x=x, y=y, mu="1/2")
+
+
+def test_friction_in_a_joint_breaks_the_symmetry_of_the_contact() -> None:
+    """What the page on what is outside says: with dry friction in it the joint is no ideal constraint."""
+    smooth, rough = ladder("0"), ladder("1/5")
+    check_lagrangian_character(smooth, derived(smooth))
+    with pytest.raises(MechanismError, match="ladder: L_GN u - L_GT v must vanish"):
+        check_lagrangian_character(rough, derived(rough))

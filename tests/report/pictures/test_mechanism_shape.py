@@ -78,7 +78,7 @@ def flat(values: Any) -> list[float]:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_places_are_those_of_the_formulas(name: str) -> None:
-    shapes, read = Shapes(shift(load(name))), BySympy(name)
+    shapes, read = Shapes(shift(load(name), slip_speed=True)), BySympy(name)
     for state in ([0.0] * 8, [0.3, -0.7, 0.2, 1.5, -0.4, 0.9, 0.8, -0.1], [-1.2, 0.1, -0.9, -0.3, 2.0, -1.1, 1.0, 0.7]):
         cut = state[: len(read.state)]
         shape, expected = shapes.at(cut), read.at(cut)
@@ -95,7 +95,7 @@ def test_the_drawn_contact_moves_as_the_contact_does(name: str) -> None:
     """Along the surface with u, by differences of places; of a wheel and an ellipse it is the material point that
     slips, and the rest is rolling: the contact point of the drawing moves on the body."""
     mechanism = load(name)
-    shapes, step = Shapes(shift(mechanism)), 1e-6
+    shapes, step = Shapes(shift(mechanism, slip_speed=True)), 1e-6
     coordinates = mechanism.motion.coordinates  # type: ignore[union-attr]
     state = [0.3, 0.7, 0.2, 1.5, -0.4, 0.9, 0.8, -0.1][: len(mechanism.state)]
     half = len(coordinates)

@@ -90,4 +90,6 @@ def test_a_joint_that_is_moved_is_a_constraint_or_a_coordinate_less() -> None:
             functions = shifted.expressions([getattr(shifted.functions, name) for name in names], BALLS)
             found.append(BoxProgram(functions, len(state)).values([arb(value) for value in state]))
         for one, other in zip(*found, strict=True):
-            assert one.rad() < 1e-20 and other.rad() < 1e-20 and one.overlaps(other)
+            assert one.rad() < 1e-20
+            assert other.rad() < 1e-20
+            assert one.overlaps(other)
