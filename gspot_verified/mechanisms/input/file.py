@@ -55,7 +55,7 @@ The keys; one of the tables ``lagrangian``, ``energies``, ``fields`` says how it
     contact.slip_velocity    in the place of x: a formula linear in the velocities (a belt, a rolling contact)
     contact.slip             "positive" (if missing), or "negative": the library mirrors x
     contact.y                the distance of the contact point from the surface
-    contact.mu               the friction coefficient, a formula of the coordinates (and time)
+    contact.mu               the friction coefficient, a formula of the coordinates (and time); in scenes of slip_speed
     regularisation.k_1       optional, rational > 0: the stiffness in series is k_1/epsilon^2 (1 if missing)
     regularisation.k_2       optional, rational > 0: the stiffness of the contact is k_2/epsilon^2 (1 if missing)
     regularisation.c         optional, rational >= 0: the damper beside k_1 is c/epsilon (1 if missing)
