@@ -76,7 +76,7 @@ def _our_rates(mechanism: Mechanism, state: Sequence[Any]) -> list[arb]:
     """q'' of F, G_N, G_T."""
     assert isinstance(mechanism.motion, Lagrangian)
     n = len(mechanism.motion.coordinates)
-    shifted = shift(mechanism)
+    shifted = shift(mechanism, slip_speed=True)
     f = shifted.functions
     functions = [row[n + i] for row in (f.F, f.G_N, f.G_T) for i in range(n)]
     values = [arb(fmpq(int(number.p), int(number.q))) for number in state]

@@ -15,6 +15,7 @@ from gspot_verified.mechanisms.foreign.names import coordinate_names, mechanism_
 from gspot_verified.mechanisms.foreign.sympy_equations import SympyEquations, sympy_equations, time_symbol
 from gspot_verified.mechanisms.formulas.in_sympy import to_sympy
 from gspot_verified.mechanisms.formulas.names import nearest
+from gspot_verified.mechanisms.formulas.symbol import SLIP_SPEED
 from gspot_verified.mechanisms.input.given import lagrangian
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.numbers.balls import ExactInput
@@ -48,7 +49,7 @@ def from_sympy(
         matrices of sympy, lists, or arrays of objects.
     :param contact: ``x`` and ``y``, the tangential and the normal place of the contact point (y = 0: it touches), and
         ``mu``, as formulas of the coordinates; ``slip_velocity`` in the place of x; ``slip`` "positive" or "negative".
-        The keys are those of the table "contact" of a mechanism's file.
+        For scenes a symbol slip_speed may stand in mu. The keys are those of the table "contact" of a mechanism's file.
     :param parameters: a value for each symbol, or None: it stays a symbol.
     :param rationalize: take each Float as the decimal that it shows (0.1 is 1/10); otherwise a Float is refused.
     :param angles: (sine, cosine) of the reference angle of a coordinate.
@@ -228,6 +229,7 @@ class _Translation:
                 f"{self._name}: two different symbols are called {twice.name!r} (they differ in what sympy assumes of "
                 "them): make it one symbol, or give one of them another name"
             )
+        symbols = [symbol for symbol in symbols if symbol.name in values or symbol.name != SLIP_SPEED]
         missing = [symbol.name for symbol in symbols if symbol.name not in values]
         if missing:
             raise MechanismError(

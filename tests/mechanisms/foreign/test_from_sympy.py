@@ -32,7 +32,8 @@ from mechanisms.foreign.two_link import (
 from sympy.physics.mechanics import KanesMethod, LagrangesMethod, Point, ReferenceFrame, dynamicsymbols
 
 from gspot_verified import Scene, SceneError, classify, from_sympy, load
-from gspot_verified.mechanisms.formulas.simplify import rational_value
+from gspot_verified.mechanisms.derive.to_system import shift
+from gspot_verified.mechanisms.formulas.simplify import constant, rational_value
 from gspot_verified.mechanisms.input.given import from_energies, lagrangian
 from gspot_verified.mechanisms.input.mechanism import Lagrangian, Mechanism, MechanismError
 
@@ -178,6 +179,27 @@ def test_a_slip_velocity_on_a_belt_and_negative_slip() -> None:
                          slip_velocity="X_dot - 3", slip="negative")  # fmt: skip
     assert found.mirrored
     assert same(found, by_hand)
+
+
+@pytest.mark.parametrize("assumed", [{}, {"nonnegative": True}])
+def test_friction_may_depend_on_the_slip_speed(assumed: dict[str, bool]) -> None:
+    speed = sympy.Symbol("slip_speed", **assumed)
+    contact, law = {"x": x, "y": y, "mu": k / (2 + speed)}, "1/3/(2 + slip_speed)"
+    by_hand = lagrangian("b", ["X", "Y"], [[2, 0], [0, 2]], [0, -20], "X", "Y", law)
+    values = {m: 2, g: 10, k: "1/3"}
+    found = of_block(contact=contact, parameters=values)
+    assert [name for name, _ in found.parameters] == ["m", "g", "k"]
+    speed_held = [shift(mechanism, slip_speed=True).functions for mechanism in (found, by_hand)]
+    assert speed_held[0].p == speed_held[1].p
+    with pytest.raises(MechanismError, match="the friction coefficient depends on the slip speed"):
+        classify(found)
+    of_its_own = of_block(contact={"x": x, "y": y, "mu": k / (2 + speed)}, parameters=values | {speed: "1/2"})
+    assert shift(of_its_own).functions.mu == constant(fmpq(2, 15))
+
+
+def test_the_slip_speed_stands_in_no_force() -> None:
+    with pytest.raises(MechanismError, match="slip_speed"):
+        of_block(m * (x.diff() ** 2 + y.diff() ** 2) / 2 - m * g * y + x * sympy.Symbol("slip_speed"))
 
 
 def test_speeds_of_kane_may_stand_in_the_contact() -> None:
