@@ -18,8 +18,8 @@ from gspot_verified.mechanisms.input.mechanism import Mechanism
 NOT_LAGRANGIAN = (
     "the friction coefficient depends on the slip speed, so L_G p = mu'(u) B (mu A - B) is not 0, as eq. lagrangian2 "
     "asks (where p = 0 it is mu'(u) (A C - B^2)): p' = alpha_1 + (L_G p) lambda_N takes the place of eq. gensys2, slip "
-    "can reach p = 0 away from a G-spot, and what rests on that equation (G-spots, Cases, Theorem 1, approach, sweep) "
-    "is not claimed; simulate and critical_friction take it"
+    "can reach p = 0 away from a G-spot, and what rests on that equation (G-spots, Cases, expansions, approach, sweep) "
+    "is not computed; simulate and critical_friction take it"
 )
 
 

@@ -89,6 +89,19 @@ def test_the_coefficient_of_each_phase() -> None:
         assert program.values([arb(velocity)] * 4)[0].overlaps(arb(1) / 5)
 
 
+@pytest.mark.parametrize(
+    ("u", "belt", "speed"),
+    [("3", "0", 3), ("-3", "0", 3), ("0", "0", 0), ("1", "2", 1), ("-1", "-3", 2), ("2", "2", 0)],
+)
+def test_p_at_the_start_is_that_of_the_slip_there(u: str, belt: str, speed: int) -> None:
+    """B = -4/15 and C = 16/15: p is C - mu B with mu of the speed beside the belt, whichever way it slips."""
+    tilted = lagrangian("tilted", ["X", "H"], [[1, "1/4"], ["1/4", 1]], [0, -1], "X", "H", "1/(2 + slip_speed)")
+    made = scene(tilted, u=u, effects=(*EFFECTS, "belt"), belt_velocity=belt)
+    expected = fmpq(16, 15) + fmpq(4, 15) / (2 + speed)
+    with working_bits(200):
+        assert abs(made.motion.painleve_parameter(made.values()) - arb(expected)) < arb(10) ** -40
+
+
 def test_the_velocity_of_a_belt_counts() -> None:
     """A block at rest on a belt that moves backwards slips as one with that velocity on a surface at rest does."""
     belted = scene(block(), u="-1", effects=(*EFFECTS, "belt"), belt_velocity="-2")
