@@ -210,6 +210,12 @@ def test_a_parameter_of_that_name_is_the_parameter() -> None:
     assert shift(mechanism).functions.mu == constant(fmpq(1, 3))
 
 
+def test_a_parameter_of_that_name_may_stay_without_a_value() -> None:
+    own = {"parameters": {"slip_speed": None}, "x": "X", "y": "Y", "mu": "slip_speed"}
+    mechanism = lagrangian("own", ["X", "Y"], [[1, 0], [0, 1]], [0, -1], **own)
+    assert shift(mechanism, free=True).functions.mu == Symbol(SLIP_SPEED)
+
+
 REFUSED: dict[str, Any] = {
     "classify": classify,
     "classify_all": classify_all,
