@@ -16,6 +16,7 @@ from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.numbers.balls import approximate, working_bits
 from gspot_verified.scenes.certified.certified_integration import integrated_run
 from gspot_verified.scenes.floats.float_run import float_run
+from gspot_verified.scenes.motions.mechanism_motion import MechanismMotion
 from gspot_verified.scenes.scene.scene import Scene
 
 EFFECTS = ("compliant_contact", "lift_off", "tangential_motion", "stick")
@@ -93,3 +94,20 @@ def test_a_joint_that_is_moved_is_a_constraint_or_a_coordinate_less() -> None:
             assert one.rad() < 1e-20
             assert other.rad() < 1e-20
             assert one.overlaps(other)
+
+
+def test_what_a_moved_joint_leaves_open_is_solved_at_the_time_0() -> None:
+    """Without a time at the start the clock is 0: X = cos theta + cos(0)/10, and X' = -sin theta theta'."""
+    joint = lagrangian(
+        "rod", ["X", "Y", "theta"], [[1, 0, 0], [0, 1, 0], [0, 0, "1/3"]], [0, -1, 0], "X + cos(theta)",
+        "Y - sin(theta)", "1/4", angles={"theta": ("3/5", "4/5")}, time="t",
+        constraints=["X - cos(theta) - cos(3*t)/10"], search=True,
+        place={"X": "9/10", "Y": "3/5", "theta": "theta_ref", "X_dot": 0, "Y_dot": 0, "theta_dot": 0, "t": 0},
+    )  # fmt: skip
+    start = {"theta": "theta_ref", "theta_dot": fmpq(-1, 2)}
+    made = Scene("moved", EFFECTS, fmpq(1, 10), fmpq(1), {}, start, mechanism=joint)
+    motion = made.motion
+    assert isinstance(motion, MechanismMotion)
+    found = dict(zip(joint.state, motion.whole_state(made.values()), strict=True))
+    assert abs(found["X"] - arb("0.9")) < 1e-12
+    assert abs(found["X_dot"] - arb("0.3")) < 1e-12
