@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import Any, cast
 
@@ -78,14 +79,20 @@ def theta_of_floats(tau: ArrayLike, beta: ExactInput | np.ndarray[Any, Any], der
     """
     _without_mask(tau, "tau")
     taus, betas = np.broadcast_arrays(_doubles(tau), _as_array(beta, "beta"))
-    middles, radii = np.empty(taus.size), np.empty(taus.size)
+    points = np.ascontiguousarray(taus).reshape(-1)
+    middles, radii = np.empty(0), np.empty(0)
     for value, where in _by_beta(betas):
-        there = np.ascontiguousarray(taus.ravel()[where])
+        there = points[where]
         _check(there, value, derivative)
-        if isinstance(value, fmpq):
-            middles[where], radii[where] = float_batch(there, value, derivative)
-        else:
+        if not isinstance(value, fmpq):
             raise TypeError("beta: a ball is not taken here; use theta_array")
+        found = float_batch(there, value, derivative)
+        if len(there) == len(points):
+            middles, radii = found
+            break
+        if not len(middles):
+            middles, radii = np.empty(taus.size), np.empty(taus.size)
+        middles[where], radii[where] = found
     index = getattr(tau, "index", None) if hasattr(tau, "__array__") and np.shape(tau) == taus.shape else None
     return FloatBalls(middles.reshape(taus.shape), radii.reshape(taus.shape), index)
 
@@ -101,6 +108,8 @@ def _doubles(values: ArrayLike) -> FloatArray:
         raise TypeError(
             f"tau: expected integers or floats, got {given.dtype}; theta takes arrays of complex and of exact numbers"
         )
+    if given.dtype == np.float64:
+        return given
     with np.errstate(over="ignore"):
         points = given.astype(np.float64)
     if given.dtype.kind == "f" and ((points != given) & np.isfinite(given)).any():
@@ -130,10 +139,10 @@ def _by_beta(betas: np.ndarray[Any, Any]) -> Iterator[tuple[Any, Any]]:
     """Each beta as an exact value, and where it stands in the flat array."""
     if betas.size == 0:
         return
-    flat = betas.ravel()
     if not any(betas.strides):  # one value, broadcast
-        yield exact(_exact_entry(flat[0], "beta"), "beta"), slice(None)
+        yield exact(_exact_entry(betas.flat[0], "beta"), "beta"), slice(None)
         return
+    flat = betas.ravel()
     if flat.dtype == np.float64:
         entries, places = np.unique(flat, return_inverse=True)
         order = np.argsort(places, kind="stable")
@@ -152,9 +161,10 @@ def _by_beta(betas: np.ndarray[Any, Any]) -> Iterator[tuple[Any, Any]]:
 
 def _check(points: FloatArray, beta: Any, derivative: int) -> None:
     """The errors of one evaluation, for all points at once."""
-    if not np.isfinite(points).all():
+    low, high = float(points.min(initial=0.0)), float(points.max(initial=0.0))  # NaN where an entry is
+    if not (math.isfinite(low) and math.isfinite(high)):
         raise ValueError(f"tau: every entry must be finite, got {points[np.logical_not(np.isfinite(points))][0]}")
-    farthest = float(np.abs(points).max(initial=0.0))
+    farthest = max(-low, high)
     checked_arguments(fmpq(*farthest.as_integer_ratio()), beta, derivative)
 
 

@@ -16,14 +16,28 @@ from flint import arb, fmpq
 from gspot_verified.numbers.balls import approximate, bits_for_digits, relative_bits, working_bits
 from gspot_verified.theta_function.arrays.float_balls import float_balls
 from gspot_verified.theta_function.arrays.float_horner import (
+    BLOCK,
     FloatArray,
     IndexArray,
     accepted,
     arithmetic_is_ieee,
-    float_polynomial,
     horner,
 )
-from gspot_verified.theta_function.arrays.panels import COARSE, FARTHEST, Layout, is_tame, layout, panel
+from gspot_verified.theta_function.arrays.kept_panels import (
+    FARTHEST_OF_ONE_POLYNOMIAL,
+    GOAL,
+    KeptPanels,
+    kept_panels,
+)
+from gspot_verified.theta_function.arrays.panels import (
+    COARSE,
+    FARTHEST,
+    FINE,
+    Layout,
+    is_tame,
+    layout,
+    panel,
+)
 from gspot_verified.theta_function.sums.taylor import taylor_values
 from gspot_verified.theta_function.value import choice
 from gspot_verified.theta_function.value.evaluate import evaluate
@@ -32,21 +46,19 @@ from gspot_verified.theta_function.value.routes import shifted_parameter
 DOUBLE_DIGITS = 15
 """The relative accuracy that doubles can hold with a bound."""
 
-_DOUBLE_GOAL = 56  # bits of a panel's series: a few more than a double has
 _GUARD = 12  # bits beyond those asked for, lost on the way; any number is right
 # With fewer points in a panel one value after the other costs less than the panel's series.
 _LEAST_POINTS = 3
 _MANY_POINTS = 10_000  # from which on short panels are worth their series
-_FARTHEST_OF_ONE_POLYNOMIAL = 10.0  # |tau| up to which one series at 0 loses few digits; any number is right
 _POINTS_OF_A_PANEL = 40  # that cost as much as the panel's series; any number is right
 _MOST_BITS = 1_200  # beyond them panels cost more than they save; any number is right
 _RELATIVE = 0.999e-15  # a little below 10^-15, for what the comparison itself rounds
 
-BoolArray = np.ndarray[Any, np.dtype[np.bool_]]
+Results = tuple[FloatArray, FloatArray]
 
 
 class _Cover(NamedTuple):
-    """The panels of one beta as arrays: where they lie."""
+    """The panels of one beta as arrays: where they lie. ``uniform``: so many in each unit interval, if in all."""
 
     cells: IndexArray
     numbers: IndexArray
@@ -55,6 +67,7 @@ class _Cover(NamedTuple):
     inverses: FloatArray
     counts_of_cells: IndexArray
     first_of_cells: IndexArray
+    uniform: int | None
 
 
 @lru_cache(maxsize=64)
@@ -65,11 +78,26 @@ def _cover(chosen: Layout) -> _Cover:
     counts, numbers = per_cell[cells], np.arange(len(cells)) - first[cells]
     centres = (cells - FARTHEST) + (2 * numbers + 1) / (2 * counts)  # dyadic, exact
     inverses = (2 * counts).astype(np.float64)
-    return _Cover(cells - FARTHEST, numbers, counts, centres, inverses, per_cell, first)
+    uniform = chosen.counts[0] if len(set(chosen.counts)) == 1 else None
+    return _Cover(
+        cells=cells - FARTHEST,
+        numbers=numbers,
+        counts=counts,
+        centres=centres,
+        inverses=inverses,
+        counts_of_cells=per_cell,
+        first_of_cells=first,
+        uniform=uniform,
+    )
 
 
 def _locate(points: FloatArray, cover: _Cover) -> IndexArray:
-    """The panel of each point; -1 where there is none. A wrong one would be found out by :func:`accepted`."""
+    """The panel of each point; -1, or one beyond the cover, where there is none.
+
+    A wrong one would be found out by :func:`accepted`.
+    """
+    if cover.uniform is not None:
+        return np.floor(points * cover.uniform).astype(np.intp) + FARTHEST * cover.uniform
     inside = np.abs(points) < FARTHEST
     below = np.floor(np.where(inside, points, 0.0))
     cell = below.astype(np.intp) + FARTHEST
@@ -80,77 +108,80 @@ def _locate(points: FloatArray, cover: _Cover) -> IndexArray:
 
 def _used(panels: IndexArray, total: int) -> IndexArray:
     """The panels that hold enough points."""
-    return np.flatnonzero(np.bincount(panels[panels >= 0], minlength=total) >= _LEAST_POINTS)
+    return np.flatnonzero(np.bincount(panels[panels >= 0], minlength=total)[:total] >= _LEAST_POINTS)
 
 
 def float_batch(points: FloatArray, beta: fmpq, derivative: int) -> tuple[FloatArray, FloatArray]:
     """Midpoints and radii of d^k Theta/dtau^k at every point, relative radius 10^-15 where doubles reach it.
 
-    Where the panel's series does not reach it in doubles (next to a zero), the same series is evaluated in balls, and
-    after that :func:`gspot_verified.theta_function.value.evaluate.evaluate` is asked.
+    Where the panel's series does not reach it in doubles (next to a zero), the series is evaluated in balls, and after
+    that :func:`gspot_verified.theta_function.value.evaluate.evaluate` is asked.
     """
     if _vanishes(beta, derivative):
         return np.zeros_like(points), np.zeros_like(points)
-    middles, radii = np.zeros_like(points), np.full_like(points, np.inf)
-    left: IndexArray = np.arange(len(points))
-    if is_tame(beta) and len(points) >= _LEAST_POINTS and arithmetic_is_ieee():
-        cover = _cover(layout(math.ceil(abs(approximate(beta)))))
-        panels = _locate(points, cover)
-        used = _used(panels, len(cover.cells))
-        if _one_polynomial_pays(points, len(used)):
-            middles, radii = float_balls(_by_one_polynomial(points, beta, derivative, bits_for_digits(DOUBLE_DIGITS)))
-            left = np.flatnonzero(np.logical_not(radii <= _RELATIVE * np.abs(middles)))
-        elif len(used):
-            left = _in_doubles(points, panels, used, cover, (beta, derivative), (middles, radii))
+    results = np.empty_like(points), np.empty_like(points)
+    left: IndexArray
+    if not (is_tame(beta) and len(points) >= _LEAST_POINTS and arithmetic_is_ieee()):
+        left = np.arange(len(points))
+    else:
+        left = _in_doubles(points, kept_panels(int(beta.p), int(beta.q), derivative), results)
+        if len(left) >= _LEAST_POINTS and np.abs(points[left]).max() <= FARTHEST_OF_ONE_POLYNOMIAL:
+            values = _by_one_polynomial(points[left], beta, derivative, bits_for_digits(DOUBLE_DIGITS))
+            left = _filled(results, left, *float_balls(values))
     if len(left):
         enclosures = list(_in_balls(points, left, beta, derivative, DOUBLE_DIGITS))
         places = np.array([index for index, _ in enclosures], dtype=np.intp)
-        middles[places], radii[places] = float_balls([value for _, value in enclosures])
-    return middles, radii
+        results[0][places], results[1][places] = float_balls([value for _, value in enclosures])
+    return results
 
 
-def _in_doubles(
-    points: FloatArray,
-    panels: IndexArray,
-    used: IndexArray,
-    cover: _Cover,
-    function: tuple[fmpq, int],
-    results: tuple[FloatArray, FloatArray],
-) -> IndexArray:
-    """Fill what doubles reach; the indices of the points that are left."""
-    series = [_float_panel(*function, *_place(cover, i)) for i in used]
-    length = max(1, *(len(polynomial.coefficients) for polynomial in series))
-    table = np.zeros((length, len(used)))
-    for column, polynomial in enumerate(series):
-        table[: len(polynomial.coefficients), column] = polynomial.coefficients
-    errors = np.array([polynomial.error for polynomial in series])
-    compact = np.full(len(cover.cells) + 1, -1, dtype=np.intp)
-    compact[used] = np.arange(len(used))
-    column_of = compact[panels]  # panel -1 is the last entry
-    all_used = bool((column_of >= 0).all())
-    chosen = np.arange(len(points)) if all_used else np.flatnonzero(column_of >= 0)
-    columns = column_of if all_used else column_of[chosen]
-    there = points if all_used else points[chosen]
-    values, sizes = horner(there, columns, cover.centres[used], cover.inverses[used], table)
-    bounds = errors.take(columns)
-    good = accepted(sizes) & (bounds <= _RELATIVE * np.abs(values))
-    if all_used and good.all():
-        results[0][:], results[1][:] = values, bounds
-        return np.empty(0, dtype=np.intp)
-    results[0][chosen[good]], results[1][chosen[good]] = values[good], bounds[good]
-    rest = np.ones(len(points), dtype=np.bool_)
-    rest[chosen[good]] = False
-    return np.flatnonzero(rest)
+def _filled(results: Results, places: IndexArray, values: FloatArray, radii: FloatArray) -> IndexArray:
+    """Fill in what is accurate enough; the other places."""
+    good = radii <= _RELATIVE * np.abs(values)
+    results[0][places[good]], results[1][places[good]] = values[good], radii[good]
+    return places[np.logical_not(good)]
+
+
+def _in_doubles(points: FloatArray, kept: KeptPanels, results: Results) -> IndexArray:
+    """Fill what doubles reach with panels that are kept or worth it; the indices of the points that are left."""
+    times = kept.asked(len(points))
+    cells, fine = kept.worth(points, times)
+    if not len(cells):
+        return np.arange(len(points))
+    cover = _cover(FINE if fine else kept.layout)
+    first, table, errors = _tables(kept, cells, cover)
+    part = slice(first, first + len(errors))
+    centres, inverses = cover.centres[part], cover.inverses[part]
+    missed = []
+    for start in range(0, len(points), BLOCK):
+        block = slice(start, start + BLOCK)
+        panels = _locate(points[block], cover) - first
+        values, sizes = horner(points[block], panels, centres, inverses, table)
+        bounds = errors.take(panels, mode="clip")
+        good = accepted(sizes) & (bounds <= _RELATIVE * np.abs(values))
+        if good.all():
+            results[0][block], results[1][block] = values, bounds
+        else:
+            results[0][block][good], results[1][block][good] = values[good], bounds[good]
+            missed.append(start + np.flatnonzero(np.logical_not(good)))
+    return np.concatenate(missed) if missed else np.empty(0, dtype=np.intp)
+
+
+def _tables(kept: KeptPanels, cells: IndexArray, cover: _Cover) -> tuple[int, FloatArray, FloatArray]:
+    """The number of the first panel, and coefficients and bounds from there on; infinite where no panel is used."""
+    starts, counts = cover.first_of_cells[cells + FARTHEST].tolist(), cover.counts_of_cells[cells + FARTHEST].tolist()
+    columns = [kept.columns(cell, count) for cell, count in zip(cells.tolist(), counts, strict=True)]
+    first, end = starts[0], starts[-1] + counts[-1]
+    table = np.zeros((max(len(one.table) for one in columns), end - first))
+    errors = np.full(end - first, np.inf)
+    for start, count, one in zip(starts, counts, columns, strict=True):
+        part = slice(start - first, start - first + count)
+        table[: len(one.table), part], errors[part] = one.table, one.errors
+    return first, table, errors
 
 
 def _place(cover: _Cover, index: int) -> tuple[int, int, int]:
     return int(cover.cells[index]), int(cover.numbers[index]), int(cover.counts[index])
-
-
-@lru_cache(maxsize=4_096)
-def _float_panel(beta: fmpq, derivative: int, cell: int, number: int, count: int) -> Any:
-    series = panel(beta, derivative, cell, number, count, _DOUBLE_GOAL)
-    return float_polynomial(series.polynomial)
 
 
 def ball_batch(points: FloatArray, beta: fmpq, derivative: int, digits: int) -> list[arb]:
@@ -175,7 +206,7 @@ def _in_balls(
     goal = bits_for_digits(digits)
     rest = [indices]
     shared = is_tame(beta) and len(indices) >= _LEAST_POINTS and goal <= _MOST_BITS
-    if shared and _one_polynomial_pays(points[indices], 0):
+    if shared and _one_polynomial_pays(points[indices]):
         again = []
         for index, value in zip(
             indices.tolist(), _by_one_polynomial(points[indices], beta, derivative, goal), strict=True
@@ -198,7 +229,7 @@ def _in_balls(
             at = _place(cover, place)
             inside = accepted(np.abs((points[there] - cover.centres[place]) * cover.inverses[place]))
             rest.append(there[np.logical_not(inside)])
-            series = panel(beta, derivative, *at, goal + _GUARD)
+            series = panel(beta, derivative, *at, max(goal + _GUARD, GOAL))
             again = []
             numbers = there[inside].tolist()
             for index, value in zip(numbers, _at_points(series, points[there[inside]], goal), strict=True):
@@ -211,11 +242,10 @@ def _in_balls(
         yield index, evaluate(fmpq(*float(points[index]).as_integer_ratio()), beta, derivative, digits).value
 
 
-def _one_polynomial_pays(points: FloatArray, panels: int) -> bool:
-    """Whether the Taylor polynomial at 0 costs less than that many panels; 0: than about as many as are likely."""
+def _one_polynomial_pays(points: FloatArray) -> bool:
+    """Whether the Taylor polynomial at 0 costs less than as many panels as are likely."""
     farthest = float(np.abs(points).max())
-    likely = panels or int(farthest) + 1
-    return farthest <= _FARTHEST_OF_ONE_POLYNOMIAL and len(points) < _POINTS_OF_A_PANEL * likely
+    return farthest <= FARTHEST_OF_ONE_POLYNOMIAL and len(points) < _POINTS_OF_A_PANEL * (int(farthest) + 1)
 
 
 def _by_one_polynomial(points: FloatArray, beta: fmpq, derivative: int, goal: int) -> list[arb]:

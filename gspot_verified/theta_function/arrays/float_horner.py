@@ -18,13 +18,14 @@ from gspot_verified.theta_function.sums.local_series import REACH
 FloatArray = np.ndarray[Any, np.dtype[np.float64]]
 IndexArray = np.ndarray[Any, np.dtype[np.intp]]
 
-_UNIT = 2.0**-53  # u: the relative rounding error of a double
-_REACH = int(REACH.p) / int(REACH.q)  # exact: 1 + 2^-10
+UNIT = 2.0**-53  # u: the relative rounding error of a double
+REACH_OF_DOUBLES = int(REACH.p) / int(REACH.q)  # exact: 1 + 2^-10
 _ACCEPTED = 1.0 + 2.0**-11  # bound of |s| as computed: statement F1
-_SMALLEST = 2.0**-900  # a coefficient below it is replaced by 0: far above 2^-1022
-_UNDERFLOW = 2.0**-880  # what underflows, at most: statement F2
-_ROUNDED_UP = 1.0 + 2.0**-30  # covers what the sum of the bound rounds: statement F2
-_BLOCK = 4_096  # points at a time: they stay in the processor's cache
+SMALLEST = 2.0**-900  # a coefficient below it is replaced by 0: far above 2^-1022
+UNDERFLOW = 2.0**-880  # what underflows, at most: statement F2
+ROUNDED_UP = 1.0 + 2.0**-30  # covers what the sum of the bound rounds: statement F2
+BLOCK = 8_192
+"""Points at a time: they stay in the processor's cache."""
 
 
 class FloatPolynomial(NamedTuple):
@@ -43,17 +44,17 @@ def float_polynomial(polynomial: arb_poly) -> FloatPolynomial:
         rounded = [+value for value in polynomial.coeffs()]
     middles = [float(value) for value in rounded]  # exact: 53 bits
     radii = [float(value.rad()) for value in rounded]
-    coefficients, error, reach = [], _UNDERFLOW, 1.0
+    coefficients, error, reach = [], UNDERFLOW, 1.0
     for k, (middle, radius) in enumerate(zip(middles, radii, strict=True)):
-        kept = middle if abs(middle) > _SMALLEST else 0.0
+        kept = middle if abs(middle) > SMALLEST else 0.0
         coefficients.append(kept)
-        lost = radius + (_SMALLEST if kept == 0.0 and middle else 0.0)
-        gamma = (3 * k + 1) * _UNIT * _ROUNDED_UP
+        lost = radius + (SMALLEST if kept == 0.0 and middle else 0.0)
+        gamma = (3 * k + 1) * UNIT * ROUNDED_UP
         error += (gamma * abs(kept) + lost) * reach
-        reach *= _REACH
+        reach *= REACH_OF_DOUBLES
     if not math.isfinite(error):
         return FloatPolynomial((0.0,), math.inf)
-    return FloatPolynomial(tuple(coefficients), error * _ROUNDED_UP)
+    return FloatPolynomial(tuple(coefficients), error * ROUNDED_UP)
 
 
 @lru_cache(maxsize=1)
@@ -63,7 +64,7 @@ def arithmetic_is_ieee() -> bool:
     The bound stands on it. Other rounding directions, and intermediate results of more bits, show in these cases.
     """
     signs = np.array([1.0, -1.0])
-    half, one_bit = signs * _UNIT, signs * 2 * _UNIT
+    half, one_bit = signs * UNIT, signs * 2 * UNIT
     above_half = np.nextafter(half, signs)
     factor = signs + signs * 2.0**-30
     return bool(
@@ -80,20 +81,22 @@ def horner(
 ) -> tuple[FloatArray, FloatArray]:
     """For each point the value of its panel's polynomial at s = (point - centre) * inverse, and |s| as computed.
 
-    ``table[k]`` holds the coefficients of s^k by panel; the inverses are powers of two.
+    ``table[k]`` holds the coefficients of s^k by panel; the inverses are powers of two. A number of a panel beyond the
+    table counts as the nearest one: a point that does not lie there is not :func:`accepted`.
     """
     values, sizes = np.empty_like(points), np.empty_like(points)
-    for start in range(0, len(points), _BLOCK):
-        part = slice(start, start + _BLOCK)
-        index = panels[part]
-        s = points[part] - centres.take(index)
-        s *= inverses.take(index)
-        total = table[-1].take(index)
+    room = np.empty(min(BLOCK, len(points)))
+    for start in range(0, len(points), BLOCK):
+        part = slice(start, start + BLOCK)
+        index, s, total = panels[part], sizes[part], values[part]
+        taken = room[: len(index)]
+        np.subtract(points[part], centres.take(index, out=taken, mode="clip"), out=s)
+        s *= inverses.take(index, out=taken, mode="clip")
+        table[-1].take(index, out=total, mode="clip")
         for row in table[-2::-1]:
             total *= s
-            total += row.take(index)
-        values[part] = total
-        np.abs(s, out=sizes[part])
+            total += row.take(index, out=taken, mode="clip")
+        np.abs(s, out=s)
     return values, sizes
 
 

@@ -49,6 +49,13 @@ COARSE = Layout((1,) * (2 * FARTHEST))
 """One panel in each unit interval: longer series, fewer of them, for balls at a few thousand points."""
 
 
+PER_FINE_CELL = 32
+"""Panels in each unit interval of ``FINE``."""
+
+FINE = Layout((PER_FINE_CELL,) * (2 * FARTHEST))
+"""Short series, more of them, for doubles at many thousands of points; a multiple of every :func:`layout`."""
+
+
 @lru_cache(maxsize=4_096)
 def panel(beta: fmpq, derivative: int, cell: int, number: int, count: int, goal: int) -> LocalSeries:
     """The series of d^k Theta/dtau^k on panel ``number`` of ``count`` in [cell, cell + 1], for ``goal`` bits."""

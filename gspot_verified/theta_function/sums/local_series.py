@@ -56,6 +56,26 @@ class LocalSeries(NamedTuple):
             return 3 * self.largest * left * first, 3 * self.largest * left * second
 
 
+def part_of_polynomial(polynomial: arb_poly, number: int, pieces: int, length: int, bits: int) -> arb_poly:
+    """A panel's polynomial on part ``number`` of ``pieces`` equal parts of the panel, with ``length`` coefficients.
+
+    With t from -1 to 1 on the part, s = (2 number + 1 - pieces + t)/pieces. What lies in the value of the given
+    polynomial for every real s with |s| <= REACH lies in that of the part for every real t with |t| <= REACH: what is
+    left out is part of the ball of the constant coefficient.
+
+    :raises ValueError: there is no such part.
+    """
+    if not 0 <= number < pieces or length < 1:
+        raise ValueError(f"number: expected one of {pieces} parts and a length of 1 or more, got {number} and {length}")
+    with working_bits(bits):
+        terms = polynomial(arb_poly([fmpq(2 * number + 1 - pieces, pieces), fmpq(1, pieces)])).coeffs()
+        kept, omitted = terms[:length], terms[length:]
+        if omitted:
+            every = arb(0, REACH.p) / REACH.q  # every t
+            kept[0] += arb_poly(omitted)(every) * add_remainder(arb(0), arb(REACH) ** length)
+        return arb_poly(kept)
+
+
 def local_series(
     values: tuple[arb, arb, arb], centre: fmpq, half_width: fmpq, beta: fmpq, length: int, bits: int
 ) -> LocalSeries:

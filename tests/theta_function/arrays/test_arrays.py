@@ -11,14 +11,16 @@ from typing import Any
 import numpy as np
 import pytest
 from flint import acb, arb, fmpq
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from samples.strategies import ends, near_integers, small_heights, to_fmpq
 
 from gspot_verified import evaluate, theta, theta_of_floats
 from gspot_verified.numbers.balls import bits_for_digits, relative_bits
-from gspot_verified.theta_function.arrays import batch
+from gspot_verified.theta_function.arrays import batch, kept_panels
 from gspot_verified.theta_function.arrays.arrays import bounds, theta_array
+from gspot_verified.theta_function.arrays.float_balls import FloatBalls
+from gspot_verified.theta_function.arrays.kept_panels import KeptPanels
 
 
 def test_arrays_of_floats_are_exact_binary_values() -> None:
@@ -85,6 +87,62 @@ def test_balls_at_doubles_contain_the_evaluator(
         assert found[0] <= lower
         assert upper <= found[1]
         assert relative_bits(values[i]) >= bits_for_digits(digits)
+
+
+@settings(max_examples=20)
+@given(_BETAS, st.sampled_from([0.1, 2.0, 30.0, 70.0]), st.integers(0, 2), st.integers(0, 2**32))
+def test_fine_panels_contain_the_evaluator(beta: Fraction, reach: float, derivative: int, seed: int) -> None:
+    """As if there were many more points: some next to a zero, if doubles show one."""
+    source = np.random.default_rng(seed)
+    tau = np.sort(source.uniform(-reach, reach, 40))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(kept_panels, "_POINTS_OF_A_FINE_CELL", 0)
+        patch.setattr(kept_panels, "_POINTS_OF_A_CELL", 0)
+        patch.setattr(kept_panels, "_POINTS_OF_A_CELL_AT_0", 0)
+        kept_panels.kept_panels.cache_clear()
+        signs = np.flatnonzero(np.diff(np.sign(theta_of_floats(tau, to_fmpq(beta), derivative).midpoint)))
+        if len(signs):
+            low, high = tau[signs[0]], tau[signs[0] + 1]
+            for _ in range(2):
+                inner = np.linspace(low, high, 40)
+                change = np.flatnonzero(np.diff(np.sign(theta_of_floats(inner, to_fmpq(beta), derivative).midpoint)))
+                low, high = inner[change[0]], inner[change[0] + 1]
+            tau[:20] = np.linspace(low, high, 20)
+        found = theta_of_floats(tau, to_fmpq(beta), derivative)
+    kept_panels.kept_panels.cache_clear()
+    for i in (0, 13, 19, 39):
+        lower, upper = _exact(float(tau[i]), to_fmpq(beta), derivative)
+        if np.isinf(found.radius[i]):
+            assert max(abs(lower), abs(upper)) > Fraction(10) ** 290
+            continue
+        middle, radius = Fraction(float(found.midpoint[i])), Fraction(float(found.radius[i]))
+        assert middle - radius <= lower
+        assert upper <= middle + radius
+        assert radius <= Fraction(1, 10**15) * abs(middle) + Fraction(1, 2**800)
+
+
+def test_from_the_second_array_on_panels_are_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A first array of few points is not worth them; one that comes after is, and the next needs nothing new."""
+    kept_panels.kept_panels.cache_clear()
+    tau = np.linspace(0.25, 5.0, 200)
+    made: list[int] = []
+    columns = KeptPanels._made
+    monkeypatch.setattr(
+        KeptPanels, "_made", lambda self, cell, count: (made.append(cell), columns(self, cell, count))[1]
+    )
+    first = theta_of_floats(tau, "-1/2")
+    assert made == []
+    monkeypatch.setattr(batch, "_by_one_polynomial", None)
+    monkeypatch.setattr(batch, "_in_balls", None)
+    second = theta_of_floats(tau, "-1/2")
+    assert sorted(made) == [0, 1, 2, 3, 4, 5]
+    third = theta_of_floats(tau[:100], "-1/2")
+    assert len(made) == 6
+    assert (second.midpoint[:100] == third.midpoint).all()
+    for later in (second, FloatBalls(third.midpoint, third.radius)):
+        part = first[: len(later)]
+        assert (part.lower <= later.upper).all()
+        assert (later.lower <= part.upper).all()
 
 
 def test_points_next_to_a_zero_and_on_the_edges_of_panels() -> None:

@@ -15,7 +15,7 @@ from samples.strategies import holds, small_heights, to_fmpq, to_fraction
 
 from gspot_verified import evaluate
 from gspot_verified.numbers.balls import relative_bits, working_bits
-from gspot_verified.theta_function.sums.local_series import REACH, LocalSeries, local_series
+from gspot_verified.theta_function.sums.local_series import REACH, LocalSeries, local_series, part_of_polynomial
 from gspot_verified.theta_function.value.integer import polynomial_value
 
 
@@ -101,3 +101,30 @@ def test_outside_the_panel_nothing_is_said() -> None:
     assert series.values_at(1 + REACH / 2)[0].is_finite()
     assert not any(value.is_finite() for value in series.values_at(1 + REACH / 2 + fmpq(1, 10**9)))
     assert isinstance(series.polynomial, arb_poly)
+
+
+@given(
+    st.lists(st.fractions(-9, 9, max_denominator=99), min_size=1, max_size=12),
+    st.integers(1, 32),
+    st.data(),
+    st.integers(1, 14),
+    st.one_of(_PLACES, st.sampled_from([REACH, -REACH])),
+)
+def test_a_part_contains_the_polynomial(
+    coefficients: list[Fraction], pieces: int, data: st.DataObject, length: int, t: fmpq
+) -> None:
+    number = data.draw(st.integers(0, pieces - 1))
+    s = (2 * number + 1 - pieces + t) / pieces
+    assert abs(s) <= REACH
+    with working_bits(120):
+        part = part_of_polynomial(arb_poly([to_fmpq(a) for a in coefficients]), number, pieces, length, 120)
+        value = part(arb(t))
+    assert len(part) <= length
+    assert holds(value, sum((a * to_fraction(s) ** k for k, a in enumerate(coefficients)), Fraction(0)))
+    assert length < len(coefficients) or value.rad() < fmpq(1, 10**25)
+
+
+@pytest.mark.parametrize(("number", "pieces", "length"), [(-1, 2, 3), (2, 2, 3), (0, 0, 3), (0, 1, 0)])
+def test_there_is_no_such_part(number: int, pieces: int, length: int) -> None:
+    with pytest.raises(ValueError, match="number: expected"):
+        part_of_polynomial(arb_poly([1, 2]), number, pieces, length, 64)

@@ -1,0 +1,120 @@
+"""The panels of one function in doubles: made where points are asked for, and kept for the next array.
+
+When they are made is a heuristic; each carries its own bound (``proofs/float_horner.md``, ``proofs/local_series.md``).
+"""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from flint import arb_poly, fmpq
+
+from gspot_verified.numbers.balls import approximate
+from gspot_verified.theta_function.arrays.float_horner import FloatArray, IndexArray, float_polynomial
+from gspot_verified.theta_function.arrays.panels import FARTHEST, PER_FINE_CELL, layout, panel
+from gspot_verified.theta_function.sums.local_series import part_of_polynomial
+
+FARTHEST_OF_ONE_POLYNOMIAL = 10.0
+"""|tau| up to which one series at 0 loses few digits; any number is right."""
+
+GOAL = 64
+"""Bits of the series of a unit interval, from which doubles come; any number is right."""
+_NEGLIGIBLE = 58  # bits below the largest coefficient; any number is right
+_FIRST_PARTS = 4  # in which a unit interval is split first; any number is right
+_LATER = 8  # who asks a second time will ask so many times more; any number is right
+_POINTS_OF_A_CELL = 15.0  # that cost as much in balls as the panels of a unit interval; any number is right
+_POINTS_OF_A_CELL_AT_0 = 110.0  # the same where one polynomial serves all points, at tau = 0; any number is right
+_POINTS_OF_A_FINE_CELL = 40_000  # from which on the short series of the fine panels pay; any number is right
+
+
+class Columns(NamedTuple):
+    """The panels of one unit interval: ``table[k]`` are the coefficients of s^k by panel, ``errors`` their bounds."""
+
+    table: FloatArray
+    errors: FloatArray
+
+
+class KeptPanels:
+    """What was made of d^k Theta/dtau^k at one beta, and how many points were asked for."""
+
+    __slots__ = ("_asked", "_beta", "_columns", "_derivative", "layout")
+
+    def __init__(self, beta: fmpq, derivative: int) -> None:
+        self._beta, self._derivative, self._asked = beta, derivative, 0
+        self.layout = layout(math.ceil(abs(approximate(beta))))
+        self._columns: dict[tuple[int, int], Columns] = {}
+
+    def asked(self, points: int) -> float:
+        """Note that so many points are asked for; how many times they will be in the end, a guess."""
+        later = _LATER if self._asked else 1
+        self._asked += points
+        return later * self._asked / points
+
+    def worth(self, points: FloatArray, times: float) -> tuple[IndexArray, bool]:
+        """The unit intervals whose panels are kept or will pay, asked so many times; and whether the fine ones."""
+        low = max(math.floor(points.min()), -FARTHEST)
+        high = min(math.floor(points.max()) + 1, FARTHEST)
+        farthest, cells = max(-low, high), np.arange(low, high)
+        near = farthest <= FARTHEST_OF_ONE_POLYNOMIAL
+        # One value of the polynomial at 0 takes the longer the farther it reaches.
+        least = _POINTS_OF_A_CELL_AT_0 / (1 + farthest / 5) if near else _POINTS_OF_A_CELL
+        expected = len(points) * times
+        if expected >= 2 * least * len(cells):  # enough for all of them, wherever the points lie
+            fine = expected >= _POINTS_OF_A_FINE_CELL * len(cells)
+            return cells, fine or all((cell, PER_FINE_CELL) in self._columns for cell in range(low, high))
+        inside = points[(points >= low) & (points < high)]
+        counts = np.bincount(np.floor(inside).astype(np.intp) - low, minlength=len(cells))
+        kept = [(cell, self.layout.counts[cell + FARTHEST]) in self._columns for cell in range(low, high)]
+        new = (counts > 0) & np.logical_not(kept)
+        pays = expected >= least * np.count_nonzero(new) if near else counts * times >= least
+        return cells[(counts > 0) & (kept | (new & pays))], False
+
+    def columns(self, cell: int, count: int) -> Columns:
+        """The ``count`` panels in [cell, cell + 1]."""
+        found = self._columns.get((cell, count))
+        if found is None:
+            found = self._columns[cell, count] = self._made(cell, count)
+        return found
+
+    def _made(self, cell: int, count: int) -> Columns:
+        polynomials = [float_polynomial(part) for part in self._parts(cell, count)]
+        table = np.zeros((max(1, *(len(polynomial.coefficients) for polynomial in polynomials)), count))
+        for number, polynomial in enumerate(polynomials):
+            table[: len(polynomial.coefficients), number] = polynomial.coefficients
+        return Columns(table, np.array([polynomial.error for polynomial in polynomials]))
+
+    def _parts(self, cell: int, count: int) -> list[arb_poly]:
+        """The series of the unit interval, part by part: cheaper than a series from each centre."""
+        series = panel(self._beta, self._derivative, cell, 0, 1, GOAL)
+        first = min(count, _FIRST_PARTS)
+        wide = _split(series.polynomial, first, series.bits)
+        return [part for one in wide for part in _split(one, count // first, series.bits)]
+
+
+def _split(polynomial: arb_poly, pieces: int, bits: int) -> list[arb_poly]:
+    """The polynomial part by part, without the coefficients that do not count in doubles."""
+    if pieces == 1:
+        return [polynomial]
+    length = _needed(polynomial, pieces, _NEGLIGIBLE)
+    return [part_of_polynomial(polynomial, number, pieces, length, bits) for number in range(pieces)]
+
+
+def _needed(polynomial: arb_poly, pieces: int, bits: int) -> int:
+    """How many coefficients of a part are not below 2^-bits of the largest one, at most: their sizes at s = 1."""
+    sizes = np.abs(np.array([approximate(value) for value in polynomial.coeffs()]))
+    parts = (sizes @ _binomials(len(sizes))) / np.float64(pieces) ** np.arange(len(sizes))
+    return int(np.flatnonzero(parts > parts.max() * 2.0**-bits).max(initial=0)) + 1
+
+
+@lru_cache(maxsize=64)
+def _binomials(length: int) -> FloatArray:
+    return np.array([[math.comb(k, j) for j in range(length)] for k in range(length)], dtype=np.float64)
+
+
+@lru_cache(maxsize=32)
+def kept_panels(p: int, q: int, derivative: int) -> KeptPanels:
+    """Those of beta = p/q."""
+    return KeptPanels(fmpq(p, q), derivative)
