@@ -14,6 +14,7 @@ import numpy as np
 from flint import arb, fmpq
 
 from gspot_verified.numbers.balls import approximate, bits_for_digits, relative_bits, working_bits
+from gspot_verified.theta_function.arrays.double_double import double_double_horner, one_double
 from gspot_verified.theta_function.arrays.float_balls import float_balls
 from gspot_verified.theta_function.arrays.float_horner import (
     BLOCK,
@@ -51,6 +52,8 @@ _GUARD = 12  # bits beyond those asked for, lost on the way; any number is right
 _LEAST_POINTS = 3
 _MANY_POINTS = 10_000  # from which on short panels are worth their series
 _POINTS_OF_A_PANEL = 40  # that cost as much as the panel's series; any number is right
+_POINTS_OF_A_LONG_PANEL = 40  # the same in pairs of doubles
+_LEAST_PAIRS = 60  # points that cost as much in balls as any number of them, at least, in pairs of doubles
 _MOST_BITS = 1_200  # beyond them panels cost more than they save; any number is right
 _RELATIVE = 0.999e-15  # a little below 10^-15, for what the comparison itself rounds
 
@@ -114,8 +117,8 @@ def _used(panels: IndexArray, total: int) -> IndexArray:
 def float_batch(points: FloatArray, beta: fmpq, derivative: int) -> tuple[FloatArray, FloatArray]:
     """Midpoints and radii of d^k Theta/dtau^k at every point, relative radius 10^-15 where doubles reach it.
 
-    Where the panel's series does not reach it in doubles (next to a zero), the series is evaluated in balls, and after
-    that :func:`gspot_verified.theta_function.value.evaluate.evaluate` is asked.
+    Where the panel's series does not reach it in doubles (next to a zero), it is evaluated in pairs of doubles, then in
+    balls, and after that :func:`gspot_verified.theta_function.value.evaluate.evaluate` is asked.
     """
     if _vanishes(beta, derivative):
         return np.zeros_like(points), np.zeros_like(points)
@@ -164,7 +167,8 @@ def _in_doubles(points: FloatArray, kept: KeptPanels, results: Results) -> Index
         else:
             results[0][block][good], results[1][block][good] = values[good], bounds[good]
             missed.append(start + np.flatnonzero(np.logical_not(good)))
-    return np.concatenate(missed) if missed else np.empty(0, dtype=np.intp)
+    left = np.concatenate(missed) if missed else np.empty(0, dtype=np.intp)
+    return _in_pairs_of_doubles(points, left, kept, times, results)
 
 
 def _tables(kept: KeptPanels, cells: IndexArray, cover: _Cover) -> tuple[int, FloatArray, FloatArray]:
@@ -178,6 +182,33 @@ def _tables(kept: KeptPanels, cells: IndexArray, cover: _Cover) -> tuple[int, Fl
         part = slice(start - first, start - first + count)
         table[: len(one.table), part], errors[part] = one.table, one.errors
     return first, table, errors
+
+
+def _in_pairs_of_doubles(
+    points: FloatArray, left: IndexArray, kept: KeptPanels, times: float, results: Results
+) -> IndexArray:
+    """Fill what pairs of doubles reach in fine panels with enough points; the indices of the points that are left."""
+    if len(left) < _LEAST_PAIRS:
+        return left
+    cover = _cover(FINE)
+    panels = _locate(points[left], cover)
+    numbers, columns, counts = np.unique(panels, return_inverse=True, return_counts=True)
+    worth = (counts * times >= _POINTS_OF_A_LONG_PANEL) & (numbers >= 0) & (numbers < len(cover.cells))
+    chosen = worth[columns]
+    if np.count_nonzero(chosen) < _LEAST_PAIRS:
+        return left
+    columns = (np.cumsum(worth) - 1)[columns[chosen]]
+    numbers, there = numbers[worth], left[chosen]
+    series = [kept.long_column(*_place(cover, number)) for number in numbers]
+    high, low = np.zeros((2, max(len(one.high) for one in series), len(series)))
+    for column, one in enumerate(series):
+        high[: len(one.high), column], low[: len(one.low), column] = one.high, one.low
+    values, rests, sizes = double_double_horner(
+        points[there], columns, cover.centres[numbers], cover.inverses[numbers], high, low
+    )
+    radii = one_double(rests, np.array([one.error for one in series]).take(columns))
+    radii[np.logical_not(accepted(sizes))] = np.inf
+    return np.concatenate([left[np.logical_not(chosen)], _filled(results, there, values, radii)])
 
 
 def _place(cover: _Cover, index: int) -> tuple[int, int, int]:

@@ -13,6 +13,7 @@ import numpy as np
 from flint import arb_poly, fmpq
 
 from gspot_verified.numbers.balls import approximate
+from gspot_verified.theta_function.arrays.double_double import DoubleDoublePolynomial, double_double_polynomial
 from gspot_verified.theta_function.arrays.float_horner import FloatArray, IndexArray, float_polynomial
 from gspot_verified.theta_function.arrays.panels import FARTHEST, PER_FINE_CELL, layout, panel
 from gspot_verified.theta_function.sums.local_series import part_of_polynomial
@@ -22,7 +23,9 @@ FARTHEST_OF_ONE_POLYNOMIAL = 10.0
 
 GOAL = 64
 """Bits of the series of a unit interval, from which doubles come; any number is right."""
+_LONG_GOAL = 124  # the same for pairs of doubles
 _NEGLIGIBLE = 58  # bits below the largest coefficient; any number is right
+_LONG_NEGLIGIBLE = 112  # the same for pairs of doubles
 _FIRST_PARTS = 4  # in which a unit interval is split first; any number is right
 _LATER = 8  # who asks a second time will ask so many times more; any number is right
 _POINTS_OF_A_CELL = 15.0  # that cost as much in balls as the panels of a unit interval; any number is right
@@ -40,12 +43,13 @@ class Columns(NamedTuple):
 class KeptPanels:
     """What was made of d^k Theta/dtau^k at one beta, and how many points were asked for."""
 
-    __slots__ = ("_asked", "_beta", "_columns", "_derivative", "layout")
+    __slots__ = ("_asked", "_beta", "_columns", "_derivative", "_long", "layout")
 
     def __init__(self, beta: fmpq, derivative: int) -> None:
         self._beta, self._derivative, self._asked = beta, derivative, 0
         self.layout = layout(math.ceil(abs(approximate(beta))))
         self._columns: dict[tuple[int, int], Columns] = {}
+        self._long: dict[tuple[int, int, int], DoubleDoublePolynomial] = {}
 
     def asked(self, points: int) -> float:
         """Note that so many points are asked for; how many times they will be in the end, a guess."""
@@ -79,6 +83,14 @@ class KeptPanels:
             found = self._columns[cell, count] = self._made(cell, count)
         return found
 
+    def long_column(self, cell: int, number: int, count: int) -> DoubleDoublePolynomial:
+        """Panel ``number`` of them in pairs of doubles."""
+        key = (cell, number, count)
+        found = self._long.get(key)
+        if found is None:
+            found = self._long[key] = double_double_polynomial(self._long_part(cell, number, count))
+        return found
+
     def _made(self, cell: int, count: int) -> Columns:
         polynomials = [float_polynomial(part) for part in self._parts(cell, count)]
         table = np.zeros((max(1, *(len(polynomial.coefficients) for polynomial in polynomials)), count))
@@ -92,6 +104,11 @@ class KeptPanels:
         first = min(count, _FIRST_PARTS)
         wide = _split(series.polynomial, first, series.bits)
         return [part for one in wide for part in _split(one, count // first, series.bits)]
+
+    def _long_part(self, cell: int, number: int, count: int) -> arb_poly:
+        series = panel(self._beta, self._derivative, cell, 0, 1, _LONG_GOAL)
+        length = _needed(series.polynomial, count, _LONG_NEGLIGIBLE)
+        return part_of_polynomial(series.polynomial, number, count, length, series.bits)
 
 
 def _split(polynomial: arb_poly, pieces: int, bits: int) -> list[arb_poly]:

@@ -91,7 +91,9 @@ def test_balls_at_doubles_contain_the_evaluator(
 
 @settings(max_examples=20)
 @given(_BETAS, st.sampled_from([0.1, 2.0, 30.0, 70.0]), st.integers(0, 2), st.integers(0, 2**32))
-def test_fine_panels_contain_the_evaluator(beta: Fraction, reach: float, derivative: int, seed: int) -> None:
+def test_fine_panels_and_pairs_of_doubles_contain_the_evaluator(
+    beta: Fraction, reach: float, derivative: int, seed: int
+) -> None:
     """As if there were many more points: some next to a zero, if doubles show one."""
     source = np.random.default_rng(seed)
     tau = np.sort(source.uniform(-reach, reach, 40))
@@ -99,6 +101,8 @@ def test_fine_panels_contain_the_evaluator(beta: Fraction, reach: float, derivat
         patch.setattr(kept_panels, "_POINTS_OF_A_FINE_CELL", 0)
         patch.setattr(kept_panels, "_POINTS_OF_A_CELL", 0)
         patch.setattr(kept_panels, "_POINTS_OF_A_CELL_AT_0", 0)
+        patch.setattr(batch, "_POINTS_OF_A_LONG_PANEL", 1)
+        patch.setattr(batch, "_LEAST_PAIRS", 1)
         kept_panels.kept_panels.cache_clear()
         signs = np.flatnonzero(np.diff(np.sign(theta_of_floats(tau, to_fmpq(beta), derivative).midpoint)))
         if len(signs):
@@ -143,6 +147,23 @@ def test_from_the_second_array_on_panels_are_kept(monkeypatch: pytest.MonkeyPatc
         part = first[: len(later)]
         assert (part.lower <= later.upper).all()
         assert (later.lower <= part.upper).all()
+
+
+def test_pairs_of_doubles_serve_what_one_double_misses(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Next to the zero of Theta' at beta = 5/2 and not on it no ball is needed; a wrong panel costs only time."""
+    near = 1.531716136412176 + np.linspace(1e-9, 1e-3, 4_000)
+    right = theta_of_floats(near, "5/2", 1)
+    monkeypatch.setattr(batch, "_in_balls", None)
+    monkeypatch.setattr(batch, "_by_one_polynomial", None)
+    again = theta_of_floats(near, "5/2", 1)
+    assert (again.radius <= 1e-15 * abs(again.midpoint)).all()
+    monkeypatch.undo()
+    locate = batch._locate
+    monkeypatch.setattr(batch, "_locate", lambda points, cover: locate(points, cover) + 1)
+    found = theta_of_floats(near, "5/2", 1)
+    for other in (again, found):
+        assert (other.lower <= right.upper).all()
+        assert (right.lower <= other.upper).all()
 
 
 def test_points_next_to_a_zero_and_on_the_edges_of_panels() -> None:
