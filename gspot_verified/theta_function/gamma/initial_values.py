@@ -21,7 +21,7 @@ _THIRD = fmpq(1, 3)  # likewise
 _TWO_THIRDS = fmpq(2, 3)  # likewise
 _REDUCED_FROM_BITS = 2_000  # from which on reduced_gamma.py is cheaper, where it pays
 _FEW_BITS = 600  # below them Python's steps count
-_FAR_FROM_POLES = 333  # denominator up to which no argument of 1/Gamma is nearer to a zero than 1/1000
+_FAR_FROM_POLES = 333  # 1/distance of beta to an integer up to which no argument of 1/Gamma is within 1/1000 of a zero
 
 
 def initial_values(beta: Exact, bits: int) -> InitialValues:
@@ -47,7 +47,7 @@ def initial_values(beta: Exact, bits: int) -> InitialValues:
 
 @lru_cache(maxsize=64)
 def _cached(p: int, q: int, bits: int) -> InitialValues:
-    if bits <= _FEW_BITS and 1 < q <= _FAR_FROM_POLES:
+    if bits <= _FEW_BITS and _FAR_FROM_POLES * min(p % q, -p % q) >= q:
         with working_bits(bits):
             return _few_bits(p, q)
     beta = fmpq(p, q)

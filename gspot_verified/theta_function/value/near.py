@@ -18,9 +18,8 @@ _FARTHEST_RIGHT = 20  # tau, up to which the series at 0 is the quickest
 _FARTHEST_LEFT = 12  # -tau, likewise
 _LARGEST_BETA = 8  # |beta|, likewise
 _MOST_BITS = 800  # likewise; beyond it the routes are compared
-_LONGEST_HEIGHT = 40  # bits of beta's numerator and denominator: a few machine words in the recurrence
-# Bits of the integers that one term of a chain brings in.
-_LONGEST_FACTOR = 300
+_LONGEST_HEIGHT = 400  # bits of beta's numerator or denominator; likewise
+_LONGEST_CUBE = 300  # bits of tau^3, which every term of a chain is multiplied by; likewise
 _GUARD = 8  # bits beyond those asked for, lost on the way; any number is right
 _LN2 = math.log(2)  # nats of a bit
 
@@ -35,7 +34,7 @@ def near_value(tau: fmpq, beta: fmpq, goal: int) -> tuple[arb, int] | None:
     if goal > _MOST_BITS:
         return None
     p, q = int(beta.p), int(beta.q)
-    if q == 1 or abs(p) > _LARGEST_BETA * q or p.bit_length() + q.bit_length() > _LONGEST_HEIGHT:
+    if q == 1 or abs(p) > _LARGEST_BETA * q or beta.height_bits() > _LONGEST_HEIGHT:
         return None
     above, below = int(tau.p), int(tau.q)
     if not -_FARTHEST_LEFT * below <= above <= _FARTHEST_RIGHT * below:
@@ -46,7 +45,7 @@ def near_value(tau: fmpq, beta: fmpq, goal: int) -> tuple[arb, int] | None:
 
 def one_value(tau: fmpq, beta: fmpq, length: int, bits: int) -> arb:
     """An enclosure of Theta(tau, beta) from ``length`` Taylor terms: by chains at the first visit to a short beta."""
-    if first_visit(beta) and 3 * tau.height_bits() + beta.height_bits() <= _LONGEST_FACTOR:
+    if first_visit(beta) and 3 * tau.height_bits() <= _LONGEST_CUBE and beta.height_bits() <= _LONGEST_HEIGHT:
         return chain_sum(tau, beta, length, bits)
     return taylor_sum(tau, beta, length, bits)
 
