@@ -114,6 +114,7 @@ def run_peers(progress: Progress = lambda _: None) -> CostReport:
     rows: list[Row] = []
     steps: tuple[tuple[str, Callable[[], Iterator[Row]]], ...] = (
         ("one value", peers.one_value),
+        ("first calls", peers.first_calls),
         ("far τ", peers.far_values),
         ("many values", peers.many_values),
         ("limits: products", limits.many_digits),
@@ -126,7 +127,7 @@ def run_peers(progress: Progress = lambda _: None) -> CostReport:
     external = tuple(_external(False))
     remarks = (
         f"Python {platform.python_version()}, {platform.machine()}",
-        "The times of these rows are the shortest ones; baseline: FLINT, DOP853 or the limit.",
+        "The times of these rows are the shortest ones; baseline: FLINT (1F2 and 1/Γ), DOP853 or the limit.",
         f"before: {before}; after: {machine_load()}",
     )
     return CostReport(tuple(rows), external, (), remarks, False, time.perf_counter() - start)

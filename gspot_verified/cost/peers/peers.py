@@ -1,7 +1,8 @@
 """Theta beside what a user could take instead, interleaved in one run: ratios of the shortest times.
 
-Peers: one call of FLINT's three 1F2 at the least precision that is known to suffice (found beforehand, not timed),
-mpmath, and scipy's DOP853, which gives no bound. Programs outside Python: :mod:`gspot_verified.cost.peers.external`.
+Peers: one call of FLINT's three 1F2 in the entire form (:mod:`gspot_verified.cost.peers.entire_form`) at the least
+precision that is known to suffice (found beforehand, not timed), mpmath, and scipy's DOP853, which gives no bound.
+Programs outside Python: :mod:`gspot_verified.cost.peers.external`.
 """
 
 from __future__ import annotations
@@ -14,7 +15,8 @@ from typing import Any
 import numpy as np
 from flint import fmpq
 
-from gspot_verified.cost.times.baseline import flint_attempt, mpmath_theta
+from gspot_verified.cost.peers.entire_form import entire_form
+from gspot_verified.cost.times.baseline import mpmath_theta
 from gspot_verified.cost.times.cases import asked
 from gspot_verified.cost.times.measure import Contestant, Timing, clear_caches, measure
 from gspot_verified.cost.times.rows import Row, Target
@@ -26,12 +28,13 @@ from gspot_verified.theta_function.theta import theta
 
 BETAS = (fmpq(1, 2), fmpq(7, 3), fmpq(13, 2), fmpq(7, 5), fmpq(355, 113))  # with small and large denominators
 NEAR = tuple(fmpq(*pair) for pair in ((1, 10), (1, 1), (-1, 1), (10, 1), (-10, 1), (50, 1), (-50, 1)))
+DECIMALS = (fmpq(7, 3), fmpq(21234567, 10**7), fmpq(2123456789012345678901234567891, 10**30))  # short, 7, 30 decimals
 DIGITS = (16, 50, 1_000, 10_000)  # of one value
 REACHES = (2.0, 10.0, 50.0)  # of tau on both sides, for many values
 POINTS = 20_000  # values in one array
 
 _MPMATH_DIGITS = 50  # more take mpmath too long
-_FEW_DIGITS = 16  # up to these the target of a first call is another one
+_MANY_DIGITS = 50  # from these on the target of a first call is another one
 _MOST_REPEATS = 101  # of one call, within the seconds below
 _SECONDS = 0.15  # for each question
 _MOST_MORE_BITS = 4_000  # beyond eight times the goal: then no precision is said to suffice
@@ -57,7 +60,7 @@ def one_value(
         }
         if bits is not None:
             contestants["baseline"] = Contestant(
-                partial(flint_attempt, tau, beta, bits),
+                partial(entire_form, tau, beta, bits),
                 clear_caches,  # of no use to it: so that both calls come after the same work
                 _MOST_REPEATS,
             )
@@ -66,20 +69,30 @@ def one_value(
         times = measure(contestants, _SECONDS)
         figure = times["baseline"].best / times["cold"].best if bits is not None else None
         note = f"FLINT: one call at {bits} bits" if bits is not None else "FLINT: no precision suffices"
-        yield _row("one value", asked(tau, beta, count), _FIRST_CALL[count <= _FEW_DIGITS], figure, times, note)
+        yield _row("one value", asked(tau, beta, count), _FIRST_CALL[count < _MANY_DIGITS], figure, times, note)
+
+
+def first_calls() -> Iterator[Row]:
+    """The same at few digits, for beta with few and with many decimals."""
+    yield from one_value(DECIMALS, (fmpq(1), fmpq(5), fmpq(20)), (16, 30, 50, 100))
 
 
 def sufficient_bits(tau: fmpq, beta: fmpq, digits: int) -> int | None:
     """About the least working precision at which FLINT's three 1F2 have the digits; None where none is found."""
     goal = bits_for_digits(digits)
-    if beta.q == 1 and beta >= 0:  # the printed initial values are 0/0 there
-        return None
-    bits = goal + 8
-    while bits <= 8 * goal + _MOST_MORE_BITS:
-        if relative_bits(flint_attempt(tau, beta, bits)) >= goal:
-            return bits
-        bits = bits * 9 // 8 + 4
-    return None
+
+    def suffice(bits: int) -> bool:
+        return relative_bits(entire_form(tau, beta, bits)) >= goal
+
+    short, bits = goal, goal + 8
+    while not suffice(bits):
+        short, bits = bits, bits * 9 // 8 + 4
+        if bits > 8 * goal + _MOST_MORE_BITS:
+            return None
+    while bits - short > 4 + bits // 64:
+        middle = (short + bits) // 2
+        short, bits = (short, middle) if suffice(middle) else (middle, bits)
+    return bits
 
 
 def far_values(digits: tuple[int, ...] = (1_000, 10_000)) -> Iterator[Row]:

@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 import json
+from fractions import Fraction
 
 import numpy as np
 import pytest
 from flint import fmpq
+from hypothesis import given
+from hypothesis import strategies as st
+from samples.strategies import small_heights, to_fmpq
 
-from gspot_verified import theta_of_floats
+from gspot_verified import evaluate, theta_of_floats
 from gspot_verified.cli import main
 from gspot_verified.cost.benchmarks import theta as benchmark
 from gspot_verified.cost.peers import peers
+from gspot_verified.cost.peers.entire_form import entire_form
 from gspot_verified.cost.times import limits
 from gspot_verified.cost.times.baseline import flint_attempt
 from gspot_verified.numbers.balls import bits_for_digits, relative_bits
@@ -26,11 +31,21 @@ def test_the_ode_solver_gives_the_same_function() -> None:
 
 
 def test_the_precision_of_the_peer_suffices() -> None:
-    for tau in (fmpq(1), fmpq(-10)):
-        bits = peers.sufficient_bits(tau, fmpq(7, 3), 16)
+    for tau, beta in ((fmpq(1), fmpq(7, 3)), (fmpq(-10), fmpq(7, 3)), (fmpq(1), fmpq(2))):
+        bits = peers.sufficient_bits(tau, beta, 16)
         assert bits is not None
-        assert relative_bits(flint_attempt(tau, fmpq(7, 3), bits)) >= bits_for_digits(16)
-    assert peers.sufficient_bits(fmpq(1), fmpq(2), 16) is None  # the printed initial values are 0/0 there
+        assert relative_bits(entire_form(tau, beta, bits)) >= bits_for_digits(16)
+    assert peers.sufficient_bits(fmpq(-(10**6)), fmpq(7, 3), 16) is None
+
+
+@given(st.fractions(-9, 9, max_denominator=40), small_heights())
+def test_the_entire_form_is_theta(tau: Fraction, beta: Fraction) -> None:
+    """Also at the integers, where the printed initial values are 0/0; elsewhere beside these."""
+    value = entire_form(to_fmpq(tau), to_fmpq(beta), 200)
+    assert value.is_finite()
+    assert value.overlaps(evaluate(tau, beta, digits=40).value)
+    if beta.denominator > 1:
+        assert value.overlaps(flint_attempt(to_fmpq(tau), to_fmpq(beta), 200))
 
 
 def test_rows() -> None:
@@ -53,7 +68,13 @@ def test_far_rows_are_against_minus_50() -> None:
 
 
 def test_the_command(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
-    for module, name in ((peers, "one_value"), (peers, "far_values"), (peers, "many_values"), (limits, "many_digits")):
+    for module, name in (
+        (peers, "one_value"),
+        (peers, "first_calls"),
+        (peers, "far_values"),
+        (peers, "many_values"),
+        (limits, "many_digits"),
+    ):
         monkeypatch.setattr(module, name, lambda: iter(()))
     monkeypatch.setattr(limits, "memory_traffic", lambda: iter(()))
     monkeypatch.setattr(benchmark, "_external", lambda _: iter(()))
