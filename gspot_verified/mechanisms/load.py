@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from gspot_verified.mechanisms.derive.impossible import refuse_impossible
-from gspot_verified.mechanisms.input.file import parse_mechanism, read_text
+from gspot_verified.mechanisms.input.file import parse_mechanism, read_text, refuse_robot
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_text
 from gspot_verified.numbers.balls import ExactInput
@@ -17,8 +17,9 @@ def load(name_or_path: str | Path, /, **parameters: ExactInput | None) -> Mechan
     ``parameters`` replace values of the file; None makes a parameter a symbol. Names of the package: model, extended,
     oscillator, rod, and those of :func:`gspot_verified.mechanisms.shipped.shipped_names`.
 
-    :raises MechanismError: neither a file nor a name, a part of the file is wrong, there is no such parameter, or no
-        mechanism is like that: a friction coefficient or a mass below 0, a mass matrix that is not positive definite.
+    :raises MechanismError: neither a file nor a name, the file of a robot, a part of the file is wrong, there is no
+        such parameter, or no mechanism is like that: a friction coefficient or a mass below 0, a mass matrix that is
+        not positive definite.
 
     >>> load("rod").state
     ('X', 'Y', 'theta', 'X_dot', 'Y_dot', 'theta_dot')
@@ -50,6 +51,7 @@ def mechanism_text(name_or_path: str | Path) -> tuple[str, str]:
         raise TypeError(f"load: expected a path or a name, got {type(name_or_path).__name__}")
     path = Path(name_or_path)
     if isinstance(name_or_path, Path) or path.suffix == ".toml" or path.is_file():
+        refuse_robot(path)
         return read_text(path), str(path)
     try:
         return shipped_text(name_or_path), name_or_path

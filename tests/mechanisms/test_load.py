@@ -7,9 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from gspot_verified.mechanisms.input.file import read_mechanism
 from gspot_verified.mechanisms.input.mechanism import MechanismError
 from gspot_verified.mechanisms.load import load
 from gspot_verified.mechanisms.shipped import SHORT_NAMES, shipped_mechanism, shipped_names
+from gspot_verified.scenes.scene.file import load_scene
 
 DATA = resources.files("gspot_verified.mechanisms").joinpath("data")
 
@@ -47,6 +49,16 @@ def test_a_path_is_never_a_name() -> None:
 def test_what_is_not_there(name: str, message: str) -> None:
     with pytest.raises(MechanismError, match=message):
         load(name)
+
+
+@pytest.mark.parametrize("name", ["arm.urdf", "ARM.URDF", "arm.xml", "arm.mjcf"])
+def test_a_robot_is_sent_to_its_reader(name: str, tmp_path: Path) -> None:
+    (tmp_path / name).write_text("<robot/>", encoding="utf-8")
+    reader = "from_urdf" if name.lower().endswith("urdf") else "from_mjcf"
+    for given in (tmp_path / name, str(tmp_path / name)):
+        for read in (load, load_scene, read_mechanism):
+            with pytest.raises(MechanismError, match=f"a robot; {reader}.*does not say what touches"):
+                read(given)
 
 
 def test_a_folder_is_said_to_be_one(tmp_path: Path) -> None:

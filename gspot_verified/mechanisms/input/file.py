@@ -120,6 +120,12 @@ KEYS: dict[str, tuple[str, ...]] = {
 
 _DEPTH = 3  # lists within each other in a drawing: lines, points, two formulas
 _MOTIONS = ("lagrangian", "energies", "fields")
+_ROBOTS = {
+    ".urdf": "from_urdf(path, contact_link=..., mu=...), in Python,",
+    ".mjcf": "from_mjcf(path, contact_body=..., mu=...), in Python,",
+    ".xml": "from_mjcf(path, contact_body=..., mu=...), or from_urdf where it is URDF, in Python,",
+}
+"""Files of robots by their suffix, and what reads them."""
 
 
 def read_mechanism(path: str | Path) -> Mechanism:
@@ -127,11 +133,24 @@ def read_mechanism(path: str | Path) -> Mechanism:
 
     :raises MechanismError: the file cannot be read, or a part is missing or wrong; the message names the key.
     """
+    refuse_robot(Path(path))
     text = read_text(path)
     try:
         return parse_mechanism(text)
     except MechanismError as error:
         raise MechanismError(f"{path}: {error}") from None
+
+
+def refuse_robot(path: Path) -> None:
+    """Passes for a file of another kind: that of a robot does not say what touches.
+
+    :raises MechanismError: it is one by its suffix; the message names the function that takes it.
+
+    >>> refuse_robot(Path("arm.toml"))
+    """
+    reader = _ROBOTS.get(path.suffix.lower())
+    if reader is not None:
+        raise MechanismError(f"{path}: a robot; {reader} makes a mechanism of it: the file does not say what touches")
 
 
 def read_text(path: str | Path, largest: int = MAX_BYTES) -> str:

@@ -118,12 +118,36 @@ class Sweep(NoTruthValue, Written):
         them = "it" if left == 1 else "them"
         pieces = f"{_left(left, len(self.pieces))} left; "
         if self.budget is None:
-            pieces += f"dividing {them} again has not settled {them}; more cells may: {finer}"
+            pieces += (
+                f"dividing {them} again has not settled {them}; {self._fold_between() or f'more cells may: {finer}'}"
+            )
         else:
             pieces += f"the budget of {counted(self.budget, 'divided piece')} ended: a larger one may settle {them}"
         brackets = f"in {counted(half, 'bracket')} at most one zero is shown"
         reason = Reason.HYPOTHESIS if self.budget is None else Reason.BUDGET
         return Verdict.undecided(statement, reason, "; ".join([pieces] * bool(left) + [brackets] * bool(half)))
+
+    def _fold_between(self) -> str:
+        """Of two parameters, where the continued spot is followed up to some pieces and not beyond: what is known of
+        that. Empty where it is found on all pieces, or of one parameter, whose folds are sought."""
+        without = sum(piece.kind is Kind.NO_TUBE for piece in self.pieces)
+        if not without or len(self.axes) == 1:
+            return ""
+        names = [axis.name for i, axis in enumerate(self.axes) if self._loses_the_spot_along(i)]
+        alone = " or ".join(names or [axis.name for axis in self.axes])
+        return (
+            f"on {counted(without, 'piece')} no continued spot was found: it may end before, at a fold, where it meets "
+            "another one and both vanish, and then more cells settle nothing; over two parameters folds are not "
+            f"sought, over {alone} alone they are"
+        )
+
+    def _loses_the_spot_along(self, i: int) -> bool:
+        """Whether the spot was not found somewhere on the line through the start along this axis."""
+        across = [(j, value) for j, value in enumerate(self.start) if j != i]
+        return any(
+            piece.kind is Kind.NO_TUBE and all(piece.lower[j] <= value <= piece.upper[j] for j, value in across)
+            for piece in self.pieces
+        )
 
     def _is_wide(self, piece: SweepPiece) -> bool:
         """Whether a piece next to a fold, where Case and side are not settled, is more than a bracket."""

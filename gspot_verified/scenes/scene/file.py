@@ -48,7 +48,7 @@ from typing import Any
 from flint import fmpq
 
 from gspot_verified.mechanisms.formulas.names import nearest
-from gspot_verified.mechanisms.input.file import read_mechanism
+from gspot_verified.mechanisms.input.file import read_mechanism, refuse_robot
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.input.toml_table import TomlTable, toml_table
 from gspot_verified.mechanisms.shipped import shipped_mechanism
@@ -190,6 +190,7 @@ def _names_a_mechanism(name: str) -> bool:
 
 
 def _scene_of_file(path: Path) -> Scene:
+    refuse_robot(path)
     text = _text(path)
     try:
         return parse_scene(text, path.parent)

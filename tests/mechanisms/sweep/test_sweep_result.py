@@ -133,6 +133,19 @@ def test_what_is_left_says_how_to_go_on() -> None:
     assert verdict.reason is Reason.BUDGET
 
 
+def test_where_a_spot_may_end_at_a_fold_more_cells_are_not_advised() -> None:
+    """The start is k = 0, l = 0: along k the spot is lost, along l it is not."""
+    here = SweepPiece((fmpq(0), fmpq(0)), (fmpq(1), fmpq(1)), Kind.SETTLED, "III", 1, -1)
+    lost = SweepPiece((fmpq(1), fmpq(0)), (fmpq(2), fmpq(1)), Kind.NO_TUBE)
+    detail = plane(here, lost).verdict.detail
+    assert "on one piece no continued spot was found: it may end before, at a fold" in detail
+    assert detail.endswith("over two parameters folds are not sought, over k alone they are")
+    assert "more cells may" not in detail
+    beside = SweepPiece((fmpq(1), fmpq(1, 2)), (fmpq(2), fmpq(1)), Kind.NO_TUBE)
+    assert plane(here, beside).verdict.detail.endswith("over k or l alone they are")
+    assert "more cells may" in line(piece(10, 11, Kind.SETTLED), piece(11, 12, Kind.NO_TUBE)).verdict.detail
+
+
 def plane(*pieces: SweepPiece) -> Sweep:
     axes = (Axis("k", fmpq(0), fmpq(2), 1), Axis("l", fmpq(0), fmpq(1), 1))
     return Sweep("map", axes, (fmpq(0), fmpq(0)), {}, pieces)
