@@ -30,6 +30,8 @@ from gspot_verified.scenes.scene.samples import RADIUS, Samples
 from gspot_verified.scenes.scene.scene import Scene
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from matplotlib.legend import Legend
     from numpy import ndarray
 
     Column = ndarray[Any, Any]
@@ -112,7 +114,7 @@ def _draw(scene: Scene, sampled: Sequence[SceneRun], runs: Sequence[SceneRun]) -
         _events(fields, shown, run, over)
     _axis(fields[-1], over, float(ends.min()), width)
     fields[0].set_title(f"{scene.name}, ε = {scene.epsilon}", loc="left", parse_math=False)
-    figure.legend(*_named_once(fields[0]), loc="outside upper left", fontsize=8, ncols=3, frameon=False)
+    legend_above(figure, fields[0])
     return picture(
         figure,
         "scene",
@@ -128,6 +130,16 @@ def _axis(axes: Any, over: str, least: float, width: float) -> None:
     limits = (least - 0.02 * width, least + 1.02 * width)
     axes.set_xlim(*(reversed(limits) if over == "p" else limits))
     axes.set_xlabel(r"$p$ (time runs $\longrightarrow$)" if over == "p" else "$t$ after the start")
+
+
+def legend_above(figure: Figure, axes: Any) -> Legend:
+    """The legend above the panels, each name once, in as many columns as the picture has room for."""
+    for columns in (3, 2, 1):
+        legend = figure.legend(*_named_once(axes), loc="outside upper left", fontsize=8, ncols=columns, frameon=False)
+        if legend.get_window_extent().width <= figure.bbox.width or columns == 1:
+            break
+        legend.remove()
+    return legend
 
 
 def _named_once(axes: Any) -> tuple[list[Any], list[str]]:

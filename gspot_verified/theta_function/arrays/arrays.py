@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, cast
 
 import numpy as np
@@ -42,7 +42,7 @@ def theta_array(
     True
     """
     bits_for_digits(digits)
-    taus, betas = np.broadcast_arrays(_as_array(tau, "tau"), _as_array(beta, "beta"))
+    taus, betas = _broadcast(_as_array(tau, "tau"), _as_array(beta, "beta"))
     result = np.empty(taus.size, dtype=object)
     for value, where in _by_beta(betas):
         points = taus.ravel()[where]
@@ -60,7 +60,9 @@ def theta_array(
     return result.reshape(taus.shape)
 
 
-def theta_of_floats(tau: ArrayLike, beta: ExactInput | np.ndarray[Any, Any], derivative: int = 0) -> FloatBalls:
+def theta_of_floats(
+    tau: ArrayLike, beta: ExactInput | Sequence[Any] | np.ndarray[Any, Any], derivative: int = 0
+) -> FloatBalls:
     """d^k Theta/dtau^k at doubles, each of which stands for its exact binary value: midpoints and radii as doubles.
 
     The exact value lies within the radius, always; the radius is at most 10^-15 of the value, or 2^-899 where that is
@@ -69,16 +71,17 @@ def theta_of_floats(tau: ArrayLike, beta: ExactInput | np.ndarray[Any, Any], der
 
     :param tau: a number, a list or an array of real numbers that doubles hold exactly. The index of a pandas Series is
         that of the result, unless ``beta`` broadcasts it to another shape.
-    :param beta: one exact input, or an array of them (floats: exact binary values), broadcast against ``tau``.
+    :param beta: one exact input, or a list or an array of them (floats: exact binary values), broadcast against
+        ``tau``.
     :raises TypeError: ``tau`` has other entries than integers and floats, or an array is masked.
-    :raises ValueError: an entry is NaN, infinite, outside the domain, or not a double.
+    :raises ValueError: an entry is NaN, infinite, outside the domain, or not a double; the shapes do not broadcast.
 
     >>> values = theta_of_floats([0.5, -1.25, 2], "7/3")
     >>> values.shape, bool((values.radius <= 1e-15 * abs(values.midpoint)).all())
     ((3,), True)
     """
     _without_mask(tau, "tau")
-    taus, betas = np.broadcast_arrays(_doubles(tau), _as_array(beta, "beta"))
+    taus, betas = _broadcast(_doubles(tau), _as_array(_listed(beta), "beta"))
     points = np.ascontiguousarray(taus).reshape(-1)
     middles, radii = np.empty(0), np.empty(0)
     for value, where in _by_beta(betas):
@@ -115,6 +118,23 @@ def _doubles(values: ArrayLike) -> FloatArray:
     if given.dtype.kind == "f" and ((points != given) & np.isfinite(given)).any():
         raise ValueError(f"tau: an entry of {given.dtype} is not a double; theta takes it exactly")
     return points
+
+
+def _broadcast(taus: np.ndarray[Any, Any], betas: np.ndarray[Any, Any]) -> tuple[np.ndarray[Any, Any], ...]:
+    try:
+        return tuple(np.broadcast_arrays(taus, betas))
+    except ValueError:
+        raise ValueError(
+            f"tau has the shape {taus.shape}, beta {betas.shape}: they do not broadcast; tau[:, None] takes all pairs"
+        ) from None
+
+
+def _listed(values: Any) -> Any:
+    """A list, a tuple or a table of pandas as an array; texts and fractions in it stay what they are."""
+    if isinstance(values, np.ndarray) or not (isinstance(values, list | tuple) or hasattr(values, "__array__")):
+        return values
+    given = np.asarray(values)
+    return given if given.dtype.kind in "iuf" else np.asarray(values, dtype=object)
 
 
 def _as_array(value: ExactInput | ComplexInput | np.ndarray[Any, Any], name: str) -> np.ndarray[Any, Any]:

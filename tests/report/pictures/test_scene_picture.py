@@ -10,7 +10,8 @@ from flint import fmpq
 
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
 from gspot_verified.compliant.motion.compliant_force import force
-from gspot_verified.report.pictures.scene_picture import caption, panels_of, scene_picture
+from gspot_verified.report.pictures.canvas import canvas
+from gspot_verified.report.pictures.scene_picture import caption, legend_above, panels_of, scene_picture
 from gspot_verified.report.pictures.scene_prediction import canard, scaled_theta
 from gspot_verified.scenes.certified_run import certified_run, with_boxes
 from gspot_verified.scenes.floats.float_run import float_run
@@ -69,6 +70,20 @@ def test_the_caption_says_what_is_certified() -> None:
     assert drawn.svg.startswith("<svg")
     with pytest.raises(ValueError, match="needs a run with samples"):
         scene_picture(scene, [certified_run(scene)])
+
+
+@pytest.mark.parametrize("length", [9, 40])
+def test_the_legend_is_no_wider_than_the_picture(length: int) -> None:
+    """Five words beside their marks: in as many columns as have room."""
+    figure = canvas(2)
+    axes = figure.subplots()
+    for number in range(5):
+        axes.plot([0, 1], [0, number], label=f"{number}".ljust(length, "w"))
+    whole = legend_above(figure, axes).get_window_extent()
+    assert whole.x0 >= 0
+    assert whole.x1 <= figure.bbox.x1
+    assert len(figure.legends) == 1
+    assert len(figure.legends[0].get_texts()) == 5
 
 
 def test_own_coordinates_and_the_slip_velocity_have_panels() -> None:

@@ -395,3 +395,36 @@ def test_what_takes_no_complex_array_says_so() -> None:
         theta(np.array([1 + 2j], dtype=object), "7/3")
     with pytest.raises(TypeError, match="tau: a complex is not taken"):
         theta(1 + 2j, np.array([0.5]))
+
+
+class Column:
+    """What pandas gives: an array by its method, an index."""
+
+    index = ("a", "b")
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> np.ndarray[Any, Any]:
+        return np.array([0.5, 1.5], dtype=dtype)
+
+
+@pytest.mark.parametrize(
+    "betas", [[0.5, 1.5], (0.5, 1.5), ["1/2", "3/2"], [Fraction(1, 2), "1.5"], Column(), np.array([0.5, 1.5])]
+)
+def test_betas_in_a_list(betas: Any) -> None:
+    found = theta_of_floats([1, 2], betas)
+    for tau, beta, middle, radius in zip((1, 2), ("1/2", "3/2"), found.midpoint, found.radius, strict=True):
+        assert arb(float(middle), float(radius)).contains(theta(tau, beta, digits=40))
+    assert theta_of_floats([[1], [2]], betas).shape == (2, 2)
+
+
+@pytest.mark.parametrize("betas", [[], [[]]])
+def test_no_betas_give_no_values(betas: Any) -> None:
+    assert theta_of_floats(1.0, betas).shape == np.shape(betas)
+
+
+def test_what_no_beta_is() -> None:
+    for betas, message in (([0.5, None], "beta: "), (["x"], "beta: expected"), ([float("nan")], "finite")):
+        with pytest.raises((TypeError, ValueError), match=message):
+            theta_of_floats(1.0, betas)
+    for of in (theta_of_floats, theta):
+        with pytest.raises(ValueError, match=r"tau has the shape \(3,\), beta \(2,\): they do not broadcast"):
+            of(np.zeros(3), np.array([0.5, 1.5]))
