@@ -14,6 +14,7 @@ import pytest
 from full_disk import full_after
 
 from gspot_verified.cli import main
+from gspot_verified.scenes.certified import run_steps
 
 
 def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
@@ -143,6 +144,18 @@ def test_a_certified_run_goes_on(capsys: pytest.CaptureFixture[str], tmp_path: P
     assert run(capsys, *words, "--journal", str(kept)) == (0, whole, "")
     run(capsys, *words, "--journal", str(kept), "--compare")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["run.journal", "run.journal.float"]
+
+
+def test_what_a_run_may_cost_is_said_before_its_steps(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Once, with the first sign of life."""
+    monkeypatch.setattr(run_steps, "QUIET_SECONDS", 0.0)
+    _, _, errors = run(capsys, "simulate", "rod", "--until", "1/200", "--budget", "3")
+    first, second, *others = errors.splitlines()
+    assert first.startswith("... the fastest oscillation at the start has 515 radians in a unit of time")
+    assert "192 bits: slip at t = " in second
+    assert not any("oscillation" in line for line in others)
 
 
 def test_a_contradiction_is_said(capsys: pytest.CaptureFixture[str]) -> None:

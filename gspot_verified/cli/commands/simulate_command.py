@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -145,7 +146,13 @@ def simulate(
             )
         if not floats:
             certified = run_of(
-                loaded, digits=digits, route=route, budget=budget, points=sampled, journal=journal, progress=progress
+                loaded,
+                digits=digits,
+                route=route,
+                budget=budget,
+                points=sampled,
+                journal=journal,
+                progress=_after_estimate(loaded),
             )
     runs = [run for run in (certified, simulated) if run is not None]
     agree = None if certified is None or simulated is None else agreement(simulated, certified)
@@ -196,6 +203,23 @@ def scenes(as_json: JsonFlag = False) -> None:
     typer.echo("what is no effect:")
     for name, reason in OUTSIDE.items():
         typer.echo(f"  {name}: {reason}")
+
+
+def _after_estimate(scene: Scene) -> Callable[[str], None]:
+    """Signs of life, before the first of them what the whole run may cost; a short run gives none."""
+    first = True
+
+    def say(step: str) -> None:
+        nonlocal first
+        if first:
+            from gspot_verified.scenes.floats.fast_oscillation import fast_oscillation
+
+            first, found = False, fast_oscillation(scene)
+            if found is not None:
+                progress(str(found))
+        progress(step)
+
+    return say
 
 
 def _before(name: str, spot: int, given: dict[str, str]) -> Scene:
