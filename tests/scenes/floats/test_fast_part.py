@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 
 import pytest
+from flint import fmpq
 
 from gspot_verified.compliant.side.side_rule import side_rule
 from gspot_verified.mechanisms.approach.approach import approach
@@ -39,6 +40,40 @@ def test_the_exact_fast_coefficient_falls_like_it() -> None:
     power = ((sizes[200] - sizes[400]) * 2 - (sizes[400] - sizes[800])) / math.log(2)  # the same E(n) cancels
     measured = (sizes[400] - sizes[800] - power * math.log(2)) / 400
     assert measured == pytest.approx(found.exponent, rel=0.02)
+
+
+STARTS = {"just in contact": {"y": "-1e-30", "v": 0, "z": 0}, "rest": {}, "slip": {"start": "slip"}}
+"""Three starts over the same slow states; y = v = z = 0 itself is not yet a state in contact."""
+
+
+def _stays(start: str, p: fmpq, epsilon: str) -> bool:
+    """Whether the exact side of a start is that of the impact. Its slow part always is: nu = 2, beta = 5/2."""
+    scene = load_scene("fig-varsim1", beta="5/2", nu=2, epsilon=epsilon, p=p, **STARTS[start])  # type: ignore[arg-type]
+    rule = side_rule(*exact_start(scene), 6)
+    assert rule.slow_side is not None
+    assert rule.slow_side > 0
+    assert rule.side > 0 or rule.side < 0
+    return bool(rule.side > 0)
+
+
+def test_what_is_left_of_the_fast_part_may_turn_the_side() -> None:
+    """At p = 3/50 e^(-2.25) of it is left, at p = 1/5 e^(-25)."""
+    near, far = fmpq(3, 50), fmpq(1, 5)
+    assert not _stays("just in contact", near, "1e-4")
+    assert not _stays("rest", near, "1e-4")
+    assert _stays("slip", near, "1e-4")
+    assert _stays("just in contact", far, "1e-4")
+    assert _stays("just in contact", near, "1e-5")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("start", "epsilon", "count"),
+    [("just in contact", "1e-4", 18), ("rest", "1e-4", 22), ("slip", "1e-4", 26), ("just in contact", "1e-6", 26)],
+)
+def test_how_many_of_26_starts_stay_on_the_side_of_impact(start: str, epsilon: str, count: int) -> None:
+    """docs/scenes.md has these numbers."""
+    assert sum(_stays(start, fmpq(k, 100), epsilon) for k in range(4, 30)) == count
 
 
 def test_other_springs() -> None:
