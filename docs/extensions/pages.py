@@ -46,7 +46,9 @@ _TYPESET = (
 )
 GALLERY = re.compile(r"static/gallery_(\w+)\.svg")
 """A picture on the page of the gallery: of the mechanism in this file, at the place that it names."""
-MADE = ("notebook.md", "glossary.md")
+NOTEBOOKS = {"notebook": "", "notebook_arm": "arm_"}
+"""Scripts that are run, and what their pictures' names begin with."""
+MADE = ("glossary.md", *(f"{name}.md" for name in NOTEBOOKS))
 """Pages of this folder that are written when the site is built."""
 _TYPES = {
     re.compile(r"[~\w.]*\bAnnotated\[((?:[^\[\]]|\[[^\[\]]*\])*?), (?:<[^>]*>|\w+)\]"): r"\1",
@@ -57,7 +59,7 @@ _NO_FORMULAS = ("proofs/certificate", "proofs/check")
 
 
 def write_pages(app: Any) -> None:
-    """Copy the proof pages, list the public names and the terms, draw the gallery, run the script."""
+    """Copy the proof pages, list the public names and the terms, draw the gallery, run the scripts."""
     made = Path(app.srcdir)
     proofs = made / "proofs"
     proofs.mkdir(exist_ok=True)
@@ -69,9 +71,10 @@ def write_pages(app: Any) -> None:
     for name in GALLERY.findall((made / "gallery.md").read_text(encoding="utf-8")):
         shown = gspot_verified.plot("mechanism", mechanism=gspot_verified.load(name))
         _write(made / "static" / f"gallery_{name}.svg", shown.svg)
-    script = (made / "notebook.py").read_text(encoding="utf-8")
-    _write(made / "notebook.md", notebook_page(script, made / "static"))
-    _write(made / "static" / "notebook.ipynb", json.dumps(notebook(script), ensure_ascii=False, indent=1) + "\n")
+    for name, prefix in NOTEBOOKS.items():
+        script = (made / f"{name}.py").read_text(encoding="utf-8")
+        _write(made / f"{name}.md", notebook_page(script, made / "static", prefix))
+        _write(made / "static" / f"{name}.ipynb", json.dumps(notebook(script), ensure_ascii=False, indent=1) + "\n")
 
 
 def _write(place: Path, text: str) -> None:

@@ -60,8 +60,8 @@ def run(source: str) -> list[tuple[bool, str, str, Picture | None]]:
     return found
 
 
-def notebook_page(source: str, pictures: Path) -> str:
-    """The page in Markdown; pictures are written into the folder."""
+def notebook_page(source: str, pictures: Path, prefix: str = "") -> str:
+    """The page in Markdown; pictures are written into the folder, their names behind the prefix."""
     parts = []
     for is_text, body, printed, drawn in run(source):
         if is_text:
@@ -71,6 +71,7 @@ def notebook_page(source: str, pictures: Path) -> str:
         if printed:
             parts.append(f"```text\n{printed.rstrip()}\n```")
         if drawn is not None:
-            (pictures / f"{drawn.name}.svg").write_text(drawn.svg, encoding="utf-8")
-            parts.append(f"```{{figure}} static/{drawn.name}.svg\n:alt: {drawn.alternative}\n\n{drawn.caption}\n```")
+            name = f"{prefix}{drawn.name}.svg"
+            (pictures / name).write_text(drawn.svg, encoding="utf-8")
+            parts.append(f"```{{figure}} static/{name}\n:alt: {drawn.alternative}\n\n{drawn.caption}\n```")
     return "\n\n".join(parts) + "\n"

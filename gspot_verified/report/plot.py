@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -26,9 +26,11 @@ from gspot_verified.report.pictures.expansion_picture import expansion_picture
 from gspot_verified.report.pictures.mechanism_animation import check_animated, mechanism_animation
 from gspot_verified.report.pictures.mechanism_picture import mechanism_picture
 from gspot_verified.report.pictures.phase_plane import phase_plane_picture
+from gspot_verified.report.pictures.scene_picture import scene_picture
 from gspot_verified.report.pictures.zero_map_picture import zero_map_picture
+from gspot_verified.scenes.certified_run import with_boxes
 from gspot_verified.scenes.scene.file import load_scene
-from gspot_verified.scenes.scene.run import SceneRun
+from gspot_verified.scenes.scene.run import CERTIFIED, SceneRun
 from gspot_verified.scenes.scene.scene import Scene
 from gspot_verified.scenes.simulate import simulate
 from gspot_verified.signs.zeros.zeros import ZerosResult
@@ -42,7 +44,9 @@ def plot(subject: object, path: str | Path | None = None, **options: Any) -> Pic
       and ε for the paper's data, about a minute; "threshold": the exact ε0 over β beside the one at leading order, some
       minutes; "mechanism" (``mechanism=``, ``state=``, ``spot=``): its bodies and its contact point at a state, by
       default at its G-spot, as the drawing in its file says; "animation" (``scene=``, ``run=``): its motion along a run
-      of a scene with samples, by default one with floats, as an SVG that browsers play;
+      of a scene with samples, by default one with floats, as an SVG that browsers play; "run" (``scene=``, ``run=``):
+      the force, y, b and what else is integrated along a run, by default one with floats, or along several, certified
+      ones as boxes;
     - a mechanism (``state=``, ``spot=``): the phase plane (p, b) next to its G-spot, or that of this number;
     - the result of ``expand``: the residual under its proved bound; of ``iwc`` (``epsilon=``): λ_N(τ) at leading order;
       of ``zeros_on_range``: the sign atlas; of ``zero_map``: the map over β and ε.
@@ -93,6 +97,13 @@ def _animation(scene: Scene | str | Path, run: SceneRun | None = None) -> Pictur
     return mechanism_animation(shown, simulate(shown, floats=True) if run is None else run)
 
 
+def _run(scene: Scene | str | Path, run: SceneRun | Sequence[SceneRun] | None = None) -> Picture:
+    shown = scene if isinstance(scene, Scene) else load_scene(scene)
+    given = simulate(shown, floats=True) if run is None else run
+    runs = [given] if isinstance(given, SceneRun) else given
+    return scene_picture(shown, [with_boxes(shown, each) if each.strength == CERTIFIED else each for each in runs])
+
+
 _NAMES: dict[str, Callable[..., Picture]] = {
     "theta": theta_picture,
     "b-hat": b_hat_picture,
@@ -101,6 +112,7 @@ _NAMES: dict[str, Callable[..., Picture]] = {
     "threshold": _threshold,
     "mechanism": mechanism_picture,
     "animation": _animation,
+    "run": _run,
 }
 _KINDS: dict[type, Callable[..., Picture]] = {
     Mechanism: phase_plane_picture,

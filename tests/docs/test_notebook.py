@@ -13,9 +13,13 @@ from typing import Any
 
 import nbformat
 import pytest
+from pages import NOTEBOOKS
 from script_notebook import cells, notebook, notebook_page, run
 
+from gspot_verified.report.pictures.canvas import Picture
+
 SCRIPT = Path(__file__).resolve().parents[2] / "docs" / "notebook.py"
+ARM = SCRIPT.with_name("notebook_arm.py")
 FIGURE = re.compile(r"static/([\w-]+\.svg)")
 SOURCE = '"""x"""\n# %% [markdown]\n# # Title\n#\n# text\n\n# %%\na = 2\nprint(a)\na + 1\n'
 
@@ -38,7 +42,7 @@ def test_cells() -> None:
     assert [output for _, _, output, _ in run(SOURCE)] == ["", "2\n3\n"]
 
 
-@pytest.mark.parametrize("source", [SOURCE, SCRIPT.read_text(encoding="utf-8")])
+@pytest.mark.parametrize("source", [SOURCE, *(script.read_text(encoding="utf-8") for script in (SCRIPT, ARM))])
 def test_the_cells_are_a_notebook(source: str) -> None:
     made = nbformat.from_dict(notebook(source))
     nbformat.validate(made)
@@ -86,3 +90,26 @@ def test_the_notebook_runs_in_a_kernel(tmp_path: Path) -> None:
     assert all(len(data["text/plain"]) <= 400 for data in shown)
     assert len(outputs) == len(codes) == 9
     assert all(len(found) == 1 for found in outputs)  # no warning, no error
+
+
+def test_pictures_of_two_notebooks_have_names_of_their_own(tmp_path: Path) -> None:
+    made = 'Picture("dot", "t", "c", "a", "<svg/>", b"")'
+    source = f"# %%\nfrom {Picture.__module__} import Picture\n\n{made}\n"
+    assert "static/arm_dot.svg" in notebook_page(source, tmp_path, "arm_")
+    assert [picture.name for picture in tmp_path.iterdir()] == ["arm_dot.svg"]
+    assert len(set(NOTEBOOKS.values())) == len(NOTEBOOKS)
+    assert {f"{name}.py" for name in NOTEBOOKS} == {script.name for script in SCRIPT.parent.glob("notebook*.py")}
+
+
+@pytest.mark.slow
+def test_an_arm_from_sympy_in_a_kernel(tmp_path: Path) -> None:
+    """From the equations to the picture of a certified run; nothing but what the cells show is printed."""
+    outputs = executed(ARM.read_text(encoding="utf-8"), tmp_path)
+    assert all(output.output_type == "execute_result" for found in outputs for output in found)
+    shown = [output.data for found in outputs for output in found]
+    texts = [data["text/html"] for data in shown if "text/html" in data]
+    assert "exactly 4 G-spots" in texts[0]
+    assert "0.681153" in texts[1]
+    assert "side: impact without collision" in texts[2]
+    assert "no other change of phase" in texts[3]
+    assert len([data for data in shown if "image/svg+xml" in data]) == 2

@@ -13,7 +13,7 @@ import pytest
 import gspot_verified
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")), ROOT / "docs" / "notebook.py"]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")), *sorted((ROOT / "docs").glob("notebook*.py"))]
 DOORS = ("gspot_verified", "gspot_verified.testing")
 _IMPORT = re.compile(
     r"^\s*(?:>>> |\.\.\. )?\s*(?:from\s+(gspot_verified[\w.]*)\s+import|import\s+(gspot_verified[\w.]*))"

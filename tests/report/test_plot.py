@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from flint import arb, fmpq
 
-from gspot_verified import expand, iwc, load, plot
+from gspot_verified import expand, iwc, load, load_scene, plot, simulate
 from gspot_verified.compliant.model.normal_form import compliant_model
 from gspot_verified.compliant.motion.compliant_force import SlowMotions, contact_motion
 from gspot_verified.mechanisms.spots.g_spot import find_g_spot
@@ -36,6 +36,28 @@ def test_every_subject(tmp_path: Path) -> None:
     assert plot("b-hat", beta="3/2", epsilons=["1/10"]).name == "b-hat"
 
 
+def test_which_runs_are_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One with floats where none is given; a certified one with boxes, which one without samples gets here."""
+    monkeypatch.setattr(module, "scene_picture", lambda scene, runs: (scene.name, runs))
+    scene = load_scene("fig-varsim1", epsilon="1/10", until="1/10")
+    certified, floats = simulate(scene), simulate(scene, floats=True, points=5)
+    assert certified.samples is None
+    name, drawn = plot("run", scene=scene, run=[certified, floats])  # type: ignore[misc]
+    assert name == "fig-varsim1"
+    assert drawn[0].samples.boxes is not None
+    assert drawn[1] is floats
+    assert plot("run", scene=scene, run=floats) == (name, [floats])
+    assert plot("run", scene=scene)[1][0].strength == "simulated"  # type: ignore[index]
+
+
+@pytest.mark.slow
+def test_a_run_has_its_picture() -> None:
+    scene = load_scene("fig-varsim1", epsilon="1/20", until="1/4")
+    drawn = plot("run", scene=scene, run=simulate(scene))
+    assert drawn.title == "The scene fig-varsim1, ε = 1/20"
+    assert "the trajectory lies in them" in drawn.caption
+
+
 @pytest.mark.parametrize("name", ["x.jpg", "x", "x.png.txt"])
 def test_the_suffix_comes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str) -> None:
     monkeypatch.setitem(module._NAMES, "theta", None)
@@ -47,7 +69,8 @@ def test_what_has_no_figure() -> None:
     with pytest.raises(TypeError, match="a Verdict has no figure"):
         plot(iwc("7/3").verdict)
     with pytest.raises(
-        ValueError, match="expected one of theta, b-hat, force, side-map, threshold, mechanism, animation, got 'atlas'"
+        ValueError,
+        match="expected one of theta, b-hat, force, side-map, threshold, mechanism, animation, run, got 'atlas'",
     ):
         plot("atlas")
     for options in ({"beta": -1}, {"beta": "5/2", "epsilons": [0]}):
