@@ -33,7 +33,7 @@ from gspot_verified.report.mechanism.runs import (
     ReportScene,
     State,
     chosen_run,
-    scene_part,
+    scene_parts,
     slip_part,
     state_text,
 )
@@ -147,7 +147,13 @@ def report_on(
         runs.append(attempted(title, partial(slip_part, source, state, title)))
     if scene is not None:
         say(f"the scene {scene.scene.name}")
-        runs.append(attempted("The scene", partial(scene_part, scene, say)))
+        shown: list[ReportPart] = []
+
+        def run_of_scene() -> ReportPart:
+            shown.extend(scene_parts(scene, say))
+            return shown[0]
+
+        runs += [attempted("The scene", run_of_scene), *shown[1:]]
     return MechanismReport(
         name=mechanism.name,
         settings=tuple(source.settings.items()),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shlex
 import tempfile
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -20,6 +21,7 @@ from gspot_verified.numbers.short_text import short_text
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.report.mechanism.part import ReportPart
 from gspot_verified.report.mechanism.subject import Source, Subject
+from gspot_verified.report.pictures.mechanism_animation import mechanism_animation
 from gspot_verified.report.pictures.phase_plane import RigidSlip
 from gspot_verified.scenes.scene.file import load_scene, parse_scene, scene_names
 from gspot_verified.scenes.scene.scene import Scene, SceneError
@@ -29,6 +31,7 @@ _BITS = 80  # of the search for a start: any start is as good
 _PLACES = 10**8  # a start is rounded to so many parts of 1
 _SIZES = tuple(fmpq(1, 2**k) for k in (5, 7, 9, 12))  # p at the start, tried in turn
 _STEPS = 4000  # of the integrator at each precision, in a scene: a limit against endless work
+_FRAMES = 101  # enclosures asked for where the run is shown in motion; the integrator has times of its own
 _SCENE_FILE = "scene.toml"
 _MECHANISM = re.compile(r"^mechanism\s*=.*$", re.MULTILINE)
 CHOSEN = {"the first of two": fmpq(3, 4), "the second of two": fmpq(5, 4)}
@@ -162,14 +165,23 @@ def _is_the_same_beside(text: str, source: Source, scene: Scene) -> bool:
     return replace(there, mechanism=replace(there.mechanism, place=scene.mechanism.place)) == scene
 
 
-def scene_part(scene: ReportScene, say: Callable[[str], None]) -> ReportPart:
-    """The certified run of the scene, with so many steps of the integrator at most."""
-    result = simulate(scene.scene, budget=_STEPS, progress=say)
-    assumed = [f"without {name}: {line}" for name, line in scene.scene.assumes().items()]
-    return ReportPart(
-        f"The scene {scene.scene.name}, ε = {scene.scene.epsilon}",
+def scene_parts(scene: ReportScene, say: Callable[[str], None]) -> tuple[ReportPart, ...]:
+    """The certified run of the scene, with so many steps of the integrator at most; and in motion where the file of the
+    mechanism says how the bodies look, and something of the run is known."""
+    shown = scene.scene
+    drawn = shown.mechanism is not None and shown.mechanism.drawing is not None
+    result = simulate(shown, budget=_STEPS, points=_FRAMES if drawn else None, progress=say)
+    command = shlex.join(["gspot-verified", "simulate", scene.file, "--budget", str(_STEPS)])
+    assumed = [f"without {name}: {line}" for name, line in shown.assumes().items()]
+    run = ReportPart(
+        f"The scene {shown.name}, ε = {shown.epsilon}",
         result.verdict.outcome,
         "\n".join([str(result), *assumed]),
-        (f"gspot-verified simulate {scene.file} --budget {_STEPS}",),
+        (command,),
         data=result.to_json(),
     )
+    try:
+        moving = mechanism_animation(shown, result)
+    except ValueError:  # no drawing, or nothing of the run is known
+        return (run,)
+    return run, ReportPart(moving.title, None, moving.caption, (f"{command} --animation motion.svg",), moving)

@@ -27,7 +27,7 @@ from gspot_verified.report.mechanism.local_parts import (
     true_solutions_part,
 )
 from gspot_verified.report.mechanism.part import ReportPart, attempted, outcome_of
-from gspot_verified.report.mechanism.runs import chosen_run, chosen_state, report_scene, scene_part, slip_part
+from gspot_verified.report.mechanism.runs import chosen_run, chosen_state, report_scene, scene_parts, slip_part
 from gspot_verified.report.mechanism.subject import Source, Subject
 from gspot_verified.report.pictures.canvas import Picture
 from gspot_verified.signs.zeros.slope_at import UndecidedError
@@ -243,13 +243,29 @@ def test_a_scene_beside_the_page_is_the_same(tmp_path: Path) -> None:
 def test_a_scene_is_run_with_a_budget(printed: Callable[[Source, str], str], monkeypatch: pytest.MonkeyPatch) -> None:
     rod = Source("mechanism.toml", shipped_text("rod"), {})
     short = replace(report_scene("rod", rod), scene=load_scene("rod", until="1/1000"))
-    part = scene_part(short, lambda _: None)
+    part = scene_parts(short, lambda _: None)[0]
     assert part.outcome is Outcome.PROVED
     assert part.title == "The scene rod, ε = 1/1000"
     assert part.commands == ("gspot-verified simulate rod --budget 4000",)
     assert says_the_same(part, printed(rod, f"{part.commands[0]} --until 1/1000").partition("  rod, ε = ")[0])
     monkeypatch.setattr(runs, "_STEPS", 1)
-    assert scene_part(replace(short, scene=load_scene("rod")), lambda _: None).outcome is Outcome.UNDECIDED
+    assert scene_parts(replace(short, scene=load_scene("rod")), lambda _: None)[0].outcome is Outcome.UNDECIDED
+
+
+def test_a_scene_is_shown_in_motion_where_its_bodies_are_drawn() -> None:
+    """From the certified enclosures; without a drawing, or without one step that is proved, there is none."""
+    rod = Source("mechanism.toml", shipped_text("rod"), {})
+    short = replace(report_scene("rod", rod), scene=load_scene("rod", until="1/1000"))
+    run, moving = scene_parts(short, lambda _: None)
+    assert moving.picture is not None
+    assert moving.picture.name == "animation"
+    assert "From the middles of certified enclosures" in moving.picture.svg
+    assert moving.commands == ("gspot-verified simulate rod --budget 4000 --animation motion.svg",)
+    assert (moving.outcome, run.picture) == (None, None)
+    assert short.scene.mechanism is not None
+    plain = replace(short.scene, mechanism=replace(short.scene.mechanism, drawing=None))
+    (bare,) = scene_parts(replace(short, scene=plain), lambda _: None)
+    assert bare.text == run.text
 
 
 def test_what_fails_is_a_part_that_says_why() -> None:
