@@ -42,7 +42,13 @@ from gspot_verified.mechanisms.formulas.simplify import (
     sum_of,
 )
 from gspot_verified.mechanisms.formulas.symbol import PI, Symbol, symbol_names
-from gspot_verified.mechanisms.input.mechanism import Lagrangian, Mechanism, MechanismError, ReferenceAngle
+from gspot_verified.mechanisms.input.mechanism import (
+    Lagrangian,
+    Mechanism,
+    MechanismError,
+    ReferenceAngle,
+    require_mechanism,
+)
 
 _MAX_TURNS = 64  # largest multiple of a reference angle whose sine and cosine are computed: they grow long
 _MAX_MULTIPLIED_OUT = 64  # terms: longer products stay products
@@ -225,8 +231,10 @@ def shift(mechanism: Mechanism, free: bool = False, slip_speed: bool = False) ->
     With ``free`` parameters may stay without a value. With ``slip_speed`` the friction coefficient may depend on the
     slip speed: it is held fixed and stays a symbol of the functions (:mod:`slip_speed`).
 
+    :raises TypeError: it is no mechanism.
     :raises MechanismError: a parameter without a value, or the Lagrangian character is violated.
     """
+    require_mechanism(mechanism)
     missing = [name for name, value in mechanism.parameters if value is None]
     if missing and not free:
         raise MechanismError(f"{mechanism.name}: parameters without a value: {', '.join(missing)}")

@@ -8,6 +8,7 @@ Formulas are expressions: component i of the state is ``Variable(i)``, parameter
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import Any
 
 from flint import fmpq
@@ -204,3 +205,21 @@ def exact_rational(value: ExactInput, name: str) -> fmpq:
     if not isinstance(number, fmpq):
         raise MechanismError(f"{name}: must be a rational number")
     return number
+
+
+def require_mechanism(value: object) -> None:
+    """Passes for a mechanism.
+
+    :raises TypeError: it is none: a name, say, that :func:`gspot_verified.load` takes.
+
+    >>> require_mechanism("rod")
+    Traceback (most recent call last):
+    ...
+    TypeError: expected a mechanism, got 'rod'; load('rod') makes one
+    """
+    if isinstance(value, Mechanism):
+        return
+    if isinstance(value, str | Path):
+        shown = repr(str(value)[:60])
+        raise TypeError(f"expected a mechanism, got {shown}; load({shown}) makes one")
+    raise TypeError(f"expected a mechanism, got {type(value).__name__}")

@@ -15,7 +15,7 @@ from flint import arb, fmpq
 
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.mechanisms.formulas.simplify import rational_value
-from gspot_verified.mechanisms.input.mechanism import Mechanism, exact_rational
+from gspot_verified.mechanisms.input.mechanism import Mechanism, exact_rational, require_mechanism
 from gspot_verified.mechanisms.spots.parametric_system import ParametricSystem, parametric_system
 from gspot_verified.mechanisms.sweep.sweep_cell import BITS
 from gspot_verified.mechanisms.sweep.sweep_division import Patchwork
@@ -76,6 +76,7 @@ in the brackets where one quantity passes zero or the spot vanishes
     >>> result.at(beta="5/2").case, result.at(beta="5/2").lift_off_sign
     ('III', 1)
     """
+    require_mechanism(mechanism)
     axes = _axes(mechanism, parameters)
     if type(budget) is not int or budget < 0:
         raise ValueError(f"budget must be an int >= 0, got {budget!r}")

@@ -99,6 +99,10 @@ def load_scene(name_or_path: str | Path, /, **settings: ExactInput | None) -> Sc
     >>> load_scene("oscillator", phi_dot="-1/2").system("slip").states
     ('phi', 'phi_dot', 'Y', 'V', 'Z')
     """
+    if isinstance(name_or_path, Mechanism):
+        raise TypeError(
+            "a mechanism is no scene: scene_before_spot(mechanism, 1) makes one, which starts before a G-spot"
+        )
     path = Path(name_or_path)
     if isinstance(name_or_path, str) and name_or_path in SHIPPED:
         place = resources.files("gspot_verified.scenes").joinpath("data", f"{name_or_path}.toml")

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import pytest
 from flint import arb, fmpq
 
+from gspot_verified import classify, classify_all, critical_friction, find_g_spots, sweep
 from gspot_verified.functions.derivative import ZERO
 from gspot_verified.functions.expressions import Constant, Variable, in_order
 from gspot_verified.functions.rings import BALLS, RATIONALS
@@ -110,3 +112,13 @@ def test_products_of_sums_with_references_do_not_grow_without_limit() -> None:
     function = prepared(product)
     assert symbol_names([function]) == {"q_ref"}
     assert len(in_order([function])) < 5000
+
+
+@pytest.mark.parametrize(
+    "ask", [classify, classify_all, find_g_spots, critical_friction, lambda name: sweep(name, {"mu": "1..2"})]
+)
+def test_a_name_is_no_mechanism(ask: Callable[[Any], object]) -> None:
+    with pytest.raises(TypeError, match=r"expected a mechanism, got 'rod'; load\('rod'\) makes one"):
+        ask("rod")
+    with pytest.raises(TypeError, match="expected a mechanism, got int"):
+        ask(3)

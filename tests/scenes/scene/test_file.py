@@ -15,6 +15,7 @@ from jsonschema import Draft202012Validator
 
 from gspot_verified.functions.expressions import Constant
 from gspot_verified.mechanisms.input.mechanism import MechanismError
+from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.scenes.scene.file import SHIPPED, load_scene, parse_scene, scene_file_schema
 from gspot_verified.scenes.scene.scene import SceneError
 
@@ -334,3 +335,8 @@ def test_a_wrong_setting_is_not_the_file_s(tmp_path: Path) -> None:
     path.write_text(resources.files("gspot_verified.scenes").joinpath("data", "fig-varsim1.toml").read_text())
     with pytest.raises(SceneError, match=r"^no setting 'nosuch'"):
         load_scene(path, nosuch=1)
+
+
+def test_a_mechanism_is_no_scene() -> None:
+    with pytest.raises(TypeError, match=r"a mechanism is no scene: scene_before_spot\(mechanism, 1\) makes one"):
+        load_scene(shipped_mechanism("rod"))  # type: ignore[arg-type]
