@@ -14,7 +14,6 @@ from flint import acb, fmpq
 from gspot_verified.numbers.balls import (
     Exact,
     add_remainder,
-    approximate,
     ball,
     ball_text,
     certainly_less,
@@ -95,14 +94,14 @@ def _none_reaches(tau: ExactComplex, goal: int) -> BudgetError:
     """Left of the imaginary axis the enveloping series reaches any size; right of it the series at 0 must."""
     with working_bits(_BITS_OF_A_BOUND):
         re, im = map(ball, tau)
-        if not (re > 0 and im != 0):
-            return no_route(goal)
-        size = approximate(complex_ball(tau).abs_upper())
-    return BudgetError(
-        f"no route reaches {goal} bits at this tau within memory and time: where the real part of a complex tau is "
-        f"positive only the series at 0 does, up to a |tau| of about 1000 (more next to the real axis); here |tau| is "
-        f"about {size:.3g}. Fewer digits hardly help; a smaller |tau|, a real part <= 0, or an integer beta >= 0 does"
-    )
+        far = complex_ball(tau).abs_upper().str(3, radius=False)
+    if re > 0 and im != 0:
+        return BudgetError(
+            f"no route reaches {goal} bits at this tau within memory and time: where the real part of a complex tau is "
+            f"positive only the series at 0 does, up to a |tau| of about 1000 (more next to the real axis); here |tau| "
+            f"is about {far}. Fewer digits hardly help; a smaller |tau|, a real part <= 0, or an integer beta >= 0 does"
+        )
+    return no_route(goal)
 
 
 def _around_middle(direct: acb, tau: ExactComplex, beta: Exact, goal: int, max_bits: int | None) -> acb:
