@@ -53,7 +53,7 @@ _LEAST_POINTS = 3
 _MANY_POINTS = 10_000  # from which on short panels are worth their series
 _POINTS_OF_A_PANEL = 40  # that cost as much as the panel's series; any number is right
 _POINTS_OF_A_LONG_PANEL = 40  # the same in pairs of doubles
-_LEAST_PAIRS = 60  # points that cost as much in balls as any number of them, at least, in pairs of doubles
+_LEAST_PAIRS = 150  # points that cost as much in balls as any number of them, at least, in pairs of doubles
 _MOST_BITS = 1_200  # beyond them panels cost more than they save; any number is right
 _RELATIVE = 0.999e-15  # a little below 10^-15, for what the comparison itself rounds
 
