@@ -177,9 +177,9 @@ def layer_integral(start: Start, rectangle: Rectangle, rate: arb, damping: fmpq)
     last = place_of(start, ball(rectangle.h))
     length = (ball(start.p) / last).log().max(arb(fmpq(2, 3)))
     decay = ball(damping) * (ball(start.p) ** 2 - last**2) / (2 * ball(start.e) * length)
-    if not decay > rate:
-        return arb.pos_inf()
-    return (start.z / (decay - rate)).upper()
+    if decay > rate:
+        return (start.z / (decay - rate)).upper()
+    return arb.pos_inf()
 
 
 def place_of(start: Start, h: arb) -> arb:
