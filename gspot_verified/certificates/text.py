@@ -22,9 +22,11 @@ HYPOTHESES = {
         *("certificate", "epsilon_series", "exact_solution", "finite_epsilon_zeros"),
         *("identities", "initial_values", "laplace", "negative"),
     ),
+    4: ("invariant_region", "left_out_effects", "run_certificate"),
 }
 """The pages that a certificate rests on, by version: 1 is about Theta, 2 about the compliant model's contact force, 3
-about the number of zeros of its slow solution."""
+about the number of zeros of its slow solution, 4 about a run."""
+RUN_VERSION = 4
 
 
 class Statement(Protocol):
@@ -50,14 +52,19 @@ def certificate_text(statement: Statement, columns: Sequence[Column]) -> str:
     >>> print(certificate_text(result.statement, result.columns).splitlines()[1])
     {"beta":["0","1/4"],"pieces":[["laplace"]]}
     """
-    header = {
-        "format": FORMAT,
-        "hypotheses": list(HYPOTHESES[statement.version]),
-        "statement": statement.to_json(),
-        "version": statement.version,
-    }
-    lines = [_canonical(header), *(_canonical(_column(column)) for column in columns)]
-    body = "".join(f"{line}\n" for line in lines)
+    return sealed(statement.version, statement.to_json(), [_column(column) for column in columns])
+
+
+def sealed(version: int, statement: dict[str, Any], lines: Sequence[Any]) -> str:
+    """The text of a certificate from plain data: the header, the lines, the hash.
+
+    :raises ValueError: a number has more than 4,000 digits, the format's limit.
+
+    >>> print(sealed(1, {"kind": "sign"}, [[1, 2]]).splitlines()[1])
+    [1,2]
+    """
+    header = {"format": FORMAT, "hypotheses": list(HYPOTHESES[version]), "statement": statement, "version": version}
+    body = "".join(f"{_canonical(line)}\n" for line in (header, *lines))
     if _TOO_LONG.search(body):
         raise ValueError("a certificate holds numbers of at most 4000 digits; ask for fewer digits or a rounder range")
     return f"{body}sha256 {hashlib.sha256(body.encode()).hexdigest()}\n"
@@ -77,12 +84,25 @@ def write_certificate(path: Path, statement: Statement, columns: Sequence[Column
     ...     file.read_text() == certificate_text(proved.statement, proved.columns)
     True
     """
+    write_text(path, certificate_text(statement, columns))
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write the text of a certificate; a file that is there is replaced only when the new one is complete on the disk.
+
+    :raises OSError: it cannot be written; its folder is not made.
+
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     write_text(Path(folder) / "a.cert", "a")
+    ...     (Path(folder) / "a.cert").read_text()
+    'a'
+    """
     if not path.parent.is_dir():
         raise FileNotFoundError(f"there is no folder {path.parent}")
     descriptor, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
     try:
         with os.fdopen(descriptor, "w", encoding="utf-8", newline="\n") as file:
-            file.write(certificate_text(statement, columns))
+            file.write(text)
             file.flush()
             os.fsync(file.fileno())
         Path(name).chmod(0o644)

@@ -47,7 +47,7 @@ class StateSet:
     def enclosure(self) -> list[arb]:
         """A box of the states."""
         box = []
-        for m, row in zip(self.middle, _row_norms(self.basis), strict=True):
+        for m, row in zip(self.middle, row_norms(self.basis), strict=True):
             reach = sum((a * b for a, b in zip(row, self.radii, strict=True)), arb(0))
             box.append(add_remainder(m, reach.upper()))
         return box
@@ -104,7 +104,7 @@ def norm_step(
     """The step of length h > 0 along polynomials in τ, or None when a hypothesis could not be verified."""
     if not (h > 0 and _fits(plan, field.dimension) and _divides(start.basis, field.dimension)):
         return None
-    defect = _defect(field, solution, h, plan)
+    defect = defect_bounds(field, solution, h, plan)
     if defect is None:
         return None
     before, radii = start.basis, arb_mat([[r] for r in start.radii])
@@ -116,7 +116,7 @@ def norm_step(
         except ZeroDivisionError:
             return None
         # Theorem N2: the same set in the norms of the next basis.
-        radii = _norms(inverse * before.S, basis, before) * radii
+        radii = block_norms(inverse * before.S, basis, before) * radii
         if i == 0:
             radii = radii + arb_mat([[r] for r in lengths((inverse * jump).entries(), basis)])
         before = basis
@@ -126,12 +126,12 @@ def norm_step(
         forcing = [sum((abs(inverse[j, k]) * defect[k] for k in range(size)), arb(0)) for j in range(size)]
         # Theorem N1.
         pushes = lengths(forcing, basis)
-        rows = _row_norms(basis)
+        rows = row_norms(basis)
         limit = (
             plan.margins[i] * _largest([r + length * d for r, d in zip(radii.entries(), pushes, strict=True)])
         ).upper()
         box = [add_remainder(p(piece), limit * sum(row, arb(0))) for p, row in zip(solution, rows, strict=True)]
-        rates = _rates(field, box, basis, inverse)
+        rates = growth_rates(field, box, basis, inverse)
         if rates is None:
             return None
         rates = rates * (h * length)
@@ -181,12 +181,12 @@ def _largest(values: Sequence[arb]) -> arb:
     return worst
 
 
-def _row_norms(basis: Basis) -> list[list[arb]]:
+def row_norms(basis: Basis) -> list[list[arb]]:
     """For each component of e = S ζ the lengths of its row of S in the blocks."""
     return [lengths(row, basis) for row in basis.S.table()]
 
 
-def _norms(A: arb_mat, left: Basis, right: Basis) -> arb_mat:
+def block_norms(A: arb_mat, left: Basis, right: Basis) -> arb_mat:
     """Bounds on the Euclidean norms of the blocks of a matrix."""
     table = A.table()
     rows, columns = left.starts(), right.starts()
@@ -207,13 +207,13 @@ def _norm(block: Sequence[Sequence[arb]]) -> arb:
     return worst.sqrt().upper()
 
 
-def _rates(field: VectorField, box: Sequence[arb], basis: Basis, inverse: arb_mat) -> arb_mat | None:
+def growth_rates(field: VectorField, box: Sequence[arb], basis: Basis, inverse: arb_mat) -> arb_mat | None:
     """The matrix of Theorem N1: logarithmic norms of the diagonal blocks of S⁻¹JS, and norms of the others."""
     values, rows = field.on_box(box)
     if not all(value.is_finite() for value in values):
         return None
     turned = inverse * arb_mat(rows) * basis.S
-    rates = _norms(turned, basis, basis)
+    rates = block_norms(turned, basis, basis)
     starts, table = basis.starts(), turned.table()
     for j, (a, b) in enumerate(pairwise(starts)):
         rates[j, j] = _logarithmic_norm([row[a:b] for row in table[a:b]])
@@ -253,7 +253,7 @@ def _majorant(rates: arb_mat, radii: Sequence[arb], pushes: Sequence[arb]) -> li
     return [(growth.exp() * value).upper() for value in z]
 
 
-def _defect(field: VectorField, solution: Sequence[arb_poly], h: arb, plan: NormPlan) -> list[arb] | None:
+def defect_bounds(field: VectorField, solution: Sequence[arb_poly], h: arb, plan: NormPlan) -> list[arb] | None:
     """Bounds on |h f(x) - dx/dτ| on [0, 1], by component."""
     length = plan.length
     with series_length(length):

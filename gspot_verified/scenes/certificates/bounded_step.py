@@ -1,0 +1,156 @@
+"""One step of a run as a certificate holds it: rounded polynomials, and bounds of the errors in each piece.
+
+Theorems N1' and N2 of ``proofs/run_certificate.md``. The bounds are made a little larger than they need be: the checker
+rounds in its own way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+from flint import arb, arb_mat, arb_poly
+
+from gspot_verified.integrator.field.field import VectorField
+from gspot_verified.integrator.norm_steps.chosen_step import ChosenStep
+from gspot_verified.integrator.norm_steps.norm_step import (
+    Basis,
+    NormStep,
+    block_norms,
+    defect_bounds,
+    growth_rates,
+    lengths,
+    row_norms,
+)
+from gspot_verified.numbers.balls import approximate
+from gspot_verified.scenes.certificates.linear_majorant import majorant_nodes
+
+_LEAST_BITS = 30  # above the checker's last bit: bounds are not smaller
+_NODE_BITS = 32  # of a bound as it is written
+_TUBE_BITS = 24  # relative, by which the tube is wider than the checker makes it
+
+
+class NotBounded(ValueError):
+    """No bounds of the errors of a step were found at this precision."""
+
+
+@dataclass(frozen=True)
+class BoundedStep:
+    """``step``: the curve, and how far from it solutions are; ``text``: the line of the certificate."""
+
+    step: NormStep
+    text: dict[str, Any]
+
+
+def grid(value: arb, bits: int) -> int:
+    """The integer n with n 2^-bits next to an exact number, not above it."""
+    mantissa, exponent = value.man_exp()
+    shift = int(exponent) + bits
+    return int(mantissa) << shift if shift >= 0 else int(mantissa) >> -shift
+
+
+def pair(value: arb) -> list[int]:
+    """[m, e] of an exact number m 2^e."""
+    mantissa, exponent = value.man_exp()
+    return [int(mantissa), int(exponent)]
+
+
+def bounded_step(
+    field: VectorField,
+    names: Sequence[str],
+    chosen: ChosenStep,
+    h: arb,
+    before: NormStep | None,
+    start: Sequence[arb],
+    bits: tuple[int, int],
+) -> BoundedStep:
+    """The step from ``start``: all states where a phase begins, or the exact middle at the end of ``before``.
+
+    ``bits``: those of the coefficients, and of the checker's numbers. To be called with some more in force.
+
+    :raises NotBounded: see there.
+    """
+    unit, last = bits
+    coefficients = [[grid(c.mid() + arb((1, -unit - 1)), unit) for c in p.coeffs()] or [0] for p in chosen.solution]
+    solution = [arb_poly([arb((c, -unit)) for c in row]) for row in coefficients]
+    defect = defect_bounds(field, solution, h, chosen.plan)
+    if defect is None:
+        raise NotBounded("the defect of a step is not finite")
+    jump = arb_mat([[x - p(arb(0))] for x, p in zip(start, solution, strict=True)])
+    basis, radii = (None, []) if before is None else (before.basis, list(before.radii))
+    tube, pieces = [arb(0)] * len(names), []
+    order = sorted(range(len(names)), key=names.__getitem__)
+    for i, ((left, right), following) in enumerate(zip(pairwise(chosen.plan.ends), chosen.plan.bases, strict=True)):
+        inverse = following.S.inv()
+        entered = lengths((inverse * jump).entries(), following)
+        if basis is not None:
+            moved = (block_norms(inverse * basis.S, following, basis) * _column(radii)).entries()
+            entered = [a + b for a, b in zip(entered, moved, strict=True)]
+        pushes = [(right - left) * d for d in lengths(_forcing(inverse, defect), following)]
+        margin = chosen.plan.margins[i] * _largest([r + d for r, d in zip(entered, pushes, strict=True)], last)
+        nodes = _nodes(field, solution, h, (left, right), following, inverse, margin, (entered, pushes), last)
+        written = [[_rounded_up(value, last) for value in node] for node in nodes]
+        bounds = [[arb((m, e)) for m, e in node] for node in written]
+        limits = [_largest(column, last) for column in zip(*bounds, strict=True)]
+        for j, row in enumerate(row_norms(following)):
+            tube[j] = tube[j].max(_dot(row, limits).upper() * (1 + arb((1, -_TUBE_BITS))))
+        rows = following.S.table()
+        entries = [pair(value.mid()) for k in order for value in rows[k]]
+        pieces.append({"basis": entries, "blocks": list(following.blocks), "end": pair(right), "nodes": written})
+        basis, radii, jump = following, bounds[-1], arb_mat(len(names), 1)
+    assert basis is not None
+    text = {"h": pair(h), "pieces": pieces, "unit": unit, "x": dict(zip(names, coefficients, strict=True))}
+    return BoundedStep(NormStep(tuple(solution), h, tuple(tube), basis, tuple(radii)), text)
+
+
+def _nodes(
+    field: VectorField, solution: Sequence[arb_poly], h: arb, ends: tuple[arb, arb], basis: Basis, inverse: arb_mat,
+    margin: arb, errors: tuple[Sequence[arb], Sequence[arb]], last: int,
+) -> list[list[arb]]:  # fmt: skip
+    """Bounds below ``margin``, which is what the Jacobian matrix is taken on."""
+    radii = [arb(0) for _ in solution]
+    tube = [_dot(row, [margin] * len(basis.blocks)) for row in row_norms(basis)]
+    box = NormStep(tuple(solution), h, tuple(tube), basis, tuple(radii)).enclosure(ends[0].union(ends[1]))
+    rates = growth_rates(field, box, basis, inverse)
+    if rates is None:
+        raise NotBounded("the Jacobian matrix of a step is not finite")
+    table = [[approximate(entry) for entry in row] for row in (rates * (h * (ends[1] - ends[0]))).table()]
+    least = arb((1, _LEAST_BITS - last))
+    scale = _largest([value for values in errors for value in values], last) + least
+    start, push = ([approximate(value / scale) for value in values] for values in errors)
+    nodes = majorant_nodes(table, start, push, approximate(least / scale))
+    if nodes is None:
+        raise NotBounded("no bounds of the errors of a step were found")
+    found = [[arb(value) * scale for value in node] for node in nodes]
+    if not all(value < margin for node in found for value in node):
+        raise NotBounded("the errors of a step may leave the tube")
+    return found
+
+
+def _rounded_up(value: arb, last: int) -> list[int]:
+    """[m, e] with m 2^e a little above a number > 0, e >= -last."""
+    mantissa, exponent = map(int, value.upper().man_exp())
+    excess = max(mantissa.bit_length() - _NODE_BITS, -last - exponent)
+    return [(mantissa >> excess) + 1, exponent + excess] if excess > 0 else [mantissa, exponent]
+
+
+def _forcing(inverse: arb_mat, defect: Sequence[arb]) -> list[arb]:
+    return [_dot([abs(entry) for entry in row], defect) for row in inverse.table()]
+
+
+def _dot(row: Sequence[arb], column: Sequence[arb]) -> arb:
+    return sum((a * b for a, b in zip(row, column, strict=True)), arb(0))
+
+
+def _column(values: Sequence[arb]) -> arb_mat:
+    return arb_mat([[value] for value in values])
+
+
+def _largest(values: Sequence[arb], last: int) -> arb:
+    """An upper bound of numbers >= 0, not less than the checker's last bit."""
+    found = arb((1, -last))
+    for value in values:
+        found = found.max(value.upper())
+    return found

@@ -1,0 +1,114 @@
+"""Intervals of integers in units of 2^-bits, rounded outward: the only arithmetic of a run's checker that rounds.
+
+An integer n stands for n/2^bits, a pair of integers for all numbers between them. Exact here: +, -, ≤, |·|.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import Any
+
+from limits import Meter, digits, require
+
+Interval = tuple[int, int]
+Box = dict[str, Interval]
+Matrix = list[list[Interval]]
+
+
+def up(n: int, d: int) -> int:
+    """The least integer ≥ n/d, d > 0."""
+    return -(-n // d)
+
+
+def root_up(n: int) -> int:
+    """The least integer ≥ √n."""
+    root = math.isqrt(n)
+    return root + (root * root < n)
+
+
+def add(a: Interval, b: Interval) -> Interval:
+    """a + b."""
+    return a[0] + b[0], a[1] + b[1]
+
+
+def wider(a: Interval, radius: int) -> Interval:
+    """All numbers that are so near to a."""
+    return a[0] - radius, a[1] + radius
+
+
+def size(a: Interval) -> int:
+    """The largest absolute value."""
+    return max(-a[0], a[1])
+
+
+def longest(numbers: Iterable[int]) -> int:
+    """The length of the longest of some integers, in digits."""
+    return digits(max(map(abs, numbers), default=0))
+
+
+class Numbers:
+    """The operations that round, and long exact ones. Each pays for its work before it is done."""
+
+    def __init__(self, bits: int, meter: Meter) -> None:
+        self.bits, self.one, self.meter = bits, 1 << bits, meter
+
+    def read(self, value: Any) -> int:
+        """m 2^e from [m, e], |m 2^e| < 2^bits and e ≥ -bits: exact."""
+        pair = isinstance(value, list) and [*map(type, value)] == [int, int]
+        require(pair and abs(value[1]) <= self.bits, f"{value!a:.50} is not a number [m, e]")
+        m, e = value
+        require(m.bit_length() + e <= self.bits, "a number is too large")
+        return int(m << (self.bits + e))
+
+    def interval(self, q: Fraction) -> Interval:
+        """An interval around a rational."""
+        self.meter.spend(digits(q.numerator << self.bits) * digits(q.denominator), 4)
+        return (q.numerator << self.bits) // q.denominator, up(q.numerator << self.bits, q.denominator)
+
+    def scaled(self, q: Fraction, a: Interval) -> Interval:
+        """q a."""
+        ends = a[0] * q.numerator, a[1] * q.numerator
+        return min(ends) // q.denominator, up(max(ends), q.denominator)
+
+    def mul(self, a: Interval, b: Interval) -> Interval:
+        """a b."""
+        ends = a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1]
+        return min(ends) >> self.bits, up(max(ends), self.one)
+
+    def on(self, coefficients: Sequence[int], tau: Interval) -> Interval:
+        """A polynomial on an interval inside [-1, 1], by Horner's rule."""
+        self.meter.spend(5 * len(coefficients) * longest(coefficients) * digits(self.one), 15 * len(coefficients))
+        found = (0, 0)
+        for c in reversed(coefficients):
+            found = add(self.mul(found, tau), (c, c))
+        return found
+
+    def product(self, A: Matrix, B: Matrix) -> Matrix:
+        """A B."""
+        columns = list(zip(*B, strict=True))
+        lengths = [longest(size(entry) for row in M for entry in row) for M in (A, B)]
+        count = len(A) * len(B) * len(columns)
+        self.meter.spend(4 * count * lengths[0] * lengths[1], 14 * count)
+        return [[self._dot(row, column) for column in columns] for row in A]
+
+    def _dot(self, row: Sequence[Interval], column: Sequence[Interval]) -> Interval:
+        total = (0, 0)
+        for a, b in zip(row, column, strict=True):
+            total = add(total, self.mul(a, b))
+        return total
+
+    def apply_up(self, M: Sequence[Sequence[int]], v: Sequence[int]) -> list[int]:
+        """Upper bounds of M v."""
+        self.meter.spend(len(v) * sum(map(longest, M)) * longest(v), 4 * len(v) * len(M))
+        return [up(sum(a * b for a, b in zip(row, v, strict=True)), self.one) for row in M]
+
+    def convolution(self, a: Sequence[int], b: Sequence[int]) -> list[int]:
+        """The coefficients of a product of two polynomials, exactly."""
+        self.meter.spend(len(a) * len(b) * longest(a) * longest(b), 2 * len(a) * len(b))
+        found = [0] * (len(a) + len(b) - 1)
+        for i, x in enumerate(a):
+            for j, y in enumerate(b):
+                found[i + j] += x * y
+        return found
