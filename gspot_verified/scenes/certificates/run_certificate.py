@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from flint import arb, fmpq
+from flint import arb, arb_poly, fmpq
 
 from gspot_verified.certificates.text import RUN_VERSION, sealed
 from gspot_verified.integrator.norm_steps.chosen_step import ChosenStep
@@ -29,6 +29,7 @@ from gspot_verified.scenes.effects.lift_off import LIFT_OFF
 from gspot_verified.scenes.effects.stick import STICKS
 from gspot_verified.scenes.equations.terms import FLIGHT, REVERSE, SLIP, STICK
 from gspot_verified.scenes.motions.contact_form import ContactForm
+from gspot_verified.scenes.scene.assumption import CHECKED
 from gspot_verified.scenes.scene.run import IMPACT, SceneRun
 from gspot_verified.scenes.scene.scene import Scene, SceneError
 
@@ -79,6 +80,8 @@ def certified_with_steps(
         if run.verdict.outcome is not Outcome.PROVED:
             reason = str(run.verdict)
             continue
+        if open_ones := [each for each in run.assumptions if each.standing != CHECKED]:
+            raise NotCertified(f"what leaving an effect out assumes is not certain: {open_ones[0]}")
         try:
             return run, _Writer(scene, run, bits).text(phases)
         except NotBounded as error:
@@ -170,29 +173,29 @@ class _Writer:
 
     def _event(self, head: dict[str, Any], place: _Place, phase: CertifiedPhase, step: NormStep, began: arb) -> None:
         """The bracket of the event in the last step, and where the next phase begins."""
-        plus, minus = _FORMS[head["event"]]
-        sign = -1 if place.phase == REVERSE and plus == "u" else 1
-        at, less = phase.names.index(plus), phase.names.index(minus) if minus else None
+        name, values = head["event"], self.scene.values()
+        plus, minus = _FORMS[name]
+        signs = {plus: -1 if name == STICKS and place.phase == REVERSE else 1} | ({minus: -1} if minus else {})
+        form = [(sign, phase.names.index(state)) for state, sign in signs.items()]
 
         def value(tau: arb) -> arb:
             states = step.enclosure(tau)
-            return sign * states[at] if less is None else states[at] - states[less]
+            return sum((sign * states[i] for sign, i in form), arb(0))
 
-        curve = step.solution[at] - (step.solution[less] if less is not None else 0)
-        event = [e for e in self.run.events if e.name != IMPACT][len(self.events)]
-        tau = ((arb(event.lower).union(arb(event.upper)) / self.scene.epsilon - began) / step.h).mid()
+        curve = sum((sign * step.solution[i] for sign, i in form), arb_poly())
+        known = [event for event in self.run.events if event.name != IMPACT][len(self.events)]
+        tau = ((arb(known.lower).union(arb(known.upper)) / self.scene.epsilon - began) / step.h).mid()
         for _ in range(_NEWTON_STEPS):
             tau = (tau - curve(tau) / curve.derivative()(tau)).mid()
         middle = arb((grid(tau, self.last), -self.last))
         left, right = self._first(value, middle, -1), self._first(value, middle, 1)
         head["bracket"] = [[grid(end, self.last), -self.last] for end in (left, right)]
-        between = left.union(right)
-        named = dict(zip(phase.names, step.enclosure(between), strict=True))
-        resting = [name for name in named if name == "u" and place.phase == FLIGHT and self.scene.values()["a"] == 0]
-        place.states |= {name: ball for name, ball in named.items() if name not in resting}
+        states = zip(phase.names, step.enclosure(left.union(right)), strict=True)
+        rests = place.phase == FLIGHT and values.get("a") == 0  # u has the rate 0
+        place.states |= {state: ball for state, ball in states if not (rests and state == "u")}
         place.states[CLOCK] = began + hull((left, right)) * step.h
-        self.events.append([head["event"], *self._bracket(place.states[CLOCK])])
-        place.phase = self._next(head["event"], place.states)
+        self.events.append([name, *self._bracket(place.states[CLOCK])])
+        place.phase = self._next(name, place.states)
 
     def _first(self, value: Callable[[arb], arb], middle: arb, side: int) -> arb:
         """The next point to one side where the function's sign is certain."""

@@ -1,0 +1,83 @@
+"""Rounding of the checker of runs: outward, seen at rational numbers.
+
+Page: proofs/run_certificate.md.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from hypothesis import given
+from hypothesis import strategies as st
+from must_reject import runs
+
+BITS = 64
+intervals: Any = runs.part("intervals")
+limits: Any = runs.part("limits")
+integers = st.integers(-(2**80), 2**80)
+pairs = st.tuples(integers, integers).map(lambda ends: (min(ends), max(ends)))
+points = st.fractions(0, 1, max_denominator=1000)
+
+
+def numbers() -> Any:
+    return intervals.Numbers(BITS, limits.Meter(limits.Limits(), 10**9))
+
+
+def value(n: int) -> Fraction:
+    return Fraction(n, 2**BITS)
+
+
+def holds(found: tuple[int, int], exact: Fraction) -> bool:
+    return value(found[0]) <= exact <= value(found[1])
+
+
+def inside(a: tuple[int, int], share: Fraction) -> Fraction:
+    return value(a[0]) + share * value(a[1] - a[0])
+
+
+@given(st.integers(-(10**9), 10**9), st.integers(1, 10**9))
+def test_up(n: int, d: int) -> None:
+    assert intervals.up(n, d) - 1 < Fraction(n, d) <= intervals.up(n, d)
+
+
+@given(st.integers(0, 10**30))
+def test_root_up(n: int) -> None:
+    root = intervals.root_up(n)
+    assert (root - 1) ** 2 < n <= root**2 or root == n == 0
+
+
+@given(st.fractions(), pairs, points)
+def test_rationals(q: Fraction, a: tuple[int, int], share: Fraction) -> None:
+    found = numbers().interval(q)
+    assert holds(found, q)
+    assert found[1] - found[0] <= 1
+    assert holds(numbers().scaled(q, a), q * inside(a, share))
+
+
+@given(pairs, pairs, points, points)
+def test_products(a: tuple[int, int], b: tuple[int, int], s: Fraction, t: Fraction) -> None:
+    found = numbers().mul(a, b)
+    assert holds(found, inside(a, s) * inside(b, t))
+    corners = [value(x) * value(y) for x in a for y in b]
+    assert value(found[0] + 1) > min(corners)
+    assert value(found[1] - 1) < max(corners)
+
+
+@given(st.lists(pairs, min_size=2, max_size=2), st.lists(pairs, min_size=2, max_size=2), points)
+def test_matrices(row: list[tuple[int, int]], column: list[tuple[int, int]], share: Fraction) -> None:
+    ((found,),) = numbers().product([row], [[entry] for entry in column])
+    assert holds(
+        found, sum((inside(a, share) * inside(b, 1 - share) for a, b in zip(row, column, strict=True)), Fraction(0))
+    )
+    highest = [[b for _, b in row]]
+    (up,) = numbers().apply_up(highest, [abs(b) for _, b in column])
+    exact = sum((value(a) * value(abs(b)) for a, (_, b) in zip(highest[0], column, strict=True)), Fraction(0))
+    assert value(up - 1) < exact <= value(up)
+
+
+@given(st.lists(integers, min_size=1, max_size=5), st.tuples(points, points), points)
+def test_polynomials(c: list[int], ends: tuple[Fraction, Fraction], share: Fraction) -> None:
+    a, b = sorted(int(end * 2**BITS) for end in ends)
+    tau = inside((a, b), share)
+    assert holds(numbers().on(c, (a, b)), sum((value(v) * tau**k for k, v in enumerate(c)), Fraction(0)))
