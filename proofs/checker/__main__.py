@@ -1,4 +1,4 @@
-"""Check a certificate about dΘ/dτ, the contact force or its zeros. Usage: python checker [OPTIONS] CERTIFICATE
+"""Check a certificate about dΘ/dτ, the contact force, its zeros, or a run. Usage: python checker [OPTIONS] CERTIFICATE
 
 The format is on the page certificate.md; every lemma named here is proved there or on check.md. Nothing beyond Python's
 standard library is imported. The parts, in the order in which they are read; each uses those before it:
@@ -9,6 +9,9 @@ standard library is imported. The parts, in the order in which they are read; ea
     pieces       the hypotheses of each piece (certificate.md, Columns and Pieces)
     statements   the sign and the zeros of dΘ/dτ (certificate.md, Statements; integer β: check.md, section 5)
     force        the contact force and its zeros (certificate.md, Statements; check.md, sections 5a and 5b)
+    intervals    intervals of integers, rounded outward (run_certificate.md, section 6)
+    model        the equations and events of the model system (run_certificate.md, section 1)
+    run          a run: its steps, signs and events (run_certificate.md, sections 2 to 4)
     __main__     the kinds of statements, and the command line
 """
 
@@ -21,9 +24,11 @@ import sys
 from collections.abc import Sequence
 
 import force
+import run
 import statements
 from limits import Limits, Rejected, reject
 from pieces import read_certificate
+from reading import read_header, read_lines
 
 RULES = {1: statements.RULES, 2: force.FORCE, 3: force.SLOW_ZEROS}  # of each version: kind and check
 USAGE = "usage: python checker [--workers N] [--limit NAME=NUMBER]... CERTIFICATE"
@@ -35,6 +40,10 @@ def check_text(data: bytes, limits: Limits | None = None, workers: int = 1) -> s
     """The statement that a certificate proves."""
     limits = limits or Limits()
     try:
+        first, *lines = read_lines(data, limits)
+        header = read_header(first)
+        if header[0] == run.VERSION:
+            return run.check_run(*header[1:], lines, limits, len(data))
         version, statement, columns = read_certificate(data, limits)
         checker = statements.Checker(statement, columns, limits, limits.budget(len(data)), workers)
         kind, rules = statement.get("kind") if isinstance(statement, dict) else None, RULES[version]

@@ -23,6 +23,7 @@ from limits import Limits, Meter, reject, require
 from model import Event, Polynomial, Scene, System, number, state
 from reading import entries, rational, read_line
 
+VERSION = 4
 HYPOTHESES = ["invariant_region", "left_out_effects", "run_certificate"]
 HALVINGS = 40  # of a step, where a sign is open
 LENGTH = 400  # of a list of coefficients

@@ -58,7 +58,9 @@ def lines_of(text: str) -> Lines:
 
 @cache
 def _good(scene: str, settings: tuple[tuple[str, str], ...]) -> Lines:
-    return lines_of(certified_with_steps(load_scene(scene, **dict(settings)))[1])
+    text = certified_with_steps(load_scene(scene, **dict(settings))).text
+    assert text is not None
+    return lines_of(text)
 
 
 def flight() -> Lines:

@@ -32,7 +32,9 @@ BOUNCE = {
 
 
 def written(name: str, **settings: str) -> runs.Lines:
-    return runs.lines_of(certified_with_steps(load_scene(name, **settings))[1])
+    run, text, why = certified_with_steps(load_scene(name, **settings))
+    assert text is not None, f"{why}: {run}"
+    return runs.lines_of(text)
 
 
 def without_event(patch: Patch, name: str) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 
@@ -78,6 +78,12 @@ def simulate(
     journal: Annotated[
         Path | None, typer.Option(help="Keep what is done here; the same command goes on after a kill.")
     ] = None,
+    certificate: Annotated[
+        Path | None,
+        typer.Option(
+            help="Write a certificate of the integrator's run of a model scene, for `check` to prove it again."
+        ),
+    ] = None,
     budget: Annotated[
         int | None,
         typer.Option(help="How many steps the integrator may make at each precision; 20 000 if left out."),
@@ -97,6 +103,8 @@ def simulate(
     much of a fast oscillation of the start is left at the G-spot is printed.
     What each effect brings is printed beside the run: states and operations in slip, and phases. --drop-effect leaves
     out what was given for the effect, too; an effect that --add-effect brings may need --set, as u=70.
+    --certificate writes what `check` needs to prove the run again without this package: every step, every event and
+    their order. It covers the model scenes from a start in contact and slip.
     --journal keeps what the integrator chose for each step, and proves all of it again when it goes on; with --compare
     the float run has FILE.float. Samples of a certified run are enclosures: a column of midpoints and one of radii.
     What the effects that are left out assume of the motion is checked along the run: where it fails, the run is refuted
@@ -118,7 +126,12 @@ def simulate(
     if route == EXACT:
         of_steps = {"--budget": budget, "--journal": None if compare else journal}
         refuse(f"it is for the integrator, which --route {EXACT} leaves out", of_steps)
+    if certificate is not None:
+        others = {"--float": floats, "--compare": compare, "--points": points, "--journal": journal}
+        others |= {"--csv": csv, "--npz": npz, "--picture": picture, "--animation": animation}
+        refuse("not together with --certificate", others | {"--route": route if route == EXACT else None})
     outputs = Outputs()
+    outputs.file("--certificate", certificate)
     outputs.file("--csv", csv, (".csv",))
     outputs.file("--npz", npz, (".npz",))
     outputs.file("--picture", picture, PICTURES)
@@ -130,6 +143,8 @@ def simulate(
     changes = _given(settings or [], beta=beta, nu=nu, epsilon=epsilon, until=until)
     loaded = load_scene(scene) if spot is None else _before(scene, spot, changes)
     loaded = loaded.with_effects(add or (), drop or (), **changes)
+    if certificate is not None:
+        _certify(outputs, loaded, digits, budget, certificate, as_json)
     if animation is not None:
         from gspot_verified.report.pictures.mechanism_animation import check_animated
 
@@ -166,6 +181,27 @@ def simulate(
         outputs.missing("--journal", note)
     _write(outputs, loaded, runs, csv, npz, picture, animation)
     outputs.leave(runs[0].verdict.exit_code)
+
+
+def _certify(
+    outputs: Outputs, scene: Scene, digits: int | None, budget: int | None, file: Path, as_json: bool
+) -> NoReturn:
+    """The run by the integrator, with its certificate."""
+    from gspot_verified.certificates.text import write_text
+    from gspot_verified.scenes.certificates.run_certificate import certified_with_steps
+    from gspot_verified.scenes.certified.certified_integration import MAX_STEPS
+
+    accuracy, steps = 15 if digits is None else digits, MAX_STEPS if budget is None else budget
+    run, text, why = certified_with_steps(scene, accuracy, steps, progress)
+    if as_json:
+        print_json({"scene": _scene_json(scene), "runs": [run.to_json()], "agree": None})
+    else:
+        _show(scene, [run])
+    if text is None:
+        warn(f"--certificate: {why}; {file} was not written")
+    elif outputs.write("--certificate", file, lambda: write_text(file, text)) and not as_json:
+        typer.echo(f"  certificate of this run: {file}")
+    outputs.leave(run.verdict.exit_code)
 
 
 @app.command(epilog=example("scenes"))

@@ -10,7 +10,7 @@ import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from flint import arb, arb_poly, fmpq
 
@@ -43,7 +43,7 @@ _FORMS = {"touch-down": ("Y", "Z"), "lift-off": ("Z", "Y"), "stick": ("u", "")}
 
 
 class NotCertified(SceneError):
-    """There is no certificate of this run; the message says why."""
+    """Runs of a scene have no certificates; the message says why."""
 
 
 def check_covered(scene: Scene) -> None:
@@ -63,30 +63,45 @@ def check_covered(scene: Scene) -> None:
         raise NotCertified("certificates of runs with stick need k_plus < 0 < k_minus and a = 0")
 
 
+class CertifiedRun(NamedTuple):
+    """``text``: the certificate of ``run``; None: there is none, ``why`` says the reason."""
+
+    run: SceneRun
+    text: str | None
+    why: str = ""
+
+
 def certified_with_steps(
     scene: Scene, digits: int = 15, budget: int = MAX_STEPS, progress: Progress = lambda _: None
-) -> tuple[SceneRun, str]:
-    """The run by the integrator, and its certificate.
+) -> CertifiedRun:
+    """The run by the integrator, and a certificate of it where it is proved; arguments as in ``integrated_run``.
 
-    :raises NotCertified: the scene is not covered, the run is not proved, or no certificate was found.
+    :raises NotCertified: no run of this scene has a certificate.
+    :raises SceneError: digits or budget out of range.
+
+    >>> from gspot_verified.scenes.scene.file import load_scene
+    >>> run, text, _ = certified_with_steps(load_scene("fig-varsim1", epsilon="1/5", until="1/10"))
+    >>> run.fate, text.splitlines()[1]
+    ('no event', '{"bits":320}')
     """
     check_covered(scene)
-    reason = ""
+    found: CertifiedRun | None = None
     for bits in BITS:
         with tempfile.TemporaryDirectory() as folder:
             journal = Path(folder) / "steps"
             run = integrated_run(scene, digits, (bits,), journal=journal, budget=budget, progress=progress)
             phases = _phases(journal)
         if run.verdict.outcome is not Outcome.PROVED:
-            reason = str(run.verdict)
+            found = found or CertifiedRun(run, None, "the run is not proved")
             continue
         if open_ones := [each for each in run.assumptions if each.standing != CHECKED]:
-            raise NotCertified(f"what leaving an effect out assumes is not certain: {open_ones[0]}")
+            return CertifiedRun(run, None, f"what leaving an effect out assumes is not certain: {open_ones[0]}")
         try:
-            return run, _Writer(scene, run, bits).text(phases)
+            return CertifiedRun(run, _Writer(scene, run, bits).text(phases))
         except NotBounded as error:
-            reason = str(error)
-    raise NotCertified(f"there is no certificate of this run: {reason}")
+            found = CertifiedRun(run, None, str(error))
+    assert found is not None
+    return found
 
 
 def _phases(journal: Path) -> list[list[ChosenStep]]:
