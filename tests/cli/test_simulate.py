@@ -48,6 +48,44 @@ def test_both_side_by_side_with_files(capsys: pytest.CaptureFixture[str], tmp_pa
     assert sorted(tmp_path.iterdir()) == [table, arrays]
 
 
+def test_a_certificate_and_its_check(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    file = tmp_path / "run.cert"
+    words = ("fig-varsim1", "--eps", "1/20", "--until", "1/4", "--certificate", str(file))
+    code, output, _ = run(capsys, "simulate", *words)
+    assert code == 0
+    assert output.endswith(f"  certificate of this run: {file}\n")
+    code, output, _ = run(capsys, "check", str(file))
+    assert code == 0
+    assert output.startswith("VERIFIED the model system with compliant_contact, lift_off, ε = 1/20, ")
+    assert output.endswith(": no change of phase, until t = 1/4\n")
+
+
+@pytest.mark.parametrize(
+    ("words", "why"),
+    [
+        (("rod",), "certificates of runs cover the model system, not a mechanism"),
+        (("fig-varsim1", "--float", "--points", "3"), "--float, --points: not together with --certificate"),
+        (("fig-varsim1", "--route", "exact"), "--route: not together with --certificate"),
+    ],
+)
+def test_no_certificate_of_such_a_run(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, words: tuple[str, ...], why: str
+) -> None:
+    code, _, errors = run(capsys, "simulate", *words, "--certificate", str(tmp_path / "run.cert"))
+    assert code == 64
+    assert why in errors
+    assert not any(tmp_path.iterdir())
+
+
+def test_an_undecided_run_has_no_certificate(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    words = ("fig-varsim1", "--eps", "1/20", "--budget", "1", "--json", "--certificate", str(tmp_path / "run.cert"))
+    code, output, errors = run(capsys, "simulate", *words)
+    assert code == 2
+    assert json.loads(output)["runs"][0]["fate"] == "open"
+    assert "--certificate: the run is not proved" in errors
+    assert not any(tmp_path.iterdir())
+
+
 def test_floats_alone_prove_nothing(capsys: pytest.CaptureFixture[str]) -> None:
     code, output, _ = run(capsys, "simulate", "fig-varsim2", "--float", "--set", "chi=0")
     assert code == 2
