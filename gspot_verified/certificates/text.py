@@ -26,7 +26,7 @@ HYPOTHESES = {
 }
 """The pages that a certificate rests on, by version: 1 is about Theta, 2 about the compliant model's contact force, 3
 about the number of zeros of its slow solution, 4 about a run."""
-RUN_VERSION = 4
+RUN_VERSION = 4  # of certificates of runs
 
 
 class Statement(Protocol):

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from flint import fmpq
-from must_reject import mutate
+from must_reject import mutate, runs
 
 from gspot_verified.certificates import text
 from gspot_verified.certificates.checker import check
@@ -63,7 +63,10 @@ def assert_only_exact(value: Any) -> None:
 
 
 def test_the_checker_asks_for_the_same_pages_of_each_version() -> None:
-    assert {version: list(names) for version, names in text.HYPOTHESES.items()} == mutate.checker().pieces.HYPOTHESES
+    run = runs.part("run")
+    asked = mutate.checker().pieces.HYPOTHESES | {run.VERSION: run.HYPOTHESES}
+    assert {version: list(names) for version, names in text.HYPOTHESES.items()} == asked
+    assert run.VERSION == text.RUN_VERSION
 
 
 def test_every_page_that_is_named_exists() -> None:

@@ -90,7 +90,10 @@ def bounded_step(
             entered = [a + b for a, b in zip(entered, moved, strict=True)]
         pushes = [(right - left) * d for d in lengths(_forcing(inverse, defect), following)]
         margin = chosen.plan.margins[i] * _largest([r + d for r, d in zip(entered, pushes, strict=True)], last)
-        nodes = _nodes(field, solution, h, (left, right), following, inverse, margin, (entered, pushes), last)
+        rates = _rates(
+            field, NormStep(tuple(solution), h, _reach(following, margin), following, ()), inverse, left, right
+        )
+        nodes = _nodes(rates, margin, entered, pushes, last)
         written = [[_rounded_up(value, last) for value in node] for node in nodes]
         bounds = [[arb((m, e)) for m, e in node] for node in written]
         limits = [_largest(column, last) for column in zip(*bounds, strict=True)]
@@ -105,22 +108,27 @@ def bounded_step(
     return BoundedStep(NormStep(tuple(solution), h, tuple(tube), basis, tuple(radii)), text)
 
 
-def _nodes(
-    field: VectorField, solution: Sequence[arb_poly], h: arb, ends: tuple[arb, arb], basis: Basis, inverse: arb_mat,
-    margin: arb, errors: tuple[Sequence[arb], Sequence[arb]], last: int,
-) -> list[list[arb]]:  # fmt: skip
-    """Bounds below ``margin``, which is what the Jacobian matrix is taken on."""
-    radii = [arb(0) for _ in solution]
-    tube = [_dot(row, [margin] * len(basis.blocks)) for row in row_norms(basis)]
-    box = NormStep(tuple(solution), h, tuple(tube), basis, tuple(radii)).enclosure(ends[0].union(ends[1]))
-    rates = growth_rates(field, box, basis, inverse)
-    if rates is None:
+def _reach(basis: Basis, margin: arb) -> tuple[arb, ...]:
+    """By component, where no block is longer than ``margin``."""
+    return tuple(_dot(row, [margin] * len(basis.blocks)) for row in row_norms(basis))
+
+
+def _rates(field: VectorField, step: NormStep, inverse: arb_mat, left: arb, right: arb) -> list[list[float]]:
+    """The matrix of Theorem N1' on a piece, where the states lie in the tube of a step."""
+    found = growth_rates(field, step.enclosure(left.union(right)), step.basis, inverse)
+    if found is None:
         raise NotBounded("the Jacobian matrix of a step is not finite")
-    table = [[approximate(entry) for entry in row] for row in (rates * (h * (ends[1] - ends[0]))).table()]
+    return [[approximate(entry) for entry in row] for row in (found * (step.h * (right - left))).table()]
+
+
+def _nodes(
+    rates: list[list[float]], margin: arb, entered: Sequence[arb], pushes: Sequence[arb], last: int
+) -> list[list[arb]]:
+    """Bounds below ``margin``, which is what the rates are taken for."""
     least = arb((1, _LEAST_BITS - last))
-    scale = _largest([value for values in errors for value in values], last) + least
-    start, push = ([approximate(value / scale) for value in values] for values in errors)
-    nodes = majorant_nodes(table, start, push, approximate(least / scale))
+    scale = _largest([*entered, *pushes], last) + least
+    start, push = ([approximate(value / scale) for value in values] for values in (entered, pushes))
+    nodes = majorant_nodes(rates, start, push, approximate(least / scale))
     if nodes is None:
         raise NotBounded("no bounds of the errors of a step were found")
     found = [[arb(value) * scale for value in node] for node in nodes]

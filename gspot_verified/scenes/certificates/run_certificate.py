@@ -38,7 +38,7 @@ _CHECKER_BITS = 128  # more than the run's
 _SPARE_BITS = 64  # more than the checker's, for this file's own balls
 _GUARD_BITS = 32  # of the run's bits that coefficients do not use
 _DIGITS = 2  # of the width of a bracket, as it is written
-_NEWTON_STEPS = 4
+_NEWTON_STEPS = 4  # from the bracket of the run to the zero of a curve
 _FORMS = {"touch-down": ("Y", "Z"), "lift-off": ("Z", "Y"), "stick": ("u", "")}
 
 
