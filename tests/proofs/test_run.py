@@ -52,3 +52,11 @@ def test_all_that_are_wrong(base: str) -> None:
     assert names.total() >= 200
     assert set(names.values()) == {1}, names.most_common(3)
     assert accepted(base, 0, 1) == []
+
+
+def test_work_is_counted_before_it_is_done() -> None:
+    lines = runs.flight()
+    poor = runs.changed(("WORK, WORK_PER_BYTE = 10**8, 6_000", "WORK, WORK_PER_BYTE = 10**5, 100"))
+    assert "out of the checker's range: the limit work=15" in runs.verdict(lines, poor)
+    lines[0]["statement"]["parameters"]["beta"] = f"1/{10**450}"
+    assert runs.verdict(lines) == "REJECTED a number of the scene has more than 400 characters"
