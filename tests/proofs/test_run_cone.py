@@ -9,6 +9,7 @@ import random
 from fractions import Fraction
 from typing import Any
 
+import pytest
 from must_reject import runs
 
 limits: Any = runs.part("limits")
@@ -55,7 +56,8 @@ def said_of(of: dict[str, Fraction], eps: Fraction, at: dict[str, Fraction], con
     return True
 
 
-def test_the_inequalities_at_random_states() -> None:
+@pytest.mark.parametrize("count", [200, pytest.param(1500, marks=pytest.mark.slow)])
+def test_the_inequalities_at_random_states(count: int) -> None:
     """Near the least q and the largest c, where every term counts; now and then a sign is wrong."""
     chance = random.Random(1)
 
@@ -67,7 +69,7 @@ def test_the_inequalities_at_random_states() -> None:
         return -1 if chance.random() < wrong else 1
 
     kept = {1: 0, 2: 0}
-    for _ in range(1500):
+    for _ in range(count):
         of = {name: between(0.5, 2) for name in ("damping", "k_1", "k_2")}
         of |= {"alpha_1": -sign() * between(0.3, 2), "alpha_2": sign(0.5) * between(0.3, 2), "beta": between(0.2, 5)}
         k, kappa, s = of["k_2"], of["k_1"] / of["damping"], (of["k_1"] + of["k_2"]) / of["damping"]
@@ -82,7 +84,7 @@ def test_the_inequalities_at_random_states() -> None:
         expected = is_kept(of, eps, at, cone)
         assert said_of(of, eps, at, cone) == expected, (of, eps, at, cone)
         kept[len(cone)] += expected
-    assert min(kept.values()) >= 20, kept
+    assert min(kept.values()) >= count / 75, kept
 
 
 def test_only_slip_that_nothing_else_ends() -> None:

@@ -177,7 +177,11 @@ RULES: dict[Callable[[Patch], runs.Lines], tuple[str, str]] = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("lazy", RULES, ids=lambda lazy: lazy.__name__)
+QUICK = {states_at_the_left_end, another_event_in_the_bracket, bounce_in_the_first_step}
+CASES = [pytest.param(lazy, marks=[] if lazy in QUICK else pytest.mark.slow) for lazy in RULES]
+
+
+@pytest.mark.parametrize("lazy", CASES, ids=lambda lazy: lazy.__name__)
 def test_each_is_rejected_by_one_rule(lazy: Callable[[Patch], runs.Lines], monkeypatch: Patch) -> None:
     lines = lazy(monkeypatch)
     said = runs.verdict(lines)

@@ -21,7 +21,7 @@ from gspot_verified.numbers.balls import hull, working_bits
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.scenes.certificates.bounded_step import BoundedStep, NotBounded, bounded_step, grid
-from gspot_verified.scenes.certified.certified_integration import BITS, MAX_STEPS, integrated_run
+from gspot_verified.scenes.certified.certified_integration import MAX_STEPS, integrated_run, is_narrow, precisions_for
 from gspot_verified.scenes.certified.certified_phase import CLOCK, CertifiedPhase
 from gspot_verified.scenes.certified.growth_cone import ContactPoint, SlowCone, cones
 from gspot_verified.scenes.certified.run_steps import Progress
@@ -86,7 +86,7 @@ def certified_with_steps(
     """
     check_covered(scene)
     found: CertifiedRun | None = None
-    for bits in BITS:
+    for bits in precisions_for(scene, digits):
         with tempfile.TemporaryDirectory() as folder:
             journal = Path(folder) / "steps"
             run = integrated_run(scene, digits, (bits,), journal=journal, budget=budget, progress=progress)
@@ -97,9 +97,12 @@ def certified_with_steps(
         if open_ones := [each for each in run.assumptions if each.standing != CHECKED]:
             return CertifiedRun(run, None, f"what leaving an effect out assumes is not certain: {open_ones[0]}")
         try:
-            return CertifiedRun(run, _Writer(scene, run, bits).text(phases))
+            found = CertifiedRun(run, _Writer(scene, run, bits).text(phases))
         except NotBounded as error:
-            found = CertifiedRun(run, None, str(error))
+            found = CertifiedRun(run, None, str(error)) if found is None or found.text is None else found
+            continue
+        if all(is_narrow(event, scene.epsilon, digits) for event in run.events):
+            break
     assert found is not None
     return found
 

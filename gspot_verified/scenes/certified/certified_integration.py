@@ -70,9 +70,7 @@ def integrated_run(
         raise SceneError(f"digits must lie in 1..{MAX_DIGITS}, got {digits}")
     if budget < 1:
         raise SceneError(f"budget must be >= 1, got {budget}")
-    extra = round(max(0, digits - 15) * _DIGIT_BITS)
-    first = 1 if scene.mechanism is not None and scene.epsilon <= SMALL else 0
-    precisions = bits or tuple(value + extra for value in BITS[first:])
+    precisions = bits or precisions_for(scene, digits)
     every = Conditions.of(scene)
     asked = _asked(scene, every, digits, precisions)
     kept = None if journal is None else StepJournal(journal, question(scene, asked))
@@ -103,6 +101,18 @@ def integrated_run(
     return result if kept is None else replace(result, notes=tuple(kept.notes))
 
 
+def precisions_for(scene: Scene, digits: int) -> tuple[int, ...]:
+    """The working precisions to try, one after the other, in bits."""
+    extra = round(max(0, digits - 15) * _DIGIT_BITS)
+    first = 1 if scene.mechanism is not None and scene.epsilon <= SMALL else 0
+    return tuple(value + extra for value in BITS[first:])
+
+
+def is_narrow(event: RunEvent, epsilon: fmpq, digits: int) -> bool:
+    """Whether a bracket leaves no doubt about that many decimals in the unit epsilon; else more bits are tried."""
+    return bool(event.upper - event.lower <= epsilon * fmpq(1, 10 ** (digits + _SPARE_DIGITS)))
+
+
 @dataclass(frozen=True)
 class _Attempt:
     """What was shown with these conditions watched, and the samples."""
@@ -130,7 +140,7 @@ def _best(
         if best is None or attempt.reach() >= best.reach():
             best = attempt
         record = attempt.record
-        narrow = all(_narrow(event, scene.epsilon, digits) for event in record.events)
+        narrow = all(is_narrow(event, scene.epsilon, digits) for event in record.events)
         if (narrow and not attempt.conditions.lost) if record.open is None else record.open.budget:
             break
     assert best is not None
@@ -174,10 +184,6 @@ def _not_left_behind(precisions: Sequence[int], kept: StepJournal) -> Sequence[i
     which precisions are tried is a choice."""
     reached = [precisions.index(line["bits"]) for line in kept.lines if line.get("bits") in precisions]
     return precisions[max(reached, default=0) :]
-
-
-def _narrow(event: RunEvent, epsilon: fmpq, digits: int) -> bool:
-    return bool(event.upper - event.lower <= epsilon * fmpq(1, 10 ** (digits + _SPARE_DIGITS)))
 
 
 def _run(scene: Scene, conditions: Conditions, samples: SegmentSamples | None, steps: RunSteps) -> Record:

@@ -110,7 +110,7 @@ def test_the_next_precision_is_tried_until_the_events_are_narrow(monkeypatch: py
 def test_narrow_is_five_decimals_more_than_are_asked_for(width: str | int, narrow: bool) -> None:
     unit = fmpq(1, 100) * fmpq(1, 10**20)
     event = module.RunEvent("lift-off", fmpq(0), unit * (fmpq(10001, 10000) if width != 1 else fmpq(1)))
-    assert module._narrow(event, fmpq(1, 100), 15) is narrow
+    assert module.is_narrow(event, fmpq(1, 100), 15) is narrow
 
 
 def growths(
