@@ -79,7 +79,7 @@ def sharp() -> list[runs.Lines]:
     return found
 
 
-# The lower ends of products and of rational multiples change no bound of this file: tests/proofs/test_intervals.py.
+# The lower ends of products and of rational multiples change no bound of this file: tests/checker/test_intervals.py.
 INWARD = {
     "return -(-n // d)": "return n // d",
     "return root + (root * root < n)": "return root",
