@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import Any
 
-from limits import Meter, digits, require
+from limits import Meter, digits, reject, require
 
 Interval = tuple[int, int]
 Box = dict[str, Interval]
@@ -77,6 +77,15 @@ class Numbers:
         ends = a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1]
         return min(ends) >> self.bits, up(max(ends), self.one)
 
+    def term(self, q: Fraction, factors: Sequence[Interval]) -> Interval:
+        """q times all factors."""
+        length = sum(digits(size(factor)) for factor in factors) + digits(q.numerator * q.denominator)
+        self.meter.spend(4 * length**2, 8 * len(factors) + 8)
+        part = (self.one, self.one)
+        for factor in factors:
+            part = self.mul(part, factor)
+        return self.scaled(q, part)
+
     def on(self, coefficients: Sequence[int], tau: Interval) -> Interval:
         """A polynomial on an interval inside [-1, 1], by Horner's rule."""
         self.meter.spend(5 * len(coefficients) * longest(coefficients) * digits(self.one), 15 * len(coefficients))
@@ -98,6 +107,28 @@ class Numbers:
         for a, b in zip(row, column, strict=True):
             total = add(total, self.mul(a, b))
         return total
+
+    def inverse(self, exact: list[list[int]]) -> Matrix:
+        """An enclosure of the inverse of an exact matrix, by Gauss and Jordan in rational numbers."""
+        n = len(exact)
+        self.meter.spend(4 * n**3 * (n * max(map(longest, exact))) ** 2, 100 * n**3)
+        work = [[Fraction(v, self.one) for v in row] for row in exact]
+        work = [row + [Fraction(i == j) for j in range(n)] for i, row in enumerate(work)]
+        for i in range(n):
+            pivot = next((row for row in range(i, n) if work[row][i]), None)
+            if pivot is None:
+                reject("a basis is singular")
+            work[i], work[pivot] = work[pivot], work[i]
+            work[i] = [v / work[i][i] for v in work[i]]
+            for row in range(n):
+                if row != i:
+                    work[row] = [a - work[row][i] * b for a, b in zip(work[row], work[i], strict=True)]
+        return [[self.interval(v) for v in row[n:]] for row in work]
+
+    def length(self, values: Sequence[Interval]) -> int:
+        """A bound of the Euclidean length of a vector."""
+        self.meter.spend(3 * len(values) * longest(map(size, values)) ** 2, 6 * len(values))
+        return root_up(sum(size(v) ** 2 for v in values))
 
     def apply_up(self, M: Sequence[Sequence[int]], v: Sequence[int]) -> list[int]:
         """Upper bounds of M v."""

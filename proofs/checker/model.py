@@ -9,8 +9,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from intervals import Box, Interval, Numbers, add, size
-from limits import digits, require
+from intervals import Box, Interval, Numbers, add
+from limits import require
 from reading import entries, rational
 
 LONGEST = 400  # characters of a number of the scene
@@ -58,13 +58,7 @@ class Polynomial(dict[tuple[str, ...], Fraction]):
         """An enclosure on a box."""
         total = (0, 0)
         for key, value in self.items():
-            factors = [box[name] for name in key]
-            length = sum(digits(size(factor)) for factor in factors) + digits(value.numerator * value.denominator)
-            numbers.meter.spend(4 * length**2, 8 * len(key) + 8)
-            part = (numbers.one, numbers.one)
-            for factor in factors:
-                part = numbers.mul(part, factor)
-            total = add(total, numbers.scaled(value, part))
+            total = add(total, numbers.term(value, [box[name] for name in key]))
         return total
 
 

@@ -18,7 +18,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
-from intervals import Box, Interval, Matrix, Numbers, add, longest, root_up, size, up, wider
+from intervals import Box, Interval, Matrix, Numbers, add, root_up, size, up, wider
 from limits import Limits, Meter, reject, require
 from model import Event, Polynomial, Scene, System, number, state
 from reading import entries, rational, read_line
@@ -36,33 +36,20 @@ WORK, WORK_PER_BYTE = 10**8, 6_000  # products of digits: for each unit of Limit
 
 
 class Basis:
-    """A regular matrix S with columns in blocks; its inverse is enclosed, by Gauss and Jordan in rational numbers."""
+    """A regular matrix S with columns in blocks, and an enclosure of its inverse."""
 
     def __init__(self, numbers: Numbers, blocks: Any, S: Any, n: int) -> None:
         whole = isinstance(blocks, list) and all(type(b) is int and 0 < b <= n for b in blocks) and sum(blocks) == n
         require(whole and isinstance(S, list) and len(S) == n * n, "a basis of another size")
         exact = [numbers.read(value) for value in S]
-        numbers.meter.spend(4 * n**3 * (n * longest(exact)) ** 2, 100 * n**3)
+        rows = [exact[i * n : i * n + n] for i in range(n)]
         self.numbers, self.starts = numbers, [sum(blocks[:i]) for i in range(len(blocks) + 1)]
-        self.S = [[(v, v) for v in exact[i * n : i * n + n]] for i in range(n)]
-        work = [[Fraction(v[0], numbers.one) for v in row] for row in self.S]
-        work = [row + [Fraction(i == j) for j in range(n)] for i, row in enumerate(work)]
-        for i in range(n):
-            pivot = next((row for row in range(i, n) if work[row][i]), None)
-            if pivot is None:
-                reject("a basis is singular")
-            work[i], work[pivot] = work[pivot], work[i]
-            work[i] = [v / work[i][i] for v in work[i]]
-            for row in range(n):
-                if row != i:
-                    work[row] = [a - work[row][i] * b for a, b in zip(work[row], work[i], strict=True)]
-        self.inverse = [[numbers.interval(v) for v in row[n:]] for row in work]
+        self.S, self.inverse = [[(v, v) for v in row] for row in rows], numbers.inverse(rows)
         self.rows = [self.lengths(row) for row in self.S]
 
     def lengths(self, values: Sequence[Interval]) -> list[int]:
         """Bounds of the Euclidean length of each block of a vector."""
-        self.numbers.meter.spend(3 * len(values) * longest(map(size, values)) ** 2, 6 * len(values))
-        return [root_up(sum(size(v) ** 2 for v in values[a:b])) for a, b in pairwise(self.starts)]
+        return [self.numbers.length(values[a:b]) for a, b in pairwise(self.starts)]
 
     def reach(self, radii: Sequence[int]) -> list[int]:
         """Bounds of the components of S ζ where block j of ζ has a length ≤ radii[j]."""

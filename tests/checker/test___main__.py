@@ -258,7 +258,8 @@ def test_work_is_paid_in_the_arithmetic_alone() -> None:
             calls = [node.func for node in ast.walk(function) if isinstance(node, ast.Call)]
             if any(isinstance(call, ast.Attribute) and call.attr == "spend" for call in calls):
                 paying.add(function.name)
-    assert paying == {"product", "dot", "combined", "weighted", "rounded_powers"}
+    of_theta = {"product", "dot", "combined", "weighted", "rounded_powers"}
+    assert paying == of_theta | {"interval", "term", "on", "inverse", "length", "apply_up", "convolution"}
 
 
 def test_the_page_names_functions_that_are_there() -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from must_reject import runs
@@ -81,3 +82,21 @@ def test_polynomials(c: list[int], ends: tuple[Fraction, Fraction], share: Fract
     a, b = sorted(int(end * 2**BITS) for end in ends)
     tau = inside((a, b), share)
     assert holds(numbers().on(c, (a, b)), sum((value(v) * tau**k for k, v in enumerate(c)), Fraction(0)))
+
+
+@given(st.lists(st.lists(st.integers(-8, 8), min_size=3, max_size=3), min_size=3, max_size=3))
+def test_inverse(rows: list[list[int]]) -> None:
+    exact = [[entry << BITS for entry in row] for row in rows]
+    (a, b, c), (d, e, f), (g, h, i) = rows
+    if a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g) == 0:
+        with pytest.raises(limits.Rejected, match="a basis is singular"):
+            numbers().inverse(exact)
+        return
+    found = numbers().product(numbers().inverse(exact), [[(entry, entry) for entry in row] for row in exact])
+    assert all(holds(entry, Fraction(i == j)) for i, row in enumerate(found) for j, entry in enumerate(row))
+
+
+@given(st.fractions(), pairs, pairs, points)
+def test_terms_and_lengths(q: Fraction, a: tuple[int, int], b: tuple[int, int], share: Fraction) -> None:
+    assert holds(numbers().term(q, [a, b]), q * inside(a, share) * inside(b, share))
+    assert value(numbers().length([a, b])) ** 2 >= inside(a, share) ** 2 + inside(b, share) ** 2

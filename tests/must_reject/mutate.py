@@ -21,7 +21,7 @@ from typing import Any
 
 HYPOTHESES = ["certificate", "fold", "identities", "initial_values", "laplace", "negative", "tails"]
 CHECKER = Path(__file__).resolve().parents[2] / "proofs" / "checker"
-PARTS = ("limits", "reading", "theta", "pieces", "statements", "force")
+PARTS = ("limits", "reading", "theta", "pieces", "statements", "force", "intervals", "model", "run")
 
 Lines = list[Any]
 Mutation = Callable[[Lines], None]
