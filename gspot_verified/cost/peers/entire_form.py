@@ -1,7 +1,7 @@
 """What a user of FLINT alone would best do: the entire form of Theta, from three 1/Gamma and three 1F2.
 
 The initial values are those of ``proofs/initial_values.md``, which are nowhere 0/0; the three 1F2 are those of
-Theorem 4 of the paper (th:3).
+Theorem 4 (th:3) of the paper.
 """
 
 from __future__ import annotations

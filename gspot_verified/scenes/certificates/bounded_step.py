@@ -24,7 +24,7 @@ from gspot_verified.integrator.norm_steps.norm_step import (
     lengths,
     row_norms,
 )
-from gspot_verified.numbers.balls import approximate
+from gspot_verified.numbers.balls import approximate, hull
 from gspot_verified.scenes.certificates.linear_majorant import majorant_nodes
 
 _LEAST_BITS = 30  # above the checker's last bit: bounds are not smaller
@@ -115,7 +115,7 @@ def _reach(basis: Basis, margin: arb) -> tuple[arb, ...]:
 
 def _rates(field: VectorField, step: NormStep, inverse: arb_mat, left: arb, right: arb) -> list[list[float]]:
     """The matrix of Theorem N1' on a piece, where the states lie in the tube of a step."""
-    found = growth_rates(field, step.enclosure(left.union(right)), step.basis, inverse)
+    found = growth_rates(field, step.enclosure(hull((left, right))), step.basis, inverse)
     if found is None:
         raise NotBounded("the Jacobian matrix of a step is not finite")
     return [[approximate(entry) for entry in row] for row in (found * (step.h * (right - left))).table()]

@@ -202,13 +202,13 @@ class _Writer:
 
         curve = sum((sign * step.solution[i] for sign, i in form), arb_poly())
         known = [event for event in self.run.events if event.name != IMPACT][len(self.events)]
-        tau = ((arb(known.lower).union(arb(known.upper)) / self.scene.epsilon - began) / step.h).mid()
+        tau = ((hull((arb(known.lower), arb(known.upper))) / self.scene.epsilon - began) / step.h).mid()
         for _ in range(_NEWTON_STEPS):
             tau = (tau - curve(tau) / curve.derivative()(tau)).mid()
         middle = arb((grid(tau, self.last), -self.last))
         left, right = self._first(value, middle, -1), self._first(value, middle, 1)
         head["bracket"] = [[grid(end, self.last), -self.last] for end in (left, right)]
-        states = zip(phase.names, step.enclosure(left.union(right)), strict=True)
+        states = zip(phase.names, step.enclosure(hull((left, right))), strict=True)
         rests = place.phase == FLIGHT and values.get("a") == 0  # u has the rate 0
         place.states |= {state: ball for state, ball in states if not (rests and state == "u")}
         place.states[CLOCK] = began + hull((left, right)) * step.h

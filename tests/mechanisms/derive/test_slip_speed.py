@@ -1,4 +1,4 @@
-"""Friction that depends on the slip speed: the rates of p by two other routes, and who refuses it."""
+"""Friction that depends on the slip speed: the rates of p by two other routes, refusals (proofs/slip_speed.md)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Theorem 1 where friction depends on the slip speed: the construction of the proof page, carried out by sympy."""
+"""Theorem 1 with friction that depends on the slip speed: the construction of proofs/slip_speed.md, by sympy."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Scenes with friction that depends on the slip speed: each phase has its own, against closed forms."""
+"""Scenes with friction that depends on the slip speed: each phase against closed forms (proofs/slip_speed.md)."""
 
 from __future__ import annotations
 
