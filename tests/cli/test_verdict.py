@@ -38,7 +38,10 @@ def test_undecided_says_which_inequality_fails(capsys: pytest.CaptureFixture[str
     ("words", "message"),
     [
         (("--beta", "3/2", "--from", "p=1/2"), "it needs p and b"),
-        (("--beta", "3/2", "--eps", "1e-6"), "it goes with --from"),
+        (("--beta", "3/2", "--eps", "1e-6"), "--epsilon: it goes with --from"),
+        (("--beta", "3/2", "--within", "1/2"), "--within: it goes with --from"),
+        (("--beta", "3/2", "--alpha1", "5"), "--alpha1: it goes with --from"),
+        (("--beta", "3/2", "--alpha2", "5"), "--alpha2: it goes with --from"),
         (("--beta", "2"), "no integer"),
         (("--beta", "3/2", "--from", "p=1/2,b=-1"), "distinguished trajectory"),
     ],

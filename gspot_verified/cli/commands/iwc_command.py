@@ -112,10 +112,11 @@ def verdict(
         str | None, typer.Option("--epsilon", "--eps", help="With --from: ε0; left out: the largest of a list.")
     ] = None,
     within: Annotated[
-        str, typer.Option(help="With --from: how far λ, v and y may be from rest, as a share of the excess of -b/p.")
-    ] = "1/100",
-    alpha1: Annotated[str, typer.Option(help="With --from: α1* < 0.")] = "-1",
-    alpha2: Annotated[str, typer.Option(help="With --from: α2* < 0.")] = "-1",
+        str | None,
+        typer.Option(help="With --from: how far λ, v and y may be from rest, a share of the excess of -b/p; or 1/100."),
+    ] = None,
+    alpha1: Annotated[str | None, typer.Option(help="With --from: α1* < 0; -1 if left out.")] = None,
+    alpha2: Annotated[str | None, typer.Option(help="With --from: α2* < 0; -1 if left out.")] = None,
     as_json: JsonFlag = False,
 ) -> None:
     """Lift-off or impact, for every ε up to an ε0 at once. From a state far from the G-spot.
@@ -129,15 +130,25 @@ def verdict(
     from gspot_verified.expansion.from_state.model_side import ModelSide, model_side
 
     found: LimitSide | ModelSide
+    numbers = {"--epsilon": epsilon, "--within": within, "--alpha1": alpha1, "--alpha2": alpha2}
     if state is None:
-        if epsilon is not None:
-            raise ValueError("--epsilon: it goes with --from")
+        for name, value in numbers.items():
+            if value is not None:
+                raise ValueError(f"{name}: it goes with --from")
         found = limit_side(beta)
     else:
         given = components(state)
         if set(given) != {"p", "b"}:
             raise ValueError(f'--from: it needs p and b, "p=1/2,b=-2", got {state!r}')
-        found = model_side(beta, given["p"], given["b"], epsilon=epsilon, within=within, alpha_1=alpha1, alpha_2=alpha2)
+        found = model_side(
+            beta,
+            given["p"],
+            given["b"],
+            epsilon=epsilon,
+            within="1/100" if within is None else within,
+            alpha_1=-1 if alpha1 is None else alpha1,
+            alpha_2=-1 if alpha2 is None else alpha2,
+        )
     if as_json:
         print_json(found.to_json())
     else:
