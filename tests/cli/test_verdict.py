@@ -17,7 +17,7 @@ def test_from_a_state_it_speaks_of_the_model_system(capsys: pytest.CaptureFixtur
     code, output, _ = run(capsys, "--beta", "3/2", "--from", "p=1/2,b=-2", "--eps", "1e-6")
     assert code == 0
     assert output.startswith("proved: the model system with alpha = (-1, -1, -3/2)")
-    assert "for every epsilon <= 1/1000000" in output
+    assert "for every 0 < epsilon <= 1/1000000" in output
     assert "contact is lost" in output
 
 

@@ -11,6 +11,7 @@ from typing import ClassVar
 from flint import fmpq
 
 from gspot_verified.expansion.from_state.passage import ModelStart, passage, trajectory_of
+from gspot_verified.expansion.from_state.slow_series import Contact, contact_text
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.true_solutions.bound import BITS, rational
 from gspot_verified.numbers.balls import ExactInput, ball, working_bits
@@ -61,10 +62,11 @@ def limit_side(beta: ExactInput, contact: tuple[ExactInput, ExactInput, ExactInp
         raise ValueError(f"beta must be above 1 and no integer, got {number}")
     start = ModelStart(number, fmpq(-1), fmpq(-1), springs, _PLACE, -2 * _PLACE / (number - 1), fmpq(0))  # C_1 < 0
     statement = (
-        f"for every mechanism of Case III with m = 4, beta = {number} and (k_1, k_2, c) = ({springs.k_1}, "
-        f"{springs.k_2}, {springs.c}), and every start beside a rigid slip motion into the G-spot with C_1 != 0, there "
-        "is an epsilon_0 > 0 such that for every epsilon <= epsilon_0, as long as slip is positive, contact lasts "
-        "until p < 0, and then"
+        f"for every mechanism of Case III with m = 4, beta = {number} and {contact_text(springs)}, and every family of "
+        "starts in contact that tends to a state of a rigid slip motion into the G-spot with C_1 != 0, with "
+        "y/epsilon^2, v/epsilon, lambda_N bounded and kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + (g^2/l) p phi^2 "
+        f"below b^2 in the limit, {Contact.of(springs).fast_text}, there is an epsilon_0 > 0 such that for every "
+        "0 < epsilon <= epsilon_0, as long as slip is positive, contact lasts until p < 0, and then"
     )
     detail = ""
     with working_bits(BITS):

@@ -136,7 +136,9 @@ def _start(values: dict[str, fmpq], springs: Regularisation) -> ModelStart:
 
 
 def _side(start: ModelStart, trajectory: Trajectory, epsilon: fmpq, delta: fmpq, factor: fmpq) -> ModelSide:
-    whole = f"{start.system_text()}, {start.states_text()}, for every epsilon <= {epsilon}, as long as slip is positive"
+    whole = (
+        f"{start.system_text()}, {start.states_text()}, for every 0 < epsilon <= {epsilon}, as long as slip is positive"
+    )
     c_1, found = start.c_1(), passage(start, trajectory, delta, factor)
     if isinstance(found, str):
         verdict = Verdict.undecided(f"{whole}: lift-off or impact", Reason.HYPOTHESIS, found)
@@ -148,7 +150,7 @@ def _side(start: ModelStart, trajectory: Trajectory, epsilon: fmpq, delta: fmpq,
     if entry.side < 0:
         side, statement = "lift-off", f"{before}, and it vanishes later: contact is lost"
     else:
-        side, statement = "impact", f"{before} and on, until it exceeds {ball_text(found.force, 3)}; p < 0 there"
+        side, statement = "impact", f"{before} and on, until it exceeds {factor * start.mean_force}; p < 0 there"
     ratio = (found.cone.top / entry.Y.lower()).upper()
     drift = abs((found.handed.coefficient / c_1).log()).upper()
     verdict = Verdict.proved(statement, found.evidence)

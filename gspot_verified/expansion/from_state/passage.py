@@ -15,7 +15,7 @@ from gspot_verified.expansion.from_state.choice import LARGEST, Plan, plans, rea
 from gspot_verified.expansion.from_state.fast_growth import Norm, Rectangle, fast_growth
 from gspot_verified.expansion.from_state.hand_over import HandOver, hand_over_set
 from gspot_verified.expansion.from_state.model_system import model_system
-from gspot_verified.expansion.from_state.slow_series import Contact, slow_series
+from gspot_verified.expansion.from_state.slow_series import Contact, contact_text, slow_series
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.trajectory import Trajectory, expand_system
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
@@ -58,10 +58,9 @@ class ModelStart:
 
     def system_text(self) -> str:
         """The system in words."""
-        springs = self.regularisation
         return (
             f"the model system with alpha = ({self.alpha_1}, {self.alpha_2}, {self.beta * self.alpha_1}) and "
-            f"(k_1, k_2, c) = ({springs.k_1}, {springs.k_2}, {springs.c})"
+            f"{contact_text(self.regularisation)}"
         )
 
     def states_text(self) -> str:
@@ -69,7 +68,7 @@ class ModelStart:
         return (
             f"every start in contact at p = {self.p}, b = {self.b} with |lambda_N + b/p| <= {self.within} |L|, "
             f"sqrt(kappa) |v|/epsilon <= {self.within} sqrt(p) |L|, g |phi|/sqrt(l) <= {self.within} sqrt(p) |L|, "
-            f"L = {self.excess}"
+            f"L = {self.excess}, {Contact.of(self.regularisation).fast_text}"
         )
 
 

@@ -39,6 +39,17 @@ class Contact:
         kappa = 1 / springs.compliance
         return cls(kappa, (springs.k_1 + springs.k_2) / springs.c, springs.k_2 - kappa)
 
+    @property
+    def fast_text(self) -> str:
+        """What phi is, in words."""
+        numbers = f"kappa = {self.kappa}, g = {self.rate}, l = {self.lag}"
+        return f"phi = lambda_N + kappa y/epsilon^2 + (l/g) v/epsilon, {numbers}"
+
+
+def contact_text(springs: Regularisation) -> str:
+    """The contact's constants in words, in their units."""
+    return f"(k_1 epsilon^2, k_2 epsilon^2, c epsilon) = ({springs.k_1}, {springs.k_2}, {springs.c})"
+
 
 @dataclass(frozen=True)
 class SlowSeries:

@@ -53,6 +53,15 @@ def test_a_mechanism_whose_coefficients_vary_takes_that_side(beta: fmpq, p: floa
     assert below == limit_side(beta).side
 
 
+def test_the_sentence_names_the_fast_part_of_the_starts() -> None:
+    """Theorem Q needs |X| < p Lambda = -b in the limit: a start that oscillates more may lift off at once."""
+    statement = limit_side("3/2", contact=(1, 3, 2)).verdict.statement
+    assert "y/epsilon^2, v/epsilon, lambda_N bounded" in statement
+    fast = "kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + (g^2/l) p phi^2 below b^2 in the limit"
+    assert fast in statement
+    assert "phi = lambda_N + kappa y/epsilon^2 + (l/g) v/epsilon, kappa = 3/4, g = 2, l = 9/4" in statement
+
+
 def test_what_is_not_certain_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
     """With starts at a delta so large that Theorem B does not hold."""
     monkeypatch.setattr(module, "_DELTAS", (fmpq(1, 30),))

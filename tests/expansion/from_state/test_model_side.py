@@ -51,6 +51,17 @@ def test_the_side_is_that_of_the_exact_rule(beta: str, b: str, side: str, epsilo
         assert at_rest(ratio, found.epsilon / factor, fmpq(1, 2), place) == side
 
 
+def test_the_sentence_says_what_its_letters_are() -> None:
+    """phi, kappa, g, l and the units of the contact: without them nobody can tell whether a start belongs to it."""
+    found = model_side("7/4", "1/2", "-1/3", epsilon="1e-9")
+    assert found.side == "impact"
+    statement = found.verdict.statement
+    assert "(k_1 epsilon^2, k_2 epsilon^2, c epsilon) = (1, 1, 1)" in statement
+    assert "phi = lambda_N + kappa y/epsilon^2 + (l/g) v/epsilon, kappa = 1/2, g = 2, l = 1/2" in statement
+    assert "0 < epsilon <= 1/1000000000" in statement
+    assert "until it exceeds 40/3;" in statement
+
+
 def test_large_epsilon_is_undecided_and_says_why() -> None:
     found = model_side("5/2", "1/2", "-2/3", epsilon="1/100")
     assert found.side is None
