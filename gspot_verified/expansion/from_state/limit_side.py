@@ -10,7 +10,7 @@ from typing import ClassVar
 
 from flint import fmpq
 
-from gspot_verified.expansion.from_state.passage import ModelStart, passage, trajectory_of
+from gspot_verified.expansion.from_state.passage import ModelStart, checked_ratio, passage, trajectory_of
 from gspot_verified.expansion.from_state.slow_series import Contact, contact_text
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.true_solutions.bound import BITS, rational
@@ -52,14 +52,12 @@ def limit_side(beta: ExactInput, contact: tuple[ExactInput, ExactInput, ExactInp
     is (k_1, k_2, c). The starts lie at any distance from the G-spot on the way of a rigid slip motion into it; no slow
     manifold is assumed.
 
-    :raises ValueError: beta is not rational, at most 1 or an integer; the contact is none with a damper.
+    :raises ValueError: beta is not rational, at most 1, an integer or above 30; the contact is none with a damper.
 
     >>> limit_side("3/2").side, limit_side("5/2").side
     ('impact', 'lift-off')
     """
-    number, springs = rational(beta, "beta"), Regularisation.of(*contact)
-    if not number > 1 or number.q == 1:
-        raise ValueError(f"beta must be above 1 and no integer, got {number}")
+    number, springs = checked_ratio(rational(beta, "beta")), Regularisation.of(*contact)
     start = ModelStart(number, fmpq(-1), fmpq(-1), springs, _PLACE, -2 * _PLACE / (number - 1), fmpq(0))  # C_1 < 0
     statement = (
         f"for every mechanism of Case III with m = 4, beta = {number} and {contact_text(springs)}, and every family of "

@@ -11,7 +11,7 @@ from typing import ClassVar
 from flint import arb, fmpq
 
 from gspot_verified.expansion.from_state.choice import DELTAS
-from gspot_verified.expansion.from_state.passage import ModelStart, passage, rounded_up, trajectory_of
+from gspot_verified.expansion.from_state.passage import ModelStart, checked_ratio, passage, rounded_up, trajectory_of
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.expansion.true_solutions.bound import BITS, rational
@@ -90,8 +90,8 @@ def model_side(
     The state at rest in the contact, v = 0, y = -h epsilon^2 lambda_N, belongs to every such set. "impact": lambda_N
     exceeds ``force`` times the mean force. Without ``epsilon`` the largest of a list that is proved is taken.
 
-    :raises ValueError: beta is not rational, at most 1 or an integer; p, epsilon not positive; L = 0; the mean force is
-        not positive; an argument is out of range or not rational; the contact has no damper.
+    :raises ValueError: beta is not rational, at most 1, an integer or above 30; p, epsilon not positive; L = 0; the
+        mean force is not positive; an argument is out of range or not rational; the contact has no damper.
 
     >>> found = model_side("3/2", "1/2", -2, epsilon="1e-6")
     >>> found.side, found.verdict.outcome.value
@@ -124,8 +124,7 @@ def model_side(
 
 def _start(values: dict[str, fmpq], springs: Regularisation) -> ModelStart:
     start = ModelStart(regularisation=springs, **values)
-    if not start.beta > 1 or start.beta.q == 1:
-        raise ValueError(f"beta must be above 1 and no integer, got {start.beta}")
+    checked_ratio(start.beta)
     if not (start.p > 0 and start.within >= 0):
         raise ValueError("p must be positive, and within not negative")
     if not (start.alpha_1 < 0 and start.alpha_2 < 0):

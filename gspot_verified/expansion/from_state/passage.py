@@ -28,6 +28,19 @@ from gspot_verified.numbers.verdict import Evidence
 
 _ORDER = 10  # of the expansion, whose terms beyond the first vanish for the model system
 _FINENESS = 2**30  # of what is rounded to a rational
+_LARGEST_RATIO = 30  # the slow series of a larger beta takes minutes, and the checks fail far below
+
+
+def checked_ratio(beta: fmpq) -> fmpq:
+    """beta, if it is in the range of this theorem and its cost.
+
+    :raises ValueError: it is at most 1, an integer, or too large.
+    """
+    if not beta > 1 or beta.q == 1:
+        raise ValueError(f"beta must be above 1 and no integer, got {beta}")
+    if not beta <= _LARGEST_RATIO:
+        raise ValueError(f"beta must be at most {_LARGEST_RATIO}, got {beta}")
+    return beta
 
 
 @dataclass(frozen=True)
@@ -142,8 +155,9 @@ def tube_from(start: ModelStart, delta: fmpq, choices: Sequence[Plan]) -> tuple[
     a, contact = -start.alpha_1, Contact.of(start.regularisation)
     e = a * delta**3
     growth_failed, tube_failed = "", ""
+    known = {order: slow_series(start.beta, contact, order) for order in {plan.order for plan in choices}}
     for plan in choices:
-        series = slow_series(start.beta, contact, plan.order)
+        series = known[plan.order]
         norm = Norm(series, plan.k_1, plan.k_2)
         rectangle = Rectangle(rounded_up((1 / ball(a * plan.place**3)).sqrt()), rounded_up(ball(start.p).sqrt()))
         growth = fast_growth(norm, rectangle, plan.growth, plan.damping)

@@ -71,7 +71,9 @@ def test_what_is_not_certain_is_undecided(monkeypatch: pytest.MonkeyPatch) -> No
     assert "Theorem B" in found.verdict.detail
 
 
-@pytest.mark.parametrize(("beta", "message"), [("1/2", "above 1"), ("2", "no integer"), ("1", "above 1")])
+@pytest.mark.parametrize(
+    ("beta", "message"), [("1/2", "above 1"), ("2", "no integer"), ("1", "above 1"), ("10001/2", "at most 30")]
+)
 def test_bad_input(beta: str, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         limit_side(beta)

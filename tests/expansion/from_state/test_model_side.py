@@ -92,6 +92,8 @@ def test_where_the_fast_part_decides_nothing_is_claimed() -> None:
     [
         (("3", "1/2", "-1"), "no integer"),
         (("1/2", "1/2", "-1"), "above 1"),
+        (("61/2", "1/2", "-1"), "beta must be at most 30"),
+        (("10001/2", "1/2", "-1"), "beta must be at most 30"),
         (("3/2", "0", "-1"), "p must be positive"),
         (("3/2", "1/2", "-1"), "distinguished trajectory"),
         (("3/2", "1/2", "-2", {"alpha_2": 1}), "mean force"),
