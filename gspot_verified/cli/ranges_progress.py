@@ -13,10 +13,10 @@ if TYPE_CHECKING:
 
 
 class RangesProgress:
-    """Told each step of a subdivision, or of several one after the other. ``where`` follows the number of ranges."""
+    """Told each step of a subdivision, or of one for each of so many ``rows`` of ε, one after the other."""
 
-    def __init__(self, where: str = "", tubes: bool = False) -> None:
-        self._where, self._tubes = where, tubes
+    def __init__(self, tubes: bool = False, rows: int | None = None) -> None:
+        self._tubes, self._rows, self._row = tubes, rows, 0
         self._cells, self._settled, self._said = 1, 0.0, 0.0
 
     def __call__(self, step: Progress) -> None:
@@ -32,8 +32,10 @@ class RangesProgress:
         if said:
             self._said = time.monotonic()
         ranges = number_of(step.examined, "range of β", "ranges of β")
-        text = f"{ranges} examined{self._where}, {step.finished} settled, {step.waiting} waiting"
-        counted(text + tubes, step.examined, self._settled / self._cells, said)
+        where = "" if self._rows is None else f" in row {self._row} of {self._rows} of ε"
+        text = f"{ranges} examined{where}, {step.finished} settled, {step.waiting} waiting"
+        share = (self._row - 1 + self._settled / self._cells) / (self._rows or 1)
+        counted(text + tubes, step.examined, share, said)
 
     def _add(self, step: Progress) -> None:
         """The settled share: a range that was cut d times counts 2^-d of the cell that it comes from."""
@@ -42,5 +44,6 @@ class RangesProgress:
         if step.examined == 1:  # the cells: those that wait and this one, which two halves replace if it was cut
             cut = step.node.state is State.SPLIT
             self._settled, self._cells = 0.0, step.waiting - 1 if cut else step.waiting + 1
+            self._row += 1
         if step.node.state is State.SETTLED:
             self._settled += 0.5**step.node.depth

@@ -244,3 +244,23 @@ def test_one_range_and_one_tube_are_no_plural(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr("gspot_verified.cli.ranges_progress.counted", lambda text, *_: said.append(text))
     zeros_on_range("3/2..8/5", budget=10, progress=RangesProgress(tubes=True))
     assert said[-1].startswith("one range of β examined, 1 settled, 0 waiting; β in [3/2, 8/5]: one tube")
+
+
+def test_rows_are_counted_and_share_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    said: list[tuple[str, float]] = []
+    monkeypatch.setattr(
+        "gspot_verified.cli.ranges_progress.counted", lambda text, _, share, __: said.append((text, share))
+    )
+    shown = RangesProgress(rows=3)
+
+    def examine(lower: fmpq | None, upper: fmpq, *_: object) -> Column | None:
+        assert lower is not None
+        return Column(lower, upper, ()) if upper - lower <= fmpq(1, 2) else None
+
+    for _ in range(3):
+        for step in Subdivision([(fmpq(0), fmpq(1))], 10).steps(examine, InProcessExecutor()):
+            shown(step)
+    assert [text.split(",")[0] for text, _ in said[::3]] == [
+        f"one range of β examined in row {row} of 3 of ε" for row in (1, 2, 3)
+    ]
+    assert [share for _, share in said] == pytest.approx([0, 1 / 6, 1 / 3, 1 / 3, 1 / 2, 2 / 3, 2 / 3, 5 / 6, 1])

@@ -52,13 +52,13 @@ def zeros_over_a_rectangle(
     :raises ValueError: a picture of one epsilon is asked for, or a certificate that is not for beta in (4, 5) and all
         small epsilon.
     """
-    from gspot_verified.compliant.zeros.zero_map import zero_map
+    from gspot_verified.compliant.zeros.zero_map import number_of_rows, zero_map
     from gspot_verified.work.executors import executor
 
     if picture is not None and ".." not in epsilon:
         raise ValueError("--picture needs a range of ε, such as 0..10")
     proof = None if certificate is None else _certificate(beta, epsilon)
-    shown = RangesProgress(" in this row of ε")
+    shown = RangesProgress(rows=number_of_rows(epsilon))
     with executor(workers, scheduler) as pool, outputs.journal(journal):
         zeros = zero_map(beta, epsilon, budget=budget, executor=pool, journal=journal, progress=shown)
     if picture is not None:

@@ -200,6 +200,17 @@ def zero_map(
     return ZeroMap(betas, epsilons, tuple(rows), examined)
 
 
+def number_of_rows(epsilon: Range | str) -> int:
+    """How many rows of epsilon a map over this range has.
+
+    :raises ValueError: not inside [0, 100].
+
+    >>> number_of_rows("1/10"), number_of_rows("0..100") > 10
+    (1, True)
+    """
+    return len(_rows(*_ends(epsilon, "epsilon", fmpq(0), MAX_EPSILON)))
+
+
 def _journal_of_row(
     journal: str | Path | None, number: int, betas: tuple[fmpq, fmpq], epsilons: tuple[fmpq, fmpq]
 ) -> AbstractContextManager[Journal | None]:
