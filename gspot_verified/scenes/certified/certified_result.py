@@ -116,9 +116,10 @@ def _span(scene: Scene, record: Record) -> str:
     """Up to when the run is followed, in words."""
     if record.stopped is None:
         return f" until t = {scene.until} after the start"
-    least = rounded_text(float_bounds(record.stopped * scene.epsilon)[0], -1, 12)
+    lower, upper = float_bounds(record.stopped * scene.epsilon)
+    until, by = rounded_text(lower, -1, 12), rounded_text(upper, 1, 12)
     large = f"λ_N is more than {scene.stop_at_force} times that of rigid slip at the start"
-    return f" until t = {least} after the start, where {large}"
+    return f" until t = {until} after the start; by t = {by} {large}"
 
 
 def result_of(scene: Scene, conditions: Conditions, record: Record) -> SceneRun:
