@@ -320,7 +320,8 @@ class Scene(Shown):
                 continue
             if name == "start":
                 slow = checked_start(value)
-                start = {key: given for key, given in start.items() if key not in ("y", "v", "z")}
+                given_here = [key for key in settings if settings[key] is not None]
+                start = {key: given for key, given in start.items() if key not in ("y", "v", "z") or key in given_here}
                 continue
             if name in ("eps", "epsilon"):
                 epsilon = scene_number(value, name)

@@ -113,5 +113,9 @@ def test_one_of_the_two_is_given() -> None:
     assert scene.with_settings(start="slip").slow_start is not None  # takes the place of y, v, z
     with pytest.raises(SceneError, match="y is given, and the slow manifold of slip is asked for"):
         scene.with_settings(start="slip").with_settings(y=-1)
+    for order in (("start", "y"), ("y", "start")):
+        settings = {"start": "slip", "y": "-1/100"}
+        with pytest.raises(SceneError, match="y is given, and the slow manifold of slip is asked for"):
+            load_scene("fig-varsim1", **{name: settings[name] for name in order})
     with pytest.raises(SceneError, match='start: expected "slip", or a table'):
         scene.with_settings(start="stick")
