@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 from flint import arb, fmpq
@@ -18,7 +19,7 @@ from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.functions.derivative import lie_derivative, rewritten
 from gspot_verified.functions.expressions import Constant, Expression
 from gspot_verified.functions.power_series import SeriesOfFunctions
-from gspot_verified.functions.rings import BALLS
+from gspot_verified.functions.rings import BALLS, RATIONALS
 from gspot_verified.functions.symbols import RationalFunction, Symbols
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.input.mechanism import Mechanism
@@ -29,6 +30,7 @@ _SAMPLES = 3  # points at which a law is compared
 _BITS = 128  # of the values that are compared
 _DISTANCES = (4, 12, 40)
 _PARTS = 67  # of 1: a value of a symbol is so many of them; a prime, so that few denominators vanish
+_FUNCTIONS = ("F", "G", "y", "v", "p", "b", "alpha_1", "alpha_2", "alpha_3", "J")  # of a system
 
 
 def check_expansion(source: Mechanism | System, order: int, *, spot: int | None = None) -> Trajectory:
@@ -172,27 +174,16 @@ def _with_numbers(system: System, ring: Symbols, source: random.Random) -> Syste
     def value(number: Any) -> Any:
         return number.at(numbers) if isinstance(number, RationalFunction) else number
 
-    scalars = (system.y, system.v, system.p, system.b, system.alpha_1, system.alpha_2, system.alpha_3)
+    held = {name: getattr(system, name) for name in _FUNCTIONS}
     made = rewritten(
-        [*scalars, *system.F, *system.G, *system.J],
+        [each for function in held.values() for each in (function if isinstance(function, tuple) else (function,))],
         lambda node: Constant(value(node.value)) if isinstance(node, Constant) else None,
     )
-    F, G, J = (tuple(made[function] for function in row) for row in (system.F, system.G, system.J))
-    y, v, p, b, first, second, third = (made[scalar] for scalar in scalars)
-    return System(
-        system.name,
-        F=F,
-        G=G,
-        y=y,
-        v=v,
-        p=p,
-        b=b,
-        alpha_1=first,
-        alpha_2=second,
-        alpha_3=third,
-        J=J,
-        point=tuple(map(value, system.point)),
-    )
+    functions: dict[str, Any] = {
+        name: tuple(made[each] for each in function) if isinstance(function, tuple) else made[function]
+        for name, function in held.items()
+    }
+    return replace(system, ring=RATIONALS, point=tuple(map(value, system.point)), **functions)
 
 
 def _near(system: System, functions: Sequence[Expression], source: random.Random) -> Iterator[SeriesOfFunctions]:

@@ -13,16 +13,7 @@ LAST, MIDDLE, HUNDRED = ((fmpq(399, 2), fmpq(399, 2)), (fmpq(301, 2), fmpq(301, 
 
 @pytest.fixture
 def work(monkeypatch: pytest.MonkeyPatch) -> list[int]:
-    """Every amount of work that is taken from a budget."""
-    amounts: list[int] = []
-    spend = check.limits.Meter.spend
-
-    def recorded(meter: check.limits.Meter, products: int, operations: int) -> None:
-        amounts.append(products + check.limits.OPERATION * operations)
-        spend(meter, products, operations)
-
-    monkeypatch.setattr(check.limits.Meter, "spend", recorded)
-    return amounts
+    return mutate.work_of(check, monkeypatch)
 
 
 @pytest.mark.parametrize(

@@ -19,6 +19,8 @@ from pathlib import Path
 from types import ModuleType, SimpleNamespace
 from typing import Any
 
+import pytest
+
 HYPOTHESES = ["certificate", "fold", "identities", "initial_values", "laplace", "negative", "tails"]
 CHECKER = Path(__file__).resolve().parents[2] / "proofs" / "checker"
 PARTS = ("limits", "reading", "theta", "pieces", "statements", "force", "intervals", "model", "run")
@@ -46,6 +48,19 @@ def _program() -> ModuleType:
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
+
+
+def work_of(checker: SimpleNamespace, monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """Every amount of work that is taken from a budget from now on."""
+    amounts: list[int] = []
+    spend = checker.limits.Meter.spend
+
+    def recorded(meter: Any, products: int, operations: int) -> None:
+        amounts.append(products + checker.limits.OPERATION * operations)
+        spend(meter, products, operations)
+
+    monkeypatch.setattr(checker.limits.Meter, "spend", recorded)
+    return amounts
 
 
 @dataclass(frozen=True)

@@ -28,16 +28,7 @@ def answer(data: bytes, limits: check.limits.Limits) -> str:
 
 @pytest.fixture
 def spent(monkeypatch: pytest.MonkeyPatch) -> list[int]:
-    """Every amount of work that is taken from a budget."""
-    amounts: list[int] = []
-    spend = check.limits.Meter.spend
-
-    def recorded(meter: check.limits.Meter, products: int, operations: int) -> None:
-        amounts.append(products + check.limits.OPERATION * operations)
-        spend(meter, products, operations)
-
-    monkeypatch.setattr(check.limits.Meter, "spend", recorded)
-    return amounts
+    return mutate.work_of(check, monkeypatch)
 
 
 @pytest.mark.parametrize("name", hostile.SHORT)

@@ -10,6 +10,7 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
+from samples.strategies import to_fraction
 from scipy.integrate import solve_ivp
 
 
@@ -38,6 +39,12 @@ class Dual:
         for _ in range(power):
             result = result * self
         return result
+
+
+def at(polynomial: Any, h: Dual, r: Dual) -> Dual:
+    """A polynomial in h and r with rational coefficients."""
+    terms = polynomial.to_dict().items()
+    return sum((to_fraction(value) * h ** int(i) * r ** int(n) for (i, n), value in terms), Dual(Fraction(0)))
 
 
 def rates(beta: Any, springs: Sequence[Any], e: Any, p: Any, state: Sequence[Any]) -> tuple[Any, Any, Any, Any]:

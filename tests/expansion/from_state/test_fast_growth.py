@@ -9,8 +9,8 @@ import pytest
 from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from samples.strategies import to_fraction
-from witnesses.slow_deviation import Dual, rates
+from samples.strategies import to_fmpq
+from witnesses.slow_deviation import Dual, at, rates
 
 from gspot_verified.expansion.from_state.fast_growth import (
     Growth,
@@ -28,15 +28,6 @@ from gspot_verified.numbers.balls import ball, working_bits
 BITS = 128
 NUMBERS = st.fractions(min_value=Fraction(1, 4), max_value=4, max_denominator=9)
 SIGNED = st.fractions(min_value=-3, max_value=3, max_denominator=9)
-
-
-def rational(value: Fraction) -> fmpq:
-    return fmpq(value.numerator, value.denominator)
-
-
-def at(polynomial: object, h: Dual, r: Dual) -> Dual:
-    terms = polynomial.to_dict().items()  # type: ignore[attr-defined]
-    return sum((to_fraction(value) * h ** int(i) * r ** int(n) for (i, n), value in terms), Dual(Fraction(0)))
 
 
 @given(
@@ -59,8 +50,8 @@ def test_the_surplus_is_what_the_square_of_the_norm_leaves(
     bounds: tuple[Fraction, Fraction],
 ) -> None:
     """2 (h r G - t r^2)|x|^2 - (|x|^2)' = x^T N x - 2 x^T M L R, for motions of the mechanism's own equations."""
-    series = slow_series(rational(beta), Contact.of(Regularisation.of(*springs)), 2)
-    norm = Norm(series, rational(weights[0]), rational(weights[1]))
+    series = slow_series(to_fmpq(beta), Contact.of(Regularisation.of(*springs)), 2)
+    norm = Norm(series, to_fmpq(weights[0]), to_fmpq(weights[1]))
     p, e = r * r, h * r**3
     slopes = rates(beta, springs, e, p, state)
     root = Dual(r, -e / (2 * r))
@@ -72,7 +63,7 @@ def test_the_surplus_is_what_the_square_of_the_norm_leaves(
     gram = [[at(entry, ratio, root) for entry in row] for row in norm.matrix]
     square = sum((x[i] * gram[i][j] * x[j] for i in range(3) for j in range(3)), Dual(Fraction(0)))
     rate = h * r * bounds[0] - bounds[1] * r * r
-    matrix = [[at(entry, ratio, root).value for entry in row] for row in surplus(norm, *map(rational, bounds))]
+    matrix = [[at(entry, ratio, root).value for entry in row] for row in surplus(norm, *map(to_fmpq, bounds))]
     values = [one.value for one in x]
     residual = [e * L.value * at(one, ratio, root).value for one in series.residual]
     shown = sum(values[i] * (matrix[i][j] * values[j] - 2 * gram[i][j].value * residual[j])
@@ -154,6 +145,6 @@ def test_the_minors_of_both_charts_are_those_of_the_scaled_matrix(u: Fraction, s
         block = [[(N[i][j] - N[i][2] * N[j][2] / N[2][2]) / unit for j in range(2)] for i in range(2)]
         wanted = (N[2][2], block[0][0], block[0][0] * block[1][1] - block[0][1] * block[1][0])
         with working_bits(BITS):
-            found = _Chart(matrix, steep, fmpq(1), fmpq(1)).minors(ball(rational(u)), ball(rational(size)))
+            found = _Chart(matrix, steep, fmpq(1), fmpq(1)).minors(ball(to_fmpq(u)), ball(to_fmpq(size)))
             for value, number in zip(found, wanted, strict=True):
-                assert abs(value - ball(rational(number))) < arb("1e-25") * (1 + abs(ball(rational(number))))
+                assert abs(value - ball(to_fmpq(number))) < arb("1e-25") * (1 + abs(ball(to_fmpq(number))))

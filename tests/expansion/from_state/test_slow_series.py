@@ -8,22 +8,13 @@ import pytest
 from flint import fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from samples.strategies import to_fraction
-from witnesses.slow_deviation import Dual, rates
+from samples.strategies import to_fmpq, to_fraction
+from witnesses.slow_deviation import Dual, at, rates
 
 from gspot_verified.expansion.from_state.slow_series import Contact, slow_series
 from gspot_verified.expansion.series.regularisation import PAPER, Regularisation
 
 NUMBERS = st.fractions(min_value=Fraction(1, 4), max_value=4, max_denominator=12)
-
-
-def rational(value: Fraction) -> fmpq:
-    return fmpq(value.numerator, value.denominator)
-
-
-def at(polynomial: object, h: Dual, r: Dual) -> Dual:
-    terms = polynomial.to_dict().items()  # type: ignore[attr-defined]
-    return sum((to_fraction(value) * h ** int(i) * r ** int(n) for (i, n), value in terms), Dual(Fraction(0)))
 
 
 @given(
@@ -39,7 +30,7 @@ def test_what_the_polynomials_leave_in_the_equations(
 ) -> None:
     """The equations (2) for V = L v, W = L p w, phi = L p f, by dual numbers in exact fractions."""
     contact = Regularisation.of(*springs)
-    series = slow_series(rational(beta), Contact.of(contact), order)
+    series = slow_series(to_fmpq(beta), Contact.of(contact), order)
     p, e = r * r, h * r**3
     root = Dual(r, -e / (2 * r))  # d/dT
     ratio = Dual(e) / root**3
@@ -83,7 +74,7 @@ def test_at_r_zero_it_is_the_series_of_theta(beta: Fraction) -> None:
     quotient: list[Fraction] = []
     for k in range(length):
         quotient.append(slopes[k] - sum((quotient[j] * c[k - j] for j in range(k)), Fraction(0)))
-    w = slow_series(rational(beta), Contact.of(PAPER), 2 * length - 1).w
+    w = slow_series(to_fmpq(beta), Contact.of(PAPER), 2 * length - 1).w
     found = {int(i): to_fraction(value) for (i, n), value in w.to_dict().items() if n == 0}
     assert found == {2 * k: value / kappa**k for k, value in enumerate(quotient) if k and value}
 
