@@ -18,6 +18,7 @@ from gspot_verified.functions.expressions import (
     Cosine,
     Exponential,
     Expression,
+    FunctionOfOne,
     Logarithm,
     Power,
     Product,
@@ -82,7 +83,7 @@ def graded_functions(
 
 
 def _ratios(nodes: Sequence[Expression]) -> tuple[fmpq, ...]:
-    return _RATIOS if any(isinstance(node, Power | Sine | Cosine | Exponential | Logarithm) for node in nodes) else ()
+    return _RATIOS if any(isinstance(node, Power | FunctionOfOne) for node in nodes) else ()
 
 
 def _changes(

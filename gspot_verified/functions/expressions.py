@@ -130,70 +130,41 @@ class Power(Expression):
 
 
 @dataclass(frozen=True, eq=False)
-class Sine(Expression):
+class FunctionOfOne(Expression):
+    """An elementary function of one argument."""
+
+    argument: Expression
+
+    def identity(self) -> tuple[Hashable, ...]:
+        """The argument."""
+        return (self.argument,)
+
+    def parts(self) -> tuple[Expression, ...]:
+        """The argument."""
+        return (self.argument,)
+
+
+class Sine(FunctionOfOne):
     """The sine."""
 
-    argument: Expression
 
-    def identity(self) -> tuple[Hashable, ...]:
-        """The argument."""
-        return (self.argument,)
-
-    def parts(self) -> tuple[Expression, ...]:
-        """The argument, and the cosine that its series needs."""
-        return (self.argument,)
-
-
-@dataclass(frozen=True, eq=False)
-class Cosine(Expression):
+class Cosine(FunctionOfOne):
     """The cosine."""
 
-    argument: Expression
 
-    def identity(self) -> tuple[Hashable, ...]:
-        """The argument."""
-        return (self.argument,)
-
-    def parts(self) -> tuple[Expression, ...]:
-        """The argument."""
-        return (self.argument,)
-
-
-@dataclass(frozen=True, eq=False)
-class Exponential(Expression):
+class Exponential(FunctionOfOne):
     """The exponential."""
 
-    argument: Expression
 
-    def identity(self) -> tuple[Hashable, ...]:
-        """The argument."""
-        return (self.argument,)
-
-    def parts(self) -> tuple[Expression, ...]:
-        """The argument."""
-        return (self.argument,)
-
-
-@dataclass(frozen=True, eq=False)
-class Logarithm(Expression):
+class Logarithm(FunctionOfOne):
     """The natural logarithm; the argument must be positive at the point of expansion."""
-
-    argument: Expression
-
-    def identity(self) -> tuple[Hashable, ...]:
-        """The argument."""
-        return (self.argument,)
-
-    def parts(self) -> tuple[Expression, ...]:
-        """The argument."""
-        return (self.argument,)
 
 
 FUNCTION_NAMES: dict[type[Expression], str] = {Sine: "sin", Cosine: "cos", Exponential: "exp", Logarithm: "log"}
 """The functions of one argument, as formulas, ``math`` and sympy name them."""
 
 
-def partner(node: Sine | Cosine | Exponential | Logarithm) -> tuple[Expression, int]:
+def partner(node: FunctionOfOne) -> tuple[Expression, int]:
     """The derivative by the argument is sign g: g, and the sign.
 
     >>> partner(Cosine(Variable(0)))

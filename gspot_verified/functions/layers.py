@@ -18,6 +18,7 @@ from gspot_verified.functions.expressions import (
     Cosine,
     Exponential,
     Expression,
+    FunctionOfOne,
     Logarithm,
     Power,
     Product,
@@ -121,7 +122,7 @@ class LayeredFunctions:
         if isinstance(node, Power):
             r = node.exponent
             return series[node.base].middle(series[node], m, lambda j: number((r * j - (m - j)) / m))
-        if isinstance(node, Sine | Cosine | Exponential | Logarithm):
+        if isinstance(node, FunctionOfOne):
             other, sign = partner(node)
             return series[node.argument].middle(series[other], m, lambda j: number(fmpq(sign * j, m)))
         return []
@@ -139,10 +140,10 @@ class LayeredFunctions:
             return product_coefficient(left, right, self._middle[node], k, self._zero)
         if isinstance(node, Power):
             return self._power(node, k, first_of_all)
-        assert isinstance(node, Sine | Cosine | Exponential | Logarithm)
+        assert isinstance(node, FunctionOfOne)
         return self._start(node) if first_of_all else self._rotated(node, k)
 
-    def _start(self, node: Sine | Cosine | Exponential | Logarithm) -> Any:
+    def _start(self, node: FunctionOfOne) -> Any:
         value = self._series[node.argument].rows[0][0]
         if isinstance(node, Exponential):
             return self._ring.exponential(value)
@@ -150,7 +151,7 @@ class LayeredFunctions:
             return self._ring.logarithm(value)
         return self._ring.sine_cosine(value)[0 if isinstance(node, Sine) else 1]
 
-    def _rotated(self, node: Sine | Cosine | Exponential | Logarithm, k: int) -> Any:
+    def _rotated(self, node: FunctionOfOne, k: int) -> Any:
         """In the first layer k f_k = sum of l u_l g_(k-l), later f_m = u_m g_0 + the complete part."""
         derivative, sign = partner(node)
         argument, other = self._series[node.argument].rows, self._series[derivative].rows[0]
