@@ -13,11 +13,13 @@ from flint import arb, fmpq
 
 from gspot_verified.numbers.balls import ExactInput, approximate, bits_for_digits, exact, working_bits
 from gspot_verified.numbers.evidence import less
-from gspot_verified.numbers.verdict import Evidence, NoTruthValue
+from gspot_verified.numbers.short_text import short_text
+from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason
 from gspot_verified.numbers.written import Written
 from gspot_verified.signs.gamma.side import gamma_sign
 from gspot_verified.theta_function.value.evaluate import evaluate
 
+LEADING = "at leading order"
 MAX_BETA = 100  # a limit of input: ValueError beyond it
 LEAST_TENS = -100_000  # decimal exponent of the least epsilon_0 that is written down
 _MOST_TENS = 100  # decimal exponent at which epsilon_0 is cut off
@@ -34,6 +36,10 @@ class ContactForce(NoTruthValue, Written):
     """
 
     ask: ClassVar[str] = ".takes_impact says which side it is"
+    system: ClassVar[str] = LEADING
+    left_open: ClassVar[Reason] = Reason.BUDGET
+    """Why a comparison is open: more digits would settle it."""
+    too_close: ClassVar[str] = "ε is too close to the largest ε0; ask for more digits"
     written: ClassVar[str] = "beta alpha_1 alpha_2 alpha_3 C1=c1 case mean_force=mean takes_impact"
 
     beta: fmpq
@@ -88,6 +94,15 @@ class ContactForce(NoTruthValue, Written):
         """The logarithm of the epsilon at which mean + A epsilon^p slope = 0; slope and mean have opposite signs."""
         with working_bits(self._bits(digits)):
             return (arb(-self.mean) / (self.amplitude(digits) * slope)).log() / arb(self.exponent)
+
+    def lines(self) -> list[str]:
+        """The system, the side, and the formula of the force."""
+        alphas = ", ".join(f"α{i} = {short_text(alpha)}" for i, alpha in enumerate(self.alphas, 1))
+        return [
+            case_and_side(self.case, f"β = {self.beta}, {alphas}", self.c1, self.takes_impact),
+            f"  λ_N = {short_text(self.mean)} - (C1/α3) κ^(1-β) ε^({self.exponent}) dΘ/dτ, "
+            f"κ^3 = {short_text(-self.alpha_1 / 2)}",
+        ]
 
     def value(self, tau: ExactInput, epsilon: ExactInput, digits: int = 15) -> arb:
         """lambda_N at one point, at leading order.
@@ -158,6 +173,13 @@ def contact_force(
     if charge == 0:
         raise ValueError("c1: at C_1 = 0 the trajectory is the canard itself, and its force is the mean force")
     return ContactForce(parameter, first, second, third, charge)
+
+
+def case_and_side(case: str, numbers: str, c1: fmpq, takes_impact: bool) -> str:
+    """The Case, beta and the alphas as ``numbers`` has them, and the side of C_1."""
+    words = "no Case, between I and II" if case == "none" else f"Case {case}"
+    side = "> 0, λ_N → +∞" if takes_impact else "< 0, λ_N → -∞"
+    return f"  {words}: {numbers}, C1 = {short_text(c1)}: the side C1/Γ(-β) {side}"
 
 
 def rational(value: ExactInput, name: str) -> fmpq:

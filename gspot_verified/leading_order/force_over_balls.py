@@ -10,12 +10,14 @@ from typing import ClassVar
 
 from flint import arb, fmpq
 
-from gspot_verified.leading_order.contact_force import MAX_BETA, ContactForce, rational
-from gspot_verified.numbers.balls import ExactInput, ball, bits_for_digits, exact, working_bits
-from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.leading_order.contact_force import LEADING, MAX_BETA, ContactForce, case_and_side, rational
+from gspot_verified.leading_order.stretches_over_ball import SlopeOverBall
+from gspot_verified.numbers.balls import ExactInput, ball, ball_text, bits_for_digits, exact, working_bits
+from gspot_verified.numbers.verdict import NoTruthValue, Reason
 from gspot_verified.numbers.written import Written
 from gspot_verified.signs.gamma.side import gamma_sign
 
+FOR_ALL = "for all α1, α2, α3 in the balls"
 _GUARD_BITS = 64  # bits beyond those asked for, lost on the way; any number is right
 
 
@@ -32,6 +34,10 @@ class ForceOverBalls(NoTruthValue, Written):
     """
 
     ask: ClassVar[str] = ".takes_impact says which side it is"
+    system: ClassVar[str] = f"{LEADING}, {FOR_ALL}"
+    left_open: ClassVar[Reason] = Reason.WIDE_INPUT
+    """Why a comparison is open: the balls are too wide."""
+    too_close: ClassVar[str] = "ε is not below the ε0 of all of them, nor above"
     written: ClassVar[str] = ContactForce.written
 
     beta: arb
@@ -84,6 +90,19 @@ class ForceOverBalls(NoTruthValue, Written):
         """The logarithm of the epsilon with mean + A epsilon^p slope = 0; not finite where both may have one sign."""
         with working_bits(_bits(digits)):
             return (-self.mean(digits) / (self.amplitude(digits) * slope)).log() / self.exponent(digits)
+
+    def value(self, tau: fmpq, epsilon: fmpq, digits: int = 15) -> arb:
+        """lambda_N at one point, at leading order."""
+        slope = SlopeOverBall(self.beta, abs(tau), digits).enclosure(tau, tau, 1)
+        with working_bits(_bits(digits) + int(epsilon.height_bits())):
+            power = (arb(epsilon).log() * self.exponent(digits)).exp()
+            return self.mean(digits) + self.direction * self.amplitude(digits) * power * slope
+
+    def lines(self) -> list[str]:
+        """The systems and the side."""
+        balls = {"β": self.beta, "α1": self.alpha_1, "α2": self.alpha_2, "α3": self.alpha_3}
+        shown = ", ".join(f"{name} = {ball_text(value)}" for name, value in balls.items())
+        return [case_and_side(self.case, shown, self.c1, self.takes_impact)]
 
 
 def force_over_balls(

@@ -10,7 +10,7 @@ from typing import ClassVar
 
 from flint import arb, fmpq
 
-from gspot_verified.leading_order.contact_force import ContactForce
+from gspot_verified.leading_order.contact_force import LEADING, ContactForce
 from gspot_verified.leading_order.force_refutation import force_refutation
 from gspot_verified.leading_order.stretches import NotAbove, first_crossing, stretches
 from gspot_verified.numbers.balls import ball_text, hull, working_bits
@@ -19,7 +19,6 @@ from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Ve
 from gspot_verified.numbers.written import Written
 from gspot_verified.work.ranges import Range
 
-LEADING = "at leading order"
 GROWTH_EXPONENTS = (10, 100, 1_000, 10_000)
 _GROWTH_DIGITS = 3  # of the times in a table
 _CRITICAL_DIGITS = 15  # of the critical points, at least: values there settle signs

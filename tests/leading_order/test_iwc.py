@@ -256,13 +256,12 @@ def test_the_largest_epsilon_is_enclosed_over_the_whole_ball_of_the_least_value(
     force = contact_force("5/2")
     least = arb(low).union(arb(high))
     lower, upper = _log_bounds(force, least, 15)
-    assert upper is not None
     at_low, at_high = (force.log_epsilon(arb(slope), 30) for slope in (low, high))
     assert lower <= at_low.upper()
     assert at_high.lower() <= upper
     assert lower > at_low - fmpq(1, 10**6)
     assert upper < at_high + fmpq(1, 10**6)
-    assert _log_bounds(force, arb(0, 1), 15)[1] is None
+    assert not _log_bounds(force, arb(0, 1), 15)[1].is_finite()
 
 
 def test_a_bound_of_epsilon_that_no_number_shows_is_left_out() -> None:
@@ -283,7 +282,7 @@ def test_texts_of_both_sides() -> None:
     assert impact.largest_epsilon is not None
     assert f"the largest ε0 possible: {ball_text(impact.largest_epsilon, 15)}" in str(impact)
     assert impact.minimum is not None
-    assert f"at τ = {decimal_text(impact.minimum.lower, impact.minimum.upper)}" in str(impact)
+    assert f"at τ in {decimal_text(impact.minimum.lower, impact.minimum.upper)}" in str(impact)
     assert "at τ = -10\n" in str(leading_order_iwc("3/2"))
     assert "the largest" not in str(flight)
     assert flight.lift_off is not None

@@ -219,7 +219,7 @@ def test_an_epsilon_0_that_is_not_certainly_below_the_threshold_is_undecided(
     monkeypatch: pytest.MonkeyPatch, epsilon_0: fmpq, proved: bool
 ) -> None:
     """The largest is 0.1788..."""
-    monkeypatch.setattr("gspot_verified.leading_order.iwc_over_balls.rounded_down", lambda *_: epsilon_0)
+    monkeypatch.setattr("gspot_verified.leading_order.iwc.rounded_down", lambda *_: epsilon_0)
     verdict = iwc_over_balls(-1, -1, arb("-1.5", "1e-9"), digits=6).verdict
     assert verdict.outcome is (Outcome.PROVED if proved else Outcome.UNDECIDED)
     assert verdict.reason is (None if proved else Reason.WIDE_INPUT)
@@ -228,7 +228,7 @@ def test_an_epsilon_0_that_is_not_certainly_below_the_threshold_is_undecided(
 @pytest.mark.parametrize("backwards", [False, True])
 def test_no_verdict_hangs_on_the_order_of_the_places(monkeypatch: pytest.MonkeyPatch, backwards: bool) -> None:
     monkeypatch.setattr(
-        "gspot_verified.leading_order.iwc_over_balls.sorted",
+        "gspot_verified.leading_order.iwc.sorted",
         lambda pieces, **_: list(pieces)[:: -1 if backwards else 1],
         raising=False,
     )

@@ -13,8 +13,9 @@ from gspot_verified.compliant.contact.slow_manifold import ABOVE, SlowManifold, 
 from gspot_verified.compliant.contact.threshold import MAX_BETA_OF_THEOREM
 from gspot_verified.compliant.slow.profile import SLOW, in_range
 from gspot_verified.leading_order.contact_force import rational
+from gspot_verified.leading_order.force_over_balls import FOR_ALL
 from gspot_verified.leading_order.iwc import CAVEAT, IwcResult, force_statement, leading_order_iwc
-from gspot_verified.leading_order.iwc_over_balls import FOR_ALL, IwcOverBalls
+from gspot_verified.leading_order.iwc_over_balls import IwcOverBalls
 from gspot_verified.leading_order.iwc_over_balls import iwc_over_balls as leading_order_over_balls
 from gspot_verified.numbers.balls import ExactInput
 from gspot_verified.numbers.evidence import less, theorem
