@@ -57,11 +57,6 @@ _CONSEQUENCES = {
         "The contact pushes in both phases, so both impulses are positive.",
         "The law is named, and not used.",
     ),
-    "1-laws-of-impact": Consequence(
-        Reach.LOCAL,
-        "v² at the end is |p| r² B u²/(A (μA - B)) by the energetic law, (r B u/A)² by Poisson's.",
-        "No impact is computed; that it changes v by O(1) (Sec. 1.4) holds by Poisson's law alone.",
-    ),
     "1-colours": Consequence(
         Reach.LOCAL,
         "The captions of Figures 3 and 4 name another colour than the text.",

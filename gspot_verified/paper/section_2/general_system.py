@@ -88,8 +88,8 @@ def _summed(slopes: Iterable[fmpq_mpoly], force: str) -> fmpq_mpoly:
 def of_two_coordinates() -> bool | None:
     """Whether λ_T and λ_N change neither x nor y at once, and the force of positive slip does not change p.
 
-    From the equations of motion: the rates of the coordinates have no force, and p has no velocity. With more
-    coordinates the sums have more terms of the same form. det M is a function of the coordinates, as p is.
+    From the equations of motion: the rates of the coordinates have no force, and p has no velocity. det M is a function
+    of the coordinates, as p is.
     """
     places = [
         _summed((MECHANISM.read(f"{slope} + 0*mu") for slope in row), force)
@@ -97,6 +97,29 @@ def of_two_coordinates() -> bool | None:
         for force in ("lamT", "lam")
     ]
     return all(value.is_zero() for value in (*places, _changed(painleve_parameter(), "slip")))
+
+
+def of_each_coordinate() -> bool | None:
+    """The same for what one coordinate adds where M is diagonal, in any number of them.
+
+    It adds nothing to L_G x and L_G y for either force, and to p = L_G v nothing with a velocity.
+    """
+    return all(_adds_nothing_at_once(place, velocity) for place, velocity in (("q1", "w1"), ("q2", "w2")))
+
+
+def _adds_nothing_at_once(place: str, velocity: str) -> bool:
+    none = {"m12": MECHANISM.constant(0)}
+    own = {name: MECHANISM.substitute(MECHANISM.read(MOTION[name]), none) for name in (place, velocity)}
+    pushed_by = {force: {name: rate.derivative(force) for name, rate in own.items()} for force in ("lamT", "lam")}
+    changes = [
+        MECHANISM.read(f"{row[STATE.index(name)]} + 0*mu") * value
+        for row in SLOPES.values()
+        for push in pushed_by.values()
+        for name, value in push.items()
+    ]
+    push = pushed_by["lam"][velocity] - MECHANISM.read(FRICTION["mu"]) * pushed_by["lamT"][velocity]
+    added = MECHANISM.read(NORMAL["v"]).derivative(velocity) * push
+    return all(value.is_zero() for value in (*changes, *(added.derivative(name) for name in STATE[2:])))
 
 
 def one_coefficient() -> bool | None:
@@ -157,6 +180,12 @@ def _at_once() -> Entry:
         "so L_{G_T} x = L_{G_N} x = L_{G_T} y = L_{G_N} y = 0 and L_G p = 0",
         Check(
             Rung.EXACT,
+            "where the mass matrix is diagonal: the rate of each coordinate has no force, and what it adds to "
+            "p = L_G v has no velocity, for any number of coordinates",
+            of_each_coordinate(),
+        ),
+        Check(
+            Rung.POINTS,
             "the equations of motion of two coordinates, with symbols for M, the gradients of x and y, and μ: the "
             "rates of the coordinates have no force, and p = L_G v has no velocity",
             of_two_coordinates(),
@@ -166,8 +195,8 @@ def _at_once() -> Entry:
             "the rod that slides, with its tangential and its normal force: in every state of this mechanism",
             of_the_rod(),
         ),
-        note="p = C - μB, where B and C are inner products of the gradients of x and y (1-mass-matrix). With more "
-        "coordinates the sums over them have more terms of the same form.",
+        note="p = C - μB, where B and C are inner products of the gradients of x and y (1-mass-matrix). Every mass "
+        "matrix is diagonal at one configuration, in coordinates that its eigenvectors make.",
     )
 
 

@@ -185,8 +185,8 @@ def _inelastic() -> Entry:
         "2-restitution-inelastic",
         "lines 566 to 568",
         r"e\to0:\quad k_1\to0,\ k_2\to\infty",
-        "The coefficient of restitution tends to 0 as k_1 → 0 and k_2 → ∞, however the two are related, with c and "
-        "p > 0 fixed",
+        "The coefficient of restitution of an impact (constant p > 0, λ_N the only force) tends to 0 as k_1 → 0 and "
+        "k_2 → ∞, however the two are related, with c fixed",
         Q3.carries(
             Check(
                 Rung.EXACT,
@@ -233,8 +233,9 @@ def _not_fixed() -> Entry:
         "2-restitution-not-fixed",
         "lines 568 to 570",
         r"k_1,\ k_2,\ c\ \text{fixed}\ \not\Rightarrow\ e\ \text{fixed}",
-        f"With k_1 = {STIFFNESS}, k_2 = c = 1 the coefficient of restitution is below {APART[0]} for p = "
-        f"{ONE_CONTACT[0]} and above {APART[1]} for p = {ONE_CONTACT[1]}: it depends on p",
+        f"With k_1 = {STIFFNESS}, k_2 = c = 1 the coefficient of restitution of an impact (constant p > 0, λ_N the "
+        f"only force) is below {APART[0]} for p = {ONE_CONTACT[0]} and above {APART[1]} for p = {ONE_CONTACT[1]}: it "
+        "depends on p",
         Check(
             Rung.BALLS,
             "e for both p, by the exact motion",

@@ -222,7 +222,8 @@ def _coupling() -> Entry:
             mended(terms, right),
             "the one term with χ is χ b in the rate of p",
         ),
-        corrected="χ couples b back to p. The tangential motion acts on the normal one by stick alone, for χ = 0 too",
+        corrected="χ couples b back to p. The tangential motion acts on the normal one by the sign of u alone (slip, "
+        "stick, slip backwards), for χ = 0 too",
     )
 
 

@@ -97,8 +97,8 @@ def _trivial() -> Entry:
         "2-trivial",
         "eqs. modelSysDistP, modelSysDistB, modelSysDistV",
         r"\bar p=\alpha_1^*t,\quad \bar b=\frac{\alpha_2^*}{\alpha_1^*-\alpha_3^*}\alpha_1^*t,\quad \bar v=0",
-        "For α_1 ≠ α_3 the motivating example has the solution p = α_1 t, b = α_2 α_1 t/(α_1 - α_3), v = 0, with the "
-        "corrected z and y of 2-trivial-zy",
+        "In contact, ε² λ_N = z - y, and for α_1 ≠ α_3 the motivating example has the solution p = α_1 t, "
+        "b = α_2 α_1 t/(α_1 - α_3), v = 0, with the corrected z and y of 2-trivial-zy",
         this.check(
             f"put into modelsys1 to modelsys5; {_WITH_C}",
             lambda parts: in_model_system({**parts, "z": _corrected("z"), "y": _corrected("y")}),

@@ -9,6 +9,7 @@ from gspot_verified.paper.section_2 import general_system as ledger
 
 def test_accelerations_alone_are_changed_at_once() -> None:
     assert ledger.of_two_coordinates() is True
+    assert ledger.of_each_coordinate() is True
     assert not ledger.painleve_parameter().is_zero()
 
 
@@ -28,6 +29,7 @@ def test_what_depends_on_a_velocity_is_changed_at_once(
 ) -> None:
     monkeypatch.setitem(getattr(ledger, target), name, text)
     assert ledger.of_two_coordinates() is False
+    assert ledger.of_each_coordinate() is False
 
 
 def test_p_is_that_of_the_projected_equations() -> None:

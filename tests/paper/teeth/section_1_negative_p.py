@@ -51,8 +51,7 @@ TEETH: Teeth = {
         Bite("factor", ledger.SIZES, "energetic", lambda pair: (pair[0], scaled(pair[1]))),
         Bite("hidden factor", ledger.SIZES, "Poisson", lambda pair: (unseen_at("u", (0, 1))(pair[0]), pair[1])),
         Bite("hypothesis", ledger.PARADOX, "p", lambda _: "x"),
-        Bite("hypothesis", ledger.LIMIT, "printed", lambda _: "0*p"),
-        Bite("hypothesis", ledger.LIMIT, "corrected", lambda _: "2+0*p"),
+        Bite("hypothesis", ledger, "LIMIT", lambda _: "1+0*p", refutes=True),
         Bite("order", ledger.SIZES, "energetic", lambda pair: (replaced("-p*", "p^2*")(pair[0]), pair[1])),
     ),
 }
