@@ -97,7 +97,8 @@ def _cancellation() -> Entry:
         "A-cancellation",
         "line 2446",
         r"\text{the coefficients of } e_r, e_i \text{ vanish}",
-        "With the initial values t01-t03 the coefficients of e_r and e_i, the highly oscillatory terms, are 0",
+        "With the initial values t01-t03, β not an integer, the coefficients of e_r and e_i, the highly oscillatory "
+        "terms, are 0",
         claim.check("both sums of the three coefficients, as closed forms in β", _sums_vanish),
         NEGATIVE.carries(
             claim.check(

@@ -139,9 +139,9 @@ _CONSEQUENCES = {
         "The exponents of line 1237 and of Table 1 are those of the right form.",
     ),
     "4-behaves-like": Consequence(
-        Reach.CONCLUSION,
+        Reach.LOCAL,
         "Solutions that oscillate, of the smaller size (-τ)^(-β/2-3/4), can be added.",
-        "(-τ)^β alone does not determine Θ; the condition on e_r and e_i before it does.",
+        "(-τ)^β alone does not determine Θ; the condition on e_r and e_i, which stands before it, does.",
     ),
     "4-matching-middle": Consequence(
         Reach.NONE,

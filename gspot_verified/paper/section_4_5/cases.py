@@ -290,7 +290,8 @@ def _switching() -> Entry:
         "S-switching",
         "line 1309",
         r"\Gamma(-\beta)\text{ changes sign at every positive integer}",
-        "Γ(-β) changes sign whenever β passes through a positive integer, so the side of lift-off switches there",
+        "Γ(-β), whose sign decides the side of lift-off at leading order (S-side), changes sign whenever β passes "
+        "through a positive integer",
         _claim("S-switching").check_sign(
             "functional equation of Γ: the sign on (m, m + 1) is (-1)^(m + 1), by induction on m, the step for a "
             "symbol β (proofs/side_switching.md)",

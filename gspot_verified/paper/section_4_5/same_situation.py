@@ -55,8 +55,8 @@ def _same_situation() -> Entry:
             mended(*map(is_so_at_zero, forms)),
             "dΘ/dτ < 0 there, so the deviation of λ_N is negative and that of y positive",
         ),
-        corrected="An impact occurs, for another reason: for small ε the mean force, which is positive, dominates "
-        "until the deviation is large, and that is positive (S-iwc-case-III)",
+        corrected="An impact occurs, for another reason: from a given τ_0 on, for small ε, the mean force, which is "
+        "positive, dominates until the deviation is large, and that is positive (S-iwc-case-III)",
         note="At τ = 0 the sign is that of Γ((1-β)/3) on this side: negative for every β in (1, 4).",
     )
 

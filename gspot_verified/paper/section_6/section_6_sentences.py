@@ -99,8 +99,9 @@ def _positive_slip() -> Entry:
         SECTION,
         "6-positive-slip",
         "lines 2134 to 2140, 2167 to 2174, 2193 to 2200",
-        r"\text{positive slip},\quad x=l\sin\phi,\quad u=l\cos\phi\,\dot\phi",
-        "With x = l sin φ the slip u = dx/dt is positive at the G-spot and at the two starts",
+        r"\text{Assuming positive slip},\quad x(q)=l\sin(\phi),\quad\dot\phi^*=-\sqrt{g/l}",
+        "With the printed x(q) = l sin φ the slip u of Sec. 2, the rate of x, is positive at the G-spot and at the two "
+        "starts",
         Check(
             Rung.EXACT,
             "u at the G-spot, for all m_1, l, g",
@@ -189,7 +190,7 @@ def _any_beta() -> Entry:
             mended(*map(has_a_case, forms)),
             "α_2 > 0 and α_3 < α_1 < 0: none of the three Cases",
         ),
-        corrected="0 < β <= 18/7",
+        corrected="0 < β <= 18/7, as the constants of springs and dampers are not negative",
         note="With a damper and a spring of negative constants every β can be had: 6-classes.",
     )
 
