@@ -229,7 +229,7 @@ def _case_ii() -> Entry:
             "λ_N = α_2/(α_3 - α_1) > 0 for ever: contact is not lost and the force does not grow",
         ),
         _passes_and_lifts_off(EPSILONS[0]),
-        corrected=f"of the starts of Figure 6 with α_2 > 0 (β = {CASE_II['beta']}, every ε <= {REACHES}) those with "
+        corrected=f"for β = {CASE_II['beta']}, α_2 > 0 and every ε <= {REACHES}, of the starts of Figure 6 those with "
         "ν > 1 take an impact; ν = 1 is the trivial solution, a canard; those with ν < 1 lose contact, before p = 0 "
         "or, close to ν = 1, after it (3-case-II-starts)",
         note="As ε → 0 the starts that pass and are not attracted shrink to the trivial solution: at a fixed ν < 1 "
