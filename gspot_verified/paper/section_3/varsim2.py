@@ -175,7 +175,8 @@ def _caption() -> Entry:
         "3-varsim2-caption",
         "lines 951 to 952",
         r"\text{liftoff occurs without slip-stick transition in one out of four cases}",
-        "In one of the four runs (χ = 0, 1; ν = 1/4, 4) the contact lifts off and has not stuck before",
+        f"In one of the four runs (χ = 0, 1; ν = 1/4, 4; ε = {EPSILON}, β = {BETA}, u(0) = {FIRST_SLIP}, up to t = 1) "
+        "the contact lifts off and has not stuck before",
         Check(
             Rung.BALLS,
             "the certified runs, counted",
@@ -197,8 +198,8 @@ def _continues_to_stick() -> Entry:
         "3-impact-to-stick",
         "lines 933 to 935",
         r"\chi=0:\ \text{the impact continues all the way until the contact sticks}",
-        "χ = 0, ν = 1/4 and 4, as in fig. varsim2: contact lasts from the start on until the contact sticks, and "
-        "λ_N grows from some time after the G-spot on",
+        f"χ = 0, ν = 1/4 and 4, as in fig. varsim2 with ε = {EPSILON}: contact lasts from the start on until the "
+        "contact sticks, and λ_N grows from some time after the G-spot on, as long as it slips",
         Check(
             Rung.BALLS,
             "certified runs by the validated integrator: no event but the impact before the stick",

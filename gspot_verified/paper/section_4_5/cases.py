@@ -172,7 +172,7 @@ def _lift_off_side() -> Entry:
         "S-side",
         "line 1299 (Case III)",
         r"C_1/\Gamma(-\beta)<0",
-        "For β > 1 not an integer, at leading order, the contact lifts off when C_1/Γ(-β) < 0: "
+        "In Case III, β not an integer, at leading order, the contact lifts off when C_1/Γ(-β) < 0: "
         "λ_N becomes negative for τ large, and stays positive there for the other sign",
         SIGNS_RIGHT.carries(
             _claim("S-side").check_sign(
@@ -207,7 +207,7 @@ def _other_side() -> Entry:
         "S-iwc-case-III",
         "lines 1304 to 1305 (Case III)",
         r"\hat\lambda_N>0\quad(C_1/\Gamma(-\beta)>0)",
-        "For β > 1 not an integer and C_1/Γ(-β) > 0, at leading order: on every half-line [τ_0, ∞) the contact force "
+        "In Case III, β not an integer, C_1/Γ(-β) > 0, at leading order: on every half-line [τ_0, ∞) the contact force "
         "λ_N is positive for all ε below an explicit ε_0",
         IWC.carries(
             _claim("S-iwc-case-III").check_sign(
@@ -263,8 +263,8 @@ def _growth() -> Entry:
         "S-growth",
         "line 1302",
         r"\tau_{\text{lift-off}}\sim\log(\varepsilon)^{2/3}",
-        "For β > 1 not an integer and C_1/Γ(-β) < 0, at leading order, the lift-off time, the last zero of λ_N, grows "
-        "like |log ε|^(2/3) as ε → 0",
+        "In Case III, β not an integer, C_1/Γ(-β) < 0, at leading order, the lift-off time, the last zero of λ_N, "
+        "grows like |log ε|^(2/3) as ε → 0",
         SIGNS_RIGHT.carries(_rising(by_saddle, positive)),
         growth.GROWS.carries(_rising(by_means, positive)),
         Check(

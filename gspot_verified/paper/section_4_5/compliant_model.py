@@ -232,8 +232,8 @@ def _lift_off() -> Entry:
         "C-lift-off",
         "line 1299 (Case III)",
         r"C_1/\Gamma(-\beta)<0",
-        "For 1 < β < 5 not an integer and C_1/Γ(-β) < 0, the contact force on the slow manifold of the compliant model "
-        "is smaller than at leading order at every τ and every ε: it lifts off, not later than at leading order",
+        "In Case III, β < 5 not an integer, C_1/Γ(-β) < 0, the contact force on the slow manifold of the compliant "
+        "model is smaller than at leading order at every τ and every ε: it lifts off, not later than at leading order",
         MONOTONE.carries(
             _claim("C-lift-off").check_sign(
                 "Theorem C: the force minus that at leading order is a factor with the sign of C_1/Γ(-β) times an "
