@@ -292,7 +292,7 @@ def _mirror() -> Entry:
         r"\text{without loss of generality, only positive slip}",
         "Negative slip is positive slip with the tangential direction reversed: x, u, a, B and λ_T change their signs, "
         "and C + μB of negative slip becomes p = C - μB",
-        Check(Rung.EXACT, "eqs. udynamics and vdynamics and Coulomb's law, mirrored", equations_are_mirrored()),
+        Check(Rung.EXACT, "Coulomb's law and eqs. udynamics and vdynamics, mirrored", equations_are_mirrored()),
         Check(
             Rung.EXACT,
             "the accelerations of negative slip, mirrored, are those of positive slip",

@@ -168,9 +168,8 @@ def _contact_part() -> Entry:
 
 
 def enters(name: str, rates: str) -> bool | None:
-    """Whether the variable enters one of these rates in forward slip, for every χ; λ_N is a function of y and z."""
-    images = {"c": ALGEBRA.constant(1), "lp": _SYMBOLS["lam"], "lm": ALGEBRA.constant(0)}
-    found = [ALGEBRA.substitute(ALGEBRA.read(EXTENDED[rate]), images).derivative(name) for rate in rates]
+    """Whether the variable enters one of these rates, for every χ and every share c; λ_N is a function of y and z."""
+    found = [ALGEBRA.read(EXTENDED[rate]).derivative(name) for rate in rates]
     return not all(value.is_zero() for value in found)
 
 
@@ -212,7 +211,7 @@ def _coupling() -> Entry:
         "The term χ b of α_1 couples the tangential dynamics (x, u) back to the normal dynamics",
         Check(
             Rung.EXACT,
-            "newex1 to newex5 in slip: the rates of p, b, y, v, z, derived by x and by u",
+            "newex1 to newex5, the share c kept: the rates of p, b, y, v, z, derived by x and by u",
             mended(slip, right),
             "neither x nor u enters, for any χ",
         ),

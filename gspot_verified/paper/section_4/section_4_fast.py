@@ -50,7 +50,7 @@ def _fast() -> Entry:
         "4-fast",
         "line 1087",
         r"-[p(\hat b_f'+\hat b_f'')+2\hat b_f'''+\hat b_f'''']+\epsilon[\ldots]=0",
-        "In the fast time t_f = t/ε eq. modelSysDev becomes the stated equation",
+        "In the fast time t_f = t/ε, with p = α_1 t, eq. modelSysDev becomes the equation of line 1087",
         this.check("chain rule in modelSysDev, times ε", chain_rule),
         this.check(
             "along the vector field of the deviations in fast time",
@@ -235,7 +235,7 @@ def _saddle() -> Entry:
         "4-saddle",
         "lines 1107 to 1113",
         r"p<0:\ \lambda_1<\lambda_2<0<\lambda_3",
-        "For p < 0 the three roots are real and exactly one is positive",
+        "For p < 0 the three roots of λ³ + 2 λ² + p λ + p are real and exactly one is positive",
         Check(
             Rung.EXACT,
             "discriminant, sum and product of the roots, for every p < 0",

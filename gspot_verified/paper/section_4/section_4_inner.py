@@ -244,7 +244,10 @@ def _scaling() -> Entry:
         r"\delta^2\alpha_3^*\hat\lambda_N=-\hat b'",
         "On the inner scale, at leading order in δ, the deviations of y, z and λ_N follow from that of b: δ² α_3 y/ε² "
         "= 2 b', δ² α_3 z/ε² = b' and δ² α_3 λ_N = -b'",
-        this.check("modelSysDevRecoverY, Z, LN with t = δ² s, ε = δ³: lowest power of δ", recovered),
+        this.check(
+            "modelSysDevRecoverY, modelSysDevRecoverZ, modelSysDevRecoverLN with t = δ² s, ε = δ³: lowest power of δ",
+            recovered,
+        ),
         this.check("db/ds along the slow system of the deviations, where z = y/2", reduced),
     )
 

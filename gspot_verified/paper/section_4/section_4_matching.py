@@ -130,7 +130,7 @@ def _matching() -> Entry:
         "4-matching",
         "eq:bhat_inner",
         r"\hat b(s)=C_1\kappa^{-\beta}\epsilon^{2\beta/3}\Theta(\kappa s,\beta)\sim C_1(-t)^\beta",
-        "The leading inner solution matches C_1 (-t)^β of the outer solution as s → −∞, for every β",
+        "The leading inner solution matches C_1 (-t)^β of the outer solution as s → −∞, for every β > 0",
         NEGATIVE.carries(this.check(f"{leading}; the exponents of κ, ε and -s on both sides, β a symbol", exponents)),
         NEGATIVE.carries(
             this.check(f"{leading}; both sides solve the slow equation and agree at τ = -1", slow_equation)
@@ -216,7 +216,9 @@ def _exponents() -> Entry:
         r"O(\epsilon^{(2\beta+2)/3}),O(\epsilon^{(2\beta+4)/3}),O(\epsilon^{(2\beta-2)/3})",
         "For s = O(1) and every β the deviations of b, y, v, z and λ_N are, at leading order, of the sizes ε^(2β/3), "
         "ε^((2β+4)/3), ε^((2β+2)/3), ε^((2β+4)/3) and ε^((2β-2)/3)",
-        this.check("bhat_inner, and the lowest power of δ in modelSysDevRecoverY, V, Z, LN on the inner scale", lowest),
+        this.check(
+            "bhat_inner, and the lowest power of δ in modelSysDevRecoverY to modelSysDevRecoverLN, inner scale", lowest
+        ),
         this.check(
             "(-t)^β with t = δ² s; λ = -b'/α_3, z = -ε² λ, y = 2 z, v = y' with a factor δ^(-2) for each derivative",
             chain,

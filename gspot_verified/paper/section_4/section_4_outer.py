@@ -176,7 +176,7 @@ def _recover() -> Entry:
         "4-recover",
         "eqs. modelSysRecoverY to modelSysRecoverLN",
         r"\alpha_3^*y=\epsilon^2[\ldots],\ \ldots,\ \alpha_3^*\lambda_N=\alpha_2^*-\dot b",
-        "The four formulas recover y, v, z, λ_N from b",
+        "In contact the four formulas of lines 990 to 993 recover y, v, z, λ_N from b",
         this.check(
             "put into modelsys2 to modelsys5, modulo the equation of line 984",
             lambda parts: _solve_the_system(parts, equation, "alpha2"),
@@ -206,7 +206,7 @@ def _deviation() -> Entry:
         "4-deviation",
         "eq:modelSysDev",
         r"\alpha_3^*\hat b-\alpha_1^*t\dot{\hat b}+\epsilon[\ldots]-\ldots=0",
-        "The deviation of b from the trivial solution satisfies eq. modelSysDev",
+        "In contact the deviation of b from the trivial solution satisfies eq. modelSysDev",
         this.check(
             "the equation of line 984 with the trivial solution plus a deviation in the place of b",
             lambda parts: [
@@ -228,7 +228,7 @@ def _deviation_recover() -> Entry:
         "4-deviation-recover",
         "eqs. modelSysDevRecoverY to modelSysDevRecoverLN",
         r"\alpha_3^*\hat y=\ldots,\ \ldots,\ \alpha_3^*\hat\lambda_N=-\dot{\hat b}",
-        "The four formulas recover the deviations of y, v, z, λ_N from that of b",
+        "In contact the four formulas of lines 1073 to 1076 recover the deviations of y, v, z, λ_N from that of b",
         this.check(
             "put into the system without α_2, modulo modelSysDev",
             lambda parts: _solve_the_system(parts, equation, "0*t"),

@@ -126,7 +126,7 @@ def _trivial_zy() -> Entry:
             fault="with the printed sign the two sides of eq. modelsys2, times ε², differ by {left}",
         ),
         this.check(
-            "modelSysRecoverZ and Y with b = c α_1 t",
+            "modelSysRecoverY and modelSysRecoverZ with b = c α_1 t",
             lambda parts: recovered(_printed("b"), {"z": parts["z"], "y": parts["y"]}),
             fault="they give z and y with the other sign",
         ),

@@ -85,7 +85,7 @@ def _deviation_force() -> Entry:
         "S-deviation-force",
         "line 1251",
         r"\hat\lambda_N=-\frac{C_1}{\alpha_3^*}\kappa^{1-\beta}\varepsilon^{(2\beta-2)/3}\frac{d\Theta}{d\tau}",
-        "The deviation of the force is -(C_1/α_3) κ^(1-β) ε^((2 β-2)/3) dΘ/dτ",
+        "In the leading inner solution the deviation of the force is -(C_1/α_3) κ^(1-β) ε^((2 β-2)/3) dΘ/dτ",
         claim.check(
             "α_3 λ = -db/dt with b = C_1 κ^(-β) ε^(2 β/3) Θ(κ t ε^(-2/3), β): exponents linear in a symbol β",
             lambda forms: [quotient(closed_form(chain_rule_text()), forms["force"]), _linear_in_time()],
@@ -140,7 +140,7 @@ def _force_sign() -> Entry:
         "S-force-sign",
         "line 1255",
         r"\operatorname{sign}\hat\lambda_N=\operatorname{sign}(C_1\,d\Theta/d\tau)",
-        "The deviation of the force has the sign of C_1 dΘ/dτ (α_3 < 0, κ > 0)",
+        "In the leading inner solution the deviation of the force has the sign of C_1 dΘ/dτ (α_3 < 0, κ > 0)",
         claim.check_sign(
             "the formula of S-deviation-force over C_1 dΘ/dτ: positive powers of κ, ε and -α_3, for a symbol β",
             lambda forms: [closed_form(put(PRINTED["S-deviation-force"]["force"], **images)) / forms["sign of"]],
@@ -166,8 +166,8 @@ def _dominance() -> Entry:
         "S-dominance",
         "lines 1253, 1285 and 1296",
         r"\varepsilon^{(2\beta-2)/3}",
-        "For small ε at fixed τ with dΘ/dτ not 0 (C_1, α_2 not 0) the deviation of the force dominates the mean force "
-        "when β < 1, and the mean force dominates when β > 1",
+        "In the leading inner solution, for small ε at fixed τ with dΘ/dτ not 0 (C_1, α_2 not 0), the deviation of the "
+        "force dominates the mean force when β < 1, and the mean force dominates when β > 1",
         claim.check_sign(
             "the exponent (2 β - 2)/3 of ε is negative for β = 1 - u, positive for β = 1 + u, u > 0", signs
         ),

@@ -157,7 +157,7 @@ def _solution() -> Entry:
         "5-ansatz-solution",
         "lines 2019 to 2023, eq:outerb_gen",
         r"r=\beta,\quad \xi_0=-\frac{G^*}{\alpha_3^*}b_0,\quad \lambda_0=\frac{b_0}{\alpha_1^*}",
-        "With b_0 not 0 the exponent is β, and the leading terms of ξ and λ_N are as stated",
+        "With b_0 not 0 the exponent of the ansatz is β, and ξ_0 = -G b_0/α_3, λ_0 = b_0/α_1, at the G-spot",
         this.check("put into the leading-order equations; their determinant has the zero r = β only", equations),
         this.check("the slow subsystem with λ_N = -b/p: p b' = α_3 b, dξ/db = -G/α_3", slow_subsystem),
     )

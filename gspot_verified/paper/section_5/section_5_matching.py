@@ -183,7 +183,7 @@ def _perturbation_theta() -> Entry:
         "5-perturbation-theta",
         "lines 2072 to 2078",
         r"\theta'''-\tau\theta'+\beta\theta=0,\quad\tau=\kappa s,\ \kappa=(-\alpha_1^*/2)^{1/3}",
-        "The perturbation satisfies eq. hypergeomeqn in τ = κ s",
+        "In τ = κ s the equation of third order of the perturbation, line 2070, becomes eq. hypergeomeqn",
         this.check("chain rule", chain_rule),
         this.check("both operators on 1, s, ..., s⁴, which determine one of order 3", monomials),
     )
