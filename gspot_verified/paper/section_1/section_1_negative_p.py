@@ -288,7 +288,7 @@ def _laws() -> Entry:
         "line 209",
         r"p\to0:\quad(v^+)^2\text{ by the energetic law over }(v^+)^2\text{ by Poisson's law}\to0",
         "For a rigid impact without collision, A, B, C, μ constant, p < 0, the energetic law of restitution and "
-        "Poisson's differ at leading order as p → 0: the quotient of the two squares of v at the end tends to 0",
+        "Poisson's differ in the limit p → 0: the quotient of the two squares of v at the end tends to 0",
         Check(
             Rung.EXACT,
             "along the normal impulse: the rates of v in slip and in stick, the impulse and the work of restitution",

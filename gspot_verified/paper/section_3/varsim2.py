@@ -175,8 +175,8 @@ def _caption() -> Entry:
         "3-varsim2-caption",
         "lines 951 to 952",
         r"\text{liftoff occurs without slip-stick transition in one out of four cases}",
-        f"In one of the four runs (χ = 0, 1; ν = 1/4, 4; ε = {EPSILON}, β = {BETA}, u(0) = {FIRST_SLIP}, up to t = 1) "
-        "the contact lifts off and has not stuck before",
+        f"Of the four runs with χ = 0 or 1, ν = 1/4 or 4, ε = {EPSILON}, β = {BETA} and u(0) = {FIRST_SLIP} there "
+        "is one in which the contact lifts off up to t = 1 and has not stuck before",
         Check(
             Rung.BALLS,
             "the certified runs, counted",
