@@ -33,7 +33,7 @@ RESTRICTIONS = {
     "derivative dΘ/dτ is negative": "C_1 < 0|dΘ",
     "^In Cases II and III": "Cases II and III",
     "^In Case III": "Case III",
-    "leading inner solution": "inner solution|leading order",
+    "^In the leading inner solution": "inner solution|leading order",
     "λ_N the only force": "only force|depends on p",
     "regular Jacobian": "Theorem 1|Step|[Jj]acobian|coefficient is not 0|complementary function",
     "from that of order": "that of order",

@@ -162,7 +162,8 @@ def _synchronised() -> Entry:
         "5-synchronised",
         "lines 1331 to 1336",
         r"p(t_0)=\mathcal P(\xi(t_0)),\ldots\ \Rightarrow\ p(t)=\mathcal P(\xi(t)),\ldots",
-        "The further variables p, b, y, v are equal to the functions of the state at all times when they are so at one",
+        "With a continuous λ_N the further variables p, b, y, v are equal to the functions of the state at all times "
+        "when they are so at one",
         Check(
             Rung.EXACT,
             "the four differences satisfy a linear homogeneous equation (λ_N continuous)",
