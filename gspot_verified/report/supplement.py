@@ -22,7 +22,7 @@ PAPER = (
     "A. Nordmark, P. L. Várkonyi, A. R. Champneys: “Dynamics beyond dynamic jam; unfolding the Painlevé paradox "
     "singularity”"
 )
-VERSION = "manuscript of 10th May 2017 (arXiv:1707.08343)"
+VERSION = "manuscript of 10th May 2017 (arXiv:1707.08343, doi:10.48550/arXiv.1707.08343)"
 THEOREMS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("An impact in Cases I and II", ("S-iwc", "C-cases-I-II")),
     ("Case II from the paper’s initial values", ("3-case-II-starts", "3-flight-persists")),
