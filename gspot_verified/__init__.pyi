@@ -36,6 +36,8 @@ from gspot_verified.hard_cases.catalogue import measure_hard_cases as measure_ha
 from gspot_verified.leading_order.iwc import IwcResult as IwcResult
 from gspot_verified.mechanisms.approach.approach import approach as approach
 from gspot_verified.mechanisms.approach.approach_result import Approach as Approach
+from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide as MechanismSide
+from gspot_verified.mechanisms.approach.mechanism_side import mechanism_side as mechanism_side
 from gspot_verified.mechanisms.expand import expand as expand
 from gspot_verified.mechanisms.foreign.from_mjcf import from_mjcf as from_mjcf
 from gspot_verified.mechanisms.foreign.from_sympy import from_sympy as from_sympy

@@ -27,6 +27,7 @@ from gspot_verified.expansion.true_solutions.bound import UniformBound
 from gspot_verified.expansion.true_solutions.side import UniformSide
 from gspot_verified.hard_cases.catalogue import Catalogue
 from gspot_verified.mechanisms.approach.approach_result import Approach
+from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide
 from gspot_verified.mechanisms.spots.classify import Classification
 from gspot_verified.mechanisms.spots.classify_all import AllClassified
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep
@@ -170,7 +171,7 @@ RESULTS: dict[str, tuple[Any, ...]] = {
     "zeros": (Brackets, IntegerZeros, _ByCountLaw, ZerosResult, SlowZeros, ZeroMap),
     "check": (CheckResult,),
     "iwc": (CompliantIwc,),
-    "verdict": (ModelSide, LimitSide),
+    "verdict": (ModelSide, LimitSide, MechanismSide),
     "force": ((CompliantForce, _System),),
     "events": (CompliantRun,),
     "simulate": (_SceneRuns,),

@@ -28,6 +28,21 @@ def test_without_a_state_it_speaks_of_every_mechanism_and_names_no_epsilon(capsy
     assert "there is an epsilon_0 > 0" in output
 
 
+def test_of_a_mechanism_it_names_its_system_and_no_epsilon(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "model", "--from", "x=0,u=3,p=1/2,b=-2")
+    assert code == 0
+    assert output.startswith("proved: model system with")
+    assert "there is an epsilon_0 > 0" in output
+    assert "contact is lost\n" in output
+    assert "epsilon_0 is not computed" in output
+
+
+def test_of_a_mechanism_undecided_says_why(capsys: pytest.CaptureFixture[str]) -> None:
+    code, output, _ = run(capsys, "model", "--from", "x=0,u=100,p=1/2,b=-2", "--set", "alpha_3=-1/2")
+    assert code == 2
+    assert "Theorem R is about Case III: Case I" in output
+
+
 def test_undecided_says_which_inequality_fails(capsys: pytest.CaptureFixture[str]) -> None:
     code, output, _ = run(capsys, "--beta", "3/2", "--from", "p=1/2,b=-2", "--eps", "1/10")
     assert code == 2
@@ -43,6 +58,13 @@ def test_undecided_says_which_inequality_fails(capsys: pytest.CaptureFixture[str
         (("--beta", "3/2", "--alpha1", "5"), "--alpha1: it goes with --from"),
         (("--beta", "3/2", "--alpha2", "5"), "--alpha2: it goes with --from"),
         (("--beta", "2"), "no integer"),
+        ((), "give a mechanism or --beta"),
+        (("model", "--beta", "3/2"), "give a mechanism or --beta"),
+        (("model",), "--from: a mechanism needs a state"),
+        (("model", "--from", "p=1/2", "--eps", "1e-6"), "--epsilon: it goes with --beta"),
+        (("--beta", "3/2", "--set", "mu=2"), "--set: it goes with a mechanism"),
+        (("--beta", "3/2", "--spot", "1"), "--spot: it goes with a mechanism"),
+        (("--beta", "3/2", "--surface-velocity", "1"), "--surface-velocity: it goes with a mechanism"),
         (("--beta", "3/2", "--from", "p=1/2,b=-1"), "distinguished trajectory"),
     ],
 )

@@ -106,6 +106,7 @@ RESULTS: dict[str, Callable[[], object]] = {
     "LimitSide": lambda: g.limit_side("3/2"),
     "Mechanism": lambda: g.load("rod"),
     "MechanismReport": lambda: g.mechanism_report("falling-rod-lower-friction", settings={"mu": "13/10"}),
+    "MechanismSide": lambda: g.mechanism_side(g.load("model system"), {"x": 0, "u": 3, "p": "1/2", "b": "-2"}),
     "ModelSide": lambda: g.model_side("3/2", "1/2", -2, epsilon="1e-6"),
     "Picture": lambda: g.plot(g.iwc("7/3"), epsilon="1/100"),
     "PreparedTheta": lambda: g.PreparedTheta("7/3", digits=30, reach=1),

@@ -9,6 +9,8 @@ import typer
 
 from gspot_verified.cli.app import JsonFlag, app, print_json, progress
 from gspot_verified.cli.command_groups import example
+from gspot_verified.cli.commands.approach_command import Spot, Surface
+from gspot_verified.cli.commands.mechanism_commands import Settings
 from gspot_verified.cli.load import load_with_settings
 from gspot_verified.cli.output import Outputs
 
@@ -102,46 +104,72 @@ def iwc(
     outputs.leave(result.verdict.exit_code)
 
 
-@app.command(epilog=example("verdict --beta 3/2 --from p=1/2,b=-2"))
+@app.command(epilog=example('verdict oscillator --from "phi=phi_ref+1/10,phi_dot=-9/10"'))
 def verdict(
-    beta: Annotated[str, typer.Option(help="β = α3/α1 > 1, rational and not an integer.")],
+    name: Annotated[
+        str | None, typer.Argument(metavar="[name]", help="A mechanism: a TOML file or a name; or give --beta.")
+    ] = None,
+    beta: Annotated[
+        str | None, typer.Option(help="Without a mechanism: β = α3/α1 > 1, rational and not an integer.")
+    ] = None,
     state: Annotated[
-        str | None, typer.Option("--from", help='The state of the model system, "p=1/2,b=-2"; p > 0, b < 0.')
+        str | None,
+        typer.Option(
+            "--from", help='The state: of the mechanism, as in `approach`; of the model system, "p=1/2,b=-2".'
+        ),
     ] = None,
     epsilon: Annotated[
-        str | None, typer.Option("--epsilon", "--eps", help="With --from: ε0; left out: the largest of a list.")
+        str | None, typer.Option("--epsilon", "--eps", help="With --beta --from: ε0; left out: the largest of a list.")
     ] = None,
     within: Annotated[
         str | None,
-        typer.Option(help="With --from: how far λ, v and y may be from rest, a share of the excess of -b/p; or 1/100."),
+        typer.Option(
+            help="With --beta --from: how far λ, v, y may be from rest, a share of the excess of -b/p; 1/100."
+        ),
     ] = None,
-    alpha1: Annotated[str | None, typer.Option(help="With --from: α1* < 0; -1 if left out.")] = None,
-    alpha2: Annotated[str | None, typer.Option(help="With --from: α2* < 0; -1 if left out.")] = None,
+    alpha1: Annotated[str | None, typer.Option(help="With --beta --from: α1* < 0; -1 if left out.")] = None,
+    alpha2: Annotated[str | None, typer.Option(help="With --beta --from: α2* < 0; -1 if left out.")] = None,
+    surface: Surface = None,
+    settings: Settings = None,
+    spot: Spot = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Lift-off or impact, for every ε up to an ε0 at once. From a state far from the G-spot.
+    """Lift-off or impact, for every small ε at once. From a state far from the G-spot.
 
-    With --from: the model system (constant α's) from this state, with an explicit ε0. Without: for every mechanism with
-    m = 4 and this β there is an ε0 > 0, which is not computed. Exit code 0 when it is proved, 2 when undecided; the
-    inequality that fails is printed then.
+    Of a mechanism, from a state: there is an ε0 > 0, which is not computed. With --beta and --from: the model system
+    (constant α's) from p and b, with an explicit ε0. With --beta alone: every mechanism with m = 4 and this β; ε0 is
+    not computed. Exit code 0 when it is proved, 2 when undecided; what is not certain is printed then.
     """
     from gspot_verified.cli.approach_output import components
     from gspot_verified.expansion.from_state.limit_side import LimitSide, limit_side
     from gspot_verified.expansion.from_state.model_side import ModelSide, model_side
+    from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide, mechanism_side
 
-    found: LimitSide | ModelSide
-    numbers = {"--epsilon": epsilon, "--within": within, "--alpha1": alpha1, "--alpha2": alpha2}
-    if state is None:
-        for name, value in numbers.items():
+    if (name is None) == (beta is None):
+        raise ValueError("give a mechanism or --beta")
+    of_model = {"--epsilon": epsilon, "--within": within, "--alpha1": alpha1, "--alpha2": alpha2}
+    of_mechanism = {"--surface-velocity": surface, "--set": settings or None, "--spot": spot}
+    for option, value in (of_model if name is not None else of_mechanism).items():
+        if value is not None:
+            raise ValueError(f"{option}: it goes with " + ("a mechanism" if name is None else "--beta"))
+    found: LimitSide | ModelSide | MechanismSide
+    if name is not None:
+        if state is None:
+            raise ValueError("--from: a mechanism needs a state, as in `approach`")
+        found = mechanism_side(
+            load_with_settings(name, settings), components(state), surface_velocity=surface, spot=spot
+        )
+    elif state is None:
+        for option, value in of_model.items():
             if value is not None:
-                raise ValueError(f"{name}: it goes with --from")
-        found = limit_side(beta)
+                raise ValueError(f"{option}: it goes with --from")
+        found = limit_side(beta or "")
     else:
         given = components(state)
         if set(given) != {"p", "b"}:
             raise ValueError(f'--from: it needs p and b, "p=1/2,b=-2", got {state!r}')
         found = model_side(
-            beta,
+            beta or "",
             given["p"],
             given["b"],
             epsilon=epsilon,

@@ -341,6 +341,7 @@ class _Attempt:
             bits=self.bits,
             supposed=self.start.supposed,
             fast_exponent=self._fast_exponent(path) if end == "G-spot" else None,
+            spot=tuple(place) if end == "G-spot" else (),
         )
 
     def _texts(self, values: list[arb]) -> tuple[tuple[str, str], ...]:

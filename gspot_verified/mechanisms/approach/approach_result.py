@@ -51,6 +51,7 @@ class Approach(NoTruthValue, Written):
     ``notes`` say how the mechanism was read. ``supposed`` names what is 0 on the contact and was not shown to be
     exactly 0 in the state that was given: the statement is then about the state on the contact. ``fast_exponent``: E,
     where about e^(-E/epsilon) of the contact's fast oscillation at the start is left at the G-spot; a float, no bound.
+    ``spot`` encloses the G-spot as numbers, angles counted from their references; empty where there is none.
     """
 
     ask: ClassVar[str] = ASK_VERDICT
@@ -79,6 +80,7 @@ class Approach(NoTruthValue, Written):
     bits: int
     supposed: tuple[str, ...] = ()
     fast_exponent: float | None = None
+    spot: tuple[arb, ...] = ()
 
     @property
     def rests_on(self) -> str:

@@ -21,7 +21,7 @@ from gspot_verified.expansion.from_state.fast_growth import (
     fast_matrix,
     surplus,
 )
-from gspot_verified.expansion.from_state.slow_series import Contact, slow_series
+from gspot_verified.expansion.from_state.slow_series import Contact, slow_series, terms_of
 from gspot_verified.expansion.series.regularisation import PAPER, Regularisation
 from gspot_verified.numbers.balls import ball, working_bits
 
@@ -148,3 +148,43 @@ def test_the_minors_of_both_charts_are_those_of_the_scaled_matrix(u: Fraction, s
             found = _Chart(matrix, steep, fmpq(1), fmpq(1)).minors(ball(to_fmpq(u)), ball(to_fmpq(size)))
             for value, number in zip(found, wanted, strict=True):
                 assert abs(value - ball(to_fmpq(number))) < arb("1e-25") * (1 + abs(ball(to_fmpq(number))))
+
+
+@given(
+    beta=st.fractions(min_value=Fraction(11, 10), max_value=9, max_denominator=12),
+    springs=st.tuples(NUMBERS, NUMBERS, NUMBERS),
+    weights=st.tuples(NUMBERS, NUMBERS),
+    bounds=st.tuples(SIGNED, NUMBERS),
+    order=st.integers(1, 4),
+)
+@settings(max_examples=20, deadline=None)
+def test_the_leading_parts_of_the_surplus_are_those_of_lemma_r1(
+    beta: Fraction,
+    springs: tuple[Fraction, Fraction, Fraction],
+    weights: tuple[Fraction, Fraction],
+    bounds: tuple[Fraction, Fraction],
+    order: int,
+) -> None:
+    """proofs/papers_rule.md, section 2: order 2 in (h, r) of the block, order 1 of the sides, 0 of the corner; and a
+    factor r, which the charts divide by."""
+    contact = Contact.of(Regularisation.of(*map(to_fmpq, springs)))
+    k_1, k_2, rate, damping = (to_fmpq(value) for value in (*weights, *bounds))
+    half = (to_fmpq(beta) - fmpq(3, 2)) / 2
+    matrix = surplus(Norm(slow_series(to_fmpq(beta), contact, order), k_1, k_2), rate, damping)
+    terms = [[terms_of(entry) for entry in row] for row in matrix]
+
+    def leading(i: int, j: int, size: int) -> dict[tuple[int, int], fmpq]:
+        assert all(a + b >= size and (size == 0 or b > 0) for a, b in terms[i][j])
+        return {key: value for key, value in terms[i][j].items() if sum(key) == size and value != 0}
+
+    share = contact.lag / contact.rate
+    expected = {
+        (0, 0, 2): {(1, 1): 2 * contact.kappa * (rate - half), (0, 2): 2 * contact.kappa * (k_2 * share - damping)},
+        (0, 1, 2): {},
+        (1, 1, 2): {(1, 1): 2 * (rate - half), (0, 2): 2 * ((k_1 - k_2) * share - damping)},
+        (0, 2, 1): {},
+        (1, 2, 1): {(0, 1): -k_1 * contact.rate},
+        (2, 2, 0): {(0, 0): 2 * contact.rate**3 / contact.lag},
+    }
+    for (i, j, size), parts in expected.items():
+        assert leading(i, j, size) == {key: value for key, value in parts.items() if value != 0}

@@ -1,0 +1,199 @@
+"""From a state of a mechanism to lift-off or impact without collision, for every epsilon below some epsilon_0 > 0.
+
+Proof page: ``proofs/papers_rule.md``, Theorem R: its hypotheses are compared here, beta and C_1 in balls.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+from flint import arb, arb_mat
+
+from gspot_verified.expansion.from_state.slow_series import Contact, contact_text
+from gspot_verified.expansion.series.regularisation import Regularisation
+from gspot_verified.mechanisms.approach.approach import MAX_STEPS, approach
+from gspot_verified.mechanisms.approach.approach_result import Approach
+from gspot_verified.mechanisms.approach.slip_flow import SlipFlow, SlipNumbers
+from gspot_verified.mechanisms.approach.slip_state import StateInput
+from gspot_verified.mechanisms.derive.to_system import shift
+from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.mechanisms.spots.chosen_spot import at_spot
+from gspot_verified.mechanisms.spots.spot_conditions import components_of
+from gspot_verified.numbers.balls import ExactInput, ball_text, working_bits
+from gspot_verified.numbers.evidence import differ, less, signed, theorem
+from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.written import Written, under
+
+_COORDINATES = 4  # p, b, y, v
+
+
+@dataclass(frozen=True)
+class MechanismSide(NoTruthValue, Written):
+    """What the compliant mechanism does at the G-spot that slip from a state reaches, for small epsilon.
+
+    ``side``: "lift-off" (contact lasts until p < 0 and is then lost), "impact" (without collision: lambda_N exceeds
+    every given force without contact having been lost), or None: undecided, and ``verdict.detail`` says what is not
+    certain. "For small epsilon": there is an epsilon_0 > 0; it is not computed, and nothing is said of any one epsilon.
+    ``approach`` is what was proved for rigid slip, ``active`` names the components on which the contact depends.
+    """
+
+    ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = "side active verdict " + under(
+        "approach",
+        "name start solved end place case alphas beta C1=coefficient surface_velocity least_slip notes warnings bits",
+    )
+
+    approach: Approach
+    active: tuple[str, ...]
+    side: str | None
+    verdict: Verdict
+
+    def __str__(self) -> str:
+        found = self.approach
+        lines = [str(self.verdict)]
+        if found.end == "G-spot":
+            lines.append("  the G-spot: " + ", ".join(f"{word} = {value}" for word, value in found.place))
+        if found.case is not None and found.beta is not None:
+            lines.append(f"  Case {found.case}, beta = {ball_text(found.beta)}")
+        if found.coefficient is not None:
+            lines.append(f"  C_1 = {ball_text(found.coefficient)}")
+        if self.side is not None:
+            lines.append("  rests on proofs/papers_rule.md, Theorem R; epsilon_0 is not computed")
+        return "\n".join([*lines, *(f"  {line}" for line in (*found.notes, *found.warnings))])
+
+
+def mechanism_side(
+    mechanism: Mechanism,
+    start: StateInput,
+    *,
+    surface_velocity: ExactInput | None = None,
+    max_steps: int = MAX_STEPS,
+    spot: int | None = None,
+) -> MechanismSide:
+    """Whether the mechanism with its compliant contact lifts off or takes an impact, for every small epsilon.
+
+    The arguments are those of :func:`approach`, which proves that rigid slip from ``start`` reaches a G-spot and
+    encloses C_1. Proved with it: there is an epsilon_0 > 0 such that for every 0 < epsilon <= epsilon_0 the compliant
+    motion from next to this state keeps contact and slip until p < 0, and what follows then. Case III, beta > 1 in a
+    ball without an integer, and four components on which the contact depends. No slow manifold is assumed.
+
+    :raises StateError: the state is not on the contact, p <= 0, b >= 0, or slip is not positive there.
+    :raises MechanismError: the mechanism is not complete.
+    :raises ValueError: there is no G-spot of that number.
+
+    >>> from gspot_verified import load
+    >>> found = mechanism_side(load("model system"), {"x": 0, "u": 3, "p": "1/2", "b": "-2"})
+    >>> found.side, found.verdict.outcome.value, found.active
+    ('lift-off', 'proved', ('y', 'v', 'p', 'b'))
+    """
+    found = approach(mechanism, start, surface_velocity=surface_velocity, max_steps=max_steps, spot=spot)
+    chosen = at_spot(mechanism, spot)
+    whole = _statement(chosen, found)
+    with working_bits(found.bits):
+        names, outcome = _outcome(chosen, found)
+    if isinstance(outcome, _Open):
+        verdict = Verdict.undecided(f"{whole} lift-off or impact", outcome.reason, outcome.why)
+        return MechanismSide(found, names, None, verdict)
+    side, evidence = outcome
+    ends = {"lift-off": "contact is lost", "impact": "lambda_N exceeds every given force without contact being lost"}
+    return MechanismSide(found, names, side, Verdict.proved(f"{whole} {ends[side]}", evidence))
+
+
+@dataclass(frozen=True)
+class _Open:
+    """Which hypothesis of Theorem R is not certain."""
+
+    reason: Reason
+    why: str
+
+
+def _statement(mechanism: Mechanism, found: Approach) -> str:
+    springs = mechanism.regularisation
+    state = ", ".join(f"{word} = {value}" for word, value in found.start)
+    surface = " on any surface slower than u on the whole way" if found.surface_velocity is None else ""
+    if found.surface_velocity not in (None, "0"):
+        surface = f" on a surface with the velocity {found.surface_velocity}"
+    below = ""
+    if springs.c > 0:
+        contact = Contact.of(springs)
+        below = (
+            ", kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + "
+            "(g^2/l) p (lambda_N + kappa y/epsilon^2 + (l/g) v/epsilon)^2 "
+            f"below b^2 in the limit, kappa = {contact.kappa}, g = {contact.rate}, l = {contact.lag} (0 at rest in the "
+            "contact: v = 0, lambda_N = -b/p, y = -epsilon^2 lambda_N/kappa)"
+        )
+    return (
+        f"{mechanism.name} with {contact_text(springs)}{surface}: for every family of starts in contact that tends to "
+        f"{state} as epsilon -> 0, with y/epsilon^2, v/epsilon, lambda_N bounded{below}, there is an epsilon_0 > 0 "
+        "such that for every 0 < epsilon <= epsilon_0 contact and positive slip last until p < 0, and then, in "
+        "positive slip,"
+    )
+
+
+def _outcome(mechanism: Mechanism, found: Approach) -> tuple[tuple[str, ...], tuple[str, Evidence] | _Open]:
+    """The active components, and the side with what was compared."""
+    if found.verdict.evidence is None or found.end is None:
+        return (), _Open(found.verdict.reason or Reason.HYPOTHESIS, found.verdict.detail)
+    if found.end != "G-spot" or found.alphas is None or found.beta is None:
+        return (), _Open(Reason.BEYOND, f"rigid slip from this state ends by {found.end} before any G-spot")
+    if found.case != "III":
+        case = found.side_reason if found.case is None else f"Case {found.case}"
+        return (), _Open(Reason.BEYOND, f"Theorem R is about Case III: {case}")
+    if found.coefficient is None:
+        return (), _Open(Reason.HYPOTHESIS, found.side_reason)
+    springs = mechanism.regularisation
+    if not springs.c > 0:
+        return (), _Open(Reason.BEYOND, "the contact has no damper (c = 0): nothing is damped")
+    flow = SlipFlow.of(shift(mechanism))
+    active = active_components(flow)
+    names = tuple(mechanism.state[i] for i in active)
+    if len(active) != _COORDINATES:
+        return names, _Open(
+            Reason.BEYOND, f"the contact depends on {len(active)} components ({', '.join(names)}), Theorem R needs 4"
+        )
+    regular = differ(0, jacobian(SlipNumbers(flow), active, found.spot))
+    if regular is None:
+        return names, _Open(Reason.HYPOTHESIS, "p, b, y, v are not certainly coordinates at the G-spot")
+    below, of_coefficient = found.beta.floor().unique_fmpz(), signed(found.coefficient)
+    if below is None or of_coefficient is None or of_coefficient[0] == 0:
+        return names, _Open(Reason.WIDE_INPUT, found.side_reason)
+    evidence = theorem(
+        "proofs/papers_rule.md, Theorem R",
+        found.verdict.evidence,
+        *(less(alpha, 0) for alpha in found.alphas),
+        less(1, found.beta),
+        less(int(below), found.beta),
+        less(found.beta, int(below) + 1),
+        regular,
+        of_coefficient[1],
+        *_contact(springs),
+    )
+    if evidence is None:
+        return names, _Open(Reason.HYPOTHESIS, "that beta > 1 is no integer, or the sign of an alpha, is not certain")
+    of_gamma = 1 if int(below) % 2 else -1  # Gamma(-beta) for floor(beta) < beta < floor(beta) + 1
+    return names, ("impact" if of_gamma * of_coefficient[0] > 0 else "lift-off", evidence)
+
+
+def _contact(springs: Regularisation) -> list[Evidence | None]:
+    return [less(0, springs.k_1), less(0, springs.k_2), less(0, springs.c)]
+
+
+def active_components(flow: SlipFlow) -> tuple[int, ...]:
+    """The components on which p, b, y, v, the alphas, and their own rates depend or may depend, in order."""
+    active = frozenset[int]().union(
+        *(components_of(f) for f in (flow.p, flow.b, flow.y, flow.v, flow.alpha_1, flow.alpha_2, flow.alpha_3))
+    )
+    while True:
+        rates = (function for i in active for function in (flow.F[i], flow.G[i]))
+        whole = active.union(*(components_of(rate) for rate in rates))
+        if whole == active:
+            return tuple(sorted(active))
+        active = whole
+
+
+def jacobian(numbers: SlipNumbers, components: Sequence[int], box: Sequence[arb]) -> arb:
+    """The determinant of d(p, b, y, v) by these four components, for every state of the box."""
+    rows = numbers.condition_rows(list(box))
+    return arb_mat([[row[i] for i in components] for row in rows]).det()

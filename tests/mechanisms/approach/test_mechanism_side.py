@@ -1,0 +1,164 @@
+"""Theorem R of proofs/papers_rule.md: the sides of shipped mechanisms, and each hypothesis that must be refused."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.expansion.from_state.limit_side import limit_side
+from gspot_verified.expansion.series.regularisation import Regularisation
+from gspot_verified.mechanisms.approach import mechanism_side as module
+from gspot_verified.mechanisms.approach.approach import approach
+from gspot_verified.mechanisms.approach.approach_result import Approach
+from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide, active_components, jacobian, mechanism_side
+from gspot_verified.mechanisms.approach.slip_flow import SlipFlow, SlipNumbers
+from gspot_verified.mechanisms.derive.to_system import shift
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.verdict import Outcome, Reason
+
+MODEL = shipped_mechanism("model system")
+START = {"x": 0, "u": 3, "p": "1/2", "b": "-2"}
+
+
+@cache
+def of_model() -> Approach:
+    return approach(MODEL, START)
+
+
+def with_approach(monkeypatch: pytest.MonkeyPatch, **changes: Any) -> MechanismSide:
+    """The side where rigid slip was found to go another way."""
+    found = replace(of_model(), **changes)
+    monkeypatch.setattr(module, "approach", lambda *_, **__: found)
+    return mechanism_side(MODEL, START)
+
+
+def undecided(found: MechanismSide, reason: Reason, why: str) -> None:
+    assert found.side is None
+    assert found.verdict.outcome is Outcome.UNDECIDED
+    assert found.verdict.reason is reason
+    assert why in found.verdict.detail
+
+
+def test_the_model_system_takes_the_side_of_its_own_theorem() -> None:
+    """Lift-off, as in tests/expansion/from_state/test_model_side.py with an explicit epsilon_0."""
+    found = mechanism_side(MODEL, START)
+    assert found.verdict.outcome is Outcome.PROVED
+    assert found.side == "lift-off"
+    assert found.verdict.statement.endswith("contact is lost")
+    assert found.active == ("y", "v", "p", "b")
+
+
+@pytest.mark.parametrize(
+    ("beta", "coefficient"),
+    [("3/2", 1), *(pytest.param(b, c, marks=pytest.mark.slow) for b in ("3/2", "5/2", "7/2") for c in (1, -1))],
+)
+def test_it_is_the_side_that_theorem_q_proves_another_way(
+    monkeypatch: pytest.MonkeyPatch, beta: str, coefficient: int
+) -> None:
+    """Theorem Q shows the side of C_1 > 0 by enclosures for a rational beta, Theorem R by the asymptotics of Theta."""
+    ball = arb(fmpq(*map(int, beta.split("/")))) + arb(0, "1e-20")
+    found = with_approach(monkeypatch, beta=ball, coefficient=arb(coefficient, "0.1"))
+    positive = limit_side(beta).side
+    assert found.side == (positive if coefficient > 0 else {"impact": "lift-off", "lift-off": "impact"}[positive or ""])
+
+
+def test_beta_may_be_any_number_of_a_ball(monkeypatch: pytest.MonkeyPatch) -> None:
+    for beta, side in (("1.5", "impact"), ("2.5", "lift-off"), ("3.5", "impact"), ("4.5", "lift-off")):
+        assert with_approach(monkeypatch, beta=arb(beta, "0.4"), coefficient=arb(1, "0.9")).side == side
+    undecided(with_approach(monkeypatch, beta=arb("4.5", "0.6")), Reason.WIDE_INPUT, "")
+
+
+@pytest.mark.parametrize(
+    ("changes", "reason", "why"),
+    [
+        ({"case": "I"}, Reason.BEYOND, "Case I"),
+        ({"case": None, "side_reason": "alpha_2 is open"}, Reason.BEYOND, "alpha_2 is open"),
+        ({"coefficient": None, "side_reason": "not enclosed"}, Reason.HYPOTHESIS, "not enclosed"),
+        ({"coefficient": arb(0, 1), "side_reason": "sign open"}, Reason.WIDE_INPUT, "sign open"),
+        ({"coefficient": arb(0)}, Reason.WIDE_INPUT, ""),
+        ({"beta": arb(2)}, Reason.HYPOTHESIS, "beta > 1 is no integer"),
+        ({"beta": arb(2, "1e-9"), "side_reason": "an integer"}, Reason.WIDE_INPUT, "an integer"),
+        ({"beta": arb("0.9", "0.05")}, Reason.HYPOTHESIS, "that beta > 1"),
+        ({"beta": arb("nan")}, Reason.WIDE_INPUT, ""),
+        ({"alphas": (arb(-1), arb(0, 1), arb(-2))}, Reason.HYPOTHESIS, "sign of an alpha"),
+        ({"end": "stick", "alphas": None, "beta": None}, Reason.BEYOND, "ends by stick before any G-spot"),
+    ],
+)
+def test_a_hypothesis_that_is_not_certain_leaves_it_undecided(
+    monkeypatch: pytest.MonkeyPatch, changes: dict[str, Any], reason: Reason, why: str
+) -> None:
+    undecided(with_approach(monkeypatch, **changes), reason, why)
+
+
+def test_slip_whose_end_is_open_leaves_it_undecided() -> None:
+    """One validated step is too few."""
+    found = mechanism_side(MODEL, START, max_steps=1)
+    undecided(found, Reason.BUDGET, found.approach.verdict.detail)
+
+
+def test_a_contact_without_damper_is_beyond_the_theorem(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "approach", lambda *_, **__: of_model())
+    undamped = replace(MODEL, regularisation=Regularisation.of(1, 1, 0))
+    undecided(mechanism_side(undamped, START), Reason.BEYOND, "no damper")
+
+
+def test_more_than_four_components_are_beyond_the_theorem(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "active_components", lambda _: (1, 2, 3, 4, 5))
+    undecided(with_approach(monkeypatch), Reason.BEYOND, "depends on 5 components (u, y, v, p, b)")
+
+
+@pytest.mark.parametrize("value", [arb(0, 1), arb("nan"), arb(0)])
+def test_p_b_y_v_must_be_coordinates(monkeypatch: pytest.MonkeyPatch, value: arb) -> None:
+    monkeypatch.setattr(module, "jacobian", lambda *_: value)
+    undecided(with_approach(monkeypatch), Reason.HYPOTHESIS, "coordinates")
+
+
+def test_the_statement_says_what_moves_and_which_starts_it_covers(monkeypatch: pytest.MonkeyPatch) -> None:
+    below = "kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + (g^2/l) p (lambda_N + kappa y/epsilon^2 + (l/g) v/epsilon)^2"
+    at_rest = with_approach(monkeypatch).verdict.statement
+    assert f"{below} below b^2 in the limit, kappa = 1/2, g = 2, l = 1/2" in at_rest
+    assert "surface" not in at_rest
+    assert "on a surface with the velocity -1" in with_approach(monkeypatch, surface_velocity="-1").verdict.statement
+    assert "slower than u on the whole way" in with_approach(monkeypatch, surface_velocity=None).verdict.statement
+
+
+@pytest.mark.parametrize(
+    ("name", "components"),
+    [
+        ("extended system", ("y", "v", "p", "b")),
+        ("frictional impact oscillator", ("phi", "psi", "phi_dot", "psi_dot")),
+        ("falling rod", ("Y", "theta", "Y_dot", "theta_dot")),
+        ("rod on a shaken base", ("Y", "theta", "Y_dot", "theta_dot", "t")),
+    ],
+)
+def test_the_components_on_which_the_contact_depends(name: str, components: tuple[str, ...]) -> None:
+    mechanism = shipped_mechanism(name)
+    with working_bits(64):
+        active = active_components(SlipFlow.of(shift(mechanism)))
+    assert tuple(mechanism.state[i] for i in active) == components
+
+
+def test_the_determinant_is_that_of_p_b_y_v() -> None:
+    """The model system's components y, v, p, b are the coordinates themselves, twice two of them exchanged."""
+    with working_bits(64):
+        numbers = SlipNumbers(SlipFlow.of(shift(MODEL)))
+        assert jacobian(numbers, (2, 3, 4, 5), [arb(0)] * 6) == 1
+        assert jacobian(numbers, (3, 2, 4, 5), [arb(0)] * 6) == -1
+        assert jacobian(numbers, (0, 3, 4, 5), [arb(0)] * 6) == 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("rate", "side"), [("-9/10", "lift-off"), ("-1/2", "impact")])
+def test_the_two_starts_of_section_6_of_the_paper(rate: str, side: str) -> None:
+    found = mechanism_side(
+        shipped_mechanism("frictional impact oscillator"),
+        {"phi": "phi_ref + 1/10", "phi_dot": rate},
+        surface_velocity=-1,
+    )
+    assert found.side == side
+    assert found.verdict.outcome is Outcome.PROVED
