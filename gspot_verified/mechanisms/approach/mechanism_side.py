@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import combinations
 from typing import ClassVar
 
 from flint import arb, arb_mat
@@ -22,11 +23,9 @@ from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.spot_conditions import components_of
 from gspot_verified.numbers.balls import ExactInput, ball_text, working_bits
-from gspot_verified.numbers.evidence import differ, less, signed, theorem
+from gspot_verified.numbers.evidence import differ, every, less, signed, theorem
 from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written, under
-
-_COORDINATES = 4  # p, b, y, v
 
 
 @dataclass(frozen=True)
@@ -77,7 +76,7 @@ def mechanism_side(
     The arguments are those of :func:`approach`, which proves that rigid slip from ``start`` reaches a G-spot and
     encloses C_1. Proved with it: there is an epsilon_0 > 0 such that for every 0 < epsilon <= epsilon_0 the compliant
     motion from next to this state keeps contact and slip until p < 0, and what follows then. Case III, beta > 1 in a
-    ball without an integer, and four components on which the contact depends. No slow manifold is assumed.
+    ball without an integer, p, b, y, v independent at the G-spot. No slow manifold is assumed.
 
     :raises StateError: the state is not on the contact, p <= 0, b >= 0, or slip is not positive there.
     :raises MechanismError: the mechanism is not complete.
@@ -143,32 +142,21 @@ def _outcome(mechanism: Mechanism, found: Approach) -> tuple[tuple[str, ...], tu
         return (), _Open(Reason.BEYOND, f"Theorem R is about Case III: {case}")
     if found.coefficient is None:
         return (), _Open(Reason.HYPOTHESIS, found.side_reason)
-    springs = mechanism.regularisation
-    if not springs.c > 0:
+    if not mechanism.regularisation.c > 0:
         return (), _Open(Reason.BEYOND, "the contact has no damper (c = 0): nothing is damped")
     flow = SlipFlow.of(shift(mechanism))
     active = active_components(flow)
     names = tuple(mechanism.state[i] for i in active)
-    if len(active) != _COORDINATES:
-        return names, _Open(
-            Reason.BEYOND, f"the contact depends on {len(active)} components ({', '.join(names)}), Theorem R needs 4"
-        )
-    regular = differ(0, jacobian(SlipNumbers(flow), active, found.spot))
+    regular = independent(SlipNumbers(flow), active, found.spot)
     if regular is None:
-        return names, _Open(Reason.HYPOTHESIS, "p, b, y, v are not certainly coordinates at the G-spot")
+        return names, _Open(Reason.HYPOTHESIS, "the differentials of p, b, y, v at the G-spot may be dependent")
     below, of_coefficient = found.beta.floor().unique_fmpz(), signed(found.coefficient)
     if below is None or of_coefficient is None or of_coefficient[0] == 0:
         return names, _Open(Reason.WIDE_INPUT, found.side_reason)
+    between = every([less(1, found.beta), less(int(below), found.beta), less(found.beta, int(below) + 1)])
+    hypotheses = [found.verdict.evidence, *(less(alpha, 0) for alpha in found.alphas), between, regular]
     evidence = theorem(
-        "proofs/papers_rule.md, Theorem R",
-        found.verdict.evidence,
-        *(less(alpha, 0) for alpha in found.alphas),
-        less(1, found.beta),
-        less(int(below), found.beta),
-        less(found.beta, int(below) + 1),
-        regular,
-        of_coefficient[1],
-        *_contact(springs),
+        "proofs/papers_rule.md, Theorem R", every([*hypotheses, of_coefficient[1], *_contact(mechanism.regularisation)])
     )
     if evidence is None:
         return names, _Open(Reason.HYPOTHESIS, "that beta > 1 is no integer, or the sign of an alpha, is not certain")
@@ -193,7 +181,8 @@ def active_components(flow: SlipFlow) -> tuple[int, ...]:
         active = whole
 
 
-def jacobian(numbers: SlipNumbers, components: Sequence[int], box: Sequence[arb]) -> arb:
-    """The determinant of d(p, b, y, v) by these four components, for every state of the box."""
+def independent(numbers: SlipNumbers, components: Sequence[int], box: Sequence[arb]) -> Evidence | None:
+    """That d(p, b, y, v) by these components has the rank 4 at every state of the box: a minor that is not 0."""
     rows = numbers.condition_rows(list(box))
-    return arb_mat([[row[i] for i in components] for row in rows]).det()
+    minors = (arb_mat([[row[i] for i in four] for row in rows]).det() for four in combinations(components, len(rows)))
+    return next((shown for minor in minors if (shown := differ(0, minor)) is not None), None)
