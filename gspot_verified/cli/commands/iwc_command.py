@@ -109,9 +109,7 @@ def verdict(
     name: Annotated[
         str | None, typer.Argument(metavar="[name]", help="A mechanism: a TOML file or a name; or give --beta.")
     ] = None,
-    beta: Annotated[
-        str | None, typer.Option(help="Without a mechanism: β = α3/α1 > 1, rational and not an integer.")
-    ] = None,
+    beta: Annotated[str | None, typer.Option(help="Without a mechanism: β = α3/α1 > 1, rational, no integer.")] = None,
     state: Annotated[
         str | None,
         typer.Option(
@@ -137,8 +135,8 @@ def verdict(
     """Lift-off or impact, for every small ε at once. From a state far from the G-spot.
 
     Of a mechanism, from a state: there is an ε0 > 0, which is not computed. With --beta and --from: the model system
-    (constant α's) from p and b, with an explicit ε0. With --beta alone: every mechanism with m = 4 and this β; ε0 is
-    not computed. Exit code 0 when it is proved, 2 when undecided; what is not certain is printed then.
+    (constant α's) from p and b, with an explicit ε0. With --beta alone: every mechanism of Case III with this β; ε0
+    is not computed. Exit code 0 when it is proved, 2 when undecided; what is not certain is printed then.
     """
     from gspot_verified.cli.approach_output import components
     from gspot_verified.expansion.from_state.limit_side import LimitSide, limit_side

@@ -1,6 +1,7 @@
-"""Lift-off or impact without collision for small epsilon, for every mechanism of Case III with m = 4 and a given beta.
+"""Lift-off or impact without collision for small epsilon, for every mechanism of Case III and a given beta, two ways.
 
-Proof page: ``proofs/from_state.md``, Theorem Q: the model system's checks decide, because they are strict.
+Proof pages: ``proofs/papers_rule.md``, Theorem R, for every real beta; ``proofs/from_state.md``, Theorem Q, where the
+model system's checks decide for a rational beta, because they are strict.
 """
 
 from __future__ import annotations
@@ -8,26 +9,26 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from flint import fmpq
+from flint import arb, fmpq, fmpz
 
 from gspot_verified.expansion.from_state.passage import ModelStart, checked_ratio, passage, trajectory_of
 from gspot_verified.expansion.from_state.slow_series import Contact, contact_text
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.true_solutions.bound import BITS, rational
-from gspot_verified.numbers.balls import ExactInput, ball, working_bits
+from gspot_verified.numbers.balls import ExactInput, ball, ball_text, exact, working_bits
 from gspot_verified.numbers.evidence import less, theorem
-from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
 _PLACE = fmpq(1, 100)  # p_1 of the model system's checks; what is proved does not depend on it
 _DELTAS = tuple(fmpq(1, 10**n) for n in (3, 5, 8))  # nor on these
 _FACTOR = fmpq(10)  # nor on the force that is to be reached there
-_OTHER = {"lift-off": "impact", "impact": "lift-off"}
+OTHER = {"lift-off": "impact", "impact": "lift-off"}
 
 
 @dataclass(frozen=True)
 class LimitSide(NoTruthValue, Written):
-    """What follows C_1 > 0 for every mechanism of Case III with m = 4, this beta and this contact, for small epsilon.
+    """What follows C_1 > 0 for every mechanism of Case III with this beta and this contact, for small epsilon.
 
     ``side``: "lift-off" or "impact" (without collision) for C_1 > 0, the other one for C_1 < 0, or None: undecided.
     "For small epsilon": there is an epsilon_0 > 0 for every start; how large it is is not said.
@@ -36,7 +37,7 @@ class LimitSide(NoTruthValue, Written):
     ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = "beta k_1=regularisation.k_1 k_2=regularisation.k_2 c=regularisation.c side verdict"
 
-    beta: fmpq
+    beta: fmpq | arb
     regularisation: Regularisation
     side: str | None
     verdict: Verdict
@@ -46,26 +47,55 @@ class LimitSide(NoTruthValue, Written):
 
 
 def limit_side(beta: ExactInput, contact: tuple[ExactInput, ExactInput, ExactInput] = (1, 1, 1)) -> LimitSide:
-    """Lift-off or impact by the sign of C_1, for every mechanism with m = 4 at its G-spot, as epsilon tends to 0.
+    """Lift-off or impact by the sign of C_1, for every mechanism of Case III, as epsilon tends to 0.
 
-    m = 4: p, b, y, v are coordinates of the state near the G-spot, so that no further condition J is there. ``contact``
-    is (k_1, k_2, c). The starts lie at any distance from the G-spot on the way of a rigid slip motion into it; no slow
-    manifold is assumed.
+    ``beta`` may be a ball: then for every number in it. ``contact`` is (k_1, k_2, c). The starts lie at any distance
+    from the G-spot on the way of a rigid slip motion into it; no slow manifold is assumed.
 
-    :raises ValueError: beta is not rational, at most 1, an integer or above 30; the contact is none with a damper.
+    :raises ValueError: beta is not certainly above 1, or an integer; the contact is none with a damper.
 
     >>> limit_side("3/2").side, limit_side("5/2").side
     ('impact', 'lift-off')
     """
+    number, springs = exact(beta, "beta"), Regularisation.of(*contact)
+    if not number > 1 or (isinstance(number, fmpq) and number.q == 1):
+        raise ValueError(f"beta must be above 1 and no integer, got {number}")
+    Contact.of(springs)  # it has a damper
+    statement = _statement("Case III with p, b, y, v independent at its G-spot", number, springs)
+    rule = rule_of(number, springs)
+    if rule is None:
+        why = "the ball of beta holds an integer, or may hold one"
+        return LimitSide(number, springs, None, _open(statement, Reason.WIDE_INPUT, why))
+    return LimitSide(number, springs, rule[0], Verdict.proved(_by_sign(statement, rule[0]), rule[1]))
+
+
+def rule_of(beta: fmpq | arb, springs: Regularisation) -> tuple[str, Evidence] | None:
+    """The side of C_1 > 0 by Theorem R, that of Gamma(-beta) > 0 being "impact"; None where it is not certain that beta
+    lies between two integers from 1 on, or that the contact has a damper."""
+    below = fmpz(beta.p // beta.q) if isinstance(beta, fmpq) else beta.floor().unique_fmpz()
+    if below is None:
+        return None
+    shown = theorem(
+        "proofs/papers_rule.md, Theorem R",
+        *(less(1, beta), less(fmpq(below), beta), less(beta, fmpq(below) + 1)),
+        *(less(0, number) for number in (springs.k_1, springs.k_2, springs.c)),
+    )
+    # n < beta < n + 1: Gamma(-beta) has the sign of (-1)^(n + 1)
+    return None if shown is None else ("impact" if int(below) % 2 else "lift-off", shown)
+
+
+def limit_side_by_enclosures(
+    beta: ExactInput, contact: tuple[ExactInput, ExactInput, ExactInput] = (1, 1, 1)
+) -> LimitSide:
+    """The same by a second way, for m = 4: the enclosures of the model system from a state to the cone, Theorem Q.
+
+    m = 4: p, b, y, v are coordinates of the state near the G-spot, so that no further condition J is there.
+
+    :raises ValueError: beta is not rational, at most 1, an integer or above 30; the contact is none with a damper.
+    """
     number, springs = checked_ratio(rational(beta, "beta")), Regularisation.of(*contact)
     start = ModelStart(number, fmpq(-1), fmpq(-1), springs, _PLACE, -2 * _PLACE / (number - 1), fmpq(0))  # C_1 < 0
-    statement = (
-        f"for every mechanism of Case III with m = 4, beta = {number} and {contact_text(springs)}, and every family of "
-        "starts in contact that tends to a state of a rigid slip motion into the G-spot with C_1 != 0, with "
-        "y/epsilon^2, v/epsilon, lambda_N bounded and kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + (g^2/l) p phi^2 "
-        f"below b^2 in the limit, {Contact.of(springs).fast_text}, there is an epsilon_0 > 0 such that for every "
-        "0 < epsilon <= epsilon_0, as long as slip is positive, contact lasts until p < 0, and then"
-    )
+    statement = _statement("Case III with m = 4", number, springs)
     detail = ""
     with working_bits(BITS):
         trajectory = trajectory_of(start)
@@ -74,8 +104,7 @@ def limit_side(beta: ExactInput, contact: tuple[ExactInput, ExactInput, ExactInp
             if isinstance(found, str):
                 detail = found
                 continue
-            against = "lift-off" if found.entry.side < 0 else "impact"
-            side = _OTHER[against]
+            side = OTHER["lift-off" if found.entry.side < 0 else "impact"]
             strict = theorem(
                 "proofs/from_state.md, Theorem Q",
                 found.evidence,
@@ -83,9 +112,26 @@ def limit_side(beta: ExactInput, contact: tuple[ExactInput, ExactInput, ExactInp
                 less(0, found.tube.layer(ball(found.tube.rectangle.h))),
             )
             if strict is not None:
-                fates = {"lift-off": "it is lost", "impact": "lambda_N exceeds every given force without it being lost"}
-                whole = f"{statement} {fates[side]} if C_1 > 0, {fates[against]} if C_1 < 0"
-                return LimitSide(number, springs, side, Verdict.proved(whole, strict))
+                return LimitSide(number, springs, side, Verdict.proved(_by_sign(statement, side), strict))
             detail = "the order of the slow series is too low"
-    verdict = Verdict.undecided(f"{statement} lift-off or impact by the sign of C_1", Reason.HYPOTHESIS, detail)
-    return LimitSide(number, springs, None, verdict)
+    return LimitSide(number, springs, None, _open(statement, Reason.HYPOTHESIS, detail))
+
+
+def _statement(mechanisms: str, beta: fmpq | arb, springs: Regularisation) -> str:
+    number = ball_text(beta) if isinstance(beta, arb) else str(beta)
+    return (
+        f"for every mechanism of {mechanisms}, beta = {number} and {contact_text(springs)}, and every family of "
+        "starts in contact that tends to a state of a rigid slip motion into the G-spot with C_1 != 0, with "
+        "y/epsilon^2, v/epsilon, lambda_N bounded and kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + (g^2/l) p phi^2 "
+        f"below b^2 in the limit, {Contact.of(springs).fast_text}, there is an epsilon_0 > 0 such that for every "
+        "0 < epsilon <= epsilon_0, as long as slip is positive, contact lasts until p < 0, and then"
+    )
+
+
+def _by_sign(statement: str, side: str) -> str:
+    fates = {"lift-off": "it is lost", "impact": "lambda_N exceeds every given force without it being lost"}
+    return f"{statement} {fates[side]} if C_1 > 0, {fates[OTHER[side]]} if C_1 < 0"
+
+
+def _open(statement: str, reason: Reason, why: str) -> Verdict:
+    return Verdict.undecided(f"{statement} lift-off or impact by the sign of C_1", reason, why)

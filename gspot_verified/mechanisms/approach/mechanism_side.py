@@ -12,8 +12,8 @@ from typing import ClassVar
 
 from flint import arb, arb_mat
 
+from gspot_verified.expansion.from_state.limit_side import OTHER, rule_of
 from gspot_verified.expansion.from_state.slow_series import Contact, contact_text
-from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.mechanisms.approach.approach import MAX_STEPS, approach
 from gspot_verified.mechanisms.approach.approach_result import Approach
 from gspot_verified.mechanisms.approach.slip_flow import SlipFlow, SlipNumbers
@@ -23,7 +23,7 @@ from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.spot_conditions import components_of
 from gspot_verified.numbers.balls import ExactInput, ball_text, working_bits
-from gspot_verified.numbers.evidence import differ, every, less, signed, theorem
+from gspot_verified.numbers.evidence import differ, every, less, signed
 from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written, under
 
@@ -150,22 +150,15 @@ def _outcome(mechanism: Mechanism, found: Approach) -> tuple[tuple[str, ...], tu
     regular = independent(SlipNumbers(flow), active, found.spot)
     if regular is None:
         return names, _Open(Reason.HYPOTHESIS, "the differentials of p, b, y, v at the G-spot may be dependent")
-    below, of_coefficient = found.beta.floor().unique_fmpz(), signed(found.coefficient)
-    if below is None or of_coefficient is None or of_coefficient[0] == 0:
+    rule, of_coefficient = rule_of(found.beta, mechanism.regularisation), signed(found.coefficient)
+    if rule is None or of_coefficient is None or of_coefficient[0] == 0:
         return names, _Open(Reason.WIDE_INPUT, found.side_reason)
-    between = every([less(1, found.beta), less(int(below), found.beta), less(found.beta, int(below) + 1)])
-    hypotheses = [found.verdict.evidence, *(less(alpha, 0) for alpha in found.alphas), between, regular]
-    evidence = theorem(
-        "proofs/papers_rule.md, Theorem R", every([*hypotheses, of_coefficient[1], *_contact(mechanism.regularisation)])
+    evidence = every(
+        [found.verdict.evidence, *(less(each, 0) for each in found.alphas), regular, rule[1], of_coefficient[1]]
     )
     if evidence is None:
-        return names, _Open(Reason.HYPOTHESIS, "that beta > 1 is no integer, or the sign of an alpha, is not certain")
-    of_gamma = 1 if int(below) % 2 else -1  # Gamma(-beta) for floor(beta) < beta < floor(beta) + 1
-    return names, ("impact" if of_gamma * of_coefficient[0] > 0 else "lift-off", evidence)
-
-
-def _contact(springs: Regularisation) -> list[Evidence | None]:
-    return [less(0, springs.k_1), less(0, springs.k_2), less(0, springs.c)]
+        return names, _Open(Reason.HYPOTHESIS, "the sign of an alpha is not certain")
+    return names, (rule[0] if of_coefficient[0] > 0 else OTHER[rule[0]], evidence)
 
 
 def active_components(flow: SlipFlow) -> tuple[int, ...]:

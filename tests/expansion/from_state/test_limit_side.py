@@ -1,14 +1,20 @@
-"""The side by the sign of C_1 for small epsilon (proofs/from_state.md, Theorem Q), beside the sign of Gamma(-beta)."""
+"""The side by the sign of C_1 for small epsilon: Theorem R beside Theorem Q, and beside the sign of Gamma(-beta)."""
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import pytest
-from flint import fmpq
+from flint import arb, fmpq
+from hypothesis import given
+from hypothesis import strategies as st
+from samples.strategies import to_fmpq
 from witnesses.slow_deviation import end_of_contact
 
 from gspot_verified.expansion.from_state import limit_side as module
-from gspot_verified.expansion.from_state.limit_side import limit_side
-from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.expansion.from_state.limit_side import limit_side, limit_side_by_enclosures
+from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.verdict import Outcome, Reason
 from gspot_verified.signs.gamma.side import gamma_sign
 
 
@@ -24,17 +30,42 @@ from gspot_verified.signs.gamma.side import gamma_sign
 )
 def test_it_is_the_papers_rule(beta: str) -> None:
     """C_1/Gamma(-beta) > 0: impact."""
-    found = limit_side(beta)
-    assert found.verdict.outcome is Outcome.PROVED
-    assert found.side == {1: "impact", -1: "lift-off"}[gamma_sign(found.beta)]
-    first = "lambda_N exceeds every given force" if found.side == "impact" else "it is lost"
-    assert f"{first}" in found.verdict.statement.split(" if C_1 > 0")[0]
+    for found in (limit_side(beta), limit_side_by_enclosures(beta)):
+        assert found.verdict.outcome is Outcome.PROVED
+        assert found.side == {1: "impact", -1: "lift-off"}[gamma_sign(found.beta)]
+        first = "lambda_N exceeds every given force" if found.side == "impact" else "it is lost"
+        assert f"{first}" in found.verdict.statement.split(" if C_1 > 0")[0]
 
 
 @pytest.mark.slow
 def test_for_another_contact() -> None:
-    assert limit_side("3/2", contact=(2, 1, "1/2")).side == "impact"
-    assert limit_side("7/3", contact=(1, 3, 1)).side == "lift-off"
+    for way in (limit_side, limit_side_by_enclosures):
+        assert way("3/2", contact=(2, 1, "1/2")).side == "impact"
+        assert way("7/3", contact=(1, 3, 1)).side == "lift-off"
+
+
+@given(integer=st.integers(1, 60), part=st.fractions(min_value=0, max_value=1, max_denominator=10**6))
+def test_every_beta_between_two_integers(integer: int, part: Fraction) -> None:
+    """Also in a ball: all that matters is which integers are next to it."""
+    if part in (0, 1):
+        with pytest.raises(ValueError, match="no integer"):
+            limit_side(integer + part if integer + part > 1 else 2)
+        return
+    beta = to_fmpq(integer + part)
+    found = limit_side(beta)
+    assert found.side == {1: "impact", -1: "lift-off"}[gamma_sign(beta)]
+    assert found.verdict.outcome is Outcome.PROVED
+    with working_bits(64):
+        root = arb(beta) + arb(0, "1e-9")
+    assert limit_side(root).side == found.side
+
+
+def test_a_ball_with_an_integer_is_undecided() -> None:
+    for wide in (arb(2, "1e-9"), arb("2.5", "0.5")):
+        found = limit_side(wide)
+        assert found.side is None
+        assert found.verdict.outcome is Outcome.UNDECIDED
+        assert found.verdict.reason is Reason.WIDE_INPUT
 
 
 @pytest.mark.parametrize(
@@ -65,17 +96,20 @@ def test_the_sentence_names_the_fast_part_of_the_starts() -> None:
 def test_what_is_not_certain_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
     """With starts at a delta so large that Theorem B does not hold."""
     monkeypatch.setattr(module, "_DELTAS", (fmpq(1, 30),))
-    found = limit_side("3/2")
+    found = limit_side_by_enclosures("3/2")
     assert found.side is None
     assert found.verdict.outcome is Outcome.UNDECIDED
     assert "Theorem B" in found.verdict.detail
 
 
-@pytest.mark.parametrize(
-    ("beta", "message"), [("1/2", "above 1"), ("2", "no integer"), ("1", "above 1"), ("10001/2", "at most 30")]
-)
+@pytest.mark.parametrize(("beta", "message"), [("1/2", "above 1"), ("2", "no integer"), ("1", "above 1")])
 def test_bad_input(beta: str, message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        limit_side(beta)
-    with pytest.raises(ValueError, match="damper"):
-        limit_side("3/2", contact=(1, 1, 0))
+    for way in (limit_side, limit_side_by_enclosures):
+        with pytest.raises(ValueError, match=message):
+            way(beta)
+        with pytest.raises(ValueError, match="damper"):
+            way("3/2", contact=(1, 1, 0))
+    with pytest.raises(ValueError, match="at most 30"):
+        limit_side_by_enclosures("10001/2")
+    with pytest.raises(ValueError, match="above 1"):
+        limit_side(arb(1, "0.1"))
