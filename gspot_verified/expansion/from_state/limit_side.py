@@ -19,6 +19,7 @@ from gspot_verified.numbers.balls import ExactInput, ball, ball_text, exact, wor
 from gspot_verified.numbers.evidence import less, theorem
 from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
+from gspot_verified.signs.gamma.side import MAX_BETA
 
 _PLACE = fmpq(1, 100)  # p_1 of the model system's checks; what is proved does not depend on it
 _DELTAS = tuple(fmpq(1, 10**n) for n in (3, 5, 8))  # nor on these
@@ -52,7 +53,7 @@ def limit_side(beta: ExactInput, contact: tuple[ExactInput, ExactInput, ExactInp
     ``beta`` may be a ball: then for every number in it. ``contact`` is (k_1, k_2, c). The starts lie at any distance
     from the G-spot on the way of a rigid slip motion into it; no slow manifold is assumed.
 
-    :raises ValueError: beta is not certainly above 1, or an integer; the contact is none with a damper.
+    :raises ValueError: beta is not certainly above 1, an integer, or above 10^6; the contact is none with a damper.
 
     >>> limit_side("3/2").side, limit_side("5/2").side
     ('impact', 'lift-off')
@@ -60,6 +61,8 @@ def limit_side(beta: ExactInput, contact: tuple[ExactInput, ExactInput, ExactInp
     number, springs = exact(beta, "beta"), Regularisation.of(*contact)
     if not number > 1 or (isinstance(number, fmpq) and number.q == 1):
         raise ValueError(f"beta must be above 1 and no integer, got {number}")
+    if not number <= MAX_BETA:
+        raise ValueError(f"beta must be at most {MAX_BETA}")
     Contact.of(springs)  # it has a damper
     statement = _statement("Case III with p, b, y, v independent at its G-spot", number, springs)
     rule = rule_of(number, springs)
@@ -72,6 +75,8 @@ def limit_side(beta: ExactInput, contact: tuple[ExactInput, ExactInput, ExactInp
 def rule_of(beta: fmpq | arb, springs: Regularisation) -> tuple[str, Evidence] | None:
     """The side of C_1 > 0 by Theorem R, that of Gamma(-beta) > 0 being "impact"; None where it is not certain that beta
     lies between two integers from 1 on, or that the contact has a damper."""
+    if not beta <= MAX_BETA:  # its integer part may be too long to be written
+        return None
     below = fmpz(beta.p // beta.q) if isinstance(beta, fmpq) else beta.floor().unique_fmpz()
     if below is None:
         return None

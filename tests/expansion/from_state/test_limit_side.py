@@ -12,7 +12,8 @@ from samples.strategies import to_fmpq
 from witnesses.slow_deviation import end_of_contact
 
 from gspot_verified.expansion.from_state import limit_side as module
-from gspot_verified.expansion.from_state.limit_side import limit_side, limit_side_by_enclosures
+from gspot_verified.expansion.from_state.limit_side import limit_side, limit_side_by_enclosures, rule_of
+from gspot_verified.expansion.series.regularisation import PAPER
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome, Reason
 from gspot_verified.signs.gamma.side import gamma_sign
@@ -113,3 +114,8 @@ def test_bad_input(beta: str, message: str) -> None:
         limit_side_by_enclosures("10001/2")
     with pytest.raises(ValueError, match="above 1"):
         limit_side(arb(1, "0.1"))
+    for large in ("1000000000001/2", arb((1, 2**70)), arb("inf")):
+        with pytest.raises(ValueError, match=r"at most 1000000|beta"):
+            limit_side(large)
+    assert rule_of(arb((1, 2**70)), PAPER) is None
+    assert rule_of(arb("nan"), PAPER) is None
