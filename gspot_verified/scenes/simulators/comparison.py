@@ -38,6 +38,7 @@ _LATER = 3.0  # times the certified time: so long the simulators run
 _LEAST_EPSILON = fmpq(1, 10**6)  # a limit of input
 _EARLY = 0.95  # of the certified time: an event before it is not the one that is certified
 _LATE = 1.05  # the same for events of rigid slip, which come at their time, not after it
+_SAME = 1e-3  # of the certified time, and of 1 + |value|: nearer to the certified start a table begins in it
 _EXPECTED = {LIFT_OFF: (LEAVES,), IMPACT: (STOPS, IMPULSE), "stick": (STOPS,)}
 RIGHT, EARLY, WRONG, SILENT, OPEN, FAILED = "agrees", "too early", "differs", "no event", "not comparable", "failed"
 
@@ -116,8 +117,8 @@ def simulators(
     :raises StateError: the state is not one from which slip can be followed.
     :raises MechanismError: a mechanism without velocities or with parameters that have no value.
     :raises ValueError: an epsilon that is no rational number in 1e-6..1.
-    :raises SceneError: a table that cannot be read, nothing is certified of the state, or u < 0 and no velocity of
-        the surface is given.
+    :raises SceneError: a table that cannot be read, or that begins at another time or in another state; nothing is
+        certified of the state, or u < 0 and no velocity of the surface is given.
 
     >>> from gspot_verified import load
     >>> start = {"X": 0, "X_dot": 5, "theta": "4/5", "theta_dot": "33/10"}
@@ -129,6 +130,8 @@ def simulators(
     tables = [(str(file), read_motion(file, functions)) for file in files]
     certified = approach(mechanism, state, surface_velocity=surface_velocity, spot=spot)
     judge = _Judge(mechanism, functions, certified, surface_velocity)
+    for name, table in tables:
+        judge.check_start(name, table)
     runs = [judge.run(*case) for case in judge.simulations(epsilons, steps)]
     runs += [judge.judged(name, "", table) for name, table in tables]
     return SimulatorComparison(certified, tuple(runs))
@@ -174,6 +177,20 @@ class _Judge:
                     moreau_jean, functions, start,
                     step=step * self.time, until=until, surface_velocity=self.velocity, stays=stays,
                 )  # fmt: skip
+
+    def check_start(self, name: str, table: Simulated) -> None:
+        """Passes for a table that begins where the certified path does.
+
+        :raises SceneError: it begins at another time, or in another state.
+        """
+        if abs(table.times[0]) > _SAME * self.time:
+            began = f"{table.times[0]:g}"
+            raise SceneError(f"{name}: the table begins at t = {began}, and the certified state is that at t = 0")
+        for word, value, wanted in zip(self.functions.names, table.states[0], self.start, strict=True):
+            if abs(value - wanted) > _SAME * (1 + abs(wanted)):
+                raise SceneError(
+                    f"{name}: the table begins with {word} = {value:.6g}, and the certified state has {wanted:.6g}"
+                )
 
     def run(self, simulator: str, settings: str, motion: Callable[[], Simulated]) -> SimulatorRun:
         """One simulation; what it says when it gives up."""

@@ -132,9 +132,28 @@ def written(path: Path, rows: list[tuple[float, ...]], head: str = "t,X,Y,theta,
     return path
 
 
+def leaving_early(begin: float = 0.0, spin: float = 3.3) -> list[tuple[float, ...]]:
+    """A table from the start with 6 ms of contact, or from another time or angular velocity."""
+    start = (0.0, math.sin(0.8), 0.8, 5.0, 3.3 * math.cos(0.8), spin)
+    up = (start[0], start[1] + 1e-3, *start[2:])
+    return [(begin + k / 1000, *(start if k < 6 else up)) for k in range(60)]
+
+
+@pytest.mark.parametrize(
+    ("begin", "spin", "message"),
+    [
+        (0.0, 3.4, r"mine\.csv: the table begins with theta_dot = 3\.4, and the certified state has 3\.3"),
+        (5.0, 3.3, r"mine\.csv: the table begins at t = 5, and the certified state is that at t = 0"),
+    ],
+)
+def test_a_table_of_another_start_is_refused(tmp_path: Path, begin: float, spin: float, message: str) -> None:
+    table = written(tmp_path / "mine.csv", leaving_early(begin, spin))
+    with pytest.raises(SceneError, match=message):
+        simulators(ROD, START, files=[table], epsilons=[], steps=[])
+
+
 def test_a_table_that_leaves_early_is_told(tmp_path: Path) -> None:
-    rows = [(k / 1000, *states([2.0], [-1e-6 if k < 6 else 1e-3])[0]) for k in range(60)]
-    found = simulators(ROD, START, files=[written(tmp_path / "mine.csv", rows)], epsilons=[], steps=[])
+    found = simulators(ROD, START, files=[written(tmp_path / "mine.csv", leaving_early())], epsilons=[], steps=[])
     (run,) = found.runs
     assert (run.simulator, run.happened, run.agrees) == (str(tmp_path / "mine.csv"), LEAVES, comparison.EARLY)
     assert run.time == 0.006
