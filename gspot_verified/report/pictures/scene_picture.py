@@ -217,7 +217,9 @@ def caption(scene: Scene, runs: Sequence[SceneRun], theory: Sequence[Curve], ove
     parts = [f"{run.strength.capitalize()}: {run.fate}." for run in runs]
     certified = [run for run in runs if run.strength == CERTIFIED]
     if certified:
-        parts.append("Certified are the events (marks in their brackets) and the end for all times.")
+        parts.append("Certified are the events (marks in their brackets).")
+    for verdict in (run.verdict for run in certified):
+        parts.append(f"{verdict.outcome.value.capitalize()}: {verdict.statement}.")
     if any(run.samples is not None and run.samples.boxes is not None for run in certified):
         parts.append("The boxes are certified: at each time that is shown the trajectory lies in them.")
     elif any(run.samples is not None for run in certified):

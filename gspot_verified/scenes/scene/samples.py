@@ -22,8 +22,9 @@ RADIUS = "_radius"
 class Boxes:
     """Pieces of time in order, each with bounds of t and of the whole read-out, and its phase.
 
-    From the first lower t to the last upper t the pieces leave no gap, and at each time of a piece the trajectory lies
-    within its bounds: they are rounded outwards to floats.
+    From the first lower t to the last upper t the pieces leave no gap, and at each time the trajectory lies within the
+    bounds of one of the pieces that hold this time: where the time of an event is a bracket, neighbours overlap by it.
+    Bounds are rounded outwards to floats.
     """
 
     lower: dict[str, ndarray[Any, Any]]

@@ -72,6 +72,20 @@ def test_the_caption_says_what_is_certified() -> None:
         scene_picture(scene, [certified_run(scene)])
 
 
+def test_the_caption_says_no_more_of_the_end_than_the_verdict() -> None:
+    """Exact for all times, by the integrator to its end, with its conditions, or not to the end at all."""
+    scene = load_scene("fig-varsim1", epsilon="1/10", until="1/20")
+    assert "Proved: exactly one flight, then contact for ever: an impact without collision." in caption(
+        scene, [certified_run(scene)], [], "p"
+    )
+    ended = caption(scene, [certified_run(scene, route="integrator")], [], "p")
+    assert "Proved: no change of phase until t = 1/20 after the start." in ended
+    longer = replace(scene, until=fmpq(1))
+    unfinished = caption(longer, [certified_run(longer, route="integrator", budget=1)], [], "p")
+    assert "Undecided: the events of the run." in unfinished
+    assert "for all times" not in ended + unfinished
+
+
 @pytest.mark.parametrize("length", [9, 40])
 def test_the_legend_is_no_wider_than_the_picture(length: int) -> None:
     """Five words beside their marks: in as many columns as have room."""
