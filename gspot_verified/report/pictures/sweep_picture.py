@@ -36,7 +36,7 @@ _ANSWERS: dict[Any, tuple[str, str]] = {
     ("none", None, None): (PAPER, "no Case"),
 }
 _OTHERS = {
-    Kind.CROSSING: (INK, "Case or side change"),
+    Kind.CROSSING: (INK, "Case or side may change"),
     Kind.OPEN: (VERMILION, "undecided"),
     Kind.NO_TUBE: ("#8a8f94", "no spot was found"),
     Kind.FOLD: (VERMILION, "next to a fold"),
@@ -58,7 +58,7 @@ def _saved(result: Sweep, path: Path) -> Path:
     axes = figure.subplots()
     (_line if len(result.axes) == 1 else _map)(result, axes)
     _legend(result, axes)
-    figure.supxlabel("\n".join(textwrap.wrap(_caption(result), 116)), fontsize=8, x=0.02, ha="left")
+    figure.supxlabel("\n".join(textwrap.wrap(caption(result), 116)), fontsize=8, x=0.02, ha="left")
     over = ", ".join(f"{axis.name} from {axis.lower} to {axis.upper}" for axis in result.axes)
     return save_figure(figure, "sweep", f"{result.name}: Case and side of the G-spot over {over}", path)
 
@@ -124,13 +124,14 @@ def _beta(piece: SweepPiece) -> tuple[float, float] | None:
     return None if number is None else float_bounds(number.to_ball())
 
 
-def _caption(result: Sweep) -> str:
+def caption(result: Sweep) -> str:
+    """What is certified in the picture."""
     left = sum(piece.kind in (Kind.OPEN, Kind.NO_TUBE) for piece in result.pieces)
     text = (
         f"{result.name}. Certified: on each of the {len(result.pieces)} pieces the colour holds for every value of "
         f"{' and '.join(axis.name for axis in result.axes)}"
     )
     if len(result.axes) == 1:
-        text += f"; β lies in the dark boxes. Dotted: where Case or side change ({len(result.crossings)})"
+        text += f"; β lies in the dark boxes. Dotted: where Case or side may change ({len(result.crossings)})"
         text += ". Red: a fold" if result.folds else ""
     return f"{text}." + (f" {left} pieces are not settled." if left else "")

@@ -11,7 +11,7 @@ from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.sweep.sweep import sweep
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep
-from gspot_verified.report.pictures.sweep_picture import save_sweep
+from gspot_verified.report.pictures.sweep_picture import caption, save_sweep
 
 BEGINNINGS = {".png": b"\x89PNG", ".pdf": b"%PDF", ".svg": b"<?xml"}
 
@@ -52,7 +52,7 @@ def test_the_legend_says_what_there_is(line: Sweep, tmp_path: Path, monkeypatch:
 
     monkeypatch.setattr(Axes, "legend", legend)
     save_sweep(line, tmp_path / "line.svg")
-    assert labels == ["beyond a fold", "next to a fold", "no Case", "Case or side change", "Case II"]
+    assert labels == ["beyond a fold", "next to a fold", "no Case", "Case or side may change", "Case II"]
 
 
 def test_a_map_and_pieces_that_are_left(tmp_path: Path) -> None:
@@ -61,3 +61,8 @@ def test_a_map_and_pieces_that_are_left(tmp_path: Path) -> None:
     first = replace(result.pieces[0], kind=Kind.OPEN, case=None, lift_off_sign=None, impact_sign=None, unsure=("x",))
     undecided = replace(result, pieces=(first, *result.pieces[1:]))
     assert save_sweep(undecided, tmp_path / "left.svg").read_bytes() != whole
+
+
+def test_no_change_is_claimed_where_a_zero_is_not_shown(line: Sweep) -> None:
+    """Of two parameters a quantity may pass 0 on a piece; of one it does so in a bracket at most once."""
+    assert "Dotted: where Case or side may change (1)." in caption(line)
