@@ -23,6 +23,7 @@ _VERSIONS = {
     "approach": 2,
     "classify": 2,
     "cost": 2,
+    "events": 2,
     "report": 2,
     "scenes": 2,
     "simulate": 2,

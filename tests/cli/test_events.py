@@ -30,6 +30,7 @@ def test_the_same_from_a_state_as_json(capsys: pytest.CaptureFixture[str]) -> No
     data = json.loads(output)
     assert [event["event"] for event in data["events"]] == ["lift-off", "touch-down"]
     assert data["start"] == "-1/2"
+    assert data["times"] == "measured from the G-spot; the run begins at start"
 
 
 def test_an_open_question_leaves_with_2(capsys: pytest.CaptureFixture[str]) -> None:

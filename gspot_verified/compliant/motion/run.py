@@ -66,7 +66,7 @@ class CompliantRun(NoTruthValue, Written):
     """The events of a run from an initial state, in order; the verdict speaks of the whole run."""
 
     ask: ClassVar[str] = ASK_VERDICT
-    written: ClassVar[str] = "model start=start events verdict"
+    written: ClassVar[str] = "model start=start times events verdict"
 
     model: CompliantModel
     state: CompliantState
@@ -77,6 +77,11 @@ class CompliantRun(NoTruthValue, Written):
     def start(self) -> fmpq:
         """The time of the initial state, measured from the G-spot."""
         return self.state.p / self.model.alpha_1
+
+    @property
+    def times(self) -> str:
+        """From when the times of events count, in plain data; the text counts them from the start."""
+        return "measured from the G-spot; the run begins at start"
 
     def __str__(self) -> str:
         lines = [str(self.verdict)]
