@@ -28,13 +28,19 @@ class Outputs:
 
     def __init__(self) -> None:
         self._taken: dict[Path, str] = {}
+        self._read: set[Path] = set()
         self._failed = False
+
+    def reads(self, name: str | Path) -> None:
+        """Name what the command reads, if it is a file, before its options: none of them may replace it."""
+        if os.path.isfile(name):  # False also for what can be no path
+            self._read.add(Path(name).resolve())
 
     def file(self, option: str, path: Path | None, suffixes: tuple[str, ...] = ()) -> None:
         """Check that a file can be written there.
 
         :raises ValueError: its folder is missing or closed to us, the path is no ordinary file, the suffix is none of
-            ``suffixes``, or another option names the same file.
+            ``suffixes``, or another option names the same file, or the command reads it.
         """
         if path is None:
             return
@@ -47,6 +53,8 @@ class Outputs:
             raise ValueError(f"{option}: cannot write {refused}; allowed: {', '.join(suffixes)}")
         _check_folder(option, path.parent)
         place = path.resolve()
+        if place in self._read:
+            raise ValueError(f"{option}: {path} is what the command reads")
         if place in self._taken:
             raise ValueError(f"{option} and {self._taken[place]} name the same file {path}")
         self._taken[place] = option

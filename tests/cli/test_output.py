@@ -19,8 +19,17 @@ from full_disk import full_after
 # Imported before anything is replaced: modules that take a name from another must take the true one.
 from gspot_verified.cli import main
 from gspot_verified.cli.output import Outputs
+from gspot_verified.mechanisms.shipped import shipped_text
 from gspot_verified.paper.section_4_5 import cases
 
+SCENE = '''
+format = 1
+name = "own"
+effects = ["compliant_contact", "lift_off"]
+epsilon = "1/5"
+until = "1/10"
+start = {p = "1/2", nu = 2}
+'''
 POINT = ("--tau", "[0..1]", "--beta", "1/2")
 
 
@@ -108,6 +117,27 @@ def test_two_outputs_with_one_name_are_refused(capsys: pytest.CaptureFixture[str
     code, _, err = run(capsys, "sign", *POINT, "--certificate", same, "--journal", same)
     assert code == 64
     assert "--journal and --certificate name the same file" in err
+
+
+@pytest.mark.parametrize(
+    ("text", "command", "option"),
+    [
+        (SCENE, ("simulate", "FILE"), "--certificate"),
+        (shipped_text("oscillator"), ("iwc", "--mechanism", "FILE"), "--certificate"),
+        (shipped_text("oscillator"), ("sweep", "FILE", "--over", "beta=9/4..11/4:1"), "--csv"),
+    ],
+)
+def test_what_a_command_reads_it_does_not_replace(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str, command: tuple[str, ...], option: str
+) -> None:
+    own = tmp_path / "own.toml"
+    own.write_text(text, encoding="utf-8")
+    before = own.read_bytes()
+    words = [str(own) if word == "FILE" else word for word in command]
+    code, out, err = run(capsys, *words, option, str(tmp_path / "." / "own.toml"))
+    assert (code, out) == (64, "")
+    assert f"{option}: {own} is what the command reads" in err
+    assert own.read_bytes() == before
 
 
 @pytest.mark.usefixtures("no_work")

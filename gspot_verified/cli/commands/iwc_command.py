@@ -56,6 +56,8 @@ def iwc(
     from gspot_verified.mechanisms.spots.classify import classify
 
     outputs = Outputs()
+    if mechanism is not None:
+        outputs.reads(mechanism)
     outputs.file("--certificate", certificate)
     if mechanism is None and settings:
         raise ValueError("--set: it goes with --mechanism")

@@ -131,6 +131,7 @@ def simulate(
         others |= {"--csv": csv, "--npz": npz, "--picture": picture, "--animation": animation}
         refuse("not together with --certificate", others | {"--route": route if route == EXACT else None})
     outputs = Outputs()
+    outputs.reads(scene)
     outputs.file("--certificate", certificate)
     outputs.file("--csv", csv, (".csv",))
     outputs.file("--npz", npz, (".npz",))

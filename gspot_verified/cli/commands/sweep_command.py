@@ -57,6 +57,7 @@ def sweep(
     from gspot_verified.work.executors import executor
 
     outputs = Outputs()
+    outputs.reads(name)
     outputs.file("--csv", csv)
     outputs.file("--picture", picture, PICTURES)
     outputs.file("--journal", journal)
