@@ -22,14 +22,14 @@ from gspot_verified.cli.output import Outputs
 from gspot_verified.mechanisms.shipped import shipped_text
 from gspot_verified.paper.section_4_5 import cases
 
-SCENE = '''
+SCENE = """
 format = 1
 name = "own"
 effects = ["compliant_contact", "lift_off"]
 epsilon = "1/5"
 until = "1/10"
 start = {p = "1/2", nu = 2}
-'''
+"""
 POINT = ("--tau", "[0..1]", "--beta", "1/2")
 
 

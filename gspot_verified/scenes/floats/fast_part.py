@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from flint import fmpq
+
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.mechanisms.approach.fast_decay import surviving_exponent
 from gspot_verified.numbers.balls import approximate
@@ -42,8 +44,9 @@ class FastPart(NoTruthValue, Written):
 
 
 def fast_part(scene: Scene) -> FastPart | None:
-    """None where the scene does not start in slip with p > 0 and b < 0, or slip does not reach a G-spot; nor where
-    friction depends on the slip speed: then p = 0 may be reached elsewhere (``proofs/slip_speed.md``).
+    """None where the scene does not start in slip with p > 0 and b < 0, or slip does not reach a G-spot (where the
+    scene knows u, nor where u has come down to the surface's velocity before); nor where friction depends on the slip
+    speed: then p = 0 may be reached elsewhere (``proofs/slip_speed.md``).
 
     The path is that of rigid slip with its time slowed down by p: dxi/ds = p F - b G, dt/ds = p.
 
@@ -62,11 +65,12 @@ def fast_part(scene: Scene) -> FastPart | None:
     if not (p > 0 and b < 0):
         return None
     near, far = _ends(lambda x: flow.p_and_b(x)[0] - _NEAR * p), _ends(lambda x: _FAR * p - flow.p_and_b(x)[0])
-    lift_off = _ends(lambda x: -flow.p_and_b(x)[1])
+    lift_off, slow = _ends(lambda x: -flow.p_and_b(x)[1]), _ends(flow.slip)
     try:
         path = solve_ivp(
-            flow.rates, (0, _LONGEST), flow.start, "LSODA", events=[near, far, lift_off], rtol=1e-8, dense_output=True
-        )
+            flow.rates, (0, _LONGEST), flow.start, "LSODA", events=[near, far, lift_off, slow], rtol=1e-8,
+            dense_output=True,
+        )  # fmt: skip
     except (ArithmeticError, ValueError):
         return None
     if path.status != 1 or not len(path.t_events[0]):
@@ -89,10 +93,17 @@ class _RigidSlip:
         self._k_2 = approximate(values["k_2"])
         self._rates = float_function(system.right_hand_side)
         self._seen = float_function([system.shown("p"), system.shown("b")])
+        knows_slip = "u" in dict(system.read_out)
+        self._u = float_function([system.shown("u")]) if knows_slip else None
+        self._belt = approximate(values.get("belt_velocity", fmpq(0)))
 
     def p_and_b(self, state: Sequence[float]) -> list[float]:
         """At a state in which Y = V = Z = 0."""
         return self._seen([*map(float, state)])
+
+    def slip(self, state: Sequence[float]) -> float:
+        """u less the velocity of the surface; positive where the scene does not know it."""
+        return 1.0 if self._u is None else self._u([*map(float, state)])[0] - self._belt
 
     def rates(self, _: float, state: Sequence[float]) -> list[float]:
         """dstate/ds = (p/epsilon) dstate/dT, with Z = lambda/k_2 to give the force and Y = V = 0."""

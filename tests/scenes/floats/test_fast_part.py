@@ -95,3 +95,11 @@ def test_other_springs() -> None:
 def test_where_no_g_spot_is_reached_there_is_nothing_to_say(settings: dict[str, object]) -> None:
     scene = replace(load_scene("fig-varsim1"), stop_at_force=None).with_settings(**settings)  # type: ignore[arg-type]
     assert fast_part(scene) is None
+
+
+def test_where_slip_stops_before_the_g_spot_there_is_nothing_to_say() -> None:
+    """At u = 1/100 it stops after 0.0025, at u = 1 after 0.25, on a belt of that velocity too; at u = 3 not before."""
+    slides = load_scene("fig-varsim1").with_effects(add=["tangential_motion", "stick", "belt"], u=3)
+    assert fast_part(slides) is not None
+    for settings in ({"u": "1/100"}, {"u": 1}, {"belt_velocity": 2}):
+        assert fast_part(slides.with_settings(**settings)) is None
