@@ -1,7 +1,7 @@
 (** * The theorems
 
-    Each statement of [Statement.v], [StatementModels.v], [StatementCompliant.v], [StatementFlight.v], [StatementCertificate.v] and [StatementChecker.v]
-    is proved here under its own name, from the files named for the steps. *)
+    Each statement of [Statement.v], [StatementModels.v], [StatementCompliant.v], [StatementFlight.v], [StatementStep.v], [StatementCertificate.v] and
+    [StatementChecker.v] is proved here under its own name, from the files named for the steps. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
@@ -15,7 +15,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   ExponentPowers CompliantSeries CompliantPolynomial CompliantCorrection CompliantPower CompliantLaw CompliantUpper
   CompliantCritical CertificateWalk CertificateFamily CertificatePieces CertificateForce CertificateSlow
   BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerRuns.
-From GSpot Require CompliantGrowth CompliantGrowthSet BoxModel RoundedStep CarriedModel SignOnBox.
+From GSpot Require CompliantGrowth CompliantGrowthSet BoxModel RoundedStep CarriedModel SignOnBox StatementStep ValidatedStep.
 From GSpot Require Import Statement StatementModels StatementCompliant StatementFlight StatementCertificate StatementChecker.
 Import ListNotations.
 Open Scope R_scope.
@@ -745,6 +745,11 @@ apply (CompliantGrowth.contact_lasts a1 a2 a3 eps t1 p b y v z He). { intros t H
 intros P B Y V Z Hlin HP HB HY HV HZ.
 exact (late_above_one a1 a2 a3 eps t0 t1 p b y v z H1 H2 He Hm Hlift Hz Hf P B Y V Z Hlin HP HB HY HV HZ H31 Hu Hp Hq).
 Qed.
+
+(** ** Validated steps *)
+
+Theorem validated_step : StatementStep.validated_step.
+Proof. exact ValidatedStep.step_solution. Qed.
 
 (** ** Certificates *)
 

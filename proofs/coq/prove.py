@@ -52,10 +52,11 @@ STATED_IN = (
     "StatementModels",
     "StatementCompliant",
     "StatementFlight",
+    "StatementStep",
     "StatementCertificate",
     "StatementChecker",
 )
-"""The files of statements: Theta, boxes, the mechanism at every eps, after lift-off, certificates, a checker."""
+"""The files of statements: Theta, boxes, the mechanism at every eps, after lift-off, steps, certificates, a checker."""
 READ = (*STATED_IN, "CertificateText")
 """Who wants to know what is proved reads these."""
 BELIEVED = {

@@ -21,6 +21,7 @@ STATEMENTS = [
         "StatementModels",
         "StatementCompliant",
         "StatementFlight",
+        "StatementStep",
         "StatementCertificate",
         "StatementChecker",
     )

@@ -22,10 +22,11 @@ STATED_IN = (
     "StatementModels.v",
     "StatementCompliant.v",
     "StatementFlight.v",
+    "StatementStep.v",
     "StatementCertificate.v",
     "StatementChecker.v",
 )
-"""The files of statements: Theta, boxes, the mechanism at every epsilon, after lift-off, certificates, a checker."""
+"""The files of statements: Theta, boxes, the mechanism, after lift-off, steps, certificates, a checker."""
 _KEPT = ("PATH", "HOME", "TMPDIR", "LANG", "LC_ALL")
 """What the proofs see of the environment."""
 _PROVED = re.compile(r"^(\w+): (?:no axiom|[\w, ]+)$", re.MULTILINE)
