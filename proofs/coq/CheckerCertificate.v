@@ -270,3 +270,14 @@ Definition accepts (plans : list plan) (c : certificate) : bool :=
       if edge_le (At 0) (interval_from beta) && covers columns (interval_from beta) (interval_to beta)
       then on_each (zeros_block counts) plans (blocks c) else false
   end.
+
+(** The claim *zeros* alone, without pieces: the law gives m mod 3 + floor(m/3) zeros for beta in (m, m + 1). The counts must be these, and every
+    cell of the range must be listed. *)
+Definition counted (c : claim) : bool :=
+  match c with
+  | ZerosClaim (Interval (At low) (At high) _ _) counts =>
+      let first := Z.to_nat (Qfloor low) in
+      Qle_bool 0 low && forallb (fun e => Nat.eqb (snd e) (fst e mod 3 + fst e / 3)) counts &&
+      forallb (fun m => existsb (Nat.eqb m) (map fst counts)) (seq first (Z.to_nat (Qceiling high) - first))
+  | _ => false
+  end.

@@ -1,7 +1,7 @@
 (** * What is proved: a checker of certificates that runs in Coq
 
     This file holds no proof; [Theorems.v] proves each statement under its name. [Statement.v] says what Theta is and [StatementCertificate.v] what a range is. The data of
-    a certificate and its text are in [CertificateText.v]. The checker itself, [accepts] of [CheckerCertificate.v], need not be read: that it is right is what is stated here. The bytes of the two files are in
+    a certificate and its text are in [CertificateText.v]. The checker itself, [accepts] and [counted] of [CheckerCertificate.v], need not be read: that it is right is what is stated here. The bytes of the two files are in
     [CertificateIWC.v] and [CertificateZeros.v]. *)
 
 From Coq Require Import String.
@@ -30,6 +30,9 @@ Definition true_claim (F : R -> R -> R) (c : claim) : Prop :=
 (** What the checker accepts is true. (It does not ask whether [counts] names a cell twice, or whether a range is empty: the format of
     proofs/certificate.md does, and check_in_coq.py reads a file by it.) *)
 Definition certificate_checker : Prop := forall F plans c, theta_family F -> accepts plans c = true -> true_claim F (claimed c).
+
+(** The number of zeros without the pieces, by the count law: what [counted] accepts is true. *)
+Definition count_checker : Prop := forall F c, theta_family F -> counted c = true -> true_claim F c.
 
 (** The characters of a file: the text of a certificate, then [sha256], anything, and a line feed. The hash is not computed here. *)
 Definition is_file (file : string) (c : certificate) : Prop := exists hash : string,

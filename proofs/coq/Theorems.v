@@ -14,7 +14,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   GammaMultiplication EntireForm DifferentiableInBeta ZeroSlopes DerivativeTail CompliantDeviation EtaSeries
   ExponentPowers CompliantSeries CompliantPolynomial CompliantCorrection CompliantPower CompliantLaw CompliantUpper
   CompliantCritical CertificateWalk CertificateFamily CertificatePieces CertificateForce CertificateSlow
-  BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerRuns.
+  BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerCounts CheckerRuns.
 From GSpot Require CompliantGrowth CompliantGrowthSet BoxModel RoundedStep CarriedModel SignOnBox StatementStep ValidatedStep.
 From GSpot Require Import Statement StatementModels StatementCompliant StatementFlight StatementCertificate StatementChecker.
 Import ListNotations.
@@ -772,6 +772,9 @@ Proof. exact CertificateForce.lift_off_certificate. Qed.
 
 Theorem certificate_checker : StatementChecker.certificate_checker.
 Proof. exact accepted_is_true. Qed.
+
+Theorem count_checker : StatementChecker.count_checker.
+Proof. exact counted_is_true. Qed.
 
 Theorem iwc_0_1_checked : StatementChecker.iwc_0_1_checked.
 Proof. exact CheckerRuns.iwc_0_1_checked. Qed.

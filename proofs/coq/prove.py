@@ -60,11 +60,11 @@ STATED_IN = (
 READ = (*STATED_IN, "CertificateText")
 """Who wants to know what is proved reads these."""
 BELIEVED = {
-    "CheckerCertificate": {"accepts"},
+    "CheckerCertificate": {"accepts", "counted"},
     "CertificateIWC": {"iwc_0_1", "iwc_0_1_file", "iwc_0_1_plans"},
     "CertificateZeros": {"zeros_1_2", "zeros_1_2_file", "zeros_1_2_plans"},
 }
-"""What a statement may name beside: the checker whose soundness is stated, and the text of files."""
+"""What a statement may name beside: the checkers whose soundness is stated, and the text of files."""
 STATED = re.compile(r"^[ ]*Definition (\w+) : Prop :=", re.MULTILINE)
 MISSING = """The formal proofs were not run: {what} not found. They need Coq 8.16 and Coquelicot 3. On Debian or Ubuntu:
     apt-get install --no-install-recommends coq libcoq-coquelicot libcoq-mathcomp-ssreflect make

@@ -20,6 +20,7 @@ from must_reject import mutate
 
 COQ = Path(__file__).resolve().parents[2] / "proofs" / "coq"
 IWC, ZEROS = COQ.parent / "iwc_0_1.cert", COQ / "zeros_1_2.cert"
+FOLDS = COQ.parent / "zeros_1_13.cert"
 
 
 @pytest.fixture
@@ -84,10 +85,19 @@ def test_without_the_compiled_proofs_nothing_is_said_to_be_proved(
     assert capsys.readouterr().out.startswith("Not run")
 
 
-@pytest.mark.parametrize("name", ["zeros_1_13", "force_5_2", "zeros_4_5"])
+@pytest.mark.parametrize("name", ["force_5_2", "lift_off_5_2", "zeros_4_5"])
 def test_other_kinds_and_pieces_are_not_known(script: ModuleType, name: str) -> None:
     with pytest.raises(ValueError, match="does not know"):
         script.read((COQ.parent / f"{name}.cert").read_bytes())
+
+
+def test_a_fold_is_known_for_a_number_of_zeros_only(script: ModuleType) -> None:
+    """The count law answers; a sign needs the piece."""
+    folds = FOLDS.read_bytes()
+    assert script.has_fold(script.read(folds))
+    assert not script.has_fold(script.read(ZEROS.read_bytes()))
+    with pytest.raises(ValueError, match="does not know"):
+        script.read(changed(FOLDS, '"kind":"zeros"', '"kind":"sign"'))
 
 
 def changed(file: Path, before: str, after: str) -> bytes:
@@ -272,6 +282,20 @@ def test_coq_accepts_a_certificate_and_no_wrong_one(
     ):
         (tmp_path / "wrong.cert").write_bytes(changed(IWC, before, after))
         assert script.main([str(tmp_path / "wrong.cert")]) == 1, json.dumps(after)
+    assert "Proved" not in capsys.readouterr().out
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed: the checker in Coq is not run")
+def test_coq_accepts_the_counts_of_the_law_and_no_other(
+    script: ModuleType, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    if not compiled_here(script):
+        pytest.skip("the proofs are not compiled here: make prove")
+    assert script.main([str(FOLDS)]) == 0
+    assert capsys.readouterr().out.startswith('Proved in Coq by the count law, without the pieces: {"beta":"(1, 13)",')
+    (tmp_path / "wrong.cert").write_bytes(changed(FOLDS, "[2,2]", "[2,1]"))
+    assert script.main([str(tmp_path / "wrong.cert")]) == 1
     assert "Proved" not in capsys.readouterr().out
 
 
