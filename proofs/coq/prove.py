@@ -3,10 +3,13 @@
 
     python3 proofs/coq/prove.py                 what `make prove` runs
     python3 proofs/coq/prove.py --check-kernel  also coqchk, the independent checker of the compiled proofs (minutes)
+    python3 proofs/coq/prove.py --pin           write statements.txt anew, after a statement was changed on purpose
 
 Every statement of the files Statement*.v, that is every `Definition name : Prop := ...`, must be proved in Theorems.v
-under its name; its axioms must be those that assumptions.txt lists for it, no more and no fewer. The certificates that
-the proofs hold as text must be the files. A source that says more than source_rules.py lists is refused.
+under its name; its axioms must be those that assumptions.txt lists for it, no more and no fewer; the texts of the
+statements and of the definitions in these files must be those whose hashes statements.txt holds (pins.py). The
+certificates that the proofs hold as text must be the files. A source that says more than source_rules.py lists is
+refused.
 All is compiled anew, in a folder of its own, without the caller's environment (coq_run.py): nothing made before is
 believed. When all is proved the folder becomes build/coq, with the record, build/coq/record.json: the hash of each
 source, of _CoqProject and of each compiled file, and the axioms of each theorem. An old record is removed first.
@@ -40,11 +43,13 @@ from audit import Refused, assumptions, check_kernel, differences  # noqa: E402
 from certificate_source import source  # noqa: E402
 from coq_output import strange_references  # noqa: E402
 from coq_run import run  # noqa: E402
+from pins import changes, pinned  # noqa: E402
 from source_rules import code, project_files, refusals  # noqa: E402
 
 BUILD = HERE.parents[1] / "build" / "coq"
 RECORD = "record.json"
 PROJECT = "_CoqProject"
+PINS = "statements.txt"
 CERTIFICATES = {"CertificateIWC.v": HERE.parent / "iwc_0_1.cert", "CertificateZeros.v": HERE / "zeros_1_2.cert"}
 """The sources that are written from the bytes of a file (certificate_source.py)."""
 STATED_IN = (
@@ -121,6 +126,11 @@ def statements(texts: dict[str, bytes]) -> dict[str, str]:
                 raise ValueError(f"{files[name]}.v and {file}.v both state {name}")
             files[name] = file
     return files
+
+
+def other_statements(texts: dict[str, bytes]) -> list[str]:
+    """The statements and definitions that have not the text that is pinned."""
+    return changes((HERE / PINS).read_text(encoding="utf-8"), pinned(texts, READ))
 
 
 def digests(texts: dict[str, bytes]) -> dict[str, str]:
@@ -264,6 +274,8 @@ def prove(jobs: int, kernel: bool) -> int:
             raise Refused("\n".join(["A source says what it may not:", *wrong]))
         if wrong := other_texts(texts):
             raise Refused("\n".join(["A text is not that of the file:", *wrong]))
+        if wrong := other_statements(texts):
+            raise Refused("\n".join([f"A statement is not the one of {PINS}:", *wrong]))
         if what := missing():
             print(MISSING.format(what=what))
             return 2
@@ -290,8 +302,12 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--jobs", type=int, default=2, help="files compiled at once (2)")
     parser.add_argument("--check-kernel", action="store_true", help="also run coqchk on the compiled proofs")
+    parser.add_argument("--pin", action="store_true", help=f"only write {PINS} anew")
     parser.add_argument("--state", action="store_true", help="only say whether they were run on these sources")
     arguments = parser.parse_args()
+    if arguments.pin:
+        (HERE / PINS).write_text(pinned(read_sources(), READ), encoding="utf-8")
+        sys.exit(0)
     if arguments.state:
         print(state())
         sys.exit(0)

@@ -51,8 +51,8 @@ def project_files(text: str) -> list[str]:
     return names
 
 
-def code(text: str) -> str:
-    """The text with every comment as a blank and every string as an empty one.
+def code(text: str, strings: bool = False) -> str:
+    """The text with every comment as a blank and every string as an empty one, or with its strings.
 
     :raises ValueError: a character other than those that are printed in ASCII and line feeds; a comment or a string
         without an end; a comment right after a full stop, where Coq reads another sign.
@@ -72,7 +72,7 @@ def code(text: str) -> str:
         elif token == "*)" and depth:
             depth -= 1
         elif depth == 0:
-            kept.append('""' if token[0] == '"' else token)
+            kept.append('""' if token[0] == '"' and not strings else token)
     if depth:
         raise ValueError("a comment without an end")
     return "".join(kept)

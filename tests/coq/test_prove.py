@@ -77,6 +77,16 @@ def test_a_text_that_is_not_the_file_is_found(prove: ModuleType, capsys: pytest.
     )
 
 
+def test_a_statement_with_another_text_is_found(prove: ModuleType, capsys: pytest.CaptureFixture[str]) -> None:
+    assert prove.other_statements(prove.read_sources()) == []
+    path = prove.HERE / "StatementStep.v"
+    path.write_text(path.read_text().replace("0 <= T <= 1 ->", "0 <= T < 1 ->").replace("0 < h;", "0 <= h;"))
+    assert refused(prove, capsys) == (
+        "A statement is not the one of statements.txt:\n"
+        "StatementStep.v: step_checked has another text\nStatementStep.v: validated_step has another text\n"
+    )
+
+
 def test_a_text_in_a_comment_is_not_the_one_that_coq_reads(prove: ModuleType) -> None:
     """The true text in a comment at the start of a line, another one as the definition."""
     texts = prove.read_sources()
@@ -296,6 +306,7 @@ def small(prove: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr(prove, "HERE", tmp_path / "small")
     monkeypatch.setattr(prove, "STATED_IN", ("Statement",))
     monkeypatch.setattr(prove, "CERTIFICATES", {})
+    monkeypatch.setattr(prove, "other_statements", lambda _: [])
     monkeypatch.setattr(prove, "missing", lambda: "")
     prove.HERE.mkdir()
     write(prove, {"assumptions.txt": "claim:\n", "Statement.v": STATEMENT, "Lemmas.v": "", "Theorems.v": PROOF})
