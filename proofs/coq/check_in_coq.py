@@ -25,6 +25,7 @@ import json
 import math
 import os
 import re
+import resource
 import shutil
 import sys
 import tempfile
@@ -187,6 +188,12 @@ def proved(text: str, library: dict[str, bytes]) -> str:
     return claim
 
 
+def deepen_the_stack() -> None:
+    """Coq walks through a long string by recursion: 68 kB are too much for a stack of 8 MB, the usual limit."""
+    _, most = resource.getrlimit(resource.RLIMIT_STACK)
+    resource.setrlimit(resource.RLIMIT_STACK, (most, most))
+
+
 def main(arguments: list[str]) -> int:
     """The exit code."""
     if arguments[:1] == ["--source"]:
@@ -216,6 +223,7 @@ def main(arguments: list[str]) -> int:
     if shutil.which("coqc") is None:
         print("Not run: Coq is not found.")
         return 2
+    deepen_the_stack()
     try:
         how = " by the count law, without the pieces" if has_fold(text) else ""
         print(f"Proved in Coq{how}: {proved(text, library)}")
