@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import Path
 
-from gspot_verified.paper.checks.formal_proof import COQ, STATED_IN, statement_of
+from gspot_verified.paper.checks.formal_proof import COQ, stated_in, statement_of
 from gspot_verified.paper.checks.formal_routes import CARRIED, CONTRADICTED
 from gspot_verified.paper.claims import PaperClaim, paper_claims
 
@@ -43,7 +43,7 @@ other theorems; the statements are pinned in [statements.txt](statements.txt).
 def definitions() -> dict[str, str]:
     """Every definition of the files of statements with the comment before it, in the order of the files."""
     found = {}
-    for file in STATED_IN:
+    for file in stated_in():
         for match in _DEFINITION.finditer((COQ / file).read_text(encoding="utf-8")):
             found[match["name"]] = match["text"]
     return found

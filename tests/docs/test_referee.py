@@ -29,7 +29,7 @@ def test_each_theorem_that_carries_a_claim_is_stated_once_word_for_word() -> Non
 def test_every_definition_that_a_statement_uses_is_there() -> None:
     """Names of the files of statements, read without regard to how the page finds them."""
     written = referee.page()
-    stated = "\n".join((COQ / file).read_text(encoding="utf-8") for file in referee.STATED_IN)
+    stated = "\n".join((COQ / file).read_text(encoding="utf-8") for file in referee.stated_in())
     defined = {*re.findall(r"^(?:Definition|Fixpoint|Record|Inductive) (\w+)", stated, re.MULTILINE)}
     shown = {*re.findall(r"^(?:Definition|Fixpoint|Record|Inductive) (\w+)", written, re.MULTILINE)}
     code = re.sub(r"\(\*.*?\*\)", "", "".join(re.findall(r"```coq\n(.*?)```", written, re.DOTALL)), flags=re.DOTALL)

@@ -17,16 +17,6 @@ from gspot_verified.numbers.written import Written
 ROOT = Path(__file__).resolve().parents[3]
 COQ = ROOT / "proofs" / "coq"
 """The folder of the repository; an installed package has none."""
-STATED_IN = (
-    "Statement.v",
-    "StatementModels.v",
-    "StatementCompliant.v",
-    "StatementFlight.v",
-    "StatementStep.v",
-    "StatementCertificate.v",
-    "StatementChecker.v",
-)
-"""The files of statements: Theta, boxes, the mechanism, after lift-off, steps, certificates, a checker."""
 _KEPT = ("PATH", "HOME", "TMPDIR", "LANG", "LC_ALL")
 """What the proofs see of the environment."""
 _PROVED = re.compile(r"^(\w+): (?:no axiom|[\w, ]+)$", re.MULTILINE)
@@ -96,6 +86,11 @@ def formal_proof(names: Sequence[str], proofs: ProofRun, coq: Path = COQ) -> For
     return FormalProof(theorems, not why, f"not run here: {why}" if why else "run here, by proofs/coq/prove.py")
 
 
+def stated_in(coq: Path = COQ) -> list[str]:
+    """The files of statements that are there: Statement.v and those of one subject each."""
+    return sorted(path.name for path in coq.glob("Statement*.v"))
+
+
 def statement_of(name: str, coq: Path = COQ) -> tuple[str, str]:
     """The definition of a statement, with the comment before it, and the file where it stands.
 
@@ -103,7 +98,8 @@ def statement_of(name: str, coq: Path = COQ) -> tuple[str, str]:
     """
     comment = r"(?:^\(\*\*(?:(?!\*\)).)*\*\)\n)?"
     pattern = re.compile(rf"{comment}^Definition {re.escape(name)} : Prop :=.*?\.$(?=\n\n|\n?\Z)", re.M | re.S)
-    for file in STATED_IN:
+    files = stated_in(coq)
+    for file in files:
         if found := pattern.search((coq / file).read_text(encoding="utf-8")):
             return found[0], file
-    raise ValueError(f"{', '.join(STATED_IN)}: no {name} is stated")
+    raise ValueError(f"{', '.join(files)}: no {name} is stated")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 import shutil
 from pathlib import Path
 
@@ -11,7 +12,15 @@ import pytest
 
 from gspot_verified import Outcome
 from gspot_verified.paper.checks.entry import Check, Entry, Rung, conclude
-from gspot_verified.paper.checks.formal_proof import COQ, NOT_ASKED, ProofRun, formal_proof, run_proofs, statement_of
+from gspot_verified.paper.checks.formal_proof import (
+    COQ,
+    NOT_ASKED,
+    ProofRun,
+    formal_proof,
+    run_proofs,
+    stated_in,
+    statement_of,
+)
 from gspot_verified.paper.checks.formal_routes import CARRIED, CONTRADICTED, with_formal_proof
 from gspot_verified.paper.verify import PARTS
 
@@ -152,3 +161,12 @@ def test_the_entries_and_the_statements_exist() -> None:
     assert {*CARRIED, *CONTRADICTED} <= known
     assert {statement_of(name)[1] for name in NAMES} == {"Statement.v", "StatementCompliant.v", "StatementFlight.v"}
     assert statement_of("sign_certificate")[1] == "StatementCertificate.v"
+
+
+def test_the_files_of_statements_are_those_that_the_proofs_are_held_against(coq: Path) -> None:
+    """A file more in the folder is one more to read; prove.py has its own list."""
+    listed = re.search(r"^STATED_IN = \((.*?)^\)", (COQ / "prove.py").read_text(encoding="utf-8"), re.M | re.S)
+    assert listed
+    assert stated_in() == sorted(f"{name}.v" for name in re.findall(r'"(\w+)"', listed[1]))
+    (coq / "StatementMore.v").write_text("Definition more : Prop := True.\n", encoding="utf-8")
+    assert statement_of("more", coq) == ("Definition more : Prop := True.", "StatementMore.v")
